@@ -1,0 +1,29 @@
+"""Declaration, derivation and audit: from a scene to the text of a generated module. Names are handed on lazily (PEP 562)."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any
+
+_HOME = {
+    "Parameter": "parameter",
+    "Interval": "parameter",
+    **dict.fromkeys(
+        ("GROUND", "X", "Y", "Z", "Body", "Material", "Mechanism", "PinInBush", "Point", "Prismatic", "Revolute",
+         "SphereOnPlane", "SphereOnSphere"), "mechanism"),
+    **dict.fromkeys(
+        ("ConstantSpeed", "Contact", "EnergyLedger", "Friction", "Gravity", "Scales", "Scene", "Start"), "scene"),
+    "InputError": "faults",
+    "Fault": "faults",
+    **dict.fromkeys(("audit_scene", "Finding", "InconsistentUnits"), "audit"),
+    **dict.fromkeys(("derive", "generate"), "derivation"),
+    "LAWS": "laws",
+}  # fmt: skip
+
+__all__ = sorted(_HOME)
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOME:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"{__name__}.{_HOME[name]}"), name)

@@ -1,0 +1,207 @@
+"""The unit audit of a scene: first its laws, as written, with what they are bound to; then every assignment and output of its program."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.dimension import ONE, Dimension, DimensionError, DimensionFault, check, dimension_of
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.laws.law import BoundLaw
+from hertzwerk.derive.program import Program
+from hertzwerk.derive.scene import Contact, Friction, Scene
+from hertzwerk.derive.units import parse_unit
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What the audit says of one expression: `verdict` is consistent, inconsistent, or unchecked (inconsistent, run on purpose)."""
+
+    effect: str
+    what: str
+    law: str
+    title: str
+    source: str
+    verdict: str
+    expression: str
+    symbols: tuple[tuple[str, str, str], ...] = ()
+    """(name, unit, meaning) of the symbols of the expression."""
+    found: str = ""
+    expected: str = ""
+    subexpression: str = ""
+    reason: str = ""
+    consistent_exponent: str | None = None
+    repair: str | None = None
+
+    def __str__(self) -> str:
+        """The finding as it is shown to people; an inconsistent one teaches."""
+        lines = [f"{self.effect}, {self.what}: {self.title}"]
+        width = max(14, len(self.expression))
+        for k, (name, unit, meaning) in enumerate(self.symbols):
+            lines.append(
+                f"    {self.expression if k == 0 else '':<{width}}  {f'{name} [{unit}]':<12} {meaning}".rstrip()
+            )
+        if not self.symbols:
+            lines.append(f"    {self.subexpression or self.expression}")
+        if self.verdict == "consistent":
+            return "\n".join([*lines, f"    {self.found}, consistent"])
+        lines.append(f"    found {self.found}, expected {self.expected}")
+        lines.append(f"{self.repair}." if self.repair else f"{self.reason}.")
+        if self.consistent_exponent is not None:
+            lines.append(
+                f"Either keep n = {self.consistent_exponent}, or give a stiffness with its own unit: power(K [N/m^n], n)."
+            )
+        if self.law:
+            lines.append("To see what the inconsistent law does, mark it: Contact(..., unchecked=True).")
+        return "\n".join(lines)
+
+
+class InconsistentUnits(InputError):
+    """A scene whose units do not hold; `findings` are all of them."""
+
+    def __init__(self, scene: Scene, findings: Iterable[Finding]) -> None:
+        self.findings = tuple(findings)
+        faults = [Fault(f"{f.effect}, {f.what}", f.found, f.expected, f.repair or f.reason) for f in self.findings]
+        super().__init__(f"scene {scene.name}", faults)
+        count = f"{len(faults)} unit error" + ("s" if len(faults) != 1 else "")
+        self.args = (f"derive {scene.name}: {count}, nothing written\n\n" + "\n\n".join(map(str, self.findings)),)
+
+
+def refuse_inconsistent(scene: Scene, findings: Iterable[Finding]) -> None:
+    """Raise InconsistentUnits if any finding is inconsistent."""
+    wrong = [finding for finding in findings if finding.verdict == "inconsistent"]
+    if wrong:
+        raise InconsistentUnits(scene, wrong)
+
+
+def audit_scene(scene: Scene) -> tuple[Finding, ...]:
+    """Every law of the scene, then, if they hold, every assignment and output of its program."""
+    from hertzwerk.derive.derivation import (
+        derivation_of,
+    )  # the program is made by the derivation, which audits it in turn
+
+    laws = audit_laws(scene)
+    if any(finding.verdict == "inconsistent" for finding in laws):
+        return laws
+    return laws + audit_program(derivation_of(scene))[1]
+
+
+def audit_laws(scene: Scene) -> tuple[Finding, ...]:
+    """One finding per expression of every law the scene calls for."""
+    findings: list[Finding] = []
+    for effect in scene.effects:
+        bounds = effect.laws if isinstance(effect, Contact) else (effect.law,) if isinstance(effect, Friction) else ()
+        unchecked = isinstance(effect, Contact) and effect.unchecked
+        for bound in bounds:
+            findings.extend(_law_findings(scene, effect.name, bound, unchecked))
+    return tuple(findings)
+
+
+def _law_findings(scene: Scene, effect: str, bound: BoundLaw, unchecked: bool) -> Iterable[Finding]:
+    law = bound.law
+    table = _law_table(scene, bound)
+    exponents = {s: sp.sympify(value) for s, value in bound.binding.items() if s.unit == "1"}
+    numbers = ", ".join(f"{s.name} = {value}" for s, value in exponents.items() if value.is_number)
+    constants = [*scene.parameters.values(), *exponents]
+    rows = [(f"definition of {s.name}", e, s.unit) for s, e in law.definitions if "^n" not in s.unit]
+    for what, expression, unit in (*rows, *law.expressions()):
+        expected = Dimension.from_unit(parse_unit(unit), {})
+        fault = check(expression.xreplace(exponents), table, expected, constants)
+        lesson = check(expression, table, expected, constants) or fault  # with the exponent left open: what would do
+        symbols = tuple(
+            (s.name, str(table[s]), s.meaning)
+            for s in dict.fromkeys(n for n in sp.preorder_traversal(_smallest(expression, lesson)) if n in table)
+            if s.unit != "1"
+        )
+        yield Finding(
+            effect=effect,
+            what=what,
+            law=law.name,
+            title=f"{law.title}{f', {numbers}' if numbers else ''}",
+            source=law.source,
+            verdict="consistent" if fault is None else "unchecked" if unchecked else "inconsistent",
+            expression=str(expression),
+            symbols=symbols,
+            found=str(expected) if fault is None else fault.found,
+            expected=str(expected) if fault is None else fault.expected,
+            subexpression="" if fault is None else fault.subexpression,
+            reason="" if fault is None else fault.reason,
+            consistent_exponent=_exponent(lesson) if fault is not None else None,
+            repair=None if fault is None or lesson is None else lesson.repair,
+        )
+
+
+def _law_table(scene: Scene, bound: BoundLaw) -> dict[sp.Symbol, Dimension]:
+    """Dimension of every symbol of a bound law: parameters by what is bound to them, the rest as the law declares it."""
+    parameters = scene.dimensions
+    table = dict(parameters)
+    for symbol, value in bound.binding.items():
+        number = sp.sympify(value)
+        table[symbol] = ONE if number.is_number else dimension_of(number, parameters, list(parameters))
+    texts = [expression for _, expression, _ in bound.law.expressions()] + [e for _, e in bound.law.definitions]
+    for symbol in (node for text in texts for node in sp.preorder_traversal(text) if isinstance(node, sp.Symbol)):
+        if symbol not in table:
+            table[symbol] = Dimension.from_unit(parse_unit(symbol.unit), {})
+    return table
+
+
+def _smallest(expression: Any, fault: DimensionFault | None) -> Any:
+    """The sub-expression a fault names; the whole where there is none."""
+    if fault is None:
+        return expression
+    return next((node for node in sp.preorder_traversal(expression) if str(node) == fault.subexpression), expression)
+
+
+def _exponent(fault: DimensionFault | None) -> str | None:
+    return None if fault is None or fault.consistent_exponent is None else str(fault.consistent_exponent)
+
+
+def audit_program(program: Program) -> tuple[dict[sp.Symbol, str], tuple[Finding, ...]]:
+    """Unit of every symbol of a program, and one finding per assignment or output that is not consistent.
+
+    The first finding of a chain is the cause: what depends on it is taken as unknown and passed over.
+    """
+    table: dict[sp.Symbol, Dimension] = dict(program.tape.declared)
+    constants = [
+        symbol for symbol in (*program.tape.inputs, *program.tape.assignments) if program.tape.is_constant(symbol)
+    ]
+    findings: list[Finding] = []
+    for symbol, expression in program.assignments():
+        if symbol in table:
+            continue
+        try:
+            table[symbol] = dimension_of(expression, table, constants)
+        except DimensionError as error:
+            if error.fault.found != "unknown":
+                findings.append(_finding(program, f"assignment {symbol}", expression, error.fault))
+    findings.extend(_output_findings(program, table, constants))
+    return {symbol: str(dimension) for symbol, dimension in table.items()}, tuple(findings)
+
+
+def _output_findings(
+    program: Program, table: Mapping[sp.Symbol, Dimension], constants: list[sp.Symbol]
+) -> Iterable[Finding]:
+    for function in program.functions:
+        for result in function.results:
+            for label, unit, expression in zip(result.labels, result.units, result.expressions, strict=True):
+                if unit:
+                    fault = check(sp.sympify(expression), table, Dimension.from_unit(parse_unit(unit), {}), constants)
+                    if fault is not None and fault.found != "unknown":
+                        yield _finding(program, f"output {function.name}.{result.name}[{label}]", expression, fault)
+
+
+def _finding(program: Program, what: str, expression: Any, fault: DimensionFault) -> Finding:
+    return Finding(
+        effect=program.scene.name, what=what, law="", title=fault.reason, source="", verdict="inconsistent",
+        expression=str(expression), found=fault.found, expected=fault.expected, subexpression=fault.subexpression,
+        reason=fault.reason, consistent_exponent=_exponent(fault), repair=fault.repair,
+    )  # fmt: skip
+
+
+def checked(program: Program) -> tuple[int, int]:
+    """How many assignments and outputs the audit of a program covers."""
+    outputs = sum(len(result.expressions) for function in program.functions for result in function.results)
+    return sum(1 for _ in program.assignments()), outputs

@@ -1,0 +1,260 @@
+"""Contact pairs: gap, gap rates, penetration, normal, contact point; and the forces their laws give.
+
+A pair pushes its first place along the unit vector `normal`. The gap is a smooth event function (no square root where the distance may vanish);
+it equals minus the penetration to first order at contact, so its rate at the onset is minus the approach speed. Penetration and normal proper
+appear in the contact's own function alone, which is evaluated in contact only.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.dimension import Dimension
+from hertzwerk.derive.functions import Where
+from hertzwerk.derive.kinematics import Kinematics
+from hertzwerk.derive.laws.law import BoundLaw, F, N, d, s, v, v0
+from hertzwerk.derive.mechanism import Pair, PinInBush, SphereOnPlane
+from hertzwerk.derive.scene import Contact, Friction
+from hertzwerk.derive.units import parse_unit
+from hertzwerk.derive.vectors import Vector, add, apply, cross, dot, scale, sub, transpose
+
+NEWTON = Dimension.from_unit(parse_unit("N"), {})
+JOULE = Dimension.from_unit(parse_unit("J"), {})
+
+
+@dataclass(frozen=True)
+class Forces:
+    """What a contact does: generalised forces by joint, dissipated powers [W], normal force [N], sliding velocity [m/s] or None, range."""
+
+    generalised: dict[str, Any]
+    normal_power: Any
+    friction_power: Any
+    normal_force: Any
+    sliding_velocity: Any
+    in_range: Any
+
+
+class PairKinematics:
+    """One pair of a scene on its kinematics' tape."""
+
+    def __init__(self, kinematics: Kinematics, pair: Pair) -> None:
+        self.kin = kinematics
+        self.tape = kinematics.tape
+        self.pair = pair
+        self.first, self.second = pair.places
+        name = pair.name
+        one, one_rate, one_second = kinematics.point(
+            self.first, f"{name}_{'pin' if isinstance(pair, PinInBush) else 'first'}"
+        )
+        two, two_rate, two_second = kinematics.point(
+            self.second, f"{name}_{'bush' if isinstance(pair, PinInBush) else 'second'}"
+        )
+        self.position = one
+        self.apart = self._named(sub(one, two), "apart")
+        self.apart_rate = self._named(sub(one_rate, two_rate), "apart_rate")
+        second = self._named(sub(one_second, two_second), "apart_acceleration")
+        for a, b, c in zip(self.apart, self.apart_rate, second, strict=True):
+            self.tape.set_rate(a, b)
+            self.tape.set_rate(b, c)
+
+    def _named(self, vector: Vector, what: str) -> Vector:
+        return self.tape.vector(vector, f"{self.pair.name}_{what}")
+
+    def let(self, expression: Any, what: str, dimension: Dimension | None = None) -> Any:
+        """Name a result of this pair on the tape."""
+        return self.tape.let(expression, f"{self.pair.name}_{what}", dimension)
+
+    # -- geometry --------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def _direction(self) -> Vector:
+        """Of a plane's normal or a bush's axis, ground axes."""
+        local = self.pair.normal if isinstance(self.pair, SphereOnPlane) else self.pair.axis  # type: ignore[union-attr]
+        x, y, z = (sp.Integer(component) for component in local.components)
+        return self._named(apply(self.kin.motions[self.second.body].orientation.matrix, (x, y, z)), "direction")
+
+    @cached_property
+    def eccentricity(self) -> Vector:
+        """Of a pin: centre to centre, across the bush's axis; of spheres: centre to centre [m]."""
+        if not isinstance(self.pair, PinInBush):
+            return self.apart
+        along = self.let(dot(self.apart, self._direction), "along")
+        return self._named(sub(self.apart, scale(along, self._direction)), "e")
+
+    @cached_property
+    def gap(self) -> Any:
+        """Event function, positive while open [m]."""
+        if isinstance(self.pair, SphereOnPlane):
+            return self.let(dot(self._direction, self.apart) - self.pair.radius, "gap")
+        reach = self._reach
+        squared = self.let(dot(self.eccentricity, self.eccentricity), "apart_squared")
+        sign = 1 if isinstance(self.pair, PinInBush) else -1
+        return self.let(sign * (reach**2 - squared) / (2 * reach), "gap")
+
+    @cached_property
+    def _reach(self) -> Any:
+        """Centre distance at which contact begins [m]."""
+        if isinstance(self.pair, PinInBush):
+            return sp.sympify(self.pair.clearance)
+        return self.let(self.pair.radius_first + self.pair.radius_second, "reach")  # type: ignore[union-attr]
+
+    @cached_property
+    def gap_rate(self) -> Any:
+        """[m/s]."""
+        return self.tape.rate(self.gap, f"{self.pair.name}_gap_rate")
+
+    @cached_property
+    def gap_acceleration(self) -> Any:
+        """[m/s^2]."""
+        return self.tape.rate(self.gap_rate, f"{self.pair.name}_gap_acceleration")
+
+    @cached_property
+    def _distance(self) -> Any:
+        return self.let(sp.sqrt(self.let(dot(self.eccentricity, self.eccentricity), "apart_squared")), "distance")
+
+    @cached_property
+    def normal(self) -> Vector:
+        """Unit vector along which the first place is pushed."""
+        if isinstance(self.pair, SphereOnPlane):
+            return self._direction
+        sign = -1 if isinstance(self.pair, PinInBush) else 1
+        return self._named(scale(sign / self._distance, self.eccentricity), "normal")
+
+    @cached_property
+    def penetration(self) -> Any:
+        """[m], positive in contact."""
+        if isinstance(self.pair, SphereOnPlane):
+            return self.let(-self.gap, "penetration")
+        sign = 1 if isinstance(self.pair, PinInBush) else -1
+        return self.let(sign * (self._distance - self._reach), "penetration")
+
+    @cached_property
+    def penetration_rate(self) -> Any:
+        """[m/s]; the normal turns, but only along itself does the distance change."""
+        return self.let(-dot(self.normal, self.apart_rate), "penetration_rate")
+
+    def outputs(self) -> list[tuple[str, str, Any]]:
+        """Named quantities of the pair: (name, unit, expression)."""
+        name = self.pair.name
+        if not isinstance(self.pair, PinInBush):
+            return [(f"{name}.gap", "m", -self.penetration)]
+        local = apply(transpose(self.kin.motions[self.second.body].orientation.matrix), self.eccentricity)
+        across = [k for k in range(3) if self.pair.axis.components[k] == 0]
+        return [
+            (f"{name}.eccentricity_{'xyz'[k]}", "m", self.let(local[k], f"eccentricity_{'xyz'[k]}")) for k in across
+        ]
+
+    # -- forces ----------------------------------------------------------------------------------------------------
+
+    def _law(self, bound: BoundLaw, known: dict[sp.Symbol, Any]) -> dict[sp.Symbol, Any]:
+        """Law symbol -> tape: bound parameters, geometry, definitions."""
+        values = {**known, **bound.binding}
+        for symbol in (symbol for symbol, _ in bound.law.definitions):
+            values.pop(symbol, None)
+        for quantity, expression in self._geometry.items():
+            values.setdefault(quantity, expression)
+        for symbol, expression in bound.law.definitions:
+            values[symbol] = self.let(expression.xreplace(values), symbol.name)
+        return values
+
+    @cached_property
+    def _geometry(self) -> dict[sp.Symbol, Any]:
+        from hertzwerk.derive.laws import law  # the geometric quantities a law may name
+
+        return {getattr(law, name): self.let(value, name) for name, value in self.pair.geometry.items()}
+
+    def elastic(self, contact: Contact) -> tuple[Any, Any]:
+        """Elastic force [N] and stored energy [J], zero while open."""
+        law = contact.stiffness.law
+        values = self._law(contact.stiffness, {d: self.penetration})
+        closed = self.penetration > 0
+        stated = (NEWTON, JOULE) if contact.unchecked else (None, None)
+        force = self.let(Where(closed, law.force.xreplace(values), 0), "elastic_force", stated[0])
+        return force, self.let(Where(closed, law.stored.xreplace(values), 0), "stored_energy", stated[1])
+
+    def forces(self, contact: Contact, friction: Friction | None, approach_speed: Any) -> Forces:
+        """Everything the pair's effects do."""
+        elastic, _ = self.elastic(contact)
+        normal_force, normal_power = elastic, sp.S.Zero
+        if contact.damping is not None:
+            known = {F: elastic, v: self.penetration_rate, v0: approach_speed, d: self.penetration}
+            law = contact.damping.law
+            values = self._law(contact.damping, known)
+            factor = self.let(law.factor.xreplace(values), "hysteresis_factor")
+            resistance = self.let(
+                elastic * factor * self.penetration_rate / approach_speed,
+                "resistance",
+                NEWTON if contact.unchecked else None,
+            )
+            normal_force = self.let(elastic + resistance, "normal_force")
+            normal_power = self.let(resistance * self.penetration_rate, "normal_power")
+        # The line of action passes through the first place's centre: the shorter arm does.
+        push = self._named(scale(normal_force, self.normal), "push")
+        generalised = self._on_joints(push, self.position, "push")
+        friction_power, sliding = sp.S.Zero, None
+        if friction is not None:
+            drag, sliding, friction_power = self._drag(friction, normal_force)
+            drag = self._named(drag, "drag")
+            for joint, force in self._on_joints(drag, self.contact_point, "drag").items():
+                generalised[joint] = generalised.get(joint, sp.S.Zero) + force
+        return Forces(generalised, normal_power, friction_power, normal_force, sliding, self._in_range(contact))
+
+    def _on_joints(self, force: Vector, position: Vector, name: str) -> dict[str, Any]:
+        return self.kin.generalised(force, position, self.first.body, self.second.body, f"{self.pair.name}_{name}")
+
+    def _in_range(self, contact: Contact) -> Any:
+        reach = contact.stiffness.law.reach
+        if reach is None:
+            return sp.S.One
+        limit = self.let(reach.xreplace(self._law(contact.stiffness, {})), "penetration_limit")
+        return self.let(Where(self.penetration <= limit, 1, 0), "in_range")
+
+    @cached_property
+    def contact_point(self) -> Vector:
+        """The point both bodies touch at, on the first body's surface [m]."""
+        return add(self.position, scale(-sp.sympify(self.pair.first_radius), self.normal))
+
+    def _drag(self, friction: Friction, normal_force: Any) -> tuple[Vector, Any, Any]:
+        """Friction force on the first body, sliding velocity, dissipated power."""
+        law = friction.law.law
+        plane = self._plane_of_motion()
+        if plane is None:
+            rate = self._named(self._sliding_rate(self.contact_point), "sliding_rate")
+            slip = self._named(sub(rate, scale(self.let(dot(rate, self.normal), "along_rate"), self.normal)), "slip")
+            sliding = self.let(sp.sqrt(self.let(dot(slip, slip), "slip_squared")), "sliding_velocity")
+        else:
+            # In the plane the tangent is known, and the surface speed of each body is its radius times its rate of turn.
+            tangent = self._named(cross(plane, self.normal), "tangent")
+            spins = [self.kin.motions[place.body].angular_velocity for place in (self.first, self.second)]
+            turn = dot(plane, sub(spins[0], spins[1]))
+            sliding = self.let(
+                dot(self._named(self._sliding_rate(self.position), "sliding_rate"), tangent)
+                - sp.sympify(self.pair.first_radius) * turn,
+                "sliding_velocity",
+            )
+        values = self._law(friction.law, {N: normal_force, s: sliding})
+        force = self.let(law.force.xreplace(values), "friction_force")
+        power = self.let(force * sliding, "friction_power")
+        if plane is None:
+            slope = self.let(law.slope.xreplace(values), "friction_slope")
+            per_speed = self.let(Where(sliding > 0, force / sliding, slope), "friction_per_speed")
+            return scale(-per_speed, slip), sliding, power
+        return scale(-force, tangent), sliding, power
+
+    def _sliding_rate(self, position: Vector) -> Vector:
+        """Velocity of the first body's point at `position` against the second body's [m/s]."""
+        one, two = (self.kin.velocity_at(place.body, position) for place in (self.first, self.second))
+        return sub(one, two)
+
+    def _plane_of_motion(self) -> Vector | None:
+        """The coordinate axis across a plane contact, if normal and velocities show it structurally."""
+        rate = self._sliding_rate(self.contact_point)
+        for k in (2, 1, 0):
+            if self.normal[k] == 0 and rate[k] == 0:
+                x, y, z = (sp.Integer(int(i == k)) for i in range(3))
+                return (x, y, z)
+        return None

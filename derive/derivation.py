@@ -1,0 +1,345 @@
+"""The derivation, start to end: scene -> audited program -> text. Reads as the list of what a generated module holds."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.audit import audit_laws, audit_program, refuse_inconsistent
+from hertzwerk.derive.contact import PairKinematics
+from hertzwerk.derive.dimension import Dimension
+from hertzwerk.derive.emit import emit
+from hertzwerk.derive.equations import Equations
+from hertzwerk.derive.kinematics import Kinematics
+from hertzwerk.derive.mechanism import Prismatic
+from hertzwerk.derive.parameter import Interval, Parameter
+from hertzwerk.derive.program import Function, Program, Result, Tape
+from hertzwerk.derive.scene import Contact, Friction, Scene
+from hertzwerk.derive.units import parse_unit
+
+
+def derive(scene: Scene) -> Program:
+    """The program of a scene. Raises InputError, listing every unit error, unless each assignment and output is consistent."""
+    refuse_inconsistent(scene, audit_laws(scene))
+    program = derivation_of(scene)
+    units, findings = audit_program(program)
+    refuse_inconsistent(scene, findings)
+    return replace(program, units=units)
+
+
+def derivation_of(scene: Scene) -> Program:
+    """The program, not yet audited."""
+    return _Derivation(scene).program()
+
+
+def generate(scene: Scene, source: str = "") -> str:
+    """Text of the scene's generated module; `source` names the file the scene stands in."""
+    return emit(derive(scene), source)
+
+
+class _Derivation:
+    """One scene's way through the derivation; each method yields one function of the contract."""
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+        self.tape = Tape()
+        for parameter, dimension in scene.dimensions.items():
+            self.tape.input(parameter.name, "p", dimension, symbol=parameter)
+        self.kin = Kinematics(self.tape, scene)
+        self.equations = Equations(self.kin, scene)
+        self.contacts = [
+            (PairKinematics(self.kin, pair), contact, friction) for pair, contact, friction in scene.contacts
+        ]
+        rows = list(self.equations.free)
+        if scene.ledger:
+            rows += self.equations.driven
+        self.rows = rows
+        self.row_units = tuple(joint.joint.force_unit for joint in rows)
+        self.memory = self._memory()
+        self.latches = {
+            contact.name: self.tape.input(f"{contact.name}_approach_speed", "m", _dimension("m/s"))
+            for _, contact, _ in self.contacts
+            if contact.latches
+        }
+
+    def _memory(self) -> list[tuple[str, str]]:
+        """Entries of z: (name, unit)."""
+        if not self.scene.ledger:
+            return []
+        ledger = self.scene.of_kind("ledger")[0].name
+        drives = [(f"{ledger}.input", "J")] if self.equations.driven else []
+        contacts = [
+            (f"{effect.name}.dissipated", "J")
+            for effect in self.scene.effects
+            if isinstance(effect, Contact | Friction)
+        ]
+        return drives + contacts
+
+    def program(self) -> Program:
+        functions = [
+            self.start(),
+            self.scales(),
+            self.coordinate_rates(),
+            self.gaps(),
+            self.gap_accelerations(),
+            *(self.contact(*entry) for entry in self.contacts),
+            self.applied(),
+            self.accelerations(),
+            *([self.ledger(), self.energy()] if self.scene.ledger else []),
+            self.poses(),
+            self.outputs(),
+        ]
+        constants = self.tape.constants(functions)
+        names = tuple(symbol.name for symbol in constants)
+        result = Result("c", names, ("",) * len(names), tuple(constants))  # of any unit: see CONSTANTS
+        summary = "What depends on the parameters alone, once per run."
+        functions.insert(0, self.tape.function("constants", summary, ("p",), [result]))
+        return Program(self.scene, self.tape, tuple(functions), tuple(constants), self._tables())
+
+    # -- functions of the contract ---------------------------------------------------------------------------------
+
+    def _function(self, name: str, summary: str, arguments: str, *results: Result) -> Function:
+        return self.tape.function(name, summary, tuple(arguments.split()), results)
+
+    def start(self) -> Function:
+        """Initial state."""
+        start = self.scene.start
+        free = self.scene.free_joints
+        q = [sp.sympify(start.position.get(joint.name, 0)) for joint in free]
+        u = [sp.sympify(start.speed.get(joint.name, 0)) for joint in free]
+        return self._function(
+            "start", "Coordinates and speeds at t = 0.", "p", self._coordinates("q", q), self._speeds("u", u)
+        )
+
+    def scales(self) -> Function:
+        """Sizes of everything a tolerance is set for."""
+        scales, free = self.scene.scales, self.scene.free_joints
+        length, speed, arm = sp.sympify(scales.length), sp.sympify(scales.speed), scales.arm
+        mass = self.tape.let(sp.Add(*(sp.sympify(body.mass) for body in self.scene.mechanism.bodies)), "total_mass")
+        energy = self.tape.let(mass * speed**2 / 2, "energy_scale")
+        force = self.tape.let(energy / length, "force_scale")
+        q = [length if isinstance(joint, Prismatic) else length / arm for joint in free]
+        u = [speed if isinstance(joint, Prismatic) else speed / arm for joint in free]
+        return self._function(
+            "scales",
+            "Sizes that accuracy is measured by: of coordinates, speeds, memory; then length, speed, force, energy.",
+            "p",
+            self._coordinates("sq", q),
+            self._speeds("su", u),
+            self._memory_result("sz", [energy] * len(self.memory)),
+            Result("s", ("length", "speed", "force", "energy"), ("m", "m/s", "N", "J"), (length, speed, force, energy)),
+        )
+
+    def coordinate_rates(self) -> Function:
+        """Kinematic equations."""
+        labels = tuple(name for name, _ in self._coordinate_names())
+        units = tuple(joint.speed_unit for joint in self.scene.free_joints)
+        return self._function(
+            "coordinate_rates", "Rates of the coordinates.", "t q u c", Result("dq", labels, units, tuple(self.kin.u))
+        )
+
+    def _pairs(self, name: str, unit: str, values: list[Any]) -> Result:
+        names = tuple(pair.pair.name for pair, _, _ in self.contacts)
+        return Result(name, names, (unit,) * len(names), tuple(values))
+
+    def gaps(self) -> Function:
+        """Event functions and rates."""
+        return self._function(
+            "gaps",
+            "Gap of every pair, positive while open, and its rate; at an onset the rate is minus the approach speed.",
+            "t q u c",
+            self._pairs("G", "m", [pair.gap for pair, _, _ in self.contacts]),
+            self._pairs("dG", "m/s", [pair.gap_rate for pair, _, _ in self.contacts]),
+        )
+
+    def gap_accelerations(self) -> Function:
+        """Second derivatives of the event functions."""
+        values = [pair.gap_acceleration for pair, _, _ in self.contacts]
+        return self._function(
+            "gap_accelerations", "Second derivative of every gap.", "t q u a c", self._pairs("ddG", "m/s^2", values)
+        )
+
+    def contact(self, pair: PairKinematics, contact: Contact, friction: Friction | None) -> Function:
+        """Forces of one pair."""
+        forces = pair.forces(contact, friction, self.latches.get(contact.name))
+        name = contact.name
+        f = [forces.generalised.get(joint.joint.name, sp.S.Zero) for joint in self.rows]
+        power = {f"{name}.dissipated": forces.normal_power}
+        if friction is not None:
+            power[f"{friction.name}.dissipated"] = forces.friction_power
+        sliding = () if friction is None else (forces.sliding_velocity,)
+        return self._function(
+            f"contact_{name}",
+            f"Forces of {name}: {contact.text}{f', {friction.law.law.name}' if friction else ''}. "
+            "The normal force is the laws' own, not clamped: where it would pull, the contact ends.",
+            "t q u z m c",
+            self._forces("f", f),
+            self._memory_result("dz", [power.get(entry, sp.S.Zero) for entry, _ in self.memory], "W"),
+            Result("normal_force", (name,), ("N",), (forces.normal_force,)),
+            Result("sliding_velocity", (name,) * len(sliding), ("m/s",) * len(sliding), sliding),
+            Result("in_range", (name,), ("1",), (forces.in_range,)),
+        )
+
+    def applied(self) -> Function:
+        """Forces that are no contact's."""
+        f = [self.equations.gravity(joint) for joint in self.rows]
+        return self._function(
+            "applied", "Generalised forces of everything that is no contact.", "t q u c", self._forces("f", f)
+        )
+
+    def accelerations(self) -> Function:
+        """The equations of motion, solved."""
+        symbols = {
+            joint.joint.name: self.tape.input(f"{joint.joint.name}_force", "f", _dimension(unit))
+            for joint, unit in zip(self.rows, self.row_units, strict=True)
+        }
+        a = self.equations.accelerations(symbols)
+        reactions = self.equations.reactions(symbols, a) if self.scene.ledger else []
+        driven = self.equations.driven if self.scene.ledger else []
+        labels = tuple(f"{name.rsplit('.', 1)[0]}.acceleration" for name, _ in self._speed_names())
+        units = tuple(f"{unit}^2" for _, unit in self._speed_names())
+        return self._function(
+            "accelerations",
+            "Generalised accelerations a from M a = f - bias, and what each drive must supply.",
+            "t q u f c",
+            Result("a", labels, units, tuple(a)),
+            Result(
+                "reactions",
+                tuple(f"{joint.joint.name}.reaction" for joint in driven),
+                tuple(joint.joint.force_unit for joint in driven),
+                tuple(reactions),
+            ),
+        )
+
+    def ledger(self) -> Function:
+        """Power put in."""
+        power = [
+            self.tape.input(f"{joint.joint.name}_reaction_in", "reactions", _dimension(joint.joint.force_unit))
+            * joint.speed
+            for joint in self.equations.driven
+        ]
+        values = [sp.Add(*power) if name.endswith(".input") else sp.S.Zero for name, _ in self.memory]
+        return self._function(
+            "ledger",
+            "Power the drives put in, in its row of z.",
+            "t q u reactions c",
+            self._memory_result("dz", values, "W"),
+        )
+
+    def energy(self) -> Function:
+        """Energies."""
+        stored = [pair.elastic(contact)[1] for pair, contact, _ in self.contacts]
+        return self._function(
+            "energy",
+            "Kinetic and potential energy, and what each pair's stiffness stores.",
+            "t q u c",
+            Result("kinetic", ("kinetic",), ("J",), (self.equations.kinetic(),)),
+            Result("potential", ("potential",), ("J",), (self.equations.potential(),)),
+            self._pairs("stored", "J", stored),
+        )
+
+    def poses(self) -> Function:
+        """Where the bodies are."""
+        positions: list[Any] = []
+        rotations: list[Any] = []
+        names = [body.name for body in self.scene.mechanism.bodies]
+        for body in self.scene.mechanism.bodies:
+            positions.extend(self.kin.frame_origin(body))
+            rotations.extend(entry for row in self.kin.motions[body].orientation.matrix for entry in row)
+        return self._function(
+            "poses",
+            "Origin of every body's frame (x, y, z after one another) and its rotation matrix (row by row), body by body.",
+            "t q c",
+            Result(
+                "positions", tuple(f"{n}.{k}" for n in names for k in "xyz"), ("m",) * len(positions), tuple(positions)
+            ),
+            Result(
+                "rotations",
+                tuple(f"{n}.R_{i}{j}" for n in names for i in "xyz" for j in "xyz"),
+                ("1",) * len(rotations),
+                tuple(rotations),
+            ),
+        )
+
+    def outputs(self) -> Function:
+        """Named quantities of the pairs."""
+        rows = self._outputs()
+        result = Result("y", tuple(n for n, _, _ in rows), tuple(u for _, u, _ in rows), tuple(e for _, _, e in rows))
+        return self._function("outputs", "Named quantities, see OUTPUTS.", "t q u c", result)
+
+    def _outputs(self) -> list[tuple[str, str, Any]]:
+        return [row for pair, _, _ in self.contacts for row in pair.outputs()]
+
+    # -- ports -----------------------------------------------------------------------------------------------------
+
+    def _coordinate_names(self) -> list[tuple[str, str]]:
+        return [(f"{joint.name}.{joint.motion}", joint.coordinate_unit) for joint in self.scene.free_joints]
+
+    def _speed_names(self) -> list[tuple[str, str]]:
+        return [(f"{joint.name}.speed", joint.speed_unit) for joint in self.scene.free_joints]
+
+    def _coordinates(self, name: str, values: list[Any]) -> Result:
+        names = self._coordinate_names()
+        return Result(name, tuple(n for n, _ in names), tuple(u for _, u in names), tuple(values))
+
+    def _speeds(self, name: str, values: list[Any]) -> Result:
+        names = self._speed_names()
+        return Result(name, tuple(n for n, _ in names), tuple(u for _, u in names), tuple(values))
+
+    def _forces(self, name: str, values: list[Any]) -> Result:
+        return Result(name, tuple(joint.joint.name for joint in self.rows), self.row_units, tuple(values))
+
+    def _memory_result(self, name: str, values: list[Any], unit: str = "J") -> Result:
+        return Result(name, tuple(n for n, _ in self.memory), (unit,) * len(self.memory), tuple(values))
+
+    def _tables(self) -> Mapping[str, tuple[Any, ...]]:
+        scene = self.scene
+        pairs = [pair.pair.name for pair, _, _ in self.contacts]
+        entries = [name for name, _ in self.memory]
+        meanings = _meanings(scene)
+        return {
+            "EFFECTS": tuple((effect.name, effect.kind, effect.text) for effect in scene.effects),
+            "UNCHECKED": tuple((c.name, c.text) for _, c, _ in self.contacts if c.unchecked),
+            "PARAMETERS": tuple(
+                (p.name, p.unit, p.default, p.meaning or meanings.get(p.name, "")) for p in scene.parameters.values()
+            ),
+            "LIMITS": tuple(_limits(scene)),
+            "COORDINATES": tuple(self._coordinate_names()),
+            "SPEEDS": tuple(self._speed_names()),
+            "MEMORY": tuple(self.memory),
+            "LATCHES": tuple((f"{name}.approach_speed", "m/s", pairs.index(name)) for name in self.latches),
+            "PAIRS": tuple((pair.pair.name, pair.pair.kind) for pair, _, _ in self.contacts),
+            "DISSIPATED": tuple(entries.index(f"{name}.dissipated") for name in pairs) if scene.ledger else (),
+            "OUTPUTS": tuple((name, unit) for name, unit, _ in self._outputs()),
+            "BODIES": tuple(body.name for body in scene.mechanism.bodies),
+        }
+
+
+def _limits(scene: Scene) -> list[tuple[Any, ...]]:
+    """Ranges of parameters that fill a slot alone: (parameter, kind, lower, upper, lower open, upper open, why)."""
+    rows: dict[tuple[Any, ...], str] = {}
+    for slot in scene.slots():
+        if not isinstance(slot.value, Parameter):
+            continue
+        ranges: tuple[tuple[str, Interval | None], ...] = (("defined", slot.limit), ("recommended", slot.recommended))
+        for kind, interval in ranges:
+            if interval is not None and not (kind == "recommended" and interval == slot.limit):
+                bounds = (interval.lower, interval.upper, interval.open_left, interval.open_right)
+                rows.setdefault((slot.value.name, kind, *bounds), slot.where)
+    return [(*row, where) for row, where in rows.items()]
+
+
+def _meanings(scene: Scene) -> dict[str, str]:
+    """What each parameter is: as declared, or else the slot it fills."""
+    meanings: dict[str, str] = {}
+    for slot in scene.slots():
+        if isinstance(slot.value, Parameter):
+            meanings.setdefault(slot.value.name, slot.value.meaning or slot.where)
+    return meanings
+
+
+def _dimension(unit: str) -> Dimension:
+    return Dimension.from_unit(parse_unit(unit), {})

@@ -1,0 +1,317 @@
+"""A program as the text of a generated module: plain Python over CasADi, the same text for every hash seed.
+
+SymPy is left here, through one rule per node type; a node without a rule is an error. Powers are strength-reduced
+(`d**(3/2)` -> `d*sqrt(d)`), names are those of the derivation.
+"""
+
+from __future__ import annotations
+
+import ast
+import json
+import textwrap
+from collections.abc import Callable
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.audit import checked
+from hertzwerk.derive.functions import Where
+from hertzwerk.derive.program import Function, Program, Result, reads, shared
+
+_WIDTH = 116  # columns of the text
+_SUM, _PRODUCT, _UNARY, _POWER, _ATOM = range(1, 6)
+
+
+class EmitError(TypeError):
+    """A SymPy node the emitter has no rule for."""
+
+
+# -- expressions -------------------------------------------------------------------------------------------------------
+
+
+def expression_text(expression: Any) -> str:
+    """Python text of a SymPy expression, over CasADi. Raises EmitError for a node without a rule."""
+    return _text(sp.sympify(expression))[0]
+
+
+def _text(node: Any) -> tuple[str, int]:
+    rule = next((_RULES[kind] for kind in type(node).__mro__ if kind in _RULES), None)
+    if rule is None:
+        raise EmitError(f"no rule to emit {type(node).__name__}: {node}")
+    return rule(node)
+
+
+def _wrapped(node: Any, least: int) -> str:
+    text, strength = _text(node)
+    return text if strength >= least else f"({text})"
+
+
+def _number(node: Any) -> tuple[str, int]:
+    if node.is_Rational and not node.is_Integer:
+        text = f"{abs(node.p)}/{node.q}"
+        return (f"-{text}", _SUM) if node.p < 0 else (text, _PRODUCT)
+    text = repr(float(node)) if node.is_Float or node.is_NumberSymbol else str(int(node))
+    return text, (_SUM if text.startswith("-") else _ATOM)
+
+
+def _sum(node: Any) -> tuple[str, int]:
+    # Positive terms first, so that a sum does not begin with a sign.
+    terms = sorted(node.args, key=lambda term: term.could_extract_minus_sign())
+    text = _wrapped(terms[0], _SUM)
+    for term in terms[1:]:
+        negative = term.could_extract_minus_sign()
+        text += f" - {_wrapped(-term, _PRODUCT)}" if negative else f" + {_wrapped(term, _SUM)}"
+    return text, _SUM
+
+
+def _product(node: Any) -> tuple[str, int]:
+    if node.could_extract_minus_sign():
+        return f"-{_wrapped(-node, _PRODUCT)}", _SUM
+    above: list[Any] = []
+    below: list[Any] = []
+    for factor in node.args:
+        if factor.is_Pow and factor.exp.is_number and factor.exp.is_negative:
+            below.append(sp.Pow(factor.base, -factor.exp, evaluate=False) if factor.exp != -1 else factor.base)
+        elif factor.is_Rational and factor.q != 1:
+            above.extend([sp.Integer(factor.p)] if factor.p != 1 else [])
+            below.append(sp.Integer(factor.q))
+        else:
+            above.append(factor)
+    text = "*".join(_wrapped(factor, _PRODUCT) for factor in above) or "1"
+    if below:
+        quotient = "*".join(_wrapped(factor, _UNARY if len(below) == 1 else _PRODUCT) for factor in below)
+        text += (
+            f"/({quotient})" if len(below) > 1 or ("*" in quotient and not quotient.endswith(")")) else f"/{quotient}"
+        )
+    return text, _PRODUCT
+
+
+def _power(node: Any) -> tuple[str, int]:
+    base, exponent = node.base, node.exp
+    if exponent.is_Rational and exponent.is_negative:
+        return f"1/{_wrapped(sp.Pow(base, -exponent, evaluate=False) if exponent != -1 else base, _UNARY)}", _PRODUCT
+    if exponent.is_Rational and exponent.q == 2:
+        root, whole = f"ca.sqrt({_text(base)[0]})", exponent.p // 2
+        if whole == 0:
+            return root, _ATOM
+        return f"{_whole_power(base, whole)[0]}*{root}", _PRODUCT
+    if exponent.is_Integer:
+        return _whole_power(base, int(exponent))
+    return f"{_wrapped(base, _ATOM)}**{_wrapped(exponent, _ATOM)}", _POWER
+
+
+def _whole_power(base: Any, exponent: int) -> tuple[str, int]:
+    text = _wrapped(base, _ATOM)
+    if exponent <= 3 and base.is_Symbol:
+        return "*".join([text] * exponent), (_ATOM if exponent == 1 else _PRODUCT)
+    return f"{text}**{exponent}", _POWER
+
+
+def _call(name: str) -> Callable[[Any], tuple[str, int]]:
+    def rule(node: Any) -> tuple[str, int]:
+        return f"{name}({', '.join(_text(arg)[0] for arg in node.args)})", _ATOM
+
+    return rule
+
+
+def _nested(name: str) -> Callable[[Any], tuple[str, int]]:
+    def rule(node: Any) -> tuple[str, int]:
+        text = _text(node.args[-1])[0]
+        for arg in reversed(node.args[:-1]):
+            text = f"{name}({_text(arg)[0]}, {text})"
+        return text, _ATOM
+
+    return rule
+
+
+def _relation(sign: str) -> Callable[[Any], tuple[str, int]]:
+    def rule(node: Any) -> tuple[str, int]:
+        return f"{_wrapped(node.lhs, _SUM)} {sign} {_wrapped(node.rhs, _SUM)}", 0
+
+    return rule
+
+
+_RULES: dict[type, Callable[[Any], tuple[str, int]]] = {
+    sp.Symbol: lambda node: (node.name, _ATOM),
+    sp.Number: _number,
+    sp.NumberSymbol: _number,
+    sp.Add: _sum,
+    sp.Mul: _product,
+    sp.Pow: _power,
+    sp.Abs: _call("ca.fabs"),
+    sp.sign: _call("ca.sign"),
+    sp.sin: _call("ca.sin"),
+    sp.cos: _call("ca.cos"),
+    sp.tan: _call("ca.tan"),
+    sp.asin: _call("ca.asin"),
+    sp.acos: _call("ca.acos"),
+    sp.atan: _call("ca.atan"),
+    sp.atan2: _call("ca.atan2"),
+    sp.sinh: _call("ca.sinh"),
+    sp.cosh: _call("ca.cosh"),
+    sp.tanh: _call("ca.tanh"),
+    sp.exp: _call("ca.exp"),
+    sp.log: _call("ca.log"),
+    sp.Min: _nested("ca.fmin"),
+    sp.Max: _nested("ca.fmax"),
+    Where: _call("ca.if_else"),
+    sp.StrictGreaterThan: _relation(">"),
+    sp.StrictLessThan: _relation("<"),
+    sp.GreaterThan: _relation(">="),
+    sp.LessThan: _relation("<="),
+}
+
+
+# -- functions ---------------------------------------------------------------------------------------------------------
+
+_ARGUMENTS = {
+    "t": "t [s]",
+    "p": "p: PARAMETERS, in SI",
+    "q": "q: COORDINATES",
+    "u": "u: SPEEDS",
+    "a": "a: rates of the speeds",
+    "z": "z: MEMORY",
+    "m": "m: LATCHES",
+    "c": "c: CONSTANTS",
+    "f": "f: generalised forces",
+    "reactions": "reactions of the drives",
+}
+
+
+def function_text(program: Program, function: Function) -> str:
+    """Text of one builder."""
+    function = shared(function)
+    lines = [f"def {function.name}({', '.join(function.arguments)}):", *_docstring(function)]
+    lines += [f"    {line}" for line in _unpacked(program, function)]
+    lines += [f"    {symbol.name} = {expression_text(expression)}" for symbol, expression in function.body]
+    return "\n".join([*lines, *_return(function)])
+
+
+def _return(function: Function) -> list[str]:
+    """The return statement; one result, and where it is long one entry, per line."""
+    if not function.results:
+        return ["    return ()"]
+    columns = [_column(result) for result in function.results]
+    if len(f"    return {', '.join(columns)}") <= _WIDTH:
+        return [f"    return {', '.join(columns)}"]
+    lines: list[str] = []
+    for result, column in zip(function.results, columns, strict=True):
+        if len(column) + 9 <= _WIDTH:
+            lines.append(f"        {column},")
+        else:
+            entries = ", ".join(expression_text(expression) for expression in result.expressions)
+            lines.append("        ca.vertcat(")
+            lines += textwrap.wrap(
+                entries + ",", _WIDTH, initial_indent=" " * 12, subsequent_indent=" " * 12, break_long_words=False
+            )
+            lines.append("        ),")
+    return (
+        ["    return (", *lines, "    )"]
+        if len(columns) > 1
+        else ["    return " + lines[0].strip(), *lines[1:-1], "    )"]
+    )
+
+
+def _docstring(function: Function) -> list[str]:
+    arguments = "; ".join(_ARGUMENTS[name] for name in function.arguments)
+    lines = textwrap.wrap(f'"""{function.summary}', _WIDTH, initial_indent="    ", subsequent_indent="    ")
+    lines += ["", f"    Arguments: {arguments}.", "    Returns, each a column vector:"]
+    for result in function.results:
+        entries = ", ".join(
+            f"{label} [{unit}]" if unit else label for label, unit in zip(result.labels, result.units, strict=True)
+        )
+        entry = f"{result.name} ({len(result.labels)},): {entries or 'empty'}"
+        lines += textwrap.wrap(entry, _WIDTH, initial_indent=" " * 8, subsequent_indent=" " * 12)
+    return [*lines, '    """']
+
+
+def _unpacked(program: Program, function: Function) -> list[str]:
+    """One line per entry the function reads."""
+    positions: dict[Any, str] = {}
+    if "c" in function.arguments:
+        positions.update((symbol, f"c[{k}]") for k, symbol in enumerate(program.constants))
+    else:
+        parameters = [symbol for symbol, group in program.tape.inputs.items() if group == "p"]
+        positions.update((symbol, f"p[{k}]") for k, symbol in enumerate(parameters))
+    count: dict[str, int] = {}
+    for symbol, group in program.tape.inputs.items():
+        if group not in ("p", "t"):
+            positions[symbol] = f"{group}[{count.get(group, 0)}]"
+            count[group] = count.get(group, 0) + 1
+    wanted = set(reads(function))
+    return [f"{symbol.name} = {place}" for symbol, place in positions.items() if symbol in wanted]
+
+
+def _column(result: Result) -> str:
+    return f"ca.vertcat({', '.join(expression_text(expression) for expression in result.expressions)})"
+
+
+def operations(text: str) -> int:
+    """Arithmetic operations and function calls in the text of a builder; packing and unpacking cost nothing."""
+    count = 0
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.BinOp | ast.Compare) or (
+            isinstance(node, ast.UnaryOp) and not isinstance(node.operand, ast.Constant)
+        ):
+            count += 1
+        elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+            count += node.func.attr != "vertcat"
+    return count
+
+
+# -- module ------------------------------------------------------------------------------------------------------------
+
+
+def emit(program: Program, source: str) -> str:
+    """Text of the generated module of a program that has passed the audit; `source` names the scene's file."""
+    scene = program.scene
+    functions = {function.name: function_text(program, function) for function in program.functions}
+    counts = {name: operations(text) for name, text in functions.items()}
+    tables = dict(program.tables)
+    tables["CONSTANTS"] = tuple((symbol.name, program.units[symbol]) for symbol in program.constants)
+    tables["OPERATIONS"] = tuple(counts.items())
+    parts = [
+        _header(program, source, counts),
+        "import casadi as ca",
+        "\n".join(f"{name} = {json.dumps(text)}" for name, text in
+                  (("NAME", scene.name), ("SOURCE", source), ("SUMMARY", scene.summary))),
+        *(_table(name, rows) for name, rows in tables.items()),
+    ]  # fmt: skip
+    return "\n\n".join(parts) + "\n\n\n" + "\n\n\n".join(functions.values()) + "\n"
+
+
+def _header(program: Program, source: str, counts: dict[str, int]) -> str:
+    scene = program.scene
+    assignments, outputs = checked(program)
+    effects = "\n".join(f"    {effect.name}: {effect.text}" for effect in scene.effects)
+    flight = sum(counts[name] for name in ("applied", "accelerations", "gaps", "gap_accelerations"))
+    contacts = ", ".join(f"{name} {count}" for name, count in counts.items() if name.startswith("contact_"))
+    unchecked = [effect for effect, _ in program.tables["UNCHECKED"]]
+    verdict = (
+        f"UNCHECKED, INCONSISTENT LAWS RUN ON PURPOSE IN SI VALUES: {', '.join(unchecked)}"
+        if unchecked
+        else f"{assignments} assignments and {outputs} outputs checked, all consistent"
+    )
+    return (
+        f'"""{scene.name}: {scene.summary}. Generated from {source or "a scene"}.\n\n'
+        f"Do not edit; regenerate with `hertzwerk derive {scene.name if source.startswith('derive/') else source}`.\n"
+        f"Effects:\n{effects}\n"
+        f"Units: {verdict}\n"
+        f"Operations: flight {flight} (equations of motion and gaps){f'; in contact also {contacts}' if contacts else ''}\n"
+        '"""'
+    )
+
+
+def _table(name: str, rows: tuple[Any, ...]) -> str:
+    if not rows:
+        return f"{name} = ()"
+    return "\n".join([f"{name} = (", *(f"    {_literal(row)}," for row in rows), ")"])
+
+
+def _literal(value: Any) -> str:
+    if isinstance(value, tuple):
+        return f"({', '.join(map(_literal, value))}{',' if len(value) == 1 else ''})"
+    return json.dumps(value, ensure_ascii=False) if isinstance(value, str) else repr(value)
+
+
+__all__ = ["EmitError", "emit", "expression_text", "function_text", "operations"]

@@ -1,0 +1,49 @@
+"""Functions the equations need and SymPy lacks: a branch that can be differentiated without distributions."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy
+from sympy.logic.boolalg import Boolean
+
+__all__ = ["Where"]
+
+
+class Where(sympy.Function):  # type: ignore[misc]  # SymPy is untyped
+    """`Where(condition, a, b)`: a where the condition holds, else b. Never evaluated while symbols remain.
+
+    The branch is a choice, not a function of the condition: its derivative is the derivative of the branch taken, which
+    is what a simulation needs that locates the kink as an event. SymPy's Piecewise, Max and Heaviside would rewrite
+    themselves or bring in DiracDelta instead.
+    """
+
+    nargs = 3
+
+    @classmethod
+    def eval(cls, condition: Any, a: Any, b: Any) -> None:
+        """Check the condition; never evaluate."""
+        if not isinstance(condition, Boolean) or isinstance(condition, sympy.Expr):
+            raise TypeError(f"Where: found the condition {condition}, expected a comparison such as d > 0")
+
+    def fdiff(self, argindex: int = 2) -> Any:
+        """The partial derivative by a (2) or b (3)."""
+        if argindex not in (2, 3):
+            raise sympy.ArgumentIndexError(self, argindex)
+        return Where(self.args[0], int(argindex == 2), int(argindex == 3))
+
+    def _eval_derivative(self, symbol: Any) -> Any:
+        condition, a, b = self.args
+        da, db = a.diff(symbol), b.diff(symbol)
+        return sympy.S.Zero if da == 0 and db == 0 else Where(condition, da, db)
+
+    def _eval_is_real(self) -> bool | None:
+        _, a, b = self.args
+        return True if a.is_real and b.is_real else None
+
+    def doit(self, **hints: Any) -> Any:
+        """The branch taken, once the condition is true or false."""
+        condition, a, b = (arg.doit(**hints) for arg in self.args)
+        if condition == sympy.true:
+            return a
+        return b if condition == sympy.false else Where(condition, a, b)

@@ -1,0 +1,270 @@
+"""The straight-line program: inputs with dimensions, assignments in order, functions as slices of them.
+
+One `Tape` records the derivation of a whole scene. `let` names an intermediate result once (equal expressions share a symbol), pulls what
+depends on parameters alone out into constants, and never lets an expression swell. A `Function` is the backward slice of the tape that its
+results need; slices that read `c` stop at the constants, so nothing that could be computed once is computed twice.
+"""
+
+from __future__ import annotations
+
+import keyword
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.dimension import Dimension
+from hertzwerk.derive.vectors import Matrix, Vector
+
+PARAMETER = "p"
+CONSTANT = "c"
+_NO_GROUPS: frozenset[str] = frozenset()
+
+
+@dataclass(frozen=True)
+class Result:
+    """One column vector a function returns: its name, its entries' labels and unit texts, their expressions."""
+
+    name: str
+    labels: tuple[str, ...]
+    units: tuple[str, ...]
+    expressions: tuple[Any, ...]
+
+
+@dataclass(frozen=True)
+class Function:
+    """A function of the contract: arguments by group (`t`, `q`, `u`, ...), assignments in order, results."""
+
+    name: str
+    summary: str
+    arguments: tuple[str, ...]
+    body: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    results: tuple[Result, ...]
+
+
+@dataclass
+class Tape:
+    """Inputs and assignments of one derivation."""
+
+    inputs: dict[sp.Symbol, str] = field(default_factory=dict)
+    """Input symbol -> group."""
+    assignments: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    declared: dict[sp.Symbol, Dimension] = field(default_factory=dict)
+    """Dimensions of the inputs, and of assignments whose dimension is stated instead of inferred (unchecked laws)."""
+    _groups: dict[sp.Symbol, frozenset[str]] = field(default_factory=dict)
+    _known: dict[Any, sp.Symbol] = field(default_factory=dict)
+    _rates: dict[sp.Symbol, Any] = field(default_factory=dict)
+    _names: set[str] = field(default_factory=lambda: {"ca", "t", "p", "q", "u", "a", "f", "z", "m", "c", "reactions"})
+
+    # -- recording -------------------------------------------------------------------------------------------------
+
+    def input(self, name: str, group: str, dimension: Dimension, symbol: sp.Symbol | None = None) -> sp.Symbol:
+        """Declare an input of a group; `symbol` uses an existing one (a Parameter) as it is."""
+        if symbol is None:
+            symbol = sp.Symbol(name if group == "t" else self._unique(name), real=True)
+        else:
+            self._names.add(name)
+        self.inputs[symbol] = group
+        self.declared[symbol] = dimension
+        self._groups[symbol] = frozenset((group,))
+        return symbol
+
+    def let(self, expression: Any, name: str, dimension: Dimension | None = None) -> Any:
+        """Name an intermediate result; numbers and symbols (also negated) pass through. `dimension` states it unchecked."""
+        expression = self._hoist(sp.sympify(expression))
+        if dimension is None and (expression.is_Atom or (-expression).is_Symbol):
+            return expression
+        if dimension is None and expression.could_extract_minus_sign() and -expression in self._known:
+            return -self._known[-expression]
+        if dimension is None and expression in self._known:
+            return self._known[expression]
+        symbol = sp.Symbol(self._unique(name), real=True)
+        self.assignments[symbol] = expression
+        self._groups[symbol] = self._groups_of(expression)
+        if dimension is None:
+            self._known[expression] = symbol
+        else:
+            self.declared[symbol] = dimension
+        return symbol
+
+    def vector(self, vector: Vector, name: str) -> Vector:
+        """Name the three components."""
+        return tuple(self.let(v, f"{name}_{axis}") for v, axis in zip(vector, "xyz", strict=True))
+
+    def matrix(self, matrix: Matrix, name: str) -> Matrix:
+        """Name the nine entries."""
+        return tuple(self.vector(row, f"{name}_{axis}") for row, axis in zip(matrix, "xyz", strict=True))  # type: ignore[return-value]
+
+    def is_constant(self, expression: Any) -> bool:
+        """Whether it depends on parameters alone."""
+        return self._groups_of(expression) <= {PARAMETER}
+
+    def _groups_of(self, expression: Any) -> frozenset[str]:
+        return _NO_GROUPS.union(*(self._groups[symbol] for symbol in symbols_in(expression)))
+
+    def _unique(self, name: str) -> str:
+        name = f"{name}_" if keyword.iskeyword(name) else name
+        base, count = (name[:-1], 1) if name[-1].isdigit() else (f"{name}_", 1)
+        while name in self._names:
+            count += 1
+            name = f"{base}{count}"
+        self._names.add(name)
+        return name
+
+    def _hoist(self, expression: Any) -> Any:
+        """Give parameter-only parts of an expression names of their own, so that they are computed once per run."""
+        if expression.is_Atom or self.is_constant(expression):
+            return expression
+        if expression.is_Mul or expression.is_Add:
+            still = [arg for arg in expression.args if self.is_constant(arg)]
+            moving = [self._hoist(arg) for arg in expression.args if not self.is_constant(arg)]
+            part = expression.func(*still)
+            if not (part.is_Atom or (-part).is_Symbol):
+                sign = -1 if expression.is_Mul and part.could_extract_minus_sign() else 1
+                part = sign * self.let(sign * part, "k1")
+            return expression.func(part, *moving)
+        if expression.is_Pow:  # an exponent stays as written: the audit compares it with the exponent in a unit
+            base = self._hoist(expression.base)
+            return sp.Pow(base if expression.exp == -1 else self.let(base, "base"), expression.exp)
+        return expression.func(*(arg if arg.is_Relational else self._hoist(arg) for arg in expression.args))
+
+    # -- rates of change -------------------------------------------------------------------------------------------
+
+    def set_rate(self, symbol: Any, rate: Any) -> None:
+        """State d(symbol)/dt where it is known better than by the chain rule; numbers and expressions are left alone."""
+        if isinstance(symbol, sp.Symbol) and symbol not in self._rates:
+            self._rates[symbol] = rate
+
+    def rate(self, expression: Any, name: str) -> Any:
+        """D(expression)/dt along the motion, by the chain rule over the tape."""
+        terms = (sp.diff(expression, symbol) * self._rate_of(symbol) for symbol in symbols_in(expression))
+        return self.let(sp.Add(*terms), name)
+
+    def _rate_of(self, symbol: sp.Symbol) -> Any:
+        if symbol not in self._rates:
+            if self._groups[symbol] <= {PARAMETER}:
+                self._rates[symbol] = sp.S.Zero
+            elif symbol in self.assignments:
+                self._rates[symbol] = self.rate(self.assignments[symbol], f"{symbol.name}_rate")
+            else:
+                raise KeyError(f"no rate of change is known for the input {symbol}")
+        return self._rates[symbol]
+
+    # -- slicing ---------------------------------------------------------------------------------------------------
+
+    def function(self, name: str, summary: str, arguments: tuple[str, ...], results: Iterable[Result]) -> Function:
+        """The slice of the tape that `results` need; with `c` among the arguments it stops at the constants."""
+        results = tuple(results)
+        stop = CONSTANT in arguments
+        needed: set[sp.Symbol] = set()
+        pending = [symbol for result in results for e in result.expressions for symbol in symbols_in(e)]
+        while pending:
+            symbol = pending.pop()
+            if symbol in needed or symbol not in self.assignments or (stop and self.is_constant(symbol)):
+                continue
+            needed.add(symbol)
+            pending.extend(symbols_in(self.assignments[symbol]))
+        body = tuple((symbol, e) for symbol, e in self.assignments.items() if symbol in needed)
+        function = Function(name, summary, arguments, body, results)
+        foreign = [s for s in reads(function) if self.inputs.get(s, PARAMETER) not in (*arguments, PARAMETER)]
+        if foreign:
+            raise ValueError(f"{name}({', '.join(arguments)}) would read {', '.join(map(str, foreign))}")
+        return function
+
+    def constants(self, functions: Iterable[Function]) -> list[sp.Symbol]:
+        """What `functions` read of parameters and parameter-only results: the entries of c, parameters first, in declared order."""
+        wanted = {s for f in functions if CONSTANT in f.arguments for s in reads(f) if self.is_constant(s)}
+        return [symbol for symbol in (*self.inputs, *self.assignments) if symbol in wanted]
+
+
+def symbols_in(expression: Any) -> list[sp.Symbol]:
+    """The symbols of an expression in the order they stand in it (never in hash order)."""
+    return list(dict.fromkeys(node for node in sp.preorder_traversal(expression) if isinstance(node, sp.Symbol)))
+
+
+def reads(function: Function) -> list[sp.Symbol]:
+    """The symbols a function takes from outside, in order of first use."""
+    made: set[sp.Symbol] = set()
+    found: dict[sp.Symbol, None] = {}
+    for symbol, expression in function.body:
+        found.update((s, None) for s in symbols_in(expression) if s not in made)
+        made.add(symbol)
+    for result in function.results:
+        for expression in result.expressions:
+            found.update((s, None) for s in symbols_in(expression) if s not in made)
+    return list(found)
+
+
+def shared(function: Function) -> Function:
+    """The function with sub-expressions that occur twice named once (`x1`, `x2`, ...)."""
+    count: dict[Any, int] = {}
+    for expression in _expressions(function):
+        for node in _compound_parts(expression):
+            count[node] = count.get(node, 0) + 1
+    names: dict[Any, sp.Symbol] = {}
+    body: list[tuple[sp.Symbol, sp.Expr]] = []
+    count_names = 0
+
+    def visit(expression: Any, whole: bool = False) -> Any:
+        """Rewrite over the names given so far; a `whole` right-hand side is about to be named by its assignment."""
+        nonlocal count_names
+        if expression in names:
+            return names[expression]
+        if expression.is_Atom:
+            return expression
+        parts = [visit(arg) for arg in expression.args]
+        changed = any(a is not b for a, b in zip(parts, expression.args, strict=True))
+        rebuilt = expression.func(*parts) if changed else expression
+        if whole or count.get(expression, 0) < 2:
+            return rebuilt
+        count_names += 1
+        names[expression] = sp.Symbol(f"x{count_names}", real=True)
+        body.append((names[expression], rebuilt))
+        return names[expression]
+
+    for symbol, expression in function.body:
+        rebuilt = visit(expression, whole=True)
+        if rebuilt.is_Symbol:
+            names[symbol] = rebuilt  # the same result has a name already
+        else:
+            names[expression] = symbol
+            body.append((symbol, rebuilt))
+    results = tuple(
+        Result(r.name, r.labels, r.units, tuple(visit(sp.sympify(e)) for e in r.expressions)) for r in function.results
+    )
+    return Function(function.name, function.summary, function.arguments, tuple(body), results)
+
+
+def _expressions(function: Function) -> Iterator[Any]:
+    for _, expression in function.body:
+        yield expression
+    for result in function.results:
+        yield from map(sp.sympify, result.expressions)
+
+
+def _compound_parts(expression: Any) -> Iterator[Any]:
+    """Nodes worth a name: no atoms, no plain negations or numbers times a symbol, no reciprocals."""
+    for node in sp.preorder_traversal(expression):
+        if node.is_Atom or node.is_Relational or (node.is_Pow and node.exp == -1) or (-node).is_Atom:
+            continue
+        yield node
+
+
+@dataclass(frozen=True)
+class Program:
+    """What derivation yields: the tape, the ports, and the functions of the contract."""
+
+    scene: Any
+    tape: Tape
+    functions: tuple[Function, ...]
+    constants: tuple[sp.Symbol, ...]
+    tables: Mapping[str, tuple[Any, ...]]
+    """Name of a module-level table (COORDINATES, PAIRS, ...) -> its rows."""
+    units: Mapping[sp.Symbol, str] = field(default_factory=dict)
+    """Unit of every input and assignment, once the audit has passed."""
+
+    def assignments(self) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
+        """What some function computes, in order, each once."""
+        used = {symbol for function in self.functions for symbol, _ in function.body}
+        return ((symbol, e) for symbol, e in self.tape.assignments.items() if symbol in used)

@@ -1,0 +1,403 @@
+"""A scene: a mechanism, the effects it is simulated with, each with its law, and its start. What is not called for does not exist downstream."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, ClassVar
+
+import sympy as sp
+
+from hertzwerk.derive.dimension import Dimension, check
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.laws.catalogue import LAWS
+from hertzwerk.derive.laws.law import APPROACH_SPEED, BoundLaw, DampingLaw
+from hertzwerk.derive.mechanism import Direction, Joint, Mechanism, Pair, Revolute, Slot
+from hertzwerk.derive.parameter import POSITIVE, Parameter, Scalar, default_value, dimensions_of, parameters_of
+from hertzwerk.derive.units import parse_unit, unit_text
+
+APPROACH_FLOOR = Parameter(
+    "approach_floor", "m/s", 1e-3, "least approach speed a damping law is given; h/v0 is unbounded otherwise"
+)
+
+
+@dataclass(frozen=True)
+class ConstantSpeed:
+    """A drive that turns (or moves) a joint at constant speed, from coordinate 0 at t = 0; removes the joint's coordinate."""
+
+    name: str
+    joint: str
+    speed: Scalar
+    kind: ClassVar[str] = "drive"
+
+    @property
+    def text(self) -> str:
+        """What the effect is, for people."""
+        return f"constant speed of {self.joint}"
+
+    def slots(self) -> Iterator[Slot]:
+        """The speed; its unit is rad/s or m/s, by the joint."""
+        yield Slot(f"effect {self.name}, speed", self.speed, "")
+
+
+@dataclass(frozen=True)
+class Gravity:
+    """Uniform gravity [m/s^2] along `direction` of the ground frame."""
+
+    name: str
+    acceleration: Scalar
+    direction: Direction
+    kind: ClassVar[str] = "gravity"
+    text: ClassVar[str] = "uniform gravity"
+
+    def slots(self) -> Iterator[Slot]:
+        """The acceleration."""
+        yield Slot(f"effect {self.name}, acceleration", self.acceleration, "m/s^2")
+
+
+@dataclass(frozen=True)
+class Contact:
+    """Normal force of one pair: a stiffness law and, if called for, a damping law. The effect is named after its pair.
+
+    `unchecked=True` lets an inconsistent law run in SI values; module, solution and plots then say so.
+    """
+
+    pair: str
+    stiffness: BoundLaw
+    damping: BoundLaw | None = None
+    approach_floor: Scalar = APPROACH_FLOOR
+    unchecked: bool = False
+    kind: ClassVar[str] = "contact"
+
+    @property
+    def name(self) -> str:
+        """The pair's name."""
+        return self.pair
+
+    @property
+    def laws(self) -> tuple[BoundLaw, ...]:
+        """Stiffness, then damping."""
+        return (self.stiffness,) if self.damping is None else (self.stiffness, self.damping)
+
+    @property
+    def latches(self) -> bool:
+        """Whether the approach speed is latched."""
+        return self.damping is not None and APPROACH_SPEED in self.damping.law.memory
+
+    @property
+    def text(self) -> str:
+        """What the effect is, for people."""
+        return " x ".join(bound.law.name for bound in self.laws) + (", UNCHECKED" if self.unchecked else "")
+
+    def slots(self) -> Iterator[Slot]:
+        """The parameters of both laws."""
+        for bound in self.laws:
+            yield from bound.slots(f"effect {self.name}")
+        if self.latches:
+            yield Slot(f"effect {self.name}, approach floor", self.approach_floor, "m/s", POSITIVE)
+
+
+@dataclass(frozen=True)
+class Friction:
+    """Friction of one pair, beside its normal force."""
+
+    name: str
+    pair: str
+    law: BoundLaw
+    kind: ClassVar[str] = "friction"
+
+    @property
+    def text(self) -> str:
+        """What the effect is, for people."""
+        return f"{self.law.law.name} at {self.pair}"
+
+    def slots(self) -> Iterator[Slot]:
+        """The parameters of the law."""
+        yield from self.law.slots(f"effect {self.name}")
+
+
+@dataclass(frozen=True)
+class EnergyLedger:
+    """Quadratures of the energy put in and dissipated, so that energy + dissipated - input must stay constant."""
+
+    name: str = "energy_ledger"
+    kind: ClassVar[str] = "ledger"
+    text: ClassVar[str] = "work put in, energy dissipated per effect"
+
+    def slots(self) -> Iterator[Slot]:
+        """None."""
+        return iter(())
+
+
+Effect = ConstantSpeed | Gravity | Contact | Friction | EnergyLedger
+
+
+@dataclass(frozen=True)
+class Start:
+    """Coordinates and speeds at t = 0, by joint; what is not named is zero."""
+
+    position: Mapping[str, Scalar] = field(default_factory=dict)
+    speed: Mapping[str, Scalar] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Scales:
+    """Sizes that accuracy is measured by: a length [m], a speed [m/s], and the arm [m] that turns a length into an angle."""
+
+    length: Scalar
+    speed: Scalar
+    arm: Scalar | None = None
+
+    def slots(self) -> Iterator[Slot]:
+        """The sizes."""
+        yield Slot("scales, length", self.length, "m", POSITIVE)
+        yield Slot("scales, speed", self.speed, "m/s", POSITIVE)
+        if self.arm is not None:
+            yield Slot("scales, arm", self.arm, "m", POSITIVE)
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A mechanism plus the effects it calls for. Raises InputError, listing every fault, if it is not sound.
+
+    `without`, `replace`, `with_law` and `named` give new scenes; nothing is mutated.
+    """
+
+    mechanism: Mechanism
+    effects: tuple[Effect, ...]
+    scales: Scales
+    start: Start = field(default_factory=Start)
+    name: str = ""
+    summary: str = ""
+
+    def __post_init__(self) -> None:
+        if not self.name:
+            object.__setattr__(self, "name", self.mechanism.name)
+        faults = tuple(dict.fromkeys(self._faults()))
+        if faults:
+            raise InputError(f"scene {self.name}", faults)
+
+    # -- variations ------------------------------------------------------------------------------------------------
+
+    def without(self, *names: str) -> Scene:
+        """The scene without these effects; raises InputError for a name that is none."""
+        self._must_exist(names)
+        return replace(self, effects=tuple(effect for effect in self.effects if effect.name not in names))
+
+    def replace(self, **effects: Effect) -> Scene:
+        """The scene with these effects exchanged, by name."""
+        self._must_exist(effects)
+        return replace(self, effects=tuple(effects.get(effect.name, effect) for effect in self.effects))
+
+    def named(self, name: str, summary: str = "") -> Scene:
+        """The same scene under another name."""
+        return replace(self, name=name, summary=summary or self.summary)
+
+    def with_law(self, effect_name: str, law_name: str) -> Scene:
+        """The scene with one law of one effect exchanged for the law `law_name`, given the same parameters by name."""
+        self._must_exist((effect_name,))
+        effect = self.effect(effect_name)
+        law = LAWS.get(law_name)
+        fields = {"contact": ("stiffness", "damping"), "friction": ("friction",)}.get(effect.kind, ())
+        if law is None or law.kind not in fields:
+            offer = [name for name, other in LAWS.items() if other.kind in fields]
+            expected = f"one of {', '.join(offer)}" if offer else "an effect that has a law"
+            raise InputError(f"scene {self.name}", [Fault(f"effect {effect_name}", f"law {law_name!r}", expected)])
+        slot = "law" if law.kind == "friction" else law.kind
+        bound: BoundLaw | None = getattr(effect, slot)
+        given = {s.name: value for s, value in bound.binding.items()} if bound is not None else {}
+        missing = [symbol for symbol in law.parameters if symbol.name not in given]
+        if missing:
+            wanted = ", ".join(f"{symbol.name} [{symbol.unit}], {symbol.meaning}" for symbol in missing)
+            fault = Fault(f"effect {effect_name}", f"no value for {wanted}", f"all parameters of {law_name}",
+                          "Declare the effect with this law in a scene file.")  # fmt: skip
+            raise InputError(f"scene {self.name}", [fault])
+        changed = replace(effect, **{slot: law(**{symbol.name: given[symbol.name] for symbol in law.parameters})})
+        return self.replace(**{effect_name: changed})
+
+    def _must_exist(self, names: Any) -> None:
+        known = [effect.name for effect in self.effects]
+        unknown = [name for name in names if name not in known]
+        if unknown:
+            raise InputError(
+                f"scene {self.name}", [Fault("effects", repr(name), f"one of {', '.join(known)}") for name in unknown]
+            )
+
+    # -- looking things up -----------------------------------------------------------------------------------------
+
+    def effect(self, name: str) -> Any:
+        """The effect of this name."""
+        return next(effect for effect in self.effects if effect.name == name)
+
+    def of_kind(self, kind: str) -> list[Any]:
+        """The effects of one kind, in declared order."""
+        return [effect for effect in self.effects if effect.kind == kind]
+
+    @property
+    def ledger(self) -> bool:
+        """Whether an energy ledger is called for."""
+        return bool(self.of_kind("ledger"))
+
+    @property
+    def driven(self) -> dict[str, ConstantSpeed]:
+        """Drives by joint name."""
+        return {effect.joint: effect for effect in self.of_kind("drive")}
+
+    @property
+    def free_joints(self) -> tuple[Joint, ...]:
+        """The joints that keep their coordinate."""
+        return tuple(joint for joint in self.mechanism.joints if joint.name not in self.driven)
+
+    @property
+    def contacts(self) -> list[tuple[Pair, Contact, Friction | None]]:
+        """The pairs whose contact is called for, in the order of the mechanism's pairs, with their effects."""
+        contacts = {effect.pair: effect for effect in self.of_kind("contact")}
+        frictions = {effect.pair: effect for effect in self.of_kind("friction")}
+        return [
+            (pair, contacts[pair.name], frictions.get(pair.name))
+            for pair in self.mechanism.pairs
+            if pair.name in contacts
+        ]
+
+    def slots(self) -> Iterator[Slot]:
+        """Every quantity of the scene, in declared order."""
+        yield from self.mechanism.slots()
+        units = {joint.name: joint.speed_unit for joint in self.mechanism.joints}
+        for effect in self.effects:
+            for slot in effect.slots():
+                yield slot if slot.unit else replace(slot, unit=units.get(effect.joint, "rad/s"))  # type: ignore[union-attr]
+        for joint in self.mechanism.joints:
+            for given, unit, limit_of in (
+                (self.start.position, joint.coordinate_unit, "position"),
+                (self.start.speed, joint.speed_unit, "speed"),
+            ):
+                if joint.name in given:
+                    yield Slot(f"start, {limit_of} of {joint.name}", given[joint.name], unit)
+        yield from self.scales.slots()
+
+    @property
+    def parameters(self) -> dict[str, Parameter]:
+        """All parameters by name, in declared order."""
+        found: dict[str, Parameter] = {}
+        for slot in self.slots():
+            for parameter in parameters_of(slot.value):
+                found.setdefault(parameter.name, parameter)
+        return found
+
+    @property
+    def dimensions(self) -> dict[sp.Symbol, Dimension]:
+        """Dimension of every parameter."""
+        return dimensions_of(self.parameters)
+
+    # -- soundness -------------------------------------------------------------------------------------------------
+
+    def _faults(self) -> Iterator[Fault]:
+        if not self.name.isidentifier():
+            yield Fault("scene", f"the name {self.name!r}", "a Python identifier")
+        yield from self.mechanism.faults()
+        yield from self._effect_faults()
+        yield from self._start_faults()
+        broken = False
+        seen: dict[str, Parameter] = {}
+        for slot in self.slots():
+            for parameter in parameters_of(slot.value):
+                if seen.setdefault(parameter.name, parameter) != parameter:
+                    broken = True
+                    yield Fault(f"parameter {parameter.name}", "two different parameters of this name",
+                                "names that are unique", "Share one Parameter object, or rename one.")  # fmt: skip
+                for fault in parameter.faults():
+                    broken = True
+                    yield fault
+        if broken:
+            return
+        unknown = [
+            (parameter, name)
+            for parameter in seen.values()
+            for name in parameter.parsed_unit.free_names
+            if name not in seen
+        ]
+        for parameter, name in unknown:
+            yield Fault(f"parameter {parameter.name}", f"unit {parameter.unit} with the exponent {name}",
+                        "a parameter of the scene as exponent", f"Declare Parameter({name!r}, '1', ...) and use it.")  # fmt: skip
+        if not unknown:
+            yield from self._quantity_faults(dimensions_of(seen))
+
+    def _quantity_faults(self, table: dict[sp.Symbol, Dimension]) -> Iterator[Fault]:
+        constants = list(table)
+        for slot in self.slots():
+            if not isinstance(slot.value, (int, float, sp.Basic)) or isinstance(slot.value, bool):
+                yield Fault(slot.where, repr(slot.value), "a Parameter, an expression of parameters, or a number")
+                continue
+            value = sp.sympify(slot.value)
+            unit = parse_unit(slot.unit)
+            if value.is_number and value != 0 and not unit.dimensionless and not unit.free_names:
+                yield Fault(slot.where, f"the bare number {slot.value}", f"a quantity in {slot.unit}",
+                            f"Give it a name and a unit: Parameter('...', {slot.unit!r}, {slot.value}).")  # fmt: skip
+                continue
+            if not value.is_number and not unit.free_names:
+                fault = check(value, table, Dimension.from_unit(unit, {}), constants)
+                if fault is not None:
+                    yield Fault(slot.where, f"{fault.subexpression} [{fault.found}]",
+                                f"a quantity in {unit_text(unit.exponents)}", fault.repair or fault.reason)  # fmt: skip
+                    continue
+            number = default_value(value)
+            if not math.isfinite(number):
+                yield Fault(slot.where, f"{number}", "a finite number")
+            elif slot.limit is not None and not slot.limit.holds(number):
+                yield Fault(slot.where, f"{number:g} {slot.unit} (SI)", f"a value in {slot.limit}")
+
+    def _effect_faults(self) -> Iterator[Fault]:
+        names = [effect.name for effect in self.effects]
+        for name in dict.fromkeys(names):
+            if names.count(name) > 1:
+                yield Fault(f"effect {name}", f"{names.count(name)} of this name", "names that are unique")
+        joints = [joint.name for joint in self.mechanism.joints]
+        pairs = [pair.name for pair in self.mechanism.pairs]
+        contacts = [effect.pair for effect in self.of_kind("contact")]
+        for effect in self.effects:
+            where = f"effect {effect.name}"
+            if isinstance(effect, ConstantSpeed) and effect.joint not in joints:
+                yield Fault(where, f"joint {effect.joint!r}", f"one of {', '.join(joints)}")
+            elif isinstance(effect, Contact) and effect.pair not in pairs:
+                yield Fault(where, f"pair {effect.pair!r}", f"one of {', '.join(pairs) or 'no pairs: declare one'}")
+            elif isinstance(effect, Friction) and effect.pair not in contacts:
+                yield Fault(where, f"pair {effect.pair!r} without a contact", f"one of {', '.join(contacts) or 'none'}",
+                            "Friction needs a normal force: leave it out too, or add the pair's Contact.")  # fmt: skip
+        drives = [effect.joint for effect in self.of_kind("drive")]
+        yield from _twice("drive of joint", drives)
+        yield from _twice("friction of pair", [effect.pair for effect in self.of_kind("friction")])
+        if len(self.of_kind("ledger")) > 1 or len(self.of_kind("gravity")) > 1:
+            yield Fault("effects", "two ledgers or two gravities", "at most one of each")
+        if all(joint.name in drives for joint in self.mechanism.joints):
+            yield Fault("effects", "a drive on every joint", "at least one joint that is free to move")
+
+    def _start_faults(self) -> Iterator[Fault]:
+        free = [joint.name for joint in self.mechanism.joints if joint.name not in self.driven]
+        for name in dict.fromkeys((*self.start.position, *self.start.speed)):
+            if name not in free:
+                why = "driven, its motion is the drive's" if name in self.driven else "unknown"
+                yield Fault("start", f"joint {name!r} ({why})", f"one of {', '.join(free)}")
+        if self.scales.arm is None and any(isinstance(joint, Revolute) for joint in self.free_joints):
+            yield Fault("scales", "no arm", "an arm [m], because the scene has angles",
+                        "Scales(length=..., speed=..., arm=...): an angle is measured as length/arm.")  # fmt: skip
+
+
+def _twice(what: str, names: list[str]) -> Iterator[Fault]:
+    for name in dict.fromkeys(names):
+        if names.count(name) > 1:
+            yield Fault(f"{what} {name}", f"{names.count(name)}", "one")
+
+
+__all__ = [
+    "APPROACH_FLOOR",
+    "ConstantSpeed",
+    "Contact",
+    "DampingLaw",
+    "EnergyLedger",
+    "Friction",
+    "Gravity",
+    "Scales",
+    "Scene",
+    "Start",
+]

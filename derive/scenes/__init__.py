@@ -1,0 +1,10 @@
+"""The built-in scenes, one module each."""
+
+NAMES = (
+    "bouncing_ball",
+    "soft_ball",
+    "two_spheres",
+    "ball_between_walls",
+    "slider_crank",
+    "slider_crank_frictionless",
+)

@@ -1,0 +1,94 @@
+"""Three-component vectors of SymPy expressions; structural zeros and ones vanish in every operation."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+Vector = tuple[Any, Any, Any]
+ZERO: Vector = (sp.S.Zero, sp.S.Zero, sp.S.Zero)
+
+
+def add(*vectors: Vector) -> Vector:
+    """Sum."""
+    return tuple(sp.Add(*(v[i] for v in vectors)) for i in range(3))
+
+
+def sub(a: Vector, b: Vector) -> Vector:
+    """a - b."""
+    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+
+
+def scale(factor: Any, a: Vector) -> Vector:
+    """factor * a."""
+    return (factor * a[0], factor * a[1], factor * a[2])
+
+
+def dot(a: Vector, b: Vector) -> Any:
+    """a . b."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def cross(a: Vector, b: Vector) -> Vector:
+    """A x b."""
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def is_zero(a: Vector) -> bool:
+    """Structurally zero."""
+    return all(component == 0 for component in a)
+
+
+Matrix = tuple[Vector, Vector, Vector]
+"""Rows."""
+IDENTITY: Matrix = (
+    (sp.S.One, sp.S.Zero, sp.S.Zero),
+    (sp.S.Zero, sp.S.One, sp.S.Zero),
+    (sp.S.Zero, sp.S.Zero, sp.S.One),
+)
+NOTHING: Matrix = (ZERO, ZERO, ZERO)
+
+
+def apply(m: Matrix, a: Vector) -> Vector:
+    """M a."""
+    return (dot(m[0], a), dot(m[1], a), dot(m[2], a))
+
+
+def transpose(m: Matrix) -> Matrix:
+    """Transpose."""
+    return tuple(tuple(m[j][i] for j in range(3)) for i in range(3))  # type: ignore[return-value]
+
+
+def multiply(a: Matrix, b: Matrix) -> Matrix:
+    """A b."""
+    columns = transpose(b)
+    return tuple(tuple(dot(a[i], columns[j]) for j in range(3)) for i in range(3))  # type: ignore[return-value]
+
+
+def combine(*matrices: Matrix) -> Matrix:
+    """Sum of matrices."""
+    return tuple(add(*(m[i] for m in matrices)) for i in range(3))  # type: ignore[return-value]
+
+
+def outer(a: Vector, b: Vector) -> Matrix:
+    """A b^T."""
+    return (scale(a[0], b), scale(a[1], b), scale(a[2], b))
+
+
+def diagonal(a: Any, b: Any, c: Any) -> Matrix:
+    """Diagonal matrix."""
+    zero = sp.S.Zero
+    return ((sp.sympify(a), zero, zero), (zero, sp.sympify(b), zero), (zero, zero, sp.sympify(c)))
+
+
+def rotation(axis: tuple[int, int, int], cosine: Any, sine: Any) -> Matrix:
+    """Rotation about a coordinate axis (one entry +-1): exact zeros and ones."""
+    k = next(i for i in range(3) if axis[i])
+    s = axis[k] * sine
+    i, j = (k + 1) % 3, (k + 2) % 3
+    rows: list[list[Any]] = [[sp.S.Zero] * 3 for _ in range(3)]
+    rows[k][k] = sp.S.One
+    rows[i][i] = rows[j][j] = cosine
+    rows[i][j], rows[j][i] = -s, s
+    return tuple(tuple(row) for row in rows)  # type: ignore[return-value]
