@@ -1,0 +1,624 @@
+"""slider_crank: slider-crank with a clearance joint between rod and slider. Generated from derive/scenes/slider_crank.py.
+
+Do not edit; regenerate with `hertzwerk derive slider_crank`.
+Effects:
+    crank_drive: constant speed of main_bearing
+    gravity: uniform gravity
+    slider_pin: hertz_point x lankarani_nikravesh
+    slider_pin_friction: smooth_coulomb at slider_pin
+    energy_ledger: work put in, energy dissipated per effect
+Units: 91 assignments and 102 outputs checked, all consistent
+Operations: flight 141 (equations of motion and gaps); in contact also contact_slider_pin 94
+"""
+
+import casadi as ca
+
+NAME = "slider_crank"
+SOURCE = "derive/scenes/slider_crank.py"
+SUMMARY = "slider-crank with a clearance joint between rod and slider"
+
+EFFECTS = (
+    ("crank_drive", "drive", "constant speed of main_bearing"),
+    ("gravity", "gravity", "uniform gravity"),
+    ("slider_pin", "contact", "hertz_point x lankarani_nikravesh"),
+    ("slider_pin_friction", "friction", "smooth_coulomb at slider_pin"),
+    ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
+)
+
+UNCHECKED = ()
+
+PARAMETERS = (
+    ("crank_mass", "kg", 0.3, "body crank, mass"),
+    ("crank_inertia", "kg m^2", 0.0001, "body crank, inertia"),
+    ("rod_mass", "kg", 0.21, "body rod, mass"),
+    ("rod_inertia", "kg m^2", 0.00025, "body rod, inertia"),
+    ("rod_mass_centre", "m", 0.06, "crank pin to mass centre"),
+    ("slider_mass", "kg", 0.14, "body slider, mass"),
+    ("crank_radius", "m", 0.05, "main bearing to crank pin"),
+    ("bush_radius", "mm", 10, "pair slider_pin, bush radius"),
+    ("clearance", "mm", 0.5, "bush radius minus pin radius"),
+    ("rod_length", "m", 0.12, "crank pin to slider pin"),
+    ("crank_speed", "rpm", 5000, "constant speed of the crank"),
+    ("gravity", "m/s^2", 9.81, "effect gravity, acceleration"),
+    ("youngs_modulus", "GPa", 207, "effect slider_pin, Young's modulus of the first body of hertz_point"),
+    ("poissons_ratio", "1", 0.3, "effect slider_pin, Poisson's ratio of the first body of hertz_point"),
+    ("restitution", "1", 0.9, "effect slider_pin, coefficient of restitution of lankarani_nikravesh"),
+    ("approach_floor", "m/s", 0.001, "least approach speed a damping law is given; h/v0 is unbounded otherwise"),
+    ("friction_coefficient", "1", 0.1, "effect slider_pin_friction, coefficient of friction of smooth_coulomb"),
+    ("friction_speed", "m/s", 0.1, "effect slider_pin_friction, speed over which the friction force builds up of smooth_coulomb"),
+)
+
+LIMITS = (
+    ("crank_mass", "defined", 0, None, True, False, "body crank, mass"),
+    ("crank_inertia", "defined", 0, None, False, False, "body crank, inertia"),
+    ("rod_mass", "defined", 0, None, True, False, "body rod, mass"),
+    ("rod_inertia", "defined", 0, None, False, False, "body rod, inertia"),
+    ("slider_mass", "defined", 0, None, True, False, "body slider, mass"),
+    ("bush_radius", "defined", 0, None, True, False, "pair slider_pin, bush radius"),
+    ("clearance", "defined", 0, None, True, False, "pair slider_pin, clearance"),
+    ("youngs_modulus", "defined", 0, None, True, False, "effect slider_pin, Young's modulus of the first body of hertz_point"),
+    ("poissons_ratio", "defined", -1, 0.5, True, False, "effect slider_pin, Poisson's ratio of the first body of hertz_point"),
+    ("restitution", "defined", 0, 1, False, False, "effect slider_pin, coefficient of restitution of lankarani_nikravesh"),
+    ("restitution", "recommended", 0.8, 1, True, False, "effect slider_pin, coefficient of restitution of lankarani_nikravesh"),
+    ("approach_floor", "defined", 0, None, True, False, "effect slider_pin, approach floor"),
+    ("friction_coefficient", "defined", 0, None, False, False, "effect slider_pin_friction, coefficient of friction of smooth_coulomb"),
+    ("friction_speed", "defined", 0, None, True, False, "effect slider_pin_friction, speed over which the friction force builds up of smooth_coulomb"),
+    ("rod_length", "defined", 0, None, True, False, "scales, arm"),
+)
+
+COORDINATES = (
+    ("crank_pin.angle", "rad"),
+    ("guide.travel", "m"),
+)
+
+SPEEDS = (
+    ("crank_pin.speed", "rad/s"),
+    ("guide.speed", "m/s"),
+)
+
+MEMORY = (
+    ("energy_ledger.input", "J"),
+    ("slider_pin.dissipated", "J"),
+    ("slider_pin_friction.dissipated", "J"),
+)
+
+LATCHES = (
+    ("slider_pin.approach_speed", "m/s", 0),
+)
+
+PAIRS = (
+    ("slider_pin", "pin_in_bush"),
+)
+
+DISSIPATED = (
+    1,
+)
+
+OUTPUTS = (
+    ("slider_pin.eccentricity_x", "m"),
+    ("slider_pin.eccentricity_y", "m"),
+)
+
+BODIES = (
+    "crank",
+    "rod",
+    "slider",
+)
+
+CONSTANTS = (
+    ("rod_mass", "kg"),
+    ("rod_mass_centre", "m"),
+    ("crank_radius", "m"),
+    ("clearance", "m"),
+    ("rod_length", "m"),
+    ("crank_speed", "1/s"),
+    ("gravity", "m/s^2"),
+    ("friction_coefficient", "1"),
+    ("rod_I_z_z", "kg m^2"),
+    ("k3", "m^2"),
+    ("k4", "1/m"),
+    ("slider_pin_R_min", "m"),
+    ("slider_pin_K", "N/m^1.5"),
+    ("k5", "N/m^1.5"),
+    ("slider_pin_hysteresis_factor", "1"),
+    ("k6", "s/m"),
+    ("k7", "1/(kg m^2)"),
+    ("k8", "1/kg"),
+    ("k9", "kg m^2"),
+    ("k10", "kg"),
+    ("k11", "kg"),
+    ("k12", "J"),
+    ("k13", "N"),
+)
+
+OPERATIONS = (
+    ("constants", 34),
+    ("start", 5),
+    ("scales", 12),
+    ("coordinate_rates", 0),
+    ("gaps", 35),
+    ("gap_accelerations", 48),
+    ("contact_slider_pin", 94),
+    ("applied", 13),
+    ("accelerations", 45),
+    ("ledger", 1),
+    ("energy", 51),
+    ("poses", 10),
+    ("outputs", 13),
+)
+
+
+def constants(p):
+    """What depends on the parameters alone, once per run.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        c (23,): rod_mass, rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity,
+            friction_coefficient, rod_I_z_z, k3, k4, slider_pin_R_min, slider_pin_K, k5,
+            slider_pin_hysteresis_factor, k6, k7, k8, k9, k10, k11, k12, k13
+    """
+    crank_inertia = p[1]
+    rod_mass = p[2]
+    rod_inertia = p[3]
+    rod_mass_centre = p[4]
+    slider_mass = p[5]
+    crank_radius = p[6]
+    bush_radius = p[7]
+    clearance = p[8]
+    rod_length = p[9]
+    crank_speed = p[10]
+    gravity = p[11]
+    youngs_modulus = p[12]
+    poissons_ratio = p[13]
+    restitution = p[14]
+    friction_coefficient = p[16]
+    friction_speed = p[17]
+    rod_I_z_z = rod_mass_centre*rod_mass_centre*rod_mass + rod_inertia
+    k3 = clearance*clearance
+    k4 = 1/(2*clearance)
+    x1 = bush_radius - clearance
+    slider_pin_R_eff = x1*bush_radius/clearance
+    slider_pin_E_eff = youngs_modulus/(2*(1 - poissons_ratio*poissons_ratio))
+    slider_pin_K = 4*slider_pin_E_eff*ca.sqrt(slider_pin_R_eff)/3
+    k5 = 2*slider_pin_K/5
+    slider_pin_hysteresis_factor = 3/4 - 3*restitution*restitution/4
+    k6 = 1/friction_speed
+    k7 = 1/rod_I_z_z
+    k8 = 1/slider_mass
+    k9 = rod_I_z_z/2
+    k10 = slider_mass/2
+    k11 = rod_mass/2
+    k12 = crank_speed*crank_speed*crank_inertia/2
+    k13 = gravity*rod_mass
+    return ca.vertcat(
+            rod_mass, rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity,
+            friction_coefficient, rod_I_z_z, k3, k4, x1, slider_pin_K, k5, slider_pin_hysteresis_factor, k6, k7, k8,
+            k9, k10, k11, k12, k13,
+    )
+
+
+def start(p):
+    """Coordinates and speeds at t = 0.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        q (2,): crank_pin.angle [rad], guide.travel [m]
+        u (2,): crank_pin.speed [rad/s], guide.speed [m/s]
+    """
+    crank_radius = p[6]
+    rod_length = p[9]
+    crank_speed = p[10]
+    return ca.vertcat(0, crank_radius + rod_length), ca.vertcat(-(1 + crank_radius/rod_length)*crank_speed, 0)
+
+
+def scales(p):
+    """Sizes that accuracy is measured by: of coordinates, speeds, memory; then length, speed, force, energy.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        sq (2,): crank_pin.angle [rad], guide.travel [m]
+        su (2,): crank_pin.speed [rad/s], guide.speed [m/s]
+        sz (3,): energy_ledger.input [J], slider_pin.dissipated [J], slider_pin_friction.dissipated [J]
+        s (4,): length [m], speed [m/s], force [N], energy [J]
+    """
+    crank_mass = p[0]
+    rod_mass = p[2]
+    slider_mass = p[5]
+    crank_radius = p[6]
+    clearance = p[8]
+    rod_length = p[9]
+    crank_speed = p[10]
+    total_mass = crank_mass + rod_mass + slider_mass
+    energy_scale = total_mass*crank_radius*crank_radius*crank_speed*crank_speed/2
+    force_scale = energy_scale/clearance
+    x1 = crank_radius*crank_speed
+    return (
+        ca.vertcat(clearance/rod_length, clearance),
+        ca.vertcat(crank_radius*crank_speed/rod_length, x1),
+        ca.vertcat(energy_scale, energy_scale, energy_scale),
+        ca.vertcat(clearance, x1, force_scale, energy_scale),
+    )
+
+
+def coordinate_rates(t, q, u, c):
+    """Rates of the coordinates.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        dq (2,): crank_pin.angle [rad/s], guide.travel [m/s]
+    """
+    crank_pin_speed = u[0]
+    guide_speed = u[1]
+    return ca.vertcat(crank_pin_speed, guide_speed)
+
+
+def gaps(t, q, u, c):
+    """Gap of every pair, positive while open, and its rate; at an onset the rate is minus the approach speed.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        G (1,): slider_pin [m]
+        dG (1,): slider_pin [m/s]
+    """
+    crank_radius = c[2]
+    rod_length = c[4]
+    crank_speed = c[5]
+    k3 = c[9]
+    k4 = c[10]
+    crank_pin_angle = q[0]
+    guide_travel = q[1]
+    crank_pin_speed = u[0]
+    guide_speed = u[1]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    rod_arm_x = cos_crank*crank_radius
+    rod_arm_y = sin_crank*crank_radius
+    rod_arm_rate_x = -rod_arm_y*crank_speed
+    rod_arm_rate_y = rod_arm_x*crank_speed
+    rod_angle = crank_angle + crank_pin_angle
+    cos_rod = ca.cos(rod_angle)
+    sin_rod = ca.sin(rod_angle)
+    rod_rate_z = crank_pin_speed + crank_speed
+    slider_pin_pin_arm_x = cos_rod*rod_length
+    slider_pin_pin_arm_y = sin_rod*rod_length
+    slider_pin_pin_arm_rate_x = -rod_rate_z*slider_pin_pin_arm_y
+    slider_pin_pin_arm_rate_y = rod_rate_z*slider_pin_pin_arm_x
+    slider_pin_apart_x = rod_arm_x + slider_pin_pin_arm_x - guide_travel
+    slider_pin_apart_y = rod_arm_y + slider_pin_pin_arm_y
+    slider_pin_apart_rate_x = rod_arm_rate_x + slider_pin_pin_arm_rate_x - guide_speed
+    slider_pin_apart_rate_y = rod_arm_rate_y + slider_pin_pin_arm_rate_y
+    slider_pin_apart_squared = slider_pin_apart_x*slider_pin_apart_x + slider_pin_apart_y*slider_pin_apart_y
+    slider_pin_gap = k4*(k3 - slider_pin_apart_squared)
+    slider_pin_apart_squared_rate = 2*slider_pin_apart_rate_x*slider_pin_apart_x + 2*slider_pin_apart_rate_y*slider_pin_apart_y
+    slider_pin_gap_rate = -k4*slider_pin_apart_squared_rate
+    return ca.vertcat(slider_pin_gap), ca.vertcat(slider_pin_gap_rate)
+
+
+def gap_accelerations(t, q, u, a, c):
+    """Second derivative of every gap.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; a: rates of the speeds; c: CONSTANTS.
+    Returns, each a column vector:
+        ddG (1,): slider_pin [m/s^2]
+    """
+    crank_radius = c[2]
+    rod_length = c[4]
+    crank_speed = c[5]
+    k4 = c[10]
+    crank_pin_angle = q[0]
+    guide_travel = q[1]
+    crank_pin_speed = u[0]
+    guide_speed = u[1]
+    crank_pin_acceleration = a[0]
+    guide_acceleration = a[1]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    rod_arm_x = cos_crank*crank_radius
+    rod_arm_y = sin_crank*crank_radius
+    rod_arm_rate_x = -rod_arm_y*crank_speed
+    rod_arm_rate_y = rod_arm_x*crank_speed
+    rod_angle = crank_angle + crank_pin_angle
+    cos_rod = ca.cos(rod_angle)
+    sin_rod = ca.sin(rod_angle)
+    rod_rate_z = crank_pin_speed + crank_speed
+    rod_acceleration_x = -rod_arm_rate_y*crank_speed
+    rod_acceleration_y = rod_arm_rate_x*crank_speed
+    slider_pin_pin_arm_x = cos_rod*rod_length
+    slider_pin_pin_arm_y = sin_rod*rod_length
+    slider_pin_pin_arm_rate_x = -rod_rate_z*slider_pin_pin_arm_y
+    slider_pin_pin_arm_rate_y = rod_rate_z*slider_pin_pin_arm_x
+    slider_pin_apart_x = rod_arm_x + slider_pin_pin_arm_x - guide_travel
+    slider_pin_apart_y = rod_arm_y + slider_pin_pin_arm_y
+    slider_pin_apart_rate_x = rod_arm_rate_x + slider_pin_pin_arm_rate_x - guide_speed
+    slider_pin_apart_rate_y = rod_arm_rate_y + slider_pin_pin_arm_rate_y
+    slider_pin_apart_acceleration_x = rod_acceleration_x - guide_acceleration - crank_pin_acceleration*slider_pin_pin_arm_y - rod_rate_z*slider_pin_pin_arm_rate_y
+    slider_pin_apart_acceleration_y = rod_acceleration_y + crank_pin_acceleration*slider_pin_pin_arm_x + rod_rate_z*slider_pin_pin_arm_rate_x
+    slider_pin_apart_squared_rate_rate = 2*slider_pin_apart_rate_x*slider_pin_apart_rate_x + 2*slider_pin_apart_rate_y*slider_pin_apart_rate_y + 2*slider_pin_apart_acceleration_x*slider_pin_apart_x + 2*slider_pin_apart_acceleration_y*slider_pin_apart_y
+    slider_pin_gap_rate_rate = -k4*slider_pin_apart_squared_rate_rate
+    return ca.vertcat(slider_pin_gap_rate_rate)
+
+
+def contact_slider_pin(t, q, u, z, m, c):
+    """Forces of slider_pin: hertz_point x lankarani_nikravesh, smooth_coulomb. The normal force is the laws' own,
+    not clamped: where it would pull, the contact ends.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
+    Returns, each a column vector:
+        f (3,): crank_pin [N m], guide [N], main_bearing [N m]
+        dz (3,): energy_ledger.input [W], slider_pin.dissipated [W], slider_pin_friction.dissipated [W]
+        normal_force (1,): slider_pin [N]
+        sliding_velocity (1,): slider_pin [m/s]
+        in_range (1,): slider_pin [1]
+    """
+    crank_radius = c[2]
+    clearance = c[3]
+    rod_length = c[4]
+    crank_speed = c[5]
+    friction_coefficient = c[7]
+    slider_pin_R_min = c[11]
+    slider_pin_K = c[12]
+    slider_pin_hysteresis_factor = c[14]
+    k6 = c[15]
+    crank_pin_angle = q[0]
+    guide_travel = q[1]
+    crank_pin_speed = u[0]
+    guide_speed = u[1]
+    slider_pin_approach_speed = m[0]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    rod_arm_x = cos_crank*crank_radius
+    rod_arm_y = sin_crank*crank_radius
+    rod_arm_rate_x = -rod_arm_y*crank_speed
+    rod_arm_rate_y = rod_arm_x*crank_speed
+    rod_angle = crank_angle + crank_pin_angle
+    cos_rod = ca.cos(rod_angle)
+    sin_rod = ca.sin(rod_angle)
+    rod_rate_z = crank_pin_speed + crank_speed
+    slider_pin_pin_arm_x = cos_rod*rod_length
+    slider_pin_pin_arm_y = sin_rod*rod_length
+    slider_pin_pin_arm_rate_x = -rod_rate_z*slider_pin_pin_arm_y
+    slider_pin_pin_arm_rate_y = rod_rate_z*slider_pin_pin_arm_x
+    slider_pin_apart_x = rod_arm_x + slider_pin_pin_arm_x - guide_travel
+    slider_pin_apart_y = rod_arm_y + slider_pin_pin_arm_y
+    slider_pin_apart_rate_x = rod_arm_rate_x + slider_pin_pin_arm_rate_x - guide_speed
+    slider_pin_apart_rate_y = rod_arm_rate_y + slider_pin_pin_arm_rate_y
+    slider_pin_apart_squared = slider_pin_apart_x*slider_pin_apart_x + slider_pin_apart_y*slider_pin_apart_y
+    slider_pin_distance = ca.sqrt(slider_pin_apart_squared)
+    slider_pin_penetration = slider_pin_distance - clearance
+    slider_pin_elastic_force = ca.if_else(slider_pin_penetration > 0, slider_pin_K*slider_pin_penetration*ca.sqrt(slider_pin_penetration), 0)
+    slider_pin_normal_x = -slider_pin_apart_x/slider_pin_distance
+    slider_pin_normal_y = -slider_pin_apart_y/slider_pin_distance
+    slider_pin_penetration_rate = -slider_pin_apart_rate_x*slider_pin_normal_x - slider_pin_apart_rate_y*slider_pin_normal_y
+    slider_pin_resistance = slider_pin_elastic_force*slider_pin_hysteresis_factor*slider_pin_penetration_rate/slider_pin_approach_speed
+    slider_pin_normal_force = slider_pin_elastic_force + slider_pin_resistance
+    slider_pin_normal_power = slider_pin_penetration_rate*slider_pin_resistance
+    slider_pin_push_x = slider_pin_normal_force*slider_pin_normal_x
+    slider_pin_push_y = slider_pin_normal_force*slider_pin_normal_y
+    slider_pin_push_on_main_bearing = slider_pin_push_x*(-rod_arm_y - slider_pin_pin_arm_y) + slider_pin_push_y*(rod_arm_x + slider_pin_pin_arm_x)
+    slider_pin_push_on_crank_pin = slider_pin_pin_arm_x*slider_pin_push_y - slider_pin_pin_arm_y*slider_pin_push_x
+    slider_pin_sliding_rate_x = rod_arm_rate_x + slider_pin_pin_arm_rate_x - guide_speed
+    slider_pin_sliding_rate_y = rod_arm_rate_y + slider_pin_pin_arm_rate_y
+    slider_pin_sliding_velocity = slider_pin_normal_x*slider_pin_sliding_rate_y - rod_rate_z*slider_pin_R_min - slider_pin_normal_y*slider_pin_sliding_rate_x
+    slider_pin_friction_force = slider_pin_normal_force*friction_coefficient*ca.tanh(k6*slider_pin_sliding_velocity)
+    slider_pin_friction_power = slider_pin_friction_force*slider_pin_sliding_velocity
+    slider_pin_drag_x = slider_pin_friction_force*slider_pin_normal_y
+    slider_pin_drag_y = -slider_pin_friction_force*slider_pin_normal_x
+    x1 = slider_pin_R_min*slider_pin_normal_y
+    x2 = -slider_pin_R_min*slider_pin_normal_x
+    slider_pin_drag_on_main_bearing = slider_pin_drag_x*(x1 - rod_arm_y - slider_pin_pin_arm_y) + slider_pin_drag_y*(rod_arm_x + slider_pin_pin_arm_x + x2)
+    slider_pin_drag_on_crank_pin = slider_pin_drag_x*(x1 - slider_pin_pin_arm_y) + slider_pin_drag_y*(slider_pin_pin_arm_x + x2)
+    slider_pin_in_range = ca.if_else(slider_pin_penetration <= slider_pin_R_min, 1, 0)
+    return (
+        ca.vertcat(
+            slider_pin_drag_on_crank_pin + slider_pin_push_on_crank_pin, -slider_pin_drag_x - slider_pin_push_x,
+            slider_pin_drag_on_main_bearing + slider_pin_push_on_main_bearing,
+        ),
+        ca.vertcat(0, slider_pin_normal_power, slider_pin_friction_power),
+        ca.vertcat(slider_pin_normal_force),
+        ca.vertcat(slider_pin_sliding_velocity),
+        ca.vertcat(slider_pin_in_range),
+    )
+
+
+def applied(t, q, u, c):
+    """Generalised forces of everything that is no contact.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        f (3,): crank_pin [N m], guide [N], main_bearing [N m]
+    """
+    rod_mass = c[0]
+    rod_mass_centre = c[1]
+    crank_radius = c[2]
+    crank_speed = c[5]
+    gravity = c[6]
+    crank_pin_angle = q[0]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    rod_arm_x = cos_crank*crank_radius
+    rod_angle = crank_angle + crank_pin_angle
+    cos_rod = ca.cos(rod_angle)
+    rod_centre_arm_x = cos_rod*rod_mass_centre
+    rod_moment_x = rod_centre_arm_x*rod_mass
+    crank_total_moment_x = rod_moment_x + rod_arm_x*rod_mass
+    return ca.vertcat(-rod_moment_x*gravity, 0, -crank_total_moment_x*gravity)
+
+
+def accelerations(t, q, u, f, c):
+    """Generalised accelerations a from M a = f - bias, and what each drive must supply.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; f: generalised forces; c: CONSTANTS.
+    Returns, each a column vector:
+        a (2,): crank_pin.acceleration [rad/s^2], guide.acceleration [m/s^2]
+        reactions (1,): main_bearing.reaction [N m]
+    """
+    rod_mass = c[0]
+    rod_mass_centre = c[1]
+    crank_radius = c[2]
+    crank_speed = c[5]
+    rod_I_z_z = c[8]
+    k7 = c[16]
+    k8 = c[17]
+    crank_pin_angle = q[0]
+    crank_pin_speed = u[0]
+    crank_pin_force = f[0]
+    guide_force = f[1]
+    main_bearing_force = f[2]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    rod_arm_x = cos_crank*crank_radius
+    rod_arm_y = sin_crank*crank_radius
+    rod_arm_rate_x = -rod_arm_y*crank_speed
+    rod_arm_rate_y = rod_arm_x*crank_speed
+    rod_angle = crank_angle + crank_pin_angle
+    cos_rod = ca.cos(rod_angle)
+    sin_rod = ca.sin(rod_angle)
+    rod_rate_z = crank_pin_speed + crank_speed
+    rod_acceleration_x = -rod_arm_rate_y*crank_speed
+    rod_acceleration_y = rod_arm_rate_x*crank_speed
+    rod_centre_arm_x = cos_rod*rod_mass_centre
+    rod_centre_arm_y = sin_rod*rod_mass_centre
+    rod_moment_x = rod_centre_arm_x*rod_mass
+    rod_moment_y = rod_centre_arm_y*rod_mass
+    rod_moment_rate_x = -rod_moment_y*rod_rate_z
+    rod_moment_rate_y = rod_moment_x*rod_rate_z
+    rod_bias_force_x = rod_acceleration_x*rod_mass - rod_moment_rate_y*rod_rate_z
+    rod_bias_force_y = rod_acceleration_y*rod_mass + rod_moment_rate_x*rod_rate_z
+    rod_bias_torque_z = rod_acceleration_y*rod_moment_x - rod_acceleration_x*rod_moment_y
+    crank_bias_torque_z = rod_bias_torque_z + rod_arm_x*rod_bias_force_y - rod_arm_y*rod_bias_force_x
+    crank_pin_torque_z = rod_I_z_z + rod_arm_x*rod_moment_x + rod_arm_y*rod_moment_y
+    crank_pin_net = crank_pin_force - rod_bias_torque_z
+    crank_pin_acc = crank_pin_net*k7
+    guide_acc = guide_force*k8
+    main_bearing_reaction = crank_bias_torque_z + crank_pin_acc*crank_pin_torque_z - main_bearing_force
+    return ca.vertcat(crank_pin_acc, guide_acc), ca.vertcat(main_bearing_reaction)
+
+
+def ledger(t, q, u, reactions, c):
+    """Power the drives put in, in its row of z.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
+    Returns, each a column vector:
+        dz (3,): energy_ledger.input [W], slider_pin.dissipated [W], slider_pin_friction.dissipated [W]
+    """
+    crank_speed = c[5]
+    main_bearing_reaction_in = reactions[0]
+    return ca.vertcat(main_bearing_reaction_in*crank_speed, 0, 0)
+
+
+def energy(t, q, u, c):
+    """Kinetic and potential energy, and what each pair's stiffness stores.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        kinetic (1,): kinetic [J]
+        potential (1,): potential [J]
+        stored (1,): slider_pin [J]
+    """
+    rod_mass = c[0]
+    rod_mass_centre = c[1]
+    crank_radius = c[2]
+    clearance = c[3]
+    rod_length = c[4]
+    crank_speed = c[5]
+    k5 = c[13]
+    k9 = c[18]
+    k10 = c[19]
+    k11 = c[20]
+    k12 = c[21]
+    k13 = c[22]
+    crank_pin_angle = q[0]
+    guide_travel = q[1]
+    crank_pin_speed = u[0]
+    guide_speed = u[1]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    rod_arm_x = cos_crank*crank_radius
+    rod_arm_y = sin_crank*crank_radius
+    rod_arm_rate_x = -rod_arm_y*crank_speed
+    rod_arm_rate_y = rod_arm_x*crank_speed
+    rod_angle = crank_angle + crank_pin_angle
+    cos_rod = ca.cos(rod_angle)
+    sin_rod = ca.sin(rod_angle)
+    rod_rate_z = crank_pin_speed + crank_speed
+    rod_centre_arm_x = cos_rod*rod_mass_centre
+    rod_centre_arm_y = sin_rod*rod_mass_centre
+    rod_moment_x = rod_centre_arm_x*rod_mass
+    rod_moment_y = rod_centre_arm_y*rod_mass
+    slider_pin_pin_arm_x = cos_rod*rod_length
+    slider_pin_pin_arm_y = sin_rod*rod_length
+    slider_pin_apart_x = rod_arm_x + slider_pin_pin_arm_x - guide_travel
+    slider_pin_apart_y = rod_arm_y + slider_pin_pin_arm_y
+    slider_pin_apart_squared = slider_pin_apart_x*slider_pin_apart_x + slider_pin_apart_y*slider_pin_apart_y
+    slider_pin_distance = ca.sqrt(slider_pin_apart_squared)
+    slider_pin_penetration = slider_pin_distance - clearance
+    slider_pin_stored_energy = ca.if_else(slider_pin_penetration > 0, k5*slider_pin_penetration*slider_pin_penetration*ca.sqrt(slider_pin_penetration), 0)
+    kinetic = k12 + k10*guide_speed*guide_speed + k11*(rod_arm_rate_x*rod_arm_rate_x + rod_arm_rate_y*rod_arm_rate_y) + k9*rod_rate_z*rod_rate_z + rod_arm_rate_y*rod_moment_x*rod_rate_z - rod_arm_rate_x*rod_moment_y*rod_rate_z
+    potential = k13*(rod_arm_y + rod_centre_arm_y)
+    return ca.vertcat(kinetic), ca.vertcat(potential), ca.vertcat(slider_pin_stored_energy)
+
+
+def poses(t, q, c):
+    """Origin of every body's frame (x, y, z after one another) and its rotation matrix (row by row), body by body.
+
+    Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
+    Returns, each a column vector:
+        positions (9,): crank.x [m], crank.y [m], crank.z [m], rod.x [m], rod.y [m], rod.z [m], slider.x [m],
+            slider.y [m], slider.z [m]
+        rotations (27,): crank.R_xx [1], crank.R_xy [1], crank.R_xz [1], crank.R_yx [1], crank.R_yy [1], crank.R_yz
+            [1], crank.R_zx [1], crank.R_zy [1], crank.R_zz [1], rod.R_xx [1], rod.R_xy [1], rod.R_xz [1], rod.R_yx
+            [1], rod.R_yy [1], rod.R_yz [1], rod.R_zx [1], rod.R_zy [1], rod.R_zz [1], slider.R_xx [1], slider.R_xy
+            [1], slider.R_xz [1], slider.R_yx [1], slider.R_yy [1], slider.R_yz [1], slider.R_zx [1], slider.R_zy
+            [1], slider.R_zz [1]
+    """
+    crank_radius = c[2]
+    crank_speed = c[5]
+    crank_pin_angle = q[0]
+    guide_travel = q[1]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    rod_arm_x = cos_crank*crank_radius
+    rod_arm_y = sin_crank*crank_radius
+    rod_angle = crank_angle + crank_pin_angle
+    cos_rod = ca.cos(rod_angle)
+    sin_rod = ca.sin(rod_angle)
+    return (
+        ca.vertcat(0, 0, 0, rod_arm_x, rod_arm_y, 0, guide_travel, 0, 0),
+        ca.vertcat(
+            cos_crank, -sin_crank, 0, sin_crank, cos_crank, 0, 0, 0, 1, cos_rod, -sin_rod, 0, sin_rod, cos_rod, 0,
+            0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1,
+        ),
+    )
+
+
+def outputs(t, q, u, c):
+    """Named quantities, see OUTPUTS.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        y (2,): slider_pin.eccentricity_x [m], slider_pin.eccentricity_y [m]
+    """
+    crank_radius = c[2]
+    rod_length = c[4]
+    crank_speed = c[5]
+    crank_pin_angle = q[0]
+    guide_travel = q[1]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    rod_arm_x = cos_crank*crank_radius
+    rod_arm_y = sin_crank*crank_radius
+    rod_angle = crank_angle + crank_pin_angle
+    cos_rod = ca.cos(rod_angle)
+    sin_rod = ca.sin(rod_angle)
+    slider_pin_pin_arm_x = cos_rod*rod_length
+    slider_pin_pin_arm_y = sin_rod*rod_length
+    slider_pin_apart_x = rod_arm_x + slider_pin_pin_arm_x - guide_travel
+    slider_pin_apart_y = rod_arm_y + slider_pin_pin_arm_y
+    return ca.vertcat(slider_pin_apart_x, slider_pin_apart_y)

@@ -1,0 +1,301 @@
+"""soft_ball: soft elastic ball dropped on a plane. Generated from derive/scenes/soft_ball.py.
+
+Do not edit; regenerate with `hertzwerk derive soft_ball`.
+Effects:
+    gravity: uniform gravity
+    floor: power
+    energy_ledger: work put in, energy dissipated per effect
+Units: 12 assignments and 44 outputs checked, all consistent
+Operations: flight 4 (equations of motion and gaps); in contact also contact_floor 10
+"""
+
+import casadi as ca
+
+NAME = "soft_ball"
+SOURCE = "derive/scenes/soft_ball.py"
+SUMMARY = "soft elastic ball dropped on a plane"
+
+EFFECTS = (
+    ("gravity", "gravity", "uniform gravity"),
+    ("floor", "contact", "power"),
+    ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
+)
+
+UNCHECKED = ()
+
+PARAMETERS = (
+    ("mass", "kg", 1, "body ball, mass"),
+    ("radius", "m", 0.1, "pair floor, radius"),
+    ("gravity", "m/s^2", 9.81, "effect gravity, acceleration"),
+    ("stiffness", "N/m^1.5", 140000000.0, "effect floor, stiffness of power"),
+    ("drop_height", "m", 1, "gap at the start"),
+)
+
+LIMITS = (
+    ("mass", "defined", 0, None, True, False, "body ball, mass"),
+    ("radius", "defined", 0, None, True, False, "pair floor, radius"),
+    ("stiffness", "defined", 0, None, True, False, "effect floor, stiffness of power"),
+)
+
+COORDINATES = (
+    ("vertical.travel", "m"),
+)
+
+SPEEDS = (
+    ("vertical.speed", "m/s"),
+)
+
+MEMORY = (
+    ("floor.dissipated", "J"),
+)
+
+LATCHES = ()
+
+PAIRS = (
+    ("floor", "sphere_on_plane"),
+)
+
+DISSIPATED = (
+    0,
+)
+
+OUTPUTS = (
+    ("floor.gap", "m"),
+)
+
+BODIES = (
+    "ball",
+)
+
+CONSTANTS = (
+    ("mass", "kg"),
+    ("radius", "m"),
+    ("gravity", "m/s^2"),
+    ("stiffness", "N/m^1.5"),
+    ("k1", "N/m^1.5"),
+    ("k2", "1/kg"),
+    ("k3", "kg"),
+    ("k4", "N"),
+)
+
+OPERATIONS = (
+    ("constants", 5),
+    ("start", 1),
+    ("scales", 28),
+    ("coordinate_rates", 0),
+    ("gaps", 1),
+    ("gap_accelerations", 0),
+    ("contact_floor", 10),
+    ("applied", 2),
+    ("accelerations", 1),
+    ("ledger", 0),
+    ("energy", 13),
+    ("poses", 0),
+    ("outputs", 1),
+)
+
+
+def constants(p):
+    """What depends on the parameters alone, once per run.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        c (8,): mass, radius, gravity, stiffness, k1, k2, k3, k4
+    """
+    mass = p[0]
+    radius = p[1]
+    gravity = p[2]
+    stiffness = p[3]
+    k1 = 2*stiffness/5
+    k2 = 1/mass
+    k3 = mass/2
+    k4 = gravity*mass
+    return ca.vertcat(mass, radius, gravity, stiffness, k1, k2, k3, k4)
+
+
+def start(p):
+    """Coordinates and speeds at t = 0.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        q (1,): vertical.travel [m]
+        u (1,): vertical.speed [m/s]
+    """
+    radius = p[1]
+    drop_height = p[4]
+    return ca.vertcat(drop_height + radius), ca.vertcat(0)
+
+
+def scales(p):
+    """Sizes that accuracy is measured by: of coordinates, speeds, memory; then length, speed, force, energy.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        sq (1,): vertical.travel [m]
+        su (1,): vertical.speed [m/s]
+        sz (1,): floor.dissipated [J]
+        s (4,): length [m], speed [m/s], force [N], energy [J]
+    """
+    mass = p[0]
+    gravity = p[2]
+    stiffness = p[3]
+    drop_height = p[4]
+    energy_scale = drop_height*gravity*mass
+    x1 = drop_height*gravity*mass/stiffness
+    force_scale = energy_scale*2**(2/5)*5**(3/5)/(5*x1**(2/5))
+    x2 = 2**(3/5)
+    x3 = 5**(2/5)
+    x4 = x1**(2/5)
+    x5 = x2*x3*x4/2
+    x6 = ca.sqrt(2)
+    x7 = drop_height*gravity
+    x8 = ca.sqrt(x7)
+    x9 = x6*x8
+    return ca.vertcat(x5), ca.vertcat(x9), ca.vertcat(energy_scale), ca.vertcat(x5, x9, force_scale, energy_scale)
+
+
+def coordinate_rates(t, q, u, c):
+    """Rates of the coordinates.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        dq (1,): vertical.travel [m/s]
+    """
+    vertical_speed = u[0]
+    return ca.vertcat(vertical_speed)
+
+
+def gaps(t, q, u, c):
+    """Gap of every pair, positive while open, and its rate; at an onset the rate is minus the approach speed.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        G (1,): floor [m]
+        dG (1,): floor [m/s]
+    """
+    radius = c[1]
+    vertical_travel = q[0]
+    vertical_speed = u[0]
+    floor_gap = vertical_travel - radius
+    return ca.vertcat(floor_gap), ca.vertcat(vertical_speed)
+
+
+def gap_accelerations(t, q, u, a, c):
+    """Second derivative of every gap.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; a: rates of the speeds; c: CONSTANTS.
+    Returns, each a column vector:
+        ddG (1,): floor [m/s^2]
+    """
+    vertical_acceleration = a[0]
+    return ca.vertcat(vertical_acceleration)
+
+
+def contact_floor(t, q, u, z, m, c):
+    """Forces of floor: power. The normal force is the laws' own, not clamped: where it would pull, the contact
+    ends.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
+    Returns, each a column vector:
+        f (1,): vertical [N]
+        dz (1,): floor.dissipated [W]
+        normal_force (1,): floor [N]
+        sliding_velocity (0,): empty
+        in_range (1,): floor [1]
+    """
+    radius = c[1]
+    stiffness = c[3]
+    vertical_travel = q[0]
+    floor_gap = vertical_travel - radius
+    floor_elastic_force = ca.if_else(-floor_gap > 0, (-floor_gap)**1*ca.sqrt(-floor_gap)*stiffness, 0)
+    return (
+        ca.vertcat(floor_elastic_force),
+        ca.vertcat(0),
+        ca.vertcat(floor_elastic_force),
+        ca.vertcat(),
+        ca.vertcat(1),
+    )
+
+
+def applied(t, q, u, c):
+    """Generalised forces of everything that is no contact.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        f (1,): vertical [N]
+    """
+    mass = c[0]
+    gravity = c[2]
+    return ca.vertcat(-gravity*mass)
+
+
+def accelerations(t, q, u, f, c):
+    """Generalised accelerations a from M a = f - bias, and what each drive must supply.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; f: generalised forces; c: CONSTANTS.
+    Returns, each a column vector:
+        a (1,): vertical.acceleration [m/s^2]
+        reactions (0,): empty
+    """
+    k2 = c[5]
+    vertical_force = f[0]
+    vertical_acc = k2*vertical_force
+    return ca.vertcat(vertical_acc), ca.vertcat()
+
+
+def ledger(t, q, u, reactions, c):
+    """Power the drives put in, in its row of z.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
+    Returns, each a column vector:
+        dz (1,): floor.dissipated [W]
+    """
+    return ca.vertcat(0)
+
+
+def energy(t, q, u, c):
+    """Kinetic and potential energy, and what each pair's stiffness stores.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        kinetic (1,): kinetic [J]
+        potential (1,): potential [J]
+        stored (1,): floor [J]
+    """
+    radius = c[1]
+    k1 = c[4]
+    k3 = c[6]
+    k4 = c[7]
+    vertical_travel = q[0]
+    vertical_speed = u[0]
+    floor_gap = vertical_travel - radius
+    floor_stored_energy = ca.if_else(-floor_gap > 0, k1*(-floor_gap)**2*ca.sqrt(-floor_gap), 0)
+    kinetic = k3*vertical_speed*vertical_speed
+    potential = k4*vertical_travel
+    return ca.vertcat(kinetic), ca.vertcat(potential), ca.vertcat(floor_stored_energy)
+
+
+def poses(t, q, c):
+    """Origin of every body's frame (x, y, z after one another) and its rotation matrix (row by row), body by body.
+
+    Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
+    Returns, each a column vector:
+        positions (3,): ball.x [m], ball.y [m], ball.z [m]
+        rotations (9,): ball.R_xx [1], ball.R_xy [1], ball.R_xz [1], ball.R_yx [1], ball.R_yy [1], ball.R_yz [1],
+            ball.R_zx [1], ball.R_zy [1], ball.R_zz [1]
+    """
+    vertical_travel = q[0]
+    return ca.vertcat(0, vertical_travel, 0), ca.vertcat(1, 0, 0, 0, 1, 0, 0, 0, 1)
+
+
+def outputs(t, q, u, c):
+    """Named quantities, see OUTPUTS.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        y (1,): floor.gap [m]
+    """
+    radius = c[1]
+    vertical_travel = q[0]
+    floor_gap = vertical_travel - radius
+    return ca.vertcat(floor_gap)
