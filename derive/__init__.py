@@ -9,7 +9,7 @@ _HOME = {
     "Parameter": "parameter",
     "Interval": "parameter",
     **dict.fromkeys(
-        ("GROUND", "X", "Y", "Z", "Body", "Material", "Mechanism", "PinInBush", "Point", "Prismatic", "Revolute",
+        ("GROUND", "X", "Y", "Z", "Body", "Material", "Mechanism", "ParallelCylinders", "PinInBush", "Point", "Prismatic", "Revolute",
          "SphereOnPlane", "SphereOnSphere"), "mechanism"),
     **dict.fromkeys(
         ("ConstantSpeed", "Contact", "EnergyLedger", "Friction", "Gravity", "Scales", "Scene", "Start"), "scene"),

@@ -93,10 +93,9 @@ def audit_laws(scene: Scene) -> tuple[Finding, ...]:
     """One finding per expression of every law the scene calls for."""
     findings: list[Finding] = []
     for effect in scene.effects:
-        bounds = effect.laws if isinstance(effect, Contact) else (effect.law,) if isinstance(effect, Friction) else ()
-        unchecked = isinstance(effect, Contact) and effect.unchecked
-        for bound in bounds:
-            findings.extend(_law_findings(scene, effect.name, bound, unchecked))
+        if isinstance(effect, Contact | Friction):
+            for bound in effect.laws:
+                findings.extend(_law_findings(scene, effect.name, bound, effect.unchecked))
     return tuple(findings)
 
 

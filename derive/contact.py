@@ -16,14 +16,18 @@ import sympy as sp
 from hertzwerk.derive.dimension import Dimension
 from hertzwerk.derive.functions import Where
 from hertzwerk.derive.kinematics import Kinematics
-from hertzwerk.derive.laws.law import BoundLaw, F, N, d, s, v, v0
-from hertzwerk.derive.mechanism import Pair, PinInBush, SphereOnPlane
+from hertzwerk.derive.laws.law import GEOMETRY, BoundLaw, F, N, Quantity, d, k_t, s, v, v0
+from hertzwerk.derive.mechanism import Pair, ParallelCylinders, PinInBush, SphereOnPlane
 from hertzwerk.derive.scene import Contact, Friction
 from hertzwerk.derive.units import parse_unit
 from hertzwerk.derive.vectors import Vector, add, apply, cross, dot, scale, sub, transpose
 
 NEWTON = Dimension.from_unit(parse_unit("N"), {})
 JOULE = Dimension.from_unit(parse_unit("J"), {})
+STIFFNESS = Dimension.from_unit(parse_unit("N/m"), {})
+DRAG = Dimension.from_unit(parse_unit("N s/m"), {})
+METRE = Dimension.from_unit(parse_unit("m"), {})
+PURE = Dimension.from_unit(parse_unit("1"), {})
 
 
 @dataclass(frozen=True)
@@ -41,10 +45,11 @@ class Forces:
 class PairKinematics:
     """One pair of a scene on its kinematics' tape."""
 
-    def __init__(self, kinematics: Kinematics, pair: Pair) -> None:
+    def __init__(self, kinematics: Kinematics, pair: Pair, geometry: dict[str, Any]) -> None:
         self.kin = kinematics
         self.tape = kinematics.tape
         self.pair = pair
+        self._geometry = {quantity: geometry[quantity.name] for quantity in GEOMETRY if quantity.name in geometry}
         self.first, self.second = pair.places
         name = pair.name
         one, one_rate, one_second = kinematics.point(
@@ -80,7 +85,7 @@ class PairKinematics:
     @cached_property
     def eccentricity(self) -> Vector:
         """Of a pin: centre to centre, across the bush's axis; of spheres: centre to centre [m]."""
-        if not isinstance(self.pair, PinInBush):
+        if not isinstance(self.pair, PinInBush | ParallelCylinders):
             return self.apart
         along = self.let(dot(self.apart, self._direction), "along")
         return self._named(sub(self.apart, scale(along, self._direction)), "e")
@@ -92,7 +97,7 @@ class PairKinematics:
             return self.let(dot(self._direction, self.apart) - self.pair.radius, "gap")
         reach = self._reach
         squared = self.let(dot(self.eccentricity, self.eccentricity), "apart_squared")
-        sign = 1 if isinstance(self.pair, PinInBush) else -1
+        sign = 1 if self.pair.inside else -1
         return self.let(sign * (reach**2 - squared) / (2 * reach), "gap")
 
     @cached_property
@@ -121,7 +126,7 @@ class PairKinematics:
         """Unit vector along which the first place is pushed."""
         if isinstance(self.pair, SphereOnPlane):
             return self._direction
-        sign = -1 if isinstance(self.pair, PinInBush) else 1
+        sign = -1 if self.pair.inside else 1
         return self._named(scale(sign / self._distance, self.eccentricity), "normal")
 
     @cached_property
@@ -129,7 +134,7 @@ class PairKinematics:
         """[m], positive in contact."""
         if isinstance(self.pair, SphereOnPlane):
             return self.let(-self.gap, "penetration")
-        sign = 1 if isinstance(self.pair, PinInBush) else -1
+        sign = 1 if self.pair.inside else -1
         return self.let(sign * (self._distance - self._reach), "penetration")
 
     @cached_property
@@ -150,46 +155,52 @@ class PairKinematics:
 
     # -- forces ----------------------------------------------------------------------------------------------------
 
-    def _law(self, bound: BoundLaw, known: dict[sp.Symbol, Any]) -> dict[sp.Symbol, Any]:
-        """Law symbol -> tape: bound parameters, geometry, definitions."""
-        values = {**known, **bound.binding}
-        for symbol in (symbol for symbol, _ in bound.law.definitions):
-            values.pop(symbol, None)
-        for quantity, expression in self._geometry.items():
-            values.setdefault(quantity, expression)
+    def _law(self, bound: BoundLaw, known: dict[sp.Symbol, Any], unchecked: bool = False) -> dict[sp.Symbol, Any]:
+        """Law symbol -> tape: what the contact knows, bound parameters, geometry, definitions. Unchecked ones have the unit they claim."""
+        values: dict[sp.Symbol, Any] = {**known, **bound.binding}
+        for quantity in bound.law.geometry():
+            values[quantity] = self.let(self._geometry[quantity], quantity.name)
         for symbol, expression in bound.law.definitions:
-            values[symbol] = self.let(expression.xreplace(values), symbol.name)
+            stated = self._stated(symbol, values) if unchecked else None
+            values[symbol] = self.let(expression.xreplace(values), symbol.name, stated)
         return values
 
-    @cached_property
-    def _geometry(self) -> dict[sp.Symbol, Any]:
-        from hertzwerk.derive.laws import law  # the geometric quantities a law may name
-
-        return {getattr(law, name): self.let(value, name) for name, value in self.pair.geometry.items()}
+    def _stated(self, symbol: Quantity, values: dict[sp.Symbol, Any]) -> Dimension:
+        return Dimension.from_unit(parse_unit(symbol.unit), {s.name: value for s, value in values.items()})
 
     def elastic(self, contact: Contact) -> tuple[Any, Any]:
         """Elastic force [N] and stored energy [J], zero while open."""
         law = contact.stiffness.law
-        values = self._law(contact.stiffness, {d: self.penetration})
-        closed = self.penetration > 0
+        values = self._law(contact.stiffness, {d: self.penetration}, contact.unchecked)
         stated = (NEWTON, JOULE) if contact.unchecked else (None, None)
-        force = self.let(Where(closed, law.force.xreplace(values), 0), "elastic_force", stated[0])
-        return force, self.let(Where(closed, law.stored.xreplace(values), 0), "stored_energy", stated[1])
+        force = self.let(self._closed(law.force.xreplace(values)), "elastic_force", stated[0])
+        return force, self.let(self._closed(law.work.xreplace(values)), "stored_energy", stated[1])
+
+    def _closed(self, expression: Any) -> Any:
+        """The expression while the pair penetrates, else 0."""
+        return Where(self.penetration > 0, expression, 0)
+
+    def _resistance(self, contact: Contact, damping: BoundLaw, elastic: Any, approach_speed: Any) -> Any:
+        law, stated = damping.law, NEWTON if contact.unchecked else None
+        known = {F: elastic, v: self.penetration_rate, d: self.penetration}
+        if approach_speed is not None:
+            known[v0] = approach_speed
+        if k_t in law.quantities():
+            stiffness = self._law(contact.stiffness, {d: self.penetration}, contact.unchecked)
+            tangent = sp.diff(contact.stiffness.law.force, d).xreplace(stiffness)
+            known[k_t] = self.let(self._closed(tangent), "tangent_stiffness", STIFFNESS if contact.unchecked else None)
+        values = self._law(damping, known, contact.unchecked)
+        if law.factor is not None:
+            factor = self.let(law.factor.xreplace(values), "hysteresis_factor", PURE if contact.unchecked else None)
+            return self.let(elastic * factor * self.penetration_rate / approach_speed, "resistance")
+        return self.let(self._closed(law.resistance.xreplace(values)), "resistance", stated)
 
     def forces(self, contact: Contact, friction: Friction | None, approach_speed: Any) -> Forces:
         """Everything the pair's effects do."""
         elastic, _ = self.elastic(contact)
         normal_force, normal_power = elastic, sp.S.Zero
         if contact.damping is not None:
-            known = {F: elastic, v: self.penetration_rate, v0: approach_speed, d: self.penetration}
-            law = contact.damping.law
-            values = self._law(contact.damping, known)
-            factor = self.let(law.factor.xreplace(values), "hysteresis_factor")
-            resistance = self.let(
-                elastic * factor * self.penetration_rate / approach_speed,
-                "resistance",
-                NEWTON if contact.unchecked else None,
-            )
+            resistance = self._resistance(contact, contact.damping, elastic, approach_speed)
             normal_force = self.let(elastic + resistance, "normal_force")
             normal_power = self.let(resistance * self.penetration_rate, "normal_power")
         # The line of action passes through the first place's centre: the shorter arm does.
@@ -210,7 +221,8 @@ class PairKinematics:
         reach = contact.stiffness.law.reach
         if reach is None:
             return sp.S.One
-        limit = self.let(reach.xreplace(self._law(contact.stiffness, {})), "penetration_limit")
+        values = self._law(contact.stiffness, {}, contact.unchecked)
+        limit = self.let(reach.xreplace(values), "penetration_limit", METRE if contact.unchecked else None)
         return self.let(Where(self.penetration <= limit, 1, 0), "in_range")
 
     @cached_property
@@ -236,11 +248,12 @@ class PairKinematics:
                 - sp.sympify(self.pair.first_radius) * turn,
                 "sliding_velocity",
             )
-        values = self._law(friction.law, {N: normal_force, s: sliding})
-        force = self.let(law.force.xreplace(values), "friction_force")
+        values = self._law(friction.law, {N: normal_force, s: sliding}, friction.unchecked)
+        stated = (NEWTON, DRAG) if friction.unchecked else (None, None)
+        force = self.let(law.force.xreplace(values), "friction_force", stated[0])
         power = self.let(force * sliding, "friction_power")
         if plane is None:
-            slope = self.let(law.slope.xreplace(values), "friction_slope")
+            slope = self.let(law.slope.xreplace(values), "friction_slope", stated[1])
             per_speed = self.let(Where(sliding > 0, force / sliding, slope), "friction_per_speed")
             return scale(-per_speed, slip), sliding, power
         return scale(-force, tangent), sliding, power

@@ -51,7 +51,8 @@ class _Derivation:
         self.kin = Kinematics(self.tape, scene)
         self.equations = Equations(self.kin, scene)
         self.contacts = [
-            (PairKinematics(self.kin, pair), contact, friction) for pair, contact, friction in scene.contacts
+            (PairKinematics(self.kin, pair, scene.geometry(pair.name)), contact, friction)
+            for pair, contact, friction in scene.contacts
         ]
         rows = list(self.equations.free)
         if scene.ledger:
@@ -302,7 +303,7 @@ class _Derivation:
         meanings = _meanings(scene)
         return {
             "EFFECTS": tuple((effect.name, effect.kind, effect.text) for effect in scene.effects),
-            "UNCHECKED": tuple((c.name, c.text) for _, c, _ in self.contacts if c.unchecked),
+            "UNCHECKED": tuple((e.name, e.text) for e in scene.effects if getattr(e, "unchecked", False)),
             "PARAMETERS": tuple(
                 (p.name, p.unit, p.default, p.meaning or meanings.get(p.name, "")) for p in scene.parameters.values()
             ),
@@ -312,6 +313,7 @@ class _Derivation:
             "MEMORY": tuple(self.memory),
             "LATCHES": tuple((f"{name}.approach_speed", "m/s", pairs.index(name)) for name in self.latches),
             "PAIRS": tuple((pair.pair.name, pair.pair.kind) for pair, _, _ in self.contacts),
+            "RELEASES": tuple("force" if c.damping is None else c.damping.law.release for _, c, _ in self.contacts),
             "DISSIPATED": tuple(entries.index(f"{name}.dissipated") for name in pairs) if scene.ledger else (),
             "OUTPUTS": tuple((name, unit) for name, unit, _ in self._outputs()),
             "BODIES": tuple(body.name for body in scene.mechanism.bodies),

@@ -188,7 +188,7 @@ class SphereOnPlane:
     @property
     def geometry(self) -> dict[str, Any]:
         """What laws may ask for: the radius of relative curvature `R_eff` and the smaller radius `R_min` [m]."""
-        return {"R_eff": self.radius, "R_min": self.radius}
+        return {"R_eff": self.radius, "R_min": self.radius, "R_2": self.radius}
 
     def slots(self) -> Iterator[Slot]:
         """The quantities of the pair."""
@@ -207,6 +207,7 @@ class SphereOnSphere:
     radius_first: Scalar
     radius_second: Scalar
     kind: ClassVar[str] = "sphere_on_sphere"
+    inside: ClassVar[bool] = False
 
     @property
     def first_radius(self) -> Any:
@@ -222,7 +223,7 @@ class SphereOnSphere:
     def geometry(self) -> dict[str, Any]:
         """`R_eff = R1 R2/(R1 + R2)` and the smaller radius [m]."""
         r1, r2 = self.radius_first, self.radius_second
-        return {"R_eff": r1 * r2 / (r1 + r2), "R_min": sp.Min(r1, r2)}
+        return {"R_eff": r1 * r2 / (r1 + r2), "R_min": sp.Min(r1, r2), "R_1": r1, "R_2": r2, "dR": r1 + r2}
 
     def slots(self) -> Iterator[Slot]:
         """The quantities of the pair."""
@@ -234,7 +235,10 @@ class SphereOnSphere:
 
 @dataclass(frozen=True)
 class PinInBush:
-    """A revolute joint with clearance: a pin of radius `bush_radius - clearance` free inside a bush, axes along `axis` of the bush's frame."""
+    """A revolute joint with clearance: a pin of radius `bush_radius - clearance` free inside a bush, axes along `axis` of the bush's frame.
+
+    With a `length` it offers the line contact of parallel cylinders to laws that ask for one.
+    """
 
     name: str
     pin: Point
@@ -242,7 +246,9 @@ class PinInBush:
     axis: Direction
     bush_radius: Scalar
     clearance: Scalar
+    length: Scalar | None = None
     kind: ClassVar[str] = "pin_in_bush"
+    inside: ClassVar[bool] = True
 
     @property
     def places(self) -> tuple[Point, Point]:
@@ -259,17 +265,65 @@ class PinInBush:
     @property
     def geometry(self) -> dict[str, Any]:
         """`R_eff = R1 R2/(R1 - R2)` of bush and pin (their difference is the clearance), and the pin's radius [m]."""
-        return {"R_eff": self.bush_radius * self.pin_radius / self.clearance, "R_min": self.pin_radius}
+        return {
+            "R_eff": self.bush_radius * self.pin_radius / self.clearance,
+            "R_min": self.pin_radius,
+            "R_1": self.bush_radius,
+            "R_2": self.pin_radius,
+            "dR": self.clearance,
+            **({} if self.length is None else {"L": self.length}),
+        }
 
     def slots(self) -> Iterator[Slot]:
         """The quantities of the pair."""
         yield Slot(f"pair {self.name}, bush radius", self.bush_radius, "m", POSITIVE)
         yield Slot(f"pair {self.name}, clearance", self.clearance, "m", POSITIVE)
+        if self.length is not None:
+            yield Slot(f"pair {self.name}, length", self.length, "m", POSITIVE)
         for point in self.places:
             yield from point.slots()
 
 
-Pair = SphereOnPlane | SphereOnSphere | PinInBush
+@dataclass(frozen=True)
+class ParallelCylinders:
+    """Two cylinders that may touch from outside along a line of `length`, axes along `axis` of the second's frame."""
+
+    name: str
+    first: Point
+    second: Point
+    axis: Direction
+    radius_first: Scalar
+    radius_second: Scalar
+    length: Scalar
+    kind: ClassVar[str] = "parallel_cylinders"
+    inside: ClassVar[bool] = False
+
+    @property
+    def first_radius(self) -> Any:
+        """From the first place to the contact point [m]."""
+        return self.radius_first
+
+    @property
+    def places(self) -> tuple[Point, Point]:
+        """The two centres."""
+        return self.first, self.second
+
+    @property
+    def geometry(self) -> dict[str, Any]:
+        """`R_eff = R1 R2/(R1 + R2)`, both radii, their sum and the length [m]."""
+        r1, r2 = self.radius_first, self.radius_second
+        return {"R_eff": r1 * r2 / (r1 + r2), "R_min": sp.Min(r1, r2), "R_1": r1, "R_2": r2, "dR": r1 + r2, "L": self.length}
+
+    def slots(self) -> Iterator[Slot]:
+        """The quantities of the pair."""
+        yield Slot(f"pair {self.name}, first radius", self.radius_first, "m", POSITIVE)
+        yield Slot(f"pair {self.name}, second radius", self.radius_second, "m", POSITIVE)
+        yield Slot(f"pair {self.name}, length", self.length, "m", POSITIVE)
+        for point in self.places:
+            yield from point.slots()
+
+
+Pair = SphereOnPlane | SphereOnSphere | PinInBush | ParallelCylinders
 
 
 @dataclass(frozen=True)

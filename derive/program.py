@@ -72,7 +72,7 @@ class Tape:
 
     def let(self, expression: Any, name: str, dimension: Dimension | None = None) -> Any:
         """Name an intermediate result; numbers and symbols (also negated) pass through. `dimension` states it unchecked."""
-        expression = self._hoist(sp.sympify(expression))
+        expression = sp.sympify(expression) if dimension is not None else self._hoist(sp.sympify(expression))
         if dimension is None and (expression.is_Atom or (-expression).is_Symbol):
             return expression
         if dimension is None and expression.could_extract_minus_sign() and -expression in self._known:

@@ -13,7 +13,7 @@ from hertzwerk.derive.dimension import Dimension, check
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.laws.catalogue import LAWS
 from hertzwerk.derive.laws.law import APPROACH_SPEED, BoundLaw, DampingLaw
-from hertzwerk.derive.mechanism import Direction, Joint, Mechanism, Pair, Revolute, Slot
+from hertzwerk.derive.mechanism import Body, Direction, Joint, Mechanism, Pair, Revolute, Slot
 from hertzwerk.derive.parameter import POSITIVE, Parameter, Scalar, default_value, dimensions_of, parameters_of
 from hertzwerk.derive.units import parse_unit, unit_text
 
@@ -60,6 +60,7 @@ class Gravity:
 class Contact:
     """Normal force of one pair: a stiffness law and, if called for, a damping law. The effect is named after its pair.
 
+    `effective_mass` is what a damping law that asks for one is given, by default m1 m2/(m1 + m2) of the two bodies.
     `unchecked=True` lets an inconsistent law run in SI values; module, solution and plots then say so.
     """
 
@@ -67,6 +68,7 @@ class Contact:
     stiffness: BoundLaw
     damping: BoundLaw | None = None
     approach_floor: Scalar = APPROACH_FLOOR
+    effective_mass: Scalar | None = None
     unchecked: bool = False
     kind: ClassVar[str] = "contact"
 
@@ -90,10 +92,12 @@ class Contact:
         """What the effect is, for people."""
         return " x ".join(bound.law.name for bound in self.laws) + (", UNCHECKED" if self.unchecked else "")
 
-    def slots(self) -> Iterator[Slot]:
-        """The parameters of both laws."""
+    def slots(self, geometry: dict[str, Any] | None = None) -> Iterator[Slot]:
+        """The parameters of both laws, and what of the pair's geometry they limit."""
         for bound in self.laws:
-            yield from bound.slots(f"effect {self.name}")
+            yield from bound.slots(f"effect {self.name}", geometry or {})
+        if self.effective_mass is not None:
+            yield Slot(f"effect {self.name}, effective mass", self.effective_mass, "kg", POSITIVE)
         if self.latches:
             yield Slot(f"effect {self.name}, approach floor", self.approach_floor, "m/s", POSITIVE)
 
@@ -105,16 +109,22 @@ class Friction:
     name: str
     pair: str
     law: BoundLaw
+    unchecked: bool = False
     kind: ClassVar[str] = "friction"
 
     @property
     def text(self) -> str:
         """What the effect is, for people."""
-        return f"{self.law.law.name} at {self.pair}"
+        return f"{self.law.law.name} at {self.pair}" + (", UNCHECKED" if self.unchecked else "")
 
-    def slots(self) -> Iterator[Slot]:
+    @property
+    def laws(self) -> tuple[BoundLaw, ...]:
+        """The one law."""
+        return (self.law,)
+
+    def slots(self, geometry: dict[str, Any] | None = None) -> Iterator[Slot]:
         """The parameters of the law."""
-        yield from self.law.slots(f"effect {self.name}")
+        yield from self.law.slots(f"effect {self.name}", geometry or {})
 
 
 @dataclass(frozen=True)
@@ -260,20 +270,32 @@ class Scene:
             if pair.name in contacts
         ]
 
+    def geometry(self, pair_name: str) -> dict[str, Any]:
+        """What a pair offers its laws by name (`R_eff`, `L`, ...), and the effective mass `m_eff` of its bodies; empty for no pair."""
+        pair = next((pair for pair in self.mechanism.pairs if pair.name == pair_name), None)
+        if pair is None:
+            return {}
+        own = next((e.effective_mass for e in self.of_kind("contact") if e.pair == pair_name), None)
+        masses = [place.body.mass for place in pair.places if isinstance(place.body, Body)]
+        both = masses[0] if len(masses) == 1 else masses[0] * masses[1] / (masses[0] + masses[1]) if masses else None
+        mass = both if own is None else own
+        return {**pair.geometry, **({} if mass is None else {"m_eff": mass})}
+
     def slots(self) -> Iterator[Slot]:
         """Every quantity of the scene, in declared order."""
         yield from self.mechanism.slots()
         units = {joint.name: joint.speed_unit for joint in self.mechanism.joints}
         for effect in self.effects:
-            for slot in effect.slots():
+            given = effect.slots(self.geometry(effect.pair)) if isinstance(effect, Contact | Friction) else effect.slots()
+            for slot in given:
                 yield slot if slot.unit else replace(slot, unit=units.get(effect.joint, "rad/s"))  # type: ignore[union-attr]
         for joint in self.mechanism.joints:
-            for given, unit, limit_of in (
+            for values, unit, limit_of in (
                 (self.start.position, joint.coordinate_unit, "position"),
                 (self.start.speed, joint.speed_unit, "speed"),
             ):
-                if joint.name in given:
-                    yield Slot(f"start, {limit_of} of {joint.name}", given[joint.name], unit)
+                if joint.name in values:
+                    yield Slot(f"start, {limit_of} of {joint.name}", values[joint.name], unit)
         yield from self.scales.slots()
 
     @property
@@ -364,6 +386,14 @@ class Scene:
             elif isinstance(effect, Friction) and effect.pair not in contacts:
                 yield Fault(where, f"pair {effect.pair!r} without a contact", f"one of {', '.join(contacts) or 'none'}",
                             "Friction needs a normal force: leave it out too, or add the pair's Contact.")  # fmt: skip
+        for effect in (*self.of_kind("contact"), *self.of_kind("friction")):
+            offered = self.geometry(effect.pair)
+            for bound in effect.laws:
+                for quantity in bound.law.geometry():
+                    if offered and quantity.name not in offered:
+                        yield Fault(f"effect {effect.name}", f"a pair without {quantity.name}, {quantity.meaning}",
+                                    f"one that has it, because {bound.law.name} asks for it",
+                                    "Line contacts need a length: PinInBush(..., length=...), or ParallelCylinders.")  # fmt: skip
         drives = [effect.joint for effect in self.of_kind("drive")]
         yield from _twice("drive of joint", drives)
         yield from _twice("friction of pair", [effect.pair for effect in self.of_kind("friction")])

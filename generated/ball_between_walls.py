@@ -66,6 +66,11 @@ PAIRS = (
     ("right_wall", "sphere_on_plane"),
 )
 
+RELEASES = (
+    "force",
+    "force",
+)
+
 DISSIPATED = (
     0,
     1,

@@ -90,6 +90,10 @@ PAIRS = (
     ("slider_pin", "pin_in_bush"),
 )
 
+RELEASES = (
+    "force",
+)
+
 DISSIPATED = (
     1,
 )

@@ -55,6 +55,10 @@ PAIRS = (
     ("floor", "sphere_on_plane"),
 )
 
+RELEASES = (
+    "force",
+)
+
 DISSIPATED = (
     0,
 )

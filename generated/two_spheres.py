@@ -64,6 +64,10 @@ PAIRS = (
     ("spheres", "sphere_on_sphere"),
 )
 
+RELEASES = (
+    "force",
+)
+
 DISSIPATED = (
     0,
 )

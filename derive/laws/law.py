@@ -1,4 +1,4 @@
-"""Contact laws as records: one expression each, with the unit of every symbol, the range, the source and its grade.
+"""Contact laws as records: one expression each, with the unit of every symbol, the ranges, the source and its grade.
 
 Grades: A checked against an independent published number or an exact relation; B seen in a public source; C from general knowledge of
 the literature; R reconstruction of an expression that could not be had.
@@ -7,15 +7,15 @@ Calling a law binds its parameters, in order or by name; a `Material` fills a pa
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, ClassVar
 
 import sympy as sp
 
 from hertzwerk.derive.mechanism import Material, Slot
-from hertzwerk.derive.parameter import Interval
+from hertzwerk.derive.parameter import POSITIVE, Interval
 
 
 class Quantity(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
@@ -38,23 +38,46 @@ class Quantity(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
         return (self.name, self.unit, self.meaning, self.limit), {}
 
 
-# What a contact supplies to its laws.
+# What a contact supplies to its laws while it lasts.
 d = Quantity("d", "m", "penetration")
 v = Quantity("v", "m/s", "penetration rate")
 v0 = Quantity("v0", "m/s", "approach speed, latched at the onset of the contact")
 F = Quantity("F", "N", "elastic force of the stiffness law")
+k_t = Quantity("k_t", "N/m", "tangent stiffness dF/dd of the stiffness law")
 N = Quantity("N", "N", "normal force")
 s = Quantity("s", "m/s", "sliding velocity")
-R_eff = Quantity("R_eff", "m", "radius of relative curvature of the pair")
-R_min = Quantity("R_min", "m", "smaller radius of the pair")
+STATE = (d, v, v0, F, k_t, N, s)
+
+# What a pair supplies, once per run.
+R_eff = Quantity("R_eff", "m", "radius of relative curvature of the pair", POSITIVE)
+R_min = Quantity("R_min", "m", "smaller radius of the pair", POSITIVE)
+R_1 = Quantity("R_1", "m", "larger radius of the pair", POSITIVE)
+R_2 = Quantity("R_2", "m", "smaller radius of the pair", POSITIVE)
+dR = Quantity("dR", "m", "R1 - R2 inside (the clearance), R1 + R2 outside", POSITIVE)
+L = Quantity("L", "m", "axial length of the contact", POSITIVE)
+m_eff = Quantity("m_eff", "kg", "effective mass m1 m2/(m1 + m2)", POSITIVE)
+GEOMETRY = (R_eff, R_min, R_1, R_2, dR, L, m_eff)
 
 APPROACH_SPEED = v0
-"""The one discrete memory of step 1: a law that names it has the speed of approach latched at the onset."""
+"""Discrete memory: a law that names it has the speed of approach latched at the onset."""
+
+
+@dataclass(frozen=True)
+class Range:
+    """Where a law holds: outside a "defined" range is an error, outside a "recommended" one a warning. Bounds in SI."""
+
+    quantity: Quantity
+    interval: Interval
+    kind: str
 
 
 @dataclass(frozen=True)
 class Law:
-    """What all laws share; `definitions` are named intermediate results (symbol, expression), in order."""
+    """What all laws share; `definitions` are named intermediate results (symbol, expression), in order.
+
+    `verdict` is what the catalogue states of the law as published, and the audit must find: consistent, inconsistent, or outside_si
+    (inconsistent, but `fitted_in` names the units it was fitted in). `repair` names the honest repair, where there is one.
+    """
 
     name: str
     title: str
@@ -62,6 +85,11 @@ class Law:
     source: str
     grade: str
     definitions: tuple[tuple[Quantity, sp.Expr], ...] = ()
+    ranges: tuple[Range, ...] = ()
+    verdict: str = "consistent"
+    fitted_in: str = ""
+    repair: str = ""
+    note: str = ""
     kind: ClassVar[str]
 
     def __call__(self, *values: Any, **named: Any) -> BoundLaw:
@@ -73,49 +101,81 @@ class Law:
         unknown = [name for name in named if name not in names[len(given) :]]
         missing = [name for name in names[len(given) :] if name not in named]
         if len(given) > len(names) or unknown or missing:
-            raise TypeError(
-                f"law {self.name} takes {', '.join(names)}; missing {missing}, not expected {unknown or given[len(names) :]}"
-            )
+            surplus = [*unknown, *given[len(names) :]]
+            raise TypeError(f"law {self.name} takes ({', '.join(names)}): missing {missing}, not expected {surplus}")
         given += [named[name] for name in names[len(given) :]]
-        return BoundLaw(self, tuple(_exact(value) for value in given))
+        materials = tuple(value for value in values if isinstance(value, Material))
+        return BoundLaw(self, tuple(_exact(value) for value in given), materials)
 
     def expressions(self) -> Iterator[tuple[str, sp.Expr, str]]:
         """What the law computes: (what it is, expression, unit it must have)."""
         raise NotImplementedError
 
+    def quantities(self) -> tuple[Quantity, ...]:
+        """Every symbol the law's expressions and definitions contain, in the order they stand there."""
+        texts = [*(e for _, e in self.definitions), *(e for _, e, _ in self.expressions())]
+        found = (node for text in texts for node in sp.preorder_traversal(text) if isinstance(node, Quantity))
+        return tuple(dict.fromkeys(found))
+
+    def geometry(self) -> tuple[Quantity, ...]:
+        """What the law asks of its pair, and does not define or take as a parameter itself."""
+        own = {*self.parameters, *(symbol for symbol, _ in self.definitions)}
+        asked = {*self.quantities(), *(row.quantity for row in self.ranges)} - own
+        return tuple(quantity for quantity in GEOMETRY if quantity in asked)
+
 
 @dataclass(frozen=True)
 class StiffnessLaw(Law):
-    """Elastic normal force F(d) [N] and the energy it stores [J]; `exponent` n where F = K d^n; `reach` [m], the penetration it is defined up to."""
+    """Elastic normal force F(d) [N].
+
+    `stored` is its integral [J]; None has it integrated by Gauss's rule. `exponent` is the n of K d^n. `reach` [m] is the penetration the law is
+    defined up to: beyond it a run ends with `outside_law_range`.
+    """
 
     force: sp.Expr = sp.S.Zero
-    stored: sp.Expr = sp.S.Zero
+    stored: sp.Expr | None = None
     exponent: sp.Expr | None = None
     reach: sp.Expr | None = None
     kind = "stiffness"
 
     def expressions(self) -> Iterator[tuple[str, sp.Expr, str]]:
-        """The elastic force, then the stored energy."""
+        """The elastic force, then stored energy and reach where they are given."""
         yield "normal force", self.force, "N"
-        yield "stored energy", self.stored, "J"
+        if self.stored is not None:
+            yield "stored energy", self.stored, "J"
         if self.reach is not None:
             yield "reach", self.reach, "m"
+
+    @property
+    def work(self) -> sp.Expr:
+        """Stored energy [J]: as given, or by 16-point Gauss quadrature in the square root of the penetration, exact for d^(k/2), k < 31."""
+        if self.stored is not None:
+            return self.stored
+        terms = [weight * 2 * node * self.force.xreplace({d: d * node**2}) for node, weight in _gauss_legendre(16)]
+        return d * sp.Add(*terms)
 
 
 @dataclass(frozen=True)
 class DampingLaw(Law):
-    """Hysteresis damping: resistance F h v/v0 [N] beside the elastic force F, h = `factor` of the restitution e."""
+    """Dissipative part of the normal force, beside the elastic force F: F h v/v0 with h = `factor` of the restitution, or another `term` [N].
 
-    factor: sp.Expr = sp.S.Zero
-    defined: Interval = field(default_factory=Interval)
+    `exponent` is the m of chi d^m v, None where it is the stiffness law's n. `release`: "force" ends the contact where the normal force falls to zero,
+    "gap" where the gap opens, so that the law may pull before.
+    """
+
+    factor: sp.Expr | None = None
+    term: sp.Expr | None = None
+    defined: Interval | None = None
     recommended: Interval | None = None
     memory: tuple[Quantity, ...] = ()
+    exponent: sp.Expr | None = None
+    release: str = "force"
     kind = "damping"
 
     @property
     def resistance(self) -> sp.Expr:
-        """Dissipative part of the normal force."""
-        return F * self.factor * v / v0
+        """Dissipative part of the normal force [N]."""
+        return F * self.factor * v / v0 if self.term is None else self.term
 
     def expressions(self) -> Iterator[tuple[str, sp.Expr, str]]:
         """The resistance."""
@@ -136,6 +196,17 @@ class FrictionLaw(Law):
         yield "slope of the friction force at rest", self.slope, "N s/m"
 
 
+def _gauss_legendre(points: int) -> Iterator[tuple[sp.Float, sp.Float]]:
+    """Nodes and weights on (0, 1), as doubles."""
+    from mpmath import mp, legendre, polyroots  # SymPy brings it
+    with mp.workdps(40):
+        x = sp.Symbol("x")
+        polynomial = sp.legendre_poly(points, x, polys=True)
+        for root in polyroots([mp.mpf(int(c.p)) / int(c.q) for c in polynomial.all_coeffs()], maxsteps=200, extraprec=200):
+            slope = points * (legendre(points - 1, root) - root * legendre(points, root)) / (1 - root**2)
+            yield sp.Float((1 + root) / 2, 17), sp.Float(1 / ((1 - root**2) * slope**2), 17)
+
+
 def _exact(value: Any) -> Any:
     """Numbers as exact rationals (1.5 -> 3/2), so that exponents compare exactly."""
     if isinstance(value, float) and value == value and abs(value) != float("inf"):
@@ -151,17 +222,39 @@ class BoundLaw:
 
     law: Any
     values: tuple[Any, ...]
+    materials: tuple[Material, ...] = ()
 
     @property
     def binding(self) -> dict[sp.Symbol, Any]:
         """Law symbol -> what is given for it."""
         return dict(zip(self.law.parameters, self.values, strict=True))
 
-    def slots(self, where: str) -> Iterator[Slot]:
-        """The quantities given to the law."""
+    def slots(self, where: str, geometry: dict[str, Any]) -> Iterator[Slot]:
+        """The quantities given to the law; then those of the pair's `geometry` the law has ranges for."""
+        limits = {row.quantity: {other.kind: other.interval for other in self.law.ranges if other.quantity == row.quantity} for row in self.law.ranges}
         for symbol, value in self.binding.items():
-            limit = symbol.limit
-            recommended = None
-            if isinstance(self.law, DampingLaw):
+            limit, recommended = symbol.limit, None
+            if isinstance(self.law, DampingLaw) and symbol.name == "e":
                 limit, recommended = self.law.defined, self.law.recommended
-            yield Slot(f"{where}, {symbol.meaning} of {self.law.name}", value, symbol.unit, limit, recommended)
+            known = limits.get(symbol, {})
+            place = f"{where}, {symbol.meaning} of {self.law.name}"
+            yield Slot(place, value, symbol.unit, known.get("defined", limit), known.get("recommended", recommended))
+        for symbol, kinds in limits.items():
+            if symbol not in self.binding and symbol.name in geometry:
+                place = f"{where}, {symbol.meaning} for {self.law.name}"
+                yield Slot(place, geometry[symbol.name], symbol.unit, kinds.get("defined"), kinds.get("recommended"))
+
+
+def material_limits(bounds: Iterable[BoundLaw | None]) -> list[sp.Expr]:
+    """Approach speeds 1e-5 sqrt(E/rho) [m/s] up to which the compliant laws hold, one per material whose density is known.
+
+    Johnson's limit of elastic impact, as used by Lankarani & Nikravesh (1994).
+    """
+    materials = dict.fromkeys(m for bound in bounds if bound is not None for m in bound.materials if m.density is not None)
+    return [sp.Float("1e-5") * sp.sqrt(m.youngs_modulus / m.density) for m in materials]
+
+
+__all__ = [
+    "APPROACH_SPEED", "GEOMETRY", "STATE", "BoundLaw", "DampingLaw", "F", "FrictionLaw", "L", "Law", "N", "Quantity", "R_1", "R_2",
+    "R_eff", "R_min", "Range", "StiffnessLaw", "d", "dR", "k_t", "m_eff", "material_limits", "s", "v", "v0",
+]  # fmt: skip
