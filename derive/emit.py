@@ -131,6 +131,12 @@ def _relation(sign: str) -> Callable[[Any], tuple[str, int]]:
     return rule
 
 
+def _lambert_w(node: Any) -> tuple[str, int]:
+    if len(node.args) != 2 or node.args[1] != -1:
+        raise EmitError(f"no rule to emit the branch of {node}; the lower one is LambertW(x, -1)")
+    return f"_lambert_w_lower({_text(node.args[0])[0]})", _ATOM
+
+
 _RULES: dict[type, Callable[[Any], tuple[str, int]]] = {
     sp.Symbol: lambda node: (node.name, _ATOM),
     sp.Number: _number,
@@ -155,6 +161,7 @@ _RULES: dict[type, Callable[[Any], tuple[str, int]]] = {
     sp.Min: _nested("ca.fmin"),
     sp.Max: _nested("ca.fmax"),
     Where: _call("ca.if_else"),
+    sp.LambertW: _lambert_w,
     sp.StrictGreaterThan: _relation(">"),
     sp.StrictLessThan: _relation("<"),
     sp.GreaterThan: _relation(">="),
@@ -163,6 +170,25 @@ _RULES: dict[type, Callable[[Any], tuple[str, int]]] = {
 
 
 # -- functions ---------------------------------------------------------------------------------------------------------
+
+_HELPERS = {
+    "_lambert_w_lower": '''def _lambert_w_lower(x):
+    """Lower branch of Lambert's W on [-1/e, 0): series at the branch point or at 0, then three steps of 4th order.
+
+    Corless, Gonnet, Hare, Jeffrey, Knuth, Adv. Comput. Math. 5 (1996) 329, eqs. 4.19, 4.22; Fritsch, Shafer, Crowley, CACM 16 (1973) 123.
+    """
+    root = ca.sqrt(ca.fmax(2*(1 + 2.718281828459045*x), 0))
+    near = -1 - root*(1 + root*(1/3 + root*(11/72 + root*43/540)))
+    first = ca.log(-x)
+    second = ca.log(-first)
+    w = ca.fmin(ca.if_else(x < -0.2, near, first - second + second/first), -1 - 1e-9)
+    for _ in range(3):
+        z = ca.log(x/w) - w
+        y = 1 + w
+        q = 2*y*(y + 2*z/3)
+        w = ca.fmin(w*(1 + z/y*(q - z)/(q - 2*z)), -1 - 1e-9)
+    return w''',
+}
 
 _ARGUMENTS = {
     "t": "t [s]",
@@ -188,33 +214,32 @@ def function_text(program: Program, function: Function) -> str:
 
 
 def _return(function: Function) -> list[str]:
-    """The return statement; one result, and where it is long one entry, per line."""
-    if not function.results:
-        return ["    return ()"]
+    """The return statement; where it is long one result, and where that is long some entries, per line."""
     columns = [_column(result) for result in function.results]
-    if len(f"    return {', '.join(columns)}") <= _WIDTH:
-        return [f"    return {', '.join(columns)}"]
-    lines: list[str] = []
-    for result, column in zip(function.results, columns, strict=True):
-        if len(column) + 9 <= _WIDTH:
-            lines.append(f"        {column},")
-        else:
-            entries = ", ".join(expression_text(expression) for expression in result.expressions)
-            lines.append("        ca.vertcat(")
-            lines += textwrap.wrap(
-                entries + ",", _WIDTH, initial_indent=" " * 12, subsequent_indent=" " * 12, break_long_words=False
-            )
-            lines.append("        ),")
-    return (
-        ["    return (", *lines, "    )"]
-        if len(columns) > 1
-        else ["    return " + lines[0].strip(), *lines[1:-1], "    )"]
+    line = f"    return {', '.join(columns)}"
+    if len(line) <= _WIDTH:
+        return [line]
+    if len(columns) == 1:
+        return _wrapped_lines(f"    return {columns[0]}", 8)
+    lines = [line for column in columns for line in _wrapped_lines(f"        {column},", 12)]
+    return ["    return (", *lines, "    )"]
+
+
+def _wrapped_lines(line: str, indent: int) -> list[str]:
+    """A line over CasADi's brackets, broken at blanks where it is too long."""
+    return textwrap.wrap(
+        line,
+        _WIDTH,
+        subsequent_indent=" " * indent,
+        break_long_words=False,
+        break_on_hyphens=False,
+        drop_whitespace=True,
     )
 
 
 def _docstring(function: Function) -> list[str]:
     arguments = "; ".join(_ARGUMENTS[name] for name in function.arguments)
-    lines = textwrap.wrap(f'"""{function.summary}', _WIDTH, initial_indent="    ", subsequent_indent="    ")
+    lines = textwrap.wrap(f'"""{_prose(function.summary)}', _WIDTH, initial_indent="    ", subsequent_indent="    ")
     lines += ["", f"    Arguments: {arguments}.", "    Returns, each a column vector:"]
     for result in function.results:
         entries = ", ".join(
@@ -254,9 +279,18 @@ def operations(text: str) -> int:
             isinstance(node, ast.UnaryOp) and not isinstance(node.operand, ast.Constant)
         ):
             count += 1
-        elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
-            count += node.func.attr != "vertcat"
+        elif isinstance(node, ast.Call):
+            name = node.func.attr if isinstance(node.func, ast.Attribute) else str(getattr(node.func, "id", ""))
+            count += 0 if name == "vertcat" else _helper_operations(name) if name in _HELPERS else 1
     return count
+
+
+def _helper_operations(name: str) -> int:
+    """Of a helper, its three steps counted."""
+    text = _HELPERS[name]
+    loop = text.index("    for _")
+    body = "\n".join(line[4:] for line in text[loop:].splitlines()[1:-1])
+    return operations("\n".join(text[:loop].splitlines()[:-1])) + 3 * operations(textwrap.dedent(body))
 
 
 # -- module ------------------------------------------------------------------------------------------------------------
@@ -277,13 +311,14 @@ def emit(program: Program, source: str) -> str:
                   (("NAME", scene.name), ("SOURCE", source), ("SUMMARY", scene.summary))),
         *(_table(name, rows) for name, rows in tables.items()),
     ]  # fmt: skip
-    return "\n\n".join(parts) + "\n\n\n" + "\n\n\n".join(functions.values()) + "\n"
+    texts = list(functions.values())
+    helpers = [text for name, text in _HELPERS.items() if any(f"{name}(" in other for other in texts)]
+    return "\n\n".join(parts) + "\n\n\n" + "\n\n\n".join((*helpers, *texts)) + "\n"
 
 
 def _header(program: Program, source: str, counts: dict[str, int]) -> str:
     scene = program.scene
     assignments, outputs = checked(program)
-    effects = "\n".join(f"    {effect.name}: {effect.text}" for effect in scene.effects)
     flight = sum(counts[name] for name in ("applied", "accelerations", "gaps", "gap_accelerations"))
     contacts = ", ".join(f"{name} {count}" for name, count in counts.items() if name.startswith("contact_"))
     unchecked = [effect for effect, _ in program.tables["UNCHECKED"]]
@@ -292,13 +327,19 @@ def _header(program: Program, source: str, counts: dict[str, int]) -> str:
         if unchecked
         else f"{assignments} assignments and {outputs} outputs checked, all consistent"
     )
-    return (
-        f'"""{scene.name}: {scene.summary}. Generated from {source or "a scene"}.\n\n'
-        f"Do not edit; regenerate with `hertzwerk derive {scene.name if source.startswith('derive/') else source}`.\n"
-        f"Effects:\n{effects}\n"
-        f"Units: {verdict}\n"
-        f"Operations: flight {flight} (equations of motion and gaps){f'; in contact also {contacts}' if contacts else ''}\n"
-        '"""'
+    name = scene.name if source.startswith("derive/") else source
+    contact = f"; in contact also {contacts}" if contacts else ""
+    return "\n".join(
+        (
+            f'"""{scene.name}: {_prose(scene.summary)}. Generated from {_prose(source) or "a scene"}.',
+            "",
+            f"Do not edit; regenerate with `hertzwerk derive {_prose(name)}`.",
+            "Effects:",
+            *(f"    {effect.name}: {_prose(effect.text)}" for effect in scene.effects),
+            f"Units: {verdict}",
+            f"Operations: flight {flight} (equations of motion and gaps){contact}",
+            '"""',
+        )
     )
 
 
@@ -311,7 +352,14 @@ def _table(name: str, rows: tuple[Any, ...]) -> str:
 def _literal(value: Any) -> str:
     if isinstance(value, tuple):
         return f"({', '.join(map(_literal, value))}{',' if len(value) == 1 else ''})"
-    return json.dumps(value, ensure_ascii=False) if isinstance(value, str) else repr(value)
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False)
+    return repr(float(value)) if isinstance(value, float) else repr(value)  # a NumPy float prints otherwise
+
+
+def _prose(text: str) -> str:
+    """Text of a scene, made safe for a docstring."""
+    return text.replace("\\", "\\\\").replace('"', "'")
 
 
 __all__ = ["EmitError", "emit", "expression_text", "function_text", "operations"]

@@ -312,7 +312,14 @@ class ParallelCylinders:
     def geometry(self) -> dict[str, Any]:
         """`R_eff = R1 R2/(R1 + R2)`, both radii, their sum and the length [m]."""
         r1, r2 = self.radius_first, self.radius_second
-        return {"R_eff": r1 * r2 / (r1 + r2), "R_min": sp.Min(r1, r2), "R_1": r1, "R_2": r2, "dR": r1 + r2, "L": self.length}
+        return {
+            "R_eff": r1 * r2 / (r1 + r2),
+            "R_min": sp.Min(r1, r2),
+            "R_1": r1,
+            "R_2": r2,
+            "dR": r1 + r2,
+            "L": self.length,
+        }
 
     def slots(self) -> Iterator[Slot]:
         """The quantities of the pair."""

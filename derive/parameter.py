@@ -14,6 +14,9 @@ from hertzwerk.derive.dimension import Dimension
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.units import Unit, UnitError, parse_unit
 
+RESERVED = ("ca", "t", "p", "q", "u", "a", "f", "z", "m", "c", "reactions")
+"""Names that generated functions use for their arguments and for CasADi."""
+
 
 class Parameter(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
     """A named constant of a scene; a SymPy symbol, so it is used in expressions as it is.
@@ -43,6 +46,9 @@ class Parameter(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
         where = f"parameter {self.name}"
         if not self.name.isidentifier() or keyword.iskeyword(self.name):
             yield Fault(where, f"the name {self.name!r}", "a Python identifier that is no keyword")
+        elif self.name in RESERVED:
+            yield Fault(where, f"the name {self.name!r}", "a name the generated functions do not use themselves",
+                        f"They use {', '.join(RESERVED)}; a longer name also reads better on the command line.")  # fmt: skip
         try:
             parse_unit(self.unit)
         except UnitError as error:
@@ -60,7 +66,7 @@ class Parameter(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
     @property
     def si(self) -> float:
         """Default in SI."""
-        return float(self.default) * self.parsed_unit.factor
+        return self.parsed_unit.to_si(self.default)
 
 
 @dataclass(frozen=True)

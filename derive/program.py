@@ -15,6 +15,7 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.dimension import Dimension
+from hertzwerk.derive.parameter import RESERVED
 from hertzwerk.derive.vectors import Matrix, Vector
 
 PARAMETER = "p"
@@ -55,7 +56,7 @@ class Tape:
     _groups: dict[sp.Symbol, frozenset[str]] = field(default_factory=dict)
     _known: dict[Any, sp.Symbol] = field(default_factory=dict)
     _rates: dict[sp.Symbol, Any] = field(default_factory=dict)
-    _names: set[str] = field(default_factory=lambda: {"ca", "t", "p", "q", "u", "a", "f", "z", "m", "c", "reactions"})
+    _names: set[str] = field(default_factory=lambda: set(RESERVED))
 
     # -- recording -------------------------------------------------------------------------------------------------
 
@@ -204,6 +205,7 @@ def shared(function: Function) -> Function:
             count[node] = count.get(node, 0) + 1
     names: dict[Any, sp.Symbol] = {}
     body: list[tuple[sp.Symbol, sp.Expr]] = []
+    taken = {symbol.name for symbol in (*reads(function), *(symbol for symbol, _ in function.body))}
     count_names = 0
 
     def visit(expression: Any, whole: bool = False) -> Any:
@@ -219,6 +221,8 @@ def shared(function: Function) -> Function:
         if whole or count.get(expression, 0) < 2:
             return rebuilt
         count_names += 1
+        while f"x{count_names}" in taken:
+            count_names += 1
         names[expression] = sp.Symbol(f"x{count_names}", real=True)
         body.append((names[expression], rebuilt))
         return names[expression]

@@ -286,7 +286,9 @@ class Scene:
         yield from self.mechanism.slots()
         units = {joint.name: joint.speed_unit for joint in self.mechanism.joints}
         for effect in self.effects:
-            given = effect.slots(self.geometry(effect.pair)) if isinstance(effect, Contact | Friction) else effect.slots()
+            given = (
+                effect.slots(self.geometry(effect.pair)) if isinstance(effect, Contact | Friction) else effect.slots()
+            )
             for slot in given:
                 yield slot if slot.unit else replace(slot, unit=units.get(effect.joint, "rad/s"))  # type: ignore[union-attr]
         for joint in self.mechanism.joints:

@@ -133,10 +133,8 @@ def constants(p):
     left_wall_hysteresis_factor = 3/2 - 3*restitution/2
     k2 = 1/mass
     k3 = mass/2
-    return ca.vertcat(
-            radius, stiffness, left_wall_second_arm_x, right_wall_second_arm_x, k1, left_wall_hysteresis_factor, k2,
-            k3,
-    )
+    return ca.vertcat(radius, stiffness, left_wall_second_arm_x, right_wall_second_arm_x, k1,
+        left_wall_hysteresis_factor, k2, k3)
 
 
 def start(p):

@@ -194,11 +194,9 @@ def constants(p):
     k11 = rod_mass/2
     k12 = crank_speed*crank_speed*crank_inertia/2
     k13 = gravity*rod_mass
-    return ca.vertcat(
-            rod_mass, rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity,
-            friction_coefficient, rod_I_z_z, k3, k4, x1, slider_pin_K, k5, slider_pin_hysteresis_factor, k6, k7, k8,
-            k9, k10, k11, k12, k13,
-    )
+    return ca.vertcat(rod_mass, rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity,
+        friction_coefficient, rod_I_z_z, k3, k4, x1, slider_pin_K, k5, slider_pin_hysteresis_factor, k6, k7, k8, k9,
+        k10, k11, k12, k13)
 
 
 def start(p):
@@ -416,10 +414,8 @@ def contact_slider_pin(t, q, u, z, m, c):
     slider_pin_drag_on_crank_pin = slider_pin_drag_x*(x1 - slider_pin_pin_arm_y) + slider_pin_drag_y*(slider_pin_pin_arm_x + x2)
     slider_pin_in_range = ca.if_else(slider_pin_penetration <= slider_pin_R_min, 1, 0)
     return (
-        ca.vertcat(
-            slider_pin_drag_on_crank_pin + slider_pin_push_on_crank_pin, -slider_pin_drag_x - slider_pin_push_x,
-            slider_pin_drag_on_main_bearing + slider_pin_push_on_main_bearing,
-        ),
+        ca.vertcat(slider_pin_drag_on_crank_pin + slider_pin_push_on_crank_pin, -slider_pin_drag_x -
+            slider_pin_push_x, slider_pin_drag_on_main_bearing + slider_pin_push_on_main_bearing),
         ca.vertcat(0, slider_pin_normal_power, slider_pin_friction_power),
         ca.vertcat(slider_pin_normal_force),
         ca.vertcat(slider_pin_sliding_velocity),
@@ -594,10 +590,8 @@ def poses(t, q, c):
     sin_rod = ca.sin(rod_angle)
     return (
         ca.vertcat(0, 0, 0, rod_arm_x, rod_arm_y, 0, guide_travel, 0, 0),
-        ca.vertcat(
-            cos_crank, -sin_crank, 0, sin_crank, cos_crank, 0, 0, 0, 1, cos_rod, -sin_rod, 0, sin_rod, cos_rod, 0,
-            0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1,
-        ),
+        ca.vertcat(cos_crank, -sin_crank, 0, sin_crank, cos_crank, 0, 0, 0, 1, cos_rod, -sin_rod, 0, sin_rod,
+            cos_rod, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1),
     )
 
 

@@ -181,10 +181,8 @@ def constants(p):
     k10 = rod_mass/2
     k11 = crank_speed*crank_speed*crank_inertia/2
     k12 = gravity*rod_mass
-    return ca.vertcat(
-            rod_mass, rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity, rod_I_z_z, k3, k4,
-            x1, slider_pin_K, k5, slider_pin_hysteresis_factor, k6, k7, k8, k9, k10, k11, k12,
-    )
+    return ca.vertcat(rod_mass, rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity,
+        rod_I_z_z, k3, k4, x1, slider_pin_K, k5, slider_pin_hysteresis_factor, k6, k7, k8, k9, k10, k11, k12)
 
 
 def start(p):
@@ -564,10 +562,8 @@ def poses(t, q, c):
     sin_rod = ca.sin(rod_angle)
     return (
         ca.vertcat(0, 0, 0, rod_arm_x, rod_arm_y, 0, guide_travel, 0, 0),
-        ca.vertcat(
-            cos_crank, -sin_crank, 0, sin_crank, cos_crank, 0, 0, 0, 1, cos_rod, -sin_rod, 0, sin_rod, cos_rod, 0,
-            0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1,
-        ),
+        ca.vertcat(cos_crank, -sin_crank, 0, sin_crank, cos_crank, 0, 0, 0, 1, cos_rod, -sin_rod, 0, sin_rod,
+            cos_rod, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1),
     )
 
 

@@ -159,8 +159,8 @@ class StiffnessLaw(Law):
 class DampingLaw(Law):
     """Dissipative part of the normal force, beside the elastic force F: F h v/v0 with h = `factor` of the restitution, or another `term` [N].
 
-    `exponent` is the m of chi d^m v, None where it is the stiffness law's n. `release`: "force" ends the contact where the normal force falls to zero,
-    "gap" where the gap opens, so that the law may pull before.
+    `exponent` is the m of chi d^m v, None where it is the stiffness law's n. `release`: "force" ends the contact where the normal force falls to
+    zero, "gap" where the gap opens, so that the law may pull before.
     """
 
     factor: sp.Expr | None = None
@@ -198,11 +198,14 @@ class FrictionLaw(Law):
 
 def _gauss_legendre(points: int) -> Iterator[tuple[sp.Float, sp.Float]]:
     """Nodes and weights on (0, 1), as doubles."""
-    from mpmath import mp, legendre, polyroots  # SymPy brings it
+    from mpmath import legendre, mp, polyroots  # SymPy brings it
+
     with mp.workdps(40):
         x = sp.Symbol("x")
         polynomial = sp.legendre_poly(points, x, polys=True)
-        for root in polyroots([mp.mpf(int(c.p)) / int(c.q) for c in polynomial.all_coeffs()], maxsteps=200, extraprec=200):
+        for root in polyroots(
+            [mp.mpf(int(c.p)) / int(c.q) for c in polynomial.all_coeffs()], maxsteps=200, extraprec=200
+        ):
             slope = points * (legendre(points - 1, root) - root * legendre(points, root)) / (1 - root**2)
             yield sp.Float((1 + root) / 2, 17), sp.Float(1 / ((1 - root**2) * slope**2), 17)
 
@@ -231,7 +234,10 @@ class BoundLaw:
 
     def slots(self, where: str, geometry: dict[str, Any]) -> Iterator[Slot]:
         """The quantities given to the law; then those of the pair's `geometry` the law has ranges for."""
-        limits = {row.quantity: {other.kind: other.interval for other in self.law.ranges if other.quantity == row.quantity} for row in self.law.ranges}
+        limits = {
+            row.quantity: {other.kind: other.interval for other in self.law.ranges if other.quantity == row.quantity}
+            for row in self.law.ranges
+        }
         for symbol, value in self.binding.items():
             limit, recommended = symbol.limit, None
             if isinstance(self.law, DampingLaw) and symbol.name == "e":
@@ -250,11 +256,7 @@ def material_limits(bounds: Iterable[BoundLaw | None]) -> list[sp.Expr]:
 
     Johnson's limit of elastic impact, as used by Lankarani & Nikravesh (1994).
     """
-    materials = dict.fromkeys(m for bound in bounds if bound is not None for m in bound.materials if m.density is not None)
+    materials = dict.fromkeys(
+        m for bound in bounds if bound is not None for m in bound.materials if m.density is not None
+    )
     return [sp.Float("1e-5") * sp.sqrt(m.youngs_modulus / m.density) for m in materials]
-
-
-__all__ = [
-    "APPROACH_SPEED", "GEOMETRY", "STATE", "BoundLaw", "DampingLaw", "F", "FrictionLaw", "L", "Law", "N", "Quantity", "R_1", "R_2",
-    "R_eff", "R_min", "Range", "StiffnessLaw", "d", "dR", "k_t", "m_eff", "material_limits", "s", "v", "v0",
-]  # fmt: skip
