@@ -139,8 +139,13 @@ class PairKinematics:
 
     @cached_property
     def penetration_rate(self) -> Any:
-        """[m/s]; the normal turns, but only along itself does the distance change."""
-        return self.let(-dot(self.normal, self.apart_rate), "penetration_rate")
+        """[m/s]: the material points of both bodies at the first place approach along the normal, which turns with the second."""
+        return self.let(-dot(self.normal, self.relative_rate), "penetration_rate")
+
+    @cached_property
+    def relative_rate(self) -> Vector:
+        """Velocity of the first place against the second body's material point there [m/s]."""
+        return self._named(self._rate_at(self.position), "relative_rate")
 
     def outputs(self) -> list[tuple[str, str, Any]]:
         """Named quantities of the pair: (name, unit, expression)."""
@@ -235,7 +240,7 @@ class PairKinematics:
         law = friction.law.law
         plane = self._plane_of_motion()
         if plane is None:
-            rate = self._named(self._sliding_rate(self.contact_point), "sliding_rate")
+            rate = self._named(self._rate_at(self.contact_point), "sliding_rate")
             slip = self._named(sub(rate, scale(self.let(dot(rate, self.normal), "along_rate"), self.normal)), "slip")
             sliding = self.let(sp.sqrt(self.let(dot(slip, slip), "slip_squared")), "sliding_velocity")
         else:
@@ -244,8 +249,7 @@ class PairKinematics:
             spins = [self.kin.motions[place.body].angular_velocity for place in (self.first, self.second)]
             turn = dot(plane, sub(spins[0], spins[1]))
             sliding = self.let(
-                dot(self._named(self._sliding_rate(self.position), "sliding_rate"), tangent)
-                - sp.sympify(self.pair.first_radius) * turn,
+                dot(self.relative_rate, tangent) - sp.sympify(self.pair.first_radius) * turn,
                 "sliding_velocity",
             )
         values = self._law(friction.law, {N: normal_force, s: sliding}, friction.unchecked)
@@ -258,14 +262,14 @@ class PairKinematics:
             return scale(-per_speed, slip), sliding, power
         return scale(-force, tangent), sliding, power
 
-    def _sliding_rate(self, position: Vector) -> Vector:
+    def _rate_at(self, position: Vector) -> Vector:
         """Velocity of the first body's point at `position` against the second body's [m/s]."""
         one, two = (self.kin.velocity_at(place.body, position) for place in (self.first, self.second))
         return sub(one, two)
 
     def _plane_of_motion(self) -> Vector | None:
         """The coordinate axis across a plane contact, if normal and velocities show it structurally."""
-        rate = self._sliding_rate(self.contact_point)
+        rate = self._rate_at(self.contact_point)
         for k in (2, 1, 0):
             if self.normal[k] == 0 and rate[k] == 0:
                 x, y, z = (sp.Integer(int(i == k)) for i in range(3))

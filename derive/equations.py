@@ -67,8 +67,9 @@ class Equations:
 
     def _inertia(self, body: Body) -> Matrix:
         """About O, ground axes; the parallel-axis shift is done in the body's frame, where it is constant [kg m^2]."""
-        joint = self.scene.mechanism.joint_of(body)
-        axis = joint.axis.components if joint is not None else (0, 0, 1)
+        mechanism = self.scene.mechanism
+        joint, turning = mechanism.joint_of(body), mechanism.turning_axis(body)
+        axis = (0, 0, 0) if turning is None else turning.components
         about_axis = tuple(body.inertia * abs(component) for component in axis)
         own = diagonal(*(body.inertia if isinstance(body.inertia, tuple) else about_axis))
         centre = tuple(sp.sympify(c) - sp.sympify(p) for c, p in zip(body.centre, joint.child.position, strict=True))  # type: ignore[union-attr]

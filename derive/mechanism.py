@@ -66,7 +66,7 @@ class Material:
 class Body:
     """A rigid body: mass [kg], inertia about its mass centre [kg m^2], mass centre in its own frame [m].
 
-    A scalar inertia is for the direction of the joint axis (plane motion); a triple holds the principal values along the frame's axes.
+    A scalar inertia is for the axis of the joint that turns the body (plane motion); a triple holds the principal values along the frame's axes.
     """
 
     name: str
@@ -350,10 +350,16 @@ class Mechanism:
         """The joint that carries `body`; None for the ground."""
         return next((joint for joint in self.joints if joint.child.body == body), None)
 
+    def turning_axis(self, body: Frame) -> Direction | None:
+        """Axis of the nearest revolute joint between `body` and the ground, in the parent's frame of that joint."""
+        joint = self.joint_of(body)
+        if joint is None or isinstance(joint, Revolute):
+            return None if joint is None else joint.axis
+        return self.turning_axis(joint.parent.body)
+
     def rotates(self, body: Frame) -> bool:
         """Whether a revolute joint stands between the ground and `body`."""
-        joint = self.joint_of(body)
-        return joint is not None and (isinstance(joint, Revolute) or self.rotates(joint.parent.body))
+        return self.turning_axis(body) is not None
 
     def slots(self) -> Iterator[Slot]:
         """Every quantity of the mechanism, in declared order."""

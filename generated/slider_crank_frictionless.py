@@ -6,8 +6,8 @@ Effects:
     gravity: uniform gravity
     slider_pin: hertz_point x lankarani_nikravesh
     energy_ledger: work put in, energy dissipated per effect
-Units: 81 assignments and 96 outputs checked, all consistent
-Operations: flight 141 (equations of motion and gaps); in contact also contact_slider_pin 60
+Units: 83 assignments and 96 outputs checked, all consistent
+Operations: flight 141 (equations of motion and gaps); in contact also contact_slider_pin 59
 """
 
 import casadi as ca
@@ -133,7 +133,7 @@ OPERATIONS = (
     ("coordinate_rates", 0),
     ("gaps", 35),
     ("gap_accelerations", 48),
-    ("contact_slider_pin", 60),
+    ("contact_slider_pin", 59),
     ("applied", 13),
     ("accelerations", 45),
     ("ledger", 1),
@@ -365,19 +365,17 @@ def contact_slider_pin(t, q, u, z, m, c):
     rod_rate_z = crank_pin_speed + crank_speed
     slider_pin_pin_arm_x = cos_rod*rod_length
     slider_pin_pin_arm_y = sin_rod*rod_length
-    slider_pin_pin_arm_rate_x = -rod_rate_z*slider_pin_pin_arm_y
-    slider_pin_pin_arm_rate_y = rod_rate_z*slider_pin_pin_arm_x
     slider_pin_apart_x = rod_arm_x + slider_pin_pin_arm_x - guide_travel
     slider_pin_apart_y = rod_arm_y + slider_pin_pin_arm_y
-    slider_pin_apart_rate_x = rod_arm_rate_x + slider_pin_pin_arm_rate_x - guide_speed
-    slider_pin_apart_rate_y = rod_arm_rate_y + slider_pin_pin_arm_rate_y
     slider_pin_apart_squared = slider_pin_apart_x*slider_pin_apart_x + slider_pin_apart_y*slider_pin_apart_y
     slider_pin_distance = ca.sqrt(slider_pin_apart_squared)
     slider_pin_penetration = slider_pin_distance - clearance
     slider_pin_elastic_force = ca.if_else(slider_pin_penetration > 0, slider_pin_K*slider_pin_penetration*ca.sqrt(slider_pin_penetration), 0)
     slider_pin_normal_x = -slider_pin_apart_x/slider_pin_distance
     slider_pin_normal_y = -slider_pin_apart_y/slider_pin_distance
-    slider_pin_penetration_rate = -slider_pin_apart_rate_x*slider_pin_normal_x - slider_pin_apart_rate_y*slider_pin_normal_y
+    slider_pin_relative_rate_x = rod_arm_rate_x - guide_speed - rod_rate_z*slider_pin_pin_arm_y
+    slider_pin_relative_rate_y = rod_arm_rate_y + rod_rate_z*slider_pin_pin_arm_x
+    slider_pin_penetration_rate = -slider_pin_normal_x*slider_pin_relative_rate_x - slider_pin_normal_y*slider_pin_relative_rate_y
     slider_pin_resistance = slider_pin_elastic_force*slider_pin_hysteresis_factor*slider_pin_penetration_rate/slider_pin_approach_speed
     slider_pin_normal_force = slider_pin_elastic_force + slider_pin_resistance
     slider_pin_normal_power = slider_pin_penetration_rate*slider_pin_resistance
