@@ -13,7 +13,6 @@ from typing import Any, ClassVar
 
 import sympy as sp
 
-from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.parameter import NOT_NEGATIVE, POSITIVE, Interval, Scalar
 
 Triple = tuple[Any, Any, Any]
@@ -278,6 +277,8 @@ class PinInBush:
         """The quantities of the pair."""
         yield Slot(f"pair {self.name}, bush radius", self.bush_radius, "m", POSITIVE)
         yield Slot(f"pair {self.name}, clearance", self.clearance, "m", POSITIVE)
+        if isinstance(self.bush_radius, sp.Expr) and isinstance(self.clearance, sp.Expr):
+            yield Slot(f"pair {self.name}, pin radius (bush radius minus clearance)", self.pin_radius, "m", POSITIVE)
         if self.length is not None:
             yield Slot(f"pair {self.name}, length", self.length, "m", POSITIVE)
         for point in self.places:
@@ -367,62 +368,3 @@ class Mechanism:
             yield from body.slots()
         for part in (*self.joints, *self.pairs):
             yield from part.slots()
-
-    def faults(self) -> Iterator[Fault]:
-        """Faults of the topology: names, connections, inertia."""
-        if not self.name.isidentifier():
-            yield Fault("mechanism", f"the name {self.name!r}", "a Python identifier")
-        yield from _repeated("joint", [joint.name for joint in self.joints])
-        yield from _repeated("pair", [pair.name for pair in self.pairs])
-        yield from self._connection_faults()
-        yield from self._inertia_faults()
-        for pair in self.pairs:
-            for point in pair.places:
-                if point.body != GROUND and self.joint_of(point.body) is None:
-                    yield Fault(f"pair {pair.name}", f"body {point.body.name}", "a body that a joint connects")
-            if pair.places[0].body == pair.places[1].body:
-                yield Fault(f"pair {pair.name}", f"both sides on {pair.places[0].body.name}", "two different bodies")
-
-    def _connection_faults(self) -> Iterator[Fault]:
-        reached: list[Frame] = [GROUND]
-        names: dict[str, Body] = {}
-        for joint in self.joints:
-            where, child, parent = f"joint {joint.name}", joint.child.body, joint.parent.body
-            if not isinstance(child, Body):
-                yield Fault(where, "the ground as child", "a body", "Give the ground as the parent.")
-                continue
-            if child in reached:
-                yield Fault(where, f"body {child.name}, which already hangs on another joint", "one joint per body",
-                            "A tree of joints: loops are closed by contact pairs (a joint with clearance).")  # fmt: skip
-            elif names.setdefault(child.name, child) != child:
-                yield Fault(where, f"a second body named {child.name}", "names that are unique", "Rename one of them.")
-            if parent not in reached:
-                declared = any(parent == other.child.body for other in self.joints)
-                yield Fault(
-                    where,
-                    f"parent {parent.name}, " + ("declared later" if declared else "which is not in the mechanism"),
-                    "the ground or a body of an earlier joint",
-                    "Put the joints in order from the ground outwards."
-                    if declared
-                    else f"Connect {parent.name} to the ground by a joint of its own.",
-                )
-            reached.append(child)
-
-    def _inertia_faults(self) -> Iterator[Fault]:
-        for body in self.bodies:
-            joint = self.joint_of(body)
-            if joint is None or not self.rotates(body):
-                continue
-            values = body.inertia if isinstance(body.inertia, tuple) else (body.inertia,)
-            if all(getattr(value, "default", sp.sympify(value)) == 0 for value in values):
-                yield Fault(f"body {body.name}", "inertia 0", "a positive inertia, because the body rotates")
-
-
-def _repeated(kind: str, names: list[str]) -> Iterator[Fault]:
-    for name in dict.fromkeys(names):
-        if not name.isidentifier():
-            yield Fault(kind, f"the name {name!r}", "a Python identifier")
-        if names.count(name) > 1:
-            yield Fault(
-                f"{kind} {name}", f"{names.count(name)} of this name", "names that are unique", "Rename one of them."
-            )

@@ -100,12 +100,11 @@ Scalar = sp.Expr | float
 
 
 def parameters_of(expression: Any) -> list[Parameter]:
-    """Parameters in `expression`, in the order they stand in it (never in hash order)."""
-    found: dict[Parameter, None] = {}
-    for node in sp.preorder_traversal(sp.sympify(expression)):
-        if isinstance(node, Parameter):
-            found[node] = None
-    return list(found)
+    """Parameters in `expression`, in the order they stand in it (never in hash order); none in what is no expression."""
+    if not isinstance(expression, sp.Basic):
+        return []  # numbers, and text, which SymPy would execute
+    found = (node for node in sp.preorder_traversal(expression) if isinstance(node, Parameter))
+    return list(dict.fromkeys(found))
 
 
 def dimensions_of(parameters: Mapping[str, Parameter]) -> dict[sp.Symbol, Dimension]:

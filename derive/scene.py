@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
 import sympy as sp
 
-from hertzwerk.derive.dimension import Dimension, check
+from hertzwerk.derive.dimension import Dimension
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.laws.catalogue import LAWS
-from hertzwerk.derive.laws.law import APPROACH_SPEED, BoundLaw, DampingLaw
-from hertzwerk.derive.mechanism import Body, Direction, Joint, Mechanism, Pair, Revolute, Slot
-from hertzwerk.derive.parameter import POSITIVE, Parameter, Scalar, default_value, dimensions_of, parameters_of
-from hertzwerk.derive.units import parse_unit, unit_text
+from hertzwerk.derive.laws.law import APPROACH_SPEED, BoundLaw
+from hertzwerk.derive.mechanism import Body, Direction, Joint, Mechanism, Pair, Slot
+from hertzwerk.derive.parameter import POSITIVE, Parameter, Scalar, dimensions_of, parameters_of
+from hertzwerk.derive.soundness import faults_of
 
 APPROACH_FLOOR = Parameter(
     "approach_floor", "m/s", 1e-3, "least approach speed a damping law is given; h/v0 is unbounded otherwise"
@@ -184,7 +183,7 @@ class Scene:
     def __post_init__(self) -> None:
         if not self.name:
             object.__setattr__(self, "name", self.mechanism.name)
-        faults = tuple(dict.fromkeys(self._faults()))
+        faults = faults_of(self)
         if faults:
             raise InputError(f"scene {self.name}", faults)
 
@@ -314,118 +313,11 @@ class Scene:
         """Dimension of every parameter."""
         return dimensions_of(self.parameters)
 
-    # -- soundness -------------------------------------------------------------------------------------------------
-
-    def _faults(self) -> Iterator[Fault]:
-        if not self.name.isidentifier():
-            yield Fault("scene", f"the name {self.name!r}", "a Python identifier")
-        yield from self.mechanism.faults()
-        yield from self._effect_faults()
-        yield from self._start_faults()
-        broken = False
-        seen: dict[str, Parameter] = {}
-        for slot in self.slots():
-            for parameter in parameters_of(slot.value):
-                if seen.setdefault(parameter.name, parameter) != parameter:
-                    broken = True
-                    yield Fault(f"parameter {parameter.name}", "two different parameters of this name",
-                                "names that are unique", "Share one Parameter object, or rename one.")  # fmt: skip
-                for fault in parameter.faults():
-                    broken = True
-                    yield fault
-        if broken:
-            return
-        unknown = [
-            (parameter, name)
-            for parameter in seen.values()
-            for name in parameter.parsed_unit.free_names
-            if name not in seen
-        ]
-        for parameter, name in unknown:
-            yield Fault(f"parameter {parameter.name}", f"unit {parameter.unit} with the exponent {name}",
-                        "a parameter of the scene as exponent", f"Declare Parameter({name!r}, '1', ...) and use it.")  # fmt: skip
-        if not unknown:
-            yield from self._quantity_faults(dimensions_of(seen))
-
-    def _quantity_faults(self, table: dict[sp.Symbol, Dimension]) -> Iterator[Fault]:
-        constants = list(table)
-        for slot in self.slots():
-            if not isinstance(slot.value, (int, float, sp.Basic)) or isinstance(slot.value, bool):
-                yield Fault(slot.where, repr(slot.value), "a Parameter, an expression of parameters, or a number")
-                continue
-            value = sp.sympify(slot.value)
-            unit = parse_unit(slot.unit)
-            if value.is_number and value != 0 and not unit.dimensionless and not unit.free_names:
-                yield Fault(slot.where, f"the bare number {slot.value}", f"a quantity in {slot.unit}",
-                            f"Give it a name and a unit: Parameter('...', {slot.unit!r}, {slot.value}).")  # fmt: skip
-                continue
-            if not value.is_number and not unit.free_names:
-                fault = check(value, table, Dimension.from_unit(unit, {}), constants)
-                if fault is not None:
-                    yield Fault(slot.where, f"{fault.subexpression} [{fault.found}]",
-                                f"a quantity in {unit_text(unit.exponents)}", fault.repair or fault.reason)  # fmt: skip
-                    continue
-            number = default_value(value)
-            if not math.isfinite(number):
-                yield Fault(slot.where, f"{number}", "a finite number")
-            elif slot.limit is not None and not slot.limit.holds(number):
-                yield Fault(slot.where, f"{number:g} {slot.unit} (SI)", f"a value in {slot.limit}")
-
-    def _effect_faults(self) -> Iterator[Fault]:
-        names = [effect.name for effect in self.effects]
-        for name in dict.fromkeys(names):
-            if names.count(name) > 1:
-                yield Fault(f"effect {name}", f"{names.count(name)} of this name", "names that are unique")
-        joints = [joint.name for joint in self.mechanism.joints]
-        pairs = [pair.name for pair in self.mechanism.pairs]
-        contacts = [effect.pair for effect in self.of_kind("contact")]
-        for effect in self.effects:
-            where = f"effect {effect.name}"
-            if isinstance(effect, ConstantSpeed) and effect.joint not in joints:
-                yield Fault(where, f"joint {effect.joint!r}", f"one of {', '.join(joints)}")
-            elif isinstance(effect, Contact) and effect.pair not in pairs:
-                yield Fault(where, f"pair {effect.pair!r}", f"one of {', '.join(pairs) or 'no pairs: declare one'}")
-            elif isinstance(effect, Friction) and effect.pair not in contacts:
-                yield Fault(where, f"pair {effect.pair!r} without a contact", f"one of {', '.join(contacts) or 'none'}",
-                            "Friction needs a normal force: leave it out too, or add the pair's Contact.")  # fmt: skip
-        for effect in (*self.of_kind("contact"), *self.of_kind("friction")):
-            offered = self.geometry(effect.pair)
-            for bound in effect.laws:
-                for quantity in bound.law.geometry():
-                    if offered and quantity.name not in offered:
-                        yield Fault(f"effect {effect.name}", f"a pair without {quantity.name}, {quantity.meaning}",
-                                    f"one that has it, because {bound.law.name} asks for it",
-                                    "Line contacts need a length: PinInBush(..., length=...), or ParallelCylinders.")  # fmt: skip
-        drives = [effect.joint for effect in self.of_kind("drive")]
-        yield from _twice("drive of joint", drives)
-        yield from _twice("friction of pair", [effect.pair for effect in self.of_kind("friction")])
-        if len(self.of_kind("ledger")) > 1 or len(self.of_kind("gravity")) > 1:
-            yield Fault("effects", "two ledgers or two gravities", "at most one of each")
-        if all(joint.name in drives for joint in self.mechanism.joints):
-            yield Fault("effects", "a drive on every joint", "at least one joint that is free to move")
-
-    def _start_faults(self) -> Iterator[Fault]:
-        free = [joint.name for joint in self.mechanism.joints if joint.name not in self.driven]
-        for name in dict.fromkeys((*self.start.position, *self.start.speed)):
-            if name not in free:
-                why = "driven, its motion is the drive's" if name in self.driven else "unknown"
-                yield Fault("start", f"joint {name!r} ({why})", f"one of {', '.join(free)}")
-        if self.scales.arm is None and any(isinstance(joint, Revolute) for joint in self.free_joints):
-            yield Fault("scales", "no arm", "an arm [m], because the scene has angles",
-                        "Scales(length=..., speed=..., arm=...): an angle is measured as length/arm.")  # fmt: skip
-
-
-def _twice(what: str, names: list[str]) -> Iterator[Fault]:
-    for name in dict.fromkeys(names):
-        if names.count(name) > 1:
-            yield Fault(f"{what} {name}", f"{names.count(name)}", "one")
-
 
 __all__ = [
     "APPROACH_FLOOR",
     "ConstantSpeed",
     "Contact",
-    "DampingLaw",
     "EnergyLedger",
     "Friction",
     "Gravity",

@@ -1,0 +1,264 @@
+"""What is wrong with a scene: every fault of its declarations at once, found before anything is derived.
+
+In order: types, topology, effects, start, parameters, quantities. A stage that needs sound input from an earlier one looks only at what is sound.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from hertzwerk.derive.dimension import Dimension, check
+from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.laws.law import BoundLaw, Law
+from hertzwerk.derive.mechanism import GROUND, Body, Direction, Frame, Ground, Mechanism, Point, Revolute, Slot
+from hertzwerk.derive.parameter import Parameter, default_value, dimensions_of, parameters_of
+from hertzwerk.derive.units import parse_unit, unit_text
+
+if TYPE_CHECKING:
+    from hertzwerk.derive.scene import Scene
+
+
+def faults_of(scene: Scene) -> tuple[Fault, ...]:
+    """Every fault of a scene, each once."""
+    wrong_types = tuple(_type_faults(scene))
+    if wrong_types:
+        return tuple(dict.fromkeys(wrong_types))
+    found: list[Fault] = [*_topology_faults(scene.mechanism), *_effect_faults(scene), *_start_faults(scene)]
+    if not scene.name.isidentifier():
+        found.append(Fault("scene", f"the name {scene.name!r}", "a Python identifier"))
+    parameters, broken = _declared(scene)
+    found.extend(broken)
+    sound = {name: p for name, p in parameters.items() if not any(f.where == f"parameter {name}" for f in broken)}
+    table = dimensions_of(sound)
+    for slot in scene.slots():
+        if all(sound.get(parameter.name) == parameter for parameter in parameters_of(slot.value)):
+            found.extend(_quantity_faults(slot, table))
+    found.extend(_inertia_faults(scene.mechanism, sound))
+    return tuple(dict.fromkeys(found))
+
+
+# -- types -------------------------------------------------------------------------------------------------------------
+
+
+def _type_faults(scene: Scene) -> Iterator[Fault]:
+    for joint in scene.mechanism.joints:
+        where = f"joint {joint.name}"
+        yield from _is(where, "parent", joint.parent.body, Body | Ground, "a Body, GROUND, or a point of one")
+        yield from _is(where, "child", joint.child.body, Body | Ground, "a Body or a point of one")
+        yield from _is(where, "axis", joint.axis, Direction, "X, Y, Z, -X, -Y or -Z")
+    for pair in scene.mechanism.pairs:
+        where = f"pair {pair.name}"
+        for place in pair.places:
+            yield from _is(where, "place", place, Point, "a point of a body: body.at(x, y, z)")
+        for name in ("normal", "axis"):
+            if hasattr(pair, name):
+                yield from _is(where, name, getattr(pair, name), Direction, "X, Y, Z, -X, -Y or -Z")
+    for effect in scene.of_kind("contact"):
+        yield from _law_faults(effect.name, "stiffness", effect.stiffness)
+        if effect.damping is not None:
+            yield from _law_faults(effect.name, "damping", effect.damping)
+    for effect in scene.of_kind("friction"):
+        yield from _law_faults(effect.name, "friction", effect.law)
+
+
+def _is(where: str, what: str, value: Any, kind: Any, expected: str) -> Iterator[Fault]:
+    if not isinstance(value, kind):
+        yield Fault(f"{where}, {what}", repr(value), expected)
+
+
+def _law_faults(effect: str, kind: str, bound: Any) -> Iterator[Fault]:
+    where = f"effect {effect}, {kind}"
+    if isinstance(bound, Law):
+        names = ", ".join(parameter.name for parameter in bound.parameters)
+        yield Fault(where, f"law {bound.name} without its parameters", f"{bound.name}({names})")
+    elif not isinstance(bound, BoundLaw):
+        yield Fault(where, repr(bound), f"a {kind} law with its parameters")
+    elif bound.law.kind != kind:
+        yield Fault(where, f"{bound.law.name}, a {bound.law.kind} law", f"a {kind} law")
+
+
+# -- topology ----------------------------------------------------------------------------------------------------------
+
+
+def _topology_faults(mechanism: Mechanism) -> Iterator[Fault]:
+    if not mechanism.name.isidentifier():
+        yield Fault("mechanism", f"the name {mechanism.name!r}", "a Python identifier")
+    yield from _repeated("joint", [joint.name for joint in mechanism.joints])
+    yield from _repeated("pair", [pair.name for pair in mechanism.pairs])
+    yield from _connection_faults(mechanism)
+    for pair in mechanism.pairs:
+        for point in pair.places:
+            if point.body != GROUND and mechanism.joint_of(point.body) is None:
+                yield Fault(f"pair {pair.name}", f"body {point.body.name}", "a body that a joint connects")
+        if pair.places[0].body == pair.places[1].body:
+            yield Fault(f"pair {pair.name}", f"both sides on {pair.places[0].body.name}", "two different bodies")
+
+
+def _connection_faults(mechanism: Mechanism) -> Iterator[Fault]:
+    reached: list[Frame] = [GROUND]
+    names: dict[str, Body] = {}
+    for joint in mechanism.joints:
+        where, child, parent = f"joint {joint.name}", joint.child.body, joint.parent.body
+        if not isinstance(child, Body):
+            yield Fault(where, "the ground as child", "a body", "Give the ground as the parent.")
+            continue
+        if child in reached:
+            yield Fault(where, f"body {child.name}, which already hangs on another joint", "one joint per body",
+                        "A tree of joints: loops are closed by contact pairs (a joint with clearance).")  # fmt: skip
+        elif names.setdefault(child.name, child) != child:
+            yield Fault(where, f"a second body named {child.name}", "names that are unique", "Rename one of them.")
+        if parent == child:
+            yield Fault(where, f"{child.name} as parent and child", "two different bodies")
+        elif parent not in reached:
+            declared = any(parent == other.child.body for other in mechanism.joints)
+            yield Fault(
+                where,
+                f"parent {parent.name}, " + ("declared later" if declared else "which is not in the mechanism"),
+                "the ground or a body of an earlier joint",
+                "Put the joints in order from the ground outwards."
+                if declared
+                else f"Connect {parent.name} to the ground by a joint of its own.",
+            )
+        reached.append(child)
+
+
+def _inertia_faults(mechanism: Mechanism, sound: dict[str, Parameter]) -> Iterator[Fault]:
+    """A body turned by a joint needs an inertia about its axis; the rest of a principal triple may be zero in plane motion."""
+    if any(True for _ in _connection_faults(mechanism)):
+        return
+    for body in mechanism.bodies:
+        turning = mechanism.turning_axis(body)
+        if turning is None:
+            continue
+        about = [k for k in range(3) if turning.components[k]]
+        values = [body.inertia[k] for k in about] if isinstance(body.inertia, tuple) else [body.inertia]
+        known = [v for v in values if _is_number(v) and all(sound.get(p.name) == p for p in parameters_of(v))]
+        if known and all(default_value(value) == 0 for value in known):
+            yield Fault(
+                f"body {body.name}", "inertia 0", "a positive inertia about the joint's axis, because the body rotates"
+            )
+
+
+# -- effects and start -------------------------------------------------------------------------------------------------
+
+
+def _effect_faults(scene: Scene) -> Iterator[Fault]:
+    yield from _repeated("effect", [effect.name for effect in scene.effects])
+    joints = [joint.name for joint in scene.mechanism.joints]
+    pairs = [pair.name for pair in scene.mechanism.pairs]
+    contacts = [effect.pair for effect in scene.of_kind("contact")]
+    for effect in scene.of_kind("drive"):
+        if effect.joint not in joints:
+            yield Fault(f"effect {effect.name}", f"joint {effect.joint!r}", f"one of {', '.join(joints)}")
+    for effect in scene.of_kind("contact"):
+        if effect.pair not in pairs:
+            offer = ", ".join(pairs) or "no pair is declared"
+            yield Fault(f"effect {effect.name}", f"pair {effect.pair!r}", f"one of {offer}")
+    for effect in scene.of_kind("friction"):
+        if effect.pair not in contacts:
+            yield Fault(f"effect {effect.name}", f"pair {effect.pair!r} without a contact", f"one of {', '.join(contacts) or 'none'}",
+                        "Friction needs a normal force: leave it out too, or add the pair's Contact.")  # fmt: skip
+    for effect in (*scene.of_kind("contact"), *scene.of_kind("friction")):
+        yield from _geometry_faults(effect, scene.geometry(effect.pair))
+    drives = [effect.joint for effect in scene.of_kind("drive")]
+    yield from _twice("drive of joint", drives)
+    yield from _twice("friction of pair", [effect.pair for effect in scene.of_kind("friction")])
+    for kind in ("ledger", "gravity"):
+        if len(scene.of_kind(kind)) > 1:
+            yield Fault("effects", f"{len(scene.of_kind(kind))} of kind {kind}", "at most one")
+    if all(joint.name in drives for joint in scene.mechanism.joints):
+        yield Fault("effects", "a drive on every joint", "at least one joint that is free to move")
+
+
+def _geometry_faults(effect: Any, offered: dict[str, Any]) -> Iterator[Fault]:
+    for bound in effect.laws:
+        for quantity in bound.law.geometry():
+            if offered and quantity.name not in offered:
+                yield Fault(f"effect {effect.name}", f"a pair without {quantity.name}, {quantity.meaning}",
+                            f"one that has it, because {bound.law.name} asks for it",
+                            "Line contacts need a length: PinInBush(..., length=...), or ParallelCylinders.")  # fmt: skip
+
+
+def _start_faults(scene: Scene) -> Iterator[Fault]:
+    free = [joint.name for joint in scene.free_joints]
+    for name in dict.fromkeys((*scene.start.position, *scene.start.speed)):
+        if name not in free:
+            why = "driven, its motion is the drive's" if name in scene.driven else "unknown"
+            yield Fault("start", f"joint {name!r} ({why})", f"one of {', '.join(free)}")
+    if scene.scales.arm is None and any(isinstance(joint, Revolute) for joint in scene.free_joints):
+        yield Fault("scales", "no arm", "an arm [m], because the scene has angles",
+                    "Scales(length=..., speed=..., arm=...): an angle is measured as length/arm.")  # fmt: skip
+
+
+# -- parameters and quantities -----------------------------------------------------------------------------------------
+
+
+def _declared(scene: Scene) -> tuple[dict[str, Parameter], list[Fault]]:
+    """Parameters by name, and what is wrong with their declarations."""
+    seen: dict[str, Parameter] = {}
+    found: list[Fault] = []
+    for parameter in (p for slot in scene.slots() for p in parameters_of(slot.value)):
+        where = f"parameter {parameter.name}"
+        if seen.setdefault(parameter.name, parameter) != parameter:
+            found.append(Fault(where, "two different parameters of this name", "names that are unique",
+                               "Share one Parameter object, or rename one."))  # fmt: skip
+        found.extend(parameter.faults())
+    readable = [p for p in seen.values() if not any(fault.where == f"parameter {p.name}" for fault in found)]
+    found.extend(
+        Fault(f"parameter {parameter.name}", f"unit {parameter.unit} with the exponent {name}",
+              "a parameter of the scene as exponent", f"Declare Parameter({name!r}, '1', ...) and use it.")
+        for parameter in readable
+        for name in parameter.parsed_unit.free_names
+        if name not in seen
+    )  # fmt: skip
+    return seen, found
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float | sp.Expr) and not isinstance(value, bool)
+
+
+def _quantity_faults(slot: Slot, table: dict[sp.Symbol, Dimension]) -> Iterator[Fault]:
+    """Kind, unit and range of what was given for one quantity."""
+    if not _is_number(slot.value):
+        yield Fault(slot.where, repr(slot.value), "a Parameter, an expression of parameters, or a number",
+                    "A quantity with a unit is declared: Parameter(name, unit, value).")  # fmt: skip
+        return
+    value, unit = sp.sympify(slot.value), parse_unit(slot.unit)
+    if value.is_number and value != 0 and not unit.dimensionless:
+        yield Fault(slot.where, f"the bare number {slot.value}", f"a quantity in {slot.unit}",
+                    f"Give it a name and a unit: Parameter('...', {slot.unit!r}, {slot.value}).")  # fmt: skip
+        return
+    if not value.is_number and not unit.free_names:
+        fault = check(value, table, Dimension.from_unit(unit, {}), list(table))
+        if fault is not None:
+            yield Fault(slot.where, f"{fault.subexpression} [{fault.found}]", f"a quantity in {unit_text(unit.exponents)}",
+                        fault.repair or fault.reason)  # fmt: skip
+            return
+    number = default_value(value)
+    if not math.isfinite(number):
+        yield Fault(slot.where, f"{number}", "a finite number")
+    elif slot.limit is not None and not slot.limit.holds(number):
+        shown = f"{number:g}" if unit.dimensionless else f"{number:g} {unit_text(unit.exponents)}"
+        yield Fault(slot.where, shown, f"a value in {slot.limit}")
+
+
+def _repeated(kind: str, names: Iterable[str]) -> Iterator[Fault]:
+    names = list(names)
+    for name in dict.fromkeys(names):
+        if not name.isidentifier():
+            yield Fault(kind, f"the name {name!r}", "a Python identifier")
+        if names.count(name) > 1:
+            yield Fault(
+                f"{kind} {name}", f"{names.count(name)} of this name", "names that are unique", "Rename one of them."
+            )
+
+
+def _twice(what: str, names: list[str]) -> Iterator[Fault]:
+    for name in dict.fromkeys(names):
+        if names.count(name) > 1:
+            yield Fault(f"{what} {name}", f"{names.count(name)}", "one")
