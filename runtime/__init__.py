@@ -1,0 +1,54 @@
+"""Loads generated models and runs them: `from hertzwerk.runtime import load, simulate`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from hertzwerk.derive.faults import Fault, InputError
+    from hertzwerk.runtime.model import Bound, Model, load
+    from hertzwerk.runtime.outcome import Outcome
+    from hertzwerk.runtime.simulate import simulate
+    from hertzwerk.runtime.solution import Impact, Solution, Statistics
+
+_PLACES = {
+    "Bound": "model",
+    "Fault": "hertzwerk.derive.faults",
+    "Impact": "solution",
+    "InputError": "hertzwerk.derive.faults",
+    "Model": "model",
+    "Outcome": "outcome",
+    "Solution": "solution",
+    "Statistics": "solution",
+    "load": "model",
+    "simulate": "simulate",
+}
+
+__all__ = [
+    "Bound",
+    "Fault",
+    "Impact",
+    "InputError",
+    "Model",
+    "Outcome",
+    "Solution",
+    "Statistics",
+    "load",
+    "simulate",
+]
+
+
+def __getattr__(name: str) -> Any:
+    """Hand on a name from its module, imported when first asked for (PEP 562)."""
+    if name not in _PLACES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from importlib import import_module
+
+    place = _PLACES[name]
+    value = getattr(import_module(place if "." in place else f"{__name__}.{place}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

@@ -1,0 +1,188 @@
+"""Numbers given as text with units, read against what a module declares: every fault of them at once."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TypeAlias
+
+import numpy as np
+
+from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.units import Unit, UnitError, parse_quantity, parse_unit
+
+Value: TypeAlias = str | float | tuple[float, str]  # "0.2 mm"; a bare number where dimensionless; (0.2, "mm")
+Limit: TypeAlias = tuple[str, str, float | None, float | None, bool, bool, str]  # a row of a module's LIMITS
+
+
+@dataclass(frozen=True)
+class Port:
+    """A parameter as a module declares it: the default is in `unit`."""
+
+    name: str
+    unit: str
+    default: float
+    meaning: str
+
+
+@dataclass(frozen=True)
+class Reading:
+    """What was read: SI value and text (value, unit) of every parameter, with warnings and faults."""
+
+    si: Mapping[str, float]
+    texts: Mapping[str, tuple[float, str]]
+    warnings: tuple[str, ...]
+    faults: tuple[Fault, ...]
+
+
+def read_parameters(ports: Mapping[str, Port], limits: Sequence[Limit], parameters: Mapping[str, Value]) -> Reading:
+    """Defaults with `parameters` in their place."""
+    faults: list[Fault] = []
+    given: dict[str, tuple[float, Unit, str]] = {}
+    for name, value in parameters.items():
+        if name not in ports:
+            faults.append(unknown("parameter", name, ports))
+            continue
+        try:
+            given[name] = read(value)
+        except UnitError as error:
+            faults.append(Fault(name, repr(value), _value_in(ports[name].unit), str(error)))
+    si, texts = {}, {}
+    for name, port in ports.items():
+        value, unit, text = given.get(name, (port.default, parse_unit(port.unit), port.unit))
+        si[name], texts[name] = unit.to_si(value), (value, text)
+    for name, port in ports.items():
+        fault = _unit_fault(port, ports, given, si)
+        if fault is None and not math.isfinite(si[name]):
+            fault = Fault(name, _text(*texts[name]), "a finite number")
+        if fault is not None:
+            faults.append(fault)
+    judged = set(ports) - {fault.where for fault in faults}
+    warnings = []
+    for limit in limits:
+        name, kind, *_, why = limit
+        if name not in judged or _inside(si[name], limit):
+            continue
+        found, allowed = _text(*texts[name]), _interval(limit, ports[name].unit)
+        if kind == "defined":
+            faults.append(Fault(name, found, f"a value in {allowed}", why))
+        else:
+            warnings.append(f"{name} = {found} is outside the recommended {allowed}: {why}")
+    return Reading(si, texts, tuple(warnings), tuple(faults))
+
+
+def _unit_fault(
+    port: Port, ports: Mapping[str, Port], given: Mapping[str, tuple[float, Unit, str]], si: Mapping[str, float]
+) -> Fault | None:
+    """Why the unit a parameter is given in, or keeps, is not the declared one; None if it is."""
+    declared = parse_unit(port.unit)
+    exponents = {name: si[name] for name in declared.free_names if name in si and math.isfinite(si[name])}
+    if port.name not in given:
+        changed = [name for name in declared.free_names if name in given and si[name] != ports[name].default]
+        if not changed:
+            return None
+        now = declared.at(exponents)
+        other = f"{changed[0]}={si[changed[0]]:g}"
+        found = f"its default in {declared.at(_exponents(ports))}, kept with {other}"
+        remedy = f'give both: {port.name}="... {now}" and {other}; the same number in another unit is another stiffness'
+        return Fault(port.name, found, f"{port.name} given anew with its unit, {now}", remedy)
+    value, unit, text = given[port.name]
+    if unit.free_names:
+        named = [name for name in unit.free_names if name in given or name not in ports]
+        if named:
+            return Fault(port.name, _text(value, text), f"a number for {named[0]}, such as {declared.at(exponents)}")
+        unit = unit.at(_exponents(ports))
+    expected = declared.at(exponents)
+    if unit.exponents == expected.exponents:
+        return None
+    if not exponents or text == "1":
+        return _wrong_unit(port.name, value, unit, text, port.unit)
+    follows = ", ".join(f"{name} = {number:g}" for name, number in exponents.items())
+    remedy = f"the exponent follows {follows}; set both so that they agree"
+    return Fault(port.name, f"{_text(value, text)}, which is {unit}", f"a value in {expected}", remedy)
+
+
+def read_state(name: str, declared: str, value: Value) -> tuple[float, Fault | None]:
+    """SI value of a state declared in some unit, and what is wrong with it."""
+    try:
+        number, unit, text = read(value)
+    except UnitError as error:
+        return math.nan, Fault(name, repr(value), _value_in(declared), str(error))
+    if unit.exponents != parse_unit(declared).exponents:
+        return math.nan, _wrong_unit(name, number, unit, text, declared)
+    finite = math.isfinite(si := unit.to_si(number))
+    return si, None if finite else Fault(name, _text(number, text), "a finite number")
+
+
+def _exponents(ports: Mapping[str, Port]) -> dict[str, float]:
+    """Defaults of everything that may stand in an exponent."""
+    return {name: port.default for name, port in ports.items() if parse_unit(port.unit).dimensionless}
+
+
+def read(value: Value) -> tuple[float, Unit, str]:
+    """A value as (number, unit, unit text); a bare number has the unit "1". Raises UnitError."""
+    if isinstance(value, str):
+        text = value.strip()
+        number, unit = parse_quantity(text)
+        length = next(length for length in range(len(text), 0, -1) if _is_number(text[:length]))
+        return number, unit, text[length:].strip() or "1"
+    number, text = value if isinstance(value, tuple) and len(value) == 2 else (value, "1")
+    real = isinstance(number, int | float | np.number) and not isinstance(number, bool)
+    if not real or not isinstance(text, str):
+        expected = "text with a unit such as '0.2 mm', (0.2, 'mm'), or a number where dimensionless"
+        raise UnitError(f"found {value!r}, expected {expected}")
+    try:
+        return float(number), parse_unit(text), text
+    except OverflowError as error:
+        raise UnitError("found a number beyond the range of a double") from error
+
+
+def _wrong_unit(name: str, value: float, unit: Unit, text: str, declared: str) -> Fault:
+    if text == "1":
+        found = f"{value:g}, a number without a unit"
+        remedy = f'write "{value:g} {declared}", or the unit that is meant'
+    else:
+        found, remedy = f"{_text(value, text)}, which is {unit}", ""
+    return Fault(name, found, _value_in(declared), remedy)
+
+
+def _value_in(unit: str) -> str:
+    return "a number" if unit == "1" else f"a value in {unit}"
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
+def unknown(kind: str, name: str, known: Mapping[str, object] | Sequence[str]) -> Fault:
+    """The fault of a name that does not exist, with those that resemble it."""
+    from difflib import get_close_matches
+
+    near = get_close_matches(name, list(known), n=3)
+    remedy = f"did you mean {' or '.join(near)}?" if near else ""
+    return Fault(name, f"no {kind} of this name", f"one of {', '.join(known)}", remedy)
+
+
+def _inside(value: float, limit: Limit) -> bool:
+    _, _, lower, upper, lower_open, upper_open, _ = limit
+    above = lower is None or (value > lower if lower_open else value >= lower)
+    below = upper is None or (value < upper if upper_open else value <= upper)
+    return above and below
+
+
+def _interval(limit: Limit, unit: str) -> str:
+    """Bounds as text, in SI: "(0, 1]"."""
+    _, _, lower, upper, lower_open, upper_open, _ = limit
+    left = "(-inf" if lower is None else f"{'(' if lower_open else '['}{lower:g}"
+    right = "inf)" if upper is None else f"{upper:g}{')' if upper_open else ']'}"
+    si = str(parse_unit(unit))
+    return f"{left}, {right}{'' if si == '1' else ' ' + si}"
+
+
+def _text(value: float, unit: str) -> str:
+    return f"{value:g}" if unit == "1" else f"{value:g} {unit}"

@@ -1,0 +1,177 @@
+"""Rows of a run by name: states, accelerations, outputs, contacts, energies; and between the rows, by parts of steps."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from difflib import get_close_matches
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from hertzwerk.runtime.integrate.attempt import Integrator
+from hertzwerk.runtime.integrate.layout import CONTACT, FLIGHT
+from hertzwerk.runtime.model import Model
+
+_PAIR = {"mode": "1", "gap": "m", "gap_rate": "m/s", "penetration": "m", "normal_force": "N"}
+
+
+class History:
+    """Histories over `t`, in SI. `history[name]` has shape (rows,).
+
+    rows: states of the engine, shape (rows, ns), as `layout` names them.
+    """
+
+    def __init__(self, model: Model, rows: np.ndarray, controls: np.ndarray, integrator: Integrator | None) -> None:
+        self.model = model
+        self.rows, self.controls, self.integrator = rows, controls, integrator
+        self._found: dict[str, np.ndarray] = {}
+
+    @classmethod
+    def stored(cls, model: Model, histories: Mapping[str, np.ndarray]) -> History:
+        """Histories that were saved; there are no rows behind them."""
+        history = cls(model, np.zeros((0, 0)), np.zeros(0), None)
+        history._found = dict(histories)
+        return history
+
+    @cached_property
+    def units(self) -> dict[str, str]:
+        """SI unit text of "t" and of every name, in the order of `names`."""
+        model = self.model
+        units = {"t": "s", **model.units}
+        for name in model.speeds:
+            units[_acceleration(name)] = f"{model.units[name]}^2"  # m/s^2, rad/s^2
+        units |= {row[0]: row[1] for row in (*model.module.OUTPUTS, *model.module.LATCHES)}
+        for pair in model.pairs:
+            units |= {f"{pair}.{part}": unit for part, unit in _PAIR.items()}
+            slides = f"{pair}.sliding_velocity"  # there is one only where something depends on it
+            if slides in self._found or (
+                self.integrator is not None and model.function(f"contact_{pair}").size1_out(3)
+            ):
+                units[slides] = "m/s"
+        if model.has_ledger:
+            units["energy"] = "J"
+        return units
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Every name except "t"."""
+        return tuple(name for name in self.units if name != "t")
+
+    @property
+    def t(self) -> np.ndarray:
+        """Times [s], shape (rows,)."""
+        return self["t"]
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        if name not in self.units:
+            near = get_close_matches(name, self.units, n=3)
+            hint = f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(self.units)}"
+            raise KeyError(f"no history {name!r}; {hint}")
+        if name not in self._found:
+            self._found |= self._evaluate(name)
+        return self._found[name]
+
+    def part(self, name: str) -> np.ndarray:
+        """Columns of a part of the rows, shape (rows, size)."""
+        if self.integrator is None:
+            raise ValueError("a saved run has histories but not the rows and functions they came from; simulate again")
+        columns: np.ndarray = self.rows[:, self.integrator.layouts.state[name]]
+        return columns
+
+    def _evaluate(self, name: str) -> dict[str, np.ndarray]:
+        """The history of a name, and those that come with it."""
+        model = self.model
+        ny = [*model.coordinates, *model.speeds, *model.memory]
+        if name == "t":
+            return {name: self.part("t")[:, 0]}
+        if name in ny:
+            return {name: self.part("y")[:, ny.index(name)]}
+        if name in model.outputs:
+            return dict(zip(model.outputs, self.map("outputs", "t q u")[0].T, strict=True))
+        if name in model.latches:
+            return {name: self.part("m")[:, model.latches.index(name)]}
+        if name == "energy":
+            kinetic, potential, stored = self.map("energy", "t q u")
+            return {
+                name: kinetic[:, 0]
+                + potential[:, 0]
+                + np.sum(np.where(self.part("mode") == CONTACT, stored, 0), axis=1)
+            }
+        for speed in model.speeds:
+            if name == _acceleration(speed):
+                return {name: self.part("dy")[:, ny.index(speed)]}
+        pair, _, part = name.rpartition(".")
+        return {name: self._of_pair(pair, part, model.pairs.index(pair))}
+
+    def _of_pair(self, pair: str, part: str, j: int) -> np.ndarray:
+        mode = self.part("mode")[:, j]
+        if part == "gap":
+            return self._gap(pair, self.part("gap")[:, j])
+        if part == "penetration":
+            return np.where(mode != FLIGHT, np.maximum(-self[f"{pair}.gap"], 0), 0)
+        if part == "sliding_velocity":
+            velocity = self.map(f"contact_{pair}", "t q u z m")[3][:, 0]
+            return np.where(mode == CONTACT, velocity, 0)  # apart, the direction of contact may not exist
+        columns: np.ndarray = self.part({"normal_force": "force"}.get(part, part))[:, j]
+        return columns
+
+    def _gap(self, pair: str, event: np.ndarray) -> np.ndarray:
+        """Distance [m] of the surfaces from the event function G.
+
+        They are the same but for a pin in a bush: there G = (c^2 - e^2)/(2 c), the distance c - e to first order only; c follows from G and e.
+        """
+        eccentricity = [self[name] for name in self.model.outputs if name.startswith(f"{pair}.eccentricity_")]
+        if not eccentricity:
+            return event
+        e = np.sqrt(sum(part * part for part in eccentricity))
+        distance: np.ndarray = event + np.sqrt(event * event + e * e) - e
+        return distance
+
+    def map(self, function: str, arguments: str) -> list[np.ndarray]:
+        """A model's function over all rows, its last argument c constant; each result has shape (rows, size)."""
+        model, rows = self.model, len(self.rows)
+        y, nq, nu = self.part("y"), model.nq, model.nu
+        known = {
+            "t": self.part("t"),
+            "q": y[:, :nq],
+            "u": y[:, nq : nq + nu],
+            "z": y[:, nq + nu :],
+            "m": self.part("m"),
+        }
+        c = self.controls[: model.nc, None]  # c comes first
+        results = (
+            model.function(function)
+            .map(rows)
+            .call([*(known[name].T for name in arguments.split()), np.repeat(c, rows, 1)])
+        )
+        return [np.array(result).T for result in results]
+
+    def at(self, times: np.ndarray) -> History:
+        """Histories at other times [s] within the run; at a time of an event, the state just after it."""
+        t = self.t
+        if times.ndim != 1 or not np.all((times >= t[0]) & (times <= t[-1])):
+            raise ValueError(
+                f"found times outside the run, or not in one row; expected them within {t[0]:g}..{t[-1]:g} s"
+            )
+        index = np.searchsorted(t, times, side="right") - 1
+        return self.between(index, times - t[index])
+
+    def between(self, index: np.ndarray, h: np.ndarray) -> History:
+        """Histories a time h (n,) [s] after the rows `index` (n,), under those rows' modes."""
+        if self.integrator is None:
+            raise ValueError("a saved run has histories but not the functions to compute between them; simulate again")
+        layouts = self.integrator.layouts
+        rows = self.rows[index].copy()
+        n = len(index)
+        if n:
+            step: Any = self.integrator.step.map(n)
+            trial = np.array(step(rows.T, np.repeat(self.controls[:, None], n, 1), h[None, :])).T
+            for name in layouts.trial.sizes:
+                if name in layouts.state.sizes and name != "error":
+                    rows[:, layouts.state[name]] = trial[:, layouts.trial[name]]
+        return History(self.model, rows, self.controls, self.integrator)
+
+
+def _acceleration(speed: str) -> str:
+    return f"{speed.removesuffix('.speed')}.acceleration"

@@ -1,0 +1,1 @@
+"""Explicit methods, step control and event location as CasADi functions."""

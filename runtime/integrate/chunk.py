@@ -1,0 +1,91 @@
+"""Many attempts in one call, and the loop over such calls."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from hertzwerk.runtime.integrate.attempt import Integrator
+from hertzwerk.runtime.integrate.layout import RUNNING, TOO_MANY_STEPS
+
+SIZE = 512  # attempts per call
+INTERRUPTED, WALL_TIME_LIMIT = TOO_MANY_STEPS + 1, TOO_MANY_STEPS + 2  # statuses that only the loop can give
+
+
+def chunk(integrator: Integrator, attempts: int = SIZE) -> Any:
+    """CasADi function (state, controls) -> states (ns, attempts), one column after each attempt."""
+    state = ca.MX.sym("state", integrator.layouts.state.size)
+    controls = ca.MX.sym("controls", integrator.layouts.controls.size)
+    many = integrator.attempt.mapaccum("attempts", attempts)
+    states = many(state, ca.repmat(controls, 1, attempts))
+    return ca.Function("chunk", [state, controls], [states], ["state", "controls"], ["states"])
+
+
+@dataclass(frozen=True)
+class Rows:
+    """Accepted states in order, shape (rows, ns), the last state of all, how the loop ended, and the time it took [s]."""
+
+    rows: np.ndarray
+    last: np.ndarray
+    status: int
+    wall_s: float
+
+
+class Caller:
+    """A CasADi function of dense vectors called through its buffer: inputs and the one result stay NumPy arrays."""
+
+    def __init__(self, function: Any) -> None:
+        self._buffer, self._evaluate = function.buffer()
+        self.inputs = [np.zeros(function.size1_in(i) * function.size2_in(i)) for i in range(function.n_in())]
+        self.result = np.zeros((function.size2_out(0), function.size1_out(0)))  # a column of the result is a row here
+        for i, values in enumerate(self.inputs):
+            self._buffer.set_arg(i, values.data)
+        self._buffer.set_res(0, self.result.data)
+
+    def __call__(self) -> np.ndarray:
+        """Evaluate on `inputs`; the array returned is overwritten by the next call."""
+        self._evaluate()
+        return self.result
+
+
+def march(
+    function: Any,
+    integrator: Integrator,
+    state: np.ndarray,
+    controls: np.ndarray,
+    *,
+    wall_time: float = np.inf,
+    progress: Callable[[float], object] | None = None,
+) -> Rows:
+    """Call a chunk until the run is over; KeyboardInterrupt ends it with what there is."""
+    layout = integrator.layouts.state
+    t, status, accepted = layout["t"].start, layout["status"].start, layout["accepted"].start
+    t_end = float(controls[integrator.layouts.controls["t_end"].start])
+    t_start = float(state[t])
+    call = Caller(function)
+    call.inputs[1][:] = controls
+    kept = [state[None, :].copy()]
+    start = time.perf_counter()
+    outcome = int(state[status])
+    try:
+        while outcome == RUNNING:
+            call.inputs[0][:] = state
+            states = call()
+            state = states[-1].copy()
+            stop = int(np.argmax(states[:, status] != RUNNING)) + 1 if state[status] != RUNNING else len(states)
+            part = states[:stop]
+            kept.append(part[part[:, accepted] == 1])
+            outcome = int(state[status])
+            if outcome == RUNNING and time.perf_counter() - start > wall_time:
+                outcome = WALL_TIME_LIMIT
+            if progress is not None:
+                progress((float(state[t]) - t_start) / (t_end - t_start))
+    except KeyboardInterrupt:
+        outcome = INTERRUPTED
+    wall_s = time.perf_counter() - start
+    return Rows(np.concatenate(kept), state, outcome, wall_s)

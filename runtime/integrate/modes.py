@@ -1,0 +1,143 @@
+"""When a pair changes its mode, what is latched and booked then, and the modes at the start.
+
+Modes: flight; contact; released (overlapping, after its force ran out: no force before the gap has opened). They change on accepted steps only,
+for all pairs at once, and by what the state is, whether or not an event was aimed at: without that rule a contact that ends at a gap of 1e-14
+is never left.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+
+from hertzwerk.runtime.integrate.events import tolerances
+from hertzwerk.runtime.integrate.layout import (
+    CONTACT,
+    FLIGHT,
+    IDLE,
+    IN_CONTACT,
+    IN_FLIGHT,
+    NOT_FINITE,
+    OUTSIDE_LAW_RANGE,
+    RELEASED,
+    RUNNING,
+    Layouts,
+)
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.integrate.explicit import Flow
+    from hertzwerk.runtime.model import Model
+
+Parts = dict[str, Any]  # of a vector, by name
+
+ONSET_STEP = 0.02 * 2.94  # of length/speed, the first contact's first step: 0.02 of a Hertz impact's duration
+FINITE = 1e300  # a sum of magnitudes is below it, or something is infinite or undefined
+
+
+def next_modes(model: Model, run: Parts, mode: Any, end: Parts) -> Any:
+    """Modes (k) after a step that ended in `end` under `mode`."""
+    gap, rate, acceleration = end["gap"], end["gap_rate"], end["gap_acceleration"]
+    tol, _, _ = tolerances(model, run, end["t"], end["y"], rate)
+    # an opening that would end within the tolerance is none: a body at rest stays in contact
+    leaves = (rate > 0) * ((acceleration >= 0) + (rate * rate > -2 * acceleration * tol) > 0)
+    opened = (gap > tol) + (gap >= -tol) * leaves > 0
+    pulls = (end["force"] < 0) * (gap < -tol)
+    apart = (gap > tol) + (gap >= -tol) * (rate >= 0) > 0
+    from_flight = ca.if_else((gap <= tol) * _closing(rate, acceleration), CONTACT, FLIGHT)
+    from_contact = ca.if_else(opened, FLIGHT, ca.if_else(pulls, RELEASED, CONTACT))
+    # pressed together again before the gap has opened: the contact goes on, with its old approach speed
+    from_released = ca.if_else(apart, FLIGHT, ca.if_else(rate < 0, CONTACT, RELEASED))
+    return ca.if_else(mode == FLIGHT, from_flight, ca.if_else(mode == CONTACT, from_contact, from_released))
+
+
+def latch(model: Model, run: Parts, m: Any, onset: Any, gap_rate: Any) -> tuple[Any, Any]:
+    """Latches after the onsets (k): approach speeds [m/s], at least the floor, of the pairs whose contact begins; and how many met the floor."""
+    latched, pairs = ca.SX(m), sorted({pair for _, _, pair in model.module.LATCHES})
+    for i, (_, _, j) in enumerate(model.module.LATCHES):
+        latched[i] = ca.if_else(onset[j], ca.fmax(-gap_rate[j], run["floor"]), latched[i])
+    floored = sum((onset[j] * (-gap_rate[j] < run["floor"]) for j in pairs), start=ca.SX(0))
+    return latched, floored
+
+
+def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
+    """CasADi function (before, after, controls) -> state: the right-hand side under the modes of `after`, and the ledger of what changed."""
+    layouts = (vectors.state, vectors.state, vectors.controls)
+    arguments = [layout.symbol(name) for layout, name in zip(layouts, ("before", "after", "controls"), strict=True)]
+    before, after, run = (layout.split(vector) for layout, vector in zip(layouts, arguments, strict=True))
+    y = after["y"]
+    if model.has_ledger:
+        y = _book(model, after["t"], y, run["c"], before["mode"], after["mode"])
+    end = right.at(after["t"], y, after["mode"], after["m"], run["c"])
+    end.pop("in_range")
+    finite = ca.sum1(ca.fabs(end["dy"])) < FINITE
+    status = ca.if_else(finite, after["status"], NOT_FINITE)
+    new = {**after, **end, "y": y, "status": status, "class": ca.if_else(finite, after["class"], IDLE)}
+    return ca.Function("switch", arguments, [vectors.state.join(new)], ["before", "after", "controls"], ["next"])
+
+
+def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
+    """CasADi function (t, q, u, controls) -> first state. What overlaps is in contact, or released where its law would pull."""
+    t, q, u = ca.SX.sym("t"), ca.SX.sym("q", model.nq), ca.SX.sym("u", model.nu)
+    controls = vectors.controls.symbol("controls")
+    run = vectors.controls.split(controls)
+    y = ca.vertcat(q, u, ca.SX.zeros(model.nz))
+    mode, m, floored = ca.SX.zeros(model.k), ca.SX.ones(model.nm), ca.SX(0)
+    end = right.at(t, y, mode, m, run["c"])
+    if model.k:
+        gap, rate = end["gap"], end["gap_rate"]
+        tol, _, _ = tolerances(model, run, t, y, rate)
+        touching = (gap < -tol) + (gap <= tol) * _closing(rate, end["gap_acceleration"]) > 0
+        m, floored = latch(model, run, m, touching, rate)
+        end = right.at(t, y, touching, m, run["c"])
+        pulls = (end["force"] < 0) * (gap < -tol)
+        mode = ca.if_else(touching, ca.if_else(pulls, RELEASED, CONTACT), FLIGHT)
+        end = right.at(t, y, mode, m, run["c"])
+    in_range = end.pop("in_range")
+    in_contact = any_of(mode == CONTACT)
+    finite = ca.sum1(ca.fabs(end["dy"])) < FINITE
+    status = ca.if_else(finite, ca.if_else(any_of(in_range < 0.5), OUTSIDE_LAW_RANGE, RUNNING), NOT_FINITE)
+    fastest = ca.mmax(ca.fabs(end["dy"]) / run["scale"])  # [1/s]
+    h = ca.fmin(0.1 / ca.fmax(fastest, 1 / FINITE), (run["t_end"] - t) / 10)
+    h_onset = ONSET_STEP * run["scales"][0] / run["scales"][1]
+    start = {
+        **dict.fromkeys(vectors.state.sizes, ca.SX(0)),
+        **end,
+        "t": t,
+        "y": y,
+        "mode": mode,
+        "m": m,
+        "h": ca.if_else(in_contact, ca.fmin(h, h_onset), h),
+        "h_flight": h,
+        "h_contact": ca.fmin(h, h_onset),
+        "h_onset": h_onset,
+        "error": ca.SX(1),
+        "class": ca.if_else(status == RUNNING, ca.if_else(in_contact, IN_CONTACT, IN_FLIGHT), IDLE),
+        "status": status,
+        "accepted": ca.SX(1),
+        "fresh_contact": in_contact,
+        "evaluations": ca.SX(3 if model.k else 1),
+        "floored": floored,
+    }
+    arguments = [t, q, u, controls]
+    return ca.Function("begin", arguments, [vectors.state.join(start)], ["t", "q", "u", "controls"], ["state"])
+
+
+def any_of(conditions: Any) -> Any:
+    """1 if any of a column of conditions holds; 0 for an empty one."""
+    return ca.mmax(conditions) if conditions.numel() else ca.SX(0)
+
+
+def _closing(rate: Any, acceleration: Any) -> Any:
+    return (rate < 0) + (rate == 0) * (acceleration < 0) > 0
+
+
+def _book(model: Model, t: Any, y: Any, c: Any, before: Any, after: Any) -> Any:
+    """State with what a contact still stores when it ends booked as dissipated, and booked back where a released one goes on."""
+    q, u = y[: model.nq], y[model.nq : model.nq + model.nu]
+    _, _, stored = model.function("energy")(t, q, u, c)
+    y = ca.SX(y)
+    for j, row in enumerate(model.module.DISSIPATED):
+        leaving = (before[j] == CONTACT) * (after[j] != CONTACT) - (before[j] == RELEASED) * (after[j] == CONTACT)
+        y[model.nq + model.nu + row] += leaving * stored[j]
+    return y

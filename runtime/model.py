@@ -1,0 +1,148 @@
+"""A generated module, loaded: names, units and defaults of its ports, its CasADi functions, and numbers bound to its parameters."""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import math
+from collections.abc import Callable, Hashable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+import numpy as np
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.binding import Port, Value, read_parameters
+
+if TYPE_CHECKING:
+    from hertzwerk.derive.scene import Scene
+
+
+@dataclass(frozen=True)
+class Bound:
+    """Numbers for one run: p (np,) and c (nc,) in SI, and each parameter's value in the unit it was given in."""
+
+    p: np.ndarray
+    c: np.ndarray
+    values: Mapping[str, tuple[float, str]]
+    warnings: tuple[str, ...]
+
+    def __getitem__(self, name: str) -> float:
+        """SI value of a parameter."""
+        return float(self.p[list(self.values).index(name)])
+
+
+class Model:
+    """A scene that can be simulated."""
+
+    def __init__(self, module: ModuleType) -> None:
+        self.module = module
+        self.name: str = module.NAME
+        self.parameters: dict[str, Port] = {row[0]: Port(*row) for row in module.PARAMETERS}
+        self.coordinates, self.speeds, self.memory, self.latches, self.pairs, self.outputs = (
+            tuple(row[0] for row in rows)
+            for rows in (module.COORDINATES, module.SPEEDS, module.MEMORY, module.LATCHES, module.PAIRS, module.OUTPUTS)
+        )
+        self.nq, self.nu, self.nz = len(self.coordinates), len(self.speeds), len(self.memory)
+        self.nm, self.k, self.nc = len(self.latches), len(self.pairs), len(module.CONSTANTS)
+        self.has_ledger = hasattr(module, "ledger")
+        self._made: dict[Hashable, Any] = {}
+
+    def __repr__(self) -> str:
+        return f"Model({self.name}: {self.nq} coordinates, {self.k} contact pairs, {len(self.parameters)} parameters)"
+
+    @cached_property
+    def units(self) -> dict[str, str]:
+        """Unit text of every state by name, in the order q, u, z."""
+        module = self.module
+        return {row[0]: row[1] for rows in (module.COORDINATES, module.SPEEDS, module.MEMORY) for row in rows}
+
+    def function(self, name: str) -> Any:
+        """CasADi function of one of the module's builders, e.g. "gaps" or "contact_slider_pin"; inputs and outputs as the module documents them."""
+        return self.once(name, lambda: self._build(name))
+
+    def once(self, key: Hashable, make: Callable[[], Any]) -> Any:
+        """What `make` returned when this key was first asked for: CasADi functions are built once per model."""
+        if key not in self._made:
+            self._made[key] = make()
+        return self._made[key]
+
+    def _build(self, name: str) -> Any:
+        sizes = {
+            "t": 1,
+            "q": self.nq,
+            "u": self.nu,
+            "z": self.nz,
+            "m": self.nm,
+            "c": self.nc,
+            "p": len(self.parameters),
+            "a": self.nu,
+        }
+        inputs = _INPUTS["contact" if name.startswith("contact_") else name].split()
+        if "f" in inputs:
+            sizes["f"] = self.function("applied").size1_out(0)
+        if "reactions" in inputs:
+            sizes["reactions"] = self.function("accelerations").size1_out(1)
+        symbols = [ca.SX.sym(symbol, sizes[symbol]) for symbol in inputs]
+        results = getattr(self.module, name)(*symbols)
+        columns = [ca.densify(ca.vec(ca.SX(x))) for x in (results if isinstance(results, tuple) else (results,))]
+        return ca.Function(name, symbols, ca.cse(columns), inputs, [f"o{i}" for i in range(len(columns))])
+
+    def bind(self, parameters: Mapping[str, Value] | None = None) -> Bound:
+        """Defaults with `parameters` in their place, in SI; raises InputError with every fault."""
+        bound, faults = self.check(parameters or {})
+        if bound is None:
+            raise InputError(self.name, faults)
+        return bound
+
+    def check(self, parameters: Mapping[str, Value]) -> tuple[Bound | None, list[Fault]]:
+        """What `bind` does, with the faults as a value: no Bound where there is one."""
+        reading = read_parameters(self.parameters, self.module.LIMITS, parameters)
+        if reading.faults:
+            return None, list(reading.faults)
+        p = np.array(list(reading.si.values()))
+        c = np.array(self.function("constants")(p)).ravel()
+        cause = "it follows from the parameters alone; look for values far from each other in size"
+        faults = [
+            Fault(name, f"{float(value)!r} {unit}", "a finite constant", cause)
+            for (name, unit), value in zip(self.module.CONSTANTS, c, strict=True)
+            if not math.isfinite(value)
+        ]
+        return (None, faults) if faults else (Bound(p, c, reading.texts, reading.warnings), [])
+
+
+_INPUTS = {
+    "constants": "p",
+    "start": "p",
+    "scales": "p",
+    "coordinate_rates": "t q u c",
+    "gaps": "t q u c",
+    "gap_accelerations": "t q u a c",
+    "contact": "t q u z m c",
+    "applied": "t q u c",
+    "accelerations": "t q u f c",
+    "ledger": "t q u reactions c",
+    "energy": "t q u c",
+    "poses": "t q c",
+    "outputs": "t q u c",
+}
+
+
+def load(target: str | Path | Scene, *, without: Sequence[str] = (), laws: Mapping[str, str] | None = None) -> Model:
+    """The model of a built-in scene (never imports SymPy), of a variation of one, of a Python file that defines `scene`, or of a Scene.
+
+    `without` names effects to leave out, `laws` gives an effect another law by name. Raises InputError.
+    """
+    if isinstance(target, str) and not without and not laws and target.isidentifier():
+        name = f"hertzwerk.generated.{target}"
+        if importlib.util.find_spec(name) is not None:
+            return Model(importlib.import_module(name))
+    from hertzwerk.runtime import build
+
+    if isinstance(target, str | Path):
+        return Model(build.build_target(target, without, laws))
+    return Model(build.build(build.vary(target, without, laws)))

@@ -1,0 +1,75 @@
+"""How a run ends, as a value: a name, what happened, and what to do about it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from hertzwerk.runtime.integrate.chunk import INTERRUPTED, WALL_TIME_LIMIT
+from hertzwerk.runtime.integrate.layout import (
+    EVENT_LIMIT,
+    FINISHED,
+    NOT_FINITE,
+    OUTSIDE_LAW_RANGE,
+    STEP_TOO_SMALL,
+    TOO_MANY_STEPS,
+)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """`finished`, or the name of what stopped the run, with a sentence on what happened and one on the way out."""
+
+    name: str
+    message: str
+    remedy: str
+
+    @property
+    def finished(self) -> bool:
+        """Whether the run reached its end."""
+        return self.name == "finished"
+
+
+_OUTCOMES = {
+    FINISHED: ("finished", "reached the end at t = {t:.6g} s", ""),
+    STEP_TOO_SMALL: (
+        "step_too_small",
+        "at t = {t:.9g} s no step above rounding meets the accuracy {accuracy:g}",
+        "ask for less accuracy; if that does not help, the model is discontinuous or singular there: look at the last states",
+    ),
+    NOT_FINITE: (
+        "not_finite",
+        "at t = {t:.9g} s the equations give infinite or undefined values for every step",
+        "look at the last states: a parameter far out of proportion, or a configuration where the mechanism is singular",
+    ),
+    OUTSIDE_LAW_RANGE: (
+        "outside_law_range",
+        "at t = {t:.9g} s a contact law was left where it is not defined: {where}",
+        "choose a law that is defined at such a penetration, or check load and stiffness",
+    ),
+    EVENT_LIMIT: (
+        "event_limit",
+        "more than {max_events:,} contacts began by t = {t:.9g} s",
+        "raise max_events, or ask for more accuracy if the contacts chatter",
+    ),
+    TOO_MANY_STEPS: (
+        "too_many_steps",
+        "{max_steps:,} steps were taken by t = {t:.9g} s",
+        "raise max_steps, ask for less accuracy, or simulate a shorter time",
+    ),
+    INTERRUPTED: (
+        "interrupted",
+        "stopped by the user at t = {t:.9g} s",
+        "what was computed until then is in the solution",
+    ),
+    WALL_TIME_LIMIT: (
+        "wall_time_limit",
+        "the run took longer than {wall_time:g} s and stopped at t = {t:.9g} s",
+        "raise wall_time, ask for less accuracy, or use compiled=True",
+    ),
+}
+
+
+def outcome(status: int, **facts: object) -> Outcome:
+    """The outcome of a status of the engine."""
+    name, message, remedy = _OUTCOMES[status]
+    return Outcome(name, message.format(**facts), remedy)

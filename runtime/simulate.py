@@ -1,0 +1,250 @@
+"""From a model and numbers to a solution: reads the input completely, builds the attempt, runs it in chunks."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.units import UnitError, parse_unit
+from hertzwerk.runtime import scales as scaling
+from hertzwerk.runtime.binding import Value, read, read_state, unknown
+from hertzwerk.runtime.history import History
+from hertzwerk.runtime.integrate.attempt import Integrator, integrator
+from hertzwerk.runtime.integrate.chunk import Rows, chunk, march
+from hertzwerk.runtime.integrate.layout import OUTSIDE_LAW_RANGE
+from hertzwerk.runtime.integrate.tables import METHODS
+from hertzwerk.runtime.model import Bound, Model
+from hertzwerk.runtime.outcome import outcome
+from hertzwerk.runtime.scales import Scales
+from hertzwerk.runtime.solution import Solution, Statistics
+
+ACCURACIES = (1e-12, 1e-1)
+APPROACH_FLOOR = 1e-3  # m/s, where a model has latches but no parameter of this name
+ROUGH = 1e-4  # accuracy of a run that only looks for scales
+
+
+def simulate(
+    model: Model,
+    *,
+    duration: str | float | None = None,
+    accuracy: float = 1e-6,
+    method: str = "dop853",
+    parameters: Mapping[str, Value] | None = None,
+    initial: Mapping[str, Value] | None = None,
+    compiled: bool = False,
+    max_steps: int = 1_000_000,
+    max_events: int = 100_000,
+    wall_time: float | None = None,
+    progress: Callable[[float], object] | None = None,
+) -> Solution:
+    """Run a model from its start for a duration (seconds, or text such as "24 ms").
+
+    accuracy    the local tolerance in the scene's scales, 1e-12..1e-1
+    method      "dop853" or "dopri5"
+    parameters, initial    values in place of the model's, each with its unit: {"clearance": "0.2 mm"}, {"guide.travel": "0.17 m"}
+    compiled    run the same functions as C; the result is bitwise the same
+    max_steps, max_events (contacts begun), wall_time [s]    where to stop, with an outcome that says so
+    progress    called now and then with the fraction done
+
+    Raises InputError, with every fault, for bad input and for nothing else: how the run ended is `Solution.outcome`.
+    """
+    began = time.perf_counter()
+    faults: list[Fault] = []
+    limits = _Limits(max_steps, max_events, math.inf if wall_time is None else wall_time)
+    seconds = _duration(duration, faults)
+    _check(accuracy, method, limits, faults)
+    bound, wrong = model.check(parameters or {})
+    q, u = _start(model, bound, initial or {}, faults)
+    faults = wrong + faults
+    if bound is None or faults:
+        raise InputError(model.name, faults)
+    engine = model.once(("engine", method, compiled), lambda: _engine(model, method, compiled=compiled))
+    run = _Run(model, engine, bound, q, u, seconds, limits)
+    stated = scaling.of_parameters(model, bound)
+    scales = stated if stated.sound else scaling.of_run(model, stated, lambda s: run(max(accuracy, ROUGH), s)[0])
+    build_s = time.perf_counter() - began
+    history, rows = run(accuracy, scales, progress)
+    last = {
+        name: float(part[0])
+        for name, part in engine.integrator.layouts.state.split(rows.last).items()
+        if len(part) == 1
+    }
+    return Solution(
+        history=history,
+        outcome=outcome(
+            rows.status,
+            t=float(history.t[-1]),
+            where=_deepest(model, history) if rows.status == OUTSIDE_LAW_RANGE else "",
+            accuracy=accuracy,
+            max_steps=max_steps,
+            max_events=max_events,
+            wall_time=wall_time,
+        ),
+        duration=seconds,
+        accuracy=accuracy,
+        method=method,
+        compiled=compiled,
+        parameters=dict(bound.values),
+        statistics=Statistics(
+            steps=int(last["steps"]),
+            rejected=int(last["rejected"]),
+            retaken=int(last["retaken"]),
+            rhs_evaluations=int(last["evaluations"]),
+            events=int(last["events"]),
+            wall_s=rows.wall_s,
+            build_s=build_s,
+        ),
+        warnings=(*_unchecked(model), *bound.warnings, *_floored(int(last["floored"]), run.floor)),
+    )
+
+
+@dataclass(frozen=True)
+class _Engine:
+    """The functions of one model and method; `chunk` in CasADi's virtual machine or as C."""
+
+    integrator: Integrator
+    chunk: Any
+
+
+@dataclass(frozen=True)
+class _Limits:
+    max_steps: int
+    max_events: int
+    wall_time: float
+
+
+@dataclass(frozen=True)
+class _Run:
+    """Everything of a run but its accuracy and scales."""
+
+    model: Model
+    engine: _Engine
+    bound: Bound
+    q: np.ndarray
+    u: np.ndarray
+    seconds: float
+    limits: _Limits
+
+    @property
+    def floor(self) -> float:
+        """Least approach speed [m/s] that is latched."""
+        return self.bound["approach_floor"] if "approach_floor" in self.model.parameters else APPROACH_FLOOR
+
+    def __call__(
+        self, accuracy: float, scales: Scales, progress: Callable[[float], object] | None = None
+    ) -> tuple[History, Rows]:
+        integrator = self.engine.integrator
+        layout = integrator.layouts.controls
+        controls = np.zeros(layout.size)
+        numbers: dict[str, Any] = {
+            "c": self.bound.c,
+            "scale": scales.state,
+            "scales": scales.scene,
+            "accuracy": accuracy,
+        }
+        numbers |= {"t_end": self.seconds, "floor": self.floor}
+        numbers |= {"max_events": self.limits.max_events, "max_steps": self.limits.max_steps}
+        for name, value in numbers.items():
+            controls[layout[name]] = value
+        state = np.array(integrator.begin(0.0, self.q, self.u, controls)).ravel()
+        wall_time = self.limits.wall_time
+        rows = march(self.engine.chunk, integrator, state, controls, wall_time=wall_time, progress=progress)
+        return History(self.model, rows.rows, controls, integrator), rows
+
+
+def _engine(model: Model, method: str, *, compiled: bool) -> _Engine:
+    made = model.once(("integrator", method), lambda: integrator(model, METHODS[method]()))
+    run = chunk(made)
+    if compiled:
+        from hertzwerk.runtime.integrate.compiled import NoCompilerError, as_c
+
+        try:
+            run = as_c(run)
+        except NoCompilerError as error:
+            way_out = "compiled=False runs the same functions, slower"
+            raise InputError(model.name, [Fault("compiled", str(error), "a working C compiler", way_out)]) from error
+    return _Engine(made, run)
+
+
+def _check(accuracy: float, method: str, limits: _Limits, faults: list[Fault]) -> None:
+    low, high = ACCURACIES
+    if not (_real(accuracy) and low <= accuracy <= high):
+        way_out = "it is the local tolerance in the scene's scales"
+        faults.append(Fault("accuracy", repr(accuracy), f"a number in {low:g}..{high:g}", way_out))
+    if method not in METHODS:
+        faults.append(unknown("method", str(method), sorted(METHODS)))
+    for name, limit in vars(limits).items():
+        if not (_real(limit) and limit > 0):
+            faults.append(Fault(name, repr(limit), "a positive number"))
+
+
+def _real(value: object) -> bool:
+    return isinstance(value, int | float | np.number) and not isinstance(value, bool)
+
+
+def _duration(duration: str | float | None, faults: list[Fault]) -> float:
+    """Seconds of a duration; what is none becomes a fault."""
+    expected = 'a positive time, such as "24 ms" or a number of seconds'
+    seconds = math.nan
+    if isinstance(duration, str):
+        try:
+            value, unit, _ = read(duration)
+        except UnitError as error:
+            faults.append(Fault("duration", repr(duration), expected, str(error)))
+            return seconds
+        if unit.exponents == parse_unit("s").exponents:
+            seconds = unit.to_si(value)
+    elif duration is not None and _real(duration):
+        seconds = float(duration)
+    if not (math.isfinite(seconds) and seconds > 0):
+        faults.append(Fault("duration", "none" if duration is None else repr(duration), expected))
+    return seconds
+
+
+def _start(
+    model: Model, bound: Bound | None, initial: Mapping[str, Value], faults: list[Fault]
+) -> tuple[np.ndarray, np.ndarray]:
+    """q and u at the start: the model's, with `initial` in their place."""
+    values: dict[str, float] = {}
+    names = (*model.coordinates, *model.speeds)
+    for name, value in initial.items():
+        if name not in names:
+            faults.append(unknown("state", name, names))
+            continue
+        si, fault = read_state(name, model.units[name], value)
+        values[name] = si
+        if fault is not None:
+            faults.append(fault)
+    if bound is None:
+        return np.zeros(model.nq), np.zeros(model.nu)
+    start = np.concatenate([np.array(x).ravel() for x in model.function("start")(bound.p)])
+    for i, name in enumerate(names):
+        start[i] = values.get(name, start[i])
+        if not math.isfinite(start[i]) and name not in values:
+            faults.append(
+                Fault(name, f"{float(start[i])!r} at the start", "a finite value", "it follows from the parameters")
+            )
+    return start[: model.nq], start[model.nq :]
+
+
+def _deepest(model: Model, history: History) -> str:
+    return ", ".join(f"{pair} at penetration {history[f'{pair}.penetration'][-1]:.4g} m" for pair in model.pairs)
+
+
+def _unchecked(model: Model) -> tuple[str, ...]:
+    return tuple(
+        f"{effect} is dimensionally inconsistent and runs unchecked: {why}" for effect, why in model.module.UNCHECKED
+    )
+
+
+def _floored(count: int, floor: float) -> tuple[str, ...]:
+    if not count:
+        return ()
+    contacts = "one contact began" if count == 1 else f"{count} contacts began"
+    return (f"{contacts} slower than approach_floor = {floor:g} m/s, which its damping took for the approach speed",)
