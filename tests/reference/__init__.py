@@ -1,0 +1,1 @@
+"""Independent oracles: hand-derived equations, closed forms, cited digits. Nothing here imports hertzwerk."""
