@@ -1,0 +1,182 @@
+"""The only door to derive: from a scene to a loaded module.
+
+Derivation imports SymPy, so every import of derive stands inside a function: a run of a committed scene never comes here.
+Variations of the built-in scenes are remembered on disk under the hash of everything their text depends on, and found again without SymPy.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import linecache
+import sys
+import traceback
+from collections.abc import Mapping, Sequence
+from functools import cache
+from importlib import metadata, resources
+from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime import cache as disk
+
+if TYPE_CHECKING:
+    from hertzwerk.derive.audit import Finding
+    from hertzwerk.derive.scene import Scene
+
+
+def built_in_scenes() -> tuple[str, ...]:
+    """Names of the scenes that `hertzwerk.derive.scenes` declares, sorted; imports nothing."""
+    folder = resources.files("hertzwerk.derive") / "scenes"
+    files = (entry.name for entry in folder.iterdir())
+    return tuple(sorted(name[:-3] for name in files if name.endswith(".py") and not name.startswith("_")))
+
+
+def is_file(target: str | Path) -> bool:
+    """Whether a target names a Python file rather than a built-in scene."""
+    return isinstance(target, Path) or target.endswith(".py") or "/" in target or "\\" in target
+
+
+def scene_from(target: str | Path) -> Scene:
+    """The scene of a built-in name, or of a Python file that defines `scene`; raises InputError.
+
+    The file is executed, as `python file.py` would.
+    """
+    from hertzwerk.derive.scene import Scene
+
+    if is_file(target):
+        content = _execute(Path(target))
+        scene = content.get("scene")
+        if not isinstance(scene, Scene):
+            found = "no `scene`" if scene is None else f"`scene` of type {type(scene).__name__}"
+            raise InputError(str(target), [Fault(str(target), found, "a file that defines `scene = Scene(...)`")])
+        return scene
+    _require_built_in(str(target))
+    module = __import__(f"hertzwerk.derive.scenes.{target}", fromlist=["scene"])
+    built_in: Scene = module.scene
+    return built_in
+
+
+def source_of(target: str | Path) -> str:
+    """What a generated module's header calls its origin: no folder of this machine."""
+    return Path(target).name if is_file(target) else f"derive/scenes/{target}.py"
+
+
+def vary(scene: Scene, without: Sequence[str] = (), laws: Mapping[str, str] | None = None) -> Scene:
+    """The scene without some effects and with other laws (effect -> name of a law); raises InputError with all faults."""
+    faults: list[Fault] = []
+    for effect, law in (laws or {}).items():
+        try:
+            scene = scene.with_law(effect, law)
+        except InputError as error:
+            faults.extend(error.faults)
+    try:
+        scene = scene.without(*without) if without else scene
+    except InputError as error:
+        faults.extend(error.faults)
+    if faults:
+        raise InputError(scene.name, faults)
+    return scene
+
+
+def build(scene: Scene, source: str = "a scene") -> ModuleType:
+    """Derive, check and generate a scene, and execute the generated text; raises InputError where the scene is inconsistent."""
+    return _module(scene.name, derive_text(scene, source))
+
+
+def derive_text(scene: Scene, source: str) -> str:
+    """Text of the generated module of a scene; raises InputError."""
+    from hertzwerk.derive.derivation import generate
+
+    return generate(scene, source)
+
+
+def audit_target(target: str | Path) -> tuple[Finding, ...]:
+    """Verdict on every law of a target's scene and on its program; raises InputError where the scene itself is unsound."""
+    from hertzwerk.derive.audit import audit_scene
+
+    findings: tuple[Finding, ...] = audit_scene(scene_from(target))
+    return findings
+
+
+def build_target(target: str | Path, without: Sequence[str] = (), laws: Mapping[str, str] | None = None) -> ModuleType:
+    """Module of a target and its variation; a variation of a built-in scene comes from the cache where it can."""
+    if is_file(target):
+        return build(vary(scene_from(target), without, laws), source_of(target))
+    _require_built_in(str(target))
+    key = _key(str(target), tuple(without), tuple(sorted((laws or {}).items())))
+    text = disk.read(f"generated-{key}.py")
+    if text is None:
+        text = derive_text(vary(scene_from(target), without, laws), source_of(target))
+        disk.write(f"generated-{key}.py", text)
+    return _module(str(target), text)
+
+
+def _require_built_in(name: str) -> None:
+    known = built_in_scenes()
+    if name not in known:
+        expected = f"one of {', '.join(known)}, or a Python file (its name ends in .py)"
+        raise InputError(f"scene {name}", [Fault("scene", repr(name), expected)])
+
+
+def _execute(path: Path) -> dict[str, Any]:
+    """Names defined by a Python file; its folder can be imported from while it runs, as for `python path`."""
+    try:
+        code = compile(path.read_bytes(), str(path), "exec")
+    except OSError as error:
+        raise InputError(
+            str(path), [Fault(str(path), error.strerror or str(error), "a readable Python file")]
+        ) from error
+    except (SyntaxError, ValueError) as error:
+        where = f"{path}, line {getattr(error, 'lineno', None) or 1}"
+        raise InputError(str(path), [Fault(where, f"{type(error).__name__}: {error}", "Python source")]) from error
+    module = ModuleType("hertzwerk_scene_file")
+    module.__file__ = str(path)
+    before = list(sys.path)
+    sys.modules[module.__name__] = module  # dataclasses and pickling look their module up
+    sys.path.insert(0, str(path.resolve().parent))
+    try:
+        exec(code, module.__dict__)
+    except (Exception, SystemExit) as error:  # whatever the file does wrong is the file's fault
+        raise _raised(path, error) from error
+    finally:
+        sys.path[:] = before
+        sys.modules.pop(module.__name__, None)
+    return module.__dict__
+
+
+def _raised(path: Path, error: BaseException) -> InputError:
+    frames = [frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
+    where = f"{path}, line {frames[-1].lineno}" if frames else str(path)
+    if isinstance(error, InputError):
+        return InputError(f"{where}: {error.subject}", error.faults)
+    found = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
+    return InputError(
+        str(path), [Fault(where, found, "a scene file that runs", "the file was executed and raised this error")]
+    )
+
+
+def _module(name: str, text: str) -> ModuleType:
+    module = ModuleType(f"hertzwerk_generated_{name}")
+    module.__file__ = f"<generated {name} {hashlib.sha256(text.encode()).hexdigest()[:12]}>"
+    linecache.cache[module.__file__] = (len(text), None, text.splitlines(keepends=True), module.__file__)
+    exec(compile(text, module.__file__, "exec"), module.__dict__)  # text of our own emitter
+    return module
+
+
+def _key(name: str, without: tuple[str, ...], laws: tuple[tuple[str, str], ...]) -> str:
+    """Hash of everything the text of a variation depends on: derive's own source, SymPy, and the variation."""
+    parts = repr((derive_digest(), metadata.version("sympy"), sys.version_info[:2], name, without, laws))
+    return hashlib.sha256(parts.encode()).hexdigest()[:32]
+
+
+@cache
+def derive_digest(folder: Path | None = None) -> str:
+    """Hash of derive's sources: of those in use, or of those in a folder."""
+    if folder is None:
+        with resources.as_file(resources.files("hertzwerk.derive")) as installed:
+            return derive_digest(installed)
+    digest = hashlib.sha256()
+    for file in sorted(folder.rglob("*.py")):
+        digest.update(file.relative_to(folder).as_posix().encode() + b"\0" + file.read_bytes() + b"\0")
+    return digest.hexdigest()

@@ -1,0 +1,155 @@
+"""The ideal mechanism: every clearance closed, the motion that a run with clearance is compared with.
+
+A pin in a bush reports its eccentricity in the outputs of the model. Where these eccentricities are as many as the coordinates, the ideal motion
+is their common zero e(t, q) = 0, found by Newton's method and followed in time; its speeds and accelerations solve the first and second time
+derivative of the same equations, which are linear in them. Nothing else of the model enters: no mass, no force.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model import Model
+
+Array = NDArray[np.float64]
+
+_SUFFIXES = (".eccentricity_x", ".eccentricity_y")
+_CORRECTIONS = 4  # Newton's, in one step in time
+_CONTRACTION = 0.25  # of the second correction over the first (Deuflhard's test): a step that stays on its branch
+_ROUNDING = 1e-12  # the last correction, relative to 1 + |q|
+_SHORTEST = 2.0**-30  # step, over the interval between two wanted times
+_SINGULAR = 1e-10  # reciprocal condition number below which the eccentricities do not determine the coordinates
+
+
+@dataclass(frozen=True)
+class IdealMotion:
+    """Coordinates q (times, nq), speeds u (times, nu) and accelerations (times, nu) of the ideal mechanism, SI."""
+
+    t: Array
+    q: Array
+    u: Array
+    acceleration: Array
+    coordinates: tuple[str, ...]
+    speeds: tuple[str, ...]
+
+    def __getitem__(self, name: str) -> Array:
+        """History of one coordinate or speed, SI; KeyError for another name."""
+        if name in self.coordinates:
+            return self.q[:, self.coordinates.index(name)]
+        if name in self.speeds:
+            return self.u[:, self.speeds.index(name)]
+        raise KeyError(f"{name!r}: the ideal mechanism has {', '.join(self.coordinates + self.speeds)}")
+
+    def acceleration_of(self, speed: str) -> Array:
+        """Time derivative of one speed, SI."""
+        return self.acceleration[:, self.speeds.index(speed)]
+
+
+def ideal_motion(model: Model, times: Sequence[float] | Array, q: Array, c: Array) -> IdealMotion | None:
+    """Follow the ideal mechanism through increasing times, from coordinates q (nq,) near the assembled position at the first.
+
+    c (nc,) are the model's constants for the run's parameters. None where the eccentricities do not determine the coordinates: no pin in a bush,
+    fewer or more of them than the coordinates need, a mechanism that cannot be assembled, or one that locks on the way.
+    """
+    closure = _Closure.of(model)
+    wanted = np.asarray(times, dtype=float)
+    if closure is None or not len(wanted):
+        return None
+    here = closure.assemble(float(wanted[0]), np.asarray(q, dtype=float).ravel(), c)
+    rows: list[_Position] = []
+    for time in wanted:
+        here = None if here is None else closure.follow(here, float(time), c)
+        if here is None:
+            return None
+        rows.append(here)
+    q_rows, u_rows, a_rows = (np.array(column) for column in zip(*((row.q, row.u, row.a) for row in rows), strict=True))
+    return IdealMotion(wanted, q_rows, u_rows, a_rows, tuple(model.coordinates), tuple(model.speeds))
+
+
+@dataclass(frozen=True)
+class _Position:
+    t: float
+    q: Array
+    u: Array
+    a: Array
+
+
+@dataclass(frozen=True)
+class _Closure:
+    """The closure equations e(t, q) = 0 and what Newton's method makes of them, as functions."""
+
+    jacobian: Any  # (t, q, c) -> de/dq
+    step: Any  # (t, q, u, dt, c) -> q, u, a at t + dt, and the corrections in columns
+
+    @classmethod
+    def of(cls, model: Model) -> _Closure | None:
+        """Closure equations of a model, or None where their number is not that of its coordinates."""
+        rows = [i for i, name in enumerate(model.outputs) if name.endswith(_SUFFIXES)]
+        if not rows or not len(rows) == len(model.coordinates) == len(model.speeds):
+            return None
+        outputs, rates = model.function("outputs"), model.function("coordinate_rates")
+        t, q, u, c = (ca.SX.sym(name, outputs.sparsity_in(i)) for i, name in enumerate("tquc"))
+        a, dt = ca.SX.sym("a", u.sparsity()), ca.SX.sym("dt")
+        dq = rates(t, q, u, c)
+        e = outputs(t, q, u, c)[rows]
+        e_dot = ca.jtimes(e, ca.vertcat(t, q), ca.vertcat(1, dq))
+        e_ddot = ca.jtimes(e_dot, ca.vertcat(t, q, u), ca.vertcat(1, dq, a))
+        correction = ca.Function("correction", [t, q, c], [-ca.solve(ca.jacobian(e, q), e)])
+        speeds = ca.Function("speeds", [t, q, c], [_zero(e_dot, u)])
+        accelerations = ca.Function("accelerations", [t, q, u, c], [_zero(e_ddot, a)])
+        there, corrections = q + dt * dq, []
+        for _ in range(_CORRECTIONS):
+            corrections.append(correction(t + dt, there, c))
+            there = there + corrections[-1]
+        velocity = speeds(t + dt, there, c)
+        results = [there, velocity, accelerations(t + dt, there, velocity, c), ca.horzcat(*corrections)]
+        return cls(
+            ca.Function("jacobian", [t, q, c], [ca.jacobian(e, q)]),
+            ca.Function("step", [t, q, u, dt, c], ca.cse(results)),
+        )
+
+    def assemble(self, t: float, q: Array, c: Array) -> _Position | None:
+        """The closed mechanism nearest to q, or None."""
+        for _ in range(10):
+            here, corrections = self._step(_Position(t, q, np.zeros_like(q), np.zeros_like(q)), t, c)
+            if not np.all(np.isfinite(here.a)) or np.linalg.cond(np.array(self.jacobian(t, here.q, c))) > 1 / _SINGULAR:
+                return None
+            if _negligible(corrections[:, -1], here.q):
+                return here
+            q = here.q
+        return None
+
+    def follow(self, here: _Position, end: float, c: Array) -> _Position | None:
+        """The closed mechanism at the time `end`, continued from `here`; None past a position where it locks."""
+        shortest, target = _SHORTEST * (end - here.t), end
+        while here.t < end:
+            there, corrections = self._step(here, target, c)
+            first, second = np.linalg.norm(corrections[:, :2], axis=0)
+            contracts = second <= max(_CONTRACTION * first, _ROUNDING * (1 + float(np.linalg.norm(here.q))))
+            if contracts and _negligible(corrections[:, -1], there.q) and np.all(np.isfinite(there.a)):
+                here, target = there, end
+            elif target - here.t > shortest:
+                target = (here.t + target) / 2
+            else:
+                return None
+        return here
+
+    def _step(self, here: _Position, t: float, c: Array) -> tuple[_Position, Array]:
+        q, u, a, corrections = (np.array(result) for result in self.step(here.t, here.q, here.u, t - here.t, c))
+        return _Position(t, q.ravel(), u.ravel(), a.ravel()), corrections
+
+
+def _zero(residual: Any, unknown: Any) -> Any:
+    """The zero of a residual that is linear in the unknown."""
+    return ca.solve(ca.jacobian(residual, unknown), -ca.substitute(residual, unknown, ca.SX.zeros(*unknown.shape)))
+
+
+def _negligible(correction: Array, q: Array) -> bool:
+    return bool(np.all(np.abs(correction) <= _ROUNDING * (1 + np.abs(q))))

@@ -1,0 +1,325 @@
+"""Pictures of a solution: the overview of a run, and one page per contact pair.
+
+Times are sampled densely between the accepted steps, so that an impact of 20 us looks as smooth as it is. What a reader must know to trust a
+picture, an unchecked law or a law outside its range, stands on the picture.
+"""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Callable, Mapping, Sequence
+from itertools import cycle
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure
+from matplotlib.patches import Circle
+from numpy.typing import NDArray
+
+from hertzwerk.runtime.curves import Array, Curves, Scale, impact_curves, scale_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from hertzwerk.runtime.solution import Impact, Solution
+
+# Okabe & Ito's palette, distinguishable with every common colour vision.
+BLUE, VERMILLION, GREEN, ORANGE, PURPLE, SKY = "#0072B2", "#D55E00", "#009E73", "#E69F00", "#CC79A7", "#56B4E9"
+GREY = "#707070"
+CYCLE = (BLUE, VERMILLION, GREEN, PURPLE, SKY, ORANGE)
+
+STYLE: Any = {  # typed as 300 literal names by Matplotlib
+    "font.size": 9.5,
+    "axes.titlesize": 10.5,
+    "axes.titlelocation": "left",
+    "axes.titleweight": "bold",
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "grid.color": "#e4e4e4",
+    "grid.linewidth": 0.7,
+    "lines.linewidth": 1.0,
+    "lines.solid_joinstyle": "round",
+    "legend.frameon": False,
+    "legend.fontsize": 9,
+    "savefig.dpi": 160,
+    "svg.hashsalt": "hertzwerk",
+}
+
+LEGEND_ROOM = 22  # points between a panel and its title
+PEAKS_CUT = 2.5  # accelerations are shown up to this multiple of the ideal mechanism's
+
+
+def plot(run: Solution, *names: str) -> Figure:
+    """The overview of a run, one contact pair's page, or the histories of other names; raises KeyError for a name that is none."""
+    if not names:
+        return overview(run)
+    if len(names) == 1 and names[0] in run.model.pairs:
+        return pair(run, names[0])
+    return histories(run, *names)
+
+
+def histories(run: Solution, *names: str) -> Figure:
+    """A panel for each named history; raises KeyError for a name that is none."""
+    curves = Curves.of(run)
+    with mpl.rc_context(STYLE):
+        figure = Figure(figsize=(9.5, 2.3 * len(names) + 0.8), layout="constrained")
+        axes = figure.subplots(len(names), 1, squeeze=False).ravel()
+        for axis, name in zip(axes, names, strict=True):
+            scale = _lines(axis, curves, run.history.units.get(name, "1"), {name: curves[name]})
+            _over_time(axis, curves, f"{name} [{scale.unit}]")
+        _caption(figure, run, run.model.module.SUMMARY)
+    return figure
+
+
+def overview(run: Solution) -> Figure:
+    """Motion, contact forces and energy of a run; the motion against the ideal mechanism where there is one."""
+    return _overview(Curves.of(run))
+
+
+def pair(run: Solution, name: str) -> Figure:
+    """One contact pair: where it was (journal path or gap), its force, and its first impact; raises KeyError for another name."""
+    if name not in run.model.pairs:
+        raise KeyError(f"{name!r} is no contact pair; there are {', '.join(run.model.pairs)}")
+    return _pair(Curves.of(run), name)
+
+
+def save_all(run: Solution, folder: Path) -> list[str]:
+    """Write overview.png and one PNG per pair; returns the file names."""
+    curves = Curves.of(run)
+    figures = {"overview.png": _overview(curves)} | {f"{name}.png": _pair(curves, name) for name in run.model.pairs}
+    with mpl.rc_context(STYLE):
+        for file, figure in figures.items():
+            figure.savefig(folder / file)
+    return list(figures)
+
+
+# ---- pages -----------------------------------------------------------------------------------------------------------
+
+
+def _overview(curves: Curves) -> Figure:
+    panels: list[Callable[[Axes, Curves], None]] = [_positions, _speeds]
+    if curves.ideal is not None:
+        panels += [_deviations, _accelerations]
+    panels.append(_forces)
+    if curves.run.energy_residual is not None:
+        panels.append(_energy)
+    with mpl.rc_context({**STYLE, "axes.titlepad": LEGEND_ROOM}):
+        rows = (len(panels) + 1) // 2
+        figure = Figure(figsize=(12.5, 3.1 * rows + 0.6), layout="constrained")
+        axes = figure.subplots(rows, 2, squeeze=False).ravel()
+        for draw, axis in zip(panels, axes, strict=False):
+            draw(axis, curves)
+        for axis in axes[len(panels) :]:
+            axis.set_visible(False)
+        _caption(figure, curves.run, curves.run.model.module.SUMMARY)
+    return figure
+
+
+def _pair(curves: Curves, name: str) -> Figure:
+    run = curves.run
+    impact = next((impact for impact in run.impacts if impact.contact == name), None)
+    with mpl.rc_context(STYLE):
+        figure = Figure(figsize=(12.5, 6.4), layout="constrained")
+        if dict(run.model.module.PAIRS)[name] == "pin_in_bush":
+            grid = figure.add_gridspec(2, 2, width_ratios=(1.05, 1))
+            _journal_path(figure.add_subplot(grid[:, 0]), curves, name)
+            _normal_force(figure.add_subplot(grid[0, 1]), curves, name)
+            _first_impact(figure.add_subplot(grid[1, 1]), run, impact)
+        else:
+            grid = figure.add_gridspec(2, 2)
+            _gap(figure.add_subplot(grid[0, :]), curves, name)
+            _first_impact(figure.add_subplot(grid[1, 0]), run, impact)
+            _loop(figure.add_subplot(grid[1, 1]), run, impact)
+        laws = [text for effect, _, text in run.model.module.EFFECTS if effect == name]
+        _caption(figure, run, ", ".join([name, *laws]))
+    return figure
+
+
+# ---- panels ----------------------------------------------------------------------------------------------------------
+
+
+def _positions(axis: Axes, curves: Curves) -> None:
+    _motion(axis, curves, 0, "Position")
+
+
+def _speeds(axis: Axes, curves: Curves) -> None:
+    _motion(axis, curves, 1, "Speed")
+
+
+def _accelerations(axis: Axes, curves: Curves) -> None:
+    """Peaks of an impact are ten times what the mechanism needs: the axis shows the mechanism, marks say where and how far they go."""
+    scale = _motion(axis, curves, 2, "Acceleration")
+    values = scale([curves[motion.names[2]] for motion in curves.motions])
+    limit = PEAKS_CUT * float(np.max(np.abs(scale(_ideal(curves, 2)))))
+    largest = float(np.max(np.abs(values)))
+    if largest <= limit:
+        return
+    axis.set_ylim(-limit, limit)
+    axis.set_title(f"Acceleration [{scale.unit}], cut at the marks (largest peak {largest:.0f})")
+    for sign, marker in ((1, "^"), (-1, "v")):
+        peaks = _peaks(np.max(sign * values, axis=0), limit)
+        marks = np.full(len(peaks), sign * 0.97 * limit)
+        axis.plot(curves.time(curves.t[peaks]), marks, marker, color=VERMILLION, markersize=4, clip_on=False)
+
+
+def _motion(axis: Axes, curves: Curves, order: int, title: str) -> Scale:
+    """Positions (order 0), speeds (1) or accelerations (2), over the ideal mechanism's."""
+    values = {motion.joint: curves[motion.names[order]] for motion in curves.motions}
+    scale = _lines(axis, curves, curves.motions[0].units[order], values, _ideal(curves, order))
+    _over_time(axis, curves, f"{title} [{scale.unit}]")
+    return scale
+
+
+def _ideal(curves: Curves, order: int) -> list[Array]:
+    ideal = curves.ideal
+    if ideal is None:
+        return []
+    if order == 2:
+        return [ideal.acceleration_of(motion.names[1]) for motion in curves.motions]
+    return [ideal[motion.names[order]] for motion in curves.motions]
+
+
+def _deviations(axis: Axes, curves: Curves) -> None:
+    positions = zip(curves.motions, _ideal(curves, 0), strict=True)
+    values = {motion.joint: curves[motion.names[0]] - ideal for motion, ideal in positions}
+    scale = _lines(axis, curves, curves.motions[0].units[0], values)
+    _over_time(axis, curves, f"Position minus that of the ideal mechanism [{scale.unit}]")
+
+
+def _forces(axis: Axes, curves: Curves) -> None:
+    scale = _lines(axis, curves, "N", {name: curves[f"{name}.normal_force"] for name in curves.run.model.pairs})
+    axis.set_ylim(bottom=0)
+    _over_time(axis, curves, f"Contact force [{scale.unit}]")
+
+
+def _normal_force(axis: Axes, curves: Curves, name: str) -> None:
+    scale = _lines(axis, curves, "N", {name: curves[f"{name}.normal_force"]})
+    axis.set_ylim(bottom=0)
+    _over_time(axis, curves, f"Normal force [{scale.unit}]")
+
+
+def _energy(axis: Axes, curves: Curves) -> None:
+    lines = {"mechanical": curves["energy"] - curves["energy"][0]}
+    for name in curves.run.model.memory:
+        owner, _, what = name.rpartition(".")
+        lines[f"loss, {owner}" if what == "dissipated" else "drives' work"] = curves[name]
+    scale = _lines(axis, curves, "J", {label: values for label, values in lines.items() if np.any(values)})
+    _over_time(
+        axis, curves, f"Energy since the start [{scale.unit}], ledger closed to {curves.run.energy_residual:.1g}"
+    )
+
+
+def _gap(axis: Axes, curves: Curves, name: str) -> None:
+    scale = _lines(axis, curves, "m", {name: curves[f"{name}.gap"]})
+    axis.axhline(0, color=GREY, linewidth=0.8)
+    _over_time(axis, curves, f"Gap [{scale.unit}]")
+
+
+def _journal_path(axis: Axes, curves: Curves, name: str) -> None:
+    x, y, gap = (curves[f"{name}.{part}"] for part in ("eccentricity_x", "eccentricity_y", "gap"))
+    clearance = float(np.median(np.hypot(x, y) + gap))
+    scale = scale_of("m", clearance)
+    points = np.column_stack([scale(x), scale(y)])
+    radius = clearance / scale.factor
+    look = {"facecolor": "#f3f6f9", "edgecolor": GREY, "linewidth": 1.2, "zorder": 0.8}
+    axis.add_patch(Circle((0, 0), radius, label="clearance circle", **look))
+    segments = np.stack([points[:-1], points[1:]], axis=1)
+    touching = gap[:-1] + gap[1:] < 0
+    for chosen, colour, width, label in (
+        (~touching, BLUE, 0.8, "free flight"),
+        (touching, VERMILLION, 1.0, "in contact (outside the circle: penetration)"),
+    ):
+        axis.add_collection(LineCollection(list(segments[chosen]), colors=colour, linewidths=width, label=label))
+    axis.plot(*points[0], "o", color="black", markersize=4, label="start")
+    reach = 1.08 * max(radius, float(np.max(np.hypot(*points.T))))
+    axis.set(xlim=(-reach, reach), ylim=(-reach, reach), aspect="equal")
+    axis.set(xlabel=f"eccentricity x [{scale.unit}]", ylabel=f"eccentricity y [{scale.unit}]")
+    axis.set_title("Path of the pin's centre in the bush")
+    axis.legend(loc="upper center", bbox_to_anchor=(0.5, -0.09), ncols=2)
+
+
+def _first_impact(axis: Axes, run: Solution, impact: Impact | None) -> None:
+    if impact is None:
+        _nothing(axis, "no impact")
+        return
+    t, force, _ = impact_curves(run, impact)
+    time, start, scale = scale_of("s", t[-1]), scale_of("s", impact.t), scale_of("N", force)
+    axis.plot(time(t), scale(force), color=BLUE, linewidth=1.4)
+    axis.fill_between(time(t), scale(force), color=BLUE, alpha=0.12, linewidth=0)
+    axis.set_ylim(bottom=0)
+    axis.set_title(f"First impact: normal force [{scale.unit}]")
+    onset = f"its onset at {impact.t / start.factor:.6g} {start.unit}"
+    axis.set_xlabel(f"time [{time.unit}] since {onset}; approach speed {impact.speed:.4g} m/s")
+
+
+def _loop(axis: Axes, run: Solution, impact: Impact | None) -> None:
+    if impact is None:
+        _nothing(axis, "")
+        return
+    _, force, penetration = impact_curves(run, impact)
+    scale, length = scale_of("N", force), scale_of("m", penetration)
+    axis.plot(length(penetration), scale(force), color=BLUE, linewidth=1.4)
+    axis.fill(length(penetration), scale(force), color=BLUE, alpha=0.12, linewidth=0)
+    axis.set_ylim(bottom=0)
+    axis.set_title(f"First impact: force over penetration [{scale.unit}]")
+    axis.set_xlabel(f"penetration [{length.unit}]; the area is the energy dissipated")
+
+
+# ---- furniture -------------------------------------------------------------------------------------------------------
+
+
+def _caption(figure: Figure, run: Solution, subtitle: str) -> None:
+    """Title, and below the panels what a reader must know to trust them."""
+    figure.suptitle(f"{run.model.name}: {subtitle}", x=0.01, ha="left", fontsize=12.5, fontweight="bold")
+    notes = [] if run.outcome.finished else [f"{run.outcome.name}: {run.outcome.message}"]
+    notes += run.warnings  # unchecked laws among them
+    if notes:
+        text = "\n".join(line for note in notes for line in textwrap.wrap(note, 150))
+        figure.supxlabel(text, x=0.01, ha="left", fontsize=9, color=VERMILLION)
+
+
+def _lines(axis: Axes, curves: Curves, unit: str, values: Mapping[str, Array], ideal: Sequence[Array] = ()) -> Scale:
+    """Labelled histories in a unit that suits them all, over those of the ideal mechanism; returns that unit."""
+    time = curves.time(curves.t)
+    scale = scale_of(unit, list(ideal) or list(values.values()))
+    for history in ideal:
+        axis.plot(time, scale(history), color=ORANGE, linewidth=2.6, alpha=0.75, label="ideal mechanism")
+    for colour, (label, history) in zip(cycle(CYCLE), values.items(), strict=False):
+        axis.plot(time, scale(history), color=colour, label=label)
+    return scale
+
+
+def _over_time(axis: Axes, curves: Curves, title: str) -> None:
+    """Title, legend and time axis of a panel."""
+    axis.set_title(title)
+    axis.set_xlabel(f"time [{curves.time.unit}]")
+    axis.set_xlim(*curves.time(curves.t[[0, -1]]))
+    _legend(axis)
+
+
+def _legend(axis: Axes) -> None:
+    """A legend between title and panel, where it can cover nothing; none for a single curve."""
+    handles, labels = axis.get_legend_handles_labels()
+    unique = dict(zip(labels, handles, strict=True))
+    if len(unique) > 1:
+        axis.legend(
+            unique.values(), unique.keys(), loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=len(unique),
+            borderaxespad=0.2, borderpad=0.1, handlelength=1.4, columnspacing=1.1,
+        )  # fmt: skip
+
+
+def _nothing(axis: Axes, text: str) -> None:
+    axis.set_axis_off()
+    axis.text(0.5, 0.5, text, transform=axis.transAxes, ha="center", color=GREY)
+
+
+def _peaks(values: Array, limit: float) -> NDArray[np.intp]:
+    """Index of the largest value of every run of values above the limit."""
+    above = np.flatnonzero(values > limit)
+    groups = np.split(above, np.flatnonzero(np.diff(above) > 1) + 1) if len(above) else []
+    return np.array([group[np.argmax(values[group])] for group in groups], dtype=np.intp)

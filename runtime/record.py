@@ -1,0 +1,144 @@
+"""A run on disk and as JSON: one new folder with the data, what produced it, and the plots."""
+
+from __future__ import annotations
+
+import json
+import math
+import platform
+import secrets
+import shutil
+from dataclasses import asdict
+from importlib import metadata
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from hertzwerk.derive.faults import Fault, InputError
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.solution import Solution
+
+
+def summary(solution: Solution) -> dict[str, Any]:
+    """What `run --json` prints: plain numbers in SI, null for what does not exist."""
+    statistics = solution.statistics
+    return {
+        "scene": solution.model.name,
+        "outcome": solution.outcome.name,
+        "t_end": float(solution.t[-1]),
+        "duration": solution.duration,
+        "accuracy": solution.accuracy,
+        "method": solution.method,
+        "compiled": solution.compiled,
+        "steps": statistics.steps,
+        "rejected": statistics.rejected,
+        "rhs_evaluations": statistics.rhs_evaluations,
+        "wall_s": statistics.wall_s,
+        "impacts": [
+            {"contact": i.contact, "t": i.t, "speed": i.speed, "peak_force": i.peak_force, "duration": i.duration}
+            for i in solution.impacts
+        ],
+        "final": {name: float(solution[name][-1]) for name in solution.states},
+        "energy_residual": solution.energy_residual,
+        "error_estimate": None,
+        "warnings": list(solution.warnings),
+    }
+
+
+def record(solution: Solution) -> dict[str, Any]:
+    """What `run.json` keeps: the summary, and everything needed to run the same again."""
+    model = solution.model
+    return {
+        **summary(solution),
+        "outcome_message": solution.outcome.message,
+        "remedy": solution.outcome.remedy,
+        "source": model.module.SOURCE,
+        "effects": [{"name": name, "kind": kind, "text": text} for name, kind, text in model.module.EFFECTS],
+        "unchecked": [{"effect": effect, "reason": reason} for effect, reason in model.module.UNCHECKED],
+        "parameters": {name: {"value": value, "unit": unit} for name, (value, unit) in solution.parameters.items()},
+        "initial": {name: float(solution[name][0]) for name in solution.states},
+        "statistics": asdict(solution.statistics),
+        "versions": versions(),
+    }
+
+
+def versions() -> dict[str, str]:
+    """Versions of what computed a run."""
+    return {**{name: _version(name) for name in ("hertzwerk", "casadi", "numpy")}, "python": platform.python_version()}
+
+
+def _version(name: str) -> str:
+    try:
+        return metadata.version(name)
+    except metadata.PackageNotFoundError:  # run from the source tree
+        return "not installed"
+
+
+def json_text(content: dict[str, Any]) -> str:
+    """JSON by the standard: what is not finite is null."""
+    return json.dumps(_finite(content), indent=2, allow_nan=False)
+
+
+def destination_fault(out: Path) -> Fault | None:
+    """Why a run cannot be written to a folder, or None."""
+    if out.is_dir() and any(out.iterdir()):
+        return Fault(
+            "--out", f"{out}, which has other content", "a new or an empty folder", "a run never overwrites another"
+        )
+    if out.exists() and not out.is_dir():
+        return Fault("--out", f"{out}, which is a file", "a new or an empty folder")
+    return None
+
+
+def write(solution: Solution, out: Path | None, *, plots: bool) -> tuple[Path, list[str]]:
+    """Write a run to `out`, or to the next free runs/<scene>-NNN; returns the folder and its files. All of it appears at once, or nothing."""
+    name = solution.model.name
+    parent = out.parent if out is not None else Path("runs")
+    parent.mkdir(parents=True, exist_ok=True)
+    temporary = parent / f".{name}-{secrets.token_hex(4)}"
+    temporary.mkdir()
+    try:
+        files = _write_files(solution, temporary, plots=plots)
+        return _publish(temporary, out, parent / name), files
+    finally:
+        shutil.rmtree(temporary, ignore_errors=True)
+
+
+def _write_files(solution: Solution, folder: Path, *, plots: bool) -> list[str]:
+    solution.to_csv(folder / "states.csv")
+    solution.save(folder / "states.npz")
+    (folder / "run.json").write_text(json_text(record(solution)) + "\n", encoding="utf-8")
+    files = ["states.csv", "states.npz", "run.json"]
+    if plots:
+        from hertzwerk.runtime import plot
+
+        files += plot.save_all(solution, folder)
+    return files
+
+
+def _publish(temporary: Path, out: Path | None, stem: Path) -> Path:
+    """Give the finished folder its name; a rename onto a folder with content fails, so two runs never mix."""
+    if out is not None:
+        try:
+            return temporary.rename(out)
+        except OSError as error:
+            raise InputError("run", [Fault("--out", str(error), "a new or an empty folder")]) from error
+    number = 1
+    while True:
+        path = stem.with_name(f"{stem.name}-{number:03d}")
+        try:
+            if not path.exists():
+                return temporary.rename(path)
+        except FileExistsError:
+            pass  # another run took the number meanwhile
+        except OSError:
+            if not path.exists():
+                raise
+        number += 1
+
+
+def _finite(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _finite(entry) for key, entry in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_finite(entry) for entry in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
