@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import keyword
 import math
+import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -55,8 +56,8 @@ class Parameter(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
             yield Fault(where, f"unit {self.unit!r}", "a unit", str(error))
         if isinstance(self.default, bool) or not isinstance(self.default, (int, float)):
             yield Fault(where, f"default {self.default!r}", "a number")
-        elif not math.isfinite(self.default):
-            yield Fault(where, f"default {self.default!r}", "a finite number")
+        elif not abs(self.default) <= sys.float_info.max:
+            yield Fault(where, f"default {self.default!r:.30}", "a finite number")
 
     @property
     def parsed_unit(self) -> Unit:
@@ -114,6 +115,7 @@ def dimensions_of(parameters: Mapping[str, Parameter]) -> dict[sp.Symbol, Dimens
 
 
 def default_value(expression: Any) -> float:
-    """Value of an expression of parameters at their defaults, SI."""
+    """Value of an expression of parameters at their defaults, SI; NaN where it is no real number there."""
     expression = sp.sympify(expression)
-    return float(expression.xreplace({p: sp.Float(p.si, 17) for p in parameters_of(expression)}))
+    value = expression.xreplace({p: sp.Float(p.si, 17) for p in parameters_of(expression)})
+    return float(value) if value.is_number and value.is_real else math.nan

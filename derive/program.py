@@ -128,7 +128,13 @@ class Tape:
         if expression.is_Pow:  # an exponent stays as written: the audit compares it with the exponent in a unit
             base = self._hoist(expression.base)
             return sp.Pow(base if expression.exp == -1 else self.let(base, "base"), expression.exp)
-        return expression.func(*(arg if arg.is_Relational else self._hoist(arg) for arg in expression.args))
+        return expression.func(*(arg if arg.is_Relational else self._hoist_argument(arg) for arg in expression.args))
+
+    def _hoist_argument(self, argument: Any) -> Any:
+        """Of a function: a whole argument that depends on parameters alone is computed once too."""
+        if self.is_constant(argument) and not argument.is_number:
+            return self.let(argument, "k1")
+        return self._hoist(argument)
 
     # -- rates of change -------------------------------------------------------------------------------------------
 

@@ -13,7 +13,7 @@ import sympy as sp
 
 from hertzwerk.derive.dimension import Dimension, check
 from hertzwerk.derive.faults import Fault
-from hertzwerk.derive.laws.law import BoundLaw, Law
+from hertzwerk.derive.laws.law import BoundLaw, FrictionLaw, Law
 from hertzwerk.derive.mechanism import GROUND, Body, Direction, Frame, Ground, Mechanism, Point, Revolute, Slot
 from hertzwerk.derive.parameter import Parameter, default_value, dimensions_of, parameters_of
 from hertzwerk.derive.units import parse_unit, unit_text
@@ -32,7 +32,7 @@ def faults_of(scene: Scene) -> tuple[Fault, ...]:
         found.append(Fault("scene", f"the name {scene.name!r}", "a Python identifier"))
     parameters, broken = _declared(scene)
     found.extend(broken)
-    sound = {name: p for name, p in parameters.items() if not any(f.where == f"parameter {name}" for f in broken)}
+    sound = _sound(parameters, broken)
     table = dimensions_of(sound)
     for slot in scene.slots():
         if all(sound.get(parameter.name) == parameter for parameter in parameters_of(slot.value)):
@@ -45,15 +45,30 @@ def faults_of(scene: Scene) -> tuple[Fault, ...]:
 
 
 def _type_faults(scene: Scene) -> Iterator[Fault]:
+    for effect in scene.effects:
+        if not hasattr(effect, "kind") or not hasattr(effect, "name"):
+            yield Fault(
+                "effects", repr(effect), "Gravity(...), Contact(...), Friction(...), ConstantSpeed(...), EnergyLedger()"
+            )
+    if not hasattr(scene.scales, "length"):
+        yield Fault("scales", repr(scene.scales), "Scales(length=..., speed=...)")
     for joint in scene.mechanism.joints:
         where = f"joint {joint.name}"
         yield from _is(where, "parent", joint.parent.body, Body | Ground, "a Body, GROUND, or a point of one")
         yield from _is(where, "child", joint.child.body, Body | Ground, "a Body or a point of one")
         yield from _is(where, "axis", joint.axis, Direction, "X, Y, Z, -X, -Y or -Z")
+        for point in (joint.parent, joint.child):
+            yield from _three(f"{where}, point", point.position)
+    for body in scene.mechanism.bodies:
+        yield from _three(f"body {body.name}, mass centre", body.centre)
+        if isinstance(body.inertia, tuple):
+            yield from _three(f"body {body.name}, inertia", body.inertia)
     for pair in scene.mechanism.pairs:
         where = f"pair {pair.name}"
         for place in pair.places:
             yield from _is(where, "place", place, Point, "a point of a body: body.at(x, y, z)")
+            if isinstance(place, Point):
+                yield from _three(f"{where}, point", place.position)
         for name in ("normal", "axis"):
             if hasattr(pair, name):
                 yield from _is(where, name, getattr(pair, name), Direction, "X, Y, Z, -X, -Y or -Z")
@@ -68,6 +83,11 @@ def _type_faults(scene: Scene) -> Iterator[Fault]:
 def _is(where: str, what: str, value: Any, kind: Any, expected: str) -> Iterator[Fault]:
     if not isinstance(value, kind):
         yield Fault(f"{where}, {what}", repr(value), expected)
+
+
+def _three(where: str, values: Any) -> Iterator[Fault]:
+    if not isinstance(values, tuple) or len(values) != 3:
+        yield Fault(where, repr(values), "three values, (x, y, z)")
 
 
 def _law_faults(effect: str, kind: str, bound: Any) -> Iterator[Fault]:
@@ -164,6 +184,9 @@ def _effect_faults(scene: Scene) -> Iterator[Fault]:
                         "Friction needs a normal force: leave it out too, or add the pair's Contact.")  # fmt: skip
     for effect in (*scene.of_kind("contact"), *scene.of_kind("friction")):
         yield from _geometry_faults(effect, scene.geometry(effect.pair))
+        yield from _demand_faults(
+            effect, next((pair.kind for pair in scene.mechanism.pairs if pair.name == effect.pair), None)
+        )
     drives = [effect.joint for effect in scene.of_kind("drive")]
     yield from _twice("drive of joint", drives)
     yield from _twice("friction of pair", [effect.pair for effect in scene.of_kind("friction")])
@@ -181,6 +204,18 @@ def _geometry_faults(effect: Any, offered: dict[str, Any]) -> Iterator[Fault]:
                 yield Fault(f"effect {effect.name}", f"a pair without {quantity.name}, {quantity.meaning}",
                             f"one that has it, because {bound.law.name} asks for it",
                             "Line contacts need a length: PinInBush(..., length=...), or ParallelCylinders.")  # fmt: skip
+
+
+def _demand_faults(effect: Any, kind: str | None) -> Iterator[Fault]:
+    """What laws ask of a scene beyond units and geometry: the pair they were made for, modes and memory of friction."""
+    for law in (bound.law for bound in effect.laws):
+        if law.pairs and kind is not None and kind not in law.pairs:
+            expected = f"the pair it was made for, {' or '.join(law.pairs)}"
+            yield Fault(f"effect {effect.name}", f"law {law.name} at a {kind} pair", expected)
+        if isinstance(law, FrictionLaw) and (law.modes or law.memory):
+            needs = f"the modes {' and '.join(law.modes)}" if law.modes else f"a memory, {law.memory[0][0].meaning}"
+            yield Fault(f"effect {effect.name}", f"law {law.name}, which needs {needs}", "a friction law that follows from the sliding velocity",
+                        "Scenes do not carry it yet; smooth_coulomb, stribeck and brown_mcphee do without.")  # fmt: skip
 
 
 def _start_faults(scene: Scene) -> Iterator[Fault]:
@@ -208,14 +243,26 @@ def _declared(scene: Scene) -> tuple[dict[str, Parameter], list[Fault]]:
                                "Share one Parameter object, or rename one."))  # fmt: skip
         found.extend(parameter.faults())
     readable = [p for p in seen.values() if not any(fault.where == f"parameter {p.name}" for fault in found)]
-    found.extend(
-        Fault(f"parameter {parameter.name}", f"unit {parameter.unit} with the exponent {name}",
-              "a parameter of the scene as exponent", f"Declare Parameter({name!r}, '1', ...) and use it.")
-        for parameter in readable
-        for name in parameter.parsed_unit.free_names
-        if name not in seen
-    )  # fmt: skip
+    for parameter in readable:
+        found.extend(_exponent_faults(parameter, seen))
     return seen, found
+
+
+def _exponent_faults(parameter: Parameter, seen: dict[str, Parameter]) -> Iterator[Fault]:
+    for name in parameter.parsed_unit.free_names:
+        where, found = f"parameter {parameter.name}", f"unit {parameter.unit} with the exponent {name}"
+        if name not in seen:
+            yield Fault(where, found, "a parameter of the scene as exponent",
+                        f"Declare Parameter({name!r}, '1', ...) and use it.")  # fmt: skip
+        elif seen[name].unit != "1":
+            yield Fault(where, f"{found}, which is in {seen[name].unit}", "an exponent whose unit is 1")
+
+
+def _sound(parameters: dict[str, Parameter], broken: list[Fault]) -> dict[str, Parameter]:
+    """The parameters without a fault, of their own or of one that stands in their unit's exponent."""
+    wrong = {fault.where for fault in broken}
+    good = {name: p for name, p in parameters.items() if f"parameter {name}" not in wrong}
+    return {name: p for name, p in good.items() if all(other in good for other in p.parsed_unit.free_names)}
 
 
 def _is_number(value: Any) -> bool:
@@ -229,6 +276,12 @@ def _quantity_faults(slot: Slot, table: dict[sp.Symbol, Dimension]) -> Iterator[
                     "A quantity with a unit is declared: Parameter(name, unit, value).")  # fmt: skip
         return
     value, unit = sp.sympify(slot.value), parse_unit(slot.unit)
+    strangers = [
+        str(node) for node in sp.preorder_traversal(value) if node.is_Symbol and not isinstance(node, Parameter)
+    ]
+    if strangers:
+        yield Fault(slot.where, f"the symbol {strangers[0]}", "an expression of Parameters alone")
+        return
     if value.is_number and value != 0 and not unit.dimensionless:
         yield Fault(slot.where, f"the bare number {slot.value}", f"a quantity in {slot.unit}",
                     f"Give it a name and a unit: Parameter('...', {slot.unit!r}, {slot.value}).")  # fmt: skip
@@ -241,7 +294,7 @@ def _quantity_faults(slot: Slot, table: dict[sp.Symbol, Dimension]) -> Iterator[
             return
     number = default_value(value)
     if not math.isfinite(number):
-        yield Fault(slot.where, f"{number}", "a finite number")
+        yield Fault(slot.where, f"{value}, which at the defaults is no finite real number", "a finite number")
     elif slot.limit is not None and not slot.limit.holds(number):
         shown = f"{number:g}" if unit.dimensionless else f"{number:g} {unit_text(unit.exponents)}"
         yield Fault(slot.where, shown, f"a value in {slot.limit}")
