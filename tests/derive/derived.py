@@ -1,0 +1,91 @@
+"""The generated module of a scene, executed, and its functions called with plain numbers: what the tests of derivation look at."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import casadi as ca
+import numpy as np
+
+from hertzwerk.derive import Scene, generate
+from hertzwerk.derive.units import parse_unit
+
+
+class Derived:
+    """Text and functions of one scene; parameters at their defaults unless `values` (SI) says otherwise.
+
+    `call("contact_pin", t=.., q=.., u=.., z=.., m=.., f=.., a=..)` gives the function's results as NumPy vectors.
+    """
+
+    def __init__(self, scene: Scene | None = None, *, text: str = "", values: dict[str, float] | None = None) -> None:
+        self.scene = scene
+        self.text = text or generate(scene)
+        self.names: dict[str, Any] = {}
+        exec(compile(self.text, "<generated>", "exec"), self.names)
+        defaults = {name: parse_unit(unit).to_si(default) for name, unit, default, _ in self.PARAMETERS}
+        self.p = np.array([{**defaults, **(values or {})}[name] for name in defaults])
+        self.c = _vector(self.names["constants"](ca.DM(self.p)))
+
+    def __getattr__(self, name: str) -> Any:
+        try:
+            return self.names[name]
+        except KeyError:
+            raise AttributeError(name) from None
+
+    @property
+    def nu(self) -> int:
+        return len(self.SPEEDS)
+
+    @property
+    def k(self) -> int:
+        return len(self.PAIRS)
+
+    def arguments(self, function: str) -> tuple[str, ...]:
+        code = self.names[function].__code__
+        return code.co_varnames[: code.co_argcount]
+
+    def results(self, function: str, given: dict[str, Any]) -> tuple[Any, ...]:
+        """The function's results on CasADi values; memory and parameters that are not given are zero and the defaults."""
+        known = {"p": self.p, "c": self.c, "t": 0.0, "z": np.zeros(len(self.MEMORY)), **given}
+        out = self.names[function](*(_casadi(known[name]) for name in self.arguments(function)))
+        return out if isinstance(out, tuple) else (out,)
+
+    def call(self, function: str, **given: Any) -> Any:
+        """One vector, or a list of vectors, of numbers."""
+        out = [_vector(value) for value in self.results(function, given)]
+        return out[0] if len(out) == 1 else out
+
+    def start(self) -> tuple[np.ndarray, np.ndarray]:
+        q, u = self.call("start")
+        return q, u
+
+    def jacobian(self, function: str, which: str, result: int = 0, **given: Any) -> np.ndarray:
+        """Derivative of a result by one argument (`t`, `q`, `u`, ...), at numbers."""
+        at = np.atleast_1d(np.asarray(given[which], float))
+        x = ca.SX.sym(which, at.size)
+        value = self.results(function, {**given, which: x})[result]
+        return ca.Function("J", [x], [ca.jacobian(ca.SX(value), x)])(at).full()
+
+    def with_gap(self, t: float, q: Sequence[float], pair: int, target: float) -> np.ndarray:
+        """Coordinates near q at which the gap of `pair` is `target`: Newton's steps of least length, from elsewhere if that fails."""
+        rng = np.random.default_rng(0)
+        x, zero = ca.SX.sym("q", self.nu), np.zeros(self.nu)
+        gap = ca.SX(self.results("gaps", {"t": t, "q": x, "u": zero})[0])[pair]
+        function = ca.Function("gap", [x], [gap, ca.jacobian(gap, x)])
+        for start in (np.array(q, float), *(q + rng.uniform(-1, 1, (50, self.nu)) * 10 ** rng.uniform(-4, 0, (50, 1)))):
+            at = start
+            for _ in range(80):
+                value, slope = (out.full().reshape(-1) for out in function(at))
+                if abs(value[0] - target) <= 1e-9 * abs(target):
+                    return at
+                at = at - (value[0] - target) * slope / (slope @ slope)
+        raise AssertionError(f"no coordinates with gap {target} found")
+
+
+def _casadi(value: Any) -> Any:
+    return value if isinstance(value, ca.SX | ca.MX | ca.DM) else ca.DM(np.asarray(value, float))
+
+
+def _vector(value: Any) -> np.ndarray:
+    return np.array(ca.DM(value).full()).reshape(-1)
