@@ -18,6 +18,9 @@ _HOME = {
     **dict.fromkeys(("audit_scene", "Finding", "InconsistentUnits"), "audit"),
     **dict.fromkeys(("derive", "generate"), "derivation"),
     "LAWS": "laws",
+    "laws_from": "lawfile",
+    "audit_expression": "audit_text",
+    **dict.fromkeys(("audit_catalogue", "audit_path"), "audit_files"),
 }  # fmt: skip
 
 __all__ = sorted(_HOME)

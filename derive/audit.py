@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy as sp
 
 from hertzwerk.derive.dimension import ONE, Dimension, DimensionError, DimensionFault, check, dimension_of
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.derive.laws.law import BoundLaw
+from hertzwerk.derive.laws.law import BoundLaw, Law
 from hertzwerk.derive.program import Program
 from hertzwerk.derive.scene import Contact, Friction, Scene
 from hertzwerk.derive.units import parse_unit
@@ -18,7 +18,11 @@ from hertzwerk.derive.units import parse_unit
 
 @dataclass(frozen=True)
 class Finding:
-    """What the audit says of one expression: `verdict` is consistent, inconsistent, or unchecked (inconsistent, run on purpose)."""
+    """What the audit says of one expression.
+
+    `verdict` is consistent, inconsistent, outside_si (inconsistent, but the law names the units it was fitted in), or unchecked (inconsistent,
+    run on purpose).
+    """
 
     effect: str
     what: str
@@ -35,9 +39,43 @@ class Finding:
     reason: str = ""
     consistent_exponent: str | None = None
     repair: str | None = None
+    kind: str = ""
+    """Kind of the law (stiffness, damping, friction), or expression."""
+
+    @property
+    def sentence(self) -> str:
+        """The finding in one sentence."""
+        if self.verdict == "consistent":
+            return f"{self.expression} is {self.found}"
+        return f"{self.reason}; {self.repair}" if self.repair else self.reason
+
+    def record(self) -> dict[str, str | None]:
+        """The finding as JSON has it, None for what it has not; a law run unchecked is inconsistent."""
+        verdict = "inconsistent" if self.verdict == "unchecked" else self.verdict
+        names = (
+            "law",
+            "kind",
+            "source",
+            "found",
+            "expected",
+            "subexpression",
+            "reason",
+            "consistent_exponent",
+            "repair",
+        )
+        fields = {name: getattr(self, name) or None for name in names}
+        return {
+            "law": fields.pop("law"),
+            "kind": fields.pop("kind"),
+            "source": fields.pop("source"),
+            "verdict": verdict,
+            **fields,
+        }
 
     def __str__(self) -> str:
         """The finding as it is shown to people; an inconsistent one teaches."""
+        if not self.effect:
+            return self.sentence
         lines = [f"{self.effect}, {self.what}: {self.title}"]
         width = max(14, len(self.expression))
         for k, (name, unit, meaning) in enumerate(self.symbols):
@@ -99,38 +137,81 @@ def audit_laws(scene: Scene) -> tuple[Finding, ...]:
     return tuple(findings)
 
 
+def audit_law(law: Law) -> tuple[Finding, ...]:
+    """One finding per definition and expression of a law by itself, every symbol with the unit the law declares for it."""
+    names = {symbol.name: symbol for symbol in law.parameters if symbol.unit == "1"}
+    table = {symbol: _dimension(symbol.unit, names) for symbol in law.symbols()}
+    wrong = "outside_si" if law.fitted_in else "inconsistent"
+    rows = [*_definitions(law), *law.expressions()]
+    found = (_law_finding(law, row, table, {}, [*names.values(), *_numbers(law)], names) for row in rows)
+    return tuple(replace(f, verdict=wrong) if f.verdict != "consistent" else f for f in found)
+
+
+def verdict(findings: Iterable[Finding]) -> str:
+    """The verdict of a law: that of its first finding that is not consistent."""
+    return next((finding.verdict for finding in findings if finding.verdict != "consistent"), "consistent")
+
+
+def _numbers(law: Law) -> list[sp.Symbol]:
+    """What a law defines as a number: computed once, so allowed in an exponent."""
+    return [symbol for symbol, _ in law.definitions if symbol.unit == "1"]
+
+
+def _definitions(law: Law) -> Iterable[tuple[str, sp.Expr, str]]:
+    return ((f"definition of {s.name}", e, s.unit) for s, e in law.definitions)
+
+
 def _law_findings(scene: Scene, effect: str, bound: BoundLaw, unchecked: bool) -> Iterable[Finding]:
     law = bound.law
     table = _law_table(scene, bound)
     exponents = {s: sp.sympify(value) for s, value in bound.binding.items() if s.unit == "1"}
     numbers = ", ".join(f"{s.name} = {value}" for s, value in exponents.items() if value.is_number)
-    constants = [*scene.parameters.values(), *exponents]
-    rows = [(f"definition of {s.name}", e, s.unit) for s, e in law.definitions if "^n" not in s.unit]
-    for what, expression, unit in (*rows, *law.expressions()):
-        expected = Dimension.from_unit(parse_unit(unit), {})
-        fault = check(expression.xreplace(exponents), table, expected, constants)
-        lesson = check(expression, table, expected, constants) or fault  # with the exponent left open: what would do
-        symbols = tuple(
-            (s.name, str(table[s]), s.meaning)
-            for s in dict.fromkeys(n for n in sp.preorder_traversal(_smallest(expression, lesson)) if n in table)
-            if s.unit != "1"
-        )
-        yield Finding(
+    constants = [*scene.parameters.values(), *exponents, *_numbers(law)]
+    for row in (*(row for row in _definitions(law) if "^n" not in row[2]), *law.expressions()):
+        finding = _law_finding(law, row, table, exponents, constants, {})
+        yield replace(
+            finding,
             effect=effect,
-            what=what,
-            law=law.name,
             title=f"{law.title}{f', {numbers}' if numbers else ''}",
-            source=law.source,
-            verdict="consistent" if fault is None else "unchecked" if unchecked else "inconsistent",
-            expression=str(expression),
-            symbols=symbols,
-            found=str(expected) if fault is None else fault.found,
-            expected=str(expected) if fault is None else fault.expected,
-            subexpression="" if fault is None else fault.subexpression,
-            reason="" if fault is None else fault.reason,
-            consistent_exponent=_exponent(lesson) if fault is not None else None,
-            repair=None if fault is None or lesson is None else lesson.repair,
+            verdict="unchecked" if unchecked and finding.verdict == "inconsistent" else finding.verdict,
         )
+
+
+def _law_finding(
+    law: Law,
+    row: tuple[str, sp.Expr, str],
+    table: Mapping[sp.Symbol, Dimension],
+    exponents: Mapping[sp.Symbol, sp.Expr],
+    constants: list[sp.Symbol],
+    names: Mapping[str, sp.Symbol],
+) -> Finding:
+    """What the audit says of one (what, expression, unit) of a law, its `exponents` given and the `names` in units left open."""
+    what, expression, unit = row
+    expected = _dimension(unit, names)
+    fault = check(expression.xreplace(exponents), table, expected, constants)
+    lesson = check(expression, table, expected, constants) or fault  # with the exponent left open: what would do
+    symbols = tuple(
+        (s.name, str(table[s]), s.meaning)
+        for s in dict.fromkeys(n for n in sp.preorder_traversal(_smallest(expression, lesson)) if n in table)
+        if s.unit != "1"
+    )
+    return Finding(
+        effect=law.name,
+        what=what,
+        law=law.name,
+        kind=law.kind,
+        title=law.title,
+        source=law.source,
+        verdict="consistent" if fault is None else "inconsistent",
+        expression=str(expression),
+        symbols=symbols,
+        found=str(expected) if fault is None else fault.found,
+        expected=str(expected) if fault is None else fault.expected,
+        subexpression="" if fault is None else fault.subexpression,
+        reason="" if fault is None else fault.reason,
+        consistent_exponent=_exponent(lesson) if fault is not None else None,
+        repair=None if fault is None or lesson is None else lesson.repair,
+    )
 
 
 def _law_table(scene: Scene, bound: BoundLaw) -> dict[sp.Symbol, Dimension]:
@@ -140,11 +221,11 @@ def _law_table(scene: Scene, bound: BoundLaw) -> dict[sp.Symbol, Dimension]:
     for symbol, value in bound.binding.items():
         number = sp.sympify(value)
         table[symbol] = ONE if number.is_number else dimension_of(number, parameters, list(parameters))
-    texts = [expression for _, expression, _ in bound.law.expressions()] + [e for _, e in bound.law.definitions]
-    for symbol in (node for text in texts for node in sp.preorder_traversal(text) if isinstance(node, sp.Symbol)):
-        if symbol not in table:
-            table[symbol] = Dimension.from_unit(parse_unit(symbol.unit), {})
-    return table
+    return table | {symbol: _dimension(symbol.unit, {}) for symbol in bound.law.symbols() if symbol not in table}
+
+
+def _dimension(unit: str, names: Mapping[str, sp.Symbol]) -> Dimension:
+    return Dimension.from_unit(parse_unit(unit), names)
 
 
 def _smallest(expression: Any, fault: DimensionFault | None) -> Any:
@@ -196,7 +277,7 @@ def _finding(program: Program, what: str, expression: Any, fault: DimensionFault
     return Finding(
         effect=program.scene.name, what=what, law="", title=fault.reason, source="", verdict="inconsistent",
         expression=str(expression), found=fault.found, expected=fault.expected, subexpression=fault.subexpression,
-        reason=fault.reason, consistent_exponent=_exponent(fault), repair=fault.repair,
+        reason=fault.reason, consistent_exponent=_exponent(fault), repair=fault.repair, kind="program",
     )  # fmt: skip
 
 

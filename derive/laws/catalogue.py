@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from hertzwerk.derive.laws import damping, friction, stiffness
+from hertzwerk.derive.laws import damping, friction, line, reconstruction, stiffness
 from hertzwerk.derive.laws.law import Law
 
 LAWS: dict[str, Law] = {
-    law.name: law for module in (stiffness, damping, friction) for law in vars(module).values() if isinstance(law, Law)
+    law.name: law
+    for module in (stiffness, line, reconstruction, damping, friction)
+    for law in vars(module).values()
+    if isinstance(law, Law)
 }

@@ -1,46 +1,282 @@
-"""Hysteresis damping laws: F (1 + h v/v0), h a function of the coefficient of restitution; e = 1 must give the elastic law."""
+"""Damping laws: the dissipative part of the normal force beside an elastic force F(d).
+
+Hysteresis laws, m = n: F h v/v0 with h a function of the coefficient of restitution e. All obey, whatever F, the masses and v0,
+
+    h (1 + e_out) = ln((1 + h)/(1 - h e_out)),  the same as  coth t - 1/t = (1 - e_out)/(1 + e_out),  t = h (1 + e_out)/2,
+
+so that the factor which returns e is h = 2 t/(1 + e) with t the inverse Langevin function of (1 - e)/(1 + e): the law `exact`.
+The other laws were published for one stiffness law; with the secant F/d or the tangent k_t = dF/dd they go with every one.
+"""
 
 from __future__ import annotations
 
-from hertzwerk.derive.laws.law import APPROACH_SPEED, DampingLaw, Quantity
-from hertzwerk.derive.parameter import Interval
+from collections.abc import Iterator
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.functions import Where
+from hertzwerk.derive.laws.law import APPROACH_SPEED, DampingLaw, F, Quantity, d, k_t, m_eff, v
+from hertzwerk.derive.parameter import NOT_NEGATIVE, Interval
 
 e = Quantity("e", "1", "coefficient of restitution")
 
 _WHOLE = Interval(0, 1, open_left=True)
+_CLOSED = Interval(0, 1)
+_HIGH = Interval(0.8, 1, open_left=True)
 
-hunt_crossley = DampingLaw(
+# -- m = n -------------------------------------------------------------------------------------------------------------
+
+
+def _hysteresis(factor: sp.Expr, at_zero: sp.Expr, *, at_one: sp.Expr = sp.S.Zero, **fields: Any) -> DampingLaw:
+    """F h v/v0 with h = `factor`; infinite damping at e = 0 leaves that end of the range open."""
+    fields.setdefault("defined", _WHOLE if at_zero is sp.oo else _CLOSED)
+    fields.setdefault("recommended", _WHOLE)
+    return DampingLaw(
+        parameters=(e,), factor=factor, memory=(APPROACH_SPEED,), at_one=at_one, at_zero=at_zero, **fields
+    )
+
+
+hunt_crossley = _hysteresis(
+    3 * (1 - e) / 2,
+    sp.Rational(3, 2),
     name="hunt_crossley",
     title="Hunt and Crossley",
-    parameters=(e,),
-    factor=3 * (1 - e) / 2,
-    defined=Interval(0, 1),
     recommended=Interval(0.8, 1),
-    memory=(APPROACH_SPEED,),
     source="Hunt, Crossley, J. Appl. Mech. 42 (1975) 440",
     grade="A",
+    note="Never returns less than e = 0.4877. Often quoted with the 1/e of hu_guo.",
 )
 
-lankarani_nikravesh = DampingLaw(
+herbert_mcwhannell = _hysteresis(
+    6 * (1 - e) / ((2 * e - 1) ** 2 + 3),
+    sp.Rational(3, 2),
+    name="herbert_mcwhannell",
+    title="Herbert and McWhannell",
+    recommended=_HIGH,
+    source="Herbert, McWhannell, J. Eng. Ind. 99 (1977) 513",
+    grade="A",
+)
+
+lee_wang = _hysteresis(
+    3 * (1 - e) / 4,
+    sp.Rational(3, 4),
+    name="lee_wang",
+    title="Lee and Wang",
+    recommended=_HIGH,
+    source="Lee, Wang, J. Mech. Transm. Autom. Des. 105 (1983) 534",
+    grade="A",
+)
+
+lankarani_nikravesh = _hysteresis(
+    3 * (1 - e**2) / 4,
+    sp.Rational(3, 4),
     name="lankarani_nikravesh",
     title="Lankarani and Nikravesh",
-    parameters=(e,),
-    factor=3 * (1 - e**2) / 4,
-    defined=Interval(0, 1),
-    recommended=Interval(0.8, 1, open_left=True),
-    memory=(APPROACH_SPEED,),
+    recommended=_HIGH,
     source="Lankarani, Nikravesh, J. Mech. Des. 112 (1990) 369",
+    grade="A",
+    note="For v0 up to 1e-5 sqrt(E/rho). Never returns less than e = 0.6630.",
+)
+
+gonthier = _hysteresis(
+    (1 - e**2) / e,
+    sp.oo,
+    name="gonthier",
+    title="Gonthier, McPhee, Lange and Piedboeuf",
+    source="Gonthier, McPhee, Lange, Piedboeuf, Multibody Syst. Dyn. 11 (2004) 209",
     grade="A",
 )
 
-flores = DampingLaw(
+zhiying_qishao = _hysteresis(
+    3 * (1 - e**2) * sp.exp(2 * (1 - e)) / 4,
+    3 * sp.exp(2) / 4,
+    name="zhiying_qishao",
+    title="Qin Zhiying and Lu Qishao",
+    recommended=Interval(0.33, 1, open_left=True),
+    source="Qin, Lu, J. Dyn. Control 4 (2006) 294",
+    grade="A",
+)
+
+flores = _hysteresis(
+    8 * (1 - e) / (5 * e),
+    sp.oo,
     name="flores",
     title="Flores, Machado, Silva and Martins",
+    source="Flores, Machado, Silva, Martins, Multibody Syst. Dyn. 25 (2011) 357, eq. 18; Ye, Li, Zheng, Earthq. Eng. Struct. Dyn. 38 (2009) 1135",
+    grade="A",
+)
+
+gharib_hurmuzlu = _hysteresis(
+    1 / e,
+    sp.oo,
+    at_one=sp.S.One,
+    name="gharib_hurmuzlu",
+    title="Gharib and Hurmuzlu",
+    recommended=Interval(0, 0.2, open_left=True),
+    source="Gharib, Hurmuzlu, J. Appl. Mech. 79 (2012) 064506",
+    grade="A",
+    note="For small e (the bound 0.2 is where it is 2 % from the exact factor). e = 1 does not give the elastic law.",
+)
+
+hu_guo = _hysteresis(
+    3 * (1 - e) / (2 * e),
+    sp.oo,
+    name="hu_guo",
+    title="Hu and Guo",
+    source="Hu, Guo, Multibody Syst. Dyn. 35 (2015) 131",
+    grade="A",
+    note="Often quoted with half the factor.",
+)
+
+carvalho_martins = _hysteresis(
+    3 * (1 - e) * (11 - e) / (2 * (1 + 9 * e)),
+    sp.Rational(33, 2),
+    name="carvalho_martins",
+    title="Carvalho and Martins",
+    source="Carvalho, Martins, Mech. Mach. Theory 134 (2019) 580",
+    grade="A",
+    note="At e = 0 the factor is 33/2: large, not infinite.",
+)
+
+safaeifar_farshidianfar = _hysteresis(
+    5 * (1 - e) / (4 * e),
+    sp.oo,
+    name="safaeifar_farshidianfar",
+    title="Safaeifar and Farshidianfar",
+    source="Safaeifar, Farshidianfar, Multibody Syst. Dyn. 50 (2020) 233",
+    grade="C",
+)
+
+_y = Quantity("y", "1", "(1 - e)/(1 + e), of which t is the inverse Langevin function")
+_r = Quantity("r", "1", "1 - y, without cancellation")
+
+
+def _inverse_langevin(steps: int) -> Iterator[tuple[Quantity, sp.Expr]]:
+    """Definitions that end with t = L^-1(y), L(t) = coth t - 1/t: a start good to 0.3 %, then Newton's steps; r = 1 - y.
+
+    Below t = 1 the Langevin function is its continued fraction t/(3 + t^2/(5 + t^2/(7 + ...))), because coth t - 1/t cancels there; above,
+    y - L is taken as 1/t - (coth t - 1) - r, because 1 - y cancels there.
+    """
+    t = Quantity("t_0", "1", "first guess of h (1 + e)/2")
+    yield (
+        t,
+        _y * (3 - (6 * _y**2 + _y**4 - 2 * _y**6) / 5) / (_r * (1 + _y)),
+    )  # Kroeger, J. Non-Newton. Fluid Mech. 223 (2015) 77
+    for k in range(steps):
+        q = Quantity(f"q_{k}", "1", "t/L(t) by the continued fraction, for t < 1")
+        w = Quantity(f"w_{k}", "1", "1/t, for t > 1")  # bounded: the branch that is not taken stays finite
+        c = Quantity(f"c_{k}", "1", "coth t - 1, for t > 1")
+        yield q, _langevin_fraction(t)
+        yield w, 1 / sp.Max(t, 1)
+        yield c, 2 / (sp.exp(2 / w) - 1)
+        step = Where(t < 1, (_y - t / q) / (1 - (t / q) ** 2 - 2 / q), (w - c - _r) / (w**2 - c * (c + 2)))
+        following = Quantity(f"t_{k + 1}", "1", f"h (1 + e)/2 after {k + 1} of Newton's steps")
+        yield following, t + step
+        t = following
+
+
+def _langevin_fraction(t: Quantity) -> sp.Expr:
+    """3 + t^2/(5 + t^2/(7 + ... 17)), as one quotient of polynomials with positive coefficients: nothing cancels."""
+    above, below = [17], [1]
+    for odd in range(15, 1, -2):
+        shifted = [0, *below]
+        size = max(len(above), len(shifted))
+        padded = above + [0] * (size - len(above)), shifted + [0] * (size - len(shifted))
+        above, below = [odd * a + b for a, b in zip(*padded, strict=True)], above
+    top, bottom = (sp.Add(*(c * t ** (2 * k) for k, c in enumerate(row))) for row in (above, below))
+    return top / bottom
+
+
+_LANGEVIN = tuple(_inverse_langevin(3))
+
+exact = _hysteresis(
+    2 * _LANGEVIN[-1][0] / (1 + e),
+    sp.oo,
+    name="exact",
+    title="Exact factor: restitution out equals restitution in",
+    definitions=((_y, (1 - e) / (1 + e)), (_r, 2 * e / (1 + e)), *_LANGEVIN),
+    source="root of h (1 + e) = ln((1 + h)/(1 - h e)), the relation of F (1 + h v/v0): Hunt, Crossley, J. Appl. Mech. 42 (1975) 440",
+    grade="A",
+    note="coth t - 1/t = (1 - e)/(1 + e), h = 2 t/(1 + e): computed once, from the restitution alone.",
+)
+
+# -- another power of the penetration ----------------------------------------------------------------------------------
+
+A = Quantity("A", "s", "material time of the viscous stress", NOT_NEGATIVE)
+gamma = Quantity("gamma", "1/s", "damping rate", NOT_NEGATIVE)
+xi = Quantity("xi", "1", "damping ratio")
+_SECANT = F / d
+_LOG_RATIO = -sp.log(e) / sp.sqrt(sp.pi**2 + sp.log(e) ** 2)
+
+kelvin_voigt = DampingLaw(
+    name="kelvin_voigt",
+    title="Kelvin and Voigt, in the form of Anagnostopoulos",
     parameters=(e,),
-    factor=8 * (1 - e) / (5 * e),
+    definitions=((xi, _LOG_RATIO),),
+    term=2 * xi * sp.sqrt(_SECANT * m_eff) * v,
+    exponent=sp.S.Zero,
     defined=_WHOLE,
     recommended=_WHOLE,
-    memory=(APPROACH_SPEED,),
-    source="Flores, Machado, Silva, Martins, Multibody Syst. Dyn. 25 (2011) 357, eq. 18",
+    release="gap",
+    at_one=sp.S.Zero,
+    at_zero=sp.S.One,
+    source="Anagnostopoulos, Earthq. Eng. Struct. Dyn. 16 (1988) 443",
     grade="A",
+    note="Published for K d, where the secant F/d is K: exact e when the contact ends at d = 0. Jumps at the onset, pulls before release.",
+)
+
+ristow = DampingLaw(
+    name="ristow",
+    title="Ristow; Lee and Herrmann",
+    parameters=(gamma,),
+    term=gamma * m_eff * v,
+    exponent=sp.S.Zero,
+    source="Ristow, J. Phys. I France 2 (1992) 649; Lee, Herrmann, J. Phys. A 26 (1993) 373",
+    grade="B",
+    note="Published beside K d^1.5. The force jumps at the onset; the contact ends where it would pull.",
+)
+
+tsuji = DampingLaw(
+    name="tsuji",
+    title="Tsuji, Tanaka and Ishida",
+    parameters=(e,),
+    definitions=((xi, sp.sqrt(5) * _LOG_RATIO),),
+    term=xi * sp.sqrt(m_eff * _SECANT) * v,
+    exponent=sp.Rational(1, 4),
+    defined=_WHOLE,
+    recommended=_WHOLE,
+    release="gap",
+    at_one=sp.S.Zero,
+    at_zero=sp.sqrt(5),
+    source="Tsuji, Tanaka, Ishida, Powder Technol. 71 (1992) 239",
+    grade="A",
+    note="Published for K d^1.5, where sqrt(F/d) is sqrt(K) d^(1/4): exact e when the contact ends at d = 0. Pulls before release.",
+)
+
+kuwabara_kono = DampingLaw(
+    name="kuwabara_kono",
+    title="Kuwabara and Kono",
+    parameters=(A,),
+    term=A * k_t * v,
+    exponent=sp.Rational(1, 2),
+    source="Kuwabara, Kono, Jpn. J. Appl. Phys. 26 (1987) 1230",
+    grade="B",
+    note="Published for K d^1.5, where A k_t v is (3/2) A K d^(1/2) v: e = 1 - 1.15345 (3/2) A (K/m_eff)^(2/5) v0^(1/5) + ...",
+)
+
+jankowski = DampingLaw(
+    name="jankowski",
+    title="Jankowski, damped while approaching only",
+    parameters=(e,),
+    definitions=((xi, 9 * sp.sqrt(5) / 2 * (1 - e**2) / (e * (e * (9 * sp.pi - 16) + 16))),),
+    term=Where(v > 0, 2 * xi * sp.sqrt(m_eff * _SECANT) * v, 0),
+    exponent=sp.Rational(1, 4),
+    defined=_WHOLE,
+    recommended=_WHOLE,
+    at_one=sp.S.Zero,
+    at_zero=sp.oo,
+    source="Jankowski, Earthq. Eng. Struct. Dyn. 34 (2005) 595; 35 (2006) 517",
+    grade="A",
+    note="Published for K d^1.5, where sqrt(F/d) is sqrt(K) d^(1/4).",
 )

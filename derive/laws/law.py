@@ -15,7 +15,7 @@ from typing import Any, ClassVar
 import sympy as sp
 
 from hertzwerk.derive.mechanism import Material, Slot
-from hertzwerk.derive.parameter import POSITIVE, Interval
+from hertzwerk.derive.parameter import POSITIVE, Interval, Parameter
 
 
 class Quantity(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
@@ -46,7 +46,8 @@ F = Quantity("F", "N", "elastic force of the stiffness law")
 k_t = Quantity("k_t", "N/m", "tangent stiffness dF/dd of the stiffness law")
 N = Quantity("N", "N", "normal force")
 s = Quantity("s", "m/s", "sliding velocity")
-STATE = (d, v, v0, F, k_t, N, s)
+z = Quantity("z", "m", "bristle deflection")
+STATE = (d, v, v0, F, k_t, N, s, z)
 
 # What a pair supplies, once per run.
 R_eff = Quantity("R_eff", "m", "radius of relative curvature of the pair", POSITIVE)
@@ -77,6 +78,8 @@ class Law:
 
     `verdict` is what the catalogue states of the law as published, and the audit must find: consistent, inconsistent, or outside_si
     (inconsistent, but `fitted_in` names the units it was fitted in). `repair` names the honest repair, where there is one.
+    `defaults` are parameters with a value of the law's own, such as the reference length of a fit; `pairs` the kinds of pair the law was made
+    for, where it is not for all that have its geometry.
     """
 
     name: str
@@ -90,6 +93,8 @@ class Law:
     fitted_in: str = ""
     repair: str = ""
     note: str = ""
+    defaults: tuple[tuple[Quantity, Parameter], ...] = ()
+    pairs: tuple[str, ...] = ()
     kind: ClassVar[str]
 
     def __call__(self, *values: Any, **named: Any) -> BoundLaw:
@@ -99,6 +104,7 @@ class Law:
             given.extend((value.youngs_modulus, value.poissons_ratio) if isinstance(value, Material) else (value,))
         names = [parameter.name for parameter in self.parameters]
         unknown = [name for name in named if name not in names[len(given) :]]
+        named = {symbol.name: value for symbol, value in self.defaults if symbol.name in names[len(given) :]} | named
         missing = [name for name in names[len(given) :] if name not in named]
         if len(given) > len(names) or unknown or missing:
             surplus = [*unknown, *given[len(names) :]]
@@ -117,6 +123,10 @@ class Law:
         found = (node for text in texts for node in sp.preorder_traversal(text) if isinstance(node, Quantity))
         return tuple(dict.fromkeys(found))
 
+    def symbols(self) -> tuple[Quantity, ...]:
+        """Parameters, defined symbols, and everything else the law's expressions contain."""
+        return tuple(dict.fromkeys((*self.parameters, *(symbol for symbol, _ in self.definitions), *self.quantities())))
+
     def geometry(self) -> tuple[Quantity, ...]:
         """What the law asks of its pair, and does not define or take as a parameter itself."""
         own = {*self.parameters, *(symbol for symbol, _ in self.definitions)}
@@ -129,17 +139,25 @@ class StiffnessLaw(Law):
     """Elastic normal force F(d) [N].
 
     `stored` is its integral [J]; None has it integrated by Gauss's rule. `exponent` is the n of K d^n. `reach` [m] is the penetration the law is
-    defined up to: beyond it a run ends with `outside_law_range`.
+    defined up to: beyond it a run ends with `outside_law_range`. `relation` is d(F) [m] as published, where `force` is its inverse.
     """
 
     force: sp.Expr = sp.S.Zero
+    relation: sp.Expr | None = None
     stored: sp.Expr | None = None
     exponent: sp.Expr | None = None
     reach: sp.Expr | None = None
     kind = "stiffness"
 
+    def __post_init__(self) -> None:
+        """Definitions are computed once, and `work` and the tangent stiffness differentiate the force alone."""
+        if any(expression.has(d) for _, expression in self.definitions):
+            raise ValueError(f"law {self.name}: a definition depends on the penetration; write it out in the force")
+
     def expressions(self) -> Iterator[tuple[str, sp.Expr, str]]:
-        """The elastic force, then stored energy and reach where they are given."""
+        """The published relation where there is one, the elastic force, then stored energy and reach where they are given."""
+        if self.relation is not None:
+            yield "penetration", self.relation, "m"
         yield "normal force", self.force, "N"
         if self.stored is not None:
             yield "stored energy", self.stored, "J"
@@ -160,7 +178,8 @@ class DampingLaw(Law):
     """Dissipative part of the normal force, beside the elastic force F: F h v/v0 with h = `factor` of the restitution, or another `term` [N].
 
     `exponent` is the m of chi d^m v, None where it is the stiffness law's n. `release`: "force" ends the contact where the normal force falls to
-    zero, "gap" where the gap opens, so that the law may pull before.
+    zero, "gap" where the gap opens, so that the law may pull before. `at_one` and `at_zero` are the limits of h, or of the coefficient that
+    stands for it, as e goes to 1 (0 is the elastic law) and to 0 (oo is infinite damping); None for a law that knows no e.
     """
 
     factor: sp.Expr | None = None
@@ -170,6 +189,8 @@ class DampingLaw(Law):
     memory: tuple[Quantity, ...] = ()
     exponent: sp.Expr | None = None
     release: str = "force"
+    at_one: sp.Expr | None = None
+    at_zero: sp.Expr | None = None
     kind = "damping"
 
     @property
@@ -184,16 +205,27 @@ class DampingLaw(Law):
 
 @dataclass(frozen=True)
 class FrictionLaw(Law):
-    """Friction force [N] opposing the sliding velocity s, an odd function of s; `slope` is its derivative at s = 0 [N s/m]."""
+    """Friction force [N] opposing the sliding velocity s, an odd function of s; `slope` is its derivative at s = 0 [N s/m].
+
+    A set-valued law names its `modes`: `force` is then what it does while sliding, `holding` [N] the most it holds at rest. A law with continuous
+    memory gives each entry with its rate. A scene refuses both until the engine carries them.
+    """
 
     force: sp.Expr = sp.S.Zero
     slope: sp.Expr = sp.S.Zero
+    modes: tuple[str, ...] = ()
+    holding: sp.Expr | None = None
+    memory: tuple[tuple[Quantity, sp.Expr], ...] = ()
     kind = "friction"
 
     def expressions(self) -> Iterator[tuple[str, sp.Expr, str]]:
-        """The friction force and its slope at rest."""
+        """The friction force, its slope at rest, the force held at rest, the rates of the memory."""
         yield "friction force", self.force, "N"
         yield "slope of the friction force at rest", self.slope, "N s/m"
+        if self.holding is not None:
+            yield "force held at rest", self.holding, "N"
+        for symbol, rate in self.memory:
+            yield f"rate of {symbol.name}", rate, f"({symbol.unit})/s"
 
 
 def _gauss_legendre(points: int) -> Iterator[tuple[sp.Float, sp.Float]]:

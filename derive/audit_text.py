@@ -1,0 +1,124 @@
+"""The unit audit of one expression's text: its names declared with units or values, its verdict quoted from the text itself.
+
+audit_expression("K*d**n", {"K": "N/m^1.5", "d": "m"}, {"n": 1.1}, "N") -> Finding
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from hertzwerk.derive.audit import Finding
+from hertzwerk.derive.dimension import Dimension
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.text import Expression, TextError, plain_name, read
+from hertzwerk.derive.text_dimension import Declared, dimension_of_unit, examine
+from hertzwerk.derive.units import Unit, UnitError, parse_unit
+
+__all__ = ["audit_expression", "declarations", "finding", "undeclared"]
+
+
+def declarations(units: Iterable[str], values: Iterable[str]) -> tuple[dict[str, str], dict[str, float]]:
+    """Units and values from texts `NAME=UNIT` and `NAME=NUMBER` (a number such as 1.1 or 3/2); raises InputError with every fault."""
+    faults: list[Fault] = []
+    given: dict[str, dict[str, str]] = {"unit": {}, "value": {}}
+    for what, texts in (("unit", units), ("value", values)):
+        for text in texts:
+            name, sign, rest = text.partition("=")
+            name = plain_name(name.strip())
+            if not sign or not rest.strip():
+                expected = "NAME=UNIT, as in K=N/m^1.5" if what == "unit" else "NAME=NUMBER, as in n=1.1"
+                faults.append(Fault(f"--{what}", repr(text), expected))
+            elif name in given[what]:
+                faults.append(Fault(f"--{what}", f"a second {what} of {name}", "one"))
+            else:
+                given[what][name] = rest.strip()
+    numbers: dict[str, float] = {}
+    for name, text in given["value"].items():
+        try:
+            number = read(text).root.number
+        except TextError as error:
+            number = None
+            faults.append(Fault(f"--value {name}", error.found, error.expected, error.remedy))
+        else:
+            if number is None:
+                faults.append(Fault(f"--value {name}", repr(text), "a number", "A unit is given by --unit."))
+        numbers[name] = 0.0 if number is None else number
+    if faults:
+        raise InputError("options", faults)
+    return given["unit"], numbers
+
+
+def audit_expression(
+    text: str, units: Mapping[str, str], values: Mapping[str, float] | None = None, expect: str | None = None
+) -> Finding:
+    """Verdict on one expression's text.
+
+    `units` declares names (name -> unit text), `values` gives numbers for names of unit 1 (or for names that `units` lacks), `expect` is the
+    unit the result must have; without it the finding's `found` is the unit it has. Raises InputError, listing every fault, for what cannot be
+    read or is not declared.
+    """
+    faults: list[Fault] = []
+    expression, declared, expected = None, None, None
+    try:
+        expression = read(text)
+        faults.extend(undeclared(expression, {plain_name(name) for name in (*units, *(values or {}))}))
+    except TextError as error:
+        faults.append(Fault(f"expression, character {error.position}", error.found, error.expected, error.remedy))
+    try:
+        declared = Declared.of(units, values)
+    except InputError as error:
+        faults.extend(error.faults)
+    try:
+        if expect is not None:
+            expected = parse_unit(expect) if declared is None else dimension_of_unit(expect, declared.constants)
+    except UnitError as error:
+        faults.append(Fault("expected unit", repr(expect), "a unit", str(error)))
+    if faults or expression is None or declared is None or isinstance(expected, Unit):
+        raise InputError(f"expression {text!r}" if len(str(text)) <= 60 else "expression", faults)
+    return finding(expression, declared, expected, effect="", what="expression", kind="expression")
+
+
+def undeclared(expression: Expression, names: Iterable[str]) -> list[Fault]:
+    """A fault for every name in the text that is not declared."""
+    known = sorted(names)
+    faults = []
+    for name in expression.names:
+        if name not in known:
+            close = difflib.get_close_matches(name, known, n=2, cutoff=0.6)
+            offer = f"Did you mean {' or '.join(close)}? " if close else ""
+            remedy = f"{offer}Declare it: {name} with its unit, 1 for a number."
+            faults.append(Fault(f"name {name}", "no unit for it", "a declared name", remedy))
+    return faults
+
+
+def finding(expression: Expression, declared: Declared, expected: Dimension | None, **place: Any) -> Finding:
+    """The finding on one expression; `place` says where it stands (effect, what, law, kind, title, source)."""
+    try:
+        dimension, fault = examine(expression, declared, expected)
+    except TextError as error:
+        where = f"expression, character {error.position}"
+        raise InputError(str(expression), [Fault(where, error.found, error.expected, error.remedy)]) from None
+    if fault is None:
+        shown = expected if expected is not None and dimension is not None and dimension.every else dimension
+        return Finding(verdict="consistent", expression=str(expression), found=str(shown), symbols=_symbols(expression, str(expression), declared),
+                       expected="" if expected is None else str(expected), **{**_NOWHERE, **place})  # fmt: skip
+    exponent = None if fault.consistent_exponent is None else str(fault.consistent_exponent)
+    return Finding(
+        verdict="inconsistent", expression=str(expression), found=fault.found, expected=fault.expected, subexpression=fault.subexpression,
+        symbols=_symbols(expression, fault.subexpression, declared), reason=fault.reason, consistent_exponent=exponent, repair=fault.repair,
+        **{**_NOWHERE, **place},
+    )  # fmt: skip
+
+
+_NOWHERE = dict.fromkeys(("effect", "what", "law", "title", "source"), "")
+
+
+def _symbols(expression: Expression, part: str, declared: Declared) -> tuple[tuple[str, str, str], ...]:
+    inside = {node.name for node in read(part).root.walk() if node.op == "name"}
+    return tuple(
+        (name, str(declared.dimensions[name]), declared.meanings.get(name, ""))
+        for name in expression.names
+        if name in inside
+    )

@@ -1,0 +1,48 @@
+"""A Python file of the user's, executed as `python file.py` would: the names it defines."""
+
+from __future__ import annotations
+
+import sys
+import traceback
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from hertzwerk.derive.faults import Fault, InputError
+
+
+def names_defined_by(path: Path) -> dict[str, Any]:
+    """Names defined by a Python file; its folder can be imported from while it runs. Raises InputError for whatever it does wrong."""
+    try:
+        code = compile(path.read_bytes(), str(path), "exec")
+    except OSError as error:
+        raise InputError(
+            str(path), [Fault(str(path), error.strerror or str(error), "a readable Python file")]
+        ) from error
+    except (SyntaxError, ValueError) as error:
+        where = f"{path}, line {getattr(error, 'lineno', None) or 1}"
+        raise InputError(str(path), [Fault(where, f"{type(error).__name__}: {error}", "Python source")]) from error
+    module = ModuleType("hertzwerk_scene_file")
+    module.__file__ = str(path)
+    folder = str(path.resolve().parent)
+    sys.modules[module.__name__] = module  # dataclasses and pickling look their module up
+    sys.path.insert(0, folder)
+    try:
+        exec(code, module.__dict__)
+    except (Exception, SystemExit) as error:  # whatever the file does wrong is the file's fault
+        raise _raised(path, error) from error
+    finally:
+        sys.path.remove(folder)
+        del sys.modules[module.__name__]
+    return module.__dict__
+
+
+def _raised(path: Path, error: BaseException) -> InputError:
+    frames = [frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
+    where = f"{path}, line {frames[-1].lineno}" if frames else str(path)
+    if isinstance(error, InputError):
+        return InputError(f"{where}: {error.subject}", error.faults)
+    found = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
+    return InputError(
+        str(path), [Fault(where, found, "a scene file that runs", "the file was executed and raised this error")]
+    )

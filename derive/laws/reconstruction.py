@@ -1,0 +1,59 @@
+"""Reconstructions (grade R) of the two stiffness laws of Wang and Liu 2020, whose expressions could not be had.
+
+Known of them: one for external, one for internal contact of cylinders, both with the joint's length L and the exponent n = 1, so K is N/m. Here
+stand all dimensionally admissible candidates; the two named after the paper are the defaults. Whoever has the paper replaces one expression each.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import sympy as sp
+
+from hertzwerk.derive.laws.law import L, R_min, StiffnessLaw, d, dR
+from hertzwerk.derive.laws.line import johnson, linear
+from hertzwerk.derive.laws.stiffness import EFFECTIVE_MODULUS, MATERIALS, E_eff
+
+_SOURCE = "reconstruction of: Wang, Liu, Mech. Mach. Theory 153 (2020) 103986"
+
+wang_liu_external = linear(
+    sp.pi / 4,
+    name="wang_liu_external",
+    title="Wang and Liu, external contact of cylinders (reconstruction)",
+    source=_SOURCE,
+    grade="R",
+    note="K = (pi/4) E* L: 2.6 to 3.8 times Johnson's force at penetrations of micrometres.",
+    pairs=("parallel_cylinders",),
+)
+
+wang_liu_internal = StiffnessLaw(
+    name="wang_liu_internal",
+    title="Wang and Liu, internal contact of cylinders (reconstruction)",
+    parameters=MATERIALS,
+    definitions=(EFFECTIVE_MODULUS,),
+    force=sp.pi / 2 * E_eff * L * sp.sqrt(d / (2 * (dR + d))) * d,
+    exponent=sp.S.One,
+    reach=R_min,
+    source=_SOURCE,
+    grade="R",
+    note="K(d) = (pi/2) E* L sqrt(d/(2 (dR + d))), the secant of the law liu_with_length; its local exponent is 1.5 at small d.",
+    pairs=("pin_in_bush",),
+)
+
+wang_liu_half_width = linear(
+    sp.pi / 2,
+    name="wang_liu_half_width",
+    title="Wang and Liu, external or internal contact, K = (pi/2) E* L (reconstruction, further candidate)",
+    source=_SOURCE,
+    grade="R",
+)
+
+wang_liu_johnson = replace(
+    johnson,
+    name="wang_liu_johnson",
+    title="Wang and Liu, external or internal contact, the secant of Johnson's law (reconstruction, further candidate)",
+    exponent=sp.S.One,
+    source=_SOURCE,
+    grade="R",
+    note="K(d) = F(d)/d of Johnson's law, so the same force.",
+)
