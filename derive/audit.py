@@ -10,7 +10,7 @@ import sympy as sp
 
 from hertzwerk.derive.dimension import ONE, Dimension, DimensionError, DimensionFault, check, dimension_of
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.derive.laws.law import BoundLaw, Law
+from hertzwerk.derive.laws.law import STATE, BoundLaw, Law
 from hertzwerk.derive.program import Program
 from hertzwerk.derive.scene import Contact, Friction, Scene
 from hertzwerk.derive.units import parse_unit
@@ -39,6 +39,8 @@ class Finding:
     reason: str = ""
     consistent_exponent: str | None = None
     repair: str | None = None
+    grade: str = ""
+    """How sure the law's formula is; R is a reconstruction."""
     kind: str = ""
     """Kind of the law (stiffness, damping, friction), or expression."""
 
@@ -52,25 +54,14 @@ class Finding:
     def record(self) -> dict[str, str | None]:
         """The finding as JSON has it, None for what it has not; a law run unchecked is inconsistent."""
         verdict = "inconsistent" if self.verdict == "unchecked" else self.verdict
-        names = (
-            "law",
-            "kind",
-            "source",
-            "found",
-            "expected",
-            "subexpression",
-            "reason",
-            "consistent_exponent",
-            "repair",
-        )
-        fields = {name: getattr(self, name) or None for name in names}
-        return {
-            "law": fields.pop("law"),
-            "kind": fields.pop("kind"),
-            "source": fields.pop("source"),
-            "verdict": verdict,
-            **fields,
+        first = {
+            "law": self.law or None,
+            "kind": self.kind or None,
+            "source": self.source or None,
+            "grade": self.grade or None,
         }
+        names = ("found", "expected", "subexpression", "reason", "consistent_exponent", "repair")
+        return {**first, "verdict": verdict, **{name: getattr(self, name) or None for name in names}}
 
     def __str__(self) -> str:
         """The finding as it is shown to people; an inconsistent one teaches."""
@@ -192,7 +183,7 @@ def _law_finding(
     lesson = check(expression, table, expected, constants) or fault  # with the exponent left open: what would do
     symbols = tuple(
         (s.name, str(table[s]), s.meaning)
-        for s in dict.fromkeys(n for n in sp.preorder_traversal(_smallest(expression, lesson)) if n in table)
+        for s in sorted(_named(_smallest(expression, lesson), table), key=lambda symbol: symbol in STATE)
         if s.unit != "1"
     )
     return Finding(
@@ -202,6 +193,7 @@ def _law_finding(
         kind=law.kind,
         title=law.title,
         source=law.source,
+        grade=law.grade,
         verdict="consistent" if fault is None else "inconsistent",
         expression=str(expression),
         symbols=symbols,
@@ -226,6 +218,11 @@ def _law_table(scene: Scene, bound: BoundLaw) -> dict[sp.Symbol, Dimension]:
 
 def _dimension(unit: str, names: Mapping[str, sp.Symbol]) -> Dimension:
     return Dimension.from_unit(parse_unit(unit), names)
+
+
+def _named(expression: Any, table: Mapping[sp.Symbol, Dimension]) -> list[Any]:
+    """The symbols with a unit in an expression, in the order they stand in it."""
+    return list(dict.fromkeys(node for node in sp.preorder_traversal(expression) if node in table))
 
 
 def _smallest(expression: Any, fault: DimensionFault | None) -> Any:

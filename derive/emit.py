@@ -342,7 +342,7 @@ def _header(program: Program, source: str, counts: dict[str, int]) -> str:
         if unchecked
         else f"{assignments} assignments and {outputs} outputs checked, all consistent"
     )
-    name = scene.name if source.startswith("derive/") else source
+    name = scene.name if source.startswith("derive/") else source or "FILE"
     contact = f"; in contact also {contacts}" if contacts else ""
     return "\n".join(
         (

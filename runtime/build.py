@@ -9,13 +9,12 @@ from __future__ import annotations
 import hashlib
 import linecache
 import sys
-import traceback
 from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib import metadata, resources
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime import cache as disk
@@ -42,10 +41,11 @@ def scene_from(target: str | Path) -> Scene:
 
     The file is executed, as `python file.py` would.
     """
+    from hertzwerk.derive.execute import names_defined_by
     from hertzwerk.derive.scene import Scene
 
     if is_file(target):
-        content = _execute(Path(target))
+        content = names_defined_by(Path(target))
         scene = content.get("scene")
         if not isinstance(scene, Scene):
             found = "no `scene`" if scene is None else f"`scene` of type {type(scene).__name__}"
@@ -91,12 +91,36 @@ def derive_text(scene: Scene, source: str) -> str:
     return generate(scene, source)
 
 
-def audit_target(target: str | Path) -> tuple[Finding, ...]:
-    """Verdict on every law of a target's scene and on its program; raises InputError where the scene itself is unsound."""
+def audit_targets(targets: Sequence[str]) -> dict[str, tuple[Finding, ...]]:
+    """Findings on built-in scenes, files and folders, by target or file; raises InputError where one is unsound."""
     from hertzwerk.derive.audit import audit_scene
+    from hertzwerk.derive.audit_files import audit_files
 
-    findings: tuple[Finding, ...] = audit_scene(scene_from(target))
-    return findings
+    audited: dict[str, tuple[Finding, ...]] = {}
+    for target in targets:
+        if target in built_in_scenes():
+            audited[target] = audit_scene(scene_from(target))
+        elif is_file(target) or target.endswith(".toml") or Path(target).is_dir():
+            audited.update((str(path), found) for path, found in audit_files(Path(target)).items())
+        else:
+            _require_built_in(target)
+    return audited
+
+
+def audit_text(text: str, units: Sequence[str], values: Sequence[str], expect: str | None) -> Finding:
+    """Finding on one expression, its names declared as "NAME=UNIT" and "NAME=NUMBER"; raises InputError."""
+    from hertzwerk.derive import audit_text as of_text
+
+    return of_text.audit_expression(text, *of_text.declarations(units, values), expect)
+
+
+def audit_catalogue() -> tuple[tuple[Finding, ...], tuple[str, ...]]:
+    """Findings on every law of the catalogue, and the laws whose verdict is not the one their record states."""
+    from hertzwerk.derive.audit_files import audit_catalogue as audited
+    from hertzwerk.derive.audit_files import differing
+
+    findings = audited()
+    return findings, differing(findings)
 
 
 def build_target(target: str | Path, without: Sequence[str] = (), laws: Mapping[str, str] | None = None) -> ModuleType:
@@ -117,43 +141,6 @@ def _require_built_in(name: str) -> None:
     if name not in known:
         expected = f"one of {', '.join(known)}, or a Python file (its name ends in .py)"
         raise InputError(f"scene {name}", [Fault("scene", repr(name), expected)])
-
-
-def _execute(path: Path) -> dict[str, Any]:
-    """Names defined by a Python file; its folder can be imported from while it runs, as for `python path`."""
-    try:
-        code = compile(path.read_bytes(), str(path), "exec")
-    except OSError as error:
-        raise InputError(
-            str(path), [Fault(str(path), error.strerror or str(error), "a readable Python file")]
-        ) from error
-    except (SyntaxError, ValueError) as error:
-        where = f"{path}, line {getattr(error, 'lineno', None) or 1}"
-        raise InputError(str(path), [Fault(where, f"{type(error).__name__}: {error}", "Python source")]) from error
-    module = ModuleType("hertzwerk_scene_file")
-    module.__file__ = str(path)
-    before = list(sys.path)
-    sys.modules[module.__name__] = module  # dataclasses and pickling look their module up
-    sys.path.insert(0, str(path.resolve().parent))
-    try:
-        exec(code, module.__dict__)
-    except (Exception, SystemExit) as error:  # whatever the file does wrong is the file's fault
-        raise _raised(path, error) from error
-    finally:
-        sys.path[:] = before
-        sys.modules.pop(module.__name__, None)
-    return module.__dict__
-
-
-def _raised(path: Path, error: BaseException) -> InputError:
-    frames = [frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
-    where = f"{path}, line {frames[-1].lineno}" if frames else str(path)
-    if isinstance(error, InputError):
-        return InputError(f"{where}: {error.subject}", error.faults)
-    found = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
-    return InputError(
-        str(path), [Fault(where, found, "a scene file that runs", "the file was executed and raised this error")]
-    )
 
 
 def _module(name: str, text: str) -> ModuleType:

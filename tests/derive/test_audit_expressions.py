@@ -298,7 +298,7 @@ def test_declarations_from_the_command_line():
 def test_the_record_of_a_finding():
     finding = audit_expression("K*d**n", PAIR, {"n": 1.1}, "N")
     assert json.loads(json.dumps(finding.record())) == {
-        "law": None, "kind": "expression", "source": None, "verdict": "inconsistent", "found": "N/m^0.4", "expected": "N",
+        "law": None, "kind": "expression", "source": None, "grade": None, "verdict": "inconsistent", "found": "N/m^0.4", "expected": "N",
         "subexpression": "K*d**n", "reason": "K*d**n is N/m^0.4, expected N", "consistent_exponent": "3/2",
         "repair": "consistent only with n = 3/2",
     }  # fmt: skip

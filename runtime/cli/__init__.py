@@ -1,0 +1,37 @@
+"""The command line. Exit codes: 0 good, 1 another outcome, 2 bad input. What a command does not need it does not import."""
+
+from __future__ import annotations
+
+import click
+
+from hertzwerk.runtime.cli.audit import audit
+from hertzwerk.runtime.cli.run import run, validate
+from hertzwerk.runtime.cli.scenes import derive, list_scenes
+
+
+def _print_version(context: click.Context, _: click.Parameter, wanted: bool) -> None:
+    if wanted:
+        from hertzwerk.runtime.record import versions
+
+        click.echo(", ".join(f"{name} {version}" for name, version in versions().items()))
+        context.exit()
+
+
+@click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
+@click.option(
+    "--version",
+    is_flag=True,
+    is_eager=True,
+    expose_value=False,
+    callback=_print_version,
+    help="Show the version and exit.",
+)
+def main() -> None:
+    """Derive, unit-check, generate, run and validate contact and impact in mechanisms.
+
+    TARGET is the name of a built-in scene (see `hertzwerk list`) or a Python file that defines `scene`; a named file is executed.
+    """
+
+
+for command in (list_scenes, derive, audit, run, validate):
+    main.add_command(command)

@@ -1,0 +1,172 @@
+"""`hertzwerk run`, `validate`: simulate, report, write one new folder; check what must come out."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.solution import Solution
+
+
+@click.command()
+@click.argument("target")
+@click.option(
+    "--set",
+    "settings",
+    metavar="NAME=VALUE",
+    multiple=True,
+    help='Parameter or initial state, with its unit: --set clearance="0.2 mm".',
+)
+@click.option("--without", metavar="EFFECT", multiple=True, help="Leave an effect out (derives the variation).")
+@click.option(
+    "--law",
+    "laws",
+    metavar="EFFECT=NAME",
+    multiple=True,
+    help="Another law for a contact or friction (derives the variation).",
+)
+@click.option("--duration", metavar="TIME", help='Such as "24 ms" (default: the scenario\'s).')
+@click.option(
+    "--accuracy", metavar="NUMBER", help="Local tolerance in the scene's scales, 1e-12..1e-1 (default: the scenario's)."
+)
+@click.option("--method", metavar="NAME", help="dop853 or dopri5 (default: the scenario's).")
+@click.option(
+    "--out", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-NNN)."
+)
+@click.option("--no-plots", is_flag=True, help="Write the data only.")
+@click.option(
+    "--json", "as_json", is_flag=True, help="Print one JSON object, and write a folder only if --out is given."
+)
+@reports_bad_input
+def run(target: str, out: Path | None, no_plots: bool, as_json: bool, **options: Any) -> int:
+    """Simulate TARGET and write data and plots into one new folder."""
+    from hertzwerk.runtime import record
+
+    solution = _simulate(target, out, quiet=as_json, **options)
+    folder: tuple[Path, list[str]] | None = None
+    if out is not None or not as_json:
+        folder = record.write(solution, out, plots=not no_plots)
+    if as_json:
+        click.echo(record.json_text(record.summary(solution)))
+    else:
+        _report(solution)
+    if folder is not None and not as_json:
+        line("written", f"{folder[0]}/ ({', '.join(folder[1])})")
+    return GOOD if solution.outcome.finished else OTHER_OUTCOME
+
+
+@click.command()
+@click.argument("targets", metavar="[SCENARIO]...", nargs=-1)
+@reports_bad_input
+def validate(targets: tuple[str, ...]) -> int:
+    """Run scenarios (built-in names or TOML files; default: all built-in) and check what must come out."""
+    from hertzwerk.runtime import scenarios
+    from hertzwerk.runtime.scenario import load_scenario
+    from hertzwerk.runtime.validate import run_scenario
+    from hertzwerk.runtime.validate import validate as verdicts_of
+
+    good = True
+    for scenario in [load_scenario(target) for target in targets or scenarios.names()]:
+        solution = run_scenario(scenario)
+        line(scenario.scene, str(solution))
+        verdicts = verdicts_of(scenario, solution)
+        for verdict in verdicts:
+            line("passed" if verdict.passed else "failed", str(verdict))
+        good = good and solution.outcome.finished and all(verdict.passed for verdict in verdicts)
+    return GOOD if good else OTHER_OUTCOME
+
+
+def _simulate(
+    target: str,
+    out: Path | None,
+    *,
+    quiet: bool,
+    settings: Sequence[str],
+    without: Sequence[str],
+    laws: Sequence[str],
+    duration: str | None,
+    accuracy: str | None,
+    method: str | None,
+) -> Solution:
+    """The solution a command line asks for; raises InputError with the faults of all its parts."""
+    from hertzwerk.runtime import scenarios
+    from hertzwerk.runtime.model import load
+    from hertzwerk.runtime.record import destination_fault
+    from hertzwerk.runtime.simulate import simulate
+
+    faults: list[Fault] = []
+    if out is not None and (fault := destination_fault(out)) is not None:
+        faults.append(fault)
+    values = _assignments("--set", settings, faults)
+    model = load(target, without=without, laws=_assignments("--law", laws, faults))
+    numbers = scenarios.read(target) if target in scenarios.names() else {}
+    states = {*model.coordinates, *model.speeds}
+    limits: dict[str, Any] = {"max_steps": 1} if faults else {}  # reads the rest of the input completely, and no more
+    with Progress(model.name, shown=not quiet and sys.stderr.isatty()) as progress:
+        try:
+            solution = simulate(
+                model,
+                duration=duration or numbers.get("duration"),
+                accuracy=_number(accuracy) if accuracy is not None else numbers.get("accuracy", 1e-6),
+                method=method or numbers.get("method", "dop853"),
+                parameters={name: value for name, value in values.items() if name not in states},
+                initial={name: value for name, value in values.items() if name in states},
+                progress=progress,
+                **limits,
+            )
+        except InputError as error:
+            raise InputError(error.subject, [*faults, *error.faults]) from error
+    if faults:
+        raise InputError(model.name, faults)
+    return solution
+
+
+def _assignments(option: str, texts: Sequence[str], faults: list[Fault]) -> dict[str, str]:
+    """NAME=VALUE texts as a dictionary; what is no assignment, or a second one of a name, becomes a fault."""
+    found: dict[str, str] = {}
+    for text in texts:
+        name, equals, value = (part.strip() for part in text.partition("="))
+        if not (name and equals and value):
+            faults.append(Fault(option, repr(text), "NAME=VALUE"))
+        elif name in found:
+            faults.append(Fault(option, f"{name} twice", "one value per name"))
+        else:
+            found[name] = value
+    return found
+
+
+def _number(text: str) -> Any:
+    """The number a text is, or the text, for `simulate` to refuse."""
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+def _report(solution: Solution) -> None:
+    """What a person wants to know of a run, in a few lines."""
+    statistics, outcome = solution.statistics, solution.outcome
+    line(solution.model.name, f"{_time(solution.duration)}, {solution.method}, accuracy {solution.accuracy:g}")
+    count = len(solution.impacts)
+    closed = "" if solution.energy_residual is None else f", energy closed to {solution.energy_residual:.1g}"
+    line(
+        outcome.name,
+        f"{statistics.steps:,} steps, {count:,} impact{'s' if count != 1 else ''}{closed}, computed in {_time(statistics.wall_s)}",
+    )
+    if not outcome.finished:
+        line("", outcome.message)
+        line("remedy", outcome.remedy)
+    for warning in solution.warnings:
+        line("warning", warning)
+
+
+def _time(seconds: float) -> str:
+    return f"{seconds * 1e3:.4g} ms" if seconds < 1 else f"{seconds:.4g} s"

@@ -1,0 +1,74 @@
+"""`hertzwerk list`, `derive`: the built-in scenes, and the text of generated modules."""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, line, reports_bad_input, table
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.regenerate import Derived
+
+
+@click.command("list")
+@reports_bad_input
+def list_scenes() -> int:
+    """The built-in scenes, with their effects."""
+    from hertzwerk.runtime.regenerate import generated_names
+
+    rows = []
+    for name in generated_names():
+        module = importlib.import_module(f"hertzwerk.generated.{name}")
+        rows.append((name, module.SUMMARY, ", ".join(effect for effect, _, _ in module.EFFECTS)))
+    table(("scene", "summary", "effects"), rows)
+    return GOOD
+
+
+@click.command()
+@click.argument("targets", metavar="TARGET...", nargs=-1)
+@click.option(
+    "--check", is_flag=True, help="Write nothing; compare with the modules in place (default: all built-in scenes)."
+)
+@click.option(
+    "--out", type=click.Path(path_type=Path), help="Folder to write to (default: generated/ of this repository)."
+)
+@reports_bad_input
+def derive(targets: tuple[str, ...], check: bool, out: Path | None) -> int:
+    """Derive the equations of TARGET, check every unit, and write the generated module."""
+    from hertzwerk.runtime import regenerate
+    from hertzwerk.runtime.build import built_in_scenes
+
+    if check:
+        return _compare(regenerate.derived(targets or built_in_scenes()), out, everything=not targets)
+    if not targets:
+        example = " ".join(built_in_scenes()[:2])
+        raise InputError("derive", [Fault("TARGET", "none", f"scenes or files, such as {example}")])
+    folder = out if out is not None else regenerate.repository_folder(targets)
+    for path in regenerate.write(regenerate.derived(targets), folder):
+        line("written", str(path))
+    return GOOD
+
+
+def _compare(modules: Sequence[Derived], folder: Path | None, *, everything: bool) -> int:
+    """Report on each module whether the one in place is what its scene derives to."""
+    from hertzwerk.runtime import regenerate
+
+    good = True
+    for module in modules:
+        found = regenerate.difference(module, folder)
+        if found is None:
+            line("consistent", f"{module.name}: the module in place is what the scene derives to")
+            continue
+        good = False
+        click.echo(found.diff, nl=False)
+        line("different", f"{found.name}: accept with `{found.accept}`")
+    orphans = set(regenerate.generated_names()) - {module.name for module in modules} if everything else set()
+    for name in sorted(orphans):
+        line("different", f"{name}: a generated module without a scene; remove generated/{name}.py")
+    return GOOD if good and not orphans else OTHER_OUTCOME
