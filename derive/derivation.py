@@ -14,6 +14,7 @@ from hertzwerk.derive.dimension import Dimension
 from hertzwerk.derive.emit import emit
 from hertzwerk.derive.equations import Equations
 from hertzwerk.derive.kinematics import Kinematics
+from hertzwerk.derive.laws.law import speed_limit
 from hertzwerk.derive.mechanism import Prismatic
 from hertzwerk.derive.parameter import Interval, Parameter
 from hertzwerk.derive.program import Function, Program, Result, Tape
@@ -79,6 +80,12 @@ class _Derivation:
         ]
         return drives + contacts
 
+    @property
+    def limited(self) -> dict[str, Any]:
+        """Pair -> approach speed up to which its law holds, where a material's density says."""
+        limits = {contact.name: speed_limit(contact.laws) for _, contact, _ in self.contacts}
+        return {name: limit for name, limit in limits.items() if limit is not None}
+
     def program(self) -> Program:
         functions = [
             self.start(),
@@ -92,6 +99,7 @@ class _Derivation:
             *([self.ledger(), self.energy()] if self.scene.ledger else []),
             self.poses(),
             self.outputs(),
+            *([self.speed_limits()] if self.limited else []),
         ]
         constants = self.tape.constants(functions)
         names = tuple(symbol.name for symbol in constants)
@@ -242,6 +250,16 @@ class _Derivation:
             self._pairs("stored", "J", stored),
         )
 
+    def speed_limits(self) -> Function:
+        """Ranges of the compliant laws."""
+        names, values = tuple(self.limited), tuple(self.limited.values())
+        return self._function(
+            "speed_limits",
+            "Approach speed 1e-5 sqrt(E/rho) up to which each compliant law holds, see SPEED_LIMITED.",
+            "p",
+            Result("limits", names, ("m/s",) * len(names), values),
+        )
+
     def poses(self) -> Function:
         """Where the bodies are."""
         positions: list[Any] = []
@@ -316,6 +334,7 @@ class _Derivation:
             "RELEASES": tuple("force" if c.damping is None else c.damping.law.release for _, c, _ in self.contacts),
             "DISSIPATED": tuple(entries.index(f"{name}.dissipated") for name in pairs) if scene.ledger else (),
             "OUTPUTS": tuple((name, unit) for name, unit, _ in self._outputs()),
+            **({"SPEED_LIMITED": tuple(self.limited)} if self.limited else {}),
             "BODIES": tuple(body.name for body in scene.mechanism.bodies),
         }
 

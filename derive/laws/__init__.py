@@ -33,13 +33,7 @@ from hertzwerk.derive.laws.friction import (
 from hertzwerk.derive.laws.line import (
     bai_zhao,
     bai_zhao_repaired,
-    dubowsky_freudenstein,
-    esdu_78035,
-    goldsmith,
-    goldsmith_m3,
-    hertz_cylinder,
     hertz_half_width,
-    johnson,
     lankarani_nikravesh_cylinders,
     liu,
     liu_with_length,
@@ -51,6 +45,14 @@ from hertzwerk.derive.laws.line import (
     pereira_internal_si,
     persson,
     popov_line,
+)
+from hertzwerk.derive.laws.logarithmic import (
+    dubowsky_freudenstein,
+    esdu_78035,
+    goldsmith,
+    goldsmith_m3,
+    hertz_cylinder,
+    johnson,
     radzimovsky,
 )
 from hertzwerk.derive.laws.reconstruction import (

@@ -277,18 +277,20 @@ class BoundLaw:
             known = limits.get(symbol, {})
             place = f"{where}, {symbol.meaning} of {self.law.name}"
             yield Slot(place, value, symbol.unit, known.get("defined", limit), known.get("recommended", recommended))
+        for material in dict.fromkeys(self.materials):
+            if material.density is not None:
+                yield Slot(f"{where}, density", material.density, "kg/m^3", POSITIVE)
         for symbol, kinds in limits.items():
             if symbol not in self.binding and symbol.name in geometry:
                 place = f"{where}, {symbol.meaning} for {self.law.name}"
                 yield Slot(place, geometry[symbol.name], symbol.unit, kinds.get("defined"), kinds.get("recommended"))
 
 
-def material_limits(bounds: Iterable[BoundLaw | None]) -> list[sp.Expr]:
-    """Approach speeds 1e-5 sqrt(E/rho) [m/s] up to which the compliant laws hold, one per material whose density is known.
+def speed_limit(bounds: Iterable[BoundLaw]) -> sp.Expr | None:
+    """Approach speed 1e-5 sqrt(E/rho) [m/s] up to which compliant laws hold, the least of the materials whose density is known; None without one.
 
     Johnson's limit of elastic impact, as used by Lankarani & Nikravesh (1994).
     """
-    materials = dict.fromkeys(
-        m for bound in bounds if bound is not None for m in bound.materials if m.density is not None
-    )
-    return [sp.Float("1e-5") * sp.sqrt(m.youngs_modulus / m.density) for m in materials]
+    materials = dict.fromkeys(m for bound in bounds for m in bound.materials if m.density is not None)
+    limits = [sp.Float("1e-5") * sp.sqrt(m.youngs_modulus / m.density) for m in materials]
+    return sp.Min(*limits) if limits else None

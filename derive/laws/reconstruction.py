@@ -11,7 +11,8 @@ from dataclasses import replace
 import sympy as sp
 
 from hertzwerk.derive.laws.law import L, R_min, StiffnessLaw, d, dR
-from hertzwerk.derive.laws.line import johnson, linear
+from hertzwerk.derive.laws.line import linear
+from hertzwerk.derive.laws.logarithmic import johnson
 from hertzwerk.derive.laws.stiffness import EFFECTIVE_MODULUS, MATERIALS, E_eff
 
 _SOURCE = "reconstruction of: Wang, Liu, Mech. Mach. Theory 153 (2020) 103986"

@@ -15,6 +15,8 @@ MATERIALS = (E_1, nu_1, E_2, nu_2)
 E_eff = Quantity("E_eff", "Pa", "effective modulus, 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2")
 EFFECTIVE_MODULUS = (E_eff, 1 / ((1 - nu_1**2) / E_1 + (1 - nu_2**2) / E_2))
 
+REVIEW = "Pereira, Ramalho, Ambrosio, Nonlinear Dyn. 63 (2011) 681"  # quotes most laws of line contact
+
 n = Quantity("n", "1", "exponent", Interval(lower=1, upper=10))
 K_n = Quantity("K", "N/m^n", "stiffness", POSITIVE)
 K_hertz = Quantity("K", "N/m^1.5", "(4/3)*E_eff*sqrt(R_eff), Hertz stiffness of a point contact")
