@@ -1,0 +1,43 @@
+"""Every way a run can end, on built-in scenes and through the public interface alone."""
+
+import numpy as np
+import pytest
+
+from hertzwerk.runtime import load, simulate
+
+
+def stop(fraction):
+    raise KeyboardInterrupt
+
+
+CRANK, BALL = ("slider_crank_frictionless", "24 ms"), ("bouncing_ball", "5 s")
+
+
+@pytest.mark.parametrize(
+    ("outcome", "scene", "options"),
+    [
+        ("finished", CRANK, {}),
+        ("interrupted", CRANK, {"progress": stop}),
+        ("wall_time_limit", CRANK, {"wall_time": 1e-9}),
+        ("too_many_steps", CRANK, {"max_steps": 100}),
+        ("event_limit", CRANK, {"max_events": 2}),
+        # a crank longer than the rod goes round: the pin is torn out of its bush
+        ("outside_law_range", CRANK, {"parameters": {"crank_radius": "0.13 m"}}),
+        # an impact shorter than the spacing of doubles at its time
+        ("step_too_small", CRANK, {"parameters": {"youngs_modulus": "1e30 GPa"}}),
+        # damping 8 (1 - e)/(5 e) beyond the largest double as soon as it is multiplied by the stiffness
+        ("not_finite", BALL, {"parameters": {"restitution": 1e-300}}),
+    ],
+)
+def test_outcome(outcome, scene, options):
+    name, duration = scene
+    run = simulate(load(name), duration=duration, accuracy=1e-11, **options)
+    assert run.outcome.name == outcome
+    assert run.outcome.finished == (outcome == "finished")
+    assert bool(run.outcome.remedy) != run.outcome.finished
+    assert run.outcome.message
+    assert (run.t[-1] == run.duration) == run.outcome.finished
+    assert run.t[-1] > 0
+    assert len(run.impacts) >= 1  # what was computed until then is there
+    assert np.all(np.isfinite([run[state] for state in run.states]))
+    assert str(run).startswith(outcome)
