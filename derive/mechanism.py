@@ -220,7 +220,7 @@ class SphereOnSphere:
 
     @property
     def geometry(self) -> dict[str, Any]:
-        """`R_eff = R1 R2/(R1 + R2)` and the smaller radius [m]."""
+        """`R_eff = R1 R2/(R1 + R2)`, both radii, the smaller one and their sum [m]."""
         r1, r2 = self.radius_first, self.radius_second
         return {"R_eff": r1 * r2 / (r1 + r2), "R_min": sp.Min(r1, r2), "R_1": r1, "R_2": r2, "dR": r1 + r2}
 
@@ -286,49 +286,22 @@ class PinInBush:
 
 
 @dataclass(frozen=True)
-class ParallelCylinders:
+class ParallelCylinders(SphereOnSphere):
     """Two cylinders that may touch from outside along a line of `length`, axes along `axis` of the second's frame."""
 
-    name: str
-    first: Point
-    second: Point
     axis: Direction
-    radius_first: Scalar
-    radius_second: Scalar
     length: Scalar
     kind: ClassVar[str] = "parallel_cylinders"
-    inside: ClassVar[bool] = False
-
-    @property
-    def first_radius(self) -> Any:
-        """From the first place to the contact point [m]."""
-        return self.radius_first
-
-    @property
-    def places(self) -> tuple[Point, Point]:
-        """The two centres."""
-        return self.first, self.second
 
     @property
     def geometry(self) -> dict[str, Any]:
-        """`R_eff = R1 R2/(R1 + R2)`, both radii, their sum and the length [m]."""
-        r1, r2 = self.radius_first, self.radius_second
-        return {
-            "R_eff": r1 * r2 / (r1 + r2),
-            "R_min": sp.Min(r1, r2),
-            "R_1": r1,
-            "R_2": r2,
-            "dR": r1 + r2,
-            "L": self.length,
-        }
+        """That of two spheres of the same radii, and the length [m]."""
+        return {**super().geometry, "L": self.length}
 
     def slots(self) -> Iterator[Slot]:
         """The quantities of the pair."""
-        yield Slot(f"pair {self.name}, first radius", self.radius_first, "m", POSITIVE)
-        yield Slot(f"pair {self.name}, second radius", self.radius_second, "m", POSITIVE)
+        yield from super().slots()
         yield Slot(f"pair {self.name}, length", self.length, "m", POSITIVE)
-        for point in self.places:
-            yield from point.slots()
 
 
 Pair = SphereOnPlane | SphereOnSphere | PinInBush | ParallelCylinders

@@ -364,7 +364,7 @@ CLEARANCE = Parameter("clearance", "mm", 0.5)
 LENGTH = Parameter("joint_length", "mm", 15)
 SPEED = Parameter("pace", "m/s", 0.5)
 JOURNAL = PinInBush("joint", PIN.at(0, 0, 0), GROUND.at(0, 0, 0), Z, RADIUS, CLEARANCE, length=LENGTH)
-ROLLERS = ParallelCylinders("joint", PIN.at(0, 0, 0), GROUND.at(3 * RADIUS, 0, 0), Z, RADIUS, RADIUS, LENGTH)
+ROLLERS = ParallelCylinders("joint", PIN.at(0, 0, 0), GROUND.at(3 * RADIUS, 0, 0), RADIUS, RADIUS, Z, LENGTH)
 
 
 def scene(pair, stiffness, damping=None, friction=None, unchecked=False):

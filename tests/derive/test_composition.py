@@ -51,7 +51,7 @@ PLACES = (PIN.at(0, 0, 0), BUSH.at(0, 0, 0))
 PAIRS = {
     # with the position of the pin where the contact begins
     "pin_in_bush": (PinInBush("joint", *PLACES, Z, RADIUS, CLEARANCE, length=LENGTH), CLEARANCE),
-    "parallel_cylinders": (ParallelCylinders("joint", *PLACES, Z, RADIUS, SMALL, LENGTH), -RADIUS - SMALL),
+    "parallel_cylinders": (ParallelCylinders("joint", *PLACES, RADIUS, SMALL, Z, LENGTH), -RADIUS - SMALL),
 }
 GIVEN = {
     "n": 1.5, "K": 2.4e9, "k": 2, "C": Parameter("profile", "1/m", 50), "c_b": 2.257,
