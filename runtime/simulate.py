@@ -16,7 +16,7 @@ from hertzwerk.runtime import scales as scaling
 from hertzwerk.runtime.binding import Value, read, read_state, unknown
 from hertzwerk.runtime.history import History
 from hertzwerk.runtime.integrate.attempt import Integrator, integrator
-from hertzwerk.runtime.integrate.chunk import Rows, chunk, march
+from hertzwerk.runtime.integrate.chunk import Callers, Rows, chunk, march
 from hertzwerk.runtime.integrate.layout import OUTSIDE_LAW_RANGE
 from hertzwerk.runtime.integrate.tables import METHODS
 from hertzwerk.runtime.model import Bound, Model
@@ -26,6 +26,8 @@ from hertzwerk.runtime.solution import Solution, Statistics
 
 ACCURACIES = (1e-12, 1e-1)
 APPROACH_FLOOR = 1e-3  # m/s, where a model has latches but no parameter of this name
+LEAST_STEPS = 10  # of a run in contact: where all is at rest, steps grow until a short push would go unnoticed
+REMEMBERED = 64  # inputs of a model that need not be read again
 ROUGH = 1e-4  # accuracy of a run that only looks for scales
 
 
@@ -55,31 +57,22 @@ def simulate(
     Raises InputError, with every fault, for bad input and for nothing else: how the run ended is `Solution.outcome`.
     """
     began = time.perf_counter()
-    faults: list[Fault] = []
     limits = _Limits(max_steps, max_events, math.inf if wall_time is None else wall_time)
-    seconds = _duration(duration, faults)
-    _check(accuracy, method, limits, faults)
-    bound, wrong = model.check(parameters or {})
-    q, u = _start(model, bound, initial or {}, faults)
-    faults = wrong + faults
-    if bound is None or faults:
-        raise InputError(model.name, faults)
+    given = _read(model, duration, accuracy, method, limits, parameters or {}, initial or {})
+    bound, seconds = given.bound, given.seconds
     engine = model.once(("engine", method, compiled), lambda: _engine(model, method, compiled=compiled))
-    run = _Run(model, engine, bound, q, u, seconds, limits)
-    stated = scaling.of_parameters(model, bound)
-    scales = stated if stated.sound else scaling.of_run(model, stated, lambda s: run(max(accuracy, ROUGH), s)[0])
+    run = _Run(model, engine, given, limits)
+    scales = given.scales
+    if not scales.sound:
+        scales = scaling.of_run(model, scales, lambda s: run(max(accuracy, ROUGH), s)[0])
     build_s = time.perf_counter() - began
     history, rows = run(accuracy, scales, progress)
-    last = {
-        name: float(part[0])
-        for name, part in engine.integrator.layouts.state.split(rows.last).items()
-        if len(part) == 1
-    }
+    counted = {name: int(rows.last[row]) for name, row in engine.counters.items()}
     return Solution(
         history=history,
         outcome=outcome(
             rows.status,
-            t=float(history.t[-1]),
+            t=float(rows.rows[-1, 0]),
             where=_deepest(model, history) if rows.status == OUTSIDE_LAW_RANGE else "",
             accuracy=accuracy,
             max_steps=max_steps,
@@ -92,24 +85,26 @@ def simulate(
         compiled=compiled,
         parameters=dict(bound.values),
         statistics=Statistics(
-            steps=int(last["steps"]),
-            rejected=int(last["rejected"]),
-            retaken=int(last["retaken"]),
-            rhs_evaluations=int(last["evaluations"]),
-            events=int(last["events"]),
+            steps=counted["steps"],
+            rejected=counted["rejected"],
+            retaken=counted["retaken"],
+            rhs_evaluations=counted["evaluations"],
+            events=counted["events"],
             wall_s=rows.wall_s,
             build_s=build_s,
         ),
-        warnings=(*_unchecked(model), *bound.warnings, *_floored(int(last["floored"]), run.floor)),
+        warnings=(*_unchecked(model), *bound.warnings, *_floored(counted["floored"], run.floor)),
     )
 
 
 @dataclass(frozen=True)
 class _Engine:
-    """The functions of one model and method; `chunk` in CasADi's virtual machine or as C."""
+    """The functions of one model and method; `chunks` in CasADi's virtual machine or as C."""
 
     integrator: Integrator
-    chunk: Any
+    begin: Callers
+    chunks: Callers
+    counters: Mapping[str, int]  # rows of the state
 
 
 @dataclass(frozen=True)
@@ -120,21 +115,29 @@ class _Limits:
 
 
 @dataclass(frozen=True)
+class _Given:
+    """What a run is asked for, read: numbers of the parameters, the start, the duration, and the scales that the scene states."""
+
+    bound: Bound
+    q: np.ndarray
+    u: np.ndarray
+    seconds: float
+    scales: Scales
+
+
+@dataclass(frozen=True)
 class _Run:
     """Everything of a run but its accuracy and scales."""
 
     model: Model
     engine: _Engine
-    bound: Bound
-    q: np.ndarray
-    u: np.ndarray
-    seconds: float
+    given: _Given
     limits: _Limits
 
     @property
     def floor(self) -> float:
         """Least approach speed [m/s] that is latched."""
-        return self.bound["approach_floor"] if "approach_floor" in self.model.parameters else APPROACH_FLOOR
+        return self.given.bound["approach_floor"] if "approach_floor" in self.model.parameters else APPROACH_FLOOR
 
     def __call__(
         self, accuracy: float, scales: Scales, progress: Callable[[float], object] | None = None
@@ -143,18 +146,22 @@ class _Run:
         layout = integrator.layouts.controls
         controls = np.zeros(layout.size)
         numbers: dict[str, Any] = {
-            "c": self.bound.c,
+            "c": self.given.bound.c,
             "scale": scales.state,
             "scales": scales.scene,
             "accuracy": accuracy,
         }
-        numbers |= {"t_end": self.seconds, "floor": self.floor}
+        numbers |= {"t_end": self.given.seconds, "h_max": self.given.seconds / LEAST_STEPS, "floor": self.floor}
         numbers |= {"max_events": self.limits.max_events, "max_steps": self.limits.max_steps}
         for name, value in numbers.items():
             controls[layout[name]] = value
-        state = np.array(integrator.begin(0.0, self.q, self.u, controls)).ravel()
+        begin = self.engine.begin.take()
+        for place, values in zip(begin.inputs, (0.0, self.given.q, self.given.u, controls), strict=True):
+            place[:] = values
+        state = begin()[0].copy()
+        self.engine.begin.give_back(begin)
         wall_time = self.limits.wall_time
-        rows = march(self.engine.chunk, integrator, state, controls, wall_time=wall_time, progress=progress)
+        rows = march(self.engine.chunks, integrator, state, controls, wall_time=wall_time, progress=progress)
         return History(self.model, rows.rows, controls, integrator), rows
 
 
@@ -169,7 +176,38 @@ def _engine(model: Model, method: str, *, compiled: bool) -> _Engine:
         except NoCompilerError as error:
             way_out = "compiled=False runs the same functions, slower"
             raise InputError(model.name, [Fault("compiled", str(error), "a working C compiler", way_out)]) from error
-    return _Engine(made, run)
+    rows = made.layouts.state
+    counters = ("steps", "rejected", "retaken", "evaluations", "events", "floored")
+    return _Engine(made, Callers(made.begin), Callers(run), {name: rows[name].start for name in counters})
+
+
+def _read(
+    model: Model,
+    duration: str | float | None,
+    accuracy: float,
+    method: str,
+    limits: _Limits,
+    parameters: Mapping[str, Value],
+    initial: Mapping[str, Value],
+) -> _Given:
+    """Everything given, read; raises InputError with every fault. Text that was read before is not read again."""
+    faults: list[Fault] = []
+    _check(accuracy, method, limits, faults)
+    known: dict[str, _Given] = model.once("given", dict)
+    key = repr((duration, parameters, initial))  # tells 1 from True and from "1"
+    given = None if faults else known.get(key)
+    if given is not None:
+        return given
+    seconds = _duration(duration, faults)
+    bound, wrong = model.check(parameters)
+    q, u = _start(model, bound, initial, faults)
+    if bound is None or wrong or faults:
+        raise InputError(model.name, wrong + faults)
+    given = _Given(bound, q, u, seconds, scaling.of_parameters(model, bound))
+    if len(known) >= REMEMBERED:
+        known.clear()
+    known[key] = given
+    return given
 
 
 def _check(accuracy: float, method: str, limits: _Limits, faults: list[Fault]) -> None:

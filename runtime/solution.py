@@ -89,7 +89,10 @@ class Solution:
 
     @cached_property
     def energy_residual(self) -> float | None:
-        """Largest |energy - initial energy + dissipated - input| of the run over the largest of these four magnitudes; None without a ledger."""
+        """Largest |energy - initial energy + dissipated - input| of the run over the largest of these four magnitudes.
+
+        None without a ledger, and where a run that came to no good end holds an energy that is not finite.
+        """
         if not self.model.has_ledger:
             return None
         dissipated, supplied = (
@@ -97,6 +100,8 @@ class Solution:
             for end in (".dissipated", ".input")
         )
         energy = self["energy"]
+        if not all(np.all(np.isfinite(part)) for part in (energy, dissipated, supplied)):
+            return None
         magnitude = max(float(np.max(np.abs(part))) for part in (energy, dissipated, supplied))
         error = np.abs(energy - energy[0] + (dissipated - dissipated[0]) - (supplied - supplied[0]))
         return float(np.max(error)) / magnitude if magnitude > 0 else float(np.max(error))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import casadi as ca
@@ -13,17 +13,26 @@ import numpy as np
 from hertzwerk.runtime.integrate.attempt import Integrator
 from hertzwerk.runtime.integrate.layout import RUNNING, TOO_MANY_STEPS
 
-SIZE = 512  # attempts per call
+SIZE = (16, 16)  # attempts per call: so many calls of a function that makes so many attempts
 INTERRUPTED, WALL_TIME_LIMIT = TOO_MANY_STEPS + 1, TOO_MANY_STEPS + 2  # statuses that only the loop can give
 
 
-def chunk(integrator: Integrator, attempts: int = SIZE) -> Any:
-    """CasADi function (state, controls) -> states (ns, attempts), one column after each attempt."""
-    state = ca.MX.sym("state", integrator.layouts.state.size)
-    controls = ca.MX.sym("controls", integrator.layouts.controls.size)
-    many = integrator.attempt.mapaccum("attempts", attempts)
-    states = many(state, ca.repmat(controls, 1, attempts))
-    return ca.Function("chunk", [state, controls], [states], ["state", "controls"], ["states"])
+def chunk(integrator: Integrator, sizes: tuple[int, ...] = SIZE) -> Any:
+    """CasADi function (state, controls) -> states (ns, attempts), one column after each attempt.
+
+    What mapaccum makes, but for the copies of the constant controls that it takes one of for each attempt.
+    """
+    many = integrator.attempt
+    for i, size in enumerate(sizes):
+        first = state = ca.MX.sym("state", integrator.layouts.state.size)
+        controls = ca.MX.sym("controls", integrator.layouts.controls.size)
+        states = []
+        for _ in range(size):
+            states.append(many.call([state, controls], i == 0, False)[0])  # an attempt is written out: a call costs
+            state = states[-1][:, -1]
+        name = "chunk" if i + 1 == len(sizes) else f"attempts_{i}"
+        many = ca.Function(name, [first, controls], [ca.horzcat(*states)], ["state", "controls"], ["states"])
+    return many
 
 
 @dataclass(frozen=True)
@@ -53,8 +62,27 @@ class Caller:
         return self.result
 
 
+@dataclass(frozen=True)
+class Callers:
+    """Callers of one function, made when none is free: two threads never share one, and a second run pays for no new memory."""
+
+    function: Any
+    _free: list[Caller] = field(default_factory=list)
+
+    def take(self) -> Caller:
+        """A caller for one user at a time."""
+        try:
+            return self._free.pop()
+        except IndexError:
+            return Caller(self.function)
+
+    def give_back(self, caller: Caller) -> None:
+        """The caller is free for the next user."""
+        self._free.append(caller)
+
+
 def march(
-    function: Any,
+    callers: Callers,
     integrator: Integrator,
     state: np.ndarray,
     controls: np.ndarray,
@@ -67,7 +95,7 @@ def march(
     t, status, accepted = layout["t"].start, layout["status"].start, layout["accepted"].start
     t_end = float(controls[integrator.layouts.controls["t_end"].start])
     t_start = float(state[t])
-    call = Caller(function)
+    call = callers.take()
     call.inputs[1][:] = controls
     kept = [state[None, :].copy()]
     start = time.perf_counter()
@@ -77,15 +105,18 @@ def march(
             call.inputs[0][:] = state
             states = call()
             state = states[-1].copy()
-            stop = int(np.argmax(states[:, status] != RUNNING)) + 1 if state[status] != RUNNING else len(states)
+            outcome = int(state[status])
+            stop = len(states)
+            if outcome != RUNNING:
+                stop = int(np.argmax(states[:, status] != RUNNING)) + 1
             part = states[:stop]
             kept.append(part[part[:, accepted] == 1])
-            outcome = int(state[status])
             if outcome == RUNNING and time.perf_counter() - start > wall_time:
                 outcome = WALL_TIME_LIMIT
             if progress is not None:
                 progress((float(state[t]) - t_start) / (t_end - t_start))
     except KeyboardInterrupt:
         outcome = INTERRUPTED
+    callers.give_back(call)
     wall_s = time.perf_counter() - start
     return Rows(np.concatenate(kept), state, outcome, wall_s)

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 LANDING = 1e-2  # the tolerances of a landing are this times the accuracy, in the scene's scales
 DOUBT = 0.1  # part of |quintic - cubic| that a graze must stay clear of
+NEAR = 1 / 64  # of a step: how far its end may be moved to land on a surface, by the classical method of order 4
 PARTS = 8  # sub-intervals searched
 NEWTON_STEPS = 12  # within one of them, bisecting where Newton would leave the bracket
 NO_EVENT = 2.0  # theta beyond every step
@@ -40,59 +41,83 @@ def tolerances(model: Model, run: Mapping[str, Any], t: Any, y: Any, gap_rate: A
     return gap, small * speed, small * force
 
 
-def polynomials(model: Model, layouts: Layouts, *, contacts: bool) -> Any:
-    """CasADi function (state, controls, trial) -> (bernstein (6, n), margin (n), doubt (n), suspect) for the n possible events of a trial step.
+def all_clear(model: Model, run: Mapping[str, Any], mode: Any, start: Mapping[str, Any], end: Mapping[str, Any]) -> Any:
+    """1 if no event is possible in a step under these modes, flight or contact, nor just behind it: no gap comes near zero, no force pulls."""
+    h = start["h"]
+    tol, _, _ = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
+    before, after = towards(mode, start), towards(mode, end)
+    b = _quintic(before, after, h)
+    between = _between(before, after, h)
+    soon = b[5] + NEAR * h * ca.fmin(after[1], 0)
+    clear = (ca.fmin(b[0], soon) > tol) * (end["force"] >= 0)
+    for coefficient in b[1:5]:
+        clear *= coefficient > between
+    return ca.mmin(clear)
 
-    n = 2 k: the gaps, then what ends a contact or a release before the gap opens. An event is the first theta where a polynomial, falling from
-    above, has a root and goes on to -margin; a graze whose minimum is below doubt is resolved by a shorter step. suspect: 1 if any of it is possible.
+
+def polynomials(model: Model, layouts: Layouts) -> Any:
+    """CasADi function (state, controls, next) -> (bernstein (6, k), margin (k), doubt (k), suspect, ending): the gaps over a step.
+
+    An event is the first theta where a polynomial, falling from above, has a root and goes on to -margin; a graze whose minimum is below doubt is
+    resolved by a shorter step. suspect: 1 if any of it is possible; ending: 1 if `endings` has an event.
     """
-    names, parts = ("state", "controls", "trial"), (layouts.state, layouts.controls, layouts.trial)
-    arguments = [layout.symbol(name) for layout, name in zip(parts, names, strict=True)]
-    start, run, end = (layout.split(vector) for layout, vector in zip(parts, arguments, strict=True))
+    arguments, (start, run, end) = _step(layouts)
     h = start["h"]
     tol, tol_rate, tol_force = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
-    sign = ca.if_else(start["mode"] == FLIGHT, 1, -1)
-    g, rate, acceleration = (sign * start[part] for part in ("gap", "gap_rate", "gap_acceleration"))
-    g1, rate1, acceleration1 = (sign * end[part] for part in ("gap", "gap_rate", "gap_acceleration"))
-    b = _quintic([g, rate, acceleration], [g1, rate1, acceleration1], h)
+    before, after = towards(start["mode"], start), towards(start["mode"], end)
+    g, rate, _ = before
+    b = _quintic(before, after, h)
     # On the surface and leaving it: the root at 0 is no event, the return is. (g(theta) - g)/theta is a quartic, here raised to degree 5.
     leaving, resting = (g <= tol) * (rate >= 0), (g <= tol) * (rate < 0)
     deflated = _raise([5 * (b[i] - b[0]) / i for i in range(1, 6)])
     # At rest within the tolerance the end of the step decides, not the polynomial.
     b = [ca.if_else(leaving, d, ca.if_else(resting, 1, x)) for d, x in zip(deflated, b, strict=True)]
-    between = DOUBT * ca.fabs(h * (rate - rate1) / 32 + h * h * (acceleration + acceleration1) / 64)
-    bernstein, margin = [ca.vertcat(*(x.T for x in b))], [ca.if_else(leaving, 2, 1) * tol]
-    doubt = [ca.if_else((between > tol) * (1 - leaving), between, 0)]
-    # A cubic falls from above zero: in contact the force, which would pull from there on; released, the opening speed, after which the
-    # bodies close again. Aimed half the tolerance below zero, so that the landing is beyond.
-    ends = [
-        (end["gap_rate"], start["gap_rate"], end["gap_acceleration"], start["gap_acceleration"], RELEASED, tol_rate)
-    ]
-    if contacts:
-        ends.append((end["force"], start["force"], end["force_rate"], start["force_rate"], CONTACT, tol_force))
-    rows = [ca.SX(1)] * 6
-    aim = ca.SX(0)
-    for f1, f, rate1, rate, where, small in ends:
-        falls = (start["mode"] == where) * (f >= 0) * (f1 < -small) * (end["gap"] < -tol)
+    between = _between(before, after, h)
+    bernstein, margin = ca.vertcat(*(x.T for x in b)), ca.if_else(leaving, 2, 1) * tol
+    doubt = ca.if_else((between > tol) * (1 - leaving), between, 0)
+    suspect = ca.mmin(_row_minimum(bernstein.T) - doubt) <= 0
+    ending = ca.mmax(sum(falls for falls, *_ in _endings(start, end, tol, tol_rate, tol_force))) > 0
+    outputs = ca.cse([*map(ca.densify, (bernstein, margin, doubt)), suspect, ending])
+    return ca.Function("polynomials", arguments, outputs)
+
+
+def endings(model: Model, layouts: Layouts) -> Any:
+    """CasADi function (state, controls, next) -> (bernstein (6, k), margin (k), doubt (k)) of what ends a contact or a release before the gap opens.
+
+    Cubics that fall from above zero: in contact the force, which would pull from there on; released, the opening speed, after which the bodies close
+    again. Aimed half the tolerance below zero, so that the landing is beyond.
+    """
+    arguments, (start, run, end) = _step(layouts)
+    h = start["h"]
+    tolerance = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
+    rows, aim = [ca.SX(1)] * 6, ca.SX(0)
+    for falls, f, f1, rate, rate1, small in _endings(start, end, *tolerance):
         cubic = _raise(_raise([f, f + h * rate / 3, f1 - h * rate1 / 3, f1]))
         rows = [ca.if_else(falls, x + small / 2, row) for x, row in zip(cubic, rows, strict=True)]
         aim = ca.if_else(falls, small / 2, aim)
-    bernstein.append(ca.vertcat(*(row.T for row in rows)))
-    margin.append(aim)
-    doubt.append(ca.SX.zeros(model.k))
-    bernstein, margin, doubt = ca.horzcat(*bernstein), ca.vertcat(*margin), ca.vertcat(*doubt)
-    suspect = ca.mmin(_row_minimum(bernstein.T) - doubt) <= 0
-    return ca.Function(
-        "polynomials",
-        arguments,
-        [ca.densify(bernstein), ca.densify(margin), ca.densify(doubt), suspect],
-        names,
-        ["bernstein", "margin", "doubt", "suspect"],
-    )
+    bernstein = ca.densify(ca.vertcat(*(row.T for row in rows)))
+    return ca.Function("endings", arguments, ca.cse([bernstein, ca.densify(aim), ca.DM.zeros(model.k)]))
+
+
+def _endings(start: Mapping[str, Any], end: Mapping[str, Any], tol: Any, tol_rate: Any, tol_force: Any) -> list[Any]:
+    """Of the force and of the opening speed: whether it falls below zero, its values and rates at both ends, its tolerance."""
+    kinds = ((CONTACT, "force", "force_rate", tol_force), (RELEASED, "gap_rate", "gap_acceleration", tol_rate))
+    found = []
+    for mode, value, rate, small in kinds:
+        falls = (start["mode"] == mode) * (start[value] >= 0) * (end[value] < -small) * (end["gap"] < -tol)
+        found.append((falls, start[value], end[value], start[rate], end[rate], small))
+    return found
+
+
+def _step(layouts: Layouts) -> tuple[list[Any], list[dict[str, Any]]]:
+    """Symbols of (state, controls, next), and their parts."""
+    parts = (layouts.state, layouts.controls, layouts.state)
+    arguments = [layout.symbol(name) for layout, name in zip(parts, ("state", "controls", "next"), strict=True)]
+    return arguments, [layout.split(vector) for layout, vector in zip(parts, arguments, strict=True)]
 
 
 def locate(n: int) -> Any:
-    """CasADi function (bernstein (6, n), margin (n), doubt (n)) -> theta in (0, 1] of the first event, or NO_EVENT.
+    """CasADi function (bernstein (6, n), margin (n), doubt (n)) -> theta (n) in (0, 1] of the first event of each, or NO_EVENT.
 
     Half the step where a graze is in doubt. The polynomials are evaluated at the ends of equal parts; the first part with a change of sign, or with a
     minimum that reaches -margin, brackets the root, which bisection-safeguarded Newton steps find. All n at once, branch-free.
@@ -133,14 +158,23 @@ def locate(n: int) -> Any:
     # within the margin of zero already at the part's left end: that end will do
     x = ca.if_else(_horner(value, first) > 0, x, ca.fmax(first, high / PARTS))
     theta = ca.if_else(part < PARTS, x, ca.if_else(in_doubt, 0.5, NO_EVENT))
-    return ca.Function(
-        "locate", [bernstein, margin, doubt], [ca.mmin(theta)], ["bernstein", "margin", "doubt"], ["theta"]
-    )
+    return ca.Function("locate", [bernstein, margin, doubt], [theta], ["bernstein", "margin", "doubt"], ["theta"])
 
 
 _POWERS = [
     [comb(5, j) * (-1) ** (i + j) * comb(j, i) if i <= j else 0 for i in range(6)] for j in range(6)
 ]  # of 1, theta, ..., theta^5
+
+
+def towards(mode: Any, parts: Mapping[str, Any]) -> list[Any]:
+    """Gaps, rates and accelerations, turned so that an event is a fall through zero."""
+    sign = ca.if_else(mode == FLIGHT, 1, -1)
+    return [sign * parts[part] for part in ("gap", "gap_rate", "gap_acceleration")]
+
+
+def _between(start: list[Any], end: list[Any], h: Any) -> Any:
+    """What a graze must stay clear of: a part of |quintic - cubic| in the middle of the step."""
+    return DOUBT * ca.fabs(h * (start[1] - end[1]) / 32 + h * h * (start[2] + end[2]) / 64)
 
 
 def _quintic(start: list[Any], end: list[Any], h: Any) -> list[Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -32,22 +33,25 @@ class Flow:
         return dict(zip(self.ends.name_out(), self.ends.call([t, y, mode, m, c]), strict=True))
 
 
-def flow(model: Model, *, contacts: bool) -> Flow:
-    """Right-hand side of a model; without `contacts` no contact force is evaluated at all, whatever the modes."""
+NO_PAIR, EVERY_PAIR, BY_MODE = "no pair", "every pair", "by mode"
+
+
+def flow(model: Model, contacts: str = BY_MODE) -> Flow:
+    """Right-hand side of a model with the contact forces of no pair, of every pair, or of those whose mode is contact."""
     t, q, u, z = ca.SX.sym("t"), ca.SX.sym("q", model.nq), ca.SX.sym("u", model.nu), ca.SX.sym("z", model.nz)
     mode, m, c = ca.SX.sym("mode", model.k), ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc)
     y = ca.vertcat(q, u, z)
     f = model.function("applied")(t, q, u, c)
     dz = ca.SX.zeros(model.nz)
     forces, in_range = ca.SX.zeros(model.k), ca.SX.ones(model.k)
-    if contacts:
+    if contacts != NO_PAIR:
         for j, (pair, _) in enumerate(model.module.PAIRS):
-            active = mode[j] == CONTACT
+            active = mode[j] == CONTACT if contacts == BY_MODE else ca.SX(1)
             f_j, dz_j, normal, _, valid = model.function(f"contact_{pair}")(t, q, u, z, m, c)
-            f += ca.if_else(active, f_j, 0)
-            dz += ca.if_else(active, dz_j, 0)
-            forces[j] = ca.if_else(active, normal, 0)
-            in_range[j] = ca.if_else(active, valid, 1)
+            f += _where(active, f_j, 0)
+            dz += _where(active, dz_j, 0)
+            forces[j] = _where(active, normal, 0)
+            in_range[j] = _where(active, valid, 1)
     dq = model.function("coordinate_rates")(t, q, u, c)
     a, reactions = model.function("accelerations")(t, q, u, f, c)
     if model.has_ledger:
@@ -55,7 +59,7 @@ def flow(model: Model, *, contacts: bool) -> Flow:
     dy = ca.vertcat(dq, a, dz)
     gap, gap_rate = model.function("gaps")(t, q, u, c)
     gap_acceleration = model.function("gap_accelerations")(t, q, u, a, c)
-    along = ca.jtimes(forces, ca.vertcat(t, y), ca.vertcat(1, dy)) if contacts else ca.SX.zeros(model.k)
+    along = ca.jtimes(forces, ca.vertcat(t, y), ca.vertcat(1, dy)) if contacts != NO_PAIR else ca.SX.zeros(model.k)
     force_rate = ca.if_else(gap < 0, along, 0)  # at zero penetration the derivative of a root is not a number
     arguments = [t, y, mode, m, c]
     names = ["t", "y", "mode", "m", "c"]
@@ -71,34 +75,66 @@ def flow(model: Model, *, contacts: bool) -> Flow:
     )
 
 
-def step(layouts: Layouts, table: RungeKutta, right: Flow) -> Any:
-    """CasADi function (state, controls, h) -> trial: one step of h [s] from a state under its modes and latches.
-
-    Called with a fraction of the step that was taken it is the dense output, of the method's full order.
-    """
-    state, controls, h = layouts.state.symbol("state"), layouts.controls.symbol("controls"), ca.SX.sym("h")
-    start, run = layouts.state.split(state), layouts.controls.split(controls)
+def stepped(table: RungeKutta, right: Flow, start: Mapping[str, Any], run: Mapping[str, Any], h: Any) -> dict[str, Any]:
+    """One step of h [s] from the parts of a state, under its modes and latches: the parts of a trial."""
     given = (start["mode"], start["m"], run["c"])
     t, y = start["t"], start["y"]
     slopes = [start["dy"]]
     for row, node in zip(table.A[1:], table.c[1:], strict=True):
-        slopes.append(right.rates(t + node * h, y + h * _weighted(row, slopes), *given))
+        slopes.append(right.rates(t + node * h, _moved(y, h, row, slopes), *given))
     t1 = t + h
-    y1 = y + h * _weighted(table.b, slopes)
+    y1 = _moved(y, h, table.b, slopes)
     end = right.at(t1, y1, *given)
     slopes.append(end["dy"])
     weights = 1 / (run["accuracy"] * run["scale"] + 4 * EPS * ca.fabs(y1))
     error = _norm([_weighted(estimate.weights, slopes) * weights for estimate in table.errors], h)
-    trial = layouts.trial.join({"t": t1, "y": y1, **end, "error": error})
-    return ca.Function("step", [state, controls, h], [trial], ["state", "controls", "h"], ["trial"])
+    return {"t": t1, "y": y1, **end, "error": error}
+
+
+def step(layouts: Layouts, table: RungeKutta, right: Flow) -> Any:
+    """CasADi function (state, controls, h) -> trial.
+
+    Called with a fraction of the step that was taken it is the dense output, of the method's full order.
+    """
+    state, controls, h = layouts.state.symbol("state"), layouts.controls.symbol("controls"), ca.SX.sym("h")
+    trial = stepped(table, right, layouts.state.split(state), layouts.controls.split(controls), h)
+    return ca.Function(
+        "step", [state, controls, h], [ca.cse(layouts.trial.join(trial))], ["state", "controls", "h"], ["trial"]
+    )
+
+
+def nudged(right: Flow, end: Mapping[str, Any], given: tuple[Any, Any, Any], delta: Any) -> dict[str, Any]:
+    """From the end of a step on by delta [s], so short that the classical method of order 4 is exact enough; the parts of a trial but its error."""
+    t, y, k1 = end["t"], end["y"], end["dy"]
+    k2 = right.rates(t + delta / 2, y + delta / 2 * k1, *given)
+    k3 = right.rates(t + delta / 2, y + delta / 2 * k2, *given)
+    k4 = right.rates(t + delta, y + delta * k3, *given)
+    y1 = y + delta / 6 * (k1 + 2 * (k2 + k3) + k4)
+    return {"t": t + delta, "y": y1, **right.at(t + delta, y1, *given)}
+
+
+def _where(active: Any, value: Any, otherwise: float) -> Any:
+    return value if active.is_one() else ca.if_else(active, value, otherwise)
+
+
+def _moved(y: Any, h: Any, weights: tuple[float, ...], slopes: list[Any]) -> Any:
+    """y + h sum(weights * slopes), so that little is left to do once the last slope is known: a step is one long chain of such sums."""
+    *older, last = (i for i, weight in enumerate(weights) if weight)
+    if older:
+        y = y + h * _sum([weights[i] * slopes[i] for i in older])
+    return y + h * weights[last] * slopes[last]
 
 
 def _weighted(weights: tuple[float, ...], slopes: list[Any]) -> Any:
-    terms = [weight * slope for weight, slope in zip(weights, slopes, strict=False) if weight]
-    total = terms[0]
-    for term in terms[1:]:
-        total = total + term
-    return total
+    return _sum([weight * slope for weight, slope in zip(weights, slopes, strict=False) if weight])
+
+
+def _sum(terms: list[Any]) -> Any:
+    """Sum in pairs: a processor adds them side by side, and rounding grows with the logarithm of their number."""
+    while len(terms) > 1:
+        pairs = [a + b for a, b in zip(terms[::2], terms[1::2], strict=False)]
+        terms = pairs + terms[2 * len(pairs) :]
+    return terms[0]
 
 
 def _norm(errors: list[Any], h: Any) -> Any:

@@ -56,21 +56,24 @@ class Layout:
 
 @dataclass(frozen=True)
 class Layouts:
-    """The three vectors of a model's integration; k pairs, ny = nq + nu + nz.
+    """The vectors of a model's integration; k pairs, ny = nq + nu + nz.
 
     state     what one attempt hands to the next; the recorded row
     controls  the numbers of one run, constant over its attempts
     trial     what one step yields
+    verdict   what a step yields beside the state it would lead to: its kind, the error norm, whether each law is in its range
     """
 
     state: Layout
     controls: Layout
     trial: Layout
+    verdict: Layout
 
 
 FLIGHT, CONTACT, RELEASED = 0.0, 1.0, 2.0  # modes of a pair
 IDLE, IN_FLIGHT, IN_CONTACT = range(3)  # class of the next attempt: none, no pair in contact, some pair in contact
 RUNNING, FINISHED, STEP_TOO_SMALL, NOT_FINITE, OUTSIDE_LAW_RANGE, EVENT_LIMIT, TOO_MANY_STEPS = range(7)  # status
+PLAIN, SPECIAL, REJECTED = range(3)  # kind of a step: nothing speaks against it, something may happen in it, it failed
 PAIR_PARTS = ("gap", "gap_rate", "gap_acceleration", "force", "force_rate")  # in the state and in the trial
 
 
@@ -78,19 +81,20 @@ def layouts(model: Model) -> Layouts:
     """Layouts for a model.
 
     State: t [s]; y = q, u, z; dy = dy/dt under the modes; mode and m (latches); gap, gap_rate, gap_acceleration and force, force_rate of
-    each pair [SI]; h [s] the step to try next; h_flight, h_contact, h_onset [s] remembered; error the last accepted error norm; class,
-    status; accepted, fresh_contact (a contact has just begun), after_rejection; then counters.
+    each pair [SI]; h [s] the step to try next; h_flight, h_contact, h_onset [s] remembered; class, status; accepted, fresh_contact
+    (a contact has just begun), after_rejection; then counters.
     """
     ny, k, nm = model.nq + model.nu + model.nz, model.k, model.nm
     pairs = dict.fromkeys(PAIR_PARTS, k)
-    steps = ("h", "h_flight", "h_contact", "h_onset", "error", "class", "status")
+    steps = ("h", "h_flight", "h_contact", "h_onset", "class", "status")
     flags = ("accepted", "fresh_contact", "after_rejection")
     counters = ("retakes", "steps", "rejected", "retaken", "evaluations", "events", "floored")
-    limits = ("accuracy", "t_end", "floor", "max_events", "max_steps")
+    limits = ("accuracy", "t_end", "h_max", "floor", "max_events", "max_steps")
     return Layouts(
         state=Layout(
             {"t": 1, "y": ny, "dy": ny, "mode": k, "m": nm} | pairs | dict.fromkeys((*steps, *flags, *counters), 1)
         ),
         controls=Layout({"c": model.nc, "scale": ny, "scales": 4} | dict.fromkeys(limits, 1)),
         trial=Layout({"t": 1, "y": ny, "dy": ny} | pairs | {"in_range": k, "error": 1}),
+        verdict=Layout({"kind": 1, "error": 1, "in_range": k}),
     )

@@ -31,7 +31,8 @@ if TYPE_CHECKING:
 
 Parts = dict[str, Any]  # of a vector, by name
 
-ONSET_STEP = 0.02 * 2.94  # of length/speed, the first contact's first step: 0.02 of a Hertz impact's duration
+HERTZ = 2.94  # duration of a Hertz impact in depth/speed
+ONSET_STEP, ONSET_POWER = 1.6 * HERTZ, 2 / 7  # of length/speed * accuracy^power: the very first contact's first step
 FINITE = 1e300  # a sum of magnitudes is below it, or something is infinite or undefined
 
 
@@ -70,7 +71,7 @@ def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
         y = _book(model, after["t"], y, run["c"], before["mode"], after["mode"])
     end = right.at(after["t"], y, after["mode"], after["m"], run["c"])
     end.pop("in_range")
-    finite = ca.sum1(ca.fabs(end["dy"])) < FINITE
+    finite = is_finite(end)
     status = ca.if_else(finite, after["status"], NOT_FINITE)
     new = {**after, **end, "y": y, "status": status, "class": ca.if_else(finite, after["class"], IDLE)}
     return ca.Function("switch", arguments, [vectors.state.join(new)], ["before", "after", "controls"], ["next"])
@@ -95,11 +96,11 @@ def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
         end = right.at(t, y, mode, m, run["c"])
     in_range = end.pop("in_range")
     in_contact = any_of(mode == CONTACT)
-    finite = ca.sum1(ca.fabs(end["dy"])) < FINITE
+    finite = is_finite(end)
     status = ca.if_else(finite, ca.if_else(any_of(in_range < 0.5), OUTSIDE_LAW_RANGE, RUNNING), NOT_FINITE)
     fastest = ca.mmax(ca.fabs(end["dy"]) / run["scale"])  # [1/s]
-    h = ca.fmin(0.1 / ca.fmax(fastest, 1 / FINITE), (run["t_end"] - t) / 10)
-    h_onset = ONSET_STEP * run["scales"][0] / run["scales"][1]
+    h = ca.fmin(0.1 / ca.fmax(fastest, 1 / FINITE), run["h_max"])
+    h_onset = ONSET_STEP * run["accuracy"] ** ONSET_POWER * run["scales"][0] / run["scales"][1]
     start = {
         **dict.fromkeys(vectors.state.sizes, ca.SX(0)),
         **end,
@@ -111,7 +112,6 @@ def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
         "h_flight": h,
         "h_contact": ca.fmin(h, h_onset),
         "h_onset": h_onset,
-        "error": ca.SX(1),
         "class": ca.if_else(status == RUNNING, ca.if_else(in_contact, IN_CONTACT, IN_FLIGHT), IDLE),
         "status": status,
         "accepted": ca.SX(1),
@@ -121,6 +121,16 @@ def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
     }
     arguments = [t, q, u, controls]
     return ca.Function("begin", arguments, [vectors.state.join(start)], ["t", "q", "u", "controls"], ["state"])
+
+
+def is_finite(end: Parts) -> Any:
+    """1 if the derivatives where a step ends are numbers."""
+    return ca.sum1(ca.fabs(end["dy"])) + ca.sum1(ca.fabs(end["gap_acceleration"])) < FINITE  # false for NaN
+
+
+def all_of(conditions: Any) -> Any:
+    """1 if every one of a column of conditions holds; 1 for an empty one."""
+    return ca.mmin(conditions) if conditions.numel() else ca.SX(1)
 
 
 def any_of(conditions: Any) -> Any:

@@ -82,12 +82,12 @@ class RungeKutta:
         A = np.zeros((s + 1, s + 1))
         for i, row in enumerate((*self.A, self.b)):
             A[i, : len(row)] = row
-        _require(f"{self.name}: row sums of A equal c", A.sum(1), np.array([*self.c, 1.0]), np.abs(A).sum(1) + 1)
-        _require_order(f"{self.name}: b", A, np.array([*self.b, 0.0]), self.order, solution=True)
+        require(f"{self.name}: row sums of A equal c", A.sum(1), np.array([*self.c, 1.0]), np.abs(A).sum(1) + 1)
+        require_order(f"{self.name}: b", A, np.array([*self.b, 0.0]), self.order, solution=True)
         for error in self.errors:
             if not any(error.weights):
                 raise ValueError(f"{self.name}: error weights are all zero")
-            _require_order(f"{self.name}: error weights", A, np.array(error.weights), error.order, solution=False)
+            require_order(f"{self.name}: error weights", A, np.array(error.weights), error.order, solution=False)
 
     @property
     def stages(self) -> int:
@@ -100,27 +100,34 @@ class RungeKutta:
         return self.order if len(self.errors) > 1 else self.errors[0].order + 1
 
 
-def _require_order(what: str, A: np.ndarray, weights: np.ndarray, order: int, *, solution: bool) -> None:
-    """Raise unless the weights meet every condition up to the order: 1/gamma for a solution, 0 for an error estimate."""
-    known: dict[Tree, np.ndarray] = {(): A.sum(1)}  # A @ Phi(tree)
+def require_order(
+    what: str, A: np.ndarray, weights: np.ndarray, order: int, *, solution: bool, several: np.ndarray | None = None
+) -> None:
+    """Raise unless the weights meet every condition up to the order: 1/gamma for a solution, 0 for an error estimate.
+
+    several: the matrix that counts where a node has several sons, where that is not A (Rosenbrock methods).
+    """
+    known: dict[tuple[Tree, bool], np.ndarray] = {}  # matrix @ Phi(tree)
 
     def elementary(tree: Tree) -> np.ndarray:
         phi = np.ones(len(weights))
+        branches = len(tree) > 1 and several is not None
         for branch in tree:
-            if branch not in known:
-                known[branch] = A @ elementary(branch)
-            phi = phi * known[branch]
+            if (branch, branches) not in known:
+                known[branch, branches] = (several if branches else A) @ elementary(branch)
+            phi = phi * known[branch, branches]
         return phi
 
     for nodes in range(1, order + 1):
         phi = np.array([elementary(tree) for tree in trees(nodes)])
         expected = np.array([1 / _density(tree) if solution else 0.0 for tree in trees(nodes)])
-        _require(
+        require(
             f"{what} meet the conditions of order {nodes}", phi @ weights, expected, np.abs(phi) @ np.abs(weights) + 1
         )
 
 
-def _require(what: str, found: np.ndarray, expected: np.ndarray, magnitude: np.ndarray) -> None:
+def require(what: str, found: np.ndarray, expected: np.ndarray, magnitude: np.ndarray) -> None:
+    """Raise unless found equals expected to rounding, relative to the magnitudes summed."""
     worst = float(np.max(np.abs(found - expected) / magnitude))
     if not worst <= TOLERANCE:
         raise ValueError(

@@ -1,6 +1,7 @@
 """The engine against closed forms, against itself as C, and at the edges: every outcome, every kind of bad input."""
 
 import math
+from concurrent.futures import ThreadPoolExecutor
 from itertools import pairwise
 
 import casadi as ca
@@ -11,6 +12,7 @@ from handmade import point
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import Solution, load, simulate
 from reference import closed_forms
+from reference.slider_crank import SliderCrank, reference
 
 METHODS = {"dopri5": 1e-12, "dop853": 1e-11}  # the accuracy that gives 1e-9 over an impact
 DROP = 4.42944692
@@ -117,6 +119,29 @@ def test_on_a_smooth_motion_the_work_grows_as_the_order_says(method, order):
     assert growth == pytest.approx(1 / order, abs=0.3 / order)
 
 
+def test_work_at_a_given_error_of_the_slider_crank(crank):
+    """Impacts amplify errors at random: the mean over tolerances counts. The hand-written program needs 6050 evaluations for 5e-5 (10 ms)."""
+    truth = reference(friction=False)
+    logarithms, evaluations = [], []
+    for accuracy in np.logspace(-6, -9, 13):
+        run = simulate(crank, duration="10 ms", accuracy=accuracy)
+        angle, travel, spin, speed = (run.final[name] for name in (*crank.coordinates, *crank.speeds))
+        w = SliderCrank().w
+        logarithms.append(math.log10(truth.error(0.010, (angle + 0.010 * w, travel, spin + w, speed))))
+        evaluations.append(run.statistics.rhs_evaluations)
+    assert np.mean(logarithms) < math.log10(2e-5)
+    assert np.mean(evaluations) < 7500
+
+
+def test_landings_cost_little(crank):
+    """Aimed and nudged: on parabolic flights no step is taken twice, and one in two elsewhere."""
+    run = simulate(load("ball_between_walls"), duration="4 s", accuracy=1e-8)
+    assert run.statistics.events > 10
+    assert run.statistics.retaken == 0
+    run = simulate(crank, duration="24 ms", accuracy=1e-8)
+    assert run.statistics.retaken < run.statistics.events  # an onset and an end each
+
+
 def test_first_impact_of_the_slider_crank(crank):
     run = simulate(crank, duration="0.3 ms", accuracy=1e-8)
     (impact,) = run.impacts
@@ -219,6 +244,34 @@ def test_a_ball_at_rest_in_its_static_penetration_stays_there():
     assert run.impacts[0].duration is None
 
 
+def test_a_push_on_a_body_at_rest_is_not_stepped_over():
+    """At rest steps grow; K = 9.81 N/m from x = -1 m, pushed by 0.1 N for 1.2 s of 10 s: it swings by 2 P/K sin(w 1.2/2) afterwards."""
+    k, push = 9.81, 0.1
+    model = point(
+        lambda d, v, v0: k * d * (1 + 0 * v0),
+        push=lambda t, x, v: -k + ca.if_else((t > 5) * (t < 6.2), push, 0),
+        scales=(1.0, 1.0, 10.0, 1.0),
+    )
+    run = simulate(model, duration=10.0, accuracy=1e-8, initial={"path.travel": "-1 m"})
+    assert np.max(np.abs(run["path.travel"][run.t < 5] + 1)) < 1e-12
+    x, v = run.final["path.travel"] + 1, run.final["path.speed"]
+    amplitude = math.hypot(x, v / math.sqrt(k))
+    assert amplitude == pytest.approx(2 * push / k * abs(math.sin(math.sqrt(k) * 0.6)), rel=1e-5)
+
+
+def test_runs_of_one_model_side_by_side_do_not_disturb_each_other(ball):
+    heights = [f"{0.5 + 0.1 * i} m" for i in range(8)]
+
+    def rows(height):
+        return simulate(ball, duration="5 s", accuracy=1e-9, parameters={"drop_height": height}).history.rows
+
+    alone = list(map(rows, heights))
+    with ThreadPoolExecutor(4) as pool:
+        together = list(pool.map(rows, heights))
+    assert all(np.array_equal(a, b) for a, b in zip(alone, together, strict=True))
+    assert not np.array_equal(alone[0], alone[1])
+
+
 def squeezed(speed, duration):
     """The ball between walls that overlap it by 1 mm on either side, elastic."""
     return simulate(
@@ -312,7 +365,7 @@ def test_outcome_step_too_small():
 
 def test_outcome_wall_time_limit():
     model = falling(lambda d, v, v0: 1e14 * d)
-    stopped(simulate(model, duration=1000.0, accuracy=1e-10, wall_time=0.05), "wall_time_limit")
+    stopped(simulate(model, duration=1e5, accuracy=1e-10, wall_time=0.05), "wall_time_limit")
 
 
 def test_outcome_interrupted():

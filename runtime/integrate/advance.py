@@ -1,0 +1,85 @@
+"""The plain attempt, by far the most frequent: one step that nothing speaks against and that changes nobody's mode.
+
+It is one function without branches. Whatever is not plain is left to `settle` and `reject`.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+
+from hertzwerk.runtime.integrate.control import factor, near_surfaces, remembered, roughness
+from hertzwerk.runtime.integrate.events import all_clear
+from hertzwerk.runtime.integrate.explicit import BY_MODE, EVERY_PAIR, NO_PAIR, flow, stepped
+from hertzwerk.runtime.integrate.layout import (
+    CONTACT,
+    FLIGHT,
+    IN_CONTACT,
+    PLAIN,
+    REJECTED,
+    SPECIAL,
+    Layouts,
+)
+from hertzwerk.runtime.integrate.modes import all_of, is_finite
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.integrate.tables import RungeKutta
+    from hertzwerk.runtime.model import Model
+
+
+def advance(model: Model, vectors: Layouts, table: RungeKutta, kind: int) -> Any:
+    """CasADi function (state, controls) -> (next, verdict) of one class of attempts.
+
+    next: the state after the step, if verdict says it is plain; otherwise its t, y, dy and pair parts are those of the end of the step.
+    """
+    contact = kind == IN_CONTACT
+    right = flow(model, (EVERY_PAIR if model.k == 1 else BY_MODE) if contact else NO_PAIR)
+    state, controls = vectors.state.symbol("state"), vectors.controls.symbol("controls")
+    old, run = vectors.state.split(state), vectors.controls.split(controls)
+    if model.k == 1:  # the class says it, so that nothing is left to decide
+        mode = ca.SX(CONTACT if contact else FLIGHT)
+        plain = old["mode"] == mode
+    else:
+        mode = old["mode"] if contact else ca.SX(model.k * [FLIGHT])
+        plain = all_of((mode == FLIGHT) + (mode == CONTACT) > 0) if contact else all_of(old["mode"] == FLIGHT)
+    h, steps = old["h"], old["steps"] + 1
+    end = stepped(table, right, {**old, "mode": mode}, run, h)
+    if contact:
+        end["error"] *= roughness(mode == CONTACT, old["gap"], end["gap"])
+    error, in_range = end.pop("error"), end.pop("in_range")
+    left = run["t_end"] - end["t"]
+    passed = (error <= 1) * is_finite(end)
+    clear = plain * (1 - old["fresh_contact"]) * (left > 0) * (steps < run["max_steps"])
+    if model.k:
+        clear *= all_clear(model, run, mode, old, end)
+    if contact:
+        clear *= all_of(in_range > 0.5)
+
+    grown = factor(table, error)
+    grown = h * ca.if_else(old["after_rejection"], ca.fmin(grown, 1), grown)
+    own = "h_contact" if contact else "h_flight"
+    kept = remembered(h, old[own], grown)
+    free = ca.fmin(kept, run["h_max"]) if contact else kept
+    if model.k:
+        free = near_surfaces(free, old["h_onset"], mode, end)
+    new = {
+        **old,
+        **end,
+        own: kept,
+        "h": ca.if_else(1.01 * free >= left, left, free),
+        "accepted": ca.SX(1),
+        "after_rejection": ca.SX(0),
+        "retakes": ca.SX(0),
+        "steps": steps,
+        "evaluations": old["evaluations"] + table.stages,
+    }
+    judged = REJECTED + passed * (SPECIAL - REJECTED + clear * (PLAIN - SPECIAL))
+    verdict = {"kind": judged, "error": error, "in_range": in_range}
+    return ca.Function(
+        "advance_in_contact" if contact else "advance_in_flight",
+        [state, controls],
+        ca.cse([vectors.state.join(new), vectors.verdict.join(verdict)]),
+        ["state", "controls"],
+        ["next", "verdict"],
+    )
