@@ -65,6 +65,13 @@ def find(history: History) -> tuple[Impact, ...]:
     return tuple(found)
 
 
+def approach_speeds(history: History, j: int) -> np.ndarray:
+    """Approach speeds [m/s] of every contact of pair j, in order."""
+    spans = list(_spans(history.part("mode")[:, j], j))
+    speeds: np.ndarray = np.maximum(-history.part("gap_rate")[[span.onset for span in spans], j], 0)
+    return speeds
+
+
 def _spans(mode: np.ndarray, j: int) -> Iterator[_Span]:
     """Contacts of one pair: from a row in contact to the last such row before the gap opens (it may be released and touch again between)."""
     onset, last = -1, -1

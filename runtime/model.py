@@ -129,6 +129,7 @@ _INPUTS = {
     "energy": "t q u c",
     "poses": "t q c",
     "outputs": "t q u c",
+    "speed_limits": "p",
 }
 
 

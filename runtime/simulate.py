@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,6 +15,7 @@ from hertzwerk.derive.units import UnitError, parse_unit
 from hertzwerk.runtime import scales as scaling
 from hertzwerk.runtime.binding import Value, read, read_state, unknown
 from hertzwerk.runtime.history import History
+from hertzwerk.runtime.impacts import approach_speeds
 from hertzwerk.runtime.integrate.attempt import Integrator, integrator
 from hertzwerk.runtime.integrate.chunk import Callers, Rows, chunk, march
 from hertzwerk.runtime.integrate.layout import OUTSIDE_LAW_RANGE
@@ -93,7 +94,12 @@ def simulate(
             wall_s=rows.wall_s,
             build_s=build_s,
         ),
-        warnings=(*_unchecked(model), *bound.warnings, *_floored(counted["floored"], run.floor)),
+        warnings=(
+            *_unchecked(model),
+            *bound.warnings,
+            *_floored(counted["floored"], run.floor),
+            *_too_fast(model, bound, history),
+        ),
     )
 
 
@@ -279,6 +285,25 @@ def _unchecked(model: Model) -> tuple[str, ...]:
     return tuple(
         f"{effect} is dimensionally inconsistent and runs unchecked: {why}" for effect, why in model.module.UNCHECKED
     )
+
+
+def _too_fast(model: Model, bound: Bound, history: History) -> Iterator[str]:
+    """Contacts faster than their compliant law allows, for the pairs whose material has a density."""
+    for pair, limit in zip(getattr(model.module, "SPEED_LIMITED", ()), _speed_limits(model, bound), strict=True):
+        speeds = approach_speeds(history, model.pairs.index(pair))
+        over = int(np.sum(speeds > limit))
+        if over:
+            yield (
+                f"{over} of {len(speeds)} impacts of {pair} exceed the law's limit v0 <= 1e-5*sqrt(E/rho) = {limit:.3g} m/s "
+                f"(worst {speeds.max():.3g} m/s)"
+            )
+
+
+def _speed_limits(model: Model, bound: Bound) -> np.ndarray:
+    """Of the pairs in SPEED_LIMITED [m/s]."""
+    if not hasattr(model.module, "SPEED_LIMITED"):
+        return np.zeros(0)
+    return np.asarray(model.function("speed_limits")(bound.p)).ravel()
 
 
 def _floored(count: int, floor: float) -> tuple[str, ...]:

@@ -25,6 +25,7 @@ v = Parameter("speed", "m/s", 0.3, "of the striker at the start")
 gap = Parameter("gap", "m", 0.01, "between the spheres at the start")
 E = Parameter("youngs_modulus", "GPa", 207)
 nu = Parameter("poissons_ratio", "1", 0.3)
+e = Parameter("restitution", "1", 0.7)
 steel = Material(E, nu)
 
 striker = Body("striker", mass=m)
@@ -40,7 +41,7 @@ K = sp.Rational(4, 3) * E / (2 * (1 - nu**2)) * sp.sqrt(R / 2)
 
 scene = Scene(
     mechanism,
-    effects=(Contact("spheres", hertz_point(steel, steel), flores(Parameter("restitution", "1", 0.7))), EnergyLedger()),
+    effects=(Contact("spheres", hertz_point(steel, steel), flores(e)), EnergyLedger()),
     start=Start(position={"target_path": 2 * R + gap}, speed={"striker_path": v}),
     scales=Scales(length=(5 * m * v**2 / (8 * K)) ** sp.Rational(2, 5), speed=v),  # m_eff = m/2
     summary="a sphere meets an equal one at rest",

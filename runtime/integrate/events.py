@@ -49,10 +49,21 @@ def all_clear(model: Model, run: Mapping[str, Any], mode: Any, start: Mapping[st
     b = _quintic(before, after, h)
     between = _between(before, after, h)
     soon = b[5] + NEAR * h * ca.fmin(after[1], 0)
-    clear = (ca.fmin(b[0], soon) > tol) * (end["force"] >= 0)
+    clear = (ca.fmin(b[0], soon) > tol) * (1 - pulls(model, end["force"]))
     for coefficient in b[1:5]:
         clear *= coefficient > between
     return ca.mmin(clear)
+
+
+def pulls(model: Model, force: Any) -> Any:
+    """1 (k) where a force is below zero and the law ends its contact there; a law that ends with the gap may pull."""
+    return ends_with_force(model) * (force < 0)
+
+
+def ends_with_force(model: Model) -> Any:
+    """1 (k) for the pairs whose law ends a contact where its force falls to zero, 0 where it ends with the gap."""
+    releases = getattr(model.module, "RELEASES", model.k * ("force",))
+    return ca.DM([float(rule == "force") for rule in releases])
 
 
 def polynomials(model: Model, layouts: Layouts) -> Any:
@@ -76,7 +87,7 @@ def polynomials(model: Model, layouts: Layouts) -> Any:
     bernstein, margin = ca.vertcat(*(x.T for x in b)), ca.if_else(leaving, 2, 1) * tol
     doubt = ca.if_else((between > tol) * (1 - leaving), between, 0)
     suspect = ca.mmin(_row_minimum(bernstein.T) - doubt) <= 0
-    ending = ca.mmax(sum(falls for falls, *_ in _endings(start, end, tol, tol_rate, tol_force))) > 0
+    ending = ca.mmax(sum(falls for falls, *_ in _endings(model, start, end, tol, tol_rate, tol_force))) > 0
     outputs = ca.cse([*map(ca.densify, (bernstein, margin, doubt)), suspect, ending])
     return ca.Function("polynomials", arguments, outputs)
 
@@ -91,7 +102,7 @@ def endings(model: Model, layouts: Layouts) -> Any:
     h = start["h"]
     tolerance = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
     rows, aim = [ca.SX(1)] * 6, ca.SX(0)
-    for falls, f, f1, rate, rate1, small in _endings(start, end, *tolerance):
+    for falls, f, f1, rate, rate1, small in _endings(model, start, end, *tolerance):
         cubic = _raise(_raise([f, f + h * rate / 3, f1 - h * rate1 / 3, f1]))
         rows = [ca.if_else(falls, x + small / 2, row) for x, row in zip(cubic, rows, strict=True)]
         aim = ca.if_else(falls, small / 2, aim)
@@ -99,12 +110,17 @@ def endings(model: Model, layouts: Layouts) -> Any:
     return ca.Function("endings", arguments, ca.cse([bernstein, ca.densify(aim), ca.DM.zeros(model.k)]))
 
 
-def _endings(start: Mapping[str, Any], end: Mapping[str, Any], tol: Any, tol_rate: Any, tol_force: Any) -> list[Any]:
+def _endings(
+    model: Model, start: Mapping[str, Any], end: Mapping[str, Any], tol: Any, tol_rate: Any, tol_force: Any
+) -> list[Any]:
     """Of the force and of the opening speed: whether it falls below zero, its values and rates at both ends, its tolerance."""
-    kinds = ((CONTACT, "force", "force_rate", tol_force), (RELEASED, "gap_rate", "gap_acceleration", tol_rate))
+    kinds = (
+        (CONTACT, "force", "force_rate", tol_force, ends_with_force(model)),
+        (RELEASED, "gap_rate", "gap_acceleration", tol_rate, 1),
+    )
     found = []
-    for mode, value, rate, small in kinds:
-        falls = (start["mode"] == mode) * (start[value] >= 0) * (end[value] < -small) * (end["gap"] < -tol)
+    for mode, value, rate, small, counts in kinds:
+        falls = counts * (start["mode"] == mode) * (start[value] >= 0) * (end[value] < -small) * (end["gap"] < -tol)
         found.append((falls, start[value], end[value], start[rate], end[rate], small))
     return found
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
-from hertzwerk.runtime.integrate.events import tolerances
+from hertzwerk.runtime.integrate.events import ends_with_force, pulls, tolerances
 from hertzwerk.runtime.integrate.layout import (
     CONTACT,
     FLIGHT,
@@ -36,17 +36,19 @@ ONSET_STEP, ONSET_POWER = 1.6 * HERTZ, 2 / 7  # of length/speed * accuracy^power
 FINITE = 1e300  # a sum of magnitudes is below it, or something is infinite or undefined
 
 
-def next_modes(model: Model, run: Parts, mode: Any, end: Parts) -> Any:
-    """Modes (k) after a step that ended in `end` under `mode`."""
+def next_modes(model: Model, run: Parts, mode: Any, end: Parts, landed: Any) -> Any:
+    """Modes (k) after a step that ended in `end` under `mode`; `landed`: it was cut to end on an event."""
     gap, rate, acceleration = end["gap"], end["gap_rate"], end["gap_acceleration"]
-    tol, _, _ = tolerances(model, run, end["t"], end["y"], rate)
+    tol, _, tol_force = tolerances(model, run, end["t"], end["y"], rate)
     # an opening that would end within the tolerance is none: a body at rest stays in contact
     leaves = (rate > 0) * ((acceleration >= 0) + (rate * rate > -2 * acceleration * tol) > 0)
     opened = (gap > tol) + (gap >= -tol) * leaves > 0
-    pulls = (end["force"] < 0) * (gap < -tol)
+    # landed a little short of where the force runs out: it has run out
+    fading = landed * ends_with_force(model) * (end["force"] <= tol_force) * (end["force_rate"] < 0)
+    spent = (pulls(model, end["force"]) + fading > 0) * (gap < -tol)
     apart = (gap > tol) + (gap >= -tol) * (rate >= 0) > 0
     from_flight = ca.if_else((gap <= tol) * _closing(rate, acceleration), CONTACT, FLIGHT)
-    from_contact = ca.if_else(opened, FLIGHT, ca.if_else(pulls, RELEASED, CONTACT))
+    from_contact = ca.if_else(opened, FLIGHT, ca.if_else(spent, RELEASED, CONTACT))
     # pressed together again before the gap has opened: the contact goes on, with its old approach speed
     from_released = ca.if_else(apart, FLIGHT, ca.if_else(rate < 0, CONTACT, RELEASED))
     return ca.if_else(mode == FLIGHT, from_flight, ca.if_else(mode == CONTACT, from_contact, from_released))
@@ -91,8 +93,8 @@ def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
         touching = (gap < -tol) + (gap <= tol) * _closing(rate, end["gap_acceleration"]) > 0
         m, floored = latch(model, run, m, touching, rate)
         end = right.at(t, y, touching, m, run["c"])
-        pulls = (end["force"] < 0) * (gap < -tol)
-        mode = ca.if_else(touching, ca.if_else(pulls, RELEASED, CONTACT), FLIGHT)
+        spent = pulls(model, end["force"]) * (gap < -tol)
+        mode = ca.if_else(touching, ca.if_else(spent, RELEASED, CONTACT), FLIGHT)
         end = right.at(t, y, mode, m, run["c"])
     in_range = end.pop("in_range")
     in_contact = any_of(mode == CONTACT)

@@ -167,7 +167,7 @@ def _decide(model: Model, vectors: Layouts, table: RungeKutta) -> Any:
     retake = ca.if_else(finite, retake, 1)
     accepted = 1 - retake
     if model.k:
-        mode = ca.if_else(accepted, next_modes(model, run, mode, end), mode)
+        mode = ca.if_else(accepted, next_modes(model, run, mode, end, old["retakes"] > 0), mode)
         onset = (mode == CONTACT) * (old["mode"] == FLIGHT)
         m, floored = latch(model, run, m, onset, end["gap_rate"])
         begun = ca.sum1(onset)

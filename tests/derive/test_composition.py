@@ -202,12 +202,34 @@ def test_exact_returns_what_it_is_given(stiffness):
     assert -run.final["slide.speed"] / PACE == pytest.approx(0.37, rel=1e-8)
 
 
+OTHER_FORMS = [name for name, law in DAMPING.items() if law.factor is None]
+
+
 @pytest.mark.parametrize("stiffness", ["hertz_point", "johnson"])
-def test_jankowski_in_the_engine(stiffness):
-    """Damping of another form, which knows the mass instead of v0, against an integration of the law expressions alone."""
-    alone = Impact(LAWS[stiffness], LAWS["jankowski"], mass=PIN_MASS, speed=PACE, e="0.7")
-    run = impact("pin_in_bush", stiffness, "jankowski")
+@pytest.mark.parametrize("damping", OTHER_FORMS)
+def test_damping_of_another_form_in_the_engine(stiffness, damping):
+    """Laws that know the mass or a time instead of v0, under their own release rule, against an integration of the law expressions alone."""
+    given = law_numbers(LAWS[damping], "pin_in_bush")
+    alone = Impact(
+        LAWS[stiffness],
+        LAWS[damping],
+        mass=PIN_MASS,
+        speed=PACE,
+        **{q.name: str(given[q]) for q in LAWS[damping].parameters},
+    )
+    run = impact("pin_in_bush", stiffness, damping)
     assert -run.final["slide.speed"] / PACE == pytest.approx(alone.restitution, rel=1e-7)
+
+
+def test_release_rules_differ_and_tsuji_is_exact_where_the_gap_opens():
+    """Tsuji's law returns its e when the contact ends at d = 0; ended where its force runs out it would return more."""
+    run = impact("pin_in_bush", "hertz_point", "tsuji", e=0.7)
+    assert -run.final["slide.speed"] / PACE == pytest.approx(0.7, rel=1e-8)
+    assert run["joint.normal_force"].min() < 0
+    model = load(scene("pin_in_bush", "hertz_point", "tsuji", e=0.7))
+    model.module.RELEASES = ("force",)
+    early = simulate(model, duration="1 ms", accuracy=1e-10)
+    assert -early.final["slide.speed"] / PACE > 0.71
 
 
 def test_the_exact_factor_is_computed_once():

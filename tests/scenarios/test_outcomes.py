@@ -41,3 +41,20 @@ def test_outcome(outcome, scene, options):
     assert len(run.impacts) >= 1  # what was computed until then is there
     assert np.all(np.isfinite([run[state] for state in run.states]))
     assert str(run).startswith(outcome)
+
+
+def test_impacts_beyond_the_materials_limit_are_counted():
+    """Steel of 7800 kg/m^3: v0 <= 1e-5 sqrt(E/rho) = 0.0515 m/s; the two spheres meet at 0.3 m/s, or at 0.05 m/s."""
+    from dataclasses import replace
+
+    from hertzwerk.derive import Contact, Parameter
+    from hertzwerk.derive.laws import flores, hertz_point
+    from hertzwerk.derive.scenes.two_spheres import e, scene, steel
+
+    dense = replace(steel, density=Parameter("density", "kg/m^3", 7800))
+    model = load(scene.replace(spheres=Contact("spheres", hertz_point(dense, dense), flores(e))))
+    run = simulate(model, duration="50 ms")
+    (warning,) = run.warnings
+    assert "1 of 1 impacts of spheres" in warning
+    assert "0.0515 m/s (worst 0.3 m/s)" in warning
+    assert simulate(model, duration="300 ms", parameters={"speed": "0.05 m/s"}).warnings == ()
