@@ -81,7 +81,8 @@ class Finding:
         lines.append(f"{self.repair}." if self.repair else f"{self.reason}.")
         if self.consistent_exponent is not None:
             lines.append(
-                f"Either keep n = {self.consistent_exponent}, or give a stiffness with its own unit: power(K [N/m^n], n)."
+                f"Either keep n = {self.consistent_exponent}, or give a stiffness with its own unit: power(K [N/m^n], n), "
+                "or take a line-contact law\nwith the joint's length: johnson, popov_line, wang_liu_internal."
             )
         if self.law:
             lines.append("To see what the inconsistent law does, mark it: Contact(..., unchecked=True).")
@@ -158,8 +159,12 @@ def _law_findings(scene: Scene, effect: str, bound: BoundLaw, unchecked: bool) -
     exponents = {s: sp.sympify(value) for s, value in bound.binding.items() if s.unit == "1"}
     numbers = ", ".join(f"{s.name} = {value}" for s, value in exponents.items() if value.is_number)
     constants = [*scene.parameters.values(), *exponents, *_numbers(law)]
+    force_is_wrong = False
     for row in (*(row for row in _definitions(law) if "^n" not in row[2]), *law.expressions()):
         finding = _law_finding(law, row, table, exponents, constants, {})
+        if force_is_wrong and row[0] == "stored energy":
+            continue  # the integral of a wrong force says nothing new
+        force_is_wrong = force_is_wrong or (row[0] == "normal force" and finding.verdict != "consistent")
         yield replace(
             finding,
             effect=effect,
