@@ -21,7 +21,9 @@ from hertzwerk.runtime import cache as disk
 
 if TYPE_CHECKING:
     from hertzwerk.derive.audit import Finding
+    from hertzwerk.derive.impact import Trial
     from hertzwerk.derive.scene import Scene
+    from hertzwerk.derive.sheet import Sheet
 
 
 def built_in_scenes() -> tuple[str, ...]:
@@ -121,6 +123,27 @@ def audit_catalogue() -> tuple[tuple[Finding, ...], tuple[str, ...]]:
 
     findings = audited()
     return findings, differing(findings)
+
+
+def law_summaries() -> tuple[tuple[str, str, str, str, str], ...]:
+    """(kind, name, title, grade, verdict) of every law of the catalogue."""
+    from hertzwerk.derive.laws import LAWS
+
+    return tuple((law.kind, law.name, law.title, law.grade, law.verdict) for law in LAWS.values())
+
+
+def law_sheets(names: Sequence[str]) -> tuple[Sheet, ...]:
+    """The sheets of the laws of these names; raises InputError with every name that is none."""
+    from hertzwerk.derive.sheet import laws_named, sheet
+
+    return tuple(sheet(law) for law in laws_named(names))
+
+
+def impact_trials() -> tuple[Trial, ...]:
+    """The free impact of every damping law: its scene, and what is known of it in closed form."""
+    from hertzwerk.derive.impact import trials
+
+    return tuple(trials())
 
 
 def build_target(target: str | Path, without: Sequence[str] = (), laws: Mapping[str, str] | None = None) -> ModuleType:

@@ -7,6 +7,7 @@ import math
 import platform
 import secrets
 import shutil
+from collections.abc import Callable
 from dataclasses import asdict
 from importlib import metadata
 from pathlib import Path
@@ -57,6 +58,7 @@ def record(solution: Solution) -> dict[str, Any]:
         "parameters": {name: {"value": value, "unit": unit} for name, (value, unit) in solution.parameters.items()},
         "initial": {name: float(solution[name][0]) for name in solution.states},
         "statistics": asdict(solution.statistics),
+        "choices": [asdict(choice) for choice in solution.choices],
         "versions": versions(),
     }
 
@@ -91,13 +93,17 @@ def destination_fault(out: Path) -> Fault | None:
 
 def write(solution: Solution, out: Path | None, *, plots: bool) -> tuple[Path, list[str]]:
     """Write a run to `out`, or to the next free runs/<scene>-NNN; returns the folder and its files. All of it appears at once, or nothing."""
-    name = solution.model.name
+    return new_folder(solution.model.name, out, lambda folder: _write_files(solution, folder, plots=plots))
+
+
+def new_folder(name: str, out: Path | None, fill: Callable[[Path], list[str]]) -> tuple[Path, list[str]]:
+    """Fill the new folder `out`, or the next free runs/<name>-NNN; returns it and its files. All of it appears at once, or nothing."""
     parent = out.parent if out is not None else Path("runs")
     parent.mkdir(parents=True, exist_ok=True)
     temporary = parent / f".{name}-{secrets.token_hex(4)}"
     temporary.mkdir()
     try:
-        files = _write_files(solution, temporary, plots=plots)
+        files = fill(temporary)
         return _publish(temporary, out, parent / name), files
     finally:
         shutil.rmtree(temporary, ignore_errors=True)

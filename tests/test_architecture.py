@@ -131,12 +131,12 @@ def test_build_opens_it_lazily():
     assert {node.module for node in at_import} <= {"hertzwerk.derive.units", "hertzwerk.derive.faults"}
 
 
-CLI = {"cli/__init__.py", "cli/audit.py", "cli/run.py", "cli/scenes.py", "cli/terminal.py"}
+CLI = {"cli/__init__.py", "cli/audit.py", "cli/laws.py", "cli/run.py", "cli/scenes.py", "cli/terminal.py"}
 
 
 @pytest.mark.parametrize(
     ("libraries", "home"),
-    [(("matplotlib",), {"plot.py"}), (("click", "rich"), CLI), (("pydantic",), {"scenario.py"})],
+    [(("matplotlib",), {"plot.py", "plot_laws.py"}), (("click", "rich"), CLI), (("pydantic",), {"scenario.py"})],
 )
 def test_heavy_libraries_have_one_importer(libraries, home):
     importers = {

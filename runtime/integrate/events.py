@@ -29,7 +29,7 @@ NO_EVENT = 2.0  # theta beyond every step
 def tolerances(model: Model, run: Mapping[str, Any], t: Any, y: Any, gap_rate: Any) -> tuple[Any, Any, Any]:
     """Tolerance of a gap (k) [m], of a gap rate [m/s] and of a force [N] at a landing: a hundredth of the accuracy, but not below rounding.
 
-    A gap is rounded with the positions it is a difference of, and with the time it is landed at.
+    A gap is rounded with the positions it is a difference of, and with the time it is landed at; a force with the gap, by the contact's stiffness.
     """
     length, speed, force = (run["scales"][i] for i in range(3))
     q, scale = y[: model.nq], run["scale"][: model.nq]
@@ -38,7 +38,7 @@ def tolerances(model: Model, run: Mapping[str, Any], t: Any, y: Any, gap_rate: A
         ca.fmax(LANDING * run["accuracy"] * length, 8 * EPS * position), 4 * EPS * ca.fabs(gap_rate) * ca.fabs(t)
     )
     small = LANDING * run["accuracy"]
-    return gap, small * speed, small * force
+    return gap, small * speed, ca.fmax(small, 8 * EPS * position / length) * force
 
 
 def all_clear(model: Model, run: Mapping[str, Any], mode: Any, start: Mapping[str, Any], end: Mapping[str, Any]) -> Any:

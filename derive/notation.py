@@ -1,0 +1,64 @@
+"""Expressions as people write them: in Python syntax, and in LaTeX."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+from sympy.printing.latex import LatexPrinter
+from sympy.printing.str import StrPrinter
+
+from hertzwerk.derive.functions import Where
+
+__all__ = ["latex_name", "latex_of", "text_of"]
+
+_EULER = sp.Symbol("e_Euler")
+
+
+class _Text(StrPrinter):  # type: ignore[misc]  # SymPy is untyped
+    """Python syntax, as `hertzwerk audit --expr` reads it."""
+
+    def _print_Exp1(self, _: Any) -> str:
+        return "exp(1)"  # E is a modulus
+
+    def _print_Function(self, node: Any) -> str:
+        name = {"Where": "where", "Max": "max", "Min": "min", "Abs": "abs"}.get(node.func.__name__, node.func.__name__)
+        return f"{name}({', '.join(map(self._print, node.args))})"
+
+    _print_Max = _print_Min = _print_Abs = _print_Function
+
+
+class _Latex(LatexPrinter):  # type: ignore[misc]
+    """Euler's number upright, so that it is no restitution."""
+
+    def _print_exp(self, node: Any, exp: str | None = None) -> str:
+        power = rf"\mathrm{{e}}^{{{self._print(node.args[0])}}}"
+        return power if exp is None else rf"\left({power}\right)^{{{exp}}}"
+
+
+def text_of(expression: Any) -> str:
+    """An expression in Python syntax, `where(condition, a, b)` for a choice."""
+    return str(_Text().doprint(_tidy(expression)))
+
+
+def latex_of(expression: Any) -> str:
+    """An expression in LaTeX."""
+    shown = _tidy(expression).replace(Where, lambda c, a, b: sp.Piecewise((a, c), (b, True)))
+    names = {symbol: latex_name(symbol) for symbol in shown.free_symbols} | {_EULER: r"\mathrm{e}"}
+    return str(_Latex({"symbol_names": names}).doprint(shown.xreplace({sp.E: _EULER})))
+
+
+def latex_name(symbol: Any) -> str:
+    """A symbol's name in LaTeX: Greek letters, words upright in the subscript."""
+    if symbol.name == "dR":
+        return r"\Delta R"
+    name, _, subscript = symbol.name.partition("_")
+    if len(subscript) > 1 and subscript.isalpha():
+        return rf"{sp.latex(sp.Symbol(name))}_{{\mathrm{{{subscript}}}}}"
+    return str(sp.latex(sp.Symbol(symbol.name)))
+
+
+def _tidy(expression: Any) -> Any:
+    """The same with common factors of a sum taken out, as 3*(1 - e)/2 is published; what that would lengthen stays."""
+    tidy = sp.factor_terms(expression, sign=False)
+    return min(tidy, expression, key=lambda e: (str(e).startswith("-"), len(str(e))))

@@ -1,0 +1,213 @@
+"""`hertzwerk laws`: the catalogue, the sheet of a law, and the restitution study."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
+
+if TYPE_CHECKING:
+    from hertzwerk.derive.sheet import Formula, Restitution, Sheet
+    from hertzwerk.runtime.restitution import Curve, Study
+
+SHOWN = (0.1, 0.3, 0.5, 0.7, 0.9)  # restitutions in the table; the files have all
+SHOWN_OWN = (0.01, 0.1, 0.3, 1.0, 3.0)
+
+
+@click.command()
+@click.argument("names", metavar="[NAME]...", nargs=-1)
+@click.option("--restitution", is_flag=True, help="What every damping law returns, over the restitution it is given.")
+@click.option(
+    "--out",
+    type=click.Path(path_type=Path),
+    help="New folder for the picture and data of --restitution (default: the next runs/restitution-NNN).",
+)
+@click.option("--no-plots", is_flag=True, help="Of --restitution, write the data only.")
+@click.option(
+    "--json", "as_json", is_flag=True, help="Print one JSON object, and write a folder only if --out is given."
+)
+@reports_bad_input
+def laws(names: tuple[str, ...], restitution: bool, out: Path | None, no_plots: bool, as_json: bool) -> int:
+    """List the contact laws, or print the sheet of each NAME: formula, units, ranges, source, behaviour, cost.
+
+    --restitution: exit code 1 where a simulation and its closed form differ by more than 1e-9.
+    """
+    if restitution:
+        return _study(names, out, plots=not no_plots, as_json=as_json)
+    if out is not None or no_plots:
+        raise InputError("laws", [Fault("laws", "--out or --no-plots alone", "--restitution beside it")])
+    from hertzwerk.runtime import build
+
+    if names:
+        sheets = build.law_sheets(names)
+        if as_json:
+            click.echo(json.dumps({"laws": [sheet.record() for sheet in sheets]}, indent=2, ensure_ascii=False))
+        else:
+            for i, sheet in enumerate(sheets):
+                click.echo("\n" if i else "", nl=False)
+                _print_sheet(sheet)
+        return GOOD
+    rows, columns = build.law_summaries(), ("kind", "law", "title", "grade", "verdict")
+    if as_json:
+        records = [dict(zip(columns, row, strict=True)) for row in rows]
+        click.echo(json.dumps({"laws": records}, indent=2, ensure_ascii=False))
+    else:
+        order = (1, 0, 3, 4, 2)
+        table([columns[i] for i in order], [[row[i] for i in order] for row in rows])
+        click.echo("Grades: A checked here, B seen in a public source, C from general knowledge, R reconstruction.")
+    return GOOD
+
+
+# -- one law -----------------------------------------------------------------------------------------------------------
+
+
+def _print_sheet(sheet: Sheet) -> None:
+    line(sheet.name, sheet.title)
+    line("kind", ", made for ".join(filter(None, (sheet.kind, ", ".join(sheet.pairs)))))
+    line("grade", f"{sheet.grade}: {sheet.grade_meaning}")
+    line("source", sheet.source)
+    fitted = f"; its constants are of {sheet.fitted_in}" if sheet.fitted_in else ""
+    line(sheet.verdict, f"units, as published{fitted}")
+    if sheet.repair:
+        line("repair", f"hertzwerk laws {sheet.repair}")
+    if sheet.note:
+        line("note", sheet.note)
+    line("formula", "\n".join(_formula_texts(sheet.formulas)))
+    if sheet.definitions:
+        line("where", "\n".join(_formula_texts(sheet.definitions)))
+    line("latex", "\n".join(f.latex for f in (*sheet.formulas, *sheet.definitions)))
+    if sheet.exponent:
+        form = "n of K d^n" if sheet.kind == "stiffness" else "m of chi d^m v"
+        line("exponent", f"{form} is {sheet.exponent}")
+    if sheet.local_exponent:
+        line("local", f"dlnF/dlnd = {sheet.local_exponent}, at every penetration")
+    for label, texts in (("memory", sheet.memory), ("modes", sheet.modes), ("release", (sheet.release,))):
+        if any(texts):
+            line(label, "\n".join(texts))
+    once, each = sheet.operations
+    line("operations", f"{each} per evaluation, and {once} once per run, in the generated text of the force")
+    click.echo()
+    table(
+        ("symbol", "unit", "given by", "defined for", "recommended", "meaning"),
+        [(s.name, s.unit, s.origin, s.defined, s.recommended, s.meaning) for s in sheet.symbols],
+    )
+    if sheet.points:
+        click.echo(f"\n{sheet.example}:")
+        forces = [point.force for point in sheet.points if point.force is not None]  # none where the units do not hold
+        columns = ("penetration [m]", *(("force [N]",) if forces else ()), "dlnF/dlnd")
+        rows = [
+            (f"{p.penetration:g}", *([f"{p.force:.6g}"] if forces else []), f"{p.exponent:.4f}") for p in sheet.points
+        ]
+        table(columns, rows)
+    if sheet.restitution is not None:
+        click.echo()
+        _print_restitution(sheet.restitution)
+    elif sheet.kind == "damping":
+        line("restitution", "takes no e; `hertzwerk laws --restitution` shows what it returns")
+
+
+def _formula_texts(formulas: Sequence[Formula]) -> list[str]:
+    return [f"{f.symbol} = {f.text}{'' if f.unit == '1' else f'  [{f.unit}]'}  ({f.meaning})" for f in formulas]
+
+
+def _print_restitution(found: Restitution) -> None:
+    beside = f"beside K d^n with n = {found.beside}" if found.beside else "beside every elastic law"
+    if found.points:
+        click.echo(f"One free impact, {beside}; no other force, whatever the masses and the speed:")
+        table(
+            ("e in", found.coefficient, "e out", "e out - e in"),
+            [(f"{e:.2f}", f"{c:.5g}", f"{out:.4f}", f"{out - e:+.4f}") for e, c, out in found.points],
+        )
+    for limit, coefficient, out in (
+        ("e -> 1", found.coefficient_at_one, found.out_at_one),
+        ("e -> 0", found.coefficient_at_zero, found.out_at_zero),
+    ):
+        elastic = ", the elastic law" if coefficient == "0" else ", infinite damping" if coefficient == "oo" else ""
+        returned = "" if out is None else f"; e out -> {out:.4g}"
+        line(limit, f"{found.coefficient} -> {'infinity' if coefficient == 'oo' else coefficient}{elastic}{returned}")
+
+
+# -- all damping laws --------------------------------------------------------------------------------------------------
+
+
+def _study(names: Sequence[str], out: Path | None, *, plots: bool, as_json: bool) -> int:
+    from hertzwerk.runtime import record
+    from hertzwerk.runtime.restitution import study
+
+    faults = (
+        [Fault("laws", f"--restitution and {names[0]}", "one of them: the study is of every damping law")]
+        if names
+        else []
+    )
+    if out is not None and (fault := record.destination_fault(out)) is not None:
+        faults.append(fault)
+    if faults:
+        raise InputError("laws", faults)
+    with Progress("restitution", shown=not as_json and sys.stderr.isatty()) as progress:
+        found = study(progress)
+    written: tuple[Path, list[str]] | None = None
+    if out is not None or not as_json:
+        written = record.new_folder("restitution", out, lambda folder: _write(found, folder, plots=plots))
+    if as_json:
+        click.echo(record.json_text(found.record()))
+    else:
+        _report(found)
+    if written is not None and not as_json:
+        line("written", f"{written[0]}/ ({', '.join(written[1])})")
+    return GOOD if found.agrees else OTHER_OUTCOME
+
+
+def _write(found: Study, folder: Path, *, plots: bool) -> list[str]:
+    from hertzwerk.runtime.record import json_text
+
+    texts = {"restitution.csv": found.csv(), "restitution.json": json_text(found.record()) + "\n"}
+    for name, text in texts.items():
+        (folder / name).write_text(text, encoding="utf-8")
+    if not plots:
+        return list(texts)
+    from hertzwerk.runtime.plot_laws import save
+
+    save(found, folder / "restitution.png")
+    return [*texts, "restitution.png"]
+
+
+def _report(found: Study) -> None:
+    click.echo("Restitution out over restitution in, of one free impact; the best over all e first.\n")
+    table(
+        ("law", "grade", "recommended", *(f"e = {e:g}" for e in SHOWN), "worst there", "e -> 1", "e -> 0"),
+        [_row(curve) for curve in found.curves],
+    )
+    click.echo(
+        "\nworst there: the largest e_out - e of the recommended range, and where.  e -> 1: 1 is the elastic law.\n"
+        "e -> 0: above 0 the law never returns less, however small the e it is given.\n"
+    )
+    if found.others:
+        table(
+            ("law without e", "a number of its own", *(f"at {x:g}" for x in SHOWN_OWN)),
+            [(c.law, c.parameter, *(f"{_at(c, x):.4f}" for x in SHOWN_OWN)) for c in found.others],
+        )
+        click.echo()
+    known = sum(curve.closed is not None for curve in found.curves)
+    line(
+        "consistent" if found.agrees else "different",
+        f"simulated and closed form of {known} laws differ by at most {found.difference:.1e}",
+    )
+
+
+def _row(curve: Curve) -> tuple[str, ...]:
+    e, deviation = curve.worst(inside=True)
+    worst = f"{deviation:+.4f} at {e:g}" if abs(deviation) > 5e-5 else "none"
+    limits = ("" if limit is None else f"{limit:.4f}" for limit in (curve.out_at_one, curve.out_at_zero))
+    return (curve.law, curve.grade, curve.recommended_text, *(f"{_at(curve, e):.4f}" for e in SHOWN), worst, *limits)
+
+
+def _at(curve: Curve, value: float) -> Any:
+    """Restitution out at a value of the grid."""
+    return curve.simulated[abs(curve.given - value).argmin()]
