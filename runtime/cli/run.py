@@ -37,7 +37,9 @@ if TYPE_CHECKING:
 @click.option(
     "--accuracy", metavar="NUMBER", help="Local tolerance in the scene's scales, 1e-12..1e-1 (default: the scenario's)."
 )
-@click.option("--method", metavar="NAME", help="auto, dop853, dopri5, esdirk, rodas, cvodes or idas (default: the scenario's).")
+@click.option(
+    "--method", metavar="NAME", help="auto, dop853, dopri5, esdirk, rodas, cvodes or idas (default: the scenario's)."
+)
 @click.option(
     "--out", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-NNN)."
 )
