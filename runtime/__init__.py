@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.outcome import Outcome
     from hertzwerk.runtime.simulate import simulate
     from hertzwerk.runtime.solution import Impact, Solution, Statistics
+    from hertzwerk.runtime.sweep import Sweep, simulate_many
 
 _PLACES = {
     "Bound": "model",
@@ -20,8 +21,10 @@ _PLACES = {
     "Outcome": "outcome",
     "Solution": "solution",
     "Statistics": "solution",
+    "Sweep": "sweep",
     "load": "model",
     "simulate": "simulate",
+    "simulate_many": "sweep",
 }
 
 __all__ = [
@@ -33,8 +36,10 @@ __all__ = [
     "Outcome",
     "Solution",
     "Statistics",
+    "Sweep",
     "load",
     "simulate",
+    "simulate_many",
 ]
 
 

@@ -100,7 +100,7 @@ class Scenario(_Record):
     scene: str
     duration: Annotated[str, AfterValidator(_duration_text)]
     accuracy: Annotated[float, Field(ge=1e-12, le=1e-1)] = 1e-6
-    method: Literal["dopri5", "dop853"] = "dop853"
+    method: Literal["auto", "dopri5", "dop853", "rodas", "esdirk", "cvodes", "idas"] = "dop853"
     parameters: dict[str, QuantityText] = {}
     initial: dict[str, QuantityText] = {}
     checks: tuple[Check, ...] = Field(default=(), strict=False)

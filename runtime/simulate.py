@@ -6,6 +6,7 @@ import math
 import time
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -19,7 +20,7 @@ from hertzwerk.runtime.impacts import approach_speeds
 from hertzwerk.runtime.integrate.attempt import Integrator, integrator
 from hertzwerk.runtime.integrate.chunk import Callers, Rows, chunk, march
 from hertzwerk.runtime.integrate.layout import OUTSIDE_LAW_RANGE
-from hertzwerk.runtime.integrate.tables import METHODS
+from hertzwerk.runtime.integrate.methods import METHODS, SUNDIALS
 from hertzwerk.runtime.model import Bound, Model
 from hertzwerk.runtime.outcome import outcome
 from hertzwerk.runtime.scales import Scales
@@ -29,6 +30,7 @@ ACCURACIES = (1e-12, 1e-1)
 APPROACH_FLOOR = 1e-3  # m/s, where a model has latches but no parameter of this name
 LEAST_STEPS = 10  # of a run in contact: where all is at rest, steps grow until a short push would go unnoticed
 REMEMBERED = 64  # inputs of a model that need not be read again
+COUNTERS = ("steps", "rejected", "retaken", "evaluations", "events", "floored")  # parts of a state
 ROUGH = 1e-4  # accuracy of a run that only looks for scales
 
 
@@ -49,7 +51,8 @@ def simulate(
     """Run a model from its start for a duration (seconds, or text such as "24 ms").
 
     accuracy    the local tolerance in the scene's scales, 1e-12..1e-1
-    method      "dop853" or "dopri5"
+    method      explicit "dop853", "dopri5"; for what is stiff "esdirk", "rodas"; "auto" chooses between dop853 and esdirk as it goes;
+                "cvodes", "idas": SUNDIALS, slow, as an independent reference
     parameters, initial    values in place of the model's, each with its unit: {"clearance": "0.2 mm"}, {"guide.travel": "0.17 m"}
     compiled    run the same functions as C; the result is bitwise the same
     max_steps, max_events (contacts begun), wall_time [s]    where to stop, with an outcome that says so
@@ -105,11 +108,11 @@ def simulate(
 
 @dataclass(frozen=True)
 class _Engine:
-    """The functions of one model and method; `chunks` in CasADi's virtual machine or as C."""
+    """The functions of one model and method; `march` runs them in CasADi's virtual machine or as C."""
 
     integrator: Integrator
     begin: Callers
-    chunks: Callers
+    march: Callable[..., Rows]  # (state, controls, *, wall_time, progress)
     counters: Mapping[str, int]  # rows of the state
 
 
@@ -167,12 +170,19 @@ class _Run:
         state = begin()[0].copy()
         self.engine.begin.give_back(begin)
         wall_time = self.limits.wall_time
-        rows = march(self.engine.chunks, integrator, state, controls, wall_time=wall_time, progress=progress)
+        rows = self.engine.march(state, controls, wall_time=wall_time, progress=progress)
         return History(self.model, rows.rows, controls, integrator), rows
 
 
 def _engine(model: Model, method: str, *, compiled: bool) -> _Engine:
-    made = model.once(("integrator", method), lambda: integrator(model, METHODS[method]()))
+    made = model.once(("integrator", method), lambda: integrator(model, tuple(table() for table in METHODS[method])))
+    rows = made.layouts.state
+    counters = {name: rows[name].start for name in COUNTERS}
+    if method in SUNDIALS:  # never in the graph
+        from hertzwerk.runtime.integrate import sundials
+
+        reference = sundials.reference(model, made.layouts, method)
+        return _Engine(made, Callers(made.begin), partial(sundials.march, reference), counters)
     run = chunk(made)
     if compiled:
         from hertzwerk.runtime.integrate.compiled import NoCompilerError, as_c
@@ -182,9 +192,7 @@ def _engine(model: Model, method: str, *, compiled: bool) -> _Engine:
         except NoCompilerError as error:
             way_out = "compiled=False runs the same functions, slower"
             raise InputError(model.name, [Fault("compiled", str(error), "a working C compiler", way_out)]) from error
-    rows = made.layouts.state
-    counters = ("steps", "rejected", "retaken", "evaluations", "events", "floored")
-    return _Engine(made, Callers(made.begin), Callers(run), {name: rows[name].start for name in counters})
+    return _Engine(made, Callers(made.begin), partial(march, Callers(run), made), counters)
 
 
 def _read(

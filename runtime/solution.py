@@ -16,6 +16,7 @@ import numpy as np
 from hertzwerk.runtime.cache import write_atomically
 from hertzwerk.runtime.history import History
 from hertzwerk.runtime.impacts import Impact, find
+from hertzwerk.runtime.integrate.choose import Choice, choices
 from hertzwerk.runtime.model import Model
 from hertzwerk.runtime.outcome import Outcome
 
@@ -69,6 +70,11 @@ class Solution:
     def names(self) -> tuple[str, ...]:
         """Every name that `run[name]` has."""
         return self.history.names
+
+    @property
+    def choices(self) -> tuple[Choice, ...]:
+        """What `method="auto"` chose, when and why; of any other method nothing."""
+        return choices(self.history) if self.method == "auto" else ()
 
     def __getitem__(self, name: str) -> np.ndarray:
         return self.history[name]
@@ -131,7 +137,7 @@ class Solution:
         text = io.StringIO()
         text.write(",".join(f"{name} [{units[name]}]" for name in columns) + "\n")
         np.savetxt(text, table, delimiter=",", fmt="%.17g")
-        return _write(Path(path), text.getvalue().encode(), overwrite=overwrite)
+        return write(Path(path), text.getvalue().encode(), overwrite=overwrite)
 
     def save(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write the whole run as npz, to be read by `Solution.load` or NumPy; raises FileExistsError."""
@@ -150,7 +156,7 @@ class Solution:
         content = io.BytesIO()
         histories: dict[str, Any] = {name: self[name] for name in ("t", *self.names)}
         np.savez_compressed(content, about=json.dumps(about), **histories)
-        return _write(Path(path), content.getvalue(), overwrite=overwrite)
+        return write(Path(path), content.getvalue(), overwrite=overwrite)
 
     @classmethod
     def load(cls, path: str | Path) -> Solution:
@@ -189,7 +195,8 @@ def _tuples(value: Any) -> Any:
     return tuple(map(_tuples, value)) if isinstance(value, list) else value
 
 
-def _write(path: Path, content: bytes, *, overwrite: bool) -> Path:
+def write(path: Path, content: bytes, *, overwrite: bool) -> Path:
+    """Write a file whole; raises FileExistsError where there is one already and `overwrite` is not said."""
     if path.exists() and not overwrite:
         raise FileExistsError(f"{path} exists; name another file, or say overwrite=True")
     write_atomically(path, content)

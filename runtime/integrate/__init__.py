@@ -1,1 +1,1 @@
-"""Explicit methods, step control and event location as CasADi functions."""
+"""Explicit and implicit methods, step control and event location as CasADi functions."""

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.integrate.advance import advance
-from hertzwerk.runtime.integrate.explicit import Flow, flow, step
+from hertzwerk.runtime.integrate.explicit import BY_MODE, flow
 from hertzwerk.runtime.integrate.layout import IN_CONTACT, IN_FLIGHT, Layouts, layouts
+from hertzwerk.runtime.integrate.methods import Table, stepper
 from hertzwerk.runtime.integrate.modes import begin
 from hertzwerk.runtime.integrate.settle import reject, settle
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.integrate.tables import RungeKutta
     from hertzwerk.runtime.model import Model
 
 
@@ -26,33 +26,45 @@ class Integrator:
     layouts: Layouts
     begin: Any  # (t, q, u, controls) -> state
     attempt: Any  # (state, controls) -> state
-    table: RungeKutta
-    flow: Flow
+    model: Model
+    tables: tuple[Table, ...]
 
     @cached_property
     def step(self) -> Any:
         """(state, controls, h) -> trial; made when first asked for, as a run itself needs none."""
-        return step(self.layouts, self.table, self.flow)
+        vectors, h = self.layouts, ca.SX.sym("h")
+        state, controls = vectors.state.symbol("state"), vectors.controls.symbol("controls")
+        start, run = vectors.state.split(state), vectors.controls.split(controls)
+        trials = [vectors.trial.join(stepper(self.model, table, BY_MODE)(start, run, h)) for table in self.tables]
+        trial = ca.if_else(start["method"] == 0, trials[0], trials[-1]) if len(trials) > 1 else trials[0]
+        return ca.Function("step", [state, controls, h], [ca.cse(trial)], ["state", "controls", "h"], ["trial"])
 
 
-def integrator(model: Model, table: RungeKutta) -> Integrator:
-    """Build the attempt of a model with an explicit method."""
+def integrator(model: Model, tables: tuple[Table, ...]) -> Integrator:
+    """Build the attempt of a model with a method of one table, or of two that it chooses from on the way (`choose`)."""
     vectors, right = layouts(model), flow(model)
     # called with MX, so that one branch of each is evaluated; SX would evaluate all
-    special = settle(model, vectors, table, right)
-    state, controls, end, verdict = special.mx_in()
+    ends = [after for table in tables for after in (settle(model, vectors, table, right), reject(vectors, table))]
+    state, controls, end, verdict = ends[0].mx_in()
+    method = state[vectors.state["method"]]
     plain = ca.Function("plain", [state, controls, end, verdict], [end])
-    finish = ca.Function.conditional("finish", [plain, special], reject(vectors, table))
+    finish = ca.Function.conditional("finish", [plain, *ends[:-1]], ends[-1])
     idle = ca.Function("idle", [state, controls], [state, ca.MX.zeros(vectors.verdict.size)])
     kinds = (IN_FLIGHT, IN_CONTACT) if model.k else (IN_FLIGHT,)
-    *others, last = [idle, *(advance(model, vectors, table, kind) for kind in kinds)]
-    advanced = ca.Function.conditional("advance", others, last)
-    end, verdict = advanced(state[vectors.state["class"]], state, controls)
-    done = finish(verdict[vectors.verdict["kind"]], state, controls, end, verdict)
+    chooses = len(tables) > 1
+    tries = [advance(model, vectors, table, kind, chooses=chooses) for table in tables for kind in kinds]
+    advanced = ca.Function.conditional("advance", [idle, *tries[:-1]], tries[-1])
+    end, verdict = advanced(_case(state[vectors.state["class"]], method, len(kinds)), state, controls)
+    done = finish(_case(verdict[vectors.verdict["kind"]], method, 2), state, controls, end, verdict)
     return Integrator(
         layouts=vectors,
         begin=begin(model, vectors, right),
         attempt=ca.Function("attempt", [state, controls], [done], ["state", "controls"], ["next"]),
-        table=table,
-        flow=right,
+        model=model,
+        tables=tables,
     )
+
+
+def _case(number: Any, method: Any, count: int) -> Any:
+    """Number among the cases (0, those of the first table, those of the second): 0, or one of 1, ..., count under the method 0 or 1."""
+    return number + count * method * (number > 0)

@@ -9,7 +9,7 @@ import casadi as ca
 from hertzwerk.runtime.integrate.layout import CONTACT, FLIGHT
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.integrate.tables import RungeKutta
+    from hertzwerk.runtime.integrate.methods import Table
 
 SAFETY = 0.85
 SHRINK, GROW = 0.2, 3.0  # limits of the factor between steps
@@ -35,7 +35,7 @@ def roughness(touching: Any, gap: Any, end_gap: Any) -> Any:
     return ca.mmax(ca.if_else(touching, factor, 1))
 
 
-def factor(table: RungeKutta, error: Any) -> Any:
+def factor(table: Table, error: Any) -> Any:
     """New step over old one by the error norm: the elementary controller of Hairer, Norsett, Wanner II.4."""
     return _within(SAFETY / _root(ca.fmax(error, 1e-30), table.error_order))
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
-from hertzwerk.runtime.integrate.layout import CONTACT, Layouts
+from hertzwerk.runtime.integrate.layout import CONTACT
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.tables import RungeKutta
@@ -89,18 +89,6 @@ def stepped(table: RungeKutta, right: Flow, start: Mapping[str, Any], run: Mappi
     weights = 1 / (run["accuracy"] * run["scale"] + 4 * EPS * ca.fabs(y1))
     error = _norm([_weighted(estimate.weights, slopes) * weights for estimate in table.errors], h)
     return {"t": t1, "y": y1, **end, "error": error}
-
-
-def step(layouts: Layouts, table: RungeKutta, right: Flow) -> Any:
-    """CasADi function (state, controls, h) -> trial.
-
-    Called with a fraction of the step that was taken it is the dense output, of the method's full order.
-    """
-    state, controls, h = layouts.state.symbol("state"), layouts.controls.symbol("controls"), ca.SX.sym("h")
-    trial = stepped(table, right, layouts.state.split(state), layouts.controls.split(controls), h)
-    return ca.Function(
-        "step", [state, controls, h], [ca.cse(layouts.trial.join(trial))], ["state", "controls", "h"], ["trial"]
-    )
 
 
 def nudged(right: Flow, end: Mapping[str, Any], given: tuple[Any, Any, Any], delta: Any) -> dict[str, Any]:

@@ -81,18 +81,21 @@ def layouts(model: Model) -> Layouts:
     """Layouts for a model.
 
     State: t [s]; y = q, u, z; dy = dy/dt under the modes; mode and m (latches); gap, gap_rate, gap_acceleration and force, force_rate of
-    each pair [SI]; h [s] the step to try next; h_flight, h_contact, h_onset [s] remembered; class, status; accepted, fresh_contact
-    (a contact has just begun), after_rejection; then counters.
+    each pair [SI]; h [s] the step to try next; h_flight, h_contact, h_onset [s] remembered; class, status; method, pressure,
+    stiffness (see `choose`); accepted, fresh_contact (a contact has just begun), after_rejection; then counters.
     """
     ny, k, nm = model.nq + model.nu + model.nz, model.k, model.nm
     pairs = dict.fromkeys(PAIR_PARTS, k)
     steps = ("h", "h_flight", "h_contact", "h_onset", "class", "status")
+    choice = ("method", "pressure", "stiffness")
     flags = ("accepted", "fresh_contact", "after_rejection")
     counters = ("retakes", "steps", "rejected", "retaken", "evaluations", "events", "floored")
     limits = ("accuracy", "t_end", "h_max", "floor", "max_events", "max_steps")
     return Layouts(
         state=Layout(
-            {"t": 1, "y": ny, "dy": ny, "mode": k, "m": nm} | pairs | dict.fromkeys((*steps, *flags, *counters), 1)
+            {"t": 1, "y": ny, "dy": ny, "mode": k, "m": nm}
+            | pairs
+            | dict.fromkeys((*steps, *choice, *flags, *counters), 1)
         ),
         controls=Layout({"c": model.nc, "scale": ny, "scales": 4} | dict.fromkeys(limits, 1)),
         trial=Layout({"t": 1, "y": ny, "dy": ny} | pairs | {"in_range": k, "error": 1}),

@@ -34,9 +34,10 @@ from hertzwerk.runtime.integrate.layout import (
     Layouts,
 )
 from hertzwerk.runtime.integrate.modes import FINITE, Parts, any_of, is_finite, latch, next_modes, switch
+from hertzwerk.runtime.integrate.tables import RungeKutta
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.integrate.tables import RungeKutta
+    from hertzwerk.runtime.integrate.methods import Table
     from hertzwerk.runtime.model import Model
 
 NUDGE_EVALUATIONS = 4
@@ -44,7 +45,7 @@ MAX_RETAKES = 60  # of one step; a landing needs 1 to 3
 MOVED = ("t", "y", "dy", *PAIR_PARTS)  # the parts of a state that a step moves
 
 
-def settle(model: Model, vectors: Layouts, table: RungeKutta, right: Flow) -> Any:
+def settle(model: Model, vectors: Layouts, table: Table, right: Flow) -> Any:
     """CasADi function (state, controls, next, verdict) -> state of a step whose error is small enough; MX, lazy where most need nothing.
 
     `right` goes by the modes.
@@ -64,7 +65,7 @@ def settle(model: Model, vectors: Layouts, table: RungeKutta, right: Flow) -> An
     three = forces.mx_in()
     searched = ca.Function("searched", three, [search(*forces(*three))])
     at_force = _if(ending, searched, [NO_EVENT] * model.k, state, controls, end)
-    theta, delta = _aim(model, vectors)(*given, at_gap, at_force)
+    theta, delta = _aim(model, vectors, table)(*given, at_gap, at_force)
     moved = _nudge(model, vectors, right)
     still = moved.mx_in()
     rest = ca.Function("rest", still, still[2:4])
@@ -77,7 +78,7 @@ def settle(model: Model, vectors: Layouts, table: RungeKutta, right: Flow) -> An
     return ca.Function("settle", given, [decided], names, ["new"])
 
 
-def reject(vectors: Layouts, table: RungeKutta) -> Any:
+def reject(vectors: Layouts, table: Table) -> Any:
     """CasADi function (state, controls, next, verdict) -> state: the same one with a shorter step to try."""
     arguments, (old, _, end, judged) = _arguments(vectors)
     h, error = old["h"], judged["error"]
@@ -117,7 +118,7 @@ def _arguments(vectors: Layouts) -> tuple[list[Any], list[Parts]]:
     return arguments, [part.split(vector) for part, vector in zip(parts, arguments, strict=True)]
 
 
-def _aim(model: Model, vectors: Layouts) -> Any:
+def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
     """CasADi function (state, controls, next, verdict, theta of the gaps (k), theta of what else ends a mode (k)) -> (theta, delta).
 
     theta: of the step, its first event; delta [s]: from the end of the step to a surface close by, or 0.
@@ -132,6 +133,7 @@ def _aim(model: Model, vectors: Layouts) -> Any:
     theta, force = ca.mmin(at_gap), ca.mmin(at_force)
     alone = (theta >= 1 - 2 * NEAR) * (force >= NO_EVENT)  # a force that runs out is no surface
     within = (delta <= near) * (old["h"] + delta <= run["t_end"] - old["t"])
+    within *= isinstance(table, RungeKutta)  # what is stiff is not moved by an explicit step
     return ca.Function(
         "aim", [*arguments, at_gap, at_force], ca.cse([ca.fmin(theta, force), ca.if_else(alone * within, delta, 0)])
     )
@@ -147,7 +149,7 @@ def _nudge(model: Model, vectors: Layouts, right: Flow) -> Any:
     return ca.Function("moved", [*arguments, delta], ca.cse(outputs))
 
 
-def _decide(model: Model, vectors: Layouts, table: RungeKutta) -> Any:
+def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
     """CasADi function (state, controls, next, verdict, theta, delta) -> (state, switched): what follows from a step and its first event, if any.
 
     switched: 1 if a pair changes its mode, so that the right-hand side has to be evaluated again.
@@ -174,7 +176,7 @@ def _decide(model: Model, vectors: Layouts, table: RungeKutta) -> Any:
     switched = any_of(mode != old["mode"])
     now_contact = any_of(mode == CONTACT)
 
-    new = _remembered(table, old, judged["error"], accepted, begun > 0)
+    new = old | _remembered(table, old, judged["error"], accepted, begun > 0)
     arrived = accepted * ((1 - moved) * (old["h"] >= run["t_end"] - old["t"]) + (end["t"] >= run["t_end"]) > 0)
     t = ca.if_else(accepted, ca.if_else(arrived, run["t_end"], end["t"]), old["t"])
     free = ca.if_else(now_contact, ca.fmin(new["h_contact"], run["h_max"]), new["h_flight"])
@@ -211,7 +213,7 @@ def _decide(model: Model, vectors: Layouts, table: RungeKutta) -> Any:
     return ca.Function("decide", [*arguments, theta, delta], ca.cse([vectors.state.join(new), switched]))
 
 
-def _remembered(table: RungeKutta, old: Parts, error: Any, accepted: Any, begun: Any) -> Parts:
+def _remembered(table: Table, old: Parts, error: Any, accepted: Any, begun: Any) -> Parts:
     """The steps that flight and contact go on with, and that a contact begins with: h_flight, h_contact, h_onset [s]; a retake changes none."""
     h, in_contact = old["h"], old["class"] == IN_CONTACT
     first = in_contact * old["fresh_contact"]

@@ -1,0 +1,80 @@
+"""`method="auto"`: explicit steps, and implicit ones where stability, not accuracy, would hold an explicit step down.
+
+What counts is the step that the controller would like times the fastest rate of the motion, a sum over eigenvalues that the traces of the
+Jacobian give without computing any: damping -tr J, vibration sqrt(-tr(df/dq dq'/du)). An explicit step is stable up to a few times 1; a motion it
+has to follow anyway gives less. A velocity that jumps to and fro over the layer in which smoothed friction turns is stiff too, though no Jacobian
+shows it: the layer is thinner than the tolerance.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+
+from hertzwerk.runtime.integrate.implicit import linearised, part_to_rest, sliding
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.history import History
+    from hertzwerk.runtime.model import Model
+
+EXPLICIT, IMPLICIT = 0.0, 1.0  # the state's `method`
+STIFF = 3.0  # step x rate: an explicit method of order 5 is stable up to 3.3, of order 8 up to 6
+EASY = 1.0  # and what an explicit step could do as well
+REVERSAL = 2.0  # what a step over the turning of friction counts, in stiff steps
+PATIENCE = 10.0  # stiff steps, less the others, before the method changes; easy ones before it changes back
+
+
+def choice(
+    model: Model, contacts: str, old: Mapping[str, Any], run: Mapping[str, Any], end: Mapping[str, Any], h: Any
+) -> dict[str, Any]:
+    """The state's `method`, `pressure` and `stiffness` after a plain step from `old` to `end` under its modes; h [s]: the step to go on with."""
+    given = (old["mode"], old["m"], run["c"])
+    J, _ = linearised(model, contacts)(old["t"], old["y"], *given)
+    stiffness = h * _rate(J, model.nq, model.nu)
+    slides = sliding(model, contacts)
+    v, rate, gradient = slides(old["t"], old["y"], old["dy"], *given)
+    v1, rate1, _ = slides(end["t"], end["y"], end["dy"], *given)
+    foreseen = old["h"] * ca.mtimes(gradient, ca.mtimes(J, old["dy"]))
+    turned = ca.mmin(part_to_rest(v, rate, foreseen, v1, rate1, old["h"])) < 1 if v.numel() else ca.SX(0)
+    implicit = old["method"] == IMPLICIT
+    stiff, easy = stiffness > STIFF, (stiffness < EASY) * (1 - turned)
+    explicit_change = ca.if_else(turned, REVERSAL, ca.if_else(stiff, 1, -1))
+    change = ca.if_else(implicit, ca.if_else(easy, -1, 1), explicit_change)
+    pressure = ca.fmin(ca.fmax(old["pressure"] + change, 0), PATIENCE)
+    stays = ca.if_else(implicit, pressure > 0, pressure >= PATIENCE)
+    return {"method": ca.if_else(stays, IMPLICIT, EXPLICIT), "pressure": pressure, "stiffness": stiffness}
+
+
+def _rate(J: Any, nq: int, nu: int) -> Any:
+    """Sum of the damping rates, or root of the sum of the squared frequencies, whichever is larger [1/s]; 0 where nothing is damped or vibrates."""
+    vibration = ca.trace(ca.mtimes(J[nq : nq + nu, :nq], J[:nq, nq : nq + nu]))
+    return ca.fmax(-ca.trace(J), ca.sqrt(ca.fmax(-vibration, 0)))
+
+
+@dataclass(frozen=True)
+class Choice:
+    """From t [s] on the steps were "explicit" or "implicit", and why."""
+
+    t: float
+    method: str
+    reason: str
+
+
+def choices(history: History) -> tuple[Choice, ...]:
+    """What a run with `method="auto"` chose: the first method and every change."""
+    method, stiffness = history.part("method")[:, 0], history.part("stiffness")[:, 0]
+    found = [Choice(float(history.t[0]), "explicit", "a run begins so")]
+    for i in range(1, len(method)):
+        if method[i] == method[i - 1]:
+            continue
+        if method[i] == EXPLICIT:
+            reason = f"step x fastest rate fell to {stiffness[i]:.2g}: explicit steps are as long, and cheaper"
+        elif stiffness[i] > STIFF:
+            reason = f"step x fastest rate = {stiffness[i]:.2g}: stability holds explicit steps down, not accuracy"
+        else:
+            reason = "step after step went over the layer in which friction turns: it sticks"
+        found.append(Choice(float(history.t[i]), "implicit" if method[i] == IMPLICIT else "explicit", reason))
+    return tuple(found)

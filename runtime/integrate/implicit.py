@@ -1,0 +1,194 @@
+"""One step of an implicit method, in the graph: Rosenbrock methods, and diagonally implicit Runge-Kutta methods with simplified Newton iterations.
+
+Both solve with I - h gamma J only, J the exact Jacobian of the right-hand side at the start of the step. They take the same state and give the
+same trial as an explicit step; Hairer, Wanner, Solving Ordinary Differential Equations II, 2nd ed. (1996), IV.7 and IV.8.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+
+from hertzwerk.runtime.integrate.control import SAFETY
+from hertzwerk.runtime.integrate.explicit import BY_MODE, EPS, EVERY_PAIR, NO_PAIR, Flow
+from hertzwerk.runtime.integrate.implicit_tables import ITERATIONS, DiagonallyImplicit, Rosenbrock
+from hertzwerk.runtime.integrate.layout import CONTACT
+from hertzwerk.runtime.integrate.linear import solver
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model import Model
+
+CONVERGED = 0.05  # of the tolerance: what the iterations may leave in a stage
+ROUNDING = 1e-3  # of that: changes below it are not asked to get smaller
+DIVERGED = 1e4  # error norm of a step whose iterations did not converge: it is tried again with the shortest allowed
+FORESEEN = 0.1  # of a sliding velocity's rate: a change beyond it is one
+SINGULAR = 1e300  # a derivative beyond it, or none at all, counts as zero
+
+Parts = Mapping[str, Any]
+
+
+def linearised(model: Model, contacts: str = BY_MODE) -> Any:
+    """CasADi function (t, y, mode, m, c) -> (J (ny, ny), dt (ny)): the derivatives of the right-hand side `explicit.flow` of the same contacts.
+
+    By the chain rule through the forces, so that what is singular stays where it arises: at zero penetration, or without contact, the derivative
+    of a root in a contact's force is not a number; there the force and its true derivative vanish.
+    """
+    t, y = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz)
+    q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
+    mode, m, c = ca.SX.sym("mode", model.k), ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc)
+    x = ca.vertcat(y, t)
+    f = model.function("applied")(t, q, u, c)
+    df, dz = ca.jacobian(f, x), ca.SX(model.nz, x.numel())
+    for j, (pair, _) in enumerate(model.module.PAIRS if contacts != NO_PAIR else ()):
+        active = ca.SX(1) if contacts == EVERY_PAIR else mode[j] == CONTACT
+        f_j, dz_j, *_ = model.function(f"contact_{pair}")(t, q, u, z, m, c)
+        f += _where(active, f_j)
+        df += _each(ca.jacobian(f_j, x), active)
+        dz += _each(ca.jacobian(dz_j, x), active)
+    force = ca.SX.sym("force", f.numel())
+    dq = model.function("coordinate_rates")(t, q, u, c)
+    a, reactions = model.function("accelerations")(t, q, u, force, c)
+    power = model.function("ledger")(t, q, u, reactions, c) if model.has_ledger else ca.SX(model.nz, 1)
+    dy = ca.vertcat(dq, a, power)
+    of_force = ca.Function("of_force", [x, force, c], [ca.jacobian(dy, x), ca.jacobian(dy, force)])
+    direct, mobility = of_force(x, f, c)
+    J = ca.sparsify(direct + ca.mtimes(mobility, df) + ca.vertcat(ca.SX(model.nq + model.nu, x.numel()), dz))
+    n = y.numel()
+    names = ["t", "y", "mode", "m", "c"]
+    results = ca.cse([J[:, :n], ca.densify(J[:, n])])
+    return ca.Function("linearised", [t, y, mode, m, c], results, names, ["J", "dt"])
+
+
+def sliding(model: Model, contacts: str = BY_MODE) -> Any:
+    """CasADi function (t, y, dy, mode, m, c) -> (v (n), dv/dt (n), dv/dy (n, ny)): the sliding velocities [m/s] of pairs in contact; 0 of others."""
+    t, y, dy = ca.SX.sym("t"), *(ca.SX.sym(name, model.nq + model.nu + model.nz) for name in ("y", "dy"))
+    q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
+    mode, m, c = ca.SX.sym("mode", model.k), ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc)
+    velocities = [ca.SX(0, 1)]
+    for j, (pair, _) in enumerate(model.module.PAIRS if contacts != NO_PAIR else ()):
+        _, _, _, v, _ = model.function(f"contact_{pair}")(t, q, u, z, m, c)
+        velocities.append(_where(ca.SX(1) if contacts == EVERY_PAIR else mode[j] == CONTACT, v))
+    v = ca.vertcat(*velocities)
+    names = ["t", "y", "dy", "mode", "m", "c"]
+    results = ca.cse([v, ca.jtimes(v, ca.vertcat(t, y), ca.vertcat(1, dy)), ca.jacobian(v, y)])
+    return ca.Function("sliding", [t, y, dy, mode, m, c], results, names, ["v", "dv", "dv_dy"])
+
+
+@dataclass(frozen=True)
+class Stepper:
+    """One step of an implicit method with the contacts of one class of attempts."""
+
+    table: Rosenbrock | DiagonallyImplicit
+    right: Flow
+    linear: Any
+    sliding: Any
+    nq: int
+
+    def __call__(self, start: Parts, run: Parts, h: Any) -> dict[str, Any]:
+        """One step of h [s] from the parts of a state, under its modes and latches: the parts of a trial."""
+        table, given = self.table, (start["mode"], start["m"], run["c"])
+        t, y = start["t"], start["y"]
+        J, dt = self.linear(t, y, *given)
+        solve = solver(J, h * table.gamma, self.nq)
+        least = run["accuracy"] * run["scale"]
+        if isinstance(table, Rosenbrock):
+            y1, slope, error, converged = _rosenbrock(table, self.right, solve, dt, start, given, h)
+        else:
+            y1, slope, error, converged = _diagonally_implicit(table, self.right, solve, dt, start, given, h, least)
+        end = self.right.at(t + h, y1, *given)
+        if slope is not None:
+            end["dy"] = slope
+        norm = ca.if_else(converged, _norm(error, least, y1), DIVERGED)
+        v, rate, gradient = self.sliding(t, y, start["dy"], *given)
+        v1, rate1, _ = self.sliding(t + h, y1, end["dy"], *given)
+        if v.numel():
+            foreseen = h * ca.mtimes(gradient, ca.mtimes(J, start["dy"]))
+            part = ca.mmin(part_to_rest(v, rate, foreseen, v1, rate1, h))
+            norm = ca.if_else(part < 1, ca.fmax(norm, (SAFETY / part) ** table.error_order), norm)
+        return {"t": t + h, "y": y1, **end, "error": norm}
+
+
+def stepper(model: Model, table: Rosenbrock | DiagonallyImplicit, right: Flow, contacts: str = BY_MODE) -> Stepper:
+    """The step of a method with the contacts of `right`."""
+    return Stepper(table, right, linearised(model, contacts), sliding(model, contacts), model.nq)
+
+
+def part_to_rest(v: Any, rate: Any, foreseen: Any, v1: Any, rate1: Any, h: Any) -> Any:
+    """Part of a step h after which sliding velocities (n) come to rest, if the step went over that without noticing; else 1.
+
+    A smoothed friction law turns over, or makes the velocity stick, in a layer that may be too narrow for a step to see: outside of it the
+    Jacobian foresees no change of the rate. The step has met it if its end fits no smooth motion. Once a step ends in the layer, the Jacobian
+    shows it, and steps are long again: without this the velocity would jump to and fro over the layer, by as much as the tolerance allows.
+    """
+    meets = (v * rate < 0) * (v * (v + h * rate) < 0)
+    unseen = ca.fabs(foreseen) < FORESEEN * ca.fabs(rate)
+    smooth = (ca.fabs(v1 - v - h * (rate + rate1) / 2) < FORESEEN * h * ca.fabs(rate)) * (
+        ca.fabs(rate1 - rate) < ca.fabs(rate) / 2
+    )
+    return ca.if_else(meets * unseen * (1 - smooth), -v / (h * rate), 1)
+
+
+def _rosenbrock(
+    table: Rosenbrock, right: Flow, solve: Any, dt: Any, start: Parts, given: Any, h: Any
+) -> tuple[Any, Any, Any, Any]:
+    """y1, no slope but the right-hand side's, the error, and 1: there is nothing to converge."""
+    t, y = start["t"], start["y"]
+    U: list[Any] = []
+    for a, c, alpha, gamma in zip(table.a, table.c, table.alpha, table.gammas, strict=True):
+        slope = right.rates(t + alpha * h, y + _sum(a, U), *given) if U else start["dy"]
+        known = h * slope + _sum(c, U)
+        U.append(solve(table.gamma * (known + gamma * h * h * dt if gamma else known)))
+    return y + _sum(table.m, U), None, _sum(table.error.weights, U), ca.SX(1)
+
+
+def _diagonally_implicit(
+    table: DiagonallyImplicit, right: Flow, solve: Any, dt: Any, start: Parts, given: Any, h: Any, least: Any
+) -> tuple[Any, Any, Any, Any]:
+    """y1, the slope there, the error, and whether all iterations converged.
+
+    Unknown in stage i is w = h gamma k_i; its slope is taken from w, not from the right-hand side, which would amplify what the iteration left.
+    So is the slope that the next step begins with: that of the last stage. (Where friction sticks it is the force that the sticking needs.)
+    """
+    t, y, slope, gamma = start["t"], start["y"], start["dy"], table.gamma
+    slopes = [h * slope]  # h k
+    converged = ca.SX(1)
+    for row, node, predictor in zip(table.A[1:], table.c[1:], table.predictors[1:], strict=True):
+        known = y + _sum(row[:-1], slopes)
+        if len(slopes) > 1:
+            w = gamma * _sum(predictor, slopes)
+        else:  # the right-hand side linearised at the start
+            w = y - known
+            w = w + solve(h * gamma * (slope + node * h * dt) - w)
+        sizes = []
+        for _ in range(ITERATIONS):
+            change = solve(h * gamma * right.rates(t + node * h, known + w, *given) - w)
+            w = w + change
+            sizes.append(_norm(change, least, y))
+        # what is left is a geometric series, unless the changes are but rounding
+        left = sizes[-1] * sizes[-1] / (sizes[-2] - sizes[-1])
+        converged *= (left >= 0) * (left <= CONVERGED) + (sizes[-1] <= ROUNDING * CONVERGED) > 0
+        slopes.append(w / gamma)
+    y1 = known + w  # stiffly accurate: the last stage is the solution
+    return y1, w / (h * gamma), _sum(table.error.weights, slopes), converged
+
+
+def _norm(error: Any, least: Any, y: Any) -> Any:
+    """Root mean square of an error in the tolerances, as of explicit steps."""
+    return ca.sqrt(ca.sumsqr(error / (least + 4 * EPS * ca.fabs(y))) / error.numel())
+
+
+def _sum(weights: tuple[float, ...], terms: list[Any]) -> Any:
+    return sum((weight * term for weight, term in zip(weights, terms, strict=False) if weight), start=ca.SX(0))
+
+
+def _where(active: Any, value: Any) -> Any:
+    return value if active.is_one() else ca.if_else(active, value, 0)
+
+
+def _each(matrix: Any, active: Any) -> Any:
+    """The entries of an SX matrix that are numbers, while active; its structure is kept."""
+    entries = [ca.if_else(active * (ca.fabs(x) < SINGULAR), x, 0) for x in matrix.nonzeros()]
+    return ca.SX(matrix.sparsity(), ca.vertcat(*entries)) if entries else matrix

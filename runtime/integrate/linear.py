@@ -1,0 +1,122 @@
+"""The linear systems of implicit methods, (I - h gamma J) x = r, solved by elimination unrolled in the graph.
+
+The structure of J, known when the graph is built, does most of the work. Coordinates whose rates are speeds alone have the pivot 1 and go first,
+which leaves (I - h gamma df/du - (h gamma)^2 df/dq dq'/du) for the speeds; what nothing depends on, such as the energy ledger, follows by
+substitution. (CasADi's csparse, lapackqr and symbolicqr generate no C.)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import casadi as ca
+
+PIVOTED = 4  # unknowns up to which rows are exchanged by size; beyond, by structure alone: I - h gamma J is then sparse and near M + h C + h^2 K
+
+
+def solver(jacobian: Any, step: Any, nq: int) -> Callable[[Any], Any]:
+    """r (n) -> x (n) with (I - step J) x = r, for an SX matrix J (n, n) whose first nq rows are those of the coordinates."""
+    n = jacobian.size1()
+    matrix = {(i, j): -step * jacobian[i, j] for i, j in zip(*jacobian.sparsity().get_triplet(), strict=True)}
+    columns = {j for _, j in matrix}
+    last = [i for i in range(n) if i not in columns]
+    first: list[int] = []
+    for i in range(min(nq, n)):
+        if i not in last and not any((i, j) in matrix or (j, i) in matrix for j in (*first, i)):
+            first.append(i)
+    core = [i for i in range(n) if i not in last and i not in first]
+    if len(core) > PIVOTED:
+        core = _ordered(core, first, matrix)
+    reduced = [
+        [
+            matrix.get((i, j), ca.SX(0)) + (i == j) - _dot(_row(matrix, i, first), _column(matrix, first, j))
+            for j in core
+        ]
+        for i in core
+    ]
+    solve_core = _eliminated(reduced, pivoting=len(core) <= PIVOTED)
+
+    def solve(r: Any) -> Any:
+        known = [r[i] - _times(matrix, i, first, r) for i in core]
+        x = dict(zip(core, solve_core(known), strict=True))
+        for i in first:
+            x[i] = r[i] - _times(matrix, i, core, x)
+        for i in last:
+            x[i] = r[i] - _times(matrix, i, first + core, x)
+        return ca.vertcat(*(x[i] for i in range(n)))
+
+    return solve
+
+
+def _eliminated(a: list[list[Any]], *, pivoting: bool) -> Callable[[list[Any]], list[Any]]:
+    """Solver of a system of equations by Gauss' elimination, skipping zeros; partial pivoting without branches where asked for."""
+    n = len(a)
+    a = [list(row) for row in a]
+    exchanges: list[tuple[int, int, Any]] = []
+    inverse: list[Any] = []
+    for k in range(n):
+        for i in range(k + 1, n) if pivoting else ():
+            if not a[i][k].is_zero():
+                larger = ca.fabs(a[i][k]) > ca.fabs(a[k][k])
+                exchanges.append((k, i, larger))
+                pairs = [_exchanged(larger, x, y) for x, y in zip(a[k], a[i], strict=True)]
+                a[k], a[i] = [x for x, _ in pairs], [y for _, y in pairs]
+        inverse.append(1 / a[k][k])
+        for i in range(k + 1, n):
+            if not a[i][k].is_zero():
+                a[i][k] = a[i][k] * inverse[k]
+                for j in range(k + 1, n):
+                    if not a[k][j].is_zero():
+                        a[i][j] = a[i][j] - a[i][k] * a[k][j]
+
+    def solve(r: list[Any]) -> list[Any]:
+        x = list(r)
+        for k, i, larger in exchanges:  # all at once: the multipliers were exchanged with their rows
+            x[k], x[i] = _exchanged(larger, x[k], x[i])
+        for k in range(n):
+            for i in range(k + 1, n):
+                if not a[i][k].is_zero():
+                    x[i] = x[i] - a[i][k] * x[k]
+        for k in reversed(range(n)):
+            for j in range(k + 1, n):
+                if not a[k][j].is_zero():
+                    x[k] = x[k] - a[k][j] * x[j]
+            x[k] = x[k] * inverse[k]
+        return x
+
+    return solve
+
+
+def _exchanged(condition: Any, x: Any, y: Any) -> tuple[Any, Any]:
+    if x.is_zero() and y.is_zero():
+        return x, y
+    return ca.if_else(condition, y, x), ca.if_else(condition, x, y)
+
+
+def _ordered(core: list[int], first: list[int], matrix: dict[tuple[int, int], Any]) -> list[int]:
+    """The unknowns in an order of little fill-in: approximate minimum degree."""
+    place = {i: at for at, i in enumerate(core)}
+    through = [[place[i] for i, j in matrix if j == f and i in place] for f in first]
+    onward = [[place[j] for i, j in matrix if i == f and j in place] for f in first]
+    found = {(place[i], place[j]) for i, j in matrix if i in place and j in place}
+    found |= {(i, j) for rows, columns in zip(through, onward, strict=True) for i in rows for j in columns}
+    found |= {(j, i) for i, j in found} | {(i, i) for i in place.values()}
+    rows, columns = zip(*sorted(found), strict=True)
+    return [core[i] for i in ca.Sparsity.triplet(len(core), len(core), rows, columns).amd()]
+
+
+def _row(matrix: dict[tuple[int, int], Any], i: int, columns: list[int]) -> dict[int, Any]:
+    return {j: matrix[i, j] for j in columns if (i, j) in matrix}
+
+
+def _column(matrix: dict[tuple[int, int], Any], rows: list[int], j: int) -> dict[int, Any]:
+    return {i: matrix[i, j] for i in rows if (i, j) in matrix}
+
+
+def _dot(a: dict[int, Any], b: dict[int, Any]) -> Any:
+    return sum((a[i] * b[i] for i in a if i in b), start=ca.SX(0))
+
+
+def _times(matrix: dict[tuple[int, int], Any], i: int, columns: list[int], x: Any) -> Any:
+    return sum((entry * x[j] for j, entry in _row(matrix, i, columns).items()), start=ca.SX(0))

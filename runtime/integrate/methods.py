@@ -1,0 +1,35 @@
+"""The methods by name: which tables a method takes its steps with, and one step of any of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from hertzwerk.runtime.integrate import explicit, implicit
+from hertzwerk.runtime.integrate.implicit_tables import DiagonallyImplicit, Rosenbrock, esdirk54, rodas5p
+from hertzwerk.runtime.integrate.tables import RungeKutta, dop853, dopri5
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model import Model
+
+Table: TypeAlias = RungeKutta | Rosenbrock | DiagonallyImplicit
+Take: TypeAlias = Callable[[Mapping[str, Any], Mapping[str, Any], Any], dict[str, Any]]
+
+SUNDIALS = ("cvodes", "idas")  # run outside the graph (`sundials`); the table is that of their dense output
+# One table, or an explicit and an implicit one to choose from while a run goes on (`choose`).
+METHODS: dict[str, tuple[Callable[[], Table], ...]] = {
+    "dopri5": (dopri5,),
+    "dop853": (dop853,),
+    "rodas": (rodas5p,),
+    "esdirk": (esdirk54,),
+    "auto": (dop853, esdirk54),
+    **dict.fromkeys(SUNDIALS, (esdirk54,)),
+}
+
+
+def stepper(model: Model, table: Table, contacts: str) -> Take:
+    """(start, run, h) -> trial: one step of h [s] from the parts of a state, with the contact forces of `contacts` (see `explicit.flow`)."""
+    right = explicit.flow(model, contacts)
+    if isinstance(table, RungeKutta):
+        return lambda start, run, h: explicit.stepped(table, right, start, run, h)
+    return implicit.stepper(model, table, right, contacts)

@@ -1,0 +1,284 @@
+"""SUNDIALS' CVODES and IDAS (through CasADi) as an independent reference: BDF methods of variable order from the same right-hand side.
+
+Run from Python, window by window; a window stops at the first event, which is located to rounding by integrating anew from the grid point before
+it. Modes follow the events in their plainest form, without the engine's tolerances. It shares the right-hand side, the first state and the form
+of the rows with the engine, nothing else. Hindmarsh et al., ACM Trans. Math. Softw. 31 (2005) 363.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+import numpy as np
+from scipy.optimize import brentq
+
+from hertzwerk.runtime.integrate.chunk import INTERRUPTED, WALL_TIME_LIMIT, Rows
+from hertzwerk.runtime.integrate.explicit import EPS, flow
+from hertzwerk.runtime.integrate.layout import (
+    CONTACT,
+    EVENT_LIMIT,
+    FINISHED,
+    FLIGHT,
+    NOT_FINITE,
+    OUTSIDE_LAW_RANGE,
+    PAIR_PARTS,
+    RELEASED,
+    RUNNING,
+    TOO_MANY_STEPS,
+    Layouts,
+)
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model import Model
+
+GRID = 16  # points of a window
+FIRST_WINDOW = 0.5  # after an event, of length/speed of the scene
+WINDOWS = 20  # of a run at least
+SHORTEST = 1e-9  # window, of the first: below it the integration has failed
+MAX_STEPS = 1_000_000  # inside SUNDIALS, per window
+RELATIVE = 1e-14  # tolerance; the absolute one, in the scene's scales, is the accuracy
+
+
+@dataclass(frozen=True)
+class Reference:
+    """The functions of a model: integrators over a window, to all its points and to its end; and everything known of a state."""
+
+    model: Model
+    layouts: Layouts
+    window: Callable[[float], tuple[Any, Any]]
+    ends: Any
+
+
+def reference(model: Model, layouts: Layouts, method: str) -> Reference:
+    """Build the integrators of a model with "cvodes" or "idas"."""
+    right = flow(model)
+    sizes = {"t": 1, "h": 1, "mode": model.k, "m": model.nm, "c": model.nc, "scale": layouts.trial.sizes["y"]}
+    p = {name: ca.SX.sym(name, size) for name, size in sizes.items()}
+    s, x = ca.SX.sym("s"), ca.SX.sym("x", sizes["scale"])
+    dy = right.rates(p["t"] + s * p["h"], x * p["scale"], p["mode"], p["m"], p["c"])
+    problem = {"x": x, "t": s, "p": ca.vertcat(*p.values()), "ode": p["h"] * dy / p["scale"]}
+    options = {"reltol": RELATIVE, "max_num_steps": MAX_STEPS, "show_eval_warnings": False}
+    points = [i / GRID for i in range(1, GRID + 1)]
+
+    def window(accuracy: float) -> tuple[Any, Any]:
+        given = {**options, "abstol": accuracy}
+        many, one = (ca.integrator("window", method, problem, 0, grid, given) for grid in (points, [1.0]))
+        return many, one
+
+    return Reference(model, layouts, window, right.ends)
+
+
+def march(
+    functions: Reference,
+    state: np.ndarray,
+    controls: np.ndarray,
+    *,
+    wall_time: float = np.inf,
+    progress: Callable[[float], object] | None = None,
+) -> Rows:
+    """Integrate from a first state of the engine to the end of the run; KeyboardInterrupt ends it with what there is."""
+    run = _Run(functions, state, controls)
+    start, status = time.perf_counter(), RUNNING
+    rows = [state]
+    try:
+        for row in run.rows():
+            rows.append(row)
+            if progress is not None:
+                progress(run.t / run.t_end)
+            if time.perf_counter() - start > wall_time:
+                status = WALL_TIME_LIMIT
+                break
+        else:
+            status = run.status
+    except KeyboardInterrupt:
+        status = INTERRUPTED
+    return Rows(np.array(rows), rows[-1], status, time.perf_counter() - start)
+
+
+@dataclass(frozen=True)
+class _Event:
+    """What ends a window: after its grid point `index` (-1: its start), at theta of the interval there, a pair goes over to a mode."""
+
+    index: int
+    theta: float
+    pair: int
+    mode: float
+
+
+class _Run:
+    """A run on its way."""
+
+    def __init__(self, functions: Reference, state: np.ndarray, controls: np.ndarray) -> None:
+        self.functions, self.model = functions, functions.model
+        self.layout = functions.layouts.state
+        given = functions.layouts.controls.split(controls)
+        self.c, self.scale = given["c"], given["scale"]
+        self.t_end, self.floor = float(given["t_end"][0]), float(given["floor"][0])
+        self.max_events, self.max_steps = float(given["max_events"][0]), float(given["max_steps"][0])
+        self.first_window = FIRST_WINDOW * float(given["scales"][0] / given["scales"][1])
+        self.many, self.one = functions.window(float(given["accuracy"][0]))
+        parts = self.layout.split(state.copy())
+        self.t, self.y, self.mode, self.m = float(parts["t"][0]), parts["y"], parts["mode"], parts["m"]
+        self.status = int(parts["status"][0])
+        self.steps = self.events = 0
+        self.floored = float(parts["floored"][0])
+
+    def rows(self) -> Iterator[np.ndarray]:
+        """The rows of the run after its first; `status` says how it ended."""
+        window = self.first_window
+        while self.status == RUNNING:
+            h = min(window, self.t_end - self.t)
+            try:
+                points = self.integrate(self.many, self.t, self.y, h)
+            except RuntimeError:  # SUNDIALS gave up, or something was not a number
+                window = h / 4
+                if window < SHORTEST * self.first_window:
+                    self.status = NOT_FINITE
+                continue
+            event = self.first_event(points, h)
+            arrives = event is None and h >= self.t_end - self.t
+            times = self.t + h * np.arange(1, GRID + 1) / GRID
+            if arrives:
+                times[-1] = self.t_end
+            for t, y in zip(times[: GRID if event is None else event.index + 1], points, strict=False):
+                self.t, self.y, self.steps = float(t), y, self.steps + 1
+                self.judge(arrives=arrives and t == self.t_end)
+                yield self.row()
+                if self.status != RUNNING:
+                    return
+            window = min(2 * window, self.t_end / WINDOWS)
+            if event is not None:
+                self.change(event, h / GRID)
+                self.judge()
+                yield self.row()
+                window = min(self.first_window, self.t_end / WINDOWS)
+
+    def integrate(self, function: Any, t: float, y: np.ndarray, h: float) -> np.ndarray:
+        """States at the points of a window of h [s], shape (points, ny)."""
+        p = np.concatenate([[t, h], self.mode, self.m, self.c, self.scale])
+        states: np.ndarray = np.array(function(x0=y / self.scale, p=p)["xf"]).T * self.scale
+        if not np.all(np.isfinite(states)):
+            raise RuntimeError("not a number")
+        return states
+
+    def at(self, t: float, y: np.ndarray) -> dict[str, np.ndarray]:
+        """dy and what is known of the pairs."""
+        ends = self.functions.ends
+        values = ends.call([t, y, self.mode, self.m, self.c])
+        return {name: np.array(value).ravel() for name, value in zip(ends.name_out(), values, strict=True)}
+
+    def signals(self, t: float, y: np.ndarray) -> list[tuple[int, float, float, float]]:
+        """What must stay positive: (pair, mode that follows where it does not, value, rate)."""
+        end, found = self.at(t, y), []
+        for j, mode in enumerate(self.mode):
+            gap, rate, acceleration = (float(end[name][j]) for name in ("gap", "gap_rate", "gap_acceleration"))
+            if mode == FLIGHT:
+                found.append((j, CONTACT, gap, rate))
+                continue
+            found.append((j, FLIGHT, -gap, -rate))
+            if mode == CONTACT:
+                found.append((j, RELEASED, float(end["force"][j]), float(end["force_rate"][j])))
+            elif mode == RELEASED:
+                found.append((j, CONTACT, rate, acceleration))
+        return found
+
+    def first_event(self, points: np.ndarray, h: float) -> _Event | None:
+        """The first event of a window. At its start every signal counts as positive: an event has just been there."""
+        before, start = self.signals(self.t, self.y), self.y
+        for i, y in enumerate(points):
+            t, step = self.t + h * i / GRID, h / GRID
+            after = self.signals(t + step, y)
+            roots = []
+            for n, (a, b) in enumerate(zip(before, after, strict=True)):
+                high = 1.0 if b[2] <= 0 else self.dip(t, start, step, n) if a[3] < 0 < b[3] else None
+                if high is not None:
+                    roots.append((self.root(t, start, step, n, high), n))
+            if roots:
+                theta, n = min(roots)
+                return _Event(i - 1, theta, after[n][0], after[n][1])
+            before, start = after, y
+        return None
+
+    def value(self, t: float, y: np.ndarray, h: float, n: int, part: int) -> float:
+        """Signal n, or its rate, a time h after a state."""
+        if h > 0:
+            (y,) = self.integrate(self.one, t, y, h)
+        return self.signals(t + h, y)[n][2:][part]
+
+    def dip(self, t: float, y: np.ndarray, step: float, n: int) -> float | None:
+        """Where in an interval signal n has a minimum, if that is not positive."""
+        if not self.value(t, y, 0, n, 1) < 0 < self.value(t, y, step, n, 1):
+            return None  # flat, to the accuracy of two integrations
+        theta = float(brentq(lambda x: self.value(t, y, x * step, n, 1), 0, 1))
+        return theta if theta > 0 and self.value(t, y, theta * step, n, 0) <= 0 else None
+
+    def root(self, t: float, y: np.ndarray, step: float, n: int, high: float) -> float:
+        """Where in an interval signal n falls through zero, to rounding; 0 if it is below from the start."""
+        if self.value(t, y, high * step, n, 0) > 0:
+            return high  # zero to the accuracy of two integrations
+        low = 0.0
+        while self.value(t, y, low * step, n, 0) <= 0:
+            low = high / 2 if low == 0 else low / 8
+            if low < EPS:
+                return 0.0
+        precision = max(2 * EPS * t / step, EPS)
+        return float(brentq(lambda x: self.value(t, y, x * step, n, 0), low, high, xtol=precision, rtol=4 * EPS))
+
+    def change(self, event: _Event, step: float) -> None:
+        """Go to the event, change the pair's mode, latch and book."""
+        if event.theta > 0:
+            (self.y,) = self.integrate(self.one, self.t, self.y, event.theta * step)
+            self.t += event.theta * step
+            self.steps += 1
+        end, old, j = self.at(self.t, self.y), self.mode[event.pair], event.pair
+        if old == FLIGHT:
+            self.events += 1
+            for i, (_, _, pair) in enumerate(self.model.module.LATCHES):
+                if pair == j:
+                    self.m = self.m.copy()
+                    self.m[i] = max(-end["gap_rate"][j], self.floor)
+            self.floored += bool(self.model.latches) and -end["gap_rate"][j] < self.floor
+        elif self.model.has_ledger:
+            stored = np.array(self.model.function("energy")(self.t, *self.parts(), self.c)[2]).ravel()[j]
+            leaves = 1 if old == CONTACT else -1 if event.mode == CONTACT else 0
+            self.y = self.y.copy()
+            self.y[self.model.nq + self.model.nu + self.model.module.DISSIPATED[j]] += leaves * stored
+        self.mode = self.mode.copy()
+        self.mode[j] = event.mode
+
+    def parts(self) -> tuple[np.ndarray, np.ndarray]:
+        """q and u."""
+        nq = self.model.nq
+        return self.y[:nq], self.y[nq : nq + self.model.nu]
+
+    def judge(self, *, arrives: bool = False) -> None:
+        """Set the status that the state and the counters give."""
+        if np.any(self.at(self.t, self.y)["in_range"] < 0.5):
+            self.status = OUTSIDE_LAW_RANGE
+        elif arrives:
+            self.status = FINISHED
+        elif self.events > self.max_events:
+            self.status = EVENT_LIMIT
+        elif self.steps >= self.max_steps:
+            self.status = TOO_MANY_STEPS
+
+    def row(self) -> np.ndarray:
+        """The state of the engine that this is."""
+        end = self.at(self.t, self.y)
+        values: dict[str, Any] = {"t": self.t, "y": self.y, "dy": end["dy"], "mode": self.mode, "m": self.m}
+        values |= {name: end[name] for name in PAIR_PARTS}
+        values |= {
+            "accepted": 1,
+            "status": self.status,
+            "steps": self.steps,
+            "events": self.events,
+            "floored": self.floored,
+        }
+        row = np.zeros(self.layout.size)
+        for name, value in values.items():
+            row[self.layout[name]] = value
+        return row
