@@ -227,6 +227,3 @@ def dop853() -> RungeKutta:
             ErrorEstimate((*(x - y for x, y in zip(b, b3, strict=True)), 0.0), 3),
         ),
     )  # fmt: skip
-
-
-METHODS = {"dopri5": dopri5, "dop853": dop853}

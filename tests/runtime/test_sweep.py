@@ -1,0 +1,149 @@
+"""Batches: bitwise the single runs, in order, failures as rows; a running time measured, not asserted."""
+
+import csv
+import os
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+from handmade import point
+
+from hertzwerk.derive.faults import InputError
+from hertzwerk.runtime import load, simulate, simulate_many
+
+HEIGHTS = [f"{1.5 - 0.1 * i:.1f} m" for i in range(7)]
+SETTINGS = {"duration": "3 s", "accuracy": 1e-8}
+
+
+@pytest.fixture(scope="module")
+def ball():
+    return load("bouncing_ball")
+
+
+@pytest.fixture(autouse=True)
+def _own_cache(tmp_path, monkeypatch):
+    monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path / "cache"))
+
+
+@pytest.mark.parametrize("workers", [1, 3])
+@pytest.mark.parametrize("compiled", [False, "auto"])
+def test_rows_are_the_single_runs_bitwise_in_order(ball, workers, compiled):
+    sets = [{"drop_height": height} for height in HEIGHTS]
+    seen = []
+    sweep = simulate_many(ball, sets, workers=workers, compiled=compiled, progress=seen.append, **SETTINGS)
+    assert [row.given for row in sweep] == sets
+    assert seen[-1] == 1
+    for row, values in zip(sweep, sets, strict=True):
+        run = simulate(ball, parameters=values, **SETTINGS)
+        assert row.final == run.final
+        assert row.impacts == len(run.impacts)
+        assert row.peak_force == max(impact.peak_force for impact in run.impacts)
+        assert (row.energy_residual, row.warnings) == (run.energy_residual, run.warnings)
+        assert row.statistics.steps == run.statistics.steps
+    assert np.allclose(sweep["drop_height"], 1.5 - 0.1 * np.arange(7), rtol=1e-15, atol=0)
+    assert np.all(np.diff(sweep["peak_force"]) < 0)
+
+
+def test_compiled_rows_are_the_same(ball):
+    sets = [{"drop_height": height} for height in HEIGHTS[:3]]
+    machine, native = (simulate_many(ball, sets, compiled=compiled, **SETTINGS) for compiled in (False, True))
+    assert (machine.compiled, native.compiled) == (False, True)
+    assert [row.final for row in machine] == [row.final for row in native]
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_failures_are_rows(ball, workers):
+    sets = [{"mass": "-1 kg", "mas": 1}, {}, {"mass": "1 m"}, {"vertical.speed": "-1 m/s"}, {"vertical.speed": 1.0}]
+    sweep = simulate_many(ball, sets, workers=workers, duration="1 s")
+    assert list(sweep["outcome"]) == ["bad_input", "finished", "bad_input", "finished", "bad_input"]
+    assert "did you mean mass" in sweep.rows[0].message
+    assert "mass" in sweep.rows[2].message
+    assert np.array_equal(np.isnan(sweep["peak_force"]), [True, False, True, False, True])
+    assert sweep["vertical.speed"][3] == -1
+    stopped = simulate_many(ball, [{}, {}], workers=workers, duration="1 s", max_steps=5)
+    assert list(stopped["outcome"]) == ["too_many_steps"] * 2
+    assert all(row.message for row in stopped)
+
+
+def test_all_sets_bad_and_no_sets(ball):
+    assert list(simulate_many(ball, [{"mas": 1}] * 3, duration="1 s")["outcome"]) == ["bad_input"] * 3
+    assert len(simulate_many(ball, [], duration="1 s")) == 0
+
+
+def test_what_is_bad_for_every_run_is_bad_input(ball):
+    with pytest.raises(InputError) as error:
+        simulate_many(ball, [{}], duration="-1 s", accuracy=2, method="rk4", compiled="yes")
+    assert {fault.where for fault in error.value.faults} == {"duration", "accuracy", "rk4", "compiled"}
+    with pytest.raises(InputError, match="workers"):
+        simulate_many(ball, [{}], duration="1 s", workers=0)
+    with pytest.raises(InputError, match="a name of its own"):
+        simulate_many(ball, [{}], duration="1 s", outputs={"impacts": lambda run: 0.0})
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_outputs_are_columns_and_one_that_raises_is_a_row(ball, workers):
+    outputs = {"top": lambda run: np.max(run["vertical.travel"]), "second": lambda run: run.impacts[1].speed}
+    sets = [{"drop_height": "1 m"}, {"drop_height": "20 m"}]
+    sweep = simulate_many(ball, sets, duration="1.5 s", outputs=outputs, workers=workers)
+    assert sweep["top"] == pytest.approx([1.1, 20.1])
+    assert sweep["second"][0] > 0
+    assert sweep.rows[1].outcome == "bad_output"
+    assert "IndexError" in sweep.rows[1].message
+
+
+def test_a_process_that_dies_is_a_row(ball):
+    def die(run):
+        os._exit(3)
+
+    sweep = simulate_many(ball, [{}, {}, {}], duration="1 s", compiled=False, workers=2, outputs={"x": die})
+    assert set(sweep["outcome"]) == {"lost"}
+    assert len(sweep) == 3
+
+
+def test_csv(ball, tmp_path):
+    sweep = simulate_many(ball, [{"drop_height": "1 m"}, {"drop_height": "-1 m"}], duration="1 s")
+    path = sweep.to_csv(tmp_path / "sweep.csv")
+    with path.open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [row["outcome"] for row in rows] == ["finished", "bad_input"]
+    assert float(rows[0]["final.vertical.speed [m/s]"]) == sweep["final.vertical.speed"][0]
+    assert rows[0]["drop_height [m]"] == "1"
+    with pytest.raises(FileExistsError):
+        sweep.to_csv(path)
+    with pytest.raises(KeyError, match="peak_force"):
+        sweep["peak"]
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_ctrl_c_returns_the_rows_that_are_done(workers):
+    """The first two runs are short, the others take minutes."""
+    model = point(lambda d, v, v0: 1e14 * d, push=lambda t, x, v: -10.0 + 0 * t, scales=(1e-2, 1.0, 100.0, 1.0))
+    sets = [{"path.travel": "1e6 m"}] * 2 + [{}] * 6
+    done = threading.Event()
+
+    def interrupt():
+        done.wait(30)
+        time.sleep(0.2)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    killer = threading.Thread(target=interrupt)
+    killer.start()
+    began = time.perf_counter()
+    sweep = simulate_many(
+        model,
+        sets,
+        duration=300.0,
+        accuracy=1e-10,
+        compiled=False,
+        workers=workers,
+        max_steps=10**9,
+        max_events=10**9,
+        progress=lambda fraction: done.set() if fraction >= 0.25 else None,
+    )
+    killer.join()
+    assert sweep.interrupted
+    assert [row.index for row in sweep] == [0, 1]
+    assert "interrupted" in str(sweep)
+    assert time.perf_counter() - began < 20
