@@ -121,10 +121,8 @@ def _report(findings: Sequence[Finding]) -> None:
         click.echo()
         line("inconsistent", f"{len(faulty)} of {len(findings)} findings; an inconsistent scene is not derived")
     else:
-        line(
-            "consistent",
-            f"{len(findings)} law expressions, and every assignment and output of the program where there is one",
-        )
+        program = ", and every assignment and output of the program" if any(f.effect for f in findings) else ""
+        line("consistent", f"{len(findings)} law expression{'s' if len(findings) != 1 else ''}{program}")
 
 
 def _print_json(records: list[dict[str, str | None]]) -> None:
