@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from hertzwerk.runtime.binding import Value, read, read_state, unknown
 from hertzwerk.runtime.history import History
 from hertzwerk.runtime.impacts import approach_speeds
 from hertzwerk.runtime.integrate.attempt import Integrator, integrator
+from hertzwerk.runtime.integrate.automatic import Code, Gear
 from hertzwerk.runtime.integrate.chunk import Callers, Rows, chunk, march
 from hertzwerk.runtime.integrate.layout import OUTSIDE_LAW_RANGE
 from hertzwerk.runtime.integrate.methods import METHODS, SUNDIALS
@@ -31,6 +32,7 @@ APPROACH_FLOOR = 1e-3  # m/s, where a model has latches but no parameter of this
 LEAST_STEPS = 10  # of a run in contact: where all is at rest, steps grow until a short push would go unnoticed
 REMEMBERED = 64  # inputs of a model that need not be read again
 COUNTERS = ("steps", "rejected", "retaken", "evaluations", "events", "floored")  # parts of a state
+MAX_STEPS, MAX_EVENTS = 1_000_000, 100_000
 ROUGH = 1e-4  # accuracy of a run that only looks for scales
 
 
@@ -42,9 +44,9 @@ def simulate(
     method: str = "dop853",
     parameters: Mapping[str, Value] | None = None,
     initial: Mapping[str, Value] | None = None,
-    compiled: bool = False,
-    max_steps: int = 1_000_000,
-    max_events: int = 100_000,
+    compiled: bool | Literal["auto"] = "auto",
+    max_steps: int = MAX_STEPS,
+    max_events: int = MAX_EVENTS,
     wall_time: float | None = None,
     progress: Callable[[float], object] | None = None,
 ) -> Solution:
@@ -54,7 +56,7 @@ def simulate(
     method      explicit "dop853", "dopri5"; for what is stiff "esdirk", "rodas"; "auto" chooses between dop853 and esdirk as it goes;
                 "cvodes", "idas": SUNDIALS, slow, as an independent reference
     parameters, initial    values in place of the model's, each with its unit: {"clearance": "0.2 mm"}, {"guide.travel": "0.17 m"}
-    compiled    run the same functions as C; the result is bitwise the same
+    compiled    run the same functions as C; the result is bitwise the same; "auto" does so from where the time to go exceeds the compilation
     max_steps, max_events (contacts begun), wall_time [s]    where to stop, with an outcome that says so
     progress    called now and then with the fraction done
 
@@ -62,15 +64,18 @@ def simulate(
     """
     began = time.perf_counter()
     limits = _Limits(max_steps, max_events, math.inf if wall_time is None else wall_time)
-    given = _read(model, duration, accuracy, method, limits, parameters or {}, initial or {})
+    given = _read(model, duration, accuracy, method, compiled, limits, parameters or {}, initial or {})
     bound, seconds = given.bound, given.seconds
-    engine = model.once(("engine", method, compiled), lambda: _engine(model, method, compiled=compiled))
-    run = _Run(model, engine, given, limits)
+    engine = _engine_for(model, method, compiled)
+    gear = Gear(engine.code, compiled=compiled is True, changes=compiled == "auto") if engine.code else None
+    run = _Run(model, engine, given, limits, gear)
     scales = given.scales
     if not scales.sound:
         scales = scaling.of_run(model, scales, lambda s: run(max(accuracy, ROUGH), s)[0])
     build_s = time.perf_counter() - began
+    before = gear.compile_s if gear else 0.0
     history, rows = run(accuracy, scales, progress)
+    compile_s = gear.compile_s - before if gear else 0.0
     counted = {name: int(rows.last[row]) for name, row in engine.counters.items()}
     return Solution(
         history=history,
@@ -86,7 +91,7 @@ def simulate(
         duration=seconds,
         accuracy=accuracy,
         method=method,
-        compiled=compiled,
+        compiled=gear is not None and gear.compiled,
         parameters=dict(bound.values),
         statistics=Statistics(
             steps=counted["steps"],
@@ -94,8 +99,9 @@ def simulate(
             retaken=counted["retaken"],
             rhs_evaluations=counted["evaluations"],
             events=counted["events"],
-            wall_s=rows.wall_s,
+            wall_s=rows.wall_s - compile_s,
             build_s=build_s,
+            compile_s=compile_s,
         ),
         warnings=(
             *_unchecked(model),
@@ -108,12 +114,13 @@ def simulate(
 
 @dataclass(frozen=True)
 class _Engine:
-    """The functions of one model and method; `march` runs them in CasADi's virtual machine or as C."""
+    """The functions of one model and method: a chunk, or a loop of its own."""
 
     integrator: Integrator
     begin: Callers
-    march: Callable[..., Rows]  # (state, controls, *, wall_time, progress)
     counters: Mapping[str, int]  # rows of the state
+    code: Code | None  # of the chunk
+    march: Callable[..., Rows]  # ([gear, integrator where there is code,] state, controls, *, wall_time, progress)
 
 
 @dataclass(frozen=True)
@@ -142,6 +149,7 @@ class _Run:
     engine: _Engine
     given: _Given
     limits: _Limits
+    gear: Gear | None
 
     @property
     def floor(self) -> float:
@@ -170,11 +178,58 @@ class _Run:
         state = begin()[0].copy()
         self.engine.begin.give_back(begin)
         wall_time = self.limits.wall_time
-        rows = self.engine.march(state, controls, wall_time=wall_time, progress=progress)
+        loop = self.engine.march if self.gear is None else partial(self.engine.march, self.gear, integrator)
+        rows = loop(state, controls, wall_time=wall_time, progress=progress)
         return History(self.model, rows.rows, controls, integrator), rows
 
 
-def _engine(model: Model, method: str, *, compiled: bool) -> _Engine:
+def prepare(model: Model, method: str, compiled: bool | Literal["auto"], ahead: float = 0.0) -> bool:
+    """Build what runs of a model need, before they are made side by side; returns whether they are to be compiled.
+
+    That is as `compiled` says, or with "auto" if it saves time for runs that take `ahead` [s] uncompiled. Raises InputError without a compiler.
+    """
+    code = _engine_for(model, method, compiled).code
+    if compiled == "auto":
+        return code is not None and code.worthwhile(math.inf, ahead) is not None
+    return compiled and code is not None
+
+
+def check_settings(
+    model: Model,
+    duration: str | float | None,
+    accuracy: float,
+    method: str,
+    compiled: bool | Literal["auto"],
+    *,
+    max_steps: int = MAX_STEPS,
+    max_events: int = MAX_EVENTS,
+    wall_time: float | None = None,
+) -> None:
+    """Raise InputError for what is bad input to a run whatever its parameters."""
+    faults: list[Fault] = []
+    limits = _Limits(max_steps, max_events, math.inf if wall_time is None else wall_time)
+    _check(accuracy, method, limits, faults)
+    _check_compiled(compiled, faults)
+    _duration(duration, faults)
+    if faults:
+        raise InputError(model.name, faults)
+
+
+def _engine_for(model: Model, method: str, compiled: bool | Literal["auto"]) -> _Engine:
+    """The engine, and its C version where that is asked for."""
+    engine: _Engine = model.once(("engine", method), lambda: _engine(model, method))
+    if compiled is True and engine.code is not None:
+        from hertzwerk.runtime.integrate.compiled import NoCompilerError
+
+        try:
+            engine.code.compile()
+        except NoCompilerError as error:
+            way_out = "compiled=False runs the same functions, slower"
+            raise InputError(model.name, [Fault("compiled", str(error), "a working C compiler", way_out)]) from error
+    return engine
+
+
+def _engine(model: Model, method: str) -> _Engine:
     made = model.once(("integrator", method), lambda: integrator(model, tuple(table() for table in METHODS[method])))
     rows = made.layouts.state
     counters = {name: rows[name].start for name in COUNTERS}
@@ -182,17 +237,8 @@ def _engine(model: Model, method: str, *, compiled: bool) -> _Engine:
         from hertzwerk.runtime.integrate import sundials
 
         reference = sundials.reference(model, made.layouts, method)
-        return _Engine(made, Callers(made.begin), partial(sundials.march, reference), counters)
-    run = chunk(made)
-    if compiled:
-        from hertzwerk.runtime.integrate.compiled import NoCompilerError, as_c
-
-        try:
-            run = as_c(run)
-        except NoCompilerError as error:
-            way_out = "compiled=False runs the same functions, slower"
-            raise InputError(model.name, [Fault("compiled", str(error), "a working C compiler", way_out)]) from error
-    return _Engine(made, Callers(made.begin), partial(march, Callers(run), made), counters)
+        return _Engine(made, Callers(made.begin), counters, None, partial(sundials.march, reference))
+    return _Engine(made, Callers(made.begin), counters, Code(chunk(made)), march)
 
 
 def _read(
@@ -200,6 +246,7 @@ def _read(
     duration: str | float | None,
     accuracy: float,
     method: str,
+    compiled: bool | Literal["auto"],
     limits: _Limits,
     parameters: Mapping[str, Value],
     initial: Mapping[str, Value],
@@ -207,6 +254,7 @@ def _read(
     """Everything given, read; raises InputError with every fault. Text that was read before is not read again."""
     faults: list[Fault] = []
     _check(accuracy, method, limits, faults)
+    _check_compiled(compiled, faults)
     known: dict[str, _Given] = model.once("given", dict)
     key = repr((duration, parameters, initial))  # tells 1 from True and from "1"
     given = None if faults else known.get(key)
@@ -234,6 +282,11 @@ def _check(accuracy: float, method: str, limits: _Limits, faults: list[Fault]) -
     for name, limit in vars(limits).items():
         if not (_real(limit) and limit > 0):
             faults.append(Fault(name, repr(limit), "a positive number"))
+
+
+def _check_compiled(compiled: object, faults: list[Fault]) -> None:
+    if not (isinstance(compiled, bool) or compiled == "auto"):
+        faults.append(Fault("compiled", repr(compiled), 'True, False or "auto"'))
 
 
 def _real(value: object) -> bool:

@@ -26,7 +26,8 @@ __all__ = ["History", "Impact", "Solution", "Statistics"]
 @dataclass(frozen=True)
 class Statistics:
     """What a run cost: accepted steps, steps rejected for their error, steps retaken to land on an event, evaluations of the right-hand side,
-    contacts begun (events); wall_s the integration, build_s everything before it (reading input, building the functions) [s]."""
+    contacts begun (events); wall_s the integration, build_s everything before it (reading input, building the functions), compile_s what was
+    compiled on the way [s]."""
 
     steps: int
     rejected: int
@@ -35,6 +36,7 @@ class Statistics:
     events: int
     wall_s: float
     build_s: float
+    compile_s: float = 0.0
 
 
 @dataclass(frozen=True)

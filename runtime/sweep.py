@@ -26,7 +26,7 @@ from hertzwerk.runtime.simulate import check_settings, prepare, simulate
 from hertzwerk.runtime.solution import Solution, Statistics, write
 
 Output = Callable[[Solution], float]
-BAD_INPUT, BAD_OUTPUT, LOST = "bad_input", "bad_output", "lost"  # outcomes of rows that have no run, or no numbers of one
+BAD_INPUT, BAD_OUTPUT, LOST = "bad_input", "bad_output", "lost"  # outcomes of rows without a run or some of its numbers
 PROBE = 0.3  # s that the first run may take alone, to foresee how long all of them take
 _NUMBERS = ("impacts", "peak_force", "energy_residual", "steps", "rhs_evaluations", "wall_s")
 _TEXTS = ("outcome", "message", "warnings")
@@ -94,7 +94,8 @@ class Sweep:
         """Every name that `sweep[name]` has: what was varied, what came out of it, the states at the end."""
         given = dict.fromkeys(name for row in self.rows for name in row.given if name in _ports(self.model))
         states = (*self.model.coordinates, *self.model.speeds, *self.model.memory)
-        return (*given, "outcome", *_NUMBERS, *self.output_names, *(f"final.{n}" for n in states), "message", "warnings")
+        final = (f"final.{name}" for name in states)
+        return (*given, "outcome", *_NUMBERS, *self.output_names, *final, "message", "warnings")
 
     def __getitem__(self, name: str) -> np.ndarray:
         if name not in self.names:
@@ -147,7 +148,7 @@ def simulate_many(
     """
     began = time.perf_counter()
     sets = [dict(values) for values in parameter_sets]
-    check_settings(model, duration, accuracy, method, **limits)
+    check_settings(model, duration, accuracy, method, compiled, **limits)
     _check(model, workers, outputs or {})
     settings = {"duration": duration, "accuracy": accuracy, "method": method, **limits}
     job = _Job(model, sets, settings, dict(outputs or {}))
@@ -305,7 +306,7 @@ _job: _Job | None = None  # of a worker process
 
 def _enter(job: _Job) -> None:
     global _job
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches every process of a terminal; the first tells the others
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches every process; the first one tells the others
     _job = job
 
 

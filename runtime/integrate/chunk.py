@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Protocol
 
 import casadi as ca
 import numpy as np
@@ -81,8 +81,17 @@ class Callers:
         self._free.append(caller)
 
 
+class Shift(Protocol):
+    """Chooses what a run is called with, and may change it between two chunks (`automatic.Gear`)."""
+
+    callers: Callers
+
+    def changed(self, elapsed: float, ahead: float) -> bool:
+        """Whether `callers` are others from now on, after `elapsed` with about `ahead` [s] to go."""
+
+
 def march(
-    callers: Callers,
+    gear: Shift,
     integrator: Integrator,
     state: np.ndarray,
     controls: np.ndarray,
@@ -95,6 +104,8 @@ def march(
     t, status, accepted = layout["t"].start, layout["status"].start, layout["accepted"].start
     t_end = float(controls[integrator.layouts.controls["t_end"].start])
     t_start = float(state[t])
+    max_steps, steps = float(controls[integrator.layouts.controls["max_steps"].start]), layout["steps"].start
+    callers = gear.callers
     call = callers.take()
     call.inputs[1][:] = controls
     kept = [state[None, :].copy()]
@@ -115,6 +126,13 @@ def march(
                 outcome = WALL_TIME_LIMIT
             if progress is not None:
                 progress((float(state[t]) - t_start) / (t_end - t_start))
+            elapsed = time.perf_counter() - start
+            done = max((float(state[t]) - t_start) / (t_end - t_start), float(state[steps]) / max_steps, 1e-9)
+            if outcome == RUNNING and gear.changed(elapsed, min(elapsed / done, wall_time) - elapsed):
+                callers.give_back(call)
+                callers = gear.callers
+                call = callers.take()
+                call.inputs[1][:] = controls
     except KeyboardInterrupt:
         outcome = INTERRUPTED
     callers.give_back(call)

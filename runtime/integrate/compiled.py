@@ -25,7 +25,7 @@ FLAGS = (
     *("-fno-semantic-interposition", "-fPIC", "-shared", "-w"),  # the first lets CasADi's small functions be inlined
 )
 LARGE = 250_000  # characters of C beyond which -O1 is as fast as -O3 and compiles in a fraction of the time (measured, 5 to 10 pairs)
-COMPILE_S, COMPILE_S_PER_CHARACTER = 0.8, 6.5e-6  # within a fifth for the built-in scenes and methods, 0.1 to 0.45 million characters
+COMPILE_S, COMPILE_S_PER_CHARACTER = 0.8, 6.5e-6  # within a fifth of what built-in scenes take with each method
 
 
 class NoCompilerError(RuntimeError):

@@ -1,0 +1,84 @@
+"""Compile when it pays: a run begins in CasADi's virtual machine and goes on as C, bitwise the same, once the time ahead exceeds the compilation."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from hertzwerk.runtime.integrate.chunk import Callers
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.integrate.compiled import Program
+
+LOOK = 0.15  # s ahead from which it pays to write the C text and look for its library: 0.01 to 0.06 s
+SURE = 0.1  # part of the compilation's time that must have been run before the pace is believed
+GAIN = 0.8  # part of the time ahead that C saves: it takes a fifth or less
+
+
+@dataclass
+class Code:
+    """The chunk of one model and method, in the virtual machine and, once somebody wanted it, as C."""
+
+    function: Any
+    machine: Callers = field(init=False)
+    native: Callers | None = None
+    _program: Program | None = None
+    _impossible: bool = False
+
+    def __post_init__(self) -> None:
+        self.machine = Callers(self.function)
+
+    def compile(self) -> Callers:
+        """Callers of the C version; raises NoCompilerError."""
+        if self.native is None:
+            self.native = Callers(self._made().load())
+        return self.native
+
+    def worthwhile(self, elapsed: float, ahead: float) -> Callers | None:
+        """Callers of the C version, compiled now, if that saves time for a run that took `elapsed` and has `ahead` [s] to go uncompiled."""
+        if self.native is not None:
+            return self.native
+        if ahead < LOOK or self._impossible:
+            return None
+        from hertzwerk.runtime.integrate.compiled import NoCompilerError
+
+        try:
+            needed = self._made().seconds
+            return self.compile() if GAIN * ahead > needed and elapsed >= SURE * needed else None
+        except NoCompilerError:
+            self._impossible = True
+            return None
+
+    def _made(self) -> Program:
+        """The program; raises NoCompilerError."""
+        from hertzwerk.runtime.integrate.compiled import Program  # only now: a short run needs none of what it imports
+
+        self._program = self._program or Program(self.function)
+        return self._program
+
+
+class Gear:
+    """What one run is called with, chunk by chunk; with `changes` it changes to C by itself. `compile_s` is the time it took to compile."""
+
+    def __init__(self, code: Code, *, compiled: bool, changes: bool) -> None:
+        self._code, self._changes = code, changes
+        self.callers = code.native if code.native is not None and (compiled or changes) else code.machine
+        self.compile_s = 0.0
+
+    @property
+    def compiled(self) -> bool:
+        """Whether it is C now."""
+        return self.callers is not self._code.machine
+
+    def changed(self, elapsed: float, ahead: float) -> bool:
+        """Whether `callers` are others from now on."""
+        if not self._changes or self.compiled or ahead < LOOK:
+            return False
+        began = time.perf_counter()
+        better = self._code.worthwhile(elapsed, ahead)
+        self.compile_s += time.perf_counter() - began
+        if better is None:
+            return False
+        self.callers = better
+        return True
