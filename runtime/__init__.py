@@ -8,7 +8,7 @@ if TYPE_CHECKING:
     from hertzwerk.derive.faults import Fault, InputError
     from hertzwerk.runtime.model import Bound, Model, load
     from hertzwerk.runtime.outcome import Outcome
-    from hertzwerk.runtime.simulate import simulate
+    from hertzwerk.runtime.simulation import simulate
     from hertzwerk.runtime.solution import Impact, Solution, Statistics
     from hertzwerk.runtime.sweep import Sweep, simulate_many
 
@@ -23,7 +23,7 @@ _PLACES = {
     "Statistics": "solution",
     "Sweep": "sweep",
     "load": "model",
-    "simulate": "simulate",
+    "simulate": "simulation",
     "simulate_many": "sweep",
 }
 

@@ -198,7 +198,7 @@ def curve(trial: Trial, given: Array | None = None, impact: Impact | None = None
 
 def simulated(model: Model, trial: Trial, value: float, impact: Impact) -> float:
     """Restitution out of one impact through the engine; `value` of the law's parameter in SI. NaN where the bodies do not part."""
-    from hertzwerk.runtime.simulate import simulate
+    from hertzwerk.runtime.simulation import simulate
 
     n = trial.exponent
     depth = ((n + 1) * impact.mass * impact.speed**2 / (2 * impact.stiffness)) ** (1 / (n + 1))

@@ -22,7 +22,7 @@ import numpy as np
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.binding import Value, read_state
 from hertzwerk.runtime.model import Model
-from hertzwerk.runtime.simulate import check_settings, prepare, simulate
+from hertzwerk.runtime.simulation import check_settings, prepare, simulate
 from hertzwerk.runtime.solution import Solution, Statistics, write
 
 Output = Callable[[Solution], float]

@@ -43,7 +43,7 @@ class Verdict:
 def run_scenario(scenario: Scenario) -> Solution:
     """Simulate a scenario with its own numbers; raises InputError."""
     from hertzwerk.runtime.model import load
-    from hertzwerk.runtime.simulate import simulate
+    from hertzwerk.runtime.simulation import simulate
 
     return simulate(
         load(scenario.scene),

@@ -102,7 +102,7 @@ def _simulate(
     from hertzwerk.runtime import scenarios
     from hertzwerk.runtime.model import load
     from hertzwerk.runtime.record import destination_fault
-    from hertzwerk.runtime.simulate import simulate
+    from hertzwerk.runtime.simulation import simulate
 
     faults: list[Fault] = []
     if out is not None and (fault := destination_fault(out)) is not None:

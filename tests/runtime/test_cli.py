@@ -263,7 +263,7 @@ def test_a_file_imports_its_neighbours_and_they_leave_no_trace(hertzwerk):
 
 
 def test_another_outcome_exits_1_and_keeps_what_there_is(hertzwerk, monkeypatch):
-    engine = importlib.import_module("hertzwerk.runtime.simulate")
+    engine = importlib.import_module("hertzwerk.runtime.simulation")
 
     def stops(model, **options):
         return simulate(model, **{**options, "max_steps": 5})
