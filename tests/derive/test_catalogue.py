@@ -205,7 +205,7 @@ def test_published_mistake_shows_when_rescaled(name):
 def test_exponent_changed_while_the_stiffness_keeps_its_number(number, exponent, found):
     """9: K [N/m^1.5] with n set alone; and 2, the same for Hertz's stiffness. The message names n = 3/2."""
     stiff = Parameter("K", "N/m^1.5", 1e6)
-    (force, _) = audit_laws(drop(effects=(Contact("floor", power(stiff, number)),)))
+    (force,) = audit_laws(drop(effects=(Contact("floor", power(stiff, number)),)))
     assert (force.verdict, force.found, force.consistent_exponent) == ("inconsistent", found, "3/2")
     assert f"n = {exponent}" in force.title
     assert audit_laws(drop(effects=(Contact("floor", power(stiff, 1.5)),)))[0].verdict == "consistent"
