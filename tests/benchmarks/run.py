@@ -133,10 +133,12 @@ def cheapest(contender: Contender, friction: bool) -> dict[float, float]:
     return chosen
 
 
-def hertzwerk(method: str, *, compiled: bool, friction: bool) -> Contender:
+def hertzwerk(method: str, *, compiled: bool, friction: bool, ledger: bool = False) -> Contender:
+    """simulate() of a loaded model; without the energy ledger, which no peer keeps, unless asked for."""
     from hertzwerk.runtime import load, simulate
 
-    model = load("slider_crank" if friction else "slider_crank_frictionless")
+    name = "slider_crank" if friction else "slider_crank_frictionless"
+    model = load(name, without=() if ledger else ("energy_ledger",))
 
     def state(duration: float, tolerance: float) -> Sequence[float]:
         run = simulate(model, duration=duration, accuracy=tolerance, method=method, compiled=compiled)
@@ -161,8 +163,9 @@ def _absolute(t: float, y: Sequence[float]) -> Sequence[float]:
 
 
 def engine() -> Iterable[Ratio]:
-    """simulate() as a user calls it, model loaded, against solve_ivp on the same functions: frictionless, two revolutions, equal error."""
+    """simulate() of a loaded model against solve_ivp on the same functions: frictionless, two revolutions, equal error, no ledger on either side."""
     peer = scipy_peer()
+    booked = hertzwerk("dop853", compiled=False, friction=False, ledger=True)
     virtual, compiled = (hertzwerk("dop853", compiled=c, friction=False) for c in (False, True))
     peer_tolerance, tolerance = cheapest(peer, False), cheapest(virtual, False)
     for target in TARGETS:
@@ -170,10 +173,11 @@ def engine() -> Iterable[Ratio]:
             print(f"  error {target:g} not reached: LSODA {peer_tolerance}, hertzwerk {tolerance}")
             continue
         theirs, ours = peer_tolerance[target], tolerance[target]
-        slow, vm, c = medians(peer.time(theirs), virtual.time(ours), compiled.time(ours))
+        slow, vm, c, kept = medians(peer.time(theirs), virtual.time(ours), compiled.time(ours), booked.time(ours))
         note = f"tolerances {theirs:.0e}, {ours:.0e}"
         yield Ratio(f"solve_ivp LSODA / {virtual.name}, error <= {target:g}", slow, vm, ">= 15", note)
         yield Ratio(f"solve_ivp LSODA / {compiled.name}, error <= {target:g}", slow, c, ">= 60", note)
+        yield Ratio(f"with / without the energy ledger, VM, error <= {target:g}", kept, vm, "", note)
 
 
 # ---- derivation ------------------------------------------------------------------------------------------------------
