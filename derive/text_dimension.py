@@ -175,7 +175,8 @@ class _Walk:
             result: Dimension = rule(self, node)
             return result
         signature = SIGNATURES[SYMPY[node.op]]  # type: ignore[index]
-        assert isinstance(signature, Signature)
+        if not isinstance(signature, Signature):
+            raise TypeError('an operation without a signature')
         if signature.arguments == "alike":
             common = self.alike(node, node.args)
             return common if signature.result == "same" else ONE
@@ -339,7 +340,8 @@ def _integral(walk: _Walk, node: Node) -> Dimension:
 
 
 def _determinant(walk: _Walk, node: Node) -> Dimension:
-    assert node.args[0].shape is not None
+    if node.args[0].shape is None:
+        raise TypeError('a matrix without a shape')
     return walk(node.args[0]) ** node.args[0].shape[0]
 
 

@@ -311,7 +311,8 @@ def _enter(job: _Job) -> None:
 
 
 def _row(i: int) -> Row:
-    assert _job is not None
+    if _job is None:
+        raise TypeError('a worker without a job')
     return _job.row(i)
 
 
