@@ -323,7 +323,7 @@ class _Reader:
         here: ast.expr = node
         for _ in operands[1:]:
             if not isinstance(here, ast.BinOp):
-                raise TypeError('an operand that is no operation has no left side')
+                raise TypeError("an operand that is no operation has no left side")
             ends.append(self.place(here)[1])
             here = here.left
         start = self.place(node)[0]
@@ -358,7 +358,7 @@ class _Reader:
             if side.shape is None:
                 raise self.refuse(side, "a matrix beside @", "a scalar multiplies with *")
         if left.shape is None or right.shape is None:
-            raise TypeError('a product of matrices of a factor that is none')
+            raise TypeError("a product of matrices of a factor that is none")
         if left.shape[1] != right.shape[0]:
             raise self.refuse(node, "as many rows on the right as columns on the left", found=f"{_shape(left)} @ {_shape(right)}")  # fmt: skip
         return self.made("@", node, (left, right), shape=(left.shape[0], right.shape[1]))
@@ -523,7 +523,7 @@ def _converted(node: Node, symbols: Mapping[str, Any]) -> Any:
     args = [_converted(arg, symbols) for arg in node.args]
     if node.op == "matrix":
         if node.shape is None:
-            raise TypeError('a matrix without a shape')
+            raise TypeError("a matrix without a shape")
         return sp.ImmutableDenseMatrix(*node.shape, args)
     if node.op == "product" and node.shape is not None:
         scalars = [arg for arg, child in zip(args, node.args, strict=True) if child.shape is None]

@@ -176,7 +176,7 @@ class _Walk:
             return result
         signature = SIGNATURES[SYMPY[node.op]]  # type: ignore[index]
         if not isinstance(signature, Signature):
-            raise TypeError('an operation without a signature')
+            raise TypeError("an operation without a signature")
         if signature.arguments == "alike":
             common = self.alike(node, node.args)
             return common if signature.result == "same" else ONE
@@ -341,7 +341,7 @@ def _integral(walk: _Walk, node: Node) -> Dimension:
 
 def _determinant(walk: _Walk, node: Node) -> Dimension:
     if node.args[0].shape is None:
-        raise TypeError('a matrix without a shape')
+        raise TypeError("a matrix without a shape")
     return walk(node.args[0]) ** node.args[0].shape[0]
 
 

@@ -312,7 +312,7 @@ def _enter(job: _Job) -> None:
 
 def _row(i: int) -> Row:
     if _job is None:
-        raise TypeError('a worker without a job')
+        raise TypeError("a worker without a job")
     return _job.row(i)
 
 
