@@ -89,7 +89,9 @@ class Contact:
     @property
     def text(self) -> str:
         """What the effect is, for people."""
-        return " x ".join(bound.law.name for bound in self.laws) + (", UNCHECKED" if self.unchecked else "")
+        rebuilt = [bound.law.name for bound in self.laws if bound.law.grade == "R"]
+        label = f", {' and '.join(rebuilt)} a reconstruction (grade R)" if rebuilt else ""
+        return " x ".join(bound.law.name for bound in self.laws) + label + (", UNCHECKED" if self.unchecked else "")
 
     def slots(self, geometry: dict[str, Any] | None = None) -> Iterator[Slot]:
         """The parameters of both laws, and what of the pair's geometry they limit."""
