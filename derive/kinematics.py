@@ -33,8 +33,6 @@ from hertzwerk.derive.vectors import (
     sub,
 )
 
-RADIAN = Dimension.from_unit(parse_unit("rad"), {})
-
 
 @dataclass(frozen=True)
 class Orientation:

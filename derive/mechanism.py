@@ -331,10 +331,6 @@ class Mechanism:
             return None if joint is None else joint.axis
         return self.turning_axis(joint.parent.body)
 
-    def rotates(self, body: Frame) -> bool:
-        """Whether a revolute joint stands between the ground and `body`."""
-        return self.turning_axis(body) is not None
-
     def slots(self) -> Iterator[Slot]:
         """Every quantity of the mechanism, in declared order."""
         for body in self.bodies:

@@ -100,6 +100,11 @@ Scalar = sp.Expr | float
 """A parameter, an expression of parameters, or a number (dimensionless, or 0)."""
 
 
+def is_number(value: Any) -> bool:
+    """Whether it is a number or an expression: what a quantity may be. Text is neither, and SymPy would execute it."""
+    return isinstance(value, int | float | sp.Expr) and not isinstance(value, bool)
+
+
 def parameters_of(expression: Any) -> list[Parameter]:
     """Parameters in `expression`, in the order they stand in it (never in hash order); none in what is no expression."""
     if not isinstance(expression, sp.Basic):

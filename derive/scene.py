@@ -13,7 +13,7 @@ from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.laws.catalogue import LAWS
 from hertzwerk.derive.laws.law import APPROACH_SPEED, BoundLaw
 from hertzwerk.derive.mechanism import Body, Direction, Joint, Mechanism, Pair, Slot
-from hertzwerk.derive.parameter import POSITIVE, Parameter, Scalar, dimensions_of, parameters_of
+from hertzwerk.derive.parameter import POSITIVE, Parameter, Scalar, dimensions_of, is_number, parameters_of
 from hertzwerk.derive.soundness import faults_of
 
 APPROACH_FLOOR = Parameter(
@@ -276,6 +276,14 @@ class Scene:
         pair = next((pair for pair in self.mechanism.pairs if pair.name == pair_name), None)
         if pair is None:
             return {}
+        given = [
+            slot
+            for part in (pair, *(place.body for place in pair.places))
+            if hasattr(part, "slots")
+            for slot in part.slots()
+        ]
+        if not all(is_number(slot.value) for slot in given):
+            return {}  # a fault, which the scene reports
         own = next((e.effective_mass for e in self.of_kind("contact") if e.pair == pair_name), None)
         masses = [place.body.mass for place in pair.places if isinstance(place.body, Body)]
         both = masses[0] if len(masses) == 1 else masses[0] * masses[1] / (masses[0] + masses[1]) if masses else None

@@ -15,7 +15,7 @@ from hertzwerk.derive.dimension import Dimension, check
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.laws.law import BoundLaw, FrictionLaw, Law
 from hertzwerk.derive.mechanism import GROUND, Body, Direction, Frame, Ground, Mechanism, Point, Revolute, Slot
-from hertzwerk.derive.parameter import Parameter, default_value, dimensions_of, parameters_of
+from hertzwerk.derive.parameter import Parameter, default_value, dimensions_of, is_number, parameters_of
 from hertzwerk.derive.units import parse_unit, unit_text
 
 if TYPE_CHECKING:
@@ -156,7 +156,7 @@ def _inertia_faults(mechanism: Mechanism, sound: dict[str, Parameter]) -> Iterat
             continue
         about = [k for k in range(3) if turning.components[k]]
         values = [body.inertia[k] for k in about] if isinstance(body.inertia, tuple) else [body.inertia]
-        known = [v for v in values if _is_number(v) and all(sound.get(p.name) == p for p in parameters_of(v))]
+        known = [v for v in values if is_number(v) and all(sound.get(p.name) == p for p in parameters_of(v))]
         if known and all(default_value(value) == 0 for value in known):
             yield Fault(
                 f"body {body.name}", "inertia 0", "a positive inertia about the joint's axis, because the body rotates"
@@ -265,13 +265,9 @@ def _sound(parameters: dict[str, Parameter], broken: list[Fault]) -> dict[str, P
     return {name: p for name, p in good.items() if all(other in good for other in p.parsed_unit.free_names)}
 
 
-def _is_number(value: Any) -> bool:
-    return isinstance(value, int | float | sp.Expr) and not isinstance(value, bool)
-
-
 def _quantity_faults(slot: Slot, table: dict[sp.Symbol, Dimension]) -> Iterator[Fault]:
     """Kind, unit and range of what was given for one quantity."""
-    if not _is_number(slot.value):
+    if not is_number(slot.value):
         yield Fault(slot.where, repr(slot.value), "a Parameter, an expression of parameters, or a number",
                     "A quantity with a unit is declared: Parameter(name, unit, value).")  # fmt: skip
         return

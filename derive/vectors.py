@@ -47,7 +47,6 @@ IDENTITY: Matrix = (
     (sp.S.Zero, sp.S.One, sp.S.Zero),
     (sp.S.Zero, sp.S.Zero, sp.S.One),
 )
-NOTHING: Matrix = (ZERO, ZERO, ZERO)
 
 
 def apply(m: Matrix, a: Vector) -> Vector:

@@ -61,11 +61,6 @@ class Program:
         return _load(self._function, self._library)
 
 
-def as_c(function: Any) -> Any:
-    """The same CasADi function from compiled C; raises NoCompilerError."""
-    return Program(function).load()
-
-
 def _load(function: Any, library: Path) -> Any:
     return ca.external(function.name(), str(library))
 

@@ -457,3 +457,25 @@ def test_named_changes_name_and_summary_alone():
     assert scene.effects == slider_crank.effects
     with pytest.raises(InputError, match="'not a name'"):
         slider_crank.named("not a name")
+
+
+@pytest.mark.parametrize("kind", ["spheres", "pin"])
+def test_text_as_a_radius_or_a_mass_of_a_pair_is_a_fault_and_never_evaluated(kind, tmp_path):
+    """What the pair's geometry is computed from: text there is reported with everything else, and not handed to SymPy."""
+    mark = tmp_path / "executed"
+    one, two = Body("one", mass=f"__import__('pathlib').Path({str(mark)!r}).touch()"), Body("two", mass="1 kg")
+    places = (one.at(0, 0, 0), two.at(0, 0, 0))
+    pair = (
+        SphereOnSphere("pair", *places, "1 m", "2 m")
+        if kind == "spheres"
+        else PinInBush("pair", *places, Z, "2 m", "1 m")
+    )
+    K = Parameter("stiffness", "N/m^1.5", 1e6)
+    with pytest.raises(InputError) as caught:
+        Scene(
+            Mechanism("two", (Prismatic("a", GROUND, one, X), Prismatic("b", GROUND, two, X)), (pair,)),
+            (Contact("pair", power(K, 1.5)),),
+            Scales(length=Parameter("size", "m", 1), speed=Parameter("pace", "m/s", 1)),
+        )
+    assert {fault.found for fault in caught.value.faults} >= {"'1 kg'", "'1 m'", "'2 m'"}
+    assert not mark.exists()
