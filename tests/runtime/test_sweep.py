@@ -116,7 +116,16 @@ def test_csv(ball, tmp_path):
         sweep["peak"]
 
 
+@pytest.fixture
+def interruptible():
+    """Ctrl-C raises; a shell that starts the tests in the background has it ignored."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
 @pytest.mark.parametrize("workers", [1, 2])
+@pytest.mark.usefixtures("interruptible")
 def test_ctrl_c_returns_the_rows_that_are_done(workers):
     """The first two runs are short, the others take minutes."""
     model = point(lambda d, v, v0: 1e14 * d, push=lambda t, x, v: -10.0 + 0 * t, scales=(1e-2, 1.0, 100.0, 1.0))
