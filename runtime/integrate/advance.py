@@ -10,15 +10,15 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.integrate.choose import choice
+from hertzwerk.runtime.integrate.classes import BY_MODE, modes
 from hertzwerk.runtime.integrate.control import factor, near_surfaces, remembered, roughness
 from hertzwerk.runtime.integrate.events import all_clear
-from hertzwerk.runtime.integrate.explicit import BY_MODE, EVERY_PAIR, NO_PAIR
 from hertzwerk.runtime.integrate.layout import (
     CONTACT,
     FLIGHT,
-    IN_CONTACT,
     PLAIN,
     REJECTED,
+    RELEASED,
     SPECIAL,
     Layouts,
 )
@@ -26,28 +26,26 @@ from hertzwerk.runtime.integrate.methods import stepper
 from hertzwerk.runtime.integrate.modes import all_of, is_finite
 
 if TYPE_CHECKING:
+    from hertzwerk.runtime.integrate.classes import Contacts
     from hertzwerk.runtime.integrate.methods import Table
     from hertzwerk.runtime.model import Model
 
 
-def advance(model: Model, vectors: Layouts, table: Table, kind: int, *, chooses: bool = False) -> Any:
-    """CasADi function (state, controls) -> (next, verdict) of one class of attempts.
+def advance(model: Model, vectors: Layouts, table: Table, contacts: Contacts, *, chooses: bool = False) -> Any:
+    """CasADi function (state, controls) -> (next, verdict) of the class of attempts with these contacts.
 
     next: the state after the step, if verdict says it is plain; otherwise its t, y, dy and pair parts are those of the end of the step.
     chooses: whether the table is one of two to choose from.
     """
-    contact = kind == IN_CONTACT
-    pairs = (EVERY_PAIR if model.k == 1 else BY_MODE) if contact else NO_PAIR
+    contact = contacts != ()
     state, controls = vectors.state.symbol("state"), vectors.controls.symbol("controls")
     old, run = vectors.state.split(state), vectors.controls.split(controls)
-    if model.k == 1:  # the class says it, so that nothing is left to decide
-        mode = ca.SX(CONTACT if contact else FLIGHT)
-        plain = old["mode"] == mode
-    else:
-        mode = old["mode"] if contact else ca.SX(model.k * [FLIGHT])
-        plain = all_of((mode == FLIGHT) + (mode == CONTACT) > 0) if contact else all_of(old["mode"] == FLIGHT)
+    if contacts is BY_MODE:
+        mode, plain = old["mode"], all_of(old["mode"] != RELEASED)
+    else:  # the class says it, so that nothing is left to decide but whether a pair is released in flight
+        mode, plain = modes(model, contacts), ca.SX(1) if contact else all_of(old["mode"] == FLIGHT)
     h, steps = old["h"], old["steps"] + 1
-    end = stepper(model, table, pairs)({**old, "mode": mode}, run, h)
+    end = stepper(model, table, contacts)({**old, "mode": mode}, run, h)
     if contact:
         end["error"] *= roughness(mode == CONTACT, old["gap"], end["gap"])
     error, in_range = end.pop("error"), end.pop("in_range")
@@ -78,7 +76,7 @@ def advance(model: Model, vectors: Layouts, table: Table, kind: int, *, chooses:
         "evaluations": old["evaluations"] + table.stages,
     }
     if chooses:
-        new |= choice(model, pairs, {**old, "mode": mode}, run, end, kept)
+        new |= choice(model, contacts, {**old, "mode": mode}, run, end, kept)
     judged = REJECTED + passed * (SPECIAL - REJECTED + clear * (PLAIN - SPECIAL))
     verdict = {"kind": judged, "error": error, "in_range": in_range}
     return ca.Function(

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.integrate.advance import advance
-from hertzwerk.runtime.integrate.explicit import BY_MODE, flow
-from hertzwerk.runtime.integrate.layout import IN_CONTACT, IN_FLIGHT, Layouts, layouts
+from hertzwerk.runtime.integrate.classes import BY_MODE, kinds
+from hertzwerk.runtime.integrate.explicit import flow
+from hertzwerk.runtime.integrate.layout import Layouts, layouts
 from hertzwerk.runtime.integrate.methods import Table, stepper
 from hertzwerk.runtime.integrate.modes import begin
 from hertzwerk.runtime.integrate.settle import reject, settle
@@ -50,11 +51,10 @@ def integrator(model: Model, tables: tuple[Table, ...]) -> Integrator:
     plain = ca.Function("plain", [state, controls, end, verdict], [end])
     finish = ca.Function.conditional("finish", [plain, *ends[:-1]], ends[-1])
     idle = ca.Function("idle", [state, controls], [state, ca.MX.zeros(vectors.verdict.size)])
-    kinds = (IN_FLIGHT, IN_CONTACT) if model.k else (IN_FLIGHT,)
-    chooses = len(tables) > 1
-    tries = [advance(model, vectors, table, kind, chooses=chooses) for table in tables for kind in kinds]
+    classes, chooses = kinds(model), len(tables) > 1
+    tries = [advance(model, vectors, table, contacts, chooses=chooses) for table in tables for contacts in classes]
     advanced = ca.Function.conditional("advance", [idle, *tries[:-1]], tries[-1])
-    end, verdict = advanced(_case(state[vectors.state["class"]], method, len(kinds)), state, controls)
+    end, verdict = advanced(_case(state[vectors.state["class"]], method, len(classes)), state, controls)
     done = finish(_case(verdict[vectors.verdict["kind"]], method, 2), state, controls, end, verdict)
     return Integrator(
         layouts=vectors,

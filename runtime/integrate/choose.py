@@ -18,6 +18,7 @@ from hertzwerk.runtime.integrate.implicit import linearised, part_to_rest, slidi
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.history import History
+    from hertzwerk.runtime.integrate.classes import Contacts
     from hertzwerk.runtime.model import Model
 
 EXPLICIT, IMPLICIT = 0.0, 1.0  # the state's `method`
@@ -28,7 +29,7 @@ PATIENCE = 10.0  # stiff steps, less the others, before the method changes; easy
 
 
 def choice(
-    model: Model, contacts: str, old: Mapping[str, Any], run: Mapping[str, Any], end: Mapping[str, Any], h: Any
+    model: Model, contacts: Contacts, old: Mapping[str, Any], run: Mapping[str, Any], end: Mapping[str, Any], h: Any
 ) -> dict[str, Any]:
     """The state's `method`, `pressure` and `stiffness` after a plain step from `old` to `end` under its modes; h [s]: the step to go on with."""
     given = (old["mode"], old["m"], run["c"])

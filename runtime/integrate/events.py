@@ -67,10 +67,10 @@ def ends_with_force(model: Model) -> Any:
 
 
 def polynomials(model: Model, layouts: Layouts) -> Any:
-    """CasADi function (state, controls, next) -> (bernstein (6, k), margin (k), doubt (k), suspect, ending): the gaps over a step.
+    """CasADi function (state, controls, next) -> (bernstein (6, k), margin (k), doubt (k), suspect (k), ending (k)): the gaps over a step.
 
     An event is the first theta where a polynomial, falling from above, has a root and goes on to -margin; a graze whose minimum is below doubt is
-    resolved by a shorter step. suspect: 1 if any of it is possible; ending: 1 if `endings` has an event.
+    resolved by a shorter step. suspect: 1 where any of it is possible; ending: 1 where `endings` has an event.
     """
     arguments, (start, run, end) = _step(layouts)
     h = start["h"]
@@ -86,9 +86,9 @@ def polynomials(model: Model, layouts: Layouts) -> Any:
     between = _between(before, after, h)
     bernstein, margin = ca.vertcat(*(x.T for x in b)), ca.if_else(leaving, 2, 1) * tol
     doubt = ca.if_else((between > tol) * (1 - leaving), between, 0)
-    suspect = ca.mmin(_row_minimum(bernstein.T) - doubt) <= 0
-    ending = ca.mmax(sum(falls for falls, *_ in _endings(model, start, end, tol, tol_rate, tol_force))) > 0
-    outputs = ca.cse([*map(ca.densify, (bernstein, margin, doubt)), suspect, ending])
+    suspect = _row_minimum(bernstein.T) <= doubt
+    ending = sum(falls for falls, *_ in _endings(model, start, end, tol, tol_rate, tol_force)) > 0
+    outputs = ca.cse([*map(ca.densify, (bernstein, margin, doubt, suspect, ending))])
     return ca.Function("polynomials", arguments, outputs)
 
 
@@ -132,22 +132,36 @@ def _step(layouts: Layouts) -> tuple[list[Any], list[dict[str, Any]]]:
     return arguments, [layout.split(vector) for layout, vector in zip(parts, arguments, strict=True)]
 
 
-def locate(n: int) -> Any:
-    """CasADi function (bernstein (6, n), margin (n), doubt (n)) -> theta (n) in (0, 1] of the first event of each, or NO_EVENT.
+def search(k: int) -> Any:
+    """CasADi function (wanted (k), bernstein (6, k), margin (k), doubt (k)) -> theta (k) of the first event of each pair that is wanted, or NO_EVENT.
 
-    Half the step where a graze is in doubt. The polynomials are evaluated at the ends of equal parts; the first part with a change of sign, or with a
-    minimum that reaches -margin, brackets the root, which bisection-safeguarded Newton steps find. All n at once, branch-free.
+    MX, lazy: the pairs that are not wanted cost nothing.
     """
-    bernstein, margin, doubt = ca.SX.sym("bernstein", 6, n), ca.SX.sym("margin", n), ca.SX.sym("doubt", n)
+    wanted, margin, doubt = (ca.MX.sym(name, k) for name in ("wanted", "margin", "doubt"))
+    bernstein = ca.MX.sym("bernstein", 6, k)
+    found = locate()
+    none = ca.Function("none", found.mx_in(), [ca.MX(NO_EVENT)])
+    lazy = ca.Function.if_else("lazy", found, none)
+    theta = [lazy(wanted[j], bernstein[:, j], margin[j], doubt[j]) for j in range(k)]
+    return ca.Function("search", [wanted, bernstein, margin, doubt], [ca.vertcat(*theta)])
+
+
+def locate() -> Any:
+    """CasADi function (bernstein (6), margin, doubt) -> theta in (0, 1] of the first event, or NO_EVENT; half the step where a graze is in doubt.
+
+    The polynomial is evaluated at the ends of equal parts; the first part with a change of sign, or with a minimum that reaches -margin, brackets
+    the root, which bisection-safeguarded Newton steps find. Branch-free.
+    """
+    bernstein, margin, doubt = ca.SX.sym("bernstein", 6), ca.SX.sym("margin"), ca.SX.sym("doubt")
     a = ca.mtimes(ca.DM(_POWERS), bernstein)
-    value = [a[j, :].T for j in range(6)]
+    value = [a[j] for j in range(6)]
     slope = [j * value[j] for j in range(1, 6)]
     curvature = [j * slope[j] for j in range(1, 5)]
     nodes = [i / PARTS for i in range(PARTS + 1)]
-    values = ca.horzcat(*(_horner(value, x) for x in nodes)) + ca.repmat(margin, 1, PARTS + 1)
+    values = ca.horzcat(*(_horner(value, x) for x in nodes)) + margin
     slopes = ca.horzcat(*(_horner(slope, x) for x in nodes))
     above, falls = values > 0, slopes < 0
-    index = ca.repmat(ca.DM(range(PARTS)).T, n, 1)
+    index = ca.DM(range(PARTS)).T
     crosses = above[:, :-1] * (1 - above[:, 1:])
     dips = above[:, :-1] * above[:, 1:] * falls[:, :-1] * (1 - falls[:, 1:])
     crossing, dip = (_row_minimum(ca.if_else(kind, index, PARTS)) for kind in (crosses, dips))  # PARTS: none

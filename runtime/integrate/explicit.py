@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
-from hertzwerk.runtime.integrate.layout import CONTACT
+from hertzwerk.runtime.integrate.classes import BY_MODE, Contacts, pushing, where
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.tables import RungeKutta
@@ -33,25 +33,25 @@ class Flow:
         return dict(zip(self.ends.name_out(), self.ends.call([t, y, mode, m, c]), strict=True))
 
 
-NO_PAIR, EVERY_PAIR, BY_MODE = "no pair", "every pair", "by mode"
+def flow(model: Model, contacts: Contacts = BY_MODE) -> Flow:
+    """Right-hand side of a model with the forces of these contacts."""
+    made: Flow = model.once(("flow", contacts), lambda: _flow(model, contacts))
+    return made
 
 
-def flow(model: Model, contacts: str = BY_MODE) -> Flow:
-    """Right-hand side of a model with the contact forces of no pair, of every pair, or of those whose mode is contact."""
+def _flow(model: Model, contacts: Contacts) -> Flow:
     t, q, u, z = ca.SX.sym("t"), ca.SX.sym("q", model.nq), ca.SX.sym("u", model.nu), ca.SX.sym("z", model.nz)
     mode, m, c = ca.SX.sym("mode", model.k), ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc)
     y = ca.vertcat(q, u, z)
     f = model.function("applied")(t, q, u, c)
     dz = ca.SX.zeros(model.nz)
     forces, in_range = ca.SX.zeros(model.k), ca.SX.ones(model.k)
-    if contacts != NO_PAIR:
-        for j, (pair, _) in enumerate(model.module.PAIRS):
-            active = mode[j] == CONTACT if contacts == BY_MODE else ca.SX(1)
-            f_j, dz_j, normal, _, valid = model.function(f"contact_{pair}")(t, q, u, z, m, c)
-            f += _where(active, f_j, 0)
-            dz += _where(active, dz_j, 0)
-            forces[j] = _where(active, normal, 0)
-            in_range[j] = _where(active, valid, 1)
+    for j, contact, active in pushing(model, contacts, mode):
+        f_j, dz_j, normal, _, valid = contact(t, q, u, z, m, c)
+        f += where(active, f_j)
+        dz += where(active, dz_j)
+        forces[j] = where(active, normal)
+        in_range[j] = where(active, valid, 1)
     dq = model.function("coordinate_rates")(t, q, u, c)
     a, reactions = model.function("accelerations")(t, q, u, f, c)
     if model.has_ledger:
@@ -59,7 +59,7 @@ def flow(model: Model, contacts: str = BY_MODE) -> Flow:
     dy = ca.vertcat(dq, a, dz)
     gap, gap_rate = model.function("gaps")(t, q, u, c)
     gap_acceleration = model.function("gap_accelerations")(t, q, u, a, c)
-    along = ca.jtimes(forces, ca.vertcat(t, y), ca.vertcat(1, dy)) if contacts != NO_PAIR else ca.SX.zeros(model.k)
+    along = ca.jtimes(forces, ca.vertcat(t, y), ca.vertcat(1, dy)) if contacts != () else ca.SX.zeros(model.k)
     force_rate = ca.if_else(gap < 0, along, 0)  # at zero penetration the derivative of a root is not a number
     arguments = [t, y, mode, m, c]
     names = ["t", "y", "mode", "m", "c"]
@@ -99,10 +99,6 @@ def nudged(right: Flow, end: Mapping[str, Any], given: tuple[Any, Any, Any], del
     k4 = right.rates(t + delta, y + delta * k3, *given)
     y1 = y + delta / 6 * (k1 + 2 * (k2 + k3) + k4)
     return {"t": t + delta, "y": y1, **right.at(t + delta, y1, *given)}
-
-
-def _where(active: Any, value: Any, otherwise: float) -> Any:
-    return value if active.is_one() else ca.if_else(active, value, otherwise)
 
 
 def _moved(y: Any, h: Any, weights: tuple[float, ...], slopes: list[Any]) -> Any:

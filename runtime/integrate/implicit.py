@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
+from hertzwerk.runtime.integrate.classes import BY_MODE, Contacts, pushing, where
 from hertzwerk.runtime.integrate.control import SAFETY
-from hertzwerk.runtime.integrate.explicit import BY_MODE, EPS, EVERY_PAIR, NO_PAIR, Flow
+from hertzwerk.runtime.integrate.explicit import EPS, Flow
 from hertzwerk.runtime.integrate.implicit_tables import ITERATIONS, DiagonallyImplicit, Rosenbrock
-from hertzwerk.runtime.integrate.layout import CONTACT
 from hertzwerk.runtime.integrate.linear import solver
 
 if TYPE_CHECKING:
@@ -30,22 +30,25 @@ SINGULAR = 1e300  # a derivative beyond it, or none at all, counts as zero
 Parts = Mapping[str, Any]
 
 
-def linearised(model: Model, contacts: str = BY_MODE) -> Any:
+def linearised(model: Model, contacts: Contacts = BY_MODE) -> Any:
     """CasADi function (t, y, mode, m, c) -> (J (ny, ny), dt (ny)): the derivatives of the right-hand side `explicit.flow` of the same contacts.
 
     By the chain rule through the forces, so that what is singular stays where it arises: at zero penetration, or without contact, the derivative
     of a root in a contact's force is not a number; there the force and its true derivative vanish.
     """
+    return model.once(("linearised", contacts), lambda: _linearised(model, contacts))
+
+
+def _linearised(model: Model, contacts: Contacts) -> Any:
     t, y = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz)
     q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
     mode, m, c = ca.SX.sym("mode", model.k), ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc)
     x = ca.vertcat(y, t)
     f = model.function("applied")(t, q, u, c)
     df, dz = ca.jacobian(f, x), ca.SX(model.nz, x.numel())
-    for j, (pair, _) in enumerate(model.module.PAIRS if contacts != NO_PAIR else ()):
-        active = ca.SX(1) if contacts == EVERY_PAIR else mode[j] == CONTACT
-        f_j, dz_j, *_ = model.function(f"contact_{pair}")(t, q, u, z, m, c)
-        f += _where(active, f_j)
+    for _, contact, active in pushing(model, contacts, mode):
+        f_j, dz_j, *_ = contact(t, q, u, z, m, c)
+        f += where(active, f_j)
         df += _each(ca.jacobian(f_j, x), active)
         dz += _each(ca.jacobian(dz_j, x), active)
     force = ca.SX.sym("force", f.numel())
@@ -62,15 +65,19 @@ def linearised(model: Model, contacts: str = BY_MODE) -> Any:
     return ca.Function("linearised", [t, y, mode, m, c], results, names, ["J", "dt"])
 
 
-def sliding(model: Model, contacts: str = BY_MODE) -> Any:
+def sliding(model: Model, contacts: Contacts = BY_MODE) -> Any:
     """CasADi function (t, y, dy, mode, m, c) -> (v (n), dv/dt (n), dv/dy (n, ny)): the sliding velocities [m/s] of pairs in contact; 0 of others."""
+    return model.once(("sliding", contacts), lambda: _sliding(model, contacts))
+
+
+def _sliding(model: Model, contacts: Contacts) -> Any:
     t, y, dy = ca.SX.sym("t"), *(ca.SX.sym(name, model.nq + model.nu + model.nz) for name in ("y", "dy"))
     q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
     mode, m, c = ca.SX.sym("mode", model.k), ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc)
     velocities = [ca.SX(0, 1)]
-    for j, (pair, _) in enumerate(model.module.PAIRS if contacts != NO_PAIR else ()):
-        _, _, _, v, _ = model.function(f"contact_{pair}")(t, q, u, z, m, c)
-        velocities.append(_where(ca.SX(1) if contacts == EVERY_PAIR else mode[j] == CONTACT, v))
+    for _, contact, active in pushing(model, contacts, mode):
+        _, _, _, v, _ = contact(t, q, u, z, m, c)
+        velocities.append(where(active, v))
     v = ca.vertcat(*velocities)
     names = ["t", "y", "dy", "mode", "m", "c"]
     results = ca.cse([v, ca.jtimes(v, ca.vertcat(t, y), ca.vertcat(1, dy)), ca.jacobian(v, y)])
@@ -111,7 +118,7 @@ class Stepper:
         return {"t": t + h, "y": y1, **end, "error": norm}
 
 
-def stepper(model: Model, table: Rosenbrock | DiagonallyImplicit, right: Flow, contacts: str = BY_MODE) -> Stepper:
+def stepper(model: Model, table: Rosenbrock | DiagonallyImplicit, right: Flow, contacts: Contacts) -> Stepper:
     """The step of a method with the contacts of `right`."""
     return Stepper(table, right, linearised(model, contacts), sliding(model, contacts), model.nq)
 
@@ -182,10 +189,6 @@ def _norm(error: Any, least: Any, y: Any) -> Any:
 
 def _sum(weights: tuple[float, ...], terms: list[Any]) -> Any:
     return sum((weight * term for weight, term in zip(weights, terms, strict=False) if weight), start=ca.SX(0))
-
-
-def _where(active: Any, value: Any) -> Any:
-    return value if active.is_one() else ca.if_else(active, value, 0)
 
 
 def _each(matrix: Any, active: Any) -> Any:

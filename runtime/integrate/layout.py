@@ -71,7 +71,6 @@ class Layouts:
 
 
 FLIGHT, CONTACT, RELEASED = 0.0, 1.0, 2.0  # modes of a pair
-IDLE, IN_FLIGHT, IN_CONTACT = range(3)  # class of the next attempt: none, no pair in contact, some pair in contact
 RUNNING, FINISHED, STEP_TOO_SMALL, NOT_FINITE, OUTSIDE_LAW_RANGE, EVENT_LIMIT, TOO_MANY_STEPS = range(7)  # status
 PLAIN, SPECIAL, REJECTED = range(3)  # kind of a step: nothing speaks against it, something may happen in it, it failed
 PAIR_PARTS = ("gap", "gap_rate", "gap_acceleration", "force", "force_rate")  # in the state and in the trial
@@ -81,7 +80,7 @@ def layouts(model: Model) -> Layouts:
     """Layouts for a model.
 
     State: t [s]; y = q, u, z; dy = dy/dt under the modes; mode and m (latches); gap, gap_rate, gap_acceleration and force, force_rate of
-    each pair [SI]; h [s] the step to try next; h_flight, h_contact, h_onset [s] remembered; class, status; method, pressure,
+    each pair [SI]; h [s] the step to try next; h_flight, h_contact, h_onset [s] remembered; class (see `classes`), status; method, pressure,
     stiffness (see `choose`); accepted, fresh_contact (a contact has just begun), after_rejection; then counters.
     """
     ny, k, nm = model.nq + model.nu + model.nz, model.k, model.nm

@@ -10,6 +10,7 @@ from hertzwerk.runtime.integrate.implicit_tables import DiagonallyImplicit, Rose
 from hertzwerk.runtime.integrate.tables import RungeKutta, dop853, dopri5
 
 if TYPE_CHECKING:
+    from hertzwerk.runtime.integrate.classes import Contacts
     from hertzwerk.runtime.model import Model
 
 Table: TypeAlias = RungeKutta | Rosenbrock | DiagonallyImplicit
@@ -27,8 +28,8 @@ METHODS: dict[str, tuple[Callable[[], Table], ...]] = {
 }
 
 
-def stepper(model: Model, table: Table, contacts: str) -> Take:
-    """(start, run, h) -> trial: one step of h [s] from the parts of a state, with the contact forces of `contacts` (see `explicit.flow`)."""
+def stepper(model: Model, table: Table, contacts: Contacts) -> Take:
+    """(start, run, h) -> trial: one step of h [s] from the parts of a state, with the forces of these contacts."""
     right = explicit.flow(model, contacts)
     if isinstance(table, RungeKutta):
         return lambda start, run, h: explicit.stepped(table, right, start, run, h)

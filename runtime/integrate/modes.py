@@ -11,13 +11,11 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
+from hertzwerk.runtime.integrate.classes import IDLE, classified
 from hertzwerk.runtime.integrate.events import ends_with_force, pulls, tolerances
 from hertzwerk.runtime.integrate.layout import (
     CONTACT,
     FLIGHT,
-    IDLE,
-    IN_CONTACT,
-    IN_FLIGHT,
     NOT_FINITE,
     OUTSIDE_LAW_RANGE,
     RELEASED,
@@ -114,7 +112,7 @@ def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
         "h_flight": h,
         "h_contact": ca.fmin(h, h_onset),
         "h_onset": h_onset,
-        "class": ca.if_else(status == RUNNING, ca.if_else(in_contact, IN_CONTACT, IN_FLIGHT), IDLE),
+        "class": ca.if_else(status == RUNNING, classified(model, mode), IDLE),
         "status": status,
         "accepted": ca.SX(1),
         "fresh_contact": in_contact,

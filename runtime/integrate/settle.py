@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
+from hertzwerk.runtime.integrate.classes import IDLE, IN_CONTACT, classified
 from hertzwerk.runtime.integrate.control import (
     ONSET_GROW,
     SAFETY,
@@ -15,16 +16,13 @@ from hertzwerk.runtime.integrate.control import (
     remembered,
     time_to_root,
 )
-from hertzwerk.runtime.integrate.events import NEAR, NO_EVENT, endings, locate, polynomials, tolerances, towards
+from hertzwerk.runtime.integrate.events import NEAR, NO_EVENT, endings, polynomials, search, tolerances, towards
 from hertzwerk.runtime.integrate.explicit import EPS, Flow, nudged
 from hertzwerk.runtime.integrate.layout import (
     CONTACT,
     EVENT_LIMIT,
     FINISHED,
     FLIGHT,
-    IDLE,
-    IN_CONTACT,
-    IN_FLIGHT,
     NOT_FINITE,
     OUTSIDE_LAW_RANGE,
     PAIR_PARTS,
@@ -59,12 +57,11 @@ def settle(model: Model, vectors: Layouts, table: Table, right: Flow) -> Any:
         decided, _ = decide(*given, NO_EVENT, 0)
         return ca.Function("settle", given, [decided], names, ["new"])
     *gaps, suspect, ending = polynomials(model, vectors)(state, controls, end)
-    search = locate(model.k)
-    at_gap = _if(suspect, search, [NO_EVENT] * model.k, *gaps)
-    forces = endings(model, vectors)
-    three = forces.mx_in()
-    searched = ca.Function("searched", three, [search(*forces(*three))])
-    at_force = _if(ending, searched, [NO_EVENT] * model.k, state, controls, end)
+    find, forces, none = search(model.k), endings(model, vectors), [NO_EVENT] * model.k
+    at_gap = _if(any_of(suspect), find, none, suspect, *gaps)
+    wanted, three = ca.MX.sym("wanted", model.k), forces.mx_in()
+    searched = ca.Function("searched", [wanted, *three], [find(wanted, *forces(*three))])
+    at_force = _if(any_of(ending), searched, none, ending, state, controls, end)
     theta, delta = _aim(model, vectors, table)(*given, at_gap, at_force)
     moved = _nudge(model, vectors, right)
     still = moved.mx_in()
@@ -83,7 +80,7 @@ def reject(vectors: Layouts, table: Table) -> Any:
     arguments, (old, _, end, judged) = _arguments(vectors)
     h, error = old["h"], judged["error"]
     finite = is_finite(end) * (error < FINITE)  # false for NaN
-    in_contact = old["class"] == IN_CONTACT
+    in_contact = old["class"] >= IN_CONTACT
     shrunk = ca.if_else(in_contact * old["fresh_contact"], onset_factor(error), factor(table, error))
     h = h * ca.if_else(finite, ca.fmin(shrunk, SAFETY), 0.1)
     stuck = (h < 4 * EPS * ca.fabs(old["t"])) + (old["t"] + h <= old["t"]) > 0
@@ -209,13 +206,13 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
         (new["steps"] >= run["max_steps"], TOO_MANY_STEPS),
         otherwise=RUNNING,
     )
-    new["class"] = ca.if_else(new["status"] == RUNNING, ca.if_else(now_contact, IN_CONTACT, IN_FLIGHT), IDLE)
+    new["class"] = ca.if_else(new["status"] == RUNNING, classified(model, mode), IDLE)
     return ca.Function("decide", [*arguments, theta, delta], ca.cse([vectors.state.join(new), switched]))
 
 
 def _remembered(table: Table, old: Parts, error: Any, accepted: Any, begun: Any) -> Parts:
     """The steps that flight and contact go on with, and that a contact begins with: h_flight, h_contact, h_onset [s]; a retake changes none."""
-    h, in_contact = old["h"], old["class"] == IN_CONTACT
+    h, in_contact = old["h"], old["class"] >= IN_CONTACT
     first = in_contact * old["fresh_contact"]
     change = ca.if_else(first, onset_factor(error), factor(table, error))
     kept = ca.if_else(in_contact, old["h_contact"], old["h_flight"])

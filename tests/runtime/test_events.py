@@ -12,7 +12,7 @@ from hertzwerk.runtime import simulate
 from hertzwerk.runtime.integrate.events import NO_EVENT, locate
 
 METHODS = ("dopri5", "dop853")
-SEARCH = locate(1)
+SEARCH = locate()
 
 
 def bernstein(p: Polynomial) -> np.ndarray:
