@@ -53,7 +53,7 @@ def advance(model: Model, vectors: Layouts, table: Table, contacts: Contacts, *,
     passed = (error <= 1) * is_finite(end)
     clear = plain * (1 - old["fresh_contact"]) * (left > 0) * (steps < run["max_steps"])
     if model.k:
-        clear *= all_clear(model, run, mode, old, end)
+        clear *= all_of(all_clear(model, run, mode, old, end))
     if contact:
         clear *= all_of(in_range > 0.5)
 

@@ -24,8 +24,8 @@ FLAGS = (
     *("-march=native", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math"),
     *("-fno-semantic-interposition", "-fPIC", "-shared", "-w"),  # the first lets CasADi's small functions be inlined
 )
-LARGE = 250_000  # characters of C beyond which -O1 is as fast as -O3 and compiles in a fraction of the time (measured, 5 to 10 pairs)
-COMPILE_S, COMPILE_S_PER_CHARACTER = 0.8, 6.5e-6  # within a fifth of what built-in scenes take with each method
+LARGE = 1_500_000  # characters of C up to which -O3 is worth its compilation; 10 pairs: 1.1 million, 1.5 times as fast as with -O1
+COMPILE_S, COMPILE_S_PER_CHARACTER = 0.8, {"-O1": 5e-6, "-O3": 13e-6}  # within a fifth of what one and ten pairs take
 
 
 class NoCompilerError(RuntimeError):
@@ -38,7 +38,8 @@ class Program:
     def __init__(self, function: Any) -> None:
         self._function, self._compiler = function, _compiler()
         self._text = _c_text(function)
-        self._flags = ("-O1" if len(self._text) > LARGE else "-O3", *FLAGS)
+        self._level = "-O1" if len(self._text) > LARGE else "-O3"
+        self._flags = (self._level, *FLAGS)
         parts = (self._text, _version(self._compiler), *self._flags, _processor())
         self._key = hashlib.sha256("\0".join(parts).encode()).hexdigest()[:32]
         folder = disk.folder()
@@ -48,7 +49,7 @@ class Program:
     def seconds(self) -> float:
         """How long it takes to compile, about; 0 where the library is there already."""
         ready = self._library is not None and self._library.is_file()
-        return 0.0 if ready else COMPILE_S + COMPILE_S_PER_CHARACTER * len(self._text)
+        return 0.0 if ready else COMPILE_S + COMPILE_S_PER_CHARACTER[self._level] * len(self._text)
 
     def load(self) -> Any:
         """The compiled function, compiled now if need be; raises NoCompilerError."""

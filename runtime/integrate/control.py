@@ -59,7 +59,7 @@ def near_surfaces(free: Any, h_onset: Any, mode: Any, end: dict[str, Any]) -> An
     g, rate, acceleration = (sign * end[part] for part in ("gap", "gap_rate", "gap_acceleration"))
     opening = time_to_root(g, rate, acceleration)
     opening = ca.if_else(opening <= LANDING_STEP * h_onset, opening, LANDING_PART * opening)
-    landing = ca.if_else(rate < 0, time_to_root(g, rate, acceleration), time_to_return(g, rate, acceleration))
+    landing = time_to_landing(g, rate, acceleration)
     return ca.fmin(free, ca.mmin(ca.if_else(mode == CONTACT, opening, ca.if_else(mode == FLIGHT, landing, FAR))))
 
 
@@ -69,10 +69,13 @@ def time_to_root(g: Any, rate: Any, acceleration: Any) -> Any:
     return ca.if_else(rate < 0, 2 * g / (root - rate), FAR)  # of the two roots the first, without cancellation
 
 
-def time_to_return(g: Any, rate: Any, acceleration: Any) -> Any:
-    """Time [s] until g, which does not fall now, constantly accelerated does fall through zero; FAR where it never does."""
-    root = ca.sqrt(ca.fmax(rate * rate - 2 * acceleration * g, 0))
-    return ca.if_else(acceleration < 0, -(rate + root) / acceleration, FAR)
+def time_to_landing(g: Any, rate: Any, acceleration: Any) -> Any:
+    """Time [s] until g, constantly accelerated, falls through zero, now or, where it does not fall now, on its return; FAR where it never does."""
+    falls = rate < 0
+    reach = ca.sqrt(ca.fmax(rate * rate - 2 * acceleration * g, 0)) + ca.fabs(rate)
+    # of the two roots the one wanted, without cancellation, by one division
+    time = ca.if_else(falls, 2 * g, reach) / ca.if_else(falls, reach, -acceleration)
+    return ca.if_else(falls + (acceleration < 0) > 0, time, FAR)
 
 
 def _within(value: Any) -> Any:

@@ -42,17 +42,17 @@ def tolerances(model: Model, run: Mapping[str, Any], t: Any, y: Any, gap_rate: A
 
 
 def all_clear(model: Model, run: Mapping[str, Any], mode: Any, start: Mapping[str, Any], end: Mapping[str, Any]) -> Any:
-    """1 if no event is possible in a step under these modes, flight or contact, nor just behind it: no gap comes near zero, no force pulls."""
+    """1 (k) where no event is possible in a step under these modes, flight or contact, nor just behind it: no gap near zero, no force that pulls."""
     h = start["h"]
     tol, _, _ = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
     before, after = towards(mode, start), towards(mode, end)
     b = _quintic(before, after, h)
     between = _between(before, after, h)
-    soon = b[5] + NEAR * h * ca.fmin(after[1], 0)
-    clear = (ca.fmin(b[0], soon) > tol) * (1 - pulls(model, end["force"]))
+    soon = b[5] + NEAR * h * after[1]
+    clear = (b[0] > tol) * (b[5] > tol) * (soon > tol) * (1 - pulls(model, end["force"]))
     for coefficient in b[1:5]:
         clear *= coefficient > between
-    return ca.mmin(clear)
+    return clear
 
 
 def pulls(model: Model, force: Any) -> Any:
@@ -204,13 +204,15 @@ def towards(mode: Any, parts: Mapping[str, Any]) -> list[Any]:
 
 def _between(start: list[Any], end: list[Any], h: Any) -> Any:
     """What a graze must stay clear of: a part of |quintic - cubic| in the middle of the step."""
-    return DOUBT * ca.fabs(h * (start[1] - end[1]) / 32 + h * h * (start[2] + end[2]) / 64)
+    return ca.fabs(DOUBT * h / 32 * (start[1] - end[1]) + DOUBT * h * h / 64 * (start[2] + end[2]))
 
 
 def _quintic(start: list[Any], end: list[Any], h: Any) -> list[Any]:
     """Bernstein coefficients of the quintic with value, rate and acceleration at both ends of a step h."""
-    left = [start[0], start[0] + h * start[1] / 5, start[0] + 2 * h * start[1] / 5 + h * h * start[2] / 20]
-    right = [end[0], end[0] - h * end[1] / 5, end[0] - 2 * h * end[1] / 5 + h * h * end[2] / 20]
+    fifth, twentieth = h / 5, h * h / 20
+    (g0, rate0, a0), (g1, rate1, a1) = start, end
+    left = [g0, g0 + fifth * rate0, g0 + 2 * fifth * rate0 + twentieth * a0]
+    right = [g1, g1 - fifth * rate1, g1 - 2 * fifth * rate1 + twentieth * a1]
     return [*left, *reversed(right)]
 
 

@@ -7,6 +7,8 @@ is never left.
 
 from __future__ import annotations
 
+from functools import reduce
+from operator import mul
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
@@ -130,7 +132,7 @@ def is_finite(end: Parts) -> Any:
 
 def all_of(conditions: Any) -> Any:
     """1 if every one of a column of conditions holds; 1 for an empty one."""
-    return ca.mmin(conditions) if conditions.numel() else ca.SX(1)
+    return reduce(mul, ca.vertsplit(conditions), ca.SX(1))
 
 
 def any_of(conditions: Any) -> Any:
