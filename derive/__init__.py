@@ -9,8 +9,8 @@ _HOME = {
     "Parameter": "parameter",
     "Interval": "parameter",
     **dict.fromkeys(
-        ("GROUND", "X", "Y", "Z", "Body", "Material", "Mechanism", "ParallelCylinders", "PinInBush", "Point", "Prismatic", "Revolute",
-         "SphereOnPlane", "SphereOnSphere"), "mechanism"),
+        ("GROUND", "X", "Y", "Z", "Body", "Cylindrical", "Direction", "Free", "Material", "Mechanism", "ParallelCylinders", "PinInBush", "Planar",
+         "Point", "Prismatic", "Revolute", "SphereOnPlane", "SphereOnSphere", "Spherical", "Universal", "Weld"), "mechanism"),
     **dict.fromkeys(
         ("ConstantSpeed", "Contact", "EnergyLedger", "Friction", "Gravity", "Scales", "Scene", "Start"), "scene"),
     "InputError": "faults",

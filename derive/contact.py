@@ -79,8 +79,7 @@ class PairKinematics:
     def _direction(self) -> Vector:
         """Of a plane's normal or a bush's axis, ground axes."""
         local = self.pair.normal if isinstance(self.pair, SphereOnPlane) else self.pair.axis  # type: ignore[union-attr]
-        x, y, z = (sp.Integer(component) for component in local.components)
-        return self._named(apply(self.kin.motions[self.second.body].orientation.matrix, (x, y, z)), "direction")
+        return self._named(self.kin.direction(self.second, local), "direction")
 
     @cached_property
     def eccentricity(self) -> Vector:
@@ -152,7 +151,7 @@ class PairKinematics:
         name = self.pair.name
         if not isinstance(self.pair, PinInBush):
             return [(f"{name}.gap", "m", -self.penetration)]
-        local = apply(transpose(self.kin.motions[self.second.body].orientation.matrix), self.eccentricity)
+        local = apply(transpose(self.kin.axes_of(self.second)), self.eccentricity)
         across = [k for k in range(3) if self.pair.axis.components[k] == 0]
         return [
             (f"{name}.eccentricity_{'xyz'[k]}", "m", self.let(local[k], f"eccentricity_{'xyz'[k]}")) for k in across
@@ -246,7 +245,7 @@ class PairKinematics:
         else:
             # In the plane the tangent is known, and the surface speed of each body is its radius times its rate of turn.
             tangent = self._named(cross(plane, self.normal), "tangent")
-            spins = [self.kin.motions[place.body].angular_velocity for place in (self.first, self.second)]
+            spins = [self.kin.motion(place.body).angular_velocity for place in (self.first, self.second)]
             turn = dot(plane, sub(spins[0], spins[1]))
             sliding = self.let(
                 dot(self.relative_rate, tangent) - sp.sympify(self.pair.first_radius) * turn,

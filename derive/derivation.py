@@ -13,9 +13,9 @@ from hertzwerk.derive.contact import PairKinematics
 from hertzwerk.derive.dimension import Dimension
 from hertzwerk.derive.emit import emit
 from hertzwerk.derive.equations import Equations
-from hertzwerk.derive.kinematics import Kinematics
+from hertzwerk.derive.joints import Port
+from hertzwerk.derive.kinematics import Kinematics, acceleration_of
 from hertzwerk.derive.laws.law import speed_limit
-from hertzwerk.derive.mechanism import Prismatic
 from hertzwerk.derive.parameter import Interval, Parameter
 from hertzwerk.derive.program import Function, Program, Result, Tape
 from hertzwerk.derive.scene import Contact, Friction, Scene
@@ -59,7 +59,7 @@ class _Derivation:
         if scene.ledger:
             rows += self.equations.driven
         self.rows = rows
-        self.row_units = tuple(joint.joint.force_unit for joint in rows)
+        self.row_units = tuple(row.unit for row in rows)
         self.memory = self._memory()
         self.latches = {
             contact.name: self.tape.input(f"{contact.name}_approach_speed", "m", _dimension("m/s"))
@@ -116,22 +116,25 @@ class _Derivation:
     def start(self) -> Function:
         """Initial state."""
         start = self.scene.start
-        free = self.scene.free_joints
-        q = [sp.sympify(start.position.get(joint.name, 0)) for joint in free]
-        u = [sp.sympify(start.speed.get(joint.name, 0)) for joint in free]
+        q = [sp.sympify(value) for freedom in self.scene.free for value in start.coordinates(freedom)]
+        u = [sp.sympify(value) for freedom in self.scene.free for value in start.speeds(freedom)]
         return self._function(
             "start", "Coordinates and speeds at t = 0.", "p", self._coordinates("q", q), self._speeds("u", u)
         )
 
     def scales(self) -> Function:
         """Sizes of everything a tolerance is set for."""
-        scales, free = self.scene.scales, self.scene.free_joints
+        scales = self.scene.scales
         length, speed, arm = sp.sympify(scales.length), sp.sympify(scales.speed), scales.arm
         mass = self.tape.let(sp.Add(*(sp.sympify(body.mass) for body in self.scene.mechanism.bodies)), "total_mass")
         energy = self.tape.let(mass * speed**2 / 2, "energy_scale")
         force = self.tape.let(energy / length, "force_scale")
-        q = [length if isinstance(joint, Prismatic) else length / arm for joint in free]
-        u = [speed if isinstance(joint, Prismatic) else speed / arm for joint in free]
+        # a quaternion moves by half the angle
+        q = [
+            length if port.unit == "m" else length / arm / (1 if port.unit == "rad" else 2)
+            for port in self._coordinate_names()
+        ]
+        u = [speed if port.unit == "m/s" else speed / arm for port in self._speed_names()]
         return self._function(
             "scales",
             "Sizes that accuracy is measured by: of coordinates, speeds, memory; then length, speed, force, energy.",
@@ -144,10 +147,16 @@ class _Derivation:
 
     def coordinate_rates(self) -> Function:
         """Kinematic equations."""
-        labels = tuple(name for name, _ in self._coordinate_names())
-        units = tuple(joint.speed_unit for joint in self.scene.free_joints)
+        names = self._coordinate_names()
+        labels, units = (
+            tuple(port.name for port in names),
+            tuple("1/s" if unit == "1" else f"{unit}/s" for _, unit in names),
+        )
         return self._function(
-            "coordinate_rates", "Rates of the coordinates.", "t q u c", Result("dq", labels, units, tuple(self.kin.u))
+            "coordinate_rates",
+            "Rates of the coordinates.",
+            "t q u c",
+            Result("dq", labels, units, tuple(self.kin.rates)),
         )
 
     def _pairs(self, name: str, unit: str, values: list[Any]) -> Result:
@@ -175,7 +184,7 @@ class _Derivation:
         """Forces of one pair."""
         forces = pair.forces(contact, friction, self.latches.get(contact.name))
         name = contact.name
-        f = [forces.generalised.get(joint.joint.name, sp.S.Zero) for joint in self.rows]
+        f = [forces.generalised.get(row.key, sp.S.Zero) for row in self.rows]
         power = {f"{name}.dissipated": forces.normal_power}
         if friction is not None:
             power[f"{friction.name}.dissipated"] = forces.friction_power
@@ -194,7 +203,7 @@ class _Derivation:
 
     def applied(self) -> Function:
         """Forces that are no contact's."""
-        f = [self.equations.gravity(joint) for joint in self.rows]
+        f = [self.equations.gravity(row) for row in self.rows]
         return self._function(
             "applied", "Generalised forces of everything that is no contact.", "t q u c", self._forces("f", f)
         )
@@ -202,14 +211,13 @@ class _Derivation:
     def accelerations(self) -> Function:
         """The equations of motion, solved."""
         symbols = {
-            joint.joint.name: self.tape.input(f"{joint.joint.name}_force", "f", _dimension(unit))
-            for joint, unit in zip(self.rows, self.row_units, strict=True)
+            row.key: self.tape.input(f"{row.key.replace('.', '_')}_force", "f", _dimension(row.unit))
+            for row in self.rows
         }
         a = self.equations.accelerations(symbols)
         reactions = self.equations.reactions(symbols, a) if self.scene.ledger else []
         driven = self.equations.driven if self.scene.ledger else []
-        labels = tuple(f"{name.rsplit('.', 1)[0]}.acceleration" for name, _ in self._speed_names())
-        units = tuple(f"{unit}^2" for _, unit in self._speed_names())
+        labels, units = zip(*(acceleration_of(port) for port in self._speed_names()), strict=True)
         return self._function(
             "accelerations",
             "Generalised accelerations a from M a = f - bias, and what each drive must supply.",
@@ -217,8 +225,8 @@ class _Derivation:
             Result("a", labels, units, tuple(a)),
             Result(
                 "reactions",
-                tuple(f"{joint.joint.name}.reaction" for joint in driven),
-                tuple(joint.joint.force_unit for joint in driven),
+                tuple(f"{row.key}.reaction" for row in driven),
+                tuple(row.unit for row in driven),
                 tuple(reactions),
             ),
         )
@@ -226,9 +234,8 @@ class _Derivation:
     def ledger(self) -> Function:
         """Power put in."""
         power = [
-            self.tape.input(f"{joint.joint.name}_reaction_in", "reactions", _dimension(joint.joint.force_unit))
-            * joint.speed
-            for joint in self.equations.driven
+            self.tape.input(f"{row.key.replace('.', '_')}_reaction_in", "reactions", _dimension(row.unit)) * row.speed
+            for row in self.equations.driven
         ]
         values = [sp.Add(*power) if name.endswith(".input") else sp.S.Zero for name, _ in self.memory]
         return self._function(
@@ -267,7 +274,7 @@ class _Derivation:
         names = [body.name for body in self.scene.mechanism.bodies]
         for body in self.scene.mechanism.bodies:
             positions.extend(self.kin.frame_origin(body))
-            rotations.extend(entry for row in self.kin.motions[body].orientation.matrix for entry in row)
+            rotations.extend(entry for row in self.kin.rotation(body) for entry in row)
         return self._function(
             "poses",
             "Origin of every body's frame (x, y, z after one another) and its rotation matrix (row by row), body by body.",
@@ -294,11 +301,11 @@ class _Derivation:
 
     # -- ports -----------------------------------------------------------------------------------------------------
 
-    def _coordinate_names(self) -> list[tuple[str, str]]:
-        return [(f"{joint.name}.{joint.motion}", joint.coordinate_unit) for joint in self.scene.free_joints]
+    def _coordinate_names(self) -> list[Port]:
+        return [port for freedom in self.scene.free for port in freedom.coordinates]
 
-    def _speed_names(self) -> list[tuple[str, str]]:
-        return [(f"{joint.name}.speed", joint.speed_unit) for joint in self.scene.free_joints]
+    def _speed_names(self) -> list[Port]:
+        return [port for freedom in self.scene.free for port in freedom.speeds]
 
     def _coordinates(self, name: str, values: list[Any]) -> Result:
         names = self._coordinate_names()
@@ -309,7 +316,7 @@ class _Derivation:
         return Result(name, tuple(n for n, _ in names), tuple(u for _, u in names), tuple(values))
 
     def _forces(self, name: str, values: list[Any]) -> Result:
-        return Result(name, tuple(joint.joint.name for joint in self.rows), self.row_units, tuple(values))
+        return Result(name, tuple(row.key for row in self.rows), self.row_units, tuple(values))
 
     def _memory_result(self, name: str, values: list[Any], unit: str = "J") -> Result:
         return Result(name, tuple(n for n, _ in self.memory), (unit,) * len(self.memory), tuple(values))
@@ -319,6 +326,7 @@ class _Derivation:
         pairs = [pair.pair.name for pair, _, _ in self.contacts]
         entries = [name for name, _ in self.memory]
         meanings = _meanings(scene)
+        quaternions = tuple(i for i, port in enumerate(self._coordinate_names()) if port.name.endswith(".q0"))
         return {
             "EFFECTS": tuple((effect.name, effect.kind, effect.text) for effect in scene.effects),
             "UNCHECKED": tuple((e.name, e.text) for e in scene.effects if getattr(e, "unchecked", False)),
@@ -326,8 +334,9 @@ class _Derivation:
                 (p.name, p.unit, p.default, p.meaning or meanings.get(p.name, "")) for p in scene.parameters.values()
             ),
             "LIMITS": tuple(_limits(scene)),
-            "COORDINATES": tuple(self._coordinate_names()),
-            "SPEEDS": tuple(self._speed_names()),
+            "COORDINATES": tuple((name, unit) for name, unit in self._coordinate_names()),
+            **({"QUATERNIONS": quaternions} if quaternions else {}),
+            "SPEEDS": tuple((name, unit) for name, unit in self._speed_names()),
             "MEMORY": tuple(self.memory),
             "LATCHES": tuple((f"{name}.approach_speed", "m/s", pairs.index(name)) for name in self.latches),
             "PAIRS": tuple((pair.pair.name, pair.pair.kind) for pair, _, _ in self.contacts),

@@ -1,20 +1,23 @@
-"""Poses, velocities, accelerations and partial velocities of the bodies of a tree, in ground axes.
+"""Poses, velocities, accelerations and partial velocities of the bodies of a tree, in ground axes: for points, contacts and pictures.
 
-Everything of a body refers to its joint point O, which is fixed in the body: the vector from O to any other point of the body is short, so
-nothing large cancels. Consecutive rotations about parallel axes merge into one angle; structural zeros make plane mechanisms plane.
-Kane, Levinson, Dynamics: Theory and Applications (1985), chapter 2.
+Everything of a body refers to O, the point of its link on its joint, which is fixed in the body: the vector from O to any other point of the body is
+short, so nothing large cancels. Consecutive rotations about parallel axes merge into one angle; structural zeros make plane mechanisms plane. What
+nobody asks for is not worked out. Kane, Levinson, Dynamics: Theory and Applications (1985), chapter 2.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import sympy as sp
 
 from hertzwerk.derive.dimension import Dimension
-from hertzwerk.derive.mechanism import GROUND, Body, Frame, Joint, Mechanism, Point, Revolute
+from hertzwerk.derive.joints import Freedom, Port
+from hertzwerk.derive.links import Link, Orientation, Row, Tree
+from hertzwerk.derive.mechanism import Body, Direction, Frame, Mechanism, Point
 from hertzwerk.derive.program import Tape
 from hertzwerk.derive.scene import Scene
 from hertzwerk.derive.units import parse_unit
@@ -28,168 +31,177 @@ from hertzwerk.derive.vectors import (
     cross,
     dot,
     multiply,
-    rotation,
     scale,
     sub,
+    transpose,
 )
 
 
 @dataclass(frozen=True)
-class Orientation:
-    """Rotation `base * Rot(axis, angle)` of a body frame against the ground; the last rotation stays open for a parallel one."""
-
-    base: Matrix
-    axis: tuple[int, int, int]
-    angle: Any
-    matrix: Matrix
-
-
-@dataclass(frozen=True)
 class Motion:
-    """Of one body: joint point O, angular velocity, velocity of O; `bias` accelerations are those at zero generalised accelerations."""
+    """Of a link: rotation to ground axes, position of O, angular velocity, velocity of O, and their rates (with the generalised accelerations)."""
 
-    orientation: Orientation
+    rotation: Matrix
     origin: Vector
     angular_velocity: Vector
     velocity: Vector
-    angular_bias: Vector
-    bias: Vector
     angular_acceleration: Vector
     acceleration: Vector
 
 
-@dataclass(frozen=True)
-class JointMotion:
-    """Of one joint: its axis in ground axes, its coordinate, speed and acceleration, and the vector from the parent's O to the child's."""
-
-    joint: Joint
-    axis: Vector
-    coordinate: Any
-    speed: Any
-    acceleration: Any
-    free: bool
-    offset: Vector
-    offset_in_parent: Vector
-    """The same vector in the parent's frame: its length is constant there, which ground axes would hide."""
-
-    @property
-    def body(self) -> Body:
-        """The joint's child."""
-        body = self.joint.child.body
-        if not isinstance(body, Body):
-            raise TypeError(f"joint {self.joint.name} moves the ground")
-        return body
-
-    @property
-    def revolute(self) -> bool:
-        """Rotation or translation."""
-        return isinstance(self.joint, Revolute)
-
-
-_STILL = Orientation(IDENTITY, (0, 0, 1), sp.S.Zero, IDENTITY)
-_GROUND = Motion(_STILL, ZERO, ZERO, ZERO, ZERO, ZERO, ZERO, ZERO)
-
-
 class Kinematics:
-    """Motions of all bodies of a scene, recorded on a tape. `q`, `u`, `a` are the free coordinates, speeds, accelerations; `t` is time."""
+    """Motions of all bodies of a scene, recorded on a tape.
+
+    `q`, `u`, `a` are the free coordinates, speeds, accelerations, and `rates` the rates of `q`; `t` is time.
+    """
 
     def __init__(self, tape: Tape, scene: Scene) -> None:
         self.tape = tape
         self.mechanism: Mechanism = scene.mechanism
         self.t = tape.input("t", "t", Dimension.from_unit(parse_unit("s"), {}))
         tape.set_rate(self.t, sp.S.One)
-        free = scene.free_joints
-        self.q = [self._input(joint, joint.motion, "q", joint.coordinate_unit) for joint in free]
-        self.u = [self._input(joint, "speed", "u", joint.speed_unit) for joint in free]
-        self.a = [self._input(joint, "acceleration", "a", f"{joint.speed_unit}^2") for joint in free]
-        for q, u, a in zip(self.q, self.u, self.a, strict=True):
-            tape.set_rate(q, u)
-            tape.set_rate(u, a)
-        self.motions: dict[Frame, Motion] = {GROUND: _GROUND}
-        self.joints: dict[str, JointMotion] = {}
-        states = {joint.name: (q, u, a) for joint, q, u, a in zip(free, self.q, self.u, self.a, strict=True)}
-        for joint in self.mechanism.joints:
-            if joint.name in states:
-                self._move(joint, *states[joint.name], free=True)
-            else:
-                speed = sp.sympify(scene.driven[joint.name].speed)
-                self._move(joint, speed * self.t, speed, sp.S.Zero, free=False)
+        free = scene.free
+        inputs = [[self._input(port, "q") for port in freedom.coordinates] for freedom in free]
+        speeds = [[self._input(port, "u") for port in freedom.speeds] for freedom in free]
+        seconds = [[self._input(acceleration_of(port), "a") for port in freedom.speeds] for freedom in free]
+        self.q, self.u, self.a = ([symbol for part in parts for symbol in part] for parts in (inputs, speeds, seconds))
+        self.rates: list[Any] = []
+        motion: dict[str, tuple[tuple[Any, ...], tuple[Row, ...]]] = {}
+        for freedom, q, u, a in zip(free, inputs, speeds, seconds, strict=True):
+            rates = u if freedom.scalar else _quaternion_rates(q, u)
+            self.rates.extend(rates)
+            for symbol, rate in (*zip(q, rates, strict=True), *zip(u, a, strict=True)):
+                tape.set_rate(symbol, rate)
+            of_rows = zip(freedom.forces, u, a, strict=True)
+            motion[freedom.key] = tuple(q), tuple(Row(*port, speed, rate, True) for port, speed, rate in of_rows)
+        for freedom in scene.mechanism.freedoms:
+            if freedom.key not in motion:
+                motion[freedom.key] = self._driven(freedom, scene)
+        self.tree = Tree(tape, scene.mechanism, motion)
+        # keyed by links and bodies, which live as long as this does
+        self.motion_of = cache(self._motion)
+        self._rotations: dict[Orientation, Matrix] = {}
+        self.origin_of = cache(self._origin)
+        self.direction_of = cache(self._direction)
 
-    def _input(self, joint: Joint, what: str, group: str, unit: str) -> sp.Symbol:
-        return self.tape.input(f"{joint.name}_{what}", group, Dimension.from_unit(parse_unit(unit), {}))
+    def _driven(self, freedom: Freedom, scene: Scene) -> tuple[tuple[Any, ...], tuple[Row, ...]]:
+        """Coordinate, speed and acceleration that the drive of a freedom prescribes."""
+        speed = sp.sympify(scene.driven[freedom.key].speed)
+        (force,) = freedom.forces
+        return (speed * self.t,), (Row(*force, speed, sp.S.Zero, False),)
 
-    def _move(self, joint: Joint, q: Any, u: Any, a: Any, free: bool) -> None:
-        tape, name = self.tape, joint.child.body.name
-        parent = self.motions[joint.parent.body]
-        on_parent = sub(_sympify(joint.parent.position), self._anchor(joint.parent.body))
-        axis = tape.vector(apply(parent.orientation.matrix, _sympify(joint.axis.components)), f"{joint.name}_axis")
-        turning = isinstance(joint, Revolute)
-        offset_in_parent = on_parent if turning else add(on_parent, scale(q, _sympify(joint.axis.components)))
-        offset = tape.vector(apply(parent.orientation.matrix, offset_in_parent), f"{name}_arm")
-        w, alpha, alpha_bias = parent.angular_velocity, parent.angular_acceleration, parent.angular_bias
-        orientation = parent.orientation
-        spin = tape.vector(cross(w, offset), f"{name}_arm_rate")
-        centripetal = cross(w, spin)
-        velocity = add(parent.velocity, spin)
-        bias = add(parent.bias, cross(alpha_bias, offset), centripetal)
-        acceleration = add(parent.acceleration, cross(alpha, offset), centripetal)
-        if turning:
-            orientation = self._turn(parent.orientation, joint, q, name)
-            gyro = cross(w, scale(u, axis))
-            w = tape.vector(add(w, scale(u, axis)), f"{name}_rate")
-            alpha_bias = tape.vector(add(alpha_bias, gyro, ZERO if free else scale(a, axis)), f"{name}_angular_bias")
-            alpha = tape.vector(add(alpha, gyro, scale(a, axis)), f"{name}_angular_acceleration")
-        else:
-            coriolis = scale(2 * u, cross(w, axis))
+    def _input(self, port: Port, group: str) -> sp.Symbol:
+        return self.tape.input(port.name.replace(".", "_"), group, Dimension.from_unit(parse_unit(port.unit), {}))
+
+    # -- links in ground axes --------------------------------------------------------------------------------------
+
+    def rotation_of(self, orientation: Orientation, name: str) -> Matrix:
+        """From a link's axes to the ground's; `name` it, where it is new."""
+        if orientation not in self._rotations:
+            run, matrix = orientation.run, IDENTITY
+            if run.outer is not None:
+                matrix = multiply(self.rotation_of(run.outer, f"{name}_base"), run.constant)
+            for step in orientation.whole.steps:
+                matrix = multiply(matrix, step.matrix)
+            self._rotations[orientation] = self.tape.matrix(matrix, f"{name}_R")
+        return self._rotations[orientation]
+
+    def _turned(self, link: Link) -> Matrix:
+        return self.rotation_of(link.orientation, link.name)
+
+    def _arm(self, link: Link) -> Vector:
+        """From the parent's O to the link's, ground axes [m]."""
+        if link.parent is None:
+            return ZERO
+        return self.tape.vector(apply(self._turned(link.parent), link.offset), f"{link.name}_arm")
+
+    def _direction(self, link: Link) -> Vector:
+        """Axis of a turn or slide, ground axes."""
+        # an axis of turn stands still in the turn, and a slide keeps its parent's axes
+        outer = link.parent if link.parent is not None else link
+        local = link.axis
+        if link.kind == "turn" and link.orientation.run is not outer.orientation.run:
+            local = apply(link.orientation.run.constant, local)
+        name = link.joint.name if link.joint is not None else link.name
+        return self.tape.vector(apply(self._turned(outer), local), f"{name}_axis")
+
+    def _origin(self, link: Link) -> Vector:
+        """Position of O [m]."""
+        if link.parent is None:
+            return ZERO
+        return self.tape.vector(add(self.origin_of(link.parent), self._arm(link)), link.name)
+
+    def _motion(self, link: Link) -> Motion:
+        tape, name = self.tape, link.name
+        if link.parent is None:
+            return Motion(IDENTITY, ZERO, ZERO, ZERO, ZERO, ZERO)
+        before = self.motion_of(link.parent)
+        w, alpha, arm = before.angular_velocity, before.angular_acceleration, self._arm(link)
+        spin = tape.vector(cross(w, arm), f"{name}_arm_rate")
+        velocity = add(before.velocity, spin)
+        acceleration = add(before.acceleration, cross(alpha, arm), cross(w, spin))
+        relative = [(row.speed, row.acceleration) for row in link.rows]
+        if link.kind == "slide":
+            axis, (u, a) = self.direction_of(link), relative[0]
             velocity = add(velocity, scale(u, axis))
-            bias = add(bias, coriolis, ZERO if free else scale(a, axis))
-            acceleration = add(acceleration, coriolis, scale(a, axis))
-        origin = tape.vector(add(parent.origin, offset), name)
+            acceleration = add(acceleration, scale(2 * u, cross(w, axis)), scale(a, axis))
+        else:
+            axes = (self.direction_of(link),) if link.kind == "turn" else transpose(self._turned(link))
+            turn = tape.vector(
+                add(*(scale(u, axis) for (u, _), axis in zip(relative, axes, strict=True))), f"{name}_turning"
+            )
+            alpha = add(alpha, cross(w, turn), *(scale(a, axis) for (_, a), axis in zip(relative, axes, strict=True)))
+            w = tape.vector(add(w, turn), f"{name}_rate")
+            alpha = tape.vector(alpha, f"{name}_angular_acceleration")
+        origin = self.origin_of(link)
         velocity = tape.vector(velocity, f"{name}_velocity")
         acceleration = tape.vector(acceleration, f"{name}_acceleration")
         for position, rate, second in zip(origin, velocity, acceleration, strict=True):
             tape.set_rate(position, rate)
             tape.set_rate(rate, second)
-        self.motions[joint.child.body] = Motion(
-            orientation, origin, w, velocity, alpha_bias, tape.vector(bias, f"{name}_bias"), alpha, acceleration
-        )
-        self.joints[joint.name] = JointMotion(joint, axis, q, u, a, free, offset, offset_in_parent)
+        return Motion(self._turned(link), origin, w, velocity, alpha, acceleration)
 
-    def _turn(self, parent: Orientation, joint: Joint, angle: Any, name: str) -> Orientation:
-        """Rotate on; about a parallel axis the angles add."""
-        axis = joint.axis.components
-        base, total = parent.matrix, angle
-        if parent.angle == 0 or axis in (parent.axis, tuple(-k for k in parent.axis)):
-            sign = 1 if axis == parent.axis or parent.angle == 0 else -1
-            base, total = parent.base, parent.angle * sign + angle
-        total = self.tape.let(total, f"{name}_angle")
-        cosine, sine = self.tape.let(sp.cos(total), f"cos_{name}"), self.tape.let(sp.sin(total), f"sin_{name}")
-        matrix = self.tape.matrix(multiply(base, rotation(axis, cosine, sine)), f"{name}_R")
-        return Orientation(base, axis, total, matrix)
+    # -- bodies, points and paths ----------------------------------------------------------------------------------
 
-    def _anchor(self, body: Frame) -> Vector:
-        """Of a body: its joint point in its own frame."""
-        joint = self.mechanism.joint_of(body)
-        return ZERO if joint is None else _sympify(joint.child.position)
+    def link_of(self, body: Frame) -> Link:
+        """The link that carries a body."""
+        return self.tree.places[body].link
 
-    # -- points and paths ------------------------------------------------------------------------------------------
+    def motion(self, body: Frame) -> Motion:
+        """Of the link that carries a body."""
+        return self.motion_of(self.link_of(body))
+
+    def rotation(self, body: Frame) -> Matrix:
+        """From a body's axes to the ground's."""
+        place = self.tree.places[body]
+        matrix = self._turned(place.link)
+        return matrix if place.axes == IDENTITY else self.tape.matrix(multiply(matrix, place.axes), f"{body.name}_R")
+
+    def axes_of(self, point: Point) -> Matrix:
+        """From a point's axes to the ground's."""
+        body = self.rotation(point.body)
+        return multiply(body, point.axes) if point.turns else body
+
+    def direction(self, point: Point, direction: Direction) -> Vector:
+        """A direction given in a point's axes, in ground axes."""
+        return apply(self.axes_of(point), direction.unit)
 
     def arm(self, point: Point, name: str) -> Vector:
         """From its body's O to the point, ground axes [m]."""
-        local = sub(_sympify(point.position), self._anchor(point.body))
-        return self.tape.vector(apply(self.motions[point.body].orientation.matrix, local), f"{name}_arm")
+        place = self.tree.places[point.body]
+        return self.tape.vector(apply(self._turned(place.link), place.point(point)), f"{name}_arm")
 
     def frame_origin(self, body: Body) -> Vector:
         """Origin of the body's frame [m]."""
-        return add(self.motions[body].origin, self.arm(Point(body), f"{body.name}_frame"))
+        return add(self.origin_of(self.link_of(body)), self.arm(Point(body), f"{body.name}_frame"))
 
-    def centre_arm(self, body: Body) -> Vector:
-        """From O to the mass centre, ground axes [m]."""
-        return self.arm(Point(body, body.centre), f"{body.name}_centre")
+    def centre(self, body: Body) -> Vector:
+        """Mass centre of a body [m]."""
+        return add(self.origin_of(self.link_of(body)), self.arm(Point(body, body.centre), f"{body.name}_centre"))
 
     def point(self, point: Point, name: str) -> tuple[Vector, Vector, Vector]:
         """Position, velocity, acceleration (with the generalised accelerations) of a point [m, m/s, m/s^2]."""
-        motion, arm = self.motions[point.body], self.arm(point, name)
+        motion, arm = self.motion(point.body), self.arm(point, name)
         spin = self.tape.vector(cross(motion.angular_velocity, arm), f"{name}_arm_rate")
         return (
             add(motion.origin, arm),
@@ -199,34 +211,43 @@ class Kinematics:
 
     def velocity_at(self, body: Frame, position: Vector) -> Vector:
         """Velocity of the point of `body` that is at `position` [m/s]."""
-        motion = self.motions[body]
+        motion = self.motion(body)
         return add(motion.velocity, cross(motion.angular_velocity, sub(position, motion.origin)))
 
-    def path(self, body: Frame) -> list[JointMotion]:
-        """The joints between the ground and `body`, from the ground outwards."""
-        joint = self.mechanism.joint_of(body)
-        return [] if joint is None else [*self.path(joint.parent.body), self.joints[joint.name]]
-
-    def partial(self, joint: JointMotion, position: Vector) -> Vector:
-        """Partial velocity, by the joint's speed, of a point at `position` beyond the joint [1 or m]."""
-        if not joint.revolute:
-            return joint.axis
-        return cross(joint.axis, sub(position, self.motions[joint.joint.child.body].origin))
+    def partials(self, link: Link, position: Vector) -> list[Vector]:
+        """Partial velocities, by each speed of a link, of a point at `position` on it or beyond [1 or m]."""
+        if link.kind == "slide":
+            return [self.direction_of(link)]
+        axes = (self.direction_of(link),) if link.kind == "turn" else transpose(self._turned(link))
+        arm = sub(position, self.origin_of(link))
+        return [cross(axis, arm) for axis in axes]
 
     def generalised(self, force: Vector, position: Vector, on: Frame, against: Frame, name: str) -> dict[str, Any]:
-        """Generalised forces, by joint, of a force on one body and its reaction on another at the same point; common joints cancel."""
-        first, second = self.path(on), self.path(against)
-        common = {joint.joint.name for joint in first} & {joint.joint.name for joint in second}
+        """Generalised forces, by row, of a force on one body and its reaction on another at the same point; common links cancel."""
+        first, second = self.link_of(on).path, self.link_of(against).path
         out: dict[str, Any] = {}
-        for sign, path in ((1, first), (-1, second)):
-            for joint in path:
-                if joint.joint.name not in common:
-                    out[joint.joint.name] = self.tape.let(
-                        sign * dot(force, self.partial(joint, position)), f"{name}_on_{joint.joint.name}"
-                    )
+        for sign, path, other in ((1, first, second), (-1, second, first)):
+            for link in path:
+                if link in other:
+                    continue
+                for row, partial in zip(link.rows, self.partials(link, position), strict=True):
+                    label = row.key.replace(".", "_")
+                    out[row.key] = self.tape.let(sign * dot(force, partial), f"{name}_on_{label}")
         return out
 
 
-def _sympify(vector: Sequence[Any]) -> Vector:
-    x, y, z = (sp.sympify(component) for component in vector)
-    return (x, y, z)
+def acceleration_of(speed: Port) -> Port:
+    """The port of a speed's rate: `<joint>.speed` -> `<joint>.acceleration`."""
+    joint, name = speed.name.rsplit(".", 1)
+    return Port(f"{joint}.{name.replace('speed', 'acceleration')}", f"{speed.unit}^2")
+
+
+def _quaternion_rates(q: Sequence[Any], w: Sequence[Any]) -> tuple[Any, ...]:
+    """q' = q (0, w)/2, w in the turned axes."""
+    (q0, q1, q2, q3), (x, y, z), half = q, w, sp.Rational(1, 2)
+    return (
+        -half * (q1 * x + q2 * y + q3 * z),
+        half * (q0 * x + q2 * z - q3 * y),
+        half * (q0 * y + q3 * x - q1 * z),
+        half * (q0 * z + q1 * y - q2 * x),
+    )

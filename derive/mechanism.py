@@ -1,8 +1,6 @@
-"""What a mechanism is made of: materials, bodies, points, joints, contact pairs. Declarations only, no equations.
+"""What a mechanism is made of: bodies, joints, contact pairs. Declarations only, no equations.
 
 Every record is frozen and knows its own faults; the scene that uses them gathers all faults and refuses to exist while there is one.
-Frames: each body carries a frame; a joint's axis is given in the frame of its parent, and both frames are parallel at zero coordinate.
-Slots for dimensional quantities take a `Parameter`, an expression of parameters, or 0; a bare number has no unit and is a fault.
 """
 
 from __future__ import annotations
@@ -13,154 +11,20 @@ from typing import Any, ClassVar
 
 import sympy as sp
 
-from hertzwerk.derive.parameter import NOT_NEGATIVE, POSITIVE, Interval, Scalar
-
-Triple = tuple[Any, Any, Any]
-
-
-@dataclass(frozen=True)
-class Direction:
-    """A unit vector along a frame's axis; `-Y` is the opposite one."""
-
-    components: tuple[int, int, int]
-
-    def __neg__(self) -> Direction:
-        x, y, z = self.components
-        return Direction((-x, -y, -z))
-
-
-X = Direction((1, 0, 0))
-Y = Direction((0, 1, 0))
-Z = Direction((0, 0, 1))
-
-
-@dataclass(frozen=True)
-class Slot:
-    """One quantity a record asks for: where it stands, what was given, its unit, and the ranges (SI) it must and should keep."""
-
-    where: str
-    value: Scalar
-    unit: str
-    limit: Interval | None = None
-    recommended: Interval | None = None
-
-
-@dataclass(frozen=True)
-class Material:
-    """Linear elastic material: Young's modulus [Pa], Poisson's ratio [1], density [kg/m^3] if known."""
-
-    youngs_modulus: Scalar
-    poissons_ratio: Scalar
-    density: Scalar | None = None
-
-    def slots(self) -> Iterator[Slot]:
-        """The quantities of the material."""
-        yield Slot("material, Young's modulus", self.youngs_modulus, "Pa", POSITIVE)
-        yield Slot("material, Poisson's ratio", self.poissons_ratio, "1", Interval(-1, 0.5, open_left=True))
-        if self.density is not None:
-            yield Slot("material, density", self.density, "kg/m^3", POSITIVE)
-
-
-@dataclass(frozen=True)
-class Body:
-    """A rigid body: mass [kg], inertia about its mass centre [kg m^2], mass centre in its own frame [m].
-
-    A scalar inertia is for the axis of the joint that turns the body (plane motion); a triple holds the principal values along the frame's axes.
-    """
-
-    name: str
-    mass: Scalar
-    inertia: Scalar | Triple = 0
-    centre: Triple = (0, 0, 0)
-
-    def at(self, x: Scalar, y: Scalar, z: Scalar) -> Point:
-        """The point fixed in the body at (x, y, z) [m] of its frame."""
-        return Point(self, (x, y, z))
-
-    def slots(self) -> Iterator[Slot]:
-        """The quantities of the body."""
-        yield Slot(f"body {self.name}, mass", self.mass, "kg", POSITIVE)
-        inertia = self.inertia if isinstance(self.inertia, tuple) else (self.inertia,)
-        for value in inertia:
-            yield Slot(f"body {self.name}, inertia", value, "kg m^2", NOT_NEGATIVE)
-        for value in self.centre:
-            yield Slot(f"body {self.name}, mass centre", value, "m")
-
-
-@dataclass(frozen=True)
-class Ground:
-    """The frame that does not move."""
-
-    name: ClassVar[str] = "ground"
-
-    def at(self, x: Scalar, y: Scalar, z: Scalar) -> Point:
-        """The fixed point (x, y, z) [m]."""
-        return Point(self, (x, y, z))
-
-
-GROUND = Ground()
-Frame = Body | Ground
-
-
-@dataclass(frozen=True)
-class Point:
-    """A point fixed in a body or in the ground."""
-
-    body: Frame
-    position: Triple = (0, 0, 0)
-
-    def slots(self) -> Iterator[Slot]:
-        """The coordinates of the point."""
-        for value in self.position:
-            yield Slot(f"point of {self.body.name}", value, "m")
-
-
-def _point(place: Frame | Point) -> Point:
-    return place if isinstance(place, Point) else Point(place)
-
-
-@dataclass(frozen=True)
-class Joint:
-    """A joint with one coordinate between a parent and a child; both may be given as a body (its origin) or a point."""
-
-    name: str
-    parent: Point
-    child: Point
-    axis: Direction
-
-    motion: ClassVar[str]
-    coordinate_unit: ClassVar[str]
-    speed_unit: ClassVar[str]
-    force_unit: ClassVar[str]
-
-    def __init__(self, name: str, parent: Frame | Point, child: Frame | Point, axis: Direction) -> None:
-        object.__setattr__(self, "name", name)
-        object.__setattr__(self, "parent", _point(parent))
-        object.__setattr__(self, "child", _point(child))
-        object.__setattr__(self, "axis", axis)
-
-    def slots(self) -> Iterator[Slot]:
-        """The coordinates of the joint's two points."""
-        yield from self.parent.slots()
-        yield from self.child.slots()
-
-
-class Revolute(Joint):
-    """One rotation about `axis`."""
-
-    motion = "angle"
-    coordinate_unit = "rad"
-    speed_unit = "rad/s"
-    force_unit = "N m"
-
-
-class Prismatic(Joint):
-    """One translation along `axis`; the child keeps the parent's orientation."""
-
-    motion = "travel"
-    coordinate_unit = "m"
-    speed_unit = "m/s"
-    force_unit = "N"
+from hertzwerk.derive.frames import GROUND, Body, Direction, Frame, Ground, Material, Point, Slot, X, Y, Z
+from hertzwerk.derive.joints import (
+    Cylindrical,
+    Free,
+    Freedom,
+    Joint,
+    Planar,
+    Prismatic,
+    Revolute,
+    Spherical,
+    Universal,
+    Weld,
+)
+from hertzwerk.derive.parameter import POSITIVE, Scalar
 
 
 @dataclass(frozen=True)
@@ -324,12 +188,10 @@ class Mechanism:
         """The joint that carries `body`; None for the ground."""
         return next((joint for joint in self.joints if joint.child.body == body), None)
 
-    def turning_axis(self, body: Frame) -> Direction | None:
-        """Axis of the nearest revolute joint between `body` and the ground, in the parent's frame of that joint."""
-        joint = self.joint_of(body)
-        if joint is None or isinstance(joint, Revolute):
-            return None if joint is None else joint.axis
-        return self.turning_axis(joint.parent.body)
+    @property
+    def freedoms(self) -> tuple[Freedom, ...]:
+        """Those of all joints, in order."""
+        return tuple(freedom for joint in self.joints for freedom in joint.freedoms)
 
     def slots(self) -> Iterator[Slot]:
         """Every quantity of the mechanism, in declared order."""
@@ -337,3 +199,34 @@ class Mechanism:
             yield from body.slots()
         for part in (*self.joints, *self.pairs):
             yield from part.slots()
+
+
+__all__ = [
+    "GROUND",
+    "Body",
+    "Cylindrical",
+    "Direction",
+    "Frame",
+    "Free",
+    "Freedom",
+    "Ground",
+    "Joint",
+    "Material",
+    "Mechanism",
+    "Pair",
+    "ParallelCylinders",
+    "PinInBush",
+    "Planar",
+    "Point",
+    "Prismatic",
+    "Revolute",
+    "Slot",
+    "SphereOnPlane",
+    "SphereOnSphere",
+    "Spherical",
+    "Universal",
+    "Weld",
+    "X",
+    "Y",
+    "Z",
+]

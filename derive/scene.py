@@ -10,9 +10,10 @@ import sympy as sp
 
 from hertzwerk.derive.dimension import Dimension
 from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.joints import Freedom
 from hertzwerk.derive.laws.catalogue import LAWS
 from hertzwerk.derive.laws.law import APPROACH_SPEED, BoundLaw
-from hertzwerk.derive.mechanism import Body, Direction, Joint, Mechanism, Pair, Slot
+from hertzwerk.derive.mechanism import Body, Direction, Mechanism, Pair, Slot
 from hertzwerk.derive.parameter import POSITIVE, Parameter, Scalar, dimensions_of, is_number, parameters_of
 from hertzwerk.derive.soundness import faults_of
 
@@ -23,7 +24,10 @@ APPROACH_FLOOR = Parameter(
 
 @dataclass(frozen=True)
 class ConstantSpeed:
-    """A drive that turns (or moves) a joint at constant speed, from coordinate 0 at t = 0; removes the joint's coordinate."""
+    """A drive that turns (or moves) a joint at constant speed, from coordinate 0 at t = 0; removes the joint's coordinate.
+
+    Of a joint with several coordinates one is named: `joint="column.angle"`.
+    """
 
     name: str
     joint: str
@@ -146,10 +150,30 @@ Effect = ConstantSpeed | Gravity | Contact | Friction | EnergyLedger
 
 @dataclass(frozen=True)
 class Start:
-    """Coordinates and speeds at t = 0, by joint; what is not named is zero."""
+    """Coordinates and speeds at t = 0 by name, `<joint>.<name>`; of a joint with one coordinate its own name will do. What is not named is zero, and
+    an orientation that is not named that of the parent."""
 
     position: Mapping[str, Scalar] = field(default_factory=dict)
     speed: Mapping[str, Scalar] = field(default_factory=dict)
+
+    def coordinates(self, freedom: Freedom) -> list[Any]:
+        """Values of a freedom's coordinates; a quaternion's are divided by its norm."""
+        given = [_given(self.position, port.name, freedom) for port in freedom.coordinates]
+        if freedom.scalar:
+            return [value or 0 for value in given]
+        if all(value is None for value in given):
+            return [1, 0, 0, 0]
+        values = [sp.sympify(value or 0) for value in given]
+        norm = sp.sqrt(sp.Add(*(value**2 for value in values)))
+        return [value / norm for value in values]
+
+    def speeds(self, freedom: Freedom) -> list[Any]:
+        """Values of a freedom's speeds."""
+        return [_given(self.speed, port.name, freedom) or 0 for port in freedom.speeds]
+
+
+def _given(values: Mapping[str, Scalar], name: str, freedom: Freedom) -> Any:
+    return values.get(name, values.get(freedom.key) if freedom.scalar else None)
 
 
 @dataclass(frozen=True)
@@ -252,13 +276,13 @@ class Scene:
 
     @property
     def driven(self) -> dict[str, ConstantSpeed]:
-        """Drives by joint name."""
+        """Drives by the key of the freedom they drive."""
         return {effect.joint: effect for effect in self.of_kind("drive")}
 
     @property
-    def free_joints(self) -> tuple[Joint, ...]:
-        """The joints that keep their coordinate."""
-        return tuple(joint for joint in self.mechanism.joints if joint.name not in self.driven)
+    def free(self) -> tuple[Freedom, ...]:
+        """The freedoms that keep their coordinates."""
+        return tuple(freedom for freedom in self.mechanism.freedoms if freedom.key not in self.driven)
 
     @property
     def contacts(self) -> list[tuple[Pair, Contact, Friction | None]]:
@@ -293,20 +317,22 @@ class Scene:
     def slots(self) -> Iterator[Slot]:
         """Every quantity of the scene, in declared order."""
         yield from self.mechanism.slots()
-        units = {joint.name: joint.speed_unit for joint in self.mechanism.joints}
+        units = {freedom.key: freedom.speeds[0].unit for freedom in self.mechanism.freedoms}
         for effect in self.effects:
             given = (
                 effect.slots(self.geometry(effect.pair)) if isinstance(effect, Contact | Friction) else effect.slots()
             )
             for slot in given:
                 yield slot if slot.unit else replace(slot, unit=units.get(effect.joint, "rad/s"))  # type: ignore[union-attr]
-        for joint in self.mechanism.joints:
-            for values, unit, limit_of in (
-                (self.start.position, joint.coordinate_unit, "position"),
-                (self.start.speed, joint.speed_unit, "speed"),
+        for freedom in self.mechanism.freedoms:
+            for values, ports, what in (
+                (self.start.position, freedom.coordinates, "position"),
+                (self.start.speed, freedom.speeds, "speed"),
             ):
-                if joint.name in values:
-                    yield Slot(f"start, {limit_of} of {joint.name}", values[joint.name], unit)
+                for port in ports:
+                    value = _given(values, port.name, freedom)
+                    if value is not None:
+                        yield Slot(f"start, {what} of {freedom.key if freedom.scalar else port.name}", value, port.unit)
         yield from self.scales.slots()
 
     @property

@@ -14,9 +14,22 @@ import sympy as sp
 from hertzwerk.derive.dimension import Dimension, check
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.laws.law import BoundLaw, FrictionLaw, Law
-from hertzwerk.derive.mechanism import GROUND, Body, Direction, Frame, Ground, Mechanism, Point, Revolute, Slot
+from hertzwerk.derive.mechanism import (
+    GROUND,
+    Body,
+    Direction,
+    Frame,
+    Ground,
+    Joint,
+    Mechanism,
+    Planar,
+    Point,
+    Slot,
+    Universal,
+)
 from hertzwerk.derive.parameter import Parameter, default_value, dimensions_of, is_number, parameters_of
 from hertzwerk.derive.units import parse_unit, unit_text
+from hertzwerk.derive.vectors import along
 
 if TYPE_CHECKING:
     from hertzwerk.derive.scene import Scene
@@ -56,9 +69,12 @@ def _type_faults(scene: Scene) -> Iterator[Fault]:
         where = f"joint {joint.name}"
         yield from _is(where, "parent", joint.parent.body, Body | Ground, "a Body, GROUND, or a point of one")
         yield from _is(where, "child", joint.child.body, Body | Ground, "a Body or a point of one")
-        yield from _is(where, "axis", joint.axis, Direction, "X, Y, Z, -X, -Y or -Z")
+        for name, direction in joint.directions.items():
+            yield from _direction_faults(where, name, direction)
         for point in (joint.parent, joint.child):
             yield from _three(f"{where}, point", point.position)
+            for direction, _ in point.turns:
+                yield from _direction_faults(f"{where}, turned point", "axis", direction)
     for body in scene.mechanism.bodies:
         yield from _three(f"body {body.name}, mass centre", body.centre)
         if isinstance(body.inertia, tuple):
@@ -71,13 +87,26 @@ def _type_faults(scene: Scene) -> Iterator[Fault]:
                 yield from _three(f"{where}, point", place.position)
         for name in ("normal", "axis"):
             if hasattr(pair, name):
-                yield from _is(where, name, getattr(pair, name), Direction, "X, Y, Z, -X, -Y or -Z")
+                yield from _direction_faults(where, name, getattr(pair, name))
     for effect in scene.of_kind("contact"):
         yield from _law_faults(effect.name, "stiffness", effect.stiffness)
         if effect.damping is not None:
             yield from _law_faults(effect.name, "damping", effect.damping)
     for effect in scene.of_kind("friction"):
         yield from _law_faults(effect.name, "friction", effect.law)
+
+
+def _direction_faults(where: str, what: str, value: Any) -> Iterator[Fault]:
+    if not isinstance(value, Direction):
+        yield Fault(f"{where}, {what}", repr(value), "a Direction, such as X, -Y or Direction((1, 0, 1))")
+    elif not (
+        isinstance(value.components, tuple) and len(value.components) == 3 and all(map(is_number, value.components))
+    ):
+        yield Fault(
+            f"{where}, {what}", repr(value.components), "three numbers or expressions of parameters of one unit"
+        )
+    elif all(default_value(component) == 0 for component in value.components):
+        yield Fault(f"{where}, {what}", "a direction of length 0", "one that points somewhere")
 
 
 def _is(where: str, what: str, value: Any, kind: Any, expected: str) -> Iterator[Fault]:
@@ -110,12 +139,28 @@ def _topology_faults(mechanism: Mechanism) -> Iterator[Fault]:
     yield from _repeated("joint", [joint.name for joint in mechanism.joints])
     yield from _repeated("pair", [pair.name for pair in mechanism.pairs])
     yield from _connection_faults(mechanism)
+    for joint in mechanism.joints:
+        yield from _axis_faults(joint)
     for pair in mechanism.pairs:
         for point in pair.places:
             if point.body != GROUND and mechanism.joint_of(point.body) is None:
                 yield Fault(f"pair {pair.name}", f"body {point.body.name}", "a body that a joint connects")
         if pair.places[0].body == pair.places[1].body:
             yield Fault(f"pair {pair.name}", f"both sides on {pair.places[0].body.name}", "two different bodies")
+
+
+def _axis_faults(joint: Joint) -> Iterator[Fault]:
+    """Axes that leave a joint fewer freedoms than it claims, or that it cannot take."""
+    where = f"joint {joint.name}"
+    if isinstance(joint, Universal):
+        first, second = ([default_value(component) for component in axis.unit] for axis in (joint.first, joint.second))
+        cosine = sum(a * b for a, b in zip(first, second, strict=True))
+        if abs(cosine) > 1 - 1e-9:
+            yield Fault(where, "two parallel axes", "axes that are not parallel",
+                        "One rotation about one axis is a Revolute.")  # fmt: skip
+    if isinstance(joint, Planar) and along(joint.normal.unit) is None:
+        yield Fault(where, f"the normal {joint.normal.components}", "X, Y, Z or the opposite of one",
+                    "Turn the joint's points: parent.at(...).turned(axis, angle).")  # fmt: skip
 
 
 def _connection_faults(mechanism: Mechanism) -> Iterator[Fault]:
@@ -147,20 +192,44 @@ def _connection_faults(mechanism: Mechanism) -> Iterator[Fault]:
 
 
 def _inertia_faults(mechanism: Mechanism, sound: dict[str, Parameter]) -> Iterator[Fault]:
-    """A body turned by a joint needs an inertia about its axis; the rest of a principal triple may be zero in plane motion."""
+    """A body turned by a joint needs an inertia about its axis; the rest of a principal triple may be zero in plane motion. The last of a chain
+    needs a mass, and all of them where it may turn in every way."""
     if any(True for _ in _connection_faults(mechanism)):
         return
+    carriers = {joint.parent.body for joint in mechanism.joints}
     for body in mechanism.bodies:
-        turning = mechanism.turning_axis(body)
-        if turning is None:
+        if body not in carriers and is_number(body.mass) and body.mass == 0:
+            yield Fault(f"body {body.name}, mass", "0 kg at the end of a chain", "a value in (0, inf), because nothing beyond it has a mass",
+                        "Give it a mass, or leave it out.")  # fmt: skip
             continue
-        about = [k for k in range(3) if turning.components[k]]
-        values = [body.inertia[k] for k in about] if isinstance(body.inertia, tuple) else [body.inertia]
-        known = [v for v in values if is_number(v) and all(sound.get(p.name) == p for p in parameters_of(v))]
-        if known and all(default_value(value) == 0 for value in known):
-            yield Fault(
-                f"body {body.name}", "inertia 0", "a positive inertia about the joint's axis, because the body rotates"
-            )
+        if body.mass == 0:
+            continue
+        given = body.inertia if isinstance(body.inertia, tuple) else (body.inertia,) * 3
+        if not all(is_number(v) and all(sound.get(p.name) == p for p in parameters_of(v)) for v in given):
+            continue
+        zero = [default_value(value) == 0 for value in given]
+        for axis in _turning_axes(mechanism, body):
+            if axis is None and body not in carriers and any(zero):
+                yield Fault(
+                    f"body {body.name}",
+                    "inertia 0",
+                    "three positive principal inertias, because the joint lets the body turn in every way",
+                )
+            elif axis is not None and all(zero[k] for k in range(3) if axis.components[k] != 0):
+                yield Fault(
+                    f"body {body.name}",
+                    "inertia 0",
+                    "a positive inertia about the joint's axis, because the body rotates",
+                )
+
+
+def _turning_axes(mechanism: Mechanism, body: Frame) -> list[Direction | None]:
+    """Axis of the last turn of the nearest joint that turns a body, in the joint's axes; None if that is every axis; empty if nothing turns it."""
+    joint = mechanism.joint_of(body)
+    if joint is None:
+        return []
+    turning = [freedom.axis for freedom in joint.freedoms if freedom.kind != "slide"]
+    return turning[-1:] or _turning_axes(mechanism, joint.parent.body)
 
 
 # -- effects and start -------------------------------------------------------------------------------------------------
@@ -171,9 +240,11 @@ def _effect_faults(scene: Scene) -> Iterator[Fault]:
     joints = [joint.name for joint in scene.mechanism.joints]
     pairs = [pair.name for pair in scene.mechanism.pairs]
     contacts = [effect.pair for effect in scene.of_kind("contact")]
+    scalars = [freedom.key for freedom in scene.mechanism.freedoms if freedom.scalar]
     for effect in scene.of_kind("drive"):
-        if effect.joint not in joints:
-            yield Fault(f"effect {effect.name}", f"joint {effect.joint!r}", f"one of {', '.join(joints)}")
+        if effect.joint not in scalars:
+            why = ", which has not just one coordinate" if effect.joint in joints else ""
+            yield Fault(f"effect {effect.name}", f"joint {effect.joint!r}{why}", f"one of {', '.join(scalars)}")
     for effect in scene.of_kind("contact"):
         if effect.pair not in pairs:
             offer = ", ".join(pairs) or "no pair is declared"
@@ -193,8 +264,9 @@ def _effect_faults(scene: Scene) -> Iterator[Fault]:
     for kind in ("ledger", "gravity"):
         if len(scene.of_kind(kind)) > 1:
             yield Fault("effects", f"{len(scene.of_kind(kind))} of kind {kind}", "at most one")
-    if all(joint.name in drives for joint in scene.mechanism.joints):
-        yield Fault("effects", "a drive on every joint", "at least one joint that is free to move")
+    if all(freedom.key in drives for freedom in scene.mechanism.freedoms):
+        found = "a drive on every joint" if scene.mechanism.freedoms else "no joint that can move"
+        yield Fault("effects", found, "at least one joint that is free to move")
 
 
 def _geometry_faults(effect: Any, offered: dict[str, Any]) -> Iterator[Fault]:
@@ -219,12 +291,15 @@ def _demand_faults(effect: Any, kind: str | None) -> Iterator[Fault]:
 
 
 def _start_faults(scene: Scene) -> Iterator[Fault]:
-    free = [joint.name for joint in scene.free_joints]
-    for name in dict.fromkeys((*scene.start.position, *scene.start.speed)):
-        if name not in free:
-            why = "driven, its motion is the drive's" if name in scene.driven else "unknown"
-            yield Fault("start", f"joint {name!r} ({why})", f"one of {', '.join(free)}")
-    if scene.scales.arm is None and any(isinstance(joint, Revolute) for joint in scene.free_joints):
+    of_joints = [freedom.key for freedom in scene.free if freedom.scalar]
+    for given, ports in (("position", "coordinates"), ("speed", "speeds")):
+        full = [port.name for freedom in scene.free for port in getattr(freedom, ports)]
+        short = [name for name in full if name.rsplit(".", 1)[0] not in of_joints]
+        for name in getattr(scene.start, given):
+            if name not in (*of_joints, *full):
+                why = "driven, its motion is the drive's" if name in scene.driven else "unknown"
+                yield Fault("start", f"{given} of joint {name!r} ({why})", f"one of {', '.join((*of_joints, *short))}")
+    if scene.scales.arm is None and any(freedom.kind != "slide" for freedom in scene.free):
         yield Fault("scales", "no arm", "an arm [m], because the scene has angles",
                     "Scales(length=..., speed=..., arm=...): an angle is measured as length/arm.")  # fmt: skip
 

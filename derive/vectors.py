@@ -81,7 +81,7 @@ def diagonal(a: Any, b: Any, c: Any) -> Matrix:
     return ((sp.sympify(a), zero, zero), (zero, sp.sympify(b), zero), (zero, zero, sp.sympify(c)))
 
 
-def rotation(axis: tuple[int, int, int], cosine: Any, sine: Any) -> Matrix:
+def rotation(axis: Vector, cosine: Any, sine: Any) -> Matrix:
     """Rotation about a coordinate axis (one entry +-1): exact zeros and ones."""
     k = next(i for i in range(3) if axis[i])
     s = axis[k] * sine
@@ -91,3 +91,22 @@ def rotation(axis: tuple[int, int, int], cosine: Any, sine: Any) -> Matrix:
     rows[i][i] = rows[j][j] = cosine
     rows[i][j], rows[j][i] = -s, s
     return tuple(tuple(row) for row in rows)  # type: ignore[return-value]
+
+
+def along(axis: Vector) -> int | None:
+    """Which coordinate axis a unit vector is parallel to; None if none."""
+    return next((k for k in range(3) if axis[k] in (1, -1)), None)
+
+
+def about(axis: Vector, cosine: Any, sine: Any) -> Matrix:
+    """Rotation about any unit vector (Rodrigues)."""
+    if along(axis) is not None:
+        return rotation(axis, cosine, sine)
+    x, y, z = axis
+    tilde: Matrix = ((sp.S.Zero, -z, y), (z, sp.S.Zero, -x), (-y, x, sp.S.Zero))
+    return combine(*(scaled(f, m) for f, m in ((cosine, IDENTITY), (sine, tilde), (1 - cosine, outer(axis, axis)))))
+
+
+def scaled(factor: Any, matrix: Matrix) -> Matrix:
+    """factor * M."""
+    return (scale(factor, matrix[0]), scale(factor, matrix[1]), scale(factor, matrix[2]))

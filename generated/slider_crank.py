@@ -7,8 +7,8 @@ Effects:
     slider_pin: hertz_point x lankarani_nikravesh
     slider_pin_friction: smooth_coulomb at slider_pin
     energy_ledger: work put in, energy dissipated per effect
-Units: 91 assignments and 102 outputs checked, all consistent
-Operations: flight 141 (equations of motion and gaps); in contact also contact_slider_pin 90
+Units: 95 assignments and 104 outputs checked, all consistent
+Operations: flight 131 (equations of motion and gaps); in contact also contact_slider_pin 90
 """
 
 import casadi as ca
@@ -110,7 +110,6 @@ BODIES = (
 )
 
 CONSTANTS = (
-    ("rod_mass", "kg"),
     ("rod_mass_centre", "m"),
     ("crank_radius", "m"),
     ("clearance", "m"),
@@ -118,35 +117,38 @@ CONSTANTS = (
     ("crank_speed", "1/s"),
     ("gravity", "m/s^2"),
     ("friction_coefficient", "1"),
-    ("rod_I_z_z", "kg m^2"),
-    ("k3", "m^2"),
-    ("k4", "1/m"),
+    ("k1", "m^2"),
+    ("k2", "1/m"),
     ("slider_pin_R_min", "m"),
     ("slider_pin_K", "N/m^1.5"),
-    ("k5", "N/m^1.5"),
+    ("k3", "N/m^1.5"),
     ("slider_pin_hysteresis_factor", "1"),
-    ("k6", "s/m"),
-    ("k7", "1/(kg m^2)"),
-    ("k8", "1/kg"),
-    ("k9", "kg m^2"),
+    ("k4", "s/m"),
+    ("rod_h_x", "kg m"),
+    ("crank_h_x", "kg m"),
+    ("rod_I_z_z", "kg m^2"),
+    ("crank_rate_zz", "1/s^2"),
+    ("k6", "1/(kg m^2)"),
+    ("k7", "1/kg"),
+    ("k8", "kg m^2"),
+    ("k9", "kg"),
     ("k10", "kg"),
-    ("k11", "kg"),
-    ("k12", "J"),
-    ("k13", "N"),
+    ("k11", "J"),
+    ("k12", "N"),
 )
 
 OPERATIONS = (
-    ("constants", 34),
+    ("constants", 36),
     ("start", 5),
     ("scales", 12),
     ("coordinate_rates", 0),
     ("gaps", 35),
     ("gap_accelerations", 48),
     ("contact_slider_pin", 90),
-    ("applied", 13),
-    ("accelerations", 45),
+    ("applied", 11),
+    ("accelerations", 37),
     ("ledger", 1),
-    ("energy", 51),
+    ("energy", 50),
     ("poses", 10),
     ("outputs", 13),
 )
@@ -157,9 +159,9 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (23,): rod_mass, rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity,
-            friction_coefficient, rod_I_z_z, k3, k4, slider_pin_R_min, slider_pin_K, k5,
-            slider_pin_hysteresis_factor, k6, k7, k8, k9, k10, k11, k12, k13
+        c (25,): rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity, friction_coefficient,
+            k1, k2, slider_pin_R_min, slider_pin_K, k3, slider_pin_hysteresis_factor, k4, rod_h_x, crank_h_x,
+            rod_I_z_z, crank_rate_zz, k6, k7, k8, k9, k10, k11, k12
     """
     crank_inertia = p[1]
     rod_mass = p[2]
@@ -177,26 +179,29 @@ def constants(p):
     restitution = p[14]
     friction_coefficient = p[16]
     friction_speed = p[17]
-    rod_I_z_z = rod_mass_centre*rod_mass_centre*rod_mass + rod_inertia
-    k3 = clearance*clearance
-    k4 = 1/(2*clearance)
+    k1 = clearance*clearance
+    k2 = 1/(2*clearance)
     x1 = bush_radius - clearance
     slider_pin_R_eff = x1*bush_radius/clearance
     slider_pin_E_eff = youngs_modulus/(2*(1 - poissons_ratio*poissons_ratio))
     slider_pin_K = 4*slider_pin_E_eff*ca.sqrt(slider_pin_R_eff)/3
-    k5 = 2*slider_pin_K/5
+    k3 = 2*slider_pin_K/5
     slider_pin_hysteresis_factor = 3/4 - 3*restitution*restitution/4
-    k6 = 1/friction_speed
-    k7 = 1/rod_I_z_z
-    k8 = 1/slider_mass
-    k9 = rod_I_z_z/2
-    k10 = slider_mass/2
-    k11 = rod_mass/2
-    k12 = crank_speed*crank_speed*crank_inertia/2
-    k13 = gravity*rod_mass
-    return ca.vertcat(rod_mass, rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity,
-        friction_coefficient, rod_I_z_z, k3, k4, x1, slider_pin_K, k5, slider_pin_hysteresis_factor, k6, k7, k8, k9,
-        k10, k11, k12, k13)
+    k4 = 1/friction_speed
+    rod_h_x = rod_mass*rod_mass_centre
+    crank_h_x = crank_radius*rod_mass
+    rod_I_z_z = rod_mass_centre*rod_mass_centre*rod_mass + rod_inertia
+    crank_rate_zz = crank_speed*crank_speed
+    k6 = 1/rod_I_z_z
+    k7 = 1/slider_mass
+    k8 = rod_I_z_z/2
+    k9 = slider_mass/2
+    k10 = rod_mass/2
+    k11 = crank_rate_zz*crank_inertia/2
+    k12 = gravity*rod_mass
+    return ca.vertcat(rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity,
+        friction_coefficient, k1, k2, x1, slider_pin_K, k3, slider_pin_hysteresis_factor, k4, rod_h_x, crank_h_x,
+        rod_I_z_z, crank_rate_zz, k6, k7, k8, k9, k10, k11, k12)
 
 
 def start(p):
@@ -262,11 +267,11 @@ def gaps(t, q, u, c):
         G (1,): slider_pin [m]
         dG (1,): slider_pin [m/s]
     """
-    crank_radius = c[2]
-    rod_length = c[4]
-    crank_speed = c[5]
-    k3 = c[9]
-    k4 = c[10]
+    crank_radius = c[1]
+    rod_length = c[3]
+    crank_speed = c[4]
+    k1 = c[7]
+    k2 = c[8]
     crank_pin_angle = q[0]
     guide_travel = q[1]
     crank_pin_speed = u[0]
@@ -274,13 +279,13 @@ def gaps(t, q, u, c):
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
+    rod_angle = crank_angle + crank_pin_angle
+    cos_rod = ca.cos(rod_angle)
+    sin_rod = ca.sin(rod_angle)
     rod_arm_x = cos_crank*crank_radius
     rod_arm_y = sin_crank*crank_radius
     rod_arm_rate_x = -rod_arm_y*crank_speed
     rod_arm_rate_y = rod_arm_x*crank_speed
-    rod_angle = crank_angle + crank_pin_angle
-    cos_rod = ca.cos(rod_angle)
-    sin_rod = ca.sin(rod_angle)
     rod_rate_z = crank_pin_speed + crank_speed
     slider_pin_pin_arm_x = cos_rod*rod_length
     slider_pin_pin_arm_y = sin_rod*rod_length
@@ -291,9 +296,9 @@ def gaps(t, q, u, c):
     slider_pin_apart_rate_x = rod_arm_rate_x + slider_pin_pin_arm_rate_x - guide_speed
     slider_pin_apart_rate_y = rod_arm_rate_y + slider_pin_pin_arm_rate_y
     slider_pin_apart_squared = slider_pin_apart_x*slider_pin_apart_x + slider_pin_apart_y*slider_pin_apart_y
-    slider_pin_gap = k4*(k3 - slider_pin_apart_squared)
+    slider_pin_gap = k2*(k1 - slider_pin_apart_squared)
     slider_pin_apart_squared_rate = 2*slider_pin_apart_rate_x*slider_pin_apart_x + 2*slider_pin_apart_rate_y*slider_pin_apart_y
-    slider_pin_gap_rate = -k4*slider_pin_apart_squared_rate
+    slider_pin_gap_rate = -k2*slider_pin_apart_squared_rate
     return ca.vertcat(slider_pin_gap), ca.vertcat(slider_pin_gap_rate)
 
 
@@ -304,10 +309,10 @@ def gap_accelerations(t, q, u, a, c):
     Returns, each a column vector:
         ddG (1,): slider_pin [m/s^2]
     """
-    crank_radius = c[2]
-    rod_length = c[4]
-    crank_speed = c[5]
-    k4 = c[10]
+    crank_radius = c[1]
+    rod_length = c[3]
+    crank_speed = c[4]
+    k2 = c[8]
     crank_pin_angle = q[0]
     guide_travel = q[1]
     crank_pin_speed = u[0]
@@ -317,13 +322,13 @@ def gap_accelerations(t, q, u, a, c):
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
+    rod_angle = crank_angle + crank_pin_angle
+    cos_rod = ca.cos(rod_angle)
+    sin_rod = ca.sin(rod_angle)
     rod_arm_x = cos_crank*crank_radius
     rod_arm_y = sin_crank*crank_radius
     rod_arm_rate_x = -rod_arm_y*crank_speed
     rod_arm_rate_y = rod_arm_x*crank_speed
-    rod_angle = crank_angle + crank_pin_angle
-    cos_rod = ca.cos(rod_angle)
-    sin_rod = ca.sin(rod_angle)
     rod_rate_z = crank_pin_speed + crank_speed
     rod_acceleration_x = -rod_arm_rate_y*crank_speed
     rod_acceleration_y = rod_arm_rate_x*crank_speed
@@ -338,7 +343,7 @@ def gap_accelerations(t, q, u, a, c):
     slider_pin_apart_acceleration_x = rod_acceleration_x - guide_acceleration - crank_pin_acceleration*slider_pin_pin_arm_y - rod_rate_z*slider_pin_pin_arm_rate_y
     slider_pin_apart_acceleration_y = rod_acceleration_y + crank_pin_acceleration*slider_pin_pin_arm_x + rod_rate_z*slider_pin_pin_arm_rate_x
     slider_pin_apart_squared_rate_rate = 2*slider_pin_apart_rate_x*slider_pin_apart_rate_x + 2*slider_pin_apart_rate_y*slider_pin_apart_rate_y + 2*slider_pin_apart_acceleration_x*slider_pin_apart_x + 2*slider_pin_apart_acceleration_y*slider_pin_apart_y
-    slider_pin_gap_rate_rate = -k4*slider_pin_apart_squared_rate_rate
+    slider_pin_gap_rate_rate = -k2*slider_pin_apart_squared_rate_rate
     return ca.vertcat(slider_pin_gap_rate_rate)
 
 
@@ -354,15 +359,15 @@ def contact_slider_pin(t, q, u, z, m, c):
         sliding_velocity (1,): slider_pin [m/s]
         in_range (1,): slider_pin [1]
     """
-    crank_radius = c[2]
-    clearance = c[3]
-    rod_length = c[4]
-    crank_speed = c[5]
-    friction_coefficient = c[7]
-    slider_pin_R_min = c[11]
-    slider_pin_K = c[12]
-    slider_pin_hysteresis_factor = c[14]
-    k6 = c[15]
+    crank_radius = c[1]
+    clearance = c[2]
+    rod_length = c[3]
+    crank_speed = c[4]
+    friction_coefficient = c[6]
+    slider_pin_R_min = c[9]
+    slider_pin_K = c[10]
+    slider_pin_hysteresis_factor = c[12]
+    k4 = c[13]
     crank_pin_angle = q[0]
     guide_travel = q[1]
     crank_pin_speed = u[0]
@@ -371,13 +376,13 @@ def contact_slider_pin(t, q, u, z, m, c):
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
+    rod_angle = crank_angle + crank_pin_angle
+    cos_rod = ca.cos(rod_angle)
+    sin_rod = ca.sin(rod_angle)
     rod_arm_x = cos_crank*crank_radius
     rod_arm_y = sin_crank*crank_radius
     rod_arm_rate_x = -rod_arm_y*crank_speed
     rod_arm_rate_y = rod_arm_x*crank_speed
-    rod_angle = crank_angle + crank_pin_angle
-    cos_rod = ca.cos(rod_angle)
-    sin_rod = ca.sin(rod_angle)
     rod_rate_z = crank_pin_speed + crank_speed
     slider_pin_pin_arm_x = cos_rod*rod_length
     slider_pin_pin_arm_y = sin_rod*rod_length
@@ -400,7 +405,7 @@ def contact_slider_pin(t, q, u, z, m, c):
     slider_pin_push_on_main_bearing = slider_pin_push_x*(-rod_arm_y - slider_pin_pin_arm_y) + slider_pin_push_y*(rod_arm_x + slider_pin_pin_arm_x)
     slider_pin_push_on_crank_pin = slider_pin_pin_arm_x*slider_pin_push_y - slider_pin_pin_arm_y*slider_pin_push_x
     slider_pin_sliding_velocity = slider_pin_normal_x*slider_pin_relative_rate_y - rod_rate_z*slider_pin_R_min - slider_pin_normal_y*slider_pin_relative_rate_x
-    slider_pin_friction_force = slider_pin_normal_force*friction_coefficient*ca.tanh(k6*slider_pin_sliding_velocity)
+    slider_pin_friction_force = slider_pin_normal_force*friction_coefficient*ca.tanh(k4*slider_pin_sliding_velocity)
     slider_pin_friction_power = slider_pin_friction_force*slider_pin_sliding_velocity
     slider_pin_drag_x = slider_pin_friction_force*slider_pin_normal_y
     slider_pin_drag_y = -slider_pin_friction_force*slider_pin_normal_x
@@ -426,20 +431,18 @@ def applied(t, q, u, c):
     Returns, each a column vector:
         f (3,): crank_pin [N m], guide [N], main_bearing [N m]
     """
-    rod_mass = c[0]
-    rod_mass_centre = c[1]
-    crank_radius = c[2]
-    crank_speed = c[5]
-    gravity = c[6]
+    crank_speed = c[4]
+    gravity = c[5]
+    rod_h_x = c[14]
+    crank_h_x = c[15]
     crank_pin_angle = q[0]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
-    rod_arm_x = cos_crank*crank_radius
     rod_angle = crank_angle + crank_pin_angle
     cos_rod = ca.cos(rod_angle)
-    rod_centre_arm_x = cos_rod*rod_mass_centre
-    rod_moment_x = rod_centre_arm_x*rod_mass
-    crank_total_moment_x = rod_moment_x + rod_arm_x*rod_mass
+    rod_moment_x = cos_rod*rod_h_x
+    crank_moment_x = cos_crank*crank_h_x
+    crank_total_moment_x = crank_moment_x + rod_moment_x
     return ca.vertcat(-rod_moment_x*gravity, 0, -crank_total_moment_x*gravity)
 
 
@@ -451,13 +454,13 @@ def accelerations(t, q, u, f, c):
         a (2,): crank_pin.acceleration [rad/s^2], guide.acceleration [m/s^2]
         reactions (1,): main_bearing.reaction [N m]
     """
-    rod_mass = c[0]
-    rod_mass_centre = c[1]
-    crank_radius = c[2]
-    crank_speed = c[5]
-    rod_I_z_z = c[8]
-    k7 = c[16]
-    k8 = c[17]
+    crank_radius = c[1]
+    crank_speed = c[4]
+    rod_h_x = c[14]
+    rod_I_z_z = c[16]
+    crank_rate_zz = c[17]
+    k6 = c[18]
+    k7 = c[19]
     crank_pin_angle = q[0]
     crank_pin_speed = u[0]
     crank_pin_force = f[0]
@@ -466,31 +469,26 @@ def accelerations(t, q, u, f, c):
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
-    rod_arm_x = cos_crank*crank_radius
-    rod_arm_y = sin_crank*crank_radius
-    rod_arm_rate_x = -rod_arm_y*crank_speed
-    rod_arm_rate_y = rod_arm_x*crank_speed
     rod_angle = crank_angle + crank_pin_angle
     cos_rod = ca.cos(rod_angle)
     sin_rod = ca.sin(rod_angle)
+    rod_arm_x = cos_crank*crank_radius
+    rod_arm_y = sin_crank*crank_radius
     rod_rate_z = crank_pin_speed + crank_speed
-    rod_acceleration_x = -rod_arm_rate_y*crank_speed
-    rod_acceleration_y = rod_arm_rate_x*crank_speed
-    rod_centre_arm_x = cos_rod*rod_mass_centre
-    rod_centre_arm_y = sin_rod*rod_mass_centre
-    rod_moment_x = rod_centre_arm_x*rod_mass
-    rod_moment_y = rod_centre_arm_y*rod_mass
-    rod_moment_rate_x = -rod_moment_y*rod_rate_z
-    rod_moment_rate_y = rod_moment_x*rod_rate_z
-    rod_bias_force_x = rod_acceleration_x*rod_mass - rod_moment_rate_y*rod_rate_z
-    rod_bias_force_y = rod_acceleration_y*rod_mass + rod_moment_rate_x*rod_rate_z
-    rod_bias_torque_z = rod_acceleration_y*rod_moment_x - rod_acceleration_x*rod_moment_y
-    crank_bias_torque_z = rod_bias_torque_z + rod_arm_x*rod_bias_force_y - rod_arm_y*rod_bias_force_x
-    crank_pin_torque_z = rod_I_z_z + rod_arm_x*rod_moment_x + rod_arm_y*rod_moment_y
-    crank_pin_net = crank_pin_force - rod_bias_torque_z
-    crank_pin_acc = crank_pin_net*k7
-    guide_acc = guide_force*k8
-    main_bearing_reaction = crank_bias_torque_z + crank_pin_acc*crank_pin_torque_z - main_bearing_force
+    rod_moment_x = cos_rod*rod_h_x
+    rod_moment_y = rod_h_x*sin_rod
+    crank_pin_rod_torque_z = rod_I_z_z + rod_arm_x*rod_moment_x + rod_arm_y*rod_moment_y
+    rod_rate_zz = rod_rate_z*rod_rate_z
+    rod_bias_x = -crank_rate_zz*rod_arm_x
+    rod_bias_y = -crank_rate_zz*rod_arm_y
+    rod_torque_z = rod_bias_y*rod_moment_x - rod_bias_x*rod_moment_y
+    crank_pin_net = crank_pin_force - rod_torque_z
+    crank_pin_acc = crank_pin_net*k6
+    guide_acc = guide_force*k7
+    rod_force_x = -rod_moment_x*rod_rate_zz
+    rod_force_y = -rod_moment_y*rod_rate_zz
+    crank_torque_z = rod_torque_z + rod_arm_x*rod_force_y - rod_arm_y*rod_force_x
+    main_bearing_reaction = crank_torque_z + crank_pin_acc*crank_pin_rod_torque_z - main_bearing_force
     return ca.vertcat(crank_pin_acc, guide_acc), ca.vertcat(main_bearing_reaction)
 
 
@@ -501,7 +499,7 @@ def ledger(t, q, u, reactions, c):
     Returns, each a column vector:
         dz (3,): energy_ledger.input [W], slider_pin.dissipated [W], slider_pin_friction.dissipated [W]
     """
-    crank_speed = c[5]
+    crank_speed = c[4]
     main_bearing_reaction_in = reactions[0]
     return ca.vertcat(main_bearing_reaction_in*crank_speed, 0, 0)
 
@@ -515,18 +513,18 @@ def energy(t, q, u, c):
         potential (1,): potential [J]
         stored (1,): slider_pin [J]
     """
-    rod_mass = c[0]
-    rod_mass_centre = c[1]
-    crank_radius = c[2]
-    clearance = c[3]
-    rod_length = c[4]
-    crank_speed = c[5]
-    k5 = c[13]
-    k9 = c[18]
-    k10 = c[19]
-    k11 = c[20]
-    k12 = c[21]
-    k13 = c[22]
+    rod_mass_centre = c[0]
+    crank_radius = c[1]
+    clearance = c[2]
+    rod_length = c[3]
+    crank_speed = c[4]
+    k3 = c[11]
+    rod_h_x = c[14]
+    k8 = c[20]
+    k9 = c[21]
+    k10 = c[22]
+    k11 = c[23]
+    k12 = c[24]
     crank_pin_angle = q[0]
     guide_travel = q[1]
     crank_pin_speed = u[0]
@@ -534,18 +532,14 @@ def energy(t, q, u, c):
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
+    rod_angle = crank_angle + crank_pin_angle
+    cos_rod = ca.cos(rod_angle)
+    sin_rod = ca.sin(rod_angle)
     rod_arm_x = cos_crank*crank_radius
     rod_arm_y = sin_crank*crank_radius
     rod_arm_rate_x = -rod_arm_y*crank_speed
     rod_arm_rate_y = rod_arm_x*crank_speed
-    rod_angle = crank_angle + crank_pin_angle
-    cos_rod = ca.cos(rod_angle)
-    sin_rod = ca.sin(rod_angle)
     rod_rate_z = crank_pin_speed + crank_speed
-    rod_centre_arm_x = cos_rod*rod_mass_centre
-    rod_centre_arm_y = sin_rod*rod_mass_centre
-    rod_moment_x = rod_centre_arm_x*rod_mass
-    rod_moment_y = rod_centre_arm_y*rod_mass
     slider_pin_pin_arm_x = cos_rod*rod_length
     slider_pin_pin_arm_y = sin_rod*rod_length
     slider_pin_apart_x = rod_arm_x + slider_pin_pin_arm_x - guide_travel
@@ -553,9 +547,12 @@ def energy(t, q, u, c):
     slider_pin_apart_squared = slider_pin_apart_x*slider_pin_apart_x + slider_pin_apart_y*slider_pin_apart_y
     slider_pin_distance = ca.sqrt(slider_pin_apart_squared)
     slider_pin_penetration = slider_pin_distance - clearance
-    slider_pin_stored_energy = ca.if_else(slider_pin_penetration > 0, k5*slider_pin_penetration*slider_pin_penetration*ca.sqrt(slider_pin_penetration), 0)
-    kinetic = k12 + k10*guide_speed*guide_speed + k11*(rod_arm_rate_x*rod_arm_rate_x + rod_arm_rate_y*rod_arm_rate_y) + k9*rod_rate_z*rod_rate_z + rod_arm_rate_y*rod_moment_x*rod_rate_z - rod_arm_rate_x*rod_moment_y*rod_rate_z
-    potential = k13*(rod_arm_y + rod_centre_arm_y)
+    slider_pin_stored_energy = ca.if_else(slider_pin_penetration > 0, k3*slider_pin_penetration*slider_pin_penetration*ca.sqrt(slider_pin_penetration), 0)
+    rod_moment_x = cos_rod*rod_h_x
+    rod_moment_y = rod_h_x*sin_rod
+    kinetic = k11 + k10*(rod_arm_rate_x*rod_arm_rate_x + rod_arm_rate_y*rod_arm_rate_y) + k8*rod_rate_z*rod_rate_z + k9*guide_speed*guide_speed + rod_arm_rate_y*rod_moment_x*rod_rate_z - rod_arm_rate_x*rod_moment_y*rod_rate_z
+    rod_centre_arm_y = sin_rod*rod_mass_centre
+    potential = k12*(rod_arm_y + rod_centre_arm_y)
     return ca.vertcat(kinetic), ca.vertcat(potential), ca.vertcat(slider_pin_stored_energy)
 
 
@@ -572,18 +569,18 @@ def poses(t, q, c):
             [1], slider.R_xz [1], slider.R_yx [1], slider.R_yy [1], slider.R_yz [1], slider.R_zx [1], slider.R_zy
             [1], slider.R_zz [1]
     """
-    crank_radius = c[2]
-    crank_speed = c[5]
+    crank_radius = c[1]
+    crank_speed = c[4]
     crank_pin_angle = q[0]
     guide_travel = q[1]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
-    rod_arm_x = cos_crank*crank_radius
-    rod_arm_y = sin_crank*crank_radius
     rod_angle = crank_angle + crank_pin_angle
     cos_rod = ca.cos(rod_angle)
     sin_rod = ca.sin(rod_angle)
+    rod_arm_x = cos_crank*crank_radius
+    rod_arm_y = sin_crank*crank_radius
     return (
         ca.vertcat(0, 0, 0, rod_arm_x, rod_arm_y, 0, guide_travel, 0, 0),
         ca.vertcat(cos_crank, -sin_crank, 0, sin_crank, cos_crank, 0, 0, 0, 1, cos_rod, -sin_rod, 0, sin_rod,
@@ -598,19 +595,19 @@ def outputs(t, q, u, c):
     Returns, each a column vector:
         y (2,): slider_pin.eccentricity_x [m], slider_pin.eccentricity_y [m]
     """
-    crank_radius = c[2]
-    rod_length = c[4]
-    crank_speed = c[5]
+    crank_radius = c[1]
+    rod_length = c[3]
+    crank_speed = c[4]
     crank_pin_angle = q[0]
     guide_travel = q[1]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
-    rod_arm_x = cos_crank*crank_radius
-    rod_arm_y = sin_crank*crank_radius
     rod_angle = crank_angle + crank_pin_angle
     cos_rod = ca.cos(rod_angle)
     sin_rod = ca.sin(rod_angle)
+    rod_arm_x = cos_crank*crank_radius
+    rod_arm_y = sin_crank*crank_radius
     slider_pin_pin_arm_x = cos_rod*rod_length
     slider_pin_pin_arm_y = sin_rod*rod_length
     slider_pin_apart_x = rod_arm_x + slider_pin_pin_arm_x - guide_travel

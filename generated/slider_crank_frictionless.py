@@ -6,8 +6,8 @@ Effects:
     gravity: uniform gravity
     slider_pin: hertz_point x lankarani_nikravesh
     energy_ledger: work put in, energy dissipated per effect
-Units: 83 assignments and 96 outputs checked, all consistent
-Operations: flight 141 (equations of motion and gaps); in contact also contact_slider_pin 59
+Units: 87 assignments and 98 outputs checked, all consistent
+Operations: flight 131 (equations of motion and gaps); in contact also contact_slider_pin 59
 """
 
 import casadi as ca
@@ -103,41 +103,43 @@ BODIES = (
 )
 
 CONSTANTS = (
-    ("rod_mass", "kg"),
     ("rod_mass_centre", "m"),
     ("crank_radius", "m"),
     ("clearance", "m"),
     ("rod_length", "m"),
     ("crank_speed", "1/s"),
     ("gravity", "m/s^2"),
-    ("rod_I_z_z", "kg m^2"),
-    ("k3", "m^2"),
-    ("k4", "1/m"),
+    ("k1", "m^2"),
+    ("k2", "1/m"),
     ("slider_pin_R_min", "m"),
     ("slider_pin_K", "N/m^1.5"),
-    ("k5", "N/m^1.5"),
+    ("k3", "N/m^1.5"),
     ("slider_pin_hysteresis_factor", "1"),
-    ("k6", "1/(kg m^2)"),
-    ("k7", "1/kg"),
-    ("k8", "kg m^2"),
+    ("rod_h_x", "kg m"),
+    ("crank_h_x", "kg m"),
+    ("rod_I_z_z", "kg m^2"),
+    ("crank_rate_zz", "1/s^2"),
+    ("k5", "1/(kg m^2)"),
+    ("k6", "1/kg"),
+    ("k7", "kg m^2"),
+    ("k8", "kg"),
     ("k9", "kg"),
-    ("k10", "kg"),
-    ("k11", "J"),
-    ("k12", "N"),
+    ("k10", "J"),
+    ("k11", "N"),
 )
 
 OPERATIONS = (
-    ("constants", 33),
+    ("constants", 35),
     ("start", 5),
     ("scales", 12),
     ("coordinate_rates", 0),
     ("gaps", 35),
     ("gap_accelerations", 48),
     ("contact_slider_pin", 59),
-    ("applied", 13),
-    ("accelerations", 45),
+    ("applied", 11),
+    ("accelerations", 37),
     ("ledger", 1),
-    ("energy", 51),
+    ("energy", 50),
     ("poses", 10),
     ("outputs", 13),
 )
@@ -148,8 +150,9 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (21,): rod_mass, rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity, rod_I_z_z,
-            k3, k4, slider_pin_R_min, slider_pin_K, k5, slider_pin_hysteresis_factor, k6, k7, k8, k9, k10, k11, k12
+        c (23,): rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity, k1, k2,
+            slider_pin_R_min, slider_pin_K, k3, slider_pin_hysteresis_factor, rod_h_x, crank_h_x, rod_I_z_z,
+            crank_rate_zz, k5, k6, k7, k8, k9, k10, k11
     """
     crank_inertia = p[1]
     rod_mass = p[2]
@@ -165,24 +168,28 @@ def constants(p):
     youngs_modulus = p[12]
     poissons_ratio = p[13]
     restitution = p[14]
-    rod_I_z_z = rod_mass_centre*rod_mass_centre*rod_mass + rod_inertia
-    k3 = clearance*clearance
-    k4 = 1/(2*clearance)
+    k1 = clearance*clearance
+    k2 = 1/(2*clearance)
     x1 = bush_radius - clearance
     slider_pin_R_eff = x1*bush_radius/clearance
     slider_pin_E_eff = youngs_modulus/(2*(1 - poissons_ratio*poissons_ratio))
     slider_pin_K = 4*slider_pin_E_eff*ca.sqrt(slider_pin_R_eff)/3
-    k5 = 2*slider_pin_K/5
+    k3 = 2*slider_pin_K/5
     slider_pin_hysteresis_factor = 3/4 - 3*restitution*restitution/4
-    k6 = 1/rod_I_z_z
-    k7 = 1/slider_mass
-    k8 = rod_I_z_z/2
-    k9 = slider_mass/2
-    k10 = rod_mass/2
-    k11 = crank_speed*crank_speed*crank_inertia/2
-    k12 = gravity*rod_mass
-    return ca.vertcat(rod_mass, rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity,
-        rod_I_z_z, k3, k4, x1, slider_pin_K, k5, slider_pin_hysteresis_factor, k6, k7, k8, k9, k10, k11, k12)
+    rod_h_x = rod_mass*rod_mass_centre
+    crank_h_x = crank_radius*rod_mass
+    rod_I_z_z = rod_mass_centre*rod_mass_centre*rod_mass + rod_inertia
+    crank_rate_zz = crank_speed*crank_speed
+    k5 = 1/rod_I_z_z
+    k6 = 1/slider_mass
+    k7 = rod_I_z_z/2
+    k8 = slider_mass/2
+    k9 = rod_mass/2
+    k10 = crank_rate_zz*crank_inertia/2
+    k11 = gravity*rod_mass
+    return ca.vertcat(rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity, k1, k2, x1,
+        slider_pin_K, k3, slider_pin_hysteresis_factor, rod_h_x, crank_h_x, rod_I_z_z, crank_rate_zz, k5, k6, k7,
+        k8, k9, k10, k11)
 
 
 def start(p):
@@ -248,11 +255,11 @@ def gaps(t, q, u, c):
         G (1,): slider_pin [m]
         dG (1,): slider_pin [m/s]
     """
-    crank_radius = c[2]
-    rod_length = c[4]
-    crank_speed = c[5]
-    k3 = c[8]
-    k4 = c[9]
+    crank_radius = c[1]
+    rod_length = c[3]
+    crank_speed = c[4]
+    k1 = c[6]
+    k2 = c[7]
     crank_pin_angle = q[0]
     guide_travel = q[1]
     crank_pin_speed = u[0]
@@ -260,13 +267,13 @@ def gaps(t, q, u, c):
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
+    rod_angle = crank_angle + crank_pin_angle
+    cos_rod = ca.cos(rod_angle)
+    sin_rod = ca.sin(rod_angle)
     rod_arm_x = cos_crank*crank_radius
     rod_arm_y = sin_crank*crank_radius
     rod_arm_rate_x = -rod_arm_y*crank_speed
     rod_arm_rate_y = rod_arm_x*crank_speed
-    rod_angle = crank_angle + crank_pin_angle
-    cos_rod = ca.cos(rod_angle)
-    sin_rod = ca.sin(rod_angle)
     rod_rate_z = crank_pin_speed + crank_speed
     slider_pin_pin_arm_x = cos_rod*rod_length
     slider_pin_pin_arm_y = sin_rod*rod_length
@@ -277,9 +284,9 @@ def gaps(t, q, u, c):
     slider_pin_apart_rate_x = rod_arm_rate_x + slider_pin_pin_arm_rate_x - guide_speed
     slider_pin_apart_rate_y = rod_arm_rate_y + slider_pin_pin_arm_rate_y
     slider_pin_apart_squared = slider_pin_apart_x*slider_pin_apart_x + slider_pin_apart_y*slider_pin_apart_y
-    slider_pin_gap = k4*(k3 - slider_pin_apart_squared)
+    slider_pin_gap = k2*(k1 - slider_pin_apart_squared)
     slider_pin_apart_squared_rate = 2*slider_pin_apart_rate_x*slider_pin_apart_x + 2*slider_pin_apart_rate_y*slider_pin_apart_y
-    slider_pin_gap_rate = -k4*slider_pin_apart_squared_rate
+    slider_pin_gap_rate = -k2*slider_pin_apart_squared_rate
     return ca.vertcat(slider_pin_gap), ca.vertcat(slider_pin_gap_rate)
 
 
@@ -290,10 +297,10 @@ def gap_accelerations(t, q, u, a, c):
     Returns, each a column vector:
         ddG (1,): slider_pin [m/s^2]
     """
-    crank_radius = c[2]
-    rod_length = c[4]
-    crank_speed = c[5]
-    k4 = c[9]
+    crank_radius = c[1]
+    rod_length = c[3]
+    crank_speed = c[4]
+    k2 = c[7]
     crank_pin_angle = q[0]
     guide_travel = q[1]
     crank_pin_speed = u[0]
@@ -303,13 +310,13 @@ def gap_accelerations(t, q, u, a, c):
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
+    rod_angle = crank_angle + crank_pin_angle
+    cos_rod = ca.cos(rod_angle)
+    sin_rod = ca.sin(rod_angle)
     rod_arm_x = cos_crank*crank_radius
     rod_arm_y = sin_crank*crank_radius
     rod_arm_rate_x = -rod_arm_y*crank_speed
     rod_arm_rate_y = rod_arm_x*crank_speed
-    rod_angle = crank_angle + crank_pin_angle
-    cos_rod = ca.cos(rod_angle)
-    sin_rod = ca.sin(rod_angle)
     rod_rate_z = crank_pin_speed + crank_speed
     rod_acceleration_x = -rod_arm_rate_y*crank_speed
     rod_acceleration_y = rod_arm_rate_x*crank_speed
@@ -324,7 +331,7 @@ def gap_accelerations(t, q, u, a, c):
     slider_pin_apart_acceleration_x = rod_acceleration_x - guide_acceleration - crank_pin_acceleration*slider_pin_pin_arm_y - rod_rate_z*slider_pin_pin_arm_rate_y
     slider_pin_apart_acceleration_y = rod_acceleration_y + crank_pin_acceleration*slider_pin_pin_arm_x + rod_rate_z*slider_pin_pin_arm_rate_x
     slider_pin_apart_squared_rate_rate = 2*slider_pin_apart_rate_x*slider_pin_apart_rate_x + 2*slider_pin_apart_rate_y*slider_pin_apart_rate_y + 2*slider_pin_apart_acceleration_x*slider_pin_apart_x + 2*slider_pin_apart_acceleration_y*slider_pin_apart_y
-    slider_pin_gap_rate_rate = -k4*slider_pin_apart_squared_rate_rate
+    slider_pin_gap_rate_rate = -k2*slider_pin_apart_squared_rate_rate
     return ca.vertcat(slider_pin_gap_rate_rate)
 
 
@@ -340,13 +347,13 @@ def contact_slider_pin(t, q, u, z, m, c):
         sliding_velocity (0,): empty
         in_range (1,): slider_pin [1]
     """
-    crank_radius = c[2]
-    clearance = c[3]
-    rod_length = c[4]
-    crank_speed = c[5]
-    slider_pin_R_min = c[10]
-    slider_pin_K = c[11]
-    slider_pin_hysteresis_factor = c[13]
+    crank_radius = c[1]
+    clearance = c[2]
+    rod_length = c[3]
+    crank_speed = c[4]
+    slider_pin_R_min = c[8]
+    slider_pin_K = c[9]
+    slider_pin_hysteresis_factor = c[11]
     crank_pin_angle = q[0]
     guide_travel = q[1]
     crank_pin_speed = u[0]
@@ -355,13 +362,13 @@ def contact_slider_pin(t, q, u, z, m, c):
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
+    rod_angle = crank_angle + crank_pin_angle
+    cos_rod = ca.cos(rod_angle)
+    sin_rod = ca.sin(rod_angle)
     rod_arm_x = cos_crank*crank_radius
     rod_arm_y = sin_crank*crank_radius
     rod_arm_rate_x = -rod_arm_y*crank_speed
     rod_arm_rate_y = rod_arm_x*crank_speed
-    rod_angle = crank_angle + crank_pin_angle
-    cos_rod = ca.cos(rod_angle)
-    sin_rod = ca.sin(rod_angle)
     rod_rate_z = crank_pin_speed + crank_speed
     slider_pin_pin_arm_x = cos_rod*rod_length
     slider_pin_pin_arm_y = sin_rod*rod_length
@@ -400,20 +407,18 @@ def applied(t, q, u, c):
     Returns, each a column vector:
         f (3,): crank_pin [N m], guide [N], main_bearing [N m]
     """
-    rod_mass = c[0]
-    rod_mass_centre = c[1]
-    crank_radius = c[2]
-    crank_speed = c[5]
-    gravity = c[6]
+    crank_speed = c[4]
+    gravity = c[5]
+    rod_h_x = c[12]
+    crank_h_x = c[13]
     crank_pin_angle = q[0]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
-    rod_arm_x = cos_crank*crank_radius
     rod_angle = crank_angle + crank_pin_angle
     cos_rod = ca.cos(rod_angle)
-    rod_centre_arm_x = cos_rod*rod_mass_centre
-    rod_moment_x = rod_centre_arm_x*rod_mass
-    crank_total_moment_x = rod_moment_x + rod_arm_x*rod_mass
+    rod_moment_x = cos_rod*rod_h_x
+    crank_moment_x = cos_crank*crank_h_x
+    crank_total_moment_x = crank_moment_x + rod_moment_x
     return ca.vertcat(-rod_moment_x*gravity, 0, -crank_total_moment_x*gravity)
 
 
@@ -425,13 +430,13 @@ def accelerations(t, q, u, f, c):
         a (2,): crank_pin.acceleration [rad/s^2], guide.acceleration [m/s^2]
         reactions (1,): main_bearing.reaction [N m]
     """
-    rod_mass = c[0]
-    rod_mass_centre = c[1]
-    crank_radius = c[2]
-    crank_speed = c[5]
-    rod_I_z_z = c[7]
-    k6 = c[14]
-    k7 = c[15]
+    crank_radius = c[1]
+    crank_speed = c[4]
+    rod_h_x = c[12]
+    rod_I_z_z = c[14]
+    crank_rate_zz = c[15]
+    k5 = c[16]
+    k6 = c[17]
     crank_pin_angle = q[0]
     crank_pin_speed = u[0]
     crank_pin_force = f[0]
@@ -440,31 +445,26 @@ def accelerations(t, q, u, f, c):
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
-    rod_arm_x = cos_crank*crank_radius
-    rod_arm_y = sin_crank*crank_radius
-    rod_arm_rate_x = -rod_arm_y*crank_speed
-    rod_arm_rate_y = rod_arm_x*crank_speed
     rod_angle = crank_angle + crank_pin_angle
     cos_rod = ca.cos(rod_angle)
     sin_rod = ca.sin(rod_angle)
+    rod_arm_x = cos_crank*crank_radius
+    rod_arm_y = sin_crank*crank_radius
     rod_rate_z = crank_pin_speed + crank_speed
-    rod_acceleration_x = -rod_arm_rate_y*crank_speed
-    rod_acceleration_y = rod_arm_rate_x*crank_speed
-    rod_centre_arm_x = cos_rod*rod_mass_centre
-    rod_centre_arm_y = sin_rod*rod_mass_centre
-    rod_moment_x = rod_centre_arm_x*rod_mass
-    rod_moment_y = rod_centre_arm_y*rod_mass
-    rod_moment_rate_x = -rod_moment_y*rod_rate_z
-    rod_moment_rate_y = rod_moment_x*rod_rate_z
-    rod_bias_force_x = rod_acceleration_x*rod_mass - rod_moment_rate_y*rod_rate_z
-    rod_bias_force_y = rod_acceleration_y*rod_mass + rod_moment_rate_x*rod_rate_z
-    rod_bias_torque_z = rod_acceleration_y*rod_moment_x - rod_acceleration_x*rod_moment_y
-    crank_bias_torque_z = rod_bias_torque_z + rod_arm_x*rod_bias_force_y - rod_arm_y*rod_bias_force_x
-    crank_pin_torque_z = rod_I_z_z + rod_arm_x*rod_moment_x + rod_arm_y*rod_moment_y
-    crank_pin_net = crank_pin_force - rod_bias_torque_z
-    crank_pin_acc = crank_pin_net*k6
-    guide_acc = guide_force*k7
-    main_bearing_reaction = crank_bias_torque_z + crank_pin_acc*crank_pin_torque_z - main_bearing_force
+    rod_moment_x = cos_rod*rod_h_x
+    rod_moment_y = rod_h_x*sin_rod
+    crank_pin_rod_torque_z = rod_I_z_z + rod_arm_x*rod_moment_x + rod_arm_y*rod_moment_y
+    rod_rate_zz = rod_rate_z*rod_rate_z
+    rod_bias_x = -crank_rate_zz*rod_arm_x
+    rod_bias_y = -crank_rate_zz*rod_arm_y
+    rod_torque_z = rod_bias_y*rod_moment_x - rod_bias_x*rod_moment_y
+    crank_pin_net = crank_pin_force - rod_torque_z
+    crank_pin_acc = crank_pin_net*k5
+    guide_acc = guide_force*k6
+    rod_force_x = -rod_moment_x*rod_rate_zz
+    rod_force_y = -rod_moment_y*rod_rate_zz
+    crank_torque_z = rod_torque_z + rod_arm_x*rod_force_y - rod_arm_y*rod_force_x
+    main_bearing_reaction = crank_torque_z + crank_pin_acc*crank_pin_rod_torque_z - main_bearing_force
     return ca.vertcat(crank_pin_acc, guide_acc), ca.vertcat(main_bearing_reaction)
 
 
@@ -475,7 +475,7 @@ def ledger(t, q, u, reactions, c):
     Returns, each a column vector:
         dz (2,): energy_ledger.input [W], slider_pin.dissipated [W]
     """
-    crank_speed = c[5]
+    crank_speed = c[4]
     main_bearing_reaction_in = reactions[0]
     return ca.vertcat(main_bearing_reaction_in*crank_speed, 0)
 
@@ -489,18 +489,18 @@ def energy(t, q, u, c):
         potential (1,): potential [J]
         stored (1,): slider_pin [J]
     """
-    rod_mass = c[0]
-    rod_mass_centre = c[1]
-    crank_radius = c[2]
-    clearance = c[3]
-    rod_length = c[4]
-    crank_speed = c[5]
-    k5 = c[12]
-    k8 = c[16]
-    k9 = c[17]
-    k10 = c[18]
-    k11 = c[19]
-    k12 = c[20]
+    rod_mass_centre = c[0]
+    crank_radius = c[1]
+    clearance = c[2]
+    rod_length = c[3]
+    crank_speed = c[4]
+    k3 = c[10]
+    rod_h_x = c[12]
+    k7 = c[18]
+    k8 = c[19]
+    k9 = c[20]
+    k10 = c[21]
+    k11 = c[22]
     crank_pin_angle = q[0]
     guide_travel = q[1]
     crank_pin_speed = u[0]
@@ -508,18 +508,14 @@ def energy(t, q, u, c):
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
+    rod_angle = crank_angle + crank_pin_angle
+    cos_rod = ca.cos(rod_angle)
+    sin_rod = ca.sin(rod_angle)
     rod_arm_x = cos_crank*crank_radius
     rod_arm_y = sin_crank*crank_radius
     rod_arm_rate_x = -rod_arm_y*crank_speed
     rod_arm_rate_y = rod_arm_x*crank_speed
-    rod_angle = crank_angle + crank_pin_angle
-    cos_rod = ca.cos(rod_angle)
-    sin_rod = ca.sin(rod_angle)
     rod_rate_z = crank_pin_speed + crank_speed
-    rod_centre_arm_x = cos_rod*rod_mass_centre
-    rod_centre_arm_y = sin_rod*rod_mass_centre
-    rod_moment_x = rod_centre_arm_x*rod_mass
-    rod_moment_y = rod_centre_arm_y*rod_mass
     slider_pin_pin_arm_x = cos_rod*rod_length
     slider_pin_pin_arm_y = sin_rod*rod_length
     slider_pin_apart_x = rod_arm_x + slider_pin_pin_arm_x - guide_travel
@@ -527,9 +523,12 @@ def energy(t, q, u, c):
     slider_pin_apart_squared = slider_pin_apart_x*slider_pin_apart_x + slider_pin_apart_y*slider_pin_apart_y
     slider_pin_distance = ca.sqrt(slider_pin_apart_squared)
     slider_pin_penetration = slider_pin_distance - clearance
-    slider_pin_stored_energy = ca.if_else(slider_pin_penetration > 0, k5*slider_pin_penetration*slider_pin_penetration*ca.sqrt(slider_pin_penetration), 0)
-    kinetic = k11 + k10*(rod_arm_rate_x*rod_arm_rate_x + rod_arm_rate_y*rod_arm_rate_y) + k8*rod_rate_z*rod_rate_z + k9*guide_speed*guide_speed + rod_arm_rate_y*rod_moment_x*rod_rate_z - rod_arm_rate_x*rod_moment_y*rod_rate_z
-    potential = k12*(rod_arm_y + rod_centre_arm_y)
+    slider_pin_stored_energy = ca.if_else(slider_pin_penetration > 0, k3*slider_pin_penetration*slider_pin_penetration*ca.sqrt(slider_pin_penetration), 0)
+    rod_moment_x = cos_rod*rod_h_x
+    rod_moment_y = rod_h_x*sin_rod
+    kinetic = k10 + k7*rod_rate_z*rod_rate_z + k8*guide_speed*guide_speed + k9*(rod_arm_rate_x*rod_arm_rate_x + rod_arm_rate_y*rod_arm_rate_y) + rod_arm_rate_y*rod_moment_x*rod_rate_z - rod_arm_rate_x*rod_moment_y*rod_rate_z
+    rod_centre_arm_y = sin_rod*rod_mass_centre
+    potential = k11*(rod_arm_y + rod_centre_arm_y)
     return ca.vertcat(kinetic), ca.vertcat(potential), ca.vertcat(slider_pin_stored_energy)
 
 
@@ -546,18 +545,18 @@ def poses(t, q, c):
             [1], slider.R_xz [1], slider.R_yx [1], slider.R_yy [1], slider.R_yz [1], slider.R_zx [1], slider.R_zy
             [1], slider.R_zz [1]
     """
-    crank_radius = c[2]
-    crank_speed = c[5]
+    crank_radius = c[1]
+    crank_speed = c[4]
     crank_pin_angle = q[0]
     guide_travel = q[1]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
-    rod_arm_x = cos_crank*crank_radius
-    rod_arm_y = sin_crank*crank_radius
     rod_angle = crank_angle + crank_pin_angle
     cos_rod = ca.cos(rod_angle)
     sin_rod = ca.sin(rod_angle)
+    rod_arm_x = cos_crank*crank_radius
+    rod_arm_y = sin_crank*crank_radius
     return (
         ca.vertcat(0, 0, 0, rod_arm_x, rod_arm_y, 0, guide_travel, 0, 0),
         ca.vertcat(cos_crank, -sin_crank, 0, sin_crank, cos_crank, 0, 0, 0, 1, cos_rod, -sin_rod, 0, sin_rod,
@@ -572,19 +571,19 @@ def outputs(t, q, u, c):
     Returns, each a column vector:
         y (2,): slider_pin.eccentricity_x [m], slider_pin.eccentricity_y [m]
     """
-    crank_radius = c[2]
-    rod_length = c[4]
-    crank_speed = c[5]
+    crank_radius = c[1]
+    rod_length = c[3]
+    crank_speed = c[4]
     crank_pin_angle = q[0]
     guide_travel = q[1]
     crank_angle = t*crank_speed
     cos_crank = ca.cos(crank_angle)
     sin_crank = ca.sin(crank_angle)
-    rod_arm_x = cos_crank*crank_radius
-    rod_arm_y = sin_crank*crank_radius
     rod_angle = crank_angle + crank_pin_angle
     cos_rod = ca.cos(rod_angle)
     sin_rod = ca.sin(rod_angle)
+    rod_arm_x = cos_crank*crank_radius
+    rod_arm_y = sin_crank*crank_radius
     slider_pin_pin_arm_x = cos_rod*rod_length
     slider_pin_pin_arm_y = sin_rod*rod_length
     slider_pin_apart_x = rod_arm_x + slider_pin_pin_arm_x - guide_travel

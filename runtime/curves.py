@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hertzwerk.runtime.history import acceleration_of
 from hertzwerk.runtime.ideal import IdealMotion, ideal_motion
 
 if TYPE_CHECKING:
@@ -89,14 +90,17 @@ class Curves:
 
     @property
     def motions(self) -> list[Motion]:
-        """The joints that travel, or else those that turn."""
+        """The joints that travel, or else those that turn, or else the vector parts of the quaternions, beside the angular speeds."""
         model, units = self.run.model, self.run.history.units
+        scalar_parts = (name for i, name in enumerate(model.coordinates) if i not in model.quaternions)
         motions = []
-        for coordinate, speed in zip(model.coordinates, model.speeds, strict=True):
-            joint = coordinate.rpartition(".")[0]
-            names = (coordinate, speed, f"{joint}.acceleration")
-            motions.append(Motion(joint, names, (units[names[0]], units[names[1]], units[names[2]])))
-        return [motion for motion in motions if motion.units[0] == "m"] or motions
+        for coordinate, speed in zip(scalar_parts, model.speeds, strict=True):
+            joint, _, name = coordinate.rpartition(".")
+            names = (coordinate, speed, acceleration_of(speed))
+            label = joint if speed == f"{joint}.speed" else f"{joint} {name}"
+            motions.append(Motion(label, names, (units[names[0]], units[names[1]], units[names[2]])))
+        shown = next(unit for unit in ("m", "rad", "1") if any(motion.units[0] == unit for motion in motions))
+        return [motion for motion in motions if motion.units[0] == shown]
 
 
 def impact_curves(run: Solution, impact: Impact) -> tuple[Array, Array, Array]:

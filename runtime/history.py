@@ -40,7 +40,7 @@ class History:
         model = self.model
         units = {"t": "s", **model.units}
         for name in model.speeds:
-            units[_acceleration(name)] = f"{model.units[name]}^2"  # m/s^2, rad/s^2
+            units[acceleration_of(name)] = f"{model.units[name]}^2"  # m/s^2, rad/s^2
         units |= {row[0]: row[1] for row in (*model.module.OUTPUTS, *model.module.LATCHES)}
         for pair in model.pairs:
             units |= {f"{pair}.{part}": unit for part, unit in _PAIR.items()}
@@ -99,7 +99,7 @@ class History:
                 + np.sum(np.where(self.part("mode") == CONTACT, stored, 0), axis=1)
             }
         for speed in model.speeds:
-            if name == _acceleration(speed):
+            if name == acceleration_of(speed):
                 return {name: self.part("dy")[:, ny.index(speed)]}
         pair, _, part = name.rpartition(".")
         return {name: self._of_pair(pair, part, model.pairs.index(pair))}
@@ -173,5 +173,7 @@ class History:
         return History(self.model, rows, self.controls, self.integrator)
 
 
-def _acceleration(speed: str) -> str:
-    return f"{speed.removesuffix('.speed')}.acceleration"
+def acceleration_of(speed: str) -> str:
+    """Name of the rate of a speed: `pin.speed` -> `pin.acceleration`."""
+    joint, _, name = speed.rpartition(".")
+    return f"{joint}.{name.replace('speed', 'acceleration')}"

@@ -1,6 +1,6 @@
 """The ideal mechanism: every clearance closed, the motion that a run with clearance is compared with.
 
-A pin in a bush reports its eccentricity in the outputs of the model. Where these eccentricities are as many as the coordinates, the ideal motion
+A pin in a bush reports its eccentricity in the outputs of the model. Where these eccentricities are as many as the speeds, the ideal motion
 is their common zero e(t, q) = 0, found by Newton's method and followed in time; its speeds and accelerations solve the first and second time
 derivative of the same equations, which are linear in them. Nothing else of the model enters: no mass, no force.
 """
@@ -15,12 +15,13 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
+from hertzwerk.runtime.integrate.explicit import unit_quaternions
+
 if TYPE_CHECKING:
     from hertzwerk.runtime.model import Model
 
 Array = NDArray[np.float64]
 
-_SUFFIXES = (".eccentricity_x", ".eccentricity_y")
 _CORRECTIONS = 4  # Newton's, in one step in time
 _CONTRACTION = 0.25  # of the second correction over the first (Deuflhard's test): a step that stays on its branch
 _ROUNDING = 1e-12  # the last correction, relative to 1 + |q|
@@ -85,14 +86,15 @@ class _Position:
 class _Closure:
     """The closure equations e(t, q) = 0 and what Newton's method makes of them, as functions."""
 
-    jacobian: Any  # (t, q, c) -> de/dq
+    jacobian: Any  # (t, q, c) -> de/dt by the speeds
     step: Any  # (t, q, u, dt, c) -> q, u, a at t + dt, and the corrections in columns
+    nu: int
 
     @classmethod
     def of(cls, model: Model) -> _Closure | None:
-        """Closure equations of a model, or None where their number is not that of its coordinates."""
-        rows = [i for i, name in enumerate(model.outputs) if name.endswith(_SUFFIXES)]
-        if not rows or not len(rows) == len(model.coordinates) == len(model.speeds):
+        """Closure equations of a model, or None where their number is not that of its speeds."""
+        rows = [i for i, name in enumerate(model.outputs) if ".eccentricity_" in name]
+        if not rows or len(rows) != model.nu:
             return None
         outputs, rates = model.function("outputs"), model.function("coordinate_rates")
         t, q, u, c = (ca.SX.sym(name, outputs.sparsity_in(i)) for i, name in enumerate("tquc"))
@@ -101,24 +103,29 @@ class _Closure:
         e = outputs(t, q, u, c)[rows]
         e_dot = ca.jtimes(e, ca.vertcat(t, q), ca.vertcat(1, dq))
         e_ddot = ca.jtimes(e_dot, ca.vertcat(t, q, u), ca.vertcat(1, dq, a))
-        correction = ca.Function("correction", [t, q, c], [-ca.solve(ca.jacobian(e, q), e)])
+        jacobian = ca.jacobian(e_dot, u)
+        # along what the speeds can do, so that a quaternion keeps its norm to first order
+        along, none = -ca.solve(jacobian, e), ca.SX.zeros(model.nu)
+        correction = ca.Function("correction", [t, q, c], [rates(t, q, along, c) - rates(t, q, none, c)])
         speeds = ca.Function("speeds", [t, q, c], [_zero(e_dot, u)])
         accelerations = ca.Function("accelerations", [t, q, u, c], [_zero(e_ddot, a)])
         there, corrections = q + dt * dq, []
         for _ in range(_CORRECTIONS):
             corrections.append(correction(t + dt, there, c))
-            there = there + corrections[-1]
+            there = unit_quaternions(there + corrections[-1], model.quaternions)
         velocity = speeds(t + dt, there, c)
         results = [there, velocity, accelerations(t + dt, there, velocity, c), ca.horzcat(*corrections)]
         return cls(
-            ca.Function("jacobian", [t, q, c], [ca.jacobian(e, q)]),
+            ca.Function("jacobian", [t, q, c], [jacobian]),
             ca.Function("step", [t, q, u, dt, c], ca.cse(results)),
+            model.nu,
         )
 
     def assemble(self, t: float, q: Array, c: Array) -> _Position | None:
         """The closed mechanism nearest to q, or None."""
+        still = np.zeros(self.nu)
         for _ in range(10):
-            here, corrections = self._step(_Position(t, q, np.zeros_like(q), np.zeros_like(q)), t, c)
+            here, corrections = self._step(_Position(t, q, still, still), t, c)
             if not np.all(np.isfinite(here.a)) or np.linalg.cond(np.array(self.jacobian(t, here.q, c))) > 1 / _SINGULAR:
                 return None
             if _negligible(corrections[:, -1], here.q):

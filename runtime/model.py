@@ -49,6 +49,8 @@ class Model:
         )
         self.nq, self.nu, self.nz = len(self.coordinates), len(self.speeds), len(self.memory)
         self.nm, self.k, self.nc = len(self.latches), len(self.pairs), len(module.CONSTANTS)
+        self.quaternions: tuple[int, ...] = getattr(module, "QUATERNIONS", ())
+        """Rows of q where one begins."""
         self.has_ledger = hasattr(module, "ledger")
         self._made: dict[Hashable, Any] = {}
 

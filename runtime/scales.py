@@ -16,7 +16,15 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.history import History
     from hertzwerk.runtime.model import Bound, Model
 
-GUESS = {"m": 1e-4, "rad": 1e-3, "m/s": 1.0, "rad/s": 10.0, "J": 1.0, "N": 1.0}  # of the first rough run, in SI
+GUESS = {
+    "m": 1e-4,
+    "rad": 1e-3,
+    "1": 1e-3,
+    "m/s": 1.0,
+    "rad/s": 10.0,
+    "J": 1.0,
+    "N": 1.0,
+}  # of the first rough run, in SI
 ROUNDS = 2
 
 

@@ -335,6 +335,18 @@ def _start(
             faults.append(
                 Fault(name, f"{float(start[i])!r} at the start", "a finite value", "it follows from the parameters")
             )
+    for i in model.quaternions:
+        norm = float(np.linalg.norm(start[i : i + 4]))
+        if math.isfinite(norm):
+            if norm == 0:
+                faults.append(
+                    Fault(
+                        names[i].removesuffix("0"),
+                        "a quaternion of norm 0 at the start",
+                        "one that can be divided by its norm",
+                    )
+                )
+            start[i : i + 4] /= norm or 1
     return start[: model.nq], start[model.nq :]
 
 

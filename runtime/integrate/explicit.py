@@ -27,6 +27,11 @@ class Flow:
 
     rates: Any
     ends: Any
+    quaternions: tuple[int, ...] = ()
+
+    def closed(self, t: Any, y: Any, c: Any) -> Any:
+        """The state with its quaternions of norm 1; without any the state as it is."""
+        return unit_quaternions(y, self.quaternions)
 
     def at(self, t: Any, y: Any, mode: Any, m: Any, c: Any) -> dict[str, Any]:
         """Results of `ends` by name."""
@@ -64,6 +69,7 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
     arguments = [t, y, mode, m, c]
     names = ["t", "y", "mode", "m", "c"]
     return Flow(
+        quaternions=model.quaternions,
         rates=ca.Function("rates", arguments, [ca.cse(dy)], names, ["dy"]),
         ends=ca.Function(
             "ends",
@@ -83,7 +89,7 @@ def stepped(table: RungeKutta, right: Flow, start: Mapping[str, Any], run: Mappi
     for row, node in zip(table.A[1:], table.c[1:], strict=True):
         slopes.append(right.rates(t + node * h, _moved(y, h, row, slopes), *given))
     t1 = t + h
-    y1 = _moved(y, h, table.b, slopes)
+    y1 = right.closed(t1, _moved(y, h, table.b, slopes), run["c"])
     end = right.at(t1, y1, *given)
     slopes.append(end["dy"])
     weights = 1 / (run["accuracy"] * run["scale"] + 4 * EPS * ca.fabs(y1))
@@ -97,8 +103,22 @@ def nudged(right: Flow, end: Mapping[str, Any], given: tuple[Any, Any, Any], del
     k2 = right.rates(t + delta / 2, y + delta / 2 * k1, *given)
     k3 = right.rates(t + delta / 2, y + delta / 2 * k2, *given)
     k4 = right.rates(t + delta, y + delta * k3, *given)
-    y1 = y + delta / 6 * (k1 + 2 * (k2 + k3) + k4)
+    y1 = right.closed(t + delta, y + delta / 6 * (k1 + 2 * (k2 + k3) + k4), given[-1])
     return {"t": t + delta, "y": y1, **right.at(t + delta, y1, *given)}
+
+
+def unit_quaternions(y: Any, first: tuple[int, ...]) -> Any:
+    """SX column with the four entries from each of the rows `first` divided by their norm.
+
+    Done once per step: the derived rotation matrices need the norm 1, and what a step departs from it is of the order of its error.
+    """
+    if not first:
+        return y
+    parts = ca.vertsplit(y)
+    for i in first:
+        four = ca.vertcat(*parts[i : i + 4])
+        parts[i : i + 4] = ca.vertsplit(four / ca.sqrt(ca.sumsqr(four)))
+    return ca.vertcat(*parts)
 
 
 def _moved(y: Any, h: Any, weights: tuple[float, ...], slopes: list[Any]) -> Any:

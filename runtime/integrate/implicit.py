@@ -105,6 +105,7 @@ class Stepper:
             y1, slope, error, converged = _rosenbrock(table, self.right, solve, dt, start, given, h)
         else:
             y1, slope, error, converged = _diagonally_implicit(table, self.right, solve, dt, start, given, h, least)
+        y1 = self.right.closed(t + h, y1, run["c"])
         end = self.right.at(t + h, y1, *given)
         if slope is not None:
             end["dy"] = slope

@@ -38,6 +38,10 @@ class Derived:
         return len(self.SPEEDS)
 
     @property
+    def nq(self) -> int:
+        return len(self.COORDINATES)
+
+    @property
     def k(self) -> int:
         return len(self.PAIRS)
 
@@ -70,10 +74,10 @@ class Derived:
     def with_gap(self, t: float, q: Sequence[float], pair: int, target: float) -> np.ndarray:
         """Coordinates near q at which the gap of `pair` is `target`: Newton's steps of least length, from elsewhere if that fails."""
         rng = np.random.default_rng(0)
-        x, zero = ca.SX.sym("q", self.nu), np.zeros(self.nu)
+        x, zero = ca.SX.sym("q", self.nq), np.zeros(self.nu)
         gap = ca.SX(self.results("gaps", {"t": t, "q": x, "u": zero})[0])[pair]
         function = ca.Function("gap", [x], [gap, ca.jacobian(gap, x)])
-        for start in (np.array(q, float), *(q + rng.uniform(-1, 1, (50, self.nu)) * 10 ** rng.uniform(-4, 0, (50, 1)))):
+        for start in (np.array(q, float), *(q + rng.uniform(-1, 1, (50, self.nq)) * 10 ** rng.uniform(-4, 0, (50, 1)))):
             at = start
             for _ in range(80):
                 value, slope = (out.full().reshape(-1) for out in function(at))

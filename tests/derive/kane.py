@@ -6,7 +6,7 @@ stay free there: their speed is prescribed by putting it in and their row of M a
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -20,15 +20,22 @@ from hertzwerk.derive import (
     Body,
     ConstantSpeed,
     Contact,
+    Cylindrical,
+    Direction,
     EnergyLedger,
+    Free,
     Friction,
     Gravity,
     Mechanism,
     Parameter,
+    Planar,
     Prismatic,
     Revolute,
     Scales,
     Scene,
+    Spherical,
+    Universal,
+    Weld,
     X,
     Y,
     Z,
@@ -39,10 +46,14 @@ DIRECTIONS = {"+X": X, "+Y": Y, "+Z": Z, "-X": -X, "-Y": -Y, "-Z": -Z}
 
 @dataclass(frozen=True)
 class Link:
-    """A body on its joint: `kind` R or P, signed axis, places on parent and child, mass, principal inertias, mass centre (SI numbers)."""
+    """A body on its joint: `kind` (see JOINTS), axes, places on parent and child, mass, principal inertias, mass centre (SI numbers).
+
+    axis     signed coordinate axis, or three numbers; of a universal joint `second` is its other one
+    turned   the joint's axes on the parent and on the child: each about a signed axis by an angle, or None
+    """
 
     kind: str
-    axis: str
+    axis: str | tuple[float, ...]
     parent: int  # index of a link, -1 for the ground
     on_parent: tuple[float, ...]
     on_child: tuple[float, ...]
@@ -51,11 +62,74 @@ class Link:
     centre: tuple[float, ...]
     scalar: int | None = None  # declare only this component of the inertia, as a scalar
     speed: float | None = None  # driven at this speed
+    second: str | tuple[float, ...] = "+Y"
+    turned: tuple[tuple[str, float] | None, tuple[str, float] | None] = (None, None)
+
+    @cached_property
+    def moves(self) -> list[tuple[str, np.ndarray]]:
+        """What the joint does, from the parent outwards: a turn R or a slide P along a unit vector, or a ball S."""
+        axis, second = unit(self.axis), unit(self.second)
+        k = int(np.argmax(np.abs(axis)))
+        x, y, z = np.eye(3)
+        return {
+            "R": [("R", axis)],
+            "P": [("P", axis)],
+            "C": [("P", axis), ("R", axis)],
+            "L": [("P", np.eye(3)[(k + 1) % 3]), ("P", np.eye(3)[(k + 2) % 3]), ("R", axis)],
+            "U": [("R", axis), ("R", second)],
+            "S": [("S", axis)],
+            "F": [("P", x), ("P", y), ("P", z), ("S", axis)],
+            "W": [],
+        }[self.kind]
+
+    @property
+    def nq(self) -> int:
+        return sum(4 if kind == "S" else 1 for kind, _ in self.moves)
+
+    @property
+    def nu(self) -> int:
+        return sum(3 if kind == "S" else 1 for kind, _ in self.moves)
+
+    def turns(self) -> list[np.ndarray]:
+        """Rotations from the joint's axes to those of the parent and of the child."""
+        return [
+            np.eye(3) if turn is None else rodrigues(unit(turn[0]), np.cos(turn[1]), np.sin(turn[1]))
+            for turn in self.turned
+        ]
+
+
+JOINTS = {
+    "R": Revolute,
+    "P": Prismatic,
+    "C": Cylindrical,
+    "L": Planar,
+    "U": Universal,
+    "S": Spherical,
+    "F": Free,
+    "W": Weld,
+}
+
+
+def unit(axis: str | Sequence[float]) -> np.ndarray:
+    """The unit vector of a signed axis or of three numbers."""
+    if isinstance(axis, str):
+        return np.eye(3)["XYZ".index(axis[1])] * (1 if axis[0] == "+" else -1)
+    return np.asarray(axis) / np.linalg.norm(axis)
+
+
+def rodrigues(axis: np.ndarray, cosine: Any, sine: Any) -> np.ndarray:
+    """Rotation about a unit vector; complex numbers too."""
+    x, y, z = axis
+    tilde = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    return np.eye(3) * cosine + tilde * sine + np.outer(axis, axis) * (1 - cosine)
 
 
 @dataclass(frozen=True)
 class Tree:
-    """A mechanism, its gravity, and the two ways to its equations."""
+    """A mechanism, its gravity, and the two ways to its equations.
+
+    Coordinates and speeds of all joints stand one after another, link by link; `free` and `driven` are indices of speeds.
+    """
 
     links: tuple[Link, ...]
     gravity: float = 9.81
@@ -80,15 +154,13 @@ class Tree:
         joints = []
         for i, link in enumerate(self.links):
             parent = GROUND if link.parent < 0 else self.bodies[link.parent]
-            joint = Revolute if link.kind == "R" else Prismatic
-            joints.append(
-                joint(
-                    f"joint{i}",
-                    parent.at(*_place(f"a{i}", link.on_parent)),
-                    self.bodies[i].at(*_place(f"b{i}", link.on_child)),
-                    DIRECTIONS[link.axis],
-                )
-            )
+            places = [parent.at(*_place(f"a{i}", link.on_parent)), self.bodies[i].at(*_place(f"b{i}", link.on_child))]
+            for k, turn in enumerate(link.turned):
+                if turn is not None:
+                    places[k] = places[k].turned(DIRECTIONS[turn[0]], _quantity(f"angle{i}{'pc'[k]}", "rad", turn[1]))
+            axes = {"U": (link.axis, link.second), "S": (), "F": (), "W": ()}.get(link.kind, (link.axis,))
+            directions = (DIRECTIONS[a] if isinstance(a, str) else Direction(a) for a in axes)
+            joints.append(JOINTS[link.kind](f"joint{i}", *places, *directions))
         drives = tuple(
             ConstantSpeed(
                 f"drive{i}", f"joint{i}", _quantity(f"w{i}", "rad/s" if link.kind == "R" else "m/s", link.speed)
@@ -107,20 +179,42 @@ class Tree:
         )  # fmt: skip
 
     @property
+    def nu(self) -> int:
+        return sum(link.nu for link in self.links)
+
+    def _indices(self, counts: Sequence[int], driven: bool) -> list[int]:
+        start, found = 0, []
+        for link, count in zip(self.links, counts, strict=True):
+            found += range(start, start + count) if (link.speed is not None) == driven else ()
+            start += count
+        return found
+
+    @property
     def free(self) -> list[int]:
-        return [i for i, link in enumerate(self.links) if link.speed is None]
+        return self._indices([link.nu for link in self.links], False)
 
     @property
     def driven(self) -> list[int]:
-        return [i for i, link in enumerate(self.links) if link.speed is not None]
+        return self._indices([link.nu for link in self.links], True)
+
+    def states(self, count: int, seed: int = 0) -> Iterator[tuple[float, np.ndarray, np.ndarray, np.ndarray]]:
+        """Random (t, free coordinates, free speeds, forces on all rows); quaternions have the norm 1."""
+        rng = np.random.default_rng(seed)
+        for _ in range(count):
+            t, q = rng.uniform(0, 1), []
+            for link in self.links:
+                for kind, _ in link.moves if link.speed is None else ():
+                    part = rng.uniform(-2, 2, 4 if kind == "S" else 1)
+                    q += [*(part / np.linalg.norm(part) if kind == "S" else part)]
+            yield t, np.array(q), rng.uniform(-3, 3, len(self.free)), rng.uniform(-5, 5, self.nu)
 
     # -- sympy.physics.mechanics -----------------------------------------------------------------------------------
 
     @cached_property
     def _kane(self) -> Any:
-        n = len(self.links)
         t = me.dynamicsymbols._t
-        q, u = me.dynamicsymbols(f"q:{n}"), me.dynamicsymbols(f"u:{n}")
+        q, u = me.dynamicsymbols(f"q:{sum(link.nq for link in self.links)}"), me.dynamicsymbols(f"u:{self.nu}")
+        coordinates, speeds, kinematic = iter(q), iter(u), []
         ground, origin = me.ReferenceFrame("G"), me.Point("O")
         origin.set_vel(ground, 0)
         numbers: dict[sp.Symbol, float] = {}
@@ -140,21 +234,47 @@ class Tree:
                 me.Vector(0),
             )
 
+        def turned(frame: Any, name: str, turn: tuple[str, float] | None) -> Any:
+            if turn is None:
+                return frame
+            return frame.orientnew(name, "Axis", [symbol(f"angle{name}", turn[1]), sum_of(frame, unit(turn[0]))])
+
         g = symbol("g", self.gravity)
         pull = {"X": ground.x, "Y": ground.y, "Z": ground.z}[self.down[1]] * (g if self.down[0] == "+" else -g)
         frames, origins, bodies, loads = [], [], [], []
         for i, link in enumerate(self.links):
             base, start = (ground, origin) if link.parent < 0 else (frames[link.parent], origins[link.parent])
-            axis = {"X": base.x, "Y": base.y, "Z": base.z}[link.axis[1]] * (1 if link.axis[0] == "+" else -1)
-            frame = base.orientnew(f"B{i}", "Axis", [q[i] if link.kind == "R" else 0, axis])
-            if link.kind == "R":  # u = q' kept out of the velocities of the frame
-                frame.set_ang_vel(base, u[i] * axis)
             place = start.locatenew(f"J{i}", vector(base, f"a{i}", link.on_parent))
             place.v2pt_theory(start, ground, base)
-            if link.kind == "P":
-                moved = place.locatenew(f"K{i}", q[i] * axis)
-                moved.set_vel(ground, place.vel(ground) + u[i] * axis + (base.ang_vel_in(ground) ^ (q[i] * axis)))
-                place = moved
+            inner = turned(base, f"A{i}", link.turned[0])
+            for k, (kind, axis) in enumerate(link.moves):
+                outer = inner
+                if kind == "P":
+                    x, v = next(coordinates), next(speeds)
+                    kinematic.append(x.diff(t) - v)
+                    along = sum_of(inner, axis)
+                    moved = place.locatenew(f"K{i}{k}", x * along)
+                    moved.set_vel(ground, place.vel(ground) + v * along + (inner.ang_vel_in(ground) ^ (x * along)))
+                    place = moved
+                elif kind == "R":
+                    x, w = next(coordinates), next(speeds)
+                    kinematic.append(x.diff(t) - w)
+                    inner = outer.orientnew(f"R{i}{k}", "Axis", [x, sum_of(outer, axis)])
+                    inner.set_ang_vel(outer, w * sum_of(outer, axis))  # u = q' kept out of the velocities of the frame
+                else:
+                    e = [next(coordinates) for _ in range(4)]
+                    wx, wy, wz = (next(speeds) for _ in range(3))
+                    inner = outer.orientnew(f"R{i}{k}", "Quaternion", e)
+                    inner.set_ang_vel(outer, wx * inner.x + wy * inner.y + wz * inner.z)
+                    # Nikravesh, Computer-Aided Analysis of Mechanical Systems (1988), eq. (6.108)
+                    L = sp.Matrix([[-e[1], e[0], e[3], -e[2]], [-e[2], -e[3], e[0], e[1]], [-e[3], e[2], -e[1], e[0]]])
+                    kinematic += list(sp.Matrix(e).diff(t) - L.T * sp.Matrix([wx, wy, wz]) / 2)
+            frame = inner
+            if link.turned[1] is not None:
+                axis, angle = link.turned[1]
+                frame = inner.orientnew(f"B{i}", "Axis", [-symbol(f"angleB{i}", angle), sum_of(inner, unit(axis))])
+            elif frame is base:
+                frame = inner.orientnew(f"B{i}", "Axis", [0, inner.x])
             corner = place.locatenew(f"C{i}", -vector(frame, f"b{i}", link.on_child))
             corner.v2pt_theory(place, ground, frame)
             centre = corner.locatenew(f"S{i}", vector(frame, f"s{i}", link.centre))
@@ -165,7 +285,7 @@ class Tree:
             loads.append((centre, mass * pull))
             frames.append(frame)
             origins.append(corner)
-        kane = me.KanesMethod(ground, q, u, [a.diff(t) - b for a, b in zip(q, u, strict=True)])
+        kane = me.KanesMethod(ground, q, u, kinematic)
         kane.kanes_equations(bodies, loads)
         states = [sp.Symbol(str(x.func)) for x in (*q, *u)]
         plain = dict(zip((*q, *u), states, strict=True))
@@ -190,19 +310,23 @@ class Tree:
         if body < 0:
             return np.zeros(3), np.eye(3)
         link = self.links[body]
-        origin, base = self.pose(link.parent, q)
-        k, sign = "XYZ".index(link.axis[1]), 1 if link.axis[0] == "+" else -1
-        place = origin + base @ np.array(link.on_parent)
-        turn = base
-        if link.kind == "R":
-            c, s = np.cos(q[body]), sign * np.sin(q[body])
-            i, j = (k + 1) % 3, (k + 2) % 3
-            rotation = np.eye(3, dtype=q.dtype)
-            rotation[i, i] = rotation[j, j] = c
-            rotation[j, i], rotation[i, j] = s, -s
-            turn = base @ rotation
-        else:
-            place = place + sign * q[body] * base[:, k]
+        origin, turn = self.pose(link.parent, q)
+        place = origin + turn @ np.array(link.on_parent)
+        on_parent, on_child = link.turns()
+        turn = turn @ on_parent
+        values = iter(q[sum(other.nq for other in self.links[:body]) :])
+        for kind, axis in link.moves:
+            if kind == "P":
+                place = place + next(values) * turn @ axis
+            elif kind == "R":
+                angle = next(values)
+                turn = turn @ rodrigues(axis, np.cos(angle), np.sin(angle))
+            else:
+                e0, *e = (next(values) for _ in range(4))
+                e1, e2, e3 = e
+                tilde = np.array([[0, -e3, e2], [e3, 0, -e1], [-e2, e1, 0]])
+                turn = turn @ (np.eye(3) + 2 * e0 * tilde + 2 * tilde @ tilde)
+        turn = turn @ on_child.T
         return place - turn @ np.array(link.on_child), turn
 
     def point(self, body: int, local: Sequence[float], q: np.ndarray) -> np.ndarray:
@@ -212,10 +336,11 @@ class Tree:
 
     def whole(self, t: float, values: Sequence[float], speeds: bool) -> np.ndarray:
         """States of the free joints, completed by those of the driven ones."""
-        full = np.empty(len(self.links))
-        full[self.free] = values
-        for i in self.driven:
-            full[i] = self.links[i].speed if speeds else self.links[i].speed * t
+        counts = [link.nu if speeds else link.nq for link in self.links]
+        full = np.empty(sum(counts))
+        full[self._indices(counts, False)] = values
+        prescribed = [link.speed for link in self.links if link.speed is not None]
+        full[self._indices(counts, True)] = [speed if speeds else speed * t for speed in prescribed]
         return full
 
     def accelerations(self, t: float, q: Any, u: Any, force: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -224,6 +349,12 @@ class Tree:
         right, free, driven = forcing + force, self.free, self.driven
         a = np.linalg.solve(mass[np.ix_(free, free)], right[free])
         return a, mass[np.ix_(driven, free)] @ a - right[driven]
+
+
+def sum_of(frame: Any, vector: np.ndarray) -> Any:
+    """A vector of numbers in a frame of sympy.physics.mechanics; whole numbers exact."""
+    exact = [sp.Integer(int(value)) if value == int(value) else sp.Float(value, 17) for value in vector]
+    return exact[0] * frame.x + exact[1] * frame.y + exact[2] * frame.z
 
 
 def random_tree(

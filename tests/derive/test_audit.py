@@ -183,8 +183,9 @@ def seed(monkeypatch, owner, name, fault):
     monkeypatch.setattr(owner, name, patched)
 
 
-def no_arm(gravity, self, joint):
-    return dot(joint.axis, scale(self.composites[joint.joint.child.body].mass, self._gravity_vector())) + 1
+def no_arm(gravity, self, row):
+    link = self.link_of[row]
+    return dot(link.axis, scale(self.recursion.mass(link), self._gravity_vector())) + 1
 
 
 SEEDED = {
@@ -193,9 +194,9 @@ SEEDED = {
     "a gap in millimetres": (PairKinematics, "gap", lambda f, self: self.let(1000 * f(self) + 1, "gap"), "slider_pin_gap"),
     "a gap squared": (PairKinematics, "gap", lambda f, self: self.let(f(self) ** 2, "gap"), "output gaps.G[slider_pin]"),
     "gravity without its arm": (Equations, "gravity", no_arm, "output applied.f[crank_pin]"),
-    "no inertia in the bias": (Equations, "bias", lambda f, self, joint: joint.speed**2, "crank_pin_net"),
+    "no inertia in the bias": (Equations, "bias", lambda f, self, row: row.speed**2, "crank_pin_net"),
     "kinetic energy with a speed once": (
-        Equations, "kinetic", lambda f, self: sp.Add(*(b.mass * self.kin.motions[b].velocity[0] for b in self.inertias)),
+        Equations, "kinetic", lambda f, self: sp.Add(*(b.mass * self.kin.motion(b).velocity[0] for b in self.scene.mechanism.bodies)),
         "output energy.kinetic[kinetic]",
     ),
     "a velocity as an acceleration": (

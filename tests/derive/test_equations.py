@@ -71,15 +71,8 @@ def derived_of(name):
 
 
 def states(tree, count, seed=0):
-    """Random (t, q, u, extra force by joint of the tree)."""
-    rng = np.random.default_rng(seed)
-    for _ in range(count):
-        yield (
-            rng.uniform(0, 1),
-            rng.uniform(-2, 2, len(tree.free)),
-            rng.uniform(-3, 3, len(tree.free)),
-            rng.uniform(-5, 5, len(tree.links)),
-        )
+    """Random (t, q, u, extra force by row of the tree)."""
+    return tree.states(count, seed)
 
 
 def rows(tree, force):

@@ -251,7 +251,7 @@ BAD = {
 def test_what_is_varied_below_is_sound():
     assert drop().name == "drop"
     assert heavy(parameter()).parameters["mass"].default == 1.0
-    assert turning(Parameter("J", "kg m^2", 1.0)).free_joints[0].name == "axle"
+    assert turning(Parameter("J", "kg m^2", 1.0)).free[0].key == "axle"
     assert journal(0.1).parameters["clearance"].si == pytest.approx(1e-4)
     assert bouncing(lankarani_nikravesh(0.9)).contacts[0][0] is FLOOR
 
@@ -407,8 +407,8 @@ def test_without_what_another_effect_needs_is_refused():
 
 
 def test_without_the_drive_the_joint_gets_its_coordinate_back():
-    assert [joint.name for joint in slider_crank.free_joints] == ["crank_pin", "guide"]
-    assert [joint.name for joint in slider_crank.without("crank_drive").free_joints] == [
+    assert [freedom.key for freedom in slider_crank.free] == ["crank_pin", "guide"]
+    assert [freedom.key for freedom in slider_crank.without("crank_drive").free] == [
         "main_bearing",
         "crank_pin",
         "guide",
