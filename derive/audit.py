@@ -260,7 +260,8 @@ def audit_program(program: Program) -> tuple[dict[sp.Symbol, str], tuple[Finding
             if error.fault.found != "unknown":
                 findings.append(_finding(program, f"assignment {symbol}", expression, error.fault))
     findings.extend(_output_findings(program, table, constants))
-    return {symbol: str(dimension) for symbol, dimension in table.items()}, tuple(findings)
+    texts = {dimension: str(dimension) for dimension in dict.fromkeys(table.values())}
+    return {symbol: texts[dimension] for symbol, dimension in table.items()}, tuple(findings)
 
 
 def _output_findings(

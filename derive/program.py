@@ -53,7 +53,7 @@ class Tape:
     assignments: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
     declared: dict[sp.Symbol, Dimension] = field(default_factory=dict)
     """Dimensions of the inputs, and of assignments whose dimension is stated instead of inferred (unchecked laws)."""
-    _groups: dict[sp.Symbol, frozenset[str]] = field(default_factory=dict)
+    _groups: dict[Any, frozenset[str]] = field(default_factory=dict)
     _known: dict[Any, sp.Symbol] = field(default_factory=dict)
     _rates: dict[sp.Symbol, Any] = field(default_factory=dict)
     _names: set[str] = field(default_factory=lambda: set(RESERVED))
@@ -73,7 +73,11 @@ class Tape:
 
     def let(self, expression: Any, name: str, dimension: Dimension | None = None) -> Any:
         """Name an intermediate result; numbers and symbols (also negated) pass through. `dimension` states it unchecked."""
-        expression = sp.sympify(expression) if dimension is not None else self._hoist(sp.sympify(expression))
+        expression = sp.sympify(expression)
+        if dimension is None and expression.is_Atom:
+            return expression
+        if dimension is None:
+            expression = self._hoist(expression)
         if dimension is None and (expression.is_Atom or (-expression).is_Symbol):
             return expression
         if dimension is None and expression.could_extract_minus_sign() and -expression in self._known:
@@ -102,7 +106,14 @@ class Tape:
         return self._groups_of(expression) <= {PARAMETER}
 
     def _groups_of(self, expression: Any) -> frozenset[str]:
-        return _NO_GROUPS.union(*(self._groups[symbol] for symbol in symbols_in(expression)))
+        """Groups of the inputs that an expression depends on; known parts are not looked through again."""
+        found = self._groups.get(expression)
+        if found is None:
+            if expression.is_Symbol:
+                raise KeyError(expression)
+            found = _NO_GROUPS.union(*map(self._groups_of, expression.args))
+            self._groups[expression] = found
+        return found
 
     def _unique(self, name: str) -> str:
         name = f"{name}_" if keyword.iskeyword(name) else name

@@ -10,29 +10,48 @@ Vector = tuple[Any, Any, Any]
 ZERO: Vector = (sp.S.Zero, sp.S.Zero, sp.S.Zero)
 
 
+def product(a: Any, b: Any) -> Any:
+    """A b; zeros and ones are seen without SymPy's help, which takes a hundred times longer."""
+    if a is ZERO[0] or b is ZERO[0]:
+        return ZERO[0]
+    return b if a is sp.S.One else a if b is sp.S.One else a * b
+
+
+def total(*terms: Any) -> Any:
+    """Sum."""
+    terms = tuple(term for term in terms if term is not ZERO[0])
+    return terms[0] if len(terms) == 1 else sp.Add(*terms)
+
+
 def add(*vectors: Vector) -> Vector:
     """Sum."""
-    return tuple(sp.Add(*(v[i] for v in vectors)) for i in range(3))
+    return tuple(total(*(v[i] for v in vectors)) for i in range(3))
 
 
 def sub(a: Vector, b: Vector) -> Vector:
     """a - b."""
-    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+    return tuple(x if y is ZERO[0] else x - y for x, y in zip(a, b, strict=True))
 
 
 def scale(factor: Any, a: Vector) -> Vector:
     """factor * a."""
-    return (factor * a[0], factor * a[1], factor * a[2])
+    factor = sp.sympify(factor)
+    return tuple(product(factor, x) for x in a)
 
 
 def dot(a: Vector, b: Vector) -> Any:
     """a . b."""
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    return total(*(product(x, y) for x, y in zip(a, b, strict=True)))
 
 
 def cross(a: Vector, b: Vector) -> Vector:
     """A x b."""
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+    out = []
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        first, second = product(a[j], b[k]), product(a[k], b[j])
+        out.append(first if second is ZERO[0] else first - second)
+    return (out[0], out[1], out[2])
 
 
 def is_zero(a: Vector) -> bool:
