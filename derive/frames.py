@@ -11,10 +11,21 @@ from typing import Any, ClassVar
 
 import sympy as sp
 
-from hertzwerk.derive.parameter import NOT_NEGATIVE, POSITIVE, Interval, Scalar, is_number
+from hertzwerk.derive.parameter import NOT_NEGATIVE, POSITIVE, Interval, Scalar, is_number, parameters_of
 from hertzwerk.derive.vectors import IDENTITY, Matrix, Vector, about, dot, multiply, scale
 
 Triple = tuple[Any, Any, Any]
+
+
+@dataclass(frozen=True)
+class Slot:
+    """One quantity a record asks for: where it stands, what was given, its unit, and the ranges (SI) it must and should keep."""
+
+    where: str
+    value: Scalar
+    unit: str
+    limit: Interval | None = None
+    recommended: Interval | None = None
 
 
 @dataclass(frozen=True)
@@ -39,21 +50,17 @@ class Direction:
             return tuple(sp.sign(component) for component in given)
         return scale(1 / sp.sqrt(dot(given, given)), given)
 
+    def slots(self, where: str) -> Iterator[Slot]:
+        """The components, in the unit of the first that has one; `where` says whose direction it is."""
+        units = (parameter.unit for value in self.components for parameter in parameters_of(value))
+        unit = next((unit for unit in units if unit not in ("1", "rad", "deg")), "1")
+        for value in self.components:
+            yield Slot(where, value, unit)
+
 
 X = Direction((1, 0, 0))
 Y = Direction((0, 1, 0))
 Z = Direction((0, 0, 1))
-
-
-@dataclass(frozen=True)
-class Slot:
-    """One quantity a record asks for: where it stands, what was given, its unit, and the ranges (SI) it must and should keep."""
-
-    where: str
-    value: Scalar
-    unit: str
-    limit: Interval | None = None
-    recommended: Interval | None = None
 
 
 @dataclass(frozen=True)
@@ -139,5 +146,6 @@ class Point:
         """The coordinates of the point and the angles of its axes."""
         for value in self.position:
             yield Slot(f"point of {self.body.name}", value, "m")
-        for _, angle in self.turns:
+        for axis, angle in self.turns:
+            yield from axis.slots(f"point of {self.body.name}, axis it is turned about")
             yield Slot(f"point of {self.body.name}, angle of its axes", angle, "rad")

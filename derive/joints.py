@@ -71,9 +71,11 @@ class Joint:
         return {}
 
     def slots(self) -> Iterator[Slot]:
-        """The coordinates of the joint's two points."""
+        """The coordinates of the joint's two points, and its directions."""
         yield from self.parent.slots()
         yield from self.child.slots()
+        for name, direction in self.directions.items():
+            yield from direction.slots(f"joint {self.name}, {name}")
 
     def _one(self, kind: Literal["turn", "slide"], axis: Direction, coordinate: str) -> tuple[Freedom, ...]:
         """The only freedom of a joint, whose speed is just `speed`."""

@@ -56,6 +56,7 @@ class SphereOnPlane:
     def slots(self) -> Iterator[Slot]:
         """The quantities of the pair."""
         yield Slot(f"pair {self.name}, radius", self.radius, "m", POSITIVE)
+        yield from self.normal.slots(f"pair {self.name}, normal")
         for point in self.places:
             yield from point.slots()
 
@@ -145,6 +146,7 @@ class PinInBush:
             yield Slot(f"pair {self.name}, pin radius (bush radius minus clearance)", self.pin_radius, "m", POSITIVE)
         if self.length is not None:
             yield Slot(f"pair {self.name}, length", self.length, "m", POSITIVE)
+        yield from self.axis.slots(f"pair {self.name}, axis")
         for point in self.places:
             yield from point.slots()
 
@@ -165,6 +167,7 @@ class ParallelCylinders(SphereOnSphere):
     def slots(self) -> Iterator[Slot]:
         """The quantities of the pair."""
         yield from super().slots()
+        yield from self.axis.slots(f"pair {self.name}, axis")
         yield Slot(f"pair {self.name}, length", self.length, "m", POSITIVE)
 
 

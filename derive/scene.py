@@ -55,7 +55,8 @@ class Gravity:
     text: ClassVar[str] = "uniform gravity"
 
     def slots(self) -> Iterator[Slot]:
-        """The acceleration."""
+        """The acceleration and the direction."""
+        yield from self.direction.slots(f"effect {self.name}, direction")
         yield Slot(f"effect {self.name}, acceleration", self.acceleration, "m/s^2")
 
 

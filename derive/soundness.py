@@ -22,6 +22,7 @@ from hertzwerk.derive.mechanism import (
     Ground,
     Joint,
     Mechanism,
+    PinInBush,
     Planar,
     Point,
     Slot,
@@ -88,6 +89,8 @@ def _type_faults(scene: Scene) -> Iterator[Fault]:
         for name in ("normal", "axis"):
             if hasattr(pair, name):
                 yield from _direction_faults(where, name, getattr(pair, name))
+    for effect in scene.of_kind("gravity"):
+        yield from _direction_faults(f"effect {effect.name}", "direction", effect.direction)
     for effect in scene.of_kind("contact"):
         yield from _law_faults(effect.name, "stiffness", effect.stiffness)
         if effect.damping is not None:
@@ -145,6 +148,9 @@ def _topology_faults(mechanism: Mechanism) -> Iterator[Fault]:
         for point in pair.places:
             if point.body != GROUND and mechanism.joint_of(point.body) is None:
                 yield Fault(f"pair {pair.name}", f"body {point.body.name}", "a body that a joint connects")
+        if isinstance(pair, PinInBush) and along(pair.axis.unit) is None:
+            yield Fault(f"pair {pair.name}", f"the axis {pair.axis.components}", "X, Y, Z or the opposite of one",
+                        "Turn the bush: body.at(...).turned(axis, angle).")  # fmt: skip
         if pair.places[0].body == pair.places[1].body:
             yield Fault(f"pair {pair.name}", f"both sides on {pair.places[0].body.name}", "two different bodies")
 

@@ -163,6 +163,8 @@ class _Run:
         states: np.ndarray = np.array(function(x0=y / self.scale, p=p)["xf"]).T * self.scale
         if not np.all(np.isfinite(states)):
             raise RuntimeError("not a number")
+        for i in self.model.quaternions:
+            states[:, i : i + 4] /= np.linalg.norm(states[:, i : i + 4], axis=1, keepdims=True)
         return states
 
     def at(self, t: float, y: np.ndarray) -> dict[str, np.ndarray]:

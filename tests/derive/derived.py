@@ -87,6 +87,27 @@ class Derived:
         raise AssertionError(f"no coordinates with gap {target} found")
 
 
+def rate_along(derived, function, result, t, q, u, a):
+    """d/dt of a result along the motion, by CasADi's derivatives."""
+    given = {"t": t, "q": q, "u": u}
+    dq = derived.call("coordinate_rates", **given)
+    return (
+        derived.jacobian(function, "t", result, **given)[:, 0]
+        + derived.jacobian(function, "q", result, **given) @ dq
+        + derived.jacobian(function, "u", result, **given) @ a
+    )
+
+
+def energy_balance(derived, t, q, u, extra, power_of_extra, dz=None):
+    """What is left of d(kinetic + potential + stored)/dt + dissipated - input - power of extra forces, over the largest term."""
+    f = derived.call("applied", t=t, q=q, u=u) + extra
+    a, reactions = derived.call("accelerations", t=t, q=q, u=u, f=f)
+    kinetic, potential, stored = (rate_along(derived, "energy", k, t, q, u, a) for k in range(3))
+    supplied = derived.call("ledger", t=t, q=q, u=u, reactions=reactions)
+    terms = [*kinetic, *potential, *stored, *(-supplied), *([] if dz is None else dz), -power_of_extra]
+    return abs(sum(terms)) / max(map(abs, terms))
+
+
 def _casadi(value: Any) -> Any:
     return value if isinstance(value, ca.SX | ca.MX | ca.DM) else ca.DM(np.asarray(value, float))
 

@@ -210,8 +210,8 @@ class Tree:
 
     # -- sympy.physics.mechanics -----------------------------------------------------------------------------------
 
-    @cached_property
-    def _kane(self) -> Any:
+    def kane(self) -> tuple[Any, Any, list[Any], dict[sp.Symbol, float]]:
+        """Mass matrix and forcing by KanesMethod, its coordinates and speeds, and the numbers of its symbols."""
         t = me.dynamicsymbols._t
         q, u = me.dynamicsymbols(f"q:{sum(link.nq for link in self.links)}"), me.dynamicsymbols(f"u:{self.nu}")
         coordinates, speeds, kinematic = iter(q), iter(u), []
@@ -287,19 +287,19 @@ class Tree:
             origins.append(corner)
         kane = me.KanesMethod(ground, q, u, kinematic)
         kane.kanes_equations(bodies, loads)
-        states = [sp.Symbol(str(x.func)) for x in (*q, *u)]
-        plain = dict(zip((*q, *u), states, strict=True))
-        function = sp.lambdify(
-            [states, list(numbers)],
-            [kane.mass_matrix.xreplace(plain), kane.forcing.xreplace(plain)],
-            "numpy",
-            cse=True,
-        )
-        return function, list(numbers.values())
+        return kane.mass_matrix, kane.forcing, [*q, *u], numbers
+
+    @cached_property
+    def _function(self) -> Any:
+        mass, forcing, dynamic, numbers = self.kane()
+        states = [sp.Symbol(str(x.func)) for x in dynamic]
+        plain = dict(zip(dynamic, states, strict=True))
+        equations = [mass.xreplace(plain), forcing.xreplace(plain)]
+        return sp.lambdify([states, list(numbers)], equations, "numpy", cse=True), list(numbers.values())
 
     def mass_and_forcing(self, q: Sequence[float], u: Sequence[float]) -> tuple[np.ndarray, np.ndarray]:
         """Mass matrix and forcing (gravity and everything at zero accelerations) of all joints."""
-        function, numbers = self._kane
+        function, numbers = self._function
         mass, forcing = function([*q, *u], numbers)
         return np.array(mass, float), np.array(forcing, float).reshape(-1)
 
@@ -373,6 +373,18 @@ def random_tree(
                  (a + b, b + c, c + a), tuple(places[2]), planar)
         )  # fmt: skip
     return Tree(tuple(links), **options)
+
+
+def chain(n: int, axes: str) -> Tree:
+    """The chain that derivations are compared on: n links along X, one behind the other, that turn about `axes` in turn; Z alone keeps it plane."""
+    planar = 2 if axes == "Z" else None
+    return Tree(
+        tuple(
+            Link("R", f"+{axes[i % len(axes)]}", i - 1, (0.5 if i else 0, 0, 0), (0, 0, 0), 1.0 + 0.1 * i, (0.1, 0.2, 0.15), (0.25, 0, 0), planar)
+            for i in range(n)
+        ),
+        down="-Y" if planar else "-Z",
+    )  # fmt: skip
 
 
 def driven(tree: Tree, link: int, speed: float) -> Tree:

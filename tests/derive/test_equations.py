@@ -5,7 +5,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from derived import Derived
+from derived import Derived, energy_balance, rate_along
 from kane import Tree, complex_step, driven, random_tree
 
 from hertzwerk.derive import (
@@ -238,27 +238,6 @@ def test_spherical_pendulum_equals_the_textbook():
 
 
 # -- energy ------------------------------------------------------------------------------------------------------------
-
-
-def rate_along(derived, function, result, t, q, u, a):
-    """d/dt of a result along the motion, by CasADi's derivatives."""
-    given = {"t": t, "q": q, "u": u}
-    dq = derived.call("coordinate_rates", **given)
-    return (
-        derived.jacobian(function, "t", result, **given)[:, 0]
-        + derived.jacobian(function, "q", result, **given) @ dq
-        + derived.jacobian(function, "u", result, **given) @ a
-    )
-
-
-def energy_balance(derived, t, q, u, extra, power_of_extra, dz=None):
-    """What is left of d(kinetic + potential + stored)/dt + dissipated - input - power of extra forces, over the largest term."""
-    f = derived.call("applied", t=t, q=q, u=u) + extra
-    a, reactions = derived.call("accelerations", t=t, q=q, u=u, f=f)
-    kinetic, potential, stored = (rate_along(derived, "energy", k, t, q, u, a) for k in range(3))
-    supplied = derived.call("ledger", t=t, q=q, u=u, reactions=reactions)
-    terms = [*kinetic, *potential, *stored, *(-supplied), *([] if dz is None else dz), -power_of_extra]
-    return abs(sum(terms)) / max(map(abs, terms))
 
 
 @pytest.mark.parametrize("name", TREES)
