@@ -109,7 +109,7 @@ class _Closure:
         correction = ca.Function("correction", [t, q, c], [rates(t, q, along, c) - rates(t, q, none, c)])
         speeds = ca.Function("speeds", [t, q, c], [_zero(e_dot, u)])
         accelerations = ca.Function("accelerations", [t, q, u, c], [_zero(e_ddot, a)])
-        there, corrections = q + dt * dq, []
+        there, corrections = unit_quaternions(q + dt * dq, model.quaternions), []
         for _ in range(_CORRECTIONS):
             corrections.append(correction(t + dt, there, c))
             there = unit_quaternions(there + corrections[-1], model.quaternions)
