@@ -214,13 +214,15 @@ class Kinematics:
         motion = self.motion(body)
         return add(motion.velocity, cross(motion.angular_velocity, sub(position, motion.origin)))
 
-    def partials(self, link: Link, position: Vector) -> list[Vector]:
-        """Partial velocities, by each speed of a link, of a point at `position` on it or beyond [1 or m]."""
+    def of_force(self, link: Link, force: Vector, position: Vector) -> list[Any]:
+        """What a force at `position`, on a link or beyond it, does in each row of the link [N or N m]."""
         if link.kind == "slide":
-            return [self.direction_of(link)]
-        axes = (self.direction_of(link),) if link.kind == "turn" else transpose(self._turned(link))
+            return [dot(force, self.direction_of(link))]
         arm = sub(position, self.origin_of(link))
-        return [cross(axis, arm) for axis in axes]
+        if link.kind == "turn":
+            return [dot(force, cross(self.direction_of(link), arm))]
+        moment = self.tape.vector(cross(arm, force), f"{link.name}_moment")
+        return [dot(axis, moment) for axis in transpose(self._turned(link))]
 
     def generalised(self, force: Vector, position: Vector, on: Frame, against: Frame, name: str) -> dict[str, Any]:
         """Generalised forces, by row, of a force on one body and its reaction on another at the same point; common links cancel."""
@@ -228,11 +230,9 @@ class Kinematics:
         out: dict[str, Any] = {}
         for sign, path, other in ((1, first, second), (-1, second, first)):
             for link in path:
-                if link in other:
-                    continue
-                for row, partial in zip(link.rows, self.partials(link, position), strict=True):
-                    label = row.key.replace(".", "_")
-                    out[row.key] = self.tape.let(sign * dot(force, partial), f"{name}_on_{label}")
+                if link not in other:
+                    for row, value in zip(link.rows, self.of_force(link, force, position), strict=True):
+                        out[row.key] = self.tape.let(sign * value, f"{name}_on_{row.key.replace('.', '_')}")
         return out
 
 
