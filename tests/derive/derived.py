@@ -80,11 +80,21 @@ class Derived:
         for start in (np.array(q, float), *(q + rng.uniform(-1, 1, (50, self.nq)) * 10 ** rng.uniform(-4, 0, (50, 1)))):
             at = start
             for _ in range(80):
+                at = self.of_norm_one(at)
                 value, slope = (out.full().reshape(-1) for out in function(at))
+                for i in self.names.get("QUATERNIONS", ()):
+                    slope[i : i + 4] -= (slope[i : i + 4] @ at[i : i + 4]) * at[i : i + 4]
                 if abs(value[0] - target) <= 1e-9 * abs(target):
                     return at
                 at = at - (value[0] - target) * slope / (slope @ slope)
         raise AssertionError(f"no coordinates with gap {target} found")
+
+    def of_norm_one(self, q: Sequence[float]) -> np.ndarray:
+        """Coordinates with their quaternions normalised."""
+        q = np.array(q, float)
+        for i in self.names.get("QUATERNIONS", ()):
+            q[i : i + 4] /= np.linalg.norm(q[i : i + 4])
+        return q
 
 
 def rate_along(derived, function, result, t, q, u, a):

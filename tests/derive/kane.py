@@ -334,6 +334,21 @@ class Tree:
         origin, turn = self.pose(body, q)
         return origin + turn @ np.asarray(local)
 
+    def rates(self, q: np.ndarray) -> np.ndarray:
+        """Matrix that makes rates of all coordinates of all speeds."""
+        matrix, i, j = np.zeros((q.size, self.nu)), 0, 0
+        for link in self.links:
+            for kind, _ in link.moves:
+                if kind == "S":
+                    e0, e1, e2, e3 = q[i : i + 4]
+                    matrix[i : i + 4, j : j + 3] = (
+                        np.array([[-e1, -e2, -e3], [e0, -e3, e2], [e3, e0, -e1], [-e2, e1, e0]]) / 2
+                    )
+                else:
+                    matrix[i, j] = 1.0
+                i, j = i + (4 if kind == "S" else 1), j + (3 if kind == "S" else 1)
+        return matrix
+
     def whole(self, t: float, values: Sequence[float], speeds: bool) -> np.ndarray:
         """States of the free joints, completed by those of the driven ones."""
         counts = [link.nu if speeds else link.nq for link in self.links]

@@ -306,14 +306,16 @@ class Touching:
         """Generalised forces on all joints, normal force, sliding speed, dissipated powers (normal, friction)."""
         depth, normal, point = self.geometry(q)
         assert depth > 0
-        rate = complex_step(lambda x: self.geometry(x)[0], q) @ u
+        turning = self.tree.rates(q)
+        rate = complex_step(lambda x: self.geometry(x)[0], q) @ turning @ u
         elastic = K * depth**1.5
         force = elastic * (1 + 8 * (1 - E) / (5 * E) * rate / V0)
-        jacobian = np.zeros((3, q.size))
+        jacobian = np.zeros((3, q.size))  # of the coordinates first, then of the speeds
         for sign, body in ((1, self.first[0]), (-1, self.second[0])):
             origin, turn = self.tree.pose(body, q)
             local = turn.T @ (point - origin)
             jacobian += sign * complex_step(lambda x, body=body, local=local: self.tree.point(body, local, x), q)
+        jacobian = jacobian @ turning
         slip = jacobian @ u
         slip = slip - (slip @ normal) * normal
         speed = np.sqrt(slip @ slip)
@@ -326,8 +328,14 @@ class Touching:
         rng = np.random.default_rng(5)
         for _ in range(count):
             t = rng.uniform(0, 1)
-            q = derived.with_gap(t, rng.uniform(-1, 1, derived.nu), 0, -0.2 * min(self.sizes))
+            q = derived.with_gap(t, rng.uniform(-1, 1, derived.nq), 0, -0.2 * min(self.sizes))
             yield t, q, rng.uniform(-1, 1, derived.nu)
+
+
+def many(*kinds, parents=None):
+    """Bodies on joints of these kinds, on the ground unless `parents` says otherwise."""
+    links = random_tree(" ".join(["R+Z"] * len(kinds)), 53, parents or [-1] * len(kinds)).links
+    return Tree(tuple(replace(link, kind=kind, second="+X") for link, kind in zip(links, kinds, strict=True)))
 
 
 TOUCHING = {
@@ -351,6 +359,13 @@ TOUCHING = {
     ),
     "sphere on plane, planar": Touching("sphere_on_plane", random_tree("P+X R+Z", 49, planar=2), (1, (0.4, 0.1, 0)), (-1, (0, 0.2, 0)), axis="+Y"),
     "sphere on plane, spatial": Touching("sphere_on_plane", random_tree("P+X R+Z R-Y", 50), (2, (0.4, 0.1, 0.1)), (-1, (0, 0.2, 0.1)), axis="-X"),
+    "sphere on sphere, both on balls": Touching("sphere_on_sphere", many("S", "F"), (0, (0.4, 0.1, 0)), (1, (0.1, 0.2, 0.3))),
+    "pin in bush, a free body in a free one": Touching(
+        "pin_in_bush", many("F", "F"), (0, (0.3, 0.1, 0.2)), (1, (0.1, 0.4, 0.1)), axis="-X", sizes=(0.3, 0.2)
+    ),
+    "sphere on plane, universal on a slide": Touching(
+        "sphere_on_plane", many("P", "U", parents=(-1, 0)), (1, (0.4, 0.1, 0.1)), (-1, (0, 0.2, 0.1)), axis="-X"
+    ),
     "sphere on a turning plane": Touching(
         "sphere_on_plane", random_tree("R+Z P+X P+Y R-Z", 51, (-1, -1, 1, 2), planar=2), (3, (0.4, 0.1, 0)), (0, (0.1, 0.2, 0)), axis="+Y"
     ),
@@ -412,7 +427,7 @@ def test_an_open_pair_does_nothing(name):
     case = TOUCHING[name]
     derived = case.derive(friction=True)
     rng = np.random.default_rng(8)
-    q = derived.with_gap(0.3, rng.uniform(-1, 1, derived.nu), 0, 0.1 * min(case.sizes))
+    q = derived.with_gap(0.3, rng.uniform(-1, 1, derived.nq), 0, 0.1 * min(case.sizes))
     f, dz, normal_force, *_ = derived.call("contact_touch", t=0.3, q=q, u=rng.uniform(-1, 1, derived.nu), m=[V0])
     assert not np.any(f)
     assert not np.any(dz)
