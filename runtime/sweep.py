@@ -222,7 +222,7 @@ class _Job:
                 raise KeyboardInterrupt
             if solution.outcome.name != "wall_time_limit":
                 rows[i] = self._row(i, solution)
-            done = max(float(solution.t[-1]) / solution.duration, 1e-9) if i not in rows else 1.0
+            done = max(solution.t_end / solution.duration, 1e-9) if i not in rows else 1.0
             one = min(solution.statistics.wall_s / done, self.settings.get("wall_time") or math.inf)
             return one * math.ceil((len(self.sets) - len(rows)) / cores)
         return 0.0
