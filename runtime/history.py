@@ -47,6 +47,12 @@ class History:
     @cached_property
     def units(self) -> dict[str, str]:
         """SI unit text of "t" and of every name, in the order of `names`."""
+        if self.integrator is None:
+            return self._units()
+        units: dict[str, str] = self.model.once("units of histories", self._units)
+        return units
+
+    def _units(self) -> dict[str, str]:
         model = self.model
         units = {"t": "s", **model.units}
         for name in model.speeds:
@@ -71,7 +77,8 @@ class History:
     @property
     def t(self) -> np.ndarray:
         """Times [s], shape (rows,)."""
-        return self["t"]
+        times: np.ndarray = self["t"] if self.integrator is None else self.part("t")[:, 0]
+        return times
 
     def __getitem__(self, name: str) -> np.ndarray:
         if name not in self.units:
@@ -179,7 +186,7 @@ class History:
 
     def _kept(self, times: np.ndarray) -> History:
         """Rows at times [s] that are among them."""
-        index = np.searchsorted(self.part("t")[:, 0], times)
+        index = np.searchsorted(self.t, times)
         if times.ndim != 1 or np.any(index == len(self.t)) or np.any(self.t[index] != times):
             raise ValueError(
                 "found times between the rows of a run that did not keep its steps; expected times among run.t, "

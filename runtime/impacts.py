@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.history import History
     from hertzwerk.runtime.model import Model
 
-PEAK = 1e-6
+PEAK = 1e-5
 MAX_ITERATIONS = 60
 
 
@@ -120,7 +120,7 @@ class _Pair:
                 _top(block, column, range(start, stop), max(onset, 0), known)
                 for column, known in zip(values, contact.tops, strict=True)
             ]
-            left = leaves[np.searchsorted(leaves, start) : np.searchsorted(leaves, stop, side="right")]
+            left = leaves[leaves.searchsorted(start) : leaves.searchsorted(stop, side="right")]
             if stop == count and touching[-1]:
                 contact.left = None
             elif len(left):
@@ -134,7 +134,7 @@ class _Pair:
 
 def _top(block: History, values: np.ndarray, rows: range, onset: int, known: _Top | None) -> _Top:
     """The top of the values at some rows, or the one that was known before; no row before the onset counts."""
-    i = rows.start + int(np.argmax(values[rows.start : rows.stop]))
+    i = rows.start + int(values[rows.start : rows.stop].argmax())
     value = float(values[i])
     if known is not None and not (value > known.value or (known.at_end and i == rows.start)):
         return known
