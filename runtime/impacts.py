@@ -169,62 +169,64 @@ def _impacts(history: History, contacts: Sequence[tuple[int, _Contact]]) -> list
     """What becomes of contacts (pair, contact), their peaks found within the steps beside the tops."""
     if not contacts:
         return []
-    pairs = np.array([j for j, _ in contacts])
-    peaks = [_peaks(history, pairs, [contact.tops[n] for _, contact in contacts], *_PEAKS[n][1:]) for n in range(2)]
     return [
         Impact(
             contact=history.model.pairs[j],
             t=contact.t,
             speed=contact.speed,
-            peak_force=float(force),
+            peak_force=force,
             duration=None if contact.left is None else contact.left - contact.t,
-            peak_penetration=float(penetration),
+            peak_penetration=penetration,
         )
-        for (j, contact), force, penetration in zip(contacts, *peaks, strict=True)
+        for (j, contact), (force, penetration) in zip(contacts, _peaks(history, contacts).tolist(), strict=True)
     ]
 
 
-def _peaks(
-    history: History, pairs: np.ndarray, tops: Sequence[_Top | None], rate: str, sign: int, name: str
-) -> np.ndarray:
-    """Largest value of `name` of each pair: at its top's rows, and where sign * rate falls through zero within the steps between them."""
-    groups = [top.rows for top in tops if top is not None]
-    rows = np.concatenate(groups)
-    owner = np.repeat(np.arange(len(groups)), [len(group) for group in groups])
+def _peaks(history: History, contacts: Sequence[tuple[int, _Contact]]) -> np.ndarray:
+    """Of each contact (pair, contact) the largest value of what peaks, shape (n, 2): in the tops' rows, or where sign * rate falls through
+    zero within the steps between them."""
+    groups = [top.rows for _, contact in contacts for top in contact.tops if top is not None]
+    pairs = np.repeat([j for j, _ in contacts], len(_PEAKS))
+    kinds = np.tile(np.arange(len(_PEAKS)), len(contacts))
+    rows, owner = np.concatenate(groups), np.repeat(np.arange(len(groups)), [len(group) for group in groups])
     peaks = np.full(len(groups), -np.inf)
-    np.maximum.at(peaks, owner, _of_pairs(history, rows, pairs[owner], name))
+    np.maximum.at(peaks, owner, _values(history, rows, pairs[owner], kinds[owner]))
     low = np.flatnonzero(owner[:-1] == owner[1:])
     lower, upper, owner = rows[low], rows[low + 1], owner[low]
-    column = history.columns(rate).start + pairs[owner]
-    h = upper[:, 0] - lower[:, 0]
+    column = np.array([history.columns(rate).start for _, rate, _, _ in _PEAKS])[kinds[owner]] + pairs[owner]
+    sign = np.array([sign for _, _, sign, _ in _PEAKS])[kinds[owner]]
+    modes, h = history.columns("mode"), upper[:, 0] - lower[:, 0]
     at_low, at_high = (sign * side[np.arange(len(low)), column] for side in (lower, upper))
-    changed = np.flatnonzero(np.any(lower[:, history.columns("mode")] != upper[:, history.columns("mode")], axis=1))
-    at_high[changed] = sign * history.later(lower[changed], h[changed])[np.arange(len(changed)), column[changed]]
+    changed = np.flatnonzero(np.any(lower[:, modes] != upper[:, modes], axis=1))  # there the step ended otherwise
+    ended = history.later(lower[changed], h[changed])
+    at_high[changed] = sign[changed] * ended[np.arange(len(changed)), column[changed]]
     # a force begins with no slope, or none that is known, and rises
     at_low = np.where(at_low == 0, np.abs(at_high), at_low)
     within = np.flatnonzero((at_low > 0) & (at_high < 0))
     if len(within):
-        bracket = _Bracket(lower[within], column[within], sign, h[within], at_low[within], at_high[within])
-        at_root = _at_roots(history, bracket)
-        np.maximum.at(peaks, owner[within], _of_pairs(history, at_root, pairs[owner[within]], name))
-    return peaks
+        given = (x[within] for x in (lower, column, sign, h, at_low, at_high))
+        at_root, owner = _at_roots(history, _Bracket(*given)), owner[within]
+        np.maximum.at(peaks, owner, _values(history, at_root, pairs[owner], kinds[owner]))
+    return peaks.reshape(-1, len(_PEAKS))
 
 
-def _of_pairs(history: History, rows: np.ndarray, pairs: np.ndarray, name: str) -> np.ndarray:
-    """Value of `name` in each row, of the pair beside it."""
+def _values(history: History, rows: np.ndarray, pairs: np.ndarray, kinds: np.ndarray) -> np.ndarray:
+    """What peaks in each row, by the pair and the kind beside it."""
     found, values = history.of(rows), np.zeros(len(rows))
-    for j in np.unique(pairs):
-        values = np.where(pairs == j, found[f"{history.model.pairs[j]}.{name}"], values)
+    for j in set(pairs.tolist()):
+        for kind, (*_, name) in enumerate(_PEAKS):
+            here = (pairs == j) & (kinds == kind)
+            values[here] = found[f"{history.model.pairs[j]}.{name}"][here]
     return values
 
 
 @dataclass(frozen=True)
 class _Bracket:
-    """Steps h [s] from rows (n, ns) in which sign * a column (n,) of the row falls from at_low > 0 to at_high < 0."""
+    """Steps h (n,) [s] from rows (n, ns) in which a sign times a column of the row falls from at_low > 0 to at_high < 0."""
 
     rows: np.ndarray
     column: np.ndarray
-    sign: int
+    sign: np.ndarray
     h: np.ndarray
     at_low: np.ndarray
     at_high: np.ndarray
@@ -241,7 +243,7 @@ def _at_roots(history: History, bracket: _Bracket) -> np.ndarray:
     for _ in range(MAX_ITERATIONS):
         root = low + (high - low) * at_low / (at_low - at_high)
         found[index] = history.later(bracket.rows[index], root)
-        value = bracket.sign * found[index, bracket.column[index]]
+        value = bracket.sign[index] * found[index, bracket.column[index]]
         rises = np.where(value > 0, 1.0, -1.0)
         weight = 1 - value / np.where(value > 0, at_low, at_high)
         weight = np.where(rises != rose, 1.0, np.where(weight > 0, weight, 0.5))
