@@ -15,8 +15,9 @@ from click.testing import CliRunner
 from handmade import point
 
 from hertzwerk.derive.faults import InputError
-from hertzwerk.runtime import Solution, load, recorder, simulate
+from hertzwerk.runtime import Solution, findings, load, recorder, simulate
 from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.history import History
 
 CASES = {
     "bouncing_ball": {"duration": "2 s", "accuracy": 1e-8},
@@ -126,8 +127,23 @@ def test_at_the_time_of_an_event_a_grid_has_the_state_just_after_it():
     times = np.array([0.0, impact.t, impact.t + impact.duration, 1.0])
     grid = simulate(ball, duration="1 s", accuracy=1e-8, output=times)
     assert list(grid["floor.mode"]) == [0, 1, 0, 0]
-    rows = np.flatnonzero(np.isin(steps.t, times))
-    assert np.array_equal(grid.history.rows, steps.history.rows[rows])
+    assert np.array_equal(grid.history.rows, steps.history.rows[np.isin(steps.t, times)])
+
+
+def test_of_two_rows_at_one_time_a_grid_has_the_later_one_also_across_blocks():
+    """As SUNDIALS gives them where an event lies on a row."""
+    history = simulate(load("bouncing_ball"), duration="1 s").history
+    onset = int(np.argmax(history["floor.mode"] == 1))
+    before = history.rows[onset].copy()
+    before[history.columns("mode")] = 0
+    kept = recorder.Grid(history.t[[onset]])
+    record = recorder.Recorder(
+        lambda rows: History(history.model, rows, history.controls, history.integrator), [kept], 1
+    )
+    for row in np.insert(history.rows, onset, before, axis=0):
+        record.keep(row[None, :])
+    record.flush()
+    assert kept.history["floor.mode"] == [1]
 
 
 @pytest.mark.parametrize(
@@ -205,18 +221,18 @@ def test_between_the_rows_of_a_grid_there_is_nothing_and_the_error_says_what_to_
 
 
 def test_ctrl_c_in_a_block_loses_no_observer_a_row(monkeypatch):
-    """It comes while the first of the observers has seen a block and the others have not."""
+    """It comes while some of the observers have seen a block, with impacts in it, and others have not."""
     monkeypatch.setattr("hertzwerk.runtime.simulation.BLOCK", 1)
-    take, blocks = recorder.Grid.take, []
+    take, sent = findings.Findings.take, []
 
     def interrupted(self, block, fresh):
         take(self, block, fresh)
-        blocks.append(block)
-        if len(blocks) == 3:
+        if len(self._contacts._found) > 2 and not sent:
+            sent.append(True)
             os.kill(os.getpid(), signal.SIGINT)
 
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
-    monkeypatch.setattr(recorder.Grid, "take", interrupted)
+    monkeypatch.setattr(findings.Findings, "take", interrupted)
     try:
         grid = simulate(load("bouncing_ball"), duration="500 s", accuracy=1e-12, compiled=False, output=1000)
     finally:
