@@ -66,8 +66,10 @@ class Curves:
     @classmethod
     def of(cls, run: Solution) -> Curves:
         """Sample a run between its accepted steps and through its impacts; a saved run, or one that kept a grid, has only its rows."""
-        if len(run.t) < 2:
-            raise ValueError(f"found {len(run.t)} rows, expected at least two to draw a curve through")
+        if not len(run.t):
+            raise ValueError(
+                f"found no rows to draw: the run stopped at t = {run.t_end:g} s, before the first time asked for"
+            )
         time = scale_of("s", run.t[-1])
         if not run.history.steps:
             return cls(run, run.t, run.history, time)

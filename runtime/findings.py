@@ -41,10 +41,12 @@ class Balance:
             for end in (".dissipated", ".input")
         )
         parts = np.array([block["energy"], dissipated, supplied])
+        self._finite = self._finite and bool(np.all(np.isfinite(parts)))
+        if not self._finite:
+            return
         if self._start is None:
             self._start = parts[:, :1]
         change = parts - self._start
-        self._finite = self._finite and bool(np.all(np.isfinite(parts)))
         self._largest = max(self._largest, float(np.max(np.abs(parts))))
         self._error = max(self._error, float(np.max(np.abs(change[0] + change[1] - change[2]))))
 

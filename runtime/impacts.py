@@ -169,6 +169,8 @@ def _impacts(history: History, contacts: Sequence[tuple[int, _Contact]]) -> list
     """What becomes of contacts (pair, contact), their peaks found within the steps beside the tops."""
     if not contacts:
         return []
+    with np.errstate(invalid="ignore"):  # a run that came to no good end may hold what is not a number
+        peaks = _peaks(history, contacts).tolist()
     return [
         Impact(
             contact=history.model.pairs[j],
@@ -178,7 +180,7 @@ def _impacts(history: History, contacts: Sequence[tuple[int, _Contact]]) -> list
             duration=None if contact.left is None else contact.left - contact.t,
             peak_penetration=penetration,
         )
-        for (j, contact), (force, penetration) in zip(contacts, _peaks(history, contacts).tolist(), strict=True)
+        for (j, contact), (force, penetration) in zip(contacts, peaks, strict=True)
     ]
 
 
