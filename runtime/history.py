@@ -172,9 +172,9 @@ class History:
 
     def at(self, times: np.ndarray) -> History:
         """Histories at other times [s] within the run; at a time of an event, the state just after it."""
+        t = self.part("t")[:, 0]
         if not self.steps:
             return self._kept(times)
-        t = self.t
         if times.ndim != 1 or not np.all((times >= t[0]) & (times <= t[-1])):
             raise ValueError(
                 f"found times outside the run, or not in one row; expected them within {t[0]:g}..{t[-1]:g} s"
