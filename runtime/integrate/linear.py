@@ -3,6 +3,8 @@
 The structure of J, known when the graph is built, does most of the work. Coordinates whose rates are speeds alone have the pivot 1 and go first,
 which leaves (I - h gamma df/du - (h gamma)^2 df/dq dq'/du) for the speeds; what nothing depends on, such as the energy ledger, follows by
 substitution. (CasADi's csparse, lapackqr and symbolicqr generate no C.)
+
+Without exchanging rows a pivot may be small by chance; whoever uses the solution checks it (`implicit`), and a shorter step is nearer to I.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """hertzwerk beside its peers, as ratios measured in one run on one machine. From the repository's root:
 
-    python tests/benchmarks/run.py [startup] [engine] [derivation] [limit]
+    python tests/benchmarks/run.py [startup] [engine] [derivation] [limit] [pairs]
 
 Every number is a median of at least five alternating measurements. A ratio's limit is what issue 2 ("Speed") asks for; nothing
 here fails a test, for seconds depend on the machine.
@@ -24,7 +24,7 @@ from typing import NamedTuple
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from benchmarks import limit
+from benchmarks import limit, pairs
 
 from reference.slider_crank import SliderCrank, reference
 
@@ -256,7 +256,7 @@ def handwritten_time(tolerance: float, friction: bool) -> Callable[[], float]:
     return lambda: limit.run("dop853", tolerance, friction=friction, times=(DURATION,), repeats=51)["seconds"]
 
 
-GROUPS = {"startup": startup, "engine": engine, "derivation": derivation, "limit": limits}
+GROUPS = {"startup": startup, "engine": engine, "derivation": derivation, "limit": limits, "pairs": pairs.pairs}
 
 
 def main() -> None:

@@ -1,0 +1,36 @@
+"""What pairs cost that do not touch: the slider-crank with 3 or 9 guards that nothing reaches, against the same without them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from reference import scenes
+
+DURATION, ACCURACY = "24 ms", 1e-8  # two revolutions, about 1500 attempts
+
+
+def pairs() -> Iterable[Any]:
+    """Cost per attempt of 1, 4 and 10 contact pairs of which one touches."""
+    from benchmarks.run import Ratio, medians
+
+    from hertzwerk.runtime import load
+
+    models = {1 + guards: load(scenes.guarded_crank(guards)) for guards in (0, 3, 9)}
+    for compiled in (False, True):
+        one, *others = medians(*(attempt(model, compiled) for model in models.values()))
+        for count, cost in zip(list(models)[1:], others, strict=True):
+            wanted = "<= 1.5" if compiled and count == 10 else ""
+            yield Ratio(f"{count} pairs / 1 pair, per attempt, {'C' if compiled else 'VM'}", cost, one, wanted)
+
+
+def attempt(model: Any, compiled: bool) -> Callable[[], float]:
+    """The measurement of the time [s] that an attempt takes."""
+    from hertzwerk.runtime import simulate
+
+    def measure() -> float:
+        run = simulate(model, duration=DURATION, accuracy=ACCURACY, compiled=compiled).statistics
+        return run.wall_s / (run.steps + run.rejected + run.retaken)
+
+    measure()  # builds, compiles
+    return measure
