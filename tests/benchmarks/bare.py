@@ -1,0 +1,74 @@
+"""What one evaluation of a generated right-hand side costs by itself, and how many evaluations of each kind a run makes."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import casadi as ca
+import numpy as np
+from benchmarks.ratios import hot
+
+from hertzwerk.runtime.integrate.chunk import Caller
+from hertzwerk.runtime.integrate.compiled import Program
+from hertzwerk.runtime.integrate.explicit import EVERY_PAIR, NO_PAIR, flow
+from hertzwerk.runtime.integrate.layout import CONTACT
+
+SIZE = (16, 16)  # evaluations per call, one waiting for the other
+TINY = 1e-22  # of a rate, added to the next state: too little to be seen, and yet to be waited for
+
+
+class Evaluations(NamedTuple):
+    """Of one mode: its number in a run, and the time of one alone [s]."""
+
+    number: int
+    seconds: float
+
+
+def evaluations(run: Any, *, compiled: bool) -> dict[str, Evaluations]:
+    """Evaluations in flight and in contact of a run of a one-pair model, timed at the run's own states.
+
+    What is tried after an accepted state, rejected or not, is tried under that state's mode.
+    """
+    history = run.history
+    touching = history.part("mode")[:, 0] == CONTACT
+    counted = np.diff(history.part("evaluations")[:, 0], append=run.statistics.rhs_evaluations)
+    return {
+        name: Evaluations(int(counted[rows].sum()), _seconds(run, rows, contacts, compiled=compiled))
+        for name, rows, contacts in (("flight", ~touching, NO_PAIR), ("contact", touching, EVERY_PAIR))
+    }
+
+
+def _seconds(run: Any, rows: np.ndarray, contacts: str, *, compiled: bool) -> float:
+    history, model = run.history, run.model
+    chain = _chain(model, contacts)
+    caller = Caller(Program(chain).load() if compiled else chain)
+    chosen = np.resize(np.flatnonzero(rows), np.prod(SIZE))
+    values = (
+        0.0,
+        *(history.part(name)[chosen].ravel() for name in ("t", "y", "m")),
+        history.controls[: model.nc],
+    )
+    for place, value in zip(caller.inputs, values, strict=True):
+        place[:] = value
+    if not np.all(np.isfinite(caller())):
+        raise ValueError("a right-hand side is not finite at the states of its own run")
+    return hot(caller, calls=101)() / len(chosen)
+
+
+def _chain(model: Any, contacts: str) -> Any:
+    """CasADi function (last, t (1, n), y (ny, n), m (nm, n), c) -> a number: n evaluations, each at a state that the last one moves."""
+    t, y, m, c = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz), ca.SX.sym("m", model.nm), None
+    c = ca.SX.sym("c", model.nc)
+    last = ca.SX.sym("last")
+    rates = flow(model, contacts).rates
+    rate = rates(t + TINY * last, y + TINY * last, ca.SX.ones(model.k), m, c)
+    link = ca.Function("link", [last, t, y, m, c], [ca.cse(ca.sum1(rate[model.nq : model.nq + model.nu]))])
+    for size in SIZE:
+        last, c = ca.MX.sym("last"), ca.MX.sym("c", model.nc)
+        each = [ca.MX.sym(name, link.size1_in(i), link.size2_in(i) * size) for i, name in enumerate("tym", 1)]
+        split = [ca.horzsplit(vector, vector.shape[1] // size) for vector in each]
+        value = last
+        for parts in zip(*split, strict=True):
+            value = link(value, *parts, c)
+        link = ca.Function("chain", [last, *each, c], [value])
+    return link
