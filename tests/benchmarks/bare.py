@@ -57,18 +57,21 @@ def _seconds(run: Any, rows: np.ndarray, contacts: str, *, compiled: bool) -> fl
 
 def _chain(model: Any, contacts: str) -> Any:
     """CasADi function (last, t (1, n), y (ny, n), m (nm, n), c) -> a number: n evaluations, each at a state that the last one moves."""
-    t, y, m, c = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz), ca.SX.sym("m", model.nm), None
-    c = ca.SX.sym("c", model.nc)
-    last = ca.SX.sym("last")
-    rates = flow(model, contacts).rates
-    rate = rates(t + TINY * last, y + TINY * last, ca.SX.ones(model.k), m, c)
-    link = ca.Function("link", [last, t, y, m, c], [ca.cse(ca.sum1(rate[model.nq : model.nq + model.nu]))])
-    for size in SIZE:
-        last, c = ca.MX.sym("last"), ca.MX.sym("c", model.nc)
-        each = [ca.MX.sym(name, link.size1_in(i), link.size2_in(i) * size) for i, name in enumerate("tym", 1)]
-        split = [ca.horzsplit(vector, vector.shape[1] // size) for vector in each]
+    link = _link(model, contacts)
+    for i, size in enumerate(SIZE):
+        symbol = (ca.SX if i == 0 else ca.MX).sym  # the inner ones are written out, as the stages of a step are
+        last, c = symbol("last"), symbol("c", model.nc)
+        each = [symbol(name, link.size1_in(j), link.size2_in(j) * size) for j, name in enumerate("tym", 1)]
         value = last
-        for parts in zip(*split, strict=True):
+        for parts in zip(*(ca.horzsplit(matrix, matrix.shape[1] // size) for matrix in each), strict=True):
             value = link(value, *parts, c)
         link = ca.Function("chain", [last, *each, c], [value])
     return link
+
+
+def _link(model: Any, contacts: str) -> Any:
+    """CasADi function (last, t, y, m, c) -> a number: one evaluation."""
+    sizes = {"last": 1, "t": 1, "y": model.nq + model.nu + model.nz, "m": model.nm, "c": model.nc}
+    last, t, y, m, c = (ca.SX.sym(name, size) for name, size in sizes.items())
+    rate = flow(model, contacts).rates(t + TINY * last, y + TINY * last, ca.SX.ones(model.k), m, c)
+    return ca.Function("link", [last, t, y, m, c], [ca.cse(ca.sum1(rate[model.nq : model.nq + model.nu]))])

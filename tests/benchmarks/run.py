@@ -20,6 +20,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
+from benchmarks.against_peers import peers
 from benchmarks.contenders import hertzwerk, scipy
 from benchmarks.limit import limit
 from benchmarks.ratios import Ratio, medians, timed
@@ -105,6 +106,7 @@ SECTIONS = {
     "engine": engine,
     "derivation": derivation,
     "limit": limit,
+    "peers": peers,
 }
 
 
