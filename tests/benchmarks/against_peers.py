@@ -44,7 +44,7 @@ def _against(
                 print(f"  {peer}, {name}: error {target:g} not reached")
                 continue
             mine, limit, *times = medians(*(each.time(tolerance) for each, tolerance in reached), repeats=5)
-            for i, ((each, tolerance), time) in enumerate(zip(reached[2:], times, strict=True)):
+            for (each, tolerance), time in zip(reached[2:], times, strict=True):
                 best = time == min(times)
                 what = f"{each.name} / hertzwerk, {name}, error {target:g}"
                 note = f"tolerances {tolerance:.1e}, {reached[0][1]:.1e}"
