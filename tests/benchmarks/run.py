@@ -23,7 +23,9 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 from benchmarks.against_peers import peers
 from benchmarks.contenders import hertzwerk, scipy
 from benchmarks.limit import limit
+from benchmarks.orders import orders
 from benchmarks.ratios import Ratio, medians, timed
+from benchmarks.stiff import implicit
 
 # ---- whole process ---------------------------------------------------------------------------------------------------
 
@@ -107,6 +109,8 @@ SECTIONS = {
     "derivation": derivation,
     "limit": limit,
     "peers": peers,
+    "implicit": implicit,
+    "orders": orders,
 }
 
 
@@ -118,8 +122,8 @@ def main() -> None:
         parser.error(f"no such section: {', '.join(sorted(unknown))}")
     for name in chosen:
         print(f"{name}: {SECTIONS[name].__doc__}")
-        for ratio in SECTIONS[name]():
-            print(ratio, flush=True)
+        for line in SECTIONS[name]():
+            print(line, flush=True)
 
 
 if __name__ == "__main__":
