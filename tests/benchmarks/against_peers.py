@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from benchmarks import programs
+from benchmarks import exudyn_crank, programs
 from benchmarks.contenders import cvode, handwritten, hertzwerk, scipy
 from benchmarks.equal_error import TARGETS, Contender
 from benchmarks.ratios import Ratio, medians
@@ -25,6 +25,14 @@ def peers() -> Iterator[Ratio]:
     yield from _against(
         "solve_ivp", lambda friction: [scipy(m, friction, compiled=True) for m in SCIPY], SCIPY_BARS, slow
     )
+
+
+def exudyn() -> Iterator[Ratio]:
+    """Exudyn over hertzwerk compiled, frictionless, in its best class of errors."""
+    if not exudyn_crank.INSTALLED or programs.COMPILER is None:
+        print("  not measured: needs g++ and Exudyn (pip install exudyn)")
+        return
+    yield from _against("Exudyn", lambda _: [exudyn_crank.contender()], {False: ">= 500"}, (2e-2,))
 
 
 def _against(

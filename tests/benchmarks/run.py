@@ -20,7 +20,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from benchmarks.against_peers import peers
+from benchmarks.against_peers import exudyn, peers
 from benchmarks.contenders import hertzwerk, scipy
 from benchmarks.limit import limit
 from benchmarks.orders import orders
@@ -109,6 +109,7 @@ SECTIONS = {
     "derivation": derivation,
     "limit": limit,
     "peers": peers,
+    "exudyn": exudyn,
     "implicit": implicit,
     "orders": orders,
 }

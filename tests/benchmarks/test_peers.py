@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from benchmarks import programs
+from benchmarks import exudyn_crank, programs
 from benchmarks.equal_error import ERROR_AT, crossing
 
 from reference.slider_crank import reference
@@ -32,6 +32,15 @@ def test_solve_ivp_meets_the_reference(friction, method):
 
     state = scipy(method, friction, compiled=False).state(ERROR_AT, 1e-9)
     assert reference(friction).error(ERROR_AT, tuple(state)) < 2e-3 * (1 if method == "LSODA" else 0.01)
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not exudyn_crank.INSTALLED, reason="needs exudyn")
+def test_exudyn_meets_the_reference():
+    """Before impacts amplify what is left, and after."""
+    truth = reference(False)
+    assert truth.error(0.001, tuple(exudyn_crank.state(0.001, 1e-7))) < 1e-4
+    assert truth.error(ERROR_AT, tuple(exudyn_crank.state(ERROR_AT, 1e-7))) < 2e-2
 
 
 # ---- equal error -----------------------------------------------------------------------------------------------------
