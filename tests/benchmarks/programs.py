@@ -50,14 +50,24 @@ def bare() -> dict[str, float]:
     return _json(_program("slider_crank.cpp", "-DREAL=double"), "bare")
 
 
+@cache
+def sundials() -> Path | None:
+    """The folder of CasADi's CVODE, if a program can be linked to it."""
+    import casadi
+
+    folder = Path(casadi.__file__).parent
+    names = ("libcasadi_integrator_cvodes.so", "libcasadi_sundials_common.so")
+    return folder if COMPILER is not None and all((folder / name).is_file() for name in names) else None
+
+
 def cvode(formula: str, solver: str, tolerance: float, *, friction: bool, time: float, repeats: int = 0) -> Any:
     """State [theta, x, theta', x'] at a time [s], numbers of impacts and evaluations, and the median time of `repeats` runs [s].
 
     formula "adams" or "bdf", solver "functional" or "newton". Raises ArithmeticError where CVODE gives up.
     """
-    import casadi
-
-    library = Path(casadi.__file__).parent
+    library = sundials()
+    if library is None:
+        raise RuntimeError("CasADi's wheel has no CVODE to link to")
     flags = [f"-L{library}", "-lcasadi_integrator_cvodes", "-lcasadi_sundials_common", f"-Wl,-rpath,{library}"]
     program = _program("slider_crank_cvode.cpp", *flags)
     numbers = [repr(float(tolerance)), str(int(friction)), str(repeats), repr(time)]

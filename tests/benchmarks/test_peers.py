@@ -7,10 +7,8 @@ from benchmarks.equal_error import ERROR_AT, crossing
 
 from reference.slider_crank import reference
 
-needs_compiler = pytest.mark.skipif(programs.COMPILER is None, reason="needs g++")
 
-
-@needs_compiler
+@pytest.mark.skipif(programs.sundials() is None, reason="needs g++ and CasADi's SUNDIALS")
 @pytest.mark.parametrize("friction", [False, True])
 @pytest.mark.parametrize(
     ("formula", "solver", "error"),
