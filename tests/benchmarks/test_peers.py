@@ -24,12 +24,12 @@ def test_cvode_meets_the_reference(friction, formula, solver, error):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("friction", [False, True])
-@pytest.mark.parametrize("method", ["LSODA", "DOP853", "Radau"])
-def test_solve_ivp_meets_the_reference(friction, method):
+@pytest.mark.parametrize(("method", "error"), [("LSODA", 2e-4), ("DOP853", 1e-5), ("Radau", 1e-5)])
+def test_solve_ivp_meets_the_reference(friction, method, error):
     from benchmarks.contenders import scipy
 
     state = scipy(method, friction, compiled=False).state(ERROR_AT, 1e-9)
-    assert reference(friction).error(ERROR_AT, tuple(state)) < 2e-3 * (1 if method == "LSODA" else 0.01)
+    assert reference(friction).error(ERROR_AT, tuple(state)) < error
 
 
 @pytest.mark.slow
@@ -50,10 +50,12 @@ def test_the_crossing_of_a_line_is_where_the_line_crosses():
     assert crossing(TOLERANCES, 300 * TOLERANCES, 5e-5, reach=2) == pytest.approx(5e-5 / 300, rel=1e-12)
 
 
-def test_a_lucky_tolerance_is_not_taken():
+def test_one_tolerance_is_neither_lucky_nor_unlucky():
+    """The tolerance just before the crossing comes out far too well, a tight one far too badly."""
     errors = 300 * TOLERANCES
-    errors[3] = 1e-9
-    assert crossing(TOLERANCES, errors, 5e-5, reach=2) == pytest.approx(5e-5 / 300, rel=1e-12)
+    last = np.flatnonzero(errors > 5e-5)[-1]
+    errors[last], errors[last + 6] = 1e-9, 1.0
+    assert crossing(TOLERANCES, errors, 5e-5, reach=2) == pytest.approx(5e-5 / 300, rel=0.4)
 
 
 def test_a_loose_tolerance_counts_only_with_all_tighter_ones():
