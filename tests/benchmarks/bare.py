@@ -8,7 +8,6 @@ import casadi as ca
 import numpy as np
 from benchmarks.ratios import hot
 
-from hertzwerk.runtime.integrate.chunk import Caller
 from hertzwerk.runtime.integrate.compiled import Program
 from hertzwerk.runtime.integrate.explicit import flow
 from hertzwerk.runtime.integrate.layout import CONTACT
@@ -41,18 +40,18 @@ def evaluations(run: Any, *, compiled: bool) -> dict[str, Evaluations]:
 def _seconds(run: Any, rows: np.ndarray, contacts: tuple[int, ...], *, compiled: bool) -> float:
     history, model = run.history, run.model
     chain = _chain(model, contacts)
-    caller = Caller(Program(chain).load() if compiled else chain)
     chosen = np.resize(np.flatnonzero(rows), np.prod(SIZE))
-    values = (
-        0.0,
-        *(history.part(name)[chosen].ravel() for name in ("t", "y", "m")),
-        history.controls[: model.nc],
-    )
-    for place, value in zip(caller.inputs, values, strict=True):
-        place[:] = value
-    if not np.all(np.isfinite(caller())):
+    states = (history.part(name)[chosen].ravel() for name in ("t", "y", "m"))
+    arguments = [np.zeros(1), *(np.ascontiguousarray(values) for values in states), history.controls[: model.nc].copy()]
+    result = np.zeros(1)
+    buffer, evaluate = (Program(chain).load() if compiled else chain).buffer()  # no conversion to DM
+    for i, values in enumerate(arguments):
+        buffer.set_arg(i, memoryview(values))
+    buffer.set_res(0, memoryview(result))
+    time = hot(evaluate, calls=101)() / len(chosen)
+    if not np.isfinite(result[0]):
         raise ValueError("a right-hand side is not finite at the states of its own run")
-    return hot(caller, calls=101)() / len(chosen)
+    return time
 
 
 def _chain(model: Any, contacts: tuple[int, ...]) -> Any:
