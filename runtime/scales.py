@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -27,7 +28,7 @@ class Scales:
     state: np.ndarray
     scene: np.ndarray
 
-    @property
+    @cached_property
     def sound(self) -> bool:
         """Whether every scale is a positive number."""
         return bool(np.all(_sound(self.state)) and np.all(_sound(self.scene)))

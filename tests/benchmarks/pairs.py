@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any
 
+from benchmarks.ratios import Ratio, medians
+
 from reference import scenes
 
 DURATION, ACCURACY = "24 ms", 1e-8  # two revolutions, about 1500 attempts
 RUNS = 10  # of which a measurement is the shortest: a run is shorter than the time slice of whatever else there is
 
 
-def pairs() -> Iterable[Any]:
+def pairs() -> Iterable[Ratio]:
     """Cost per attempt of 1, 4 and 10 contact pairs of which one touches."""
-    from benchmarks.run import Ratio, medians
-
     from hertzwerk.runtime import load
 
     models = {1 + guards: load(scenes.guarded_crank(guards)) for guards in (0, 3, 9)}

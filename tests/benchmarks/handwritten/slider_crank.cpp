@@ -5,10 +5,9 @@
 //   ./slider_crank bare                                                      time of one evaluation in each mode
 //
 // Both print one JSON object in SI units. TOLERANCE is the local error in the scene's scales: positions by the clearance (the
-// rod angle by clearance/length), speeds by r w. Times are those of whole runs from the start to the last TIME.
+// rod angle by clearance/length), speeds by r w. The time is that of whole runs from the start to the last TIME, of the processor.
 // -DREAL="long double" checks the program against the quadruple-precision reference.
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -17,6 +16,7 @@
 
 #include "mechanism.hpp"
 #include "quintic.hpp"
+#include "stopwatch.hpp"
 #include "tables.hpp"
 
 #ifndef REAL
@@ -253,15 +253,10 @@ class Simulation {
 template <class Table, bool Friction>
 void run(Real tolerance, Real clearance, int repeats, const std::vector<Real>& times) {
   const Mechanism<Real> mechanism(clearance);
-  using Clock = std::chrono::steady_clock;
-  std::vector<double> seconds;
-  for (int i = 0; i < repeats; ++i) {
-    const auto begin = Clock::now();
+  const double seconds = median_seconds(repeats, [&] {
     Simulation<Table, Friction> simulation(mechanism, tolerance);
     for (const Real t : times) simulation.advance(t);
-    seconds.push_back(std::chrono::duration<double>(Clock::now() - begin).count());
-  }
-  std::sort(seconds.begin(), seconds.end());
+  });
   Simulation<Table, Friction> simulation(mechanism, tolerance);
   std::printf("{\"states\": [");
   for (std::size_t i = 0; i < times.size(); ++i) {
@@ -277,13 +272,12 @@ void run(Real tolerance, Real clearance, int repeats, const std::vector<Real>& t
   }
   std::printf("], \"evaluations\": %ld, \"contact_evaluations\": %ld, \"steps\": %ld, \"rejected\": %ld, \"seconds\": %.9g}\n",
               simulation.evaluations, simulation.contact_evaluations, simulation.steps, simulation.rejected,
-              repeats ? seconds[seconds.size() / 2] : 0.0);
+              seconds);
 }
 
 // Time of one evaluation at the states of a real run, each waiting for the last as the stages of a step do.
 template <Mode mode, bool Friction>
 double bare(const Mechanism<Real>& m) {
-  using Clock = std::chrono::steady_clock;
   std::vector<std::pair<Real, State<Real>>> states;
   Simulation<Dop853, Friction> simulation(m, Real(1e-6L));
   while (simulation.now_at() < Real(0.024L)) {
@@ -291,10 +285,8 @@ double bare(const Mechanism<Real>& m) {
     simulation.attempt(Real(0.024L));
   }
   constexpr int rounds = 200;
-  std::vector<double> seconds;
   Real last = 0;
-  for (int repeat = 0; repeat < 11; ++repeat) {
-    const auto begin = Clock::now();
+  const double seconds = median_seconds(11, [&] {
     for (int i = 0; i < rounds; ++i) {
       for (auto [t, y] : states) {
         for (int j = 0; j < 4; ++j) y[j] += Real(1e-22L) * last;
@@ -302,11 +294,9 @@ double bare(const Mechanism<Real>& m) {
         last = f[2] + f[3];
       }
     }
-    seconds.push_back(std::chrono::duration<double>(Clock::now() - begin).count() / (rounds * double(states.size())));
-  }
-  std::sort(seconds.begin(), seconds.end());
+  });
   if (!(last > -1e30L)) std::abort();
-  return seconds[seconds.size() / 2];
+  return seconds / (rounds * double(states.size()));
 }
 
 int main(int count, char** arg) {
