@@ -5,6 +5,9 @@
 First one impact with few steps, then the whole slider-crank by hand in C++ (handwritten/regularised.hpp against slider_crank.cpp) at equal
 error. One error at one instant is half luck, so the error of a tolerance is the median over five instants, and what an error costs is read
 off a parabola through the logarithms of all tolerances.
+
+Found: it pays below an error of about 1e-5 only. A step of order 8 that is graded towards the surface sees little of the term t^3.5 that the
+root leaves in the motion, and more than half of a run's evaluations are made in contacts of milliseconds, which are smooth.
 """
 
 from __future__ import annotations
