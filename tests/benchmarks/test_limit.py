@@ -10,7 +10,9 @@ pytestmark = pytest.mark.skipif(programs.COMPILER is None, reason="needs g++")
 
 @pytest.mark.slow
 @pytest.mark.parametrize("friction", [False, True])
-@pytest.mark.parametrize(("method", "tolerance", "error"), [("dop853", 1e-15, 1e-10), ("dopri5", 1e-11, 1e-6)])
+@pytest.mark.parametrize(
+    ("method", "tolerance", "error"), [("dop853", 1e-15, 1e-10), ("dopri5", 1e-11, 1e-6), ("regularised", 1e-15, 1e-10)]
+)
 def test_extended_precision_meets_the_reference(friction, method, tolerance, error):
     """80-bit arithmetic, another method and another code than the reference's: all onsets and states agree."""
     truth = reference(friction)
