@@ -1,8 +1,8 @@
 """What the equations of motion are made of, by one pass outwards and one inwards over the links, each in axes of its own run.
 
 What hangs on a joint moves as one rigid body with it (composite bodies: Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 6). The masses
-beyond a joint act on the link before it as one point mass at the joint (augmented bodies: Wittenburg, Dynamics of Multibody Systems (2008), section
-5.5): mass, first moment and inertia of an augmented link are constant in its axes, so no mass meets a run-time number where a joint only turns.
+beyond a joint act on the link before it as one point mass at the joint (augmented bodies: Wittenburg, Dynamics of Multibody Systems (2008)): mass,
+first moment and inertia of an augmented link are constant in its axes, so no mass meets a run-time number where a joint only turns.
 
 Bias quantities are those at zero generalised accelerations; driven joints' accelerations count as bias. About O: `U r` with
 U = [alpha]x + [w]x[w]x is the acceleration, relative to O, of the point at r.
@@ -12,8 +12,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cache
-from typing import Any
+from functools import cache, wraps
+from typing import Any, TypeVar
 
 import sympy as sp
 
@@ -40,6 +40,21 @@ from hertzwerk.derive.vectors import (
     transpose,
 )
 
+Result = TypeVar("Result")
+
+
+def per_link(method: Callable[[Recursion, Link], Result]) -> Callable[[Recursion, Link], Result]:
+    """A method of a recursion that works its result out once for each link."""
+
+    @wraps(method)
+    def look_up(self: Recursion, link: Link) -> Result:
+        known = self.known.setdefault(method.__name__, {})
+        if link not in known:
+            known[link] = method(self, link)
+        return known[link]  # type: ignore[no-any-return]
+
+    return look_up
+
 
 @dataclass(frozen=True)
 class Spin:
@@ -58,29 +73,14 @@ class Recursion:
     def __init__(self, tree: Tree, bodies: Sequence[Body]) -> None:
         self.tree = tree
         self.tape = tree.tape
+        self.known: dict[str, dict[Link, Any]] = {}
         self.bodies: dict[Link, list[Body]] = {link: [] for link in tree.children}
         for body in bodies:
             self.bodies[tree.places[body].link].append(body)
-        for name in (
-            "mass",
-            "arm",
-            "axis",
-            "own",
-            "augmented",
-            "moment",
-            "inertia",
-            "spin",
-            "swing",
-            "bias",
-            "jump",
-            "force",
-            "torque",
-            "velocity",
-        ):
-            setattr(self, name, cache(getattr(self, name)))  # keyed by links, which live as long as this does
 
     # -- constants -------------------------------------------------------------------------------------------------
 
+    @per_link
     def own(self, link: Link) -> tuple[Any, Vector, Matrix]:
         """Mass [kg], first moment [kg m] and inertia [kg m^2] about O of the bodies on a link, in its axes."""
         mass, moment, inertia = sp.S.Zero, ZERO, combine()
@@ -105,11 +105,13 @@ class Recursion:
         inertia = sp.sympify(body.inertia)
         return scaled(inertia, outer(turning.axis, turning.axis) if turning.kind == "turn" and alone else IDENTITY)
 
+    @per_link
     def mass(self, link: Link) -> Any:
         """Of a link and all that hangs on it [kg]."""
         parts = [self.own(link)[0], *(self.mass(child) for child in self.tree.children[link])]
         return self.tape.let(sp.Add(*parts), f"{link.name}_total_mass")
 
+    @per_link
     def augmented(self, link: Link) -> tuple[Vector, Symmetric]:
         """First moment and inertia about O of the augmented link, in the axes of its run."""
         _, moment, inertia = self.own(link)
@@ -122,12 +124,14 @@ class Recursion:
         moment = within.out(self.tape.vector(moment, f"{name}_h"))
         return self.tape.vector(moment, f"{name}_moment"), within.symmetric(local, self.tape, f"{name}_J")
 
+    @per_link
     def arm(self, link: Link) -> Vector:
         """From the parent's O to this O, in the axes of the parent's run [m]."""
         if link.parent is None:
             return ZERO
         return self.tape.vector(link.parent.orientation.within.out(link.offset), f"{link.name}_arm")
 
+    @per_link
     def axis(self, link: Link) -> Vector:
         """Of a slide or turn, in the axes of its run."""
         return (
@@ -138,11 +142,13 @@ class Recursion:
 
     # -- composites ------------------------------------------------------------------------------------------------
 
+    @per_link
     def moment(self, link: Link) -> Vector:
         """First moment about O of a link with all that hangs on it [kg m]."""
         parts = [child.change.out(self.moment(child)) for child in self.tree.children[link]]
         return self.tape.vector(add(self.augmented(link)[0], *parts), f"{link.name}_total_moment")
 
+    @per_link
     def inertia(self, link: Link) -> Symmetric:
         """Inertia about O of a link with all that hangs on it [kg m^2]."""
         tape, name = self.tape, link.name
@@ -158,6 +164,7 @@ class Recursion:
 
     # -- bias, outwards --------------------------------------------------------------------------------------------
 
+    @per_link
     def spin(self, link: Link) -> Spin:
         """Angular velocity and its bias rate."""
         if link.parent is None:
@@ -176,6 +183,7 @@ class Recursion:
         bias = tape.vector(add(alpha, cross(w, turn), driven), f"{name}_angular_bias")
         return Spin(total, bias, w, alpha, along(axes[0]) if link.kind == "turn" else None)
 
+    @per_link
     def swing(self, link: Link) -> Callable[[Vector], Vector]:
         """R -> U r. A point on the axis of a link's own turn does not notice the turn: its column of U is that of before."""
         spin, tape, name = self.spin(link), self.tape, link.name
@@ -199,6 +207,7 @@ class Recursion:
         """w_i w_j, named, so that it is made once."""
         return self.tape.let(w[i] * w[j], f"{link.name}_rate_{'xyz'[i]}{'xyz'[j]}")
 
+    @per_link
     def jump(self, link: Link) -> Vector:
         """What a slide adds to the bias acceleration of its O; zero elsewhere."""
         if link.kind != "slide":
@@ -209,6 +218,7 @@ class Recursion:
             add(coriolis, ZERO if row.free else scale(row.acceleration, axis)), f"{link.name}_coriolis"
         )
 
+    @per_link
     def bias(self, link: Link) -> Vector:
         """Bias acceleration of O [m/s^2]."""
         if link.parent is None:
@@ -218,6 +228,7 @@ class Recursion:
 
     # -- bias, inwards ---------------------------------------------------------------------------------------------
 
+    @per_link
     def force(self, link: Link) -> Vector:
         """Bias force of the composite beyond `mass * bias` [N]."""
         parts = [child.change.out(self.thrust(child)) for child in self.tree.children[link]]
@@ -227,6 +238,7 @@ class Recursion:
         """`force`, and what its slide adds: all that the augmented parent does not know [N]."""
         return add(self.force(link), scale(self.mass(link), self.jump(link)))
 
+    @per_link
     def torque(self, link: Link) -> Vector:
         """Bias moment of the composite about O [N m]."""
         tape, name = self.tape, link.name
@@ -262,6 +274,7 @@ class Recursion:
 
     # -- velocity, for the energy ----------------------------------------------------------------------------------
 
+    @per_link
     def velocity(self, link: Link) -> Vector:
         """Of O [m/s]."""
         if link.parent is None:

@@ -266,7 +266,7 @@ class Tree:
                     wx, wy, wz = (next(speeds) for _ in range(3))
                     inner = outer.orientnew(f"R{i}{k}", "Quaternion", e)
                     inner.set_ang_vel(outer, wx * inner.x + wy * inner.y + wz * inner.z)
-                    # Nikravesh, Computer-Aided Analysis of Mechanical Systems (1988), eq. (6.108)
+                    # Nikravesh, Computer-Aided Analysis of Mechanical Systems (1988), chapter 6: e' = L^T w/2
                     L = sp.Matrix([[-e[1], e[0], e[3], -e[2]], [-e[2], -e[3], e[0], e[1]], [-e[3], e[2], -e[1], e[0]]])
                     kinematic += list(sp.Matrix(e).diff(t) - L.T * sp.Matrix([wx, wy, wz]) / 2)
             frame = inner

@@ -224,7 +224,7 @@ def test_a_free_body_about_its_mass_centre_costs_eulers_equations_alone():
 
 
 def test_a_hookes_joint_transmits_as_the_textbook_says():
-    """tan(output) = tan(input)/cos(bend), Seherr-Thoss, Schmelz, Aucktor, Universal Joints (2006), eq. (1.1a): the two axes of the cross stay square.
+    """tan(output) = tan(input)/cos(bend), Seherr-Thoss, Schmelz, Aucktor, Universal Joints (2006): the two axes of the cross stay square.
 
     The fork's angle about its bent shaft is read off a universal joint whose two angles the geometry gives."""
     bend, angle = 0.6, 0.8
