@@ -27,6 +27,7 @@ from hertzwerk.derive.mechanism import (
     Point,
     Slot,
     Universal,
+    Weld,
 )
 from hertzwerk.derive.parameter import Parameter, default_value, dimensions_of, is_number, parameters_of
 from hertzwerk.derive.units import parse_unit, unit_text
@@ -151,8 +152,15 @@ def _topology_faults(mechanism: Mechanism) -> Iterator[Fault]:
         if isinstance(pair, PinInBush) and along(pair.axis.unit) is None:
             yield Fault(f"pair {pair.name}", f"the axis {pair.axis.components}", "X, Y, Z or the opposite of one",
                         "Turn the bush: body.at(...).turned(axis, angle).")  # fmt: skip
-        if pair.places[0].body == pair.places[1].body:
-            yield Fault(f"pair {pair.name}", f"both sides on {pair.places[0].body.name}", "two different bodies")
+        first, second = (place.body for place in pair.places)
+        if first == second:
+            yield Fault(f"pair {pair.name}", f"both sides on {first.name}", "two different bodies")
+        elif _rigid_root(mechanism, first) == _rigid_root(mechanism, second):
+            yield Fault(
+                f"pair {pair.name}",
+                f"{first.name} and {second.name}, which are welded",
+                "bodies that can move against each other",
+            )
 
 
 def _axis_faults(joint: Joint) -> Iterator[Fault]:
@@ -199,34 +207,53 @@ def _connection_faults(mechanism: Mechanism) -> Iterator[Fault]:
 
 def _inertia_faults(mechanism: Mechanism, sound: dict[str, Parameter]) -> Iterator[Fault]:
     """A body turned by a joint needs an inertia about its axis; the rest of a principal triple may be zero in plane motion. The last of a chain
-    needs a mass, and all of them where it may turn in every way."""
+    needs a mass, and an inertia about every axis where it may turn in every way."""
     if any(True for _ in _connection_faults(mechanism)):
         return
-    carriers = {joint.parent.body for joint in mechanism.joints}
+    loaded = {
+        _rigid_root(mechanism, body) for body in mechanism.bodies if not (is_number(body.mass) and body.mass == 0)
+    }
+    moved = [joint for joint in mechanism.joints if not isinstance(joint, Weld)]
+    carriers = {_rigid_root(mechanism, joint.parent.body) for joint in moved}
+    alone = {joint.parent.body for joint in mechanism.joints}
     for body in mechanism.bodies:
-        if body not in carriers and is_number(body.mass) and body.mass == 0:
+        root = _rigid_root(mechanism, body)
+        if body == root and body not in carriers and body not in loaded:
             yield Fault(f"body {body.name}, mass", "0 kg at the end of a chain", "a value in (0, inf), because nothing beyond it has a mass",
                         "Give it a mass, or leave it out.")  # fmt: skip
-            continue
         if body.mass == 0:
             continue
-        given = body.inertia if isinstance(body.inertia, tuple) else (body.inertia,) * 3
+        given = (body.mass, *body.centre, *(body.inertia if isinstance(body.inertia, tuple) else (body.inertia,) * 3))
         if not all(is_number(v) and all(sound.get(p.name) == p for p in parameters_of(v)) for v in given):
             continue
-        zero = [default_value(value) == 0 for value in given]
+        zero = [default_value(value) == 0 for value in given[4:]]
         for axis in _turning_axes(mechanism, body):
-            if axis is None and body not in carriers and any(zero):
-                yield Fault(
-                    f"body {body.name}",
-                    "inertia 0",
-                    "three positive principal inertias, because the joint lets the body turn in every way",
-                )
+            if axis is None and body == root and body not in {*carriers, *alone} and _spins_freely(mechanism, body):
+                yield Fault(f"body {body.name}", "inertia 0 about an axis through its joint",
+                            "a positive one about every axis, because the joint lets the body turn in every way")  # fmt: skip
             elif axis is not None and all(zero[k] for k in range(3) if axis.components[k] != 0):
                 yield Fault(
                     f"body {body.name}",
                     "inertia 0",
                     "a positive inertia about the joint's axis, because the body rotates",
                 )
+
+
+def _rigid_root(mechanism: Mechanism, body: Frame) -> Frame:
+    """The first of the bodies that are welded to each other, from the ground outwards."""
+    joint = mechanism.joint_of(body)
+    return _rigid_root(mechanism, joint.parent.body) if isinstance(joint, Weld) else body
+
+
+def _spins_freely(mechanism: Mechanism, body: Body) -> bool:
+    """Whether a body has no inertia about some axis through its joint's point, at the defaults."""
+    joint = mechanism.joint_of(body)
+    at = joint.child.position if joint is not None else (0, 0, 0)
+    arm = [default_value(c) - default_value(p) for c, p in zip(body.centre, at, strict=True)]
+    own = [default_value(J) for J in (body.inertia if isinstance(body.inertia, tuple) else (body.inertia,) * 3)]
+    mass, square = default_value(body.mass), sum(x * x for x in arm)
+    about = sp.Matrix(3, 3, lambda i, j: (own[i] + mass * square) * (i == j) - mass * arm[i] * arm[j])
+    return bool(about.det() <= 1e-12 * about.trace() ** 3)
 
 
 def _turning_axes(mechanism: Mechanism, body: Frame) -> list[Direction | None]:

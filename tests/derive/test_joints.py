@@ -25,6 +25,7 @@ from hertzwerk.derive import (
     Revolute,
     Scales,
     Scene,
+    SphereOnPlane,
     Spherical,
     Start,
     Universal,
@@ -332,6 +333,16 @@ BAD = {
         lambda: scene(Revolute("pin", GROUND, BODY, Z), Prismatic("slide", BODY, Body("end", 0), X)),
         "body end, mass", "end of a chain", "(0, inf)",
     ),
+    "a ball that carries a slender rod by its end": (
+        lambda: scene(Spherical("ball", GROUND, Body("rod", MASS, (TRIPLE[0], TRIPLE[0], 0), (0, 0, Parameter("l", "m", 1.0))))),
+        "body rod", "inertia 0", "every axis",
+    ),
+    "a pair on one rigid body": (
+        lambda: Scene(
+            Mechanism("tried", (Revolute("pin", GROUND, BODY, Z), Weld("glue", BODY, OTHER)),
+                      (SphereOnPlane("touch", BODY.at(0, 0, 0), Parameter("r", "m", 0.1), OTHER.at(0, 0, 0), Z),)), (), SIZES),
+        "pair touch", "welded", "move against each other",
+    ),
     "drive of a ball": (
         lambda: scene(Spherical("ball", GROUND, BODY), effects=(ConstantSpeed("drive", "ball", Parameter("w", "rad/s", 1)),)),
         "effect drive", "not just one coordinate", "",
@@ -367,6 +378,16 @@ def test_faults_of_joints_come_at_once():
             Prismatic("slide", OTHER, Body("end", 0), X),
         )
     assert len(caught.value.faults) == 2
+
+
+def test_a_slender_rod_may_hang_on_a_ball_beside_its_axis():
+    """It has no inertia about its own axis, but its mass moves about any axis through the joint."""
+    scene(Spherical("ball", GROUND, Body("rod", MASS, (TRIPLE[0], TRIPLE[0], 0), (Parameter("l", "m", 1.0), 0, 0))))
+
+
+def test_a_frame_without_mass_may_be_welded_on():
+    found = Derived(scene(Revolute("pin", GROUND, BODY, Z), Weld("mark", BODY, Body("marker", 0))))
+    assert dict(found.OPERATIONS)["accelerations"] == 1
 
 
 def test_a_massless_body_between_others_is_one_that_only_carries():
