@@ -68,7 +68,7 @@ class Kinematics:
         self.rates: list[Any] = []
         motion: dict[str, tuple[tuple[Any, ...], tuple[Row, ...]]] = {}
         for freedom, q, u, a in zip(free, inputs, speeds, seconds, strict=True):
-            rates = u if freedom.scalar else _quaternion_rates(q, u)
+            rates = u if freedom.scalar else _quaternion_rates(q, [tape.let(w / 2, f"half_{w.name}") for w in u])
             self.rates.extend(rates)
             for symbol, rate in (*zip(q, rates, strict=True), *zip(u, a, strict=True)):
                 tape.set_rate(symbol, rate)
@@ -242,12 +242,12 @@ def acceleration_of(speed: Port) -> Port:
     return Port(f"{joint}.{name.replace('speed', 'acceleration')}", f"{speed.unit}^2")
 
 
-def _quaternion_rates(q: Sequence[Any], w: Sequence[Any]) -> tuple[Any, ...]:
-    """q' = q (0, w)/2, w in the turned axes."""
-    (q0, q1, q2, q3), (x, y, z), half = q, w, sp.Rational(1, 2)
+def _quaternion_rates(q: Sequence[Any], half: Sequence[Any]) -> tuple[Any, ...]:
+    """q' = q (0, w/2), the half of w given in the turned axes."""
+    (q0, q1, q2, q3), (x, y, z) = q, half
     return (
-        -half * (q1 * x + q2 * y + q3 * z),
-        half * (q0 * x + q2 * z - q3 * y),
-        half * (q0 * y + q3 * x - q1 * z),
-        half * (q0 * z + q1 * y - q2 * x),
+        -q1 * x - q2 * y - q3 * z,
+        q0 * x + q2 * z - q3 * y,
+        q0 * y + q3 * x - q1 * z,
+        q0 * z + q1 * y - q2 * x,
     )

@@ -20,7 +20,7 @@ from hertzwerk.derive.axes import Change, Fixed, Turn
 from hertzwerk.derive.joints import Freedom, Joint
 from hertzwerk.derive.mechanism import GROUND, Frame, Mechanism, Point
 from hertzwerk.derive.parameter import default_value
-from hertzwerk.derive.program import Tape
+from hertzwerk.derive.program import Tape, symbols_in
 from hertzwerk.derive.vectors import (
     IDENTITY,
     ZERO,
@@ -179,7 +179,7 @@ class Tree:
     ) -> tuple[Link, Matrix]:  # fmt: skip
         """The link of one freedom, and the joint's axes in its axes."""
         if freedom.axis is None:
-            matrix = self.tape.matrix(_of_quaternion(coordinates), f"{name}_R")
+            matrix = self.tape.matrix(_of_quaternion(self.tape, coordinates, name), f"{name}_R")
             orientation = _ball(parent.orientation, axes, Fixed(matrix))
             return Link(name, parent, joint, freedom, coordinates, rows, offset, ZERO, orientation), IDENTITY
         direction = apply(axes, freedom.axis.unit)
@@ -188,12 +188,16 @@ class Tree:
             direction = self.tape.vector(direction, f"{name}_direction")
             moved = add(offset, scale(q, direction))
             return Link(name, parent, joint, freedom, coordinates, rows, moved, direction, parent.orientation), axes
-        constant = IDENTITY
-        if along(direction) is None:
-            constant = self._named(_lined_up(direction), f"{name}_lined_up")
+        constant, inner = IDENTITY, axes
+        if (
+            along(direction) is None and along(freedom.axis.unit) is not None
+        ):  # the joint's axes are turned, the link's follow
+            constant, inner, direction = axes, IDENTITY, freedom.axis.unit
+        elif along(direction) is None:
+            constant = self._named(self._lined_up(direction), f"{name}_lined_up")
+            inner = self._named(multiply(transpose(constant), axes), f"{name}_axes")
             direction = UNIT[2]
         orientation = self._turned(parent.orientation, constant, direction, q, name)
-        inner = axes if constant == IDENTITY else self._named(multiply(transpose(constant), axes), f"{name}_axes")
         return Link(name, parent, joint, freedom, coordinates, rows, offset, direction, orientation), inner
 
     def _turned(self, parent: Orientation, constant: Matrix, axis: Vector, q: Any, name: str) -> Orientation:
@@ -222,6 +226,20 @@ class Tree:
         cosine, sine = self.tape.let(sp.cos(angle), f"cos_{name}"), self.tape.let(sp.sin(angle), f"sin_{name}")
         return Change((Turn(k, cosine, axis[k] * sine),))
 
+    def _lined_up(self, direction: Vector) -> Matrix:
+        """A rotation whose third column is the direction; the first is square to the coordinate axis that, at the defaults, is furthest from it."""
+        sizes = [abs(self._default(component)) for component in direction]
+        first = cross(UNIT[sizes.index(min(sizes))], direction)
+        first = scale(1 / sp.sqrt(dot(first, first)), first)
+        return transpose((first, cross(direction, first), direction))
+
+    def _default(self, expression: Any) -> float:
+        """Value of a constant on the tape at the parameters' defaults."""
+        made = self.tape.assignments
+        while named := [symbol for symbol in symbols_in(expression) if symbol in made]:
+            expression = expression.xreplace({symbol: made[symbol] for symbol in named})
+        return default_value(expression)
+
     def _named(self, matrix: Matrix, name: str) -> Matrix:
         return self.tape.matrix(matrix, name)
 
@@ -237,22 +255,18 @@ def _ball(parent: Orientation, constant: Matrix, rotation: Fixed) -> Orientation
     return orientation
 
 
-def _of_quaternion(q: tuple[Any, ...]) -> Matrix:
-    """Rotation of a unit quaternion; the time loop keeps its norm, so that no evaluation divides by q.q, a quarter of the work."""
-    q0, q1, q2, q3 = q
+def _of_quaternion(tape: Tape, q: tuple[Any, ...], name: str) -> Matrix:
+    """Rotation of a unit quaternion, in 24 operations; the time loop keeps the norm, or five more would divide by q.q in every evaluation."""
+    q0, _, q2, q3 = q
+    twice = [tape.let(2 * part, f"{name}_twice_q{i}") for i, part in enumerate(q[1:], 1)]
+    xx, yy, zz = (tape.let(a * b, f"{name}_q{i}q{i}") for i, (a, b) in enumerate(zip(twice, q[1:], strict=True), 1))
+    wx, wy, wz = (tape.let(a * q0, f"{name}_q0q{i}") for i, a in enumerate(twice, 1))
+    xy, xz, yz = twice[0] * q2, twice[0] * q3, twice[1] * q3
     return (
-        (1 - 2 * (q2 * q2 + q3 * q3), 2 * (q1 * q2 - q0 * q3), 2 * (q1 * q3 + q0 * q2)),
-        (2 * (q1 * q2 + q0 * q3), 1 - 2 * (q1 * q1 + q3 * q3), 2 * (q2 * q3 - q0 * q1)),
-        (2 * (q1 * q3 - q0 * q2), 2 * (q2 * q3 + q0 * q1), 1 - 2 * (q1 * q1 + q2 * q2)),
+        (1 - (yy + zz), xy - wz, xz + wy),
+        (xy + wz, 1 - (xx + zz), yz - wx),
+        (xz - wy, yz + wx, 1 - (xx + yy)),
     )
-
-
-def _lined_up(direction: Vector) -> Matrix:
-    """A rotation whose third column is the direction; the first is square to the coordinate axis the direction is least along, at the defaults."""
-    sizes = [abs(default_value(component)) for component in direction]
-    first = cross(UNIT[sizes.index(min(sizes))], direction)
-    first = scale(1 / sp.sqrt(dot(first, first)), first)
-    return transpose((first, cross(direction, first), direction))
 
 
 def sympified(triple: Any) -> Vector:

@@ -87,7 +87,9 @@ def deviation(tree, derived, count=4):
         f = derived.call("applied", t=t, q=q, u=u) + rows(tree, force)
         ours = derived.call("accelerations", t=t, q=q, u=u, f=f)
         for a, b in zip(ours, tree.accelerations(t, q, u, force), strict=True):
-            worst = max(worst, np.max(np.abs(a - b), initial=0.0) / np.max(np.abs(b), initial=1e-300))
+            worst = np.maximum(
+                worst, np.max(np.abs(a - b), initial=0.0) / np.max(np.abs(b), initial=1e-300)
+            )  # NaN stays
     return worst
 
 
