@@ -7,6 +7,7 @@ appear in the contact's own function alone, which is evaluated in contact only.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -14,9 +15,10 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.dimension import Dimension
+from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.functions import Where
 from hertzwerk.derive.kinematics import Kinematics
-from hertzwerk.derive.laws.law import GEOMETRY, BoundLaw, F, N, Quantity, d, k_t, s, v, v0
+from hertzwerk.derive.laws.law import BRISTLE, GEOMETRY, BoundLaw, F, N, Quantity, d, k_t, s, v, v0
 from hertzwerk.derive.mechanism import Pair, ParallelCylinders, PinInBush, SphereOnPlane
 from hertzwerk.derive.scene import Contact, Friction
 from hertzwerk.derive.units import parse_unit
@@ -26,13 +28,17 @@ NEWTON = Dimension.from_unit(parse_unit("N"), {})
 JOULE = Dimension.from_unit(parse_unit("J"), {})
 STIFFNESS = Dimension.from_unit(parse_unit("N/m"), {})
 DRAG = Dimension.from_unit(parse_unit("N s/m"), {})
+PACE = Dimension.from_unit(parse_unit("m/s"), {})
 METRE = Dimension.from_unit(parse_unit("m"), {})
 PURE = Dimension.from_unit(parse_unit("1"), {})
 
 
 @dataclass(frozen=True)
 class Forces:
-    """What a contact does: generalised forces by joint, dissipated powers [W], normal force [N], sliding velocity [m/s] or None, range."""
+    """What a contact does: generalised forces by joint, dissipated powers [W], normal force [N], sliding velocity [m/s] or None, range.
+
+    bristle_rate [m/s]: of friction with a bristle, else None.
+    """
 
     generalised: dict[str, Any]
     normal_power: Any
@@ -40,6 +46,7 @@ class Forces:
     normal_force: Any
     sliding_velocity: Any
     in_range: Any
+    bristle_rate: Any = None
 
 
 class PairKinematics:
@@ -200,8 +207,8 @@ class PairKinematics:
             return self.let(elastic * factor * self.penetration_rate / approach_speed, "resistance")
         return self.let(self._closed(law.resistance.xreplace(values)), "resistance", stated)
 
-    def forces(self, contact: Contact, friction: Friction | None, approach_speed: Any) -> Forces:
-        """Everything the pair's effects do."""
+    def forces(self, contact: Contact, friction: Friction | None, approach_speed: Any, bristle: Any = None) -> Forces:
+        """Everything the pair's effects do, from the latched approach speed [m/s] and the bristle's deflection [m] where there are such."""
         elastic, _ = self.elastic(contact)
         normal_force, normal_power = elastic, sp.S.Zero
         if contact.damping is not None:
@@ -211,13 +218,16 @@ class PairKinematics:
         # The line of action passes through the first place's centre: the shorter arm does.
         push = self._named(scale(normal_force, self.normal), "push")
         generalised = self._on_joints(push, self.position, "push")
-        friction_power, sliding = sp.S.Zero, None
-        if friction is not None:
-            drag, sliding, friction_power = self._drag(friction, normal_force)
-            drag = self._named(drag, "drag")
-            for joint, force in self._on_joints(drag, self.contact_point, "drag").items():
-                generalised[joint] = generalised.get(joint, sp.S.Zero) + force
-        return Forces(generalised, normal_power, friction_power, normal_force, sliding, self._in_range(contact))
+        if friction is None:
+            return Forces(generalised, normal_power, sp.S.Zero, normal_force, None, self._in_range(contact))
+        pulls = contact.damping is not None and contact.damping.law.release == "gap"
+        pressing = self.let(Where(normal_force > 0, normal_force, 0), "pressing_force") if pulls else normal_force
+        drag, sliding, friction_power, bristle_rate = self._drag(friction, pressing, bristle)
+        drag = self._named(drag, "drag")
+        for joint, force in self._on_joints(drag, self.contact_point, "drag").items():
+            generalised[joint] = generalised.get(joint, sp.S.Zero) + force
+        in_range = self._in_range(contact)
+        return Forces(generalised, normal_power, friction_power, normal_force, sliding, in_range, bristle_rate)
 
     def _on_joints(self, force: Vector, position: Vector, name: str) -> dict[str, Any]:
         return self.kin.generalised(force, position, self.first.body, self.second.body, f"{self.pair.name}_{name}")
@@ -235,8 +245,16 @@ class PairKinematics:
         """The point both bodies touch at, on the first body's surface [m]."""
         return add(self.position, scale(-sp.sympify(self.pair.first_radius), self.normal))
 
-    def _drag(self, friction: Friction, normal_force: Any) -> tuple[Vector, Any, Any]:
-        """Friction force on the first body, sliding velocity, dissipated power."""
+    def friction_faults(self, friction: Friction) -> Iterator[Fault]:
+        """A law with modes or memory needs a direction of sliding that is known: one along a line, as in plane motion."""
+        law = friction.law.law
+        if (law.modes or law.memory) and self._plane_of_motion() is None:
+            found = f"law {law.name} at {self.pair.name}, whose bodies may slide in more than one direction"
+            yield Fault(f"effect {friction.name}", found, "a contact in plane motion: one direction of sliding",
+                        "smooth_coulomb, stribeck and brown_mcphee take sliding in any direction.")  # fmt: skip
+
+    def _drag(self, friction: Friction, normal_force: Any, bristle: Any) -> tuple[Vector, Any, Any, Any]:
+        """Friction force on the first body, sliding velocity, dissipated power, rate of the bristle or None."""
         law = friction.law.law
         plane = self._plane_of_motion()
         if plane is None:
@@ -252,15 +270,22 @@ class PairKinematics:
                 dot(self.relative_rate, tangent) - sp.sympify(self.pair.first_radius) * turn,
                 "sliding_velocity",
             )
-        values = self._law(friction.law, {N: normal_force, s: sliding}, friction.unchecked)
-        stated = (NEWTON, DRAG) if friction.unchecked else (None, None)
+        known = {N: normal_force, s: sliding} | ({} if bristle is None else {BRISTLE: bristle})
+        values = self._law(friction.law, known, friction.unchecked)
+        stated = (NEWTON, DRAG, PACE) if friction.unchecked else (None, None, None)
         force = self.let(law.force.xreplace(values), "friction_force", stated[0])
         power = self.let(force * sliding, "friction_power")
         if plane is None:
             slope = self.let(law.slope.xreplace(values), "friction_slope", stated[1])
             per_speed = self.let(Where(sliding > 0, force / sliding, slope), "friction_per_speed")
-            return scale(-per_speed, slip), sliding, power
-        return scale(-force, tangent), sliding, power
+            return scale(-per_speed, slip), sliding, power, None
+        rates = [self.let(rate.xreplace(values), "bristle_rate", stated[2]) for _, rate, _ in law.memory]
+        return scale(-force, tangent), sliding, power, rates[0] if rates else None
+
+    def bristle_size(self, friction: Friction) -> Any:
+        """What the accuracy of the bristle is measured by [m]."""
+        ((_, _, size),) = friction.law.law.memory
+        return self.let(size.xreplace(friction.law.binding), "bristle_size", METRE if friction.unchecked else None)
 
     def _rate_at(self, position: Vector) -> Vector:
         """Velocity of the first body's point at `position` against the second body's [m/s]."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -13,6 +13,7 @@ from hertzwerk.derive.contact import PairKinematics
 from hertzwerk.derive.dimension import Dimension
 from hertzwerk.derive.emit import emit
 from hertzwerk.derive.equations import Equations
+from hertzwerk.derive.faults import InputError
 from hertzwerk.derive.kinematics import Kinematics
 from hertzwerk.derive.laws.law import speed_limit
 from hertzwerk.derive.mechanism import Prismatic
@@ -60,6 +61,19 @@ class _Derivation:
             rows += self.equations.driven
         self.rows = rows
         self.row_units = tuple(joint.joint.force_unit for joint in rows)
+        faults = [
+            fault
+            for pair, _, friction in self.contacts
+            if friction is not None
+            for fault in pair.friction_faults(friction)
+        ]
+        if faults:
+            raise InputError(f"scene {scene.name}", faults)
+        self.bristles = {
+            friction.name: self.tape.input(f"{friction.name}_bristle", "z", _dimension("m"))
+            for _, _, friction in self.contacts
+            if friction is not None and friction.law.law.memory
+        }
         self.memory = self._memory()
         self.latches = {
             contact.name: self.tape.input(f"{contact.name}_approach_speed", "m", _dimension("m/s"))
@@ -68,9 +82,10 @@ class _Derivation:
         }
 
     def _memory(self) -> list[tuple[str, str]]:
-        """Entries of z: (name, unit)."""
+        """Entries of z: (name, unit); first, in the order of the inputs, those that functions read."""
+        bristles = [(f"{name}.bristle", "m") for name in self.bristles]
         if not self.scene.ledger:
-            return []
+            return bristles
         ledger = self.scene.of_kind("ledger")[0].name
         drives = [(f"{ledger}.input", "J")] if self.equations.driven else []
         contacts = [
@@ -78,7 +93,7 @@ class _Derivation:
             for effect in self.scene.effects
             if isinstance(effect, Contact | Friction)
         ]
-        return drives + contacts
+        return bristles + drives + contacts
 
     @property
     def limited(self) -> dict[str, Any]:
@@ -130,6 +145,11 @@ class _Derivation:
         mass = self.tape.let(sp.Add(*(sp.sympify(body.mass) for body in self.scene.mechanism.bodies)), "total_mass")
         energy = self.tape.let(mass * speed**2 / 2, "energy_scale")
         force = self.tape.let(energy / length, "force_scale")
+        sizes = {
+            f"{friction.name}.bristle": pair.bristle_size(friction)
+            for pair, _, friction in self.contacts
+            if friction is not None and friction.law.law.memory
+        }
         q = [length if isinstance(joint, Prismatic) else length / arm for joint in free]
         u = [speed if isinstance(joint, Prismatic) else speed / arm for joint in free]
         return self._function(
@@ -138,7 +158,7 @@ class _Derivation:
             "p",
             self._coordinates("sq", q),
             self._speeds("su", u),
-            self._memory_result("sz", [energy] * len(self.memory)),
+            self._memory_result("sz", [sizes.get(name, energy) for name, _ in self.memory]),
             Result("s", ("length", "speed", "force", "energy"), ("m", "m/s", "N", "J"), (length, speed, force, energy)),
         )
 
@@ -173,12 +193,15 @@ class _Derivation:
 
     def contact(self, pair: PairKinematics, contact: Contact, friction: Friction | None) -> Function:
         """Forces of one pair."""
-        forces = pair.forces(contact, friction, self.latches.get(contact.name))
+        bristle = None if friction is None else self.bristles.get(friction.name)
+        forces = pair.forces(contact, friction, self.latches.get(contact.name), bristle)
         name = contact.name
         f = [forces.generalised.get(joint.joint.name, sp.S.Zero) for joint in self.rows]
-        power = {f"{name}.dissipated": forces.normal_power}
+        rates = {f"{name}.dissipated": forces.normal_power}
         if friction is not None:
-            power[f"{friction.name}.dissipated"] = forces.friction_power
+            rates[f"{friction.name}.dissipated"] = forces.friction_power
+        if friction is not None and forces.bristle_rate is not None:
+            rates[f"{friction.name}.bristle"] = forces.bristle_rate
         sliding = () if friction is None else (forces.sliding_velocity,)
         return self._function(
             f"contact_{name}",
@@ -186,7 +209,7 @@ class _Derivation:
             "The normal force is the laws' own, not clamped: where it would pull, the contact ends.",
             "t q u z m c",
             self._forces("f", f),
-            self._memory_result("dz", [power.get(entry, sp.S.Zero) for entry, _ in self.memory], "W"),
+            self._memory_rates([rates.get(entry, sp.S.Zero) for entry, _ in self.memory]),
             Result("normal_force", (name,), ("N",), (forces.normal_force,)),
             Result("sliding_velocity", (name,) * len(sliding), ("m/s",) * len(sliding), sliding),
             Result("in_range", (name,), ("1",), (forces.in_range,)),
@@ -235,7 +258,7 @@ class _Derivation:
             "ledger",
             "Power the drives put in, in its row of z.",
             "t q u reactions c",
-            self._memory_result("dz", values, "W"),
+            self._memory_rates(values),
         )
 
     def energy(self) -> Function:
@@ -311,8 +334,20 @@ class _Derivation:
     def _forces(self, name: str, values: list[Any]) -> Result:
         return Result(name, tuple(joint.joint.name for joint in self.rows), self.row_units, tuple(values))
 
-    def _memory_result(self, name: str, values: list[Any], unit: str = "J") -> Result:
-        return Result(name, tuple(n for n, _ in self.memory), (unit,) * len(self.memory), tuple(values))
+    def _memory_result(self, name: str, values: list[Any]) -> Result:
+        return Result(name, tuple(n for n, _ in self.memory), tuple(unit for _, unit in self.memory), tuple(values))
+
+    def _memory_rates(self, values: list[Any]) -> Result:
+        units = {"J": "W", "m": "m/s"}
+        names, rates = tuple(n for n, _ in self.memory), tuple(units[unit] for _, unit in self.memory)
+        return Result("dz", names, rates, tuple(values))
+
+    def _bristle_rows(self) -> Iterator[tuple[int, int]]:
+        """Of every bristle: its row of z, and its pair."""
+        entries = [name for name, _ in self.memory]
+        for j, (_, _, friction) in enumerate(self.contacts):
+            if friction is not None and friction.name in self.bristles:
+                yield entries.index(f"{friction.name}.bristle"), j
 
     def _tables(self) -> Mapping[str, tuple[Any, ...]]:
         scene = self.scene
@@ -333,6 +368,7 @@ class _Derivation:
             "PAIRS": tuple((pair.pair.name, pair.pair.kind) for pair, _, _ in self.contacts),
             "RELEASES": tuple("force" if c.damping is None else c.damping.law.release for _, c, _ in self.contacts),
             "DISSIPATED": tuple(entries.index(f"{name}.dissipated") for name in pairs) if scene.ledger else (),
+            **({"BRISTLES": tuple(self._bristle_rows())} if self.bristles else {}),
             "OUTPUTS": tuple((name, unit) for name, unit, _ in self._outputs()),
             **({"SPEED_LIMITED": tuple(self.limited)} if self.limited else {}),
             "BODIES": tuple(body.name for body in scene.mechanism.bodies),

@@ -212,9 +212,9 @@ def _demand_faults(effect: Any, kind: str | None) -> Iterator[Fault]:
         if law.pairs and kind is not None and kind not in law.pairs:
             expected = f"the pair it was made for, {' or '.join(law.pairs)}"
             yield Fault(f"effect {effect.name}", f"law {law.name} at a {kind} pair", expected)
-        if isinstance(law, FrictionLaw) and (law.modes or law.memory):
-            needs = f"the modes {' and '.join(law.modes)}" if law.modes else f"a memory, {law.memory[0][0].meaning}"
-            yield Fault(f"effect {effect.name}", f"law {law.name}, which needs {needs}", "a friction law that follows from the sliding velocity",
+        if isinstance(law, FrictionLaw) and law.modes:
+            needs = f"law {law.name}, which needs the modes {' and '.join(law.modes)}"
+            yield Fault(f"effect {effect.name}", needs, "a friction law that follows from the sliding velocity",
                         "Scenes do not carry it yet; smooth_coulomb, stribeck and brown_mcphee do without.")  # fmt: skip
 
 

@@ -64,13 +64,14 @@ def latch(model: Model, run: Parts, m: Any, onset: Any, gap_rate: Any) -> tuple[
 
 
 def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
-    """CasADi function (before, after, controls) -> state: the right-hand side under the modes of `after`, and the ledger of what changed."""
+    """CasADi function (before, after, controls) -> state: the right-hand side under the modes of `after`, the ledger of what changed, bristles."""
     layouts = (vectors.state, vectors.state, vectors.controls)
     arguments = [layout.symbol(name) for layout, name in zip(layouts, ("before", "after", "controls"), strict=True)]
     before, after, run = (layout.split(vector) for layout, vector in zip(layouts, arguments, strict=True))
     y = after["y"]
     if model.has_ledger:
         y = _book(model, after["t"], y, run["c"], before["mode"], after["mode"])
+    y = _forget(model, y, after["mode"])
     end = right.at(after["t"], y, after["mode"], after["m"], run["c"])
     end.pop("in_range")
     finite = is_finite(end)
@@ -142,6 +143,15 @@ def any_of(conditions: Any) -> Any:
 
 def _closing(rate: Any, acceleration: Any) -> Any:
     return (rate < 0) + (rate == 0) * (acceleration < 0) > 0
+
+
+def _forget(model: Model, y: Any, mode: Any) -> Any:
+    """State with the bristles of contacts that have ended undeflected."""
+    y = ca.SX(y)
+    for row, j in getattr(model.module, "BRISTLES", ()):
+        i = model.nq + model.nu + row
+        y[i] = ca.if_else(mode[j] == CONTACT, y[i], 0)
+    return y
 
 
 def _book(model: Model, t: Any, y: Any, c: Any, before: Any, after: Any) -> Any:

@@ -251,6 +251,10 @@ class _Run:
             self.y[self.model.nq + self.model.nu + self.model.module.DISSIPATED[j]] += leaves * stored
         self.mode = self.mode.copy()
         self.mode[j] = event.mode
+        for row, pair in getattr(self.model.module, "BRISTLES", ()):
+            if self.mode[pair] != CONTACT:
+                self.y = self.y.copy()
+                self.y[self.model.nq + self.model.nu + row] = 0
 
     def parts(self) -> tuple[np.ndarray, np.ndarray]:
         """q and u."""
