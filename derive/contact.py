@@ -34,10 +34,21 @@ PURE = Dimension.from_unit(parse_unit("1"), {})
 
 
 @dataclass(frozen=True)
+class Grip:
+    """Friction whose force depends on slip and stick: generalised force by joint per newton on the first body along the tangent, along which the
+    sliding velocity counts; and the forces [N] while sliding and that are held at rest.
+    """
+
+    along: dict[str, Any]
+    sliding: Any
+    holding: Any
+
+
+@dataclass(frozen=True)
 class Forces:
     """What a contact does: generalised forces by joint, dissipated powers [W], normal force [N], sliding velocity [m/s] or None, range.
 
-    bristle_rate [m/s]: of friction with a bristle, else None.
+    bristle_rate [m/s]: of friction with a bristle, else None. grip: of friction with modes, which `generalised` and `friction_power` then lack.
     """
 
     generalised: dict[str, Any]
@@ -47,6 +58,7 @@ class Forces:
     sliding_velocity: Any
     in_range: Any
     bristle_rate: Any = None
+    grip: Grip | None = None
 
 
 class PairKinematics:
@@ -220,8 +232,15 @@ class PairKinematics:
         generalised = self._on_joints(push, self.position, "push")
         if friction is None:
             return Forces(generalised, normal_power, sp.S.Zero, normal_force, None, self._in_range(contact))
+        modes = bool(friction.law.law.modes)
         pulls = contact.damping is not None and contact.damping.law.release == "gap"
-        pressing = self.let(Where(normal_force > 0, normal_force, 0), "pressing_force") if pulls else normal_force
+        pressing = normal_force
+        if pulls or modes:
+            pressing = self.let(Where(normal_force > 0, normal_force, 0), "pressing_force")
+        if modes:
+            grip, sliding = self._grip(friction, pressing)
+            in_range = self._in_range(contact)
+            return Forces(generalised, normal_power, sp.S.Zero, normal_force, sliding, in_range, grip=grip)
         drag, sliding, friction_power, bristle_rate = self._drag(friction, pressing, bristle)
         drag = self._named(drag, "drag")
         for joint, force in self._on_joints(drag, self.contact_point, "drag").items():
@@ -262,14 +281,7 @@ class PairKinematics:
             slip = self._named(sub(rate, scale(self.let(dot(rate, self.normal), "along_rate"), self.normal)), "slip")
             sliding = self.let(sp.sqrt(self.let(dot(slip, slip), "slip_squared")), "sliding_velocity")
         else:
-            # In the plane the tangent is known, and the surface speed of each body is its radius times its rate of turn.
-            tangent = self._named(cross(plane, self.normal), "tangent")
-            spins = [self.kin.motions[place.body].angular_velocity for place in (self.first, self.second)]
-            turn = dot(plane, sub(spins[0], spins[1]))
-            sliding = self.let(
-                dot(self.relative_rate, tangent) - sp.sympify(self.pair.first_radius) * turn,
-                "sliding_velocity",
-            )
+            tangent, sliding = self._sliding(plane)
         known = {N: normal_force, s: sliding} | ({} if bristle is None else {BRISTLE: bristle})
         values = self._law(friction.law, known, friction.unchecked)
         stated = (NEWTON, DRAG, PACE) if friction.unchecked else (None, None, None)
@@ -286,6 +298,28 @@ class PairKinematics:
         """What the accuracy of the bristle is measured by [m]."""
         ((_, _, size),) = friction.law.law.memory
         return self.let(size.xreplace(friction.law.binding), "bristle_size", METRE if friction.unchecked else None)
+
+    def _sliding(self, plane: Vector) -> tuple[Vector, Any]:
+        """Tangent and sliding velocity along it: in the plane the surface speed of each body is its radius times its rate of turn."""
+        tangent = self._named(cross(plane, self.normal), "tangent")
+        spins = [self.kin.motions[place.body].angular_velocity for place in (self.first, self.second)]
+        turn = dot(plane, sub(spins[0], spins[1]))
+        sliding = dot(self.relative_rate, tangent) - sp.sympify(self.pair.first_radius) * turn
+        return tangent, self.let(sliding, "sliding_velocity")
+
+    def _grip(self, friction: Friction, pressing: Any) -> tuple[Grip, Any]:
+        """What a law with modes needs, and the sliding velocity."""
+        plane = self._plane_of_motion()
+        if plane is None:
+            raise ValueError(f"{self.pair.name}: no line of sliding, see friction_faults")
+        tangent, sliding = self._sliding(plane)
+        values = self._law(friction.law, {N: pressing}, friction.unchecked)
+        law, stated = friction.law.law, NEWTON if friction.unchecked else None
+        forces = [
+            self.let(law.sliding.xreplace(values), "sliding_force", stated),
+            self.let(law.holding.xreplace(values), "holding_force", stated),
+        ]
+        return Grip(self._on_joints(tangent, self.contact_point, "grip"), *forces), sliding
 
     def _rate_at(self, position: Vector) -> Vector:
         """Velocity of the first body's point at `position` against the second body's [m/s]."""

@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.audit import audit_laws, audit_program, refuse_inconsistent
-from hertzwerk.derive.contact import PairKinematics
+from hertzwerk.derive.contact import Forces, PairKinematics
 from hertzwerk.derive.dimension import Dimension
 from hertzwerk.derive.emit import emit
 from hertzwerk.derive.equations import Equations
@@ -203,17 +203,40 @@ class _Derivation:
         if friction is not None and forces.bristle_rate is not None:
             rates[f"{friction.name}.bristle"] = forces.bristle_rate
         sliding = () if friction is None else (forces.sliding_velocity,)
+        grip = [] if friction is None or forces.grip is None else self._grip(friction, forces)
         return self._function(
             f"contact_{name}",
             f"Forces of {name}: {contact.text}{f', {friction.law.law.name}' if friction else ''}. "
-            "The normal force is the laws' own, not clamped: where it would pull, the contact ends.",
+            "The normal force is the laws' own, not clamped: where it would pull, the contact ends."
+            + (" Friction comes on top: `along` times its force, which is that of slip or stick." if grip else ""),
             "t q u z m c",
             self._forces("f", f),
             self._memory_rates([rates.get(entry, sp.S.Zero) for entry, _ in self.memory]),
             Result("normal_force", (name,), ("N",), (forces.normal_force,)),
             Result("sliding_velocity", (name,) * len(sliding), ("m/s",) * len(sliding), sliding),
             Result("in_range", (name,), ("1",), (forces.in_range,)),
+            *grip,
         )
+
+    def _grip(self, friction: Friction, forces: Forces) -> list[Result]:
+        """Of friction with modes, per newton along the tangent: generalised force and dissipated power; the forces of slip and stick."""
+        grip, name = forces.grip, friction.pair
+        if grip is None:
+            raise ValueError(f"{friction.name} has no modes")
+        along = [grip.along.get(joint.joint.name, sp.S.Zero) for joint in self.rows]
+        per_newton = {"N": "1", "N m": "m"}
+        units = tuple(per_newton[unit] for unit in self.row_units)
+        power = [
+            -forces.sliding_velocity if entry == f"{friction.name}.dissipated" else sp.S.Zero
+            for entry, _ in self.memory
+        ]
+        rates = {"J": "W/N", "m": "m/(s N)"}
+        return [
+            Result("along", tuple(joint.joint.name for joint in self.rows), units, tuple(along)),
+            Result("dz_along", tuple(n for n, _ in self.memory), tuple(rates[u] for _, u in self.memory), tuple(power)),
+            Result("sliding_force", (name,), ("N",), (grip.sliding,)),
+            Result("holding_force", (name,), ("N",), (grip.holding,)),
+        ]
 
     def applied(self) -> Function:
         """Forces that are no contact's."""
@@ -342,6 +365,15 @@ class _Derivation:
         names, rates = tuple(n for n, _ in self.memory), tuple(units[unit] for _, unit in self.memory)
         return Result("dz", names, rates, tuple(values))
 
+    def _slips(self) -> dict[str, tuple[Any, ...]]:
+        """Table of the pairs whose friction has modes: entries of m behind LATCHES, with their pair; none without such a pair."""
+        rows = [
+            (f"{pair.pair.name}.slip", "1", j)
+            for j, (pair, _, friction) in enumerate(self.contacts)
+            if friction is not None and friction.law.law.modes
+        ]
+        return {"SLIPS": tuple(rows)} if rows else {}
+
     def _bristle_rows(self) -> Iterator[tuple[int, int]]:
         """Of every bristle: its row of z, and its pair."""
         entries = [name for name, _ in self.memory]
@@ -366,6 +398,7 @@ class _Derivation:
             "MEMORY": tuple(self.memory),
             "LATCHES": tuple((f"{name}.approach_speed", "m/s", pairs.index(name)) for name in self.latches),
             "PAIRS": tuple((pair.pair.name, pair.pair.kind) for pair, _, _ in self.contacts),
+            **self._slips(),
             "RELEASES": tuple("force" if c.damping is None else c.damping.law.release for _, c, _ in self.contacts),
             "DISSIPATED": tuple(entries.index(f"{name}.dissipated") for name in pairs) if scene.ledger else (),
             **({"BRISTLES": tuple(self._bristle_rows())} if self.bristles else {}),

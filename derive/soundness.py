@@ -13,7 +13,7 @@ import sympy as sp
 
 from hertzwerk.derive.dimension import Dimension, check
 from hertzwerk.derive.faults import Fault
-from hertzwerk.derive.laws.law import BoundLaw, FrictionLaw, Law
+from hertzwerk.derive.laws.law import BoundLaw, Law
 from hertzwerk.derive.mechanism import GROUND, Body, Direction, Frame, Ground, Mechanism, Point, Revolute, Slot
 from hertzwerk.derive.parameter import Parameter, default_value, dimensions_of, is_number, parameters_of
 from hertzwerk.derive.units import parse_unit, unit_text
@@ -207,15 +207,11 @@ def _geometry_faults(effect: Any, offered: dict[str, Any]) -> Iterator[Fault]:
 
 
 def _demand_faults(effect: Any, kind: str | None) -> Iterator[Fault]:
-    """What laws ask of a scene beyond units and geometry: the pair they were made for, modes and memory of friction."""
+    """What laws ask of a scene beyond units and geometry: the pair they were made for."""
     for law in (bound.law for bound in effect.laws):
         if law.pairs and kind is not None and kind not in law.pairs:
             expected = f"the pair it was made for, {' or '.join(law.pairs)}"
             yield Fault(f"effect {effect.name}", f"law {law.name} at a {kind} pair", expected)
-        if isinstance(law, FrictionLaw) and law.modes:
-            needs = f"law {law.name}, which needs the modes {' and '.join(law.modes)}"
-            yield Fault(f"effect {effect.name}", needs, "a friction law that follows from the sliding velocity",
-                        "Scenes do not carry it yet; smooth_coulomb, stribeck and brown_mcphee do without.")  # fmt: skip
 
 
 def _start_faults(scene: Scene) -> Iterator[Fault]:

@@ -210,7 +210,8 @@ class DampingLaw(Law):
 class FrictionLaw(Law):
     """Friction force [N] opposing the sliding velocity s, an odd function of s; `slope` is its derivative at s = 0 [N s/m].
 
-    A set-valued law names its `modes`: `force` is then what it does while sliding, `holding` [N] the most it holds at rest. A law with continuous
+    A set-valued law names its `modes`: `force` is then what it does while sliding, a function of N times sign(s), and `holding` [N] the most it
+    holds at rest. A law with continuous
     memory gives it with its rate and its size, by which the accuracy of it is measured.
     """
 
@@ -220,6 +221,16 @@ class FrictionLaw(Law):
     holding: sp.Expr | None = None
     memory: tuple[tuple[Quantity, sp.Expr, sp.Expr], ...] = ()
     kind = "friction"
+
+    def __post_init__(self) -> None:
+        """Modes know the direction of sliding, not the speed."""
+        if self.modes and (self.holding is None or self.sliding.has(s) or self.holding.has(s)):
+            raise ValueError(f"law {self.name}: with modes, force/sign(s) and holding are functions of N alone")
+
+    @property
+    def sliding(self) -> sp.Expr:
+        """Of a law with modes: the force while sliding [N], without its sign."""
+        return self.force.xreplace({sp.sign(s): sp.S.One})
 
     def expressions(self) -> Iterator[tuple[str, sp.Expr, str]]:
         """The friction force, its slope at rest, the force held at rest, rates and sizes of the memory."""

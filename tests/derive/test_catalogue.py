@@ -384,10 +384,11 @@ def refused(*arguments, **given):
     return str(raised.value)
 
 
-def test_set_valued_friction_is_refused():
-    law = LAWS["coulomb"](Parameter("mu_k", "1", 0.1), Parameter("mu_s", "1", 0.2))
-    text = refused(JOURNAL, johnson(STEEL, STEEL), friction=law)
-    assert "coulomb, which needs the modes slip and stick" in text and "smooth_coulomb" in text
+def test_a_law_with_modes_knows_no_speed():
+    with pytest.raises(ValueError, match="functions of N alone"):
+        replace(LAWS["coulomb"], force=mu * N * sp.sign(s) + v_S * s)
+    with pytest.raises(ValueError, match="functions of N alone"):
+        replace(LAWS["coulomb"], holding=None)
 
 
 def test_law_for_another_pair_is_refused():

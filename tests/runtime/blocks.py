@@ -28,8 +28,8 @@ MASS, CARRIAGE, GRAVITY, STIFFNESS = 1.0, 0.25, 9.81, 1e5  # kg, kg, m/s^2, N/m
 WEIGHT = MASS * GRAVITY  # N; the carriage is guided by the ramp: its weight does not press
 
 
-def block(*friction, pull=None):
-    """One block per friction law, each on its own carriage; `pull` drives the first carriage at that speed instead [m/s]."""
+def block(*friction, pull=None, turn=None):
+    """One block per friction law, each on its own carriage. `pull` drives the first carriage, at that speed [m/s]; `turn` the ramp [rad/s]."""
     mass, radius, angle = Parameter("mass", "kg", MASS), Parameter("radius", "m", 0.1), Parameter("slope", "rad", 0)
     gravity, stiffness = Parameter("gravity", "m/s^2", GRAVITY), Parameter("stiffness", "N/m", STIFFNESS)
     damping = kelvin_voigt(Parameter("restitution", "1", 0.2))
@@ -47,6 +47,9 @@ def block(*friction, pull=None):
         position[f"up_{i}"] = radius - resting + Parameter("height", "mm", 0)
     rubs = [Friction(f"rub_{i}", f"floor_{i}", law) for i, law in enumerate(friction)]
     drive = [ConstantSpeed("belt", "along_0", Parameter("pull", "m/s", pull))] if pull else []
+    if turn:
+        drive.append(ConstantSpeed("crane", "tilt", Parameter("turn", "rad/s", turn)))
+        del position["tilt"]
     speed = Parameter("slide", "m/s", 0)
     return Scene(
         Mechanism("block", tuple(joints), tuple(pairs)),
