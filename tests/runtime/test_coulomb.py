@@ -1,6 +1,7 @@
 """Set-valued Coulomb friction in the engine: slip and stick as modes, against closed forms, impulses, and another way of writing the same thing."""
 
 import math
+from functools import cache
 from types import ModuleType
 
 import casadi as ca
@@ -52,9 +53,18 @@ def dry(name="", mu_k=MU_K, mu_s=MU_S):
     return coulomb(Parameter(f"mu_k{name}", "1", mu_k), Parameter(f"mu_s{name}", "1", mu_s))
 
 
+@cache
+def built(scene, *given, **options):
+    """The model of a scene, derived once."""
+    return load(scene(*given, **options))
+
+
+DRY = dry()
+
+
 @pytest.fixture(scope="module")
 def model():
-    return load(block(dry()))
+    return built(block, DRY)
 
 
 # ---- one block -------------------------------------------------------------------------------------------------------
@@ -102,7 +112,7 @@ def test_just_above_the_friction_angle_it_slides(model, method):
 def test_a_tilting_plane_lets_go_at_the_static_angle(method):
     """The turning adds a centripetal acceleration to the load: MOVING g sin = mu_s MASS (g cos - turn^2 height)."""
     turn = 0.2
-    run = simulate(load(block(dry(), turn=turn)), duration="2 s", method=method, accuracy=1e-8)
+    run = simulate(built(block, DRY, turn=turn), duration="2 s", method=method, accuracy=1e-8)
     slips = np.flatnonzero(run["floor_0.slip"] != 0)
     height = float(run["up_0.travel"][slips[0]])
 
@@ -136,7 +146,7 @@ def test_thrown_uphill_it_turns_without_sticking(model, method):
 def test_bounces_take_an_impulse_each():
     """Sliding all the while: what friction takes is mu_k times what the floor gives, MASS times the changes of speed plus the weight's."""
     run = simulate(
-        load(block(dry())), duration="0.3 s", accuracy=1e-9,
+        built(block, DRY), duration="0.3 s", accuracy=1e-9,
         parameters={"slide": "3 m/s", "height": "20 mm", "restitution": 1},  # less, and the law would pull before it ends
     )  # fmt: skip
     pushed = MASS * (run["up_0.speed"][-1] - run["up_0.speed"][0]) + WEIGHT * 0.3
@@ -216,7 +226,7 @@ def sledge(angle=0.0, *, rocks=False, speed=0.0):
 @pytest.mark.parametrize("method", METHODS)
 def test_redundant_contacts_share_what_they_hold(method):
     """Two feet that cannot but stick together: one force to share, so each takes half."""
-    model = load(sledge())
+    model = built(sledge)
     run = simulate(model, duration="2 s", method=method, parameters={"slope": 0.25})
     assert run.outcome.finished
     for foot in ("rear", "front"):
@@ -234,7 +244,7 @@ def test_redundant_contacts_share_what_they_hold(method):
 def test_a_body_that_rocks_loads_its_feet_unequally(method):
     """Braking at the feet, which are below the middle, loads the front one: mu_k g m radius = (N_front - N_rear) FEET."""
     run = simulate(
-        load(sledge(rocks=True)), duration="1.5 s", method=method, accuracy=1e-8, parameters={"slide": "2 m/s"}
+        built(sledge, rocks=True), duration="1.5 s", method=method, accuracy=1e-8, parameters={"slide": "2 m/s"}
     )
     rows = run.at(np.linspace(0.3, 0.9, 300))
     shift = np.mean(rows["front.normal_force"] - rows["rear.normal_force"])
@@ -283,7 +293,7 @@ def stack(upper, lower):
 @pytest.mark.parametrize("method", [*METHODS, "cvodes"])
 def test_stuck_on_what_slides(method):
     """0.4 above holds what 0.2 below takes: slab and block brake as one, each friction force through the other's mass."""
-    run = simulate(load(stack(0.4, 0.2)), duration="0.6 s", method=method, accuracy=1e-8)
+    run = simulate(built(stack, 0.4, 0.2), duration="0.6 s", method=method, accuracy=1e-8)
     slides = run.t < 0.5
     assert np.all(run["deck.slip"] == 0)
     assert np.abs(run["deck.friction_force"][slides]) == pytest.approx(0.2 * GRAVITY, rel=1e-6)
@@ -295,7 +305,7 @@ def test_stuck_on_what_slides(method):
 @pytest.mark.parametrize("method", [*METHODS, "cvodes"])
 def test_sliding_on_what_sticks(method):
     """0.1 above, 0.3 below: the slab brakes faster and stands still under the block, which slides on for as long as 0.1 g takes."""
-    run = simulate(load(stack(0.1, 0.3)), duration="1.2 s", method=method, accuracy=1e-8)
+    run = simulate(built(stack, 0.1, 0.3), duration="1.2 s", method=method, accuracy=1e-8)
     slab = (0.3 * 4 * GRAVITY - 0.1 * GRAVITY) / 3
     assert run.final["sled_x.travel"] == pytest.approx(1 / (2 * slab), rel=1e-8)
     assert run.final["cart_x.travel"] == pytest.approx(1 / (2 * 0.1 * GRAVITY) - 1 / (2 * slab), rel=1e-8)
@@ -340,7 +350,7 @@ def ball(height=0.0, stiffness=STIFFNESS):
 @pytest.mark.parametrize("method", [*METHODS, "cvodes"])
 def test_sliding_becomes_rolling(method):
     """About the point of contact the angular momentum stays: rolling at (5 v - 2 r w)/7, here after t = 2 (v + r w)/(7 mu g)."""
-    run = simulate(load(ball()), duration="1 s", method=method, accuracy=1e-8)
+    run = simulate(built(ball), duration="1 s", method=method, accuracy=1e-8)
     v, w = 1.0, 60.0
     rolling = (5 * v - 2 * RADIUS * w) / 7
     begins = np.flatnonzero(run["floor.slip"] == 0)[0]
@@ -356,7 +366,7 @@ def test_sliding_becomes_rolling(method):
 def test_a_bounce_with_backspin(method, mu, grips_it):
     """One short impact: sliding throughout it takes mu (1 + e) v_n along; with enough friction the ball leaves rolling."""
     run = simulate(
-        load(ball(0.01)), duration="40 ms", method=method, accuracy=1e-8,
+        built(ball, 0.01), duration="40 ms", method=method, accuracy=1e-8,
         parameters={"mu_k": mu, "mu_s": mu, "fall": "2 m/s", "stiffness": "1e6 N/m", "gravity": "1e-6 m/s^2"},
     )  # fmt: skip
     (impact,) = run.impacts
@@ -371,6 +381,7 @@ def test_a_bounce_with_backspin(method, mu, grips_it):
 # ---- an oscillator on a belt, written by hand ------------------------------------------------------------------------
 
 
+@cache
 def oscillator(mu_k, mu_s, load_force=10.0, spring=100.0):
     """A point of 1 kg on a spring, pressed on a belt by a constant force; start x0, v0; the belt moves at `belt`."""
     module = ModuleType("oscillator")
@@ -470,7 +481,7 @@ def test_the_pin_of_the_slider_crank_slips_and_sticks_in_its_bush():
 
 @pytest.mark.parametrize("slips", [(0, 0), (0, 1), (-1, 0), (1, -1)])
 def test_jacobian_against_differences(slips):
-    model = load(sledge(rocks=True))
+    model = built(sledge, rocks=True)
     bound = model.bind({"slope": 0.2})
     q, u = (np.array(x).ravel() for x in model.function("start")(bound.p))
     scale = of_parameters(model, bound).state
@@ -492,7 +503,7 @@ def test_jacobian_against_differences(slips):
 
 def test_the_direction_of_friction_is_that_of_sliding():
     """The generalised force per newton is the gradient of the sliding velocity by the speeds: what the linear system of sticking rests on."""
-    model = load(sledge(rocks=True))
+    model = built(sledge, rocks=True)
     bound = model.bind({"slope": 0.2})
     q, u = (np.array(x).ravel() for x in model.function("start")(bound.p))
     q[3], y = 0.01, np.concatenate([q, u, np.zeros(model.nz)])
@@ -508,7 +519,7 @@ def test_the_direction_of_friction_is_that_of_sliding():
 
 def test_nothing_of_it_where_no_law_has_modes():
     smooth = LAWS["smooth_coulomb"](Parameter("mu", "1", 0.2), Parameter("v_s", "m/s", 1e-3))
-    model = load(block(smooth))
+    model = built(block, smooth)
     assert not hasattr(model.module, "SLIPS")
     assert flow(model).ends.size1_out("margin") == 0
     assert "floor_0.slip" not in simulate(model, duration="1 ms").names
