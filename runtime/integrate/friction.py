@@ -24,13 +24,9 @@ if TYPE_CHECKING:
 Parts = Mapping[str, Any]
 
 STICK = 0.0  # slip of a pair that sticks
-REDUNDANT = (
-    1e-8  # part of its diagonal by which W is made regular: two contacts of one body may stick with one force to share
-)
+REDUNDANT = 1e-8  # part of its diagonal that makes W regular: contacts of one body may share one force
 REFINEMENTS = 2  # steps after which that part is gone from what is not redundant
-ROUNDS = (
-    3  # in which sticking pairs are asked again after another has let go; who lets go later does so at the next step
-)
+ROUNDS = 3  # of asking who sticks still, once one has let go; later ones do so at the next step
 BREAKS = 0.25  # of the tolerance of a landing: by which lambda exceeds what is held when a pair lets go; a landing aims at half
 
 
@@ -162,11 +158,10 @@ def directed(model: Model, t: Any, y: Any, mode: Any, m: Any, c: Any, asked: Any
     """Slips and state of a moment at which some pairs have to be asked anew: (m, y).
 
     asked (n): pairs whose direction is not known, at an onset or where sliding has come to rest: they go on sliding if they do, by more than the
-    tolerances (of a speed [m/s], of a force [N]); else they stick if that takes no more than is held, else slip where they are driven to.
+    tolerance (of a speed [m/s], of a force [N]); else they stick if that takes no more than is held, else slip where they are driven to.
     broken (n): pairs that stick no longer. Those that stick are brought to rest.
     """
     rate, force = tolerance
-    rows = slips_in(model)
     now = grips(model, BY_MODE, t, y, mode, m, c)
     moving = ca.fabs(now.velocity) > rate
     slip = ca.if_else(asked, ca.if_else(moving, ca.sign(now.velocity), STICK), now.slip)
@@ -179,7 +174,7 @@ def directed(model: Model, t: Any, y: Any, mode: Any, m: Any, c: Any, asked: Any
             lets_go = lets_go + broken > 0
         slip = ca.if_else(now.touching * (slip == STICK) * lets_go, -ca.sign(needed), slip)
     m = _with_slips(model, m, slip)
-    return ca.SX(m), at_rest(model, t, y, mode, m, c) if rows.stop > rows.start else y
+    return m, at_rest(model, t, y, mode, m, c)
 
 
 def _needed(model: Model, t: Any, y: Any, mode: Any, m: Any, c: Any) -> tuple[Any, Any]:

@@ -44,6 +44,7 @@ from hertzwerk.runtime.solution import Solution
 
 METHODS = ("dop853", "dopri5", "rodas", "esdirk", "auto")
 REFERENCES = ("cvodes", "idas")
+CVODES, IDAS = (pytest.param(method, marks=pytest.mark.slow) for method in REFERENCES)
 MU_K, MU_S = 0.2, 0.3
 MOVING = MASS + CARRIAGE  # kg
 CRITICAL = math.atan(MU_S * MASS / MOVING)  # rad: MOVING g sin = mu_s MASS g cos
@@ -108,7 +109,7 @@ def test_just_above_the_friction_angle_it_slides(model, method):
     assert run.energy_residual < 1e-7
 
 
-@pytest.mark.parametrize("method", [*METHODS, "cvodes"])
+@pytest.mark.parametrize("method", [*METHODS, CVODES])
 def test_a_tilting_plane_lets_go_at_the_static_angle(method):
     """The turning adds a centripetal acceleration to the load: MOVING g sin = mu_s MASS (g cos - turn^2 height)."""
     turn = 0.2
@@ -125,7 +126,7 @@ def test_a_tilting_plane_lets_go_at_the_static_angle(method):
     assert run.energy_residual < 1e-7
 
 
-@pytest.mark.parametrize("method", [*METHODS, "cvodes"])
+@pytest.mark.parametrize("method", [*METHODS, CVODES])
 def test_thrown_uphill_it_turns_without_sticking(model, method):
     """Steeper than the friction angle: up with g (sin + mu cos), down with g (sin - mu cos), nothing in between."""
     angle, speed = 0.5, 1.0
@@ -157,7 +158,7 @@ def test_bounces_take_an_impulse_each():
     assert set(run["floor_0.slip"][run["floor_0.mode"] == 0]) == {0.0}
 
 
-@pytest.mark.parametrize("method", [*METHODS, *REFERENCES])
+@pytest.mark.parametrize("method", [*METHODS, CVODES, IDAS])
 def test_bounces_on_a_slope_agree(model, method):
     """Dropped on a slope it would stay on: slips, sticks while pressed hard, slips again before it leaves; every method finds the same."""
     given = {"duration": "0.15 s", "parameters": {"slope": 0.2, "height": "2 mm", "restitution": 0.6}}
@@ -290,7 +291,7 @@ def stack(upper, lower):
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("method", [*METHODS, "cvodes"])
+@pytest.mark.parametrize("method", [*METHODS, CVODES])
 def test_stuck_on_what_slides(method):
     """0.4 above holds what 0.2 below takes: slab and block brake as one, each friction force through the other's mass."""
     run = simulate(built(stack, 0.4, 0.2), duration="0.6 s", method=method, accuracy=1e-8)
@@ -302,7 +303,7 @@ def test_stuck_on_what_slides(method):
     assert run.energy_residual < 1e-7
 
 
-@pytest.mark.parametrize("method", [*METHODS, "cvodes"])
+@pytest.mark.parametrize("method", [*METHODS, CVODES])
 def test_sliding_on_what_sticks(method):
     """0.1 above, 0.3 below: the slab brakes faster and stands still under the block, which slides on for as long as 0.1 g takes."""
     run = simulate(built(stack, 0.1, 0.3), duration="1.2 s", method=method, accuracy=1e-8)
@@ -347,7 +348,7 @@ def ball(height=0.0, stiffness=STIFFNESS):
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("method", [*METHODS, "cvodes"])
+@pytest.mark.parametrize("method", [*METHODS, CVODES])
 def test_sliding_becomes_rolling(method):
     """About the point of contact the angular momentum stays: rolling at (5 v - 2 r w)/7, here after t = 2 (v + r w)/(7 mu g)."""
     run = simulate(built(ball), duration="1 s", method=method, accuracy=1e-8)
@@ -361,7 +362,7 @@ def test_sliding_becomes_rolling(method):
     assert run.energy_residual < 1e-7
 
 
-@pytest.mark.parametrize("method", ["dop853", "dopri5", "rodas", "esdirk", "cvodes"])
+@pytest.mark.parametrize("method", ["dop853", "dopri5", "rodas", "esdirk", CVODES])
 @pytest.mark.parametrize(("mu", "grips_it"), [(0.05, False), (0.9, True)])
 def test_a_bounce_with_backspin(method, mu, grips_it):
     """One short impact: sliding throughout it takes mu (1 + e) v_n along; with enough friction the ball leaves rolling."""
@@ -412,7 +413,7 @@ def oscillator(mu_k, mu_s, load_force=10.0, spring=100.0):
     return Model(module)
 
 
-@pytest.mark.parametrize("method", [*METHODS, *REFERENCES])
+@pytest.mark.parametrize("method", [*METHODS, CVODES, IDAS])
 def test_free_oscillations_lose_four_friction_lengths_each(method):
     """Turning points x0 - 2 n mu_k N/k, half a period apart, until one lies within mu_s N/k, where it stays."""
     way, x0 = 0.02, 0.115  # mu_k N/k, m; mu_s N/k = 0.03 m
@@ -429,7 +430,7 @@ def test_free_oscillations_lose_four_friction_lengths_each(method):
     assert run.energy_residual < (1e-6 if method in REFERENCES else 1e-7)
 
 
-@pytest.mark.parametrize("method", [*METHODS, "cvodes"])
+@pytest.mark.parametrize("method", [*METHODS, CVODES])
 def test_stick_slip_on_a_belt_has_the_closed_period(method):
     """Sticks until k x = mu_s N, slips as a free oscillation about mu_k N/k until it meets the belt's speed again."""
     belt, omega, rise = 0.05, 10.0, 0.01  # rise: (mu_s - mu_k) N/k

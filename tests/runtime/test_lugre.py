@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 from blocks import CARRIAGE, MASS, WEIGHT, block
+from matplotlib.text import Text
 from scipy.integrate import solve_ivp
 
 from hertzwerk.derive import (
@@ -166,6 +167,16 @@ def test_jacobian_against_differences(model):
     size = np.max(np.abs(J), axis=1, keepdims=True) + 1e-300
     assert J[6, 6] == pytest.approx(-S_0 * 0.03 / (MU_K + (MU_S - MU_K) * math.exp(-((0.03 / V_S) ** 2))))
     assert np.max(np.abs(np.array(differences).T - J) / size) < 1e-6
+
+
+def test_a_bristle_is_no_energy(model):
+    """The ledger's entries are drawn as energies, the bristle beside them is not."""
+    figure = simulate(model, duration="50 ms", parameters={"slide": "1 m/s"}).plot()
+    labels = {
+        text.get_text() for axis in figure.axes for text in (*axis.texts, *(axis.get_legend() or figure).findobj(Text))
+    }
+    assert "loss, rub_0" in labels
+    assert "drives' work" not in labels
 
 
 def test_without_a_bristle_there_is_no_trace_of_one(model):
