@@ -60,9 +60,10 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
     grip = grips(model, contacts, t, y, mode, m, c) if may_slip(model, contacts) else None
     if grip is not None:
         slipping = -grip.slip * grip.sliding
-        friction = friction_forces(model)(t, q, u, f, grip.along, grip.drift, slipping, grip.sticks, c)
-        f += ca.mtimes(grip.along, friction)
-        dz += ca.mtimes(grip.power, friction)
+        n = len(grip.places)
+        found = friction_forces(model, n)(t, q, u, f, grip.along, grip.drift, slipping, grip.sticks, c)
+        f += ca.mtimes(grip.along, found)
+        dz += ca.mtimes(grip.power, found)
     dq = model.function("coordinate_rates")(t, q, u, c)
     a, reactions = model.function("accelerations")(t, q, u, f, c)
     if model.has_ledger:
@@ -73,11 +74,13 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
     along = ca.jtimes(forces, ca.vertcat(t, y), ca.vertcat(1, dy)) if contacts != () else ca.SX.zeros(model.k)
     force_rate = ca.if_else(gap < 0, along, 0)  # at zero penetration the derivative of a root is not a number
     if grip is not None:
-        held = ca.if_else(grip.touching, grip.holding - ca.fabs(friction), 0)
-        of_held = ca.if_else(gap[pairs_of(model)] < 0, ca.jtimes(held, ca.vertcat(t, y), ca.vertcat(1, dy)), 0)
+        held = ca.if_else(grip.touching, grip.holding - ca.fabs(found), 0)
+        gaps = gap[[pairs_of(model)[i] for i in grip.places]]
+        of_held = ca.if_else(gaps < 0, ca.jtimes(held, ca.vertcat(t, y), ca.vertcat(1, dy)), 0)
         sliding = grip.slip * (grip.drift + ca.mtimes(grip.along[: model.nu, :].T, a))
-        margin = ca.if_else(grip.sticks, held, grip.slip * grip.velocity)
-        margin_rate = ca.if_else(grip.sticks, of_held, sliding)
+        friction[grip.places] = found
+        margin[grip.places] = ca.if_else(grip.sticks, held, grip.slip * grip.velocity)
+        margin_rate[grip.places] = ca.if_else(grip.sticks, of_held, sliding)
     arguments = [t, y, mode, m, c]
     names = ["t", "y", "mode", "m", "c"]
     return Flow(

@@ -32,12 +32,14 @@ BREAKS = 0.25  # of the tolerance of a landing: by which lambda exceeds what is 
 
 @dataclass(frozen=True)
 class Grips:
-    """What the pairs with such friction (n) have at a state; what is not a number where there is no contact is 0.
+    """What n of the pairs with such friction have at a state; what is not a number where there is no contact is 0.
 
-    along (nf, n): generalised force per newton of friction; power (nz, n): rates of z per newton; sliding, holding (n): forces [N];
-    velocity (n): of sliding [m/s]; drift (n): its rate without any generalised acceleration [m/s^2]; touching, sticks (n): 1 or 0.
+    places (n): theirs among the slips; along (nf, n): generalised force per newton of friction; power (nz, n): rates of z per newton; sliding,
+    holding (n): forces [N]; velocity (n): of sliding [m/s]; drift (n): its rate without any generalised acceleration [m/s^2]; touching,
+    sticks (n): 1 or 0; slip (n).
     """
 
+    places: list[int]
     along: Any
     power: Any
     sliding: Any
@@ -67,16 +69,14 @@ def may_slip(model: Model, contacts: Contacts) -> bool:
 def grips(model: Model, contacts: Contacts, t: Any, y: Any, mode: Any, m: Any, c: Any) -> Grips:
     """What the pairs have at a state, SX, with the contacts of a class."""
     columns, slips = [], m[slips_in(model)]
-    for i, j in enumerate(pairs_of(model)):
-        if contacts is BY_MODE or j in contacts:
-            active = mode[j] == CONTACT if contacts is BY_MODE else ca.SX(1)
-            values = [where(active, value) for value in of_pair(model, j).call([t, y, m, c])]
-            columns.append([*values, active, where(active, slips[i] == STICK), slips[i]])
-        else:
-            sizes = [of_pair(model, j).size1_out(i) for i in range(of_pair(model, j).n_out())]
-            columns.append([*map(ca.SX.zeros, sizes), *(ca.SX(0) for _ in range(3))])
+    places = [i for i, j in enumerate(pairs_of(model)) if contacts is BY_MODE or j in contacts]
+    for i in places:
+        j = pairs_of(model)[i]
+        active = mode[j] == CONTACT if contacts is BY_MODE else ca.SX(1)
+        values = [where(active, value) for value in of_pair(model, j).call([t, y, m, c])]
+        columns.append([*values, active, where(active, slips[i] == STICK), slips[i]])
     joined = list(zip(*columns, strict=True))
-    return Grips(*(ca.horzcat(*part) for part in joined[:2]), *(ca.vertcat(*part) for part in joined[2:]))
+    return Grips(places, *(ca.horzcat(*part) for part in joined[:2]), *(ca.vertcat(*part) for part in joined[2:]))
 
 
 def of_pair(model: Model, j: int) -> Any:
@@ -91,21 +91,21 @@ def _of_pair(model: Model, j: int) -> Any:
     _, _, _, velocity, _, along, power, sliding, holding = model.function(f"contact_{model.pairs[j]}")(t, q, u, z, m, c)
     dq = model.function("coordinate_rates")(t, q, u, c)
     drift = ca.jtimes(velocity, ca.vertcat(t, y), ca.vertcat(1, dq, ca.SX.zeros(model.nu + model.nz)))
-    results = [ca.densify(x) for x in (along, power, sliding, holding, velocity, drift)]
+    results = [ca.sparsify(along), ca.sparsify(power), *map(ca.densify, (sliding, holding, velocity, drift))]
     return ca.Function("grip", [t, y, m, c], ca.cse(results))
 
 
-def forces(model: Model) -> Any:
+def forces(model: Model, n: int) -> Any:
     """CasADi function (t, q, u, f, along, drift, slipping (n), sticks (n), c) -> lambda (n) [N]: friction forces along the tangents.
 
     f: all other generalised forces; slipping: the forces of those that slip, along the tangents.
     """
-    return model.once("friction", lambda: _forces(model))
+    return model.once(("friction", n), lambda: _forces(model, n))
 
 
-def _forces(model: Model) -> Any:
+def _forces(model: Model, n: int) -> Any:
     t, q, u = ca.SX.sym("t"), ca.SX.sym("q", model.nq), ca.SX.sym("u", model.nu)
-    nf, n = model.function("applied").size1_out(0), model.ns
+    nf = model.function("applied").size1_out(0)
     f, along, drift = ca.SX.sym("f", nf), ca.SX.sym("along", nf, n), ca.SX.sym("drift", n)
     slipping, sticks, c = ca.SX.sym("slipping", n), ca.SX.sym("sticks", n), ca.SX.sym("c", model.nc)
     slides = ca.if_else(sticks, 0, slipping)
@@ -134,7 +134,7 @@ def mobility(model: Model, t: Any, q: Any, u: Any, along: Any, c: Any) -> Any:
 
 def _solve(model: Model, t: Any, q: Any, u: Any, along: Any, sticks: Any, c: Any, right: Any) -> Any:
     """Lambda (n) of the pairs that stick with W lambda = right; 0 of the others."""
-    n = model.ns
+    n = along.shape[1]
     whole = ca.mtimes(along[: model.nu, :].T, mobility(model, t, q, u, along, c))
     right = ca.if_else(sticks, right, 0)
     both = [[sticks[i] * sticks[j] for j in range(n)] for i in range(n)]
@@ -184,7 +184,7 @@ def _needed(model: Model, t: Any, y: Any, mode: Any, m: Any, c: Any) -> tuple[An
     for _, contact, active in pushing(model, BY_MODE, mode):
         f += where(active, contact(t, q, u, z, m, c)[0])
     now = grips(model, BY_MODE, t, y, mode, m, c)
-    found = forces(model)(t, q, u, f, now.along, now.drift, -now.slip * now.sliding, now.sticks, c)
+    found = forces(model, model.ns)(t, q, u, f, now.along, now.drift, -now.slip * now.sliding, now.sticks, c)
     return found, now.holding
 
 

@@ -53,12 +53,13 @@ def _linearised(model: Model, contacts: Contacts) -> Any:
         f += where(active, f_j)
         df += _each(ca.jacobian(f_j, x), active)
         dz += _each(ca.jacobian(dz_j, x), active)
-    given, of_given, sticks = [f], [df], ca.SX(0, 1)
+    given, of_given, sticks, n = [f], [df], ca.SX(0, 1), 0
     if may_slip(model, contacts):
         grip = grips(model, contacts, t, y, mode, m, c)
-        given += [ca.vec(grip.along), ca.vec(grip.power), grip.drift, -grip.slip * grip.sliding]
+        shapes = [grip.along.sparsity(), grip.power.sparsity()]
+        given += [_entries(grip.along), _entries(grip.power), grip.drift, -grip.slip * grip.sliding]
         of_given += [_each(ca.jacobian(value, x), ca.SX(1)) for value in given[1:]]
-        sticks = grip.sticks
+        sticks, n = grip.sticks, len(grip.places)
     known = [ca.SX.sym("known", value.numel()) for value in given]
     symbols = ca.SX.sym("sticks", sticks.numel())
     force, *grip_symbols = known
@@ -66,8 +67,8 @@ def _linearised(model: Model, contacts: Contacts) -> Any:
     power = ca.SX(model.nz, 1)
     if grip_symbols:
         along, rates, drift, slipping = grip_symbols
-        along, rates = ca.reshape(along, f.numel(), model.ns), ca.reshape(rates, model.nz, model.ns)
-        friction = forces(model)(t, q, u, force, along, drift, slipping, symbols, c)
+        along, rates = (ca.SX(shape, part) for shape, part in zip(shapes, (along, rates), strict=True))
+        friction = forces(model, n)(t, q, u, force, along, drift, slipping, symbols, c)
         force, power = force + ca.mtimes(along, friction), ca.mtimes(rates, friction)
     a, reactions = model.function("accelerations")(t, q, u, force, c)
     if model.has_ledger:
@@ -222,6 +223,11 @@ def _norm(error: Any, least: Any, y: Any) -> Any:
 
 def _sum(weights: tuple[float, ...], terms: list[Any]) -> Any:
     return sum((weight * term for weight, term in zip(weights, terms, strict=False) if weight), start=ca.SX(0))
+
+
+def _entries(matrix: Any) -> Any:
+    """What is not zero by structure, as a column."""
+    return ca.vertcat(ca.SX(0, 1), *matrix.nonzeros())
 
 
 def _each(matrix: Any, active: Any) -> Any:
