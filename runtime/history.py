@@ -57,7 +57,8 @@ class History:
         units = {"t": "s", **model.units}
         for name in model.speeds:
             units[acceleration_of(name)] = f"{model.units[name]}^2"  # m/s^2, rad/s^2
-        units |= {row[0]: row[1] for row in (*model.module.OUTPUTS, *model.module.LATCHES)}
+        units |= {row[0]: row[1] for row in (*model.module.OUTPUTS, *model.module.LATCHES, *model.slips)}
+        units |= {_friction_force(name): "N" for name, *_ in model.slips}
         for pair in model.pairs:
             units |= {f"{pair}.{part}": unit for part, unit in _PAIR.items()}
             slides = f"{pair}.sliding_velocity"  # there is one only where something depends on it
@@ -116,6 +117,11 @@ class History:
             return dict(zip(model.outputs, self.map("outputs", "t q u")[0].T, strict=True))
         if name in model.latches:
             return {name: self.part("m")[:, model.latches.index(name)]}
+        for i, (slip, *_) in enumerate(model.slips):
+            if name == slip:
+                return {name: self.part("m")[:, len(model.latches) + i]}
+            if name == _friction_force(slip):
+                return {name: self.part("friction")[:, i]}
         if name == "energy":
             kinetic, potential, stored = self.map("energy", "t q u")
             return {
@@ -228,3 +234,7 @@ def acceleration_of(speed: str) -> str:
     """Name of the rate of a speed: `pin.speed` -> `pin.acceleration`."""
     joint, _, name = speed.rpartition(".")
     return f"{joint}.{name.replace('speed', 'acceleration')}"
+
+
+def _friction_force(slip: str) -> str:
+    return f"{slip.removesuffix('.slip')}.friction_force"
