@@ -7,13 +7,16 @@ Kane, Levinson, Dynamics: Theory and Applications (1985), chapter 2.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import sympy as sp
 
 from hertzwerk.derive.dimension import Dimension
+from hertzwerk.derive.effects.drives import AnyDrive
+from hertzwerk.derive.effects.expression import COORDINATE, TIME, StateSymbol, T, as_choice, states_in
 from hertzwerk.derive.mechanism import GROUND, Body, Frame, Joint, Mechanism, Point, Revolute
 from hertzwerk.derive.program import Tape
 from hertzwerk.derive.scene import Scene
@@ -86,6 +89,17 @@ class JointMotion:
         return isinstance(self.joint, Revolute)
 
 
+@dataclass(frozen=True)
+class DriveState:
+    """What a drive integrates, an entry of q without a speed in u: its port and unit, symbol, rate, and value at t = 0."""
+
+    port: str
+    unit: str
+    symbol: sp.Symbol
+    rate: Any
+    start: Any
+
+
 _STILL = Orientation(IDENTITY, (0, 0, 1), sp.S.Zero, IDENTITY)
 _GROUND = Motion(_STILL, ZERO, ZERO, ZERO, ZERO, ZERO, ZERO, ZERO)
 
@@ -107,16 +121,46 @@ class Kinematics:
             tape.set_rate(u, a)
         self.motions: dict[Frame, Motion] = {GROUND: _GROUND}
         self.joints: dict[str, JointMotion] = {}
+        self.drive_states: list[DriveState] = []
         states = {joint.name: (q, u, a) for joint, q, u, a in zip(free, self.q, self.u, self.a, strict=True)}
         for joint in self.mechanism.joints:
             if joint.name in states:
                 self._move(joint, *states[joint.name], free=True)
             else:
-                speed = sp.sympify(scene.driven[joint.name].speed)
-                self._move(joint, speed * self.t, speed, sp.S.Zero, free=False)
+                self._move(joint, *self._driven(joint, scene.driven[joint.name]), free=False)
 
     def _input(self, joint: Joint, what: str, group: str, unit: str) -> sp.Symbol:
         return self.tape.input(f"{joint.name}_{what}", group, Dimension.from_unit(parse_unit(unit), {}))
+
+    def _driven(self, joint: Joint, drive: AnyDrive) -> tuple[Any, Any, Any]:
+        """Coordinate, speed and acceleration of a driven joint: the drive's law and its derivatives, and below it the states that integrate it."""
+        motion = drive.motion
+        ports = ((joint.motion, joint.coordinate_unit), ("speed", joint.speed_unit))
+        names = [f"{joint.name}_{what}" for what in (joint.motion, "speed", "acceleration")]
+        chain: list[Any] = [self._input(joint, ports[order][0], "q", ports[order][1]) for order in range(motion.order)]
+        law = motion.law.xreplace({T: self.t})
+        uniform = motion.order == 0 and sp.diff(law, self.t, 2) == 0  # one product, named where it is used
+        chain.append(law if uniform else self.tape.let(law, names[motion.order]))
+        while len(chain) < 3:
+            law = sp.diff(law, self.t)
+            chain.append(self.tape.let(law, names[len(chain)]))
+        for low, high in pairwise(chain):
+            self.tape.set_rate(low, high)
+        for order, start in enumerate(motion.start):
+            (what, unit), symbol, rate = ports[order], chain[order], chain[order + 1]
+            self.drive_states.append(DriveState(f"{joint.name}.{what}", unit, symbol, rate, sp.sympify(start)))
+        return chain[0], chain[1], chain[2]
+
+    def expression(self, value: Any) -> Any:
+        """An expression of a scene over the tape: time, and the coordinates and speeds of free and driven joints."""
+        value = as_choice(value)
+        return value.xreplace({symbol: self._state(symbol) for symbol in states_in(value)})
+
+    def _state(self, symbol: StateSymbol) -> Any:
+        if symbol.what == TIME:
+            return self.t
+        joint = self.joints[symbol.joint]
+        return joint.coordinate if symbol.what == COORDINATE else joint.speed
 
     def _move(self, joint: Joint, q: Any, u: Any, a: Any, free: bool) -> None:
         tape, name = self.tape, joint.child.body.name
@@ -215,16 +259,21 @@ class Kinematics:
 
     def generalised(self, force: Vector, position: Vector, on: Frame, against: Frame, name: str) -> dict[str, Any]:
         """Generalised forces, by joint, of a force on one body and its reaction on another at the same point; common joints cancel."""
+        return self._between(on, against, lambda joint: dot(force, self.partial(joint, position)), name)
+
+    def generalised_moment(self, moment: Vector, on: Frame, against: Frame, name: str) -> dict[str, Any]:
+        """The same of a moment on one body and its reaction on another."""
+        return self._between(on, against, lambda joint: dot(moment, joint.axis) if joint.revolute else sp.S.Zero, name)
+
+    def _between(self, on: Frame, against: Frame, effect: Callable[[JointMotion], Any], name: str) -> dict[str, Any]:
         first, second = self.path(on), self.path(against)
         common = {joint.joint.name for joint in first} & {joint.joint.name for joint in second}
-        out: dict[str, Any] = {}
-        for sign, path in ((1, first), (-1, second)):
-            for joint in path:
-                if joint.joint.name not in common:
-                    out[joint.joint.name] = self.tape.let(
-                        sign * dot(force, self.partial(joint, position)), f"{name}_on_{joint.joint.name}"
-                    )
-        return out
+        return {
+            joint.joint.name: self.tape.let(sign * effect(joint), f"{name}_on_{joint.joint.name}")
+            for sign, path in ((1, first), (-1, second))
+            for joint in path
+            if joint.joint.name not in common
+        }
 
 
 def _sympify(vector: Sequence[Any]) -> Vector:

@@ -7,11 +7,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
 from hertzwerk.derive.dimension import Dimension, check
+from hertzwerk.derive.effects.drives import Drive
+from hertzwerk.derive.effects.expression import Varying, expression_faults
+from hertzwerk.derive.effects.faults import element_faults, type_faults
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.laws.law import BoundLaw, FrictionLaw, Law
 from hertzwerk.derive.mechanism import GROUND, Body, Direction, Frame, Ground, Mechanism, Point, Revolute, Slot
@@ -34,8 +38,13 @@ def faults_of(scene: Scene) -> tuple[Fault, ...]:
     found.extend(broken)
     sound = _sound(parameters, broken)
     table = dimensions_of(sound)
+    joints = {joint.name: joint for joint in scene.mechanism.joints}
     for slot in scene.slots():
-        if all(sound.get(parameter.name) == parameter for parameter in parameters_of(slot.value)):
+        if not all(sound.get(parameter.name) == parameter for parameter in parameters_of(slot.value)):
+            continue
+        if isinstance(slot, Varying):
+            found.extend(expression_faults(slot, joints, table, partial(_quantity_faults, table=table)))
+        else:
             found.extend(_quantity_faults(slot, table))
     found.extend(_inertia_faults(scene.mechanism, sound))
     return tuple(dict.fromkeys(found))
@@ -50,6 +59,8 @@ def _type_faults(scene: Scene) -> Iterator[Fault]:
             yield Fault(
                 "effects", repr(effect), "Gravity(...), Contact(...), Friction(...), ConstantSpeed(...), EnergyLedger()"
             )
+        else:
+            yield from type_faults(effect)
     if not hasattr(scene.scales, "length"):
         yield Fault("scales", repr(scene.scales), "Scales(length=..., speed=...)")
     for joint in scene.mechanism.joints:
@@ -76,7 +87,7 @@ def _type_faults(scene: Scene) -> Iterator[Fault]:
         yield from _law_faults(effect.name, "stiffness", effect.stiffness)
         if effect.damping is not None:
             yield from _law_faults(effect.name, "damping", effect.damping)
-    for effect in scene.of_kind("friction"):
+    for effect in (*scene.of_kind("friction"), *scene.of_kind("joint_friction")):
         yield from _law_faults(effect.name, "friction", effect.law)
 
 
@@ -168,12 +179,10 @@ def _inertia_faults(mechanism: Mechanism, sound: dict[str, Parameter]) -> Iterat
 
 def _effect_faults(scene: Scene) -> Iterator[Fault]:
     yield from _repeated("effect", [effect.name for effect in scene.effects])
-    joints = [joint.name for joint in scene.mechanism.joints]
     pairs = [pair.name for pair in scene.mechanism.pairs]
     contacts = [effect.pair for effect in scene.of_kind("contact")]
-    for effect in scene.of_kind("drive"):
-        if effect.joint not in joints:
-            yield Fault(f"effect {effect.name}", f"joint {effect.joint!r}", f"one of {', '.join(joints)}")
+    for effect in scene.effects:
+        yield from element_faults(effect, scene.mechanism)
     for effect in scene.of_kind("contact"):
         if effect.pair not in pairs:
             offer = ", ".join(pairs) or "no pair is declared"
@@ -224,9 +233,17 @@ def _start_faults(scene: Scene) -> Iterator[Fault]:
         if name not in free:
             why = "driven, its motion is the drive's" if name in scene.driven else "unknown"
             yield Fault("start", f"joint {name!r} ({why})", f"one of {', '.join(free)}")
-    if scene.scales.arm is None and any(isinstance(joint, Revolute) for joint in scene.free_joints):
+    # a drive that is integrated keeps a coordinate of its own
+    moving = [
+        joint for joint in scene.mechanism.joints if joint in scene.free_joints or _integrates(scene.driven[joint.name])
+    ]
+    if scene.scales.arm is None and any(isinstance(joint, Revolute) for joint in moving):
         yield Fault("scales", "no arm", "an arm [m], because the scene has angles",
                     "Scales(length=..., speed=..., arm=...): an angle is measured as length/arm.")  # fmt: skip
+
+
+def _integrates(drive: Any) -> bool:
+    return isinstance(drive, Drive) and drive.position is None
 
 
 # -- parameters and quantities -----------------------------------------------------------------------------------------

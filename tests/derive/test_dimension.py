@@ -10,6 +10,7 @@ from sympy import Max, Min, Rational, acos, atan, atan2, cos, cosh, exp, log, pi
 
 from hertzwerk.derive.dimension import ONE, SIGNATURES, ZERO, Dimension, DimensionError, check, dimension_of
 from hertzwerk.derive.functions import Where
+from hertzwerk.derive.tables import Table
 from hertzwerk.derive.units import UnitError
 
 n, k, xi = sp.symbols("n k xi")  # constant parameters of unit 1
@@ -35,6 +36,7 @@ alpha_t, k_t, c_p, h_t, Th, Th0, s_c, beta_p, I_a, Ar = sp.symbols("alpha_t k_t 
 e, mu, mu_s, mu_k, phi, theta, eps, nu, A_p, B_p, N_c = sp.symbols("e mu mu_s mu_k phi theta eps nu A_p B_p N_c")
 c_v, s0, s1, kappa, P_w, Q, al, sb = sp.symbols("c_v s0 s1 kappa P_w Q al sb")
 stranger = sp.Symbol("stranger")
+lift = Table("lift", (0, 1), (0, 5), ("ms", "mm"))
 
 
 def written(*factors):
@@ -95,6 +97,8 @@ CONSISTENT = [
     (F * L**3 / (3 * E * I_a), "m"),
     (pi**2 * E * I_a / L**2, "N"),
     (sp.Derivative(x, t, t), "m/s^2"),
+    (lift(t) + v * t, "m"),
+    (sp.diff(lift(2 * t), t, 2), "m/s^2"),
     (sp.Eq(m * a, F), "1"),
     (sp.Matrix([x, y, 0]), "m"),
     (sp.MatMul(sp.Matrix([[c, 0], [0, c]]), sp.Matrix([x, y]), evaluate=False), "N"),
@@ -149,6 +153,8 @@ INCONSISTENT = [
     (F_N * (mu_k + v_S * v), "mu_k + v*v_S", "1", "m^2/s^2"),
     (F_N * (z + s1 * v), "s1*v + z", "1", "m"),
     (F_N * mu * tanh(5 * v), "tanh(5*v)", "m/s", "1"),
+    (c * lift(x), "lift(x)", "m", "s"),
+    (m * sp.diff(lift(t), t) + F, "F + m*lift'(t)", "N s", "N"),
     # sums, comparisons, branches
     (m * v + F, "F + m*v", "N s", "N"),
     (x + v * t + a * t, "a*t + t*v + x", "m/s", "m"),
