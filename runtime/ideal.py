@@ -1,8 +1,9 @@
 """The ideal mechanism: every clearance closed, the motion that a run with clearance is compared with.
 
-A pin in a bush reports its eccentricity in the outputs of the model. Where these eccentricities are as many as the coordinates, the ideal motion
-is their common zero e(t, q) = 0, found by Newton's method and followed in time; its speeds and accelerations solve the first and second time
-derivative of the same equations, which are linear in them. Nothing else of the model enters: no mass, no force.
+A pin in a bush reports its eccentricity in the outputs of the model. Where these eccentricities are as many as the speeds, the ideal motion is
+their common zero e(t, q) = 0, found by Newton's method and followed in time; its speeds and accelerations solve the first and second time
+derivative of the same equations, which are linear in them. A coordinate that a drive integrates has no speed to be solved for: it is integrated
+here too. Nothing else of the model enters: no mass, no force.
 """
 
 from __future__ import annotations
@@ -14,6 +15,8 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
+
+from hertzwerk.runtime.integrate.tables import dop853
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model import Model
@@ -85,40 +88,50 @@ class _Position:
 class _Closure:
     """The closure equations e(t, q) = 0 and what Newton's method makes of them, as functions."""
 
-    jacobian: Any  # (t, q, c) -> de/dq
-    step: Any  # (t, q, u, dt, c) -> q, u, a at t + dt, and the corrections in columns
+    jacobian: Any  # (t, q, c) -> de/dq, q without what drives integrate
+    step: Any  # (t, q, u, dt, c) -> q, u, a at t + dt; corrections in columns, the last also with the error of what drives integrate
 
     @classmethod
     def of(cls, model: Model) -> _Closure | None:
         """Closure equations of a model, or None where their number is not that of its coordinates."""
         rows = [i for i, name in enumerate(model.outputs) if name.endswith(_SUFFIXES)]
-        if not rows or not len(rows) == len(model.coordinates) == len(model.speeds):
+        if not rows or len(rows) != len(model.speeds):
             return None
         outputs, rates = model.function("outputs"), model.function("coordinate_rates")
         t, q, u, c = (ca.SX.sym(name, outputs.sparsity_in(i)) for i, name in enumerate("tquc"))
         a, dt = ca.SX.sym("a", u.sparsity()), ca.SX.sym("dt")
         dq = rates(t, q, u, c)
+        closed = sorted(set(ca.jacobian(dq, u).sparsity().row()))  # coordinates to solve for
+        driven = [i for i in range(len(model.coordinates)) if i not in closed]
+        if len(closed) != len(rows):
+            return None
         e = outputs(t, q, u, c)[rows]
         e_dot = ca.jtimes(e, ca.vertcat(t, q), ca.vertcat(1, dq))
         e_ddot = ca.jtimes(e_dot, ca.vertcat(t, q, u), ca.vertcat(1, dq, a))
-        correction = ca.Function("correction", [t, q, c], [-ca.solve(ca.jacobian(e, q), e)])
+        jacobian = ca.jacobian(e, q)[:, closed]
+        newton = ca.SX.zeros(q.shape)
+        newton[closed] = -ca.solve(jacobian, e)
+        correction = ca.Function("correction", [t, q, c], [newton])
         speeds = ca.Function("speeds", [t, q, c], [_zero(e_dot, u)])
         accelerations = ca.Function("accelerations", [t, q, u, c], [_zero(e_ddot, a)])
         there, corrections = q + dt * dq, []
+        there[driven], error = _integrated(ca.Function("driven", [t, q, c], [dq[driven]]), t, q, driven, dt, c)
         for _ in range(_CORRECTIONS):
             corrections.append(correction(t + dt, there, c))
             there = there + corrections[-1]
+        corrections[-1][driven] = error
         velocity = speeds(t + dt, there, c)
         results = [there, velocity, accelerations(t + dt, there, velocity, c), ca.horzcat(*corrections)]
         return cls(
-            ca.Function("jacobian", [t, q, c], [ca.jacobian(e, q)]),
+            ca.Function("jacobian", [t, q, c], [jacobian]),
             ca.Function("step", [t, q, u, dt, c], ca.cse(results)),
         )
 
     def assemble(self, t: float, q: Array, c: Array) -> _Position | None:
         """The closed mechanism nearest to q, or None."""
+        still = np.zeros(self.step.size1_in(2))
         for _ in range(10):
-            here, corrections = self._step(_Position(t, q, np.zeros_like(q), np.zeros_like(q)), t, c)
+            here, corrections = self._step(_Position(t, q, still, still), t, c)
             if not np.all(np.isfinite(here.a)) or np.linalg.cond(np.array(self.jacobian(t, here.q, c))) > 1 / _SINGULAR:
                 return None
             if _negligible(corrections[:, -1], here.q):
@@ -146,9 +159,27 @@ class _Closure:
         return _Position(t, q.ravel(), u.ravel(), a.ravel()), corrections
 
 
+def _integrated(rate: Any, t: Any, q: Any, driven: list[int], dt: Any, c: Any) -> tuple[Any, Any]:
+    """What drives integrate at t + dt by two steps of the method of order 8, and how far one step is off."""
+    table = dop853()
+
+    def step(time: Any, start: Any, h: Any) -> Any:
+        slopes: list[Any] = []
+        for node, row in zip(table.c, table.A, strict=True):
+            at = ca.SX(q)
+            at[driven] = start + h * sum((weight * slope for weight, slope in zip(row, slopes, strict=False)), ca.SX(0))
+            slopes.append(rate(time + node * h, at, c))
+        return start + h * sum(weight * slope for weight, slope in zip(table.b, slopes, strict=True))
+
+    end = step(t + dt / 2, step(t, q[driven], dt / 2), dt / 2)
+    return end, end - step(t, q[driven], dt)
+
+
 def _zero(residual: Any, unknown: Any) -> Any:
-    """The zero of a residual that is linear in the unknown."""
-    return ca.solve(ca.jacobian(residual, unknown), -ca.substitute(residual, unknown, ca.SX.zeros(*unknown.shape)))
+    """The zero of a residual that is linear in the unknown; a called function's derivative may name the unknown where it does not depend on it."""
+    nothing = ca.SX.zeros(*unknown.shape)
+    slope, rest = ca.substitute([ca.jacobian(residual, unknown), residual], [unknown], [nothing])
+    return ca.solve(slope, -rest)
 
 
 def _negligible(correction: Array, q: Array) -> bool:
