@@ -14,7 +14,7 @@ import sympy as sp
 
 from hertzwerk.derive.dimension import Dimension, check
 from hertzwerk.derive.effects.drives import Drive
-from hertzwerk.derive.effects.expression import Varying, expression_faults
+from hertzwerk.derive.effects.expression import Varying, expression_faults, table_faults
 from hertzwerk.derive.effects.faults import element_faults, type_faults
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.laws.law import BoundLaw, FrictionLaw, Law
@@ -47,6 +47,7 @@ def faults_of(scene: Scene) -> tuple[Fault, ...]:
         else:
             found.extend(_quantity_faults(slot, table))
     found.extend(_inertia_faults(scene.mechanism, sound))
+    found.extend(table_faults(scene.slots()))
     return tuple(dict.fromkeys(found))
 
 

@@ -7,7 +7,7 @@ speed_of(joint)       its rate [rad/s or m/s]
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -121,8 +121,7 @@ def expression_faults(
         yield from constant(slot)
         return
     value, where = as_choice(slot.value), slot.where
-    strange = [f for given in tables_in(value) for f in given.faults()]
-    yield from strange
+    strange = [f for given in tables_in(value) for f in given.faults()]  # which `table_faults` reports
     for symbol in states_in(value):
         if symbol.what not in slot.on:
             of = " and ".join(slot.on) if slot.on else "parameters alone"
@@ -150,6 +149,16 @@ def expression_faults(
                     else fault.expected, fault.repair or fault.reason)  # fmt: skip
         return
     yield from _smoothness_faults(slot, value)
+
+
+def table_faults(slots: Iterable[Slot]) -> Iterator[Fault]:
+    """What is wrong with the tables in these slots, by themselves and beside each other; a module writes their names in capitals."""
+    seen: dict[str, Table] = {}
+    for table in (table for slot in slots for table in tables_in(slot.value)):
+        yield from table.faults()
+        if seen.setdefault(str(table.name).upper(), table) != table:
+            yield Fault(f"table {table.name}", "two different tables of this name", "names that are unique, in capitals too",
+                        "Share one Table object, or rename one.")  # fmt: skip
 
 
 def _smoothness_faults(slot: Varying, value: Any) -> Iterator[Fault]:
