@@ -58,7 +58,9 @@ def _type_faults(scene: Scene) -> Iterator[Fault]:
     for effect in scene.effects:
         if not hasattr(effect, "kind") or not hasattr(effect, "name"):
             yield Fault(
-                "effects", repr(effect), "Gravity(...), Contact(...), Friction(...), ConstantSpeed(...), EnergyLedger()"
+                "effects",
+                repr(effect),
+                "an effect, such as Gravity(...), Contact(...), JointSpring(...), Drive(...), EnergyLedger()",
             )
         else:
             yield from type_faults(effect)
