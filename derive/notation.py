@@ -25,9 +25,6 @@ class _Text(StrPrinter):  # type: ignore[misc]  # SymPy is untyped
         name = {"Where": "where", "Max": "max", "Min": "min", "Abs": "abs"}.get(node.func.__name__, node.func.__name__)
         return f"{name}({', '.join(map(self._print, node.args))})"
 
-    def _print_Spline(self, node: Any) -> str:
-        return str(node._sympystr(self))
-
     _print_Max = _print_Min = _print_Abs = _print_Function
 
 

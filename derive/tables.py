@@ -130,8 +130,14 @@ class Spline(sp.Function):  # type: ignore[misc]
 
     def _sympystr(self, printer: Any) -> str:
         table, argument, order = self.args
-        text = "'" * int(order)
-        return f"{table.name}{text}({printer.doprint(argument)})"
+        primes = "'" * int(order)
+        return f"{table.name}{primes}({printer.doprint(argument)})"
+
+    def _latex(self, printer: Any) -> str:
+        table, argument, order = self.args
+        name = str(table.name).replace("_", r"\_")
+        primes = "'" * int(order)
+        return rf"\mathrm{{{name}}}{primes}\left({printer.doprint(argument)}\right)"
 
 
 def _nodes(x: list[float], y: list[float], slopes: Pair | None) -> list[Pair]:

@@ -26,6 +26,7 @@ from hertzwerk.derive import (
     Y,
     coordinate_of,
 )
+from hertzwerk.derive.notation import latex_of, text_of
 from hertzwerk.derive.tables import Spline
 
 SIZE = Parameter("size", "m", 1.0)
@@ -130,6 +131,13 @@ def test_a_table_of_a_coordinate_is_a_characteristic():
     grip = Table("grip", (-1, 0, 1), (-7, 0, 7), ("m", "N"))
     derived = generated(JointForce("pull", "free", -grip(coordinate_of("free"))), position=sine(9)(T))
     assert derived.call("applied", t=0, q=[0.25], u=[0.0])[0] == pytest.approx(-1.75, rel=1e-12)
+
+
+def test_it_is_written_as_a_function():
+    up_down = Table("up_down", (0, 1), (0, 1), ("s", "m"))
+    twice = SIZE * sp.diff(up_down(T), T, 2)
+    assert text_of(twice) == str(twice) == "size*up_down''(t)"
+    assert latex_of(up_down(T)) == r"\mathrm{up\_down}\left(t\right)"
 
 
 def test_the_third_derivative_is_refused():
