@@ -11,7 +11,9 @@ import sympy as sp
 from hertzwerk.derive.audit import audit_laws, audit_program, refuse_inconsistent
 from hertzwerk.derive.contact import PairKinematics
 from hertzwerk.derive.dimension import Dimension
-from hertzwerk.derive.emit import emit
+from hertzwerk.derive.effects.expression import tables_in
+from hertzwerk.derive.elements import BOOKED, DISSIPATED, ELEMENTS, element
+from hertzwerk.derive.emit import emit, table_name
 from hertzwerk.derive.equations import Equations
 from hertzwerk.derive.joints import Port
 from hertzwerk.derive.kinematics import Kinematics, acceleration_of
@@ -19,6 +21,7 @@ from hertzwerk.derive.laws.law import speed_limit
 from hertzwerk.derive.parameter import Interval, Parameter
 from hertzwerk.derive.program import Function, Program, Result, Tape
 from hertzwerk.derive.scene import Contact, Friction, Scene
+from hertzwerk.derive.tables import Table
 from hertzwerk.derive.units import parse_unit
 
 
@@ -55,6 +58,11 @@ class _Derivation:
             (PairKinematics(self.kin, pair, scene.geometry(pair.name)), contact, friction)
             for pair, contact, friction in scene.contacts
         ]
+        self.elements = {
+            effect: element(effect, self.kin, scene.scales.length)
+            for effect in scene.effects
+            if effect.kind in ELEMENTS
+        }
         rows = list(self.equations.free)
         if scene.ledger:
             rows += self.equations.driven
@@ -73,12 +81,12 @@ class _Derivation:
             return []
         ledger = self.scene.of_kind("ledger")[0].name
         drives = [(f"{ledger}.input", "J")] if self.equations.driven else []
-        contacts = [
-            (f"{effect.name}.dissipated", "J")
+        booked = [
+            (f"{effect.name}.{BOOKED.get(effect.kind, DISSIPATED)}", "J")
             for effect in self.scene.effects
-            if isinstance(effect, Contact | Friction)
+            if isinstance(effect, Contact | Friction) or effect.kind in BOOKED
         ]
-        return drives + contacts
+        return drives + booked
 
     @property
     def limited(self) -> dict[str, Any]:
@@ -117,6 +125,7 @@ class _Derivation:
         """Initial state."""
         start = self.scene.start
         q = [sp.sympify(value) for freedom in self.scene.free for value in start.coordinates(freedom)]
+        q += [state.start for state in self.kin.drive_states]
         u = [sp.sympify(value) for freedom in self.scene.free for value in start.speeds(freedom)]
         return self._function(
             "start", "Coordinates and speeds at t = 0.", "p", self._coordinates("q", q), self._speeds("u", u)
@@ -130,11 +139,11 @@ class _Derivation:
         energy = self.tape.let(mass * speed**2 / 2, "energy_scale")
         force = self.tape.let(energy / length, "force_scale")
         # a quaternion moves by half the angle
-        q = [
-            length if port.unit == "m" else length / arm / (1 if port.unit == "rad" else 2)
-            for port in self._coordinate_names()
-        ]
-        u = [speed if port.unit == "m/s" else speed / arm for port in self._speed_names()]
+        sizes = {"m": length, "m/s": speed}
+        if arm is not None:
+            sizes |= {"rad": length / arm, "rad/s": speed / arm, "1": length / arm / 2}
+        q = [sizes[port.unit] for port in self._coordinate_names()]
+        u = [sizes[port.unit] for port in self._speed_names()]
         return self._function(
             "scales",
             "Sizes that accuracy is measured by: of coordinates, speeds, memory; then length, speed, force, energy.",
@@ -156,7 +165,7 @@ class _Derivation:
             "coordinate_rates",
             "Rates of the coordinates.",
             "t q u c",
-            Result("dq", labels, units, tuple(self.kin.rates)),
+            Result("dq", labels, units, (*self.kin.rates, *(state.rate for state in self.kin.drive_states))),
         )
 
     def _pairs(self, name: str, unit: str, values: list[Any]) -> Result:
@@ -203,7 +212,10 @@ class _Derivation:
 
     def applied(self) -> Function:
         """Forces that are no contact's."""
-        f = [self.equations.gravity(row) for row in self.rows]
+        f = [
+            sp.Add(self.equations.gravity(row), *(e.forces.get(row.key, 0) for e in self.elements.values()))
+            for row in self.rows
+        ]
         return self._function(
             "applied", "Generalised forces of everything that is no contact.", "t q u c", self._forces("f", f)
         )
@@ -237,10 +249,17 @@ class _Derivation:
             self.tape.input(f"{row.key.replace('.', '_')}_reaction_in", "reactions", _dimension(row.unit)) * row.speed
             for row in self.equations.driven
         ]
-        values = [sp.Add(*power) if name.endswith(".input") else sp.S.Zero for name, _ in self.memory]
+        drives = f"{self.scene.of_kind('ledger')[0].name}.input"
+        rows = {
+            f"{effect.name}.{BOOKED[effect.kind]}": e.power
+            for effect, e in self.elements.items()
+            if effect.kind in BOOKED
+        }
+        rows[drives] = sp.Add(*power)
+        values = [rows.get(name, sp.S.Zero) for name, _ in self.memory]
         return self._function(
             "ledger",
-            "Power the drives put in, in its row of z.",
+            f"Power the drives put in, in its row of z{'; put in and dissipated by force elements, in theirs' if len(rows) > 1 else ''}.",
             "t q u reactions c",
             self._memory_result("dz", values, "W"),
         )
@@ -248,12 +267,14 @@ class _Derivation:
     def energy(self) -> Function:
         """Energies."""
         stored = [pair.elastic(contact)[1] for pair, contact, _ in self.contacts]
+        kinetic = self.equations.kinetic()
+        potential = sp.Add(self.equations.potential(), *(e.stored for e in self.elements.values()))
         return self._function(
             "energy",
             "Kinetic and potential energy, and what each pair's stiffness stores.",
             "t q u c",
-            Result("kinetic", ("kinetic",), ("J",), (self.equations.kinetic(),)),
-            Result("potential", ("potential",), ("J",), (self.equations.potential(),)),
+            Result("kinetic", ("kinetic",), ("J",), (kinetic,)),
+            Result("potential", ("potential",), ("J",), (potential,)),
             self._pairs("stored", "J", stored),
         )
 
@@ -302,7 +323,8 @@ class _Derivation:
     # -- ports -----------------------------------------------------------------------------------------------------
 
     def _coordinate_names(self) -> list[Port]:
-        return [port for freedom in self.scene.free for port in freedom.coordinates]
+        free = [port for freedom in self.scene.free for port in freedom.coordinates]
+        return free + [state.port for state in self.kin.drive_states]
 
     def _speed_names(self) -> list[Port]:
         return [port for freedom in self.scene.free for port in freedom.speeds]
@@ -345,7 +367,12 @@ class _Derivation:
             "OUTPUTS": tuple((name, unit) for name, unit, _ in self._outputs()),
             **({"SPEED_LIMITED": tuple(self.limited)} if self.limited else {}),
             "BODIES": tuple(body.name for body in scene.mechanism.bodies),
+            **{table_name(table): table.pieces() for table in self._tables_used()},
         }
+
+    def _tables_used(self) -> list[Table]:
+        """Tables that stand in some expression of the scene."""
+        return list(dict.fromkeys(table for slot in self.scene.slots() for table in tables_in(slot.value)))
 
 
 def _limits(scene: Scene) -> list[tuple[Any, ...]]:

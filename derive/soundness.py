@@ -7,11 +7,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
 from hertzwerk.derive.dimension import Dimension, check
+from hertzwerk.derive.effects.drives import Drive
+from hertzwerk.derive.effects.expression import Varying, expression_faults, table_faults
+from hertzwerk.derive.effects.faults import element_faults, type_faults
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.laws.law import BoundLaw, FrictionLaw, Law
 from hertzwerk.derive.mechanism import (
@@ -48,10 +52,16 @@ def faults_of(scene: Scene) -> tuple[Fault, ...]:
     found.extend(broken)
     sound = _sound(parameters, broken)
     table = dimensions_of(sound)
+    freedoms = {freedom.key: freedom for freedom in scene.mechanism.freedoms if freedom.scalar}
     for slot in scene.slots():
-        if all(sound.get(parameter.name) == parameter for parameter in parameters_of(slot.value)):
+        if not all(sound.get(parameter.name) == parameter for parameter in parameters_of(slot.value)):
+            continue
+        if isinstance(slot, Varying):
+            found.extend(expression_faults(slot, freedoms, table, partial(_quantity_faults, table=table)))
+        else:
             found.extend(_quantity_faults(slot, table))
     found.extend(_inertia_faults(scene.mechanism, sound))
+    found.extend(table_faults(scene.slots()))
     return tuple(dict.fromkeys(found))
 
 
@@ -62,8 +72,12 @@ def _type_faults(scene: Scene) -> Iterator[Fault]:
     for effect in scene.effects:
         if not hasattr(effect, "kind") or not hasattr(effect, "name"):
             yield Fault(
-                "effects", repr(effect), "Gravity(...), Contact(...), Friction(...), ConstantSpeed(...), EnergyLedger()"
+                "effects",
+                repr(effect),
+                "an effect, such as Gravity(...), Contact(...), JointSpring(...), Drive(...), EnergyLedger()",
             )
+        else:
+            yield from type_faults(effect)
     if not hasattr(scene.scales, "length"):
         yield Fault("scales", repr(scene.scales), "Scales(length=..., speed=...)")
     for joint in scene.mechanism.joints:
@@ -95,7 +109,7 @@ def _type_faults(scene: Scene) -> Iterator[Fault]:
         yield from _law_faults(effect.name, "stiffness", effect.stiffness)
         if effect.damping is not None:
             yield from _law_faults(effect.name, "damping", effect.damping)
-    for effect in scene.of_kind("friction"):
+    for effect in (*scene.of_kind("friction"), *scene.of_kind("joint_friction")):
         yield from _law_faults(effect.name, "friction", effect.law)
 
 
@@ -243,14 +257,10 @@ def _turning_axes(mechanism: Mechanism, body: Frame) -> list[Direction | None]:
 
 def _effect_faults(scene: Scene) -> Iterator[Fault]:
     yield from _repeated("effect", [effect.name for effect in scene.effects])
-    joints = [joint.name for joint in scene.mechanism.joints]
     pairs = [pair.name for pair in scene.mechanism.pairs]
     contacts = [effect.pair for effect in scene.of_kind("contact")]
-    scalars = [freedom.key for freedom in scene.mechanism.freedoms if freedom.scalar]
-    for effect in scene.of_kind("drive"):
-        if effect.joint not in scalars:
-            why = ", which has not just one coordinate" if effect.joint in joints else ""
-            yield Fault(f"effect {effect.name}", f"joint {effect.joint!r}{why}", f"one of {', '.join(scalars)}")
+    for effect in scene.effects:
+        yield from element_faults(effect, scene.mechanism)
     for effect in scene.of_kind("contact"):
         if effect.pair not in pairs:
             offer = ", ".join(pairs) or "no pair is declared"
@@ -305,9 +315,19 @@ def _start_faults(scene: Scene) -> Iterator[Fault]:
             if name not in (*of_joints, *full):
                 why = "driven, its motion is the drive's" if name in scene.driven else "unknown"
                 yield Fault("start", f"{given} of joint {name!r} ({why})", f"one of {', '.join((*of_joints, *short))}")
-    if scene.scales.arm is None and any(freedom.kind != "slide" for freedom in scene.free):
+    # a drive that is integrated keeps a coordinate of its own
+    moving = [
+        freedom
+        for freedom in scene.mechanism.freedoms
+        if freedom in scene.free or _integrates(scene.driven[freedom.key])
+    ]
+    if scene.scales.arm is None and any(freedom.kind != "slide" for freedom in moving):
         yield Fault("scales", "no arm", "an arm [m], because the scene has angles",
                     "Scales(length=..., speed=..., arm=...): an angle is measured as length/arm.")  # fmt: skip
+
+
+def _integrates(drive: Any) -> bool:
+    return isinstance(drive, Drive) and drive.position is None
 
 
 # -- parameters and quantities -----------------------------------------------------------------------------------------
