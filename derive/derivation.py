@@ -24,6 +24,9 @@ from hertzwerk.derive.scene import Contact, Friction, Scene
 from hertzwerk.derive.tables import Table
 from hertzwerk.derive.units import parse_unit
 
+RATE_UNITS = {"m": "m/s", "1": "1/s"}  # of a constraint, by its unit
+MULTIPLIER_UNITS = {"m": "N", "1": "N m"}  # of the force that holds it
+
 
 def derive(scene: Scene) -> Program:
     """The program of a scene. Raises InputError, listing every unit error, unless each assignment and output is consistent."""
@@ -68,6 +71,7 @@ class _Derivation:
             rows += self.equations.driven
         self.rows = rows
         self.row_units = tuple(row.unit for row in rows)
+        self.loops = self.equations.constraints
         self.memory = self._memory()
         self.latches = {
             contact.name: self.tape.input(f"{contact.name}_approach_speed", "m", _dimension("m/s"))
@@ -104,6 +108,7 @@ class _Derivation:
             *(self.contact(*entry) for entry in self.contacts),
             self.applied(),
             self.accelerations(),
+            *([self.constraints(), self.projection()] if self.loops else []),
             *([self.ledger(), self.energy()] if self.scene.ledger else []),
             self.poses(),
             self.outputs(),
@@ -226,8 +231,8 @@ class _Derivation:
             row.key: self.tape.input(f"{row.key.replace('.', '_')}_force", "f", _dimension(row.unit))
             for row in self.rows
         }
-        a = self.equations.accelerations(symbols)
-        reactions = self.equations.reactions(symbols, a) if self.scene.ledger else []
+        a, multipliers = self.equations.accelerations(symbols)
+        reactions = self.equations.reactions(symbols, a, multipliers) if self.scene.ledger else []
         driven = self.equations.driven if self.scene.ledger else []
         labels, units = zip(*(acceleration_of(port) for port in self._speed_names()), strict=True)
         return self._function(
@@ -241,6 +246,38 @@ class _Derivation:
                 tuple(row.unit for row in driven),
                 tuple(reactions),
             ),
+            *((self._rows("multipliers", multipliers, MULTIPLIER_UNITS),) if self.loops else ()),
+        )
+
+    def constraints(self) -> Function:
+        """What closes the loops."""
+        return self._function(
+            "constraints",
+            "What must be zero for the loops to be closed, and its rate.",
+            "t q u c",
+            self._rows("phi", [row.value for row in self.loops], {}),
+            self._rows("dphi", [row.rate for row in self.loops], RATE_UNITS),
+        )
+
+    def projection(self) -> Function:
+        """The way back to closed loops."""
+        wanted = [
+            self.tape.input(f"{row.name.replace('.', '_')}_wanted_rate", "r", _dimension(RATE_UNITS[row.unit]))
+            for row in self.loops
+        ]
+        return self._function(
+            "projection",
+            "Speeds of least kinetic energy that change the constraints at the rates r.",
+            "t q r c",
+            self._speeds("v", self.equations.projection(wanted)),
+        )
+
+    def _rows(self, name: str, values: list[Any], units: Mapping[str, str]) -> Result:
+        return Result(
+            name,
+            tuple(row.name for row in self.loops),
+            tuple(units.get(row.unit, row.unit) for row in self.loops),
+            tuple(values),
         )
 
     def ledger(self) -> Function:
@@ -343,6 +380,12 @@ class _Derivation:
     def _memory_result(self, name: str, values: list[Any], unit: str = "J") -> Result:
         return Result(name, tuple(n for n, _ in self.memory), (unit,) * len(self.memory), tuple(values))
 
+    def _loop_tables(self) -> dict[str, tuple[Any, ...]]:
+        """The constraints, and what of the start is stated and not to be found by assembly."""
+        stated = [name for freedom in self.scene.free for name in self.scene.start.stated(freedom)]
+        given = (*stated, *(state.port.name for state in self.kin.drive_states))
+        return {"CONSTRAINTS": tuple((row.name, row.unit) for row in self.loops), "GIVEN": given}
+
     def _tables(self) -> Mapping[str, tuple[Any, ...]]:
         scene = self.scene
         pairs = [pair.pair.name for pair, _, _ in self.contacts]
@@ -364,6 +407,7 @@ class _Derivation:
             "PAIRS": tuple((pair.pair.name, pair.pair.kind) for pair, _, _ in self.contacts),
             "RELEASES": tuple("force" if c.damping is None else c.damping.law.release for _, c, _ in self.contacts),
             "DISSIPATED": tuple(entries.index(f"{name}.dissipated") for name in pairs) if scene.ledger else (),
+            **(self._loop_tables() if self.loops else {}),
             "OUTPUTS": tuple((name, unit) for name, unit, _ in self._outputs()),
             **({"SPEED_LIMITED": tuple(self.limited)} if self.limited else {}),
             "BODIES": tuple(body.name for body in scene.mechanism.bodies),

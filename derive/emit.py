@@ -247,6 +247,7 @@ _ARGUMENTS = {
     "c": "c: CONSTANTS",
     "f": "f: generalised forces",
     "reactions": "reactions of the drives",
+    "r": "r: rates wanted of CONSTRAINTS",
 }
 
 

@@ -94,6 +94,7 @@ class Kinematics:
         self.tree = Tree(tape, scene.mechanism, motion)
         # keyed by links and bodies, which live as long as this does
         self.motion_of = cache(self._motion)
+        self.bias_of = cache(self._bias)
         self._rotations: dict[Orientation, Matrix] = {}
         self.origin_of = cache(self._origin)
         self.direction_of = cache(self._direction)
@@ -206,6 +207,25 @@ class Kinematics:
             tape.set_rate(rate, second)
         return Motion(self._turned(link), origin, w, velocity, alpha, acceleration)
 
+    def _bias(self, link: Link) -> tuple[Vector, Vector]:
+        """Angular acceleration, and acceleration of O, at zero generalised accelerations; those of the drives count."""
+        if link.parent is None:
+            return ZERO, ZERO
+        tape, name, w = self.tape, link.name, self.motion_of(link.parent).angular_velocity
+        (alpha, bias), arm = self.bias_of(link.parent), self._arm(link)
+        bias = add(bias, cross(alpha, arm), cross(w, tape.vector(cross(w, arm), f"{name}_arm_rate")))
+        relative = [(row.speed, sp.S.Zero if row.free else row.acceleration) for row in link.rows]
+        if link.kind == "slide":
+            axis, (u, a) = self.direction_of(link), relative[0]
+            bias = add(bias, scale(2 * u, cross(w, axis)), scale(a, axis))
+        else:
+            axes = self.partial_turns(link)
+            turn = tape.vector(
+                add(*(scale(u, axis) for (u, _), axis in zip(relative, axes, strict=True))), f"{name}_turning"
+            )
+            alpha = add(alpha, cross(w, turn), *(scale(a, axis) for (_, a), axis in zip(relative, axes, strict=True)))
+        return tape.vector(alpha, f"{name}_angular_bias"), tape.vector(bias, f"{name}_bias")
+
     # -- bodies, points and paths ----------------------------------------------------------------------------------
 
     def link_of(self, body: Frame) -> Link:
@@ -253,6 +273,13 @@ class Kinematics:
             add(motion.velocity, spin),
             add(motion.acceleration, cross(motion.angular_acceleration, arm), cross(motion.angular_velocity, spin)),
         )
+
+    def point_bias(self, point: Point, name: str) -> Vector:
+        """Acceleration of a point at zero generalised accelerations [m/s^2]."""
+        motion, arm = self.motion(point.body), self.arm(point, name)
+        alpha, bias = self.bias_of(self.link_of(point.body))
+        spin = self.tape.vector(cross(motion.angular_velocity, arm), f"{name}_arm_rate")
+        return add(bias, cross(alpha, arm), cross(motion.angular_velocity, spin))
 
     def velocity_at(self, body: Frame, position: Vector) -> Vector:
         """Velocity of the point of `body` that is at `position` [m/s]."""

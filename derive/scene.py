@@ -165,6 +165,13 @@ class Start:
         """Values of a freedom's speeds."""
         return [_given(self.speed, port.name, freedom) or 0 for port in freedom.speeds]
 
+    def stated(self, freedom: Freedom) -> list[str]:
+        """Names of a freedom's coordinates and speeds that have a value here."""
+        sides = (self.position, freedom.coordinates), (self.speed, freedom.speeds)
+        return [
+            port.name for values, ports in sides for port in ports if _given(values, port.name, freedom) is not None
+        ]
+
 
 def _given(values: Mapping[str, Scalar], name: str, freedom: Freedom) -> Any:
     return values.get(name, values.get(freedom.key) if freedom.scalar else None)

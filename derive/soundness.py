@@ -191,10 +191,7 @@ def _connection_faults(mechanism: Mechanism) -> Iterator[Fault]:
         if not isinstance(child, Body):
             yield Fault(where, "the ground as child", "a body", "Give the ground as the parent.")
             continue
-        if child in reached:
-            yield Fault(where, f"body {child.name}, which already hangs on another joint", "one joint per body",
-                        "A tree of joints: loops are closed by contact pairs (a joint with clearance).")  # fmt: skip
-        elif names.setdefault(child.name, child) != child:
+        if child not in reached and names.setdefault(child.name, child) != child:
             yield Fault(where, f"a second body named {child.name}", "names that are unique", "Rename one of them.")
         if parent == child:
             yield Fault(where, f"{child.name} as parent and child", "two different bodies")

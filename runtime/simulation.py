@@ -347,7 +347,13 @@ def _start(
                     )
                 )
             start[i : i + 4] /= norm or 1
-    return start[: model.nq], start[model.nq :]
+    q, u = start[: model.nq], start[model.nq :]
+    if model.nl and not faults:
+        from hertzwerk.runtime.assembly import assemble  # a tree needs none
+
+        q, u, open_ones = assemble(model, bound, q, u, {*model.module.GIVEN, *values})
+        faults.extend(open_ones)
+    return q, u
 
 
 def _deepest(model: Model, history: History) -> str:

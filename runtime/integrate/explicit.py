@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.integrate.classes import BY_MODE, Contacts, pushing, where
+from hertzwerk.runtime.integrate.closing import LOST, Closing, closing
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.tables import RungeKutta
@@ -27,11 +28,17 @@ class Flow:
 
     rates: Any
     ends: Any
+    closing: Closing | None = None
     quaternions: tuple[int, ...] = ()
 
-    def closed(self, t: Any, y: Any, c: Any) -> Any:
-        """The state with its quaternions of norm 1; without any the state as it is."""
-        return unit_quaternions(y, self.quaternions)
+    def closed(self, t: Any, y: Any, run: Mapping[str, Any]) -> tuple[Any, Any]:
+        """The state with its loops closed and its quaternions of norm 1, and whether the loops are; without any the state as it is, and 1."""
+        y, is_closed = (y, ca.SX(1)) if self.closing is None else self.closing(t, y, run)
+        return unit_quaternions(y, self.quaternions), is_closed
+
+    def error(self, error: Any, is_closed: Any) -> Any:
+        """The error norm of a step, LOST where its end does not close the loops."""
+        return error if self.closing is None else ca.if_else(is_closed, error, LOST)
 
     def at(self, t: Any, y: Any, mode: Any, m: Any, c: Any) -> dict[str, Any]:
         """Results of `ends` by name."""
@@ -58,7 +65,7 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
         forces[j] = where(active, normal)
         in_range[j] = where(active, valid, 1)
     dq = model.function("coordinate_rates")(t, q, u, c)
-    a, reactions = model.function("accelerations")(t, q, u, f, c)
+    a, reactions, *_ = model.function("accelerations").call([t, q, u, f, c])
     if model.has_ledger:
         dz += model.function("ledger")(t, q, u, reactions, c)
     dy = ca.vertcat(dq, a, dz)
@@ -78,6 +85,7 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
             names,
             ["dy", "gap", "gap_rate", "gap_acceleration", "force", "force_rate", "in_range"],
         ),
+        closing=closing(model),
     )
 
 
@@ -89,21 +97,24 @@ def stepped(table: RungeKutta, right: Flow, start: Mapping[str, Any], run: Mappi
     for row, node in zip(table.A[1:], table.c[1:], strict=True):
         slopes.append(right.rates(t + node * h, _moved(y, h, row, slopes), *given))
     t1 = t + h
-    y1 = right.closed(t1, _moved(y, h, table.b, slopes), run["c"])
+    y1, is_closed = right.closed(t1, _moved(y, h, table.b, slopes), run)
     end = right.at(t1, y1, *given)
     slopes.append(end["dy"])
     weights = 1 / (run["accuracy"] * run["scale"] + 4 * EPS * ca.fabs(y1))
     error = _norm([_weighted(estimate.weights, slopes) * weights for estimate in table.errors], h)
-    return {"t": t1, "y": y1, **end, "error": error}
+    return {"t": t1, "y": y1, **end, "error": right.error(error, is_closed)}
 
 
-def nudged(right: Flow, end: Mapping[str, Any], given: tuple[Any, Any, Any], delta: Any) -> dict[str, Any]:
+def nudged(
+    right: Flow, start: Mapping[str, Any], end: Mapping[str, Any], run: Mapping[str, Any], delta: Any
+) -> dict[str, Any]:
     """From the end of a step on by delta [s], so short that the classical method of order 4 is exact enough; the parts of a trial but its error."""
+    given = (start["mode"], start["m"], run["c"])
     t, y, k1 = end["t"], end["y"], end["dy"]
     k2 = right.rates(t + delta / 2, y + delta / 2 * k1, *given)
     k3 = right.rates(t + delta / 2, y + delta / 2 * k2, *given)
     k4 = right.rates(t + delta, y + delta * k3, *given)
-    y1 = right.closed(t + delta, y + delta / 6 * (k1 + 2 * (k2 + k3) + k4), given[-1])
+    y1, _ = right.closed(t + delta, y + delta / 6 * (k1 + 2 * (k2 + k3) + k4), run)
     return {"t": t + delta, "y": y1, **right.at(t + delta, y1, *given)}
 
 

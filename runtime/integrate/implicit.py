@@ -53,7 +53,7 @@ def _linearised(model: Model, contacts: Contacts) -> Any:
         dz += _each(ca.jacobian(dz_j, x), active)
     force = ca.SX.sym("force", f.numel())
     dq = model.function("coordinate_rates")(t, q, u, c)
-    a, reactions = model.function("accelerations")(t, q, u, force, c)
+    a, reactions, *_ = model.function("accelerations").call([t, q, u, force, c])
     power = model.function("ledger")(t, q, u, reactions, c) if model.has_ledger else ca.SX(model.nz, 1)
     dy = ca.vertcat(dq, a, power)
     of_force = ca.Function("of_force", [x, force, c], [ca.jacobian(dy, x), ca.jacobian(dy, force)])
@@ -105,11 +105,11 @@ class Stepper:
             y1, slope, error, converged = _rosenbrock(table, self.right, solve, dt, start, given, h)
         else:
             y1, slope, error, converged = _diagonally_implicit(table, self.right, solve, dt, start, given, h, least)
-        y1 = self.right.closed(t + h, y1, run["c"])
+        y1, is_closed = self.right.closed(t + h, y1, run)
         end = self.right.at(t + h, y1, *given)
         if slope is not None:
             end["dy"] = slope
-        norm = ca.if_else(converged, _norm(error, least, y1), DIVERGED)
+        norm = self.right.error(ca.if_else(converged, _norm(error, least, y1), DIVERGED), is_closed)
         v, rate, gradient = self.sliding(t, y, start["dy"], *given)
         v1, rate1, _ = self.sliding(t + h, y1, end["dy"], *given)
         if v.numel():
