@@ -23,6 +23,7 @@ from hertzwerk.derive.mechanism import (
     Body,
     Direction,
     Frame,
+    Free,
     Ground,
     Joint,
     Mechanism,
@@ -158,6 +159,10 @@ def _topology_faults(mechanism: Mechanism) -> Iterator[Fault]:
     yield from _connection_faults(mechanism)
     for joint in mechanism.joints:
         yield from _axis_faults(joint)
+    for joint in mechanism.closures:
+        if isinstance(joint, Free):
+            yield Fault(f"joint {joint.name}", f"a free joint to {joint.child.body.name}, which another joint carries", "one that closes the loop",
+                        "A free joint forbids nothing: leave it out, or declare it first.")  # fmt: skip
     for pair in mechanism.pairs:
         for point in pair.places:
             if point.body != GROUND and mechanism.joint_of(point.body) is None:
@@ -310,7 +315,9 @@ def _start_faults(scene: Scene) -> Iterator[Fault]:
         short = [name for name in full if name.rsplit(".", 1)[0] not in of_joints]
         for name in getattr(scene.start, given):
             if name not in (*of_joints, *full):
-                why = "driven, its motion is the drive's" if name in scene.driven else "unknown"
+                closing = name.split(".")[0] in [joint.name for joint in scene.mechanism.closures]
+                driven = "driven, its motion is the drive's" if name in scene.driven else "unknown"
+                why = "closes a loop, its motion follows" if closing else driven
                 yield Fault("start", f"{given} of joint {name!r} ({why})", f"one of {', '.join((*of_joints, *short))}")
     # a drive that is integrated keeps a coordinate of its own
     moving = [

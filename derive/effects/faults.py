@@ -41,10 +41,15 @@ def element_faults(effect: Any, mechanism: Mechanism) -> Iterator[Fault]:
     where = f"effect {effect.name}"
     freedoms = {freedom.key: freedom for freedom in mechanism.freedoms if freedom.scalar}
     if hasattr(effect, "joint") and effect.joint not in freedoms:
-        why = (
-            ", which has not just one coordinate" if effect.joint in [joint.name for joint in mechanism.joints] else ""
+        closing = effect.joint in [joint.name for joint in mechanism.closures]
+        known = effect.joint in [joint.name for joint in mechanism.joints]
+        why = ", which closes a loop" if closing else ", which has not just one coordinate" if known else ""
+        way_out = (
+            "The first joint to reach a body has the coordinates: declare this one before the others."
+            if closing
+            else ""
         )
-        yield Fault(where, f"joint {effect.joint!r}{why}", f"one of {', '.join(freedoms)}")
+        yield Fault(where, f"joint {effect.joint!r}{why}", f"one of {', '.join(freedoms)}", way_out)
     for body in _bodies(effect):
         if body != GROUND and body not in mechanism.bodies:
             yield Fault(

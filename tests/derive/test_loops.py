@@ -7,7 +7,7 @@ import pytest
 from derived import Derived
 from kane import Tree, driven, random_tree
 
-from hertzwerk.derive import GROUND, Mechanism, Parameter, Prismatic, Revolute, Scene, Start, X, Z
+from hertzwerk.derive import GROUND, ConstantSpeed, Free, Mechanism, Parameter, Prismatic, Revolute, Scene, Start, X, Z
 from hertzwerk.derive.faults import InputError
 
 TREES = {
@@ -170,5 +170,22 @@ def test_what_cannot_be_closed_is_refused():
     scene = replace(case.scene, mechanism=Mechanism("tree", (*case.scene.mechanism.joints[:-1], off)))
     with pytest.raises(InputError, match=r"closing\.apart_z = off, whatever the motion"):
         Derived(scene)
-    with pytest.raises(InputError, match="closing"):
-        replace(case.scene, start=Start(position={"closing": Parameter("s", "rad", 0.1)}))
+
+
+def test_faults_of_closing_joints_come_all_at_once():
+    case = closed("four-bar", "R")
+    scene, joint = case.scene, case.scene.mechanism.joints[-1]
+    free = Free("loose", joint.parent, joint.child)
+    speed = Parameter("pace_in", "rad/s", 1.0)
+    with pytest.raises(InputError) as error:
+        replace(
+            scene,
+            mechanism=replace(scene.mechanism, joints=(*scene.mechanism.joints, free)),
+            effects=(*scene.effects, ConstantSpeed("drive", "closing", speed)),
+            start=Start(position={"closing": Parameter("turn_in", "rad", 0.1)}),
+        )
+    found = {fault.where: fault for fault in error.value.faults}
+    assert "free joint" in found["joint loose"].found
+    assert found["effect drive"].found == "joint 'closing', which closes a loop"
+    assert "declare this one before" in found["effect drive"].remedy
+    assert "closes a loop, its motion follows" in found["start"].found
