@@ -286,13 +286,15 @@ class Kinematics:
         motion = self.motion(body)
         return add(motion.velocity, cross(motion.angular_velocity, sub(position, motion.origin)))
 
-    def partials(self, link: Link, position: Vector) -> list[Vector]:
-        """Partial velocities, by each speed of a link, of a point at `position` on it or beyond [1 or m]."""
+    def of_force(self, link: Link, force: Vector, position: Vector) -> list[Any]:
+        """What a force at `position`, on a link or beyond it, does in each row of the link [N or N m]."""
         if link.kind == "slide":
-            return [self.direction_of(link)]
-        axes = (self.direction_of(link),) if link.kind == "turn" else transpose(self._turned(link))
+            return [dot(force, self.direction_of(link))]
         arm = sub(position, self.origin_of(link))
-        return [cross(axis, arm) for axis in axes]
+        if link.kind == "turn":
+            return [dot(force, cross(self.direction_of(link), arm))]
+        moment = self.tape.vector(cross(arm, force), f"{link.name}_moment")
+        return [dot(axis, moment) for axis in transpose(self._turned(link))]
 
     def partial_turns(self, link: Link) -> list[Vector]:
         """Partial angular velocities, by each speed of a link, of what is on it or beyond [1]."""
@@ -302,24 +304,21 @@ class Kinematics:
 
     def generalised(self, force: Vector, position: Vector, on: Frame, against: Frame, name: str) -> dict[str, Any]:
         """Generalised forces, by row, of a force on one body and its reaction on another at the same point; common links cancel."""
-        return self._between(on, against, force, lambda link: self.partials(link, position), name)
+        return self._between(on, against, lambda link: self.of_force(link, force, position), name)
 
     def generalised_moment(self, moment: Vector, on: Frame, against: Frame, name: str) -> dict[str, Any]:
         """The same of a moment on one body and its reaction on another."""
-        return self._between(on, against, moment, self.partial_turns, name)
+        return self._between(on, against, lambda link: [dot(moment, axis) for axis in self.partial_turns(link)], name)
 
-    def _between(
-        self, on: Frame, against: Frame, load: Vector, partials: Callable[[Link], list[Vector]], name: str
-    ) -> dict[str, Any]:
+    def _between(self, on: Frame, against: Frame, effect: Callable[[Link], list[Any]], name: str) -> dict[str, Any]:
         first, second = self.link_of(on).path, self.link_of(against).path
         out: dict[str, Any] = {}
         for sign, path, other in ((1, first, second), (-1, second, first)):
             for link in path:
                 if link in other:
                     continue
-                for row, partial in zip(link.rows, partials(link), strict=True):
-                    label = row.key.replace(".", "_")
-                    out[row.key] = self.tape.let(sign * dot(load, partial), f"{name}_on_{label}")
+                for row, value in zip(link.rows, effect(link), strict=True):
+                    out[row.key] = self.tape.let(sign * value, f"{name}_on_{row.key.replace('.', '_')}")
         return out
 
 

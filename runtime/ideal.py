@@ -111,7 +111,7 @@ class _Closure:
         correction = ca.Function("correction", [t, q, c], [rates(t, q, along, c) - rates(t, q, none, c)])
         speeds = ca.Function("speeds", [t, q, c], [_zero(e_dot, u)])
         accelerations = ca.Function("accelerations", [t, q, u, c], [_zero(e_ddot, a)])
-        there, corrections = q + dt * dq, []
+        there, corrections = unit_quaternions(q + dt * dq, model.quaternions), []
         moved = set(ca.jacobian(dq, u).sparsity().row())
         driven = [i for i in range(model.nq) if i not in moved]
         there[driven], error = _integrated(ca.Function("driven", [t, q, c], [dq[driven]]), t, q, driven, dt, c)

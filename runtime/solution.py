@@ -145,7 +145,7 @@ class Solution:
         """Write the whole run as npz, to be read by `Solution.load` or NumPy; raises FileExistsError."""
         module = self.model.module
         about = {
-            "scene": {name: getattr(module, name) for name in _TABLES},
+            "scene": {name: getattr(module, name) for name in _TABLES if hasattr(module, name)},
             "ledger": self.model.has_ledger,
             "outcome": asdict(self.outcome),
             "statistics": asdict(self.statistics),
@@ -167,8 +167,8 @@ class Solution:
             about = json.loads(str(file["about"]))
             histories = {name: file[name] for name in file.files if name != "about"}
         module = ModuleType(f"saved_{about['scene']['NAME']}")
-        for name in _TABLES:
-            setattr(module, name, _tuples(about["scene"][name]))
+        for name, table in about["scene"].items():
+            setattr(module, name, _tuples(table))
         if about["ledger"]:
             module.ledger = None  # type: ignore[attr-defined]
         solution = cls(
@@ -189,7 +189,7 @@ class Solution:
 
 _TABLES = (
     *("NAME", "SOURCE", "SUMMARY", "EFFECTS", "UNCHECKED", "PARAMETERS", "LIMITS", "COORDINATES", "SPEEDS", "MEMORY"),
-    *("LATCHES", "PAIRS", "DISSIPATED", "OUTPUTS", "CONSTANTS", "BODIES", "OPERATIONS"),
+    *("LATCHES", "PAIRS", "DISSIPATED", "OUTPUTS", "CONSTANTS", "BODIES", "OPERATIONS", "QUATERNIONS"),
 )
 
 

@@ -20,9 +20,10 @@ import time
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from statistics import median
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
+sys.path.insert(0, str(Path(__file__).parents[1] / "derive"))
 
 from benchmarks import limit
 
@@ -208,6 +209,48 @@ def derivation() -> Iterable[Ratio]:
     ours(), theirs()
     mine, peer = medians(timed(ours), timed(theirs))
     yield Ratio("derive slider_crank / sympy.physics.mechanics + cse", mine, peer, "<= 1")
+    yield from chains()
+
+
+def chains() -> Iterable[Ratio]:
+    """The chains of tests/derive/operations.py, and one of 40 links against the import of SymPy."""
+    import sympy as sp
+    from kane import chain
+    from operations import CHAINS, of_chain
+    from sympy.core.cache import clear_cache
+
+    from hertzwerk.derive.derivation import generate
+
+    for name, (n, axes) in CHAINS.items():
+        scene, found = chain(n, axes).scene(ledger=False), []
+
+        def ours(scene: Any = scene) -> None:
+            clear_cache()
+            generate(scene)
+
+        def theirs(n: int = n, axes: str = axes, found: list[int] = found) -> None:
+            clear_cache()
+            mass, forcing, _, _ = chain(n, axes).kane()
+            shared, reduced = sp.cse([mass, forcing])
+            found.append(sum(e.count_ops() for _, e in shared) + sum(e.count_ops() for part in reduced for e in part))
+
+        peer, mine = medians(timed(theirs), timed(ours), repeats=5)
+        wanted = "" if n < 3 else ">= 10" if n == 6 else ">= 1"
+        note = f"operations {sum(of_chain(n, axes).values())}, KanesMethod {found[0]} (without solving)"
+        yield Ratio(f"sympy.physics.mechanics + cse / derive {name}", peer, mine, wanted, note)
+    for axes in ("Z", "ZYX"):
+        scene = chain(40, axes).scene(ledger=False)
+
+        def long(scene: Any = scene) -> None:
+            clear_cache()
+            generate(scene)
+
+        def imports() -> None:
+            subprocess.run([sys.executable, "-c", "import sympy"], check=True)
+
+        mine, least = medians(timed(long), timed(imports), repeats=5)
+        kind = "plane" if axes == "Z" else "spatial"
+        yield Ratio(f"derive {kind} chain of 40 links / import sympy", mine, least, "<= 40")
 
 
 # ---- the limit -------------------------------------------------------------------------------------------------------

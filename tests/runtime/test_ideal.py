@@ -6,7 +6,28 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from hertzwerk.derive import Drive, Harmonic, Parameter, Ramp, T, Table
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    ConstantSpeed,
+    Contact,
+    Drive,
+    Free,
+    Harmonic,
+    Mechanism,
+    Parameter,
+    PinInBush,
+    Ramp,
+    Revolute,
+    Scales,
+    Scene,
+    T,
+    Table,
+    X,
+    Y,
+    Z,
+)  # fmt: skip
+from hertzwerk.derive.laws import power
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 from hertzwerk.runtime import simulate
 from hertzwerk.runtime.ideal import ideal_motion
@@ -142,3 +163,39 @@ def test_a_clearance_run_with_an_accelerated_crank_stays_near_the_ideal_one():
     reach = 0.5e-3 + np.max(found["slider_pin.penetration"])
     assert np.max(np.abs(found["guide.travel"] - ideal["guide.travel"])) < closed_form.gain(R, L, reach) * reach
     assert found["main_bearing.angle"] == pytest.approx(swaying(found.t)[0], rel=1e-7)
+
+
+def held_body(speed):
+    """A free body whose three pins sit in bushes of a driven wheel: their axes X, Y, Z leave it no freedom, so it turns with the wheel."""
+    mass, clearance, radius = (
+        Parameter("mass", "kg", 1.0),
+        Parameter("clearance", "mm", 1.0),
+        Parameter("radius", "mm", 10.0),
+    )
+    inertia = tuple(Parameter(f"J_{k}", "kg m^2", 0.01) for k in "xyz")
+    wheel, body = Body("wheel", mass, inertia), Body("body", mass, inertia)
+    places = {"first": ((0, 1, 0), X), "second": ((0, 0, 1), Y), "third": ((1, 0, 0), Z)}
+    off = Parameter("off", "m", 0.3)
+    pairs = tuple(
+        PinInBush(name, body.at(*(k * off for k in at)), wheel.at(*(k * off for k in at)), axis, radius, clearance)
+        for name, (at, axis) in places.items()
+    )
+    contacts = tuple(Contact(name, power(Parameter("stiffness", "N/m^1.5", 1e8), 1.5)) for name in places)
+    drive = ConstantSpeed("drive", "axle", Parameter("wheel_speed", "rad/s", speed))
+    joints = (Revolute("axle", GROUND, wheel, Z), Free("float", GROUND, body))
+    scales = Scales(length=clearance, speed=Parameter("pace", "m/s", 1.0), arm=off)
+    return load(Scene(Mechanism("held", joints, pairs), (drive, *contacts), scales))
+
+
+def test_a_free_body_is_assembled_and_followed_on_its_quaternion():
+    """Six eccentricities, six speeds, seven coordinates."""
+    model, speed = held_body(2.0), 2.0
+    t = np.linspace(0, 3, 13)
+    near = np.array([0.01, -0.02, 0.01, 0.99, 0.05, -0.03, 0.08])
+    near[3:] /= np.linalg.norm(near[3:])
+    ideal = ideal_motion(model, t, near, model.bind().c)
+    zero = np.zeros_like(t)
+    expected = np.column_stack([zero, zero, zero, np.cos(speed * t / 2), zero, zero, np.sin(speed * t / 2)])
+    assert np.max(np.abs(ideal.q - expected)) < 1e-13
+    assert np.max(np.abs(ideal.u - [0, 0, 0, 0, 0, speed])) < 1e-12
+    assert np.max(np.abs(ideal.acceleration)) < 1e-11

@@ -205,3 +205,20 @@ def test_friction_turns_a_free_ball_by_what_it_takes_from_its_flight(method):
     assert 0.4 * 0.02**2 * spin == pytest.approx(np.cross([0, -0.02, 0], change), rel=5e-3, abs=1e-9)
     assert np.hypot(change[0], change[2]) == pytest.approx(0.2 * change[1], rel=1e-3)
     assert run.energy_residual < 1e-6
+
+
+def test_a_run_on_quaternions_is_saved_read_and_drawn(tmp_path):
+    from hertzwerk.runtime.curves import Curves
+    from hertzwerk.runtime.solution import Solution
+
+    run = simulate(pendulum(lambda bob: Spherical("pin", GROUND, bob)), duration=0.5, initial={"pin.q3": 0.2})
+    read = Solution.load(run.save(tmp_path / "run.npz"))
+    assert np.array_equal(read["pin.angular_acceleration_z"], run["pin.angular_acceleration_z"])
+    assert run.history.units["pin.angular_acceleration_z"] == "rad/s^2"
+    shown = [("pin.q1", "pin.angular_speed_x", "pin.angular_acceleration_x")]
+    assert (
+        [motion.names for motion in Curves.of(read).motions][:1]
+        == [motion.names for motion in Curves.of(run).motions][:1]
+        == shown
+    )
+    run.plot().savefig(tmp_path / "run.png")
