@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any, ClassVar
 
 import sympy as sp
@@ -288,7 +289,7 @@ class Scene:
         """The freedoms that keep their coordinates."""
         return tuple(freedom for freedom in self.mechanism.freedoms if freedom.key not in self.driven)
 
-    @property
+    @cached_property
     def contacts(self) -> list[tuple[Pair, Contact, Friction | None]]:
         """The pairs whose contact is called for, in the order of the mechanism's pairs, with their effects."""
         contacts = {effect.pair: effect for effect in self.of_kind("contact")}
@@ -340,7 +341,7 @@ class Scene:
                         yield Slot(f"start, {what} of {freedom.key if freedom.scalar else port.name}", value, port.unit)
         yield from self.scales.slots()
 
-    @property
+    @cached_property
     def parameters(self) -> dict[str, Parameter]:
         """All parameters by name, in declared order."""
         found: dict[str, Parameter] = {}
@@ -349,7 +350,7 @@ class Scene:
                 found.setdefault(parameter.name, parameter)
         return found
 
-    @property
+    @cached_property
     def dimensions(self) -> dict[sp.Symbol, Dimension]:
         """Dimension of every parameter."""
         return dimensions_of(self.parameters)

@@ -115,6 +115,20 @@ def read_state(name: str, declared: str, value: Value) -> tuple[float, Fault | N
     return si, None if finite else Fault(name, _text(number, text), "a finite number")
 
 
+def read_time(where: str, text: str, expected: str, faults: list[Fault]) -> float:
+    """Seconds of text such as "24 ms"; what is no positive time becomes a fault, and NaN."""
+    try:
+        value, unit, _ = read(text)
+    except UnitError as error:
+        faults.append(Fault(where, repr(text), expected, str(error)))
+        return math.nan
+    seconds = unit.to_si(value) if unit.exponents == parse_unit("s").exponents else math.nan
+    if math.isfinite(seconds) and seconds > 0:
+        return seconds
+    faults.append(Fault(where, repr(text), expected))
+    return math.nan
+
+
 def _exponents(ports: Mapping[str, Port]) -> dict[str, float]:
     """Defaults of everything that may stand in an exponent."""
     return {name: port.default for name, port in ports.items() if parse_unit(port.unit).dimensionless}

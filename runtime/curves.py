@@ -66,9 +66,13 @@ class Curves:
 
     @classmethod
     def of(cls, run: Solution) -> Curves:
-        """Sample a run between its accepted steps and through its impacts; a saved run has only its rows."""
+        """Sample a run between its accepted steps and through its impacts; a saved run, or one that kept a grid, has only its rows."""
+        if not len(run.t):
+            raise ValueError(
+                f"found no rows to draw: the run stopped at t = {run.t_end:g} s, before the first time asked for"
+            )
         time = scale_of("s", run.t[-1])
-        if run.history.integrator is None:
+        if not run.history.steps:
             return cls(run, run.t, run.history, time)
         rows = run.t[:: 1 + len(run.t) // (5 * SAMPLES)]
         whole = np.linspace(run.t[0], run.t[-1], SAMPLES)
@@ -106,7 +110,7 @@ class Curves:
 def impact_curves(run: Solution, impact: Impact) -> tuple[Array, Array, Array]:
     """Time since the onset [s], normal force [N] and penetration [m] of one impact."""
     end = run.t[-1] if impact.duration is None else min(impact.t + impact.duration, run.t[-1])
-    if run.history.integrator is None:
+    if not run.history.steps:
         chosen = np.flatnonzero((run.t >= impact.t) & (run.t <= end))
         t, sampled = run.t[chosen], run.history
     else:

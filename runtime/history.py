@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from difflib import get_close_matches
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
+from hertzwerk.runtime.caller import Rowwise
 from hertzwerk.runtime.integrate.attempt import Integrator
 from hertzwerk.runtime.integrate.layout import CONTACT, FLIGHT
 from hertzwerk.runtime.model import Model
@@ -20,11 +20,21 @@ class History:
     """Histories over `t`, in SI. `history[name]` has shape (rows,).
 
     rows: states of the engine, shape (rows, ns), as `layout` names them.
+    steps: whether each row is one accepted step after the row before, so that there is something between them.
     """
 
-    def __init__(self, model: Model, rows: np.ndarray, controls: np.ndarray, integrator: Integrator | None) -> None:
+    def __init__(
+        self,
+        model: Model,
+        rows: np.ndarray,
+        controls: np.ndarray,
+        integrator: Integrator | None,
+        *,
+        steps: bool = True,
+    ) -> None:
         self.model = model
         self.rows, self.controls, self.integrator = rows, controls, integrator
+        self.steps = steps and integrator is not None
         self._found: dict[str, np.ndarray] = {}
 
     @classmethod
@@ -37,6 +47,12 @@ class History:
     @cached_property
     def units(self) -> dict[str, str]:
         """SI unit text of "t" and of every name, in the order of `names`."""
+        if self.integrator is None:
+            return self._units()
+        units: dict[str, str] = self.model.once("units of histories", self._units)
+        return units
+
+    def _units(self) -> dict[str, str]:
         model = self.model
         units = {"t": "s", **model.units}
         for name in model.speeds:
@@ -61,7 +77,8 @@ class History:
     @property
     def t(self) -> np.ndarray:
         """Times [s], shape (rows,)."""
-        return self["t"]
+        times: np.ndarray = self["t"] if self.integrator is None else self.part("t")[:, 0]
+        return times
 
     def __getitem__(self, name: str) -> np.ndarray:
         if name not in self.units:
@@ -74,10 +91,18 @@ class History:
 
     def part(self, name: str) -> np.ndarray:
         """Columns of a part of the rows, shape (rows, size)."""
+        part: np.ndarray = self.rows[:, self.columns(name)]
+        return part
+
+    def columns(self, name: str) -> slice:
+        """Where a part is in a row."""
+        return self._engine.layouts.state[name]
+
+    @property
+    def _engine(self) -> Integrator:
         if self.integrator is None:
             raise ValueError("a saved run has histories but not the rows and functions they came from; simulate again")
-        columns: np.ndarray = self.rows[:, self.integrator.layouts.state[name]]
-        return columns
+        return self.integrator
 
     def _evaluate(self, name: str) -> dict[str, np.ndarray]:
         """The history of a name, and those that come with it."""
@@ -130,7 +155,7 @@ class History:
 
     def map(self, function: str, arguments: str) -> list[np.ndarray]:
         """A model's function over all rows, its last argument c constant; each result has shape (rows, size)."""
-        model, rows = self.model, len(self.rows)
+        model = self.model
         y, nq, nu = self.part("y"), model.nq, model.nu
         known = {
             "t": self.part("t"),
@@ -139,38 +164,64 @@ class History:
             "z": y[:, nq + nu :],
             "m": self.part("m"),
         }
-        c = self.controls[: model.nc, None]  # c comes first
-        results = (
-            model.function(function)
-            .map(rows)
-            .call([*(known[name].T for name in arguments.split()), np.repeat(c, rows, 1)])
+        names = arguments.split()
+        rowwise: Rowwise = model.once(
+            ("rowwise", function), lambda: Rowwise(model.function(function), constant=len(names))
         )
-        return [np.array(result).T for result in results]
+        return rowwise(self.controls[: model.nc], *(known[name] for name in names))  # c comes first
 
     def at(self, times: np.ndarray) -> History:
         """Histories at other times [s] within the run; at a time of an event, the state just after it."""
-        t = self.t
+        t = self.part("t")[:, 0]
+        if not self.steps:
+            return self._kept(times)
         if times.ndim != 1 or not np.all((times >= t[0]) & (times <= t[-1])):
             raise ValueError(
                 f"found times outside the run, or not in one row; expected them within {t[0]:g}..{t[-1]:g} s"
             )
         index = np.searchsorted(t, times, side="right") - 1
-        return self.between(index, times - t[index])
+        found = self.between(index, times - t[index])
+        found.part("t")[:, 0] = times  # not t + (time - t), which may differ in the last digit
+        return found
+
+    def _kept(self, times: np.ndarray) -> History:
+        """Rows at times [s] that are among them."""
+        index = np.searchsorted(self.t, times)
+        if times.ndim != 1 or np.any(index == len(self.t)) or np.any(self.t[index] != times):
+            raise ValueError(
+                "found times between the rows of a run that did not keep its steps; expected times among run.t, "
+                'or name them before: simulate(..., output=times), or output="steps", after which any time can be asked for'
+            )
+        return self.of(self.rows[index])
 
     def between(self, index: np.ndarray, h: np.ndarray) -> History:
-        """Histories a time h (n,) [s] after the rows `index` (n,), under those rows' modes."""
-        if self.integrator is None:
-            raise ValueError("a saved run has histories but not the functions to compute between them; simulate again")
-        layouts = self.integrator.layouts
-        rows = self.rows[index].copy()
-        n = len(index)
-        if n:
-            step: Any = self.integrator.step.map(n)
-            trial = np.array(step(rows.T, np.repeat(self.controls[:, None], n, 1), h[None, :])).T
-            for name in layouts.trial.sizes:
-                if name in layouts.state.sizes and name != "error":
-                    rows[:, layouts.state[name]] = trial[:, layouts.trial[name]]
-        return History(self.model, rows, self.controls, self.integrator)
+        """Histories a time h (n,) [s] after the rows `index` (n,), under those rows' modes; with h = 0 the rows themselves."""
+        return self.of(self.later(self.rows[index], h))
+
+    def later(self, rows: np.ndarray, h: np.ndarray) -> np.ndarray:
+        """Rows (n, ns) a time h (n,) [s] after others, by a part of the step from each: of the method's order, under that row's modes."""
+        integrator = self._engine
+        key = ("dense output", *(table.name for table in integrator.tables))
+        step, to, of = self.model.once(key, lambda: _dense_output(integrator))
+        moving = np.flatnonzero(h)
+        (trial,) = step(self.controls, rows[moving], h[moving, None])
+        moved = rows[moving]
+        moved[:, to] = trial[:, of]
+        later: np.ndarray = rows.copy()
+        later[moving] = moved
+        return later
+
+    def of(self, rows: np.ndarray) -> History:
+        """Histories over other rows (n, ns) of the same run."""
+        return History(self.model, rows, self.controls, self.integrator, steps=False)
+
+
+def _dense_output(integrator: Integrator) -> tuple[Rowwise, np.ndarray, np.ndarray]:
+    """The step row by row, and the columns of a state that come from the columns of its trial."""
+    state, trial = integrator.layouts.state, integrator.layouts.trial
+    shared = [name for name in trial.sizes if name in state.sizes]
+    to, of = (np.concatenate([np.r_[layout[name]] for name in shared]) for layout in (state, trial))
+    return Rowwise(integrator.step, constant=1), to, of
 
 
 def acceleration_of(speed: str) -> str:

@@ -51,6 +51,7 @@ STYLE: Any = {  # typed as 300 literal names by Matplotlib
 }
 
 LEGEND_ROOM = 22  # points between a panel and its title
+UNRESOLVED = "the rows that were kept do not resolve the first impact"
 PEAKS_CUT = 2.5  # accelerations are shown up to this multiple of the ideal mechanism's
 
 
@@ -248,6 +249,9 @@ def _first_impact(axis: Axes, run: Solution, impact: Impact | None) -> None:
         _nothing(axis, "no impact")
         return
     t, force, _ = impact_curves(run, impact)
+    if len(t) < 2:
+        _nothing(axis, UNRESOLVED)
+        return
     time, start, scale = scale_of("s", t[-1]), scale_of("s", impact.t), scale_of("N", force)
     axis.plot(time(t), scale(force), color=BLUE, linewidth=1.4)
     axis.fill_between(time(t), scale(force), color=BLUE, alpha=0.12, linewidth=0)
@@ -261,7 +265,10 @@ def _loop(axis: Axes, run: Solution, impact: Impact | None) -> None:
     if impact is None:
         _nothing(axis, "")
         return
-    _, force, penetration = impact_curves(run, impact)
+    t, force, penetration = impact_curves(run, impact)
+    if len(t) < 2:
+        _nothing(axis, UNRESOLVED)
+        return
     scale, length = scale_of("N", force), scale_of("m", penetration)
     axis.plot(length(penetration), scale(force), color=BLUE, linewidth=1.4)
     axis.fill(length(penetration), scale(force), color=BLUE, alpha=0.12, linewidth=0)

@@ -25,7 +25,7 @@ def summary(solution: Solution) -> dict[str, Any]:
     return {
         "scene": solution.model.name,
         "outcome": solution.outcome.name,
-        "t_end": float(solution.t[-1]),
+        "t_end": solution.t_end,
         "duration": solution.duration,
         "accuracy": solution.accuracy,
         "method": solution.method,
@@ -38,7 +38,7 @@ def summary(solution: Solution) -> dict[str, Any]:
             {"contact": i.contact, "t": i.t, "speed": i.speed, "peak_force": i.peak_force, "duration": i.duration}
             for i in solution.impacts
         ],
-        "final": {name: float(solution[name][-1]) for name in solution.states},
+        "final": solution.final,
         "energy_residual": solution.energy_residual,
         "error_estimate": None,
         "warnings": list(solution.warnings),
@@ -56,7 +56,8 @@ def record(solution: Solution) -> dict[str, Any]:
         "effects": [{"name": name, "kind": kind, "text": text} for name, kind, text in model.module.EFFECTS],
         "unchecked": [{"effect": effect, "reason": reason} for effect, reason in model.module.UNCHECKED],
         "parameters": {name: {"value": value, "unit": unit} for name, (value, unit) in solution.parameters.items()},
-        "initial": {name: float(solution[name][0]) for name in solution.states},
+        "initial": solution.initial,
+        "rows": len(solution.t),
         "statistics": asdict(solution.statistics),
         "choices": [asdict(choice) for choice in solution.choices],
         "versions": versions(),

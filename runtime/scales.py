@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -35,7 +36,7 @@ class Scales:
     state: np.ndarray
     scene: np.ndarray
 
-    @property
+    @cached_property
     def sound(self) -> bool:
         """Whether every scale is a positive number."""
         return bool(np.all(_sound(self.state)) and np.all(_sound(self.scene)))
@@ -47,29 +48,50 @@ def of_parameters(model: Model, bound: Bound) -> Scales:
     return Scales(np.concatenate(parts), scene)
 
 
-def of_run(model: Model, stated: Scales, rough: Callable[[Scales], History]) -> Scales:
-    """The stated scales where they are sound, elsewhere the sizes that occur in a rough run, in units alike."""
+def of_run(model: Model, stated: Scales, rough: Callable[[Scales, Sizes], object]) -> Scales:
+    """The stated scales where they are sound, elsewhere the sizes that occur in a rough run, in units alike.
+
+    rough    makes a run with some scales and shows it to a `Sizes`
+    """
     units = list(model.units.values())
     scales = _completed(stated, units, GUESS)
     for _ in range(ROUNDS):
-        scales = _completed(stated, units, GUESS | _sizes(model, units, rough(scales)))
+        seen = Sizes(units)
+        rough(scales, seen)
+        scales = _completed(stated, units, GUESS | seen.found())
     return scales
 
 
-def _sizes(model: Model, units: list[str], history: History) -> dict[str, float]:
-    """Largest size of each unit in a run: of lengths the penetration, or the way where nothing is touched."""
-    y = history.part("y")
-    ways = np.max(np.abs(y - y[0]), axis=0)
-    peaks = np.max(np.abs(y), axis=0)
-    found: dict[str, float] = {}
-    for i, unit in enumerate(units):
-        found[unit] = max(found.get(unit, 0.0), float(ways[i] if i < model.nq else peaks[i]))
-    if model.k:
-        depth = float(np.max(-history.part("gap"), where=history.part("mode") != 0, initial=0.0))
-        found["m"] = depth if depth > 0 else found.get("m", 0.0)
-        found["N"] = float(np.max(history.part("force")))
-    found["J"] = max(found.get("J", 0.0), found.get("N", 0.0) * found.get("m", 0.0))
-    return {unit: size for unit, size in found.items() if _sound(np.array(size))}
+class Sizes:
+    """Largest sizes in a run, block by block: of the ways of coordinates, the values of speeds and memory, penetrations and forces."""
+
+    def __init__(self, units: list[str]) -> None:
+        self._units = units
+        self._from: np.ndarray | None = None
+        self._largest = np.zeros(len(units))
+        self._depth = self._force = 0.0
+
+    def take(self, block: History, fresh: int) -> None:
+        """The next accepted steps; see `findings.Observer`."""
+        y = block.part("y")
+        if self._from is None:
+            self._from = y[0].copy()
+            self._from[block.model.nq :] = 0
+        self._largest = np.maximum(self._largest, np.max(np.abs(y - self._from), axis=0))
+        touching = block.part("mode") != 0
+        self._depth = float(np.max(-block.part("gap"), where=touching, initial=self._depth))
+        self._force = float(np.max(block.part("force"), initial=self._force))
+
+    def found(self) -> dict[str, float]:
+        """Largest size of each unit: of lengths the penetration, or the way where nothing is touched."""
+        found: dict[str, float] = {}
+        for unit, size in zip(self._units, self._largest, strict=True):
+            found[unit] = max(found.get(unit, 0.0), float(size))
+        if self._depth > 0:
+            found["m"] = self._depth
+        found["N"] = max(found.get("N", 0.0), self._force)
+        found["J"] = max(found.get("J", 0.0), found["N"] * found.get("m", 0.0))
+        return {unit: size for unit, size in found.items() if _sound(np.array(size))}
 
 
 def _completed(stated: Scales, units: list[str], sizes: dict[str, float]) -> Scales:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, Literal
@@ -12,18 +12,21 @@ from typing import Any, Literal
 import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.derive.units import UnitError, parse_unit
 from hertzwerk.runtime import scales as scaling
-from hertzwerk.runtime.binding import Value, read, read_state, unknown
+from hertzwerk.runtime.binding import Value, read_state, read_time, unknown
+from hertzwerk.runtime.caller import Callers
+from hertzwerk.runtime.findings import Findings, Observer
 from hertzwerk.runtime.history import History
-from hertzwerk.runtime.impacts import approach_speeds
+from hertzwerk.runtime.impacts import ApproachSpeeds, Track
 from hertzwerk.runtime.integrate.attempt import Integrator, integrator
 from hertzwerk.runtime.integrate.automatic import Code, Gear
-from hertzwerk.runtime.integrate.chunk import Callers, Rows, chunk, march
+from hertzwerk.runtime.integrate.chunk import Ending, chunk, march
 from hertzwerk.runtime.integrate.layout import OUTSIDE_LAW_RANGE
 from hertzwerk.runtime.integrate.methods import METHODS, SUNDIALS
 from hertzwerk.runtime.model import Bound, Model
 from hertzwerk.runtime.outcome import outcome
+from hertzwerk.runtime.output import Output, times_of
+from hertzwerk.runtime.recorder import BLOCK, Grid, Recorder, Steps
 from hertzwerk.runtime.scales import Scales
 from hertzwerk.runtime.solution import Solution, Statistics
 
@@ -44,6 +47,7 @@ def simulate(
     method: str = "dop853",
     parameters: Mapping[str, Value] | None = None,
     initial: Mapping[str, Value] | None = None,
+    output: Output = "steps",
     compiled: bool | Literal["auto"] = "auto",
     max_steps: int = MAX_STEPS,
     max_events: int = MAX_EVENTS,
@@ -56,6 +60,8 @@ def simulate(
     method      explicit "dop853", "dopri5"; for what is stiff "esdirk", "rodas"; "auto" chooses between dop853 and esdirk as it goes;
                 "cvodes", "idas": SUNDIALS, slow, as an independent reference
     parameters, initial    values in place of the model's, each with its unit: {"clearance": "0.2 mm"}, {"guide.travel": "0.17 m"}
+    output      what is kept: "steps", all that were accepted; or the states at a number of points, start and end included (1000), at a
+                spacing ("0.1 ms"), at times [s] of your own, by dense output of the method's order; memory then does not grow with the run
     compiled    run the same functions as C; the result is bitwise the same; "auto" does so from where the time to go exceeds the compilation
     max_steps, max_events (contacts begun), wall_time [s]    where to stop, with an outcome that says so
     progress    called now and then with the fraction done
@@ -64,25 +70,30 @@ def simulate(
     """
     began = time.perf_counter()
     limits = _Limits(max_steps, max_events, math.inf if wall_time is None else wall_time)
-    given = _read(model, duration, accuracy, method, compiled, limits, parameters or {}, initial or {})
+    given, times = _read(model, duration, accuracy, method, compiled, limits, parameters or {}, initial or {}, output)
     bound, seconds = given.bound, given.seconds
     engine = _engine_for(model, method, compiled)
     gear = Gear(engine.code, compiled=compiled is True, changes=compiled == "auto") if engine.code else None
     run = _Run(model, engine, given, limits, gear)
     scales = given.scales
     if not scales.sound:
-        scales = scaling.of_run(model, scales, lambda s: run(max(accuracy, ROUGH), s)[0])
+        scales = scaling.of_run(model, scales, lambda s, seen: run(max(accuracy, ROUGH), s, [seen], block=BLOCK))
     build_s = time.perf_counter() - began
     before = gear.compile_s if gear else 0.0
-    history, rows = run(accuracy, scales, progress)
+    kept = Steps() if times is None else Grid(times)
+    findings = Findings(model, method, later=times is None)
+    speeds = tuple(_approach_speeds(model, bound))
+    ending = run(accuracy, scales, [kept, findings, *speeds], None if times is None else BLOCK, progress)
     compile_s = gear.compile_s - before if gear else 0.0
-    counted = {name: int(rows.last[row]) for name, row in engine.counters.items()}
+    counted = {name: int(ending.last[row]) for name, row in engine.counters.items()}
     return Solution(
-        history=history,
+        history=kept.history,
+        ends=kept.ends,
+        findings=findings,
         outcome=outcome(
-            rows.status,
-            t=float(rows.rows[-1, 0]),
-            where=_deepest(model, history) if rows.status == OUTSIDE_LAW_RANGE else "",
+            ending.status,
+            t=float(kept.ends.t[-1]),
+            where=_deepest(model, kept.ends) if ending.status == OUTSIDE_LAW_RANGE else "",
             accuracy=accuracy,
             max_steps=max_steps,
             max_events=max_events,
@@ -99,7 +110,7 @@ def simulate(
             retaken=counted["retaken"],
             rhs_evaluations=counted["evaluations"],
             events=counted["events"],
-            wall_s=rows.wall_s - compile_s,
+            wall_s=ending.wall_s - compile_s,
             build_s=build_s,
             compile_s=compile_s,
         ),
@@ -107,7 +118,7 @@ def simulate(
             *_unchecked(model),
             *bound.warnings,
             *_floored(counted["floored"], run.floor),
-            *_too_fast(model, bound, history),
+            *_too_fast(model, speeds),
         ),
     )
 
@@ -120,7 +131,9 @@ class _Engine:
     begin: Callers
     counters: Mapping[str, int]  # rows of the state
     code: Code | None  # of the chunk
-    march: Callable[..., Rows]  # ([gear, integrator where there is code,] state, controls, *, wall_time, progress)
+    march: Callable[
+        ..., Ending
+    ]  # ([gear, integrator where there is code,] state, controls, keep, *, wall_time, progress)
 
 
 @dataclass(frozen=True)
@@ -157,8 +170,14 @@ class _Run:
         return self.given.bound["approach_floor"] if "approach_floor" in self.model.parameters else APPROACH_FLOOR
 
     def __call__(
-        self, accuracy: float, scales: Scales, progress: Callable[[float], object] | None = None
-    ) -> tuple[History, Rows]:
+        self,
+        accuracy: float,
+        scales: Scales,
+        observers: Sequence[Observer],
+        block: int | None,
+        progress: Callable[[float], object] | None = None,
+    ) -> Ending:
+        """Run, and show the accepted steps to observers, in blocks (see `Recorder`)."""
         integrator = self.engine.integrator
         layout = integrator.layouts.controls
         controls = np.zeros(layout.size)
@@ -175,12 +194,14 @@ class _Run:
         begin = self.engine.begin.take()
         for place, values in zip(begin.inputs, (0.0, self.given.q, self.given.u, controls), strict=True):
             place[:] = values
-        state = begin()[0].copy()
+        state = begin()[0][0].copy()
         self.engine.begin.give_back(begin)
         wall_time = self.limits.wall_time
         loop = self.engine.march if self.gear is None else partial(self.engine.march, self.gear, integrator)
-        rows = loop(state, controls, wall_time=wall_time, progress=progress)
-        return History(self.model, rows.rows, controls, integrator), rows
+        recorder = Recorder(lambda rows: History(self.model, rows, controls, integrator), observers, block)
+        ending = loop(state, controls, recorder.keep, wall_time=wall_time, progress=progress)
+        recorder.flush()
+        return ending
 
 
 def prepare(model: Model, method: str, compiled: bool | Literal["auto"], ahead: float = 0.0) -> bool:
@@ -201,6 +222,7 @@ def check_settings(
     method: str,
     compiled: bool | Literal["auto"],
     *,
+    output: Output = "steps",
     max_steps: int = MAX_STEPS,
     max_events: int = MAX_EVENTS,
     wall_time: float | None = None,
@@ -210,7 +232,7 @@ def check_settings(
     limits = _Limits(max_steps, max_events, math.inf if wall_time is None else wall_time)
     _check(accuracy, method, limits, faults)
     _check_compiled(compiled, faults)
-    _duration(duration, faults)
+    times_of(output, _duration(duration, faults), faults)
     if faults:
         raise InputError(model.name, faults)
 
@@ -250,17 +272,19 @@ def _read(
     limits: _Limits,
     parameters: Mapping[str, Value],
     initial: Mapping[str, Value],
-) -> _Given:
-    """Everything given, read; raises InputError with every fault. Text that was read before is not read again."""
+    output: Output,
+) -> tuple[_Given, np.ndarray | None]:
+    """Everything given, read, and the times of a grid; raises InputError with every fault. Text that was read before is not read again."""
     faults: list[Fault] = []
     _check(accuracy, method, limits, faults)
     _check_compiled(compiled, faults)
     known: dict[str, _Given] = model.once("given", dict)
     key = repr((duration, parameters, initial))  # tells 1 from True and from "1"
     given = None if faults else known.get(key)
-    if given is not None:
-        return given
-    seconds = _duration(duration, faults)
+    seconds = _duration(duration, faults) if given is None else given.seconds
+    times = times_of(output, seconds, faults)
+    if given is not None and not faults:
+        return given, times
     bound, wrong = model.check(parameters)
     q, u = _start(model, bound, initial, faults)
     if bound is None or wrong or faults:
@@ -269,7 +293,7 @@ def _read(
     if len(known) >= REMEMBERED:
         known.clear()
     known[key] = given
-    return given
+    return given, times
 
 
 def _check(accuracy: float, method: str, limits: _Limits, faults: list[Fault]) -> None:
@@ -296,20 +320,12 @@ def _real(value: object) -> bool:
 def _duration(duration: str | float | None, faults: list[Fault]) -> float:
     """Seconds of a duration; what is none becomes a fault."""
     expected = 'a positive time, such as "24 ms" or a number of seconds'
-    seconds = math.nan
     if isinstance(duration, str):
-        try:
-            value, unit, _ = read(duration)
-        except UnitError as error:
-            faults.append(Fault("duration", repr(duration), expected, str(error)))
-            return seconds
-        if unit.exponents == parse_unit("s").exponents:
-            seconds = unit.to_si(value)
-    elif duration is not None and _real(duration):
-        seconds = float(duration)
-    if not (math.isfinite(seconds) and seconds > 0):
-        faults.append(Fault("duration", "none" if duration is None else repr(duration), expected))
-    return seconds
+        return read_time("duration", duration, expected, faults)
+    if duration is not None and _real(duration) and math.isfinite(duration) and duration > 0:
+        return float(duration)
+    faults.append(Fault("duration", "none" if duration is None else repr(duration), expected))
+    return math.nan
 
 
 def _start(
@@ -366,15 +382,19 @@ def _unchecked(model: Model) -> tuple[str, ...]:
     )
 
 
-def _too_fast(model: Model, bound: Bound, history: History) -> Iterator[str]:
-    """Contacts faster than their compliant law allows, for the pairs whose material has a density."""
+def _approach_speeds(model: Model, bound: Bound) -> Iterator[ApproachSpeeds]:
+    """Of the pairs whose compliant law holds up to a speed: those whose material has a density."""
     for pair, limit in zip(getattr(model.module, "SPEED_LIMITED", ()), _speed_limits(model, bound), strict=True):
-        speeds = approach_speeds(history, model.pairs.index(pair))
-        over = int(np.sum(speeds > limit))
-        if over:
+        yield ApproachSpeeds(float(limit), Track(model.pairs.index(pair)))
+
+
+def _too_fast(model: Model, speeds: Sequence[ApproachSpeeds]) -> Iterator[str]:
+    """Contacts faster than their compliant law allows."""
+    for seen in speeds:
+        if seen.over:
             yield (
-                f"{over} of {len(speeds)} impacts of {pair} exceed the law's limit v0 <= 1e-5*sqrt(E/rho) = {limit:.3g} m/s "
-                f"(worst {speeds.max():.3g} m/s)"
+                f"{seen.over} of {seen.count} impacts of {model.pairs[seen.track.pair]} exceed the law's limit "
+                f"v0 <= 1e-5*sqrt(E/rho) = {seen.limit:.3g} m/s (worst {seen.worst:.3g} m/s)"
             )
 
 

@@ -6,7 +6,6 @@ import io
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
-from functools import cached_property
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -14,9 +13,10 @@ from typing import Any
 import numpy as np
 
 from hertzwerk.runtime.cache import write_atomically
+from hertzwerk.runtime.findings import Findings
 from hertzwerk.runtime.history import History
-from hertzwerk.runtime.impacts import Impact, find
-from hertzwerk.runtime.integrate.choose import Choice, choices
+from hertzwerk.runtime.impacts import Impact
+from hertzwerk.runtime.integrate.choose import Choice
 from hertzwerk.runtime.model import Model
 from hertzwerk.runtime.outcome import Outcome
 
@@ -44,6 +44,8 @@ class Solution:
     """A run. `run["guide.travel"]` is a history over `run.t`, in SI; `run.names` lists what there is."""
 
     history: History = field(repr=False)
+    ends: History = field(repr=False)  # the first and the last of its rows are the run's
+    findings: Findings = field(repr=False)
     outcome: Outcome
     duration: float
     accuracy: float
@@ -60,8 +62,13 @@ class Solution:
 
     @property
     def t(self) -> np.ndarray:
-        """Times of the accepted steps [s], shape (rows,)."""
+        """Times of the accepted steps, or of the grid that was asked for [s], shape (rows,)."""
         return self.history.t
+
+    @property
+    def t_end(self) -> float:
+        """Time [s] that the run reached."""
+        return float(self.ends.t[-1])
 
     @property
     def states(self) -> tuple[str, ...]:
@@ -75,49 +82,46 @@ class Solution:
 
     @property
     def choices(self) -> tuple[Choice, ...]:
-        """What `method="auto"` chose, when and why; of any other method nothing."""
-        return choices(self.history) if self.method == "auto" else ()
+        """What `method="auto"` chose, when and why: the first method and every change; of any other method nothing."""
+        return self.findings.choices
 
     def __getitem__(self, name: str) -> np.ndarray:
         return self.history[name]
 
     def at(self, times: Sequence[float] | np.ndarray) -> History:
-        """Histories at any times [s] of the run, by a part of the step that covers each: of the method's order, under that step's modes."""
+        """Histories at any times [s] of the run, by a part of the step that covers each: of the method's order, under that step's modes.
+
+        Raises ValueError for times outside the run, and between the rows of a run that kept a grid or was saved.
+        """
         return self.history.at(np.asarray(times, dtype=float))
+
+    @property
+    def initial(self) -> dict[str, float]:
+        """Every state at the start, SI."""
+        return {name: float(self.ends[name][0]) for name in self.states}
 
     @property
     def final(self) -> dict[str, float]:
         """Every state at the end, SI."""
-        return {name: float(self[name][-1]) for name in self.states}
+        return {name: float(self.ends[name][-1]) for name in self.states}
 
-    @cached_property
+    @property
     def impacts(self) -> tuple[Impact, ...]:
         """Every contact in the order of its onset."""
-        return find(self.history)
+        return self.findings.impacts
 
-    @cached_property
+    @property
     def energy_residual(self) -> float | None:
-        """Largest |energy - initial energy + dissipated - input| of the run over the largest of these four magnitudes.
+        """Largest |energy - initial energy + dissipated - input| of all accepted steps over the largest of these four magnitudes.
 
         None without a ledger, and where a run that came to no good end holds an energy that is not finite.
         """
-        if not self.model.has_ledger:
-            return None
-        dissipated, supplied = (
-            np.sum([self[name] for name in self.model.memory if name.endswith(end)], axis=0) + np.zeros(len(self.t))
-            for end in (".dissipated", ".input")
-        )
-        energy = self["energy"]
-        if not all(np.all(np.isfinite(part)) for part in (energy, dissipated, supplied)):
-            return None
-        magnitude = max(float(np.max(np.abs(part))) for part in (energy, dissipated, supplied))
-        error = np.abs(energy - energy[0] + (dissipated - dissipated[0]) - (supplied - supplied[0]))
-        return float(np.max(error)) / magnitude if magnitude > 0 else float(np.max(error))
+        return self.findings.energy_residual
 
     def __str__(self) -> str:
         statistics, count = self.statistics, len(self.impacts)
         parts = [
-            f"{self.t[-1] * 1e3:g} ms in {statistics.steps:,} steps",
+            f"{self.t_end * 1e3:g} ms in {statistics.steps:,} steps",
             f"{count:,} impact{'s' if count != 1 else ''}",
         ]
         if self.energy_residual is not None:
@@ -154,6 +158,8 @@ class Solution:
             **{name: getattr(self, name) for name in ("duration", "accuracy", "method", "compiled")},
             "energy_residual": self.energy_residual,
             "impacts": [asdict(impact) for impact in self.impacts],
+            "choices": [asdict(choice) for choice in self.choices],
+            "ends": {name: self.ends[name][[0, -1]].tolist() for name in ("t", *self.states)},
         }
         content = io.BytesIO()
         histories: dict[str, Any] = {name: self[name] for name in ("t", *self.names)}
@@ -171,8 +177,16 @@ class Solution:
             setattr(module, name, _tuples(table))
         if about["ledger"]:
             module.ledger = None  # type: ignore[attr-defined]
-        solution = cls(
-            history=History.stored(Model(module), histories),
+        model = Model(module)
+        return cls(
+            history=History.stored(model, histories),
+            ends=History.stored(model, {name: np.array(values) for name, values in about["ends"].items()}),
+            findings=Findings.saved(
+                model,
+                [Impact(**impact) for impact in about["impacts"]],
+                about["energy_residual"],
+                [Choice(**choice) for choice in about["choices"]],
+            ),
             outcome=Outcome(**about["outcome"]),
             duration=about["duration"],
             accuracy=about["accuracy"],
@@ -182,9 +196,6 @@ class Solution:
             statistics=Statistics(**about["statistics"]),
             warnings=tuple(about["warnings"]),
         )
-        solution.__dict__["impacts"] = tuple(Impact(**impact) for impact in about["impacts"])
-        solution.__dict__["energy_residual"] = about["energy_residual"]
-        return solution
 
 
 _TABLES = (

@@ -11,8 +11,17 @@ import signal
 import sys
 import time
 import warnings
+from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor, as_completed
+from concurrent.futures import (
+    FIRST_COMPLETED,
+    BrokenExecutor,
+    Executor,
+    Future,
+    ProcessPoolExecutor,
+    ThreadPoolExecutor,
+    wait,
+)
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal, Protocol
@@ -27,6 +36,7 @@ from hertzwerk.runtime.solution import Solution, Statistics, write
 
 Output = Callable[[Solution], float]
 BAD_INPUT, BAD_OUTPUT, LOST = "bad_input", "bad_output", "lost"  # outcomes of rows without a run or some of its numbers
+AHEAD = 2  # rows handed out per worker: none waits for the next, and few are under way where one dies
 PROBE = 0.3  # s that the first run may take alone, to foresee how long all of them take
 _NUMBERS = ("impacts", "peak_force", "energy_residual", "steps", "rhs_evaluations", "wall_s")
 _TEXTS = ("outcome", "message", "warnings")
@@ -222,7 +232,7 @@ class _Job:
                 raise KeyboardInterrupt
             if solution.outcome.name != "wall_time_limit":
                 rows[i] = self._row(i, solution)
-            done = max(float(solution.t[-1]) / solution.duration, 1e-9) if i not in rows else 1.0
+            done = max(solution.t_end / solution.duration, 1e-9) if i not in rows else 1.0
             one = min(solution.statistics.wall_s / done, self.settings.get("wall_time") or math.inf)
             return one * math.ceil((len(self.sets) - len(rows)) / cores)
         return 0.0
@@ -271,22 +281,46 @@ class _Job:
 
 
 def _run(job: _Job, left: list[int], workers: int) -> Iterator[Row]:
-    """Rows as they are done; stops the workers when it is left, however."""
-    if workers == 1:
-        for i in left:
-            yield job.row(i)
-        return
-    futures: dict[Future[Row], int] = {}
+    """Rows as they are done; where a process died, those it may have died of are run again, each alone."""
+    waiting = deque(left)
+    while waiting and workers > 1:
+        suspects: list[int] = []
+        yield from _together(job, waiting, workers, suspects)
+        for i in suspects:
+            again: list[int] = []
+            yield from _together(job, deque([i]), 1, again)
+            if again:
+                yield Row(i, job.sets[i], LOST, "its process died, and died again where it ran alone")
+    for i in waiting:
+        yield job.row(i)
+
+
+def _together(job: _Job, waiting: deque[int], workers: int, suspects: list[int]) -> Iterator[Row]:
+    """Rows of those waiting as they are done, until all are or a process dies: then `suspects` are those that were under way.
+
+    Stops the workers when it is left, however.
+    """
+    under_way: dict[Future[Row], int] = {}
     executor, row = _executor(job, workers)
     try:
-        with warnings.catch_warnings():  # Python 3.12 and later warn of threads when forking: NumPy's see to themselves
-            warnings.simplefilter("ignore", DeprecationWarning)
-            futures.update((executor.submit(row, i), i) for i in left)
-        for future in as_completed(futures):
-            try:
-                yield future.result()
-            except BrokenExecutor as error:
-                yield Row(futures[future], job.sets[futures[future]], LOST, f"its process died: {error}")
+        while not suspects and (waiting or under_way):
+            while not suspects and waiting and len(under_way) < AHEAD * workers:
+                i = waiting.popleft()
+                try:
+                    with (
+                        warnings.catch_warnings()
+                    ):  # Python 3.12 and later warn of threads when forking: NumPy's see to themselves
+                        warnings.simplefilter("ignore", DeprecationWarning)
+                        under_way[executor.submit(row, i)] = i
+                except BrokenExecutor:
+                    suspects.append(i)
+            for future in wait(under_way, return_when=FIRST_COMPLETED).done:
+                try:
+                    yield future.result()
+                except BrokenExecutor:
+                    suspects.append(under_way[future])
+                del under_way[future]
+        suspects += under_way.values()
     finally:
         job.stop.value = 1
         executor.shutdown(wait=True, cancel_futures=True)

@@ -41,6 +41,11 @@ if TYPE_CHECKING:
     "--method", metavar="NAME", help="auto, dop853, dopri5, esdirk, rodas, cvodes or idas (default: the scenario's)."
 )
 @click.option(
+    "--grid",
+    metavar="POINTS|TIME",
+    help='Keep so many equally spaced states (10000), or one each TIME ("0.1 ms"), in place of every accepted step.',
+)
+@click.option(
     "--out", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-NNN)."
 )
 @click.option("--no-plots", is_flag=True, help="Write the data only.")
@@ -97,6 +102,7 @@ def _simulate(
     duration: str | None,
     accuracy: str | None,
     method: str | None,
+    grid: str | None,
 ) -> Solution:
     """The solution a command line asks for; raises InputError with the faults of all its parts."""
     from hertzwerk.runtime import scenarios
@@ -121,6 +127,7 @@ def _simulate(
                 method=method or numbers.get("method", "dop853"),
                 parameters={name: value for name, value in values.items() if name not in states},
                 initial={name: value for name, value in values.items() if name in states},
+                output="steps" if grid is None else int(grid) if grid.isdecimal() and len(grid) < 16 else grid,
                 progress=progress,
                 **limits,
             )

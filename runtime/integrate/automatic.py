@@ -6,7 +6,7 @@ import time
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from hertzwerk.runtime.integrate.chunk import Callers
+from hertzwerk.runtime.caller import Callers
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.compiled import Program

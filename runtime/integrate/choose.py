@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
+import numpy as np
 
 from hertzwerk.runtime.integrate.implicit import linearised, part_to_rest, sliding
 
@@ -64,13 +65,12 @@ class Choice:
     reason: str
 
 
-def choices(history: History) -> tuple[Choice, ...]:
-    """What a run with `method="auto"` chose: the first method and every change."""
+def choices(history: History, fresh: int) -> tuple[Choice, ...]:
+    """What a run with `method="auto"` chose at the rows from `fresh` on: the first method and every change."""
     method, stiffness = history.part("method")[:, 0], history.part("stiffness")[:, 0]
-    found = [Choice(float(history.t[0]), "explicit", "a run begins so")]
-    for i in range(1, len(method)):
-        if method[i] == method[i - 1]:
-            continue
+    found = [] if fresh else [Choice(float(history.t[0]), "explicit", "a run begins so")]
+    first = max(fresh, 1)
+    for i in first + np.flatnonzero(method[first:] != method[first - 1 : -1]):
         if method[i] == EXPLICIT:
             reason = f"step x fastest rate fell to {stiffness[i]:.2g}: explicit steps are as long, and cheaper"
         elif stiffness[i] > STIFF:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, Protocol
 
 import casadi as ca
 import numpy as np
 
+from hertzwerk.runtime.caller import Callers
 from hertzwerk.runtime.integrate.attempt import Integrator
 from hertzwerk.runtime.integrate.layout import RUNNING, TOO_MANY_STEPS
 
@@ -36,49 +37,12 @@ def chunk(integrator: Integrator, sizes: tuple[int, ...] = SIZE) -> Any:
 
 
 @dataclass(frozen=True)
-class Rows:
-    """Accepted states in order, shape (rows, ns), the last state of all, how the loop ended, and the time it took [s]."""
+class Ending:
+    """The last state of all, accepted or not, how the loop ended, and the time it took [s]."""
 
-    rows: np.ndarray
     last: np.ndarray
     status: int
     wall_s: float
-
-
-class Caller:
-    """A CasADi function of dense vectors called through its buffer: inputs and the one result stay NumPy arrays."""
-
-    def __init__(self, function: Any) -> None:
-        self._buffer, self._evaluate = function.buffer()
-        self.inputs = [np.zeros(function.size1_in(i) * function.size2_in(i)) for i in range(function.n_in())]
-        self.result = np.zeros((function.size2_out(0), function.size1_out(0)))  # a column of the result is a row here
-        for i, values in enumerate(self.inputs):
-            self._buffer.set_arg(i, values.data)
-        self._buffer.set_res(0, self.result.data)
-
-    def __call__(self) -> np.ndarray:
-        """Evaluate on `inputs`; the array returned is overwritten by the next call."""
-        self._evaluate()
-        return self.result
-
-
-@dataclass(frozen=True)
-class Callers:
-    """Callers of one function, made when none is free: two threads never share one, and a second run pays for no new memory."""
-
-    function: Any
-    _free: list[Caller] = field(default_factory=list)
-
-    def take(self) -> Caller:
-        """A caller for one user at a time."""
-        try:
-            return self._free.pop()
-        except IndexError:
-            return Caller(self.function)
-
-    def give_back(self, caller: Caller) -> None:
-        """The caller is free for the next user."""
-        self._free.append(caller)
 
 
 class Shift(Protocol):
@@ -95,11 +59,15 @@ def march(
     integrator: Integrator,
     state: np.ndarray,
     controls: np.ndarray,
+    keep: Callable[[np.ndarray], object],
     *,
     wall_time: float = np.inf,
     progress: Callable[[float], object] | None = None,
-) -> Rows:
-    """Call a chunk until the run is over; KeyboardInterrupt ends it with what there is."""
+) -> Ending:
+    """Call a chunk until the run is over; KeyboardInterrupt ends it with what there is.
+
+    keep    is given the accepted states in order, some at a time: rows (n, ns) of its own
+    """
     layout = integrator.layouts.state
     t, status, accepted = layout["t"].start, layout["status"].start, layout["accepted"].start
     t_end = float(controls[integrator.layouts.controls["t_end"].start])
@@ -108,26 +76,27 @@ def march(
     callers = gear.callers
     call = callers.take()
     call.inputs[1][:] = controls
-    kept = [state[None, :].copy()]
+    keep(state[None, :].copy())
     start = time.perf_counter()
     outcome = int(state[status])
     try:
         while outcome == RUNNING:
             call.inputs[0][:] = state
-            states = call()
+            (states,) = call()
             state = states[-1].copy()
             outcome = int(state[status])
             stop = len(states)
             if outcome != RUNNING:
                 stop = int(np.argmax(states[:, status] != RUNNING)) + 1
             part = states[:stop]
-            kept.append(part[part[:, accepted] == 1])
-            if outcome == RUNNING and time.perf_counter() - start > wall_time:
-                outcome = WALL_TIME_LIMIT
-            if progress is not None:
-                progress((float(state[t]) - t_start) / (t_end - t_start))
+            keep(part[part[:, accepted] == 1])
             elapsed = time.perf_counter() - start
-            done = max((float(state[t]) - t_start) / (t_end - t_start), float(state[steps]) / max_steps, 1e-9)
+            if outcome == RUNNING and elapsed > wall_time:
+                outcome = WALL_TIME_LIMIT
+            done = (float(state[t]) - t_start) / (t_end - t_start)
+            if progress is not None:
+                progress(done)
+            done = max(done, float(state[steps]) / max_steps, 1e-9)
             if outcome == RUNNING and gear.changed(elapsed, min(elapsed / done, wall_time) - elapsed):
                 callers.give_back(call)
                 callers = gear.callers
@@ -136,5 +105,4 @@ def march(
     except KeyboardInterrupt:
         outcome = INTERRUPTED
     callers.give_back(call)
-    wall_s = time.perf_counter() - start
-    return Rows(np.concatenate(kept), state, outcome, wall_s)
+    return Ending(state, outcome, time.perf_counter() - start)

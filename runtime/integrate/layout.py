@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
+from itertools import accumulate
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
@@ -21,18 +23,18 @@ class Layout:
 
     sizes: Mapping[str, int]
 
-    @property
+    @cached_property
     def size(self) -> int:
         """Length of the whole vector."""
         return sum(self.sizes.values())
 
+    @cached_property
+    def _slices(self) -> dict[str, slice]:
+        ends = accumulate(self.sizes.values())
+        return {name: slice(end - size, end) for (name, size), end in zip(self.sizes.items(), ends, strict=True)}
+
     def __getitem__(self, name: str) -> slice:
-        start = 0
-        for part, size in self.sizes.items():
-            if part == name:
-                return slice(start, start + size)
-            start += size
-        raise KeyError(name)
+        return self._slices[name]
 
     def symbol(self, name: str) -> Any:
         """A symbolic vector of this layout."""

@@ -3,6 +3,8 @@
 The structure of J, known when the graph is built, does most of the work. Coordinates whose rates are speeds alone have the pivot 1 and go first,
 which leaves (I - h gamma df/du - (h gamma)^2 df/dq dq'/du) for the speeds; what nothing depends on, such as the energy ledger, follows by
 substitution. (CasADi's csparse, lapackqr and symbolicqr generate no C.)
+
+Without exchanging rows a pivot may be small by chance; whoever uses the solution checks it (`implicit`), and a shorter step is nearer to I.
 """
 
 from __future__ import annotations
@@ -36,14 +38,16 @@ def solver(jacobian: Any, step: Any, nq: int) -> Callable[[Any], Any]:
         for i in core
     ]
     solve_core = _eliminated(reduced, pivoting=len(core) <= PIVOTED)
+    of_core, of_first, of_last = (
+        [_row(matrix, i, columns) for i in rows]
+        for rows, columns in ((core, first), (first, core), (last, first + core))
+    )
 
     def solve(r: Any) -> Any:
-        known = [r[i] - _times(matrix, i, first, r) for i in core]
+        known = [r[i] - _times(row, r) for i, row in zip(core, of_core, strict=True)]
         x = dict(zip(core, solve_core(known), strict=True))
-        for i in first:
-            x[i] = r[i] - _times(matrix, i, core, x)
-        for i in last:
-            x[i] = r[i] - _times(matrix, i, first + core, x)
+        for rows, entries in ((first, of_first), (last, of_last)):
+            x |= {i: r[i] - _times(row, x) for i, row in zip(rows, entries, strict=True)}
         return ca.vertcat(*(x[i] for i in range(n)))
 
     return solve
@@ -69,19 +73,19 @@ def _eliminated(a: list[list[Any]], *, pivoting: bool) -> Callable[[list[Any]], 
                 for j in range(k + 1, n):
                     if not a[k][j].is_zero():
                         a[i][j] = a[i][j] - a[i][k] * a[k][j]
+    below = [[i for i in range(k + 1, n) if not a[i][k].is_zero()] for k in range(n)]
+    right = [[j for j in range(k + 1, n) if not a[k][j].is_zero()] for k in range(n)]
 
     def solve(r: list[Any]) -> list[Any]:
         x = list(r)
         for k, i, larger in exchanges:  # all at once: the multipliers were exchanged with their rows
             x[k], x[i] = _exchanged(larger, x[k], x[i])
         for k in range(n):
-            for i in range(k + 1, n):
-                if not a[i][k].is_zero():
-                    x[i] = x[i] - a[i][k] * x[k]
+            for i in below[k]:
+                x[i] = x[i] - a[i][k] * x[k]
         for k in reversed(range(n)):
-            for j in range(k + 1, n):
-                if not a[k][j].is_zero():
-                    x[k] = x[k] - a[k][j] * x[j]
+            for j in right[k]:
+                x[k] = x[k] - a[k][j] * x[j]
             x[k] = x[k] * inverse[k]
         return x
 
@@ -118,5 +122,5 @@ def _dot(a: dict[int, Any], b: dict[int, Any]) -> Any:
     return sum((a[i] * b[i] for i in a if i in b), start=ca.SX(0))
 
 
-def _times(matrix: dict[tuple[int, int], Any], i: int, columns: list[int], x: Any) -> Any:
-    return sum((entry * x[j] for j, entry in _row(matrix, i, columns).items()), start=ca.SX(0))
+def _times(row: dict[int, Any], x: Any) -> Any:
+    return sum((entry * x[j] for j, entry in row.items()), start=ca.SX(0))

@@ -16,7 +16,7 @@ import casadi as ca
 import numpy as np
 from scipy.optimize import brentq
 
-from hertzwerk.runtime.integrate.chunk import INTERRUPTED, WALL_TIME_LIMIT, Rows
+from hertzwerk.runtime.integrate.chunk import INTERRUPTED, WALL_TIME_LIMIT, Ending
 from hertzwerk.runtime.integrate.explicit import EPS, flow
 from hertzwerk.runtime.integrate.layout import (
     CONTACT,
@@ -76,17 +76,19 @@ def march(
     functions: Reference,
     state: np.ndarray,
     controls: np.ndarray,
+    keep: Callable[[np.ndarray], object],
     *,
     wall_time: float = np.inf,
     progress: Callable[[float], object] | None = None,
-) -> Rows:
-    """Integrate from a first state of the engine to the end of the run; KeyboardInterrupt ends it with what there is."""
+) -> Ending:
+    """Integrate from a first state of the engine to the end of the run, as `chunk.march` does; KeyboardInterrupt ends it with what there is."""
     run = _Run(functions, state, controls)
     start, status = time.perf_counter(), RUNNING
-    rows = [state]
+    row = state
+    keep(row[None, :])
     try:
         for row in run.rows():
-            rows.append(row)
+            keep(row[None, :])
             if progress is not None:
                 progress(run.t / run.t_end)
             if time.perf_counter() - start > wall_time:
@@ -96,7 +98,7 @@ def march(
             status = run.status
     except KeyboardInterrupt:
         status = INTERRUPTED
-    return Rows(np.array(rows), rows[-1], status, time.perf_counter() - start)
+    return Ending(row, status, time.perf_counter() - start)
 
 
 @dataclass(frozen=True)

@@ -1,54 +1,90 @@
-"""Compiles and runs the hand-written slider-crank (handwritten/slider_crank.cpp), the limit generated code is measured by."""
+"""Against the hand-written C++ at equal error, and what a run costs beyond its evaluations of the right-hand side."""
 
 from __future__ import annotations
 
-import json
-import shutil
-import subprocess
-import tempfile
-from functools import cache
-from pathlib import Path
-from typing import Any
+from collections.abc import Iterator
 
-SOURCE = Path(__file__).parent / "handwritten" / "slider_crank.cpp"
-COMPILER = shutil.which("g++")
+from benchmarks import programs
+from benchmarks.bare import evaluations
+from benchmarks.contenders import handwritten, hertzwerk, model
+from benchmarks.equal_error import DURATION, TARGETS, Contender
+from benchmarks.ratios import Ratio, medians, seconds
 
-
-@cache
-def _folder() -> tempfile.TemporaryDirectory[str]:
-    return tempfile.TemporaryDirectory(prefix="hertzwerk-limit-")  # removed when the interpreter ends
+BARS = {"C": "<= 1.3", "VM": "<= 12"}
+SANE = (
+    (2e-3, 10_000),
+    (2e-6, 21_000),
+)  # issue 4, "Numbers": evaluations of the hand-written program for an error, frictionless
 
 
-@cache
-def program(real: str = "double") -> Path:
-    """The compiled program; `real` is its floating-point type."""
-    if COMPILER is None:
-        raise RuntimeError("the hand-written program needs g++")
-    path = Path(_folder().name) / f"slider_crank_{real.replace(' ', '_')}"
-    flags = ["-std=c++17", "-O3", "-march=native", f"-DREAL={real}"]
-    subprocess.run([COMPILER, *flags, str(SOURCE), "-o", str(path)], check=True)
-    return path
+def limit() -> Iterator[Ratio]:
+    """Against the hand-written C++ at equal error, and what a run costs beyond its evaluations."""
+    if programs.COMPILER is None:
+        print("  not measured: needs g++")
+        return
+    for friction in (False, True):
+        name = "friction" if friction else "frictionless"
+        native, machine = (hertzwerk("dop853", compiled=compiled, friction=friction) for compiled in (True, False))
+        by_hand = handwritten(friction)
+        for target in TARGETS:
+            mine, theirs = native.tolerance_for(target), by_hand.tolerance_for(target)
+            if mine is None or theirs is None:
+                print(f"  error {target:g} not reached: hertzwerk {mine}, C++ {theirs}")
+                continue
+            hand, *times = medians(by_hand.time(theirs), native.time(mine), machine.time(mine))
+            note = f"tolerances {mine:.1e}, {theirs:.1e}"
+            for path, time in zip(("C", "VM"), times, strict=True):
+                yield Ratio(f"dop853, {path} / C++, {name}, error {target:g}", time, hand, BARS[path], note)
+            yield _work(friction, name, target, mine, theirs)
+            yield from _overhead(friction, name, target, mine, dict(zip(("C", "VM"), times, strict=True)))
+        yield from _sanity(by_hand, name)
+    print("  bare C++ evaluation:", ", ".join(f"{mode} {seconds(s)}" for mode, s in programs.bare().items()))
 
 
-def run(
-    method: str,
-    tolerance: float,
-    *,
-    friction: bool,
-    times: tuple[float, ...],
-    repeats: int = 0,
-    clearance: float = 5e-4,
-    real: str = "double",
-) -> dict[str, Any]:
-    """States [t, theta, x, theta', x'], impacts [onset, speed], counts, and the median time of `repeats` runs [s]."""
-    numbers = [repr(float(tolerance)), str(int(friction)), repr(float(clearance)), str(repeats), *map(repr, times)]
-    return _json([str(program(real)), "run", method, *numbers])
+def _work(friction: bool, name: str, target: float, mine: float, theirs: float) -> Ratio:
+    """Evaluations on both sides, and the steps they were made for."""
+    from hertzwerk.runtime import simulate
+
+    ours = simulate(model(friction), duration=DURATION, accuracy=mine, compiled=True).statistics
+    by_hand = programs.handwritten("dop853", theirs, friction=friction, times=(DURATION,))
+    note = (
+        f"steps {ours.steps} (rejected {ours.rejected}, retaken {ours.retaken}), "
+        f"{by_hand['steps']} (rejected {by_hand['rejected']})"
+    )
+    what = f"    evaluations, {name}, error {target:g}"
+    return Ratio(what, ours.rhs_evaluations, by_hand["evaluations"], "", note, unit="evaluations")
 
 
-def bare() -> dict[str, float]:
-    """Time of one evaluation of the right-hand side in flight, in contact and in contact with friction [s]."""
-    return _json([str(program()), "bare"])
+def _overhead(friction: bool, name: str, target: float, tolerance: float, times: dict[str, float]) -> Iterator[Ratio]:
+    """A whole run over its evaluations by themselves."""
+    from hertzwerk.runtime import simulate
+
+    run = simulate(model(friction), duration=DURATION, accuracy=tolerance, compiled=True)
+    for path, time in times.items():
+        found = evaluations(run, compiled=path == "C")
+        alone = sum(each.number * each.seconds for each in found.values())
+        note = ", ".join(f"{mode} {each.number} x {seconds(each.seconds)}" for mode, each in found.items())
+        yield Ratio(f"    run / its bare evaluations, {path}, {name}, error {target:g}", time, alone, "", note)
 
 
-def _json(command: list[str]) -> Any:
-    return json.loads(subprocess.run(command, check=True, capture_output=True, text=True, timeout=120).stdout)
+def _sanity(by_hand: Contender, name: str) -> Iterator[Ratio]:
+    """What the hand-written program itself should cost."""
+    tolerance = 1e-6
+    counts = programs.handwritten("dop853", tolerance, friction=by_hand.friction, times=(DURATION,))
+    contact = counts["contact_evaluations"]
+    flight = counts["evaluations"] - contact
+
+    def alone() -> float:
+        cost = programs.bare()
+        return contact * cost["friction" if by_hand.friction else "contact"] + flight * cost["flight"]
+
+    whole, bare = medians(by_hand.time(tolerance), alone)
+    yield Ratio(f"C++ / its {contact + flight:,} bare evaluations, {name}", whole, bare, "<= 1.5")
+    if by_hand.friction:
+        return
+    for error, expected in SANE:
+        tolerance = by_hand.tolerance_for(error)
+        if tolerance is not None:
+            run = programs.handwritten("dop853", tolerance, friction=False, times=(DURATION,))
+            note = f"issue 4: near {expected:,}"
+            yield Ratio(f"C++'s evaluations, {name}, error {error:g}", run["evaluations"], expected, "", note, unit="")

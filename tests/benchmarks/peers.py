@@ -14,7 +14,11 @@ from scipy.integrate import solve_ivp
 class Buffered:
     """f(t, y) of a CasADi function of (t, y, v0), called through its buffer: no conversion to DM. v0 is shared, by reference."""
 
-    def __init__(self, function: Any, v0: np.ndarray) -> None:
+    def __init__(self, function: Any, v0: np.ndarray, *, compiled: bool) -> None:
+        if compiled:
+            from hertzwerk.runtime.integrate.compiled import Program
+
+            function = Program(function).load()
         buffer, self.evaluate = function.buffer()
         self.buffer = buffer  # keeps the function alive
         self.t, self.y, self.result = np.zeros(1), np.zeros(function.size1_in(1)), np.zeros(function.size1_out(0))
@@ -30,9 +34,9 @@ class Buffered:
 
 
 class SolveIvp:
-    """solve_ivp on the generated functions of a one-pair model, restarted at its events; the ledger is left out."""
+    """solve_ivp on the generated functions of a one-pair model without ledger, in CasADi's virtual machine or as C, restarted at its events."""
 
-    def __init__(self, model: Any, method: str = "LSODA") -> None:
+    def __init__(self, model: Any, method: str = "LSODA", *, compiled: bool = False) -> None:
         self.method = method
         module, bound = model.module, model.bind({})
         c, p, nq = ca.DM(bound.c), ca.DM(bound.p), model.nq
@@ -50,7 +54,7 @@ class SolveIvp:
         gap, gap_rate = module.gaps(t, q, u, c)
 
         def function(result: Any) -> Buffered:
-            return Buffered(ca.Function("f", [t, y, v0], [result], {"cse": True}), self.v0)
+            return Buffered(ca.Function("f", [t, y, v0], [result], {"cse": True}), self.v0, compiled=compiled)
 
         def rates(force: Any) -> Buffered:
             return function(ca.vertcat(module.coordinate_rates(t, q, u, c), module.accelerations(t, q, u, force, c)[0]))
@@ -74,11 +78,11 @@ class SolveIvp:
         }
         while t < duration:
             gap.direction = 1 if touching else -1
-            first = {"first_step": min(1e-7, duration - t)} if touching else {}
-            run = solve_ivp(self.contact if touching else self.flight, (t, duration), y, **options, **first)
+            first = min(1e-7, duration - t)  # off the surface, or a return within one step has no change of sign
+            run = solve_ivp(self.contact if touching else self.flight, (t, duration), y, first_step=first, **options)
             t, y = float(run.t[-1]), run.y[:, -1]
             if run.status < 0:
-                raise RuntimeError(run.message)
+                raise ArithmeticError(run.message)
             if run.status == 1:
                 touching = not touching
                 self.v0[0] = max(-float(self.gap_rate(t, y)[0]), self.floor)

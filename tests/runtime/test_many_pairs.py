@@ -2,14 +2,19 @@
 
 from functools import cache
 
+import casadi as ca
 import numpy as np
 import pytest
+from handmade import point
 
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.integrate import classes
+from hertzwerk.runtime.integrate.attempt import integrator
 from hertzwerk.runtime.integrate.explicit import flow
+from hertzwerk.runtime.integrate.implicit import DIVERGED
+from hertzwerk.runtime.integrate.implicit_tables import esdirk54, rodas5p
 from hertzwerk.runtime.model import Model
-from reference import scenes
+from reference import closed_forms, scenes
 
 APART, CLOSE = "1 mm", "0.1 um"  # gaps between neighbours; an impact is about 10 um deep
 
@@ -58,3 +63,80 @@ def test_a_pair_out_of_contact_costs_no_operation_of_a_stage():
 def test_the_same_digits_compiled(method):
     machine, native = (hit(row(4), CLOSE, accuracy=1e-8, method=method, compiled=c) for c in (False, True))
     assert np.array_equal(machine.history.rows, native.history.rows)
+
+
+def linear(B):
+    """Points on a line each, u' = B u, without contact."""
+    n = len(B)
+    model = point()
+    names = [f"path_{i}" for i in range(n)]
+    model.module.__dict__.update(
+        PARAMETERS=(("speed", "m/s", 1.0, "of each"),),
+        COORDINATES=tuple((f"{name}.travel", "m") for name in names),
+        SPEEDS=tuple((f"{name}.speed", "m/s") for name in names),
+        start=lambda p: (ca.SX.zeros(n), p[0] * ca.SX(range(1, n + 1))),
+        scales=lambda p: (ca.SX.ones(n), ca.SX.ones(n), ca.SX(0, 1), ca.SX.ones(4)),
+        applied=lambda t, q, u, c: ca.mtimes(ca.DM(B), u),
+    )
+    return Model(model.module)
+
+
+@pytest.mark.parametrize("table", [rodas5p(), esdirk54()], ids=lambda table: table.name)
+@pytest.mark.parametrize(("pivot", "refused"), [(0.3, False), (1e-3, False), (1e-12, True), (0.0, True)])
+def test_a_step_whose_equations_were_not_solved_is_refused(table, pivot, refused):
+    """I - h gamma J = pivot I + N with N skew: all is well but for elimination on the diagonal, where rows are not exchanged.
+
+    Without the check a Rosenbrock step goes on from speeds that are wrong in the first digit.
+    """
+    n, h = 6, 1e-3
+    random = np.random.default_rng(1).standard_normal((n, n))
+    N = random - random.T
+    assert np.linalg.cond(N) < 10
+    engine = integrator(linear(((1 - pivot) * np.eye(n) - N) / (h * table.gamma)), (table,))
+    q, u = engine.model.function("start")(1.0)
+    controls, layout = np.zeros(engine.layouts.controls.size), engine.layouts.controls
+    for name, value in {"scale": 1e9, "scales": 1.0, "accuracy": 1e-3, "t_end": 1.0, "h_max": 1.0}.items():
+        controls[layout[name]] = value
+    trial = np.array(engine.step(engine.begin(0, q, u, controls), controls, h)).ravel()
+    (error,) = trial[engine.layouts.trial["error"]]
+    assert (error < DIVERGED) != refused
+
+
+def passed_on(n, method, restitution, accuracy=1e-8, **options):
+    """The run of a row with gaps until the last sphere has left."""
+    duration = 2e-3 / 0.5 * n if restitution < 1 else 1.2e-3 * n
+    options = {"duration": duration, "parameters": {"restitution": restitution}, "compiled": False, **options}
+    return simulate(row(n), method=method, accuracy=accuracy, **options)
+
+
+def momentum_error(run, n):
+    """Largest change of the total momentum over a run, relative to the start's."""
+    return np.max(np.abs(sum(run[f"path_{i}.speed"] for i in range(n)) - 1))
+
+
+@pytest.mark.parametrize(
+    ("n", "method"),
+    [(5, "dop853"), (5, "dopri5"), (5, "rodas"), (5, "esdirk"), (5, "auto"), (20, "dop853"), (20, "esdirk")],
+)
+def test_an_elastic_row_hands_the_speed_to_its_last_sphere(n, method):
+    """Gaps between the spheres: n - 1 impacts of two equal spheres one after another, each of which exchanges the speeds."""
+    run = passed_on(n, method, 1.0)
+    assert run.outcome.finished
+    assert [impact.contact for impact in run.impacts] == [f"pair_{i}" for i in range(n - 1)]
+    assert [run.final[f"path_{i}.speed"] for i in range(n)] == pytest.approx([*(n - 1) * [0], 1], abs=1e-7 * n)
+    assert momentum_error(run, n) < 1e-14 * n
+    assert run.energy_residual < 2e-7 * n
+
+
+@pytest.mark.parametrize(("n", "method"), [(5, "dop853"), (5, "esdirk"), (20, "dop853")])
+def test_a_damped_row_follows_the_products_of_two_body_impacts(n, method):
+    """Each impact leaves (1 - e)/2 of the speed and hands on (1 + e)/2, with e what the law returns in a free impact."""
+    run = passed_on(n, method, 0.9)
+    stiffness = 4 / 3 * 207e9 / (2 * (1 - 0.3**2)) * 0.01**0.5
+    e = float(closed_forms.collision(str(stiffness), 1.5, "0.05", 1, closed_forms.factor("flores", "0.9")).restitution)
+    speeds = [((1 + e) / 2) ** i for i in range(n)]
+    expected = [*((1 - e) / 2 * v for v in speeds[:-1]), speeds[-1]]
+    assert [impact.speed for impact in run.impacts] == pytest.approx(speeds[:-1], rel=2e-7)
+    assert [run.final[f"path_{i}.speed"] for i in range(n)] == pytest.approx(expected, abs=2e-7)
+    assert momentum_error(run, n) < 1e-14 * n
+    assert run.energy_residual < 5e-7

@@ -102,6 +102,35 @@ def test_a_process_that_dies_is_a_row(ball):
     assert len(sweep) == 3
 
 
+def test_of_all_rows_only_the_guilty_ones_are_lost(ball):
+    def die(run):
+        if round(run.initial["vertical.travel"], 6) in (1.3, 1.9):  # 0.1 m above the drop height
+            os._exit(3)
+        return run.t_end
+
+    heights = [round(0.5 + 0.1 * i, 1) for i in range(20)]
+    sets = [{"drop_height": f"{height} m"} for height in heights]
+    sweep = simulate_many(ball, sets, duration="1 s", compiled=False, workers=2, outputs={"end": die})
+    assert [row.index for row in sweep] == list(range(20))
+    assert [h for h, row in zip(heights, sweep, strict=True) if row.outcome == "lost"] == [1.2, 1.8]
+    assert all(row["end"] == 1 for row in sweep if row.outcome != "lost")
+    assert all("died" in row.message for row in sweep if row.outcome == "lost")
+
+
+def test_a_grid_changes_no_row_and_is_what_outputs_see(ball):
+    sets = [{"drop_height": height} for height in HEIGHTS[:3]]
+    outputs = {"rows": lambda run: float(len(run.t))}
+    steps, grid = (
+        simulate_many(ball, sets, workers=1, compiled=False, output=output, outputs=outputs, **SETTINGS)
+        for output in ("steps", 11)
+    )
+    assert list(grid["rows"]) == [11] * 3
+    for name in ("peak_force", "impacts", "energy_residual", "steps", "final.vertical.speed"):
+        assert np.array_equal(steps[name], grid[name]), name
+    with pytest.raises(InputError, match="output"):
+        simulate_many(ball, sets, duration="1 s", output=1)
+
+
 def test_csv(ball, tmp_path):
     sweep = simulate_many(ball, [{"drop_height": "1 m"}, {"drop_height": "-1 kg"}], duration="1 s")
     path = sweep.to_csv(tmp_path / "sweep.csv")

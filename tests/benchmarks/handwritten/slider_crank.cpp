@@ -1,14 +1,13 @@
 // The slider-crank with clearance as fast as one writes it by hand: the limit that generated code is measured against.
 //
 //   g++ -O3 -march=native -std=c++17 slider_crank.cpp -o slider_crank
-//   ./slider_crank run METHOD TOLERANCE FRICTION CLEARANCE REPEATS TIME...   METHOD: dopri5 | dop853, FRICTION: 0 | 1
+//   ./slider_crank run METHOD TOLERANCE FRICTION CLEARANCE REPEATS TIME...   METHOD: dopri5 | dop853 | regularised, FRICTION: 0 | 1
 //   ./slider_crank bare                                                      time of one evaluation in each mode
 //
 // Both print one JSON object in SI units. TOLERANCE is the local error in the scene's scales: positions by the clearance (the
-// rod angle by clearance/length), speeds by r w. Times are those of whole runs from the start to the last TIME.
+// rod angle by clearance/length), speeds by r w. The time is that of whole runs from the start to the last TIME, of the processor.
 // -DREAL="long double" checks the program against the quadruple-precision reference.
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -17,6 +16,7 @@
 
 #include "mechanism.hpp"
 #include "quintic.hpp"
+#include "stopwatch.hpp"
 #include "tables.hpp"
 
 #ifndef REAL
@@ -25,18 +25,18 @@
 using Real = REAL;
 
 // y + h (row . k) with the row known to the compiler: zeros vanish.
-template <class Table, int row, std::size_t... j>
-inline State<Real> combine(const State<Real>& y, Real h, const State<Real>* k, std::index_sequence<j...>) {
-  State<Real> sum{};
+template <class Table, int row, std::size_t n, std::size_t... j>
+inline std::array<Real, n> combine(const std::array<Real, n>& y, Real h, const std::array<Real, n>* k, std::index_sequence<j...>) {
+  std::array<Real, n> sum{};
   const auto add = [&](auto index) {
     constexpr int J = decltype(index)::value;
     if constexpr (Table::a[row][J] != 0) {
       constexpr Real a = Real(Table::a[row][J]);
-      for (int i = 0; i < 4; ++i) sum[i] += a * k[J][i];
+      for (std::size_t i = 0; i < n; ++i) sum[i] += a * k[J][i];
     }
   };
   (add(std::integral_constant<int, int(j)>{}), ...);
-  for (int i = 0; i < 4; ++i) sum[i] = y[i] + h * sum[i];
+  for (std::size_t i = 0; i < n; ++i) sum[i] = y[i] + h * sum[i];
   return sum;
 }
 
@@ -125,7 +125,7 @@ class Simulation {
   long evaluations = 0, contact_evaluations = 0, steps = 0, rejected = 0;
   std::vector<Impact> impacts;
 
- private:
+ protected:
   static constexpr Real EPS = sizeof(Real) > 8 ? Real(1.1e-19L) : Real(2.2e-16L);
   const Mechanism<Real>& m;
   Real accuracy, landing;
@@ -250,19 +250,16 @@ class Simulation {
   }
 };
 
-template <class Table, bool Friction>
+#include "regularised.hpp"
+
+template <class Simulation>
 void run(Real tolerance, Real clearance, int repeats, const std::vector<Real>& times) {
   const Mechanism<Real> mechanism(clearance);
-  using Clock = std::chrono::steady_clock;
-  std::vector<double> seconds;
-  for (int i = 0; i < repeats; ++i) {
-    const auto begin = Clock::now();
-    Simulation<Table, Friction> simulation(mechanism, tolerance);
+  const double seconds = median_seconds(repeats, [&] {
+    Simulation simulation(mechanism, tolerance);
     for (const Real t : times) simulation.advance(t);
-    seconds.push_back(std::chrono::duration<double>(Clock::now() - begin).count());
-  }
-  std::sort(seconds.begin(), seconds.end());
-  Simulation<Table, Friction> simulation(mechanism, tolerance);
+  });
+  Simulation simulation(mechanism, tolerance);
   std::printf("{\"states\": [");
   for (std::size_t i = 0; i < times.size(); ++i) {
     simulation.advance(times[i]);
@@ -277,13 +274,12 @@ void run(Real tolerance, Real clearance, int repeats, const std::vector<Real>& t
   }
   std::printf("], \"evaluations\": %ld, \"contact_evaluations\": %ld, \"steps\": %ld, \"rejected\": %ld, \"seconds\": %.9g}\n",
               simulation.evaluations, simulation.contact_evaluations, simulation.steps, simulation.rejected,
-              repeats ? seconds[seconds.size() / 2] : 0.0);
+              seconds);
 }
 
 // Time of one evaluation at the states of a real run, each waiting for the last as the stages of a step do.
 template <Mode mode, bool Friction>
 double bare(const Mechanism<Real>& m) {
-  using Clock = std::chrono::steady_clock;
   std::vector<std::pair<Real, State<Real>>> states;
   Simulation<Dop853, Friction> simulation(m, Real(1e-6L));
   while (simulation.now_at() < Real(0.024L)) {
@@ -291,10 +287,8 @@ double bare(const Mechanism<Real>& m) {
     simulation.attempt(Real(0.024L));
   }
   constexpr int rounds = 200;
-  std::vector<double> seconds;
   Real last = 0;
-  for (int repeat = 0; repeat < 11; ++repeat) {
-    const auto begin = Clock::now();
+  const double seconds = median_seconds(11, [&] {
     for (int i = 0; i < rounds; ++i) {
       for (auto [t, y] : states) {
         for (int j = 0; j < 4; ++j) y[j] += Real(1e-22L) * last;
@@ -302,11 +296,9 @@ double bare(const Mechanism<Real>& m) {
         last = f[2] + f[3];
       }
     }
-    seconds.push_back(std::chrono::duration<double>(Clock::now() - begin).count() / (rounds * double(states.size())));
-  }
-  std::sort(seconds.begin(), seconds.end());
+  });
   if (!(last > -1e30L)) std::abort();
-  return seconds[seconds.size() / 2];
+  return seconds / (rounds * double(states.size()));
 }
 
 int main(int count, char** arg) {
@@ -321,17 +313,22 @@ int main(int count, char** arg) {
     return 2;
   }
   const Real tolerance = std::strtold(arg[3], nullptr), clearance = std::strtold(arg[5], nullptr);
-  const bool friction = std::atoi(arg[4]) != 0, fifth = !std::strcmp(arg[2], "dopri5");
-  if (!fifth && std::strcmp(arg[2], "dop853")) return std::fputs("METHOD is dopri5 or dop853\n", stderr), 2;
+  const bool friction = std::atoi(arg[4]) != 0;
   const int repeats = std::atoi(arg[6]);
   std::vector<Real> times;
   for (int i = 7; i < count; ++i) times.push_back(std::strtold(arg[i], nullptr));
-  if (fifth) {
-    friction ? run<Dopri5, true>(tolerance, clearance, repeats, times)
-             : run<Dopri5, false>(tolerance, clearance, repeats, times);
-  } else {
-    friction ? run<Dop853, true>(tolerance, clearance, repeats, times)
-             : run<Dop853, false>(tolerance, clearance, repeats, times);
+  using Run = void (*)(Real, Real, int, const std::vector<Real>&);
+  struct Method {
+    const char* name;
+    Run frictionless, with_friction;
+  };
+  const Method methods[] = {{"dopri5", run<Simulation<Dopri5, false>>, run<Simulation<Dopri5, true>>},
+                            {"dop853", run<Simulation<Dop853, false>>, run<Simulation<Dop853, true>>},
+                            {"regularised", run<Regularised<false>>, run<Regularised<true>>}};
+  for (const Method& method : methods) {
+    if (std::strcmp(arg[2], method.name)) continue;
+    (friction ? method.with_friction : method.frictionless)(tolerance, clearance, repeats, times);
+    return 0;
   }
-  return 0;
+  return std::fputs("METHOD is dopri5, dop853 or regularised\n", stderr), 2;
 }

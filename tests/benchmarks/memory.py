@@ -1,0 +1,35 @@
+"""What a long run needs: steps, rows kept, impacts, processor time per step [us], peak memory [MB]. From the repository's root:
+
+python tests/benchmarks/memory.py slider_crank_frictionless 10_000_000 "28 ms" "300 s"     # 10^7 steps, 10^4 states kept: <= 300 MB
+"""
+
+from __future__ import annotations
+
+import json
+import resource
+import sys
+import time
+
+
+def main(name: str, steps: str, spacing: str, duration: str) -> None:
+    from hertzwerk.runtime import load, simulate
+
+    began = time.process_time()
+    run = simulate(
+        load(name), duration=duration, output=spacing, compiled="auto", max_steps=int(steps), max_events=10**9
+    )
+    seconds = time.process_time() - began
+    found = {
+        "outcome": run.outcome.name,
+        "steps": run.statistics.steps,
+        "rows": len(run.t),
+        "impacts": len(run.impacts),
+        "energy_residual": run.energy_residual,
+        "us_per_step": round(seconds / run.statistics.steps * 1e6, 3),
+        "peak_mb": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024 / 1e6,
+    }
+    print(json.dumps(found))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
