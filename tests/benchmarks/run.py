@@ -17,11 +17,7 @@ import sys
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
-<<<<<<< HEAD
-from statistics import median
-from typing import Any, NamedTuple
-=======
->>>>>>> main
+from typing import Any
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 sys.path.insert(0, str(Path(__file__).parents[1] / "derive"))
@@ -111,7 +107,7 @@ def derivation() -> Iterator[Ratio]:
     yield from chains()
 
 
-def chains() -> Iterable[Ratio]:
+def chains() -> Iterator[Ratio]:
     """The chains of tests/derive/operations.py, and one of 40 links against the import of SymPy."""
     import sympy as sp
     from kane import chain
