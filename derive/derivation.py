@@ -262,13 +262,13 @@ class _Derivation:
     def projection(self) -> Function:
         """The way back to closed loops."""
         wanted = [
-            self.tape.input(f"{row.name.replace('.', '_')}_wanted_rate", "r", _dimension(RATE_UNITS[row.unit]))
+            self.tape.input(f"{row.name.replace('.', '_')}_wanted_rate", "wanted", _dimension(RATE_UNITS[row.unit]))
             for row in self.loops
         ]
         return self._function(
             "projection",
-            "Speeds of least kinetic energy that change the constraints at the rates r.",
-            "t q r c",
+            "Speeds of least kinetic energy that change the constraints at the rates wanted.",
+            "t q wanted c",
             self._speeds("v", self.equations.projection(wanted)),
         )
 

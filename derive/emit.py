@@ -247,7 +247,7 @@ _ARGUMENTS = {
     "c": "c: CONSTANTS",
     "f": "f: generalised forces",
     "reactions": "reactions of the drives",
-    "r": "r: rates wanted of CONSTRAINTS",
+    "wanted": "wanted: rates of CONSTRAINTS",
 }
 
 

@@ -977,10 +977,10 @@ def constraints(t, q, u, c):
     )
 
 
-def projection(t, q, r, c):
-    """Speeds of least kinetic energy that change the constraints at the rates r.
+def projection(t, q, wanted, c):
+    """Speeds of least kinetic energy that change the constraints at the rates wanted.
 
-    Arguments: t [s]; q: COORDINATES; r: rates wanted of CONSTRAINTS; c: CONSTANTS.
+    Arguments: t [s]; q: COORDINATES; wanted: rates of CONSTRAINTS; c: CONSTANTS.
     Returns, each a column vector:
         v (5,): hinge_a.speed [rad/s], hinge_b.speed [rad/s], hinge_c.speed [rad/s], hinge_d.speed [rad/s],
             hinge_e.speed [rad/s]
@@ -1003,11 +1003,11 @@ def projection(t, q, r, c):
     hinge_c_angle = q[2]
     hinge_d_angle = q[3]
     hinge_e_angle = q[4]
-    hinge_f_apart_x_wanted_rate = r[0]
-    hinge_f_apart_y_wanted_rate = r[1]
-    hinge_f_apart_z_wanted_rate = r[2]
-    hinge_f_turned_y_wanted_rate = r[3]
-    hinge_f_turned_z_wanted_rate = r[4]
+    hinge_f_apart_x_wanted_rate = wanted[0]
+    hinge_f_apart_y_wanted_rate = wanted[1]
+    hinge_f_apart_z_wanted_rate = wanted[2]
+    hinge_f_turned_y_wanted_rate = wanted[3]
+    hinge_f_turned_z_wanted_rate = wanted[4]
     cos_rod_a = ca.cos(hinge_a_angle)
     sin_rod_a = ca.sin(hinge_a_angle)
     cos_rod_b = ca.cos(hinge_b_angle)

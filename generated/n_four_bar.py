@@ -550,10 +550,10 @@ def constraints(t, q, u, c):
     )
 
 
-def projection(t, q, r, c):
-    """Speeds of least kinetic energy that change the constraints at the rates r.
+def projection(t, q, wanted, c):
+    """Speeds of least kinetic energy that change the constraints at the rates wanted.
 
-    Arguments: t [s]; q: COORDINATES; r: rates wanted of CONSTRAINTS; c: CONSTANTS.
+    Arguments: t [s]; q: COORDINATES; wanted: rates of CONSTRAINTS; c: CONSTANTS.
     Returns, each a column vector:
         v (5,): foot_0.speed [rad/s], foot_1.speed [rad/s], foot_2.speed [rad/s], left_0.speed [rad/s], left_1.speed
             [rad/s]
@@ -568,10 +568,10 @@ def projection(t, q, r, c):
     foot_1_angle = q[1]
     left_0_angle = q[3]
     left_1_angle = q[4]
-    right_0_apart_x_wanted_rate = r[0]
-    right_0_apart_y_wanted_rate = r[1]
-    right_1_apart_x_wanted_rate = r[2]
-    right_1_apart_y_wanted_rate = r[3]
+    right_0_apart_x_wanted_rate = wanted[0]
+    right_0_apart_y_wanted_rate = wanted[1]
+    right_1_apart_x_wanted_rate = wanted[2]
+    right_1_apart_y_wanted_rate = wanted[3]
     cos_post_0 = ca.cos(foot_0_angle)
     sin_post_0 = ca.sin(foot_0_angle)
     cos_post_1 = ca.cos(foot_1_angle)

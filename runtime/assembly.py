@@ -38,6 +38,19 @@ def assemble(
     return q, *_speed(loops, q, u, given)
 
 
+def undetermined(model: Model, bound: Bound, q: Array, u: Array) -> tuple[str, ...]:
+    """Constraints whose forces the motion leaves open at a position, because others say the same; none where all are independent."""
+    if not model.nl:
+        return ()
+    loops = _Loops(model, bound)
+    _, _, _, jacobian = loops.at(q, u)
+    matrix = jacobian * loops.scales[1]
+    left, values, _ = np.linalg.svd(matrix / np.maximum(np.linalg.norm(matrix, axis=1, keepdims=True), 1e-300))
+    rank = int(np.sum(values > RANK * values[0]))
+    shares = np.max(np.abs(left[:, rank:]), axis=1, initial=0.0)
+    return tuple(name for name, part in zip(model.constraints, shares, strict=True) if part > np.sqrt(RANK))
+
+
 @dataclass(frozen=True)
 class _Loops:
     """The constraints of a model at its start, as numbers."""

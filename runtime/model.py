@@ -85,7 +85,7 @@ class Model:
             "c": self.nc,
             "p": len(self.parameters),
             "a": self.nu,
-            "r": self.nl,
+            "wanted": self.nl,
         }
         inputs = _INPUTS["contact" if name.startswith("contact_") else name].split()
         if "f" in inputs:
@@ -131,7 +131,7 @@ _INPUTS = {
     "applied": "t q u c",
     "accelerations": "t q u f c",
     "constraints": "t q u c",
-    "projection": "t q r c",
+    "projection": "t q wanted c",
     "ledger": "t q u reactions c",
     "energy": "t q u c",
     "poses": "t q c",

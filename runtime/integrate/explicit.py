@@ -20,14 +20,16 @@ EPS = 2.0**-52
 
 @dataclass(frozen=True)
 class Flow:
-    """Two CasADi functions of (t, y, mode (k), m, c).
+    """CasADi functions of (t, y, mode (k), m, c).
 
     rates:  dy/dt (ny)
     ends:   dy/dt; gap, gap rate, gap acceleration (k each); raw normal force and its rate along the flow (k each, 0 unless in contact); in_range (k)
+    holding: what holds the loops closed (nl) [N or N m]; none in a tree
     """
 
     rates: Any
     ends: Any
+    holding: Any | None = None
     closing: Closing | None = None
     quaternions: tuple[int, ...] = ()
 
@@ -65,7 +67,7 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
         forces[j] = where(active, normal)
         in_range[j] = where(active, valid, 1)
     dq = model.function("coordinate_rates")(t, q, u, c)
-    a, reactions, *_ = model.function("accelerations").call([t, q, u, f, c])
+    a, reactions, *multipliers = model.function("accelerations").call([t, q, u, f, c])
     if model.has_ledger:
         dz += model.function("ledger")(t, q, u, reactions, c)
     dy = ca.vertcat(dq, a, dz)
@@ -85,6 +87,7 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
             names,
             ["dy", "gap", "gap_rate", "gap_acceleration", "force", "force_rate", "in_range"],
         ),
+        holding=ca.Function("holding", arguments, multipliers, names, ["multipliers"]) if model.nl else None,
         closing=closing(model),
     )
 

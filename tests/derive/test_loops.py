@@ -131,7 +131,7 @@ def test_constraints_their_rates_and_the_projection(name, kind):
     assert rate == pytest.approx(np.zeros(2), abs=1e-13)
     shifted = case.q + np.where(np.isin(np.arange(len(case.q)), free), 0.01, 0.0)
     assert found.call("constraints", t=t, q=shifted[free], u=u)[0] == pytest.approx(case.phi(shifted), abs=1e-13)
-    pushed = found.call("projection", t=t, q=q, r=[0.3, -0.2])
+    pushed = found.call("projection", t=t, q=q, wanted=[0.3, -0.2])
     G = case.jacobian(case.q)[:, free]
     assert G @ pushed == pytest.approx([0.3, -0.2], rel=1e-9)
     mass, _ = case.tree.mass_and_forcing(case.q, case.u)
