@@ -7,6 +7,7 @@ appear in the contact's own function alone, which is evaluated in contact only.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -14,9 +15,10 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.dimension import Dimension
+from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.functions import Where
 from hertzwerk.derive.kinematics import Kinematics
-from hertzwerk.derive.laws.law import GEOMETRY, BoundLaw, F, N, Quantity, d, k_t, s, v, v0
+from hertzwerk.derive.laws.law import BRISTLE, GEOMETRY, BoundLaw, F, N, Quantity, d, k_t, s, v, v0
 from hertzwerk.derive.mechanism import Pair, ParallelCylinders, PinInBush, SphereOnPlane
 from hertzwerk.derive.scene import Contact, Friction
 from hertzwerk.derive.units import parse_unit
@@ -26,13 +28,28 @@ NEWTON = Dimension.from_unit(parse_unit("N"), {})
 JOULE = Dimension.from_unit(parse_unit("J"), {})
 STIFFNESS = Dimension.from_unit(parse_unit("N/m"), {})
 DRAG = Dimension.from_unit(parse_unit("N s/m"), {})
+PACE = Dimension.from_unit(parse_unit("m/s"), {})
 METRE = Dimension.from_unit(parse_unit("m"), {})
 PURE = Dimension.from_unit(parse_unit("1"), {})
 
 
 @dataclass(frozen=True)
+class Grip:
+    """Friction whose force depends on slip and stick: generalised force by joint per newton on the first body along the tangent, along which the
+    sliding velocity counts; and the forces [N] while sliding and that are held at rest.
+    """
+
+    along: dict[str, Any]
+    sliding: Any
+    holding: Any
+
+
+@dataclass(frozen=True)
 class Forces:
-    """What a contact does: generalised forces by joint, dissipated powers [W], normal force [N], sliding velocity [m/s] or None, range."""
+    """What a contact does: generalised forces by joint, dissipated powers [W], normal force [N], sliding velocity [m/s] or None, range.
+
+    bristle_rate [m/s]: of friction with a bristle, else None. grip: of friction with modes, which `generalised` and `friction_power` then lack.
+    """
 
     generalised: dict[str, Any]
     normal_power: Any
@@ -40,6 +57,8 @@ class Forces:
     normal_force: Any
     sliding_velocity: Any
     in_range: Any
+    bristle_rate: Any = None
+    grip: Grip | None = None
 
 
 class PairKinematics:
@@ -199,8 +218,8 @@ class PairKinematics:
             return self.let(elastic * factor * self.penetration_rate / approach_speed, "resistance")
         return self.let(self._closed(law.resistance.xreplace(values)), "resistance", stated)
 
-    def forces(self, contact: Contact, friction: Friction | None, approach_speed: Any) -> Forces:
-        """Everything the pair's effects do."""
+    def forces(self, contact: Contact, friction: Friction | None, approach_speed: Any, bristle: Any = None) -> Forces:
+        """Everything the pair's effects do, from the latched approach speed [m/s] and the bristle's deflection [m] where there are such."""
         elastic, _ = self.elastic(contact)
         normal_force, normal_power = elastic, sp.S.Zero
         if contact.damping is not None:
@@ -210,13 +229,23 @@ class PairKinematics:
         # The line of action passes through the first place's centre: the shorter arm does.
         push = self._named(scale(normal_force, self.normal), "push")
         generalised = self._on_joints(push, self.position, "push")
-        friction_power, sliding = sp.S.Zero, None
-        if friction is not None:
-            drag, sliding, friction_power = self._drag(friction, normal_force)
-            drag = self._named(drag, "drag")
-            for joint, force in self._on_joints(drag, self.contact_point, "drag").items():
-                generalised[joint] = generalised.get(joint, sp.S.Zero) + force
-        return Forces(generalised, normal_power, friction_power, normal_force, sliding, self._in_range(contact))
+        if friction is None:
+            return Forces(generalised, normal_power, sp.S.Zero, normal_force, None, self._in_range(contact))
+        modes = bool(friction.law.law.modes)
+        pulls = contact.damping is not None and contact.damping.law.release == "gap"
+        pressing = normal_force
+        if pulls or modes:
+            pressing = self.let(Where(normal_force > 0, normal_force, 0), "pressing_force")
+        if modes:
+            grip, sliding = self._grip(friction, pressing)
+            in_range = self._in_range(contact)
+            return Forces(generalised, normal_power, sp.S.Zero, normal_force, sliding, in_range, grip=grip)
+        drag, sliding, friction_power, bristle_rate = self._drag(friction, pressing, bristle)
+        drag = self._named(drag, "drag")
+        for joint, force in self._on_joints(drag, self.contact_point, "drag").items():
+            generalised[joint] = generalised.get(joint, sp.S.Zero) + force
+        in_range = self._in_range(contact)
+        return Forces(generalised, normal_power, friction_power, normal_force, sliding, in_range, bristle_rate)
 
     def _on_joints(self, force: Vector, position: Vector, name: str) -> dict[str, Any]:
         return self.kin.generalised(force, position, self.first.body, self.second.body, f"{self.pair.name}_{name}")
@@ -234,8 +263,16 @@ class PairKinematics:
         """The point both bodies touch at, on the first body's surface [m]."""
         return add(self.position, scale(-sp.sympify(self.pair.first_radius), self.normal))
 
-    def _drag(self, friction: Friction, normal_force: Any) -> tuple[Vector, Any, Any]:
-        """Friction force on the first body, sliding velocity, dissipated power."""
+    def friction_faults(self, friction: Friction) -> Iterator[Fault]:
+        """A law with modes or memory needs a direction of sliding that is known: one along a line, as in plane motion."""
+        law = friction.law.law
+        if (law.modes or law.memory) and self._plane_of_motion() is None:
+            found = f"law {law.name} at {self.pair.name}, whose bodies may slide in more than one direction"
+            yield Fault(f"effect {friction.name}", found, "a contact in plane motion: one direction of sliding",
+                        "smooth_coulomb, stribeck and brown_mcphee take sliding in any direction.")  # fmt: skip
+
+    def _drag(self, friction: Friction, normal_force: Any, bristle: Any) -> tuple[Vector, Any, Any, Any]:
+        """Friction force on the first body, sliding velocity, dissipated power, rate of the bristle or None."""
         law = friction.law.law
         plane = self._plane_of_motion()
         if plane is None:
@@ -243,23 +280,45 @@ class PairKinematics:
             slip = self._named(sub(rate, scale(self.let(dot(rate, self.normal), "along_rate"), self.normal)), "slip")
             sliding = self.let(sp.sqrt(self.let(dot(slip, slip), "slip_squared")), "sliding_velocity")
         else:
-            # In the plane the tangent is known, and the surface speed of each body is its radius times its rate of turn.
-            tangent = self._named(cross(plane, self.normal), "tangent")
-            spins = [self.kin.motion(place.body).angular_velocity for place in (self.first, self.second)]
-            turn = dot(plane, sub(spins[0], spins[1]))
-            sliding = self.let(
-                dot(self.relative_rate, tangent) - sp.sympify(self.pair.first_radius) * turn,
-                "sliding_velocity",
-            )
-        values = self._law(friction.law, {N: normal_force, s: sliding}, friction.unchecked)
-        stated = (NEWTON, DRAG) if friction.unchecked else (None, None)
+            tangent, sliding = self._sliding(plane)
+        known = {N: normal_force, s: sliding} | ({} if bristle is None else {BRISTLE: bristle})
+        values = self._law(friction.law, known, friction.unchecked)
+        stated = (NEWTON, DRAG, PACE) if friction.unchecked else (None, None, None)
         force = self.let(law.force.xreplace(values), "friction_force", stated[0])
         power = self.let(force * sliding, "friction_power")
         if plane is None:
             slope = self.let(law.slope.xreplace(values), "friction_slope", stated[1])
             per_speed = self.let(Where(sliding > 0, force / sliding, slope), "friction_per_speed")
-            return scale(-per_speed, slip), sliding, power
-        return scale(-force, tangent), sliding, power
+            return scale(-per_speed, slip), sliding, power, None
+        rates = [self.let(rate.xreplace(values), "bristle_rate", stated[2]) for _, rate, _ in law.memory]
+        return scale(-force, tangent), sliding, power, rates[0] if rates else None
+
+    def bristle_size(self, friction: Friction) -> Any:
+        """What the accuracy of the bristle is measured by [m]."""
+        ((_, _, size),) = friction.law.law.memory
+        return self.let(size.xreplace(friction.law.binding), "bristle_size", METRE if friction.unchecked else None)
+
+    def _sliding(self, plane: Vector) -> tuple[Vector, Any]:
+        """Tangent and sliding velocity along it: in the plane the surface speed of each body is its radius times its rate of turn."""
+        tangent = self._named(cross(plane, self.normal), "tangent")
+        spins = [self.kin.motion(place.body).angular_velocity for place in (self.first, self.second)]
+        turn = dot(plane, sub(spins[0], spins[1]))
+        sliding = dot(self.relative_rate, tangent) - sp.sympify(self.pair.first_radius) * turn
+        return tangent, self.let(sliding, "sliding_velocity")
+
+    def _grip(self, friction: Friction, pressing: Any) -> tuple[Grip, Any]:
+        """What a law with modes needs, and the sliding velocity."""
+        plane = self._plane_of_motion()
+        if plane is None:
+            raise ValueError(f"{self.pair.name}: no line of sliding, see friction_faults")
+        tangent, sliding = self._sliding(plane)
+        values = self._law(friction.law, {N: pressing}, friction.unchecked)
+        law, stated = friction.law.law, NEWTON if friction.unchecked else None
+        forces = [
+            self.let(law.sliding.xreplace(values), "sliding_force", stated),
+            self.let(law.holding.xreplace(values), "holding_force", stated),
+        ]
+        return Grip(self._on_joints(tangent, self.contact_point, "grip"), *forces), sliding
 
     def _rate_at(self, position: Vector) -> Vector:
         """Velocity of the first body's point at `position` against the second body's [m/s]."""

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
 from hertzwerk.derive.audit import audit_laws, audit_program, refuse_inconsistent
-from hertzwerk.derive.contact import PairKinematics
+from hertzwerk.derive.contact import Forces, PairKinematics
 from hertzwerk.derive.dimension import Dimension
 from hertzwerk.derive.effects.expression import tables_in
 from hertzwerk.derive.elements import BOOKED, DISSIPATED, ELEMENTS, element
 from hertzwerk.derive.emit import emit, table_name
 from hertzwerk.derive.equations import Equations
+from hertzwerk.derive.faults import InputError
 from hertzwerk.derive.joints import Port
 from hertzwerk.derive.kinematics import Kinematics, acceleration_of
 from hertzwerk.derive.laws.law import speed_limit
@@ -72,6 +73,19 @@ class _Derivation:
         self.rows = rows
         self.row_units = tuple(row.unit for row in rows)
         self.loops = self.equations.constraints
+        faults = [
+            fault
+            for pair, _, friction in self.contacts
+            if friction is not None
+            for fault in pair.friction_faults(friction)
+        ]
+        if faults:
+            raise InputError(f"scene {scene.name}", faults)
+        self.bristles = {
+            friction.name: self.tape.input(f"{friction.name}_bristle", "z", _dimension("m"))
+            for _, _, friction in self.contacts
+            if friction is not None and friction.law.law.memory
+        }
         self.memory = self._memory()
         self.latches = {
             contact.name: self.tape.input(f"{contact.name}_approach_speed", "m", _dimension("m/s"))
@@ -80,9 +94,10 @@ class _Derivation:
         }
 
     def _memory(self) -> list[tuple[str, str]]:
-        """Entries of z: (name, unit)."""
+        """Entries of z: (name, unit); first, in the order of the inputs, those that functions read."""
+        bristles = [(f"{name}.bristle", "m") for name in self.bristles]
         if not self.scene.ledger:
-            return []
+            return bristles
         ledger = self.scene.of_kind("ledger")[0].name
         drives = [(f"{ledger}.input", "J")] if self.equations.driven else []
         booked = [
@@ -90,7 +105,7 @@ class _Derivation:
             for effect in self.scene.effects
             if isinstance(effect, Contact | Friction) or effect.kind in BOOKED
         ]
-        return drives + booked
+        return bristles + drives + booked
 
     @property
     def limited(self) -> dict[str, Any]:
@@ -144,18 +159,23 @@ class _Derivation:
         energy = self.tape.let(mass * speed**2 / 2, "energy_scale")
         force = self.tape.let(energy / length, "force_scale")
         # a quaternion moves by half the angle
-        sizes = {"m": length, "m/s": speed}
+        of_unit = {"m": length, "m/s": speed}
         if arm is not None:
-            sizes |= {"rad": length / arm, "rad/s": speed / arm, "1": length / arm / 2}
-        q = [sizes[port.unit] for port in self._coordinate_names()]
-        u = [sizes[port.unit] for port in self._speed_names()]
+            of_unit |= {"rad": length / arm, "rad/s": speed / arm, "1": length / arm / 2}
+        q = [of_unit[port.unit] for port in self._coordinate_names()]
+        u = [of_unit[port.unit] for port in self._speed_names()]
+        sizes = {
+            f"{friction.name}.bristle": pair.bristle_size(friction)
+            for pair, _, friction in self.contacts
+            if friction is not None and friction.law.law.memory
+        }
         return self._function(
             "scales",
             "Sizes that accuracy is measured by: of coordinates, speeds, memory; then length, speed, force, energy.",
             "p",
             self._coordinates("sq", q),
             self._speeds("su", u),
-            self._memory_result("sz", [energy] * len(self.memory)),
+            self._memory_result("sz", [sizes.get(name, energy) for name, _ in self.memory]),
             Result("s", ("length", "speed", "force", "energy"), ("m", "m/s", "N", "J"), (length, speed, force, energy)),
         )
 
@@ -196,24 +216,50 @@ class _Derivation:
 
     def contact(self, pair: PairKinematics, contact: Contact, friction: Friction | None) -> Function:
         """Forces of one pair."""
-        forces = pair.forces(contact, friction, self.latches.get(contact.name))
+        bristle = None if friction is None else self.bristles.get(friction.name)
+        forces = pair.forces(contact, friction, self.latches.get(contact.name), bristle)
         name = contact.name
         f = [forces.generalised.get(row.key, sp.S.Zero) for row in self.rows]
-        power = {f"{name}.dissipated": forces.normal_power}
+        rates = {f"{name}.dissipated": forces.normal_power}
         if friction is not None:
-            power[f"{friction.name}.dissipated"] = forces.friction_power
+            rates[f"{friction.name}.dissipated"] = forces.friction_power
+        if friction is not None and forces.bristle_rate is not None:
+            rates[f"{friction.name}.bristle"] = forces.bristle_rate
         sliding = () if friction is None else (forces.sliding_velocity,)
+        grip = [] if friction is None or forces.grip is None else self._grip(friction, forces)
         return self._function(
             f"contact_{name}",
             f"Forces of {name}: {contact.text}{f', {friction.law.law.name}' if friction else ''}. "
-            "The normal force is the laws' own, not clamped: where it would pull, the contact ends.",
+            "The normal force is the laws' own, not clamped: where it would pull, the contact ends."
+            + (" Friction comes on top: `along` times its force, which is that of slip or stick." if grip else ""),
             "t q u z m c",
             self._forces("f", f),
-            self._memory_result("dz", [power.get(entry, sp.S.Zero) for entry, _ in self.memory], "W"),
+            self._memory_rates([rates.get(entry, sp.S.Zero) for entry, _ in self.memory]),
             Result("normal_force", (name,), ("N",), (forces.normal_force,)),
             Result("sliding_velocity", (name,) * len(sliding), ("m/s",) * len(sliding), sliding),
             Result("in_range", (name,), ("1",), (forces.in_range,)),
+            *grip,
         )
+
+    def _grip(self, friction: Friction, forces: Forces) -> list[Result]:
+        """Of friction with modes, per newton along the tangent: generalised force and dissipated power; the forces of slip and stick."""
+        grip, name = forces.grip, friction.pair
+        if grip is None:
+            raise ValueError(f"{friction.name} has no modes")
+        along = [grip.along.get(row.key, sp.S.Zero) for row in self.rows]
+        per_newton = {"N": "1", "N m": "m"}
+        units = tuple(per_newton[unit] for unit in self.row_units)
+        power = [
+            -forces.sliding_velocity if entry == f"{friction.name}.dissipated" else sp.S.Zero
+            for entry, _ in self.memory
+        ]
+        rates = {"J": "W/N", "m": "m/(s N)"}
+        return [
+            Result("along", tuple(row.key for row in self.rows), units, tuple(along)),
+            Result("dz_along", tuple(n for n, _ in self.memory), tuple(rates[u] for _, u in self.memory), tuple(power)),
+            Result("sliding_force", (name,), ("N",), (grip.sliding,)),
+            Result("holding_force", (name,), ("N",), (grip.holding,)),
+        ]
 
     def applied(self) -> Function:
         """Forces that are no contact's."""
@@ -298,7 +344,7 @@ class _Derivation:
             "ledger",
             f"Power the drives put in, in its row of z{'; put in and dissipated by force elements, in theirs' if len(rows) > 1 else ''}.",
             "t q u reactions c",
-            self._memory_result("dz", values, "W"),
+            self._memory_rates(values),
         )
 
     def energy(self) -> Function:
@@ -377,8 +423,29 @@ class _Derivation:
     def _forces(self, name: str, values: list[Any]) -> Result:
         return Result(name, tuple(row.key for row in self.rows), self.row_units, tuple(values))
 
-    def _memory_result(self, name: str, values: list[Any], unit: str = "J") -> Result:
-        return Result(name, tuple(n for n, _ in self.memory), (unit,) * len(self.memory), tuple(values))
+    def _memory_result(self, name: str, values: list[Any]) -> Result:
+        return Result(name, tuple(n for n, _ in self.memory), tuple(unit for _, unit in self.memory), tuple(values))
+
+    def _memory_rates(self, values: list[Any]) -> Result:
+        units = {"J": "W", "m": "m/s"}
+        names, rates = tuple(n for n, _ in self.memory), tuple(units[unit] for _, unit in self.memory)
+        return Result("dz", names, rates, tuple(values))
+
+    def _slips(self) -> dict[str, tuple[Any, ...]]:
+        """Table of the pairs whose friction has modes: entries of m behind LATCHES, with their pair; none without such a pair."""
+        rows = [
+            (f"{pair.pair.name}.slip", "1", j)
+            for j, (pair, _, friction) in enumerate(self.contacts)
+            if friction is not None and friction.law.law.modes
+        ]
+        return {"SLIPS": tuple(rows)} if rows else {}
+
+    def _bristle_rows(self) -> Iterator[tuple[int, int]]:
+        """Of every bristle: its row of z, and its pair."""
+        entries = [name for name, _ in self.memory]
+        for j, (_, _, friction) in enumerate(self.contacts):
+            if friction is not None and friction.name in self.bristles:
+                yield entries.index(f"{friction.name}.bristle"), j
 
     def _loop_tables(self) -> dict[str, tuple[Any, ...]]:
         """The constraints, and what of the start is stated and not to be found by assembly."""
@@ -405,9 +472,11 @@ class _Derivation:
             "MEMORY": tuple(self.memory),
             "LATCHES": tuple((f"{name}.approach_speed", "m/s", pairs.index(name)) for name in self.latches),
             "PAIRS": tuple((pair.pair.name, pair.pair.kind) for pair, _, _ in self.contacts),
+            **self._slips(),
             "RELEASES": tuple("force" if c.damping is None else c.damping.law.release for _, c, _ in self.contacts),
             "DISSIPATED": tuple(entries.index(f"{name}.dissipated") for name in pairs) if scene.ledger else (),
             **(self._loop_tables() if self.loops else {}),
+            **({"BRISTLES": tuple(self._bristle_rows())} if self.bristles else {}),
             "OUTPUTS": tuple((name, unit) for name, unit, _ in self._outputs()),
             **({"SPEED_LIMITED": tuple(self.limited)} if self.limited else {}),
             "BODIES": tuple(body.name for body in scene.mechanism.bodies),

@@ -253,7 +253,7 @@ def _entries(law: Law) -> Iterator[Entry]:
         ranges |= {
             (e, kind): i for kind, i in (("defined", law.defined), ("recommended", law.recommended)) if i is not None
         }
-    memory = {*law.memory} if isinstance(law, DampingLaw) else {s for s, _ in getattr(law, "memory", ())}
+    memory = {*law.memory} if isinstance(law, DampingLaw) else {s for s, *_ in getattr(law, "memory", ())}
     defined = {symbol for symbol, _ in _definitions(law)}
     shown = dict.fromkeys(
         (*law.symbols(), *(row.quantity for row in law.ranges), *((F, v, v0) if h in defined else ()))
@@ -282,7 +282,7 @@ def _memory(law: Law) -> Iterator[str]:
     if isinstance(law, DampingLaw):
         yield from (f"{symbol.name} [{symbol.unit}], {symbol.meaning}" for symbol in law.memory)
     elif isinstance(law, FrictionLaw):
-        yield from (f"{symbol.name} [{symbol.unit}], {symbol.meaning}" for symbol, _ in law.memory)
+        yield from (f"{symbol.name} [{symbol.unit}], {symbol.meaning}" for symbol, *_ in law.memory)
 
 
 # -- local exponent ----------------------------------------------------------------------------------------------------

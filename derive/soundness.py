@@ -17,7 +17,7 @@ from hertzwerk.derive.effects.drives import Drive
 from hertzwerk.derive.effects.expression import Varying, expression_faults, table_faults
 from hertzwerk.derive.effects.faults import element_faults, type_faults
 from hertzwerk.derive.faults import Fault
-from hertzwerk.derive.laws.law import BoundLaw, FrictionLaw, Law
+from hertzwerk.derive.laws.law import BoundLaw, Law
 from hertzwerk.derive.mechanism import (
     GROUND,
     Body,
@@ -297,15 +297,11 @@ def _geometry_faults(effect: Any, offered: dict[str, Any]) -> Iterator[Fault]:
 
 
 def _demand_faults(effect: Any, kind: str | None) -> Iterator[Fault]:
-    """What laws ask of a scene beyond units and geometry: the pair they were made for, modes and memory of friction."""
+    """What laws ask of a scene beyond units and geometry: the pair they were made for."""
     for law in (bound.law for bound in effect.laws):
         if law.pairs and kind is not None and kind not in law.pairs:
             expected = f"the pair it was made for, {' or '.join(law.pairs)}"
             yield Fault(f"effect {effect.name}", f"law {law.name} at a {kind} pair", expected)
-        if isinstance(law, FrictionLaw) and (law.modes or law.memory):
-            needs = f"the modes {' and '.join(law.modes)}" if law.modes else f"a memory, {law.memory[0][0].meaning}"
-            yield Fault(f"effect {effect.name}", f"law {law.name}, which needs {needs}", "a friction law that follows from the sliding velocity",
-                        "Scenes do not carry it yet; smooth_coulomb, stribeck and brown_mcphee do without.")  # fmt: skip
 
 
 def _start_faults(scene: Scene) -> Iterator[Fault]:

@@ -58,7 +58,8 @@ class History:
         units = {"t": "s", **model.units}
         for name in model.speeds:
             units[acceleration_of(name)] = f"{model.units[name]}^2"  # m/s^2, rad/s^2
-        units |= {row[0]: row[1] for row in (*model.module.OUTPUTS, *model.module.LATCHES)}
+        units |= {row[0]: row[1] for row in (*model.module.OUTPUTS, *model.module.LATCHES, *model.slips)}
+        units |= {_friction_force(name): "N" for name, *_ in model.slips}
         for pair in model.pairs:
             units |= {f"{pair}.{part}": unit for part, unit in _PAIR.items()}
             slides = f"{pair}.sliding_velocity"  # there is one only where something depends on it
@@ -119,6 +120,11 @@ class History:
             return dict(zip(model.outputs, self.map("outputs", "t q u")[0].T, strict=True))
         if name in model.latches:
             return {name: self.part("m")[:, model.latches.index(name)]}
+        for i, (slip, *_) in enumerate(model.slips):
+            if name == slip:
+                return {name: self.part("m")[:, len(model.latches) + i]}
+            if name == _friction_force(slip):
+                return {name: self.part("friction")[:, i]}
         if name in model.constraints:
             return dict(zip(model.constraints, self.map("constraints", "t q u")[0].T, strict=True))
         held = [holding_force(constraint) for constraint in model.constraints]
@@ -237,6 +243,10 @@ def _dense_output(integrator: Integrator) -> tuple[Rowwise, np.ndarray, np.ndarr
     shared = [name for name in trial.sizes if name in state.sizes]
     to, of = (np.concatenate([np.r_[layout[name]] for name in shared]) for layout in (state, trial))
     return Rowwise(integrator.step, constant=1), to, of
+
+
+def _friction_force(slip: str) -> str:
+    return f"{slip.removesuffix('.slip')}.friction_force"
 
 
 def holding_force(constraint: str) -> str:

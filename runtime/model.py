@@ -48,7 +48,9 @@ class Model:
             for rows in (module.COORDINATES, module.SPEEDS, module.MEMORY, module.LATCHES, module.PAIRS, module.OUTPUTS)
         )
         self.nq, self.nu, self.nz = len(self.coordinates), len(self.speeds), len(self.memory)
-        self.nm, self.k, self.nc = len(self.latches), len(self.pairs), len(module.CONSTANTS)
+        self.slips: tuple[tuple[str, str, int], ...] = getattr(module, "SLIPS", ())
+        self.ns, self.k, self.nc = len(self.slips), len(self.pairs), len(module.CONSTANTS)
+        self.nm = len(self.latches) + self.ns
         self.quaternions: tuple[int, ...] = getattr(module, "QUATERNIONS", ())
         """Rows of q where one begins."""
         self.constraints: tuple[str, ...] = tuple(row[0] for row in getattr(module, "CONSTRAINTS", ()))

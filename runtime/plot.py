@@ -208,7 +208,9 @@ def _energy(axis: Axes, curves: Curves) -> None:
     lines = {"mechanical": curves["energy"] - curves["energy"][0]}
     for name in curves.run.model.memory:
         owner, _, what = name.rpartition(".")
-        lines[f"loss, {owner}" if what == "dissipated" else "drives' work"] = curves[name]
+        label = {"dissipated": f"loss, {owner}", "input": "drives' work"}.get(what)
+        if label is not None:
+            lines[label] = curves[name]
     scale = _lines(axis, curves, "J", {label: values for label, values in lines.items() if np.any(values)})
     _over_time(
         axis, curves, f"Energy since the start [{scale.unit}], ledger closed to {curves.run.energy_residual:.1g}"

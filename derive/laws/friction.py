@@ -34,7 +34,7 @@ coulomb = FrictionLaw(
     modes=("slip", "stick"),
     source="Coulomb 1785",
     grade="A",
-    note="At rest any force up to mu_s N, so that s = 0 holds: needs stick and slip modes with events, which scenes do not carry yet.",
+    note="At rest any force up to mu_s N, so that s = 0 holds: stick and slip are modes, and their changes events. In plane motion.",
 )
 
 smooth_coulomb = FrictionLaw(
@@ -111,9 +111,8 @@ lugre = FrictionLaw(
     parameters=(mu_k, mu_s, v_S, s_0, s_1, c_v),
     force=N * (s_0 * z + s_1 * (s - s_0 * _speed * z / _stribeck)) + c_v * s,
     slope=N * s_1 + c_v,  # of an undeflected bristle
-    memory=((z, s - s_0 * _speed * z / _stribeck),),
+    memory=((z, s - s_0 * _speed * z / _stribeck, mu_s / s_0),),
     source="Canudas de Wit, Olsson, Astrom, Lischinsky, IEEE Trans. Autom. Control 40 (1995) 419, the load as a factor",
     grade="B",
-    note="The bristle z must be reset when the contact opens: scenes do not carry continuous memory of friction yet. The form with constant "
-    "friction forces is wrong under impact and not offered.",
+    note="The bristle z is forgotten when the contact ends. The form with constant friction forces is wrong under impact and not offered.",
 )

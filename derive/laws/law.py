@@ -59,6 +59,9 @@ L = Quantity("L", "m", "axial length of the contact", POSITIVE)
 m_eff = Quantity("m_eff", "kg", "effective mass m1 m2/(m1 + m2)", POSITIVE)
 GEOMETRY = (R_eff, R_min, R_1, R_2, dR, L, m_eff)
 
+BRISTLE = z
+"""Continuous memory: a law that names it has the deflection integrated while the contact lasts, and forgotten when it ends."""
+
 APPROACH_SPEED = v0
 """Discrete memory: a law that names it has the speed of approach latched at the onset."""
 
@@ -207,25 +210,37 @@ class DampingLaw(Law):
 class FrictionLaw(Law):
     """Friction force [N] opposing the sliding velocity s, an odd function of s; `slope` is its derivative at s = 0 [N s/m].
 
-    A set-valued law names its `modes`: `force` is then what it does while sliding, `holding` [N] the most it holds at rest. A law with continuous
-    memory gives each entry with its rate. A scene refuses both until the engine carries them.
+    A set-valued law names its `modes`: `force` is then what it does while sliding, a function of N times sign(s), and `holding` [N] the most it
+    holds at rest. A law with continuous
+    memory gives it with its rate and its size, by which the accuracy of it is measured.
     """
 
     force: sp.Expr = sp.S.Zero
     slope: sp.Expr = sp.S.Zero
     modes: tuple[str, ...] = ()
     holding: sp.Expr | None = None
-    memory: tuple[tuple[Quantity, sp.Expr], ...] = ()
+    memory: tuple[tuple[Quantity, sp.Expr, sp.Expr], ...] = ()
     kind = "friction"
 
+    def __post_init__(self) -> None:
+        """Modes know the direction of sliding, not the speed."""
+        if self.modes and (self.holding is None or self.sliding.has(s) or self.holding.has(s)):
+            raise ValueError(f"law {self.name}: with modes, force/sign(s) and holding are functions of N alone")
+
+    @property
+    def sliding(self) -> sp.Expr:
+        """Of a law with modes: the force while sliding [N], without its sign."""
+        return self.force.xreplace({sp.sign(s): sp.S.One})
+
     def expressions(self) -> Iterator[tuple[str, sp.Expr, str]]:
-        """The friction force, its slope at rest, the force held at rest, the rates of the memory."""
+        """The friction force, its slope at rest, the force held at rest, rates and sizes of the memory."""
         yield "friction force", self.force, "N"
         yield "slope of the friction force at rest", self.slope, "N s/m"
         if self.holding is not None:
             yield "force held at rest", self.holding, "N"
-        for symbol, rate in self.memory:
+        for symbol, rate, size in self.memory:
             yield f"rate of {symbol.name}", rate, f"({symbol.unit})/s"
+            yield f"size of {symbol.name}", size, symbol.unit
 
 
 def _gauss_legendre(points: int) -> Iterator[tuple[sp.Float, sp.Float]]:

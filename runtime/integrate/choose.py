@@ -52,7 +52,8 @@ def choice(
 
 def _rate(J: Any, nq: int, nu: int) -> Any:
     """Sum of the damping rates, or root of the sum of the squared frequencies, whichever is larger [1/s]; 0 where nothing is damped or vibrates."""
-    vibration = ca.trace(ca.mtimes(J[nq : nq + nu, :nq], J[:nq, nq : nq + nu]))
+    others = [i for i in range(J.size1()) if not nq <= i < nq + nu]  # coordinates, and bristles
+    vibration = ca.trace(ca.mtimes(J[nq : nq + nu, others], J[others, nq : nq + nu]))
     return ca.fmax(-ca.trace(J), ca.sqrt(ca.fmax(-vibration, 0)))
 
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.integrate.explicit import EPS
+from hertzwerk.runtime.integrate.friction import margins, pairs_of, sized, steady
 from hertzwerk.runtime.integrate.layout import CONTACT, FLIGHT, RELEASED, Layouts
 
 if TYPE_CHECKING:
@@ -52,7 +53,7 @@ def all_clear(model: Model, run: Mapping[str, Any], mode: Any, start: Mapping[st
     clear = (b[0] > tol) * (b[5] > tol) * (soon > tol) * (1 - pulls(model, end["force"]))
     for coefficient in b[1:5]:
         clear *= coefficient > between
-    return clear
+    return clear * (steady(model, mode, start, end) if model.ns else 1)
 
 
 def pulls(model: Model, force: Any) -> Any:
@@ -67,7 +68,7 @@ def ends_with_force(model: Model) -> Any:
 
 
 def polynomials(model: Model, layouts: Layouts) -> Any:
-    """CasADi function (state, controls, next) -> (bernstein (6, k), margin (k), doubt (k), suspect (k), ending (k)): the gaps over a step.
+    """CasADi function (state, controls, next) -> (bernstein (6, k), margin (k), doubt (k), suspect (k), ending (n)): the gaps over a step.
 
     An event is the first theta where a polynomial, falling from above, has a root and goes on to -margin; a graze whose minimum is below doubt is
     resolved by a shorter step. suspect: 1 where any of it is possible; ending: 1 where `endings` has an event.
@@ -88,15 +89,18 @@ def polynomials(model: Model, layouts: Layouts) -> Any:
     doubt = ca.if_else((between > tol) * (1 - leaving), between, 0)
     suspect = _row_minimum(bernstein.T) <= doubt
     ending = sum(falls for falls, *_ in _endings(model, start, end, tol, tol_rate, tol_force)) > 0
+    if model.ns:
+        ending = ca.vertcat(ending, _slipping(model, start, end, tol_rate, tol_force)[0])
     outputs = ca.cse([*map(ca.densify, (bernstein, margin, doubt, suspect, ending))])
     return ca.Function("polynomials", arguments, outputs)
 
 
 def endings(model: Model, layouts: Layouts) -> Any:
-    """CasADi function (state, controls, next) -> (bernstein (6, k), margin (k), doubt (k)) of what ends a contact or a release before the gap opens.
+    """CasADi function (state, controls, next) -> (bernstein (6, n), margin (n), doubt (n)) of what ends a contact or a release before the gap opens.
 
-    Cubics that fall from above zero: in contact the force, which would pull from there on; released, the opening speed, after which the bodies close
-    again. Aimed half the tolerance below zero, so that the landing is beyond.
+    Cubics that fall from above zero, of each pair: in contact the force, which would pull from there on; released, the opening speed, after which
+    the bodies close again. Then, of the ns pairs that slip or stick, the margin of that. Aimed half the tolerance below zero, so that the landing
+    is beyond.
     """
     arguments, (start, run, end) = _step(layouts)
     h = start["h"]
@@ -106,8 +110,13 @@ def endings(model: Model, layouts: Layouts) -> Any:
         cubic = _raise(_raise([f, f + h * rate / 3, f1 - h * rate1 / 3, f1]))
         rows = [ca.if_else(falls, x + small / 2, row) for x, row in zip(cubic, rows, strict=True)]
         aim = ca.if_else(falls, small / 2, aim)
+    if model.ns:
+        falls, cubic, small = _slipping(model, start, end, *tolerance[1:])
+        cubic = _raise(_raise(cubic))
+        rows = [ca.vertcat(row, ca.if_else(falls, x + small / 2, 1)) for x, row in zip(cubic, rows, strict=True)]
+        aim = ca.vertcat(aim, small / 2)
     bernstein = ca.densify(ca.vertcat(*(row.T for row in rows)))
-    return ca.Function("endings", arguments, ca.cse([bernstein, ca.densify(aim), ca.DM.zeros(model.k)]))
+    return ca.Function("endings", arguments, ca.cse([bernstein, ca.densify(aim), ca.DM.zeros(model.k + model.ns)]))
 
 
 def _endings(
@@ -123,6 +132,17 @@ def _endings(
         falls = counts * (start["mode"] == mode) * (start[value] >= 0) * (end[value] < -small) * (end["gap"] < -tol)
         found.append((falls, start[value], end[value], start[rate], end[rate], small))
     return found
+
+
+def _slipping(
+    model: Model, start: Mapping[str, Any], end: Mapping[str, Any], tol_rate: Any, tol_force: Any
+) -> tuple[Any, list[Any], Any]:
+    """Of the margins (ns) of slip and stick: whether one falls below zero in the step, its cubic's Bernstein coefficients, its tolerance."""
+    small = sized(model, start["m"], tol_rate, tol_force)
+    cubic = margins(start, end)
+    lowest = ca.fmin(ca.fmin(cubic[1], cubic[2]), cubic[3])
+    falls = (start["mode"][pairs_of(model)] == CONTACT) * (cubic[0] > -small / 2) * (lowest < -small)
+    return falls, cubic, small
 
 
 def _step(layouts: Layouts) -> tuple[list[Any], list[dict[str, Any]]]:

@@ -10,6 +10,9 @@ import casadi as ca
 
 from hertzwerk.runtime.integrate.classes import BY_MODE, Contacts, pushing, where
 from hertzwerk.runtime.integrate.closing import LOST, Closing, closing
+from hertzwerk.runtime.integrate.friction import forces as friction_forces
+from hertzwerk.runtime.integrate.friction import grips, may_slip, pairs_of
+from hertzwerk.runtime.integrate.layout import GRIP_PARTS, PAIR_PARTS
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.tables import RungeKutta
@@ -23,7 +26,8 @@ class Flow:
     """CasADi functions of (t, y, mode (k), m, c).
 
     rates:  dy/dt (ny)
-    ends:   dy/dt; gap, gap rate, gap acceleration (k each); raw normal force and its rate along the flow (k each, 0 unless in contact); in_range (k)
+    ends:   dy/dt; gap, gap rate, gap acceleration (k each); raw normal force and its rate along the flow (k each, 0 unless in contact); in_range (k);
+            of the pairs with set-valued friction (ns each, 0 unless in contact): its force along the tangent, margin, rate of that
     holding: what holds the loops closed (nl) [N or N m]; none in a tree
     """
 
@@ -61,11 +65,19 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
     dz = ca.SX.zeros(model.nz)
     forces, in_range = ca.SX.zeros(model.k), ca.SX.ones(model.k)
     for j, contact, active in pushing(model, contacts, mode):
-        f_j, dz_j, normal, _, valid = contact(t, q, u, z, m, c)
+        f_j, dz_j, normal, _, valid, *_ = contact(t, q, u, z, m, c)
         f += where(active, f_j)
         dz += where(active, dz_j)
         forces[j] = where(active, normal)
         in_range[j] = where(active, valid, 1)
+    friction, margin, margin_rate = (ca.SX.zeros(model.ns) for _ in range(3))
+    grip = grips(model, contacts, t, y, mode, m, c) if may_slip(model, contacts) else None
+    if grip is not None:
+        slipping = -grip.slip * grip.sliding
+        n = len(grip.places)
+        found = friction_forces(model, n)(t, q, u, f, grip.along, grip.drift, slipping, grip.sticks, c)
+        f += ca.mtimes(grip.along, found)
+        dz += ca.mtimes(grip.power, found)
     dq = model.function("coordinate_rates")(t, q, u, c)
     a, reactions, *multipliers = model.function("accelerations").call([t, q, u, f, c])
     if model.has_ledger:
@@ -75,6 +87,14 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
     gap_acceleration = model.function("gap_accelerations")(t, q, u, a, c)
     along = ca.jtimes(forces, ca.vertcat(t, y), ca.vertcat(1, dy)) if contacts != () else ca.SX.zeros(model.k)
     force_rate = ca.if_else(gap < 0, along, 0)  # at zero penetration the derivative of a root is not a number
+    if grip is not None:
+        held = ca.if_else(grip.touching, grip.holding - ca.fabs(found), 0)
+        gaps = gap[[pairs_of(model)[i] for i in grip.places]]
+        of_held = ca.if_else(gaps < 0, ca.jtimes(held, ca.vertcat(t, y), ca.vertcat(1, dy)), 0)
+        sliding = grip.slip * (grip.drift + ca.mtimes(grip.along[: model.nu, :].T, a))
+        friction[grip.places] = found
+        margin[grip.places] = ca.if_else(grip.sticks, held, grip.slip * grip.velocity)
+        margin_rate[grip.places] = ca.if_else(grip.sticks, of_held, sliding)
     arguments = [t, y, mode, m, c]
     names = ["t", "y", "mode", "m", "c"]
     return Flow(
@@ -83,9 +103,9 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
         ends=ca.Function(
             "ends",
             arguments,
-            ca.cse([dy, gap, gap_rate, gap_acceleration, forces, force_rate, in_range]),
+            ca.cse([dy, gap, gap_rate, gap_acceleration, forces, force_rate, in_range, friction, margin, margin_rate]),
             names,
-            ["dy", "gap", "gap_rate", "gap_acceleration", "force", "force_rate", "in_range"],
+            ["dy", *PAIR_PARTS, "in_range", *GRIP_PARTS],
         ),
         holding=ca.Function("holding", arguments, multipliers, names, ["multipliers"]) if model.nl else None,
         closing=closing(model),

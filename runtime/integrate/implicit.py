@@ -15,6 +15,7 @@ import casadi as ca
 from hertzwerk.runtime.integrate.classes import BY_MODE, Contacts, pushing, where
 from hertzwerk.runtime.integrate.control import SAFETY
 from hertzwerk.runtime.integrate.explicit import EPS, Flow
+from hertzwerk.runtime.integrate.friction import forces, grips, may_slip, pairs_of
 from hertzwerk.runtime.integrate.implicit_tables import ITERATIONS, DiagonallyImplicit, Rosenbrock
 from hertzwerk.runtime.integrate.linear import solver
 
@@ -34,8 +35,8 @@ Parts = Mapping[str, Any]
 def linearised(model: Model, contacts: Contacts = BY_MODE) -> Any:
     """CasADi function (t, y, mode, m, c) -> (J (ny, ny), dt (ny)): the derivatives of the right-hand side `explicit.flow` of the same contacts.
 
-    By the chain rule through the forces, so that what is singular stays where it arises: at zero penetration, or without contact, the derivative
-    of a root in a contact's force is not a number; there the force and its true derivative vanish.
+    By the chain rule through what the contacts give, so that what is singular stays where it arises: at zero penetration, or without contact, the
+    derivative of a root in a contact's force is not a number; there the force and its true derivative vanish.
     """
     return model.once(("linearised", contacts), lambda: _linearised(model, contacts))
 
@@ -52,14 +53,31 @@ def _linearised(model: Model, contacts: Contacts) -> Any:
         f += where(active, f_j)
         df += _each(ca.jacobian(f_j, x), active)
         dz += _each(ca.jacobian(dz_j, x), active)
-    force = ca.SX.sym("force", f.numel())
+    given, of_given, sticks, n = [f], [df], ca.SX(0, 1), 0
+    if may_slip(model, contacts):
+        grip = grips(model, contacts, t, y, mode, m, c)
+        shapes = [grip.along.sparsity(), grip.power.sparsity()]
+        given += [_entries(grip.along), _entries(grip.power), grip.drift, -grip.slip * grip.sliding]
+        of_given += [_each(ca.jacobian(value, x), ca.SX(1)) for value in given[1:]]
+        sticks, n = grip.sticks, len(grip.places)
+    known = [ca.SX.sym("known", value.numel()) for value in given]
+    symbols = ca.SX.sym("sticks", sticks.numel())
+    force, *grip_symbols = known
     dq = model.function("coordinate_rates")(t, q, u, c)
+    power = ca.SX(model.nz, 1)
+    if grip_symbols:
+        along, rates, drift, slipping = grip_symbols
+        along, rates = (ca.SX(shape, part) for shape, part in zip(shapes, (along, rates), strict=True))
+        friction = forces(model, n)(t, q, u, force, along, drift, slipping, symbols, c)
+        force, power = force + ca.mtimes(along, friction), ca.mtimes(rates, friction)
     a, reactions, *_ = model.function("accelerations").call([t, q, u, force, c])
-    power = model.function("ledger")(t, q, u, reactions, c) if model.has_ledger else ca.SX(model.nz, 1)
-    dy = ca.vertcat(dq, a, power)
-    of_force = ca.Function("of_force", [x, force, c], [ca.jacobian(dy, x), ca.jacobian(dy, force)])
-    direct, mobility = of_force(x, f, c)
-    J = ca.sparsify(direct + ca.mtimes(mobility, df) + ca.vertcat(ca.SX(model.nq + model.nu, x.numel()), dz))
+    if model.has_ledger:
+        power += model.function("ledger")(t, q, u, reactions, c)
+    dy, inner = ca.vertcat(dq, a, power), ca.vertcat(*known)
+    of_inner = ca.Function("of_inner", [x, inner, symbols, c], [ca.jacobian(dy, x), ca.jacobian(dy, inner)])
+    direct, mobility = of_inner(x, ca.vertcat(*given), sticks, c)
+    J = direct + ca.mtimes(mobility, ca.vertcat(*of_given)) + ca.vertcat(ca.SX(model.nq + model.nu, x.numel()), dz)
+    J = ca.sparsify(J)
     n = y.numel()
     names = ["t", "y", "mode", "m", "c"]
     results = ca.cse([J[:, :n], ca.densify(J[:, n])])
@@ -67,7 +85,10 @@ def _linearised(model: Model, contacts: Contacts) -> Any:
 
 
 def sliding(model: Model, contacts: Contacts = BY_MODE) -> Any:
-    """CasADi function (t, y, dy, mode, m, c) -> (v (n), dv/dt (n), dv/dy (n, ny)): the sliding velocities [m/s] of pairs in contact; 0 of others."""
+    """CasADi function (t, y, dy, mode, m, c) -> (v (n), dv/dt (n), dv/dy (n, ny)): the sliding velocities [m/s] of pairs in contact; 0 of others.
+
+    Not of pairs whose sliding ends with an event.
+    """
     return model.once(("sliding", contacts), lambda: _sliding(model, contacts))
 
 
@@ -76,9 +97,10 @@ def _sliding(model: Model, contacts: Contacts) -> Any:
     q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
     mode, m, c = ca.SX.sym("mode", model.k), ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc)
     velocities = [ca.SX(0, 1)]
-    for _, contact, active in pushing(model, contacts, mode):
-        _, _, _, v, _ = contact(t, q, u, z, m, c)
-        velocities.append(where(active, v))
+    for j, contact, active in pushing(model, contacts, mode):
+        if j not in pairs_of(model):
+            _, _, _, v, _ = contact(t, q, u, z, m, c)
+            velocities.append(where(active, v))
     v = ca.vertcat(*velocities)
     names = ["t", "y", "dy", "mode", "m", "c"]
     results = ca.cse([v, ca.jtimes(v, ca.vertcat(t, y), ca.vertcat(1, dy)), ca.jacobian(v, y)])
@@ -202,6 +224,11 @@ def _norm(error: Any, least: Any, y: Any) -> Any:
 
 def _sum(weights: tuple[float, ...], terms: list[Any]) -> Any:
     return sum((weight * term for weight, term in zip(weights, terms, strict=False) if weight), start=ca.SX(0))
+
+
+def _entries(matrix: Any) -> Any:
+    """What is not zero by structure, as a column."""
+    return ca.vertcat(ca.SX(0, 1), *matrix.nonzeros())
 
 
 def _each(matrix: Any, active: Any) -> Any:

@@ -78,17 +78,19 @@ RUNNING, FINISHED, STEP_TOO_SMALL, NOT_FINITE, CONSTRAINT_LOST, OUTSIDE_LAW_RANG
 )  # status
 PLAIN, SPECIAL, REJECTED = range(3)  # kind of a step: nothing speaks against it, something may happen in it, it failed
 PAIR_PARTS = ("gap", "gap_rate", "gap_acceleration", "force", "force_rate")  # in the state and in the trial
+GRIP_PARTS = ("friction", "margin", "margin_rate")  # likewise, of the pairs with set-valued friction
 
 
 def layouts(model: Model) -> Layouts:
     """Layouts for a model.
 
-    State: t [s]; y = q, u, z; dy = dy/dt under the modes; mode and m (latches); gap, gap_rate, gap_acceleration and force, force_rate of
-    each pair [SI]; h [s] the step to try next; h_flight, h_contact, h_onset [s] remembered; class (see `classes`), status; method, pressure,
-    stiffness (see `choose`); accepted, fresh_contact (a contact has just begun), after_rejection; then counters.
+    State: t [s]; y = q, u, z; dy = dy/dt under the modes; mode and m (latches, slips); gap, gap_rate, gap_acceleration and force, force_rate
+    of each pair, friction, margin and margin_rate of those with set-valued friction (see `friction`) [SI]; h [s] the step to try next;
+    h_flight, h_contact, h_onset [s] remembered; class (see `classes`), status; method, pressure, stiffness (see `choose`); accepted,
+    fresh_contact (a contact has just begun), after_rejection; then counters.
     """
     ny, k, nm = model.nq + model.nu + model.nz, model.k, model.nm
-    pairs = dict.fromkeys(PAIR_PARTS, k)
+    pairs = dict.fromkeys(PAIR_PARTS, k) | dict.fromkeys(GRIP_PARTS, model.ns)
     steps = ("h", "h_flight", "h_contact", "h_onset", "class", "status")
     choice = ("method", "pressure", "stiffness")
     flags = ("accepted", "fresh_contact", "after_rejection")

@@ -37,7 +37,7 @@ def solver(jacobian: Any, step: Any, nq: int) -> Callable[[Any], Any]:
         ]
         for i in core
     ]
-    solve_core = _eliminated(reduced, pivoting=len(core) <= PIVOTED)
+    solve_core = eliminated(reduced, pivoting=len(core) <= PIVOTED)
     of_core, of_first, of_last = (
         [_row(matrix, i, columns) for i in rows]
         for rows, columns in ((core, first), (first, core), (last, first + core))
@@ -53,7 +53,7 @@ def solver(jacobian: Any, step: Any, nq: int) -> Callable[[Any], Any]:
     return solve
 
 
-def _eliminated(a: list[list[Any]], *, pivoting: bool) -> Callable[[list[Any]], list[Any]]:
+def eliminated(a: list[list[Any]], *, pivoting: bool) -> Callable[[list[Any]], list[Any]]:
     """Solver of a system of equations by Gauss' elimination, skipping zeros; partial pivoting without branches where asked for."""
     n = len(a)
     a = [list(row) for row in a]

@@ -15,6 +15,7 @@ import casadi as ca
 
 from hertzwerk.runtime.integrate.classes import IDLE, classified
 from hertzwerk.runtime.integrate.events import ends_with_force, pulls, tolerances
+from hertzwerk.runtime.integrate.friction import asked_and_broken, directed, sized
 from hertzwerk.runtime.integrate.layout import (
     CONTACT,
     FLIGHT,
@@ -64,18 +65,24 @@ def latch(model: Model, run: Parts, m: Any, onset: Any, gap_rate: Any) -> tuple[
 
 
 def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
-    """CasADi function (before, after, controls) -> state: the right-hand side under the modes of `after`, and the ledger of what changed."""
+    """CasADi function (before, after, controls) -> state: the right-hand side under the modes of `after`, the ledger of what changed, bristles."""
     layouts = (vectors.state, vectors.state, vectors.controls)
     arguments = [layout.symbol(name) for layout, name in zip(layouts, ("before", "after", "controls"), strict=True)]
     before, after, run = (layout.split(vector) for layout, vector in zip(layouts, arguments, strict=True))
     y = after["y"]
     if model.has_ledger:
         y = _book(model, after["t"], y, run["c"], before["mode"], after["mode"])
-    end = right.at(after["t"], y, after["mode"], after["m"], run["c"])
+    y, m = _forget(model, y, after["mode"]), after["m"]
+    if model.ns:
+        _, *tolerance = tolerances(model, run, after["t"], y, after["gap_rate"])
+        small = sized(model, m, *tolerance)
+        turns = asked_and_broken(model, after["mode"], m, after["margin"], after["margin_rate"], small, before["mode"])
+        m, y = directed(model, after["t"], y, after["mode"], m, run["c"], *turns, tolerance)
+    end = right.at(after["t"], y, after["mode"], m, run["c"])
     end.pop("in_range")
     finite = is_finite(end)
     status = ca.if_else(finite, after["status"], NOT_FINITE)
-    new = {**after, **end, "y": y, "status": status, "class": ca.if_else(finite, after["class"], IDLE)}
+    new = {**after, **end, "y": y, "m": m, "status": status, "class": ca.if_else(finite, after["class"], IDLE)}
     return ca.Function("switch", arguments, [vectors.state.join(new)], ["before", "after", "controls"], ["next"])
 
 
@@ -85,7 +92,8 @@ def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
     controls = vectors.controls.symbol("controls")
     run = vectors.controls.split(controls)
     y = ca.vertcat(q, u, ca.SX.zeros(model.nz))
-    mode, m, floored = ca.SX.zeros(model.k), ca.SX.ones(model.nm), ca.SX(0)
+    mode, floored = ca.SX.zeros(model.k), ca.SX(0)
+    m = ca.vertcat(ca.SX.ones(model.nm - model.ns), ca.SX.zeros(model.ns))
     end = right.at(t, y, mode, m, run["c"])
     if model.k:
         gap, rate = end["gap"], end["gap_rate"]
@@ -95,6 +103,10 @@ def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
         end = right.at(t, y, touching, m, run["c"])
         spent = pulls(model, end["force"]) * (gap < -tol)
         mode = ca.if_else(touching, ca.if_else(spent, RELEASED, CONTACT), FLIGHT)
+        if model.ns:
+            _, *tolerance = tolerances(model, run, t, y, rate)
+            everyone = ca.SX.ones(model.ns)
+            m, y = directed(model, t, y, mode, m, run["c"], everyone, 0 * everyone, tolerance)
         end = right.at(t, y, mode, m, run["c"])
     in_range = end.pop("in_range")
     in_contact = any_of(mode == CONTACT)
@@ -142,6 +154,15 @@ def any_of(conditions: Any) -> Any:
 
 def _closing(rate: Any, acceleration: Any) -> Any:
     return (rate < 0) + (rate == 0) * (acceleration < 0) > 0
+
+
+def _forget(model: Model, y: Any, mode: Any) -> Any:
+    """State with the bristles of contacts that have ended undeflected."""
+    y = ca.SX(y)
+    for row, j in getattr(model.module, "BRISTLES", ()):
+        i = model.nq + model.nu + row
+        y[i] = ca.if_else(mode[j] == CONTACT, y[i], 0)
+    return y
 
 
 def _book(model: Model, t: Any, y: Any, c: Any, before: Any, after: Any) -> Any:

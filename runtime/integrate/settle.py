@@ -19,12 +19,14 @@ from hertzwerk.runtime.integrate.control import (
 )
 from hertzwerk.runtime.integrate.events import NEAR, NO_EVENT, endings, polynomials, search, tolerances, towards
 from hertzwerk.runtime.integrate.explicit import EPS, Flow, nudged
+from hertzwerk.runtime.integrate.friction import asked_and_broken, sized
 from hertzwerk.runtime.integrate.layout import (
     CONSTRAINT_LOST,
     CONTACT,
     EVENT_LIMIT,
     FINISHED,
     FLIGHT,
+    GRIP_PARTS,
     NOT_FINITE,
     OUTSIDE_LAW_RANGE,
     PAIR_PARTS,
@@ -42,7 +44,7 @@ if TYPE_CHECKING:
 
 NUDGE_EVALUATIONS = 4
 MAX_RETAKES = 60  # of one step; a landing needs 1 to 3
-MOVED = ("t", "y", "dy", *PAIR_PARTS)  # the parts of a state that a step moves
+MOVED = ("t", "y", "dy", *PAIR_PARTS, *GRIP_PARTS)  # the parts of a state that a step moves
 
 
 def settle(model: Model, vectors: Layouts, table: Table, right: Flow) -> Any:
@@ -59,11 +61,11 @@ def settle(model: Model, vectors: Layouts, table: Table, right: Flow) -> Any:
         decided, _ = decide(*given, NO_EVENT, 0)
         return ca.Function("settle", given, [decided], names, ["new"])
     *gaps, suspect, ending = polynomials(model, vectors)(state, controls, end)
-    find, forces, none = search(model.k), endings(model, vectors), [NO_EVENT] * model.k
-    at_gap = _if(any_of(suspect), find, none, suspect, *gaps)
-    wanted, three = ca.MX.sym("wanted", model.k), forces.mx_in()
-    searched = ca.Function("searched", [wanted, *three], [find(wanted, *forces(*three))])
-    at_force = _if(any_of(ending), searched, none, ending, state, controls, end)
+    find, forces, count = search(model.k), endings(model, vectors), model.k + model.ns
+    at_gap = _if(any_of(suspect), find, [NO_EVENT] * model.k, suspect, *gaps)
+    wanted, three = ca.MX.sym("wanted", count), forces.mx_in()
+    searched = ca.Function("searched", [wanted, *three], [search(count)(wanted, *forces(*three))])
+    at_force = _if(any_of(ending), searched, [NO_EVENT] * count, ending, state, controls, end)
     theta, delta = _aim(model, vectors, table)(*given, at_gap, at_force)
     moved = _nudge(model, vectors, right)
     still = moved.mx_in()
@@ -119,12 +121,12 @@ def _arguments(vectors: Layouts) -> tuple[list[Any], list[Parts]]:
 
 
 def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
-    """CasADi function (state, controls, next, verdict, theta of the gaps (k), theta of what else ends a mode (k)) -> (theta, delta).
+    """CasADi function (state, controls, next, verdict, theta of the gaps (k), theta of what else ends a mode (k + ns)) -> (theta, delta).
 
     theta: of the step, its first event; delta [s]: from the end of the step to a surface close by, or 0.
     """
     arguments, (old, run, end, _) = _arguments(vectors)
-    at_gap, at_force = ca.SX.sym("at_gap", model.k), ca.SX.sym("at_force", model.k)
+    at_gap, at_force = ca.SX.sym("at_gap", model.k), ca.SX.sym("at_force", model.k + model.ns)
     tol, _, _ = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
     times = time_to_root(*towards(old["mode"], end))
     near = ca.fmin(NEAR, run["accuracy"] ** 0.2) * old["h"]  # its fifth power, the nudge's error, is below the accuracy
@@ -174,6 +176,11 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
         m, floored = latch(model, run, m, onset, end["gap_rate"])
         begun = ca.sum1(onset)
     switched = any_of(mode != old["mode"])
+    if model.ns:
+        _, *tolerance = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
+        small = sized(model, old["m"], *tolerance)
+        turns = asked_and_broken(model, mode, old["m"], end["margin"], end["margin_rate"], small, old["mode"])
+        switched = switched + accepted * any_of(sum(turns)) > 0
     now_contact = any_of(mode == CONTACT)
 
     new = old | _remembered(table, old, judged["error"], accepted, begun > 0)

@@ -1,8 +1,8 @@
 """SUNDIALS' CVODES and IDAS (through CasADi) as an independent reference: BDF methods of variable order from the same right-hand side.
 
 Run from Python, window by window; a window stops at the first event, which is located to rounding by integrating anew from the grid point before
-it. Modes follow the events in their plainest form, without the engine's tolerances. It shares the right-hand side, the first state and the form
-of the rows with the engine, nothing else. Hindmarsh et al., ACM Trans. Math. Softw. 31 (2005) 363.
+it. Modes follow the events in their plainest form, without the engine's tolerances. It shares the right-hand side, the first state, the form of
+the rows and what follows where sliding ends or begins with the engine, nothing else. Hindmarsh et al., ACM Trans. Math. Softw. 31 (2005) 363.
 """
 
 from __future__ import annotations
@@ -17,12 +17,15 @@ import numpy as np
 from scipy.optimize import brentq
 
 from hertzwerk.runtime.integrate.chunk import INTERRUPTED, WALL_TIME_LIMIT, Ending
+from hertzwerk.runtime.integrate.events import ends_with_force
 from hertzwerk.runtime.integrate.explicit import EPS, flow
+from hertzwerk.runtime.integrate.friction import STICK, directed, pairs_of, slips_in
 from hertzwerk.runtime.integrate.layout import (
     CONTACT,
     EVENT_LIMIT,
     FINISHED,
     FLIGHT,
+    GRIP_PARTS,
     NOT_FINITE,
     OUTSIDE_LAW_RANGE,
     PAIR_PARTS,
@@ -40,6 +43,8 @@ FIRST_WINDOW = 0.5  # after an event, of length/speed of the scene
 WINDOWS = 20  # of a run at least
 SHORTEST = 1e-9  # window, of the first: below it the integration has failed
 MAX_STEPS = 1_000_000  # inside SUNDIALS, per window
+GRIP = 3.0  # beside the modes of a pair, see _Event
+AT_REST = 1e-9  # m/s: a sliding velocity that counts as none at an event
 RELATIVE = 1e-14  # tolerance; the absolute one, in the scene's scales, is the accuracy
 
 
@@ -51,6 +56,9 @@ class Reference:
     layouts: Layouts
     window: Callable[[float], tuple[Any, Any]]
     ends: Any
+    directed: (
+        Any  # (t, y, mode, m, c, asked, broken) -> (m, y), see `friction.directed`; None without set-valued friction
+    )
 
 
 def reference(model: Model, layouts: Layouts, method: str) -> Reference:
@@ -69,7 +77,14 @@ def reference(model: Model, layouts: Layouts, method: str) -> Reference:
         many, one = (ca.integrator("window", method, problem, 0, grid, given) for grid in (points, [1.0]))
         return many, one
 
-    return Reference(model, layouts, window, right.ends)
+    return Reference(model, layouts, window, right.ends, _directed(model, p) if model.ns else None)
+
+
+def _directed(model: Model, p: dict[str, Any]) -> Any:
+    y, asked, broken = (ca.SX.sym(name, n) for name, n in (("y", p["scale"].numel()), ("a", model.ns), ("b", model.ns)))
+    given = [p["t"], y, p["mode"], p["m"], p["c"]]
+    results = directed(model, p["t"], y, p["mode"], p["m"], p["c"], asked, broken, (AT_REST, 0))
+    return ca.Function("directed", [*given, asked, broken], ca.cse(list(results)))
 
 
 def march(
@@ -103,7 +118,10 @@ def march(
 
 @dataclass(frozen=True)
 class _Event:
-    """What ends a window: after its grid point `index` (-1: its start), at theta of the interval there, a pair goes over to a mode."""
+    """What ends a window: after its grid point `index` (-1: its start), at theta of the interval there, a pair goes over to a mode.
+
+    The mode GRIP stands for a margin that has run out: the pair begins to slip or to stick.
+    """
 
     index: int
     theta: float
@@ -126,6 +144,7 @@ class _Run:
         parts = self.layout.split(state.copy())
         self.t, self.y, self.mode, self.m = float(parts["t"][0]), parts["y"], parts["mode"], parts["m"]
         self.status = int(parts["status"][0])
+        self.ends_with_force = np.array(ends_with_force(self.model)).ravel() > 0
         self.steps = self.events = 0
         self.floored = float(parts["floored"][0])
 
@@ -184,10 +203,13 @@ class _Run:
                 found.append((j, CONTACT, gap, rate))
                 continue
             found.append((j, FLIGHT, -gap, -rate))
-            if mode == CONTACT:
+            if mode == CONTACT and self.ends_with_force[j]:
                 found.append((j, RELEASED, float(end["force"][j]), float(end["force_rate"][j])))
             elif mode == RELEASED:
                 found.append((j, CONTACT, rate, acceleration))
+        for i, j in enumerate(pairs_of(self.model)):
+            if self.mode[j] == CONTACT:
+                found.append((j, GRIP, float(end["margin"][i]), float(end["margin_rate"][i])))
         return found
 
     def first_event(self, points: np.ndarray, h: float) -> _Event | None:
@@ -239,6 +261,9 @@ class _Run:
             self.t += event.theta * step
             self.steps += 1
         end, old, j = self.at(self.t, self.y), self.mode[event.pair], event.pair
+        if event.mode == GRIP:
+            self.turn(j, ran_out=True)
+            return
         if old == FLIGHT:
             self.events += 1
             for i, (_, _, pair) in enumerate(self.model.module.LATCHES):
@@ -253,6 +278,20 @@ class _Run:
             self.y[self.model.nq + self.model.nu + self.model.module.DISSIPATED[j]] += leaves * stored
         self.mode = self.mode.copy()
         self.mode[j] = event.mode
+        for row, pair in getattr(self.model.module, "BRISTLES", ()):
+            if self.mode[pair] != CONTACT:
+                self.y = self.y.copy()
+                self.y[self.model.nq + self.model.nu + row] = 0
+
+        if j in pairs_of(self.model):
+            self.turn(j, ran_out=False)
+
+    def turn(self, j: int, *, ran_out: bool) -> None:
+        """Let pair j slip or stick: its margin has run out, or its contact has begun or ended."""
+        mine = np.array([pair == j for pair in pairs_of(self.model)])
+        breaks = mine & ran_out & (self.m[slips_in(self.model)] == STICK)
+        results = self.functions.directed(self.t, self.y, self.mode, self.m, self.c, mine & ~breaks, breaks)
+        self.m, self.y = (np.array(result).ravel() for result in results)
 
     def parts(self) -> tuple[np.ndarray, np.ndarray]:
         """q and u."""
@@ -274,7 +313,7 @@ class _Run:
         """The state of the engine that this is."""
         end = self.at(self.t, self.y)
         values: dict[str, Any] = {"t": self.t, "y": self.y, "dy": end["dy"], "mode": self.mode, "m": self.m}
-        values |= {name: end[name] for name in PAIR_PARTS}
+        values |= {name: end[name] for name in (*PAIR_PARTS, *GRIP_PARTS)}
         values |= {
             "accepted": 1,
             "status": self.status,

@@ -177,7 +177,7 @@ MISTAKES = {
     ),
     "8 LuGre's z dimensionless": (own(friction=N * (s_0 * pure_z + s_1 * s), slope=N * s_1), "s*s_1 + s_0*z", "1", "1/m", None),
     "8 LuGre's z dimensionless, its rate": (
-        own(friction=mu * N * sp.tanh(s / v_S), slope=mu * N / v_S, memory=((pure_z, s - s_0 * sp.Abs(s) * pure_z),)),
+        own(friction=mu * N * sp.tanh(s / v_S), slope=mu * N / v_S, memory=((pure_z, s - s_0 * sp.Abs(s) * pure_z, mu),)),
         "s - s_0*z*Abs(s)", "m/s", "1/s", None,
     ),
 }  # fmt: skip
@@ -384,18 +384,11 @@ def refused(*arguments, **given):
     return str(raised.value)
 
 
-def test_set_valued_friction_is_refused():
-    law = LAWS["coulomb"](Parameter("mu_k", "1", 0.1), Parameter("mu_s", "1", 0.2))
-    text = refused(JOURNAL, johnson(STEEL, STEEL), friction=law)
-    assert "coulomb, which needs the modes slip and stick" in text and "smooth_coulomb" in text
-
-
-def test_bristle_friction_is_refused():
-    law = LAWS["lugre"]
-    given = {q.name: Parameter(f"p_{q.name}", q.unit, 1) for q in law.parameters}
-    assert "lugre, which needs a memory, bristle deflection" in refused(
-        JOURNAL, johnson(STEEL, STEEL), friction=law(**given)
-    )
+def test_a_law_with_modes_knows_no_speed():
+    with pytest.raises(ValueError, match="functions of N alone"):
+        replace(LAWS["coulomb"], force=mu * N * sp.sign(s) + v_S * s)
+    with pytest.raises(ValueError, match="functions of N alone"):
+        replace(LAWS["coulomb"], holding=None)
 
 
 def test_law_for_another_pair_is_refused():

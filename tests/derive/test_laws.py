@@ -446,7 +446,7 @@ def test_stribeck_curves_fall_from_static_to_kinetic_friction():
 def test_lugre_slides_like_its_stribeck_curve():
     """In steady sliding, dz/dt = 0, the bristle force is the Stribeck curve."""
     law = FRICTION["lugre"]
-    ((bristle, rate),) = law.memory
+    ((bristle, rate, _),) = law.memory
     for speed in ("0.01", "0.3", "-0.1"):
         values = numbers(law) | {s: mpf(speed)}
         (steady,) = sp.solve(rate, bristle)

@@ -206,7 +206,9 @@ def test_the_force_in_a_hinge_is_what_its_body_needs():
     run = simulate(load("n_four_bar"), duration=0.6, accuracy=1e-11)
     t, h = np.linspace(0.05, 0.55, 11), 1e-5
     angle = [run.at(t + k * h)["foot_1.angle"] for k in (-1, 0, 1)]
-    centre = [np.column_stack([-np.sin(a), np.cos(a)]) for a in angle]  # of the beam, but for a constant: it stays level
+    centre = [
+        np.column_stack([-np.sin(a), np.cos(a)]) for a in angle
+    ]  # of the beam, but for a constant: it stays level
     needed = (centre[0] - 2 * centre[1] + centre[2]) / h**2 + [0, 9.81]
     # the beam does not turn: both hinges bear the same vertical force
     assert run.at(t)["right_1.force_y"] == pytest.approx(needed[:, 1] / 2, abs=1e-4)
