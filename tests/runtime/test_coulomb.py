@@ -499,7 +499,7 @@ def test_jacobian_against_differences(slips):
         for i, h in enumerate(steps)
     ]
     size = np.max(np.abs(J), axis=1, keepdims=True) + 1e-300
-    assert np.max(np.abs(np.array(differences).T - J) / size) < 3e-6
+    assert np.max(np.abs(np.array(differences).T - J) / size) < 1e-5  # rounding of what both feet hold, over the step
 
 
 def test_the_direction_of_friction_is_that_of_sliding():
