@@ -167,8 +167,9 @@ def search(k: int) -> Any:
 
 
 def locate() -> Any:
-    """CasADi function (bernstein (6), margin, doubt) -> theta in (0, 1] of the first event, or NO_EVENT; half the step where a graze is in doubt.
+    """CasADi function (bernstein (6), margin, doubt) -> theta in (0, 1] of the first event, or NO_EVENT.
 
+    Half the step where a graze is in doubt, doubt being positive.
     The polynomial is evaluated at the ends of equal parts; the first part with a change of sign, or with a minimum that reaches -margin, brackets
     the root, which bisection-safeguarded Newton steps find. Branch-free.
     """
@@ -193,7 +194,9 @@ def locate() -> Any:
         bottom = ca.fmin(ca.fmax(bottom - step, dip / PARTS), (dip + 1) / PARTS)
     lowest = _horner(value, bottom)
     in_dip = (dip < crossing) * (lowest <= -margin)
-    in_doubt = (dip < crossing) * (lowest > -margin) * (lowest < doubt)
+    in_doubt = (
+        (dip < crossing) * (lowest > -margin) * (lowest < doubt) * (doubt > 0)
+    )  # no doubt: within the margin it is none
     part = ca.if_else(in_dip, dip, crossing)
     first = low = part / PARTS
     high = ca.if_else(in_dip, bottom, (part + 1) / PARTS)

@@ -167,3 +167,10 @@ def test_an_event_at_the_end_of_the_run(method, shift):
     assert run.outcome.finished
     assert run.t[-1] == 1.0 + shift
     assert run.final["path.travel"] == pytest.approx(1 - (1 + shift) ** 2, abs=1e-10)
+
+
+def test_a_graze_that_is_not_in_doubt_does_not_halve_the_step():
+    """Lower than zero, but within the margin: bodies that touch, with gaps of rounding, would halve it for ever."""
+    touching = np.array([0.0, -1e-19, 2e-19, -1e-19, 1e-19, 0.0])
+    assert float(SEARCH(touching, 1e-13, 0)) == NO_EVENT
+    assert float(SEARCH(touching, 1e-13, 1e-12)) == 0.5
