@@ -160,7 +160,7 @@ class Equations:
         if not effects:
             return ZERO
         x, y, z = effects[0].direction.components
-        return scale(sp.sympify(effects[0].acceleration), (sp.Integer(x), sp.Integer(y), sp.Integer(z)))
+        return scale(sp.sympify(effects[0].acceleration), (sp.sympify(x), sp.sympify(y), sp.sympify(z)))
 
     def accelerations(self, forces: dict[str, Any]) -> list[Any]:
         """Of the free joints, from M a = f - bias by an unrolled L D L^T without pivoting (M is positive definite)."""

@@ -20,9 +20,9 @@ Triple = tuple[Any, Any, Any]
 
 @dataclass(frozen=True)
 class Direction:
-    """A unit vector along a frame's axis; `-Y` is the opposite one."""
+    """A unit vector in a frame: along an axis, `-Y` the opposite one; of gravity any other too, in rationals such as (3/5, -4/5, 0)."""
 
-    components: tuple[int, int, int]
+    components: tuple[Any, Any, Any]
 
     def __neg__(self) -> Direction:
         x, y, z = self.components
