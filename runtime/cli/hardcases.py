@@ -139,7 +139,8 @@ def _print_case(case: HardCase, found: dict[str, dict[str, Result]]) -> None:
     for name, limit, cells in rows:
         text = f"  {name:<{name_width}}  {limit:>{limit_width}}"
         for (cell, holds), width in zip(cells, widths, strict=True):
-            text += "  " + click.style(f"{cell if holds else '!' + cell:>{width}}", fg=None if holds else "red")
+            padded = f"{cell if holds else '!' + cell:>{width}}"
+            text += "  " + (padded if holds else click.style(padded, fg="red"))
         click.echo(text.rstrip())
     for reason in dict.fromkeys(case.failures.values()):
         of = [

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 EXPLICIT, IMPLICIT = ("dopri5", "dop853"), ("rodas", "esdirk")
 METHODS = (*EXPLICIT, *IMPLICIT, "auto")
+REFERENCED = (*METHODS, "cvodes", "idas")  # with SUNDIALS as an independent reference
 MARGIN, EXTRA = 1.5, 20  # of the bound on steps over what was measured
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from hertzwerk.runtime.hard_cases.case import HardCase, Known, Source, final
+from hertzwerk.runtime.hard_cases.case import REFERENCED, HardCase, Known, Source, final
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.binding import Value
@@ -43,7 +43,8 @@ CASES = (
         source=SMOOTH,
         duration=0.002,
         accuracy=1e-9,
-        known=_state(0.1373416982226764233365, -25.73104758197984349727, 5e-4, 26.18, 1e-4),
+        methods=REFERENCED,
+        known=_state(0.1373416982226764233365, -25.73104758197984349727, 5e-4, 26.18, 1e-6),
     ),
     HardCase(
         name="dead_centre",
@@ -52,7 +53,7 @@ CASES = (
         source=ROUGH,
         duration=0.006,
         accuracy=1e-9,
-        known=_state(6.962904325573187284805e-2, 8.438369804113107325817e-1, 5e-4, 26.18, 1e-3),
+        known=_state(6.962904325573187284805e-2, 8.438369804113107325817e-1, 5e-4, 26.18, 1e-5),
     ),
     _clearance(
         "clearance_1um",
@@ -60,7 +61,7 @@ CASES = (
         "1 um",
         10_000,
         0.006,
-        _state(0.1700047189028763161343, 2.291411722586347894995e-6, 1e-6, 52.36, 1e-4),
+        _state(0.1700047189028763161343, 2.291411722586347894995e-6, 1e-6, 52.36, 1e-8),
     ),
     _clearance(
         "clearance_5mm",
@@ -68,7 +69,7 @@ CASES = (
         "5 mm",
         10,
         1.0,
-        _state(0.1347839478063654505557734, -0.06263243468732951770999, 5e-3, 0.05236, 1e-3),
+        _state(0.1347839478063654505557734, -0.06263243468732951770999, 5e-3, 0.05236, 1e-8),
     ),
     HardCase(
         name="thin_friction_layer",

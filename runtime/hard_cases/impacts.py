@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from hertzwerk.runtime.hard_cases import closed
-from hertzwerk.runtime.hard_cases.case import METHODS, HardCase, Source, contacts, final, impact
+from hertzwerk.runtime.hard_cases.case import METHODS, REFERENCED, HardCase, Source, contacts, final, impact
 
 RELATION = "h (1 + e) = ln((1 + h)/(1 - h e)), Hunt and Crossley 1975"
 ACCURACY = 1e-8
@@ -23,7 +23,7 @@ def _nearly_plastic(law: str, source: Source, restitution: float) -> HardCase:
         source=source,
         duration=0.2,
         accuracy=ACCURACY,
-        methods=METHODS,
+        methods=REFERENCED,
         parameters={"e": 0.01},
         known=(
             contacts(1, "one impact"),
@@ -71,7 +71,7 @@ def _exponent(n: float, text: str, label: str) -> HardCase:
         source=FLORES,
         duration=20 * depth,
         accuracy=ACCURACY,
-        methods=METHODS,
+        methods=REFERENCED,
         parameters={"e": 0.7, "exponent": n, "stiffness": (1e8, f"N/m^({text})")},
         known=(
             final("ball.speed", closed.restitution_out(h), PART, RELATION + ": the same for every n"),
@@ -118,7 +118,7 @@ def _jump(
         source=source,
         duration=0.01,
         accuracy=ACCURACY,
-        methods=METHODS,
+        methods=METHODS if pulls else REFERENCED,
         parameters={"exponent": 1, "stiffness": (K, "N/m^1"), **parameters},
         known=(
             contacts(1, "one impact"),
@@ -138,7 +138,7 @@ def _masses(striker: float, target: float, label: str, hard: str) -> HardCase:
         source=UNLIKE,
         duration=0.02,
         accuracy=ACCURACY,
-        methods=METHODS,
+        methods=REFERENCED,
         parameters={"restitution": e, "striker_mass": (striker, "kg"), "target_mass": (target, "kg")},
         known=(
             final("striker_path.speed", speeds[0], PART, "momentum and restitution"),

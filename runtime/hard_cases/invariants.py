@@ -56,7 +56,7 @@ def measure(case: HardCase, method: str, run: Solution) -> tuple[Measured, ...]:
     found = [Measured(FINITE, broken, 0, "1", "entries of states, rates and contacts that are infinite or undefined")]
     energies = Energies(run)
     tolerance, parts = (
-        TOLERANCE * run.accuracy,
+        TOLERANCE * case.accuracy,
         f"initial energy {energies.initial:.3g} J, total work {energies.work:.3g} J",
     )
     note = f"largest |energy + dissipated - input - initial| over the sum of {parts}"
@@ -65,7 +65,7 @@ def measure(case: HardCase, method: str, run: Solution) -> tuple[Measured, ...]:
         note = f"largest rise of the energy, which nothing drives, over the sum of {parts}"
         found.append(Measured(RISING, energies.rise / energies.scale, tolerance, "1", note))
     if run.model.k:
-        found.append(_depth(energies))
+        found.append(_depth(energies, tolerance))
     tries = run.statistics.steps + run.statistics.rejected + run.statistics.retaken
     found += [_known(known, run) for known in case.known]
     bound = "theory" if method in case.theory else f"{MARGIN:g} times what was measured, + {EXTRA}"
@@ -141,14 +141,14 @@ class Energies:
 # -- penetration -------------------------------------------------------------------------------------------------------
 
 
-def _depth(energies: Energies) -> Measured:
+def _depth(energies: Energies, tolerance: float) -> Measured:
     """Penetration over the depth at which the stored-energy law takes all the energy there is, at the row where it comes nearest.
 
     There is, since the contact began, what the bodies had then, and the work put in meanwhile; and the tolerance of the energy. What overlaps
     without a contact counts from its own row: nothing may go through a surface.
     """
     run, mode = energies.run, energies.mode
-    slack = TOLERANCE * run.accuracy * energies.scale
+    slack = tolerance * energies.scale
     worst, place = -1.0, (0, 0, 0.0)
     for j in range(run.model.k):
         rows = np.arange(len(run.t))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from hertzwerk.runtime.hard_cases import closed
-from hertzwerk.runtime.hard_cases.case import HardCase, Known, Source, contacts, final
+from hertzwerk.runtime.hard_cases.case import METHODS, REFERENCED, HardCase, Known, Source, contacts, final
 
 ACCURACY = 1e-8
 PART = 100 * ACCURACY  # of a speed after a few impacts
@@ -35,6 +35,7 @@ def _both_sides(e: float) -> HardCase:
         source=Source("struck_from_both_sides", hard=True),
         duration=0.01,
         accuracy=ACCURACY,
+        methods=REFERENCED,
         parameters={"restitution": e},
         known=(
             contacts(2, "two impacts"),
@@ -53,6 +54,7 @@ def _row(count: int, *, long: bool) -> HardCase:
         source=Source(f"row_of_{count}", hard=True),
         duration=0.004 * count,
         accuracy=ACCURACY,
+        methods=METHODS if long else REFERENCED,
         known=(contacts(count - 1, "each pair meets once"), *_passed_on(count), _conserved(count)),
         long=long,
     )
@@ -69,6 +71,7 @@ CASES = (
         source=Source("row_of_5", hard=True),
         duration=0.02,
         accuracy=ACCURACY,
+        methods=REFERENCED,
         parameters={"gap": "0 m"},
         known=(
             *(

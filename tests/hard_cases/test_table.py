@@ -9,12 +9,17 @@ from hertzwerk.runtime.hard_cases.measured import TRIES
 from hertzwerk.runtime.hard_cases.table import BY_NAME, CASES
 
 SLOW = {case.name for case in CASES if case.long}
-LASTING = {("thin_friction_layer", "rodas"), ("settling_flores", "auto")}  # seconds
+LASTING = {("thin_friction_layer", "rodas")}  # seconds
+REFERENCES = ("cvodes", "idas")  # slow, and outside the graph: there is no C of them
 PAIRS = [(case, method) for case in CASES for method in case.methods]
 
 
 def marked(case, method, *, slow):
-    marks = [pytest.mark.slow] if slow or case.name in SLOW or (case.name, method) in LASTING else []
+    marks = (
+        [pytest.mark.slow]
+        if slow or case.name in SLOW or (case.name, method) in LASTING or method in REFERENCES
+        else []
+    )
     return pytest.param(case, method, id=f"{case.name}-{method}", marks=marks)
 
 
@@ -30,7 +35,9 @@ def test_in_the_virtual_machine(case, method):
     check(runner.result(case, method, native=False))
 
 
-@pytest.mark.parametrize(("case", "method"), [marked(case, method, slow=True) for case, method in PAIRS])
+@pytest.mark.parametrize(
+    ("case", "method"), [marked(case, method, slow=True) for case, method in PAIRS if method not in REFERENCES]
+)
 def test_as_c_bitwise_the_same(case, method):
     result = runner.result(case, method)
     check(result)
