@@ -96,7 +96,7 @@ def _list(cases: Sequence[HardCase], *, as_json: bool) -> int:
         click.echo(theme)
         for case in cases:
             if case.theme == theme:
-                click.echo(_wrapped(f"  {case.name:<28}", case.hard + (" (long)" if case.long else "")))
+                click.echo(_wrapped(f"  {case.name:<28}", case.hard + (" (long)" if case.long else ""), 30))
     return GOOD
 
 
@@ -125,12 +125,17 @@ def _print_case(case: HardCase, found: dict[str, dict[str, Result]]) -> None:
     click.echo(_wrapped(start, case.hard, indent=len(verdict) + 2))
     rows: list[tuple[str, str, list[tuple[str, bool]]]] = [("", "limit", [(method, True) for method in methods])]
     rows.append(("outcome", "", [(r.outcome.replace("_", " "), r.outcome == case.outcome) for r in results]))
-    for i, measured in enumerate(results[0].measured):
-        across = [r.measured[i] for r in results]
-        limits = {_number(row.limit) for row in across}
+    for name in dict.fromkeys(row.name for r in results for row in r.measured):
+        across = [
+            next((row for row in r.measured if row.name == name), None) for r in results
+        ]  # of SUNDIALS there is no C
+        limits = {_number(row.limit) for row in across if row is not None}
         alike = len(limits) == 1
-        cells = [(_number(m.value) + ("" if alike else f"/{_number(m.limit)}"), m.holds) for m in across]
-        rows.append((measured.name, limits.pop() if alike else "", cells))
+        cells = [
+            ("", True) if row is None else (_number(row.value) + ("" if alike else f"/{_number(row.limit)}"), row.holds)
+            for row in across
+        ]
+        rows.append((name, limits.pop() if alike else "", cells))
     rows.append(("time [ms]", "", [(_milliseconds(r.wall_s), True) for r in results]))
     if any(r.compiled_wall_s is not None for r in results):
         rows.append(("time as C [ms]", "", [(_milliseconds(r.compiled_wall_s), True) for r in results]))
@@ -154,10 +159,21 @@ def _print_case(case: HardCase, found: dict[str, dict[str, Result]]) -> None:
 
 def _print_summary(cases: Sequence[HardCase], found: dict[str, dict[str, Result]], seconds: float) -> None:
     verdicts = {case.name: _worst(list(found[case.name].values())) for case in cases}
-    for verdict in dict.fromkeys(verdicts.values()):
+    for verdict, label, what in (
+        ("passed", "passed", ""),
+        ("known failure", "known", " fail as is known"),
+        ("failed", "failed", " fail"),
+    ):
         names = [name for name in verdicts if verdicts[name] == verdict]
-        shown = "" if verdict == "passed" else f": {', '.join(names)}"
-        line(verdict, f"{len(names)} of {len(verdicts)} cases{shown}")
+        if names:
+            count = f"{len(names)} of {len(verdicts)} cases{what}"
+            click.echo(
+                _wrapped(
+                    f"{click.style(f'{label:<12}', fg=COLOURS.get(verdict))}  ",
+                    count + (f": {', '.join(names)}" if what else ""),
+                    14,
+                )
+            )
     runs = sum(len(of) for of in found.values())
     line("", f"{runs} runs in both paths, {seconds:.0f} s")
 

@@ -66,7 +66,7 @@ def test_what_fails_is_marked_and_gives_exit_code_1(monkeypatch, without_a_compi
     marked = [line for line in done.stdout.splitlines() if "!" in line]
     assert len(marked) == 1
     assert marked[0].startswith(f"  {invariants.STEPS}")
-    assert done.stdout.splitlines()[-2].startswith("failed        1 of 1 cases: exponent_2")
+    assert done.stdout.splitlines()[-2].startswith("failed        1 of 1 cases fail: exponent_2")
 
 
 def test_a_known_failure_says_why_and_is_no_failure(without_a_compiler):
@@ -86,6 +86,16 @@ def test_both_paths_are_run_where_there_is_a_compiler():
         "name": runner.SAME, "value": 0, "limit": 0, "unit": "1", "holds": True, "note": result["measured"][-1]["note"]
     }  # fmt: skip
     assert result["compiled_wall_s"] > 0
+
+
+def test_a_method_without_c_leaves_its_cell_empty():
+    done = run("--case", "exponent_1", "--method", "dopri5", "--method", "idas")
+    assert done.exit_code == 0
+    rows = {line[:24].strip(): line.split()[-2:] for line in done.stdout.splitlines() if line.startswith("  ")}
+    assert (
+        len(next(line for line in done.stdout.splitlines() if runner.SAME in line).split()) == 5
+    )  # name, limit, one cell
+    assert rows["outcome"] == ["finished", "finished"]
 
 
 def test_the_list_names_every_case_but_runs_none():
