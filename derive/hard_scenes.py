@@ -12,7 +12,7 @@ from itertools import pairwise
 import sympy as sp
 
 from hertzwerk.derive.impact import impact_scene
-from hertzwerk.derive.laws import exact, flores, kelvin_voigt, power, ristow, smooth_coulomb
+from hertzwerk.derive.laws import coulomb, exact, flores, kelvin_voigt, lugre, power, ristow, smooth_coulomb
 from hertzwerk.derive.laws.law import BoundLaw, DampingLaw
 from hertzwerk.derive.mechanism import (
     GROUND,
@@ -165,6 +165,15 @@ def _depth(mass: sp.Expr) -> sp.Expr:
 
 
 _FRICTION = Parameter("friction_coefficient", "1", 0.5)
+_STATIC = Parameter("static_coefficient", "1", 0.5)
+_BRISTLES = lugre(
+    _FRICTION,
+    _STATIC,
+    v_S=Parameter("stribeck_speed", "m/s", 0.01),
+    s_0=Parameter("bristle_stiffness", "1/m", 1e7, "per normal force"),
+    s_1=Parameter("bristle_damping", "s/m", 1000, "per normal force"),
+    c_v=Parameter("viscous_coefficient", "N s/m", 0),
+)
 _LAYER = Parameter("friction_speed", "m/s", 1e-7, "over which friction builds up")
 
 HARD_SCENES: dict[str, Callable[[], Scene]] = {
@@ -177,5 +186,7 @@ HARD_SCENES: dict[str, Callable[[], Scene]] = {
     "row_of_50": lambda: row_of_spheres(50),
     "struck_from_both_sides": struck_from_both_sides,
     "unlike_masses": unlike_masses,
+    "incline_coulomb": lambda: incline(coulomb(_FRICTION, _STATIC)),
+    "incline_lugre": lambda: incline(_BRISTLES),
     "incline_smooth_coulomb": lambda: incline(smooth_coulomb(_FRICTION, _LAYER)),
 }

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from hertzwerk.runtime.hard_cases import closed
+from hertzwerk.runtime.hard_cases import closed, friction
 from hertzwerk.runtime.hard_cases.table import BY_NAME
 from reference import closed_forms
 from reference.slider_crank import reference
@@ -65,3 +65,17 @@ def test_the_touching_row_against_scipy():
     found = solve_ivp(rates, (0, 0.02), start, method="DOP853", rtol=1e-12, atol=1e-15, max_step=2e-5)
     known = [k for k in BY_NAME["touching_row_of_5"].known if k.what.endswith(".speed")]
     assert [k.expected for k in known] == pytest.approx(found.y[5:, -1], abs=1e-9)
+
+
+def test_sliding_on_bristles_against_scipy():
+    """m v' = drive - N (s0 z + s1 z'), z' = v - s0 |v| z/mu, with the load constant."""
+    mu, damping = 0.99 * friction.CRITICAL, 1000.0
+
+    def rates(_, y):
+        v, z = y
+        bend = v - friction.BRISTLE * abs(v) * z / mu
+        return [(friction.DRIVE - friction.LOAD * (friction.BRISTLE * z + damping * bend)) / friction.MASS, bend]
+
+    found = solve_ivp(rates, (0, 0.5), [friction.START, 0], method="Radau", rtol=1e-11, atol=[1e-13, 1e-20])
+    assert found.y[0, -1] == pytest.approx(friction.LUGRE_SPEED, abs=1e-9)
+    assert found.y[1, -1] == pytest.approx(mu / friction.BRISTLE, rel=1e-9)
