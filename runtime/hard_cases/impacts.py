@@ -118,7 +118,7 @@ def _jump(
         source=source,
         duration=0.01,
         accuracy=ACCURACY,
-        methods=METHODS if pulls else REFERENCED,
+        methods=REFERENCED,
         parameters={"exponent": 1, "stiffness": (K, "N/m^1"), **parameters},
         known=(
             contacts(1, "one impact"),

@@ -28,7 +28,7 @@ TRIES: dict[str, dict[str, int]] = {
     "stiffness_1e7": {"dopri5": 104, "dop853": 49, "rodas": 146, "esdirk": 114, "auto": 49},
     "stiffness_1e10": {"dopri5": 104, "dop853": 49, "rodas": 146, "esdirk": 115, "auto": 49},
     "stiffness_1e14": {"dopri5": 104, "dop853": 50, "rodas": 149, "esdirk": 115, "auto": 50},
-    "jump_and_pull": {"dopri5": 72, "dop853": 49, "rodas": 79, "esdirk": 71, "auto": 49},
+    "jump_and_pull": {"dopri5": 72, "dop853": 49, "rodas": 79, "esdirk": 71, "auto": 49, "cvodes": 327, "idas": 327},
     "jump_without_pull": {
         "dopri5": 60,
         "dop853": 40,
