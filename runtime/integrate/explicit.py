@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.model import Model
 
 EPS = 2.0**-52
+MEAN_OF = 8  # most entries that an error is averaged over: of many bodies most err nothing, and must not excuse the two that collide
 
 
 @dataclass(frozen=True)
@@ -177,7 +178,7 @@ def _sum(terms: list[Any]) -> Any:
 
 def _norm(errors: list[Any], h: Any) -> Any:
     """Root mean square of an error estimate; of two, Hairer's combination e5^2/sqrt(e5^2 + 0.01 e3^2), which behaves as h^8."""
-    squares = [ca.sumsqr(error) / error.numel() for error in errors]
+    squares = [ca.sumsqr(error) / min(error.numel(), MEAN_OF) for error in errors]
     if len(squares) == 1:
         return h * ca.sqrt(squares[0])
     return h * squares[0] / ca.sqrt(squares[0] + 0.01 * squares[1] + 1e-300)

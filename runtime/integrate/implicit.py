@@ -14,7 +14,7 @@ import casadi as ca
 
 from hertzwerk.runtime.integrate.classes import BY_MODE, Contacts, pushing, where
 from hertzwerk.runtime.integrate.control import SAFETY
-from hertzwerk.runtime.integrate.explicit import EPS, Flow
+from hertzwerk.runtime.integrate.explicit import EPS, MEAN_OF, Flow
 from hertzwerk.runtime.integrate.friction import forces, grips, may_slip, pairs_of
 from hertzwerk.runtime.integrate.implicit_tables import ITERATIONS, DiagonallyImplicit, Rosenbrock
 from hertzwerk.runtime.integrate.linear import solver
@@ -219,7 +219,7 @@ def _diagonally_implicit(
 
 def _norm(error: Any, least: Any, y: Any) -> Any:
     """Root mean square of an error in the tolerances, as of explicit steps."""
-    return ca.sqrt(ca.sumsqr(error / (least + 4 * EPS * ca.fabs(y))) / error.numel())
+    return ca.sqrt(ca.sumsqr(error / (least + 4 * EPS * ca.fabs(y))) / min(error.numel(), MEAN_OF))
 
 
 def _sum(weights: tuple[float, ...], terms: list[Any]) -> Any:
