@@ -12,7 +12,11 @@ _HOME = {
         ("GROUND", "X", "Y", "Z", "Body", "Cylindrical", "Direction", "Free", "Material", "Mechanism", "ParallelCylinders", "PinInBush", "Planar",
          "Point", "Prismatic", "Revolute", "SphereOnPlane", "SphereOnSphere", "Spherical", "Universal", "Weld"), "mechanism"),
     **dict.fromkeys(
-        ("ConstantSpeed", "Contact", "EnergyLedger", "Friction", "Gravity", "Scales", "Scene", "Start"), "scene"),
+        ("BodyTorque", "ConstantSpeed", "Contact", "Drive", "EnergyLedger", "Friction", "Gravity", "Harmonic", "JointDamper", "JointForce",
+         "JointFriction", "JointSpring", "PointDamper", "PointForce", "PointSpring", "Potential", "Ramp", "Scales", "Scene", "Start"), "scene"),
+    **dict.fromkeys(("T", "coordinate_of", "speed_of"), "effects.expression"),
+    "Table": "tables",
+    "Where": "functions",
     "InputError": "faults",
     "Fault": "faults",
     **dict.fromkeys(("audit_scene", "Finding", "InconsistentUnits"), "audit"),

@@ -11,7 +11,9 @@ import sympy as sp
 from hertzwerk.derive.audit import audit_laws, audit_program, refuse_inconsistent
 from hertzwerk.derive.contact import Forces, PairKinematics
 from hertzwerk.derive.dimension import Dimension
-from hertzwerk.derive.emit import emit
+from hertzwerk.derive.effects.expression import tables_in
+from hertzwerk.derive.elements import BOOKED, DISSIPATED, ELEMENTS, element
+from hertzwerk.derive.emit import emit, table_name
 from hertzwerk.derive.equations import Equations
 from hertzwerk.derive.faults import InputError
 from hertzwerk.derive.joints import Port
@@ -20,7 +22,11 @@ from hertzwerk.derive.laws.law import speed_limit
 from hertzwerk.derive.parameter import Interval, Parameter
 from hertzwerk.derive.program import Function, Program, Result, Tape
 from hertzwerk.derive.scene import Contact, Friction, Scene
+from hertzwerk.derive.tables import Table
 from hertzwerk.derive.units import parse_unit
+
+RATE_UNITS = {"m": "m/s", "1": "1/s"}  # of a constraint, by its unit
+MULTIPLIER_UNITS = {"m": "N", "1": "N m"}  # of the force that holds it
 
 
 def derive(scene: Scene) -> Program:
@@ -56,11 +62,17 @@ class _Derivation:
             (PairKinematics(self.kin, pair, scene.geometry(pair.name)), contact, friction)
             for pair, contact, friction in scene.contacts
         ]
+        self.elements = {
+            effect: element(effect, self.kin, scene.scales.length)
+            for effect in scene.effects
+            if effect.kind in ELEMENTS
+        }
         rows = list(self.equations.free)
         if scene.ledger:
             rows += self.equations.driven
         self.rows = rows
         self.row_units = tuple(row.unit for row in rows)
+        self.loops = self.equations.constraints
         faults = [
             fault
             for pair, _, friction in self.contacts
@@ -88,12 +100,12 @@ class _Derivation:
             return bristles
         ledger = self.scene.of_kind("ledger")[0].name
         drives = [(f"{ledger}.input", "J")] if self.equations.driven else []
-        contacts = [
-            (f"{effect.name}.dissipated", "J")
+        booked = [
+            (f"{effect.name}.{BOOKED.get(effect.kind, DISSIPATED)}", "J")
             for effect in self.scene.effects
-            if isinstance(effect, Contact | Friction)
+            if isinstance(effect, Contact | Friction) or effect.kind in BOOKED
         ]
-        return bristles + drives + contacts
+        return bristles + drives + booked
 
     @property
     def limited(self) -> dict[str, Any]:
@@ -111,6 +123,7 @@ class _Derivation:
             *(self.contact(*entry) for entry in self.contacts),
             self.applied(),
             self.accelerations(),
+            *([self.constraints(), self.projection()] if self.loops else []),
             *([self.ledger(), self.energy()] if self.scene.ledger else []),
             self.poses(),
             self.outputs(),
@@ -132,6 +145,7 @@ class _Derivation:
         """Initial state."""
         start = self.scene.start
         q = [sp.sympify(value) for freedom in self.scene.free for value in start.coordinates(freedom)]
+        q += [state.start for state in self.kin.drive_states]
         u = [sp.sympify(value) for freedom in self.scene.free for value in start.speeds(freedom)]
         return self._function(
             "start", "Coordinates and speeds at t = 0.", "p", self._coordinates("q", q), self._speeds("u", u)
@@ -144,17 +158,17 @@ class _Derivation:
         mass = self.tape.let(sp.Add(*(sp.sympify(body.mass) for body in self.scene.mechanism.bodies)), "total_mass")
         energy = self.tape.let(mass * speed**2 / 2, "energy_scale")
         force = self.tape.let(energy / length, "force_scale")
+        # a quaternion moves by half the angle
+        of_unit = {"m": length, "m/s": speed}
+        if arm is not None:
+            of_unit |= {"rad": length / arm, "rad/s": speed / arm, "1": length / arm / 2}
+        q = [of_unit[port.unit] for port in self._coordinate_names()]
+        u = [of_unit[port.unit] for port in self._speed_names()]
         sizes = {
             f"{friction.name}.bristle": pair.bristle_size(friction)
             for pair, _, friction in self.contacts
             if friction is not None and friction.law.law.memory
         }
-        # a quaternion moves by half the angle
-        q = [
-            length if port.unit == "m" else length / arm / (1 if port.unit == "rad" else 2)
-            for port in self._coordinate_names()
-        ]
-        u = [speed if port.unit == "m/s" else speed / arm for port in self._speed_names()]
         return self._function(
             "scales",
             "Sizes that accuracy is measured by: of coordinates, speeds, memory; then length, speed, force, energy.",
@@ -176,7 +190,7 @@ class _Derivation:
             "coordinate_rates",
             "Rates of the coordinates.",
             "t q u c",
-            Result("dq", labels, units, tuple(self.kin.rates)),
+            Result("dq", labels, units, (*self.kin.rates, *(state.rate for state in self.kin.drive_states))),
         )
 
     def _pairs(self, name: str, unit: str, values: list[Any]) -> Result:
@@ -249,7 +263,10 @@ class _Derivation:
 
     def applied(self) -> Function:
         """Forces that are no contact's."""
-        f = [self.equations.gravity(row) for row in self.rows]
+        f = [
+            sp.Add(self.equations.gravity(row), *(e.forces.get(row.key, 0) for e in self.elements.values()))
+            for row in self.rows
+        ]
         return self._function(
             "applied", "Generalised forces of everything that is no contact.", "t q u c", self._forces("f", f)
         )
@@ -260,8 +277,8 @@ class _Derivation:
             row.key: self.tape.input(f"{row.key.replace('.', '_')}_force", "f", _dimension(row.unit))
             for row in self.rows
         }
-        a = self.equations.accelerations(symbols)
-        reactions = self.equations.reactions(symbols, a) if self.scene.ledger else []
+        a, multipliers = self.equations.accelerations(symbols)
+        reactions = self.equations.reactions(symbols, a, multipliers) if self.scene.ledger else []
         driven = self.equations.driven if self.scene.ledger else []
         labels, units = zip(*(acceleration_of(port) for port in self._speed_names()), strict=True)
         return self._function(
@@ -275,6 +292,38 @@ class _Derivation:
                 tuple(row.unit for row in driven),
                 tuple(reactions),
             ),
+            *((self._rows("multipliers", multipliers, MULTIPLIER_UNITS),) if self.loops else ()),
+        )
+
+    def constraints(self) -> Function:
+        """What closes the loops."""
+        return self._function(
+            "constraints",
+            "What must be zero for the loops to be closed, and its rate.",
+            "t q u c",
+            self._rows("phi", [row.value for row in self.loops], {}),
+            self._rows("dphi", [row.rate for row in self.loops], RATE_UNITS),
+        )
+
+    def projection(self) -> Function:
+        """The way back to closed loops."""
+        wanted = [
+            self.tape.input(f"{row.name.replace('.', '_')}_wanted_rate", "wanted", _dimension(RATE_UNITS[row.unit]))
+            for row in self.loops
+        ]
+        return self._function(
+            "projection",
+            "Speeds of least kinetic energy that change the constraints at the rates wanted.",
+            "t q wanted c",
+            self._speeds("v", self.equations.projection(wanted)),
+        )
+
+    def _rows(self, name: str, values: list[Any], units: Mapping[str, str]) -> Result:
+        return Result(
+            name,
+            tuple(row.name for row in self.loops),
+            tuple(units.get(row.unit, row.unit) for row in self.loops),
+            tuple(values),
         )
 
     def ledger(self) -> Function:
@@ -283,10 +332,17 @@ class _Derivation:
             self.tape.input(f"{row.key.replace('.', '_')}_reaction_in", "reactions", _dimension(row.unit)) * row.speed
             for row in self.equations.driven
         ]
-        values = [sp.Add(*power) if name.endswith(".input") else sp.S.Zero for name, _ in self.memory]
+        drives = f"{self.scene.of_kind('ledger')[0].name}.input"
+        rows = {
+            f"{effect.name}.{BOOKED[effect.kind]}": e.power
+            for effect, e in self.elements.items()
+            if effect.kind in BOOKED
+        }
+        rows[drives] = sp.Add(*power)
+        values = [rows.get(name, sp.S.Zero) for name, _ in self.memory]
         return self._function(
             "ledger",
-            "Power the drives put in, in its row of z.",
+            f"Power the drives put in, in its row of z{'; put in and dissipated by force elements, in theirs' if len(rows) > 1 else ''}.",
             "t q u reactions c",
             self._memory_rates(values),
         )
@@ -294,12 +350,14 @@ class _Derivation:
     def energy(self) -> Function:
         """Energies."""
         stored = [pair.elastic(contact)[1] for pair, contact, _ in self.contacts]
+        kinetic = self.equations.kinetic()
+        potential = sp.Add(self.equations.potential(), *(e.stored for e in self.elements.values()))
         return self._function(
             "energy",
             "Kinetic and potential energy, and what each pair's stiffness stores.",
             "t q u c",
-            Result("kinetic", ("kinetic",), ("J",), (self.equations.kinetic(),)),
-            Result("potential", ("potential",), ("J",), (self.equations.potential(),)),
+            Result("kinetic", ("kinetic",), ("J",), (kinetic,)),
+            Result("potential", ("potential",), ("J",), (potential,)),
             self._pairs("stored", "J", stored),
         )
 
@@ -348,7 +406,8 @@ class _Derivation:
     # -- ports -----------------------------------------------------------------------------------------------------
 
     def _coordinate_names(self) -> list[Port]:
-        return [port for freedom in self.scene.free for port in freedom.coordinates]
+        free = [port for freedom in self.scene.free for port in freedom.coordinates]
+        return free + [state.port for state in self.kin.drive_states]
 
     def _speed_names(self) -> list[Port]:
         return [port for freedom in self.scene.free for port in freedom.speeds]
@@ -388,6 +447,12 @@ class _Derivation:
             if friction is not None and friction.name in self.bristles:
                 yield entries.index(f"{friction.name}.bristle"), j
 
+    def _loop_tables(self) -> dict[str, tuple[Any, ...]]:
+        """The constraints, and what of the start is stated and not to be found by assembly."""
+        stated = [name for freedom in self.scene.free for name in self.scene.start.stated(freedom)]
+        given = (*stated, *(state.port.name for state in self.kin.drive_states))
+        return {"CONSTRAINTS": tuple((row.name, row.unit) for row in self.loops), "GIVEN": given}
+
     def _tables(self) -> Mapping[str, tuple[Any, ...]]:
         scene = self.scene
         pairs = [pair.pair.name for pair, _, _ in self.contacts]
@@ -410,11 +475,17 @@ class _Derivation:
             **self._slips(),
             "RELEASES": tuple("force" if c.damping is None else c.damping.law.release for _, c, _ in self.contacts),
             "DISSIPATED": tuple(entries.index(f"{name}.dissipated") for name in pairs) if scene.ledger else (),
+            **(self._loop_tables() if self.loops else {}),
             **({"BRISTLES": tuple(self._bristle_rows())} if self.bristles else {}),
             "OUTPUTS": tuple((name, unit) for name, unit, _ in self._outputs()),
             **({"SPEED_LIMITED": tuple(self.limited)} if self.limited else {}),
             "BODIES": tuple(body.name for body in scene.mechanism.bodies),
+            **{table_name(table): table.pieces() for table in self._tables_used()},
         }
+
+    def _tables_used(self) -> list[Table]:
+        """Tables that stand in some expression of the scene."""
+        return list(dict.fromkeys(table for slot in self.scene.slots() for table in tables_in(slot.value)))
 
 
 def _limits(scene: Scene) -> list[tuple[Any, ...]]:

@@ -23,6 +23,7 @@ from sympy.matrices import MatrixBase
 from sympy.solvers.solveset import NonlinearError
 
 from hertzwerk.derive.functions import Where
+from hertzwerk.derive.tables import Spline
 from hertzwerk.derive.units import Exponent, Exponents, Unit, UnitError, parse_unit, rational, unit_text
 
 __all__ = ["ONE", "SIGNATURES", "ZERO", "Dimension", "DimensionError", "DimensionFault", "check", "dimension_of"]
@@ -319,6 +320,16 @@ def _where(walk: _Walk, expr: Expr) -> Dimension:
     return walk.alike(expr, expr.args[1:])
 
 
+def _spline(walk: _Walk, expr: Expr) -> Dimension:
+    table, argument, order = expr.args
+    per, of = (Dimension.from_unit(unit) for unit in table.units)
+    if not (found := walk(argument)).matches(per):
+        reason = f"{table} is a table of arguments in {per}, and {argument} is {found}"
+        raise walk.fault(expr, ((argument, found),), found, per, reason, argument)
+    result: Dimension = of / per**order
+    return result
+
+
 def _piecewise(walk: _Walk, expr: Expr) -> Dimension:
     for _, condition in expr.args:
         walk(condition)
@@ -355,6 +366,7 @@ SIGNATURES: Mapping[type, Signature | Callable[[_Walk, Expr], Dimension]] = {
     sympy.Mul: _product,
     sympy.Pow: _power,
     Where: _where,
+    Spline: _spline,
     sympy.Piecewise: _piecewise,
     sympy.Derivative: _derivative,
     sympy.Integral: _integral,

@@ -17,6 +17,7 @@ import sympy as sp
 from hertzwerk.derive.audit import checked
 from hertzwerk.derive.functions import Where
 from hertzwerk.derive.program import Function, Program, Result, reads, shared
+from hertzwerk.derive.tables import Spline
 
 _WIDTH = 116  # columns of the text
 _SUM, _PRODUCT, _UNARY, _POWER, _ATOM = range(1, 6)
@@ -139,6 +140,16 @@ def _lambert_w(node: Any) -> tuple[str, int]:
     return f"_lambert_w_lower({_text(node.args[0])[0]})", _ATOM
 
 
+def _spline(node: Any) -> tuple[str, int]:
+    table, argument, order = node.args
+    return f"_spline({table_name(table)}, {_text(argument)[0]})[{order}]", _ATOM
+
+
+def table_name(table: Any) -> str:
+    """Name of a table's polynomials in the module."""
+    return f"{table.name.upper()}_TABLE"
+
+
 _RULES: dict[type, Callable[[Any], tuple[str, int]]] = {
     sp.Symbol: lambda node: (node.name, _ATOM),
     sp.Number: _number,
@@ -163,6 +174,7 @@ _RULES: dict[type, Callable[[Any], tuple[str, int]]] = {
     sp.Min: _nested("ca.fmin"),
     sp.Max: _nested("ca.fmax"),
     Where: _call("ca.if_else"),
+    Spline: _spline,
     sp.LambertW: _lambert_w,
     sp.gamma: _call("_gamma"),
     sp.StrictGreaterThan: _relation(">"),
@@ -201,6 +213,27 @@ _HELPERS = {
     series = series - 176.6150291621406/(x + 3) + 12.507343278686905/(x + 4) - 0.13857109526572012/(x + 5)
     series = series + 9.984369578019572e-6/(x + 6) + 1.5056327351493116e-7/(x + 7)
     return 2.5066282746310002*(x + 6.5)**(x - 0.5)*ca.exp(-x - 6.5)*series''',
+    "_spline": '''def _spline(rows, x):
+    """Value, slope and curvature of piecewise polynomials, rows (x, c0, ..., c5), at x; beyond their ends, of the tangent there.
+
+    A function of its own, one per table, which is called: it looks its interval up, and an unrolled expression could not.
+    """
+    if rows not in _SPLINES:
+        at = ca.MX.sym("at")
+        knots, polynomials = ca.DM([row[0] for row in rows]), ca.DM([row[1:] for row in rows])
+        inside = ca.fmin(ca.fmax(at, knots[0]), knots[-1])
+        interval = ca.low(knots, inside, {"lookup_mode": "binary"})
+        s = inside - ca.MX(knots)[interval]
+        c = ca.horzsplit(ca.MX(polynomials)[interval, :])
+        slope = c[1] + s*(2*c[2] + s*(3*c[3] + s*(4*c[4] + s*5*c[5])))
+        value = c[0] + s*(c[1] + s*(c[2] + s*(c[3] + s*(c[4] + s*c[5])))) + slope*(at - inside)
+        curvature = 2*c[2] + s*(6*c[3] + s*(12*c[4] + s*20*c[5]))
+        results = [ca.vertcat(value, slope, curvature)]
+        _SPLINES[rows] = ca.Function("spline", [at], results, {"never_inline": True})
+    return _SPLINES[rows](x)
+
+
+_SPLINES = {}''',
 }
 
 _ARGUMENTS = {
@@ -214,6 +247,7 @@ _ARGUMENTS = {
     "c": "c: CONSTANTS",
     "f": "f: generalised forces",
     "reactions": "reactions of the drives",
+    "wanted": "wanted: rates of CONSTRAINTS",
 }
 
 

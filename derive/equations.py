@@ -1,4 +1,4 @@
-"""Equations of motion of a tree: mass matrix, bias, gravity, accelerations, drive reactions, energy.
+"""Equations of motion: mass matrix, bias, gravity, accelerations, multipliers of closed loops, drive reactions, energy.
 
 Kane's equations by composite bodies: one column of the mass matrix is the momentum of what hangs on a joint under the joint's unit speed, seen by
 the joints below it (Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 6).
@@ -6,17 +6,24 @@ the joints below it (Featherstone, Rigid Body Dynamics Algorithms (2008), chapte
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, cached_property
 from typing import Any
 
 import sympy as sp
 
 from hertzwerk.derive.axes import of_matrix
+from hertzwerk.derive.constrained import Loops
+from hertzwerk.derive.elimination import Factor
 from hertzwerk.derive.kinematics import Kinematics
 from hertzwerk.derive.links import UNIT, Link, Row
+from hertzwerk.derive.loops import constraints_of
 from hertzwerk.derive.recursion import Recursion
 from hertzwerk.derive.scene import Scene
 from hertzwerk.derive.vectors import ZERO, Vector, add, cross, dot, is_zero, scale
+
+REFINEMENTS = (
+    2  # of the multipliers: with constrained.REGULAR, what a singular position and rounding cost together is least
+)
 
 
 class Equations:
@@ -32,6 +39,7 @@ class Equations:
         self.rows = list(self.link_of)
         self.free = [row for row in self.rows if row.free]
         self.driven = [row for row in self.rows if not row.free]
+        self.constraints = constraints_of(kinematics)
         self._pull = cache(self._pull_in)  # keyed by links, which live as long as this does
         self.mass_matrix = cache(self._mass_matrix)
 
@@ -111,42 +119,36 @@ class Equations:
             return ZERO
         return scale(sp.sympify(effects[0].acceleration), effects[0].direction.unit)
 
-    def accelerations(self, forces: dict[str, Any]) -> list[Any]:
-        """Of the free rows, from M a = f - bias by an unrolled L D L^T without pivoting (M is positive definite)."""
-        tape = self.tape
-        names = [row.key for row in self.free]
-        label = {name: name.replace(".", "_") for name in names}
-        mass = self.mass_matrix()
-        right = {row.key: tape.let(forces[row.key] - self.bias(row), f"{label[row.key]}_net") for row in self.free}
-        lower: dict[tuple[str, str], Any] = {}
-        diagonal: dict[str, Any] = {}
-        work: dict[tuple[str, str], Any] = {}
-        # Leaves first: eliminating a chain from its end keeps the branches' zeros.
-        order = names[::-1]
-        for i, row in enumerate(order):
-            for k in order[:i]:
-                terms = [
-                    lower[k, j] * work[row, j] for j in order[: order.index(k)] if (k, j) in lower and (row, j) in work
-                ]
-                value = tape.let(mass.get((row, k), sp.S.Zero) - sp.Add(*terms), f"L_{label[row]}_{label[k]}")
-                if value != 0:
-                    work[row, k] = value
-                    lower[row, k] = tape.let(value / diagonal[k], f"l_{label[row]}_{label[k]}")
-            terms = [lower[row, j] * work[row, j] for j in order[:i] if (row, j) in lower]
-            diagonal[row] = tape.let(mass[row, row] - sp.Add(*terms), f"D_{label[row]}")
-        solved: dict[str, Any] = {}
-        for i, row in enumerate(order):
-            terms = [lower[row, k] * solved[k] for k in order[:i] if (row, k) in lower]
-            solved[row] = tape.let(right[row] - sp.Add(*terms), f"y_{label[row]}") if terms else right[row]
-        result: dict[str, Any] = {}
-        for i in reversed(range(len(order))):
-            row = order[i]
-            terms = [lower[k, row] * result[k] for k in order[i + 1 :] if (k, row) in lower]
-            result[row] = tape.let(solved[row] / diagonal[row] - sp.Add(*terms), f"{label[row]}_acc")
-        return [result[name] for name in names]
+    def accelerations(self, forces: dict[str, Any]) -> tuple[list[Any], list[Any]]:
+        """Of the free rows, from M a = f - bias + G^T multipliers and G a + bias of G = 0; and the multipliers, none in a tree."""
+        right = {
+            row.key: self.tape.let(forces[row.key] - self.bias(row), f"{row.key.replace('.', '_')}_net")
+            for row in self.free
+        }
+        found = self._factor.solve(right, "acc")
+        multipliers: list[Any] = []
+        if self.constraints:
+            wanted = [-constraint.bias for constraint in self.constraints]
+            found, multipliers = self._loops.corrected(found, wanted, "acc", REFINEMENTS)
+        return [found[row.key] for row in self.free], multipliers
 
-    def reactions(self, forces: dict[str, Any], accelerations: list[Any]) -> list[Any]:
-        """What each drive must supply: its row of M a + bias - f [N m or N]."""
+    def projection(self, wanted: list[Any]) -> list[Any]:
+        """Speeds v of the free rows, least in kinetic energy, with G v = wanted."""
+        still = dict.fromkeys(self._factor.names, sp.S.Zero)
+        speeds, _ = self._loops.corrected(still, wanted, "push", 1)
+        return [speeds[row.key] for row in self.free]
+
+    @cached_property
+    def _factor(self) -> Factor:
+        """Of the mass matrix of the free rows; leaves first: eliminating a chain from its end keeps the branches' zeros."""
+        return Factor(self.tape, [row.key for row in self.free][::-1], self.mass_matrix())
+
+    @cached_property
+    def _loops(self) -> Loops:
+        return Loops(self.tape, self.constraints, self._factor)
+
+    def reactions(self, forces: dict[str, Any], accelerations: list[Any], multipliers: list[Any]) -> list[Any]:
+        """What each drive must supply: its row of M a + bias - f - G^T multipliers [N m or N]."""
         mass = self.mass_matrix()
         out = []
         for row in self.driven:
@@ -155,8 +157,13 @@ class Equations:
                 for f, a in zip(self.free, accelerations, strict=True)
                 if (row.key, f.key) in mass
             ]
-            total = sp.Add(*terms) + self.bias(row) - forces[row.key]
-            out.append(self.tape.let(total, f"{row.key.replace('.', '_')}_reaction"))
+            held = [
+                constraint.column[row.key] * force
+                for constraint, force in zip(self.constraints, multipliers, strict=True)
+                if row.key in constraint.column
+            ]
+            needed = sp.Add(*terms) + self.bias(row) - forces[row.key] - sp.Add(*held)
+            out.append(self.tape.let(needed, f"{row.key.replace('.', '_')}_reaction"))
         return out
 
     # -- energy ----------------------------------------------------------------------------------------------------

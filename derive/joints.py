@@ -46,6 +46,11 @@ class Freedom:
         """Whether its one coordinate's rate is its one speed."""
         return self.kind != "ball"
 
+    @property
+    def units(self) -> tuple[str, str, str]:
+        """Of a scalar one: coordinate, speed, generalised force."""
+        return self.coordinates[0].unit, self.speeds[0].unit, self.forces[0].unit
+
 
 @dataclass(frozen=True)
 class Joint:

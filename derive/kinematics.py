@@ -7,14 +7,16 @@ nobody asks for is not worked out. Kane, Levinson, Dynamics: Theory and Applicat
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
+from itertools import pairwise
 from typing import Any
 
 import sympy as sp
 
 from hertzwerk.derive.dimension import Dimension
+from hertzwerk.derive.effects.expression import COORDINATE, TIME, StateSymbol, T, as_choice, states_in
 from hertzwerk.derive.joints import Freedom, Port
 from hertzwerk.derive.links import Link, Orientation, Row, Tree
 from hertzwerk.derive.mechanism import Body, Direction, Frame, Mechanism, Point
@@ -49,6 +51,16 @@ class Motion:
     acceleration: Vector
 
 
+@dataclass(frozen=True)
+class DriveState:
+    """What a drive integrates, an entry of q without a speed in u: its port, symbol, rate, and value at t = 0."""
+
+    port: Port
+    symbol: sp.Symbol
+    rate: Any
+    start: Any
+
+
 class Kinematics:
     """Motions of all bodies of a scene, recorded on a tape.
 
@@ -66,6 +78,7 @@ class Kinematics:
         seconds = [[self._input(acceleration_of(port), "a") for port in freedom.speeds] for freedom in free]
         self.q, self.u, self.a = ([symbol for part in parts for symbol in part] for parts in (inputs, speeds, seconds))
         self.rates: list[Any] = []
+        self.drive_states: list[DriveState] = []
         motion: dict[str, tuple[tuple[Any, ...], tuple[Row, ...]]] = {}
         for freedom, q, u, a in zip(free, inputs, speeds, seconds, strict=True):
             rates = u if freedom.scalar else _quaternion_rates(q, [tape.let(w / 2, f"half_{w.name}") for w in u])
@@ -77,18 +90,51 @@ class Kinematics:
         for freedom in scene.mechanism.freedoms:
             if freedom.key not in motion:
                 motion[freedom.key] = self._driven(freedom, scene)
+        self._states = {key: (q[0], rows[0].speed) for key, (q, rows) in motion.items()}
         self.tree = Tree(tape, scene.mechanism, motion)
         # keyed by links and bodies, which live as long as this does
         self.motion_of = cache(self._motion)
+        self.bias_of = cache(self._bias)
         self._rotations: dict[Orientation, Matrix] = {}
         self.origin_of = cache(self._origin)
         self.direction_of = cache(self._direction)
 
     def _driven(self, freedom: Freedom, scene: Scene) -> tuple[tuple[Any, ...], tuple[Row, ...]]:
-        """Coordinate, speed and acceleration that the drive of a freedom prescribes."""
-        speed = sp.sympify(scene.driven[freedom.key].speed)
+        """Coordinate, speed and acceleration of a driven freedom: the drive's law and its derivatives, and below it the states that integrate it."""
+        motion = scene.driven[freedom.key].motion
+        ports = (*freedom.coordinates, *freedom.speeds, *map(acceleration_of, freedom.speeds))
+        names = [port.name.replace(".", "_") for port in ports]
+        chain: list[Any] = [self._input(port, "q") for port in ports[: motion.order]]
+        law = motion.law.xreplace({T: self.t})
+        uniform = motion.order == 0 and sp.diff(law, self.t, 2) == 0  # one product, named where it is used
+        chain.append(law if uniform else self.tape.let(law, names[motion.order]))
+        while len(chain) < 3:
+            law = sp.diff(law, self.t)
+            chain.append(self.tape.let(law, names[len(chain)]))
+        for low, high in pairwise(chain):
+            self.tape.set_rate(low, high)
+        for order, start in enumerate(motion.start):
+            self.drive_states.append(DriveState(ports[order], chain[order], chain[order + 1], sp.sympify(start)))
         (force,) = freedom.forces
-        return (speed * self.t,), (Row(*force, speed, sp.S.Zero, False),)
+        return (chain[0],), (Row(*force, chain[1], chain[2], False),)
+
+    def coordinate(self, key: str) -> Any:
+        """Coordinate of a scalar freedom, free or driven [rad or m]."""
+        return self._states[key][0]
+
+    def speed(self, key: str) -> Any:
+        """Its rate [rad/s or m/s]."""
+        return self._states[key][1]
+
+    def expression(self, value: Any) -> Any:
+        """An expression of a scene over the tape: time, and the coordinates and speeds of free and driven freedoms."""
+        value = as_choice(value)
+        return value.xreplace({symbol: self._state(symbol) for symbol in states_in(value)})
+
+    def _state(self, symbol: StateSymbol) -> Any:
+        if symbol.what == TIME:
+            return self.t
+        return self.coordinate(symbol.joint) if symbol.what == COORDINATE else self.speed(symbol.joint)
 
     def _input(self, port: Port, group: str) -> sp.Symbol:
         return self.tape.input(port.name.replace(".", "_"), group, Dimension.from_unit(parse_unit(port.unit), {}))
@@ -161,6 +207,25 @@ class Kinematics:
             tape.set_rate(rate, second)
         return Motion(self._turned(link), origin, w, velocity, alpha, acceleration)
 
+    def _bias(self, link: Link) -> tuple[Vector, Vector]:
+        """Angular acceleration, and acceleration of O, at zero generalised accelerations; those of the drives count."""
+        if link.parent is None:
+            return ZERO, ZERO
+        tape, name, w = self.tape, link.name, self.motion_of(link.parent).angular_velocity
+        (alpha, bias), arm = self.bias_of(link.parent), self._arm(link)
+        bias = add(bias, cross(alpha, arm), cross(w, tape.vector(cross(w, arm), f"{name}_arm_rate")))
+        relative = [(row.speed, sp.S.Zero if row.free else row.acceleration) for row in link.rows]
+        if link.kind == "slide":
+            axis, (u, a) = self.direction_of(link), relative[0]
+            bias = add(bias, scale(2 * u, cross(w, axis)), scale(a, axis))
+        else:
+            axes = self.partial_turns(link)
+            turn = tape.vector(
+                add(*(scale(u, axis) for (u, _), axis in zip(relative, axes, strict=True))), f"{name}_turning"
+            )
+            alpha = add(alpha, cross(w, turn), *(scale(a, axis) for (_, a), axis in zip(relative, axes, strict=True)))
+        return tape.vector(alpha, f"{name}_angular_bias"), tape.vector(bias, f"{name}_bias")
+
     # -- bodies, points and paths ----------------------------------------------------------------------------------
 
     def link_of(self, body: Frame) -> Link:
@@ -209,6 +274,13 @@ class Kinematics:
             add(motion.acceleration, cross(motion.angular_acceleration, arm), cross(motion.angular_velocity, spin)),
         )
 
+    def point_bias(self, point: Point, name: str) -> Vector:
+        """Acceleration of a point at zero generalised accelerations [m/s^2]."""
+        motion, arm = self.motion(point.body), self.arm(point, name)
+        alpha, bias = self.bias_of(self.link_of(point.body))
+        spin = self.tape.vector(cross(motion.angular_velocity, arm), f"{name}_arm_rate")
+        return add(bias, cross(alpha, arm), cross(motion.angular_velocity, spin))
+
     def velocity_at(self, body: Frame, position: Vector) -> Vector:
         """Velocity of the point of `body` that is at `position` [m/s]."""
         motion = self.motion(body)
@@ -224,15 +296,29 @@ class Kinematics:
         moment = self.tape.vector(cross(arm, force), f"{link.name}_moment")
         return [dot(axis, moment) for axis in transpose(self._turned(link))]
 
+    def partial_turns(self, link: Link) -> list[Vector]:
+        """Partial angular velocities, by each speed of a link, of what is on it or beyond [1]."""
+        if link.kind == "slide":
+            return [ZERO]
+        return [self.direction_of(link)] if link.kind == "turn" else list(transpose(self._turned(link)))
+
     def generalised(self, force: Vector, position: Vector, on: Frame, against: Frame, name: str) -> dict[str, Any]:
         """Generalised forces, by row, of a force on one body and its reaction on another at the same point; common links cancel."""
+        return self._between(on, against, lambda link: self.of_force(link, force, position), name)
+
+    def generalised_moment(self, moment: Vector, on: Frame, against: Frame, name: str) -> dict[str, Any]:
+        """The same of a moment on one body and its reaction on another."""
+        return self._between(on, against, lambda link: [dot(moment, axis) for axis in self.partial_turns(link)], name)
+
+    def _between(self, on: Frame, against: Frame, effect: Callable[[Link], list[Any]], name: str) -> dict[str, Any]:
         first, second = self.link_of(on).path, self.link_of(against).path
         out: dict[str, Any] = {}
         for sign, path, other in ((1, first, second), (-1, second, first)):
             for link in path:
-                if link not in other:
-                    for row, value in zip(link.rows, self.of_force(link, force, position), strict=True):
-                        out[row.key] = self.tape.let(sign * value, f"{name}_on_{row.key.replace('.', '_')}")
+                if link in other:
+                    continue
+                for row, value in zip(link.rows, effect(link), strict=True):
+                    out[row.key] = self.tape.let(sign * value, f"{name}_on_{row.key.replace('.', '_')}")
         return out
 
 

@@ -149,7 +149,7 @@ class Tree:
         self.ground = Link("ground", None, None, None, (), (), ZERO, ZERO, still)
         self.links: list[Link] = []
         self.places: dict[Frame, Place] = {GROUND: Place(self.ground, ZERO, IDENTITY)}
-        for joint in mechanism.joints:
+        for joint in mechanism.tree:
             self._join(joint, motion)
         self.children: dict[Link, list[Link]] = {link: [] for link in (self.ground, *self.links)}
         for link in self.links:

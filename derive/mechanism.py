@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, ClassVar
 
 import sympy as sp
@@ -176,7 +177,11 @@ Pair = SphereOnPlane | SphereOnSphere | PinInBush | ParallelCylinders
 
 @dataclass(frozen=True)
 class Mechanism:
-    """Bodies joined into a tree that grows from the ground, and the pairs that may touch."""
+    """Bodies joined by joints, and the pairs that may touch.
+
+    The first joint to reach a body carries it: these joints are the tree, whose coordinates are the mechanism's. Any later joint to a body
+    closes a loop, and is a constraint.
+    """
 
     name: str
     joints: tuple[Joint, ...]
@@ -184,8 +189,22 @@ class Mechanism:
 
     @property
     def bodies(self) -> tuple[Body, ...]:
-        """The children of the joints, in the order of the joints."""
-        return tuple(joint.child.body for joint in self.joints if isinstance(joint.child.body, Body))
+        """The children of the tree's joints, in their order."""
+        return tuple(joint.child.body for joint in self.tree if isinstance(joint.child.body, Body))
+
+    @cached_property
+    def tree(self) -> tuple[Joint, ...]:
+        """The joints that carry a body, from the ground outwards."""
+        found: dict[Frame, Joint] = {}
+        for joint in self.joints:
+            found.setdefault(joint.child.body, joint)
+        return tuple(found.values())
+
+    @cached_property
+    def closures(self) -> tuple[Joint, ...]:
+        """The joints that close a loop."""
+        tree = {id(joint) for joint in self.tree}
+        return tuple(joint for joint in self.joints if id(joint) not in tree)
 
     def joint_of(self, body: Frame) -> Joint | None:
         """The joint that carries `body`; None for the ground."""
@@ -193,8 +212,8 @@ class Mechanism:
 
     @property
     def freedoms(self) -> tuple[Freedom, ...]:
-        """Those of all joints, in order."""
-        return tuple(freedom for joint in self.joints for freedom in joint.freedoms)
+        """Those of the tree's joints, in order."""
+        return tuple(freedom for joint in self.tree for freedom in joint.freedoms)
 
     def slots(self) -> Iterator[Slot]:
         """Every quantity of the mechanism, in declared order."""

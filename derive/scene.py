@@ -10,6 +10,9 @@ from typing import Any, ClassVar
 import sympy as sp
 
 from hertzwerk.derive.dimension import Dimension
+from hertzwerk.derive.effects.drives import AnyDrive, ConstantSpeed, Drive, Harmonic, Ramp
+from hertzwerk.derive.effects.forces import BodyTorque, JointForce, PointForce, Potential
+from hertzwerk.derive.effects.springs import JointDamper, JointFriction, JointSpring, PointDamper, PointSpring
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.joints import Freedom
 from hertzwerk.derive.laws.catalogue import LAWS
@@ -21,28 +24,6 @@ from hertzwerk.derive.soundness import faults_of
 APPROACH_FLOOR = Parameter(
     "approach_floor", "m/s", 1e-3, "least approach speed a damping law is given; h/v0 is unbounded otherwise"
 )
-
-
-@dataclass(frozen=True)
-class ConstantSpeed:
-    """A drive that turns (or moves) a joint at constant speed, from coordinate 0 at t = 0; removes the joint's coordinate.
-
-    Of a joint with several coordinates one is named: `joint="column.angle"`.
-    """
-
-    name: str
-    joint: str
-    speed: Scalar
-    kind: ClassVar[str] = "drive"
-
-    @property
-    def text(self) -> str:
-        """What the effect is, for people."""
-        return f"constant speed of {self.joint}"
-
-    def slots(self) -> Iterator[Slot]:
-        """The speed; its unit is rad/s or m/s, by the joint."""
-        yield Slot(f"effect {self.name}, speed", self.speed, "")
 
 
 @dataclass(frozen=True)
@@ -147,7 +128,19 @@ class EnergyLedger:
         return iter(())
 
 
-Effect = ConstantSpeed | Gravity | Contact | Friction | EnergyLedger
+OnJoint = AnyDrive | JointForce | JointSpring | JointDamper | JointFriction
+Effect = (
+    OnJoint
+    | PointForce
+    | BodyTorque
+    | Potential
+    | PointSpring
+    | PointDamper
+    | Gravity
+    | Contact
+    | Friction
+    | EnergyLedger
+)
 
 
 @dataclass(frozen=True)
@@ -172,6 +165,13 @@ class Start:
     def speeds(self, freedom: Freedom) -> list[Any]:
         """Values of a freedom's speeds."""
         return [_given(self.speed, port.name, freedom) or 0 for port in freedom.speeds]
+
+    def stated(self, freedom: Freedom) -> list[str]:
+        """Names of a freedom's coordinates and speeds that have a value here."""
+        sides = (self.position, freedom.coordinates), (self.speed, freedom.speeds)
+        return [
+            port.name for values, ports in sides for port in ports if _given(values, port.name, freedom) is not None
+        ]
 
 
 def _given(values: Mapping[str, Scalar], name: str, freedom: Freedom) -> Any:
@@ -236,7 +236,10 @@ class Scene:
         self._must_exist((effect_name,))
         effect = self.effect(effect_name)
         law = LAWS.get(law_name)
-        fields = {"contact": ("stiffness", "damping"), "friction": ("friction",)}.get(effect.kind, ())
+        friction = ("friction",)
+        fields = {"contact": ("stiffness", "damping"), "friction": friction, "joint_friction": friction}.get(
+            effect.kind, ()
+        )
         if law is None or law.kind not in fields:
             offer = [name for name, other in LAWS.items() if other.kind in fields]
             expected = f"one of {', '.join(offer)}" if offer else "an effect that has a law"
@@ -277,7 +280,7 @@ class Scene:
         return bool(self.of_kind("ledger"))
 
     @property
-    def driven(self) -> dict[str, ConstantSpeed]:
+    def driven(self) -> dict[str, AnyDrive]:
         """Drives by the key of the freedom they drive."""
         return {effect.joint: effect for effect in self.of_kind("drive")}
 
@@ -319,13 +322,14 @@ class Scene:
     def slots(self) -> Iterator[Slot]:
         """Every quantity of the scene, in declared order."""
         yield from self.mechanism.slots()
-        units = {freedom.key: freedom.speeds[0].unit for freedom in self.mechanism.freedoms}
+        freedoms = {freedom.key: freedom for freedom in self.mechanism.freedoms if freedom.scalar}
         for effect in self.effects:
-            given = (
-                effect.slots(self.geometry(effect.pair)) if isinstance(effect, Contact | Friction) else effect.slots()
-            )
-            for slot in given:
-                yield slot if slot.unit else replace(slot, unit=units.get(effect.joint, "rad/s"))  # type: ignore[union-attr]
+            if isinstance(effect, Contact | Friction):
+                yield from effect.slots(self.geometry(effect.pair))
+            elif not isinstance(effect, OnJoint):
+                yield from effect.slots()
+            elif effect.joint in freedoms:  # else a fault, which the scene reports
+                yield from effect.slots(freedoms[effect.joint])
         for freedom in self.mechanism.freedoms:
             for values, ports, what in (
                 (self.start.position, freedom.coordinates, "position"),
@@ -354,11 +358,23 @@ class Scene:
 
 __all__ = [
     "APPROACH_FLOOR",
+    "BodyTorque",
     "ConstantSpeed",
     "Contact",
+    "Drive",
     "EnergyLedger",
     "Friction",
     "Gravity",
+    "Harmonic",
+    "JointDamper",
+    "JointForce",
+    "JointFriction",
+    "JointSpring",
+    "PointDamper",
+    "PointForce",
+    "PointSpring",
+    "Potential",
+    "Ramp",
     "Scales",
     "Scene",
     "Start",

@@ -7,11 +7,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
 from hertzwerk.derive.dimension import Dimension, check
+from hertzwerk.derive.effects.drives import Drive
+from hertzwerk.derive.effects.expression import Varying, expression_faults, table_faults
+from hertzwerk.derive.effects.faults import element_faults, type_faults
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.laws.law import BoundLaw, Law
 from hertzwerk.derive.mechanism import (
@@ -19,6 +23,7 @@ from hertzwerk.derive.mechanism import (
     Body,
     Direction,
     Frame,
+    Free,
     Ground,
     Joint,
     Mechanism,
@@ -49,10 +54,16 @@ def faults_of(scene: Scene) -> tuple[Fault, ...]:
     found.extend(broken)
     sound = _sound(parameters, broken)
     table = dimensions_of(sound)
+    freedoms = {freedom.key: freedom for freedom in scene.mechanism.freedoms if freedom.scalar}
     for slot in scene.slots():
-        if all(sound.get(parameter.name) == parameter for parameter in parameters_of(slot.value)):
+        if not all(sound.get(parameter.name) == parameter for parameter in parameters_of(slot.value)):
+            continue
+        if isinstance(slot, Varying):
+            found.extend(expression_faults(slot, freedoms, table, partial(_quantity_faults, table=table)))
+        else:
             found.extend(_quantity_faults(slot, table))
     found.extend(_inertia_faults(scene.mechanism, sound))
+    found.extend(table_faults(scene.slots()))
     return tuple(dict.fromkeys(found))
 
 
@@ -63,8 +74,12 @@ def _type_faults(scene: Scene) -> Iterator[Fault]:
     for effect in scene.effects:
         if not hasattr(effect, "kind") or not hasattr(effect, "name"):
             yield Fault(
-                "effects", repr(effect), "Gravity(...), Contact(...), Friction(...), ConstantSpeed(...), EnergyLedger()"
+                "effects",
+                repr(effect),
+                "an effect, such as Gravity(...), Contact(...), JointSpring(...), Drive(...), EnergyLedger()",
             )
+        else:
+            yield from type_faults(effect)
     if not hasattr(scene.scales, "length"):
         yield Fault("scales", repr(scene.scales), "Scales(length=..., speed=...)")
     for joint in scene.mechanism.joints:
@@ -96,7 +111,7 @@ def _type_faults(scene: Scene) -> Iterator[Fault]:
         yield from _law_faults(effect.name, "stiffness", effect.stiffness)
         if effect.damping is not None:
             yield from _law_faults(effect.name, "damping", effect.damping)
-    for effect in scene.of_kind("friction"):
+    for effect in (*scene.of_kind("friction"), *scene.of_kind("joint_friction")):
         yield from _law_faults(effect.name, "friction", effect.law)
 
 
@@ -145,6 +160,10 @@ def _topology_faults(mechanism: Mechanism) -> Iterator[Fault]:
     yield from _connection_faults(mechanism)
     for joint in mechanism.joints:
         yield from _axis_faults(joint)
+    for joint in mechanism.closures:
+        if isinstance(joint, Free):
+            yield Fault(f"joint {joint.name}", f"a free joint to {joint.child.body.name}, which another joint carries", "one that closes the loop",
+                        "A free joint forbids nothing: leave it out, or declare it first.")  # fmt: skip
     for pair in mechanism.pairs:
         for point in pair.places:
             if point.body != GROUND and mechanism.joint_of(point.body) is None:
@@ -185,10 +204,7 @@ def _connection_faults(mechanism: Mechanism) -> Iterator[Fault]:
         if not isinstance(child, Body):
             yield Fault(where, "the ground as child", "a body", "Give the ground as the parent.")
             continue
-        if child in reached:
-            yield Fault(where, f"body {child.name}, which already hangs on another joint", "one joint per body",
-                        "A tree of joints: loops are closed by contact pairs (a joint with clearance).")  # fmt: skip
-        elif names.setdefault(child.name, child) != child:
+        if child not in reached and names.setdefault(child.name, child) != child:
             yield Fault(where, f"a second body named {child.name}", "names that are unique", "Rename one of them.")
         if parent == child:
             yield Fault(where, f"{child.name} as parent and child", "two different bodies")
@@ -270,14 +286,10 @@ def _turning_axes(mechanism: Mechanism, body: Frame) -> list[Direction | None]:
 
 def _effect_faults(scene: Scene) -> Iterator[Fault]:
     yield from _repeated("effect", [effect.name for effect in scene.effects])
-    joints = [joint.name for joint in scene.mechanism.joints]
     pairs = [pair.name for pair in scene.mechanism.pairs]
     contacts = [effect.pair for effect in scene.of_kind("contact")]
-    scalars = [freedom.key for freedom in scene.mechanism.freedoms if freedom.scalar]
-    for effect in scene.of_kind("drive"):
-        if effect.joint not in scalars:
-            why = ", which has not just one coordinate" if effect.joint in joints else ""
-            yield Fault(f"effect {effect.name}", f"joint {effect.joint!r}{why}", f"one of {', '.join(scalars)}")
+    for effect in scene.effects:
+        yield from element_faults(effect, scene.mechanism)
     for effect in scene.of_kind("contact"):
         if effect.pair not in pairs:
             offer = ", ".join(pairs) or "no pair is declared"
@@ -326,11 +338,23 @@ def _start_faults(scene: Scene) -> Iterator[Fault]:
         short = [name for name in full if name.rsplit(".", 1)[0] not in of_joints]
         for name in getattr(scene.start, given):
             if name not in (*of_joints, *full):
-                why = "driven, its motion is the drive's" if name in scene.driven else "unknown"
+                closing = name.split(".")[0] in [joint.name for joint in scene.mechanism.closures]
+                driven = "driven, its motion is the drive's" if name in scene.driven else "unknown"
+                why = "closes a loop, its motion follows" if closing else driven
                 yield Fault("start", f"{given} of joint {name!r} ({why})", f"one of {', '.join((*of_joints, *short))}")
-    if scene.scales.arm is None and any(freedom.kind != "slide" for freedom in scene.free):
+    # a drive that is integrated keeps a coordinate of its own
+    moving = [
+        freedom
+        for freedom in scene.mechanism.freedoms
+        if freedom in scene.free or _integrates(scene.driven[freedom.key])
+    ]
+    if scene.scales.arm is None and any(freedom.kind != "slide" for freedom in moving):
         yield Fault("scales", "no arm", "an arm [m], because the scene has angles",
                     "Scales(length=..., speed=..., arm=...): an angle is measured as length/arm.")  # fmt: skip
+
+
+def _integrates(drive: Any) -> bool:
+    return isinstance(drive, Drive) and drive.position is None
 
 
 # -- parameters and quantities -----------------------------------------------------------------------------------------

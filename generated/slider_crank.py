@@ -126,8 +126,8 @@ CONSTANTS = (
     ("k4", "s/m"),
     ("rod_h_x", "kg m"),
     ("crank_h_x", "kg m"),
-    ("rod_I_z_z", "kg m^2"),
     ("crank_rate_zz", "1/s^2"),
+    ("rod_I_z_z", "kg m^2"),
     ("k6", "1/(kg m^2)"),
     ("k7", "1/kg"),
     ("k8", "kg m^2"),
@@ -161,7 +161,7 @@ def constants(p):
     Returns, each a column vector:
         c (25,): rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity, friction_coefficient,
             k1, k2, slider_pin_R_min, slider_pin_K, k3, slider_pin_hysteresis_factor, k4, rod_h_x, crank_h_x,
-            rod_I_z_z, crank_rate_zz, k6, k7, k8, k9, k10, k11, k12
+            crank_rate_zz, rod_I_z_z, k6, k7, k8, k9, k10, k11, k12
     """
     crank_inertia = p[1]
     rod_mass = p[2]
@@ -190,8 +190,8 @@ def constants(p):
     k4 = 1/friction_speed
     rod_h_x = rod_mass*rod_mass_centre
     crank_h_x = crank_radius*rod_mass
-    rod_I_z_z = rod_mass_centre*rod_mass_centre*rod_mass + rod_inertia
     crank_rate_zz = crank_speed*crank_speed
+    rod_I_z_z = rod_mass_centre*rod_mass_centre*rod_mass + rod_inertia
     k6 = 1/rod_I_z_z
     k7 = 1/slider_mass
     k8 = rod_I_z_z/2
@@ -201,7 +201,7 @@ def constants(p):
     k12 = gravity*rod_mass
     return ca.vertcat(rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity,
         friction_coefficient, k1, k2, x1, slider_pin_K, k3, slider_pin_hysteresis_factor, k4, rod_h_x, crank_h_x,
-        rod_I_z_z, crank_rate_zz, k6, k7, k8, k9, k10, k11, k12)
+        crank_rate_zz, rod_I_z_z, k6, k7, k8, k9, k10, k11, k12)
 
 
 def start(p):
@@ -457,8 +457,8 @@ def accelerations(t, q, u, f, c):
     crank_radius = c[1]
     crank_speed = c[4]
     rod_h_x = c[14]
-    rod_I_z_z = c[16]
-    crank_rate_zz = c[17]
+    crank_rate_zz = c[16]
+    rod_I_z_z = c[17]
     k6 = c[18]
     k7 = c[19]
     crank_pin_angle = q[0]
@@ -477,12 +477,12 @@ def accelerations(t, q, u, f, c):
     rod_rate_z = crank_pin_speed + crank_speed
     rod_moment_x = cos_rod*rod_h_x
     rod_moment_y = rod_h_x*sin_rod
-    crank_pin_rod_torque_z = rod_I_z_z + rod_arm_x*rod_moment_x + rod_arm_y*rod_moment_y
     rod_rate_zz = rod_rate_z*rod_rate_z
     rod_bias_x = -crank_rate_zz*rod_arm_x
     rod_bias_y = -crank_rate_zz*rod_arm_y
     rod_torque_z = rod_bias_y*rod_moment_x - rod_bias_x*rod_moment_y
     crank_pin_net = crank_pin_force - rod_torque_z
+    crank_pin_rod_torque_z = rod_I_z_z + rod_arm_x*rod_moment_x + rod_arm_y*rod_moment_y
     crank_pin_acc = crank_pin_net*k6
     guide_acc = guide_force*k7
     rod_force_x = -rod_moment_x*rod_rate_zz

@@ -117,8 +117,8 @@ CONSTANTS = (
     ("slider_pin_hysteresis_factor", "1"),
     ("rod_h_x", "kg m"),
     ("crank_h_x", "kg m"),
-    ("rod_I_z_z", "kg m^2"),
     ("crank_rate_zz", "1/s^2"),
+    ("rod_I_z_z", "kg m^2"),
     ("k5", "1/(kg m^2)"),
     ("k6", "1/kg"),
     ("k7", "kg m^2"),
@@ -151,8 +151,8 @@ def constants(p):
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
         c (23,): rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity, k1, k2,
-            slider_pin_R_min, slider_pin_K, k3, slider_pin_hysteresis_factor, rod_h_x, crank_h_x, rod_I_z_z,
-            crank_rate_zz, k5, k6, k7, k8, k9, k10, k11
+            slider_pin_R_min, slider_pin_K, k3, slider_pin_hysteresis_factor, rod_h_x, crank_h_x, crank_rate_zz,
+            rod_I_z_z, k5, k6, k7, k8, k9, k10, k11
     """
     crank_inertia = p[1]
     rod_mass = p[2]
@@ -178,8 +178,8 @@ def constants(p):
     slider_pin_hysteresis_factor = 3/4 - 3*restitution*restitution/4
     rod_h_x = rod_mass*rod_mass_centre
     crank_h_x = crank_radius*rod_mass
-    rod_I_z_z = rod_mass_centre*rod_mass_centre*rod_mass + rod_inertia
     crank_rate_zz = crank_speed*crank_speed
+    rod_I_z_z = rod_mass_centre*rod_mass_centre*rod_mass + rod_inertia
     k5 = 1/rod_I_z_z
     k6 = 1/slider_mass
     k7 = rod_I_z_z/2
@@ -188,7 +188,7 @@ def constants(p):
     k10 = crank_rate_zz*crank_inertia/2
     k11 = gravity*rod_mass
     return ca.vertcat(rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity, k1, k2, x1,
-        slider_pin_K, k3, slider_pin_hysteresis_factor, rod_h_x, crank_h_x, rod_I_z_z, crank_rate_zz, k5, k6, k7,
+        slider_pin_K, k3, slider_pin_hysteresis_factor, rod_h_x, crank_h_x, crank_rate_zz, rod_I_z_z, k5, k6, k7,
         k8, k9, k10, k11)
 
 
@@ -433,8 +433,8 @@ def accelerations(t, q, u, f, c):
     crank_radius = c[1]
     crank_speed = c[4]
     rod_h_x = c[12]
-    rod_I_z_z = c[14]
-    crank_rate_zz = c[15]
+    crank_rate_zz = c[14]
+    rod_I_z_z = c[15]
     k5 = c[16]
     k6 = c[17]
     crank_pin_angle = q[0]
@@ -453,12 +453,12 @@ def accelerations(t, q, u, f, c):
     rod_rate_z = crank_pin_speed + crank_speed
     rod_moment_x = cos_rod*rod_h_x
     rod_moment_y = rod_h_x*sin_rod
-    crank_pin_rod_torque_z = rod_I_z_z + rod_arm_x*rod_moment_x + rod_arm_y*rod_moment_y
     rod_rate_zz = rod_rate_z*rod_rate_z
     rod_bias_x = -crank_rate_zz*rod_arm_x
     rod_bias_y = -crank_rate_zz*rod_arm_y
     rod_torque_z = rod_bias_y*rod_moment_x - rod_bias_x*rod_moment_y
     crank_pin_net = crank_pin_force - rod_torque_z
+    crank_pin_rod_torque_z = rod_I_z_z + rod_arm_x*rod_moment_x + rod_arm_y*rod_moment_y
     crank_pin_acc = crank_pin_net*k5
     guide_acc = guide_force*k6
     rod_force_x = -rod_moment_x*rod_rate_zz

@@ -9,7 +9,7 @@ from __future__ import annotations
 import hashlib
 import linecache
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from importlib import metadata, resources
 from pathlib import Path
@@ -151,12 +151,32 @@ def build_target(target: str | Path, without: Sequence[str] = (), laws: Mapping[
     if is_file(target):
         return build(vary(scene_from(target), without, laws), source_of(target))
     _require_built_in(str(target))
-    key = _key(str(target), tuple(without), tuple(sorted((laws or {}).items())))
-    text = disk.read(f"generated-{key}.py")
+    variation = tuple(without), tuple(sorted((laws or {}).items()))
+    return _module(
+        str(target),
+        _remembered((str(target), *variation), lambda: vary(scene_from(target), without, laws), source_of(target)),
+    )
+
+
+def build_hard_scene(name: str) -> ModuleType:
+    """Module of a scene that only a hard case has (`derive.hard_scenes`), from the cache where it can; raises KeyError for another name."""
+
+    def scene() -> Scene:
+        from hertzwerk.derive.hard_scenes import HARD_SCENES
+
+        return HARD_SCENES[name]()
+
+    return _module(name, _remembered(("hard", name), scene, "derive/hard_scenes.py"))
+
+
+def _remembered(variation: tuple[object, ...], scene: Callable[[], Scene], source: str) -> str:
+    """Text of a module from the cache, or derived now and kept."""
+    file = f"generated-{_key(variation)}.py"
+    text = disk.read(file)
     if text is None:
-        text = derive_text(vary(scene_from(target), without, laws), source_of(target))
-        disk.write(f"generated-{key}.py", text)
-    return _module(str(target), text)
+        text = derive_text(scene(), source)
+        disk.write(file, text)
+    return text
 
 
 def _require_built_in(name: str) -> None:
@@ -174,9 +194,9 @@ def _module(name: str, text: str) -> ModuleType:
     return module
 
 
-def _key(name: str, without: tuple[str, ...], laws: tuple[tuple[str, str], ...]) -> str:
+def _key(variation: tuple[object, ...]) -> str:
     """Hash of everything the text of a variation depends on: derive's own source, SymPy, and the variation."""
-    parts = repr((derive_digest(), metadata.version("sympy"), sys.version_info[:2], name, without, laws))
+    parts = repr((derive_digest(), metadata.version("sympy"), sys.version_info[:2], *variation))
     return hashlib.sha256(parts.encode()).hexdigest()[:32]
 
 

@@ -98,7 +98,7 @@ class Curves:
         model, units = self.run.model, self.run.history.units
         scalar_parts = (name for i, name in enumerate(model.coordinates) if i not in model.quaternions)
         motions = []
-        for coordinate, speed in zip(scalar_parts, model.speeds, strict=True):
+        for coordinate, speed in zip(scalar_parts, model.speeds, strict=False):  # then, what drives integrate
             joint, _, name = coordinate.rpartition(".")
             names = (coordinate, speed, acceleration_of(speed))
             label = joint if speed == f"{joint}.speed" else f"{joint} {name}"

@@ -10,6 +10,7 @@ import numpy as np
 
 from hertzwerk.runtime.caller import Rowwise
 from hertzwerk.runtime.integrate.attempt import Integrator
+from hertzwerk.runtime.integrate.explicit import flow
 from hertzwerk.runtime.integrate.layout import CONTACT, FLIGHT
 from hertzwerk.runtime.model import Model
 
@@ -68,6 +69,8 @@ class History:
                 units[slides] = "m/s"
         if model.has_ledger:
             units["energy"] = "J"
+        for name, unit in getattr(model.module, "CONSTRAINTS", ()):
+            units |= {name: unit, holding_force(name): "N" if unit == "m" else "N m"}
         return units
 
     @property
@@ -122,6 +125,12 @@ class History:
                 return {name: self.part("m")[:, len(model.latches) + i]}
             if name == _friction_force(slip):
                 return {name: self.part("friction")[:, i]}
+        if name in model.constraints:
+            return dict(zip(model.constraints, self.map("constraints", "t q u")[0].T, strict=True))
+        held = [holding_force(constraint) for constraint in model.constraints]
+        if name in held:
+            (forces,) = self._holding(*(self.part(part) for part in ("t", "y", "mode", "m")))
+            return dict(zip(held, forces.T, strict=True))
         if name == "energy":
             kinetic, potential, stored = self.map("energy", "t q u")
             return {
@@ -175,6 +184,12 @@ class History:
             ("rowwise", function), lambda: Rowwise(model.function(function), constant=len(names))
         )
         return rowwise(self.controls[: model.nc], *(known[name] for name in names))  # c comes first
+
+    def _holding(self, *parts: np.ndarray) -> list[np.ndarray]:
+        rowwise: Rowwise = self.model.once(
+            ("rowwise", "holding"), lambda: Rowwise(flow(self.model).holding, constant=len(parts))
+        )
+        return rowwise(self.controls[: self.model.nc], *parts)
 
     def at(self, times: np.ndarray) -> History:
         """Histories at other times [s] within the run; at a time of an event, the state just after it."""
@@ -230,11 +245,18 @@ def _dense_output(integrator: Integrator) -> tuple[Rowwise, np.ndarray, np.ndarr
     return Rowwise(integrator.step, constant=1), to, of
 
 
+def _friction_force(slip: str) -> str:
+    return f"{slip.removesuffix('.slip')}.friction_force"
+
+
+def holding_force(constraint: str) -> str:
+    """Name of what holds a constraint: `pin.apart_x` -> `pin.force_x`, `pin.off_y` -> `pin.force_y`, `pin.turned_x` -> `pin.moment_x`."""
+    joint, _, name = constraint.rpartition(".")
+    kind, _, label = name.partition("_")
+    return f"{joint}.{'moment' if kind == 'turned' else 'force'}_{label}"
+
+
 def acceleration_of(speed: str) -> str:
     """Name of the rate of a speed: `pin.speed` -> `pin.acceleration`."""
     joint, _, name = speed.rpartition(".")
     return f"{joint}.{name.replace('speed', 'acceleration')}"
-
-
-def _friction_force(slip: str) -> str:
-    return f"{slip.removesuffix('.slip')}.friction_force"

@@ -2,7 +2,8 @@
 
 A pin in a bush reports its eccentricity in the outputs of the model. Where these eccentricities are as many as the speeds, the ideal motion
 is their common zero e(t, q) = 0, found by Newton's method and followed in time; its speeds and accelerations solve the first and second time
-derivative of the same equations, which are linear in them. Nothing else of the model enters: no mass, no force.
+derivative of the same equations, which are linear in them. A coordinate that a drive integrates has no speed to be solved for: it is integrated
+here too. Nothing else of the model enters: no mass, no force.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.runtime.integrate.explicit import unit_quaternions
+from hertzwerk.runtime.integrate.tables import dop853
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model import Model
@@ -87,7 +89,7 @@ class _Closure:
     """The closure equations e(t, q) = 0 and what Newton's method makes of them, as functions."""
 
     jacobian: Any  # (t, q, c) -> de/dt by the speeds
-    step: Any  # (t, q, u, dt, c) -> q, u, a at t + dt, and the corrections in columns
+    step: Any  # (t, q, u, dt, c) -> q, u, a at t + dt, the corrections in columns, the last with the error of what drives integrate
     nu: int
 
     @classmethod
@@ -103,16 +105,20 @@ class _Closure:
         e = outputs(t, q, u, c)[rows]
         e_dot = ca.jtimes(e, ca.vertcat(t, q), ca.vertcat(1, dq))
         e_ddot = ca.jtimes(e_dot, ca.vertcat(t, q, u), ca.vertcat(1, dq, a))
-        jacobian = ca.jacobian(e_dot, u)
+        jacobian = ca.substitute(ca.jacobian(e_dot, u), u, ca.SX.zeros(model.nu))
         # along what the speeds can do, so that a quaternion keeps its norm to first order
         along, none = -ca.solve(jacobian, e), ca.SX.zeros(model.nu)
         correction = ca.Function("correction", [t, q, c], [rates(t, q, along, c) - rates(t, q, none, c)])
         speeds = ca.Function("speeds", [t, q, c], [_zero(e_dot, u)])
         accelerations = ca.Function("accelerations", [t, q, u, c], [_zero(e_ddot, a)])
         there, corrections = unit_quaternions(q + dt * dq, model.quaternions), []
+        moved = set(ca.jacobian(dq, u).sparsity().row())
+        driven = [i for i in range(model.nq) if i not in moved]
+        there[driven], error = _integrated(ca.Function("driven", [t, q, c], [dq[driven]]), t, q, driven, dt, c)
         for _ in range(_CORRECTIONS):
             corrections.append(correction(t + dt, there, c))
             there = unit_quaternions(there + corrections[-1], model.quaternions)
+        corrections[-1][driven] = error
         velocity = speeds(t + dt, there, c)
         results = [there, velocity, accelerations(t + dt, there, velocity, c), ca.horzcat(*corrections)]
         return cls(
@@ -153,9 +159,27 @@ class _Closure:
         return _Position(t, q.ravel(), u.ravel(), a.ravel()), corrections
 
 
+def _integrated(rate: Any, t: Any, q: Any, driven: list[int], dt: Any, c: Any) -> tuple[Any, Any]:
+    """What drives integrate at t + dt by two steps of the method of order 8, and how far one step is off."""
+    table = dop853()
+
+    def step(time: Any, start: Any, h: Any) -> Any:
+        slopes: list[Any] = []
+        for node, row in zip(table.c, table.A, strict=True):
+            at = ca.SX(q)
+            at[driven] = start + h * sum((weight * slope for weight, slope in zip(row, slopes, strict=False)), ca.SX(0))
+            slopes.append(rate(time + node * h, at, c))
+        return start + h * sum(weight * slope for weight, slope in zip(table.b, slopes, strict=True))
+
+    end = step(t + dt / 2, step(t, q[driven], dt / 2), dt / 2)
+    return end, end - step(t, q[driven], dt)
+
+
 def _zero(residual: Any, unknown: Any) -> Any:
-    """The zero of a residual that is linear in the unknown."""
-    return ca.solve(ca.jacobian(residual, unknown), -ca.substitute(residual, unknown, ca.SX.zeros(*unknown.shape)))
+    """The zero of a residual that is linear in the unknown; a called function's derivative may name the unknown where it does not depend on it."""
+    nothing = ca.SX.zeros(*unknown.shape)
+    slope, rest = ca.substitute([ca.jacobian(residual, unknown), residual], [unknown], [nothing])
+    return ca.solve(slope, -rest)
 
 
 def _negligible(correction: Array, q: Array) -> bool:

@@ -53,6 +53,8 @@ class Model:
         self.nm = len(self.latches) + self.ns
         self.quaternions: tuple[int, ...] = getattr(module, "QUATERNIONS", ())
         """Rows of q where one begins."""
+        self.constraints: tuple[str, ...] = tuple(row[0] for row in getattr(module, "CONSTRAINTS", ()))
+        self.nl = len(self.constraints)
         self.has_ledger = hasattr(module, "ledger")
         self._made: dict[Hashable, Any] = {}
 
@@ -85,6 +87,7 @@ class Model:
             "c": self.nc,
             "p": len(self.parameters),
             "a": self.nu,
+            "wanted": self.nl,
         }
         inputs = _INPUTS["contact" if name.startswith("contact_") else name].split()
         if "f" in inputs:
@@ -129,6 +132,8 @@ _INPUTS = {
     "contact": "t q u z m c",
     "applied": "t q u c",
     "accelerations": "t q u f c",
+    "constraints": "t q u c",
+    "projection": "t q wanted c",
     "ledger": "t q u reactions c",
     "energy": "t q u c",
     "poses": "t q c",

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from hertzwerk.runtime.integrate.chunk import INTERRUPTED, WALL_TIME_LIMIT
 from hertzwerk.runtime.integrate.layout import (
+    CONSTRAINT_LOST,
     EVENT_LIMIT,
     FINISHED,
     NOT_FINITE,
@@ -40,6 +41,11 @@ _OUTCOMES = {
         "not_finite",
         "at t = {t:.9g} s the equations give infinite or undefined values for every step",
         "look at the last states: a parameter far out of proportion, or a configuration where the mechanism is singular",
+    ),
+    CONSTRAINT_LOST: (
+        "constraint_lost",
+        "at t = {t:.9g} s no step leads to a position in which the loops are closed",
+        "the mechanism locks or cannot reach what a drive asks for: check lengths and drives at the last states",
     ),
     OUTSIDE_LAW_RANGE: (
         "outside_law_range",

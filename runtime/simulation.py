@@ -16,7 +16,7 @@ from hertzwerk.runtime import scales as scaling
 from hertzwerk.runtime.binding import Value, read_state, read_time, unknown
 from hertzwerk.runtime.caller import Callers
 from hertzwerk.runtime.findings import Findings, Observer
-from hertzwerk.runtime.history import History
+from hertzwerk.runtime.history import History, holding_force
 from hertzwerk.runtime.impacts import ApproachSpeeds, Track
 from hertzwerk.runtime.integrate.attempt import Integrator, integrator
 from hertzwerk.runtime.integrate.automatic import Code, Gear
@@ -116,6 +116,7 @@ def simulate(
         ),
         warnings=(
             *_unchecked(model),
+            *_open_forces(model, given),
             *bound.warnings,
             *_floored(counted["floored"], run.floor),
             *_too_fast(model, speeds),
@@ -363,11 +364,28 @@ def _start(
                     )
                 )
             start[i : i + 4] /= norm or 1
-    return start[: model.nq], start[model.nq :]
+    q, u = start[: model.nq], start[model.nq :]
+    if model.nl and not faults:
+        from hertzwerk.runtime.assembly import assemble  # a tree needs none
+
+        q, u, open_ones = assemble(model, bound, q, u, {*model.module.GIVEN, *values})
+        faults.extend(open_ones)
+    return q, u
 
 
 def _deepest(model: Model, history: History) -> str:
     return ", ".join(f"{pair} at penetration {history[f'{pair}.penetration'][-1]:.4g} m" for pair in model.pairs)
+
+
+def _open_forces(model: Model, given: _Given) -> Iterator[str]:
+    """Redundant constraints: the motion does not say how they share what they hold."""
+    if not model.nl:
+        return
+    from hertzwerk.runtime.assembly import undetermined  # a tree needs none
+
+    names = [holding_force(name) for name in undetermined(model, given.bound, given.q, given.u)]
+    if names:
+        yield f"redundant constraints leave these forces open, of all that hold the least are given: {', '.join(names)}"
 
 
 def _unchecked(model: Model) -> tuple[str, ...]:

@@ -149,7 +149,7 @@ class Solution:
         """Write the whole run as npz, to be read by `Solution.load` or NumPy; raises FileExistsError."""
         module = self.model.module
         about = {
-            "scene": {name: getattr(module, name, ()) for name in _TABLES},
+            "scene": {name: getattr(module, name) for name in _TABLES if hasattr(module, name)},
             "ledger": self.model.has_ledger,
             "outcome": asdict(self.outcome),
             "statistics": asdict(self.statistics),
@@ -201,6 +201,7 @@ class Solution:
 _TABLES = (
     *("NAME", "SOURCE", "SUMMARY", "EFFECTS", "UNCHECKED", "PARAMETERS", "LIMITS", "COORDINATES", "SPEEDS", "MEMORY"),
     *("LATCHES", "SLIPS", "PAIRS", "DISSIPATED", "OUTPUTS", "CONSTANTS", "BODIES", "OPERATIONS", "QUATERNIONS"),
+    *("CONSTRAINTS",),
 )
 
 

@@ -7,4 +7,6 @@ NAMES = (
     "ball_between_walls",
     "slider_crank",
     "slider_crank_frictionless",
+    "n_four_bar",
+    "bricard",
 )

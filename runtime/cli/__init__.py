@@ -5,6 +5,7 @@ from __future__ import annotations
 import click
 
 from hertzwerk.runtime.cli.audit import audit
+from hertzwerk.runtime.cli.hardcases import hardcases
 from hertzwerk.runtime.cli.laws import laws
 from hertzwerk.runtime.cli.run import run, validate
 from hertzwerk.runtime.cli.scenes import derive, list_scenes
@@ -34,5 +35,5 @@ def main() -> None:
     """
 
 
-for command in (list_scenes, laws, derive, audit, run, validate):
+for command in (list_scenes, laws, derive, audit, run, validate, hardcases):
     main.add_command(command)

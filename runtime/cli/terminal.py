@@ -22,6 +22,7 @@ COLOURS = {
     "outside_si": "red",
     "unchecked": "yellow",
     "different": "yellow",
+    "known failure": "yellow",
     "warning": "yellow",
     "remedy": "yellow",
     "written": "cyan",
@@ -108,3 +109,10 @@ class Progress:
             self._task = self._bar.add_task(self._title, total=1.0)
             self._bar.start()
         self._bar.update(self._task, completed=fraction)
+
+    def aside(self, report: Callable[[], object]) -> None:
+        """Let something print while a bar is up: the bar goes, and comes back with the next call."""
+        if self._bar is not None:
+            self._bar.stop()
+            self._bar = None
+        report()

@@ -62,6 +62,15 @@ class Program:
         return _load(self._function, self._library)
 
 
+def available() -> bool:
+    """Whether there is a C compiler."""
+    try:
+        _compiler()
+    except NoCompilerError:
+        return False
+    return True
+
+
 def _load(function: Any, library: Path) -> Any:
     return ca.external(function.name(), str(library))
 

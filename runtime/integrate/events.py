@@ -23,6 +23,7 @@ LANDING = 1e-2  # the tolerances of a landing are this times the accuracy, in th
 DOUBT = 0.1  # part of |quintic - cubic| that a graze must stay clear of
 NEAR = 1 / 64  # of a step: how far its end may be moved to land on a surface, by the classical method of order 4
 PARTS = 8  # sub-intervals searched
+BELIEVED = 4  # retakes of one step; where a cubic fits, 1 to 3 land
 NEWTON_STEPS = 12  # within one of them, bisecting where Newton would leave the bracket
 NO_EVENT = 2.0  # theta beyond every step
 
@@ -100,14 +101,16 @@ def endings(model: Model, layouts: Layouts) -> Any:
 
     Cubics that fall from above zero, of each pair: in contact the force, which would pull from there on; released, the opening speed, after which
     the bodies close again. Then, of the ns pairs that slip or stick, the margin of that. Aimed half the tolerance below zero, so that the landing
-    is beyond.
+    is beyond. Where stiff damping makes the force, its rate is that of what a step's error leaves in the velocity, and says nothing of the way
+    there: once such cubics have been believed in vain, the chord is.
     """
     arguments, (start, run, end) = _step(layouts)
     h = start["h"]
     tolerance = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
     rows, aim = [ca.SX(1)] * 6, ca.SX(0)
     for falls, f, f1, rate, rate1, small in _endings(model, start, end, *tolerance):
-        cubic = _raise(_raise([f, f + h * rate / 3, f1 - h * rate1 / 3, f1]))
+        rise, rise1 = (ca.if_else(start["retakes"] < BELIEVED, h * slope, f1 - f) for slope in (rate, rate1))
+        cubic = _raise(_raise([f, f + rise / 3, f1 - rise1 / 3, f1]))
         rows = [ca.if_else(falls, x + small / 2, row) for x, row in zip(cubic, rows, strict=True)]
         aim = ca.if_else(falls, small / 2, aim)
     if model.ns:
@@ -167,8 +170,9 @@ def search(k: int) -> Any:
 
 
 def locate() -> Any:
-    """CasADi function (bernstein (6), margin, doubt) -> theta in (0, 1] of the first event, or NO_EVENT; half the step where a graze is in doubt.
+    """CasADi function (bernstein (6), margin, doubt) -> theta in (0, 1] of the first event, or NO_EVENT.
 
+    Half the step where a graze is in doubt, doubt being positive.
     The polynomial is evaluated at the ends of equal parts; the first part with a change of sign, or with a minimum that reaches -margin, brackets
     the root, which bisection-safeguarded Newton steps find. Branch-free.
     """
@@ -193,7 +197,9 @@ def locate() -> Any:
         bottom = ca.fmin(ca.fmax(bottom - step, dip / PARTS), (dip + 1) / PARTS)
     lowest = _horner(value, bottom)
     in_dip = (dip < crossing) * (lowest <= -margin)
-    in_doubt = (dip < crossing) * (lowest > -margin) * (lowest < doubt)
+    in_doubt = (
+        (dip < crossing) * (lowest > -margin) * (lowest < doubt) * (doubt > 0)
+    )  # no doubt: within the margin it is none
     part = ca.if_else(in_dip, dip, crossing)
     first = low = part / PARTS
     high = ca.if_else(in_dip, bottom, (part + 1) / PARTS)

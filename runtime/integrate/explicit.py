@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.integrate.classes import BY_MODE, Contacts, pushing, where
+from hertzwerk.runtime.integrate.closing import LOST, Closing, closing
 from hertzwerk.runtime.integrate.friction import forces as friction_forces
 from hertzwerk.runtime.integrate.friction import grips, may_slip, pairs_of
 from hertzwerk.runtime.integrate.layout import GRIP_PARTS, PAIR_PARTS
@@ -18,24 +19,33 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.model import Model
 
 EPS = 2.0**-52
+MEAN_OF = 8  # most entries that an error is averaged over: of many bodies most err nothing, and must not excuse the two that collide
 
 
 @dataclass(frozen=True)
 class Flow:
-    """Two CasADi functions of (t, y, mode (k), m, c).
+    """CasADi functions of (t, y, mode (k), m, c).
 
     rates:  dy/dt (ny)
     ends:   dy/dt; gap, gap rate, gap acceleration (k each); raw normal force and its rate along the flow (k each, 0 unless in contact); in_range (k);
             of the pairs with set-valued friction (ns each, 0 unless in contact): its force along the tangent, margin, rate of that
+    holding: what holds the loops closed (nl) [N or N m]; none in a tree
     """
 
     rates: Any
     ends: Any
+    holding: Any | None = None
+    closing: Closing | None = None
     quaternions: tuple[int, ...] = ()
 
-    def closed(self, t: Any, y: Any, c: Any) -> Any:
-        """The state with its quaternions of norm 1; without any the state as it is."""
-        return unit_quaternions(y, self.quaternions)
+    def closed(self, t: Any, y: Any, run: Mapping[str, Any]) -> tuple[Any, Any]:
+        """The state with its loops closed and its quaternions of norm 1, and whether the loops are; without any the state as it is, and 1."""
+        y, is_closed = (y, ca.SX(1)) if self.closing is None else self.closing(t, y, run)
+        return unit_quaternions(y, self.quaternions), is_closed
+
+    def error(self, error: Any, is_closed: Any) -> Any:
+        """The error norm of a step, LOST where its end does not close the loops."""
+        return error if self.closing is None else ca.if_else(is_closed, error, LOST)
 
     def at(self, t: Any, y: Any, mode: Any, m: Any, c: Any) -> dict[str, Any]:
         """Results of `ends` by name."""
@@ -70,7 +80,7 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
         f += ca.mtimes(grip.along, found)
         dz += ca.mtimes(grip.power, found)
     dq = model.function("coordinate_rates")(t, q, u, c)
-    a, reactions = model.function("accelerations")(t, q, u, f, c)
+    a, reactions, *multipliers = model.function("accelerations").call([t, q, u, f, c])
     if model.has_ledger:
         dz += model.function("ledger")(t, q, u, reactions, c)
     dy = ca.vertcat(dq, a, dz)
@@ -98,6 +108,8 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
             names,
             ["dy", *PAIR_PARTS, "in_range", *GRIP_PARTS],
         ),
+        holding=ca.Function("holding", arguments, multipliers, names, ["multipliers"]) if model.nl else None,
+        closing=closing(model),
     )
 
 
@@ -109,21 +121,24 @@ def stepped(table: RungeKutta, right: Flow, start: Mapping[str, Any], run: Mappi
     for row, node in zip(table.A[1:], table.c[1:], strict=True):
         slopes.append(right.rates(t + node * h, _moved(y, h, row, slopes), *given))
     t1 = t + h
-    y1 = right.closed(t1, _moved(y, h, table.b, slopes), run["c"])
+    y1, is_closed = right.closed(t1, _moved(y, h, table.b, slopes), run)
     end = right.at(t1, y1, *given)
     slopes.append(end["dy"])
     weights = 1 / (run["accuracy"] * run["scale"] + 4 * EPS * ca.fabs(y1))
     error = _norm([_weighted(estimate.weights, slopes) * weights for estimate in table.errors], h)
-    return {"t": t1, "y": y1, **end, "error": error}
+    return {"t": t1, "y": y1, **end, "error": right.error(error, is_closed)}
 
 
-def nudged(right: Flow, end: Mapping[str, Any], given: tuple[Any, Any, Any], delta: Any) -> dict[str, Any]:
+def nudged(
+    right: Flow, start: Mapping[str, Any], end: Mapping[str, Any], run: Mapping[str, Any], delta: Any
+) -> dict[str, Any]:
     """From the end of a step on by delta [s], so short that the classical method of order 4 is exact enough; the parts of a trial but its error."""
+    given = (start["mode"], start["m"], run["c"])
     t, y, k1 = end["t"], end["y"], end["dy"]
     k2 = right.rates(t + delta / 2, y + delta / 2 * k1, *given)
     k3 = right.rates(t + delta / 2, y + delta / 2 * k2, *given)
     k4 = right.rates(t + delta, y + delta * k3, *given)
-    y1 = right.closed(t + delta, y + delta / 6 * (k1 + 2 * (k2 + k3) + k4), given[-1])
+    y1, _ = right.closed(t + delta, y + delta / 6 * (k1 + 2 * (k2 + k3) + k4), run)
     return {"t": t + delta, "y": y1, **right.at(t + delta, y1, *given)}
 
 
@@ -163,7 +178,7 @@ def _sum(terms: list[Any]) -> Any:
 
 def _norm(errors: list[Any], h: Any) -> Any:
     """Root mean square of an error estimate; of two, Hairer's combination e5^2/sqrt(e5^2 + 0.01 e3^2), which behaves as h^8."""
-    squares = [ca.sumsqr(error) / error.numel() for error in errors]
+    squares = [ca.sumsqr(error) / min(error.numel(), MEAN_OF) for error in errors]
     if len(squares) == 1:
         return h * ca.sqrt(squares[0])
     return h * squares[0] / ca.sqrt(squares[0] + 0.01 * squares[1] + 1e-300)

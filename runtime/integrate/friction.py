@@ -109,7 +109,7 @@ def _forces(model: Model, n: int) -> Any:
     f, along, drift = ca.SX.sym("f", nf), ca.SX.sym("along", nf, n), ca.SX.sym("drift", n)
     slipping, sticks, c = ca.SX.sym("slipping", n), ca.SX.sym("sticks", n), ca.SX.sym("c", model.nc)
     slides = ca.if_else(sticks, 0, slipping)
-    a, _ = model.function("accelerations")(t, q, u, f + ca.mtimes(along, slides), c)
+    a = model.function("accelerations").call([t, q, u, f + ca.mtimes(along, slides), c])[0]
     found = _solve(model, t, q, u, along, sticks, c, -(drift + ca.mtimes(along[: model.nu, :].T, a)))
     arguments = [t, q, u, f, along, drift, slipping, sticks, c]
     return ca.Function("friction", arguments, [ca.cse(ca.if_else(sticks, found, slides))])
@@ -128,7 +128,7 @@ def at_rest(model: Model, t: Any, y: Any, mode: Any, m: Any, c: Any) -> Any:
 def mobility(model: Model, t: Any, q: Any, u: Any, along: Any, c: Any) -> Any:
     """Changes (nu, n) of the speeds by a unit impulse along each tangent."""
     f = ca.SX.sym("f", along.shape[0])
-    a, _ = model.function("accelerations")(t, q, u, f, c)
+    a = model.function("accelerations").call([t, q, u, f, c])[0]
     return ca.substitute(ca.jtimes(a, f, along), f, ca.SX.zeros(f.numel()))
 
 

@@ -14,7 +14,7 @@ import casadi as ca
 
 from hertzwerk.runtime.integrate.classes import BY_MODE, Contacts, pushing, where
 from hertzwerk.runtime.integrate.control import SAFETY
-from hertzwerk.runtime.integrate.explicit import EPS, Flow
+from hertzwerk.runtime.integrate.explicit import EPS, MEAN_OF, Flow
 from hertzwerk.runtime.integrate.friction import forces, grips, may_slip, pairs_of
 from hertzwerk.runtime.integrate.implicit_tables import ITERATIONS, DiagonallyImplicit, Rosenbrock
 from hertzwerk.runtime.integrate.linear import solver
@@ -70,7 +70,7 @@ def _linearised(model: Model, contacts: Contacts) -> Any:
         along, rates = (ca.SX(shape, part) for shape, part in zip(shapes, (along, rates), strict=True))
         friction = forces(model, n)(t, q, u, force, along, drift, slipping, symbols, c)
         force, power = force + ca.mtimes(along, friction), ca.mtimes(rates, friction)
-    a, reactions = model.function("accelerations")(t, q, u, force, c)
+    a, reactions, *_ = model.function("accelerations").call([t, q, u, force, c])
     if model.has_ledger:
         power += model.function("ledger")(t, q, u, reactions, c)
     dy, inner = ca.vertcat(dq, a, power), ca.vertcat(*known)
@@ -128,11 +128,11 @@ class Stepper:
             y1, slope, error, converged = _rosenbrock(table, self.right, solve, J, dt, start, given, h)
         else:
             y1, slope, error, converged = _diagonally_implicit(table, self.right, solve, dt, start, given, h, least)
-        y1 = self.right.closed(t + h, y1, run["c"])
+        y1, is_closed = self.right.closed(t + h, y1, run)
         end = self.right.at(t + h, y1, *given)
         if slope is not None:
             end["dy"] = slope
-        norm = ca.if_else(converged, _norm(error, least, y1), DIVERGED)
+        norm = self.right.error(ca.if_else(converged, _norm(error, least, y1), DIVERGED), is_closed)
         v, rate, gradient = self.sliding(t, y, start["dy"], *given)
         v1, rate1, _ = self.sliding(t + h, y1, end["dy"], *given)
         if v.numel():
@@ -219,7 +219,7 @@ def _diagonally_implicit(
 
 def _norm(error: Any, least: Any, y: Any) -> Any:
     """Root mean square of an error in the tolerances, as of explicit steps."""
-    return ca.sqrt(ca.sumsqr(error / (least + 4 * EPS * ca.fabs(y))) / error.numel())
+    return ca.sqrt(ca.sumsqr(error / (least + 4 * EPS * ca.fabs(y))) / min(error.numel(), MEAN_OF))
 
 
 def _sum(weights: tuple[float, ...], terms: list[Any]) -> Any:

@@ -73,7 +73,9 @@ class Layouts:
 
 
 FLIGHT, CONTACT, RELEASED = 0.0, 1.0, 2.0  # modes of a pair
-RUNNING, FINISHED, STEP_TOO_SMALL, NOT_FINITE, OUTSIDE_LAW_RANGE, EVENT_LIMIT, TOO_MANY_STEPS = range(7)  # status
+RUNNING, FINISHED, STEP_TOO_SMALL, NOT_FINITE, CONSTRAINT_LOST, OUTSIDE_LAW_RANGE, EVENT_LIMIT, TOO_MANY_STEPS = range(
+    8
+)  # status
 PLAIN, SPECIAL, REJECTED = range(3)  # kind of a step: nothing speaks against it, something may happen in it, it failed
 PAIR_PARTS = ("gap", "gap_rate", "gap_acceleration", "force", "force_rate")  # in the state and in the trial
 GRIP_PARTS = ("friction", "margin", "margin_rate")  # likewise, of the pairs with set-valued friction

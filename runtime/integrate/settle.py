@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.integrate.classes import IDLE, IN_CONTACT, classified
+from hertzwerk.runtime.integrate.closing import LOST
 from hertzwerk.runtime.integrate.control import (
     ONSET_GROW,
     SAFETY,
@@ -20,6 +21,7 @@ from hertzwerk.runtime.integrate.events import NEAR, NO_EVENT, endings, polynomi
 from hertzwerk.runtime.integrate.explicit import EPS, Flow, nudged
 from hertzwerk.runtime.integrate.friction import asked_and_broken, sized
 from hertzwerk.runtime.integrate.layout import (
+    CONSTRAINT_LOST,
     CONTACT,
     EVENT_LIMIT,
     FINISHED,
@@ -86,7 +88,8 @@ def reject(vectors: Layouts, table: Table) -> Any:
     shrunk = ca.if_else(in_contact * old["fresh_contact"], onset_factor(error), factor(table, error))
     h = h * ca.if_else(finite, ca.fmin(shrunk, SAFETY), 0.1)
     stuck = (h < 4 * EPS * ca.fabs(old["t"])) + (old["t"] + h <= old["t"]) > 0
-    status = ca.if_else(stuck, ca.if_else(finite, STEP_TOO_SMALL, NOT_FINITE), RUNNING)
+    why = ca.if_else(finite, ca.if_else(error >= LOST, CONSTRAINT_LOST, STEP_TOO_SMALL), NOT_FINITE)
+    status = ca.if_else(stuck, why, RUNNING)
     new = {
         **old,
         "h": h,
@@ -142,7 +145,7 @@ def _nudge(model: Model, vectors: Layouts, right: Flow) -> Any:
     """CasADi function (state, controls, next, verdict, delta) -> (next, verdict) of the step that ends delta [s] later."""
     arguments, (old, run, end, verdict) = _arguments(vectors)
     delta = ca.SX.sym("delta")
-    moved = nudged(right, end, (old["mode"], old["m"], run["c"]), delta)
+    moved = nudged(right, old, end, run, delta)
     in_range = moved.pop("in_range")
     outputs = [vectors.state.join({**end, **moved}), vectors.verdict.join({**verdict, "in_range": in_range})]
     return ca.Function("moved", [*arguments, delta], ca.cse(outputs))

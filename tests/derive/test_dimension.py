@@ -10,6 +10,7 @@ from sympy import Max, Min, Rational, acos, atan, atan2, cos, cosh, exp, log, pi
 
 from hertzwerk.derive.dimension import ONE, SIGNATURES, ZERO, Dimension, DimensionError, check, dimension_of
 from hertzwerk.derive.functions import Where
+from hertzwerk.derive.tables import Table
 from hertzwerk.derive.units import UnitError
 
 n, k, xi = sp.symbols("n k xi")  # constant parameters of unit 1
@@ -35,6 +36,7 @@ alpha_t, k_t, c_p, h_t, Th, Th0, s_c, beta_p, I_a, Ar = sp.symbols("alpha_t k_t 
 e, mu, mu_s, mu_k, phi, theta, eps, nu, A_p, B_p, N_c = sp.symbols("e mu mu_s mu_k phi theta eps nu A_p B_p N_c")
 c_v, s0, s1, kappa, P_w, Q, al, sb = sp.symbols("c_v s0 s1 kappa P_w Q al sb")
 stranger = sp.Symbol("stranger")
+lift = Table("lift", (0, 1), (0, 5), ("ms", "mm"))
 
 
 def written(*factors):
@@ -358,8 +360,18 @@ def test_every_node_type_of_the_table_is_exercised():
     untested = {node.__name__ for node in SIGNATURES if node not in built}
     assert untested == {
         *(function.__name__ for function in FUNCTIONS_OF_NUMBERS),
-        *("MatAdd", "Transpose", "Trace", "Inverse", "LessThan", "GreaterThan", "Heaviside", "Or", "Not"),
-    }, "a row that neither the tables nor the two tests below exercise, or one they need no longer name"
+        *("MatAdd", "Transpose", "Trace", "Inverse", "LessThan", "GreaterThan", "Heaviside", "Or", "Not", "Spline"),
+    }, "a row that neither the tables nor the three tests below exercise, or one they need no longer name"
+
+
+def test_a_spline_has_the_unit_of_its_values_over_that_of_its_arguments():
+    """Not among the tables above: the numbers of a table have units of their own, so the test by other units of measurement does not apply."""
+    assert dimension_of(lift(t) + v * t, TABLE) == dim("m")
+    assert dimension_of(sp.diff(lift(2 * t), t, 2), TABLE) == dim("m/s^2")
+    fault = check(c * lift(x), TABLE, dim("N"))
+    assert (fault.subexpression, fault.found, fault.expected) == ("lift(x)", "m", "s")
+    fault = check(m * sp.diff(lift(t), t) + F, TABLE, dim("N"))
+    assert (fault.subexpression, fault.found, fault.expected) == ("m*lift'(t)", "N s", "N")
 
 
 @pytest.mark.parametrize("function", FUNCTIONS_OF_NUMBERS, ids=lambda f: f.__name__)

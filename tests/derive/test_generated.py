@@ -151,10 +151,13 @@ def test_functions_return_what_the_tables_say(name):
         "gap_accelerations": [k], "applied": [nf], "accelerations": [nu, nr], "ledger": [nz], "energy": [1, 1, k], "poses": [3 * nb, 9 * nb],
         "outputs": [ny],
     }  # fmt: skip
+    nl = len(derived.names.get("CONSTRAINTS", ()))
+    if nl:
+        sizes |= {"accelerations": [nu, nr, nl], "constraints": [nl, nl], "projection": [nu]}
     q, u = derived.start()
     given = {
         "q": q, "u": u, "a": np.ones(nu), "f": np.ones(nf), "reactions": np.ones(nr), "z": np.zeros(nz), "m": np.ones(nm), "t": 1e-3,
-        "p": derived.p, "c": derived.c,
+        "p": derived.p, "c": derived.c, "wanted": np.ones(nl),
     }  # fmt: skip
     for function, expected in sizes.items():
         numbers = derived.results(function, given)

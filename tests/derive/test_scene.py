@@ -169,7 +169,6 @@ BAD = {
         "joint fall", "stranger", "earlier joint",
     ),
     "ground as child": (lambda: drop(joints=(FALL, Prismatic("down", BALL, GROUND, axis=Y))), "joint down", "ground as child", "a body"),
-    "body on two joints": (lambda: drop(joints=(FALL, Prismatic("again", GROUND, BALL, axis=X))), "joint again", "ball", "one joint per body"),
     "pair within one body": (
         lambda: drop(pairs=(SphereOnSphere("floor", BALL.at(0, 0, 0), BALL.at(RADIUS, 0, 0), RADIUS, RADIUS),)),
         "pair floor", "ball", "two different bodies",

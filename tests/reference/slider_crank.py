@@ -199,7 +199,7 @@ IMPACT_FIELDS = tuple(Impact.__dataclass_fields__)
 
 
 def _run(program: Path, tolerance: str, max_step: str, friction: bool) -> list[list[str]]:
-    command = [str(program), tolerance, max_step, str(int(friction)), "5e-4", *TIMES]
+    command = [str(program), tolerance, max_step, str(int(friction)), "5e-4", "5000", *TIMES]
     out = subprocess.run(command, check=True, capture_output=True, text=True).stdout
     return [line.split("\t") for line in out.splitlines()]
 

@@ -6,7 +6,7 @@
 // root search that integrates from the start of the step, so that no interpolation limits the digits.
 //
 //   g++ -O2 slider_crank_quad.cpp -lquadmath -o slider_crank_quad
-//   ./slider_crank_quad TOLERANCE MAX_STEP FRICTION(0|1) CLEARANCE TIME...
+//   ./slider_crank_quad TOLERANCE MAX_STEP FRICTION(0|1) CLEARANCE RPM TIME...
 //
 // prints, tab separated, 30 digits, SI:
 //   state   t theta x dtheta dx                                    at every TIME; the last one ends the run
@@ -170,11 +170,12 @@ struct Impact {
 };
 
 int main(int count, char** arg) {
-  if (count < 6) return std::fputs("usage: slider_crank_quad TOLERANCE MAX_STEP FRICTION CLEARANCE TIME...\n", stderr), 2;
+  if (count < 7) return std::fputs("usage: slider_crank_quad TOLERANCE MAX_STEP FRICTION CLEARANCE RPM TIME...\n", stderr), 2;
   const Real tolerance = parse(arg[1]), max_step = parse(arg[2]);
   System f;
   f.m.friction = std::atoi(arg[3]) != 0;
   f.m.c = parse(arg[4]);
+  f.m.w = 2 * M_PIq * parse(arg[5]) / 60;
   f.m.finish();
   const Mechanism& m = f.m;
   const State scale = {m.c / m.l, m.c, m.r * m.w / m.l, m.r * m.w};
@@ -183,7 +184,7 @@ int main(int count, char** arg) {
   State y = {0, m.r + m.l, -m.w * m.r / m.l, 0};
   std::vector<Impact> impacts;
   long steps = 0;
-  int next_output = 5;
+  int next_output = 6;
   while (next_output < count) {
     const Real t_output = parse(arg[next_output]);
     const Instant start = f.at(t, y);

@@ -11,6 +11,7 @@ from handmade import point
 
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import Solution, load, simulate
+from hertzwerk.runtime.integrate import explicit, implicit
 from reference import closed_forms
 from reference.slider_crank import SliderCrank, reference
 
@@ -202,6 +203,15 @@ def test_dense_output_has_the_method_s_accuracy(ball):
     assert np.array_equal(run.at(run.t)["vertical.speed"], run["vertical.speed"])
     with pytest.raises(ValueError, match="outside the run"):
         run.at([1.5])
+
+
+@pytest.mark.parametrize("norm", [lambda e: explicit._norm([e], 1.0), lambda e: implicit._norm(e, 1.0, 0 * e)])
+def test_bodies_that_err_nothing_do_not_excuse_the_two_that_collide(norm):
+    """Of few entries the error is the root of their mean square; more than eight dilute it no further."""
+    few, more, many = (ca.vertcat(ca.DM([3.0, 4.0]), ca.DM.zeros(n)) for n in (0, 6, 98))
+    assert float(norm(few)) == pytest.approx(math.sqrt(25 / 2), rel=1e-14)
+    assert float(norm(more)) == pytest.approx(math.sqrt(25 / 8), rel=1e-14)
+    assert float(norm(many)) == float(norm(more))
 
 
 # ---- starts ----------------------------------------------------------------------------------------------------------

@@ -8,8 +8,9 @@ import pytest
 from handmade import point
 from numpy.polynomial import Polynomial
 
-from hertzwerk.runtime import simulate
-from hertzwerk.runtime.integrate.events import NO_EVENT, locate
+from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime.integrate.events import NO_EVENT, endings, locate
+from hertzwerk.runtime.integrate.layout import layouts
 
 METHODS = ("dopri5", "dop853")
 SEARCH = locate()
@@ -167,3 +168,42 @@ def test_an_event_at_the_end_of_the_run(method, shift):
     assert run.outcome.finished
     assert run.t[-1] == 1.0 + shift
     assert run.final["path.travel"] == pytest.approx(1 - (1 + shift) ** 2, abs=1e-10)
+
+
+def test_a_force_whose_rate_misleads_is_landed_on_all_the_same():
+    """60 N falling to -11 N in 59 us, with rates of stiff damping that no cubic fits: as found where a landing took more than 60 retakes."""
+    model = load("bouncing_ball")
+    vectors = layouts(model)
+    force = endings(model, vectors)
+    h = 5.9e-5
+    start = dict.fromkeys(vectors.state.sizes, 0.0) | {
+        "h": h,
+        "mode": 1.0,
+        "force": 60.2,
+        "force_rate": -4.57e6,
+        "gap": -1e-5,
+    }
+    end = start | {"force": -10.7, "force_rate": -4.65e7}
+    controls = np.zeros(vectors.controls.size)
+    controls[vectors.controls["scales"]] = [1e-4, 1.0, 1e4, 1.0]
+    controls[vectors.controls["scale"]] = 1.0
+    controls[vectors.controls["accuracy"]] = 1e-4
+
+    def theta(retakes):
+        rows = []
+        for parts in (start | {"retakes": retakes}, end):
+            row = np.zeros(vectors.state.size)
+            for name, value in parts.items():
+                row[vectors.state[name]] = value
+            rows.append(row)
+        return float(locate()(*force(rows[0], controls, rows[1])))
+
+    assert theta(0) > 0.98  # 60 of them leave a third of the step
+    assert theta(4) == pytest.approx(60.2 / 70.9, rel=1e-3)
+
+
+def test_a_graze_that_is_not_in_doubt_does_not_halve_the_step():
+    """Lower than zero, but within the margin: bodies that touch, with gaps of rounding, would halve it for ever."""
+    touching = np.array([0.0, -1e-19, 2e-19, -1e-19, 1e-19, 0.0])
+    assert float(SEARCH(touching, 1e-13, 0)) == NO_EVENT
+    assert float(SEARCH(touching, 1e-13, 1e-12)) == 0.5

@@ -1,25 +1,35 @@
 """The ideal mechanism, against the closed form of the slider-crank, which knows nothing of eccentricities."""
 
+from functools import cache
+
 import numpy as np
 import pytest
+import sympy as sp
 
 from hertzwerk.derive import (
     GROUND,
     Body,
     ConstantSpeed,
     Contact,
+    Drive,
     Free,
+    Harmonic,
     Mechanism,
     Parameter,
     PinInBush,
+    Ramp,
     Revolute,
     Scales,
     Scene,
+    T,
+    Table,
     X,
     Y,
     Z,
 )  # fmt: skip
 from hertzwerk.derive.laws import power
+from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
+from hertzwerk.runtime import simulate
 from hertzwerk.runtime.ideal import ideal_motion
 from hertzwerk.runtime.model import load
 from reference import ideal_slider_crank as closed_form
@@ -28,7 +38,7 @@ R, L, W = 0.05, 0.12, 5000 * np.pi / 30
 
 
 def followed(times, parameters=None, scene="slider_crank"):
-    model = load(scene)
+    model = load(scene) if isinstance(scene, str) else scene
     bound = model.bind(parameters or {})
     q, _ = model.function("start")(bound.p)
     return ideal_motion(model, times, np.array(q).ravel(), bound.c)
@@ -78,6 +88,81 @@ def test_none_where_no_pin_determines_the_coordinates():
 def test_unknown_names_are_refused():
     with pytest.raises(KeyError, match=r"guide\.travel"):
         followed([0.0])["guide.angle"]
+
+
+# -- cranks that are accelerated ---------------------------------------------------------------------------------------
+
+SPEED, RISE = Parameter("crank_speed", "rpm", 5000, "constant speed of the crank"), Parameter("rise", "ms", 10)
+SHARE, RATE = Parameter("share", "1", 0.2), Parameter("rate", "rad/s", 300)
+TIMES = np.linspace(0, 0.03, 61)
+WAVE = Table("wave", TIMES.tolist(), (0.5 * np.sin(300 * TIMES)).tolist(), ("s", "rad"))
+
+
+def ramp(t):
+    """Crank angle, speed and acceleration of the quintic rise, by hand."""
+    s = np.minimum(t / 0.01, 1)
+    way = 0.01 * (2.5 * s**4 - 3 * s**5 + s**6) + np.maximum(t - 0.01, 0)
+    return W * way, W * s**3 * (10 - 15 * s + 6 * s**2), W / 0.01 * 30 * s**2 * (1 - s) ** 2
+
+
+def swaying(t):
+    """Of the speed w (1 + e sin(r t))."""
+    r = 300
+    return W * (t + 0.2 / r * (1 - np.cos(r * t))), W * (1 + 0.2 * np.sin(r * t)), W * 0.2 * r * np.cos(r * t)
+
+
+CRANKS = {
+    "harmonic": (
+        Harmonic("crank_drive", "main_bearing", SHARE, RATE),
+        lambda t: (0.2 * np.sin(300 * t), 60 * np.cos(300 * t), -18000 * np.sin(300 * t)),
+    ),
+    "ramp": (Ramp("crank_drive", "main_bearing", SPEED, RISE), ramp),
+    "position": (
+        Drive("crank_drive", "main_bearing", position=SPEED * (T + SHARE / RATE * (1 - sp.cos(RATE * T)))), swaying,
+    ),
+    "speed": (Drive("crank_drive", "main_bearing", speed=SPEED * (1 + SHARE * sp.sin(RATE * T))), swaying),
+    "acceleration": (
+        Drive("crank_drive", "main_bearing", acceleration=SPEED * SHARE * RATE * sp.cos(RATE * T), start_speed=SPEED), swaying,
+    ),
+}  # fmt: skip
+
+
+@cache
+def cranked(label):
+    return load(slider_crank.replace(crank_drive=CRANKS[label][0]))
+
+
+@pytest.mark.parametrize("count", [4, 60])
+@pytest.mark.parametrize("label", CRANKS)
+def test_an_accelerated_crank_is_the_closed_form(label, count):
+    """x' = x_phi phi', x'' = x_phiphi phi'^2 + x_phi phi''; also where the crank's angle is integrated from its speed or acceleration."""
+    t = np.linspace(0, 0.024, count)
+    ideal = followed(t, scene=cranked(label))
+    phi, w, alpha = CRANKS[label][1](t)
+    assert np.max(np.abs(ideal["guide.travel"] - closed_form.position(phi, R, L))) < 1e-12 * L
+    assert np.max(np.abs(ideal["guide.speed"] - closed_form.velocity(phi, w, R, L))) < 1e-11 * R * W
+    expected = closed_form.acceleration(phi, w, R, L) + closed_form.velocity(phi, alpha, R, L)
+    assert np.max(np.abs(ideal.acceleration_of("guide.speed") - expected)) < 1e-11 * R * W**2
+    without = closed_form.acceleration(phi, w, R, L)
+    assert np.max(np.abs(expected - without)) > 1e-3 * R * W**2  # the term under test is there
+
+
+def test_a_tabulated_crank_follows_its_table():
+    model = load(slider_crank.replace(crank_drive=Drive("crank_drive", "main_bearing", position=WAVE(T))))
+    t = np.linspace(0, 0.03, 31)
+    ideal = followed(t, scene=model)
+    assert ideal["guide.travel"] == pytest.approx(closed_form.position(0.5 * np.sin(300 * t), R, L), abs=1e-9)
+
+
+def test_a_clearance_run_with_an_accelerated_crank_stays_near_the_ideal_one():
+    """What the slider may deviate by is the gain of the linkage times the reach of the pin in its bush."""
+    found = simulate(cranked("speed"), duration="24 ms", accuracy=1e-7)
+    assert found.outcome.finished
+    assert found.energy_residual < 1e-6
+    ideal = followed(found.t, scene=cranked("speed"))
+    reach = 0.5e-3 + np.max(found["slider_pin.penetration"])
+    assert np.max(np.abs(found["guide.travel"] - ideal["guide.travel"])) < closed_form.gain(R, L, reach) * reach
+    assert found["main_bearing.angle"] == pytest.approx(swaying(found.t)[0], rel=1e-7)
 
 
 def held_body(speed):

@@ -1,0 +1,69 @@
+"""Motions of a tree corrected so that its loops stay closed: multipliers by G M^-1 G^T, in steps that refine each other.
+
+Redundant constraints and singular positions leave G M^-1 G^T singular, so a small part of its diagonal is added to it. What that leaves open is
+measured on the corrected motion itself and corrected again.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.elimination import Factor, least_fill
+from hertzwerk.derive.loops import Constraint
+from hertzwerk.derive.program import Tape
+
+REGULAR = 3e-9  # of the diagonal of G M^-1 G^T: what is added
+
+
+class Loops:
+    """The constraints of a mechanism on its mass matrix."""
+
+    def __init__(self, tape: Tape, constraints: tuple[Constraint, ...], mass: Factor) -> None:
+        self._tape, self._constraints = tape, constraints
+        self._names = [constraint.name.replace(".", "_") for constraint in constraints]
+        each = list(zip(constraints, self._names, strict=True))
+        self._through = [  # what a unit multiplier does to each speed: M^-1 G^T
+            mass.solve({key: constraint.column.get(key, sp.S.Zero) for key in mass.names}, f"by_{name}")
+            for constraint, name in each
+        ]
+        matrix: dict[tuple[str, str], Any] = {}
+        for i, (constraint, name) in enumerate(each):
+            for other, through in zip(self._names[: i + 1], self._through, strict=False):
+                value = tape.let(_seen(constraint, through), f"W_{name}_{other}")
+                if value != 0:
+                    matrix[name, other] = matrix[other, name] = value
+        order = least_fill(self._names, matrix)
+        groups: dict[str, list[Any]] = {}
+        for constraint, name in each:
+            groups.setdefault(constraint.group, []).append(matrix.get((name, name), sp.S.Zero))
+        for constraint, name in each:  # one alone may vanish in a singular position, its group does not
+            size = tape.let(sp.Add(*groups[constraint.group]), f"{constraint.group.replace('.', '_')}_size")
+            matrix[name, name] = tape.let(matrix.get((name, name), sp.S.Zero) + REGULAR * size, f"W_{name}_raised")
+        self._factor = Factor(tape, order, matrix)
+
+    def corrected(
+        self, motion: dict[str, Any], wanted: list[Any], label: str, refinements: int
+    ) -> tuple[dict[str, Any], list[Any]]:
+        """Speeds or accelerations by row, least far from `motion` in kinetic energy, whose constraints are as `wanted`; and the multipliers."""
+        tape, names = self._tape, self._names
+        multipliers = dict.fromkeys(names, sp.S.Zero)
+        for _ in range(1 + refinements):
+            left = {
+                name: tape.let(value - _seen(constraint, motion), f"{name}_left")
+                for constraint, name, value in zip(self._constraints, names, wanted, strict=True)
+            }
+            more = self._factor.solve(left, label)
+            multipliers = {name: tape.let(multipliers[name] + more[name], f"{name}_{label}") for name in names}
+            corrected = {}
+            for key, value in motion.items():
+                pushes = (more[name] * through[key] for name, through in zip(names, self._through, strict=True))
+                corrected[key] = tape.let(value + sp.Add(*pushes), f"{key.replace('.', '_')}_{label}")
+            motion = corrected
+        return motion, list(multipliers.values())
+
+
+def _seen(constraint: Constraint, motion: dict[str, Any]) -> Any:
+    """A constraint's rate under a motion."""
+    return sp.Add(*(entry * motion[key] for key, entry in constraint.column.items() if key in motion))

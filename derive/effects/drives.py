@@ -1,0 +1,181 @@
+"""Drives: the motion of a joint as a function of time, its rate and acceleration derived from one declaration. A driven joint has no freedom.
+
+A declared position is a closed form. A declared speed or acceleration is integrated with the states, from a position (and speed) at t = 0.
+How smooth a motion is decides how well a method of high order goes over it: a run keeps its accuracy at a kink, with shorter steps.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import sympy as sp
+
+from hertzwerk.derive.effects.expression import TIME, T, Varying, as_choice, shown
+from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.functions import Where
+from hertzwerk.derive.mechanism import Freedom, Slot
+from hertzwerk.derive.parameter import POSITIVE, Scalar
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A drive's declaration: `law` is the derivative of this order of the position, by time; `start` what the lower ones are at t = 0."""
+
+    law: Any
+    order: int = 0
+    start: tuple[Any, ...] = ()
+
+
+@dataclass(frozen=True)
+class ConstantSpeed:
+    """A drive that turns (or moves) a joint at constant speed, from coordinate 0 at t = 0; removes the joint's coordinate.
+
+    Of a joint with several coordinates one is named: `joint="column.angle"`.
+    """
+
+    name: str
+    joint: str
+    speed: Scalar
+    kind: ClassVar[str] = "drive"
+
+    @property
+    def text(self) -> str:
+        """What the effect is, for people."""
+        return f"constant speed of {self.joint}"
+
+    @property
+    def motion(self) -> Motion:
+        """speed t."""
+        return Motion(sp.sympify(self.speed) * T)
+
+    def slots(self, freedom: Freedom) -> Iterator[Slot]:
+        """The speed."""
+        yield Slot(f"effect {self.name}, speed", self.speed, freedom.units[1])
+
+
+@dataclass(frozen=True)
+class Ramp:
+    """A drive from rest at coordinate 0: its speed rises to `speed` within the time `rise`, and stays.
+
+    The rise is the polynomial of least degree whose first `smoothness` derivatives vanish at both ends: 0 is a straight line (constant
+    acceleration, which jumps at both ends), 2 has a continuous acceleration and jerk. The way of the rise is speed rise/2 in any case.
+    """
+
+    name: str
+    joint: str
+    speed: Scalar
+    rise: Scalar
+    smoothness: int = 2
+    kind: ClassVar[str] = "drive"
+
+    @property
+    def text(self) -> str:
+        """What the effect is, for people."""
+        return f"speed of {self.joint} rising to a constant, {self.smoothness} derivatives of it continuous"
+
+    @property
+    def motion(self) -> Motion:
+        """The integral of the rise, then a constant speed."""
+        speed, rise, n, x = sp.sympify(self.speed), sp.sympify(self.rise), self.smoothness, sp.Dummy("x")
+        terms = (sp.binomial(n + k, k) * sp.binomial(2 * n + 1, n - k) * (-x) ** k for k in range(n + 1))
+        way = sp.horner(sp.integrate(sp.expand(x ** (n + 1) * sp.Add(*terms)), x)).subs(x, T / rise)
+        return Motion(speed * Where(rise > T, rise * way, T - rise / 2))
+
+    def slots(self, freedom: Freedom) -> Iterator[Slot]:
+        """The final speed and the duration of the rise."""
+        yield Slot(f"effect {self.name}, speed", self.speed, freedom.units[1])
+        yield Slot(f"effect {self.name}, rise", self.rise, "s", POSITIVE)
+
+    def faults(self) -> Iterator[Fault]:
+        """A smoothness that is none."""
+        if isinstance(self.smoothness, bool) or not isinstance(self.smoothness, int) or not 0 <= self.smoothness <= 4:
+            yield Fault(f"effect {self.name}, smoothness", repr(self.smoothness), "a whole number from 0 to 4")
+
+
+@dataclass(frozen=True)
+class Harmonic:
+    """A drive at mean + amplitude sin(frequency t + phase), of a joint's coordinate; the frequency in rad/s."""
+
+    name: str
+    joint: str
+    amplitude: Scalar
+    frequency: Scalar
+    phase: Scalar = 0
+    mean: Scalar = 0
+    kind: ClassVar[str] = "drive"
+
+    @property
+    def text(self) -> str:
+        """What the effect is, for people."""
+        return f"harmonic motion of {self.joint}"
+
+    @property
+    def motion(self) -> Motion:
+        """The closed form."""
+        return Motion(self.mean + self.amplitude * sp.sin(self.frequency * T + self.phase))
+
+    def slots(self, freedom: Freedom) -> Iterator[Slot]:
+        """Amplitude, frequency, phase, mean."""
+        yield Slot(f"effect {self.name}, amplitude", self.amplitude, freedom.units[0])
+        yield Slot(f"effect {self.name}, frequency", self.frequency, "rad/s")
+        yield Slot(f"effect {self.name}, phase", self.phase, "rad")
+        yield Slot(f"effect {self.name}, mean", self.mean, freedom.units[0])
+
+
+@dataclass(frozen=True)
+class Drive:
+    """A drive whose position, or speed, or acceleration is an expression of the time T, of parameters and of tables: exactly one of them is given.
+
+    A speed is integrated from the coordinate `start`, an acceleration also from the speed `start_speed`. A `Table` has as many continuous
+    derivatives as it says: given for the position, the acceleration is continuous.
+    """
+
+    name: str
+    joint: str
+    position: Scalar | None = None
+    speed: Scalar | None = None
+    acceleration: Scalar | None = None
+    start: Scalar = 0
+    start_speed: Scalar = 0
+    kind: ClassVar[str] = "drive"
+
+    @property
+    def _given(self) -> list[tuple[int, str, Any]]:
+        laws = enumerate((("position", self.position), ("speed", self.speed), ("acceleration", self.acceleration)))
+        return [(order, what, law) for order, (what, law) in laws if law is not None]
+
+    @property
+    def text(self) -> str:
+        """What the effect is, for people."""
+        return ", ".join(f"{what} of {self.joint} = {shown(law)}" for _, what, law in self._given)
+
+    @property
+    def motion(self) -> Motion:
+        """As declared."""
+        order, _, law = self._given[0]
+        return Motion(as_choice(law), order, (self.start, self.start_speed)[:order])
+
+    def slots(self, freedom: Freedom) -> Iterator[Slot]:
+        """The law, and what it starts from."""
+        units = (freedom.units[0], freedom.units[1], f"{freedom.units[0]}/s^2")
+        for order, what, law in self._given:
+            yield Varying(f"effect {self.name}, {what}", law, units[order], on=(TIME,), derivatives=2 - order)
+        yield Slot(f"effect {self.name}, start", self.start, freedom.units[0])
+        yield Slot(f"effect {self.name}, start speed", self.start_speed, freedom.units[1])
+
+    def faults(self) -> Iterator[Fault]:
+        """Not exactly one law, or a start that its law does not need."""
+        where = f"effect {self.name}"
+        if len(self._given) != 1:
+            found = " and ".join(what for _, what, _ in self._given) or "none of them"
+            yield Fault(where, found, "one of position, speed and acceleration", "The others follow from it.")
+            return
+        order, what, _ = self._given[0]
+        for name, value, needed in (("start", self.start, 1), ("start_speed", self.start_speed, 2)):
+            if order < needed and value != 0:
+                yield Fault(where, f"{name} {value} beside a {what}", f"{name} 0", f"The {what} says where it begins.")
+
+
+AnyDrive = ConstantSpeed | Ramp | Harmonic | Drive

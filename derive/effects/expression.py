@@ -1,0 +1,179 @@
+"""What an effect's expression may depend on: time, coordinates and speeds of joints, parameters, tables; and its faults.
+
+T                     time
+coordinate_of(joint)  coordinate of a joint, by its name [rad or m]
+speed_of(joint)       its rate [rad/s or m/s]
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.dimension import Dimension, check
+from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.functions import Where
+from hertzwerk.derive.mechanism import Freedom, Slot
+from hertzwerk.derive.notation import text_of
+from hertzwerk.derive.parameter import Parameter, is_number
+from hertzwerk.derive.tables import Table
+from hertzwerk.derive.units import parse_unit, unit_text
+
+TIME, COORDINATE, SPEED = "time", "coordinate", "speed"
+
+
+class StateSymbol(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
+    """Time, or the coordinate or the speed of a joint, in an expression of a scene."""
+
+    __slots__ = ("joint", "what")
+
+    def __new__(cls, name: str, what: str, joint: str) -> StateSymbol:
+        """A symbol of its own: never taken from SymPy's cache."""
+        self = sp.Symbol.__xnew__(cls, name, real=True)
+        self.what = what
+        self.joint = joint
+        return self  # type: ignore[no-any-return]
+
+    def _hashable_content(self) -> tuple[Any, ...]:
+        return (self.name, self.what, self.joint)
+
+    def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
+        return (self.name, self.what, self.joint), {}
+
+
+T = StateSymbol("t", TIME, "")
+
+
+def coordinate_of(joint: str) -> StateSymbol:
+    """The coordinate of the joint of this name [rad or m]."""
+    return StateSymbol(f"{joint}.coordinate", COORDINATE, joint)
+
+
+def speed_of(joint: str) -> StateSymbol:
+    """The rate of the coordinate of the joint of this name [rad/s or m/s]."""
+    return StateSymbol(f"{joint}.speed", SPEED, joint)
+
+
+@dataclass(frozen=True)
+class Varying(Slot):
+    """A quantity that may vary with some of time, coordinates and speeds."""
+
+    on: tuple[str, ...] = (TIME, COORDINATE, SPEED)
+    derivatives: int = 0
+    """How often it is differentiated by time."""
+
+
+def as_choice(value: Any) -> Any:
+    """A SymPy expression, its Piecewise as choices that can be differentiated; what is no number passes."""
+    if not is_number(value):
+        return value
+    expression = sp.sympify(value)
+    return expression.replace(lambda node: isinstance(node, sp.Piecewise), _choice)
+
+
+def _choice(piecewise: Any) -> Any:
+    *earlier, (last, condition) = piecewise.args
+    if condition != sp.true:
+        return piecewise  # has no value elsewhere: a fault
+    for value, condition in reversed(earlier):
+        last = Where(condition, value, last)
+    return last
+
+
+def states_in(expression: Any) -> list[StateSymbol]:
+    """Time, coordinates and speeds an expression depends on, in the order they stand in it (never in hash order)."""
+    if not isinstance(expression, sp.Basic):
+        return []
+    return list(dict.fromkeys(node for node in sp.preorder_traversal(expression) if isinstance(node, StateSymbol)))
+
+
+def tables_in(expression: Any) -> list[Table]:
+    """Its tables, in the order they stand in it."""
+    if not isinstance(expression, sp.Basic):
+        return []
+    return list(dict.fromkeys(node for node in sp.preorder_traversal(expression) if isinstance(node, Table)))
+
+
+def state_dimension(symbol: StateSymbol, freedoms: Mapping[str, Freedom]) -> Dimension:
+    """Dimension of time, or of a coordinate or speed of one of these freedoms."""
+    if symbol.what == TIME:
+        return Dimension.from_unit("s")
+    coordinate, speed, _ = freedoms[symbol.joint].units
+    return Dimension.from_unit(coordinate if symbol.what == COORDINATE else speed)
+
+
+def shown(value: Any) -> str:
+    """An expression as it is shown to people."""
+    return text_of(sp.sympify(value)) if is_number(value) else repr(value)
+
+
+def expression_faults(
+    slot: Varying,
+    freedoms: Mapping[str, Freedom],
+    table: Mapping[sp.Symbol, Dimension],
+    constant: Callable[[Slot], Iterator[Fault]],
+) -> Iterator[Fault]:
+    """What is wrong with the expression in a slot: `table` has the dimensions of all sound parameters, `constant` judges what does not vary."""
+    if not is_number(slot.value) or not (states_in(slot.value) or tables_in(slot.value)):
+        yield from constant(slot)
+        return
+    value, where = as_choice(slot.value), slot.where
+    strange = [f for given in tables_in(value) for f in given.faults()]  # which `table_faults` reports
+    for symbol in states_in(value):
+        if symbol.what not in slot.on:
+            of = " and ".join(slot.on) if slot.on else "parameters alone"
+            yield Fault(where, f"{value}, which depends on {symbol}", f"an expression of {of}")
+            return
+        if symbol.what != TIME and symbol.joint not in freedoms:
+            strange.append(Fault(where, f"joint {symbol.joint!r}", f"one of {', '.join(freedoms)}"))
+            yield strange[-1]
+    others = [symbol for symbol in value.free_symbols if not isinstance(symbol, Parameter | StateSymbol)]
+    if others:
+        named = ", ".join(sorted(map(str, others)))
+        yield Fault(
+            where,
+            f"the symbol {named}",
+            "an expression of Parameters, T, coordinate_of(joint), speed_of(joint) and tables",
+        )
+        return
+    if strange:
+        return
+    known = {**table, **{symbol: state_dimension(symbol, freedoms) for symbol in states_in(value)}}
+    unit = parse_unit(slot.unit)
+    fault = check(value, known, Dimension.from_unit(unit, {}), list(table))
+    if fault is not None:
+        yield Fault(where, f"{fault.subexpression} [{fault.found}]", f"a quantity in {unit_text(unit.exponents)}" if fault.subexpression == str(value)
+                    else fault.expected, fault.repair or fault.reason)  # fmt: skip
+        return
+    yield from _smoothness_faults(slot, value)
+
+
+def table_faults(slots: Iterable[Slot]) -> Iterator[Fault]:
+    """What is wrong with the tables in these slots, by themselves and beside each other; a module writes their names in capitals."""
+    seen: dict[str, Table] = {}
+    for table in (table for slot in slots for table in tables_in(slot.value)):
+        yield from table.faults()
+        if seen.setdefault(str(table.name).upper(), table) != table:
+            yield Fault(f"table {table.name}", "two different tables of this name", "names that are unique, in capitals too",
+                        "Share one Table object, or rename one.")  # fmt: skip
+
+
+def _smoothness_faults(slot: Varying, value: Any) -> Iterator[Fault]:
+    """An operation no module can hold, in the expression or in a derivative by time that is asked for."""
+    from hertzwerk.derive.emit import EmitError, expression_text  # which imports the scene's audit
+
+    for order in range(slot.derivatives + 1):
+        of = ("", "the first derivative of ", "the second derivative of ")[order]
+        try:
+            expression_text(value)
+            value = sp.diff(value, T) if order < slot.derivatives else value
+        except EmitError as error:
+            yield Fault(slot.where, f"{of}{shown(slot.value)}: {error}", "an expression of known functions, as smooth as its use asks for",
+                        "A choice is Where(condition, a, b); what jumps is no position.")  # fmt: skip
+            return
+        except ValueError as error:
+            yield Fault(slot.where, f"{of}{shown(slot.value)}", "an expression that is smooth enough", str(error))
+            return

@@ -1,0 +1,151 @@
+"""Joints that close loops: constraints on the coordinates of the tree, with their rates and their forces.
+
+A joint whose child another joint carries already closes a loop. What it forbids is written one by one: a point of the child may not leave the
+parent's (along a direction), a direction of the child may not turn towards one of the parent's. What a plane mechanism fulfils by itself vanishes.
+Forces by the same partial velocities as every other force; Kane, Levinson, Dynamics: Theory and Applications (1985), 2.13 and 4.5.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.frames import Direction, X, Y, Z
+from hertzwerk.derive.kinematics import Kinematics
+from hertzwerk.derive.mechanism import Cylindrical, Joint, Planar, Prismatic, Revolute, Spherical, Universal, Weld
+from hertzwerk.derive.parameter import default_value
+from hertzwerk.derive.vectors import Vector, add, along, cross, dot, sub
+
+CLOSING = (Revolute, Prismatic, Cylindrical, Planar, Universal, Spherical, Weld)  # joints that can close a loop
+AXES = (X, Y, Z)
+
+
+@dataclass(frozen=True)
+class Constraint:
+    """`value` must be zero, as must its rate; its acceleration is `column` . a + `bias`.
+
+    `column` holds, by row of the equations of motion, the generalised force of a unit multiplier. The constraints of a `group` are components of
+    one vector, or of one unit.
+    """
+
+    name: str
+    unit: str
+    group: str
+    value: Any
+    rate: Any
+    bias: Any
+    column: dict[str, Any]
+
+
+def constraints_of(kinematics: Kinematics) -> tuple[Constraint, ...]:
+    """The constraints of a mechanism's closing joints, in declared order; raises InputError where one can never be met."""
+    mechanism = kinematics.mechanism
+    found = [constraint for joint in mechanism.closures for constraint in _Closure(kinematics, joint).constraints()]
+    never = [constraint for constraint in found if constraint.rate == 0 and constraint.value != 0]
+    if never:
+        faults = [
+            Fault(f"joint {constraint.group.split('.')[0]}", f"{constraint.name} = {constraint.value}, whatever the motion",
+                  "0, or the loop stays open", "Give both points the same place across the plane of motion.")
+            for constraint in never
+        ]  # fmt: skip
+        raise InputError(f"mechanism {mechanism.name}", faults)
+    return tuple(constraint for constraint in found if constraint.rate != 0)
+
+
+class _Closure:
+    """One closing joint on its kinematics' tape."""
+
+    def __init__(self, kinematics: Kinematics, joint: Joint) -> None:
+        self.kin, self.tape, self.joint = kinematics, kinematics.tape, joint
+        self.bodies = joint.child.body, joint.parent.body
+        self.motions = [kinematics.motion(body) for body in self.bodies]
+        self.biases = [kinematics.bias_of(kinematics.link_of(body))[0] for body in self.bodies]
+        name = joint.name
+        sides = (joint.child, f"{name}_child"), (joint.parent, f"{name}_parent")
+        one, two = (kinematics.point(place, side) for place, side in sides)
+        self.place = one[0]
+        self.apart = self.tape.vector(sub(one[0], two[0]), f"{name}_apart")
+        self.apart_rate = self.tape.vector(sub(one[1], two[1]), f"{name}_apart_rate")
+        bias = (kinematics.point_bias(place, side) for place, side in sides)
+        self.apart_bias = self.tape.vector(sub(*bias), f"{name}_apart_bias")
+
+    def constraints(self) -> Iterator[Constraint]:
+        """What the joint forbids."""
+        joint = self.joint
+        if isinstance(joint, Prismatic | Cylindrical):
+            yield from (self._slide(direction, label) for direction, label in _across(joint.axis))
+        elif isinstance(joint, Planar):
+            yield self._slide(joint.normal, "normal")
+        else:
+            yield from (self._meet(k) for k in range(3))
+        if isinstance(joint, Revolute | Cylindrical):
+            yield from (self._turn(joint.axis, direction, label) for direction, label in _across(joint.axis))
+        elif isinstance(joint, Planar):
+            yield from (self._turn(joint.normal, direction, label) for direction, label in _across(joint.normal))
+        elif isinstance(joint, Universal):
+            yield self._turn(joint.second, joint.first, "axes")
+        elif isinstance(joint, Prismatic | Weld):
+            yield from (self._turn(AXES[k], AXES[(k + 1) % 3], "xyz"[k] + "yzx"[k]) for k in range(3))
+
+    def _meet(self, k: int) -> Constraint:
+        """The two points coincide, along an axis of the ground."""
+        label = "xyz"[k]
+        return Constraint(
+            f"{self.joint.name}.apart_{label}", "m", f"{self.joint.name}.apart",
+            self.apart[k], self.apart_rate[k], self.apart_bias[k], self._force(AXES[k].unit, label),
+        )  # fmt: skip
+
+    def _slide(self, direction: Direction, label: str) -> Constraint:
+        """The child's point stays where it is along a direction of the parent."""
+        across = self.kin.direction(self.joint.parent, direction)
+        w, alpha = self.motions[1].angular_velocity, self.biases[1]
+        turned = self.tape.vector(cross(w, across), f"{self.joint.name}_{label}_rate")
+        bent = add(cross(alpha, across), cross(w, turned))
+        bias = dot(self.apart_bias, across) + 2 * dot(self.apart_rate, turned) + dot(self.apart, bent)
+        return Constraint(
+            f"{self.joint.name}.off_{label}", "m", f"{self.joint.name}.off",
+            self._let(dot(self.apart, across), f"off_{label}"),
+            self._let(dot(self.apart_rate, across) + dot(self.apart, turned), f"off_{label}_rate"),
+            self._let(bias, f"off_{label}_bias"),
+            self._force(across, label),
+        )  # fmt: skip
+
+    def _turn(self, on_child: Direction, on_parent: Direction, label: str) -> Constraint:
+        """A direction of the child keeps its angle to one of the parent: where all coordinates are zero, both are in the same axes."""
+        a, b = self.kin.direction(self.joint.child, on_child), self.kin.direction(self.joint.parent, on_parent)
+        (w, v), (alpha, beta) = (motion.angular_velocity for motion in self.motions), self.biases
+        about = self.tape.vector(cross(a, b), f"{self.joint.name}_turned_{label}_about")
+        turning = self.tape.vector(sub(w, v), f"{self.joint.name}_turning")
+        moving = add(cross(cross(w, a), b), cross(a, cross(v, b)))
+        kept = dot(on_child.unit, on_parent.unit)
+        return Constraint(
+            f"{self.joint.name}.turned_{label}", "1", f"{self.joint.name}.turned",
+            self._let(dot(a, b) - kept, f"turned_{label}"),
+            self._let(dot(turning, about), f"turned_{label}_rate"),
+            self._let(dot(sub(alpha, beta), about) + dot(turning, moving), f"turned_{label}_bias"),
+            _without_zeros(self.kin.generalised_moment(about, *self.bodies, f"{self.joint.name}_turned_{label}")),
+        )  # fmt: skip
+
+    def _let(self, expression: Any, what: str) -> Any:
+        return self.tape.let(expression, f"{self.joint.name}_{what}")
+
+    def _force(self, direction: Vector, label: str) -> dict[str, Any]:
+        name = f"{self.joint.name}_{label}"
+        return _without_zeros(self.kin.generalised(direction, self.place, *self.bodies, name))
+
+
+def _across(direction: Direction) -> list[tuple[Direction, str]]:
+    """Two directions across one and each other, and what to call them."""
+    k = along(direction.unit)
+    if k is not None:
+        return [(AXES[i], "xyz"[i]) for i in range(3) if i != k]
+    unit = direction.unit
+    least = min(range(3), key=lambda i: abs(default_value(unit[i])))
+    first = Direction(cross(unit, AXES[least].unit))
+    return [(first, "1"), (Direction(cross(unit, first.unit)), "2")]
+
+
+def _without_zeros(column: dict[str, Any]) -> dict[str, Any]:
+    return {key: value for key, value in column.items() if value != 0}

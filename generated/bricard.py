@@ -1,0 +1,1506 @@
+"""bricard: five rods and six hinges in space, one constraint redundant. Generated from derive/scenes/bricard.py.
+
+Do not edit; regenerate with `hertzwerk derive bricard`.
+Effects:
+    gravity: uniform gravity
+    energy_ledger: work put in, energy dissipated per effect
+Units: 571 assignments and 140 outputs checked, all consistent
+Operations: flight 1815 (equations of motion and gaps)
+"""
+
+import casadi as ca
+
+NAME = "bricard"
+SOURCE = "derive/scenes/bricard.py"
+SUMMARY = "five rods and six hinges in space, one constraint redundant"
+
+EFFECTS = (
+    ("gravity", "gravity", "uniform gravity"),
+    ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
+)
+
+UNCHECKED = ()
+
+PARAMETERS = (
+    ("mass", "kg", 1.0, "of each rod"),
+    ("length", "m", 1.0, "of each rod"),
+    ("gravity", "m/s^2", 9.81, "effect gravity, acceleration"),
+    ("speed_scale", "m/s", 1.0, "scales, speed"),
+)
+
+LIMITS = (
+    ("mass", "defined", 0, None, True, False, "body rod_a, mass"),
+    ("length", "defined", 0, None, True, False, "scales, length"),
+    ("speed_scale", "defined", 0, None, True, False, "scales, speed"),
+)
+
+COORDINATES = (
+    ("hinge_a.angle", "rad"),
+    ("hinge_b.angle", "rad"),
+    ("hinge_c.angle", "rad"),
+    ("hinge_d.angle", "rad"),
+    ("hinge_e.angle", "rad"),
+)
+
+SPEEDS = (
+    ("hinge_a.speed", "rad/s"),
+    ("hinge_b.speed", "rad/s"),
+    ("hinge_c.speed", "rad/s"),
+    ("hinge_d.speed", "rad/s"),
+    ("hinge_e.speed", "rad/s"),
+)
+
+MEMORY = ()
+
+LATCHES = ()
+
+PAIRS = ()
+
+RELEASES = ()
+
+DISSIPATED = ()
+
+CONSTRAINTS = (
+    ("hinge_f.apart_x", "m"),
+    ("hinge_f.apart_y", "m"),
+    ("hinge_f.apart_z", "m"),
+    ("hinge_f.turned_y", "1"),
+    ("hinge_f.turned_z", "1"),
+)
+
+GIVEN = ()
+
+OUTPUTS = ()
+
+BODIES = (
+    "rod_a",
+    "rod_b",
+    "rod_c",
+    "rod_d",
+    "rod_e",
+)
+
+CONSTANTS = (
+    ("length", "m"),
+    ("gravity", "m/s^2"),
+    ("rod_e_h_y", "kg m"),
+    ("rod_d_h_x", "kg m"),
+    ("rod_c_h_z", "kg m"),
+    ("rod_b_h_y", "kg m"),
+    ("rod_b_I_x_x", "kg m^2"),
+    ("rod_c_I_x_x", "kg m^2"),
+    ("rod_d_I_z_z", "kg m^2"),
+    ("rod_e_I_x_x", "kg m^2"),
+    ("k1", "kg m^2"),
+    ("k2", "m"),
+    ("k3", "kg m^2"),
+    ("rod_a_I_y_y", "kg m^2"),
+    ("k4", "1/(kg m^2)"),
+    ("k5", "kg m^2"),
+    ("k6", "kg"),
+    ("k7", "m"),
+    ("k8", "N"),
+)
+
+OPERATIONS = (
+    ("constants", 35),
+    ("start", 0),
+    ("scales", 6),
+    ("coordinate_rates", 0),
+    ("gaps", 0),
+    ("gap_accelerations", 0),
+    ("applied", 44),
+    ("accelerations", 1771),
+    ("constraints", 176),
+    ("projection", 1041),
+    ("ledger", 0),
+    ("energy", 188),
+    ("poses", 94),
+    ("outputs", 0),
+)
+
+
+def constants(p):
+    """What depends on the parameters alone, once per run.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        c (19,): length, gravity, rod_e_h_y, rod_d_h_x, rod_c_h_z, rod_b_h_y, rod_b_I_x_x, rod_c_I_x_x, rod_d_I_z_z,
+            rod_e_I_x_x, k1, k2, k3, rod_a_I_y_y, k4, k5, k6, k7, k8
+    """
+    mass = p[0]
+    length = p[1]
+    gravity = p[2]
+    rod_e_h_y = length*mass/2
+    rod_d_h_x = -3*length*mass/2
+    rod_d_total_mass = 2*mass
+    rod_c_h_z = rod_e_h_y + rod_d_total_mass*length
+    rod_c_total_mass = rod_d_total_mass + mass
+    rod_b_h_y = -rod_c_total_mass*length - length*mass/2
+    rod_b_total_mass = rod_c_total_mass + mass
+    x1 = length*length
+    x2 = x1*mass/3
+    rod_b_I_x_x = x2 + rod_c_total_mass*x1
+    rod_c_I_x_x = x2 + rod_d_total_mass*x1
+    rod_d_I_z_z = 4*x1*mass/3
+    k1 = 2*rod_b_I_x_x
+    k2 = 2*length
+    k3 = rod_d_I_z_z + x2
+    rod_a_I_y_y = x2 + rod_b_total_mass*x1
+    k4 = 1/x2
+    k5 = x2/2
+    k6 = mass/2
+    k7 = length/2
+    k8 = gravity*mass
+    return ca.vertcat(length, gravity, rod_e_h_y, rod_d_h_x, rod_c_h_z, rod_b_h_y, rod_b_I_x_x, rod_c_I_x_x,
+        rod_d_I_z_z, x2, k1, k2, k3, rod_a_I_y_y, k4, k5, k6, k7, k8)
+
+
+def start(p):
+    """Coordinates and speeds at t = 0.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        q (5,): hinge_a.angle [rad], hinge_b.angle [rad], hinge_c.angle [rad], hinge_d.angle [rad], hinge_e.angle
+            [rad]
+        u (5,): hinge_a.speed [rad/s], hinge_b.speed [rad/s], hinge_c.speed [rad/s], hinge_d.speed [rad/s],
+            hinge_e.speed [rad/s]
+    """
+    return ca.vertcat(0, 0, 0, 0, 0), ca.vertcat(0, 0, 0, 0, 0)
+
+
+def scales(p):
+    """Sizes that accuracy is measured by: of coordinates, speeds, memory; then length, speed, force, energy.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        sq (5,): hinge_a.angle [rad], hinge_b.angle [rad], hinge_c.angle [rad], hinge_d.angle [rad], hinge_e.angle
+            [rad]
+        su (5,): hinge_a.speed [rad/s], hinge_b.speed [rad/s], hinge_c.speed [rad/s], hinge_d.speed [rad/s],
+            hinge_e.speed [rad/s]
+        sz (0,): empty
+        s (4,): length [m], speed [m/s], force [N], energy [J]
+    """
+    mass = p[0]
+    length = p[1]
+    speed_scale = p[3]
+    total_mass = 5*mass
+    energy_scale = total_mass*speed_scale*speed_scale/2
+    force_scale = energy_scale/length
+    x1 = speed_scale/length
+    return (
+        ca.vertcat(1, 1, 1, 1, 1),
+        ca.vertcat(x1, x1, x1, x1, x1),
+        ca.vertcat(),
+        ca.vertcat(length, speed_scale, force_scale, energy_scale),
+    )
+
+
+def coordinate_rates(t, q, u, c):
+    """Rates of the coordinates.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        dq (5,): hinge_a.angle [rad/s], hinge_b.angle [rad/s], hinge_c.angle [rad/s], hinge_d.angle [rad/s],
+            hinge_e.angle [rad/s]
+    """
+    hinge_a_speed = u[0]
+    hinge_b_speed = u[1]
+    hinge_c_speed = u[2]
+    hinge_d_speed = u[3]
+    hinge_e_speed = u[4]
+    return ca.vertcat(hinge_a_speed, hinge_b_speed, hinge_c_speed, hinge_d_speed, hinge_e_speed)
+
+
+def gaps(t, q, u, c):
+    """Gap of every pair, positive while open, and its rate; at an onset the rate is minus the approach speed.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        G (0,): empty
+        dG (0,): empty
+    """
+    return ca.vertcat(), ca.vertcat()
+
+
+def gap_accelerations(t, q, u, a, c):
+    """Second derivative of every gap.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; a: rates of the speeds; c: CONSTANTS.
+    Returns, each a column vector:
+        ddG (0,): empty
+    """
+    return ca.vertcat()
+
+
+def applied(t, q, u, c):
+    """Generalised forces of everything that is no contact.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        f (5,): hinge_a [N m], hinge_b [N m], hinge_c [N m], hinge_d [N m], hinge_e [N m]
+    """
+    gravity = c[1]
+    rod_e_h_y = c[2]
+    rod_d_h_x = c[3]
+    rod_c_h_z = c[4]
+    rod_b_h_y = c[5]
+    hinge_b_angle = q[1]
+    hinge_c_angle = q[2]
+    hinge_d_angle = q[3]
+    hinge_e_angle = q[4]
+    cos_rod_b = ca.cos(hinge_b_angle)
+    sin_rod_b = ca.sin(hinge_b_angle)
+    cos_rod_c = ca.cos(hinge_c_angle)
+    sin_rod_c = ca.sin(hinge_c_angle)
+    cos_rod_d = ca.cos(hinge_d_angle)
+    sin_rod_d = ca.sin(hinge_d_angle)
+    cos_rod_e = ca.cos(hinge_e_angle)
+    sin_rod_e = ca.sin(hinge_e_angle)
+    rod_d_total_moment_x = rod_d_h_x - rod_e_h_y*sin_rod_e
+    rod_d_total_moment_y = cos_rod_e*rod_e_h_y
+    rod_c_total_moment_x = cos_rod_d*rod_d_total_moment_x
+    rod_c_total_moment_z = rod_c_h_z - rod_d_total_moment_x*sin_rod_d
+    rod_b_total_moment_y = rod_b_h_y + cos_rod_c*rod_d_total_moment_y - rod_c_total_moment_z*sin_rod_c
+    rod_b_gravity_x = -sin_rod_b*gravity
+    rod_b_gravity_y = -cos_rod_b*gravity
+    rod_c_gravity_y = cos_rod_c*rod_b_gravity_y
+    rod_c_gravity_z = -rod_b_gravity_y*sin_rod_c
+    rod_d_gravity_x = cos_rod_d*rod_b_gravity_x - rod_c_gravity_z*sin_rod_d
+    rod_d_gravity_z = cos_rod_d*rod_c_gravity_z + rod_b_gravity_x*sin_rod_d
+    rod_e_gravity_x = cos_rod_e*rod_d_gravity_x + rod_c_gravity_y*sin_rod_e
+    return ca.vertcat(0, rod_b_gravity_y*rod_c_total_moment_x - rod_b_gravity_x*rod_b_total_moment_y,
+        rod_c_gravity_z*rod_d_total_moment_y - rod_c_gravity_y*rod_c_total_moment_z,
+        -rod_d_gravity_z*rod_d_total_moment_x, -rod_e_gravity_x*rod_e_h_y)
+
+
+def accelerations(t, q, u, f, c):
+    """Generalised accelerations a from M a = f - bias, and what each drive must supply.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; f: generalised forces; c: CONSTANTS.
+    Returns, each a column vector:
+        a (5,): hinge_a.acceleration [rad/s^2], hinge_b.acceleration [rad/s^2], hinge_c.acceleration [rad/s^2],
+            hinge_d.acceleration [rad/s^2], hinge_e.acceleration [rad/s^2]
+        reactions (0,): empty
+        multipliers (5,): hinge_f.apart_x [N], hinge_f.apart_y [N], hinge_f.apart_z [N], hinge_f.turned_y [N m],
+            hinge_f.turned_z [N m]
+    """
+    length = c[0]
+    rod_e_h_y = c[2]
+    rod_d_h_x = c[3]
+    rod_c_h_z = c[4]
+    rod_b_h_y = c[5]
+    rod_b_I_x_x = c[6]
+    rod_c_I_x_x = c[7]
+    rod_d_I_z_z = c[8]
+    rod_e_I_x_x = c[9]
+    k1 = c[10]
+    k2 = c[11]
+    k3 = c[12]
+    rod_a_I_y_y = c[13]
+    k4 = c[14]
+    hinge_a_angle = q[0]
+    hinge_b_angle = q[1]
+    hinge_c_angle = q[2]
+    hinge_d_angle = q[3]
+    hinge_e_angle = q[4]
+    hinge_a_speed = u[0]
+    hinge_b_speed = u[1]
+    hinge_c_speed = u[2]
+    hinge_d_speed = u[3]
+    hinge_e_speed = u[4]
+    hinge_a_force = f[0]
+    hinge_b_force = f[1]
+    hinge_c_force = f[2]
+    hinge_d_force = f[3]
+    hinge_e_force = f[4]
+    cos_rod_a = ca.cos(hinge_a_angle)
+    sin_rod_a = ca.sin(hinge_a_angle)
+    cos_rod_b = ca.cos(hinge_b_angle)
+    sin_rod_b = ca.sin(hinge_b_angle)
+    cos_rod_c = ca.cos(hinge_c_angle)
+    sin_rod_c = ca.sin(hinge_c_angle)
+    cos_rod_d = ca.cos(hinge_d_angle)
+    sin_rod_d = ca.sin(hinge_d_angle)
+    cos_rod_e = ca.cos(hinge_e_angle)
+    sin_rod_e = ca.sin(hinge_e_angle)
+    rod_b_arm_x = cos_rod_a*length
+    rod_b_arm_z = -sin_rod_a*length
+    rod_b_arm_rate_x = hinge_a_speed*rod_b_arm_z
+    rod_b_arm_rate_z = -hinge_a_speed*rod_b_arm_x
+    rod_b_turning_x = hinge_b_speed*sin_rod_a
+    rod_b_turning_z = cos_rod_a*hinge_b_speed
+    rod_b_R_x_x = cos_rod_a*cos_rod_b
+    rod_b_R_x_y = -cos_rod_a*sin_rod_b
+    rod_b_R_z_x = -cos_rod_b*sin_rod_a
+    rod_b_R_z_y = sin_rod_a*sin_rod_b
+    rod_c_arm_x = -rod_b_R_x_y*length
+    rod_c_arm_y = -cos_rod_b*length
+    rod_c_arm_z = -rod_b_R_z_y*length
+    rod_c_arm_rate_x = hinge_a_speed*rod_c_arm_z - rod_b_turning_z*rod_c_arm_y
+    rod_c_arm_rate_y = rod_b_turning_z*rod_c_arm_x - rod_b_turning_x*rod_c_arm_z
+    rod_c_arm_rate_z = rod_b_turning_x*rod_c_arm_y - hinge_a_speed*rod_c_arm_x
+    rod_c_turning_x = hinge_c_speed*rod_b_R_x_x
+    rod_c_turning_y = hinge_c_speed*sin_rod_b
+    rod_c_turning_z = hinge_c_speed*rod_b_R_z_x
+    rod_c_rate_x = rod_b_turning_x + rod_c_turning_x
+    rod_c_rate_y = hinge_a_speed + rod_c_turning_y
+    rod_c_rate_z = rod_b_turning_z + rod_c_turning_z
+    rod_c_x = rod_b_arm_x + rod_c_arm_x
+    rod_c_z = rod_b_arm_z + rod_c_arm_z
+    rod_c_R_x_y = cos_rod_c*rod_b_R_x_y + sin_rod_a*sin_rod_c
+    rod_c_R_x_z = cos_rod_c*sin_rod_a - rod_b_R_x_y*sin_rod_c
+    rod_c_R_y_y = cos_rod_b*cos_rod_c
+    rod_c_R_y_z = -cos_rod_b*sin_rod_c
+    rod_c_R_z_y = cos_rod_a*sin_rod_c + cos_rod_c*rod_b_R_z_y
+    rod_c_R_z_z = cos_rod_a*cos_rod_c - rod_b_R_z_y*sin_rod_c
+    rod_d_arm_x = rod_c_R_x_z*length
+    rod_d_arm_y = rod_c_R_y_z*length
+    rod_d_arm_z = rod_c_R_z_z*length
+    rod_d_arm_rate_x = rod_c_rate_y*rod_d_arm_z - rod_c_rate_z*rod_d_arm_y
+    rod_d_arm_rate_y = rod_c_rate_z*rod_d_arm_x - rod_c_rate_x*rod_d_arm_z
+    rod_d_arm_rate_z = rod_c_rate_x*rod_d_arm_y - rod_c_rate_y*rod_d_arm_x
+    rod_d_turning_x = hinge_d_speed*rod_c_R_x_y
+    rod_d_turning_y = hinge_d_speed*rod_c_R_y_y
+    rod_d_turning_z = hinge_d_speed*rod_c_R_z_y
+    rod_d_rate_x = rod_c_rate_x + rod_d_turning_x
+    rod_d_rate_y = rod_c_rate_y + rod_d_turning_y
+    rod_d_rate_z = rod_c_rate_z + rod_d_turning_z
+    rod_d_x = rod_c_x + rod_d_arm_x
+    rod_d_y = rod_c_arm_y + rod_d_arm_y
+    rod_d_z = rod_c_z + rod_d_arm_z
+    rod_d_R_x_x = cos_rod_d*rod_b_R_x_x - rod_c_R_x_z*sin_rod_d
+    rod_d_R_x_z = cos_rod_d*rod_c_R_x_z + rod_b_R_x_x*sin_rod_d
+    rod_d_R_y_x = cos_rod_d*sin_rod_b - rod_c_R_y_z*sin_rod_d
+    rod_d_R_y_z = cos_rod_d*rod_c_R_y_z + sin_rod_b*sin_rod_d
+    rod_d_R_z_x = cos_rod_d*rod_b_R_z_x - rod_c_R_z_z*sin_rod_d
+    rod_d_R_z_z = cos_rod_d*rod_c_R_z_z + rod_b_R_z_x*sin_rod_d
+    rod_e_arm_x = -rod_d_R_x_x*length
+    rod_e_arm_y = -rod_d_R_y_x*length
+    rod_e_arm_z = -rod_d_R_z_x*length
+    rod_e_arm_rate_x = rod_d_rate_y*rod_e_arm_z - rod_d_rate_z*rod_e_arm_y
+    rod_e_arm_rate_y = rod_d_rate_z*rod_e_arm_x - rod_d_rate_x*rod_e_arm_z
+    rod_e_arm_rate_z = rod_d_rate_x*rod_e_arm_y - rod_d_rate_y*rod_e_arm_x
+    rod_e_turning_x = hinge_e_speed*rod_d_R_x_z
+    rod_e_turning_y = hinge_e_speed*rod_d_R_y_z
+    rod_e_turning_z = hinge_e_speed*rod_d_R_z_z
+    rod_e_rate_x = rod_d_rate_x + rod_e_turning_x
+    rod_e_rate_y = rod_d_rate_y + rod_e_turning_y
+    rod_e_rate_z = rod_d_rate_z + rod_e_turning_z
+    rod_e_x = rod_d_x + rod_e_arm_x
+    rod_e_y = rod_d_y + rod_e_arm_y
+    rod_e_z = rod_d_z + rod_e_arm_z
+    rod_e_R_x_x = cos_rod_e*rod_d_R_x_x + rod_c_R_x_y*sin_rod_e
+    rod_e_R_x_y = cos_rod_e*rod_c_R_x_y - rod_d_R_x_x*sin_rod_e
+    rod_e_R_y_x = cos_rod_e*rod_d_R_y_x + rod_c_R_y_y*sin_rod_e
+    rod_e_R_y_y = cos_rod_e*rod_c_R_y_y - rod_d_R_y_x*sin_rod_e
+    rod_e_R_z_x = cos_rod_e*rod_d_R_z_x + rod_c_R_z_y*sin_rod_e
+    rod_e_R_z_y = cos_rod_e*rod_c_R_z_y - rod_d_R_z_x*sin_rod_e
+    rod_b_angular_bias_x = hinge_a_speed*rod_b_turning_z
+    rod_b_angular_bias_z = -hinge_a_speed*rod_b_turning_x
+    rod_b_bias_x = hinge_a_speed*rod_b_arm_rate_z
+    rod_b_bias_z = -hinge_a_speed*rod_b_arm_rate_x
+    rod_c_angular_bias_x = rod_b_angular_bias_x + hinge_a_speed*rod_c_turning_z - rod_b_turning_z*rod_c_turning_y
+    rod_c_angular_bias_y = rod_b_turning_z*rod_c_turning_x - rod_b_turning_x*rod_c_turning_z
+    rod_c_angular_bias_z = rod_b_angular_bias_z + rod_b_turning_x*rod_c_turning_y - hinge_a_speed*rod_c_turning_x
+    rod_c_bias_x = rod_b_bias_x + hinge_a_speed*rod_c_arm_rate_z - rod_b_angular_bias_z*rod_c_arm_y - rod_b_turning_z*rod_c_arm_rate_y
+    rod_c_bias_y = rod_b_angular_bias_z*rod_c_arm_x + rod_b_turning_z*rod_c_arm_rate_x - rod_b_angular_bias_x*rod_c_arm_z - rod_b_turning_x*rod_c_arm_rate_z
+    rod_c_bias_z = rod_b_bias_z + rod_b_angular_bias_x*rod_c_arm_y + rod_b_turning_x*rod_c_arm_rate_y - hinge_a_speed*rod_c_arm_rate_x
+    rod_d_angular_bias_x = rod_c_angular_bias_x + rod_c_rate_y*rod_d_turning_z - rod_c_rate_z*rod_d_turning_y
+    rod_d_angular_bias_y = rod_c_angular_bias_y + rod_c_rate_z*rod_d_turning_x - rod_c_rate_x*rod_d_turning_z
+    rod_d_angular_bias_z = rod_c_angular_bias_z + rod_c_rate_x*rod_d_turning_y - rod_c_rate_y*rod_d_turning_x
+    rod_d_bias_x = rod_c_bias_x + rod_c_angular_bias_y*rod_d_arm_z + rod_c_rate_y*rod_d_arm_rate_z - rod_c_angular_bias_z*rod_d_arm_y - rod_c_rate_z*rod_d_arm_rate_y
+    rod_d_bias_y = rod_c_bias_y + rod_c_angular_bias_z*rod_d_arm_x + rod_c_rate_z*rod_d_arm_rate_x - rod_c_angular_bias_x*rod_d_arm_z - rod_c_rate_x*rod_d_arm_rate_z
+    rod_d_bias_z = rod_c_bias_z + rod_c_angular_bias_x*rod_d_arm_y + rod_c_rate_x*rod_d_arm_rate_y - rod_c_angular_bias_y*rod_d_arm_x - rod_c_rate_y*rod_d_arm_rate_x
+    rod_e_angular_bias_x = rod_d_angular_bias_x + rod_d_rate_y*rod_e_turning_z - rod_d_rate_z*rod_e_turning_y
+    rod_e_angular_bias_y = rod_d_angular_bias_y + rod_d_rate_z*rod_e_turning_x - rod_d_rate_x*rod_e_turning_z
+    rod_e_angular_bias_z = rod_d_angular_bias_z + rod_d_rate_x*rod_e_turning_y - rod_d_rate_y*rod_e_turning_x
+    rod_e_bias_x = rod_d_bias_x + rod_d_angular_bias_y*rod_e_arm_z + rod_d_rate_y*rod_e_arm_rate_z - rod_d_angular_bias_z*rod_e_arm_y - rod_d_rate_z*rod_e_arm_rate_y
+    rod_e_bias_y = rod_d_bias_y + rod_d_angular_bias_z*rod_e_arm_x + rod_d_rate_z*rod_e_arm_rate_x - rod_d_angular_bias_x*rod_e_arm_z - rod_d_rate_x*rod_e_arm_rate_z
+    rod_e_bias_z = rod_d_bias_z + rod_d_angular_bias_x*rod_e_arm_y + rod_d_rate_x*rod_e_arm_rate_y - rod_d_angular_bias_y*rod_e_arm_x - rod_d_rate_y*rod_e_arm_rate_x
+    hinge_f_child_arm_x = rod_e_R_x_y*length
+    hinge_f_child_arm_y = rod_e_R_y_y*length
+    hinge_f_child_arm_z = rod_e_R_z_y*length
+    hinge_f_child_arm_rate_x = hinge_f_child_arm_z*rod_e_rate_y - hinge_f_child_arm_y*rod_e_rate_z
+    hinge_f_child_arm_rate_y = hinge_f_child_arm_x*rod_e_rate_z - hinge_f_child_arm_z*rod_e_rate_x
+    hinge_f_child_arm_rate_z = hinge_f_child_arm_y*rod_e_rate_x - hinge_f_child_arm_x*rod_e_rate_y
+    hinge_f_apart_x = hinge_f_child_arm_x + rod_e_x
+    hinge_f_apart_bias_x = rod_e_bias_x + hinge_f_child_arm_rate_z*rod_e_rate_y + hinge_f_child_arm_z*rod_e_angular_bias_y - hinge_f_child_arm_rate_y*rod_e_rate_z - hinge_f_child_arm_y*rod_e_angular_bias_z
+    hinge_f_apart_bias_y = rod_e_bias_y + hinge_f_child_arm_rate_x*rod_e_rate_z + hinge_f_child_arm_x*rod_e_angular_bias_z - hinge_f_child_arm_rate_z*rod_e_rate_x - hinge_f_child_arm_z*rod_e_angular_bias_x
+    hinge_f_apart_bias_z = rod_e_bias_z + hinge_f_child_arm_rate_y*rod_e_rate_x + hinge_f_child_arm_y*rod_e_angular_bias_x - hinge_f_child_arm_rate_x*rod_e_rate_y - hinge_f_child_arm_x*rod_e_angular_bias_y
+    hinge_f_x_on_hinge_a = hinge_f_child_arm_z + rod_e_z
+    x1 = hinge_f_child_arm_y + rod_e_y
+    hinge_f_x_on_hinge_b = -cos_rod_a*x1
+    x2 = hinge_f_child_arm_z + rod_e_z - rod_c_z
+    x3 = hinge_f_child_arm_y + rod_e_y - rod_c_arm_y
+    hinge_f_x_on_hinge_c = sin_rod_b*x2 - rod_b_R_z_x*x3
+    x4 = hinge_f_child_arm_z + rod_e_z - rod_d_z
+    x5 = hinge_f_child_arm_y + rod_e_y - rod_d_y
+    hinge_f_x_on_hinge_d = rod_c_R_y_y*x4 - rod_c_R_z_y*x5
+    hinge_f_x_on_hinge_e = hinge_f_child_arm_z*rod_d_R_y_z - hinge_f_child_arm_y*rod_d_R_z_z
+    hinge_f_y_on_hinge_b = cos_rod_a*(hinge_f_child_arm_x + rod_e_x - rod_b_arm_x) - sin_rod_a*(hinge_f_child_arm_z + rod_e_z - rod_b_arm_z)
+    x6 = hinge_f_child_arm_x + rod_e_x - rod_c_x
+    hinge_f_y_on_hinge_c = rod_b_R_z_x*x6 - rod_b_R_x_x*x2
+    x7 = hinge_f_child_arm_x + rod_e_x - rod_d_x
+    hinge_f_y_on_hinge_d = rod_c_R_z_y*x7 - rod_c_R_x_y*x4
+    hinge_f_y_on_hinge_e = hinge_f_child_arm_x*rod_d_R_z_z - hinge_f_child_arm_z*rod_d_R_x_z
+    hinge_f_z_on_hinge_b = sin_rod_a*x1
+    hinge_f_z_on_hinge_c = rod_b_R_x_x*x3 - sin_rod_b*x6
+    hinge_f_z_on_hinge_d = rod_c_R_x_y*x5 - rod_c_R_y_y*x7
+    hinge_f_z_on_hinge_e = hinge_f_child_arm_y*rod_d_R_x_z - hinge_f_child_arm_x*rod_d_R_y_z
+    hinge_f_turned_y_bias = rod_e_R_x_x*rod_e_angular_bias_z + rod_e_rate_x*(rod_e_R_x_x*rod_e_rate_y - rod_e_R_y_x*rod_e_rate_x) + rod_e_rate_z*(rod_e_R_z_x*rod_e_rate_y - rod_e_R_y_x*rod_e_rate_z) - rod_e_R_z_x*rod_e_angular_bias_x
+    hinge_f_turned_y_on_hinge_b = cos_rod_a*rod_e_R_x_x - rod_e_R_z_x*sin_rod_a
+    hinge_f_turned_y_on_hinge_c = rod_b_R_z_x*rod_e_R_x_x - rod_b_R_x_x*rod_e_R_z_x
+    hinge_f_turned_y_on_hinge_d = rod_c_R_z_y*rod_e_R_x_x - rod_c_R_x_y*rod_e_R_z_x
+    hinge_f_turned_y_on_hinge_e = rod_d_R_z_z*rod_e_R_x_x - rod_d_R_x_z*rod_e_R_z_x
+    hinge_f_turned_z_bias = rod_e_R_y_x*rod_e_angular_bias_x + rod_e_rate_x*(rod_e_R_x_x*rod_e_rate_z - rod_e_R_z_x*rod_e_rate_x) + rod_e_rate_y*(rod_e_R_y_x*rod_e_rate_z - rod_e_R_z_x*rod_e_rate_y) - rod_e_R_x_x*rod_e_angular_bias_y
+    hinge_f_turned_z_on_hinge_b = rod_e_R_y_x*sin_rod_a
+    hinge_f_turned_z_on_hinge_c = rod_b_R_x_x*rod_e_R_y_x - rod_e_R_x_x*sin_rod_b
+    hinge_f_turned_z_on_hinge_d = rod_c_R_x_y*rod_e_R_y_x - rod_c_R_y_y*rod_e_R_x_x
+    hinge_f_turned_z_on_hinge_e = rod_d_R_x_z*rod_e_R_y_x - rod_d_R_y_z*rod_e_R_x_x
+    x8 = -rod_e_h_y*sin_rod_e
+    rod_d_total_moment_x = rod_d_h_x + x8
+    rod_d_total_moment_y = cos_rod_e*rod_e_h_y
+    rod_c_total_moment_x = cos_rod_d*rod_d_total_moment_x
+    x9 = -rod_d_total_moment_x*sin_rod_d
+    rod_c_total_moment_z = rod_c_h_z + x9
+    x10 = cos_rod_c*rod_d_total_moment_y
+    x11 = -rod_c_total_moment_z*sin_rod_c
+    rod_b_total_moment_y = rod_b_h_y + x10 + x11
+    rod_b_total_moment_z = cos_rod_c*rod_c_total_moment_z + rod_d_total_moment_y*sin_rod_c
+    rod_a_rate_yy = hinge_a_speed*hinge_a_speed
+    rod_b_w_x = hinge_a_speed*sin_rod_b
+    rod_b_w_y = cos_rod_b*hinge_a_speed
+    rod_b_angular_bias_x_2 = hinge_b_speed*rod_b_w_y
+    rod_b_angular_bias_y = -hinge_b_speed*rod_b_w_x
+    rod_c_w_y = cos_rod_c*rod_b_w_y + hinge_b_speed*sin_rod_c
+    rod_c_w_z = cos_rod_c*hinge_b_speed - rod_b_w_y*sin_rod_c
+    rod_c_b_y = cos_rod_c*rod_b_angular_bias_y
+    rod_c_b_z = -rod_b_angular_bias_y*sin_rod_c
+    rod_c_rate_x_2 = hinge_c_speed + rod_b_w_x
+    rod_c_angular_bias_y_2 = rod_c_b_y + hinge_c_speed*rod_c_w_z
+    rod_c_angular_bias_z_2 = rod_c_b_z - hinge_c_speed*rod_c_w_y
+    rod_d_w_x = cos_rod_d*rod_c_rate_x_2 - rod_c_w_z*sin_rod_d
+    rod_d_w_z = cos_rod_d*rod_c_w_z + rod_c_rate_x_2*sin_rod_d
+    rod_d_b_x = cos_rod_d*rod_b_angular_bias_x_2 - rod_c_angular_bias_z_2*sin_rod_d
+    rod_d_b_z = cos_rod_d*rod_c_angular_bias_z_2 + rod_b_angular_bias_x_2*sin_rod_d
+    rod_d_rate_y_2 = hinge_d_speed + rod_c_w_y
+    rod_d_angular_bias_x_2 = rod_d_b_x - hinge_d_speed*rod_d_w_z
+    rod_d_angular_bias_z_2 = rod_d_b_z + hinge_d_speed*rod_d_w_x
+    rod_e_w_x = cos_rod_e*rod_d_w_x + rod_d_rate_y_2*sin_rod_e
+    rod_e_w_y = cos_rod_e*rod_d_rate_y_2 - rod_d_w_x*sin_rod_e
+    rod_e_b_x = cos_rod_e*rod_d_angular_bias_x_2 + rod_c_angular_bias_y_2*sin_rod_e
+    rod_e_rate_z_2 = hinge_e_speed + rod_d_w_z
+    rod_e_angular_bias_x_2 = rod_e_b_x + hinge_e_speed*rod_e_w_y
+    rod_e_rate_xy = rod_e_w_x*rod_e_w_y
+    rod_e_U_x_y = rod_e_rate_xy - rod_d_angular_bias_z_2
+    rod_e_rate_xx = rod_e_w_x*rod_e_w_x
+    rod_e_rate_zz = rod_e_rate_z_2*rod_e_rate_z_2
+    rod_e_U_y_y = -rod_e_rate_xx - rod_e_rate_zz
+    rod_e_rate_zy = rod_e_rate_z_2*rod_e_w_y
+    rod_e_U_z_y = rod_e_angular_bias_x_2 + rod_e_rate_zy
+    rod_e_force_x = rod_e_U_x_y*rod_e_h_y
+    rod_e_force_y = rod_e_U_y_y*rod_e_h_y
+    rod_e_force_z = rod_e_U_z_y*rod_e_h_y
+    rod_d_rate_yy = rod_d_rate_y_2*rod_d_rate_y_2
+    rod_d_rate_zz = rod_d_w_z*rod_d_w_z
+    rod_d_U_x_x = -rod_d_rate_yy - rod_d_rate_zz
+    rod_d_rate_yx = rod_d_rate_y_2*rod_d_w_x
+    rod_d_U_y_x = rod_d_angular_bias_z_2 + rod_d_rate_yx
+    rod_d_rate_zx = rod_d_w_x*rod_d_w_z
+    rod_d_U_z_x = rod_d_rate_zx - rod_c_angular_bias_y_2
+    rod_d_force_x = cos_rod_e*rod_e_force_x + rod_d_U_x_x*rod_d_h_x - rod_e_force_y*sin_rod_e
+    x12 = cos_rod_e*rod_e_force_y
+    x13 = rod_e_force_x*sin_rod_e
+    rod_d_force_y = x12 + x13 + rod_d_U_y_x*rod_d_h_x
+    rod_d_force_z = rod_e_force_z + rod_d_U_z_x*rod_d_h_x
+    rod_c_rate_xz = rod_c_rate_x_2*rod_c_w_z
+    rod_c_U_x_z = rod_c_angular_bias_y_2 + rod_c_rate_xz
+    rod_c_rate_yz = rod_c_w_y*rod_c_w_z
+    rod_c_U_y_z = rod_c_rate_yz - rod_b_angular_bias_x_2
+    rod_c_rate_xx = rod_c_rate_x_2*rod_c_rate_x_2
+    rod_c_rate_yy = rod_c_w_y*rod_c_w_y
+    rod_c_U_z_z = -rod_c_rate_xx - rod_c_rate_yy
+    x14 = cos_rod_d*rod_d_force_x
+    x15 = rod_d_force_z*sin_rod_d
+    rod_c_force_x = x14 + x15 + rod_c_U_x_z*rod_c_h_z
+    rod_c_force_y = rod_d_force_y + rod_c_U_y_z*rod_c_h_z
+    rod_c_force_z = cos_rod_d*rod_d_force_z + rod_c_U_z_z*rod_c_h_z - rod_d_force_x*sin_rod_d
+    rod_b_rate_xy = rod_b_w_x*rod_b_w_y
+    rod_b_rate_xx = rod_b_w_x*rod_b_w_x
+    rod_b_rate_zz = hinge_b_speed*hinge_b_speed
+    rod_b_U_y_y = -rod_b_rate_xx - rod_b_rate_zz
+    rod_b_U_z_y = 2*rod_b_angular_bias_x_2
+    rod_b_force_x = rod_c_force_x + rod_b_h_y*rod_b_rate_xy
+    rod_b_force_y = cos_rod_c*rod_c_force_y + rod_b_U_y_y*rod_b_h_y - rod_c_force_z*sin_rod_c
+    x16 = cos_rod_c*rod_c_force_z
+    x17 = rod_c_force_y*sin_rod_c
+    rod_b_force_z = x16 + x17 + rod_b_U_z_y*rod_b_h_y
+    x18 = cos_rod_b*rod_b_force_x
+    x19 = -rod_b_force_y*sin_rod_b
+    x20 = x18 + x19
+    rod_b_turned_force_x = cos_rod_a*x20 + rod_b_force_z*sin_rod_a
+    rod_b_turned_force_z = cos_rod_a*rod_b_force_z - sin_rod_a*x20
+    x21 = rod_a_rate_yy*rod_b_arm_z*sin_rod_a
+    x22 = -cos_rod_a*rod_a_rate_yy*rod_b_arm_x
+    x23 = x21 + x22
+    rod_b_bias_x_2 = cos_rod_b*x23
+    rod_b_bias_y = -sin_rod_b*x23
+    rod_b_bias_z_2 = -cos_rod_a*rod_a_rate_yy*rod_b_arm_z - rod_a_rate_yy*rod_b_arm_x*sin_rod_a
+    rod_c_turned_force_z = x16 + x17
+    rod_c_bias_x_2 = rod_b_bias_x_2 - rod_b_rate_xy*length
+    x24 = -rod_b_U_y_y*length
+    x25 = rod_b_bias_y + x24
+    x26 = -rod_b_U_z_y*length
+    x27 = rod_b_bias_z_2 + x26
+    rod_c_bias_y_2 = cos_rod_c*x25 + sin_rod_c*x27
+    rod_c_bias_z_2 = cos_rod_c*x27 - sin_rod_c*x25
+    rod_d_turned_force_x = x14 + x15
+    x28 = rod_c_U_x_z*length
+    x29 = rod_c_bias_x_2 + x28
+    x30 = rod_c_U_z_z*length
+    x31 = rod_c_bias_z_2 + x30
+    rod_d_bias_x_2 = cos_rod_d*x29 - sin_rod_d*x31
+    rod_d_bias_y_2 = rod_c_bias_y_2 + rod_c_U_y_z*length
+    rod_d_bias_z_2 = cos_rod_d*x31 + sin_rod_d*x29
+    rod_e_turned_force_y = x12 + x13
+    rod_e_bias_x_2 = cos_rod_e*(rod_d_bias_x_2 - rod_d_U_x_x*length) + sin_rod_e*(rod_d_bias_y_2 - rod_d_U_y_x*length)
+    rod_e_bias_z_2 = rod_d_bias_z_2 - rod_d_U_z_x*length
+    rod_e_torque_x = rod_e_I_x_x*rod_e_angular_bias_x_2 + rod_e_I_x_x*rod_e_rate_zy + rod_e_bias_z_2*rod_e_h_y
+    rod_e_torque_z = rod_d_angular_bias_z_2*rod_e_I_x_x - rod_e_I_x_x*rod_e_rate_xy - rod_e_bias_x_2*rod_e_h_y
+    rod_d_torque_x = cos_rod_e*rod_e_torque_x
+    rod_d_torque_y = rod_c_angular_bias_y_2*rod_d_I_z_z + rod_e_force_z*length + rod_e_torque_x*sin_rod_e - rod_d_I_z_z*rod_d_rate_zx - rod_d_bias_z_2*rod_d_h_x
+    rod_d_torque_z = rod_e_torque_z + rod_d_I_z_z*rod_d_angular_bias_z_2 + rod_d_I_z_z*rod_d_rate_yx + rod_d_bias_y_2*rod_d_h_x - rod_e_turned_force_y*length
+    rod_c_torque_x = cos_rod_d*rod_d_torque_x + rod_b_angular_bias_x_2*rod_c_I_x_x + rod_d_torque_z*sin_rod_d - rod_c_I_x_x*rod_c_rate_yz - rod_c_bias_y_2*rod_c_h_z - rod_d_force_y*length
+    rod_c_torque_y = rod_d_torque_y + rod_c_I_x_x*rod_c_angular_bias_y_2 + rod_c_I_x_x*rod_c_rate_xz + rod_c_bias_x_2*rod_c_h_z + rod_d_turned_force_x*length
+    rod_c_torque_z = cos_rod_d*rod_d_torque_z - rod_d_torque_x*sin_rod_d
+    rod_b_torque_x = rod_c_torque_x + k1*rod_b_angular_bias_x_2 + rod_b_bias_z_2*rod_b_h_y - rod_c_turned_force_z*length
+    rod_b_torque_y = cos_rod_c*rod_c_torque_y - rod_c_torque_z*sin_rod_c
+    rod_b_torque_z = cos_rod_c*rod_c_torque_z + rod_c_force_x*length + rod_c_torque_y*sin_rod_c - rod_b_I_x_x*rod_b_rate_xy - rod_b_bias_x_2*rod_b_h_y
+    rod_a_torque_y = cos_rod_b*rod_b_torque_y + rod_b_arm_z*rod_b_turned_force_x + rod_b_torque_x*sin_rod_b - rod_b_arm_x*rod_b_turned_force_z
+    hinge_a_net = hinge_a_force - rod_a_torque_y
+    hinge_b_net = hinge_b_force - rod_b_torque_z
+    hinge_c_net = hinge_c_force - rod_c_torque_x
+    hinge_d_net = hinge_d_force - rod_d_torque_y
+    hinge_e_net = hinge_e_force - rod_e_torque_z
+    rod_c_turned_moment_y = x10 + x11
+    x32 = cos_rod_b*rod_c_total_moment_x
+    x33 = -rod_b_total_moment_y*sin_rod_b
+    x34 = x32 + x33
+    rod_b_turned_moment_x = cos_rod_a*x34 + rod_b_total_moment_z*sin_rod_a
+    rod_b_turned_moment_z = cos_rod_a*rod_b_total_moment_z - sin_rod_a*x34
+    rod_e_turned_J_swing = -rod_e_I_x_x*sin_rod_e
+    rod_e_turned_J_x_y = -cos_rod_e*rod_e_turned_J_swing
+    rod_d_total_J_x_y = rod_e_turned_J_x_y + rod_d_total_moment_y*length
+    rod_d_turned_J_x_y = cos_rod_d*rod_d_total_J_x_y
+    rod_e_turned_J_x_x = rod_e_I_x_x + rod_e_turned_J_swing*sin_rod_e
+    x35 = -k2*x8
+    rod_d_total_J_z_z = k3 + x35
+    rod_d_turned_J_swing = sin_rod_d*(rod_e_turned_J_x_x - rod_d_total_J_z_z)
+    rod_d_turned_J_x_z = -cos_rod_d*rod_d_turned_J_swing
+    rod_c_total_J_x_z = rod_d_turned_J_x_z - rod_c_total_moment_x*length
+    rod_c_turned_J_x_y = cos_rod_c*rod_d_turned_J_x_y - rod_c_total_J_x_z*sin_rod_c
+    rod_b_total_J_x_y = rod_c_turned_J_x_y + rod_c_total_moment_x*length
+    rod_e_turned_J_y_y = -rod_e_turned_J_swing*sin_rod_e
+    rod_d_total_J_y_y = rod_d_I_z_z + rod_e_turned_J_y_y + x35
+    x36 = k2*x9
+    rod_c_total_J_y_y = rod_c_I_x_x + rod_d_total_J_y_y + x36
+    rod_d_turned_J_y_z = -rod_d_total_J_x_y*sin_rod_d
+    rod_c_total_J_y_z = rod_d_turned_J_y_z - rod_d_total_moment_y*length
+    rod_d_turned_J_z_z = rod_d_total_J_z_z + rod_d_turned_J_swing*sin_rod_d
+    rod_c_turned_J_swing = sin_rod_c*(rod_d_turned_J_z_z - rod_c_total_J_y_y) - 2*cos_rod_c*rod_c_total_J_y_z
+    rod_c_turned_J_y_y = rod_c_total_J_y_y + rod_c_turned_J_swing*sin_rod_c
+    rod_d_turned_J_x_x = rod_e_turned_J_x_x - rod_d_turned_J_swing*sin_rod_d
+    rod_c_total_J_x_x = rod_c_I_x_x + rod_d_turned_J_x_x + x36
+    x37 = -k2*rod_c_turned_moment_y
+    rod_b_total_J_x_x = rod_b_I_x_x + rod_c_total_J_x_x + x37
+    rod_b_turned_J_swing = sin_rod_b*(rod_c_turned_J_y_y - rod_b_total_J_x_x) - 2*cos_rod_b*rod_b_total_J_x_y
+    rod_c_turned_J_x_z = cos_rod_c*rod_c_total_J_x_z + rod_d_turned_J_x_y*sin_rod_c
+    rod_c_turned_J_y_z = -rod_c_total_J_y_z - cos_rod_c*rod_c_turned_J_swing
+    rod_b_total_J_y_z = rod_c_turned_J_y_z + rod_b_total_moment_z*length
+    rod_b_turned_J_y_y = rod_c_turned_J_y_y - rod_b_turned_J_swing*sin_rod_b
+    rod_a_total_J_y_y = rod_a_I_y_y + rod_b_turned_J_y_y + 2*rod_b_arm_x*rod_b_turned_moment_x + 2*rod_b_arm_z*rod_b_turned_moment_z
+    rod_c_turned_J_z_z = rod_d_turned_J_z_z - rod_c_turned_J_swing*sin_rod_c
+    rod_b_total_J_z_z = rod_b_I_x_x + rod_c_turned_J_z_z + x37
+    x38 = -cos_rod_b*rod_b_total_moment_y
+    x39 = -rod_c_total_moment_x*sin_rod_b
+    x40 = x38 + x39
+    hinge_b_rod_b_force_x = cos_rod_a*x40
+    hinge_b_rod_b_force_z = -sin_rod_a*x40
+    hinge_b_rod_b_torque_y = cos_rod_b*rod_b_total_J_y_z + hinge_b_rod_b_force_x*rod_b_arm_z + rod_c_turned_J_x_z*sin_rod_b - hinge_b_rod_b_force_z*rod_b_arm_x
+    hinge_c_rod_c_torque_x = rod_c_total_J_x_x - rod_c_turned_moment_y*length
+    hinge_c_rod_b_force_x = rod_c_turned_moment_y*sin_rod_a + cos_rod_a*rod_b_total_moment_z*sin_rod_b
+    hinge_c_rod_b_force_z = cos_rod_a*rod_c_turned_moment_y - rod_b_total_moment_z*sin_rod_a*sin_rod_b
+    hinge_c_rod_b_torque_y = cos_rod_b*rod_c_turned_J_x_y + hinge_c_rod_b_force_x*rod_b_arm_z + hinge_c_rod_c_torque_x*sin_rod_b - hinge_c_rod_b_force_z*rod_b_arm_x
+    x41 = x9*length
+    hinge_d_rod_d_torque_y = rod_d_total_J_y_y + x41
+    hinge_d_rod_c_force_y = rod_c_total_moment_x*sin_rod_c
+    hinge_d_rod_c_force_z = -cos_rod_c*rod_c_total_moment_x
+    hinge_d_rod_c_torque_x = rod_d_turned_J_x_y - hinge_d_rod_c_force_z*length
+    hinge_d_rod_c_torque_y = cos_rod_c*hinge_d_rod_d_torque_y - rod_d_turned_J_y_z*sin_rod_c
+    hinge_d_rod_c_torque_z = x41 + cos_rod_c*rod_d_turned_J_y_z + hinge_d_rod_d_torque_y*sin_rod_c
+    x42 = cos_rod_b*x9
+    x43 = -hinge_d_rod_c_force_y*sin_rod_b
+    x44 = x42 + x43
+    hinge_d_rod_b_force_x = cos_rod_a*x44 + hinge_d_rod_c_force_z*sin_rod_a
+    hinge_d_rod_b_force_z = cos_rod_a*hinge_d_rod_c_force_z - sin_rod_a*x44
+    hinge_d_rod_b_torque_y = cos_rod_b*hinge_d_rod_c_torque_y + hinge_d_rod_b_force_x*rod_b_arm_z + hinge_d_rod_c_torque_x*sin_rod_b - hinge_d_rod_b_force_z*rod_b_arm_x
+    x45 = -x8*length
+    hinge_e_rod_e_torque_z = rod_e_I_x_x + x45
+    hinge_e_rod_d_force_x = -cos_rod_d*rod_d_total_moment_y
+    hinge_e_rod_d_force_z = rod_d_total_moment_y*sin_rod_d
+    hinge_e_rod_d_torque_x = x45 + hinge_e_rod_e_torque_z*sin_rod_d
+    hinge_e_rod_d_torque_y = hinge_e_rod_d_force_x*length
+    hinge_e_rod_d_torque_z = cos_rod_d*hinge_e_rod_e_torque_z
+    hinge_e_rod_c_force_y = cos_rod_c*x8 - hinge_e_rod_d_force_z*sin_rod_c
+    hinge_e_rod_c_force_z = cos_rod_c*hinge_e_rod_d_force_z + sin_rod_c*x8
+    hinge_e_rod_c_torque_x = hinge_e_rod_d_torque_x - hinge_e_rod_c_force_z*length
+    hinge_e_rod_c_torque_y = cos_rod_c*hinge_e_rod_d_torque_y - hinge_e_rod_d_torque_z*sin_rod_c
+    hinge_e_rod_c_torque_z = hinge_e_rod_d_torque_y + cos_rod_c*hinge_e_rod_d_torque_z + hinge_e_rod_d_torque_y*sin_rod_c
+    x46 = cos_rod_b*hinge_e_rod_d_force_x
+    x47 = -hinge_e_rod_c_force_y*sin_rod_b
+    x48 = x46 + x47
+    hinge_e_rod_b_force_x = cos_rod_a*x48 + hinge_e_rod_c_force_z*sin_rod_a
+    hinge_e_rod_b_force_z = cos_rod_a*hinge_e_rod_c_force_z - sin_rod_a*x48
+    hinge_e_rod_b_torque_y = cos_rod_b*hinge_e_rod_c_torque_y + hinge_e_rod_b_force_x*rod_b_arm_z + hinge_e_rod_c_torque_x*sin_rod_b - hinge_e_rod_b_force_z*rod_b_arm_x
+    l_hinge_c_hinge_e = hinge_e_rod_d_torque_x*k4
+    l_hinge_c_hinge_d = rod_d_turned_J_x_y/rod_d_total_J_y_y
+    D_hinge_c = rod_c_total_J_x_x - hinge_e_rod_d_torque_x*l_hinge_c_hinge_e - l_hinge_c_hinge_d*rod_d_turned_J_x_y
+    l_hinge_b_hinge_e = hinge_e_rod_c_torque_z*k4
+    l_hinge_b_hinge_d = hinge_d_rod_c_torque_z/rod_d_total_J_y_y
+    L_hinge_b_hinge_c = rod_c_turned_J_x_z - hinge_d_rod_c_torque_z*l_hinge_c_hinge_d - hinge_e_rod_c_torque_z*l_hinge_c_hinge_e
+    l_hinge_b_hinge_c = L_hinge_b_hinge_c/D_hinge_c
+    D_hinge_b = rod_b_total_J_z_z - L_hinge_b_hinge_c*l_hinge_b_hinge_c - hinge_d_rod_c_torque_z*l_hinge_b_hinge_d - hinge_e_rod_c_torque_z*l_hinge_b_hinge_e
+    l_hinge_a_hinge_e = hinge_e_rod_b_torque_y*k4
+    l_hinge_a_hinge_d = hinge_d_rod_b_torque_y/rod_d_total_J_y_y
+    L_hinge_a_hinge_c = hinge_c_rod_b_torque_y - hinge_d_rod_b_torque_y*l_hinge_c_hinge_d - hinge_e_rod_b_torque_y*l_hinge_c_hinge_e
+    l_hinge_a_hinge_c = L_hinge_a_hinge_c/D_hinge_c
+    L_hinge_a_hinge_b = hinge_b_rod_b_torque_y - L_hinge_a_hinge_c*l_hinge_b_hinge_c - hinge_d_rod_b_torque_y*l_hinge_b_hinge_d - hinge_e_rod_b_torque_y*l_hinge_b_hinge_e
+    l_hinge_a_hinge_b = L_hinge_a_hinge_b/D_hinge_b
+    D_hinge_a = rod_a_total_J_y_y - L_hinge_a_hinge_b*l_hinge_a_hinge_b - L_hinge_a_hinge_c*l_hinge_a_hinge_c - hinge_d_rod_b_torque_y*l_hinge_a_hinge_d - hinge_e_rod_b_torque_y*l_hinge_a_hinge_e
+    y_hinge_c = hinge_c_net - hinge_d_net*l_hinge_c_hinge_d - hinge_e_net*l_hinge_c_hinge_e
+    y_hinge_b = hinge_b_net - hinge_d_net*l_hinge_b_hinge_d - hinge_e_net*l_hinge_b_hinge_e - l_hinge_b_hinge_c*y_hinge_c
+    y_hinge_a = hinge_a_net - hinge_d_net*l_hinge_a_hinge_d - hinge_e_net*l_hinge_a_hinge_e - l_hinge_a_hinge_b*y_hinge_b - l_hinge_a_hinge_c*y_hinge_c
+    hinge_a_acc = y_hinge_a/D_hinge_a
+    hinge_b_acc = y_hinge_b/D_hinge_b - hinge_a_acc*l_hinge_a_hinge_b
+    hinge_c_acc = y_hinge_c/D_hinge_c - hinge_a_acc*l_hinge_a_hinge_c - hinge_b_acc*l_hinge_b_hinge_c
+    hinge_d_acc = hinge_d_net/rod_d_total_J_y_y - hinge_a_acc*l_hinge_a_hinge_d - hinge_b_acc*l_hinge_b_hinge_d - hinge_c_acc*l_hinge_c_hinge_d
+    hinge_e_acc = hinge_e_net*k4 - hinge_a_acc*l_hinge_a_hinge_e - hinge_b_acc*l_hinge_b_hinge_e - hinge_c_acc*l_hinge_c_hinge_e
+    y_hinge_c_2 = hinge_f_x_on_hinge_c - hinge_f_x_on_hinge_d*l_hinge_c_hinge_d - hinge_f_x_on_hinge_e*l_hinge_c_hinge_e
+    y_hinge_b_2 = hinge_f_x_on_hinge_b - hinge_f_x_on_hinge_d*l_hinge_b_hinge_d - hinge_f_x_on_hinge_e*l_hinge_b_hinge_e - l_hinge_b_hinge_c*y_hinge_c_2
+    y_hinge_a_2 = hinge_f_x_on_hinge_a - hinge_f_x_on_hinge_d*l_hinge_a_hinge_d - hinge_f_x_on_hinge_e*l_hinge_a_hinge_e - l_hinge_a_hinge_b*y_hinge_b_2 - l_hinge_a_hinge_c*y_hinge_c_2
+    hinge_a_by_hinge_f_apart_x = y_hinge_a_2/D_hinge_a
+    hinge_b_by_hinge_f_apart_x = y_hinge_b_2/D_hinge_b - hinge_a_by_hinge_f_apart_x*l_hinge_a_hinge_b
+    hinge_c_by_hinge_f_apart_x = y_hinge_c_2/D_hinge_c - hinge_a_by_hinge_f_apart_x*l_hinge_a_hinge_c - hinge_b_by_hinge_f_apart_x*l_hinge_b_hinge_c
+    hinge_d_by_hinge_f_apart_x = hinge_f_x_on_hinge_d/rod_d_total_J_y_y - hinge_a_by_hinge_f_apart_x*l_hinge_a_hinge_d - hinge_b_by_hinge_f_apart_x*l_hinge_b_hinge_d - hinge_c_by_hinge_f_apart_x*l_hinge_c_hinge_d
+    hinge_e_by_hinge_f_apart_x = hinge_f_x_on_hinge_e*k4 - hinge_a_by_hinge_f_apart_x*l_hinge_a_hinge_e - hinge_b_by_hinge_f_apart_x*l_hinge_b_hinge_e - hinge_c_by_hinge_f_apart_x*l_hinge_c_hinge_e
+    y_hinge_c_3 = hinge_f_y_on_hinge_c - hinge_f_y_on_hinge_d*l_hinge_c_hinge_d - hinge_f_y_on_hinge_e*l_hinge_c_hinge_e
+    y_hinge_b_3 = hinge_f_y_on_hinge_b - hinge_f_y_on_hinge_d*l_hinge_b_hinge_d - hinge_f_y_on_hinge_e*l_hinge_b_hinge_e - l_hinge_b_hinge_c*y_hinge_c_3
+    y_hinge_a_3 = -hinge_f_y_on_hinge_d*l_hinge_a_hinge_d - hinge_f_y_on_hinge_e*l_hinge_a_hinge_e - l_hinge_a_hinge_b*y_hinge_b_3 - l_hinge_a_hinge_c*y_hinge_c_3
+    hinge_a_by_hinge_f_apart_y = y_hinge_a_3/D_hinge_a
+    hinge_b_by_hinge_f_apart_y = y_hinge_b_3/D_hinge_b - hinge_a_by_hinge_f_apart_y*l_hinge_a_hinge_b
+    hinge_c_by_hinge_f_apart_y = y_hinge_c_3/D_hinge_c - hinge_a_by_hinge_f_apart_y*l_hinge_a_hinge_c - hinge_b_by_hinge_f_apart_y*l_hinge_b_hinge_c
+    hinge_d_by_hinge_f_apart_y = hinge_f_y_on_hinge_d/rod_d_total_J_y_y - hinge_a_by_hinge_f_apart_y*l_hinge_a_hinge_d - hinge_b_by_hinge_f_apart_y*l_hinge_b_hinge_d - hinge_c_by_hinge_f_apart_y*l_hinge_c_hinge_d
+    hinge_e_by_hinge_f_apart_y = hinge_f_y_on_hinge_e*k4 - hinge_a_by_hinge_f_apart_y*l_hinge_a_hinge_e - hinge_b_by_hinge_f_apart_y*l_hinge_b_hinge_e - hinge_c_by_hinge_f_apart_y*l_hinge_c_hinge_e
+    y_hinge_c_4 = hinge_f_z_on_hinge_c - hinge_f_z_on_hinge_d*l_hinge_c_hinge_d - hinge_f_z_on_hinge_e*l_hinge_c_hinge_e
+    y_hinge_b_4 = hinge_f_z_on_hinge_b - hinge_f_z_on_hinge_d*l_hinge_b_hinge_d - hinge_f_z_on_hinge_e*l_hinge_b_hinge_e - l_hinge_b_hinge_c*y_hinge_c_4
+    y_hinge_a_4 = -hinge_f_apart_x - hinge_f_z_on_hinge_d*l_hinge_a_hinge_d - hinge_f_z_on_hinge_e*l_hinge_a_hinge_e - l_hinge_a_hinge_b*y_hinge_b_4 - l_hinge_a_hinge_c*y_hinge_c_4
+    hinge_a_by_hinge_f_apart_z = y_hinge_a_4/D_hinge_a
+    hinge_b_by_hinge_f_apart_z = y_hinge_b_4/D_hinge_b - hinge_a_by_hinge_f_apart_z*l_hinge_a_hinge_b
+    hinge_c_by_hinge_f_apart_z = y_hinge_c_4/D_hinge_c - hinge_a_by_hinge_f_apart_z*l_hinge_a_hinge_c - hinge_b_by_hinge_f_apart_z*l_hinge_b_hinge_c
+    hinge_d_by_hinge_f_apart_z = hinge_f_z_on_hinge_d/rod_d_total_J_y_y - hinge_a_by_hinge_f_apart_z*l_hinge_a_hinge_d - hinge_b_by_hinge_f_apart_z*l_hinge_b_hinge_d - hinge_c_by_hinge_f_apart_z*l_hinge_c_hinge_d
+    hinge_e_by_hinge_f_apart_z = hinge_f_z_on_hinge_e*k4 - hinge_a_by_hinge_f_apart_z*l_hinge_a_hinge_e - hinge_b_by_hinge_f_apart_z*l_hinge_b_hinge_e - hinge_c_by_hinge_f_apart_z*l_hinge_c_hinge_e
+    y_hinge_c_5 = hinge_f_turned_y_on_hinge_c - hinge_f_turned_y_on_hinge_d*l_hinge_c_hinge_d - hinge_f_turned_y_on_hinge_e*l_hinge_c_hinge_e
+    y_hinge_b_5 = hinge_f_turned_y_on_hinge_b - hinge_f_turned_y_on_hinge_d*l_hinge_b_hinge_d - hinge_f_turned_y_on_hinge_e*l_hinge_b_hinge_e - l_hinge_b_hinge_c*y_hinge_c_5
+    y_hinge_a_5 = -hinge_f_turned_y_on_hinge_d*l_hinge_a_hinge_d - hinge_f_turned_y_on_hinge_e*l_hinge_a_hinge_e - l_hinge_a_hinge_b*y_hinge_b_5 - l_hinge_a_hinge_c*y_hinge_c_5
+    hinge_a_by_hinge_f_turned_y = y_hinge_a_5/D_hinge_a
+    hinge_b_by_hinge_f_turned_y = y_hinge_b_5/D_hinge_b - hinge_a_by_hinge_f_turned_y*l_hinge_a_hinge_b
+    hinge_c_by_hinge_f_turned_y = y_hinge_c_5/D_hinge_c - hinge_a_by_hinge_f_turned_y*l_hinge_a_hinge_c - hinge_b_by_hinge_f_turned_y*l_hinge_b_hinge_c
+    hinge_d_by_hinge_f_turned_y = hinge_f_turned_y_on_hinge_d/rod_d_total_J_y_y - hinge_a_by_hinge_f_turned_y*l_hinge_a_hinge_d - hinge_b_by_hinge_f_turned_y*l_hinge_b_hinge_d - hinge_c_by_hinge_f_turned_y*l_hinge_c_hinge_d
+    hinge_e_by_hinge_f_turned_y = hinge_f_turned_y_on_hinge_e*k4 - hinge_a_by_hinge_f_turned_y*l_hinge_a_hinge_e - hinge_b_by_hinge_f_turned_y*l_hinge_b_hinge_e - hinge_c_by_hinge_f_turned_y*l_hinge_c_hinge_e
+    y_hinge_c_6 = hinge_f_turned_z_on_hinge_c - hinge_f_turned_z_on_hinge_d*l_hinge_c_hinge_d - hinge_f_turned_z_on_hinge_e*l_hinge_c_hinge_e
+    y_hinge_b_6 = hinge_f_turned_z_on_hinge_b - hinge_f_turned_z_on_hinge_d*l_hinge_b_hinge_d - hinge_f_turned_z_on_hinge_e*l_hinge_b_hinge_e - l_hinge_b_hinge_c*y_hinge_c_6
+    y_hinge_a_6 = -rod_e_R_x_x - hinge_f_turned_z_on_hinge_d*l_hinge_a_hinge_d - hinge_f_turned_z_on_hinge_e*l_hinge_a_hinge_e - l_hinge_a_hinge_b*y_hinge_b_6 - l_hinge_a_hinge_c*y_hinge_c_6
+    hinge_a_by_hinge_f_turned_z = y_hinge_a_6/D_hinge_a
+    hinge_b_by_hinge_f_turned_z = y_hinge_b_6/D_hinge_b - hinge_a_by_hinge_f_turned_z*l_hinge_a_hinge_b
+    hinge_c_by_hinge_f_turned_z = y_hinge_c_6/D_hinge_c - hinge_a_by_hinge_f_turned_z*l_hinge_a_hinge_c - hinge_b_by_hinge_f_turned_z*l_hinge_b_hinge_c
+    hinge_d_by_hinge_f_turned_z = hinge_f_turned_z_on_hinge_d/rod_d_total_J_y_y - hinge_a_by_hinge_f_turned_z*l_hinge_a_hinge_d - hinge_b_by_hinge_f_turned_z*l_hinge_b_hinge_d - hinge_c_by_hinge_f_turned_z*l_hinge_c_hinge_d
+    hinge_e_by_hinge_f_turned_z = hinge_f_turned_z_on_hinge_e*k4 - hinge_a_by_hinge_f_turned_z*l_hinge_a_hinge_e - hinge_b_by_hinge_f_turned_z*l_hinge_b_hinge_e - hinge_c_by_hinge_f_turned_z*l_hinge_c_hinge_e
+    W_hinge_f_apart_x_hinge_f_apart_x = hinge_a_by_hinge_f_apart_x*hinge_f_x_on_hinge_a + hinge_b_by_hinge_f_apart_x*hinge_f_x_on_hinge_b + hinge_c_by_hinge_f_apart_x*hinge_f_x_on_hinge_c + hinge_d_by_hinge_f_apart_x*hinge_f_x_on_hinge_d + hinge_e_by_hinge_f_apart_x*hinge_f_x_on_hinge_e
+    W_hinge_f_apart_y_hinge_f_apart_x = hinge_b_by_hinge_f_apart_x*hinge_f_y_on_hinge_b + hinge_c_by_hinge_f_apart_x*hinge_f_y_on_hinge_c + hinge_d_by_hinge_f_apart_x*hinge_f_y_on_hinge_d + hinge_e_by_hinge_f_apart_x*hinge_f_y_on_hinge_e
+    W_hinge_f_apart_y_hinge_f_apart_y = hinge_b_by_hinge_f_apart_y*hinge_f_y_on_hinge_b + hinge_c_by_hinge_f_apart_y*hinge_f_y_on_hinge_c + hinge_d_by_hinge_f_apart_y*hinge_f_y_on_hinge_d + hinge_e_by_hinge_f_apart_y*hinge_f_y_on_hinge_e
+    W_hinge_f_apart_z_hinge_f_apart_x = hinge_b_by_hinge_f_apart_x*hinge_f_z_on_hinge_b + hinge_c_by_hinge_f_apart_x*hinge_f_z_on_hinge_c + hinge_d_by_hinge_f_apart_x*hinge_f_z_on_hinge_d + hinge_e_by_hinge_f_apart_x*hinge_f_z_on_hinge_e - hinge_a_by_hinge_f_apart_x*hinge_f_apart_x
+    W_hinge_f_apart_z_hinge_f_apart_y = hinge_b_by_hinge_f_apart_y*hinge_f_z_on_hinge_b + hinge_c_by_hinge_f_apart_y*hinge_f_z_on_hinge_c + hinge_d_by_hinge_f_apart_y*hinge_f_z_on_hinge_d + hinge_e_by_hinge_f_apart_y*hinge_f_z_on_hinge_e - hinge_a_by_hinge_f_apart_y*hinge_f_apart_x
+    W_hinge_f_apart_z_hinge_f_apart_z = hinge_b_by_hinge_f_apart_z*hinge_f_z_on_hinge_b + hinge_c_by_hinge_f_apart_z*hinge_f_z_on_hinge_c + hinge_d_by_hinge_f_apart_z*hinge_f_z_on_hinge_d + hinge_e_by_hinge_f_apart_z*hinge_f_z_on_hinge_e - hinge_a_by_hinge_f_apart_z*hinge_f_apart_x
+    W_hinge_f_turned_y_hinge_f_apart_x = hinge_b_by_hinge_f_apart_x*hinge_f_turned_y_on_hinge_b + hinge_c_by_hinge_f_apart_x*hinge_f_turned_y_on_hinge_c + hinge_d_by_hinge_f_apart_x*hinge_f_turned_y_on_hinge_d + hinge_e_by_hinge_f_apart_x*hinge_f_turned_y_on_hinge_e
+    W_hinge_f_turned_y_hinge_f_apart_y = hinge_b_by_hinge_f_apart_y*hinge_f_turned_y_on_hinge_b + hinge_c_by_hinge_f_apart_y*hinge_f_turned_y_on_hinge_c + hinge_d_by_hinge_f_apart_y*hinge_f_turned_y_on_hinge_d + hinge_e_by_hinge_f_apart_y*hinge_f_turned_y_on_hinge_e
+    W_hinge_f_turned_y_hinge_f_apart_z = hinge_b_by_hinge_f_apart_z*hinge_f_turned_y_on_hinge_b + hinge_c_by_hinge_f_apart_z*hinge_f_turned_y_on_hinge_c + hinge_d_by_hinge_f_apart_z*hinge_f_turned_y_on_hinge_d + hinge_e_by_hinge_f_apart_z*hinge_f_turned_y_on_hinge_e
+    W_hinge_f_turned_y_hinge_f_turned_y = hinge_b_by_hinge_f_turned_y*hinge_f_turned_y_on_hinge_b + hinge_c_by_hinge_f_turned_y*hinge_f_turned_y_on_hinge_c + hinge_d_by_hinge_f_turned_y*hinge_f_turned_y_on_hinge_d + hinge_e_by_hinge_f_turned_y*hinge_f_turned_y_on_hinge_e
+    W_hinge_f_turned_z_hinge_f_apart_x = hinge_b_by_hinge_f_apart_x*hinge_f_turned_z_on_hinge_b + hinge_c_by_hinge_f_apart_x*hinge_f_turned_z_on_hinge_c + hinge_d_by_hinge_f_apart_x*hinge_f_turned_z_on_hinge_d + hinge_e_by_hinge_f_apart_x*hinge_f_turned_z_on_hinge_e - hinge_a_by_hinge_f_apart_x*rod_e_R_x_x
+    W_hinge_f_turned_z_hinge_f_apart_y = hinge_b_by_hinge_f_apart_y*hinge_f_turned_z_on_hinge_b + hinge_c_by_hinge_f_apart_y*hinge_f_turned_z_on_hinge_c + hinge_d_by_hinge_f_apart_y*hinge_f_turned_z_on_hinge_d + hinge_e_by_hinge_f_apart_y*hinge_f_turned_z_on_hinge_e - hinge_a_by_hinge_f_apart_y*rod_e_R_x_x
+    W_hinge_f_turned_z_hinge_f_apart_z = hinge_b_by_hinge_f_apart_z*hinge_f_turned_z_on_hinge_b + hinge_c_by_hinge_f_apart_z*hinge_f_turned_z_on_hinge_c + hinge_d_by_hinge_f_apart_z*hinge_f_turned_z_on_hinge_d + hinge_e_by_hinge_f_apart_z*hinge_f_turned_z_on_hinge_e - hinge_a_by_hinge_f_apart_z*rod_e_R_x_x
+    W_hinge_f_turned_z_hinge_f_turned_y = hinge_b_by_hinge_f_turned_y*hinge_f_turned_z_on_hinge_b + hinge_c_by_hinge_f_turned_y*hinge_f_turned_z_on_hinge_c + hinge_d_by_hinge_f_turned_y*hinge_f_turned_z_on_hinge_d + hinge_e_by_hinge_f_turned_y*hinge_f_turned_z_on_hinge_e - hinge_a_by_hinge_f_turned_y*rod_e_R_x_x
+    W_hinge_f_turned_z_hinge_f_turned_z = hinge_b_by_hinge_f_turned_z*hinge_f_turned_z_on_hinge_b + hinge_c_by_hinge_f_turned_z*hinge_f_turned_z_on_hinge_c + hinge_d_by_hinge_f_turned_z*hinge_f_turned_z_on_hinge_d + hinge_e_by_hinge_f_turned_z*hinge_f_turned_z_on_hinge_e - hinge_a_by_hinge_f_turned_z*rod_e_R_x_x
+    hinge_f_apart_size = W_hinge_f_apart_x_hinge_f_apart_x + W_hinge_f_apart_y_hinge_f_apart_y + W_hinge_f_apart_z_hinge_f_apart_z
+    x49 = 3e-09*hinge_f_apart_size
+    W_hinge_f_apart_x_raised = W_hinge_f_apart_x_hinge_f_apart_x + x49
+    W_hinge_f_apart_y_raised = W_hinge_f_apart_y_hinge_f_apart_y + x49
+    W_hinge_f_apart_z_raised = W_hinge_f_apart_z_hinge_f_apart_z + x49
+    hinge_f_turned_size = W_hinge_f_turned_y_hinge_f_turned_y + W_hinge_f_turned_z_hinge_f_turned_z
+    x50 = 3e-09*hinge_f_turned_size
+    W_hinge_f_turned_y_raised = W_hinge_f_turned_y_hinge_f_turned_y + x50
+    W_hinge_f_turned_z_raised = W_hinge_f_turned_z_hinge_f_turned_z + x50
+    l_hinge_f_apart_y_hinge_f_apart_x = W_hinge_f_apart_y_hinge_f_apart_x/W_hinge_f_apart_x_raised
+    D_hinge_f_apart_y = W_hinge_f_apart_y_raised - W_hinge_f_apart_y_hinge_f_apart_x*l_hinge_f_apart_y_hinge_f_apart_x
+    l_hinge_f_apart_z_hinge_f_apart_x = W_hinge_f_apart_z_hinge_f_apart_x/W_hinge_f_apart_x_raised
+    L_hinge_f_apart_z_hinge_f_apart_y = W_hinge_f_apart_z_hinge_f_apart_y - W_hinge_f_apart_z_hinge_f_apart_x*l_hinge_f_apart_y_hinge_f_apart_x
+    l_hinge_f_apart_z_hinge_f_apart_y = L_hinge_f_apart_z_hinge_f_apart_y/D_hinge_f_apart_y
+    D_hinge_f_apart_z = W_hinge_f_apart_z_raised - L_hinge_f_apart_z_hinge_f_apart_y*l_hinge_f_apart_z_hinge_f_apart_y - W_hinge_f_apart_z_hinge_f_apart_x*l_hinge_f_apart_z_hinge_f_apart_x
+    l_hinge_f_turned_y_hinge_f_apart_x = W_hinge_f_turned_y_hinge_f_apart_x/W_hinge_f_apart_x_raised
+    L_hinge_f_turned_y_hinge_f_apart_y = W_hinge_f_turned_y_hinge_f_apart_y - W_hinge_f_turned_y_hinge_f_apart_x*l_hinge_f_apart_y_hinge_f_apart_x
+    l_hinge_f_turned_y_hinge_f_apart_y = L_hinge_f_turned_y_hinge_f_apart_y/D_hinge_f_apart_y
+    L_hinge_f_turned_y_hinge_f_apart_z = W_hinge_f_turned_y_hinge_f_apart_z - L_hinge_f_turned_y_hinge_f_apart_y*l_hinge_f_apart_z_hinge_f_apart_y - W_hinge_f_turned_y_hinge_f_apart_x*l_hinge_f_apart_z_hinge_f_apart_x
+    l_hinge_f_turned_y_hinge_f_apart_z = L_hinge_f_turned_y_hinge_f_apart_z/D_hinge_f_apart_z
+    D_hinge_f_turned_y = W_hinge_f_turned_y_raised - L_hinge_f_turned_y_hinge_f_apart_y*l_hinge_f_turned_y_hinge_f_apart_y - L_hinge_f_turned_y_hinge_f_apart_z*l_hinge_f_turned_y_hinge_f_apart_z - W_hinge_f_turned_y_hinge_f_apart_x*l_hinge_f_turned_y_hinge_f_apart_x
+    l_hinge_f_turned_z_hinge_f_apart_x = W_hinge_f_turned_z_hinge_f_apart_x/W_hinge_f_apart_x_raised
+    L_hinge_f_turned_z_hinge_f_apart_y = W_hinge_f_turned_z_hinge_f_apart_y - W_hinge_f_turned_z_hinge_f_apart_x*l_hinge_f_apart_y_hinge_f_apart_x
+    l_hinge_f_turned_z_hinge_f_apart_y = L_hinge_f_turned_z_hinge_f_apart_y/D_hinge_f_apart_y
+    L_hinge_f_turned_z_hinge_f_apart_z = W_hinge_f_turned_z_hinge_f_apart_z - L_hinge_f_turned_z_hinge_f_apart_y*l_hinge_f_apart_z_hinge_f_apart_y - W_hinge_f_turned_z_hinge_f_apart_x*l_hinge_f_apart_z_hinge_f_apart_x
+    l_hinge_f_turned_z_hinge_f_apart_z = L_hinge_f_turned_z_hinge_f_apart_z/D_hinge_f_apart_z
+    L_hinge_f_turned_z_hinge_f_turned_y = W_hinge_f_turned_z_hinge_f_turned_y - L_hinge_f_turned_z_hinge_f_apart_y*l_hinge_f_turned_y_hinge_f_apart_y - L_hinge_f_turned_z_hinge_f_apart_z*l_hinge_f_turned_y_hinge_f_apart_z - W_hinge_f_turned_z_hinge_f_apart_x*l_hinge_f_turned_y_hinge_f_apart_x
+    l_hinge_f_turned_z_hinge_f_turned_y = L_hinge_f_turned_z_hinge_f_turned_y/D_hinge_f_turned_y
+    D_hinge_f_turned_z = W_hinge_f_turned_z_raised - L_hinge_f_turned_z_hinge_f_apart_y*l_hinge_f_turned_z_hinge_f_apart_y - L_hinge_f_turned_z_hinge_f_apart_z*l_hinge_f_turned_z_hinge_f_apart_z - L_hinge_f_turned_z_hinge_f_turned_y*l_hinge_f_turned_z_hinge_f_turned_y - W_hinge_f_turned_z_hinge_f_apart_x*l_hinge_f_turned_z_hinge_f_apart_x
+    hinge_f_apart_x_left = -hinge_f_apart_bias_x - hinge_a_acc*hinge_f_x_on_hinge_a - hinge_b_acc*hinge_f_x_on_hinge_b - hinge_c_acc*hinge_f_x_on_hinge_c - hinge_d_acc*hinge_f_x_on_hinge_d - hinge_e_acc*hinge_f_x_on_hinge_e
+    hinge_f_apart_y_left = -hinge_f_apart_bias_y - hinge_b_acc*hinge_f_y_on_hinge_b - hinge_c_acc*hinge_f_y_on_hinge_c - hinge_d_acc*hinge_f_y_on_hinge_d - hinge_e_acc*hinge_f_y_on_hinge_e
+    hinge_f_apart_z_left = hinge_a_acc*hinge_f_apart_x - hinge_f_apart_bias_z - hinge_b_acc*hinge_f_z_on_hinge_b - hinge_c_acc*hinge_f_z_on_hinge_c - hinge_d_acc*hinge_f_z_on_hinge_d - hinge_e_acc*hinge_f_z_on_hinge_e
+    hinge_f_turned_y_left = -hinge_f_turned_y_bias - hinge_b_acc*hinge_f_turned_y_on_hinge_b - hinge_c_acc*hinge_f_turned_y_on_hinge_c - hinge_d_acc*hinge_f_turned_y_on_hinge_d - hinge_e_acc*hinge_f_turned_y_on_hinge_e
+    hinge_f_turned_z_left = hinge_a_acc*rod_e_R_x_x - hinge_f_turned_z_bias - hinge_b_acc*hinge_f_turned_z_on_hinge_b - hinge_c_acc*hinge_f_turned_z_on_hinge_c - hinge_d_acc*hinge_f_turned_z_on_hinge_d - hinge_e_acc*hinge_f_turned_z_on_hinge_e
+    y_hinge_f_apart_y = hinge_f_apart_y_left - hinge_f_apart_x_left*l_hinge_f_apart_y_hinge_f_apart_x
+    y_hinge_f_apart_z = hinge_f_apart_z_left - hinge_f_apart_x_left*l_hinge_f_apart_z_hinge_f_apart_x - l_hinge_f_apart_z_hinge_f_apart_y*y_hinge_f_apart_y
+    y_hinge_f_turned_y = hinge_f_turned_y_left - hinge_f_apart_x_left*l_hinge_f_turned_y_hinge_f_apart_x - l_hinge_f_turned_y_hinge_f_apart_y*y_hinge_f_apart_y - l_hinge_f_turned_y_hinge_f_apart_z*y_hinge_f_apart_z
+    y_hinge_f_turned_z = hinge_f_turned_z_left - hinge_f_apart_x_left*l_hinge_f_turned_z_hinge_f_apart_x - l_hinge_f_turned_z_hinge_f_apart_y*y_hinge_f_apart_y - l_hinge_f_turned_z_hinge_f_apart_z*y_hinge_f_apart_z - l_hinge_f_turned_z_hinge_f_turned_y*y_hinge_f_turned_y
+    hinge_f_turned_z_acc = y_hinge_f_turned_z/D_hinge_f_turned_z
+    hinge_f_turned_y_acc = y_hinge_f_turned_y/D_hinge_f_turned_y - hinge_f_turned_z_acc*l_hinge_f_turned_z_hinge_f_turned_y
+    hinge_f_apart_z_acc = y_hinge_f_apart_z/D_hinge_f_apart_z - hinge_f_turned_y_acc*l_hinge_f_turned_y_hinge_f_apart_z - hinge_f_turned_z_acc*l_hinge_f_turned_z_hinge_f_apart_z
+    hinge_f_apart_y_acc = y_hinge_f_apart_y/D_hinge_f_apart_y - hinge_f_apart_z_acc*l_hinge_f_apart_z_hinge_f_apart_y - hinge_f_turned_y_acc*l_hinge_f_turned_y_hinge_f_apart_y - hinge_f_turned_z_acc*l_hinge_f_turned_z_hinge_f_apart_y
+    hinge_f_apart_x_acc = hinge_f_apart_x_left/W_hinge_f_apart_x_raised - hinge_f_apart_y_acc*l_hinge_f_apart_y_hinge_f_apart_x - hinge_f_apart_z_acc*l_hinge_f_apart_z_hinge_f_apart_x - hinge_f_turned_y_acc*l_hinge_f_turned_y_hinge_f_apart_x - hinge_f_turned_z_acc*l_hinge_f_turned_z_hinge_f_apart_x
+    hinge_a_acc_2 = hinge_a_acc + hinge_a_by_hinge_f_apart_x*hinge_f_apart_x_acc + hinge_a_by_hinge_f_apart_y*hinge_f_apart_y_acc + hinge_a_by_hinge_f_apart_z*hinge_f_apart_z_acc + hinge_a_by_hinge_f_turned_y*hinge_f_turned_y_acc + hinge_a_by_hinge_f_turned_z*hinge_f_turned_z_acc
+    hinge_b_acc_2 = hinge_b_acc + hinge_b_by_hinge_f_apart_x*hinge_f_apart_x_acc + hinge_b_by_hinge_f_apart_y*hinge_f_apart_y_acc + hinge_b_by_hinge_f_apart_z*hinge_f_apart_z_acc + hinge_b_by_hinge_f_turned_y*hinge_f_turned_y_acc + hinge_b_by_hinge_f_turned_z*hinge_f_turned_z_acc
+    hinge_c_acc_2 = hinge_c_acc + hinge_c_by_hinge_f_apart_x*hinge_f_apart_x_acc + hinge_c_by_hinge_f_apart_y*hinge_f_apart_y_acc + hinge_c_by_hinge_f_apart_z*hinge_f_apart_z_acc + hinge_c_by_hinge_f_turned_y*hinge_f_turned_y_acc + hinge_c_by_hinge_f_turned_z*hinge_f_turned_z_acc
+    hinge_d_acc_2 = hinge_d_acc + hinge_d_by_hinge_f_apart_x*hinge_f_apart_x_acc + hinge_d_by_hinge_f_apart_y*hinge_f_apart_y_acc + hinge_d_by_hinge_f_apart_z*hinge_f_apart_z_acc + hinge_d_by_hinge_f_turned_y*hinge_f_turned_y_acc + hinge_d_by_hinge_f_turned_z*hinge_f_turned_z_acc
+    hinge_e_acc_2 = hinge_e_acc + hinge_e_by_hinge_f_apart_x*hinge_f_apart_x_acc + hinge_e_by_hinge_f_apart_y*hinge_f_apart_y_acc + hinge_e_by_hinge_f_apart_z*hinge_f_apart_z_acc + hinge_e_by_hinge_f_turned_y*hinge_f_turned_y_acc + hinge_e_by_hinge_f_turned_z*hinge_f_turned_z_acc
+    hinge_f_apart_x_left_2 = -hinge_f_apart_bias_x - hinge_a_acc_2*hinge_f_x_on_hinge_a - hinge_b_acc_2*hinge_f_x_on_hinge_b - hinge_c_acc_2*hinge_f_x_on_hinge_c - hinge_d_acc_2*hinge_f_x_on_hinge_d - hinge_e_acc_2*hinge_f_x_on_hinge_e
+    hinge_f_apart_y_left_2 = -hinge_f_apart_bias_y - hinge_b_acc_2*hinge_f_y_on_hinge_b - hinge_c_acc_2*hinge_f_y_on_hinge_c - hinge_d_acc_2*hinge_f_y_on_hinge_d - hinge_e_acc_2*hinge_f_y_on_hinge_e
+    hinge_f_apart_z_left_2 = hinge_a_acc_2*hinge_f_apart_x - hinge_f_apart_bias_z - hinge_b_acc_2*hinge_f_z_on_hinge_b - hinge_c_acc_2*hinge_f_z_on_hinge_c - hinge_d_acc_2*hinge_f_z_on_hinge_d - hinge_e_acc_2*hinge_f_z_on_hinge_e
+    hinge_f_turned_y_left_2 = -hinge_f_turned_y_bias - hinge_b_acc_2*hinge_f_turned_y_on_hinge_b - hinge_c_acc_2*hinge_f_turned_y_on_hinge_c - hinge_d_acc_2*hinge_f_turned_y_on_hinge_d - hinge_e_acc_2*hinge_f_turned_y_on_hinge_e
+    hinge_f_turned_z_left_2 = hinge_a_acc_2*rod_e_R_x_x - hinge_f_turned_z_bias - hinge_b_acc_2*hinge_f_turned_z_on_hinge_b - hinge_c_acc_2*hinge_f_turned_z_on_hinge_c - hinge_d_acc_2*hinge_f_turned_z_on_hinge_d - hinge_e_acc_2*hinge_f_turned_z_on_hinge_e
+    y_hinge_f_apart_y_2 = hinge_f_apart_y_left_2 - hinge_f_apart_x_left_2*l_hinge_f_apart_y_hinge_f_apart_x
+    y_hinge_f_apart_z_2 = hinge_f_apart_z_left_2 - hinge_f_apart_x_left_2*l_hinge_f_apart_z_hinge_f_apart_x - l_hinge_f_apart_z_hinge_f_apart_y*y_hinge_f_apart_y_2
+    y_hinge_f_turned_y_2 = hinge_f_turned_y_left_2 - hinge_f_apart_x_left_2*l_hinge_f_turned_y_hinge_f_apart_x - l_hinge_f_turned_y_hinge_f_apart_y*y_hinge_f_apart_y_2 - l_hinge_f_turned_y_hinge_f_apart_z*y_hinge_f_apart_z_2
+    y_hinge_f_turned_z_2 = hinge_f_turned_z_left_2 - hinge_f_apart_x_left_2*l_hinge_f_turned_z_hinge_f_apart_x - l_hinge_f_turned_z_hinge_f_apart_y*y_hinge_f_apart_y_2 - l_hinge_f_turned_z_hinge_f_apart_z*y_hinge_f_apart_z_2 - l_hinge_f_turned_z_hinge_f_turned_y*y_hinge_f_turned_y_2
+    hinge_f_turned_z_acc_2 = y_hinge_f_turned_z_2/D_hinge_f_turned_z
+    hinge_f_turned_y_acc_2 = y_hinge_f_turned_y_2/D_hinge_f_turned_y - hinge_f_turned_z_acc_2*l_hinge_f_turned_z_hinge_f_turned_y
+    hinge_f_apart_z_acc_2 = y_hinge_f_apart_z_2/D_hinge_f_apart_z - hinge_f_turned_y_acc_2*l_hinge_f_turned_y_hinge_f_apart_z - hinge_f_turned_z_acc_2*l_hinge_f_turned_z_hinge_f_apart_z
+    hinge_f_apart_y_acc_2 = y_hinge_f_apart_y_2/D_hinge_f_apart_y - hinge_f_apart_z_acc_2*l_hinge_f_apart_z_hinge_f_apart_y - hinge_f_turned_y_acc_2*l_hinge_f_turned_y_hinge_f_apart_y - hinge_f_turned_z_acc_2*l_hinge_f_turned_z_hinge_f_apart_y
+    hinge_f_apart_x_acc_2 = hinge_f_apart_x_left_2/W_hinge_f_apart_x_raised - hinge_f_apart_y_acc_2*l_hinge_f_apart_y_hinge_f_apart_x - hinge_f_apart_z_acc_2*l_hinge_f_apart_z_hinge_f_apart_x - hinge_f_turned_y_acc_2*l_hinge_f_turned_y_hinge_f_apart_x - hinge_f_turned_z_acc_2*l_hinge_f_turned_z_hinge_f_apart_x
+    hinge_f_apart_x_acc_3 = hinge_f_apart_x_acc + hinge_f_apart_x_acc_2
+    hinge_f_apart_y_acc_3 = hinge_f_apart_y_acc + hinge_f_apart_y_acc_2
+    hinge_f_apart_z_acc_3 = hinge_f_apart_z_acc + hinge_f_apart_z_acc_2
+    hinge_f_turned_y_acc_3 = hinge_f_turned_y_acc + hinge_f_turned_y_acc_2
+    hinge_f_turned_z_acc_3 = hinge_f_turned_z_acc + hinge_f_turned_z_acc_2
+    hinge_a_acc_3 = hinge_a_acc_2 + hinge_a_by_hinge_f_apart_x*hinge_f_apart_x_acc_2 + hinge_a_by_hinge_f_apart_y*hinge_f_apart_y_acc_2 + hinge_a_by_hinge_f_apart_z*hinge_f_apart_z_acc_2 + hinge_a_by_hinge_f_turned_y*hinge_f_turned_y_acc_2 + hinge_a_by_hinge_f_turned_z*hinge_f_turned_z_acc_2
+    hinge_b_acc_3 = hinge_b_acc_2 + hinge_b_by_hinge_f_apart_x*hinge_f_apart_x_acc_2 + hinge_b_by_hinge_f_apart_y*hinge_f_apart_y_acc_2 + hinge_b_by_hinge_f_apart_z*hinge_f_apart_z_acc_2 + hinge_b_by_hinge_f_turned_y*hinge_f_turned_y_acc_2 + hinge_b_by_hinge_f_turned_z*hinge_f_turned_z_acc_2
+    hinge_c_acc_3 = hinge_c_acc_2 + hinge_c_by_hinge_f_apart_x*hinge_f_apart_x_acc_2 + hinge_c_by_hinge_f_apart_y*hinge_f_apart_y_acc_2 + hinge_c_by_hinge_f_apart_z*hinge_f_apart_z_acc_2 + hinge_c_by_hinge_f_turned_y*hinge_f_turned_y_acc_2 + hinge_c_by_hinge_f_turned_z*hinge_f_turned_z_acc_2
+    hinge_d_acc_3 = hinge_d_acc_2 + hinge_d_by_hinge_f_apart_x*hinge_f_apart_x_acc_2 + hinge_d_by_hinge_f_apart_y*hinge_f_apart_y_acc_2 + hinge_d_by_hinge_f_apart_z*hinge_f_apart_z_acc_2 + hinge_d_by_hinge_f_turned_y*hinge_f_turned_y_acc_2 + hinge_d_by_hinge_f_turned_z*hinge_f_turned_z_acc_2
+    hinge_e_acc_3 = hinge_e_acc_2 + hinge_e_by_hinge_f_apart_x*hinge_f_apart_x_acc_2 + hinge_e_by_hinge_f_apart_y*hinge_f_apart_y_acc_2 + hinge_e_by_hinge_f_apart_z*hinge_f_apart_z_acc_2 + hinge_e_by_hinge_f_turned_y*hinge_f_turned_y_acc_2 + hinge_e_by_hinge_f_turned_z*hinge_f_turned_z_acc_2
+    hinge_f_apart_x_left_3 = -hinge_f_apart_bias_x - hinge_a_acc_3*hinge_f_x_on_hinge_a - hinge_b_acc_3*hinge_f_x_on_hinge_b - hinge_c_acc_3*hinge_f_x_on_hinge_c - hinge_d_acc_3*hinge_f_x_on_hinge_d - hinge_e_acc_3*hinge_f_x_on_hinge_e
+    hinge_f_apart_y_left_3 = -hinge_f_apart_bias_y - hinge_b_acc_3*hinge_f_y_on_hinge_b - hinge_c_acc_3*hinge_f_y_on_hinge_c - hinge_d_acc_3*hinge_f_y_on_hinge_d - hinge_e_acc_3*hinge_f_y_on_hinge_e
+    hinge_f_apart_z_left_3 = hinge_a_acc_3*hinge_f_apart_x - hinge_f_apart_bias_z - hinge_b_acc_3*hinge_f_z_on_hinge_b - hinge_c_acc_3*hinge_f_z_on_hinge_c - hinge_d_acc_3*hinge_f_z_on_hinge_d - hinge_e_acc_3*hinge_f_z_on_hinge_e
+    hinge_f_turned_y_left_3 = -hinge_f_turned_y_bias - hinge_b_acc_3*hinge_f_turned_y_on_hinge_b - hinge_c_acc_3*hinge_f_turned_y_on_hinge_c - hinge_d_acc_3*hinge_f_turned_y_on_hinge_d - hinge_e_acc_3*hinge_f_turned_y_on_hinge_e
+    hinge_f_turned_z_left_3 = hinge_a_acc_3*rod_e_R_x_x - hinge_f_turned_z_bias - hinge_b_acc_3*hinge_f_turned_z_on_hinge_b - hinge_c_acc_3*hinge_f_turned_z_on_hinge_c - hinge_d_acc_3*hinge_f_turned_z_on_hinge_d - hinge_e_acc_3*hinge_f_turned_z_on_hinge_e
+    y_hinge_f_apart_y_3 = hinge_f_apart_y_left_3 - hinge_f_apart_x_left_3*l_hinge_f_apart_y_hinge_f_apart_x
+    y_hinge_f_apart_z_3 = hinge_f_apart_z_left_3 - hinge_f_apart_x_left_3*l_hinge_f_apart_z_hinge_f_apart_x - l_hinge_f_apart_z_hinge_f_apart_y*y_hinge_f_apart_y_3
+    y_hinge_f_turned_y_3 = hinge_f_turned_y_left_3 - hinge_f_apart_x_left_3*l_hinge_f_turned_y_hinge_f_apart_x - l_hinge_f_turned_y_hinge_f_apart_y*y_hinge_f_apart_y_3 - l_hinge_f_turned_y_hinge_f_apart_z*y_hinge_f_apart_z_3
+    y_hinge_f_turned_z_3 = hinge_f_turned_z_left_3 - hinge_f_apart_x_left_3*l_hinge_f_turned_z_hinge_f_apart_x - l_hinge_f_turned_z_hinge_f_apart_y*y_hinge_f_apart_y_3 - l_hinge_f_turned_z_hinge_f_apart_z*y_hinge_f_apart_z_3 - l_hinge_f_turned_z_hinge_f_turned_y*y_hinge_f_turned_y_3
+    hinge_f_turned_z_acc_4 = y_hinge_f_turned_z_3/D_hinge_f_turned_z
+    hinge_f_turned_y_acc_4 = y_hinge_f_turned_y_3/D_hinge_f_turned_y - hinge_f_turned_z_acc_4*l_hinge_f_turned_z_hinge_f_turned_y
+    hinge_f_apart_z_acc_4 = y_hinge_f_apart_z_3/D_hinge_f_apart_z - hinge_f_turned_y_acc_4*l_hinge_f_turned_y_hinge_f_apart_z - hinge_f_turned_z_acc_4*l_hinge_f_turned_z_hinge_f_apart_z
+    hinge_f_apart_y_acc_4 = y_hinge_f_apart_y_3/D_hinge_f_apart_y - hinge_f_apart_z_acc_4*l_hinge_f_apart_z_hinge_f_apart_y - hinge_f_turned_y_acc_4*l_hinge_f_turned_y_hinge_f_apart_y - hinge_f_turned_z_acc_4*l_hinge_f_turned_z_hinge_f_apart_y
+    hinge_f_apart_x_acc_4 = hinge_f_apart_x_left_3/W_hinge_f_apart_x_raised - hinge_f_apart_y_acc_4*l_hinge_f_apart_y_hinge_f_apart_x - hinge_f_apart_z_acc_4*l_hinge_f_apart_z_hinge_f_apart_x - hinge_f_turned_y_acc_4*l_hinge_f_turned_y_hinge_f_apart_x - hinge_f_turned_z_acc_4*l_hinge_f_turned_z_hinge_f_apart_x
+    hinge_f_apart_x_acc_5 = hinge_f_apart_x_acc_3 + hinge_f_apart_x_acc_4
+    hinge_f_apart_y_acc_5 = hinge_f_apart_y_acc_3 + hinge_f_apart_y_acc_4
+    hinge_f_apart_z_acc_5 = hinge_f_apart_z_acc_3 + hinge_f_apart_z_acc_4
+    hinge_f_turned_y_acc_5 = hinge_f_turned_y_acc_3 + hinge_f_turned_y_acc_4
+    hinge_f_turned_z_acc_5 = hinge_f_turned_z_acc_3 + hinge_f_turned_z_acc_4
+    hinge_a_acc_4 = hinge_a_acc_3 + hinge_a_by_hinge_f_apart_x*hinge_f_apart_x_acc_4 + hinge_a_by_hinge_f_apart_y*hinge_f_apart_y_acc_4 + hinge_a_by_hinge_f_apart_z*hinge_f_apart_z_acc_4 + hinge_a_by_hinge_f_turned_y*hinge_f_turned_y_acc_4 + hinge_a_by_hinge_f_turned_z*hinge_f_turned_z_acc_4
+    hinge_b_acc_4 = hinge_b_acc_3 + hinge_b_by_hinge_f_apart_x*hinge_f_apart_x_acc_4 + hinge_b_by_hinge_f_apart_y*hinge_f_apart_y_acc_4 + hinge_b_by_hinge_f_apart_z*hinge_f_apart_z_acc_4 + hinge_b_by_hinge_f_turned_y*hinge_f_turned_y_acc_4 + hinge_b_by_hinge_f_turned_z*hinge_f_turned_z_acc_4
+    hinge_c_acc_4 = hinge_c_acc_3 + hinge_c_by_hinge_f_apart_x*hinge_f_apart_x_acc_4 + hinge_c_by_hinge_f_apart_y*hinge_f_apart_y_acc_4 + hinge_c_by_hinge_f_apart_z*hinge_f_apart_z_acc_4 + hinge_c_by_hinge_f_turned_y*hinge_f_turned_y_acc_4 + hinge_c_by_hinge_f_turned_z*hinge_f_turned_z_acc_4
+    hinge_d_acc_4 = hinge_d_acc_3 + hinge_d_by_hinge_f_apart_x*hinge_f_apart_x_acc_4 + hinge_d_by_hinge_f_apart_y*hinge_f_apart_y_acc_4 + hinge_d_by_hinge_f_apart_z*hinge_f_apart_z_acc_4 + hinge_d_by_hinge_f_turned_y*hinge_f_turned_y_acc_4 + hinge_d_by_hinge_f_turned_z*hinge_f_turned_z_acc_4
+    hinge_e_acc_4 = hinge_e_acc_3 + hinge_e_by_hinge_f_apart_x*hinge_f_apart_x_acc_4 + hinge_e_by_hinge_f_apart_y*hinge_f_apart_y_acc_4 + hinge_e_by_hinge_f_apart_z*hinge_f_apart_z_acc_4 + hinge_e_by_hinge_f_turned_y*hinge_f_turned_y_acc_4 + hinge_e_by_hinge_f_turned_z*hinge_f_turned_z_acc_4
+    return (
+        ca.vertcat(hinge_a_acc_4, hinge_b_acc_4, hinge_c_acc_4, hinge_d_acc_4, hinge_e_acc_4),
+        ca.vertcat(),
+        ca.vertcat(hinge_f_apart_x_acc_5, hinge_f_apart_y_acc_5, hinge_f_apart_z_acc_5, hinge_f_turned_y_acc_5,
+            hinge_f_turned_z_acc_5),
+    )
+
+
+def constraints(t, q, u, c):
+    """What must be zero for the loops to be closed, and its rate.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        phi (5,): hinge_f.apart_x [m], hinge_f.apart_y [m], hinge_f.apart_z [m], hinge_f.turned_y [1],
+            hinge_f.turned_z [1]
+        dphi (5,): hinge_f.apart_x [m/s], hinge_f.apart_y [m/s], hinge_f.apart_z [m/s], hinge_f.turned_y [1/s],
+            hinge_f.turned_z [1/s]
+    """
+    length = c[0]
+    hinge_a_angle = q[0]
+    hinge_b_angle = q[1]
+    hinge_c_angle = q[2]
+    hinge_d_angle = q[3]
+    hinge_e_angle = q[4]
+    hinge_a_speed = u[0]
+    hinge_b_speed = u[1]
+    hinge_c_speed = u[2]
+    hinge_d_speed = u[3]
+    hinge_e_speed = u[4]
+    cos_rod_a = ca.cos(hinge_a_angle)
+    sin_rod_a = ca.sin(hinge_a_angle)
+    cos_rod_b = ca.cos(hinge_b_angle)
+    sin_rod_b = ca.sin(hinge_b_angle)
+    cos_rod_c = ca.cos(hinge_c_angle)
+    sin_rod_c = ca.sin(hinge_c_angle)
+    cos_rod_d = ca.cos(hinge_d_angle)
+    sin_rod_d = ca.sin(hinge_d_angle)
+    cos_rod_e = ca.cos(hinge_e_angle)
+    sin_rod_e = ca.sin(hinge_e_angle)
+    rod_b_arm_x = cos_rod_a*length
+    rod_b_arm_z = -sin_rod_a*length
+    rod_b_arm_rate_x = hinge_a_speed*rod_b_arm_z
+    rod_b_arm_rate_z = -hinge_a_speed*rod_b_arm_x
+    rod_b_turning_x = hinge_b_speed*sin_rod_a
+    rod_b_turning_z = cos_rod_a*hinge_b_speed
+    rod_b_R_x_x = cos_rod_a*cos_rod_b
+    rod_b_R_x_y = -cos_rod_a*sin_rod_b
+    rod_b_R_z_x = -cos_rod_b*sin_rod_a
+    rod_b_R_z_y = sin_rod_a*sin_rod_b
+    rod_c_arm_x = -rod_b_R_x_y*length
+    rod_c_arm_y = -cos_rod_b*length
+    rod_c_arm_z = -rod_b_R_z_y*length
+    rod_c_arm_rate_x = hinge_a_speed*rod_c_arm_z - rod_b_turning_z*rod_c_arm_y
+    rod_c_arm_rate_y = rod_b_turning_z*rod_c_arm_x - rod_b_turning_x*rod_c_arm_z
+    rod_c_arm_rate_z = rod_b_turning_x*rod_c_arm_y - hinge_a_speed*rod_c_arm_x
+    rod_c_turning_x = hinge_c_speed*rod_b_R_x_x
+    rod_c_turning_y = hinge_c_speed*sin_rod_b
+    rod_c_turning_z = hinge_c_speed*rod_b_R_z_x
+    rod_c_rate_x = rod_b_turning_x + rod_c_turning_x
+    rod_c_rate_y = hinge_a_speed + rod_c_turning_y
+    rod_c_rate_z = rod_b_turning_z + rod_c_turning_z
+    rod_c_x = rod_b_arm_x + rod_c_arm_x
+    rod_c_z = rod_b_arm_z + rod_c_arm_z
+    rod_c_velocity_x = rod_b_arm_rate_x + rod_c_arm_rate_x
+    rod_c_velocity_z = rod_b_arm_rate_z + rod_c_arm_rate_z
+    rod_c_R_x_y = cos_rod_c*rod_b_R_x_y + sin_rod_a*sin_rod_c
+    rod_c_R_x_z = cos_rod_c*sin_rod_a - rod_b_R_x_y*sin_rod_c
+    rod_c_R_y_y = cos_rod_b*cos_rod_c
+    rod_c_R_y_z = -cos_rod_b*sin_rod_c
+    rod_c_R_z_y = cos_rod_a*sin_rod_c + cos_rod_c*rod_b_R_z_y
+    rod_c_R_z_z = cos_rod_a*cos_rod_c - rod_b_R_z_y*sin_rod_c
+    rod_d_arm_x = rod_c_R_x_z*length
+    rod_d_arm_y = rod_c_R_y_z*length
+    rod_d_arm_z = rod_c_R_z_z*length
+    rod_d_arm_rate_x = rod_c_rate_y*rod_d_arm_z - rod_c_rate_z*rod_d_arm_y
+    rod_d_arm_rate_y = rod_c_rate_z*rod_d_arm_x - rod_c_rate_x*rod_d_arm_z
+    rod_d_arm_rate_z = rod_c_rate_x*rod_d_arm_y - rod_c_rate_y*rod_d_arm_x
+    rod_d_turning_x = hinge_d_speed*rod_c_R_x_y
+    rod_d_turning_y = hinge_d_speed*rod_c_R_y_y
+    rod_d_turning_z = hinge_d_speed*rod_c_R_z_y
+    rod_d_rate_x = rod_c_rate_x + rod_d_turning_x
+    rod_d_rate_y = rod_c_rate_y + rod_d_turning_y
+    rod_d_rate_z = rod_c_rate_z + rod_d_turning_z
+    rod_d_x = rod_c_x + rod_d_arm_x
+    rod_d_y = rod_c_arm_y + rod_d_arm_y
+    rod_d_z = rod_c_z + rod_d_arm_z
+    rod_d_velocity_x = rod_c_velocity_x + rod_d_arm_rate_x
+    rod_d_velocity_y = rod_c_arm_rate_y + rod_d_arm_rate_y
+    rod_d_velocity_z = rod_c_velocity_z + rod_d_arm_rate_z
+    rod_d_R_x_x = cos_rod_d*rod_b_R_x_x - rod_c_R_x_z*sin_rod_d
+    rod_d_R_x_z = cos_rod_d*rod_c_R_x_z + rod_b_R_x_x*sin_rod_d
+    rod_d_R_y_x = cos_rod_d*sin_rod_b - rod_c_R_y_z*sin_rod_d
+    rod_d_R_y_z = cos_rod_d*rod_c_R_y_z + sin_rod_b*sin_rod_d
+    rod_d_R_z_x = cos_rod_d*rod_b_R_z_x - rod_c_R_z_z*sin_rod_d
+    rod_d_R_z_z = cos_rod_d*rod_c_R_z_z + rod_b_R_z_x*sin_rod_d
+    rod_e_arm_x = -rod_d_R_x_x*length
+    rod_e_arm_y = -rod_d_R_y_x*length
+    rod_e_arm_z = -rod_d_R_z_x*length
+    rod_e_arm_rate_x = rod_d_rate_y*rod_e_arm_z - rod_d_rate_z*rod_e_arm_y
+    rod_e_arm_rate_y = rod_d_rate_z*rod_e_arm_x - rod_d_rate_x*rod_e_arm_z
+    rod_e_arm_rate_z = rod_d_rate_x*rod_e_arm_y - rod_d_rate_y*rod_e_arm_x
+    rod_e_turning_x = hinge_e_speed*rod_d_R_x_z
+    rod_e_turning_y = hinge_e_speed*rod_d_R_y_z
+    rod_e_turning_z = hinge_e_speed*rod_d_R_z_z
+    rod_e_rate_x = rod_d_rate_x + rod_e_turning_x
+    rod_e_rate_y = rod_d_rate_y + rod_e_turning_y
+    rod_e_rate_z = rod_d_rate_z + rod_e_turning_z
+    rod_e_x = rod_d_x + rod_e_arm_x
+    rod_e_y = rod_d_y + rod_e_arm_y
+    rod_e_z = rod_d_z + rod_e_arm_z
+    rod_e_velocity_x = rod_d_velocity_x + rod_e_arm_rate_x
+    rod_e_velocity_y = rod_d_velocity_y + rod_e_arm_rate_y
+    rod_e_velocity_z = rod_d_velocity_z + rod_e_arm_rate_z
+    rod_e_R_x_x = cos_rod_e*rod_d_R_x_x + rod_c_R_x_y*sin_rod_e
+    rod_e_R_x_y = cos_rod_e*rod_c_R_x_y - rod_d_R_x_x*sin_rod_e
+    rod_e_R_y_x = cos_rod_e*rod_d_R_y_x + rod_c_R_y_y*sin_rod_e
+    rod_e_R_y_y = cos_rod_e*rod_c_R_y_y - rod_d_R_y_x*sin_rod_e
+    rod_e_R_z_x = cos_rod_e*rod_d_R_z_x + rod_c_R_z_y*sin_rod_e
+    rod_e_R_z_y = cos_rod_e*rod_c_R_z_y - rod_d_R_z_x*sin_rod_e
+    hinge_f_child_arm_x = rod_e_R_x_y*length
+    hinge_f_child_arm_y = rod_e_R_y_y*length
+    hinge_f_child_arm_z = rod_e_R_z_y*length
+    hinge_f_child_arm_rate_x = hinge_f_child_arm_z*rod_e_rate_y - hinge_f_child_arm_y*rod_e_rate_z
+    hinge_f_child_arm_rate_y = hinge_f_child_arm_x*rod_e_rate_z - hinge_f_child_arm_z*rod_e_rate_x
+    hinge_f_child_arm_rate_z = hinge_f_child_arm_y*rod_e_rate_x - hinge_f_child_arm_x*rod_e_rate_y
+    hinge_f_apart_x = hinge_f_child_arm_x + rod_e_x
+    hinge_f_apart_y = hinge_f_child_arm_y + rod_e_y
+    hinge_f_apart_z = hinge_f_child_arm_z + rod_e_z - length
+    hinge_f_apart_rate_x = hinge_f_child_arm_rate_x + rod_e_velocity_x
+    hinge_f_apart_rate_y = hinge_f_child_arm_rate_y + rod_e_velocity_y
+    hinge_f_apart_rate_z = hinge_f_child_arm_rate_z + rod_e_velocity_z
+    hinge_f_turned_y_rate = rod_e_R_x_x*rod_e_rate_z - rod_e_R_z_x*rod_e_rate_x
+    hinge_f_turned_z_rate = rod_e_R_y_x*rod_e_rate_x - rod_e_R_x_x*rod_e_rate_y
+    return (
+        ca.vertcat(hinge_f_apart_x, hinge_f_apart_y, hinge_f_apart_z, rod_e_R_y_x, rod_e_R_z_x),
+        ca.vertcat(hinge_f_apart_rate_x, hinge_f_apart_rate_y, hinge_f_apart_rate_z, hinge_f_turned_y_rate,
+            hinge_f_turned_z_rate),
+    )
+
+
+def projection(t, q, wanted, c):
+    """Speeds of least kinetic energy that change the constraints at the rates wanted.
+
+    Arguments: t [s]; q: COORDINATES; wanted: rates of CONSTRAINTS; c: CONSTANTS.
+    Returns, each a column vector:
+        v (5,): hinge_a.speed [rad/s], hinge_b.speed [rad/s], hinge_c.speed [rad/s], hinge_d.speed [rad/s],
+            hinge_e.speed [rad/s]
+    """
+    length = c[0]
+    rod_e_h_y = c[2]
+    rod_d_h_x = c[3]
+    rod_c_h_z = c[4]
+    rod_b_h_y = c[5]
+    rod_b_I_x_x = c[6]
+    rod_c_I_x_x = c[7]
+    rod_d_I_z_z = c[8]
+    rod_e_I_x_x = c[9]
+    k2 = c[11]
+    k3 = c[12]
+    rod_a_I_y_y = c[13]
+    k4 = c[14]
+    hinge_a_angle = q[0]
+    hinge_b_angle = q[1]
+    hinge_c_angle = q[2]
+    hinge_d_angle = q[3]
+    hinge_e_angle = q[4]
+    hinge_f_apart_x_wanted_rate = wanted[0]
+    hinge_f_apart_y_wanted_rate = wanted[1]
+    hinge_f_apart_z_wanted_rate = wanted[2]
+    hinge_f_turned_y_wanted_rate = wanted[3]
+    hinge_f_turned_z_wanted_rate = wanted[4]
+    cos_rod_a = ca.cos(hinge_a_angle)
+    sin_rod_a = ca.sin(hinge_a_angle)
+    cos_rod_b = ca.cos(hinge_b_angle)
+    sin_rod_b = ca.sin(hinge_b_angle)
+    cos_rod_c = ca.cos(hinge_c_angle)
+    sin_rod_c = ca.sin(hinge_c_angle)
+    cos_rod_d = ca.cos(hinge_d_angle)
+    sin_rod_d = ca.sin(hinge_d_angle)
+    cos_rod_e = ca.cos(hinge_e_angle)
+    sin_rod_e = ca.sin(hinge_e_angle)
+    rod_b_arm_x = cos_rod_a*length
+    rod_b_arm_z = -sin_rod_a*length
+    rod_b_R_x_x = cos_rod_a*cos_rod_b
+    rod_b_R_x_y = -cos_rod_a*sin_rod_b
+    rod_b_R_z_x = -cos_rod_b*sin_rod_a
+    rod_b_R_z_y = sin_rod_a*sin_rod_b
+    rod_c_arm_x = -rod_b_R_x_y*length
+    rod_c_arm_y = -cos_rod_b*length
+    rod_c_arm_z = -rod_b_R_z_y*length
+    rod_c_x = rod_b_arm_x + rod_c_arm_x
+    rod_c_z = rod_b_arm_z + rod_c_arm_z
+    rod_c_R_x_y = cos_rod_c*rod_b_R_x_y + sin_rod_a*sin_rod_c
+    rod_c_R_x_z = cos_rod_c*sin_rod_a - rod_b_R_x_y*sin_rod_c
+    rod_c_R_y_y = cos_rod_b*cos_rod_c
+    rod_c_R_y_z = -cos_rod_b*sin_rod_c
+    rod_c_R_z_y = cos_rod_a*sin_rod_c + cos_rod_c*rod_b_R_z_y
+    rod_c_R_z_z = cos_rod_a*cos_rod_c - rod_b_R_z_y*sin_rod_c
+    rod_d_arm_x = rod_c_R_x_z*length
+    rod_d_arm_y = rod_c_R_y_z*length
+    rod_d_arm_z = rod_c_R_z_z*length
+    rod_d_x = rod_c_x + rod_d_arm_x
+    rod_d_y = rod_c_arm_y + rod_d_arm_y
+    rod_d_z = rod_c_z + rod_d_arm_z
+    rod_d_R_x_x = cos_rod_d*rod_b_R_x_x - rod_c_R_x_z*sin_rod_d
+    rod_d_R_x_z = cos_rod_d*rod_c_R_x_z + rod_b_R_x_x*sin_rod_d
+    rod_d_R_y_x = cos_rod_d*sin_rod_b - rod_c_R_y_z*sin_rod_d
+    rod_d_R_y_z = cos_rod_d*rod_c_R_y_z + sin_rod_b*sin_rod_d
+    rod_d_R_z_x = cos_rod_d*rod_b_R_z_x - rod_c_R_z_z*sin_rod_d
+    rod_d_R_z_z = cos_rod_d*rod_c_R_z_z + rod_b_R_z_x*sin_rod_d
+    rod_e_arm_x = -rod_d_R_x_x*length
+    rod_e_arm_y = -rod_d_R_y_x*length
+    rod_e_arm_z = -rod_d_R_z_x*length
+    rod_e_x = rod_d_x + rod_e_arm_x
+    rod_e_y = rod_d_y + rod_e_arm_y
+    rod_e_z = rod_d_z + rod_e_arm_z
+    rod_e_R_x_x = cos_rod_e*rod_d_R_x_x + rod_c_R_x_y*sin_rod_e
+    rod_e_R_x_y = cos_rod_e*rod_c_R_x_y - rod_d_R_x_x*sin_rod_e
+    rod_e_R_y_x = cos_rod_e*rod_d_R_y_x + rod_c_R_y_y*sin_rod_e
+    rod_e_R_y_y = cos_rod_e*rod_c_R_y_y - rod_d_R_y_x*sin_rod_e
+    rod_e_R_z_x = cos_rod_e*rod_d_R_z_x + rod_c_R_z_y*sin_rod_e
+    rod_e_R_z_y = cos_rod_e*rod_c_R_z_y - rod_d_R_z_x*sin_rod_e
+    hinge_f_child_arm_x = rod_e_R_x_y*length
+    hinge_f_child_arm_y = rod_e_R_y_y*length
+    hinge_f_child_arm_z = rod_e_R_z_y*length
+    hinge_f_apart_x = hinge_f_child_arm_x + rod_e_x
+    hinge_f_x_on_hinge_a = hinge_f_child_arm_z + rod_e_z
+    x1 = hinge_f_child_arm_y + rod_e_y
+    hinge_f_x_on_hinge_b = -cos_rod_a*x1
+    x2 = hinge_f_child_arm_z + rod_e_z - rod_c_z
+    x3 = hinge_f_child_arm_y + rod_e_y - rod_c_arm_y
+    hinge_f_x_on_hinge_c = sin_rod_b*x2 - rod_b_R_z_x*x3
+    x4 = hinge_f_child_arm_z + rod_e_z - rod_d_z
+    x5 = hinge_f_child_arm_y + rod_e_y - rod_d_y
+    hinge_f_x_on_hinge_d = rod_c_R_y_y*x4 - rod_c_R_z_y*x5
+    hinge_f_x_on_hinge_e = hinge_f_child_arm_z*rod_d_R_y_z - hinge_f_child_arm_y*rod_d_R_z_z
+    hinge_f_y_on_hinge_b = cos_rod_a*(hinge_f_child_arm_x + rod_e_x - rod_b_arm_x) - sin_rod_a*(hinge_f_child_arm_z + rod_e_z - rod_b_arm_z)
+    x6 = hinge_f_child_arm_x + rod_e_x - rod_c_x
+    hinge_f_y_on_hinge_c = rod_b_R_z_x*x6 - rod_b_R_x_x*x2
+    x7 = hinge_f_child_arm_x + rod_e_x - rod_d_x
+    hinge_f_y_on_hinge_d = rod_c_R_z_y*x7 - rod_c_R_x_y*x4
+    hinge_f_y_on_hinge_e = hinge_f_child_arm_x*rod_d_R_z_z - hinge_f_child_arm_z*rod_d_R_x_z
+    hinge_f_z_on_hinge_b = sin_rod_a*x1
+    hinge_f_z_on_hinge_c = rod_b_R_x_x*x3 - sin_rod_b*x6
+    hinge_f_z_on_hinge_d = rod_c_R_x_y*x5 - rod_c_R_y_y*x7
+    hinge_f_z_on_hinge_e = hinge_f_child_arm_y*rod_d_R_x_z - hinge_f_child_arm_x*rod_d_R_y_z
+    hinge_f_turned_y_on_hinge_b = cos_rod_a*rod_e_R_x_x - rod_e_R_z_x*sin_rod_a
+    hinge_f_turned_y_on_hinge_c = rod_b_R_z_x*rod_e_R_x_x - rod_b_R_x_x*rod_e_R_z_x
+    hinge_f_turned_y_on_hinge_d = rod_c_R_z_y*rod_e_R_x_x - rod_c_R_x_y*rod_e_R_z_x
+    hinge_f_turned_y_on_hinge_e = rod_d_R_z_z*rod_e_R_x_x - rod_d_R_x_z*rod_e_R_z_x
+    hinge_f_turned_z_on_hinge_b = rod_e_R_y_x*sin_rod_a
+    hinge_f_turned_z_on_hinge_c = rod_b_R_x_x*rod_e_R_y_x - rod_e_R_x_x*sin_rod_b
+    hinge_f_turned_z_on_hinge_d = rod_c_R_x_y*rod_e_R_y_x - rod_c_R_y_y*rod_e_R_x_x
+    hinge_f_turned_z_on_hinge_e = rod_d_R_x_z*rod_e_R_y_x - rod_d_R_y_z*rod_e_R_x_x
+    x8 = -rod_e_h_y*sin_rod_e
+    rod_d_total_moment_x = rod_d_h_x + x8
+    rod_d_total_moment_y = cos_rod_e*rod_e_h_y
+    rod_c_total_moment_x = cos_rod_d*rod_d_total_moment_x
+    x9 = -rod_d_total_moment_x*sin_rod_d
+    rod_c_total_moment_z = rod_c_h_z + x9
+    x10 = cos_rod_c*rod_d_total_moment_y
+    x11 = -rod_c_total_moment_z*sin_rod_c
+    rod_b_total_moment_y = rod_b_h_y + x10 + x11
+    rod_b_total_moment_z = cos_rod_c*rod_c_total_moment_z + rod_d_total_moment_y*sin_rod_c
+    rod_c_turned_moment_y = x10 + x11
+    x12 = cos_rod_b*rod_c_total_moment_x
+    x13 = -rod_b_total_moment_y*sin_rod_b
+    x14 = x12 + x13
+    rod_b_turned_moment_x = cos_rod_a*x14 + rod_b_total_moment_z*sin_rod_a
+    rod_b_turned_moment_z = cos_rod_a*rod_b_total_moment_z - sin_rod_a*x14
+    rod_e_turned_J_swing = -rod_e_I_x_x*sin_rod_e
+    rod_e_turned_J_x_y = -cos_rod_e*rod_e_turned_J_swing
+    rod_d_total_J_x_y = rod_e_turned_J_x_y + rod_d_total_moment_y*length
+    rod_d_turned_J_x_y = cos_rod_d*rod_d_total_J_x_y
+    rod_e_turned_J_x_x = rod_e_I_x_x + rod_e_turned_J_swing*sin_rod_e
+    x15 = -k2*x8
+    rod_d_total_J_z_z = k3 + x15
+    rod_d_turned_J_swing = sin_rod_d*(rod_e_turned_J_x_x - rod_d_total_J_z_z)
+    rod_d_turned_J_x_z = -cos_rod_d*rod_d_turned_J_swing
+    rod_c_total_J_x_z = rod_d_turned_J_x_z - rod_c_total_moment_x*length
+    rod_c_turned_J_x_y = cos_rod_c*rod_d_turned_J_x_y - rod_c_total_J_x_z*sin_rod_c
+    rod_b_total_J_x_y = rod_c_turned_J_x_y + rod_c_total_moment_x*length
+    rod_e_turned_J_y_y = -rod_e_turned_J_swing*sin_rod_e
+    rod_d_total_J_y_y = rod_d_I_z_z + rod_e_turned_J_y_y + x15
+    x16 = k2*x9
+    rod_c_total_J_y_y = rod_c_I_x_x + rod_d_total_J_y_y + x16
+    rod_d_turned_J_y_z = -rod_d_total_J_x_y*sin_rod_d
+    rod_c_total_J_y_z = rod_d_turned_J_y_z - rod_d_total_moment_y*length
+    rod_d_turned_J_z_z = rod_d_total_J_z_z + rod_d_turned_J_swing*sin_rod_d
+    rod_c_turned_J_swing = sin_rod_c*(rod_d_turned_J_z_z - rod_c_total_J_y_y) - 2*cos_rod_c*rod_c_total_J_y_z
+    rod_c_turned_J_y_y = rod_c_total_J_y_y + rod_c_turned_J_swing*sin_rod_c
+    rod_d_turned_J_x_x = rod_e_turned_J_x_x - rod_d_turned_J_swing*sin_rod_d
+    rod_c_total_J_x_x = rod_c_I_x_x + rod_d_turned_J_x_x + x16
+    x17 = -k2*rod_c_turned_moment_y
+    rod_b_total_J_x_x = rod_b_I_x_x + rod_c_total_J_x_x + x17
+    rod_b_turned_J_swing = sin_rod_b*(rod_c_turned_J_y_y - rod_b_total_J_x_x) - 2*cos_rod_b*rod_b_total_J_x_y
+    rod_c_turned_J_x_z = cos_rod_c*rod_c_total_J_x_z + rod_d_turned_J_x_y*sin_rod_c
+    rod_c_turned_J_y_z = -rod_c_total_J_y_z - cos_rod_c*rod_c_turned_J_swing
+    rod_b_total_J_y_z = rod_c_turned_J_y_z + rod_b_total_moment_z*length
+    rod_b_turned_J_y_y = rod_c_turned_J_y_y - rod_b_turned_J_swing*sin_rod_b
+    rod_a_total_J_y_y = rod_a_I_y_y + rod_b_turned_J_y_y + 2*rod_b_arm_x*rod_b_turned_moment_x + 2*rod_b_arm_z*rod_b_turned_moment_z
+    rod_c_turned_J_z_z = rod_d_turned_J_z_z - rod_c_turned_J_swing*sin_rod_c
+    rod_b_total_J_z_z = rod_b_I_x_x + rod_c_turned_J_z_z + x17
+    x18 = -cos_rod_b*rod_b_total_moment_y
+    x19 = -rod_c_total_moment_x*sin_rod_b
+    x20 = x18 + x19
+    hinge_b_rod_b_force_x = cos_rod_a*x20
+    hinge_b_rod_b_force_z = -sin_rod_a*x20
+    hinge_b_rod_b_torque_y = cos_rod_b*rod_b_total_J_y_z + hinge_b_rod_b_force_x*rod_b_arm_z + rod_c_turned_J_x_z*sin_rod_b - hinge_b_rod_b_force_z*rod_b_arm_x
+    hinge_c_rod_c_torque_x = rod_c_total_J_x_x - rod_c_turned_moment_y*length
+    hinge_c_rod_b_force_x = rod_c_turned_moment_y*sin_rod_a + cos_rod_a*rod_b_total_moment_z*sin_rod_b
+    hinge_c_rod_b_force_z = cos_rod_a*rod_c_turned_moment_y - rod_b_total_moment_z*sin_rod_a*sin_rod_b
+    hinge_c_rod_b_torque_y = cos_rod_b*rod_c_turned_J_x_y + hinge_c_rod_b_force_x*rod_b_arm_z + hinge_c_rod_c_torque_x*sin_rod_b - hinge_c_rod_b_force_z*rod_b_arm_x
+    x21 = x9*length
+    hinge_d_rod_d_torque_y = rod_d_total_J_y_y + x21
+    hinge_d_rod_c_force_y = rod_c_total_moment_x*sin_rod_c
+    hinge_d_rod_c_force_z = -cos_rod_c*rod_c_total_moment_x
+    hinge_d_rod_c_torque_x = rod_d_turned_J_x_y - hinge_d_rod_c_force_z*length
+    hinge_d_rod_c_torque_y = cos_rod_c*hinge_d_rod_d_torque_y - rod_d_turned_J_y_z*sin_rod_c
+    hinge_d_rod_c_torque_z = x21 + cos_rod_c*rod_d_turned_J_y_z + hinge_d_rod_d_torque_y*sin_rod_c
+    x22 = cos_rod_b*x9
+    x23 = -hinge_d_rod_c_force_y*sin_rod_b
+    x24 = x22 + x23
+    hinge_d_rod_b_force_x = cos_rod_a*x24 + hinge_d_rod_c_force_z*sin_rod_a
+    hinge_d_rod_b_force_z = cos_rod_a*hinge_d_rod_c_force_z - sin_rod_a*x24
+    hinge_d_rod_b_torque_y = cos_rod_b*hinge_d_rod_c_torque_y + hinge_d_rod_b_force_x*rod_b_arm_z + hinge_d_rod_c_torque_x*sin_rod_b - hinge_d_rod_b_force_z*rod_b_arm_x
+    x25 = -x8*length
+    hinge_e_rod_e_torque_z = rod_e_I_x_x + x25
+    hinge_e_rod_d_force_x = -cos_rod_d*rod_d_total_moment_y
+    hinge_e_rod_d_force_z = rod_d_total_moment_y*sin_rod_d
+    hinge_e_rod_d_torque_x = x25 + hinge_e_rod_e_torque_z*sin_rod_d
+    hinge_e_rod_d_torque_y = hinge_e_rod_d_force_x*length
+    hinge_e_rod_d_torque_z = cos_rod_d*hinge_e_rod_e_torque_z
+    hinge_e_rod_c_force_y = cos_rod_c*x8 - hinge_e_rod_d_force_z*sin_rod_c
+    hinge_e_rod_c_force_z = cos_rod_c*hinge_e_rod_d_force_z + sin_rod_c*x8
+    hinge_e_rod_c_torque_x = hinge_e_rod_d_torque_x - hinge_e_rod_c_force_z*length
+    hinge_e_rod_c_torque_y = cos_rod_c*hinge_e_rod_d_torque_y - hinge_e_rod_d_torque_z*sin_rod_c
+    hinge_e_rod_c_torque_z = hinge_e_rod_d_torque_y + cos_rod_c*hinge_e_rod_d_torque_z + hinge_e_rod_d_torque_y*sin_rod_c
+    x26 = cos_rod_b*hinge_e_rod_d_force_x
+    x27 = -hinge_e_rod_c_force_y*sin_rod_b
+    x28 = x26 + x27
+    hinge_e_rod_b_force_x = cos_rod_a*x28 + hinge_e_rod_c_force_z*sin_rod_a
+    hinge_e_rod_b_force_z = cos_rod_a*hinge_e_rod_c_force_z - sin_rod_a*x28
+    hinge_e_rod_b_torque_y = cos_rod_b*hinge_e_rod_c_torque_y + hinge_e_rod_b_force_x*rod_b_arm_z + hinge_e_rod_c_torque_x*sin_rod_b - hinge_e_rod_b_force_z*rod_b_arm_x
+    l_hinge_c_hinge_e = hinge_e_rod_d_torque_x*k4
+    l_hinge_c_hinge_d = rod_d_turned_J_x_y/rod_d_total_J_y_y
+    D_hinge_c = rod_c_total_J_x_x - hinge_e_rod_d_torque_x*l_hinge_c_hinge_e - l_hinge_c_hinge_d*rod_d_turned_J_x_y
+    l_hinge_b_hinge_e = hinge_e_rod_c_torque_z*k4
+    l_hinge_b_hinge_d = hinge_d_rod_c_torque_z/rod_d_total_J_y_y
+    L_hinge_b_hinge_c = rod_c_turned_J_x_z - hinge_d_rod_c_torque_z*l_hinge_c_hinge_d - hinge_e_rod_c_torque_z*l_hinge_c_hinge_e
+    l_hinge_b_hinge_c = L_hinge_b_hinge_c/D_hinge_c
+    D_hinge_b = rod_b_total_J_z_z - L_hinge_b_hinge_c*l_hinge_b_hinge_c - hinge_d_rod_c_torque_z*l_hinge_b_hinge_d - hinge_e_rod_c_torque_z*l_hinge_b_hinge_e
+    l_hinge_a_hinge_e = hinge_e_rod_b_torque_y*k4
+    l_hinge_a_hinge_d = hinge_d_rod_b_torque_y/rod_d_total_J_y_y
+    L_hinge_a_hinge_c = hinge_c_rod_b_torque_y - hinge_d_rod_b_torque_y*l_hinge_c_hinge_d - hinge_e_rod_b_torque_y*l_hinge_c_hinge_e
+    l_hinge_a_hinge_c = L_hinge_a_hinge_c/D_hinge_c
+    L_hinge_a_hinge_b = hinge_b_rod_b_torque_y - L_hinge_a_hinge_c*l_hinge_b_hinge_c - hinge_d_rod_b_torque_y*l_hinge_b_hinge_d - hinge_e_rod_b_torque_y*l_hinge_b_hinge_e
+    l_hinge_a_hinge_b = L_hinge_a_hinge_b/D_hinge_b
+    D_hinge_a = rod_a_total_J_y_y - L_hinge_a_hinge_b*l_hinge_a_hinge_b - L_hinge_a_hinge_c*l_hinge_a_hinge_c - hinge_d_rod_b_torque_y*l_hinge_a_hinge_d - hinge_e_rod_b_torque_y*l_hinge_a_hinge_e
+    y_hinge_c_2 = hinge_f_x_on_hinge_c - hinge_f_x_on_hinge_d*l_hinge_c_hinge_d - hinge_f_x_on_hinge_e*l_hinge_c_hinge_e
+    y_hinge_b_2 = hinge_f_x_on_hinge_b - hinge_f_x_on_hinge_d*l_hinge_b_hinge_d - hinge_f_x_on_hinge_e*l_hinge_b_hinge_e - l_hinge_b_hinge_c*y_hinge_c_2
+    y_hinge_a_2 = hinge_f_x_on_hinge_a - hinge_f_x_on_hinge_d*l_hinge_a_hinge_d - hinge_f_x_on_hinge_e*l_hinge_a_hinge_e - l_hinge_a_hinge_b*y_hinge_b_2 - l_hinge_a_hinge_c*y_hinge_c_2
+    hinge_a_by_hinge_f_apart_x = y_hinge_a_2/D_hinge_a
+    hinge_b_by_hinge_f_apart_x = y_hinge_b_2/D_hinge_b - hinge_a_by_hinge_f_apart_x*l_hinge_a_hinge_b
+    hinge_c_by_hinge_f_apart_x = y_hinge_c_2/D_hinge_c - hinge_a_by_hinge_f_apart_x*l_hinge_a_hinge_c - hinge_b_by_hinge_f_apart_x*l_hinge_b_hinge_c
+    hinge_d_by_hinge_f_apart_x = hinge_f_x_on_hinge_d/rod_d_total_J_y_y - hinge_a_by_hinge_f_apart_x*l_hinge_a_hinge_d - hinge_b_by_hinge_f_apart_x*l_hinge_b_hinge_d - hinge_c_by_hinge_f_apart_x*l_hinge_c_hinge_d
+    hinge_e_by_hinge_f_apart_x = hinge_f_x_on_hinge_e*k4 - hinge_a_by_hinge_f_apart_x*l_hinge_a_hinge_e - hinge_b_by_hinge_f_apart_x*l_hinge_b_hinge_e - hinge_c_by_hinge_f_apart_x*l_hinge_c_hinge_e
+    y_hinge_c_3 = hinge_f_y_on_hinge_c - hinge_f_y_on_hinge_d*l_hinge_c_hinge_d - hinge_f_y_on_hinge_e*l_hinge_c_hinge_e
+    y_hinge_b_3 = hinge_f_y_on_hinge_b - hinge_f_y_on_hinge_d*l_hinge_b_hinge_d - hinge_f_y_on_hinge_e*l_hinge_b_hinge_e - l_hinge_b_hinge_c*y_hinge_c_3
+    y_hinge_a_3 = -hinge_f_y_on_hinge_d*l_hinge_a_hinge_d - hinge_f_y_on_hinge_e*l_hinge_a_hinge_e - l_hinge_a_hinge_b*y_hinge_b_3 - l_hinge_a_hinge_c*y_hinge_c_3
+    hinge_a_by_hinge_f_apart_y = y_hinge_a_3/D_hinge_a
+    hinge_b_by_hinge_f_apart_y = y_hinge_b_3/D_hinge_b - hinge_a_by_hinge_f_apart_y*l_hinge_a_hinge_b
+    hinge_c_by_hinge_f_apart_y = y_hinge_c_3/D_hinge_c - hinge_a_by_hinge_f_apart_y*l_hinge_a_hinge_c - hinge_b_by_hinge_f_apart_y*l_hinge_b_hinge_c
+    hinge_d_by_hinge_f_apart_y = hinge_f_y_on_hinge_d/rod_d_total_J_y_y - hinge_a_by_hinge_f_apart_y*l_hinge_a_hinge_d - hinge_b_by_hinge_f_apart_y*l_hinge_b_hinge_d - hinge_c_by_hinge_f_apart_y*l_hinge_c_hinge_d
+    hinge_e_by_hinge_f_apart_y = hinge_f_y_on_hinge_e*k4 - hinge_a_by_hinge_f_apart_y*l_hinge_a_hinge_e - hinge_b_by_hinge_f_apart_y*l_hinge_b_hinge_e - hinge_c_by_hinge_f_apart_y*l_hinge_c_hinge_e
+    y_hinge_c_4 = hinge_f_z_on_hinge_c - hinge_f_z_on_hinge_d*l_hinge_c_hinge_d - hinge_f_z_on_hinge_e*l_hinge_c_hinge_e
+    y_hinge_b_4 = hinge_f_z_on_hinge_b - hinge_f_z_on_hinge_d*l_hinge_b_hinge_d - hinge_f_z_on_hinge_e*l_hinge_b_hinge_e - l_hinge_b_hinge_c*y_hinge_c_4
+    y_hinge_a_4 = -hinge_f_apart_x - hinge_f_z_on_hinge_d*l_hinge_a_hinge_d - hinge_f_z_on_hinge_e*l_hinge_a_hinge_e - l_hinge_a_hinge_b*y_hinge_b_4 - l_hinge_a_hinge_c*y_hinge_c_4
+    hinge_a_by_hinge_f_apart_z = y_hinge_a_4/D_hinge_a
+    hinge_b_by_hinge_f_apart_z = y_hinge_b_4/D_hinge_b - hinge_a_by_hinge_f_apart_z*l_hinge_a_hinge_b
+    hinge_c_by_hinge_f_apart_z = y_hinge_c_4/D_hinge_c - hinge_a_by_hinge_f_apart_z*l_hinge_a_hinge_c - hinge_b_by_hinge_f_apart_z*l_hinge_b_hinge_c
+    hinge_d_by_hinge_f_apart_z = hinge_f_z_on_hinge_d/rod_d_total_J_y_y - hinge_a_by_hinge_f_apart_z*l_hinge_a_hinge_d - hinge_b_by_hinge_f_apart_z*l_hinge_b_hinge_d - hinge_c_by_hinge_f_apart_z*l_hinge_c_hinge_d
+    hinge_e_by_hinge_f_apart_z = hinge_f_z_on_hinge_e*k4 - hinge_a_by_hinge_f_apart_z*l_hinge_a_hinge_e - hinge_b_by_hinge_f_apart_z*l_hinge_b_hinge_e - hinge_c_by_hinge_f_apart_z*l_hinge_c_hinge_e
+    y_hinge_c_5 = hinge_f_turned_y_on_hinge_c - hinge_f_turned_y_on_hinge_d*l_hinge_c_hinge_d - hinge_f_turned_y_on_hinge_e*l_hinge_c_hinge_e
+    y_hinge_b_5 = hinge_f_turned_y_on_hinge_b - hinge_f_turned_y_on_hinge_d*l_hinge_b_hinge_d - hinge_f_turned_y_on_hinge_e*l_hinge_b_hinge_e - l_hinge_b_hinge_c*y_hinge_c_5
+    y_hinge_a_5 = -hinge_f_turned_y_on_hinge_d*l_hinge_a_hinge_d - hinge_f_turned_y_on_hinge_e*l_hinge_a_hinge_e - l_hinge_a_hinge_b*y_hinge_b_5 - l_hinge_a_hinge_c*y_hinge_c_5
+    hinge_a_by_hinge_f_turned_y = y_hinge_a_5/D_hinge_a
+    hinge_b_by_hinge_f_turned_y = y_hinge_b_5/D_hinge_b - hinge_a_by_hinge_f_turned_y*l_hinge_a_hinge_b
+    hinge_c_by_hinge_f_turned_y = y_hinge_c_5/D_hinge_c - hinge_a_by_hinge_f_turned_y*l_hinge_a_hinge_c - hinge_b_by_hinge_f_turned_y*l_hinge_b_hinge_c
+    hinge_d_by_hinge_f_turned_y = hinge_f_turned_y_on_hinge_d/rod_d_total_J_y_y - hinge_a_by_hinge_f_turned_y*l_hinge_a_hinge_d - hinge_b_by_hinge_f_turned_y*l_hinge_b_hinge_d - hinge_c_by_hinge_f_turned_y*l_hinge_c_hinge_d
+    hinge_e_by_hinge_f_turned_y = hinge_f_turned_y_on_hinge_e*k4 - hinge_a_by_hinge_f_turned_y*l_hinge_a_hinge_e - hinge_b_by_hinge_f_turned_y*l_hinge_b_hinge_e - hinge_c_by_hinge_f_turned_y*l_hinge_c_hinge_e
+    y_hinge_c_6 = hinge_f_turned_z_on_hinge_c - hinge_f_turned_z_on_hinge_d*l_hinge_c_hinge_d - hinge_f_turned_z_on_hinge_e*l_hinge_c_hinge_e
+    y_hinge_b_6 = hinge_f_turned_z_on_hinge_b - hinge_f_turned_z_on_hinge_d*l_hinge_b_hinge_d - hinge_f_turned_z_on_hinge_e*l_hinge_b_hinge_e - l_hinge_b_hinge_c*y_hinge_c_6
+    y_hinge_a_6 = -rod_e_R_x_x - hinge_f_turned_z_on_hinge_d*l_hinge_a_hinge_d - hinge_f_turned_z_on_hinge_e*l_hinge_a_hinge_e - l_hinge_a_hinge_b*y_hinge_b_6 - l_hinge_a_hinge_c*y_hinge_c_6
+    hinge_a_by_hinge_f_turned_z = y_hinge_a_6/D_hinge_a
+    hinge_b_by_hinge_f_turned_z = y_hinge_b_6/D_hinge_b - hinge_a_by_hinge_f_turned_z*l_hinge_a_hinge_b
+    hinge_c_by_hinge_f_turned_z = y_hinge_c_6/D_hinge_c - hinge_a_by_hinge_f_turned_z*l_hinge_a_hinge_c - hinge_b_by_hinge_f_turned_z*l_hinge_b_hinge_c
+    hinge_d_by_hinge_f_turned_z = hinge_f_turned_z_on_hinge_d/rod_d_total_J_y_y - hinge_a_by_hinge_f_turned_z*l_hinge_a_hinge_d - hinge_b_by_hinge_f_turned_z*l_hinge_b_hinge_d - hinge_c_by_hinge_f_turned_z*l_hinge_c_hinge_d
+    hinge_e_by_hinge_f_turned_z = hinge_f_turned_z_on_hinge_e*k4 - hinge_a_by_hinge_f_turned_z*l_hinge_a_hinge_e - hinge_b_by_hinge_f_turned_z*l_hinge_b_hinge_e - hinge_c_by_hinge_f_turned_z*l_hinge_c_hinge_e
+    W_hinge_f_apart_x_hinge_f_apart_x = hinge_a_by_hinge_f_apart_x*hinge_f_x_on_hinge_a + hinge_b_by_hinge_f_apart_x*hinge_f_x_on_hinge_b + hinge_c_by_hinge_f_apart_x*hinge_f_x_on_hinge_c + hinge_d_by_hinge_f_apart_x*hinge_f_x_on_hinge_d + hinge_e_by_hinge_f_apart_x*hinge_f_x_on_hinge_e
+    W_hinge_f_apart_y_hinge_f_apart_x = hinge_b_by_hinge_f_apart_x*hinge_f_y_on_hinge_b + hinge_c_by_hinge_f_apart_x*hinge_f_y_on_hinge_c + hinge_d_by_hinge_f_apart_x*hinge_f_y_on_hinge_d + hinge_e_by_hinge_f_apart_x*hinge_f_y_on_hinge_e
+    W_hinge_f_apart_y_hinge_f_apart_y = hinge_b_by_hinge_f_apart_y*hinge_f_y_on_hinge_b + hinge_c_by_hinge_f_apart_y*hinge_f_y_on_hinge_c + hinge_d_by_hinge_f_apart_y*hinge_f_y_on_hinge_d + hinge_e_by_hinge_f_apart_y*hinge_f_y_on_hinge_e
+    W_hinge_f_apart_z_hinge_f_apart_x = hinge_b_by_hinge_f_apart_x*hinge_f_z_on_hinge_b + hinge_c_by_hinge_f_apart_x*hinge_f_z_on_hinge_c + hinge_d_by_hinge_f_apart_x*hinge_f_z_on_hinge_d + hinge_e_by_hinge_f_apart_x*hinge_f_z_on_hinge_e - hinge_a_by_hinge_f_apart_x*hinge_f_apart_x
+    W_hinge_f_apart_z_hinge_f_apart_y = hinge_b_by_hinge_f_apart_y*hinge_f_z_on_hinge_b + hinge_c_by_hinge_f_apart_y*hinge_f_z_on_hinge_c + hinge_d_by_hinge_f_apart_y*hinge_f_z_on_hinge_d + hinge_e_by_hinge_f_apart_y*hinge_f_z_on_hinge_e - hinge_a_by_hinge_f_apart_y*hinge_f_apart_x
+    W_hinge_f_apart_z_hinge_f_apart_z = hinge_b_by_hinge_f_apart_z*hinge_f_z_on_hinge_b + hinge_c_by_hinge_f_apart_z*hinge_f_z_on_hinge_c + hinge_d_by_hinge_f_apart_z*hinge_f_z_on_hinge_d + hinge_e_by_hinge_f_apart_z*hinge_f_z_on_hinge_e - hinge_a_by_hinge_f_apart_z*hinge_f_apart_x
+    W_hinge_f_turned_y_hinge_f_apart_x = hinge_b_by_hinge_f_apart_x*hinge_f_turned_y_on_hinge_b + hinge_c_by_hinge_f_apart_x*hinge_f_turned_y_on_hinge_c + hinge_d_by_hinge_f_apart_x*hinge_f_turned_y_on_hinge_d + hinge_e_by_hinge_f_apart_x*hinge_f_turned_y_on_hinge_e
+    W_hinge_f_turned_y_hinge_f_apart_y = hinge_b_by_hinge_f_apart_y*hinge_f_turned_y_on_hinge_b + hinge_c_by_hinge_f_apart_y*hinge_f_turned_y_on_hinge_c + hinge_d_by_hinge_f_apart_y*hinge_f_turned_y_on_hinge_d + hinge_e_by_hinge_f_apart_y*hinge_f_turned_y_on_hinge_e
+    W_hinge_f_turned_y_hinge_f_apart_z = hinge_b_by_hinge_f_apart_z*hinge_f_turned_y_on_hinge_b + hinge_c_by_hinge_f_apart_z*hinge_f_turned_y_on_hinge_c + hinge_d_by_hinge_f_apart_z*hinge_f_turned_y_on_hinge_d + hinge_e_by_hinge_f_apart_z*hinge_f_turned_y_on_hinge_e
+    W_hinge_f_turned_y_hinge_f_turned_y = hinge_b_by_hinge_f_turned_y*hinge_f_turned_y_on_hinge_b + hinge_c_by_hinge_f_turned_y*hinge_f_turned_y_on_hinge_c + hinge_d_by_hinge_f_turned_y*hinge_f_turned_y_on_hinge_d + hinge_e_by_hinge_f_turned_y*hinge_f_turned_y_on_hinge_e
+    W_hinge_f_turned_z_hinge_f_apart_x = hinge_b_by_hinge_f_apart_x*hinge_f_turned_z_on_hinge_b + hinge_c_by_hinge_f_apart_x*hinge_f_turned_z_on_hinge_c + hinge_d_by_hinge_f_apart_x*hinge_f_turned_z_on_hinge_d + hinge_e_by_hinge_f_apart_x*hinge_f_turned_z_on_hinge_e - hinge_a_by_hinge_f_apart_x*rod_e_R_x_x
+    W_hinge_f_turned_z_hinge_f_apart_y = hinge_b_by_hinge_f_apart_y*hinge_f_turned_z_on_hinge_b + hinge_c_by_hinge_f_apart_y*hinge_f_turned_z_on_hinge_c + hinge_d_by_hinge_f_apart_y*hinge_f_turned_z_on_hinge_d + hinge_e_by_hinge_f_apart_y*hinge_f_turned_z_on_hinge_e - hinge_a_by_hinge_f_apart_y*rod_e_R_x_x
+    W_hinge_f_turned_z_hinge_f_apart_z = hinge_b_by_hinge_f_apart_z*hinge_f_turned_z_on_hinge_b + hinge_c_by_hinge_f_apart_z*hinge_f_turned_z_on_hinge_c + hinge_d_by_hinge_f_apart_z*hinge_f_turned_z_on_hinge_d + hinge_e_by_hinge_f_apart_z*hinge_f_turned_z_on_hinge_e - hinge_a_by_hinge_f_apart_z*rod_e_R_x_x
+    W_hinge_f_turned_z_hinge_f_turned_y = hinge_b_by_hinge_f_turned_y*hinge_f_turned_z_on_hinge_b + hinge_c_by_hinge_f_turned_y*hinge_f_turned_z_on_hinge_c + hinge_d_by_hinge_f_turned_y*hinge_f_turned_z_on_hinge_d + hinge_e_by_hinge_f_turned_y*hinge_f_turned_z_on_hinge_e - hinge_a_by_hinge_f_turned_y*rod_e_R_x_x
+    W_hinge_f_turned_z_hinge_f_turned_z = hinge_b_by_hinge_f_turned_z*hinge_f_turned_z_on_hinge_b + hinge_c_by_hinge_f_turned_z*hinge_f_turned_z_on_hinge_c + hinge_d_by_hinge_f_turned_z*hinge_f_turned_z_on_hinge_d + hinge_e_by_hinge_f_turned_z*hinge_f_turned_z_on_hinge_e - hinge_a_by_hinge_f_turned_z*rod_e_R_x_x
+    hinge_f_apart_size = W_hinge_f_apart_x_hinge_f_apart_x + W_hinge_f_apart_y_hinge_f_apart_y + W_hinge_f_apart_z_hinge_f_apart_z
+    x29 = 3e-09*hinge_f_apart_size
+    W_hinge_f_apart_x_raised = W_hinge_f_apart_x_hinge_f_apart_x + x29
+    W_hinge_f_apart_y_raised = W_hinge_f_apart_y_hinge_f_apart_y + x29
+    W_hinge_f_apart_z_raised = W_hinge_f_apart_z_hinge_f_apart_z + x29
+    hinge_f_turned_size = W_hinge_f_turned_y_hinge_f_turned_y + W_hinge_f_turned_z_hinge_f_turned_z
+    x30 = 3e-09*hinge_f_turned_size
+    W_hinge_f_turned_y_raised = W_hinge_f_turned_y_hinge_f_turned_y + x30
+    W_hinge_f_turned_z_raised = W_hinge_f_turned_z_hinge_f_turned_z + x30
+    l_hinge_f_apart_y_hinge_f_apart_x = W_hinge_f_apart_y_hinge_f_apart_x/W_hinge_f_apart_x_raised
+    D_hinge_f_apart_y = W_hinge_f_apart_y_raised - W_hinge_f_apart_y_hinge_f_apart_x*l_hinge_f_apart_y_hinge_f_apart_x
+    l_hinge_f_apart_z_hinge_f_apart_x = W_hinge_f_apart_z_hinge_f_apart_x/W_hinge_f_apart_x_raised
+    L_hinge_f_apart_z_hinge_f_apart_y = W_hinge_f_apart_z_hinge_f_apart_y - W_hinge_f_apart_z_hinge_f_apart_x*l_hinge_f_apart_y_hinge_f_apart_x
+    l_hinge_f_apart_z_hinge_f_apart_y = L_hinge_f_apart_z_hinge_f_apart_y/D_hinge_f_apart_y
+    D_hinge_f_apart_z = W_hinge_f_apart_z_raised - L_hinge_f_apart_z_hinge_f_apart_y*l_hinge_f_apart_z_hinge_f_apart_y - W_hinge_f_apart_z_hinge_f_apart_x*l_hinge_f_apart_z_hinge_f_apart_x
+    l_hinge_f_turned_y_hinge_f_apart_x = W_hinge_f_turned_y_hinge_f_apart_x/W_hinge_f_apart_x_raised
+    L_hinge_f_turned_y_hinge_f_apart_y = W_hinge_f_turned_y_hinge_f_apart_y - W_hinge_f_turned_y_hinge_f_apart_x*l_hinge_f_apart_y_hinge_f_apart_x
+    l_hinge_f_turned_y_hinge_f_apart_y = L_hinge_f_turned_y_hinge_f_apart_y/D_hinge_f_apart_y
+    L_hinge_f_turned_y_hinge_f_apart_z = W_hinge_f_turned_y_hinge_f_apart_z - L_hinge_f_turned_y_hinge_f_apart_y*l_hinge_f_apart_z_hinge_f_apart_y - W_hinge_f_turned_y_hinge_f_apart_x*l_hinge_f_apart_z_hinge_f_apart_x
+    l_hinge_f_turned_y_hinge_f_apart_z = L_hinge_f_turned_y_hinge_f_apart_z/D_hinge_f_apart_z
+    D_hinge_f_turned_y = W_hinge_f_turned_y_raised - L_hinge_f_turned_y_hinge_f_apart_y*l_hinge_f_turned_y_hinge_f_apart_y - L_hinge_f_turned_y_hinge_f_apart_z*l_hinge_f_turned_y_hinge_f_apart_z - W_hinge_f_turned_y_hinge_f_apart_x*l_hinge_f_turned_y_hinge_f_apart_x
+    l_hinge_f_turned_z_hinge_f_apart_x = W_hinge_f_turned_z_hinge_f_apart_x/W_hinge_f_apart_x_raised
+    L_hinge_f_turned_z_hinge_f_apart_y = W_hinge_f_turned_z_hinge_f_apart_y - W_hinge_f_turned_z_hinge_f_apart_x*l_hinge_f_apart_y_hinge_f_apart_x
+    l_hinge_f_turned_z_hinge_f_apart_y = L_hinge_f_turned_z_hinge_f_apart_y/D_hinge_f_apart_y
+    L_hinge_f_turned_z_hinge_f_apart_z = W_hinge_f_turned_z_hinge_f_apart_z - L_hinge_f_turned_z_hinge_f_apart_y*l_hinge_f_apart_z_hinge_f_apart_y - W_hinge_f_turned_z_hinge_f_apart_x*l_hinge_f_apart_z_hinge_f_apart_x
+    l_hinge_f_turned_z_hinge_f_apart_z = L_hinge_f_turned_z_hinge_f_apart_z/D_hinge_f_apart_z
+    L_hinge_f_turned_z_hinge_f_turned_y = W_hinge_f_turned_z_hinge_f_turned_y - L_hinge_f_turned_z_hinge_f_apart_y*l_hinge_f_turned_y_hinge_f_apart_y - L_hinge_f_turned_z_hinge_f_apart_z*l_hinge_f_turned_y_hinge_f_apart_z - W_hinge_f_turned_z_hinge_f_apart_x*l_hinge_f_turned_y_hinge_f_apart_x
+    l_hinge_f_turned_z_hinge_f_turned_y = L_hinge_f_turned_z_hinge_f_turned_y/D_hinge_f_turned_y
+    D_hinge_f_turned_z = W_hinge_f_turned_z_raised - L_hinge_f_turned_z_hinge_f_apart_y*l_hinge_f_turned_z_hinge_f_apart_y - L_hinge_f_turned_z_hinge_f_apart_z*l_hinge_f_turned_z_hinge_f_apart_z - L_hinge_f_turned_z_hinge_f_turned_y*l_hinge_f_turned_z_hinge_f_turned_y - W_hinge_f_turned_z_hinge_f_apart_x*l_hinge_f_turned_z_hinge_f_apart_x
+    y_hinge_f_apart_y_4 = hinge_f_apart_y_wanted_rate - hinge_f_apart_x_wanted_rate*l_hinge_f_apart_y_hinge_f_apart_x
+    y_hinge_f_apart_z_4 = hinge_f_apart_z_wanted_rate - hinge_f_apart_x_wanted_rate*l_hinge_f_apart_z_hinge_f_apart_x - l_hinge_f_apart_z_hinge_f_apart_y*y_hinge_f_apart_y_4
+    y_hinge_f_turned_y_4 = hinge_f_turned_y_wanted_rate - hinge_f_apart_x_wanted_rate*l_hinge_f_turned_y_hinge_f_apart_x - l_hinge_f_turned_y_hinge_f_apart_y*y_hinge_f_apart_y_4 - l_hinge_f_turned_y_hinge_f_apart_z*y_hinge_f_apart_z_4
+    y_hinge_f_turned_z_4 = hinge_f_turned_z_wanted_rate - hinge_f_apart_x_wanted_rate*l_hinge_f_turned_z_hinge_f_apart_x - l_hinge_f_turned_z_hinge_f_apart_y*y_hinge_f_apart_y_4 - l_hinge_f_turned_z_hinge_f_apart_z*y_hinge_f_apart_z_4 - l_hinge_f_turned_z_hinge_f_turned_y*y_hinge_f_turned_y_4
+    hinge_f_turned_z_push = y_hinge_f_turned_z_4/D_hinge_f_turned_z
+    hinge_f_turned_y_push = y_hinge_f_turned_y_4/D_hinge_f_turned_y - hinge_f_turned_z_push*l_hinge_f_turned_z_hinge_f_turned_y
+    hinge_f_apart_z_push = y_hinge_f_apart_z_4/D_hinge_f_apart_z - hinge_f_turned_y_push*l_hinge_f_turned_y_hinge_f_apart_z - hinge_f_turned_z_push*l_hinge_f_turned_z_hinge_f_apart_z
+    hinge_f_apart_y_push = y_hinge_f_apart_y_4/D_hinge_f_apart_y - hinge_f_apart_z_push*l_hinge_f_apart_z_hinge_f_apart_y - hinge_f_turned_y_push*l_hinge_f_turned_y_hinge_f_apart_y - hinge_f_turned_z_push*l_hinge_f_turned_z_hinge_f_apart_y
+    hinge_f_apart_x_push = hinge_f_apart_x_wanted_rate/W_hinge_f_apart_x_raised - hinge_f_apart_y_push*l_hinge_f_apart_y_hinge_f_apart_x - hinge_f_apart_z_push*l_hinge_f_apart_z_hinge_f_apart_x - hinge_f_turned_y_push*l_hinge_f_turned_y_hinge_f_apart_x - hinge_f_turned_z_push*l_hinge_f_turned_z_hinge_f_apart_x
+    hinge_e_push = hinge_e_by_hinge_f_apart_x*hinge_f_apart_x_push + hinge_e_by_hinge_f_apart_y*hinge_f_apart_y_push + hinge_e_by_hinge_f_apart_z*hinge_f_apart_z_push + hinge_e_by_hinge_f_turned_y*hinge_f_turned_y_push + hinge_e_by_hinge_f_turned_z*hinge_f_turned_z_push
+    hinge_d_push = hinge_d_by_hinge_f_apart_x*hinge_f_apart_x_push + hinge_d_by_hinge_f_apart_y*hinge_f_apart_y_push + hinge_d_by_hinge_f_apart_z*hinge_f_apart_z_push + hinge_d_by_hinge_f_turned_y*hinge_f_turned_y_push + hinge_d_by_hinge_f_turned_z*hinge_f_turned_z_push
+    hinge_c_push = hinge_c_by_hinge_f_apart_x*hinge_f_apart_x_push + hinge_c_by_hinge_f_apart_y*hinge_f_apart_y_push + hinge_c_by_hinge_f_apart_z*hinge_f_apart_z_push + hinge_c_by_hinge_f_turned_y*hinge_f_turned_y_push + hinge_c_by_hinge_f_turned_z*hinge_f_turned_z_push
+    hinge_b_push = hinge_b_by_hinge_f_apart_x*hinge_f_apart_x_push + hinge_b_by_hinge_f_apart_y*hinge_f_apart_y_push + hinge_b_by_hinge_f_apart_z*hinge_f_apart_z_push + hinge_b_by_hinge_f_turned_y*hinge_f_turned_y_push + hinge_b_by_hinge_f_turned_z*hinge_f_turned_z_push
+    hinge_a_push = hinge_a_by_hinge_f_apart_x*hinge_f_apart_x_push + hinge_a_by_hinge_f_apart_y*hinge_f_apart_y_push + hinge_a_by_hinge_f_apart_z*hinge_f_apart_z_push + hinge_a_by_hinge_f_turned_y*hinge_f_turned_y_push + hinge_a_by_hinge_f_turned_z*hinge_f_turned_z_push
+    hinge_f_apart_x_left_4 = hinge_f_apart_x_wanted_rate - hinge_a_push*hinge_f_x_on_hinge_a - hinge_b_push*hinge_f_x_on_hinge_b - hinge_c_push*hinge_f_x_on_hinge_c - hinge_d_push*hinge_f_x_on_hinge_d - hinge_e_push*hinge_f_x_on_hinge_e
+    hinge_f_apart_y_left_4 = hinge_f_apart_y_wanted_rate - hinge_b_push*hinge_f_y_on_hinge_b - hinge_c_push*hinge_f_y_on_hinge_c - hinge_d_push*hinge_f_y_on_hinge_d - hinge_e_push*hinge_f_y_on_hinge_e
+    hinge_f_apart_z_left_4 = hinge_f_apart_z_wanted_rate + hinge_a_push*hinge_f_apart_x - hinge_b_push*hinge_f_z_on_hinge_b - hinge_c_push*hinge_f_z_on_hinge_c - hinge_d_push*hinge_f_z_on_hinge_d - hinge_e_push*hinge_f_z_on_hinge_e
+    hinge_f_turned_y_left_4 = hinge_f_turned_y_wanted_rate - hinge_b_push*hinge_f_turned_y_on_hinge_b - hinge_c_push*hinge_f_turned_y_on_hinge_c - hinge_d_push*hinge_f_turned_y_on_hinge_d - hinge_e_push*hinge_f_turned_y_on_hinge_e
+    hinge_f_turned_z_left_4 = hinge_f_turned_z_wanted_rate + hinge_a_push*rod_e_R_x_x - hinge_b_push*hinge_f_turned_z_on_hinge_b - hinge_c_push*hinge_f_turned_z_on_hinge_c - hinge_d_push*hinge_f_turned_z_on_hinge_d - hinge_e_push*hinge_f_turned_z_on_hinge_e
+    y_hinge_f_apart_y_5 = hinge_f_apart_y_left_4 - hinge_f_apart_x_left_4*l_hinge_f_apart_y_hinge_f_apart_x
+    y_hinge_f_apart_z_5 = hinge_f_apart_z_left_4 - hinge_f_apart_x_left_4*l_hinge_f_apart_z_hinge_f_apart_x - l_hinge_f_apart_z_hinge_f_apart_y*y_hinge_f_apart_y_5
+    y_hinge_f_turned_y_5 = hinge_f_turned_y_left_4 - hinge_f_apart_x_left_4*l_hinge_f_turned_y_hinge_f_apart_x - l_hinge_f_turned_y_hinge_f_apart_y*y_hinge_f_apart_y_5 - l_hinge_f_turned_y_hinge_f_apart_z*y_hinge_f_apart_z_5
+    y_hinge_f_turned_z_5 = hinge_f_turned_z_left_4 - hinge_f_apart_x_left_4*l_hinge_f_turned_z_hinge_f_apart_x - l_hinge_f_turned_z_hinge_f_apart_y*y_hinge_f_apart_y_5 - l_hinge_f_turned_z_hinge_f_apart_z*y_hinge_f_apart_z_5 - l_hinge_f_turned_z_hinge_f_turned_y*y_hinge_f_turned_y_5
+    hinge_f_turned_z_push_2 = y_hinge_f_turned_z_5/D_hinge_f_turned_z
+    hinge_f_turned_y_push_2 = y_hinge_f_turned_y_5/D_hinge_f_turned_y - hinge_f_turned_z_push_2*l_hinge_f_turned_z_hinge_f_turned_y
+    hinge_f_apart_z_push_2 = y_hinge_f_apart_z_5/D_hinge_f_apart_z - hinge_f_turned_y_push_2*l_hinge_f_turned_y_hinge_f_apart_z - hinge_f_turned_z_push_2*l_hinge_f_turned_z_hinge_f_apart_z
+    hinge_f_apart_y_push_2 = y_hinge_f_apart_y_5/D_hinge_f_apart_y - hinge_f_apart_z_push_2*l_hinge_f_apart_z_hinge_f_apart_y - hinge_f_turned_y_push_2*l_hinge_f_turned_y_hinge_f_apart_y - hinge_f_turned_z_push_2*l_hinge_f_turned_z_hinge_f_apart_y
+    hinge_f_apart_x_push_2 = hinge_f_apart_x_left_4/W_hinge_f_apart_x_raised - hinge_f_apart_y_push_2*l_hinge_f_apart_y_hinge_f_apart_x - hinge_f_apart_z_push_2*l_hinge_f_apart_z_hinge_f_apart_x - hinge_f_turned_y_push_2*l_hinge_f_turned_y_hinge_f_apart_x - hinge_f_turned_z_push_2*l_hinge_f_turned_z_hinge_f_apart_x
+    hinge_e_push_2 = hinge_e_push + hinge_e_by_hinge_f_apart_x*hinge_f_apart_x_push_2 + hinge_e_by_hinge_f_apart_y*hinge_f_apart_y_push_2 + hinge_e_by_hinge_f_apart_z*hinge_f_apart_z_push_2 + hinge_e_by_hinge_f_turned_y*hinge_f_turned_y_push_2 + hinge_e_by_hinge_f_turned_z*hinge_f_turned_z_push_2
+    hinge_d_push_2 = hinge_d_push + hinge_d_by_hinge_f_apart_x*hinge_f_apart_x_push_2 + hinge_d_by_hinge_f_apart_y*hinge_f_apart_y_push_2 + hinge_d_by_hinge_f_apart_z*hinge_f_apart_z_push_2 + hinge_d_by_hinge_f_turned_y*hinge_f_turned_y_push_2 + hinge_d_by_hinge_f_turned_z*hinge_f_turned_z_push_2
+    hinge_c_push_2 = hinge_c_push + hinge_c_by_hinge_f_apart_x*hinge_f_apart_x_push_2 + hinge_c_by_hinge_f_apart_y*hinge_f_apart_y_push_2 + hinge_c_by_hinge_f_apart_z*hinge_f_apart_z_push_2 + hinge_c_by_hinge_f_turned_y*hinge_f_turned_y_push_2 + hinge_c_by_hinge_f_turned_z*hinge_f_turned_z_push_2
+    hinge_b_push_2 = hinge_b_push + hinge_b_by_hinge_f_apart_x*hinge_f_apart_x_push_2 + hinge_b_by_hinge_f_apart_y*hinge_f_apart_y_push_2 + hinge_b_by_hinge_f_apart_z*hinge_f_apart_z_push_2 + hinge_b_by_hinge_f_turned_y*hinge_f_turned_y_push_2 + hinge_b_by_hinge_f_turned_z*hinge_f_turned_z_push_2
+    hinge_a_push_2 = hinge_a_push + hinge_a_by_hinge_f_apart_x*hinge_f_apart_x_push_2 + hinge_a_by_hinge_f_apart_y*hinge_f_apart_y_push_2 + hinge_a_by_hinge_f_apart_z*hinge_f_apart_z_push_2 + hinge_a_by_hinge_f_turned_y*hinge_f_turned_y_push_2 + hinge_a_by_hinge_f_turned_z*hinge_f_turned_z_push_2
+    return ca.vertcat(hinge_a_push_2, hinge_b_push_2, hinge_c_push_2, hinge_d_push_2, hinge_e_push_2)
+
+
+def ledger(t, q, u, reactions, c):
+    """Power the drives put in, in its row of z.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
+    Returns, each a column vector:
+        dz (0,): empty
+    """
+    return ca.vertcat()
+
+
+def energy(t, q, u, c):
+    """Kinetic and potential energy, and what each pair's stiffness stores.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        kinetic (1,): kinetic [J]
+        potential (1,): potential [J]
+        stored (0,): empty
+    """
+    length = c[0]
+    rod_e_h_y = c[2]
+    k5 = c[15]
+    k6 = c[16]
+    k7 = c[17]
+    k8 = c[18]
+    hinge_a_angle = q[0]
+    hinge_b_angle = q[1]
+    hinge_c_angle = q[2]
+    hinge_d_angle = q[3]
+    hinge_e_angle = q[4]
+    hinge_a_speed = u[0]
+    hinge_b_speed = u[1]
+    hinge_c_speed = u[2]
+    hinge_d_speed = u[3]
+    hinge_e_speed = u[4]
+    cos_rod_a = ca.cos(hinge_a_angle)
+    sin_rod_a = ca.sin(hinge_a_angle)
+    cos_rod_b = ca.cos(hinge_b_angle)
+    sin_rod_b = ca.sin(hinge_b_angle)
+    cos_rod_c = ca.cos(hinge_c_angle)
+    sin_rod_c = ca.sin(hinge_c_angle)
+    cos_rod_d = ca.cos(hinge_d_angle)
+    sin_rod_d = ca.sin(hinge_d_angle)
+    cos_rod_e = ca.cos(hinge_e_angle)
+    sin_rod_e = ca.sin(hinge_e_angle)
+    rod_b_arm_x = cos_rod_a*length
+    rod_b_arm_z = -sin_rod_a*length
+    rod_c_arm_y = -cos_rod_b*length
+    rod_c_R_y_y = cos_rod_b*cos_rod_c
+    rod_c_R_y_z = -cos_rod_b*sin_rod_c
+    rod_d_arm_y = rod_c_R_y_z*length
+    rod_d_y = rod_c_arm_y + rod_d_arm_y
+    rod_d_R_y_x = cos_rod_d*sin_rod_b - rod_c_R_y_z*sin_rod_d
+    rod_e_arm_y = -rod_d_R_y_x*length
+    rod_e_y = rod_d_y + rod_e_arm_y
+    rod_e_R_y_y = cos_rod_e*rod_c_R_y_y - rod_d_R_y_x*sin_rod_e
+    rod_b_w_x = hinge_a_speed*sin_rod_b
+    rod_b_w_y = cos_rod_b*hinge_a_speed
+    rod_c_w_y = cos_rod_c*rod_b_w_y + hinge_b_speed*sin_rod_c
+    rod_c_w_z = cos_rod_c*hinge_b_speed - rod_b_w_y*sin_rod_c
+    rod_c_rate_x_2 = hinge_c_speed + rod_b_w_x
+    rod_d_w_x = cos_rod_d*rod_c_rate_x_2 - rod_c_w_z*sin_rod_d
+    rod_d_w_z = cos_rod_d*rod_c_w_z + rod_c_rate_x_2*sin_rod_d
+    rod_d_rate_y_2 = hinge_d_speed + rod_c_w_y
+    rod_e_w_x = cos_rod_e*rod_d_w_x + rod_d_rate_y_2*sin_rod_e
+    rod_e_rate_z_2 = hinge_e_speed + rod_d_w_z
+    x1 = cos_rod_a*hinge_a_speed*rod_b_arm_z
+    x2 = hinge_a_speed*rod_b_arm_x*sin_rod_a
+    x3 = x1 + x2
+    rod_b_velocity_x = cos_rod_b*x3
+    rod_b_velocity_y = -sin_rod_b*x3
+    rod_b_velocity_z = hinge_a_speed*rod_b_arm_z*sin_rod_a - cos_rod_a*hinge_a_speed*rod_b_arm_x
+    rod_c_velocity_x_2 = rod_b_velocity_x + hinge_b_speed*length
+    x4 = -rod_b_w_x*length
+    x5 = rod_b_velocity_z + x4
+    rod_c_velocity_y = cos_rod_c*rod_b_velocity_y + sin_rod_c*x5
+    rod_c_velocity_z_2 = cos_rod_c*x5 - rod_b_velocity_y*sin_rod_c
+    x6 = rod_c_w_y*length
+    x7 = rod_c_velocity_x_2 + x6
+    rod_d_velocity_x_2 = cos_rod_d*x7 - rod_c_velocity_z_2*sin_rod_d
+    rod_d_velocity_y_2 = rod_c_velocity_y - rod_c_rate_x_2*length
+    rod_d_velocity_z_2 = cos_rod_d*rod_c_velocity_z_2 + sin_rod_d*x7
+    x8 = -rod_d_w_z*length
+    x9 = rod_d_velocity_y_2 + x8
+    rod_e_velocity_x_2 = cos_rod_e*rod_d_velocity_x_2 + sin_rod_e*x9
+    rod_e_velocity_y_2 = cos_rod_e*x9 - rod_d_velocity_x_2*sin_rod_e
+    rod_e_velocity_z_2 = rod_d_velocity_z_2 + rod_d_rate_y_2*length
+    kinetic = k5*hinge_a_speed*hinge_a_speed + k5*hinge_b_speed*hinge_b_speed + k5*rod_b_w_x*rod_b_w_x + k5*rod_c_rate_x_2*rod_c_rate_x_2 + k5*rod_c_w_y*rod_c_w_y + k5*rod_d_rate_y_2*rod_d_rate_y_2 + k5*rod_d_w_z*rod_d_w_z + k5*rod_e_rate_z_2*rod_e_rate_z_2 + k5*rod_e_w_x*rod_e_w_x + k6*(rod_b_velocity_x*rod_b_velocity_x + rod_b_velocity_y*rod_b_velocity_y + rod_b_velocity_z*rod_b_velocity_z) + k6*(rod_c_velocity_x_2*rod_c_velocity_x_2 + rod_c_velocity_y*rod_c_velocity_y + rod_c_velocity_z_2*rod_c_velocity_z_2) + k6*(rod_d_velocity_x_2*rod_d_velocity_x_2 + rod_d_velocity_y_2*rod_d_velocity_y_2 + rod_d_velocity_z_2*rod_d_velocity_z_2) + k6*(rod_e_velocity_x_2*rod_e_velocity_x_2 + rod_e_velocity_y_2*rod_e_velocity_y_2 + rod_e_velocity_z_2*rod_e_velocity_z_2) + hinge_b_speed*rod_b_velocity_x*rod_e_h_y + rod_c_velocity_x_2*rod_c_w_y*rod_e_h_y + rod_d_rate_y_2*rod_d_velocity_z_2*rod_e_h_y + rod_e_h_y*rod_e_velocity_z_2*rod_e_w_x - rod_b_velocity_z*rod_b_w_x*rod_e_h_y - rod_c_rate_x_2*rod_c_velocity_y*rod_e_h_y - rod_d_velocity_y_2*rod_d_w_z*rod_e_h_y - rod_e_h_y*rod_e_rate_z_2*rod_e_velocity_x_2
+    rod_b_centre_arm_y = -cos_rod_b*k7
+    rod_c_centre_arm_y = k7*rod_c_R_y_z
+    rod_d_centre_arm_y = -k7*rod_d_R_y_x
+    rod_e_centre_arm_y = k7*rod_e_R_y_y
+    potential = k8*rod_b_centre_arm_y + k8*(rod_c_arm_y + rod_c_centre_arm_y) + k8*(rod_d_centre_arm_y + rod_d_y) + k8*(rod_e_centre_arm_y + rod_e_y)
+    return ca.vertcat(kinetic), ca.vertcat(potential), ca.vertcat()
+
+
+def poses(t, q, c):
+    """Origin of every body's frame (x, y, z after one another) and its rotation matrix (row by row), body by body.
+
+    Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
+    Returns, each a column vector:
+        positions (15,): rod_a.x [m], rod_a.y [m], rod_a.z [m], rod_b.x [m], rod_b.y [m], rod_b.z [m], rod_c.x [m],
+            rod_c.y [m], rod_c.z [m], rod_d.x [m], rod_d.y [m], rod_d.z [m], rod_e.x [m], rod_e.y [m], rod_e.z [m]
+        rotations (45,): rod_a.R_xx [1], rod_a.R_xy [1], rod_a.R_xz [1], rod_a.R_yx [1], rod_a.R_yy [1], rod_a.R_yz
+            [1], rod_a.R_zx [1], rod_a.R_zy [1], rod_a.R_zz [1], rod_b.R_xx [1], rod_b.R_xy [1], rod_b.R_xz [1],
+            rod_b.R_yx [1], rod_b.R_yy [1], rod_b.R_yz [1], rod_b.R_zx [1], rod_b.R_zy [1], rod_b.R_zz [1],
+            rod_c.R_xx [1], rod_c.R_xy [1], rod_c.R_xz [1], rod_c.R_yx [1], rod_c.R_yy [1], rod_c.R_yz [1],
+            rod_c.R_zx [1], rod_c.R_zy [1], rod_c.R_zz [1], rod_d.R_xx [1], rod_d.R_xy [1], rod_d.R_xz [1],
+            rod_d.R_yx [1], rod_d.R_yy [1], rod_d.R_yz [1], rod_d.R_zx [1], rod_d.R_zy [1], rod_d.R_zz [1],
+            rod_e.R_xx [1], rod_e.R_xy [1], rod_e.R_xz [1], rod_e.R_yx [1], rod_e.R_yy [1], rod_e.R_yz [1],
+            rod_e.R_zx [1], rod_e.R_zy [1], rod_e.R_zz [1]
+    """
+    length = c[0]
+    hinge_a_angle = q[0]
+    hinge_b_angle = q[1]
+    hinge_c_angle = q[2]
+    hinge_d_angle = q[3]
+    hinge_e_angle = q[4]
+    cos_rod_a = ca.cos(hinge_a_angle)
+    sin_rod_a = ca.sin(hinge_a_angle)
+    cos_rod_b = ca.cos(hinge_b_angle)
+    sin_rod_b = ca.sin(hinge_b_angle)
+    cos_rod_c = ca.cos(hinge_c_angle)
+    sin_rod_c = ca.sin(hinge_c_angle)
+    cos_rod_d = ca.cos(hinge_d_angle)
+    sin_rod_d = ca.sin(hinge_d_angle)
+    cos_rod_e = ca.cos(hinge_e_angle)
+    sin_rod_e = ca.sin(hinge_e_angle)
+    rod_b_arm_x = cos_rod_a*length
+    rod_b_arm_z = -sin_rod_a*length
+    rod_b_R_x_x = cos_rod_a*cos_rod_b
+    rod_b_R_x_y = -cos_rod_a*sin_rod_b
+    rod_b_R_z_x = -cos_rod_b*sin_rod_a
+    rod_b_R_z_y = sin_rod_a*sin_rod_b
+    rod_c_arm_x = -rod_b_R_x_y*length
+    rod_c_arm_y = -cos_rod_b*length
+    rod_c_arm_z = -rod_b_R_z_y*length
+    rod_c_x = rod_b_arm_x + rod_c_arm_x
+    rod_c_z = rod_b_arm_z + rod_c_arm_z
+    rod_c_R_x_y = cos_rod_c*rod_b_R_x_y + sin_rod_a*sin_rod_c
+    rod_c_R_x_z = cos_rod_c*sin_rod_a - rod_b_R_x_y*sin_rod_c
+    rod_c_R_y_y = cos_rod_b*cos_rod_c
+    rod_c_R_y_z = -cos_rod_b*sin_rod_c
+    rod_c_R_z_y = cos_rod_a*sin_rod_c + cos_rod_c*rod_b_R_z_y
+    rod_c_R_z_z = cos_rod_a*cos_rod_c - rod_b_R_z_y*sin_rod_c
+    rod_d_arm_x = rod_c_R_x_z*length
+    rod_d_arm_y = rod_c_R_y_z*length
+    rod_d_arm_z = rod_c_R_z_z*length
+    rod_d_x = rod_c_x + rod_d_arm_x
+    rod_d_y = rod_c_arm_y + rod_d_arm_y
+    rod_d_z = rod_c_z + rod_d_arm_z
+    rod_d_R_x_x = cos_rod_d*rod_b_R_x_x - rod_c_R_x_z*sin_rod_d
+    rod_d_R_x_z = cos_rod_d*rod_c_R_x_z + rod_b_R_x_x*sin_rod_d
+    rod_d_R_y_x = cos_rod_d*sin_rod_b - rod_c_R_y_z*sin_rod_d
+    rod_d_R_y_z = cos_rod_d*rod_c_R_y_z + sin_rod_b*sin_rod_d
+    rod_d_R_z_x = cos_rod_d*rod_b_R_z_x - rod_c_R_z_z*sin_rod_d
+    rod_d_R_z_z = cos_rod_d*rod_c_R_z_z + rod_b_R_z_x*sin_rod_d
+    rod_e_arm_x = -rod_d_R_x_x*length
+    rod_e_arm_y = -rod_d_R_y_x*length
+    rod_e_arm_z = -rod_d_R_z_x*length
+    rod_e_x = rod_d_x + rod_e_arm_x
+    rod_e_y = rod_d_y + rod_e_arm_y
+    rod_e_z = rod_d_z + rod_e_arm_z
+    rod_e_R_x_x = cos_rod_e*rod_d_R_x_x + rod_c_R_x_y*sin_rod_e
+    rod_e_R_x_y = cos_rod_e*rod_c_R_x_y - rod_d_R_x_x*sin_rod_e
+    rod_e_R_y_x = cos_rod_e*rod_d_R_y_x + rod_c_R_y_y*sin_rod_e
+    rod_e_R_y_y = cos_rod_e*rod_c_R_y_y - rod_d_R_y_x*sin_rod_e
+    rod_e_R_z_x = cos_rod_e*rod_d_R_z_x + rod_c_R_z_y*sin_rod_e
+    rod_e_R_z_y = cos_rod_e*rod_c_R_z_y - rod_d_R_z_x*sin_rod_e
+    return (
+        ca.vertcat(0, 0, 0, rod_b_arm_x, 0, rod_b_arm_z, rod_c_x, rod_c_arm_y, rod_c_z, rod_d_x, rod_d_y, rod_d_z,
+            rod_e_x, rod_e_y, rod_e_z),
+        ca.vertcat(cos_rod_a, 0, sin_rod_a, 0, 1, 0, -sin_rod_a, 0, cos_rod_a, rod_b_R_x_x, rod_b_R_x_y, sin_rod_a,
+            sin_rod_b, cos_rod_b, 0, rod_b_R_z_x, rod_b_R_z_y, cos_rod_a, rod_b_R_x_x, rod_c_R_x_y, rod_c_R_x_z,
+            sin_rod_b, rod_c_R_y_y, rod_c_R_y_z, rod_b_R_z_x, rod_c_R_z_y, rod_c_R_z_z, rod_d_R_x_x, rod_c_R_x_y,
+            rod_d_R_x_z, rod_d_R_y_x, rod_c_R_y_y, rod_d_R_y_z, rod_d_R_z_x, rod_c_R_z_y, rod_d_R_z_z, rod_e_R_x_x,
+            rod_e_R_x_y, rod_d_R_x_z, rod_e_R_y_x, rod_e_R_y_y, rod_d_R_y_z, rod_e_R_z_x, rod_e_R_z_y, rod_d_R_z_z),
+    )
+
+
+def outputs(t, q, u, c):
+    """Named quantities, see OUTPUTS.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        y (0,): empty
+    """
+    return ca.vertcat()

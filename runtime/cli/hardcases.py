@@ -1,0 +1,207 @@
+"""`hertzwerk hardcases`: runs that are hard to keep stable, and the invariants that each keeps with every method, in both paths."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Sequence
+from difflib import get_close_matches
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.cli.terminal import COLOURS, GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.hard_cases.case import HardCase
+    from hertzwerk.runtime.hard_cases.runner import Result
+
+WIDTH = 100  # columns
+
+
+@click.command()
+@click.option("--case", "names", metavar="NAME", multiple=True, help="Only this case; may be repeated.")
+@click.option("--method", "methods", metavar="NAME", multiple=True, help="Only this method; may be repeated.")
+@click.option("--all", "everything", is_flag=True, help="The long cases too.")
+@click.option("--list", "listing", is_flag=True, help="Only list the cases and what is hard about them.")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+@reports_bad_input
+def hardcases(names: tuple[str, ...], methods: tuple[str, ...], everything: bool, listing: bool, as_json: bool) -> int:
+    """Run the table of hard cases and measure what must hold: exit code 1 if anything else than a known failure does not.
+
+    Each case is run with every method that claims it, in CasADi's virtual machine and, where there is a compiler, as C. A cell is what was
+    measured; its limit stands before it, or behind the slash.
+    """
+    from hertzwerk.runtime.hard_cases import runner
+
+    cases = _chosen(names, methods, everything=everything)
+    if listing:
+        return _list(cases, as_json=as_json)
+    jobs = [(case, [m for m in case.methods if not methods or m in methods]) for case in cases]
+    began, total = time.perf_counter(), sum(len(of) for _, of in jobs)
+    found: dict[str, dict[str, Result]] = {case.name: {} for case in cases}
+    printed = done = 0
+    with Progress("hard cases", shown=sys.stderr.isatty()) as progress:
+        for result in runner.results(jobs):
+            found[result.case][result.method] = result
+            done += 1
+            progress(done / total)
+            while printed < len(jobs) and len(found[jobs[printed][0].name]) == len(jobs[printed][1]):
+                if not as_json:
+                    progress.aside(partial(_print_case, jobs[printed][0], found))
+                printed += 1
+    failed = [r for of in found.values() for r in of.values() if r.verdict == runner.FAILED]
+    if as_json:
+        _print_json(cases, found, failed)
+    else:
+        _print_summary(cases, found, time.perf_counter() - began)
+    return OTHER_OUTCOME if failed else GOOD
+
+
+def _chosen(names: Sequence[str], methods: Sequence[str], *, everything: bool) -> list[HardCase]:
+    """The cases asked for; raises InputError with every name that is none, and every case that no method asked for claims."""
+    from hertzwerk.runtime.hard_cases.table import BY_NAME, CASES
+
+    faults = []
+    known = dict.fromkeys(method for case in CASES for method in case.methods)
+    for name in names:
+        if name not in BY_NAME:
+            near = get_close_matches(name, BY_NAME, n=3, cutoff=0.4)
+            expected = f"such as {', '.join(near)}" if near else "a case of `hertzwerk hardcases --list`"
+            faults.append(Fault("--case", repr(name), expected))
+    expected = f"one of {', '.join(known)}"
+    faults += [Fault("--method", repr(method), expected) for method in methods if method not in known]
+    cases = [BY_NAME[name] for name in dict.fromkeys(names) if name in BY_NAME]
+    if not faults:
+        faults += [
+            Fault("--method", f"{case.name} with {' or '.join(methods)}", f"one of {', '.join(case.methods)}")
+            for case in cases
+            if methods and not set(methods) & set(case.methods)
+        ]
+    if faults:
+        raise InputError("hardcases", faults)
+    chosen = cases or [case for case in CASES if everything or not case.long]
+    return [case for case in chosen if not methods or set(methods) & set(case.methods)]
+
+
+def _list(cases: Sequence[HardCase], *, as_json: bool) -> int:
+    from hertzwerk.runtime.record import json_text
+
+    if as_json:
+        click.echo(json_text({"cases": [_about(case) for case in cases]}))
+        return GOOD
+    for theme in dict.fromkeys(case.theme for case in cases):
+        click.echo(theme)
+        for case in cases:
+            if case.theme == theme:
+                click.echo(_wrapped(f"  {case.name:<28}", case.hard + (" (long)" if case.long else ""), 30))
+    return GOOD
+
+
+def _about(case: HardCase) -> dict[str, Any]:
+    return {"name": case.name, "theme": case.theme, "hard": case.hard, "scene": case.source.scene, "duration": case.duration,
+            "accuracy": case.accuracy, "methods": list(case.methods), "expected_outcome": case.outcome, "long": case.long,
+            "known_failures": [{"method": m, "invariant": i, "reason": why} for (m, i), why in case.failures.items()]}  # fmt: skip
+
+
+def _print_json(cases: Sequence[HardCase], found: dict[str, dict[str, Result]], failed: Sequence[Result]) -> None:
+    from hertzwerk.runtime.record import json_text
+
+    records = [{**_about(case), "results": [r.record() for r in found[case.name].values()]} for case in cases]
+    click.echo(json_text({"passed": not failed, "cases": records}))
+
+
+# -- as people read it -------------------------------------------------------------------------------------------------
+
+
+def _print_case(case: HardCase, found: dict[str, dict[str, Result]]) -> None:
+    """What is hard, and a table: invariants down, methods across."""
+    methods = [method for method in case.methods if method in found[case.name]]
+    results = [found[case.name][method] for method in methods]
+    verdict = _worst(results)
+    start = f"{click.style(verdict, fg=COLOURS.get(verdict))}  {click.style(case.name, bold=True)}  "
+    click.echo(_wrapped(start, case.hard, indent=len(verdict) + 2))
+    rows: list[tuple[str, str, list[tuple[str, bool]]]] = [("", "limit", [(method, True) for method in methods])]
+    rows.append(("outcome", "", [(r.outcome.replace("_", " "), r.outcome == case.outcome) for r in results]))
+    for name in dict.fromkeys(row.name for r in results for row in r.measured):
+        across = [
+            next((row for row in r.measured if row.name == name), None) for r in results
+        ]  # of SUNDIALS there is no C
+        limits = {_number(row.limit) for row in across if row is not None}
+        alike = len(limits) == 1
+        cells = [
+            ("", True) if row is None else (_number(row.value) + ("" if alike else f"/{_number(row.limit)}"), row.holds)
+            for row in across
+        ]
+        rows.append((name, limits.pop() if alike else "", cells))
+    rows.append(("time [ms]", "", [(_milliseconds(r.wall_s), True) for r in results]))
+    if any(r.compiled_wall_s is not None for r in results):
+        rows.append(("time as C [ms]", "", [(_milliseconds(r.compiled_wall_s), True) for r in results]))
+    widths = [max(len(row[2][j][0]) + (not row[2][j][1]) for row in rows) for j in range(len(methods))]
+    name_width, limit_width = (max(len(row[k]) for row in rows) for k in (0, 1))
+    for name, limit, cells in rows:
+        text = f"  {name:<{name_width}}  {limit:>{limit_width}}"
+        for (cell, holds), width in zip(cells, widths, strict=True):
+            padded = f"{cell if holds else '!' + cell:>{width}}"
+            text += "  " + (padded if holds else click.style(padded, fg="red"))
+        click.echo(text.rstrip())
+    for reason in dict.fromkeys(case.failures.values()):
+        of = [
+            (method, name) for (method, name), other in case.failures.items() if other == reason and method in methods
+        ]
+        if of:
+            who, what = (", ".join(dict.fromkeys(pair[k] for pair in of)) for k in (0, 1))
+            click.echo(_wrapped(f"  {click.style('known', fg='yellow')}  {who} ({what}): ", reason, indent=9))
+    click.echo()
+
+
+def _print_summary(cases: Sequence[HardCase], found: dict[str, dict[str, Result]], seconds: float) -> None:
+    verdicts = {case.name: _worst(list(found[case.name].values())) for case in cases}
+    for verdict, label, what in (
+        ("passed", "passed", ""),
+        ("known failure", "known", " fail as is known"),
+        ("failed", "failed", " fail"),
+    ):
+        names = [name for name in verdicts if verdicts[name] == verdict]
+        if names:
+            count = f"{len(names)} of {len(verdicts)} cases{what}"
+            click.echo(
+                _wrapped(
+                    f"{click.style(f'{label:<12}', fg=COLOURS.get(verdict))}  ",
+                    count + (f": {', '.join(names)}" if what else ""),
+                    14,
+                )
+            )
+    runs = sum(len(of) for of in found.values())
+    line("", f"{runs} runs in both paths, {seconds:.0f} s")
+
+
+def _worst(results: Sequence[Result]) -> str:
+    verdicts = {result.verdict for result in results}
+    return next(verdict for verdict in ("failed", "known failure", "passed") if verdict in verdicts)
+
+
+def _number(value: float) -> str:
+    if value != value:
+        return "none"
+    if value == int(value) and abs(value) < 1e7:
+        return f"{int(value)}"
+    return f"{value:.2g}" if value < 0.01 or value >= 1e7 else f"{value:.4g}"
+
+
+def _milliseconds(seconds: float | None) -> str:
+    if seconds is None:
+        return ""
+    return f"{seconds * 1e3:.3g}" if seconds < 1 else f"{seconds * 1e3:.0f}"
+
+
+def _wrapped(start: str, text: str, indent: int = 4) -> str:
+    """Text behind a start, broken at 100 columns."""
+    lines, room = [start], WIDTH
+    for word in text.split():
+        if len(click.unstyle(lines[-1])) + len(word) > room:
+            lines.append(" " * indent)
+        lines[-1] += word + " "
+    return "\n".join(line.rstrip() for line in lines)

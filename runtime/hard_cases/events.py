@@ -1,0 +1,98 @@
+"""Events that nearly do not happen, or happen where something else does: grazing, at t = 0, at output times, at the end; and a law left."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from hertzwerk.runtime.hard_cases.case import HardCase, Source, at, contacts, final, impact, on_grid
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.binding import Value
+
+BALL, GRAZING = Source("bouncing_ball"), Source("grazing_ball", hard=True)
+FALLING: dict[str, Value] = {
+    "gravity": "8 m/s^2",
+    "restitution": 1.0,
+}  # meets the floor at 0.5 s with 4 m/s, in numbers without rounding
+PARABOLA = "free motion"
+
+
+def _graze(name: str, gap: float, hard: str, count: int) -> HardCase:
+    return HardCase(
+        name=name,
+        theme="events",
+        hard=hard,
+        source=GRAZING,
+        duration=0.25,
+        accuracy=1e-10,
+        initial={"ball.travel": (0.0625 + gap, "m"), "ball.speed": "-1 m/s"},
+        known=(
+            contacts(count, "the turning point of the parabola"),
+            final("ball.travel", 0.0625 + gap, 1e-12, PARABOLA),
+            final("ball.speed", 1.0, 1e-12, PARABOLA),
+        ),
+    )
+
+
+CASES = (
+    _graze("graze_above", 1e-12, "turns round 1e-12 m above the floor: no contact", 0),
+    _graze("graze_below", -1e-12, "turns round 1e-12 m below the floor: a contact of 1 us", 1),
+    HardCase(
+        name="event_at_start",
+        theme="events",
+        hard="closing exactly at the surface at t = 0",
+        source=BALL,
+        duration=0.5,
+        accuracy=1e-8,
+        parameters=FALLING,
+        initial={"vertical.travel": "0.1 m", "vertical.speed": "-4 m/s"},
+        known=(impact(0, "t", 0.0, 0.0, "the start"), contacts(1, "one impact")),
+    ),
+    HardCase(
+        name="opening_at_start",
+        theme="events",
+        hard="leaving the surface exactly at t = 0, back on it exactly at the end",
+        source=BALL,
+        duration=1.0,
+        accuracy=1e-8,
+        parameters=FALLING,
+        initial={"vertical.travel": "0.1 m", "vertical.speed": "4 m/s"},
+        known=(final("floor.gap", 0.0, 1e-12, PARABOLA), final("vertical.speed", -4.0, 1e-12, PARABOLA)),
+    ),
+    HardCase(
+        name="event_at_end",
+        theme="events",
+        hard="meets the floor exactly at the end",
+        source=BALL,
+        duration=0.5,
+        accuracy=1e-8,
+        parameters=FALLING,
+        known=(final("floor.gap", 0.0, 1e-12, PARABOLA), final("vertical.speed", -4.0, 1e-12, PARABOLA)),
+    ),
+    HardCase(
+        name="event_at_output",
+        theme="events",
+        hard="meets the floor exactly at an output time",
+        source=BALL,
+        duration=0.75,
+        accuracy=1e-8,
+        parameters=FALLING,
+        known=(
+            at(0.5, "floor.gap", 0.0, 1e-12, PARABOLA),
+            at(0.5, "vertical.speed", -4.0, 1e-12, PARABOLA),
+            on_grid(FALLING, (0.0, 0.25, 0.5, 0.75), 2, "floor.gap", 0.0, 1e-12, PARABOLA),
+            on_grid(FALLING, (0.0, 0.25, 0.5, 0.75), 2, "vertical.speed", -4.0, 1e-12, PARABOLA),
+            impact(0, "t", 0.5, 1e-12, PARABOLA),
+        ),
+    ),
+    HardCase(
+        name="law_left",
+        theme="events",
+        hard="a crank longer than its rod tears the pin out of its bush: the law is left where it is not defined",
+        source=Source("slider_crank_frictionless"),
+        duration=0.024,
+        accuracy=1e-6,
+        parameters={"crank_radius": "0.13 m"},
+        outcome="outside_law_range",
+    ),
+)

@@ -1,0 +1,150 @@
+"""Runs hard cases: each with the methods that claim it, in CasADi's virtual machine and as C, which must agree bitwise."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import signal
+import sys
+import warnings
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from dataclasses import asdict, dataclass
+from functools import cache
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from hertzwerk.runtime.hard_cases.invariants import Measured, measure
+from hertzwerk.runtime.integrate.compiled import available
+from hertzwerk.runtime.integrate.methods import SUNDIALS
+from hertzwerk.runtime.simulation import ACCURACIES, simulate
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.hard_cases.case import HardCase, Source
+    from hertzwerk.runtime.model import Model
+    from hertzwerk.runtime.solution import Solution
+
+FINER = 100  # than its case is a reference run
+MAX_STEPS, MAX_EVENTS = 20_000_000, 1_000_000
+OUTCOME, SAME = "outcome", "C unlike machine"
+PASSED, FAILED, KNOWN = "passed", "failed", "known failure"
+
+
+@dataclass(frozen=True)
+class Result:
+    """One case with one method: how it ended, every invariant, steps tried, evaluations, the time of both paths [s] (None where there is no C).
+
+    verdict    "passed", "failed", or "known failure" where what does not hold is what the case says of itself, and nothing else
+    """
+
+    case: str
+    method: str
+    outcome: str
+    verdict: str
+    measured: tuple[Measured, ...]
+    tries: int
+    evaluations: int
+    wall_s: float
+    compiled_wall_s: float | None
+
+    def record(self) -> dict[str, Any]:
+        """The result as JSON has it."""
+        invariants = [{**asdict(row), "holds": row.holds} for row in self.measured]
+        return {**{name: value for name, value in vars(self).items() if name != "case"}, "measured": invariants}
+
+
+def broken(case: HardCase, outcome: str, measured: Sequence[Measured]) -> tuple[str, ...]:
+    """Names of what does not hold; "outcome" where the run ended in another way than it should."""
+    other = () if outcome == case.outcome else (OUTCOME,)
+    return (*other, *(row.name for row in measured if not row.holds))
+
+
+def solve(case: HardCase, method: str, *, compiled: bool | Literal["auto"]) -> Solution:
+    """One run of a case; of the independent references more accurately, for the accuracy they are asked for is that of less than a step."""
+    return simulate(
+        model_of(case.source),
+        duration=case.duration,
+        accuracy=max(case.accuracy / (FINER if method in SUNDIALS else 1), ACCURACIES[0]),
+        method=method,
+        parameters=case.parameters,
+        initial=case.initial,
+        compiled=compiled,
+        max_steps=MAX_STEPS,
+        max_events=MAX_EVENTS,
+    )
+
+
+@cache
+def model_of(source: Source) -> Model:
+    """The model of a case, loaded once."""
+    return source.load()
+
+
+def result(case: HardCase, method: str, *, native: bool = True) -> Result:
+    """A case with one method, measured on the virtual machine's run; `native` runs it as C too, where there is a compiler, and compares."""
+    run = solve(case, method, compiled=False)
+    measured, compiled_wall_s = measure(case, method, run), None
+    if native and method not in SUNDIALS and available():
+        twin = solve(case, method, compiled=True)
+        measured, compiled_wall_s = (*measured, same(run, twin)), twin.statistics.wall_s
+    wrong, statistics = broken(case, run.outcome.name, measured), run.statistics
+    foreseen = {name for of, name in case.failures if of == method}
+    verdict = FAILED if set(wrong) != foreseen else KNOWN if wrong else PASSED
+    tries = statistics.steps + statistics.rejected + statistics.retaken
+    evaluations = statistics.rhs_evaluations
+    return Result(
+        case.name, method, run.outcome.name, verdict, measured, tries, evaluations, statistics.wall_s, compiled_wall_s
+    )
+
+
+def same(run: Solution, twin: Solution) -> Measured:
+    """How many entries of two runs' rows differ in any bit; all of them where the runs differ in length."""
+    one, two = run.history.rows, twin.history.rows
+    alike = one.shape == two.shape
+    differing = int(np.sum(one.view(np.uint64) != two.view(np.uint64))) if alike else max(one.size, two.size)
+    return Measured(SAME, differing, 0, "1", f"entries of {one.size:,} that differ in any bit")
+
+
+# -- many --------------------------------------------------------------------------------------------------------------
+
+Work = tuple[str, tuple["HardCase", ...]]  # a method, and cases that share a model
+
+
+def results(jobs: Sequence[tuple[HardCase, Sequence[str]]], workers: int | None = None) -> Iterator[Result]:
+    """Results of cases, each with its methods, as they are done, on all cores; what shares a model and a method is run by one process."""
+    groups: dict[tuple[Source, str], list[HardCase]] = {}
+    for case, methods in jobs:
+        for method in methods:
+            groups.setdefault((case.source, method), []).append(case)
+    work: list[Work] = [(method, tuple(cases)) for (_, method), cases in groups.items()]
+    work.sort(
+        key=lambda item: any(case.long for case in item[1]), reverse=True
+    )  # a long one last would keep one core waiting
+    cores = min(workers or (len(os.sched_getaffinity(0)) if sys.platform.startswith("linux") else 1), len(work))
+    if cores <= 1:
+        for method, cases in work:
+            yield from (result(case, method) for case in cases)
+        return
+    executor = ProcessPoolExecutor(cores, multiprocessing.get_context("fork"), _enter, (work,))
+    try:
+        with warnings.catch_warnings():  # Python 3.12 and later warn of threads when forking: NumPy's see to themselves
+            warnings.simplefilter("ignore", DeprecationWarning)
+            futures = [executor.submit(_results, i) for i in range(len(work))]
+        for future in as_completed(futures):
+            yield from future.result()
+    finally:
+        executor.shutdown(wait=True, cancel_futures=True)
+
+
+_work: list[Work] = []  # of a worker process, which has it from being forked
+
+
+def _enter(work: list[Work]) -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches every process; the first one tells the others
+    _work[:] = work
+
+
+def _results(i: int) -> list[Result]:
+    method, cases = _work[i]
+    return [result(case, method) for case in cases]

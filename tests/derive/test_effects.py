@@ -1,0 +1,318 @@
+"""Declarations of drives and force elements: every bad one is a fault that names the cause; an effect left out leaves no trace."""
+
+import math
+import re
+from dataclasses import replace
+
+import pytest
+import sympy as sp
+from derived import Derived
+
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    BodyTorque,
+    ConstantSpeed,
+    Drive,
+    EnergyLedger,
+    Harmonic,
+    InputError,
+    JointDamper,
+    JointForce,
+    JointFriction,
+    JointSpring,
+    Mechanism,
+    Parameter,
+    PointDamper,
+    PointForce,
+    PointSpring,
+    Potential,
+    Prismatic,
+    Ramp,
+    Revolute,
+    Scales,
+    Scene,
+    Start,
+    T,
+    Table,
+    Where,
+    X,
+    Z,
+    audit_scene,
+    coordinate_of,
+    generate,
+    speed_of,
+)
+from hertzwerk.derive.laws import coulomb, flores, lugre, smooth_coulomb
+
+MASS, INERTIA, SIZE = Parameter("mass", "kg", 1.0), Parameter("inertia", "kg m^2", 1.0), Parameter("size", "m", 1.0)
+ROTOR, BLOCK = Body("rotor", MASS, INERTIA), Body("block", MASS)
+MECHANISM = Mechanism(
+    "bench",
+    (Revolute("axle", GROUND, ROTOR, axis=Z), Prismatic("slide", GROUND, BLOCK, axis=X), Revolute("arm", ROTOR, Body("tip", MASS, INERTIA), axis=Z))
+)  # fmt: skip
+SCALES = Scales(length=SIZE, speed=Parameter("pace", "m/s", 1.0), arm=SIZE)
+STRANGER = Body("stranger", MASS)
+
+ANGLE, SPIN, RATE, RISE = (
+    Parameter("angle", "rad", 1.0),
+    Parameter("spin", "rpm", 60),
+    Parameter("rate", "rad/s", 2.0),
+    Parameter("rise", "s", 1.0),
+)
+STIFFNESS, DAMPING = Parameter("stiffness", "N/m", 5.0), Parameter("damping", "N s/m", 0.5)
+TORSION, TORQUE, FORCE = (
+    Parameter("torsion", "N m/rad", 5.0),
+    Parameter("torque", "N m", 2.0),
+    Parameter("force", "N", 3.0),
+)
+REST = Parameter("rest", "m", 0.5)
+LAW = smooth_coulomb(Parameter("mu", "1", 0.2), Parameter("v_s", "m/s", 0.1))
+WAVE = Table("wave", (0, 1, 2), (0, 5, 0), ("s", "deg"))
+ENDS = (ROTOR.at(SIZE, 0, 0), BLOCK.at(0, 0, 0))
+
+SOUND = (
+    ConstantSpeed("drive", "axle", SPIN),
+    Ramp("drive", "axle", SPIN, RISE),
+    Harmonic("drive", "axle", ANGLE, RATE),
+    Drive("drive", "axle", position=ANGLE * sp.cos(RATE * T)),
+    Drive("drive", "axle", position=WAVE(T)),
+    Drive("drive", "axle", speed=SPIN, start=ANGLE),
+    Drive("drive", "axle", acceleration=SPIN * RATE, start_speed=SPIN),
+    JointForce("motor", "slide", FORCE - DAMPING * speed_of("slide")),
+    PointForce("push", ENDS[0], (FORCE, 0, STIFFNESS * coordinate_of("slide")), axes=ROTOR),
+    BodyTorque("twist", ROTOR, (0, 0, TORQUE * sp.sin(RATE * T))),
+    Potential("well", STIFFNESS * coordinate_of("slide") ** 2),
+    JointSpring("spring", "axle", TORSION, ANGLE),
+    JointDamper("damper", "slide", DAMPING),
+    PointSpring("band", *ENDS, STIFFNESS, REST),
+    PointDamper("strut", *ENDS, DAMPING),
+    JointFriction("friction", "axle", LAW, FORCE, REST),
+)
+
+
+def bench(*effects, scales=SCALES, start=None):
+    return Scene(MECHANISM, (*effects, EnergyLedger()), scales, start or Start())
+
+
+def table(**changed):
+    """A drive by a table of which something is changed."""
+    given = {"name": "wave", "arguments": (0, 1, 2), "values": (0, 5, 0), "units": ("s", "deg"), **changed}
+    return bench(Drive("drive", "axle", position=Table(**given)(T)))
+
+
+def driven(**law):
+    return bench(Drive("drive", "axle", **law))
+
+
+BAD = {
+    # label: (how, where, found, expected or remedy)
+    "spring of an unknown joint": (lambda: bench(JointSpring("spring", "axl", TORSION)), "effect spring", "'axl'", "axle, slide"),
+    "ramp of an unknown joint": (lambda: bench(Ramp("drive", "axl", SPIN, RISE)), "effect drive", "'axl'", "axle, slide"),
+    "joint that is no name": (lambda: bench(JointSpring("spring", MECHANISM.joints[0], TORSION)), "effect spring", "Revolute", "name of a joint"),
+    "two drives of one joint": (lambda: bench(SOUND[1], replace(SOUND[2], name="more")), "drive of joint axle", "2", "one"),
+    "force on an unknown body": (lambda: bench(PointForce("push", STRANGER.at(0, 0, 0), (FORCE, 0, 0))), "effect push", "stranger", "rotor, block"),
+    "torque on an unknown body": (lambda: bench(BodyTorque("twist", STRANGER, (0, 0, TORQUE))), "effect twist", "stranger", "rotor, block"),
+    "axes of an unknown body": (lambda: bench(BodyTorque("twist", ROTOR, (0, 0, TORQUE), axes=STRANGER)), "effect twist", "stranger", "rotor"),
+    "axes that are a word": (lambda: bench(BodyTorque("twist", ROTOR, (0, 0, TORQUE), axes="rotor")), "twist, axes", "'rotor'", "GROUND"),
+    "force on the ground": (lambda: bench(PointForce("push", GROUND.at(0, 0, 0), (FORCE, 0, 0))), "effect push", "on the ground", "a body"),
+    "force on a body without a point": (lambda: bench(PointForce("push", ROTOR, (FORCE, 0, 0))), "effect push", "Body", "body.at"),
+    "force of two components": (lambda: bench(PointForce("push", ENDS[0], (FORCE, 0))), "push, force", "", "three values"),
+    "spring with both ends on one body": (lambda: bench(PointSpring("band", ENDS[0], ROTOR.at(0, 0, 0), STIFFNESS)), "effect band", "rotor",
+                                          "two different"),
+    "spring to an unknown body": (lambda: bench(PointSpring("band", ENDS[0], STRANGER.at(0, 0, 0), STIFFNESS)), "effect band", "stranger", "ground"),
+    "rest length zero": (
+        lambda: bench(PointSpring("band", *ENDS, STIFFNESS, Parameter("rest", "m", 0.0))), "band, rest length", "0 m", "(0, inf)",
+    ),
+    "rest length literally zero": (lambda: bench(PointSpring("band", *ENDS, STIFFNESS, 0)), "band, rest length", "0 m", "(0, inf)"),
+    "negative stiffness": (lambda: bench(JointSpring("s", "slide", Parameter("k_s", "N/m", -1.0))), "s, stiffness", "-1", "[0, inf)"),
+    "negative damping": (lambda: bench(PointDamper("s", *ENDS, Parameter("c_s", "N s/m", -1.0))), "s, damping", "-1", "[0, inf)"),
+    "linear stiffness on a turning joint": (lambda: bench(JointSpring("s", "axle", STIFFNESS)), "s, stiffness", "stiffness [N/m]", "J"),
+    "torsional stiffness on a slide": (lambda: bench(JointSpring("s", "slide", TORSION)), "s, stiffness", "torsion [J]", "N/m"),
+    "rise zero": (lambda: bench(Ramp("drive", "axle", SPIN, 0)), "drive, rise", "0 s", "(0, inf)"),
+    "smoothness that is none": (lambda: bench(Ramp("drive", "axle", SPIN, RISE, 7)), "drive, smoothness", "7", "0 to 4"),
+    "a drive of nothing": (lambda: driven(), "effect drive", "none", "one of position"),
+    "a drive of two laws": (lambda: driven(position=ANGLE, speed=SPIN), "effect drive", "position and speed", "follow"),
+    "a start beside a position": (lambda: driven(position=ANGLE * sp.cos(RATE * T), start=ANGLE), "effect drive", "start", "where it begins"),
+    "a start speed beside a speed": (lambda: driven(speed=SPIN, start_speed=SPIN), "effect drive", "start_speed", "where it begins"),
+    "a drive that depends on a coordinate": (
+        lambda: driven(position=ANGLE * coordinate_of("arm")), "drive, position", "arm.coordinate", "an expression of time",
+    ),
+    "a potential that depends on a speed": (
+        lambda: bench(Potential("well", MASS * speed_of("slide") ** 2)), "well, energy", "slide.speed", "an expression of coordinate",
+    ),
+    "a drive that jumps": (lambda: driven(position=ANGLE * sp.sign(RATE * T - 1)), "drive, position", "first derivative", "smooth"),
+    "a drive with a kink": (lambda: driven(position=ANGLE * sp.Abs(RATE * T - 1)), "drive, position", "second derivative", "smooth"),
+    "a speed whose rate jumps to infinity": (lambda: driven(speed=SPIN * sp.Heaviside(RATE * T - 1)), "drive, speed", "Heaviside", "Where"),
+    "a choice without an otherwise": (
+        lambda: driven(speed=sp.Piecewise((SPIN, T < RISE))), "drive, speed", "Piecewise", "known functions",
+    ),
+    "a coordinate of an unknown joint": (
+        lambda: bench(JointForce("m", "slide", STIFFNESS * coordinate_of("slid"))), "m, force", "'slid'", "axle, slide",
+    ),
+    "a symbol that is no parameter": (lambda: bench(JointForce("m", "slide", FORCE * sp.Symbol("t") * T)), "m, force", "t", "Parameters, T"),
+    "a force as text": (lambda: bench(JointForce("m", "slide", "force*t")), "m, force", "'force*t'", "Parameter"),
+    "a bare number": (lambda: bench(JointForce("m", "slide", 3)), "m, force", "bare number 3", "Parameter('...', 'N', 3)"),
+    "friction of a journal without a radius": (lambda: bench(JointFriction("f", "axle", LAW, FORCE)), "effect f", "no radius", "journal"),
+    "friction of a slide with a radius": (lambda: bench(JointFriction("f", "slide", LAW, FORCE, REST)), "effect f", "radius", "slides"),
+    "friction by a law with modes": (
+        lambda: bench(JointFriction("f", "slide", coulomb(0.1, 0.2), FORCE)), "effect f", "coulomb, which needs", "smooth_coulomb",
+    ),
+    "friction by a law with memory": (
+        lambda: bench(JointFriction("f", "slide", lugre(0.1, 0.2, Parameter("v_S", "m/s", 0.1), Parameter("s_0", "1/m", 1e5), 0, 0), FORCE)),
+        "effect f", "lugre, which needs", "smooth_coulomb",
+    ),
+    "friction by a law of damping": (lambda: bench(JointFriction("f", "slide", flores(0.8), FORCE)), "f, friction", "flores", "friction law"),
+    "negative normal force": (
+        lambda: bench(JointFriction("f", "slide", LAW, Parameter("load", "N", -1.0))), "f, normal force", "-1 N", "[0, inf)",
+    ),
+    "a start of a driven joint": (lambda: bench(SOUND[3], start=Start(position={"axle": ANGLE})), "start", "axle", "arm"),
+    "an integrated angle without an arm": (
+        lambda: Scene(
+            Mechanism("turntable", MECHANISM.joints[:2]), (SOUND[5],), Scales(length=SIZE, speed=Parameter("pace", "m/s", 1.0))
+        ),
+        "scales", "no arm", "arm",
+    ),
+    # tables
+    "table not increasing": (lambda: table(arguments=(0, 2, 2)), "table wave", "argument 2 after 2 in place 3", "increase"),
+    "table with a NaN": (lambda: table(values=(0, math.nan, 0)), "table wave", "value nan in place 2", "finite"),
+    "table with an infinite argument": (lambda: table(arguments=(0, 1, math.inf)), "table wave", "argument inf", "finite"),
+    "table of a text": (lambda: table(values=(0, "5", 0)), "table wave", "'5'", "finite number"),
+    "table of unequal lengths": (lambda: table(values=(0, 1)), "table wave", "3 arguments and 2 values", "as many"),
+    "table of one point": (lambda: table(arguments=(0,), values=(0,)), "table wave", "1 arguments", "two"),
+    "table of an unknown unit": (lambda: table(units=("s", "degg")), "table wave", "degg", "unit"),
+    "table of one unit": (lambda: table(units=("s",)), "table wave", "('s',)", "two"),
+    "table of three slopes": (lambda: table(slopes=(0, 0, 0)), "table wave", "3 slopes", "two"),
+    "table of another argument": (lambda: table(units=("m", "deg")), "drive, position", "wave(t)", "m"),
+    "table of another value": (lambda: table(units=("s", "mm")), "drive, position", "wave(t) [m]", "a quantity in 1"),
+    "table of a name that is none": (lambda: table(name="my table"), "table", "'my table'", "identifier"),
+    "two tables of one name": (
+        lambda: bench(SOUND[4], JointForce("m", "slide", Table("wave", (0, 1), (0, 1), ("s", "N"))(T))), "table wave", "two different", "unique",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("effect", SOUND, ids=lambda e: f"{type(e).__name__} {e.text}"[:60])
+def test_what_is_varied_below_is_sound(effect):
+    assert effect.text in generate(bench(effect))
+
+
+@pytest.mark.parametrize("label", BAD)
+def test_a_bad_declaration_is_one_fault_that_says_where_what_and_the_way_out(label):
+    declare, where, found, expected = BAD[label]
+    with pytest.raises(InputError) as caught:
+        declare()
+    named = [fault for fault in caught.value.faults if where in fault.where]
+    assert any(found in fault.found and expected in f"{fault.expected} {fault.remedy}" for fault in named), str(
+        caught.value
+    )
+
+
+def test_all_faults_come_at_once():
+    with pytest.raises(InputError) as caught:
+        bench(
+            JointSpring("spring", "axl", TORSION),
+            PointForce("push", ENDS[0], (TORQUE, 0, FORCE * RATE)),
+            JointForce("motor", "slide", FORCE + TORQUE * sp.sin(T)),
+            Drive("drive", "axle", position=Table("lift", (1, 0), (0, 1), ("s", "rad"))(T)),
+        )
+    assert [fault.where for fault in caught.value.faults] == [
+        "effect spring", "effect push, force along x", "effect push, force along z", "effect motor, force", "table lift"
+    ]  # fmt: skip
+
+
+# -- units: the smallest faulty sub-expression ---------------------------------------------------------------------------
+
+HIDDEN = Parameter("hidden", "mm", 3.0)
+WRONG = {  # effect with an expression of a wrong unit, where, the sub-expression at fault, its unit
+    "sine of a time": (JointForce("m", "slide", FORCE * sp.sin(T)), "m, force", "sin(t)", "s"),
+    "sum within a product": (JointForce("m", "slide", FORCE * sp.cos(RATE * T + REST)), "m, force", "rate*t + rest", "1"),
+    "torque for a force": (JointForce("m", "slide", TORQUE * sp.sin(RATE * T)), "m, force", "torque*sin(rate*t)", "J"),
+    "one term of a sum": (
+        JointForce("m", "axle", TORQUE - DAMPING * speed_of("axle")), "m, force", "-damping*axle.speed", "N/m",
+    ),
+    "a component of a force": (PointForce("p", ENDS[0], (0, FORCE, STIFFNESS * T)), "p, force along z", "stiffness*t", "N s/m"),
+    "a component of a torque": (BodyTorque("p", ROTOR, (0, FORCE * T, 0)), "p, torque about y", "force*t", "N s"),
+    "an energy": (Potential("p", STIFFNESS * coordinate_of("slide")), "p, energy", "stiffness*slide.coordinate", "N"),
+    "a position": (Drive("d", "axle", position=SPIN * T**2), "d, position", "spin*t**2", "s"),
+    "a speed": (Drive("d", "axle", speed=SPIN * T), "d, speed", "spin*t", "1"),
+    "an acceleration": (Drive("d", "slide", acceleration=HIDDEN * T), "d, acceleration", "hidden*t", "m s"),
+    "an amplitude": (Harmonic("d", "axle", REST, RATE), "d, amplitude", "rest", "m"),
+    "a frequency": (Harmonic("d", "axle", ANGLE, RISE), "d, frequency", "rise", "s"),
+    "a phase": (Harmonic("d", "axle", ANGLE, RATE, REST), "d, phase", "rest", "m"),
+    "a rise": (Ramp("d", "axle", SPIN, RATE), "d, rise", "rate", "1/s"),
+    "a start": (Drive("d", "axle", speed=SPIN, start=REST), "d, start", "rest", "m"),
+    "a start speed": (Drive("d", "axle", acceleration=SPIN * RATE, start_speed=ANGLE), "d, start speed", "angle", "1"),
+    "a rest": (JointSpring("s", "slide", STIFFNESS, ANGLE), "s, rest", "angle", "1"),
+    "a rest length": (PointSpring("s", *ENDS, STIFFNESS, RISE), "s, rest length", "rise", "s"),
+    "a damping": (JointDamper("s", "axle", DAMPING), "s, damping", "damping", "N s/m"),
+    "a damping between points": (PointDamper("s", *ENDS, STIFFNESS), "s, damping", "stiffness", "N/m"),
+    "a normal force": (JointFriction("f", "slide", LAW, STIFFNESS * T), "f, normal force", "stiffness*t", "N s/m"),
+    "a radius": (JointFriction("f", "axle", LAW, FORCE, ANGLE), "f, radius", "angle", "1"),
+    "a choice": (JointForce("m", "slide", Where(T < RISE, FORCE, TORQUE)), "m, force", "Where(t < rise, force, torque)", "J"),
+    "a comparison": (JointForce("m", "slide", Where(T < REST, FORCE, 0)), "m, force", "t < rest", ""),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("label", WRONG)
+def test_a_wrong_unit_is_found_in_the_smallest_sub_expression(label):
+    effect, where, culprit, unit = WRONG[label]
+    with pytest.raises(InputError) as caught:
+        bench(effect)
+    (fault,) = [fault for fault in caught.value.faults if where in fault.where]
+    assert fault.found.startswith(f"{culprit} ["), str(fault)
+    assert unit in fault.found
+
+
+def test_the_audit_covers_the_law_of_a_joint_and_every_assignment():
+    findings = audit_scene(bench(*SOUND[-4:]))
+    assert {finding.effect for finding in findings} == {"friction"}
+    assert {finding.verdict for finding in findings} == {"consistent"}
+
+
+# -- nothing for nothing -----------------------------------------------------------------------------------------------
+
+EFFECTS = {type(effect).__name__ + effect.name: effect for effect in SOUND}
+
+
+def below_header(text):
+    lines = text.split("\n")
+    return "\n".join(line for line in lines if not re.match(r'^(""".*Generated from|NAME = )', line))
+
+
+@pytest.mark.parametrize("effect", SOUND, ids=lambda e: f"{type(e).__name__} {e.text}"[:60])
+def test_an_effect_left_out_leaves_no_trace(effect):
+    """Beside all of the rest the module is, to the letter, that of a scene which never had it; its parameters are gone with it."""
+    others = [e for e in SOUND if e.name not in (effect.name, "drive")]
+    if effect.kind != "drive":
+        others.insert(0, SOUND[0])
+    scene = bench(effect, *others)
+    lean = generate(scene.without(effect.name))
+    assert below_header(lean) == below_header(generate(bench(*others)))
+    before, after = Derived(text=generate(scene)), Derived(text=lean)
+    assert not re.search(rf"\b{effect.name}(_|\.)", after.text)
+    assert {name for name, *_ in before.PARAMETERS} >= {name for name, *_ in after.PARAMETERS}
+    assert [row for row in before.MEMORY if row[0].startswith(f"{effect.name}.")] == [
+        (f"{effect.name}.{booked}", "J")
+        for booked in {"force": ["input"], "damper": ["dissipated"], "joint_friction": ["dissipated"]}.get(
+            effect.kind, []
+        )
+    ]
+    assert "WAVE_TABLE" not in after.text
+    assert ("_spline" in before.text) == ("wave" in effect.text)
+
+
+def test_without_a_ledger_nothing_is_booked_and_the_forces_stay():
+    scene = bench(*SOUND[7:])
+    lean = Derived(Scene(MECHANISM, SOUND[7:], SCALES))
+    assert lean.MEMORY == ()
+    assert not {"energy", "ledger"} & set(lean.names)
+    assert sum(count for _, count in lean.OPERATIONS) < sum(count for _, count in Derived(scene).OPERATIONS)
+    assert dict(lean.OPERATIONS)["applied"] == dict(Derived(scene).OPERATIONS)["applied"]
+
+
+def test_another_friction_law_keeps_its_parameters():
+    scene = bench(SOUND[-1]).with_law("friction", "smooth_coulomb")
+    assert scene.effect("friction").law.binding == SOUND[-1].law.binding
+    with pytest.raises(InputError, match="one of coulomb, smooth_coulomb"):
+        scene.with_law("friction", "flores")

@@ -1,0 +1,529 @@
+"""Drives and force elements in the equations: against virtual work by complex steps, SymPy's mechanics, and the power balance."""
+
+from dataclasses import dataclass, replace
+from functools import cache
+from typing import Any
+
+import casadi as ca
+import numpy as np
+import pytest
+import sympy as sp
+import sympy.physics.mechanics as me
+from derived import Derived
+from kane import complex_step, driven, random_tree
+
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    BodyTorque,
+    Cylindrical,
+    Drive,
+    EnergyLedger,
+    Free,
+    Gravity,
+    Harmonic,
+    InputError,
+    JointDamper,
+    JointForce,
+    JointFriction,
+    JointSpring,
+    Mechanism,
+    Parameter,
+    PointDamper,
+    PointForce,
+    PointSpring,
+    Potential,
+    Ramp,
+    Scales,
+    Scene,
+    Spherical,
+    T,
+    Table,
+    Y,
+    Z,
+    coordinate_of,
+    speed_of,
+)
+from hertzwerk.derive.laws import brown_mcphee, smooth_coulomb
+
+TREE = random_tree("R+Z P+X R-Y", 5, gravity=0)
+ONE, TWO, GROUNDED = (0.3, -0.2, 0.1), (-0.15, 0.25, 0.4), (1.5, 0.7, -0.6)
+
+
+def place(name, values):
+    return tuple(Parameter(f"{name}{k}", "m", value) for k, value in zip("xyz", values, strict=True))
+
+
+STIFFNESS, DAMPING = Parameter("stiffness", "N/m", 40.0), Parameter("damping", "N s/m", 3.0)
+REST = Parameter("rest", "m", 0.6)
+FORCE, RATE = Parameter("F", "N", 7.0), Parameter("rate", "rad/s", 2.0)
+TORQUE = Parameter("torque", "N m", 1.3)
+DRY = smooth_coulomb(Parameter("mu", "1", 0.2), Parameter("v_s", "m/s", 0.5))
+STRIBECK = brown_mcphee(
+    Parameter("mu_k", "1", 0.2),
+    Parameter("mu_s", "1", 0.3),
+    Parameter("v_S", "m/s", 0.2),
+    Parameter("c_v", "N s/m", 0.1),
+    Parameter("N_t", "N", 5),
+)
+PRELOAD, RADIUS = Parameter("preload", "N", 30.0), Parameter("radius", "m", 0.05)
+
+
+def at(body, where, name):
+    frame = GROUND if body < 0 else TREE.bodies[body]
+    return frame.at(*place(name, where))
+
+
+def point(body, where):
+    """Place of a point at coordinates q, by hand."""
+    return lambda q: TREE.point(body, where, q)
+
+
+def work(body, where, force, q):
+    """Generalised forces of a force on a point of a body."""
+    return complex_step(point(body, where), q).T @ force
+
+
+def velocity(body, where, q, u):
+    return complex_step(point(body, where), q) @ u
+
+
+def turning(body, q, u):
+    """Angular velocity of a body from the derivative of its rotation matrix."""
+    _, matrix = TREE.pose(body, q)
+    rate = np.tensordot(complex_step(lambda x: TREE.pose(body, x)[1].reshape(-1), q).reshape(3, 3, -1), u, 1) @ matrix.T
+    return np.array([rate[2, 1], rate[0, 2], rate[1, 0]])
+
+
+@dataclass(frozen=True)
+class Case:
+    """An effect, and by hand at (t, q, u): generalised forces, stored energy, power dissipated, power put in."""
+
+    effect: Any
+    forces: Any
+    stored: Any = lambda t, q, u: 0.0
+    dissipated: Any = None
+    supplied: Any = None
+
+
+def line(q, u):
+    r = point(-1, GROUNDED)(q) - point(2, ONE)(q)
+    return r, -velocity(2, ONE, q, u)
+
+
+def unit(i, value):
+    return np.eye(3)[i] * value
+
+
+def between(q, u):
+    """From a point of the first body to one of the third, and its rate."""
+    r = point(2, TWO)(q) - point(0, ONE)(q)
+    return r, velocity(2, TWO, q, u) - velocity(0, ONE, q, u)
+
+
+def pulled(tension, q):
+    r = point(2, TWO)(q) - point(0, ONE)(q)
+    return work(0, ONE, tension * r, q) - work(2, TWO, tension * r, q)
+
+
+def pushed(t):
+    return np.array([7.0 * np.cos(2 * t), 0.0, 7.0])
+
+
+def couple(q, u, frame):
+    moment = np.array([0.0, 1.3, 1.3 * u[1]])
+    return TREE.pose(2, q)[1] @ moment if frame else moment
+
+
+def turned(moment, q):
+    return np.array([moment @ turning(2, q, unit) for unit in np.eye(3)])
+
+
+def stribeck(n, s):
+    return n * (0.2 * np.tanh(4 * s / 0.2) + 0.1 * (s / 0.2) / ((s / 0.2) ** 2 / 4 + 0.75) ** 2) + 0.1 * s * np.tanh(
+        4 * n / 5
+    )
+
+
+ENDS = (at(0, ONE, "one"), at(2, TWO, "two"))
+MOTOR = TORQUE * sp.sin(RATE * T) - Parameter("drag", "N m s", 0.4) * speed_of("joint0") * sp.cos(
+    coordinate_of("joint2")
+)
+BOWL = STIFFNESS * coordinate_of("joint1") ** 2 / 2 + TORQUE * sp.cos(coordinate_of("joint0")) * coordinate_of("joint2")
+CASES = {
+    "joint spring": Case(
+        JointSpring("x", "joint1", STIFFNESS, REST), lambda t, q, u: unit(1, -40 * (q[1] - 0.6)), lambda t, q, u: 20 * (q[1] - 0.6) ** 2
+    ),
+    "torsional spring": Case(
+        JointSpring("x", "joint2", TORQUE), lambda t, q, u: unit(2, -1.3 * q[2]), lambda t, q, u: 0.65 * q[2] ** 2
+    ),
+    "joint damper": Case(
+        JointDamper("x", "joint0", Parameter("c0", "N m s/rad", 0.7)), lambda t, q, u: unit(0, -0.7 * u[0]),
+        dissipated=lambda t, q, u: 0.7 * u[0] ** 2
+    ),
+    "spring between points": Case(
+        PointSpring("x", *ENDS, STIFFNESS, REST),
+        lambda t, q, u: pulled(40 * (1 - 0.6 / np.linalg.norm(between(q, u)[0])), q),
+        lambda t, q, u: 20 * (np.linalg.norm(between(q, u)[0]) - 0.6) ** 2,
+    ),
+    "spring of no rest length": Case(
+        PointSpring("x", *ENDS, STIFFNESS), lambda t, q, u: pulled(40.0, q), lambda t, q, u: 20 * np.sum(between(q, u)[0] ** 2)
+    ),
+    "spring to the ground": Case(
+        PointSpring("x", at(2, ONE, "one"), at(-1, GROUNDED, "peg"), STIFFNESS),
+        lambda t, q, u: work(2, ONE, 40 * line(q, u)[0], q), lambda t, q, u: 20 * np.sum(line(q, u)[0] ** 2),
+    ),
+    "damper between points": Case(
+        PointDamper("x", *ENDS, DAMPING),
+        lambda t, q, u: pulled(3 * (between(q, u)[0] @ between(q, u)[1]) / np.sum(between(q, u)[0] ** 2), q),
+        dissipated=lambda t, q, u: 3 * (between(q, u)[0] @ between(q, u)[1]) ** 2 / np.sum(between(q, u)[0] ** 2),
+    ),
+    "torque of time, coordinates and speeds": Case(
+        JointForce("x", "joint0", MOTOR),
+        lambda t, q, u: unit(0, 1.3 * np.sin(2 * t) - 0.4 * u[0] * np.cos(q[2])),
+        supplied=lambda t, q, u: u[0] * (1.3 * np.sin(2 * t) - 0.4 * u[0] * np.cos(q[2])),
+    ),
+    "force on a point": Case(
+        PointForce("x", at(2, ONE, "one"), (FORCE * sp.cos(RATE * T), 0, FORCE)),
+        lambda t, q, u: work(2, ONE, pushed(t), q), supplied=lambda t, q, u: pushed(t) @ velocity(2, ONE, q, u),
+    ),
+    "force that turns with a body": Case(
+        PointForce("x", at(2, ONE, "one"), (FORCE * sp.cos(RATE * T), 0, FORCE), axes=TREE.bodies[0]),
+        lambda t, q, u: work(2, ONE, TREE.pose(0, q)[1] @ pushed(t), q),
+        supplied=lambda t, q, u: (TREE.pose(0, q)[1] @ pushed(t)) @ velocity(2, ONE, q, u),
+    ),
+    "torque on a body": Case(
+        BodyTorque("x", TREE.bodies[2], (0, TORQUE, TORQUE * speed_of("joint1") / Parameter("pace", "m/s", 1.0))),
+        lambda t, q, u: turned(couple(q, u, False), q), supplied=lambda t, q, u: couple(q, u, False) @ turning(2, q, u),
+    ),
+    "torque in a body's axes": Case(
+        BodyTorque("x", TREE.bodies[2], (0, TORQUE, TORQUE * speed_of("joint1") / Parameter("pace", "m/s", 1.0)), axes=TREE.bodies[2]),
+        lambda t, q, u: turned(couple(q, u, True), q), supplied=lambda t, q, u: couple(q, u, True) @ turning(2, q, u),
+    ),
+    "potential": Case(
+        Potential("x", BOWL),
+        lambda t, q, u: np.array([1.3 * np.sin(q[0]) * q[2], -40 * q[1], -1.3 * np.cos(q[0])]),
+        lambda t, q, u: 20 * q[1] ** 2 + 1.3 * np.cos(q[0]) * q[2],
+    ),
+    "friction of a journal": Case(
+        JointFriction("x", "joint0", DRY, PRELOAD, RADIUS),
+        lambda t, q, u: unit(0, -0.05 * 6 * np.tanh(0.05 * u[0] / 0.5)), dissipated=lambda t, q, u: 0.05 * u[0] * 6 * np.tanh(0.05 * u[0] / 0.5),
+    ),
+    "friction of a slide under a varying load": Case(
+        JointFriction("x", "joint1", STRIBECK, PRELOAD + FORCE * sp.sin(RATE * T)),
+        lambda t, q, u: unit(1, -stribeck(30 + 7 * np.sin(2 * t), u[1])), dissipated=lambda t, q, u: u[1] * stribeck(30 + 7 * np.sin(2 * t), u[1]),
+    ),
+}  # fmt: skip
+
+
+@cache
+def derived_of(label):
+    return Derived(TREE.scene(CASES[label].effect))
+
+
+def states(tree, count=3, seed=1):
+    rng = np.random.default_rng(seed)
+    for _ in range(count):
+        yield rng.uniform(0, 1), rng.uniform(-2, 2, len(tree.free)), rng.uniform(-3, 3, len(tree.free))
+
+
+@pytest.mark.parametrize("label", CASES)
+def test_generalised_forces_energy_and_powers_are_those_of_virtual_work(label):
+    case, derived = CASES[label], derived_of(label)
+    rest = Derived(TREE.scene())
+    for t, q, u in states(TREE):
+        assert derived.call("applied", t=t, q=q, u=u) == pytest.approx(case.forces(t, q, u), rel=1e-12, abs=1e-12)
+        kinetic, potential, _ = derived.call("energy", t=t, q=q, u=u)
+        assert potential == pytest.approx([case.stored(t, q, u)], rel=1e-12)
+        assert np.array_equal(kinetic, rest.call("energy", t=t, q=q, u=u)[0])
+        booked = dict(
+            zip([name for name, _ in derived.MEMORY], derived.call("ledger", t=t, q=q, u=u, reactions=[]), strict=True)
+        )
+        expected = {"x.dissipated": case.dissipated, "x.input": case.supplied}
+        assert set(booked) == {name for name, power in expected.items() if power is not None}
+        for name, value in booked.items():
+            assert value == pytest.approx(expected[name](t, q, u), rel=1e-12)
+
+
+def test_the_comparison_has_teeth():
+    """A force of the wrong sign, or on the wrong point, is not within 1e-12."""
+    t, q, u = next(states(TREE))
+    right = derived_of("spring between points").call("applied", t=t, q=q, u=u)
+    assert np.max(np.abs(right + CASES["spring between points"].forces(t, q, u))) > 1
+    moved = Derived(TREE.scene(PointSpring("x", ENDS[0], at(2, ONE, "three"), STIFFNESS, REST)))
+    assert np.max(np.abs(moved.call("applied", t=t, q=q, u=u) - right)) > 1e-3
+
+
+# -- power balance -----------------------------------------------------------------------------------------------------
+
+
+def imbalance(derived, t, q, u):
+    """Rate of energy + dissipated - input at a state, over the largest of the powers."""
+    f = derived.call("applied", t=t, q=q, u=u)
+    a, reactions = derived.call("accelerations", t=t, q=q, u=u, f=f)
+    rates = {"t": np.ones(1), "q": derived.call("coordinate_rates", t=t, q=q, u=u), "u": a}
+    powers = [
+        float((derived.jacobian("energy", which, part, t=t, q=q, u=u) @ rate).item())
+        for part in (0, 1)
+        for which, rate in rates.items()
+    ]
+    booked = derived.call("ledger", t=t, q=q, u=u, reactions=reactions)
+    for (name, _), power in zip(derived.MEMORY, booked, strict=True):
+        powers.append(power if name.endswith(".dissipated") else -power)
+    return abs(sum(powers)) / max(map(abs, powers))
+
+
+@pytest.mark.parametrize("label", CASES)
+def test_power_is_balanced(label):
+    heavy = replace(TREE, gravity=9.81)
+    derived = Derived(heavy.scene(CASES[label].effect))
+    for t, q, u in states(TREE):
+        assert imbalance(derived, t, q, u) < 1e-12
+
+
+# -- against sympy.physics.mechanics -----------------------------------------------------------------------------------
+
+
+def test_a_double_pendulum_with_spring_and_damper_equals_kanes_method():
+    """Two links on revolute joints across each other; from the ground to the tip a spring and a damper, by SymPy's own actuators."""
+    tree = random_tree("R+Z R+X", 8)
+    peg, tip = (0.9, -0.4, 0.3), (0.2, 0.5, -0.3)
+    ends = (GROUND.at(*place("peg", peg)), tree.bodies[1].at(*place("tip", tip)))
+    derived = Derived(tree.scene(PointSpring("spring", *ends, STIFFNESS, REST), PointDamper("damper", *ends, DAMPING)))
+    q, u = me.dynamicsymbols("q:2"), me.dynamicsymbols("u:2")
+    ground, origin = me.ReferenceFrame("G"), me.Point("O")
+    origin.set_vel(ground, 0)
+    bodies, loads, parent, start = [], [], ground, origin
+    for i, (link, axis) in enumerate(zip(tree.links, "zx", strict=True)):
+        frame = parent.orientnew(f"B{i}", "Axis", [q[i], getattr(parent, axis)])
+        frame.set_ang_vel(parent, u[i] * getattr(parent, axis))
+        joint = start.locatenew(f"J{i}", _vector(parent, link.on_parent))
+        joint.v2pt_theory(start, ground, parent)
+        start = joint.locatenew(f"C{i}", -_vector(frame, link.on_child))
+        start.v2pt_theory(joint, ground, frame)
+        centre = start.locatenew(f"S{i}", _vector(frame, link.centre))
+        centre.v2pt_theory(start, ground, frame)
+        bodies.append(me.RigidBody(f"b{i}", centre, frame, link.mass, (me.inertia(frame, *link.inertia), centre)))
+        loads.append((centre, -link.mass * tree.gravity * ground.y))
+        parent = frame
+    far, near = start.locatenew("tip", _vector(parent, tip)), origin.locatenew("peg", _vector(ground, peg))
+    far.v2pt_theory(start, ground, parent)
+    near.set_vel(ground, 0)
+    path = me.LinearPathway(near, far)
+    kinematics = {q[i].diff(): u[i] for i in range(2)}
+    for actuator in (me.LinearSpring(40.0, path, equilibrium_length=0.6), me.LinearDamper(3.0, path)):
+        loads += [(p, force.subs(kinematics)) for p, force in actuator.to_loads()]
+    kane = me.KanesMethod(ground, q, u, [a.diff() - b for a, b in zip(q, u, strict=True)])
+    kane.kanes_equations(bodies, loads)
+    plain = {x: sp.Symbol(str(x.func)) for x in (*q, *u)}
+    function = sp.lambdify(
+        [list(plain.values())], [m.xreplace(plain) for m in (kane.mass_matrix, kane.forcing)], cse=True
+    )
+    for t, at_q, at_u in states(tree):
+        mass, forcing = function([*at_q, *at_u])
+        f = derived.call("applied", t=t, q=at_q, u=at_u)
+        ours, _ = derived.call("accelerations", t=t, q=at_q, u=at_u, f=f)
+        assert ours == pytest.approx(np.linalg.solve(mass, forcing.ravel()), rel=1e-10)
+
+
+def _vector(frame, values):
+    return sum((value * axis for value, axis in zip(values, frame, strict=True)), me.Vector(0))
+
+
+# -- drives ------------------------------------------------------------------------------------------------------------
+
+AMPLITUDE, PHASE, MEAN = (
+    Parameter("amplitude", "rad", 0.4),
+    Parameter("phase", "rad", 0.3),
+    Parameter("mean", "rad", 0.2),
+)
+SPEED, RISE = Parameter("speed", "rad/s", 2.5), Parameter("rise", "s", 0.8)
+WAVE = Table("wave", (0, 0.25, 0.5, 0.75, 1), (0, 0.3, 0.1, -0.2, 0.1), ("s", "rad"))
+SPIN = SPEED * (1 + sp.cos(RATE * T) / 2)
+
+
+def smooth(s):
+    """Way of the quintic rise 10 s^3 - 15 s^4 + 6 s^5, its rate, the rate of that."""
+    return 2.5 * s**4 - 3 * s**5 + s**6, 10 * s**3 - 15 * s**4 + 6 * s**5, 30 * s**2 - 60 * s**3 + 30 * s**4
+
+
+def risen(t, way):
+    s = t / 0.8
+    return (2.5 * 0.8 * way(s)[0], 2.5 * way(s)[1], 2.5 / 0.8 * way(s)[2]) if t < 0.8 else (2.5 * (t - 0.4), 2.5, 0.0)
+
+
+DRIVES = {  # drive, then (position, speed, acceleration) by hand of t and the coordinates the drive integrates
+    "ramp": (Ramp("drive", "joint", SPEED, RISE), lambda t, _: risen(t, smooth)),
+    "straight ramp": (Ramp("drive", "joint", SPEED, RISE, 0), lambda t, _: risen(t, lambda s: (s**2 / 2, s, 1))),
+    "harmonic": (
+        Harmonic("drive", "joint", AMPLITUDE, RATE, PHASE, MEAN),
+        lambda t, _: (0.2 + 0.4 * np.sin(2 * t + 0.3), 0.8 * np.cos(2 * t + 0.3), -1.6 * np.sin(2 * t + 0.3)),
+    ),
+    "position": (
+        Drive("drive", "joint", position=AMPLITUDE * sp.exp(-RATE * T)),
+        lambda t, _: (0.4 * np.exp(-2 * t), -0.8 * np.exp(-2 * t), 1.6 * np.exp(-2 * t)),
+    ),
+    "choice": (
+        Drive("drive", "joint", position=sp.Piecewise((AMPLITUDE * (RATE * T) ** 3, T < RISE / 2), (AMPLITUDE, True))),
+        lambda t, _: (3.2 * t**3, 9.6 * t**2, 19.2 * t) if t < 0.4 else (0.4, 0, 0),
+    ),
+    "speed": (
+        Drive("drive", "joint", speed=SPIN, start=MEAN),
+        lambda t, z: (z[0], 2.5 * (1 + np.cos(2 * t) / 2), -2.5 * np.sin(2 * t)),
+    ),
+    "acceleration": (
+        Drive("drive", "joint", acceleration=SPEED * RATE * sp.cos(RATE * T), start=MEAN, start_speed=SPEED),
+        lambda t, z: (z[0], z[1], 5 * np.cos(2 * t)),
+    ),
+}  # fmt: skip
+
+
+CHAINS = [driven(random_tree("R+Z R-X R+Y", 12), root, 1.0) for root in (0, 1)]
+
+
+@pytest.mark.parametrize("root", [0, 1])
+@pytest.mark.parametrize("label", DRIVES)
+def test_an_accelerated_drive_moves_the_others_and_is_loaded_as_in_kanes_method(label, root):
+    """All joints free in KanesMethod; the driven one's motion put in, its row of M a - forcing is what the drive must supply."""
+    tree = CHAINS[root]
+    drive, by_hand = DRIVES[label]
+    derived = Derived(
+        tree.scene().replace(**{f"drive{root}": replace(drive, name=f"drive{root}", joint=f"joint{root}")})
+    )
+    integrated = [name for name, _ in derived.COORDINATES if name.startswith(f"joint{root}.")]
+    rng = np.random.default_rng(3)
+    for t, q, u in states(tree):
+        z = rng.uniform(-2, 2, len(integrated))
+        full_q, full_u, a_d = tree.whole(t, q, False), tree.whole(t, u, True), by_hand(t, z)[2]
+        full_q[root], full_u[root] = by_hand(t, z)[:2]
+        mass, forcing = tree.mass_and_forcing(full_q, full_u)
+        free = tree.free
+        a = np.linalg.solve(mass[np.ix_(free, free)], forcing[free] - mass[free, root] * a_d)
+        reaction = mass[root, free] @ a + mass[root, root] * a_d - forcing[root]
+        given = {"t": t, "q": np.concatenate([q, z]), "u": u}
+        ours, reactions = derived.call("accelerations", **given, f=derived.call("applied", **given))
+        assert ours == pytest.approx(a, rel=1e-10)
+        assert reactions == pytest.approx([reaction], rel=1e-10)
+        assert derived.call("ledger", **given, reactions=reactions) == pytest.approx(
+            [reaction * full_u[root]], rel=1e-10
+        )
+        assert imbalance(derived, **given) < 1e-12
+        rates = derived.call("coordinate_rates", **given)[len(free) :]
+        assert rates == pytest.approx(by_hand(t, z)[1 : 1 + len(integrated)], rel=1e-14)
+
+
+@pytest.mark.parametrize("label", DRIVES)
+def test_a_drive_is_where_its_declaration_says(label):
+    tree = CHAINS[0]
+    drive, by_hand = DRIVES[label]
+    derived = Derived(tree.scene().replace(drive0=replace(drive, name="drive0", joint="joint0")))
+    z = np.array([0.7, -0.4])[: len(derived.COORDINATES) - 2]
+    for t in (0.0, 0.1, 0.45, 0.79, 0.81, 1.7):
+        full = np.array([by_hand(t, z)[0], 0.3, -0.8])
+        _, rotations = derived.call("poses", t=t, q=np.concatenate([full[1:], z]))
+        assert rotations[:9] == pytest.approx(tree.pose(0, full)[1].reshape(-1), abs=1e-14)
+
+
+def test_an_accelerated_drive_without_its_acceleration_would_be_noticed():
+    tree = CHAINS[0]
+    derived = Derived(tree.scene().replace(drive0=replace(DRIVES["harmonic"][0], name="drive0", joint="joint0")))
+    slow = Derived(text=derived.text, values={"rate": 2.0 * (1 - 1e-6)})
+    t, q, u = next(states(tree))
+    f = derived.call("applied", t=t, q=q, u=u)
+    both = [each.call("accelerations", t=t, q=q, u=u, f=f)[0] for each in (derived, slow)]
+    assert np.max(np.abs(both[0] - both[1]) / np.abs(both[0])) > 1e-8
+
+
+@pytest.mark.parametrize("label", ["ramp", "position", "choice", "speed", "acceleration"])
+def test_the_start_of_what_a_drive_integrates_is_declared(label):
+    tree = driven(random_tree("R+Z R-X", 12), 0, 1.0)
+    derived = Derived(tree.scene().replace(drive0=replace(DRIVES[label][0], name="drive0", joint="joint0")))
+    starts = {"speed": [0.2], "acceleration": [0.2, 2.5]}.get(label, [])
+    assert derived.start()[0].tolist() == [0.0, *starts]
+    assert derived.call("scales", p=derived.p)[0].size == len(derived.COORDINATES)
+
+
+def test_a_tabulated_drive_has_the_accelerations_of_its_table():
+    tree = driven(random_tree("R+Z R-X", 12), 0, 1.0)
+    derived = Derived(tree.scene().replace(drive0=Drive("drive0", "joint0", position=WAVE(T))))
+    for t, q, u in states(tree):
+        assert imbalance(derived, t, q, u) < 1e-11
+
+
+# -- where there is no direction ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("rest", [None, REST])
+def test_springs_and_dampers_are_clean_where_their_ends_meet(rest):
+    """Force, power and all their derivatives are numbers; the energy is that of the spring's length, zero."""
+    tree = random_tree("P+X P+Y", 3, gravity=0)
+    tree = replace(tree, links=tuple(replace(l, on_parent=(0, 0, 0), on_child=(0, 0, 0)) for l in tree.links))
+    ends = (tree.bodies[1].at(0, 0, 0), GROUND.at(0, 0, 0))
+    derived = Derived(tree.scene(PointSpring("spring", *ends, STIFFNESS, rest), PointDamper("damper", *ends, DAMPING)))
+    given = {"t": 0.0, "q": np.zeros(2), "u": np.array([1.0, 2.0])}
+    assert derived.call("applied", **given).tolist() == [0, 0]
+    assert derived.call("ledger", **given, reactions=[]).tolist() == [0]
+    assert derived.call("energy", **given)[1] == pytest.approx([0.0 if rest is None else 20 * 0.36])
+    for which in "qu":
+        assert np.all(np.isfinite(derived.jacobian("applied", which, **given)))
+    assert isinstance(derived.results("applied", given)[0], ca.DM)
+
+
+# -- joints of several freedoms ----------------------------------------------------------------------------------------
+
+
+def column(*effects):
+    """A cylindrical joint from the ground, a spherical one on it, and a free body beside them."""
+    inertia = tuple(Parameter(f"J{k}", "kg m^2", value) for k, value in zip("xyz", (0.2, 0.3, 0.25), strict=True))
+    post, arm, stone = (
+        Body(name, Parameter(f"{name}_mass", "kg", mass), inertia)
+        for name, mass in (("post", 2), ("arm", 1), ("stone", 3))
+    )
+    joints = (
+        Cylindrical("column", GROUND, post, axis=Z),
+        Spherical("shoulder", post.at(*place("s", ONE)), arm.at(*place("h", TWO))),
+        Free("flight", GROUND, stone),
+    )
+    size = Parameter("size", "m", 1.0)
+    scales = Scales(length=size, speed=Parameter("pace", "m/s", 1.0), arm=size)
+    made = [effect(post, arm, stone) for effect in effects]
+    gravity = Gravity("gravity", Parameter("g", "m/s^2", 9.81), -Y)
+    return Scene(Mechanism("column", joints), (*made, gravity, EnergyLedger()), scales)
+
+
+SEVERAL = {
+    "spring of one of two coordinates": lambda *_: JointSpring("x", "column.angle", TORQUE),
+    "damper of the other": lambda *_: JointDamper("x", "column.travel", DAMPING),
+    "drive of one of two": lambda *_: Harmonic("x", "column.angle", AMPLITUDE, RATE),
+    "drive of the other, integrated": lambda *_: Drive("x", "column.travel", speed=REST * RATE * sp.cos(RATE * T)),
+    "potential of both": lambda *_: Potential("x", STIFFNESS * coordinate_of("column.travel") ** 2 * sp.cos(coordinate_of("column.angle"))),
+    "spring between ball and free body": lambda post, arm, stone: PointSpring("x", arm.at(*place("one", ONE)), stone.at(0, 0, 0), STIFFNESS, REST),
+    "damper between ball and free body": lambda post, arm, stone: PointDamper("x", arm.at(*place("one", ONE)), stone.at(*place("two", TWO)), DAMPING),
+    "force on a free body": lambda post, arm, stone: PointForce("x", stone.at(*place("two", TWO)), (FORCE, 0, FORCE * sp.cos(RATE * T)), axes=arm),
+    "torque on a free body": lambda post, arm, stone: BodyTorque("x", stone, (0, TORQUE, TORQUE), axes=stone),
+    "torque on a ball": lambda post, arm, stone: BodyTorque("x", arm, (TORQUE, 0, TORQUE)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("label", SEVERAL)
+def test_power_is_balanced_on_joints_of_several_freedoms(label):
+    derived = Derived(column(SEVERAL[label]))
+    rng = np.random.default_rng(2)
+    names = [name for name, _ in derived.COORDINATES]
+    for t in rng.uniform(0, 1, 3):
+        q, u = rng.uniform(-1, 1, len(names)), rng.uniform(-2, 2, derived.nu)
+        for first in (i for i, name in enumerate(names) if name.endswith(".q0")):
+            q[first : first + 4] /= np.linalg.norm(q[first : first + 4])
+        assert imbalance(derived, t, q, u) < 1e-11
+
+
+def test_a_ball_has_no_single_coordinate():
+    for effect in (
+        JointSpring("x", "shoulder", TORQUE),
+        JointDamper("x", "column", DAMPING),
+        Harmonic("x", "flight", AMPLITUDE, RATE),
+    ):
+        with pytest.raises(InputError) as caught:
+            column(lambda *_, effect=effect: effect)
+        assert "which has not just one coordinate" in caught.value.faults[0].found
+        assert "column.travel, column.angle" in caught.value.faults[0].expected

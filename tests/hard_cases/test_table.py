@@ -1,0 +1,89 @@
+"""Every hard case with every method that claims it, in both paths; and that the table holds what it must."""
+
+import pytest
+
+from hertzwerk.runtime import load
+from hertzwerk.runtime.hard_cases import runner
+from hertzwerk.runtime.hard_cases.case import METHODS
+from hertzwerk.runtime.hard_cases.measured import TRIES
+from hertzwerk.runtime.hard_cases.table import BY_NAME, CASES
+
+SLOW = {case.name for case in CASES if case.long}
+LASTING = {("thin_friction_layer", "rodas")}  # seconds
+REFERENCES = ("cvodes", "idas")  # slow, and outside the graph: there is no C of them
+PAIRS = [(case, method) for case in CASES for method in case.methods]
+
+
+def marked(case, method, *, slow):
+    marks = (
+        [pytest.mark.slow]
+        if slow or case.name in SLOW or (case.name, method) in LASTING or method in REFERENCES
+        else []
+    )
+    return pytest.param(case, method, id=f"{case.name}-{method}", marks=marks)
+
+
+def check(result):
+    case = BY_NAME[result.case]
+    failing = [f"{row.name}: {row.value} > {row.limit}: {row.note}" for row in result.measured if not row.holds]
+    known = any(method == result.method for method, _ in case.failures)
+    assert result.verdict == (runner.KNOWN if known else runner.PASSED), (result.outcome, failing)
+
+
+@pytest.mark.parametrize(("case", "method"), [marked(case, method, slow=False) for case, method in PAIRS])
+def test_in_the_virtual_machine(case, method):
+    check(runner.result(case, method, native=False))
+
+
+@pytest.mark.parametrize(
+    ("case", "method"), [marked(case, method, slow=True) for case, method in PAIRS if method not in REFERENCES]
+)
+def test_as_c_bitwise_the_same(case, method):
+    result = runner.result(case, method)
+    check(result)
+    assert result.measured[-1].name == runner.SAME
+    assert result.compiled_wall_s is not None
+
+
+def test_names_are_unique_and_every_step_count_is_there():
+    assert len(BY_NAME) == len(CASES)
+    assert {name: set(row) for name, row in TRIES.items()} == {case.name: set(case.methods) for case in CASES}
+
+
+def test_every_method_claims_most_cases_and_what_is_known_to_fail_names_a_claim():
+    for method in METHODS:
+        assert sum(method in case.methods for case in CASES) > 0.9 * len(CASES)
+    for case in CASES:
+        assert {method for method, _ in case.failures} <= set(case.methods)
+        assert all(case.failures.values())
+        assert set(case.theory) <= set(case.methods)
+
+
+@pytest.mark.parametrize("scene", ["bouncing_ball", "two_spheres", "slider_crank"])
+def test_every_edge_of_every_defined_range_has_its_case(scene):
+    """The lower and the upper end of each; a bound that does not exist has no edge."""
+    wanted = set()
+    for name, kind, low, high, *_ in load(scene).module.LIMITS:
+        if kind == "defined":
+            wanted |= {
+                f"edge_{scene}_{name}_{side}" for side, end in (("lower", low), ("upper", high)) if end is not None
+            }
+    assert wanted == {name for name in BY_NAME if name.startswith(f"edge_{scene}_")}
+
+
+@pytest.mark.parametrize("case", [case for case in CASES if case.name.startswith("edge_")], ids=lambda case: case.name)
+def test_edges_are_at_the_end_or_a_millionth_of_the_default_from_it(case):
+    _, _, rest = case.name.partition("edge_")
+    scene, _, parameter = rest.removesuffix("_lower").removesuffix("_upper").partition(f"{case.source.scene}_")
+    model = load(case.source.scene)
+    rows = [row for row in model.module.LIMITS if row[0] == parameter and row[1] == "defined"]
+    assert not scene
+    value, default = model.bind(case.parameters)[parameter], model.bind()[parameter]
+    for _, _, low, high, open_left, open_right, _ in rows:
+        end, is_open = (low, open_left) if case.name.endswith("lower") else (high, open_right)
+        if end is None:
+            continue
+        if is_open or parameter == "rod_length" or parameter == "bush_radius":
+            assert 0 < abs(value - end) <= 0.06 * default or parameter in ("rod_length", "bush_radius")
+        else:
+            assert value == end

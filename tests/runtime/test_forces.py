@@ -1,0 +1,298 @@
+"""Springs, dampers, forces, friction and drives through the engine, against closed forms; the energy ledger closed with each."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    BodyTorque,
+    Drive,
+    EnergyLedger,
+    Harmonic,
+    JointDamper,
+    JointForce,
+    JointFriction,
+    JointSpring,
+    Mechanism,
+    Parameter,
+    PointDamper,
+    PointForce,
+    PointSpring,
+    Potential,
+    Prismatic,
+    Ramp,
+    Revolute,
+    Scales,
+    Scene,
+    Start,
+    T,
+    Table,
+    Where,
+    X,
+    Y,
+    Z,
+    coordinate_of,
+)
+from hertzwerk.derive.laws import smooth_coulomb
+from hertzwerk.runtime import load, simulate
+
+M, K, C, J, KAPPA = 2.0, 50.0, 0.7, 0.3, 4.0  # kg, N/m, N s/m, kg m^2, N m
+MASS, STIFFNESS, DAMPING = (
+    Parameter("mass", "kg", M),
+    Parameter("stiffness", "N/m", K),
+    Parameter("damping", "N s/m", C),
+)
+INERTIA, TORSION = Parameter("inertia", "kg m^2", J), Parameter("torsion", "N m", KAPPA)
+SIZE, PACE = Parameter("size", "m", 0.1), Parameter("pace", "m/s", 1.0)
+FORCE, RATE = Parameter("force", "N", 4.0), Parameter("rate", "rad/s", 3.0)
+W = np.sqrt(K / M)
+
+
+def block(*effects, **start):
+    """A block that slides along x."""
+    mechanism = Mechanism("block_on_rails", (Prismatic("slide", GROUND, Body("block", MASS), axis=X),))
+    begin = Start(**{what: {"slide": value} for what, value in start.items()})
+    return Scene(mechanism, (*effects, EnergyLedger()), Scales(length=SIZE, speed=PACE, arm=SIZE), begin)
+
+
+def wheel(*effects, **start):
+    """A wheel that turns about z."""
+    mechanism = Mechanism("wheel_on_axle", (Revolute("axle", GROUND, Body("wheel", MASS, INERTIA), axis=Z),))
+    begin = Start(**{what: {"axle": value} for what, value in start.items()})
+    return Scene(mechanism, (*effects, EnergyLedger()), Scales(length=SIZE, speed=PACE, arm=SIZE), begin)
+
+
+def follower(drive, *effects):
+    """A block on a spring between it and a carriage that is driven along the same line."""
+    carriage, other = Body("carriage", Parameter("carriage_mass", "kg", 3.0)), Body("block", MASS)
+    joints = (Prismatic("rail", GROUND, carriage, axis=X), Prismatic("slide", GROUND, other, axis=X))
+    spring = PointSpring("spring", carriage.at(0, 0, 0), other.at(0, 0, 0), STIFFNESS)
+    return Scene(
+        Mechanism("follower", joints), (drive, spring, *effects, EnergyLedger()), Scales(length=SIZE, speed=PACE)
+    )
+
+
+def run(scene, duration, **options):
+    given = {"accuracy": 1e-10, **options}
+    found = simulate(load(scene), duration=duration, **given)
+    assert found.outcome.finished
+    assert found.energy_residual < 100 * given["accuracy"]
+    return found
+
+
+SPRING, DAMPER = JointSpring("spring", "slide", STIFFNESS), JointDamper("damper", "slide", DAMPING)
+
+
+def test_harmonic_oscillator_keeps_its_period_and_energy():
+    found = run(block(SPRING, position=SIZE), 20.0)
+    t = np.linspace(0, 20, 401)
+    assert found.at(t)["slide.travel"] == pytest.approx(0.1 * np.cos(W * t), abs=1e-9)
+    assert found["energy"] == pytest.approx(np.full(len(found.t), K * 0.1**2 / 2), rel=1e-9)
+
+
+def test_damped_oscillator_decays():
+    """x = x0 exp(-d t) (cos(w t) + d/w sin(w t)), d = c/2m, w^2 = k/m - d^2; what it loses is the damper's."""
+    found = run(block(SPRING, DAMPER, position=SIZE), 20.0)
+    t, d = np.linspace(0, 20, 401), C / (2 * M)
+    w = np.sqrt(K / M - d**2)
+    assert found.at(t)["slide.travel"] == pytest.approx(
+        0.1 * np.exp(-d * t) * (np.cos(w * t) + d / w * np.sin(w * t)), abs=1e-9
+    )
+    lost = found["energy"][0] - found["energy"][-1]
+    assert found["damper.dissipated"][-1] == pytest.approx(lost, rel=1e-8)
+    assert lost > 0.9 * found["energy"][0]
+
+
+def test_torsional_pendulum():
+    found = run(wheel(JointSpring("wire", "axle", TORSION, Parameter("rest", "deg", 30))), 10.0)
+    t = np.linspace(0, 10, 201)
+    assert found.at(t)["axle.angle"] == pytest.approx(np.pi / 6 * (1 - np.cos(np.sqrt(KAPPA / J) * t)), abs=1e-8)
+
+
+def test_driven_oscillator_settles_to_its_amplitude_and_phase():
+    """x = F/sqrt((k - m w^2)^2 + (c w)^2) cos(w t - phi), tan(phi) = c w/(k - m w^2), once exp(-c t/2m) is gone."""
+    found = run(block(SPRING, DAMPER, JointForce("motor", "slide", FORCE * sp.cos(RATE * T))), 160.0)
+    t = np.linspace(150, 160, 201)
+    response = 4.0 / complex(K - M * 3.0**2, C * 3.0)
+    assert found.at(t)["slide.travel"] == pytest.approx(np.real(response * np.exp(3j * t)), abs=1e-9)
+    per_period = np.pi * C * 3.0 * abs(response) ** 2  # put in and dissipated
+    ends = found.at(np.array([158.0 - 2 * np.pi / 3, 158.0]))
+    for name in ("motor.input", "damper.dissipated"):
+        assert np.diff(ends[name])[0] == pytest.approx(per_period, rel=1e-6)
+
+
+def test_friction_brings_a_block_to_rest():
+    """m v' = -mu N tanh(v/v_s): sinh(v/v_s) falls as exp(-mu N t/(m v_s))."""
+    law = smooth_coulomb(Parameter("mu", "1", 0.2), Parameter("v_s", "m/s", 0.5))
+    scene = block(JointFriction("friction", "slide", law, Parameter("load", "N", 30.0)), speed=PACE)
+    found = run(scene, 1.0)
+    expected = 0.5 * np.arcsinh(np.sinh(2.0) * np.exp(-0.2 * 30 / (M * 0.5) * found.t))
+    assert found["slide.speed"] == pytest.approx(expected, abs=1e-9)
+    assert found["friction.dissipated"][-1] == pytest.approx(M / 2 * (1 - expected[-1] ** 2), rel=1e-8)
+
+
+def test_viscous_friction_and_a_torque_end_in_a_constant_speed():
+    damper = JointDamper("oil", "axle", Parameter("drag", "N m s/rad", 0.6))
+    found = run(wheel(damper, JointForce("motor", "axle", TORSION)), 20.0)
+    assert found["axle.speed"] == pytest.approx(KAPPA / 0.6 * (1 - np.exp(-0.6 / J * found.t)), rel=1e-8, abs=1e-9)
+
+
+def planar(effects, **start):
+    """A particle in the plane, on two slides."""
+    sled, bead = Body("sled", Parameter("sled_mass", "kg", 1e-9)), Body("bead", MASS)
+    joints = (Prismatic("along", GROUND, sled, axis=X), Prismatic("across", sled, bead, axis=Y))
+    return Scene(
+        Mechanism("plane", joints), (*effects(bead), EnergyLedger()), Scales(length=SIZE, speed=PACE), Start(**start)
+    )
+
+
+def test_a_spring_between_two_points_carries_a_circular_orbit():
+    """k (r - l) = m v^2/r: the radius stays, the angle grows as v/r; the sled's 1e-9 kg shift it by as much."""
+    r, v = 0.5, np.sqrt(K * (0.5 - 0.2) * 0.5 / M)
+    radius, speed = Parameter("radius", "m", r), Parameter("speed", "m/s", v)
+    scene = planar(
+        lambda bead: (PointSpring("spring", bead.at(0, 0, 0), GROUND.at(0, 0, 0), STIFFNESS, Parameter("rest", "m", 0.2)),
+                      PointDamper("damper", bead.at(0, 0, 0), GROUND.at(0, 0, 0), DAMPING)),
+        position={"along": radius}, speed={"across": speed},
+    )  # fmt: skip
+    found = run(scene, 10.0)
+    assert found["along.travel"] == pytest.approx(r * np.cos(v / r * found.t), abs=1e-7)
+    assert found["across.travel"] == pytest.approx(r * np.sin(v / r * found.t), abs=1e-7)
+    assert abs(found["damper.dissipated"][-1]) < 1e-12  # the distance does not change
+
+
+def test_a_spring_of_no_rest_length_passes_through_its_other_end():
+    """Straight through the point without direction: a harmonic oscillation."""
+    scene = planar(
+        lambda bead: (PointSpring("spring", bead.at(0, 0, 0), GROUND.at(0, 0, 0), STIFFNESS),),
+        position={"across": SIZE},
+    )
+    found = run(scene, 5.0)
+    assert found["across.travel"] == pytest.approx(0.1 * np.cos(W * found.t), abs=1e-8)
+
+
+def test_a_constant_force_puts_in_its_way():
+    scene = planar(lambda bead: (PointForce("push", bead.at(0, 0, 0), (0, FORCE, 0)),))
+    found = run(scene, 2.0)
+    assert found["across.travel"][-1] == pytest.approx(4.0 * 2.0**2 / (2 * M), rel=1e-8)
+    assert found["push.input"] == pytest.approx(4.0 * found["across.travel"], rel=1e-8, abs=1e-10)
+
+
+def test_a_torque_of_time_turns_a_wheel():
+    scene = wheel(BodyTorque("shake", Body("wheel", MASS, INERTIA), (0, 0, TORSION * sp.cos(RATE * T))))
+    found = run(scene, 4.0)
+    assert found["axle.angle"] == pytest.approx(KAPPA / (J * 9) * (1 - np.cos(3 * found.t)), abs=1e-8)
+
+
+def test_a_potential_is_a_pendulum():
+    """V = -kappa cos(q): the pendulum's equation, of exact period 4 K(sin(q0/2)) sqrt(J/kappa) (complete elliptic integral)."""
+    angle = Parameter("angle", "rad", 1.2)
+    found = run(wheel(Potential("bowl", -TORSION * sp.cos(coordinate_of("axle"))), position=angle), 10.0)
+    period = 4 * float(sp.elliptic_k(sp.sin(0.6) ** 2)) * np.sqrt(J / KAPPA)
+    assert found.at(np.array([period, 2 * period]))["axle.angle"] == pytest.approx([1.2, 1.2], abs=1e-7)
+
+
+# -- drives ------------------------------------------------------------------------------------------------------------
+
+AMPLITUDE = Parameter("amplitude", "m", 0.05)
+
+
+def test_a_harmonic_carriage_takes_its_block_along():
+    """m x'' = k (A sin(W t) - x): x = A/(1 - r^2) (sin(W t) - r sin(w t)), r = W/w."""
+    found = run(follower(Harmonic("drive", "rail", AMPLITUDE, RATE)), 10.0)
+    t, ratio = found.t, 3.0 / W
+    assert found["slide.travel"] == pytest.approx(
+        0.05 / (1 - ratio**2) * (np.sin(3 * t) - ratio * np.sin(W * t)), abs=1e-9
+    )
+    assert found["energy_ledger.input"] == pytest.approx(found["energy"] - found["energy"][0], abs=1e-9)
+
+
+@cache
+def tabulated(count):
+    """The follower of a table of the same sine over four half periods."""
+    times = np.linspace(0, 4 * np.pi / 3, count)
+    table = Table("sine", times.tolist(), (50 * np.sin(3 * times)).tolist(), ("s", "mm"))
+    return load(follower(Drive("drive", "rail", position=table(T))))
+
+
+def test_a_tabulated_sine_is_as_good_as_the_spline():
+    """Halving the distance of the points divides the difference to the sine by 2^6."""
+    errors = []
+    for count in (17, 33):
+        found = simulate(tabulated(count), duration=4.0, accuracy=1e-12)
+        ratio = 3.0 / W
+        exact = 0.05 / (1 - ratio**2) * (np.sin(3 * found.t) - ratio * np.sin(W * found.t))
+        errors.append(np.max(np.abs(found["slide.travel"] - exact)))
+        assert found.energy_residual < 1e-8  # steps go over the points, where the fifth derivative jumps
+    assert 2**5.5 < errors[0] / errors[1] < 2**6.5
+
+
+@pytest.mark.parametrize("method", ["dopri5", "esdirk", "rodas", "auto", "cvodes"])
+def test_every_method_reads_tables(method):
+    best = simulate(tabulated(17), duration=4.0, accuracy=1e-10)
+    found = simulate(tabulated(17), duration=4.0, accuracy=1e-6, method=method)
+    assert found.outcome.finished
+    assert found.final["slide.travel"] == pytest.approx(best.final["slide.travel"], abs=1e-5)
+
+
+def test_a_table_is_read_alike_when_compiled():
+    one, other = (simulate(tabulated(17), duration=4.0, accuracy=1e-8, compiled=compiled) for compiled in (False, True))
+    assert np.array_equal(one.history.rows, other.history.rows)
+
+
+def ramped(**drive):
+    wheel = Body("wheel", MASS, INERTIA)
+    joints = (Revolute("axle", GROUND, wheel, axis=Z), Prismatic("slide", GROUND, Body("block", MASS), axis=X))
+    scales = Scales(length=SIZE, speed=PACE, arm=SIZE)
+    return Scene(Mechanism("ramped", joints), (Drive("drive", "axle", **drive), SPRING, EnergyLedger()), scales)
+
+
+SPEED, RISE = Parameter("speed", "rpm", 120), Parameter("rise", "s", 0.5)
+
+
+@pytest.mark.parametrize("smoothness", [0, 1, 2, 3])
+def test_a_ramp_is_the_integral_of_its_speed_and_of_its_acceleration(smoothness):
+    """Integrated as states from its declared speed, and from its acceleration, a ramp comes where its closed form is: speed (t - rise/2)."""
+    law = Ramp("drive", "axle", SPEED, RISE, smoothness).motion.law
+    speed = 120 * np.pi / 30
+    by_speed = run(ramped(speed=sp.diff(law, T)), 2.0)
+    by_acceleration = run(ramped(acceleration=sp.diff(law, T, 2)), 2.0)
+    for found in (by_speed, by_acceleration):
+        late = found.t > 0.5
+        assert found["axle.angle"][late] == pytest.approx(speed * (found.t[late] - 0.25), abs=1e-7)
+        assert found["axle.angle"][0] == 0
+    assert by_acceleration["axle.speed"][-1] == pytest.approx(speed, rel=1e-8)
+    # all of the input went into the wheel: J speed^2/2
+    assert by_speed["energy_ledger.input"][-1] == pytest.approx(J * speed**2 / 2, rel=1e-8)
+
+
+def test_what_a_drive_integrates_can_be_started_elsewhere():
+    model = load(ramped(speed=SPEED * Where(T < RISE, T / RISE, 1), start=Parameter("first", "deg", 90)))
+    assert simulate(model, duration=0.1)["axle.angle"][0] == pytest.approx(np.pi / 2)
+    assert simulate(model, duration=0.1, initial={"axle.angle": "10 deg"})["axle.angle"][0] == pytest.approx(np.pi / 18)
+
+
+# -- all at once -------------------------------------------------------------------------------------------------------
+
+
+def test_the_ledger_closes_with_every_element_at_once():
+    law = smooth_coulomb(Parameter("mu", "1", 0.2), Parameter("v_s", "m/s", 0.5))
+    extra = (
+        SPRING,
+        DAMPER,
+        JointForce("motor", "slide", FORCE * sp.cos(RATE * T)),
+        JointFriction("friction", "slide", law, Parameter("load", "N", 3.0)),
+        Potential("bowl", STIFFNESS * coordinate_of("slide") ** 4 / SIZE**2),
+    )
+    scene = follower(Harmonic("drive", "rail", AMPLITUDE, RATE), JointDamper("rails", "rail", DAMPING))
+    found = run(Scene(scene.mechanism, (*(e for e in scene.effects if e.name != "spring"), *extra), scene.scales), 10.0)
+    assert set(found.model.memory) == {
+        "energy_ledger.input", "rails.dissipated", "damper.dissipated", "motor.input", "friction.dissipated"
+    }  # fmt: skip
+    assert min(abs(found[name][-1]) for name in found.model.memory) > 1e-3
+    rails = C * (0.05 * 3.0) ** 2 * (10 / 2 + np.sin(60) / 12)  # of the drive alone: c A^2 W^2 cos^2, integrated
+    assert found["rails.dissipated"][-1] == pytest.approx(rails, rel=1e-8)
