@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import sympy as sp
@@ -35,14 +36,28 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
         power = rf"\mathrm{{e}}^{{{self._print(node.args[0])}}}"
         return power if exp is None else rf"\left({power}\right)^{{{exp}}}"
 
+    def _print_Where(self, node: Any) -> str:
+        condition, value, other = map(self._print, node.args)
+        return rf"\begin{{cases}} {value} & \text{{if }} {condition} \\ {other} & \text{{else}} \end{{cases}}"
+
 
 def text_of(expression: Any) -> str:
     """An expression in Python syntax, `where(condition, a, b)` for a choice."""
     return str(_Text().doprint(_tidy(expression)))
 
 
-def latex_of(expression: Any) -> str:
-    """An expression in LaTeX."""
+def latex_of(expression: Any, given: Mapping[Any, str] | None = None) -> str:
+    """An expression in LaTeX; with the names `given` powers stand on one line, as in running formulas."""
+    if given is not None:
+        return str(
+            _Latex(
+                {
+                    "symbol_names": {_EULER: r"\mathrm{e}"} | dict(given),
+                    "fold_frac_powers": True,
+                    "fold_func_brackets": True,
+                }
+            ).doprint(_tidy(expression).xreplace({sp.E: _EULER}))
+        )
     shown = _tidy(expression).replace(Where, lambda c, a, b: sp.Piecewise((a, c), (b, True)))
     names = {symbol: latex_name(symbol) for symbol in shown.free_symbols} | {_EULER: r"\mathrm{e}"}
     return str(_Latex({"symbol_names": names}).doprint(shown.xreplace({sp.E: _EULER})))
