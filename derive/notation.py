@@ -41,6 +41,18 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
         return rf"\begin{{cases}} {value} & \text{{if }} {condition} \\ {other} & \text{{else}} \end{{cases}}"
 
 
+class _Running(_Latex):
+    """Sums that begin with a term that is added."""
+
+    def _as_ordered_terms(self, expression: Any, order: Any = None) -> list[Any]:
+        terms = super()._as_ordered_terms(expression, order)
+        return sorted(terms, key=_is_negative) if _is_negative(terms[0]) else terms
+
+
+def _is_negative(term: Any) -> bool:
+    return bool(term.could_extract_minus_sign())
+
+
 def text_of(expression: Any) -> str:
     """An expression in Python syntax, `where(condition, a, b)` for a choice."""
     return str(_Text().doprint(_tidy(expression)))
