@@ -36,17 +36,17 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
         power = rf"\mathrm{{e}}^{{{self._print(node.args[0])}}}"
         return power if exp is None else rf"\left({power}\right)^{{{exp}}}"
 
-    def _print_Where(self, node: Any) -> str:
-        condition, value, other = map(self._print, node.args)
-        return rf"\begin{{cases}} {value} & \text{{if }} {condition} \\ {other} & \text{{else}} \end{{cases}}"
-
 
 class _Running(_Latex):
-    """Sums that begin with a term that is added."""
+    """Sums that begin with a term that is added; a choice as cases."""
 
     def _as_ordered_terms(self, expression: Any, order: Any = None) -> list[Any]:
         terms = super()._as_ordered_terms(expression, order)
         return sorted(terms, key=_is_negative) if _is_negative(terms[0]) else terms
+
+    def _print_Where(self, node: Any) -> str:
+        condition, value, other = map(self._print, node.args)
+        return rf"\begin{{cases}} {value} & \text{{if }} {condition} \\ {other} & \text{{else}} \end{{cases}}"
 
 
 def _is_negative(term: Any) -> bool:
@@ -61,15 +61,9 @@ def text_of(expression: Any) -> str:
 def latex_of(expression: Any, given: Mapping[Any, str] | None = None) -> str:
     """An expression in LaTeX; with the names `given` powers stand on one line, as in running formulas."""
     if given is not None:
-        return str(
-            _Latex(
-                {
-                    "symbol_names": {_EULER: r"\mathrm{e}"} | dict(given),
-                    "fold_frac_powers": True,
-                    "fold_func_brackets": True,
-                }
-            ).doprint(_tidy(expression).xreplace({sp.E: _EULER}))
-        )
+        names = {_EULER: r"\mathrm{e}", **given}
+        printer = _Running({"symbol_names": names, "fold_frac_powers": True, "fold_func_brackets": True})
+        return str(printer.doprint(_tidy(expression).xreplace({sp.E: _EULER})))
     shown = _tidy(expression).replace(Where, lambda c, a, b: sp.Piecewise((a, c), (b, True)))
     names = {symbol: latex_name(symbol) for symbol in shown.free_symbols} | {_EULER: r"\mathrm{e}"}
     return str(_Latex({"symbol_names": names}).doprint(shown.xreplace({sp.E: _EULER})))

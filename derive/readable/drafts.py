@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy as sp
 
+from hertzwerk.derive.functions import Where
 from hertzwerk.derive.program import Function, Program, symbols_in
 from hertzwerk.derive.readable.symbols import Names, words
 
@@ -76,8 +77,12 @@ class Drafts:
 
     def _result(self, function: Function, result: str, label: str, unit: str, expression: Any) -> Iterator[Draft]:
         pair = pair_of(function.name)
-        if pair and result == "f":
+        if pair and result in ("f", "along"):
             return  # stands in the equations of motion
+        if pair and result == "dz_along":  # per newton along the sliding velocity, which friction is against
+            result, expression, unit = "dz", -expression * self._friction_force(pair), unit.replace("W/N", "W")
+        if pair and result == "holding_force":
+            yield self._of_modes(pair, function)
         if result == "dz":
             if expression != 0:
                 yield self._rate_of_memory(pair, label, unit, expression)
@@ -107,6 +112,17 @@ class Drafts:
             latex = self._names.port(*self._port("q", label))
             yield Draft(KINEMATICS, f"d/dt {label}", unit, f"rate of {label}", expression, left=_RATE + latex)
 
+    def _friction_force(self, pair: str) -> sp.Symbol:
+        return sp.Symbol(f"{pair}_friction_force", real=True)
+
+    def _of_modes(self, pair: str, function: Function) -> Draft:
+        """Friction that slides or sticks."""
+        results = {result.name: result.expressions for result in function.results}
+        (sliding,), (velocity,) = results["sliding_force"], results["sliding_velocity"]
+        sticking, force = sp.Symbol(f"{pair}_sticking_force", real=True), self._friction_force(pair)
+        self.added[force] = Where(sp.Ne(velocity, 0), sliding * sp.sign(velocity), sticking)
+        return Draft(contact_title(pair), force.name, "N", self._names.meaning(force), force, force)
+
     def _defining(self, section: str, name: str, unit: str, expression: Any) -> Draft:
         """What defines the symbol of this name; a new one where the program has the result under another name, or none."""
         symbol = expression
@@ -123,7 +139,8 @@ class Drafts:
         elif what == "dissipated":
             left, meaning = rf"\dot{{W}}_{{{words(name.split('_'))}}}", f"power dissipated by {name}"
         else:
-            left, meaning = _RATE + _label(label), f"rate of {label}"
+            memory = [s.name for s, group in self._tape.inputs.items() if group == "z"]
+            left, meaning = _RATE + self._names.port("z", memory.index(label.replace(".", "_"))), f"rate of {label}"
         section = LEDGER if unit == "W" else contact_title(pair) if pair else KINEMATICS
         return Draft(section, f"d/dt {label}", unit, meaning, expression, left=left, effects=effects)
 
@@ -160,6 +177,9 @@ class Drafts:
                 if function is applied or pair_of(function.name):
                     force = sp.sympify(function.results[0].expressions[i])
                     parts.append(Part(False, function.summary, force, source=function.name))
+                for along in (result for result in function.results if result.name == "along"):
+                    friction = -self._friction_force(pair_of(function.name)) * along.expressions[i]
+                    parts.append(Part(False, function.summary, friction, source=function.name))
             yield Draft(MOTION, f"row {row}", unit, f"motion of {row}", parts=parts)
 
     def _drive_of(self, row: str) -> str:

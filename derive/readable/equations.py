@@ -64,6 +64,7 @@ class _Reader:
         self.pairs = tuple(name for name, _ in program.tables["PAIRS"])
         self.forms = Forms(self.tape, self.names, self.pairs, marks.effect_of)
         self.forms.units |= self.units
+        self.open: tuple[sp.Symbol, ...] = ()  # symbols that no equation defines and no port gives
 
     def readable(self) -> Readable:
         """The record."""
@@ -78,7 +79,9 @@ class _Reader:
         entered = [entering.of(draft, drafts) for draft in drafts]
         entering.refuse_idle(drafts, entered)
         shown = {s for draft in drafts for s in (*draft.symbols(), draft.symbol)}
-        self.names.settle(s for s in (*self.tape.inputs, *self.forms.of) if s in shown or self._is_port(s))
+        self.open = self._open(drafts)
+        known = (*self.tape.inputs, *self.forms.of, *self.open)
+        self.names.settle(s for s in known if s in shown or self._is_port(s))
         made = enumerate(zip(drafts, entered, strict=True), start=1)
         equations = [self._equation(number, draft, effects) for number, (draft, effects) in made]
         of_title = zip(drafts, equations, strict=True)
@@ -116,6 +119,11 @@ class _Reader:
                 if effect.unchecked:  # type: ignore[union-attr]
                     yield f"- `{effect.name}` is UNCHECKED: its units do not hold."
 
+    def _open(self, drafts: list[Draft]) -> tuple[sp.Symbol, ...]:
+        """Symbols that no equation defines and no port gives, such as the force that keeps a contact from sliding."""
+        defined = {draft.symbol for draft in drafts} | set(self.tape.inputs)
+        return tuple(dict.fromkeys(s for draft in drafts for s in draft.symbols() if s not in defined))
+
     # -- symbols ---------------------------------------------------------------------------------------------------
 
     def _is_port(self, symbol: sp.Symbol) -> bool:
@@ -127,6 +135,9 @@ class _Reader:
             for symbol, of in self.tape.inputs.items():
                 if of == group and (symbol in shown or self._is_port(symbol)):
                     yield Symbol(symbol.name, self.names.latex[symbol], self.units[symbol], self.names.meaning(symbol))
+
+        for symbol in self.open:
+            yield Symbol(symbol.name, self.names.latex[symbol], "N", self.names.meaning(symbol))
 
     def _parameters(self) -> Iterator[Symbol]:
         for p in self.scene.parameters.values():

@@ -85,6 +85,13 @@ PAIR = {
     "normal_power": ("P", r"\mathrm{n}", "power dissipated by the normal force"),
     "push": ("F", r"\mathrm{n}", "normal force on the first body"),
     "friction_force": ("F", r"\mathrm{t}", "friction force, against the sliding velocity"),
+    "sliding_force": ("F", r"\mathrm{sl}", "friction force while sliding"),
+    "holding_force": ("F", r"\mathrm{h}", "the most that friction holds at rest"),
+    "sticking_force": (
+        "F",
+        r"\mathrm{st}",
+        "what keeps the contact from sliding, at most the holding force; beyond it the contact slides",
+    ),
     "friction_power": ("P", r"\mathrm{t}", "power dissipated by friction"),
     "friction_slope": ("c", "0", "slope of the friction force at rest"),
     "friction_per_speed": ("c", r"\mathrm{t}", "friction force per sliding velocity"),
@@ -163,8 +170,8 @@ class Names:
             letter = letter or LETTERS.get(last, "")
             if letter:
                 return _with_subscript(letter, (*axes, number, words(parts[:start])))
-        if len(parts) == 1 and not axes and len(parts[0]) <= 2:
-            return latex_name(symbol)
+        if not axes and len(parts) <= 2 and _is_letter(parts[0]) and all(len(part) <= 3 for part in parts[1:]):
+            return latex_name(symbol)  # as mu_k
         return _with_subscript(words(parts), (*axes, number))
 
     def _turns(self, symbol: sp.Symbol) -> bool:
@@ -212,6 +219,9 @@ class Names:
             latex = found[speed][0]
             latex = latex.replace(r"\dot", r"\ddot", 1) if latex.startswith(r"\dot") else rf"\dot{{{latex}}}"
             found[symbol] = latex, f"rate of {label}"
+        for symbol in inputs.get("z", ()):
+            whose = words(symbol.name.split("_")) if len(inputs["z"]) > 1 else ""
+            found[symbol] = _with_subscript("z", (whose,)), str(symbol.name).replace("_", " ")
         for symbol in inputs.get("reactions", ()):
             joint = symbol.name.removesuffix("_reaction_in")
             turns = str(program.tape.declared[symbol]) in ("N m", "J")
@@ -250,6 +260,11 @@ def _split(latex: str) -> tuple[str, str]:
     """Letter and subscript."""
     letter, _, below = latex.partition("_")
     return letter, below.removeprefix("{").removesuffix("}") if below.startswith("{") else below
+
+
+def _is_letter(part: str) -> bool:
+    """Whether a name's first part is a letter, Latin or Greek."""
+    return len(part) <= 2 or str(sp.latex(sp.Symbol(part))).startswith("\\")
 
 
 def words(parts: Iterable[str]) -> str:

@@ -33,7 +33,7 @@ from hertzwerk.derive import (
     Z,
 )
 from hertzwerk.derive.functions import Where
-from hertzwerk.derive.laws import flores, power, smooth_coulomb
+from hertzwerk.derive.laws import LAWS, flores, power, smooth_coulomb
 from hertzwerk.derive.readable.equations import equations_of
 from hertzwerk.runtime.build import built_in_scenes
 from reference.scenes import guarded_crank
@@ -76,10 +76,19 @@ def spatial_arm():
     return Scene(Mechanism("spatial_arm", joints, (floor,)), effects, Scales(a, Parameter("speed", "m/s", 1), arm=a))
 
 
+def with_friction(law):
+    """The slider-crank with another law of friction, its parameters named as the law names them."""
+    scene = built_in("slider_crank")
+    bound = LAWS[law](**{q.name: Parameter(q.name, q.unit, 0.1) for q in LAWS[law].parameters})
+    return scene.replace(slider_pin_friction=Friction("slider_pin_friction", "slider_pin", bound)).named(law)
+
+
 SCENES = {name: (lambda name=name: built_in(name)) for name in BUILT_IN} | {
     "double_pendulum": double_pendulum,
     "spatial_arm": spatial_arm,
     "two_pairs": lambda: guarded_crank(1),
+    "coulomb": lambda: with_friction("coulomb"),
+    "lugre": lambda: with_friction("lugre"),
 }
 
 
@@ -128,15 +137,24 @@ def state(scene, derived, name, pair=None):
     if derived.k:
         q = derived.with_gap(t, q, pair or 0, 1e-5 if pair is None else -1e-5)
     m = np.full(len(derived.LATCHES), 0.7)
-    return {"t": t, "q": q, "u": u, "m": m, "z": np.zeros(len(derived.MEMORY))}
+    return {"t": t, "q": q, "u": u, "m": m, "z": rng.uniform(-1e-5, 1e-5, len(derived.MEMORY))}
 
 
 def by_name(scene, derived, at, **more):
     names = {"t": at["t"]}
-    for table, key in (("COORDINATES", "q"), ("SPEEDS", "u"), ("LATCHES", "m")):
+    for table, key in (("COORDINATES", "q"), ("SPEEDS", "u"), ("LATCHES", "m"), ("MEMORY", "z")):
         names |= {row[0].replace(".", "_"): value for row, value in zip(getattr(derived, table), at[key], strict=True)}
+    names |= {f"{row[0]}_sticking_force": math.nan for row in derived.PAIRS}  # nothing sticks here
     names |= {row[0]: value for row, value in zip(derived.PARAMETERS, derived.p, strict=True)}
     return names | more
+
+
+def friction_added(f, value):
+    """What friction with modes adds while it slides, to the forces and to the rates of memory."""
+    if len(value) > 5:
+        _, _, _, (speed,), _, along, rates_along, (sliding,), _ = value
+        f -= sliding * np.sign(speed) * along
+        yield -sliding * np.sign(speed) * rates_along
 
 
 def cases():
@@ -154,6 +172,7 @@ def test_what_is_shown_is_what_the_module_computes(read, name, pair):
     contacts = {row[0]: derived.results(f"contact_{row[0]}", at) for row in derived.PAIRS}
     contacts = {key: [np.array(v.full()).ravel() for v in value] for key, value in contacts.items()}
     f += sum(value[0] for value in contacts.values())  # none where the gap is open
+    contacts = {key: [*value[:2], *friction_added(f, value)] for key, value in contacts.items()}
     a, reactions = derived.call("accelerations", f=f, **at)
     accelerations = {f"{row[0].rsplit('.', 1)[0]}_acceleration": v for row, v in zip(derived.SPEEDS, a, strict=True)}
     driven = [label.split(" ")[1] for label in (e.name for e in shown.equations if e.name.startswith("row "))][len(a) :]
@@ -178,7 +197,10 @@ def test_what_is_shown_is_what_the_module_computes(read, name, pair):
             assert values[f"{key}_stored_energy"] == pytest.approx(energy, rel=1e-7)
     if derived.MEMORY:
         rates = dict.fromkeys((row[0] for row in derived.MEMORY), 0.0)
-        for result in (*(c[1] for c in contacts.values()), derived.call("ledger", reactions=reactions, **at)):
+        for result in (
+            *(rate for c in contacts.values() for rate in c[1:]),
+            derived.call("ledger", reactions=reactions, **at),
+        ):
             for row, value in zip(derived.MEMORY, result, strict=True):
                 rates[row[0]] += value
         for key, rate in rates.items():
