@@ -43,6 +43,13 @@ def derivation_of(scene: Scene) -> Program:
     return _Derivation(scene).program()
 
 
+def unsolved(scene: Scene) -> Program:
+    """The program, not yet audited, with one function more than a module has: `motion`, the equations of motion before they are solved."""
+    derivation = _Derivation(scene)
+    program = derivation.program()
+    return replace(program, functions=(*program.functions, derivation.motion()))
+
+
 def generate(scene: Scene, source: str = "") -> str:
     """Text of the scene's generated module; `source` names the file the scene stands in."""
     return emit(derive(scene), source)
@@ -326,6 +333,20 @@ class _Derivation:
             tuple(values),
         )
 
+    def motion(self) -> Function:
+        """What stands in the equations of motion, for people: they are solved in the program."""
+        free = [row.key for row in self.equations.free]
+        mass = self.equations.mass_matrix()
+        keys = [(row.key, column) for row in self.rows for column in free if (row.key, column) in mass]
+        entries = tuple(mass[key] for key in keys)
+        return self._function(
+            "motion",
+            "Mass matrix M and bias of M a + bias = f.",
+            "t q u",
+            Result("M", tuple(map(" ".join, keys)), ("",) * len(keys), entries),
+            self._forces("bias", [self.equations.bias(row) for row in self.rows]),
+        )
+
     def ledger(self) -> Function:
         """Power put in."""
         power = [
@@ -457,7 +478,7 @@ class _Derivation:
         scene = self.scene
         pairs = [pair.pair.name for pair, _, _ in self.contacts]
         entries = [name for name, _ in self.memory]
-        meanings = _meanings(scene)
+        meanings = meanings_of(scene)
         quaternions = tuple(i for i, port in enumerate(self._coordinate_names()) if port.name.endswith(".q0"))
         return {
             "EFFECTS": tuple((effect.name, effect.kind, effect.text) for effect in scene.effects),
@@ -502,7 +523,7 @@ def _limits(scene: Scene) -> list[tuple[Any, ...]]:
     return [(*row, where) for row, where in rows.items()]
 
 
-def _meanings(scene: Scene) -> dict[str, str]:
+def meanings_of(scene: Scene) -> dict[str, str]:
     """What each parameter is: as declared, or else the slot it fills."""
     meanings: dict[str, str] = {}
     for slot in scene.slots():

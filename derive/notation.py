@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import sympy as sp
@@ -36,13 +37,33 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
         return power if exp is None else rf"\left({power}\right)^{{{exp}}}"
 
 
+class _Running(_Latex):
+    """Sums that begin with a term that is added; a choice as cases."""
+
+    def _as_ordered_terms(self, expression: Any, order: Any = None) -> list[Any]:
+        terms = super()._as_ordered_terms(expression, order)
+        return sorted(terms, key=_is_negative) if _is_negative(terms[0]) else terms
+
+    def _print_Where(self, node: Any) -> str:
+        condition, value, other = map(self._print, node.args)
+        return rf"\begin{{cases}} {value} & \text{{if }} {condition} \\ {other} & \text{{else}} \end{{cases}}"
+
+
+def _is_negative(term: Any) -> bool:
+    return bool(term.could_extract_minus_sign())
+
+
 def text_of(expression: Any) -> str:
     """An expression in Python syntax, `where(condition, a, b)` for a choice."""
     return str(_Text().doprint(_tidy(expression)))
 
 
-def latex_of(expression: Any) -> str:
-    """An expression in LaTeX."""
+def latex_of(expression: Any, given: Mapping[Any, str] | None = None) -> str:
+    """An expression in LaTeX; with the names `given` powers stand on one line, as in running formulas."""
+    if given is not None:
+        names = {_EULER: r"\mathrm{e}", **given}
+        printer = _Running({"symbol_names": names, "fold_frac_powers": True, "fold_func_brackets": True})
+        return str(printer.doprint(_tidy(expression).xreplace({sp.E: _EULER})))
     shown = _tidy(expression).replace(Where, lambda c, a, b: sp.Piecewise((a, c), (b, True)))
     names = {symbol: latex_name(symbol) for symbol in shown.free_symbols} | {_EULER: r"\mathrm{e}"}
     return str(_Latex({"symbol_names": names}).doprint(shown.xreplace({sp.E: _EULER})))

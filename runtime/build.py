@@ -22,6 +22,7 @@ from hertzwerk.runtime import cache as disk
 if TYPE_CHECKING:
     from hertzwerk.derive.audit import Finding
     from hertzwerk.derive.impact import Trial
+    from hertzwerk.derive.readable.record import Readable
     from hertzwerk.derive.scene import Scene
     from hertzwerk.derive.sheet import Sheet
 
@@ -93,6 +94,13 @@ def derive_text(scene: Scene, source: str) -> str:
     return generate(scene, source)
 
 
+def equations(scene: Scene) -> Readable:
+    """The equations of a scene for people; raises InputError where a unit does not hold or an effect enters no equation."""
+    from hertzwerk.derive.readable.equations import equations_of
+
+    return equations_of(scene)
+
+
 def audit_targets(targets: Sequence[str]) -> dict[str, tuple[Finding, ...]]:
     """Findings on built-in scenes, files and folders, by target or file; raises InputError where one is unsound."""
     from hertzwerk.derive.audit import audit_scene
@@ -146,16 +154,11 @@ def impact_trials() -> tuple[Trial, ...]:
     return tuple(trials())
 
 
-def build_target(target: str | Path, without: Sequence[str] = (), laws: Mapping[str, str] | None = None) -> ModuleType:
-    """Module of a target and its variation; a variation of a built-in scene comes from the cache where it can."""
-    if is_file(target):
-        return build(vary(scene_from(target), without, laws), source_of(target))
-    _require_built_in(str(target))
-    variation = tuple(without), tuple(sorted((laws or {}).items()))
-    return _module(
-        str(target),
-        _remembered((str(target), *variation), lambda: vary(scene_from(target), without, laws), source_of(target)),
-    )
+def build_built_in(name: str, without: Sequence[str] = (), laws: Mapping[str, str] | None = None) -> ModuleType:
+    """Module of a variation of a built-in scene; from the cache where it can."""
+    _require_built_in(name)
+    variation = name, tuple(without), tuple(sorted((laws or {}).items()))
+    return _module(name, _remembered(variation, lambda: vary(scene_from(name), without, laws), source_of(name)))
 
 
 def build_hard_scene(name: str) -> ModuleType:

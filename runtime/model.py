@@ -19,6 +19,7 @@ from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.binding import Port, Value, read_parameters
 
 if TYPE_CHECKING:
+    from hertzwerk.derive.readable.record import Readable
     from hertzwerk.derive.scene import Scene
 
 
@@ -36,11 +37,28 @@ class Bound:
         return float(self.p[list(self.values).index(name)])
 
 
-class Model:
-    """A scene that can be simulated."""
+@dataclass(frozen=True)
+class Declaration:
+    """What a model was loaded from: a built-in scene's name or a scene, without some effects, with other laws."""
 
-    def __init__(self, module: ModuleType) -> None:
+    target: str | Scene
+    without: tuple[str, ...] = ()
+    laws: tuple[tuple[str, str], ...] = ()
+
+    def scene(self) -> Scene:
+        """The scene of the model; raises InputError."""
+        from hertzwerk.runtime import build
+
+        scene = build.scene_from(self.target) if isinstance(self.target, str) else self.target
+        return build.vary(scene, self.without, dict(self.laws))
+
+
+class Model:
+    """A scene that can be simulated. `declaration` is where it comes from; a saved run has none."""
+
+    def __init__(self, module: ModuleType, declaration: Declaration | None = None) -> None:
         self.module = module
+        self.declaration = declaration
         self.name: str = module.NAME
         self.parameters: dict[str, Port] = {row[0]: Port(*row) for row in module.PARAMETERS}
         self.coordinates, self.speeds, self.memory, self.latches, self.pairs, self.outputs = (
@@ -99,6 +117,19 @@ class Model:
         columns = [ca.densify(ca.vec(ca.SX(x))) for x in (results if isinstance(results, tuple) else (results,))]
         return ca.Function(name, symbols, ca.cse(columns), inputs, [f"o{i}" for i in range(len(columns))])
 
+    def equations(self) -> Readable:
+        """The equations of the model for people, derived from its scene anew: Markdown with LaTeX, typeset in a notebook.
+
+        Raises InputError for a model without its scene, as a saved run has it.
+        """
+        if self.declaration is None:
+            fault = Fault("equations", "a model without its scene", "a model that `load` returned",
+                          f"load({self.name!r}).equations(), or hertzwerk derive {self.name} --show")  # fmt: skip
+            raise InputError(self.name, [fault])
+        from hertzwerk.runtime import build
+
+        return build.equations(self.declaration.scene())
+
     def bind(self, parameters: Mapping[str, Value] | None = None) -> Bound:
         """Defaults with `parameters` in their place, in SI; raises InputError with every fault."""
         bound, faults = self.check(parameters or {})
@@ -150,9 +181,12 @@ def load(target: str | Path | Scene, *, without: Sequence[str] = (), laws: Mappi
     if isinstance(target, str) and not without and not laws and target.isidentifier():
         name = f"hertzwerk.generated.{target}"
         if importlib.util.find_spec(name) is not None:
-            return Model(importlib.import_module(name))
+            return Model(importlib.import_module(name), Declaration(target))
     from hertzwerk.runtime import build
 
-    if isinstance(target, str | Path):
-        return Model(build.build_target(target, without, laws))
-    return Model(build.build(build.vary(target, without, laws)))
+    varied = tuple(without), tuple((laws or {}).items())
+    if isinstance(target, str) and not build.is_file(target):
+        return Model(build.build_built_in(target, without, laws), Declaration(target, *varied))
+    source = build.source_of(target) if isinstance(target, str | Path) else "a scene"
+    scene = build.scene_from(target) if isinstance(target, str | Path) else target
+    return Model(build.build(build.vary(scene, without, laws), source), Declaration(scene, *varied))

@@ -6,13 +6,17 @@ import difflib
 import importlib
 import pkgutil
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING, TypeVar
 
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.runtime.build import derive_digest, derive_text, is_file, scene_from, source_of
+from hertzwerk.runtime.build import derive_digest, derive_text, equations, is_file, scene_from, source_of
 from hertzwerk.runtime.cache import write_atomically
+
+if TYPE_CHECKING:
+    from hertzwerk.derive.readable.record import Readable
 
 
 @dataclass(frozen=True)
@@ -35,14 +39,32 @@ class Difference:
 
 def derived(targets: Sequence[str]) -> tuple[Derived, ...]:
     """Modules of all targets or of none: the faults of all are raised together, as InputError."""
-    modules: dict[str, Derived] = {}
+    seen: set[str] = set()
+
+    def one(target: str) -> Derived:
+        scene = scene_from(target)
+        if scene.name in seen:
+            raise InputError(target, [Fault(target, f"a second scene named {scene.name}", "one name per scene")])
+        seen.add(scene.name)
+        return Derived(target, scene.name, derive_text(scene, source_of(target)))
+
+    return _all_or_none(targets, one)
+
+
+def shown(targets: Sequence[str]) -> tuple[Readable, ...]:
+    """Equations for people of all targets or of none: the faults of all are raised together, as InputError."""
+    return _all_or_none(targets, lambda target: equations(scene_from(target)))
+
+
+_T = TypeVar("_T")
+
+
+def _all_or_none(targets: Sequence[str], make: Callable[[str], _T]) -> tuple[_T, ...]:
+    made: list[_T] = []
     errors: list[InputError] = []
     for target in targets:
         try:
-            scene = scene_from(target)
-            if scene.name in modules:
-                raise InputError(target, [Fault(target, f"a second scene named {scene.name}", "one name per scene")])
-            modules[scene.name] = Derived(target, scene.name, derive_text(scene, source_of(target)))
+            made.append(make(target))
         except InputError as error:
             errors.append(error)
     if len(errors) == 1:
@@ -51,7 +73,7 @@ def derived(targets: Sequence[str]) -> tuple[Derived, ...]:
         all_of_them = InputError("derive", [fault for error in errors for fault in error.faults])
         all_of_them.args = ("\n\n".join(map(str, errors)),)
         raise all_of_them
-    return tuple(modules.values())
+    return tuple(made)
 
 
 def repository_folder(targets: Sequence[str]) -> Path:

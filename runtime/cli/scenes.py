@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -38,20 +39,44 @@ def list_scenes() -> int:
 @click.option(
     "--out", type=click.Path(path_type=Path), help="Folder to write to (default: generated/ of this repository)."
 )
+@click.option("--show", is_flag=True, help="Write nothing; print the equations, as Markdown with LaTeX.")
+@click.option("--json", "as_json", is_flag=True, help="Of --show, print one JSON object.")
 @reports_bad_input
-def derive(targets: tuple[str, ...], check: bool, out: Path | None) -> int:
+def derive(targets: tuple[str, ...], check: bool, out: Path | None, show: bool, as_json: bool) -> int:
     """Derive the equations of TARGET, check every unit, and write the generated module."""
     from hertzwerk.runtime import regenerate
     from hertzwerk.runtime.build import built_in_scenes
 
+    if show or as_json:
+        _refuse_beside_show({"--check": check, "--out": out is not None, "--json without --show": not show})
     if check:
         return _compare(regenerate.derived(targets or built_in_scenes()), out, everything=not targets)
     if not targets:
         example = " ".join(built_in_scenes()[:2])
         raise InputError("derive", [Fault("TARGET", "none", f"scenes or files, such as {example}")])
+    if show:
+        return _show(targets, as_json=as_json)
     folder = out if out is not None else regenerate.repository_folder(targets)
     for path in regenerate.write(regenerate.derived(targets), folder):
         line("written", str(path))
+    return GOOD
+
+
+def _refuse_beside_show(given: dict[str, bool]) -> None:
+    faults = [Fault("derive", option, "--show by itself, or with --json") for option, there in given.items() if there]
+    if faults:
+        raise InputError("derive", faults)
+
+
+def _show(targets: Sequence[str], *, as_json: bool) -> int:
+    """Print the equations of all targets or of none."""
+    from hertzwerk.runtime import regenerate
+
+    shown = regenerate.shown(targets)
+    if as_json:
+        click.echo(json.dumps({"equations": [each.record() for each in shown]}, indent=2, ensure_ascii=False))
+    else:
+        click.echo("\n".join(each.markdown() for each in shown))
     return GOOD
 
 

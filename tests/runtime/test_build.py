@@ -61,19 +61,19 @@ def test_a_write_that_fails_leaves_the_old_content_and_no_pieces(tmp_path, monke
 
 
 def test_a_variation_is_derived_once_and_read_afterwards(folder, monkeypatch):
-    first = build.build_target("two_spheres", ["energy_ledger"])
+    first = build.build_built_in("two_spheres", ["energy_ledger"])
     assert len(list(folder.iterdir())) == 1
     monkeypatch.setattr(build, "derive_text", lambda *_: pytest.fail("derived again"))
-    again = build.build_target("two_spheres", ["energy_ledger"])
+    again = build.build_built_in("two_spheres", ["energy_ledger"])
     assert first.PARAMETERS == again.PARAMETERS
     assert first.EFFECTS == again.EFFECTS
 
 
 def test_another_variation_or_another_derivation_is_another_entry(folder, monkeypatch):
-    build.build_target("two_spheres", ["energy_ledger"])
-    build.build_target("two_spheres", [], {"spheres": "hunt_crossley"})
+    build.build_built_in("two_spheres", ["energy_ledger"])
+    build.build_built_in("two_spheres", [], {"spheres": "hunt_crossley"})
     monkeypatch.setattr(build, "derive_digest", lambda: "changed")
-    build.build_target("two_spheres", ["energy_ledger"])
+    build.build_built_in("two_spheres", ["energy_ledger"])
     assert len(list(folder.iterdir())) == 3
 
 
@@ -96,5 +96,5 @@ def test_errors_in_a_generated_module_show_its_line():
     """The text has no file; a traceback finds its lines all the same."""
     import linecache
 
-    module = build.build_target("two_spheres", ["energy_ledger"])
+    module = build.build_built_in("two_spheres", ["energy_ledger"])
     assert linecache.getline(module.__file__, 1).startswith('"""two_spheres')

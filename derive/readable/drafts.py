@@ -1,0 +1,201 @@
+"""Which results of a program are shown, under which title and name: equations before they are written out and numbered."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.functions import Where
+from hertzwerk.derive.program import Function, Program, symbols_in
+from hertzwerk.derive.readable.symbols import Names, words
+
+UNSHOWN = ("constants", "scales", "gap_accelerations", "accelerations", "poses", "motion", "applied")
+KINEMATICS, MOTION, LEDGER, ENERGY = "Kinematics", "Equations of motion", "Energy ledger", "Energy"
+OUTPUTS, START = "Outputs", "Start"
+INERTIA, BIAS = "inertia", "bias"
+_RATE = r"\frac{\mathrm{d}}{\mathrm{d}t}"
+
+
+@dataclass
+class Part:
+    """A term of an equation of motion. `factor` is the acceleration an inertia stands before; `source` the function that gives a force."""
+
+    left: bool
+    meaning: str
+    expression: Any
+    factor: Any = None
+    source: str = ""
+    effect: str = ""
+
+
+@dataclass
+class Draft:
+    """`name` = `expression`, or the parts of an equation of motion. `symbol` is what it defines, `left` the LaTeX of what is none."""
+
+    section: str
+    name: str
+    unit: str
+    meaning: str
+    expression: Any = None
+    symbol: Any = None
+    left: str = ""
+    parts: list[Part] = field(default_factory=list)
+    effects: tuple[str, ...] = ()
+
+    def expressions(self) -> list[Any]:
+        """What stands in it."""
+        return [*([] if self.expression is None else [self.expression]), *(part.expression for part in self.parts)]
+
+    def symbols(self) -> list[sp.Symbol]:
+        """The symbols on its right-hand side, or in its parts."""
+        factors = [part.factor for part in self.parts if part.factor is not None]
+        return list(dict.fromkeys([*(s for e in self.expressions() for s in symbols_in(e)), *factors]))
+
+
+class Drafts:
+    """The drafts of a program, in the order of its functions; `added` are symbols of results that have none in the program."""
+
+    def __init__(self, program: Program, names: Names) -> None:
+        self._program, self._names, self._tape = program, names, program.tape
+        self._effects = {effect.name: effect for effect in program.scene.effects}
+        self.added: dict[sp.Symbol, Any] = {}
+
+    def all(self) -> list[Draft]:
+        """Equations of motion, then the results of every other function; what is not known to this module is shown too."""
+        found = [*self._rows()]
+        for function in self._program.functions:
+            if function.name in UNSHOWN:
+                continue
+            for result in function.results:
+                for label, unit, expression in zip(result.labels, result.units, result.expressions, strict=True):
+                    found.extend(self._result(function, result.name, label, unit, sp.sympify(expression)))
+        once = {draft.symbol if draft.symbol is not None else (draft.section, draft.name): draft for draft in found}
+        return list(once.values())
+
+    def _result(self, function: Function, result: str, label: str, unit: str, expression: Any) -> Iterator[Draft]:
+        pair = pair_of(function.name)
+        if pair and result in ("f", "along"):
+            return  # stands in the equations of motion
+        if pair and result == "dz_along":  # per newton along the sliding velocity, which friction is against
+            result, expression, unit = "dz", -expression * self._friction_force(pair), unit.replace("W/N", "W")
+        if pair and result == "holding_force":
+            yield self._of_modes(pair, function)
+        if result == "dz":
+            if expression != 0:
+                yield self._rate_of_memory(pair, label, unit, expression)
+        elif pair or function.name == "gaps":
+            if not expression.is_number:  # one that is never out of its range
+                what = {"G": "gap", "dG": "gap_rate"}.get(result, result)
+                whose = pair or label
+                name = f"{whose}_{what}" if label == whose else f"{whose}_{what}_{label.replace('.', '_')}"
+                yield self._defining(contact_title(whose), name, unit, expression)
+        elif function.name == "energy" and result == "stored" and expression in self._tape.assignments:
+            yield self._defining(contact_title(label), expression.name, unit, expression)
+        elif function.name == "energy":
+            short = {"kinetic": r"\mathrm{kin}", "potential": r"\mathrm{pot}"}.get(label, words((result, label)))
+            yield Draft(ENERGY, label, unit, f"{label} energy", expression, left=f"E_{{{short}}}")
+        elif function.name == "start":
+            latex = self._names.port(*self._port(result, label))
+            text = f"{label} at the start"
+            yield Draft(START, text, unit, text, expression, left=rf"{{{latex}}}|_{{t=0}}")
+        elif function.name == "outputs":
+            yield Draft(OUTPUTS, label, unit, label, expression, left=_label(label))
+        elif function.name != "coordinate_rates":
+            title = function.name.replace("_", " ").capitalize()
+            left = rf"{words((result,))}_{{{_label(label)}}}"
+            name = f"{function.name}.{result}[{label}]"
+            yield Draft(title, name, unit, f"{result}, {label}", expression, left=left)
+        elif expression not in self._tape.inputs:
+            latex = self._names.port(*self._port("q", label))
+            yield Draft(KINEMATICS, f"d/dt {label}", unit, f"rate of {label}", expression, left=_RATE + latex)
+
+    def _friction_force(self, pair: str) -> sp.Symbol:
+        return sp.Symbol(f"{pair}_friction_force", real=True)
+
+    def _of_modes(self, pair: str, function: Function) -> Draft:
+        """Friction that slides or sticks."""
+        results = {result.name: result.expressions for result in function.results}
+        (sliding,), (velocity,) = results["sliding_force"], results["sliding_velocity"]
+        sticking, force = sp.Symbol(f"{pair}_sticking_force", real=True), self._friction_force(pair)
+        self.added[force] = Where(sp.Ne(velocity, 0), sliding * sp.sign(velocity), sticking)
+        return Draft(contact_title(pair), force.name, "N", self._names.meaning(force), force, force)
+
+    def _defining(self, section: str, name: str, unit: str, expression: Any) -> Draft:
+        """What defines the symbol of this name; a new one where the program has the result under another name, or none."""
+        symbol = expression
+        if expression not in self._tape.assignments or expression.name != name:
+            symbol = sp.Symbol(name, real=True)
+            self.added[symbol] = expression
+        return Draft(section, name, unit, self._names.meaning(symbol), symbol, symbol)
+
+    def _rate_of_memory(self, pair: str, label: str, unit: str, expression: Any) -> Draft:
+        name, what = label.rsplit(".", 1)
+        effects = (name,) if name in self._effects else ()
+        if what == "input":
+            left, meaning = rf"\dot{{W}}_{{{words((what,))}}}", "power the drives put in"
+        elif what == "dissipated":
+            left, meaning = rf"\dot{{W}}_{{{words(name.split('_'))}}}", f"power dissipated by {name}"
+        else:
+            memory = [s.name for s, group in self._tape.inputs.items() if group == "z"]
+            left, meaning = _RATE + self._names.port("z", memory.index(label.replace(".", "_"))), f"rate of {label}"
+        section = LEDGER if unit == "W" else contact_title(pair) if pair else KINEMATICS
+        return Draft(section, f"d/dt {label}", unit, meaning, expression, left=left, effects=effects)
+
+    def _port(self, group: str, label: str) -> tuple[str, int]:
+        """Group and place of a coordinate or speed."""
+        table = self._program.tables["COORDINATES" if group == "q" else "SPEEDS"]
+        return group, [name for name, _ in table].index(label)
+
+    # -- equations of motion ---------------------------------------------------------------------------------------
+
+    def _rows(self) -> Iterator[Draft]:
+        """M a + bias = f, row by row; of a driven row also what its drive supplies."""
+        functions = {function.name: function for function in self._program.functions}
+        motion, applied = functions["motion"], functions["applied"]
+        inputs: dict[str, list[sp.Symbol]] = {}
+        for symbol, group in self._tape.inputs.items():
+            inputs.setdefault(group, []).append(symbol)
+        mass, bias = motion.results
+        labels, units = applied.results[0].labels, applied.results[0].units
+        accelerations = dict(zip(labels, inputs["a"], strict=False))
+        supplied = dict(zip(labels[len(inputs["a"]) :], inputs.get("reactions", ()), strict=True))
+        for i, (row, unit) in enumerate(zip(labels, units, strict=True)):
+            parts = [
+                Part(True, INERTIA, sp.sympify(entry), factor=accelerations[column])
+                for (of, column), entry in zip((k.split(" ") for k in mass.labels), mass.expressions, strict=True)
+                if of == row
+            ]
+            if bias.expressions[i] != 0:
+                parts.append(Part(True, BIAS, bias.expressions[i]))
+            if row in supplied:
+                meaning, drive = self._names.meaning(supplied[row]), self._drive_of(row)
+                parts.append(Part(False, meaning, supplied[row], effect=drive))
+            for function in functions.values():
+                if function is applied or pair_of(function.name):
+                    force = sp.sympify(function.results[0].expressions[i])
+                    parts.append(Part(False, function.summary, force, source=function.name))
+                for along in (result for result in function.results if result.name == "along"):
+                    friction = -self._friction_force(pair_of(function.name)) * along.expressions[i]
+                    parts.append(Part(False, function.summary, friction, source=function.name))
+            yield Draft(MOTION, f"row {row}", unit, f"motion of {row}", parts=parts)
+
+    def _drive_of(self, row: str) -> str:
+        joints = (row, row.rsplit(".", 1)[0])
+        return next((e.name for e in self._effects.values() if e.kind == "drive" and e.joint in joints), "")
+
+
+def contact_title(pair: str) -> str:
+    """Title of a pair's section."""
+    return f"Contact {pair}"
+
+
+def pair_of(function: str) -> str:
+    """The pair whose contact a function of the contract is; "" for another."""
+    return function.removeprefix("contact_") if function.startswith("contact_") else ""
+
+
+def _label(label: str) -> str:
+    return words(label.replace(".", "_").split("_"))

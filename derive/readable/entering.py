@@ -1,0 +1,120 @@
+"""Which effects enter which equation, told by the marks on their quantities; an effect that enters none is refused."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.program import symbols_in
+from hertzwerk.derive.readable.drafts import ENERGY, LEDGER, OUTPUTS, START, Draft, Part, contact_title, pair_of
+from hertzwerk.derive.readable.marks import Marked
+from hertzwerk.derive.scene import Scene
+
+_ELSEWHERE = ("contact", "friction", "drive", "ledger")  # kinds that are no term of `applied`
+
+
+class Entering:
+    """Effects of the equations of one scene; `forms` are the intermediate results, with their marks."""
+
+    def __init__(self, scene: Scene, marked: Marked, forms: Mapping[sp.Symbol, Any]) -> None:
+        self._scene, self._marked, self._forms = scene, marked, forms
+        self._effects = {effect.name: effect for effect in scene.effects}
+        self._pairs = {effect.pair for effect in scene.of_kind("contact")}
+
+    def told_apart(self, draft: Draft) -> None:
+        """Split the generalised forces of an equation of motion by effect, in declared order."""
+        forces: dict[str, Part] = {}
+        for part in draft.parts:
+            if part.left:
+                continue
+            for term in sp.Add.make_args(part.expression) if part.source else (part.expression,):
+                if term == 0:
+                    continue
+                effect = part.effect or self._owner(part.source, term)
+                meaning = (effect if part.source else "") or part.meaning
+                known = forces.get(meaning)
+                total = term if known is None else known.expression + term
+                forces[meaning] = replace(part, meaning=meaning, expression=total, effect=effect)
+        order = list(self._effects)
+        known_last = sorted(forces.values(), key=lambda p: order.index(p.effect) if p.effect in order else len(order))
+        draft.parts = [*(part for part in draft.parts if part.left), *known_last]
+
+    def of(self, draft: Draft, drafts: list[Draft]) -> tuple[str, ...]:
+        """The effects an equation comes from: whose quantities stand in it, whose term it has, whose contact or book it is of."""
+        found = {*draft.effects, *(name for part in draft.parts for name in part.effect.split(", "))}
+        for expression in draft.expressions():
+            found |= self._direct(expression)
+        found |= {self._of_contact(pair, draft, drafts) for pair in self._pairs if draft.section == contact_title(pair)}
+        if draft.section in (LEDGER, ENERGY):
+            found |= {effect.name for effect in self._scene.of_kind("ledger")}
+        return tuple(name for name in self._effects if name in found)
+
+    def refuse_idle(self, drafts: list[Draft], entered: list[tuple[str, ...]]) -> None:
+        """Every effect must enter an equation; a start, an output or an energy alone moves nothing. Raises InputError naming those that do not."""
+        busy = {
+            name
+            for draft, effects in zip(drafts, entered, strict=True)
+            for name in effects
+            if draft.section not in (START, OUTPUTS, ENERGY) or self._effects[name].kind == "ledger"
+        }
+        faults = [
+            Fault(f"effect {name}", "no equation that it enters", "an effect that changes the motion",
+                  f"Leave it out: scene.without({name!r}).")
+            for name in self._effects
+            if name not in busy and not self._locks(name)
+        ]  # fmt: skip
+        if faults:
+            raise InputError(f"equations of {self._scene.name}", faults)
+
+    def _locks(self, name: str) -> bool:
+        """Whether it is a drive without a parameter, which takes its joint's coordinate away and leaves no symbol."""
+        slots = self._marked.scene.effect(name).slots() if self._effects[name].kind == "drive" else ()
+        values = [sp.sympify(slot.value) for slot in slots]
+        return bool(values) and not any(self._direct(value) for value in values)
+
+    # -- by the marks ----------------------------------------------------------------------------------------------
+
+    def _direct(self, expression: Any) -> set[str]:
+        """The effects whose quantities stand in an expression."""
+        return {self._marked.effect_of[s] for s in symbols_in(expression) if s in self._marked.effect_of}
+
+    def _far(self, expression: Any) -> set[str]:
+        """Those it depends on, however far back."""
+        reached, pending = set(), symbols_in(expression)
+        while pending:
+            symbol = pending.pop()
+            if symbol not in reached:
+                reached.add(symbol)
+                pending.extend(symbols_in(self._forms.get(symbol, sp.S.Zero)))
+        return {effect for mark, effect in self._marked.effect_of.items() if mark in reached}
+
+    def _owner(self, function: str, term: Any) -> str:
+        """The effect that a term of a generalised force comes from; several only where they stand in one term."""
+        far, pair = self._far(term), pair_of(function)
+        if pair:
+            friction = self._friction(pair)
+            return friction if friction in far else pair
+        return ", ".join(e.name for e in self._effects.values() if e.name in far and e.kind not in _ELSEWHERE)
+
+    def _friction(self, pair: str) -> str:
+        return next((effect.name for effect in self._scene.of_kind("friction") if effect.pair == pair), "")
+
+    def _of_contact(self, pair: str, draft: Draft, drafts: list[Draft]) -> str:
+        """Of a contact's equation: friction is what depends on it, and what only that needs; the rest is the normal force's."""
+        friction = self._friction(pair)
+        if not friction or friction in self._far(draft.expression):
+            return friction or pair
+        users = [other for other in drafts if draft.symbol in other.symbols()]
+        only = all(user.expression is not None and friction in self._far(user.expression) for user in users)
+        return friction if users and only else pair
+
+
+def sources(scene: Scene) -> Iterator[tuple[Any, str]]:
+    """Every effect with its laws and their sources as text."""
+    for effect in scene.effects:
+        laws = dict.fromkeys(bound.law for bound in getattr(effect, "laws", ()))
+        yield effect, "; ".join(f"{law.name}: {law.source}, grade {law.grade}" for law in laws)

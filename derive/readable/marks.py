@@ -1,0 +1,60 @@
+"""Which effect a result depends on: each effect's parameters multiplied by a mark of its own, a number 1 that the derivation carries along."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields, is_dataclass, replace
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.laws.law import BoundLaw
+from hertzwerk.derive.mechanism import Material
+from hertzwerk.derive.parameter import Parameter
+from hertzwerk.derive.scene import Scene
+
+
+@dataclass(frozen=True)
+class Marked:
+    """A scene whose effects' parameters carry marks: `effect_of` mark -> effect."""
+
+    scene: Scene
+    effect_of: Mapping[sp.Symbol, str]
+
+    def plain(self, expression: Any) -> Any:
+        """An expression without its marks."""
+        return sp.sympify(expression).xreplace(dict.fromkeys(self.effect_of, sp.S.One))
+
+
+def marked(scene: Scene) -> Marked:
+    """The scene, its effects told apart even where they share a parameter.
+
+    A parameter that stands in another's unit (N/m^exponent) takes no mark: the unit would no longer hold.
+    """
+    parameters = scene.parameters.values()
+    exponents = {name for p in parameters for e in p.parsed_unit.exponents for name in e.names}
+    prefix = "mark_"
+    while any(p.name.startswith(prefix) for p in parameters):
+        prefix += "_"
+    effects, effect_of = [], {}
+    for i, effect in enumerate(scene.effects):
+        mark = Parameter(f"{prefix}{i}", "1", 1)
+        table = {p: p * mark for p in parameters if p.name not in exponents}
+        effects.append(replace(effect, **_changed(effect, table)))
+        effect_of[mark] = effect.name
+    return Marked(replace(scene, effects=tuple(effects)), effect_of)
+
+
+def _changed(record: Any, table: Mapping[Any, Any]) -> dict[str, Any]:
+    return {f.name: _with(getattr(record, f.name), table) for f in fields(record) if f.init}
+
+
+def _with(value: Any, table: Mapping[Any, Any]) -> Any:
+    """A value with the marks in its expressions; places, bodies and laws are the mechanism's and the catalogue's, not the effect's."""
+    if isinstance(value, sp.Basic):
+        return value.xreplace(table)
+    if isinstance(value, tuple):
+        return tuple(_with(part, table) for part in value)
+    if isinstance(value, BoundLaw | Material) and is_dataclass(value):
+        return replace(value, **_changed(value, table))
+    return value

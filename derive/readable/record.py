@@ -1,0 +1,173 @@
+"""The equations of a scene for people: symbols, numbered equations, the effects they come from; as Markdown, LaTeX and plain values."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Symbol:
+    """One symbol; `value` is a parameter's default in its unit, "" for what is no parameter."""
+
+    name: str
+    latex: str
+    unit: str
+    meaning: str
+    value: str = ""
+
+
+@dataclass(frozen=True)
+class Term:
+    """One term of an equation of motion, on the `left` of its sign of equality or on the right; `effect` is what it comes from, "" for inertia."""
+
+    left: bool
+    meaning: str
+    effect: str
+    latex: str
+    text: str
+    expression: Any
+
+
+@dataclass(frozen=True)
+class Equation:
+    """One equation: `name` = `expression`, or an equation of motion, whose `terms` on the left sum up to those on the right.
+
+    `expression` is a SymPy expression over the symbols of the record, None for an equation of motion and where only an integral says it.
+    """
+
+    number: int
+    name: str
+    latex: str
+    text: str
+    unit: str
+    meaning: str
+    effects: tuple[str, ...]
+    expression: Any = None
+    terms: tuple[Term, ...] = ()
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {self.latex}$"
+
+    def markdown(self) -> str:
+        """A line that says what it is, and the equation."""
+        unit = "" if self.unit in ("", "1") else f" [{self.unit}]"
+        return f"({self.number}) {self.meaning or self.name}{unit}\n\n$${self.latex}$$\n"
+
+    def record(self) -> dict[str, Any]:
+        """Plain values."""
+        return {
+            **{name: getattr(self, name) for name in ("number", "name", "latex", "text", "unit", "meaning")},
+            "effects": list(self.effects),
+            **({"terms": [_plain(term) for term in self.terms]} if self.terms else {}),
+        }
+
+
+@dataclass(frozen=True)
+class Section:
+    """Equations that belong together."""
+
+    title: str
+    note: str
+    equations: tuple[Equation, ...]
+
+
+@dataclass(frozen=True)
+class Effect:
+    """One effect of the scene, with its law and source, and the numbers of the equations it enters."""
+
+    name: str
+    text: str
+    source: str
+    enters: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Readable:
+    """The equations of one scene."""
+
+    name: str
+    summary: str
+    effects: tuple[Effect, ...]
+    states: tuple[Symbol, ...]
+    parameters: tuple[Symbol, ...]
+    sections: tuple[Section, ...]
+
+    @property
+    def equations(self) -> tuple[Equation, ...]:
+        """All of them, by number."""
+        return tuple(equation for section in self.sections for equation in section.equations)
+
+    def __getitem__(self, key: int | str) -> Equation:
+        """An equation by its number or name."""
+        for equation in self.equations:
+            if key in (equation.number, equation.name):
+                return equation
+        raise KeyError(key)
+
+    def _repr_markdown_(self) -> str:
+        return self.markdown()
+
+    def __str__(self) -> str:
+        return self.markdown()
+
+    def markdown(self) -> str:
+        """The whole as Markdown, its mathematics in LaTeX between dollars."""
+        return "\n".join(self._lines())
+
+    def record(self) -> dict[str, Any]:
+        """Plain values, as JSON has them."""
+        return {
+            "name": self.name,
+            "summary": self.summary,
+            "effects": [{**vars(effect), "enters": list(effect.enters)} for effect in self.effects],
+            "states": [_plain(symbol, "value") for symbol in self.states],
+            "parameters": [_plain(symbol) for symbol in self.parameters],
+            "sections": [
+                {"title": s.title, "note": s.note, "equations": [e.record() for e in s.equations]}
+                for s in self.sections
+            ],
+        }
+
+    def _lines(self) -> Iterator[str]:
+        yield f"# {self.name}\n"
+        yield f"{self.summary[:1].upper()}{self.summary[1:]}.\n" if self.summary else ""
+        yield "## Effects\n"
+        yield from _table(
+            ("effect", "what it is", "enters equations"),
+            [(f"`{e.name}`", e.text, _ranges(e.enters)) for e in self.effects],
+        )
+        yield "## Coordinates, speeds, memory\n"
+        states = [(f"${s.latex}$", f"`{s.name}`", s.unit, s.meaning) for s in self.states]
+        yield from _table(("symbol", "name", "unit", "meaning"), states)
+        yield "## Parameters\n"
+        rows = [(f"${s.latex}$", f"`{s.name}`", s.value, s.unit, s.meaning) for s in self.parameters]
+        yield from _table(("symbol", "name", "default", "unit", "meaning"), rows)
+        for section in self.sections:
+            yield f"## {section.title}\n"
+            if section.note:
+                yield f"{section.note}\n"
+            yield from (equation.markdown() for equation in section.equations)
+
+
+def _ranges(numbers: tuple[int, ...]) -> str:
+    """Numbers, those that follow one another as ranges: 1, 3-7."""
+    runs: list[list[int]] = []
+    for number in numbers:
+        if runs and number == runs[-1][1] + 1:
+            runs[-1][1] = number
+        else:
+            runs.append([number, number])
+    return ", ".join(f"{first}" if first == last else f"{first}-{last}" for first, last in runs)
+
+
+def _plain(record: Any, *without: str) -> dict[str, Any]:
+    return {name: value for name, value in vars(record).items() if name not in ("expression", *without)}
+
+
+def _table(columns: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> Iterator[str]:
+    yield f"| {' | '.join(columns)} |"
+    yield f"|{'---|' * len(columns)}"
+    yield from (f"| {' | '.join(cell.replace('|', chr(92) + '|') for cell in row)} |" for row in rows)
+    yield ""

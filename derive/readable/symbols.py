@@ -1,0 +1,278 @@
+"""Symbols of a program as engineers write them: a letter for the quantity, whose it is in the subscript, and what it means."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.laws.law import GEOMETRY, Quantity
+from hertzwerk.derive.notation import latex_name
+from hertzwerk.derive.parameter import Parameter
+from hertzwerk.derive.program import Program
+
+AXES = ("x", "y", "z")
+
+# The last words of a name -> letter; the words before them are the subscript.
+LETTERS = {
+    "mass_centre": "s",
+    "approach_floor": r"v_{0,\mathrm{min}}",
+    "poissons_ratio": r"\nu",
+    "youngs_modulus": "E",
+    "friction_coefficient": r"\mu",
+    "angular_bias": r"\alpha",
+    "angular_acceleration": r"\alpha",
+    "bias_torque": "B",
+    "bias_force": "b",
+    "moment": "S",
+    "total_moment": "S",
+    "total_mass": "m",
+    "total_J": "J",
+    "J": "J",
+    "I": "J",
+    "rate": r"\omega",
+    "mass": "m",
+    "inertia": "J",
+    "radius": "r",
+    "length": "l",
+    "width": "b",
+    "height": "h",
+    "gravity": "g",
+    "clearance": "c",
+    "gap": "g",
+    "restitution": "e",
+    "stiffness": "K",
+    "exponent": "n",
+    "density": r"\rho",
+    "angle": r"\varphi",
+    "velocity": "v",
+    "arm": "a",
+    "torque": "T",
+    "force": "F",
+    "amplitude": "A",
+}
+# What a contact pair is made of: the words after the pair's name -> letter, subscript, meaning.
+PAIR = {
+    "apart": ("d", "", "from the second place to the first"),
+    "e": ("e", "", "eccentricity, across the axis"),
+    "along": ("d", "a", "distance along the axis"),
+    "apart_rate": (r"\dot{d}", "", "rate of the distance"),
+    "apart_squared": ("d^{2}", "", "squared distance of the places"),
+    "apart_squared_rate": (r"\dot{(d^{2})}", "", "rate of the squared distance"),
+    "distance": ("d", "", "distance of the places"),
+    "reach": ("d", "0", "distance of the centres at the onset"),
+    "direction": ("n", "0", "direction of the second place"),
+    "gap": ("G", "", "gap, positive while open"),
+    "gap_rate": (r"\dot{G}", "", "rate of the gap"),
+    "normal": ("n", "", "unit vector along which the first place is pushed"),
+    "tangent": ("t", "", "tangent"),
+    "penetration": (r"\delta", "", "penetration"),
+    "penetration_rate": (r"\dot{\delta}", "", "penetration rate"),
+    "penetration_limit": (r"\delta", r"\mathrm{max}", "penetration up to which the law holds"),
+    "relative_rate": ("w", "", "velocity of the first body against the second at the first place"),
+    "sliding_rate": ("w", r"\mathrm{t}", "velocity of the first body against the second at the contact point"),
+    "along_rate": ("w", r"\mathrm{n}", "its part along the normal"),
+    "slip": ("s", "", "sliding velocity, vector"),
+    "slip_squared": ("s^{2}", "", "squared sliding velocity"),
+    "sliding_velocity": ("s", "", "sliding velocity"),
+    "elastic_force": ("F", r"\mathrm{e}", "elastic force"),
+    "tangent_stiffness": ("k", r"\mathrm{t}", "tangent stiffness"),
+    "hysteresis_factor": ("h", "", "hysteresis damping factor"),
+    "resistance": ("F", r"\mathrm{d}", "damping force"),
+    "normal_force": ("F", r"\mathrm{n}", "normal force"),
+    "normal_power": ("P", r"\mathrm{n}", "power dissipated by the normal force"),
+    "push": ("F", r"\mathrm{n}", "normal force on the first body"),
+    "friction_force": ("F", r"\mathrm{t}", "friction force, against the sliding velocity"),
+    "sliding_force": ("F", r"\mathrm{sl}", "friction force while sliding"),
+    "holding_force": ("F", r"\mathrm{h}", "the most that friction holds at rest"),
+    "sticking_force": (
+        "F",
+        r"\mathrm{st}",
+        "what keeps the contact from sliding, at most the holding force; beyond it the contact slides",
+    ),
+    "friction_power": ("P", r"\mathrm{t}", "power dissipated by friction"),
+    "friction_slope": ("c", "0", "slope of the friction force at rest"),
+    "friction_per_speed": ("c", r"\mathrm{t}", "friction force per sliding velocity"),
+    "drag": ("F", r"\mathrm{t}", "friction force on the first body"),
+    "stored_energy": ("U", "", "energy stored"),
+    "in_range": (r"\chi", "", "1 while the law holds, else 0"),
+    "approach_speed": ("v", "0", "approach speed, latched at the onset of the contact"),
+}
+LANDMARKS = (
+    *("apart", "e", "apart_rate", "relative_rate", "gap", "gap_rate", "distance", "normal", "penetration", "penetration_rate", "sliding_velocity"),
+    *("elastic_force", "tangent_stiffness", "hysteresis_factor", "resistance", "normal_force", "friction_force", "stored_energy"),
+)  # fmt: skip
+_LAW = {quantity.name: quantity.meaning for quantity in GEOMETRY}
+
+
+class Names:
+    """LaTeX and meaning of the symbols of a program; two symbols never look the same."""
+
+    def __init__(self, program: Program, units: dict[sp.Symbol, str], meanings: Mapping[str, str]) -> None:
+        self._program, self._units, self._meanings = program, units, meanings
+        self._pairs = sorted((name for name, _ in program.tables["PAIRS"]), key=len, reverse=True)
+        self._law_meanings = dict(_law_symbols(program.scene))
+        self._ports = self._port_names()
+        self.latex: dict[sp.Symbol, str] = {}
+
+    def settle(self, symbols: Iterable[sp.Symbol]) -> None:
+        """Give each symbol its LaTeX; those that would look the same get their whole names."""
+        symbols = list(symbols)
+        wanted = {symbol: self._letter(symbol) for symbol in symbols}
+        count = Counter(wanted.values())
+        self.latex = {
+            symbol: latex if count[latex] == 1 else words(symbol.name.split("_")) for symbol, latex in wanted.items()
+        }
+
+    def meaning(self, symbol: sp.Symbol) -> str:
+        """What a symbol stands for, in words."""
+        if symbol in self._ports:
+            return self._ports[symbol][1]
+        if isinstance(symbol, Parameter):
+            return str(symbol.meaning or self._meanings.get(symbol.name, ""))
+        pair, rest, axis = self._of_pair(symbol.name)
+        if pair:
+            return self._law_meanings.get(rest) or f"{PAIR[rest][2]}{f', {axis}' if axis else ''}"
+        return str(symbol.name).replace("_", " ")
+
+    def pair_of(self, symbol: sp.Symbol) -> str:
+        """The contact pair a symbol belongs to; "" for none."""
+        return next((pair for pair in self._pairs if symbol.name.startswith(f"{pair}_")), "")
+
+    def port(self, group: str, place: int) -> str:
+        """LaTeX of an input, by its group and its place in it."""
+        return self._ports[[s for s, of in self._program.tape.inputs.items() if of == group][place]][0]
+
+    def is_landmark(self, symbol: sp.Symbol) -> bool:
+        """Whether readers look for it by name: what a contact is made of, and what its laws define."""
+        _, rest, _ = self._of_pair(symbol.name)
+        return rest in LANDMARKS or rest in self._law_meanings
+
+    # -- letters ---------------------------------------------------------------------------------------------------
+
+    def _letter(self, symbol: sp.Symbol) -> str:
+        if symbol in self._ports:
+            return self._ports[symbol][0]
+        pair, rest, axis = self._of_pair(symbol.name)
+        if pair:
+            letter, below, _ = PAIR.get(rest) or (*_split(latex_name(sp.Symbol(rest))), "")
+            whose = words(pair.split("_")) if len(self._pairs) > 1 else ""
+            return _with_subscript(letter, (axis, below, whose))
+        parts = symbol.name.split("_")
+        axes = tuple(part for part in parts[1:] if part in AXES)
+        parts = [part for i, part in enumerate(parts) if i == 0 or part not in AXES]
+        number = parts.pop() if len(parts) > 1 and parts[-1].isdigit() else ""
+        for start in range(len(parts)):
+            last = "_".join(parts[start:])
+            letter = r"\omega" if last == "speed" and self._turns(symbol) else "v" if last == "speed" else ""
+            letter = letter or LETTERS.get(last, "")
+            if letter:
+                return _with_subscript(letter, (*axes, number, words(parts[:start])))
+        if not axes and len(parts) <= 2 and _is_letter(parts[0]) and all(len(part) <= 3 for part in parts[1:]):
+            return latex_name(symbol)  # as mu_k
+        return _with_subscript(words(parts), (*axes, number))
+
+    def _turns(self, symbol: sp.Symbol) -> bool:
+        return self._units.get(symbol, "") in ("1/s", "rad/s")
+
+    def _of_pair(self, name: str) -> tuple[str, str, str]:
+        """The pair, the words that say what it is of the pair, and the axis; ("", "", "") for what is of no pair or not known."""
+        for pair in self._pairs:
+            if name.startswith(f"{pair}_"):
+                rest, axis = name[len(pair) + 1 :], ""
+                if rest[-2:] in ("_x", "_y", "_z"):
+                    rest, axis = rest[:-2], rest[-1]
+                if rest in PAIR or (rest in self._law_meanings and not axis):
+                    return pair, rest, axis
+        return "", "", ""
+
+    # -- ports -----------------------------------------------------------------------------------------------------
+
+    def _port_names(self) -> dict[sp.Symbol, tuple[str, str]]:
+        """Inputs other than parameters -> LaTeX, meaning."""
+        program = self._program
+        inputs: dict[str, list[sp.Symbol]] = {}
+        for symbol, group in program.tape.inputs.items():
+            inputs.setdefault(group, []).append(symbol)
+        found: dict[sp.Symbol, tuple[str, str]] = dict.fromkeys(inputs.get("t", ()), ("t", "time"))
+        rates = next(f for f in program.functions if f.name == "coordinate_rates").results[0].expressions
+        coordinates: dict[sp.Symbol, tuple[str, str]] = {}
+        for symbol, (label, unit), rate in zip(inputs["q"], program.tables["COORDINATES"], rates, strict=True):
+            letter, name = self._coordinate(label, unit)
+            coordinates[symbol] = letter, name
+            if isinstance(rate, sp.Symbol):
+                found[rate] = rf"\dot{{{letter}}}_{{{name}}}", f"rate of {label}"
+        found |= {s: (f"{letter}_{{{name}}}", "") for s, (letter, name) in coordinates.items()}
+        labels = [label for label, _ in program.tables["COORDINATES"]]
+        for symbol, label in zip(inputs["q"], labels, strict=True):
+            found[symbol] = found[symbol][0], f"coordinate {label}"
+        speeds = [label for label, _ in program.tables["SPEEDS"]]
+        for symbol, (label, unit) in zip(inputs["u"], program.tables["SPEEDS"], strict=True):
+            if symbol not in found:
+                joint, what = label.rsplit(".", 1)
+                axis = what.removeprefix("speed").strip("_")
+                letter = r"\omega" if unit == "rad/s" else "v"
+                found[symbol] = _with_subscript(letter, (axis, words(joint.split("_")))), f"speed {label}"
+        for speed, symbol, label in zip(inputs["u"], inputs["a"], speeds, strict=True):
+            latex = found[speed][0]
+            latex = latex.replace(r"\dot", r"\ddot", 1) if latex.startswith(r"\dot") else rf"\dot{{{latex}}}"
+            found[symbol] = latex, f"rate of {label}"
+        for symbol in inputs.get("z", ()):
+            whose = words(symbol.name.split("_")) if len(inputs["z"]) > 1 else ""
+            found[symbol] = _with_subscript("z", (whose,)), str(symbol.name).replace("_", " ")
+        for symbol in inputs.get("reactions", ()):
+            joint = symbol.name.removesuffix("_reaction_in")
+            turns = str(program.tape.declared[symbol]) in ("N m", "J")
+            found[symbol] = (
+                _with_subscript("T" if turns else "F", (words(joint.split("_")),)),
+                f"{'torque' if turns else 'force'} of the drive of {joint}",
+            )
+        return found
+
+    def _coordinate(self, label: str, unit: str) -> tuple[str, str]:
+        """Letter and subscript of a coordinate `joint.what`."""
+        joint, what = label.rsplit(".", 1)
+        name = words(joint.split("_"))
+        if what == "travel":
+            axis = next((j.axis for j in self._program.scene.mechanism.joints if j.name == joint), None)
+            components = getattr(axis, "components", ())
+            along = [AXES[k] for k, component in enumerate(components) if component]
+            return (along[0] if len(along) == 1 else "s"), name
+        if what == "angle":
+            return r"\varphi", name
+        if len(what) <= 2:
+            return what[0], ",".join(filter(None, (what[1:], name)))
+        letter = {"rad": r"\varphi", "m": "s"}.get(unit, "q")
+        return letter, ",".join((words(what.split("_")), name))
+
+
+def _law_symbols(scene: Any) -> Iterable[tuple[str, str]]:
+    """Defined and geometric symbols of the laws in use: name, meaning."""
+    yield from _LAW.items()
+    for effect in scene.effects:
+        for bound in getattr(effect, "laws", ()):
+            yield from ((symbol.name, symbol.meaning) for symbol in bound.law.symbols() if isinstance(symbol, Quantity))
+
+
+def _split(latex: str) -> tuple[str, str]:
+    """Letter and subscript."""
+    letter, _, below = latex.partition("_")
+    return letter, below.removeprefix("{").removesuffix("}") if below.startswith("{") else below
+
+
+def _is_letter(part: str) -> bool:
+    """Whether a name's first part is a letter, Latin or Greek."""
+    return len(part) <= 2 or str(sp.latex(sp.Symbol(part))).startswith("\\")
+
+
+def words(parts: Iterable[str]) -> str:
+    """Words upright."""
+    text = r"\,".join(part for part in parts if part)
+    return rf"\mathrm{{{text}}}" if text else ""
+
+
+def _with_subscript(letter: str, below: Iterable[str]) -> str:
+    subscript = ",".join(part for part in below if part)
+    return f"{letter}_{{{subscript}}}" if subscript else letter

@@ -1,0 +1,101 @@
+"""Products of sines and cosines put together, as people write them: cos a cos b + sin a sin b = cos(a - b)."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable
+from typing import Any
+
+import sympy as sp
+
+MOST_TERMS = 80  # of an expanded sum that is looked through
+
+
+def contracted(expression: Any, angle: Callable[[Any], Any]) -> Any:
+    """The expression with fewer terms where sums and differences of angles, or cos^2 + sin^2, allow; else as it was.
+
+    `angle` says how a sum of angles is written.
+    """
+    if not expression.has(sp.sin, sp.cos):
+        return expression
+    parts = sp.Add.make_args(expression)
+    turning = [part for part in parts if part.has(sp.sin, sp.cos)]
+    terms = [_split(term) for part in turning for term in sp.Add.make_args(sp.expand(part))]
+    if len(terms) > MOST_TERMS:
+        return expression
+    count = len(terms)
+    while _contract_one(terms, angle):
+        pass
+    if len(terms) == count:
+        return expression
+    collected: dict[Any, Any] = {}
+    for rest, trig in terms:
+        factor = sp.Mul(*trig.elements())
+        collected[factor] = collected.get(factor, sp.S.Zero) + rest
+    still = (part for part in parts if part not in turning)
+    return sp.Add(*still, *(sp.factor(rest) * factor for factor, rest in collected.items()))
+
+
+def _split(term: Any) -> tuple[Any, Counter[Any]]:
+    """The part without sine and cosine, and the sines and cosines."""
+    trig: Counter[Any] = Counter()
+    rest = []
+    for factor in sp.Mul.make_args(term):
+        base, power = factor.as_base_exp()
+        if isinstance(base, sp.sin | sp.cos) and power.is_Integer and power > 0:
+            trig[base] += int(power)
+        else:
+            rest.append(factor)
+    return sp.Mul(*rest), trig
+
+
+def _contract_one(terms: list[tuple[Any, Counter[Any]]], angle: Callable[[Any], Any]) -> bool:
+    """Put the first pair of terms that allows it together."""
+    for i, (first, trig) in enumerate(terms):
+        for j in range(i + 1, len(terms)):
+            second, other = terms[j]
+            if second not in (first, -first):
+                continue
+            common = trig & other
+            together = _together(trig - common, other - common, 1 if second == first else -1, angle)
+            if together is not None:
+                rest, own = _split(together)
+                del terms[j]
+                terms[i] = (first * rest, common + own)
+                _collect(terms)
+                return True
+    return False
+
+
+def _together(one: Counter[Any], two: Counter[Any], sign: int, angle: Callable[[Any], Any]) -> Any:
+    """`one` + sign * `two` as one sine, cosine or number; None where it is none."""
+    a, b = list(one.elements()), list(two.elements())
+    if len(a) != 2 or len(b) != 2:
+        return None
+    kinds = [sum(isinstance(f, sp.cos) for f in factors) for factors in (a, b)]
+    if sorted(kinds) == [0, 2]:
+        cosines, sines = (a, b) if kinds[0] == 2 else (b, a)
+        x, y = (f.args[0] for f in cosines)
+        if Counter((x, y)) != Counter(f.args[0] for f in sines) or (x == y and sign < 0):
+            return None
+        return (1 if kinds[0] == 2 else sign) * sp.cos(angle(x - y if sign > 0 else x + y))
+    if kinds == [1, 1]:
+        (x,) = (f.args[0] for f in a if isinstance(f, sp.sin))
+        (y,) = (f.args[0] for f in a if isinstance(f, sp.cos))
+        if {sp.cos(x), sp.sin(y)} != set(b):
+            return None
+        return sp.sin(angle(x + y if sign > 0 else x - y))
+    return None
+
+
+def _collect(terms: list[tuple[Any, Counter[Any]]]) -> None:
+    """Add up terms whose sines and cosines are the same and that cancel or double."""
+    for i, (first, trig) in enumerate(terms):
+        for j in range(i + 1, len(terms)):
+            second, other = terms[j]
+            if trig == other and second in (first, -first):
+                del terms[j]
+                terms[i] = (first + second, trig)
+                if terms[i][0] == 0:
+                    del terms[i]
+                return
