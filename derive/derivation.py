@@ -339,12 +339,19 @@ class _Derivation:
         mass = self.equations.mass_matrix()
         keys = [(row.key, column) for row in self.rows for column in free if (row.key, column) in mass]
         entries = tuple(mass[key] for key in keys)
+        held = {
+            f"{row.key} {loop.name}": loop.column[row.key]
+            for row in self.rows
+            for loop in self.loops
+            if row.key in loop.column
+        }
         return self._function(
             "motion",
-            "Mass matrix M and bias of M a + bias = f.",
+            "Mass matrix M, bias and the columns of G^T, by row, of M a + bias = f + G^T multipliers.",
             "t q u",
             Result("M", tuple(map(" ".join, keys)), ("",) * len(keys), entries),
             self._forces("bias", [self.equations.bias(row) for row in self.rows]),
+            Result("held", tuple(held), ("",) * len(held), tuple(held.values())),
         )
 
     def ledger(self) -> Function:

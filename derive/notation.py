@@ -11,7 +11,7 @@ from sympy.printing.str import StrPrinter
 
 from hertzwerk.derive.functions import Where
 
-__all__ = ["latex_name", "latex_of", "text_of"]
+__all__ = ["latex_name", "latex_of", "text_of", "tidy"]
 
 _EULER = sp.Symbol("e_Euler")
 
@@ -55,7 +55,7 @@ def _is_negative(term: Any) -> bool:
 
 def text_of(expression: Any) -> str:
     """An expression in Python syntax, `where(condition, a, b)` for a choice."""
-    return str(_Text().doprint(_tidy(expression)))
+    return str(_Text().doprint(tidy(expression)))
 
 
 def latex_of(expression: Any, given: Mapping[Any, str] | None = None) -> str:
@@ -63,8 +63,8 @@ def latex_of(expression: Any, given: Mapping[Any, str] | None = None) -> str:
     if given is not None:
         names = {_EULER: r"\mathrm{e}", **given}
         printer = _Running({"symbol_names": names, "fold_frac_powers": True, "fold_func_brackets": True})
-        return str(printer.doprint(_tidy(expression).xreplace({sp.E: _EULER})))
-    shown = _tidy(expression).replace(Where, lambda c, a, b: sp.Piecewise((a, c), (b, True)))
+        return str(printer.doprint(tidy(expression).xreplace({sp.E: _EULER})))
+    shown = tidy(expression).replace(Where, lambda c, a, b: sp.Piecewise((a, c), (b, True)))
     names = {symbol: latex_name(symbol) for symbol in shown.free_symbols} | {_EULER: r"\mathrm{e}"}
     return str(_Latex({"symbol_names": names}).doprint(shown.xreplace({sp.E: _EULER})))
 
@@ -79,7 +79,7 @@ def latex_name(symbol: Any) -> str:
     return str(sp.latex(sp.Symbol(symbol.name)))
 
 
-def _tidy(expression: Any) -> Any:
+def tidy(expression: Any) -> Any:
     """The same with common factors of a sum taken out, as 3*(1 - e)/2 is published; what that would lengthen stays."""
     tidy = sp.factor_terms(expression, sign=False)
     return min(tidy, expression, key=lambda e: (str(e).startswith("-"), len(str(e))))

@@ -12,9 +12,9 @@ from hertzwerk.derive.functions import Where
 from hertzwerk.derive.program import Function, Program, symbols_in
 from hertzwerk.derive.readable.symbols import Names, words
 
-UNSHOWN = ("constants", "scales", "gap_accelerations", "accelerations", "poses", "motion", "applied")
+UNSHOWN = ("constants", "scales", "gap_accelerations", "accelerations", "projection", "poses", "motion", "applied")
 KINEMATICS, MOTION, LEDGER, ENERGY = "Kinematics", "Equations of motion", "Energy ledger", "Energy"
-OUTPUTS, START = "Outputs", "Start"
+LOOPS, OUTPUTS, START = "Closed loops", "Outputs", "Start"
 INERTIA, BIAS = "inertia", "bias"
 _RATE = r"\frac{\mathrm{d}}{\mathrm{d}t}"
 
@@ -103,6 +103,11 @@ class Drafts:
             yield Draft(START, text, unit, text, expression, left=rf"{{{latex}}}|_{{t=0}}")
         elif function.name == "outputs":
             yield Draft(OUTPUTS, label, unit, label, expression, left=_label(label))
+        elif function.name == "constraints":
+            rate = result == "dphi"
+            text = f"rate of {label}, zero too" if rate else f"{label}, zero while the loop is closed"
+            left = rf"{_RATE}\Phi_{{{_label(label)}}}" if rate else rf"\Phi_{{{_label(label)}}}"
+            yield Draft(LOOPS, f"{result} {label}", unit, text, expression, left=left)
         elif function.name != "coordinate_rates":
             title = function.name.replace("_", " ").capitalize()
             left = rf"{words((result,))}_{{{_label(label)}}}"
@@ -158,7 +163,7 @@ class Drafts:
         inputs: dict[str, list[sp.Symbol]] = {}
         for symbol, group in self._tape.inputs.items():
             inputs.setdefault(group, []).append(symbol)
-        mass, bias = motion.results
+        mass, bias, held = motion.results
         labels, units = applied.results[0].labels, applied.results[0].units
         accelerations = dict(zip(labels, inputs["a"], strict=False))
         supplied = dict(zip(labels[len(inputs["a"]) :], inputs.get("reactions", ()), strict=True))
@@ -170,6 +175,11 @@ class Drafts:
             ]
             if bias.expressions[i] != 0:
                 parts.append(Part(True, BIAS, bias.expressions[i]))
+            for label, column in zip(held.labels, held.expressions, strict=True):
+                of, constraint = label.split(" ")
+                if of == row:
+                    force = multiplier(constraint) * column
+                    parts.append(Part(False, f"constraint {constraint}", force))
             if row in supplied:
                 meaning, drive = self._names.meaning(supplied[row]), self._drive_of(row)
                 parts.append(Part(False, meaning, supplied[row], effect=drive))
@@ -190,6 +200,11 @@ class Drafts:
 def contact_title(pair: str) -> str:
     """Title of a pair's section."""
     return f"Contact {pair}"
+
+
+def multiplier(constraint: str) -> sp.Symbol:
+    """The force or torque that holds a constraint."""
+    return sp.Symbol(f"{constraint.replace('.', '_')}_multiplier", real=True)
 
 
 def pair_of(function: str) -> str:

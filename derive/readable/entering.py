@@ -72,9 +72,8 @@ class Entering:
 
     def _locks(self, name: str) -> bool:
         """Whether it is a drive without a parameter, which takes its joint's coordinate away and leaves no symbol."""
-        slots = self._marked.scene.effect(name).slots() if self._effects[name].kind == "drive" else ()
-        values = [sp.sympify(slot.value) for slot in slots]
-        return bool(values) and not any(self._direct(value) for value in values)
+        effect = self._effects[name]
+        return bool(effect.kind == "drive" and effect == self._marked.scene.effect(name))
 
     # -- by the marks ----------------------------------------------------------------------------------------------
 

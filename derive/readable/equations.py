@@ -13,7 +13,7 @@ import sympy as sp
 
 from hertzwerk.derive.audit import audit_laws, audit_program, refuse_inconsistent
 from hertzwerk.derive.derivation import derive, meanings_of, unsolved
-from hertzwerk.derive.notation import latex_of, text_of
+from hertzwerk.derive.notation import latex_of, text_of, tidy
 from hertzwerk.derive.program import Program, symbols_in
 from hertzwerk.derive.readable.drafts import (
     ENERGY,
@@ -26,6 +26,7 @@ from hertzwerk.derive.readable.drafts import (
     Drafts,
     Part,
     contact_title,
+    multiplier,
 )
 from hertzwerk.derive.readable.entering import Entering, sources
 from hertzwerk.derive.readable.forms import Forms
@@ -136,8 +137,12 @@ class _Reader:
                 if of == group and (symbol in shown or self._is_port(symbol)):
                     yield Symbol(symbol.name, self.names.latex[symbol], self.units[symbol], self.names.meaning(symbol))
 
+        accelerations = next(function for function in self.program.functions if function.name == "accelerations")
+        held = next((r for r in accelerations.results if r.name == "multipliers"), None)
+        units = {} if held is None else {multiplier(label): u for label, u in zip(held.labels, held.units, strict=True)}
         for symbol in self.open:
-            yield Symbol(symbol.name, self.names.latex[symbol], "N", self.names.meaning(symbol))
+            unit, meaning = units.get(symbol, "N"), self.names.meaning(symbol)
+            yield Symbol(symbol.name, self.names.latex[symbol], unit, meaning)
 
     def _parameters(self) -> Iterator[Symbol]:
         for p in self.scene.parameters.values():
@@ -196,7 +201,8 @@ class _Reader:
         expression = self.marks.plain(part.expression)
         latex = self._latex(expression)
         if part.factor is not None:
-            latex = {"1": "", "-1": "-"}.get(latex, rf"\left({latex}\right)" if expression.is_Add else latex)
+            coefficient = rf"\left({latex}\right)" if tidy(expression).is_Add else latex
+            latex = {"1": "", "-1": "-"}.get(latex, coefficient)
             latex = f"{latex} {self.names.latex[part.factor]}".strip()
             expression = expression * part.factor
         return Term(part.left, part.meaning, part.effect, latex, text_of(expression), expression)

@@ -104,6 +104,7 @@ LANDMARKS = (
     *("apart", "e", "apart_rate", "relative_rate", "gap", "gap_rate", "distance", "normal", "penetration", "penetration_rate", "sliding_velocity"),
     *("elastic_force", "tangent_stiffness", "hysteresis_factor", "resistance", "normal_force", "friction_force", "stored_energy"),
 )  # fmt: skip
+_HOLDS = "_multiplier"
 _LAW = {quantity.name: quantity.meaning for quantity in GEOMETRY}
 
 
@@ -135,7 +136,8 @@ class Names:
         pair, rest, axis = self._of_pair(symbol.name)
         if pair:
             return self._law_meanings.get(rest) or f"{PAIR[rest][2]}{f', {axis}' if axis else ''}"
-        return str(symbol.name).replace("_", " ")
+        text = str(symbol.name).replace("_", " ")
+        return f"what holds the constraint {text.removesuffix(' multiplier')}" if symbol.name.endswith(_HOLDS) else text
 
     def pair_of(self, symbol: sp.Symbol) -> str:
         """The contact pair a symbol belongs to; "" for none."""
@@ -160,6 +162,8 @@ class Names:
             letter, below, _ = PAIR.get(rest) or (*_split(latex_name(sp.Symbol(rest))), "")
             whose = words(pair.split("_")) if len(self._pairs) > 1 else ""
             return _with_subscript(letter, (axis, below, whose))
+        if symbol.name.endswith(_HOLDS):
+            return _with_subscript(r"\lambda", (words(symbol.name.removesuffix(_HOLDS).split("_")),))
         parts = symbol.name.split("_")
         axes = tuple(part for part in parts[1:] if part in AXES)
         parts = [part for i, part in enumerate(parts) if i == 0 or part not in AXES]
