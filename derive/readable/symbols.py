@@ -216,13 +216,14 @@ class Names:
         for symbol, (label, unit) in zip(inputs["u"], program.tables["SPEEDS"], strict=True):
             if symbol not in found:
                 joint, what = label.rsplit(".", 1)
-                axis = what.removeprefix("speed").strip("_")
+                axis = ",".join(part for part in what.split("_") if part in AXES)
                 letter = r"\omega" if unit == "rad/s" else "v"
                 found[symbol] = _with_subscript(letter, (axis, words(joint.split("_")))), f"speed {label}"
         for speed, symbol, label in zip(inputs["u"], inputs["a"], speeds, strict=True):
             latex = found[speed][0]
-            latex = latex.replace(r"\dot", r"\ddot", 1) if latex.startswith(r"\dot") else rf"\dot{{{latex}}}"
-            found[symbol] = latex, f"rate of {label}"
+            letter, _, below = latex.partition("_")
+            letter = letter.replace(r"\dot", r"\ddot") if letter.startswith(r"\dot") else rf"\dot{{{letter}}}"
+            found[symbol] = f"{letter}_{below}", f"rate of {label}"
         for symbol in inputs.get("z", ()):
             whose = words(symbol.name.split("_")) if len(inputs["z"]) > 1 else ""
             found[symbol] = _with_subscript("z", (whose,)), str(symbol.name).replace("_", " ")

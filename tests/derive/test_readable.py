@@ -18,6 +18,7 @@ from hertzwerk.derive import (
     ConstantSpeed,
     Contact,
     EnergyLedger,
+    Free,
     Friction,
     Gravity,
     InputError,
@@ -28,6 +29,7 @@ from hertzwerk.derive import (
     Scales,
     Scene,
     SphereOnPlane,
+    Spherical,
     X,
     Y,
     Z,
@@ -76,6 +78,23 @@ def spatial_arm():
     return Scene(Mechanism("spatial_arm", joints, (floor,)), effects, Scales(a, Parameter("speed", "m/s", 1), arm=a))
 
 
+def tumbling():
+    """A body on a quaternion above a floor, its mass centre off the point it is held at, with a pendulum on a ball joint."""
+    a, m, g = Parameter("arm", "m", 0.3), Parameter("mass", "kg", 2), Parameter("gravity", "m/s^2", 9.81)
+    j = tuple(Parameter(f"inertia_{k}", "kg m^2", value) for k, value in zip("xyz", (0.01, 0.02, 0.03), strict=True))
+    body, bob = Body("body", m, j, centre=(a, 0, 0)), Body("bob", m, j, centre=(0, 0, -a))
+    floor = SphereOnPlane("floor", body.at(0, 0, a), Parameter("radius", "m", 0.1), GROUND.at(0, 0, 0), normal=Z)
+    return Scene(
+        Mechanism("tumbling", (Free("float", GROUND, body), Spherical("ball", body.at(a, a, 0), bob)), (floor,)),
+        (
+            Gravity("gravity", g, -Z),
+            Contact("floor", power(Parameter("stiffness", "N/m^1.5", 1e6), 1.5)),
+            EnergyLedger(),
+        ),
+        Scales(a, Parameter("speed", "m/s", 1), arm=a),
+    )
+
+
 def with_friction(law):
     """The slider-crank with another law of friction, its parameters named as the law names them."""
     scene = built_in("slider_crank")
@@ -87,6 +106,7 @@ SCENES = {name: (lambda name=name: built_in(name)) for name in BUILT_IN} | {
     "double_pendulum": double_pendulum,
     "spatial_arm": spatial_arm,
     "two_pairs": lambda: guarded_crank(1),
+    "tumbling": tumbling,
     "coulomb": lambda: with_friction("coulomb"),
     "lugre": lambda: with_friction("lugre"),
 }
@@ -131,7 +151,7 @@ def evaluated(shown, values):
 def state(scene, derived, name, pair=None):
     """Random inputs by name, and the arguments of the module; in contact at `pair`."""
     rng = np.random.default_rng(sum(map(ord, name)))
-    t, q, u = 0.003, rng.uniform(-1, 1, derived.nu), rng.uniform(-2, 2, derived.nu)
+    t, q, u = 0.003, rng.uniform(-1, 1, len(derived.COORDINATES)), rng.uniform(-2, 2, derived.nu)
     q0, _ = derived.start()
     q = q0 + 0.05 * q if derived.k else q
     if derived.k:
@@ -178,7 +198,8 @@ def test_what_is_shown_is_what_the_module_computes(read, name, pair):
         f"{row[0]}_multiplier".replace(".", "_"): v
         for row, v in zip(getattr(derived, "CONSTRAINTS", ()), *held, strict=True)
     }
-    accelerations = {f"{row[0].rsplit('.', 1)[0]}_acceleration": v for row, v in zip(derived.SPEEDS, a, strict=True)}
+    speeds = [row[0].replace(".", "_").replace("speed", "acceleration") for row in derived.SPEEDS]
+    accelerations = dict(zip(speeds, a, strict=True))
     driven = [label.split(" ")[1] for label in (e.name for e in shown.equations if e.name.startswith("row "))][len(a) :]
     given = {f"{joint}_reaction_in": value for joint, value in zip(driven, reactions, strict=True)}
     values = evaluated(shown, by_name(derived.scene, derived, at, **accelerations, **given, **held))
