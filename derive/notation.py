@@ -38,7 +38,10 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
 
 
 class _Running(_Latex):
-    """Sums that begin with a term that is added; a choice as cases."""
+    """Sums that begin with a term that is added; a choice as cases; functions of one symbol without brackets."""
+
+    def _needs_function_brackets(self, argument: Any) -> bool:
+        return not argument.is_Symbol
 
     def _as_ordered_terms(self, expression: Any, order: Any = None) -> list[Any]:
         terms = super()._as_ordered_terms(expression, order)

@@ -139,8 +139,10 @@ class Drafts:
     def _rate_of_memory(self, pair: str, label: str, unit: str, expression: Any) -> Draft:
         name, what = label.rsplit(".", 1)
         effects = (name,) if name in self._effects else ()
-        if what == "input":
+        if what == "input" and self._effects[name].kind == "ledger":
             left, meaning = rf"\dot{{W}}_{{{words((what,))}}}", "power the drives put in"
+        elif what == "input":
+            left, meaning = rf"\dot{{W}}_{{{words(name.split('_'))}}}", f"power put in by {name}"
         elif what == "dissipated":
             left, meaning = rf"\dot{{W}}_{{{words(name.split('_'))}}}", f"power dissipated by {name}"
         else:

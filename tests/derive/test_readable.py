@@ -21,7 +21,12 @@ from hertzwerk.derive import (
     Free,
     Friction,
     Gravity,
+    Harmonic,
     InputError,
+    JointDamper,
+    JointForce,
+    JointFriction,
+    JointSpring,
     Mechanism,
     Parameter,
     Prismatic,
@@ -34,6 +39,7 @@ from hertzwerk.derive import (
     Y,
     Z,
 )
+from hertzwerk.derive.effects.expression import T as TIME
 from hertzwerk.derive.functions import Where
 from hertzwerk.derive.laws import LAWS, flores, power, smooth_coulomb
 from hertzwerk.derive.readable.equations import equations_of
@@ -95,6 +101,29 @@ def tumbling():
     )
 
 
+def forced():
+    """Two carts: one shaken, one on springs of equal stiffness, with a damper, a rubbing joint and a force in time."""
+    m, k, w = Parameter("mass", "kg", 2), Parameter("stiffness", "N/m", 300), Parameter("pace", "rad/s", 3)
+    carts = [Body(f"cart_{i}", m) for i in range(3)]
+    joints = (
+        Prismatic("shaken", GROUND, carts[0], axis=X),
+        Prismatic("second", carts[0], carts[1], axis=X),
+        Prismatic("third", carts[1], carts[2], axis=X),
+    )
+    size, push = Parameter("size", "m", 0.2), Parameter("push", "N", 4)
+    rub = smooth_coulomb(Parameter("mu", "1", 0.3), Parameter("v_s", "m/s", 0.1))
+    effects = (
+        Harmonic("shaker", "shaken", size, w),
+        JointSpring("near", "second", k),
+        JointSpring("far", "third", k),
+        JointDamper("damper", "second", Parameter("damping", "N s/m", 5)),
+        JointFriction("rubbing", "third", rub, Parameter("load", "N", 7)),
+        JointForce("pulling", "third", push * sp.sin(w * TIME)),
+        EnergyLedger(),
+    )
+    return Scene(Mechanism("forced", joints), effects, Scales(size, Parameter("speed", "m/s", 1)))
+
+
 def with_friction(law):
     """The slider-crank with another law of friction, its parameters named as the law names them."""
     scene = built_in("slider_crank")
@@ -107,6 +136,7 @@ SCENES = {name: (lambda name=name: built_in(name)) for name in BUILT_IN} | {
     "spatial_arm": spatial_arm,
     "two_pairs": lambda: guarded_crank(1),
     "tumbling": tumbling,
+    "forced": forced,
     "coulomb": lambda: with_friction("coulomb"),
     "lugre": lambda: with_friction("lugre"),
 }
@@ -303,6 +333,14 @@ def test_effects_that_share_a_parameter_are_told_apart(read):
     assert "left_wall" not in shown["right_wall_elastic_force"].effects
     assert "right_wall" not in shown["d/dt left_wall.dissipated"].effects
     assert [term.effect for term in shown["row track"].terms if not term.left] == ["left_wall", "right_wall"]
+
+
+def test_springs_of_one_stiffness_act_where_they_are(read):
+    shown, _ = read("forced")
+    effects = {
+        row: {t.effect for t in shown[f"row {row}"].terms if not t.left} for row in ("shaken", "second", "third")
+    }
+    assert effects == {"shaken": {"shaker"}, "second": {"near", "damper"}, "third": {"far", "rubbing", "pulling"}}
 
 
 def across(direction):
