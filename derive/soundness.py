@@ -36,7 +36,7 @@ from hertzwerk.derive.mechanism import (
 )
 from hertzwerk.derive.parameter import Parameter, default_value, dimensions_of, is_number, parameters_of
 from hertzwerk.derive.units import parse_unit, unit_text
-from hertzwerk.derive.vectors import along
+from hertzwerk.derive.vectors import along, apply, cross, sub
 
 if TYPE_CHECKING:
     from hertzwerk.derive.scene import Scene
@@ -222,8 +222,8 @@ def _connection_faults(mechanism: Mechanism) -> Iterator[Fault]:
 
 
 def _inertia_faults(mechanism: Mechanism, sound: dict[str, Parameter]) -> Iterator[Fault]:
-    """A body turned by a joint needs an inertia about its axis; the rest of a principal triple may be zero in plane motion. The last of a chain
-    needs a mass, and an inertia about every axis where it may turn in every way."""
+    """A body turned about its mass centre needs an inertia about the axis; the rest of a principal triple may be zero in plane motion. The last of
+    a chain needs a mass, and an inertia about every axis where it may turn in every way."""
     if any(True for _ in _connection_faults(mechanism)):
         return
     loaded = {
@@ -247,7 +247,11 @@ def _inertia_faults(mechanism: Mechanism, sound: dict[str, Parameter]) -> Iterat
             if axis is None and body == root and body not in {*carriers, *alone} and _spins_freely(mechanism, body):
                 yield Fault(f"body {body.name}", "inertia 0 about an axis through its joint",
                             "a positive one about every axis, because the joint lets the body turn in every way")  # fmt: skip
-            elif axis is not None and all(zero[k] for k in range(3) if axis.components[k] != 0):
+            elif (
+                axis is not None
+                and all(zero[k] for k in range(3) if axis.components[k] != 0)
+                and not _swings(mechanism, body, axis)
+            ):
                 yield Fault(
                     f"body {body.name}",
                     "inertia 0",
@@ -270,6 +274,16 @@ def _spins_freely(mechanism: Mechanism, body: Body) -> bool:
     mass, square = default_value(body.mass), sum(x * x for x in arm)
     about = sp.Matrix(3, 3, lambda i, j: (own[i] + mass * square) * (i == j) - mass * arm[i] * arm[j])
     return bool(about.det() <= 1e-12 * about.trace() ** 3)
+
+
+def _swings(mechanism: Mechanism, body: Body, axis: Direction) -> bool:
+    """Whether the joint that carries a body turns it about an axis that misses its mass centre: then it needs no inertia of its own."""
+    joint = mechanism.joint_of(body)
+    if joint is None or all(freedom.kind == "slide" for freedom in joint.freedoms):
+        return False
+    arm = sub(body.centre, joint.child.position)
+    turned = apply(joint.child.axes, axis.unit)
+    return any(default_value(component) != 0 for component in cross(arm, turned))
 
 
 def _turning_axes(mechanism: Mechanism, body: Frame) -> list[Direction | None]:

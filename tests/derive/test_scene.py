@@ -116,6 +116,9 @@ BAD = {
     "inertia that is an expression of value zero": (
         lambda: turning(Parameter("J", "kg m^2", 1) * Parameter("nothing", "1", 0)), "body wheel", "inertia 0", "positive",
     ),
+    "point mass on the axis it is turned about": (
+        lambda: turning(0, (0, 0, parameter("l", "m"))), "body wheel", "inertia 0", "positive",
+    ),
     "inertia triple of zeros": (lambda: turning((0, 0, 0)), "body wheel", "inertia 0", "positive"),
     "zero inertia of a body on a turning one": (
         lambda: drop(
@@ -322,6 +325,10 @@ def test_text_is_never_evaluated(tmp_path):
 def test_zero_has_every_unit_and_angles_may_be_bare():
     scene = replace(slider_crank, start=Start(position={"crank_pin": sp.pi / 6, "guide": 0}, speed={"crank_pin": 0}))
     assert scene.start.position["crank_pin"] == sp.pi / 6
+
+
+def test_a_point_mass_beside_the_axis_needs_no_inertia():
+    assert turning(0, (parameter("l", "m"), 0, 0))
 
 
 def test_a_value_outside_the_recommended_range_is_no_fault():
