@@ -51,7 +51,7 @@ def constraints_of(kinematics: Kinematics) -> tuple[Constraint, ...]:
             for constraint in never
         ]  # fmt: skip
         raise InputError(f"mechanism {mechanism.name}", faults)
-    return tuple(constraint for constraint in found if constraint.rate != 0)
+    return tuple(constraint for constraint in found if constraint.rate != 0 and constraint.value != 0)
 
 
 class _Closure:
