@@ -1,0 +1,704 @@
+"""four_bar_clearance: four-bar linkage with a clearance joint between coupler and rocker. Generated from derive/scenes/four_bar_clearance.py.
+
+Do not edit; regenerate with `hertzwerk derive four_bar_clearance`.
+Effects:
+    crank_drive: constant speed of main_bearing
+    gravity: uniform gravity
+    rocker_pin: hertz_point x flores
+    rocker_pin_friction: smooth_coulomb at rocker_pin
+    energy_ledger: work put in, energy dissipated per effect
+Units: 112 assignments and 109 outputs checked, all consistent
+Operations: flight 162 (equations of motion and gaps); in contact also contact_rocker_pin 113
+"""
+
+import casadi as ca
+
+NAME = "four_bar_clearance"
+SOURCE = "derive/scenes/four_bar_clearance.py"
+SUMMARY = "four-bar linkage with a clearance joint between coupler and rocker"
+
+EFFECTS = (
+    ("crank_drive", "drive", "constant speed of main_bearing"),
+    ("gravity", "gravity", "uniform gravity"),
+    ("rocker_pin", "contact", "hertz_point x flores"),
+    ("rocker_pin_friction", "friction", "smooth_coulomb at rocker_pin"),
+    ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
+)
+
+UNCHECKED = ()
+
+PARAMETERS = (
+    ("crank_mass", "kg", 0.3, "body crank, mass"),
+    ("crank_inertia", "kg m^2", 0.0001, "body crank, inertia"),
+    ("coupler_mass", "kg", 0.21, "body coupler, mass"),
+    ("coupler_inertia", "kg m^2", 0.00025, "body coupler, inertia"),
+    ("coupler_length", "m", 0.12, "point of coupler"),
+    ("rocker_mass", "kg", 0.18, "body rocker, mass"),
+    ("rocker_inertia", "kg m^2", 0.00015, "body rocker, inertia"),
+    ("rocker_length", "m", 0.1, "point of rocker"),
+    ("crank_length", "m", 0.05, "point of crank"),
+    ("base_length", "m", 0.13, "between the fixed pivots"),
+    ("bush_radius", "mm", 10, "pair rocker_pin, bush radius"),
+    ("clearance", "mm", 0.5, "bush radius minus pin radius"),
+    ("crank_speed", "rpm", 1000, "constant speed of the crank"),
+    ("gravity", "m/s^2", 9.81, "effect gravity, acceleration"),
+    ("youngs_modulus", "GPa", 207, "effect rocker_pin, Young's modulus of the first body of hertz_point"),
+    ("poissons_ratio", "1", 0.3, "effect rocker_pin, Poisson's ratio of the first body of hertz_point"),
+    ("restitution", "1", 0.9, "effect rocker_pin, coefficient of restitution of flores"),
+    ("approach_floor", "m/s", 0.001, "least approach speed a damping law is given; h/v0 is unbounded otherwise"),
+    ("friction_coefficient", "1", 0.1, "effect rocker_pin_friction, coefficient of friction of smooth_coulomb"),
+    ("friction_speed", "m/s", 0.1, "effect rocker_pin_friction, speed over which the friction force builds up of smooth_coulomb"),
+)
+
+LIMITS = (
+    ("crank_mass", "defined", 0, None, True, False, "body crank, mass"),
+    ("crank_inertia", "defined", 0, None, False, False, "body crank, inertia"),
+    ("coupler_mass", "defined", 0, None, True, False, "body coupler, mass"),
+    ("coupler_inertia", "defined", 0, None, False, False, "body coupler, inertia"),
+    ("rocker_mass", "defined", 0, None, True, False, "body rocker, mass"),
+    ("rocker_inertia", "defined", 0, None, False, False, "body rocker, inertia"),
+    ("bush_radius", "defined", 0, None, True, False, "pair rocker_pin, bush radius"),
+    ("clearance", "defined", 0, None, True, False, "pair rocker_pin, clearance"),
+    ("youngs_modulus", "defined", 0, None, True, False, "effect rocker_pin, Young's modulus of the first body of hertz_point"),
+    ("poissons_ratio", "defined", -1, 0.5, True, False, "effect rocker_pin, Poisson's ratio of the first body of hertz_point"),
+    ("restitution", "defined", 0, 1, True, False, "effect rocker_pin, coefficient of restitution of flores"),
+    ("approach_floor", "defined", 0, None, True, False, "effect rocker_pin, approach floor"),
+    ("friction_coefficient", "defined", 0, None, False, False, "effect rocker_pin_friction, coefficient of friction of smooth_coulomb"),
+    ("friction_speed", "defined", 0, None, True, False, "effect rocker_pin_friction, speed over which the friction force builds up of smooth_coulomb"),
+    ("coupler_length", "defined", 0, None, True, False, "scales, arm"),
+)
+
+COORDINATES = (
+    ("crank_pin.angle", "rad"),
+    ("rocker_bearing.angle", "rad"),
+)
+
+SPEEDS = (
+    ("crank_pin.speed", "rad/s"),
+    ("rocker_bearing.speed", "rad/s"),
+)
+
+MEMORY = (
+    ("energy_ledger.input", "J"),
+    ("rocker_pin.dissipated", "J"),
+    ("rocker_pin_friction.dissipated", "J"),
+)
+
+LATCHES = (
+    ("rocker_pin.approach_speed", "m/s", 0),
+)
+
+PAIRS = (
+    ("rocker_pin", "pin_in_bush"),
+)
+
+RELEASES = (
+    "force",
+)
+
+DISSIPATED = (
+    1,
+)
+
+OUTPUTS = (
+    ("rocker_pin.eccentricity_x", "m"),
+    ("rocker_pin.eccentricity_y", "m"),
+)
+
+BODIES = (
+    "crank",
+    "coupler",
+    "rocker",
+)
+
+CONSTANTS = (
+    ("coupler_length", "m"),
+    ("rocker_length", "m"),
+    ("crank_length", "m"),
+    ("base_length", "m"),
+    ("clearance", "m"),
+    ("crank_speed", "1/s"),
+    ("gravity", "m/s^2"),
+    ("friction_coefficient", "1"),
+    ("k1", "m^2"),
+    ("k2", "1/m"),
+    ("rocker_pin_R_min", "m"),
+    ("rocker_pin_K", "N/m^1.5"),
+    ("k3", "N/m^1.5"),
+    ("rocker_pin_hysteresis_factor", "1"),
+    ("k4", "s/m"),
+    ("coupler_h_x", "kg m"),
+    ("rocker_h_x", "kg m"),
+    ("crank_h_x", "kg m"),
+    ("crank_rate_zz", "1/s^2"),
+    ("coupler_I_z_z", "kg m^2"),
+    ("k6", "1/(kg m^2)"),
+    ("k7", "1/(kg m^2)"),
+    ("k8", "kg m^2"),
+    ("k9", "kg m^2"),
+    ("k10", "kg"),
+    ("k11", "J"),
+    ("k12", "m"),
+    ("k13", "m"),
+    ("k14", "N"),
+    ("k15", "N"),
+)
+
+OPERATIONS = (
+    ("constants", 46),
+    ("start", 48),
+    ("scales", 12),
+    ("coordinate_rates", 0),
+    ("gaps", 45),
+    ("gap_accelerations", 65),
+    ("contact_rocker_pin", 113),
+    ("applied", 15),
+    ("accelerations", 37),
+    ("ledger", 1),
+    ("energy", 59),
+    ("poses", 13),
+    ("outputs", 25),
+)
+
+
+def constants(p):
+    """What depends on the parameters alone, once per run.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        c (30,): coupler_length, rocker_length, crank_length, base_length, clearance, crank_speed, gravity,
+            friction_coefficient, k1, k2, rocker_pin_R_min, rocker_pin_K, k3, rocker_pin_hysteresis_factor, k4,
+            coupler_h_x, rocker_h_x, crank_h_x, crank_rate_zz, coupler_I_z_z, k6, k7, k8, k9, k10, k11, k12, k13,
+            k14, k15
+    """
+    crank_inertia = p[1]
+    coupler_mass = p[2]
+    coupler_inertia = p[3]
+    coupler_length = p[4]
+    rocker_mass = p[5]
+    rocker_inertia = p[6]
+    rocker_length = p[7]
+    crank_length = p[8]
+    base_length = p[9]
+    bush_radius = p[10]
+    clearance = p[11]
+    crank_speed = p[12]
+    gravity = p[13]
+    youngs_modulus = p[14]
+    poissons_ratio = p[15]
+    restitution = p[16]
+    friction_coefficient = p[18]
+    friction_speed = p[19]
+    k1 = clearance*clearance
+    k2 = 1/(2*clearance)
+    x1 = bush_radius - clearance
+    rocker_pin_R_eff = x1*bush_radius/clearance
+    rocker_pin_E_eff = youngs_modulus/(2*(1 - poissons_ratio*poissons_ratio))
+    rocker_pin_K = 4*rocker_pin_E_eff*ca.sqrt(rocker_pin_R_eff)/3
+    k3 = 2*rocker_pin_K/5
+    rocker_pin_hysteresis_factor = (8 - 8*restitution)/(5*restitution)
+    k4 = 1/friction_speed
+    coupler_h_x = coupler_length*coupler_mass/2
+    rocker_h_x = rocker_length*rocker_mass/2
+    crank_h_x = coupler_mass*crank_length
+    crank_rate_zz = crank_speed*crank_speed
+    coupler_I_z_z = coupler_length*coupler_length*coupler_mass/4 + coupler_inertia
+    rocker_I_z_z = rocker_length*rocker_length*rocker_mass/4 + rocker_inertia
+    k6 = 1/coupler_I_z_z
+    k7 = 1/rocker_I_z_z
+    k8 = coupler_I_z_z/2
+    k9 = rocker_I_z_z/2
+    k10 = coupler_mass/2
+    k11 = crank_rate_zz*crank_inertia/2
+    k12 = coupler_length/2
+    k13 = rocker_length/2
+    k14 = gravity*rocker_mass
+    k15 = coupler_mass*gravity
+    return ca.vertcat(coupler_length, rocker_length, crank_length, base_length, clearance, crank_speed, gravity,
+        friction_coefficient, k1, k2, x1, rocker_pin_K, k3, rocker_pin_hysteresis_factor, k4, coupler_h_x,
+        rocker_h_x, crank_h_x, crank_rate_zz, coupler_I_z_z, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15)
+
+
+def start(p):
+    """Coordinates and speeds at t = 0.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        q (2,): crank_pin.angle [rad], rocker_bearing.angle [rad]
+        u (2,): crank_pin.speed [rad/s], rocker_bearing.speed [rad/s]
+    """
+    coupler_length = p[4]
+    rocker_length = p[7]
+    crank_length = p[8]
+    base_length = p[9]
+    crank_speed = p[12]
+    x1 = base_length - crank_length
+    x2 = x1*x1
+    x3 = coupler_length*coupler_length
+    x4 = rocker_length*rocker_length
+    x5 = -x4
+    x6 = x2 + x3 + x5
+    x7 = x6/(2*x1*coupler_length)
+    x8 = ca.acos(x7)
+    x9 = -x3
+    x10 = x2 + x4 + x9
+    x11 = x10/(2*x1*rocker_length)
+    x12 = ca.acos(x11)
+    x13 = 1/(x1*x1)
+    x14 = x12 + x8
+    x15 = ca.sin(x14)
+    return (
+        ca.vertcat(x8, 3.141592653589793 - x12),
+        ca.vertcat(-crank_speed - ca.sqrt(1 -
+            x13*x10*x10/(4*rocker_length*rocker_length))*crank_length*crank_speed/(x15*coupler_length), -ca.sqrt(1 -
+            x13*x6*x6/(4*coupler_length*coupler_length))*crank_length*crank_speed/(x15*rocker_length)),
+    )
+
+
+def scales(p):
+    """Sizes that accuracy is measured by: of coordinates, speeds, memory; then length, speed, force, energy.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        sq (2,): crank_pin.angle [rad], rocker_bearing.angle [rad]
+        su (2,): crank_pin.speed [rad/s], rocker_bearing.speed [rad/s]
+        sz (3,): energy_ledger.input [J], rocker_pin.dissipated [J], rocker_pin_friction.dissipated [J]
+        s (4,): length [m], speed [m/s], force [N], energy [J]
+    """
+    crank_mass = p[0]
+    coupler_mass = p[2]
+    coupler_length = p[4]
+    rocker_mass = p[5]
+    crank_length = p[8]
+    clearance = p[11]
+    crank_speed = p[12]
+    total_mass = coupler_mass + crank_mass + rocker_mass
+    energy_scale = total_mass*crank_length*crank_length*crank_speed*crank_speed/2
+    force_scale = energy_scale/clearance
+    x1 = clearance/coupler_length
+    x2 = crank_length*crank_speed/coupler_length
+    return (
+        ca.vertcat(x1, x1),
+        ca.vertcat(x2, x2),
+        ca.vertcat(energy_scale, energy_scale, energy_scale),
+        ca.vertcat(clearance, crank_length*crank_speed, force_scale, energy_scale),
+    )
+
+
+def coordinate_rates(t, q, u, c):
+    """Rates of the coordinates.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        dq (2,): crank_pin.angle [rad/s], rocker_bearing.angle [rad/s]
+    """
+    crank_pin_speed = u[0]
+    rocker_bearing_speed = u[1]
+    return ca.vertcat(crank_pin_speed, rocker_bearing_speed)
+
+
+def gaps(t, q, u, c):
+    """Gap of every pair, positive while open, and its rate; at an onset the rate is minus the approach speed.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        G (1,): rocker_pin [m]
+        dG (1,): rocker_pin [m/s]
+    """
+    coupler_length = c[0]
+    rocker_length = c[1]
+    crank_length = c[2]
+    base_length = c[3]
+    crank_speed = c[5]
+    k1 = c[8]
+    k2 = c[9]
+    crank_pin_angle = q[0]
+    rocker_bearing_angle = q[1]
+    crank_pin_speed = u[0]
+    rocker_bearing_speed = u[1]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    coupler_angle = crank_angle + crank_pin_angle
+    cos_coupler = ca.cos(coupler_angle)
+    sin_coupler = ca.sin(coupler_angle)
+    cos_rocker = ca.cos(rocker_bearing_angle)
+    sin_rocker = ca.sin(rocker_bearing_angle)
+    coupler_arm_x = cos_crank*crank_length
+    coupler_arm_y = sin_crank*crank_length
+    coupler_arm_rate_x = -coupler_arm_y*crank_speed
+    coupler_arm_rate_y = coupler_arm_x*crank_speed
+    coupler_rate_z = crank_pin_speed + crank_speed
+    rocker_pin_pin_arm_x = cos_coupler*coupler_length
+    rocker_pin_pin_arm_y = sin_coupler*coupler_length
+    rocker_pin_pin_arm_rate_x = -coupler_rate_z*rocker_pin_pin_arm_y
+    rocker_pin_pin_arm_rate_y = coupler_rate_z*rocker_pin_pin_arm_x
+    rocker_pin_bush_arm_x = cos_rocker*rocker_length
+    rocker_pin_bush_arm_y = sin_rocker*rocker_length
+    rocker_pin_bush_arm_rate_x = -rocker_bearing_speed*rocker_pin_bush_arm_y
+    rocker_pin_bush_arm_rate_y = rocker_bearing_speed*rocker_pin_bush_arm_x
+    rocker_pin_apart_x = coupler_arm_x + rocker_pin_pin_arm_x - rocker_pin_bush_arm_x - base_length
+    rocker_pin_apart_y = coupler_arm_y + rocker_pin_pin_arm_y - rocker_pin_bush_arm_y
+    rocker_pin_apart_rate_x = coupler_arm_rate_x + rocker_pin_pin_arm_rate_x - rocker_pin_bush_arm_rate_x
+    rocker_pin_apart_rate_y = coupler_arm_rate_y + rocker_pin_pin_arm_rate_y - rocker_pin_bush_arm_rate_y
+    rocker_pin_apart_squared = rocker_pin_apart_x*rocker_pin_apart_x + rocker_pin_apart_y*rocker_pin_apart_y
+    rocker_pin_gap = k2*(k1 - rocker_pin_apart_squared)
+    rocker_pin_apart_squared_rate = 2*rocker_pin_apart_rate_x*rocker_pin_apart_x + 2*rocker_pin_apart_rate_y*rocker_pin_apart_y
+    rocker_pin_gap_rate = -k2*rocker_pin_apart_squared_rate
+    return ca.vertcat(rocker_pin_gap), ca.vertcat(rocker_pin_gap_rate)
+
+
+def gap_accelerations(t, q, u, a, c):
+    """Second derivative of every gap.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; a: rates of the speeds; c: CONSTANTS.
+    Returns, each a column vector:
+        ddG (1,): rocker_pin [m/s^2]
+    """
+    coupler_length = c[0]
+    rocker_length = c[1]
+    crank_length = c[2]
+    base_length = c[3]
+    crank_speed = c[5]
+    k2 = c[9]
+    crank_pin_angle = q[0]
+    rocker_bearing_angle = q[1]
+    crank_pin_speed = u[0]
+    rocker_bearing_speed = u[1]
+    crank_pin_acceleration = a[0]
+    rocker_bearing_acceleration = a[1]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    coupler_angle = crank_angle + crank_pin_angle
+    cos_coupler = ca.cos(coupler_angle)
+    sin_coupler = ca.sin(coupler_angle)
+    cos_rocker = ca.cos(rocker_bearing_angle)
+    sin_rocker = ca.sin(rocker_bearing_angle)
+    coupler_arm_x = cos_crank*crank_length
+    coupler_arm_y = sin_crank*crank_length
+    coupler_arm_rate_x = -coupler_arm_y*crank_speed
+    coupler_arm_rate_y = coupler_arm_x*crank_speed
+    coupler_rate_z = crank_pin_speed + crank_speed
+    coupler_acceleration_x = -coupler_arm_rate_y*crank_speed
+    coupler_acceleration_y = coupler_arm_rate_x*crank_speed
+    rocker_pin_pin_arm_x = cos_coupler*coupler_length
+    rocker_pin_pin_arm_y = sin_coupler*coupler_length
+    rocker_pin_pin_arm_rate_x = -coupler_rate_z*rocker_pin_pin_arm_y
+    rocker_pin_pin_arm_rate_y = coupler_rate_z*rocker_pin_pin_arm_x
+    rocker_pin_bush_arm_x = cos_rocker*rocker_length
+    rocker_pin_bush_arm_y = sin_rocker*rocker_length
+    rocker_pin_bush_arm_rate_x = -rocker_bearing_speed*rocker_pin_bush_arm_y
+    rocker_pin_bush_arm_rate_y = rocker_bearing_speed*rocker_pin_bush_arm_x
+    rocker_pin_apart_x = coupler_arm_x + rocker_pin_pin_arm_x - rocker_pin_bush_arm_x - base_length
+    rocker_pin_apart_y = coupler_arm_y + rocker_pin_pin_arm_y - rocker_pin_bush_arm_y
+    rocker_pin_apart_rate_x = coupler_arm_rate_x + rocker_pin_pin_arm_rate_x - rocker_pin_bush_arm_rate_x
+    rocker_pin_apart_rate_y = coupler_arm_rate_y + rocker_pin_pin_arm_rate_y - rocker_pin_bush_arm_rate_y
+    rocker_pin_apart_acceleration_x = coupler_acceleration_x + rocker_bearing_acceleration*rocker_pin_bush_arm_y + rocker_bearing_speed*rocker_pin_bush_arm_rate_y - coupler_rate_z*rocker_pin_pin_arm_rate_y - crank_pin_acceleration*rocker_pin_pin_arm_y
+    rocker_pin_apart_acceleration_y = coupler_acceleration_y + coupler_rate_z*rocker_pin_pin_arm_rate_x + crank_pin_acceleration*rocker_pin_pin_arm_x - rocker_bearing_acceleration*rocker_pin_bush_arm_x - rocker_bearing_speed*rocker_pin_bush_arm_rate_x
+    rocker_pin_apart_squared_rate_rate = 2*rocker_pin_apart_rate_x*rocker_pin_apart_rate_x + 2*rocker_pin_apart_rate_y*rocker_pin_apart_rate_y + 2*rocker_pin_apart_acceleration_x*rocker_pin_apart_x + 2*rocker_pin_apart_acceleration_y*rocker_pin_apart_y
+    rocker_pin_gap_rate_rate = -k2*rocker_pin_apart_squared_rate_rate
+    return ca.vertcat(rocker_pin_gap_rate_rate)
+
+
+def contact_rocker_pin(t, q, u, z, m, c):
+    """Forces of rocker_pin: hertz_point x flores, smooth_coulomb. The normal force is the laws' own, not clamped:
+    where it would pull, the contact ends.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
+    Returns, each a column vector:
+        f (3,): crank_pin [N m], rocker_bearing [N m], main_bearing [N m]
+        dz (3,): energy_ledger.input [W], rocker_pin.dissipated [W], rocker_pin_friction.dissipated [W]
+        normal_force (1,): rocker_pin [N]
+        sliding_velocity (1,): rocker_pin [m/s]
+        in_range (1,): rocker_pin [1]
+    """
+    coupler_length = c[0]
+    rocker_length = c[1]
+    crank_length = c[2]
+    base_length = c[3]
+    clearance = c[4]
+    crank_speed = c[5]
+    friction_coefficient = c[7]
+    rocker_pin_R_min = c[10]
+    rocker_pin_K = c[11]
+    rocker_pin_hysteresis_factor = c[13]
+    k4 = c[14]
+    crank_pin_angle = q[0]
+    rocker_bearing_angle = q[1]
+    crank_pin_speed = u[0]
+    rocker_bearing_speed = u[1]
+    rocker_pin_approach_speed = m[0]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    coupler_angle = crank_angle + crank_pin_angle
+    cos_coupler = ca.cos(coupler_angle)
+    sin_coupler = ca.sin(coupler_angle)
+    cos_rocker = ca.cos(rocker_bearing_angle)
+    sin_rocker = ca.sin(rocker_bearing_angle)
+    coupler_arm_x = cos_crank*crank_length
+    coupler_arm_y = sin_crank*crank_length
+    coupler_arm_rate_x = -coupler_arm_y*crank_speed
+    coupler_arm_rate_y = coupler_arm_x*crank_speed
+    coupler_rate_z = crank_pin_speed + crank_speed
+    rocker_pin_pin_arm_x = cos_coupler*coupler_length
+    rocker_pin_pin_arm_y = sin_coupler*coupler_length
+    rocker_pin_bush_arm_x = cos_rocker*rocker_length
+    rocker_pin_bush_arm_y = sin_rocker*rocker_length
+    rocker_pin_apart_x = coupler_arm_x + rocker_pin_pin_arm_x - rocker_pin_bush_arm_x - base_length
+    rocker_pin_apart_y = coupler_arm_y + rocker_pin_pin_arm_y - rocker_pin_bush_arm_y
+    rocker_pin_apart_squared = rocker_pin_apart_x*rocker_pin_apart_x + rocker_pin_apart_y*rocker_pin_apart_y
+    rocker_pin_distance = ca.sqrt(rocker_pin_apart_squared)
+    rocker_pin_penetration = rocker_pin_distance - clearance
+    rocker_pin_elastic_force = ca.if_else(rocker_pin_penetration > 0, rocker_pin_K*rocker_pin_penetration*ca.sqrt(rocker_pin_penetration), 0)
+    rocker_pin_normal_x = -rocker_pin_apart_x/rocker_pin_distance
+    rocker_pin_normal_y = -rocker_pin_apart_y/rocker_pin_distance
+    rocker_pin_relative_rate_x = coupler_arm_rate_x + rocker_bearing_speed*(coupler_arm_y + rocker_pin_pin_arm_y) - coupler_rate_z*rocker_pin_pin_arm_y
+    x1 = coupler_arm_x + rocker_pin_pin_arm_x - base_length
+    rocker_pin_relative_rate_y = coupler_arm_rate_y + coupler_rate_z*rocker_pin_pin_arm_x - rocker_bearing_speed*x1
+    rocker_pin_penetration_rate = -rocker_pin_normal_x*rocker_pin_relative_rate_x - rocker_pin_normal_y*rocker_pin_relative_rate_y
+    rocker_pin_resistance = rocker_pin_elastic_force*rocker_pin_hysteresis_factor*rocker_pin_penetration_rate/rocker_pin_approach_speed
+    rocker_pin_normal_force = rocker_pin_elastic_force + rocker_pin_resistance
+    rocker_pin_normal_power = rocker_pin_penetration_rate*rocker_pin_resistance
+    rocker_pin_push_x = rocker_pin_normal_force*rocker_pin_normal_x
+    rocker_pin_push_y = rocker_pin_normal_force*rocker_pin_normal_y
+    x2 = -coupler_arm_y - rocker_pin_pin_arm_y
+    rocker_pin_push_on_main_bearing = rocker_pin_push_x*x2 + rocker_pin_push_y*(coupler_arm_x + rocker_pin_pin_arm_x)
+    rocker_pin_push_on_crank_pin = rocker_pin_pin_arm_x*rocker_pin_push_y - rocker_pin_pin_arm_y*rocker_pin_push_x
+    rocker_pin_push_on_rocker_bearing = -rocker_pin_push_x*x2 - rocker_pin_push_y*x1
+    rocker_pin_sliding_velocity = rocker_pin_normal_x*rocker_pin_relative_rate_y - rocker_pin_R_min*(coupler_rate_z - rocker_bearing_speed) - rocker_pin_normal_y*rocker_pin_relative_rate_x
+    rocker_pin_friction_force = rocker_pin_normal_force*friction_coefficient*ca.tanh(k4*rocker_pin_sliding_velocity)
+    rocker_pin_friction_power = rocker_pin_friction_force*rocker_pin_sliding_velocity
+    rocker_pin_drag_x = rocker_pin_friction_force*rocker_pin_normal_y
+    rocker_pin_drag_y = -rocker_pin_friction_force*rocker_pin_normal_x
+    x3 = rocker_pin_R_min*rocker_pin_normal_y
+    x4 = x3 - coupler_arm_y - rocker_pin_pin_arm_y
+    x5 = -rocker_pin_R_min*rocker_pin_normal_x
+    rocker_pin_drag_on_main_bearing = rocker_pin_drag_x*x4 + rocker_pin_drag_y*(coupler_arm_x + rocker_pin_pin_arm_x + x5)
+    rocker_pin_drag_on_crank_pin = rocker_pin_drag_x*(x3 - rocker_pin_pin_arm_y) + rocker_pin_drag_y*(rocker_pin_pin_arm_x + x5)
+    rocker_pin_drag_on_rocker_bearing = -rocker_pin_drag_x*x4 - rocker_pin_drag_y*(coupler_arm_x + rocker_pin_pin_arm_x + x5 - base_length)
+    rocker_pin_in_range = ca.if_else(rocker_pin_penetration <= rocker_pin_R_min, 1, 0)
+    return (
+        ca.vertcat(rocker_pin_drag_on_crank_pin + rocker_pin_push_on_crank_pin, rocker_pin_drag_on_rocker_bearing +
+            rocker_pin_push_on_rocker_bearing, rocker_pin_drag_on_main_bearing + rocker_pin_push_on_main_bearing),
+        ca.vertcat(0, rocker_pin_normal_power, rocker_pin_friction_power),
+        ca.vertcat(rocker_pin_normal_force),
+        ca.vertcat(rocker_pin_sliding_velocity),
+        ca.vertcat(rocker_pin_in_range),
+    )
+
+
+def applied(t, q, u, c):
+    """Generalised forces of everything that is no contact.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        f (3,): crank_pin [N m], rocker_bearing [N m], main_bearing [N m]
+    """
+    crank_speed = c[5]
+    gravity = c[6]
+    coupler_h_x = c[15]
+    rocker_h_x = c[16]
+    crank_h_x = c[17]
+    crank_pin_angle = q[0]
+    rocker_bearing_angle = q[1]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    coupler_angle = crank_angle + crank_pin_angle
+    cos_coupler = ca.cos(coupler_angle)
+    cos_rocker = ca.cos(rocker_bearing_angle)
+    coupler_moment_x = cos_coupler*coupler_h_x
+    rocker_moment_x = cos_rocker*rocker_h_x
+    crank_moment_x = cos_crank*crank_h_x
+    crank_total_moment_x = coupler_moment_x + crank_moment_x
+    return ca.vertcat(-coupler_moment_x*gravity, -rocker_moment_x*gravity, -crank_total_moment_x*gravity)
+
+
+def accelerations(t, q, u, f, c):
+    """Generalised accelerations a from M a = f - bias, and what each drive must supply.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; f: generalised forces; c: CONSTANTS.
+    Returns, each a column vector:
+        a (2,): crank_pin.acceleration [rad/s^2], rocker_bearing.acceleration [rad/s^2]
+        reactions (1,): main_bearing.reaction [N m]
+    """
+    crank_length = c[2]
+    crank_speed = c[5]
+    coupler_h_x = c[15]
+    crank_rate_zz = c[18]
+    coupler_I_z_z = c[19]
+    k6 = c[20]
+    k7 = c[21]
+    crank_pin_angle = q[0]
+    crank_pin_speed = u[0]
+    crank_pin_force = f[0]
+    rocker_bearing_force = f[1]
+    main_bearing_force = f[2]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    coupler_angle = crank_angle + crank_pin_angle
+    cos_coupler = ca.cos(coupler_angle)
+    sin_coupler = ca.sin(coupler_angle)
+    coupler_arm_x = cos_crank*crank_length
+    coupler_arm_y = sin_crank*crank_length
+    coupler_rate_z = crank_pin_speed + crank_speed
+    coupler_moment_x = cos_coupler*coupler_h_x
+    coupler_moment_y = coupler_h_x*sin_coupler
+    coupler_rate_zz = coupler_rate_z*coupler_rate_z
+    coupler_bias_x = -coupler_arm_x*crank_rate_zz
+    coupler_bias_y = -coupler_arm_y*crank_rate_zz
+    coupler_torque_z = coupler_bias_y*coupler_moment_x - coupler_bias_x*coupler_moment_y
+    crank_pin_net = crank_pin_force - coupler_torque_z
+    crank_pin_coupler_torque_z = coupler_I_z_z + coupler_arm_x*coupler_moment_x + coupler_arm_y*coupler_moment_y
+    crank_pin_acc = crank_pin_net*k6
+    rocker_bearing_acc = k7*rocker_bearing_force
+    coupler_force_x = -coupler_moment_x*coupler_rate_zz
+    coupler_force_y = -coupler_moment_y*coupler_rate_zz
+    crank_torque_z = coupler_torque_z + coupler_arm_x*coupler_force_y - coupler_arm_y*coupler_force_x
+    main_bearing_reaction = crank_torque_z + crank_pin_acc*crank_pin_coupler_torque_z - main_bearing_force
+    return ca.vertcat(crank_pin_acc, rocker_bearing_acc), ca.vertcat(main_bearing_reaction)
+
+
+def ledger(t, q, u, reactions, c):
+    """Power the drives put in, in its row of z.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
+    Returns, each a column vector:
+        dz (3,): energy_ledger.input [W], rocker_pin.dissipated [W], rocker_pin_friction.dissipated [W]
+    """
+    crank_speed = c[5]
+    main_bearing_reaction_in = reactions[0]
+    return ca.vertcat(main_bearing_reaction_in*crank_speed, 0, 0)
+
+
+def energy(t, q, u, c):
+    """Kinetic and potential energy, and what each pair's stiffness stores.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        kinetic (1,): kinetic [J]
+        potential (1,): potential [J]
+        stored (1,): rocker_pin [J]
+    """
+    coupler_length = c[0]
+    rocker_length = c[1]
+    crank_length = c[2]
+    base_length = c[3]
+    clearance = c[4]
+    crank_speed = c[5]
+    k3 = c[12]
+    coupler_h_x = c[15]
+    k8 = c[22]
+    k9 = c[23]
+    k10 = c[24]
+    k11 = c[25]
+    k12 = c[26]
+    k13 = c[27]
+    k14 = c[28]
+    k15 = c[29]
+    crank_pin_angle = q[0]
+    rocker_bearing_angle = q[1]
+    crank_pin_speed = u[0]
+    rocker_bearing_speed = u[1]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    coupler_angle = crank_angle + crank_pin_angle
+    cos_coupler = ca.cos(coupler_angle)
+    sin_coupler = ca.sin(coupler_angle)
+    cos_rocker = ca.cos(rocker_bearing_angle)
+    sin_rocker = ca.sin(rocker_bearing_angle)
+    coupler_arm_x = cos_crank*crank_length
+    coupler_arm_y = sin_crank*crank_length
+    coupler_arm_rate_x = -coupler_arm_y*crank_speed
+    coupler_arm_rate_y = coupler_arm_x*crank_speed
+    coupler_rate_z = crank_pin_speed + crank_speed
+    rocker_pin_pin_arm_x = cos_coupler*coupler_length
+    rocker_pin_pin_arm_y = sin_coupler*coupler_length
+    rocker_pin_bush_arm_x = cos_rocker*rocker_length
+    rocker_pin_bush_arm_y = sin_rocker*rocker_length
+    rocker_pin_apart_x = coupler_arm_x + rocker_pin_pin_arm_x - rocker_pin_bush_arm_x - base_length
+    rocker_pin_apart_y = coupler_arm_y + rocker_pin_pin_arm_y - rocker_pin_bush_arm_y
+    rocker_pin_apart_squared = rocker_pin_apart_x*rocker_pin_apart_x + rocker_pin_apart_y*rocker_pin_apart_y
+    rocker_pin_distance = ca.sqrt(rocker_pin_apart_squared)
+    rocker_pin_penetration = rocker_pin_distance - clearance
+    rocker_pin_stored_energy = ca.if_else(rocker_pin_penetration > 0, k3*rocker_pin_penetration*rocker_pin_penetration*ca.sqrt(rocker_pin_penetration), 0)
+    coupler_moment_x = cos_coupler*coupler_h_x
+    coupler_moment_y = coupler_h_x*sin_coupler
+    kinetic = k11 + k10*(coupler_arm_rate_x*coupler_arm_rate_x + coupler_arm_rate_y*coupler_arm_rate_y) + k8*coupler_rate_z*coupler_rate_z + k9*rocker_bearing_speed*rocker_bearing_speed + coupler_arm_rate_y*coupler_moment_x*coupler_rate_z - coupler_arm_rate_x*coupler_moment_y*coupler_rate_z
+    coupler_centre_arm_y = k12*sin_coupler
+    rocker_centre_arm_y = k13*sin_rocker
+    potential = k14*rocker_centre_arm_y + k15*(coupler_arm_y + coupler_centre_arm_y)
+    return ca.vertcat(kinetic), ca.vertcat(potential), ca.vertcat(rocker_pin_stored_energy)
+
+
+def poses(t, q, c):
+    """Origin of every body's frame (x, y, z after one another) and its rotation matrix (row by row), body by body.
+
+    Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
+    Returns, each a column vector:
+        positions (9,): crank.x [m], crank.y [m], crank.z [m], coupler.x [m], coupler.y [m], coupler.z [m], rocker.x
+            [m], rocker.y [m], rocker.z [m]
+        rotations (27,): crank.R_xx [1], crank.R_xy [1], crank.R_xz [1], crank.R_yx [1], crank.R_yy [1], crank.R_yz
+            [1], crank.R_zx [1], crank.R_zy [1], crank.R_zz [1], coupler.R_xx [1], coupler.R_xy [1], coupler.R_xz
+            [1], coupler.R_yx [1], coupler.R_yy [1], coupler.R_yz [1], coupler.R_zx [1], coupler.R_zy [1],
+            coupler.R_zz [1], rocker.R_xx [1], rocker.R_xy [1], rocker.R_xz [1], rocker.R_yx [1], rocker.R_yy [1],
+            rocker.R_yz [1], rocker.R_zx [1], rocker.R_zy [1], rocker.R_zz [1]
+    """
+    crank_length = c[2]
+    base_length = c[3]
+    crank_speed = c[5]
+    crank_pin_angle = q[0]
+    rocker_bearing_angle = q[1]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    coupler_angle = crank_angle + crank_pin_angle
+    cos_coupler = ca.cos(coupler_angle)
+    sin_coupler = ca.sin(coupler_angle)
+    cos_rocker = ca.cos(rocker_bearing_angle)
+    sin_rocker = ca.sin(rocker_bearing_angle)
+    coupler_arm_x = cos_crank*crank_length
+    coupler_arm_y = sin_crank*crank_length
+    return (
+        ca.vertcat(0, 0, 0, coupler_arm_x, coupler_arm_y, 0, base_length, 0, 0),
+        ca.vertcat(cos_crank, -sin_crank, 0, sin_crank, cos_crank, 0, 0, 0, 1, cos_coupler, -sin_coupler, 0,
+            sin_coupler, cos_coupler, 0, 0, 0, 1, cos_rocker, -sin_rocker, 0, sin_rocker, cos_rocker, 0, 0, 0, 1),
+    )
+
+
+def outputs(t, q, u, c):
+    """Named quantities, see OUTPUTS.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        y (2,): rocker_pin.eccentricity_x [m], rocker_pin.eccentricity_y [m]
+    """
+    coupler_length = c[0]
+    rocker_length = c[1]
+    crank_length = c[2]
+    base_length = c[3]
+    crank_speed = c[5]
+    crank_pin_angle = q[0]
+    rocker_bearing_angle = q[1]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    coupler_angle = crank_angle + crank_pin_angle
+    cos_coupler = ca.cos(coupler_angle)
+    sin_coupler = ca.sin(coupler_angle)
+    cos_rocker = ca.cos(rocker_bearing_angle)
+    sin_rocker = ca.sin(rocker_bearing_angle)
+    coupler_arm_x = cos_crank*crank_length
+    coupler_arm_y = sin_crank*crank_length
+    rocker_pin_pin_arm_x = cos_coupler*coupler_length
+    rocker_pin_pin_arm_y = sin_coupler*coupler_length
+    rocker_pin_bush_arm_x = cos_rocker*rocker_length
+    rocker_pin_bush_arm_y = sin_rocker*rocker_length
+    rocker_pin_apart_x = coupler_arm_x + rocker_pin_pin_arm_x - rocker_pin_bush_arm_x - base_length
+    rocker_pin_apart_y = coupler_arm_y + rocker_pin_pin_arm_y - rocker_pin_bush_arm_y
+    rocker_pin_eccentricity_x = cos_rocker*rocker_pin_apart_x + rocker_pin_apart_y*sin_rocker
+    rocker_pin_eccentricity_y = cos_rocker*rocker_pin_apart_y - rocker_pin_apart_x*sin_rocker
+    return ca.vertcat(rocker_pin_eccentricity_x, rocker_pin_eccentricity_y)

@@ -1,0 +1,407 @@
+"""journal_in_bearing: loaded journal turning in a bush with clearance. Generated from derive/scenes/journal_in_bearing.py.
+
+Do not edit; regenerate with `hertzwerk derive journal_in_bearing`.
+Effects:
+    motor: constant speed of shaft.angle
+    load: force on journal = (0, -load, 0) in axes of ground
+    bearing: power x flores
+    bearing_friction: smooth_coulomb at bearing
+    energy_ledger: work put in, energy dissipated per effect
+Units: 42 assignments and 74 outputs checked, all consistent
+Operations: flight 29 (equations of motion and gaps); in contact also contact_bearing 43
+"""
+
+import casadi as ca
+
+NAME = "journal_in_bearing"
+SOURCE = "derive/scenes/journal_in_bearing.py"
+SUMMARY = "loaded journal turning in a bush with clearance"
+
+EFFECTS = (
+    ("motor", "drive", "constant speed of shaft.angle"),
+    ("load", "force", "force on journal = (0, -load, 0) in axes of ground"),
+    ("bearing", "contact", "power x flores"),
+    ("bearing_friction", "friction", "smooth_coulomb at bearing"),
+    ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
+)
+
+UNCHECKED = ()
+
+PARAMETERS = (
+    ("mass", "kg", 1.0, "of the journal and what it carries"),
+    ("inertia", "kg m^2", 0.0001, "body journal, inertia"),
+    ("bush_radius", "mm", 10, "pair bearing, bush radius"),
+    ("clearance", "mm", 0.5, "bush radius minus journal radius"),
+    ("speed", "rpm", 100, "of the journal"),
+    ("load", "N", 500, "downwards"),
+    ("contact_stiffness", "N/m^exponent", 10000000000.0, "effect bearing, stiffness of power"),
+    ("exponent", "1", 1.5, "exponent of the force law"),
+    ("restitution", "1", 0.5, "effect bearing, coefficient of restitution of flores"),
+    ("approach_floor", "m/s", 0.001, "least approach speed a damping law is given; h/v0 is unbounded otherwise"),
+    ("friction_coefficient", "1", 0.2, "effect bearing_friction, coefficient of friction of smooth_coulomb"),
+    ("friction_speed", "m/s", 0.1, "effect bearing_friction, speed over which the friction force builds up of smooth_coulomb"),
+)
+
+LIMITS = (
+    ("mass", "defined", 0, None, True, False, "body journal, mass"),
+    ("inertia", "defined", 0, None, False, False, "body journal, inertia"),
+    ("bush_radius", "defined", 0, None, True, False, "pair bearing, bush radius"),
+    ("clearance", "defined", 0, None, True, False, "pair bearing, clearance"),
+    ("contact_stiffness", "defined", 0, None, True, False, "effect bearing, stiffness of power"),
+    ("exponent", "defined", 1, 10, False, False, "effect bearing, exponent of power"),
+    ("restitution", "defined", 0, 1, True, False, "effect bearing, coefficient of restitution of flores"),
+    ("approach_floor", "defined", 0, None, True, False, "effect bearing, approach floor"),
+    ("friction_coefficient", "defined", 0, None, False, False, "effect bearing_friction, coefficient of friction of smooth_coulomb"),
+    ("friction_speed", "defined", 0, None, True, False, "effect bearing_friction, speed over which the friction force builds up of smooth_coulomb"),
+)
+
+COORDINATES = (
+    ("shaft.x", "m"),
+    ("shaft.y", "m"),
+)
+
+SPEEDS = (
+    ("shaft.x_speed", "m/s"),
+    ("shaft.y_speed", "m/s"),
+)
+
+MEMORY = (
+    ("energy_ledger.input", "J"),
+    ("load.input", "J"),
+    ("bearing.dissipated", "J"),
+    ("bearing_friction.dissipated", "J"),
+)
+
+LATCHES = (
+    ("bearing.approach_speed", "m/s", 0),
+)
+
+PAIRS = (
+    ("bearing", "pin_in_bush"),
+)
+
+RELEASES = (
+    "force",
+)
+
+DISSIPATED = (
+    2,
+)
+
+OUTPUTS = (
+    ("bearing.eccentricity_x", "m"),
+    ("bearing.eccentricity_y", "m"),
+)
+
+BODIES = (
+    "journal",
+)
+
+CONSTANTS = (
+    ("clearance", "m"),
+    ("speed", "1/s"),
+    ("load", "N"),
+    ("contact_stiffness", "N/m^exponent"),
+    ("exponent", "1"),
+    ("friction_coefficient", "1"),
+    ("k1", "m^2"),
+    ("k2", "1/m"),
+    ("k3", "N/m^exponent"),
+    ("bearing_hysteresis_factor", "1"),
+    ("k4", "m/s"),
+    ("k5", "s/m"),
+    ("k6", "m"),
+    ("k7", "1/kg"),
+    ("k8", "kg"),
+    ("k9", "J"),
+)
+
+OPERATIONS = (
+    ("constants", 18),
+    ("start", 0),
+    ("scales", 7),
+    ("coordinate_rates", 0),
+    ("gaps", 12),
+    ("gap_accelerations", 13),
+    ("contact_bearing", 43),
+    ("applied", 1),
+    ("accelerations", 3),
+    ("ledger", 3),
+    ("energy", 15),
+    ("poses", 4),
+    ("outputs", 0),
+)
+
+
+def constants(p):
+    """What depends on the parameters alone, once per run.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        c (16,): clearance, speed, load, contact_stiffness, exponent, friction_coefficient, k1, k2, k3,
+            bearing_hysteresis_factor, k4, k5, k6, k7, k8, k9
+    """
+    mass = p[0]
+    inertia = p[1]
+    bush_radius = p[2]
+    clearance = p[3]
+    speed = p[4]
+    load = p[5]
+    contact_stiffness = p[6]
+    exponent = p[7]
+    restitution = p[8]
+    friction_coefficient = p[10]
+    friction_speed = p[11]
+    k1 = clearance*clearance
+    k2 = 1/(2*clearance)
+    k3 = contact_stiffness/(1 + exponent)
+    bearing_hysteresis_factor = (8 - 8*restitution)/(5*restitution)
+    x1 = bush_radius - clearance
+    k4 = -x1*speed
+    k5 = 1/friction_speed
+    k7 = 1/mass
+    k8 = mass/2
+    k9 = speed*speed*inertia/2
+    return ca.vertcat(clearance, speed, load, contact_stiffness, exponent, friction_coefficient, k1, k2, k3,
+        bearing_hysteresis_factor, k4, k5, x1, k7, k8, k9)
+
+
+def start(p):
+    """Coordinates and speeds at t = 0.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        q (2,): shaft.x [m], shaft.y [m]
+        u (2,): shaft.x_speed [m/s], shaft.y_speed [m/s]
+    """
+    return ca.vertcat(0, 0), ca.vertcat(0, 0)
+
+
+def scales(p):
+    """Sizes that accuracy is measured by: of coordinates, speeds, memory; then length, speed, force, energy.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        sq (2,): shaft.x [m], shaft.y [m]
+        su (2,): shaft.x_speed [m/s], shaft.y_speed [m/s]
+        sz (4,): energy_ledger.input [J], load.input [J], bearing.dissipated [J], bearing_friction.dissipated [J]
+        s (4,): length [m], speed [m/s], force [N], energy [J]
+    """
+    mass = p[0]
+    bush_radius = p[2]
+    clearance = p[3]
+    speed = p[4]
+    energy_scale = bush_radius*bush_radius*speed*speed*mass/2
+    force_scale = energy_scale/clearance
+    x1 = bush_radius*speed
+    return (
+        ca.vertcat(clearance, clearance),
+        ca.vertcat(x1, x1),
+        ca.vertcat(energy_scale, energy_scale, energy_scale, energy_scale),
+        ca.vertcat(clearance, x1, force_scale, energy_scale),
+    )
+
+
+def coordinate_rates(t, q, u, c):
+    """Rates of the coordinates.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        dq (2,): shaft.x [m/s], shaft.y [m/s]
+    """
+    shaft_x_speed = u[0]
+    shaft_y_speed = u[1]
+    return ca.vertcat(shaft_x_speed, shaft_y_speed)
+
+
+def gaps(t, q, u, c):
+    """Gap of every pair, positive while open, and its rate; at an onset the rate is minus the approach speed.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        G (1,): bearing [m]
+        dG (1,): bearing [m/s]
+    """
+    k1 = c[6]
+    k2 = c[7]
+    shaft_x = q[0]
+    shaft_y = q[1]
+    shaft_x_speed = u[0]
+    shaft_y_speed = u[1]
+    bearing_apart_squared = shaft_x*shaft_x + shaft_y*shaft_y
+    bearing_gap = k2*(k1 - bearing_apart_squared)
+    bearing_apart_squared_rate = 2*shaft_x*shaft_x_speed + 2*shaft_y*shaft_y_speed
+    bearing_gap_rate = -bearing_apart_squared_rate*k2
+    return ca.vertcat(bearing_gap), ca.vertcat(bearing_gap_rate)
+
+
+def gap_accelerations(t, q, u, a, c):
+    """Second derivative of every gap.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; a: rates of the speeds; c: CONSTANTS.
+    Returns, each a column vector:
+        ddG (1,): bearing [m/s^2]
+    """
+    k2 = c[7]
+    shaft_x = q[0]
+    shaft_y = q[1]
+    shaft_x_speed = u[0]
+    shaft_y_speed = u[1]
+    shaft_x_acceleration = a[0]
+    shaft_y_acceleration = a[1]
+    bearing_apart_squared_rate_rate = 2*shaft_x_speed*shaft_x_speed + 2*shaft_y_speed*shaft_y_speed + 2*shaft_x*shaft_x_acceleration + 2*shaft_y*shaft_y_acceleration
+    bearing_gap_rate_rate = -bearing_apart_squared_rate_rate*k2
+    return ca.vertcat(bearing_gap_rate_rate)
+
+
+def contact_bearing(t, q, u, z, m, c):
+    """Forces of bearing: power x flores, smooth_coulomb. The normal force is the laws' own, not clamped: where it
+    would pull, the contact ends.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
+    Returns, each a column vector:
+        f (3,): shaft.x [N], shaft.y [N], shaft.angle [N m]
+        dz (4,): energy_ledger.input [W], load.input [W], bearing.dissipated [W], bearing_friction.dissipated [W]
+        normal_force (1,): bearing [N]
+        sliding_velocity (1,): bearing [m/s]
+        in_range (1,): bearing [1]
+    """
+    clearance = c[0]
+    contact_stiffness = c[3]
+    exponent = c[4]
+    friction_coefficient = c[5]
+    bearing_hysteresis_factor = c[9]
+    k4 = c[10]
+    k5 = c[11]
+    k6 = c[12]
+    shaft_x = q[0]
+    shaft_y = q[1]
+    shaft_x_speed = u[0]
+    shaft_y_speed = u[1]
+    bearing_approach_speed = m[0]
+    bearing_apart_squared = shaft_x*shaft_x + shaft_y*shaft_y
+    bearing_distance = ca.sqrt(bearing_apart_squared)
+    bearing_penetration = bearing_distance - clearance
+    bearing_elastic_force = ca.if_else(bearing_penetration > 0, bearing_penetration**exponent*contact_stiffness, 0)
+    bearing_normal_x = -shaft_x/bearing_distance
+    bearing_normal_y = -shaft_y/bearing_distance
+    bearing_penetration_rate = -bearing_normal_x*shaft_x_speed - bearing_normal_y*shaft_y_speed
+    bearing_resistance = bearing_elastic_force*bearing_hysteresis_factor*bearing_penetration_rate/bearing_approach_speed
+    bearing_normal_force = bearing_elastic_force + bearing_resistance
+    bearing_normal_power = bearing_penetration_rate*bearing_resistance
+    bearing_push_x = bearing_normal_force*bearing_normal_x
+    bearing_push_y = bearing_normal_force*bearing_normal_y
+    bearing_sliding_velocity = k4 + bearing_normal_x*shaft_y_speed - bearing_normal_y*shaft_x_speed
+    bearing_friction_force = bearing_normal_force*friction_coefficient*ca.tanh(bearing_sliding_velocity*k5)
+    bearing_friction_power = bearing_friction_force*bearing_sliding_velocity
+    bearing_drag_x = bearing_friction_force*bearing_normal_y
+    bearing_drag_y = -bearing_friction_force*bearing_normal_x
+    bearing_drag_on_shaft_angle = bearing_drag_x*bearing_normal_y*k6 - bearing_drag_y*bearing_normal_x*k6
+    return (
+        ca.vertcat(bearing_drag_x + bearing_push_x, bearing_drag_y + bearing_push_y, bearing_drag_on_shaft_angle),
+        ca.vertcat(0, 0, bearing_normal_power, bearing_friction_power),
+        ca.vertcat(bearing_normal_force),
+        ca.vertcat(bearing_sliding_velocity),
+        ca.vertcat(1),
+    )
+
+
+def applied(t, q, u, c):
+    """Generalised forces of everything that is no contact.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        f (3,): shaft.x [N], shaft.y [N], shaft.angle [N m]
+    """
+    load = c[2]
+    return ca.vertcat(0, -load, 0)
+
+
+def accelerations(t, q, u, f, c):
+    """Generalised accelerations a from M a = f - bias, and what each drive must supply.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; f: generalised forces; c: CONSTANTS.
+    Returns, each a column vector:
+        a (2,): shaft.x_acceleration [m/s^2], shaft.y_acceleration [m/s^2]
+        reactions (1,): shaft.angle.reaction [N m]
+    """
+    k7 = c[13]
+    shaft_x_force = f[0]
+    shaft_y_force = f[1]
+    shaft_angle_force = f[2]
+    shaft_x_acc = k7*shaft_x_force
+    shaft_y_acc = k7*shaft_y_force
+    return ca.vertcat(shaft_x_acc, shaft_y_acc), ca.vertcat(-shaft_angle_force)
+
+
+def ledger(t, q, u, reactions, c):
+    """Power the drives put in, in its row of z; put in and dissipated by force elements, in theirs.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
+    Returns, each a column vector:
+        dz (4,): energy_ledger.input [W], load.input [W], bearing.dissipated [W], bearing_friction.dissipated [W]
+    """
+    speed = c[1]
+    load = c[2]
+    shaft_y_speed = u[1]
+    shaft_angle_reaction_in = reactions[0]
+    return ca.vertcat(shaft_angle_reaction_in*speed, -shaft_y_speed*load, 0, 0)
+
+
+def energy(t, q, u, c):
+    """Kinetic and potential energy, and what each pair's stiffness stores.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        kinetic (1,): kinetic [J]
+        potential (1,): potential [J]
+        stored (1,): bearing [J]
+    """
+    clearance = c[0]
+    exponent = c[4]
+    k3 = c[8]
+    k8 = c[14]
+    k9 = c[15]
+    shaft_x = q[0]
+    shaft_y = q[1]
+    shaft_x_speed = u[0]
+    shaft_y_speed = u[1]
+    bearing_apart_squared = shaft_x*shaft_x + shaft_y*shaft_y
+    bearing_distance = ca.sqrt(bearing_apart_squared)
+    bearing_penetration = bearing_distance - clearance
+    bearing_stored_energy = ca.if_else(bearing_penetration > 0, k3*bearing_penetration**(1 + exponent), 0)
+    kinetic = k9 + k8*(shaft_x_speed*shaft_x_speed + shaft_y_speed*shaft_y_speed)
+    return ca.vertcat(kinetic), ca.vertcat(0), ca.vertcat(bearing_stored_energy)
+
+
+def poses(t, q, c):
+    """Origin of every body's frame (x, y, z after one another) and its rotation matrix (row by row), body by body.
+
+    Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
+    Returns, each a column vector:
+        positions (3,): journal.x [m], journal.y [m], journal.z [m]
+        rotations (9,): journal.R_xx [1], journal.R_xy [1], journal.R_xz [1], journal.R_yx [1], journal.R_yy [1],
+            journal.R_yz [1], journal.R_zx [1], journal.R_zy [1], journal.R_zz [1]
+    """
+    speed = c[1]
+    shaft_x = q[0]
+    shaft_y = q[1]
+    journal_angle = t*speed
+    cos_journal = ca.cos(journal_angle)
+    sin_journal = ca.sin(journal_angle)
+    return (
+        ca.vertcat(shaft_x, shaft_y, 0),
+        ca.vertcat(cos_journal, -sin_journal, 0, sin_journal, cos_journal, 0, 0, 0, 1),
+    )
+
+
+def outputs(t, q, u, c):
+    """Named quantities, see OUTPUTS.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        y (2,): bearing.eccentricity_x [m], bearing.eccentricity_y [m]
+    """
+    shaft_x = q[0]
+    shaft_y = q[1]
+    return ca.vertcat(shaft_x, shaft_y)

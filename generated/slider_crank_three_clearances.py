@@ -1,0 +1,872 @@
+"""slider_crank_three_clearances: slider-crank with clearance at all three pins. Generated from derive/scenes/slider_crank_three_clearances.py.
+
+Do not edit; regenerate with `hertzwerk derive slider_crank_three_clearances`.
+Effects:
+    crank_drive: constant speed of crank_plane.angle
+    gravity: uniform gravity
+    main_bearing: hertz_point x lankarani_nikravesh
+    crank_pin: hertz_point x lankarani_nikravesh
+    slider_pin: hertz_point x lankarani_nikravesh
+    main_bearing_friction: smooth_coulomb at main_bearing
+    crank_pin_friction: smooth_coulomb at crank_pin
+    slider_pin_friction: smooth_coulomb at slider_pin
+    energy_ledger: work put in, energy dissipated per effect
+Units: 159 assignments and 197 outputs checked, all consistent
+Operations: flight 197 (equations of motion and gaps); in contact also contact_main_bearing 46, contact_crank_pin 95, contact_slider_pin 67
+"""
+
+import casadi as ca
+
+NAME = "slider_crank_three_clearances"
+SOURCE = "derive/scenes/slider_crank_three_clearances.py"
+SUMMARY = "slider-crank with clearance at all three pins"
+
+EFFECTS = (
+    ("crank_drive", "drive", "constant speed of crank_plane.angle"),
+    ("gravity", "gravity", "uniform gravity"),
+    ("main_bearing", "contact", "hertz_point x lankarani_nikravesh"),
+    ("crank_pin", "contact", "hertz_point x lankarani_nikravesh"),
+    ("slider_pin", "contact", "hertz_point x lankarani_nikravesh"),
+    ("main_bearing_friction", "friction", "smooth_coulomb at main_bearing"),
+    ("crank_pin_friction", "friction", "smooth_coulomb at crank_pin"),
+    ("slider_pin_friction", "friction", "smooth_coulomb at slider_pin"),
+    ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
+)
+
+UNCHECKED = ()
+
+PARAMETERS = (
+    ("crank_mass", "kg", 0.3, "body crank, mass"),
+    ("crank_inertia", "kg m^2", 0.0001, "body crank, inertia"),
+    ("rod_mass", "kg", 0.21, "body rod, mass"),
+    ("rod_inertia", "kg m^2", 0.00025, "body rod, inertia"),
+    ("rod_mass_centre", "m", 0.06, "crank pin to mass centre"),
+    ("slider_mass", "kg", 0.14, "body slider, mass"),
+    ("bush_radius", "mm", 10, "pair main_bearing, bush radius"),
+    ("clearance", "mm", 0.5, "bush radius minus pin radius"),
+    ("crank_radius", "m", 0.05, "main bearing to crank pin"),
+    ("rod_length", "m", 0.12, "crank pin to slider pin"),
+    ("crank_speed", "rpm", 5000, "constant speed of the crank"),
+    ("gravity", "m/s^2", 9.81, "effect gravity, acceleration"),
+    ("youngs_modulus", "GPa", 207, "effect main_bearing, Young's modulus of the first body of hertz_point"),
+    ("poissons_ratio", "1", 0.3, "effect main_bearing, Poisson's ratio of the first body of hertz_point"),
+    ("restitution", "1", 0.9, "effect main_bearing, coefficient of restitution of lankarani_nikravesh"),
+    ("approach_floor", "m/s", 0.001, "least approach speed a damping law is given; h/v0 is unbounded otherwise"),
+    ("friction_coefficient", "1", 0.1, "effect main_bearing_friction, coefficient of friction of smooth_coulomb"),
+    ("friction_speed", "m/s", 0.1, "effect main_bearing_friction, speed over which the friction force builds up of smooth_coulomb"),
+)
+
+LIMITS = (
+    ("crank_mass", "defined", 0, None, True, False, "body crank, mass"),
+    ("crank_inertia", "defined", 0, None, False, False, "body crank, inertia"),
+    ("rod_mass", "defined", 0, None, True, False, "body rod, mass"),
+    ("rod_inertia", "defined", 0, None, False, False, "body rod, inertia"),
+    ("slider_mass", "defined", 0, None, True, False, "body slider, mass"),
+    ("bush_radius", "defined", 0, None, True, False, "pair main_bearing, bush radius"),
+    ("clearance", "defined", 0, None, True, False, "pair main_bearing, clearance"),
+    ("youngs_modulus", "defined", 0, None, True, False, "effect main_bearing, Young's modulus of the first body of hertz_point"),
+    ("poissons_ratio", "defined", -1, 0.5, True, False, "effect main_bearing, Poisson's ratio of the first body of hertz_point"),
+    ("restitution", "defined", 0, 1, False, False, "effect main_bearing, coefficient of restitution of lankarani_nikravesh"),
+    ("restitution", "recommended", 0.8, 1, True, False, "effect main_bearing, coefficient of restitution of lankarani_nikravesh"),
+    ("approach_floor", "defined", 0, None, True, False, "effect main_bearing, approach floor"),
+    ("friction_coefficient", "defined", 0, None, False, False, "effect main_bearing_friction, coefficient of friction of smooth_coulomb"),
+    ("friction_speed", "defined", 0, None, True, False, "effect main_bearing_friction, speed over which the friction force builds up of smooth_coulomb"),
+    ("rod_length", "defined", 0, None, True, False, "scales, arm"),
+)
+
+COORDINATES = (
+    ("crank_plane.x", "m"),
+    ("crank_plane.y", "m"),
+    ("rod_plane.x", "m"),
+    ("rod_plane.y", "m"),
+    ("rod_plane.angle", "rad"),
+    ("guide.travel", "m"),
+)
+
+SPEEDS = (
+    ("crank_plane.x_speed", "m/s"),
+    ("crank_plane.y_speed", "m/s"),
+    ("rod_plane.x_speed", "m/s"),
+    ("rod_plane.y_speed", "m/s"),
+    ("rod_plane.angle_speed", "rad/s"),
+    ("guide.speed", "m/s"),
+)
+
+MEMORY = (
+    ("energy_ledger.input", "J"),
+    ("main_bearing.dissipated", "J"),
+    ("crank_pin.dissipated", "J"),
+    ("slider_pin.dissipated", "J"),
+    ("main_bearing_friction.dissipated", "J"),
+    ("crank_pin_friction.dissipated", "J"),
+    ("slider_pin_friction.dissipated", "J"),
+)
+
+LATCHES = (
+    ("main_bearing.approach_speed", "m/s", 0),
+    ("crank_pin.approach_speed", "m/s", 1),
+    ("slider_pin.approach_speed", "m/s", 2),
+)
+
+PAIRS = (
+    ("main_bearing", "pin_in_bush"),
+    ("crank_pin", "pin_in_bush"),
+    ("slider_pin", "pin_in_bush"),
+)
+
+RELEASES = (
+    "force",
+    "force",
+    "force",
+)
+
+DISSIPATED = (
+    1,
+    2,
+    3,
+)
+
+OUTPUTS = (
+    ("main_bearing.eccentricity_x", "m"),
+    ("main_bearing.eccentricity_y", "m"),
+    ("crank_pin.eccentricity_x", "m"),
+    ("crank_pin.eccentricity_y", "m"),
+    ("slider_pin.eccentricity_x", "m"),
+    ("slider_pin.eccentricity_y", "m"),
+)
+
+BODIES = (
+    "crank",
+    "rod",
+    "slider",
+)
+
+CONSTANTS = (
+    ("crank_mass", "kg"),
+    ("rod_mass", "kg"),
+    ("rod_mass_centre", "m"),
+    ("clearance", "m"),
+    ("crank_radius", "m"),
+    ("rod_length", "m"),
+    ("crank_speed", "1/s"),
+    ("gravity", "m/s^2"),
+    ("friction_coefficient", "1"),
+    ("k1", "m^2"),
+    ("k2", "1/m"),
+    ("main_bearing_R_min", "m"),
+    ("main_bearing_K", "N/m^1.5"),
+    ("k3", "N/m^1.5"),
+    ("main_bearing_hysteresis_factor", "1"),
+    ("k4", "m/s"),
+    ("k5", "s/m"),
+    ("rod_h_x", "kg m"),
+    ("k6", "1/(kg m^2)"),
+    ("k7", "1/kg"),
+    ("k8", "1/kg"),
+    ("k9", "kg m^2"),
+    ("k10", "kg"),
+    ("k11", "kg"),
+    ("k12", "kg"),
+    ("k13", "J"),
+    ("k14", "N"),
+    ("k15", "N"),
+)
+
+OPERATIONS = (
+    ("constants", 40),
+    ("start", 5),
+    ("scales", 12),
+    ("coordinate_rates", 0),
+    ("gaps", 65),
+    ("gap_accelerations", 83),
+    ("contact_main_bearing", 46),
+    ("contact_crank_pin", 95),
+    ("contact_slider_pin", 67),
+    ("applied", 8),
+    ("accelerations", 41),
+    ("ledger", 1),
+    ("energy", 78),
+    ("poses", 7),
+    ("outputs", 22),
+)
+
+
+def constants(p):
+    """What depends on the parameters alone, once per run.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        c (28,): crank_mass, rod_mass, rod_mass_centre, clearance, crank_radius, rod_length, crank_speed, gravity,
+            friction_coefficient, k1, k2, main_bearing_R_min, main_bearing_K, k3, main_bearing_hysteresis_factor,
+            k4, k5, rod_h_x, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15
+    """
+    crank_mass = p[0]
+    crank_inertia = p[1]
+    rod_mass = p[2]
+    rod_inertia = p[3]
+    rod_mass_centre = p[4]
+    slider_mass = p[5]
+    bush_radius = p[6]
+    clearance = p[7]
+    crank_radius = p[8]
+    rod_length = p[9]
+    crank_speed = p[10]
+    gravity = p[11]
+    youngs_modulus = p[12]
+    poissons_ratio = p[13]
+    restitution = p[14]
+    friction_coefficient = p[16]
+    friction_speed = p[17]
+    k1 = clearance*clearance
+    k2 = 1/(2*clearance)
+    x1 = bush_radius - clearance
+    main_bearing_R_eff = x1*bush_radius/clearance
+    main_bearing_E_eff = youngs_modulus/(2*(1 - poissons_ratio*poissons_ratio))
+    main_bearing_K = 4*main_bearing_E_eff*ca.sqrt(main_bearing_R_eff)/3
+    k3 = 2*main_bearing_K/5
+    main_bearing_hysteresis_factor = 3/4 - 3*restitution*restitution/4
+    k4 = -x1*crank_speed
+    k5 = 1/friction_speed
+    rod_h_x = rod_mass*rod_mass_centre
+    rod_I_z_z = rod_mass_centre*rod_mass_centre*rod_mass + rod_inertia
+    k6 = 1/rod_I_z_z
+    k7 = 1/crank_mass
+    k8 = 1/slider_mass
+    k9 = rod_I_z_z/2
+    k10 = slider_mass/2
+    k11 = crank_mass/2
+    k12 = rod_mass/2
+    k13 = crank_speed*crank_speed*crank_inertia/2
+    k14 = crank_mass*gravity
+    k15 = gravity*rod_mass
+    return ca.vertcat(crank_mass, rod_mass, rod_mass_centre, clearance, crank_radius, rod_length, crank_speed,
+        gravity, friction_coefficient, k1, k2, x1, main_bearing_K, k3, main_bearing_hysteresis_factor, k4, k5,
+        rod_h_x, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15)
+
+
+def start(p):
+    """Coordinates and speeds at t = 0.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        q (6,): crank_plane.x [m], crank_plane.y [m], rod_plane.x [m], rod_plane.y [m], rod_plane.angle [rad],
+            guide.travel [m]
+        u (6,): crank_plane.x_speed [m/s], crank_plane.y_speed [m/s], rod_plane.x_speed [m/s], rod_plane.y_speed
+            [m/s], rod_plane.angle_speed [rad/s], guide.speed [m/s]
+    """
+    crank_radius = p[8]
+    rod_length = p[9]
+    crank_speed = p[10]
+    return (
+        ca.vertcat(0, 0, crank_radius, 0, 0, crank_radius + rod_length),
+        ca.vertcat(0, 0, 0, crank_radius*crank_speed, -crank_radius*crank_speed/rod_length, 0),
+    )
+
+
+def scales(p):
+    """Sizes that accuracy is measured by: of coordinates, speeds, memory; then length, speed, force, energy.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        sq (6,): crank_plane.x [m], crank_plane.y [m], rod_plane.x [m], rod_plane.y [m], rod_plane.angle [rad],
+            guide.travel [m]
+        su (6,): crank_plane.x_speed [m/s], crank_plane.y_speed [m/s], rod_plane.x_speed [m/s], rod_plane.y_speed
+            [m/s], rod_plane.angle_speed [rad/s], guide.speed [m/s]
+        sz (7,): energy_ledger.input [J], main_bearing.dissipated [J], crank_pin.dissipated [J],
+            slider_pin.dissipated [J], main_bearing_friction.dissipated [J], crank_pin_friction.dissipated [J],
+            slider_pin_friction.dissipated [J]
+        s (4,): length [m], speed [m/s], force [N], energy [J]
+    """
+    crank_mass = p[0]
+    rod_mass = p[2]
+    slider_mass = p[5]
+    clearance = p[7]
+    crank_radius = p[8]
+    rod_length = p[9]
+    crank_speed = p[10]
+    total_mass = crank_mass + rod_mass + slider_mass
+    energy_scale = total_mass*crank_radius*crank_radius*crank_speed*crank_speed/2
+    force_scale = energy_scale/clearance
+    x1 = crank_radius*crank_speed
+    return (
+        ca.vertcat(clearance, clearance, clearance, clearance, clearance/rod_length, clearance),
+        ca.vertcat(x1, x1, x1, x1, crank_radius*crank_speed/rod_length, x1),
+        ca.vertcat(energy_scale, energy_scale, energy_scale, energy_scale, energy_scale, energy_scale,
+            energy_scale),
+        ca.vertcat(clearance, x1, force_scale, energy_scale),
+    )
+
+
+def coordinate_rates(t, q, u, c):
+    """Rates of the coordinates.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        dq (6,): crank_plane.x [m/s], crank_plane.y [m/s], rod_plane.x [m/s], rod_plane.y [m/s], rod_plane.angle
+            [rad/s], guide.travel [m/s]
+    """
+    crank_plane_x_speed = u[0]
+    crank_plane_y_speed = u[1]
+    rod_plane_x_speed = u[2]
+    rod_plane_y_speed = u[3]
+    rod_plane_angle_speed = u[4]
+    guide_speed = u[5]
+    return ca.vertcat(crank_plane_x_speed, crank_plane_y_speed, rod_plane_x_speed, rod_plane_y_speed,
+        rod_plane_angle_speed, guide_speed)
+
+
+def gaps(t, q, u, c):
+    """Gap of every pair, positive while open, and its rate; at an onset the rate is minus the approach speed.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        G (3,): main_bearing [m], crank_pin [m], slider_pin [m]
+        dG (3,): main_bearing [m/s], crank_pin [m/s], slider_pin [m/s]
+    """
+    crank_radius = c[4]
+    rod_length = c[5]
+    crank_speed = c[6]
+    k1 = c[9]
+    k2 = c[10]
+    crank_plane_x = q[0]
+    crank_plane_y = q[1]
+    rod_plane_x = q[2]
+    rod_plane_y = q[3]
+    rod_plane_angle = q[4]
+    guide_travel = q[5]
+    crank_plane_x_speed = u[0]
+    crank_plane_y_speed = u[1]
+    rod_plane_x_speed = u[2]
+    rod_plane_y_speed = u[3]
+    rod_plane_angle_speed = u[4]
+    guide_speed = u[5]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    cos_rod = ca.cos(rod_plane_angle)
+    sin_rod = ca.sin(rod_plane_angle)
+    crank_pin_pin_arm_x = cos_crank*crank_radius
+    crank_pin_pin_arm_y = sin_crank*crank_radius
+    crank_pin_pin_arm_rate_x = -crank_pin_pin_arm_y*crank_speed
+    crank_pin_pin_arm_rate_y = crank_pin_pin_arm_x*crank_speed
+    crank_pin_apart_x = crank_pin_pin_arm_x + crank_plane_x - rod_plane_x
+    crank_pin_apart_y = crank_pin_pin_arm_y + crank_plane_y - rod_plane_y
+    crank_pin_apart_rate_x = crank_pin_pin_arm_rate_x + crank_plane_x_speed - rod_plane_x_speed
+    crank_pin_apart_rate_y = crank_pin_pin_arm_rate_y + crank_plane_y_speed - rod_plane_y_speed
+    slider_pin_pin_arm_x = cos_rod*rod_length
+    slider_pin_pin_arm_y = sin_rod*rod_length
+    slider_pin_pin_arm_rate_x = -rod_plane_angle_speed*slider_pin_pin_arm_y
+    slider_pin_pin_arm_rate_y = rod_plane_angle_speed*slider_pin_pin_arm_x
+    slider_pin_apart_x = rod_plane_x + slider_pin_pin_arm_x - guide_travel
+    slider_pin_apart_y = rod_plane_y + slider_pin_pin_arm_y
+    slider_pin_apart_rate_x = rod_plane_x_speed + slider_pin_pin_arm_rate_x - guide_speed
+    slider_pin_apart_rate_y = rod_plane_y_speed + slider_pin_pin_arm_rate_y
+    main_bearing_apart_squared = crank_plane_x*crank_plane_x + crank_plane_y*crank_plane_y
+    main_bearing_gap = k2*(k1 - main_bearing_apart_squared)
+    crank_pin_apart_squared = crank_pin_apart_x*crank_pin_apart_x + crank_pin_apart_y*crank_pin_apart_y
+    crank_pin_gap = k2*(k1 - crank_pin_apart_squared)
+    slider_pin_apart_squared = slider_pin_apart_x*slider_pin_apart_x + slider_pin_apart_y*slider_pin_apart_y
+    slider_pin_gap = k2*(k1 - slider_pin_apart_squared)
+    main_bearing_apart_squared_rate = 2*crank_plane_x*crank_plane_x_speed + 2*crank_plane_y*crank_plane_y_speed
+    main_bearing_gap_rate = -k2*main_bearing_apart_squared_rate
+    crank_pin_apart_squared_rate = 2*crank_pin_apart_rate_x*crank_pin_apart_x + 2*crank_pin_apart_rate_y*crank_pin_apart_y
+    crank_pin_gap_rate = -crank_pin_apart_squared_rate*k2
+    slider_pin_apart_squared_rate = 2*slider_pin_apart_rate_x*slider_pin_apart_x + 2*slider_pin_apart_rate_y*slider_pin_apart_y
+    slider_pin_gap_rate = -k2*slider_pin_apart_squared_rate
+    return (
+        ca.vertcat(main_bearing_gap, crank_pin_gap, slider_pin_gap),
+        ca.vertcat(main_bearing_gap_rate, crank_pin_gap_rate, slider_pin_gap_rate),
+    )
+
+
+def gap_accelerations(t, q, u, a, c):
+    """Second derivative of every gap.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; a: rates of the speeds; c: CONSTANTS.
+    Returns, each a column vector:
+        ddG (3,): main_bearing [m/s^2], crank_pin [m/s^2], slider_pin [m/s^2]
+    """
+    crank_radius = c[4]
+    rod_length = c[5]
+    crank_speed = c[6]
+    k2 = c[10]
+    crank_plane_x = q[0]
+    crank_plane_y = q[1]
+    rod_plane_x = q[2]
+    rod_plane_y = q[3]
+    rod_plane_angle = q[4]
+    guide_travel = q[5]
+    crank_plane_x_speed = u[0]
+    crank_plane_y_speed = u[1]
+    rod_plane_x_speed = u[2]
+    rod_plane_y_speed = u[3]
+    rod_plane_angle_speed = u[4]
+    guide_speed = u[5]
+    crank_plane_x_acceleration = a[0]
+    crank_plane_y_acceleration = a[1]
+    rod_plane_x_acceleration = a[2]
+    rod_plane_y_acceleration = a[3]
+    rod_plane_angle_acceleration = a[4]
+    guide_acceleration = a[5]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    cos_rod = ca.cos(rod_plane_angle)
+    sin_rod = ca.sin(rod_plane_angle)
+    crank_pin_pin_arm_x = cos_crank*crank_radius
+    crank_pin_pin_arm_y = sin_crank*crank_radius
+    crank_pin_pin_arm_rate_x = -crank_pin_pin_arm_y*crank_speed
+    crank_pin_pin_arm_rate_y = crank_pin_pin_arm_x*crank_speed
+    crank_pin_apart_x = crank_pin_pin_arm_x + crank_plane_x - rod_plane_x
+    crank_pin_apart_y = crank_pin_pin_arm_y + crank_plane_y - rod_plane_y
+    crank_pin_apart_rate_x = crank_pin_pin_arm_rate_x + crank_plane_x_speed - rod_plane_x_speed
+    crank_pin_apart_rate_y = crank_pin_pin_arm_rate_y + crank_plane_y_speed - rod_plane_y_speed
+    crank_pin_apart_acceleration_x = crank_plane_x_acceleration - rod_plane_x_acceleration - crank_pin_pin_arm_rate_y*crank_speed
+    crank_pin_apart_acceleration_y = crank_plane_y_acceleration + crank_pin_pin_arm_rate_x*crank_speed - rod_plane_y_acceleration
+    slider_pin_pin_arm_x = cos_rod*rod_length
+    slider_pin_pin_arm_y = sin_rod*rod_length
+    slider_pin_pin_arm_rate_x = -rod_plane_angle_speed*slider_pin_pin_arm_y
+    slider_pin_pin_arm_rate_y = rod_plane_angle_speed*slider_pin_pin_arm_x
+    slider_pin_apart_x = rod_plane_x + slider_pin_pin_arm_x - guide_travel
+    slider_pin_apart_y = rod_plane_y + slider_pin_pin_arm_y
+    slider_pin_apart_rate_x = rod_plane_x_speed + slider_pin_pin_arm_rate_x - guide_speed
+    slider_pin_apart_rate_y = rod_plane_y_speed + slider_pin_pin_arm_rate_y
+    slider_pin_apart_acceleration_x = rod_plane_x_acceleration - guide_acceleration - rod_plane_angle_acceleration*slider_pin_pin_arm_y - rod_plane_angle_speed*slider_pin_pin_arm_rate_y
+    slider_pin_apart_acceleration_y = rod_plane_y_acceleration + rod_plane_angle_acceleration*slider_pin_pin_arm_x + rod_plane_angle_speed*slider_pin_pin_arm_rate_x
+    main_bearing_apart_squared_rate_rate = 2*crank_plane_x_speed*crank_plane_x_speed + 2*crank_plane_y_speed*crank_plane_y_speed + 2*crank_plane_x*crank_plane_x_acceleration + 2*crank_plane_y*crank_plane_y_acceleration
+    main_bearing_gap_rate_rate = -k2*main_bearing_apart_squared_rate_rate
+    crank_pin_apart_squared_rate_rate = 2*crank_pin_apart_rate_x*crank_pin_apart_rate_x + 2*crank_pin_apart_rate_y*crank_pin_apart_rate_y + 2*crank_pin_apart_acceleration_x*crank_pin_apart_x + 2*crank_pin_apart_acceleration_y*crank_pin_apart_y
+    crank_pin_gap_rate_rate = -crank_pin_apart_squared_rate_rate*k2
+    slider_pin_apart_squared_rate_rate = 2*slider_pin_apart_rate_x*slider_pin_apart_rate_x + 2*slider_pin_apart_rate_y*slider_pin_apart_rate_y + 2*slider_pin_apart_acceleration_x*slider_pin_apart_x + 2*slider_pin_apart_acceleration_y*slider_pin_apart_y
+    slider_pin_gap_rate_rate = -k2*slider_pin_apart_squared_rate_rate
+    return ca.vertcat(main_bearing_gap_rate_rate, crank_pin_gap_rate_rate, slider_pin_gap_rate_rate)
+
+
+def contact_main_bearing(t, q, u, z, m, c):
+    """Forces of main_bearing: hertz_point x lankarani_nikravesh, smooth_coulomb. The normal force is the laws' own,
+    not clamped: where it would pull, the contact ends.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
+    Returns, each a column vector:
+        f (7,): crank_plane.x [N], crank_plane.y [N], rod_plane.x [N], rod_plane.y [N], rod_plane.angle [N m], guide
+            [N], crank_plane.angle [N m]
+        dz (7,): energy_ledger.input [W], main_bearing.dissipated [W], crank_pin.dissipated [W],
+            slider_pin.dissipated [W], main_bearing_friction.dissipated [W], crank_pin_friction.dissipated [W],
+            slider_pin_friction.dissipated [W]
+        normal_force (1,): main_bearing [N]
+        sliding_velocity (1,): main_bearing [m/s]
+        in_range (1,): main_bearing [1]
+    """
+    clearance = c[3]
+    friction_coefficient = c[8]
+    main_bearing_R_min = c[11]
+    main_bearing_K = c[12]
+    main_bearing_hysteresis_factor = c[14]
+    k4 = c[15]
+    k5 = c[16]
+    crank_plane_x = q[0]
+    crank_plane_y = q[1]
+    crank_plane_x_speed = u[0]
+    crank_plane_y_speed = u[1]
+    main_bearing_approach_speed = m[0]
+    main_bearing_apart_squared = crank_plane_x*crank_plane_x + crank_plane_y*crank_plane_y
+    main_bearing_distance = ca.sqrt(main_bearing_apart_squared)
+    main_bearing_penetration = main_bearing_distance - clearance
+    main_bearing_elastic_force = ca.if_else(main_bearing_penetration > 0, main_bearing_K*main_bearing_penetration*ca.sqrt(main_bearing_penetration), 0)
+    main_bearing_normal_x = -crank_plane_x/main_bearing_distance
+    main_bearing_normal_y = -crank_plane_y/main_bearing_distance
+    main_bearing_penetration_rate = -crank_plane_x_speed*main_bearing_normal_x - crank_plane_y_speed*main_bearing_normal_y
+    main_bearing_resistance = main_bearing_elastic_force*main_bearing_hysteresis_factor*main_bearing_penetration_rate/main_bearing_approach_speed
+    main_bearing_normal_force = main_bearing_elastic_force + main_bearing_resistance
+    main_bearing_normal_power = main_bearing_penetration_rate*main_bearing_resistance
+    main_bearing_push_x = main_bearing_normal_force*main_bearing_normal_x
+    main_bearing_push_y = main_bearing_normal_force*main_bearing_normal_y
+    main_bearing_sliding_velocity = k4 + crank_plane_y_speed*main_bearing_normal_x - crank_plane_x_speed*main_bearing_normal_y
+    main_bearing_friction_force = main_bearing_normal_force*friction_coefficient*ca.tanh(k5*main_bearing_sliding_velocity)
+    main_bearing_friction_power = main_bearing_friction_force*main_bearing_sliding_velocity
+    main_bearing_drag_x = main_bearing_friction_force*main_bearing_normal_y
+    main_bearing_drag_y = -main_bearing_friction_force*main_bearing_normal_x
+    main_bearing_drag_on_crank_plane_angle = main_bearing_R_min*main_bearing_drag_x*main_bearing_normal_y - main_bearing_R_min*main_bearing_drag_y*main_bearing_normal_x
+    main_bearing_in_range = ca.if_else(main_bearing_penetration <= main_bearing_R_min, 1, 0)
+    return (
+        ca.vertcat(main_bearing_drag_x + main_bearing_push_x, main_bearing_drag_y + main_bearing_push_y, 0, 0, 0, 0,
+            main_bearing_drag_on_crank_plane_angle),
+        ca.vertcat(0, main_bearing_normal_power, 0, 0, main_bearing_friction_power, 0, 0),
+        ca.vertcat(main_bearing_normal_force),
+        ca.vertcat(main_bearing_sliding_velocity),
+        ca.vertcat(main_bearing_in_range),
+    )
+
+
+def contact_crank_pin(t, q, u, z, m, c):
+    """Forces of crank_pin: hertz_point x lankarani_nikravesh, smooth_coulomb. The normal force is the laws' own,
+    not clamped: where it would pull, the contact ends.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
+    Returns, each a column vector:
+        f (7,): crank_plane.x [N], crank_plane.y [N], rod_plane.x [N], rod_plane.y [N], rod_plane.angle [N m], guide
+            [N], crank_plane.angle [N m]
+        dz (7,): energy_ledger.input [W], main_bearing.dissipated [W], crank_pin.dissipated [W],
+            slider_pin.dissipated [W], main_bearing_friction.dissipated [W], crank_pin_friction.dissipated [W],
+            slider_pin_friction.dissipated [W]
+        normal_force (1,): crank_pin [N]
+        sliding_velocity (1,): crank_pin [m/s]
+        in_range (1,): crank_pin [1]
+    """
+    clearance = c[3]
+    crank_radius = c[4]
+    crank_speed = c[6]
+    friction_coefficient = c[8]
+    main_bearing_R_min = c[11]
+    main_bearing_K = c[12]
+    main_bearing_hysteresis_factor = c[14]
+    k5 = c[16]
+    crank_plane_x = q[0]
+    crank_plane_y = q[1]
+    rod_plane_x = q[2]
+    rod_plane_y = q[3]
+    crank_plane_x_speed = u[0]
+    crank_plane_y_speed = u[1]
+    rod_plane_x_speed = u[2]
+    rod_plane_y_speed = u[3]
+    rod_plane_angle_speed = u[4]
+    crank_pin_approach_speed = m[1]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    crank_pin_pin_arm_x = cos_crank*crank_radius
+    crank_pin_pin_arm_y = sin_crank*crank_radius
+    crank_pin_apart_x = crank_pin_pin_arm_x + crank_plane_x - rod_plane_x
+    crank_pin_apart_y = crank_pin_pin_arm_y + crank_plane_y - rod_plane_y
+    crank_pin_apart_squared = crank_pin_apart_x*crank_pin_apart_x + crank_pin_apart_y*crank_pin_apart_y
+    crank_pin_distance = ca.sqrt(crank_pin_apart_squared)
+    crank_pin_penetration = crank_pin_distance - clearance
+    crank_pin_elastic_force = ca.if_else(crank_pin_penetration > 0, main_bearing_K*crank_pin_penetration*ca.sqrt(crank_pin_penetration), 0)
+    crank_pin_normal_x = -crank_pin_apart_x/crank_pin_distance
+    crank_pin_normal_y = -crank_pin_apart_y/crank_pin_distance
+    crank_pin_relative_rate_x = crank_plane_x_speed + crank_pin_apart_y*rod_plane_angle_speed - rod_plane_x_speed - crank_pin_pin_arm_y*crank_speed
+    crank_pin_relative_rate_y = crank_plane_y_speed + crank_pin_pin_arm_x*crank_speed - rod_plane_y_speed - crank_pin_apart_x*rod_plane_angle_speed
+    crank_pin_penetration_rate = -crank_pin_normal_x*crank_pin_relative_rate_x - crank_pin_normal_y*crank_pin_relative_rate_y
+    crank_pin_resistance = crank_pin_elastic_force*crank_pin_penetration_rate*main_bearing_hysteresis_factor/crank_pin_approach_speed
+    crank_pin_normal_force = crank_pin_elastic_force + crank_pin_resistance
+    crank_pin_normal_power = crank_pin_penetration_rate*crank_pin_resistance
+    crank_pin_push_x = crank_pin_normal_force*crank_pin_normal_x
+    crank_pin_push_y = crank_pin_normal_force*crank_pin_normal_y
+    crank_pin_push_on_crank_plane_angle = crank_pin_pin_arm_x*crank_pin_push_y - crank_pin_pin_arm_y*crank_pin_push_x
+    crank_pin_push_on_rod_plane_angle = -crank_pin_apart_x*crank_pin_push_y - crank_pin_push_x*(rod_plane_y - crank_pin_pin_arm_y - crank_plane_y)
+    crank_pin_sliding_velocity = crank_pin_normal_x*crank_pin_relative_rate_y - crank_pin_normal_y*crank_pin_relative_rate_x - main_bearing_R_min*(crank_speed - rod_plane_angle_speed)
+    crank_pin_friction_force = crank_pin_normal_force*friction_coefficient*ca.tanh(crank_pin_sliding_velocity*k5)
+    crank_pin_friction_power = crank_pin_friction_force*crank_pin_sliding_velocity
+    crank_pin_drag_x = crank_pin_friction_force*crank_pin_normal_y
+    crank_pin_drag_y = -crank_pin_friction_force*crank_pin_normal_x
+    x1 = crank_pin_normal_y*main_bearing_R_min
+    x2 = -crank_pin_normal_x*main_bearing_R_min
+    crank_pin_drag_on_crank_plane_angle = crank_pin_drag_x*(x1 - crank_pin_pin_arm_y) + crank_pin_drag_y*(crank_pin_pin_arm_x + x2)
+    crank_pin_drag_on_rod_plane_angle = -crank_pin_drag_x*(rod_plane_y + x1 - crank_pin_pin_arm_y - crank_plane_y) - crank_pin_drag_y*(crank_pin_pin_arm_x + crank_plane_x + x2 - rod_plane_x)
+    crank_pin_in_range = ca.if_else(crank_pin_penetration <= main_bearing_R_min, 1, 0)
+    return (
+        ca.vertcat(crank_pin_drag_x + crank_pin_push_x, crank_pin_drag_y + crank_pin_push_y, -crank_pin_drag_x -
+            crank_pin_push_x, -crank_pin_drag_y - crank_pin_push_y, crank_pin_drag_on_rod_plane_angle +
+            crank_pin_push_on_rod_plane_angle, 0, crank_pin_drag_on_crank_plane_angle +
+            crank_pin_push_on_crank_plane_angle),
+        ca.vertcat(0, 0, crank_pin_normal_power, 0, 0, crank_pin_friction_power, 0),
+        ca.vertcat(crank_pin_normal_force),
+        ca.vertcat(crank_pin_sliding_velocity),
+        ca.vertcat(crank_pin_in_range),
+    )
+
+
+def contact_slider_pin(t, q, u, z, m, c):
+    """Forces of slider_pin: hertz_point x lankarani_nikravesh, smooth_coulomb. The normal force is the laws' own,
+    not clamped: where it would pull, the contact ends.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
+    Returns, each a column vector:
+        f (7,): crank_plane.x [N], crank_plane.y [N], rod_plane.x [N], rod_plane.y [N], rod_plane.angle [N m], guide
+            [N], crank_plane.angle [N m]
+        dz (7,): energy_ledger.input [W], main_bearing.dissipated [W], crank_pin.dissipated [W],
+            slider_pin.dissipated [W], main_bearing_friction.dissipated [W], crank_pin_friction.dissipated [W],
+            slider_pin_friction.dissipated [W]
+        normal_force (1,): slider_pin [N]
+        sliding_velocity (1,): slider_pin [m/s]
+        in_range (1,): slider_pin [1]
+    """
+    clearance = c[3]
+    rod_length = c[5]
+    friction_coefficient = c[8]
+    main_bearing_R_min = c[11]
+    main_bearing_K = c[12]
+    main_bearing_hysteresis_factor = c[14]
+    k5 = c[16]
+    rod_plane_x = q[2]
+    rod_plane_y = q[3]
+    rod_plane_angle = q[4]
+    guide_travel = q[5]
+    rod_plane_x_speed = u[2]
+    rod_plane_y_speed = u[3]
+    rod_plane_angle_speed = u[4]
+    guide_speed = u[5]
+    slider_pin_approach_speed = m[2]
+    cos_rod = ca.cos(rod_plane_angle)
+    sin_rod = ca.sin(rod_plane_angle)
+    slider_pin_pin_arm_x = cos_rod*rod_length
+    slider_pin_pin_arm_y = sin_rod*rod_length
+    slider_pin_apart_x = rod_plane_x + slider_pin_pin_arm_x - guide_travel
+    slider_pin_apart_y = rod_plane_y + slider_pin_pin_arm_y
+    slider_pin_apart_squared = slider_pin_apart_x*slider_pin_apart_x + slider_pin_apart_y*slider_pin_apart_y
+    slider_pin_distance = ca.sqrt(slider_pin_apart_squared)
+    slider_pin_penetration = slider_pin_distance - clearance
+    slider_pin_elastic_force = ca.if_else(slider_pin_penetration > 0, main_bearing_K*slider_pin_penetration*ca.sqrt(slider_pin_penetration), 0)
+    slider_pin_normal_x = -slider_pin_apart_x/slider_pin_distance
+    slider_pin_normal_y = -slider_pin_apart_y/slider_pin_distance
+    slider_pin_relative_rate_x = rod_plane_x_speed - guide_speed - rod_plane_angle_speed*slider_pin_pin_arm_y
+    slider_pin_relative_rate_y = rod_plane_y_speed + rod_plane_angle_speed*slider_pin_pin_arm_x
+    slider_pin_penetration_rate = -slider_pin_normal_x*slider_pin_relative_rate_x - slider_pin_normal_y*slider_pin_relative_rate_y
+    slider_pin_resistance = main_bearing_hysteresis_factor*slider_pin_elastic_force*slider_pin_penetration_rate/slider_pin_approach_speed
+    slider_pin_normal_force = slider_pin_elastic_force + slider_pin_resistance
+    slider_pin_normal_power = slider_pin_penetration_rate*slider_pin_resistance
+    slider_pin_push_x = slider_pin_normal_force*slider_pin_normal_x
+    slider_pin_push_y = slider_pin_normal_force*slider_pin_normal_y
+    slider_pin_push_on_rod_plane_angle = slider_pin_pin_arm_x*slider_pin_push_y - slider_pin_pin_arm_y*slider_pin_push_x
+    slider_pin_sliding_velocity = slider_pin_normal_x*slider_pin_relative_rate_y - main_bearing_R_min*rod_plane_angle_speed - slider_pin_normal_y*slider_pin_relative_rate_x
+    slider_pin_friction_force = slider_pin_normal_force*friction_coefficient*ca.tanh(k5*slider_pin_sliding_velocity)
+    slider_pin_friction_power = slider_pin_friction_force*slider_pin_sliding_velocity
+    slider_pin_drag_x = slider_pin_friction_force*slider_pin_normal_y
+    slider_pin_drag_y = -slider_pin_friction_force*slider_pin_normal_x
+    slider_pin_drag_on_rod_plane_angle = slider_pin_drag_x*(main_bearing_R_min*slider_pin_normal_y - slider_pin_pin_arm_y) + slider_pin_drag_y*(slider_pin_pin_arm_x - main_bearing_R_min*slider_pin_normal_x)
+    slider_pin_in_range = ca.if_else(slider_pin_penetration <= main_bearing_R_min, 1, 0)
+    return (
+        ca.vertcat(0, 0, slider_pin_drag_x + slider_pin_push_x, slider_pin_drag_y + slider_pin_push_y,
+            slider_pin_drag_on_rod_plane_angle + slider_pin_push_on_rod_plane_angle, -slider_pin_drag_x -
+            slider_pin_push_x, 0),
+        ca.vertcat(0, 0, 0, slider_pin_normal_power, 0, 0, slider_pin_friction_power),
+        ca.vertcat(slider_pin_normal_force),
+        ca.vertcat(slider_pin_sliding_velocity),
+        ca.vertcat(slider_pin_in_range),
+    )
+
+
+def applied(t, q, u, c):
+    """Generalised forces of everything that is no contact.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        f (7,): crank_plane.x [N], crank_plane.y [N], rod_plane.x [N], rod_plane.y [N], rod_plane.angle [N m], guide
+            [N], crank_plane.angle [N m]
+    """
+    crank_mass = c[0]
+    rod_mass = c[1]
+    gravity = c[7]
+    rod_h_x = c[17]
+    rod_plane_angle = q[4]
+    cos_rod = ca.cos(rod_plane_angle)
+    rod_moment_x = cos_rod*rod_h_x
+    return ca.vertcat(0, -crank_mass*gravity, 0, -gravity*rod_mass, -rod_moment_x*gravity, 0, 0)
+
+
+def accelerations(t, q, u, f, c):
+    """Generalised accelerations a from M a = f - bias, and what each drive must supply.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; f: generalised forces; c: CONSTANTS.
+    Returns, each a column vector:
+        a (6,): crank_plane.x_acceleration [m/s^2], crank_plane.y_acceleration [m/s^2], rod_plane.x_acceleration
+            [m/s^2], rod_plane.y_acceleration [m/s^2], rod_plane.angle_acceleration [rad/s^2], guide.acceleration
+            [m/s^2]
+        reactions (1,): crank_plane.angle.reaction [N m]
+    """
+    rod_mass = c[1]
+    rod_h_x = c[17]
+    k6 = c[18]
+    k7 = c[19]
+    k8 = c[20]
+    rod_plane_angle = q[4]
+    rod_plane_angle_speed = u[4]
+    crank_plane_x_force = f[0]
+    crank_plane_y_force = f[1]
+    rod_plane_x_force = f[2]
+    rod_plane_y_force = f[3]
+    rod_plane_angle_force = f[4]
+    guide_force = f[5]
+    crank_plane_angle_force = f[6]
+    cos_rod = ca.cos(rod_plane_angle)
+    sin_rod = ca.sin(rod_plane_angle)
+    rod_moment_x = cos_rod*rod_h_x
+    rod_moment_y = rod_h_x*sin_rod
+    rod_rate_zz = rod_plane_angle_speed*rod_plane_angle_speed
+    rod_force_x = -rod_moment_x*rod_rate_zz
+    rod_force_y = -rod_moment_y*rod_rate_zz
+    rod_plane_x_net = rod_plane_x_force - rod_force_x
+    rod_plane_y_net = rod_plane_y_force - rod_force_y
+    l_rod_plane_y_rod_plane_angle = k6*rod_moment_x
+    D_rod_plane_y = rod_mass - l_rod_plane_y_rod_plane_angle*rod_moment_x
+    l_rod_plane_x_rod_plane_angle = -k6*rod_moment_y
+    L_rod_plane_x_rod_plane_y = l_rod_plane_y_rod_plane_angle*rod_moment_y
+    l_rod_plane_x_rod_plane_y = L_rod_plane_x_rod_plane_y/D_rod_plane_y
+    D_rod_plane_x = l_rod_plane_x_rod_plane_angle*rod_moment_y + rod_mass - L_rod_plane_x_rod_plane_y*l_rod_plane_x_rod_plane_y
+    y_rod_plane_y = rod_plane_y_net - l_rod_plane_y_rod_plane_angle*rod_plane_angle_force
+    y_rod_plane_x = rod_plane_x_net - l_rod_plane_x_rod_plane_angle*rod_plane_angle_force - l_rod_plane_x_rod_plane_y*y_rod_plane_y
+    crank_plane_x_acc = crank_plane_x_force*k7
+    crank_plane_y_acc = crank_plane_y_force*k7
+    rod_plane_x_acc = y_rod_plane_x/D_rod_plane_x
+    rod_plane_y_acc = y_rod_plane_y/D_rod_plane_y - l_rod_plane_x_rod_plane_y*rod_plane_x_acc
+    rod_plane_angle_acc = k6*rod_plane_angle_force - l_rod_plane_x_rod_plane_angle*rod_plane_x_acc - l_rod_plane_y_rod_plane_angle*rod_plane_y_acc
+    guide_acc = guide_force*k8
+    return (
+        ca.vertcat(crank_plane_x_acc, crank_plane_y_acc, rod_plane_x_acc, rod_plane_y_acc, rod_plane_angle_acc,
+            guide_acc),
+        ca.vertcat(-crank_plane_angle_force),
+    )
+
+
+def ledger(t, q, u, reactions, c):
+    """Power the drives put in, in its row of z.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
+    Returns, each a column vector:
+        dz (7,): energy_ledger.input [W], main_bearing.dissipated [W], crank_pin.dissipated [W],
+            slider_pin.dissipated [W], main_bearing_friction.dissipated [W], crank_pin_friction.dissipated [W],
+            slider_pin_friction.dissipated [W]
+    """
+    crank_speed = c[6]
+    crank_plane_angle_reaction_in = reactions[0]
+    return ca.vertcat(crank_plane_angle_reaction_in*crank_speed, 0, 0, 0, 0, 0, 0)
+
+
+def energy(t, q, u, c):
+    """Kinetic and potential energy, and what each pair's stiffness stores.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        kinetic (1,): kinetic [J]
+        potential (1,): potential [J]
+        stored (3,): main_bearing [J], crank_pin [J], slider_pin [J]
+    """
+    rod_mass_centre = c[2]
+    clearance = c[3]
+    crank_radius = c[4]
+    rod_length = c[5]
+    crank_speed = c[6]
+    k3 = c[13]
+    rod_h_x = c[17]
+    k9 = c[21]
+    k10 = c[22]
+    k11 = c[23]
+    k12 = c[24]
+    k13 = c[25]
+    k14 = c[26]
+    k15 = c[27]
+    crank_plane_x = q[0]
+    crank_plane_y = q[1]
+    rod_plane_x = q[2]
+    rod_plane_y = q[3]
+    rod_plane_angle = q[4]
+    guide_travel = q[5]
+    crank_plane_x_speed = u[0]
+    crank_plane_y_speed = u[1]
+    rod_plane_x_speed = u[2]
+    rod_plane_y_speed = u[3]
+    rod_plane_angle_speed = u[4]
+    guide_speed = u[5]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    cos_rod = ca.cos(rod_plane_angle)
+    sin_rod = ca.sin(rod_plane_angle)
+    crank_pin_pin_arm_x = cos_crank*crank_radius
+    crank_pin_pin_arm_y = sin_crank*crank_radius
+    crank_pin_apart_x = crank_pin_pin_arm_x + crank_plane_x - rod_plane_x
+    crank_pin_apart_y = crank_pin_pin_arm_y + crank_plane_y - rod_plane_y
+    slider_pin_pin_arm_x = cos_rod*rod_length
+    slider_pin_pin_arm_y = sin_rod*rod_length
+    slider_pin_apart_x = rod_plane_x + slider_pin_pin_arm_x - guide_travel
+    slider_pin_apart_y = rod_plane_y + slider_pin_pin_arm_y
+    main_bearing_apart_squared = crank_plane_x*crank_plane_x + crank_plane_y*crank_plane_y
+    crank_pin_apart_squared = crank_pin_apart_x*crank_pin_apart_x + crank_pin_apart_y*crank_pin_apart_y
+    slider_pin_apart_squared = slider_pin_apart_x*slider_pin_apart_x + slider_pin_apart_y*slider_pin_apart_y
+    main_bearing_distance = ca.sqrt(main_bearing_apart_squared)
+    main_bearing_penetration = main_bearing_distance - clearance
+    main_bearing_stored_energy = ca.if_else(main_bearing_penetration > 0, k3*main_bearing_penetration*main_bearing_penetration*ca.sqrt(main_bearing_penetration), 0)
+    crank_pin_distance = ca.sqrt(crank_pin_apart_squared)
+    crank_pin_penetration = crank_pin_distance - clearance
+    crank_pin_stored_energy = ca.if_else(crank_pin_penetration > 0, k3*crank_pin_penetration*crank_pin_penetration*ca.sqrt(crank_pin_penetration), 0)
+    slider_pin_distance = ca.sqrt(slider_pin_apart_squared)
+    slider_pin_penetration = slider_pin_distance - clearance
+    slider_pin_stored_energy = ca.if_else(slider_pin_penetration > 0, k3*slider_pin_penetration*slider_pin_penetration*ca.sqrt(slider_pin_penetration), 0)
+    rod_moment_x = cos_rod*rod_h_x
+    rod_moment_y = rod_h_x*sin_rod
+    kinetic = k13 + k10*guide_speed*guide_speed + k11*(crank_plane_x_speed*crank_plane_x_speed + crank_plane_y_speed*crank_plane_y_speed) + k12*(rod_plane_x_speed*rod_plane_x_speed + rod_plane_y_speed*rod_plane_y_speed) + k9*rod_plane_angle_speed*rod_plane_angle_speed + rod_moment_x*rod_plane_angle_speed*rod_plane_y_speed - rod_moment_y*rod_plane_angle_speed*rod_plane_x_speed
+    rod_centre_arm_y = sin_rod*rod_mass_centre
+    potential = crank_plane_y*k14 + k15*(rod_centre_arm_y + rod_plane_y)
+    return (
+        ca.vertcat(kinetic),
+        ca.vertcat(potential),
+        ca.vertcat(main_bearing_stored_energy, crank_pin_stored_energy, slider_pin_stored_energy),
+    )
+
+
+def poses(t, q, c):
+    """Origin of every body's frame (x, y, z after one another) and its rotation matrix (row by row), body by body.
+
+    Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
+    Returns, each a column vector:
+        positions (9,): crank.x [m], crank.y [m], crank.z [m], rod.x [m], rod.y [m], rod.z [m], slider.x [m],
+            slider.y [m], slider.z [m]
+        rotations (27,): crank.R_xx [1], crank.R_xy [1], crank.R_xz [1], crank.R_yx [1], crank.R_yy [1], crank.R_yz
+            [1], crank.R_zx [1], crank.R_zy [1], crank.R_zz [1], rod.R_xx [1], rod.R_xy [1], rod.R_xz [1], rod.R_yx
+            [1], rod.R_yy [1], rod.R_yz [1], rod.R_zx [1], rod.R_zy [1], rod.R_zz [1], slider.R_xx [1], slider.R_xy
+            [1], slider.R_xz [1], slider.R_yx [1], slider.R_yy [1], slider.R_yz [1], slider.R_zx [1], slider.R_zy
+            [1], slider.R_zz [1]
+    """
+    crank_speed = c[6]
+    crank_plane_x = q[0]
+    crank_plane_y = q[1]
+    rod_plane_x = q[2]
+    rod_plane_y = q[3]
+    rod_plane_angle = q[4]
+    guide_travel = q[5]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    cos_rod = ca.cos(rod_plane_angle)
+    sin_rod = ca.sin(rod_plane_angle)
+    return (
+        ca.vertcat(crank_plane_x, crank_plane_y, 0, rod_plane_x, rod_plane_y, 0, guide_travel, 0, 0),
+        ca.vertcat(cos_crank, -sin_crank, 0, sin_crank, cos_crank, 0, 0, 0, 1, cos_rod, -sin_rod, 0, sin_rod,
+            cos_rod, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1),
+    )
+
+
+def outputs(t, q, u, c):
+    """Named quantities, see OUTPUTS.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        y (6,): main_bearing.eccentricity_x [m], main_bearing.eccentricity_y [m], crank_pin.eccentricity_x [m],
+            crank_pin.eccentricity_y [m], slider_pin.eccentricity_x [m], slider_pin.eccentricity_y [m]
+    """
+    crank_radius = c[4]
+    rod_length = c[5]
+    crank_speed = c[6]
+    crank_plane_x = q[0]
+    crank_plane_y = q[1]
+    rod_plane_x = q[2]
+    rod_plane_y = q[3]
+    rod_plane_angle = q[4]
+    guide_travel = q[5]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    cos_rod = ca.cos(rod_plane_angle)
+    sin_rod = ca.sin(rod_plane_angle)
+    crank_pin_pin_arm_x = cos_crank*crank_radius
+    crank_pin_pin_arm_y = sin_crank*crank_radius
+    crank_pin_apart_x = crank_pin_pin_arm_x + crank_plane_x - rod_plane_x
+    crank_pin_apart_y = crank_pin_pin_arm_y + crank_plane_y - rod_plane_y
+    slider_pin_pin_arm_x = cos_rod*rod_length
+    slider_pin_pin_arm_y = sin_rod*rod_length
+    slider_pin_apart_x = rod_plane_x + slider_pin_pin_arm_x - guide_travel
+    slider_pin_apart_y = rod_plane_y + slider_pin_pin_arm_y
+    crank_pin_eccentricity_x = cos_rod*crank_pin_apart_x + crank_pin_apart_y*sin_rod
+    crank_pin_eccentricity_y = cos_rod*crank_pin_apart_y - crank_pin_apart_x*sin_rod
+    return ca.vertcat(crank_plane_x, crank_plane_y, crank_pin_eccentricity_x, crank_pin_eccentricity_y,
+        slider_pin_apart_x, slider_pin_apart_y)
