@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Callable, Mapping, Sequence
-from itertools import cycle
+from itertools import cycle, product
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -51,6 +51,8 @@ STYLE: Any = {  # typed as 300 literal names by Matplotlib
 }
 
 LEGEND_ROOM = 22  # points between a panel and its title
+LEGEND_ROW = 13  # points that a further row of the legend takes
+LEGEND_WIDTH, LEGEND_HANDLE = 66, 6  # characters beside each other above a panel; what the line before a label takes
 UNRESOLVED = "the rows that were kept do not resolve the first impact"
 PEAKS_CUT = 2.5  # accelerations are shown up to this multiple of the ideal mechanism's
 
@@ -106,7 +108,8 @@ def _overview(curves: Curves) -> Figure:
     panels: list[Callable[[Axes, Curves], None]] = [_positions, _speeds]
     if curves.ideal is not None:
         panels += [_deviations, _accelerations]
-    panels.append(_forces)
+    if curves.run.model.pairs:
+        panels.append(_forces)
     if curves.run.energy_residual is not None:
         panels.append(_energy)
     with mpl.rc_context({**STYLE, "axes.titlepad": LEGEND_ROOM}):
@@ -158,10 +161,11 @@ def _accelerations(axis: Axes, curves: Curves) -> None:
     values = scale([curves[motion.names[2]] for motion in curves.motions])
     limit = PEAKS_CUT * float(np.max(np.abs(scale(_ideal(curves, 2)))))
     largest = float(np.max(np.abs(values)))
-    if largest <= limit:
+    if largest <= limit or limit == 0:  # nothing to cut, or an ideal mechanism at rest
         return
     axis.set_ylim(-limit, limit)
     axis.set_title(f"Acceleration [{scale.unit}], cut at the marks (largest peak {largest:.0f})")
+    _legend(axis)
     for sign, marker in ((1, "^"), (-1, "v")):
         peaks = _peaks(np.max(sign * values, axis=0), limit)
         marks = np.full(len(peaks), sign * 0.97 * limit)
@@ -298,8 +302,9 @@ def _lines(axis: Axes, curves: Curves, unit: str, values: Mapping[str, Array], i
     scale = scale_of(unit, list(ideal) or list(values.values()))
     for history in ideal:
         axis.plot(time, scale(history), color=ORANGE, linewidth=2.6, alpha=0.75, label="ideal mechanism")
-    for colour, (label, history) in zip(cycle(CYCLE), values.items(), strict=False):
-        axis.plot(time, scale(history), color=colour, label=label)
+    looks = product(("-", "--", ":"), CYCLE)  # when the colours have run out, dashed
+    for (style, colour), (label, history) in zip(cycle(looks), values.items(), strict=False):
+        axis.plot(time, scale(history), color=colour, linestyle=style, label=label)
     return scale
 
 
@@ -312,14 +317,25 @@ def _over_time(axis: Axes, curves: Curves, title: str) -> None:
 
 
 def _legend(axis: Axes) -> None:
-    """A legend between title and panel, where it can cover nothing; none for a single curve."""
+    """A legend between title and panel, in as many rows as it takes, where it can cover nothing; none for a single curve."""
     handles, labels = axis.get_legend_handles_labels()
     unique = dict(zip(labels, handles, strict=True))
     if len(unique) > 1:
+        widths = [len(label) + LEGEND_HANDLE for label in unique]
+        fitting = (n for n in range(len(widths), 1, -1) if _wide(widths, n) <= LEGEND_WIDTH)
+        columns = next(fitting, 1)
+        rows = -(-len(widths) // columns)
+        if rows > 1:
+            axis.set_title(axis.get_title("left"), pad=LEGEND_ROOM + (rows - 1) * LEGEND_ROW)
         axis.legend(
-            unique.values(), unique.keys(), loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=len(unique),
-            borderaxespad=0.2, borderpad=0.1, handlelength=1.4, columnspacing=1.1,
+            unique.values(), unique.keys(), loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=columns,
+            borderaxespad=0.2, borderpad=0.1, handlelength=1.4, columnspacing=1.1, labelspacing=0.25,
         )  # fmt: skip
+
+
+def _wide(widths: Sequence[int], columns: int) -> int:
+    """Characters across a legend in so many columns, which are filled one after the other."""
+    return sum(int(np.max(column)) for column in np.array_split(widths, columns))
 
 
 def _nothing(axis: Axes, text: str) -> None:

@@ -77,6 +77,33 @@ def test_legends_cover_no_data(crank, name):
     ]
 
 
+def test_many_curves_have_legends_in_rows_that_cover_nothing():
+    figure = simulate(load("slider_crank_three_clearances"), duration="12 ms").plot()
+    FigureCanvasAgg(figure).draw()
+    tops = {}
+    for axis in figure.axes:
+        if axis.get_visible() and axis.get_legend():
+            box, panel = axis.get_legend().get_window_extent(), axis.get_window_extent()
+            title = axis._left_title.get_window_extent()
+            assert panel.y1 - 1 <= box.y0
+            assert box.y1 <= title.y0 + 2
+            assert box.x1 <= panel.x1 + 0.1 * panel.width
+            assert panel.width > 0.35 * figure.bbox.width
+            tops[axis.get_title("left")] = box.height
+    assert max(tops.values()) > 1.5 * min(tops.values())  # one of them in several rows
+
+
+def test_a_mechanism_without_contacts_has_no_panel_of_contact_forces():
+    assert "Contact force" not in texts(simulate(load("pendulum"), duration="1 s").plot())
+
+
+def test_accelerations_are_not_cut_where_the_ideal_mechanism_rests(tmp_path):
+    figure = simulate(load("journal_in_bearing"), duration="50 ms").plot()
+    (axis,) = (axis for axis in figure.axes if axis.get_title("left").startswith("Acceleration"))
+    assert "cut" not in axis.get_title("left")
+    figure.savefig(tmp_path / "journal.png")
+
+
 def test_first_impact_of_a_ball_is_drawn_to_its_peak(ball):
     figure = ball.plot("floor")
     assert "Gap [m]" in texts(figure)
