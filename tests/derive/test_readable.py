@@ -231,7 +231,7 @@ def test_what_is_shown_is_what_the_module_computes(read, name, pair):
     speeds = [row[0].replace(".", "_").replace("speed", "acceleration") for row in derived.SPEEDS]
     accelerations = dict(zip(speeds, a, strict=True))
     driven = [label.split(" ")[1] for label in (e.name for e in shown.equations if e.name.startswith("row "))][len(a) :]
-    given = {f"{joint}_reaction_in": value for joint, value in zip(driven, reactions, strict=True)}
+    given = {f"{joint.replace('.', '_')}_reaction_in": value for joint, value in zip(driven, reactions, strict=True)}
     values = evaluated(shown, by_name(derived.scene, derived, at, **accelerations, **given, **held))
 
     gap, gap_rate = derived.call("gaps", **at) if derived.k else ([], [])
