@@ -9,4 +9,7 @@ NAMES = (
     "slider_crank_frictionless",
     "n_four_bar",
     "bricard",
+    "ball_in_socket",
+    "translational_clearance",
+    "spatial_slider_crank",
 )
