@@ -129,6 +129,7 @@ def _pair(curves: Curves, name: str) -> Figure:
         inside = [output for output in run.model.outputs if output.startswith(f"{name}.eccentricity_")]
         if len(inside) > 1:
             views = [(inside[0], other) for other in inside[1:]]
+            figure.set_figwidth(7 + 5.5 * len(views))
             grid = figure.add_gridspec(2, len(views) + 1, width_ratios=(*[1.05] * len(views), 1))
             for column, view in enumerate(views):
                 _journal_path(figure.add_subplot(grid[:, column]), curves, name, inside, view)
@@ -239,7 +240,7 @@ def _journal_path(axis: Axes, curves: Curves, name: str, inside: Sequence[str], 
     touching = gap[:-1] + gap[1:] < 0
     for chosen, colour, width, label in (
         (~touching, BLUE, 0.8, "free flight"),
-        (touching, VERMILLION, 1.0, "in contact (outside the circle: penetration)"),
+        (touching, VERMILLION, 1.0, "in contact" + (" (outside the circle: penetration)" if len(inside) == 2 else "")),
     ):
         axis.add_collection(LineCollection(list(segments[chosen]), colors=colour, linewidths=width, label=label))
     axis.plot(*points[0], "o", color="black", markersize=4, label="start")

@@ -5,6 +5,32 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    ConstantSpeed,
+    Contact,
+    CornerOnFace,
+    CylinderOnPlane,
+    EnergyLedger,
+    Free,
+    Friction,
+    Gravity,
+    Mechanism,
+    Parameter,
+    PinInBush,
+    Planar,
+    Prismatic,
+    Revolute,
+    RimOnPlane,
+    Scales,
+    Scene,
+    Start,
+    X,
+    Y,
+    Z,
+)  # fmt: skip
+from hertzwerk.derive.laws import flores, power, smooth_coulomb
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.curves import Curves
 
@@ -184,3 +210,154 @@ def test_the_ideal_spatial_mechanism_closes_all_three_eccentricities_of_its_ball
     assert curves.ideal is not None
     assert curves.ideal["guide.travel"][-1] == pytest.approx(np.sqrt(0.3**2 - y**2 - z**2), rel=1e-9)
     assert abs(curves["guide.travel"][-1] - curves.ideal["guide.travel"][-1]) < 1e-3
+
+
+# -- pairs in motion ---------------------------------------------------------------------------------------------------
+
+SIZE, PACE, MASS = Parameter("size", "m", 0.1), Parameter("pace", "m/s", 1), Parameter("mass", "kg", 0.5)
+STIFF = power(Parameter("K", "N/m^1.5", 1e7), sp.Rational(3, 2))
+BLOCK = Body("block", MASS, Parameter("inertia", "kg m^2", 0.01))
+FALL = Gravity("gravity", Parameter("gravity", "m/s^2", G), -Y)
+HERE, THERE = BLOCK.at(0, 0, 0), GROUND.at(0, 0, 0)
+
+
+def moving(pair, *effects, joint=None, **start):
+    """A body and one pair; its start as x=0.1, x_speed=2.0 in SI."""
+    joint = joint or Planar("float", GROUND, BLOCK)
+    scales = Scales(length=Parameter("deep", "m", 1e-5), speed=PACE, arm=SIZE)
+    effects = effects or (FALL, Contact("touch", STIFF))
+    units = {"speed": "m/s", "angle_speed": "rad/s"}
+    model = load(Scene(Mechanism("moving", (joint,), (pair,)), (*effects, EnergyLedger()), scales))
+    initial = {
+        f"float.{name}": (value, units.get(name, "m/s" if name.endswith("speed") else "m"))
+        for name, value in start.items()
+    }
+    return lambda duration, accuracy=1e-9: simulate(model, duration=duration, accuracy=accuracy, initial=initial)
+
+
+FACE = CornerOnFace("touch", HERE, THERE, Y, X, Parameter("length", "m", 0.2))
+
+
+def test_a_corner_that_slides_off_its_face_falls_past_the_solid():
+    run = moving(FACE, x=0.0, y=-REST, x_speed=1.0)(0.3)
+    assert run.outcome.finished
+    assert run.energy_residual < 1e-7  # the edge is a kink of the force, which is no event
+    off = 0.1  # s, and 0.1 m
+    assert np.max(np.abs(run["touch.normal_force"][run.t < 0.99 * off] - M * G)) < 1e-6 * M * G
+    assert not np.any(run["touch.normal_force"][run.t > 1.01 * off])
+    assert run["float.x"][-1] == pytest.approx(0.3, rel=1e-3)
+    assert run["float.y"][-1] == pytest.approx(-G * (0.3 - off) ** 2 / 2, rel=2e-3)
+
+
+def test_a_corner_from_beyond_the_end_meets_the_end_of_the_solid_and_none_passes_over_it():
+    effects = (Contact("touch", STIFF),)
+    run = moving(FACE, *effects, x=0.2, y=-0.05, x_speed=-1.0)(0.2)
+    assert [impact.contact for impact in run.impacts] == ["touch"]
+    assert run.impacts[0].t == pytest.approx(0.1, rel=1e-9)
+    assert run["float.x_speed"][-1] == pytest.approx(1.0, rel=1e-7)
+    assert run["float.y"][-1] == pytest.approx(-0.05, rel=1e-12)
+    above = moving(FACE, *effects, x=0.2, y=1e-6, x_speed=-1.0)(0.4)
+    assert not above.impacts
+
+
+def test_a_cylinder_set_down_sliding_ends_rolling_at_two_thirds_of_its_speed():
+    """Angular momentum about the line of contact is conserved, whatever the friction: R m v = (1/2 + 1) m R v'."""
+    radius = Parameter("radius", "m", 0.1)
+    roller = Body("roller", MASS, MASS * radius**2 / 2)
+    pair = CylinderOnPlane("touch", roller.at(0, 0, 0), Z, radius, Parameter("length", "m", 0.3), THERE, Y)
+    rub = Friction("rub", "touch", smooth_coulomb(Parameter("mu", "1", 0.2), Parameter("v_s", "m/s", 1e-3)))
+    run = moving(
+        pair, FALL, Contact("touch", STIFF), rub, joint=Planar("float", GROUND, roller), y=0.1 - REST, x_speed=1.5
+    )(0.6)
+    assert run["float.x_speed"][-1] == pytest.approx(1.0, rel=1e-4)
+    assert run["float.angle_speed"][-1] == pytest.approx(-10.0, rel=1e-3)
+    sliding = np.interp(0.1, run.t, run["float.x_speed"])
+    assert sliding == pytest.approx(1.5 - 0.2 * G * 0.1, rel=1e-6)  # until v0/(3 mu g) = 0.255 s
+    assert run.energy_residual < 1e-8
+
+
+def test_a_cylinder_free_to_tilt_lies_on_its_two_rims_and_falls_over_onto_one():
+    half, radius = Parameter("half_length", "m", 0.15), Parameter("radius", "m", 0.1)
+    roller = Body("roller", MASS, tuple(Parameter(f"J_{k}", "kg m^2", 0.005) for k in "xyz"))
+    rims = tuple(
+        RimOnPlane(name, roller.at(0, 0, side * half), Z, radius, THERE, Y) for name, side in (("near", -1), ("far", 1))
+    )
+    contacts = [Contact(rim.name, STIFF) for rim in rims]
+    scales = Scales(length=Parameter("deep", "m", 1e-5), speed=PACE, arm=SIZE)
+    model = load(
+        Scene(Mechanism("lying", (Free("float", GROUND, roller),), rims), (FALL, *contacts, EnergyLedger()), scales)
+    )
+    deep = (M * G / 2 / K) ** (2 / 3)
+    still = simulate(model, duration=0.05, initial={"float.y": (0.1 - deep, "m")})
+    for rim in rims:
+        assert still[f"{rim.name}.normal_force"] == pytest.approx(M * G / 2, rel=1e-6)
+    tilt = 0.2  # about X: the far end is lower, its rim's lowest point at 0.1 cos + 0.15 sin below the centre
+    height = 0.1 * np.cos(tilt) + 0.15 * np.sin(tilt)
+    turned = {"float.q0": (np.cos(tilt / 2), "1"), "float.q1": (np.sin(tilt / 2), "1")}
+    drop = simulate(model, duration=0.1, initial={"float.y": (height + 0.01, "m"), **turned})
+    assert drop.impacts[0].contact == "far"
+    assert drop.impacts[0].t == pytest.approx(np.sqrt(2 * 0.01 / G), rel=1e-9)
+    assert drop.energy_residual < 1e-7
+
+
+# -- several clearances in one mechanism -------------------------------------------------------------------------------
+
+
+def clearances(count):
+    """A driven slider-crank: crank pin and slider pin with clearance, and for three the slider in a guide of two faces and four corners."""
+    r, l, c = (
+        Parameter("crank_length", "m", 0.05),
+        Parameter("rod_length", "m", 0.12),
+        Parameter("clearance", "mm", 0.2),
+    )
+    w, bush = Parameter("crank_speed", "rad/s", 100), Parameter("bush", "mm", 10)
+    a, b = Parameter("half_length", "m", 0.03), Parameter("half_width", "m", 0.02)
+    crank = Body("crank", Parameter("crank_mass", "kg", 0.3), Parameter("crank_inertia", "kg m^2", 1e-4))
+    rod = Body(
+        "rod", Parameter("rod_mass", "kg", 0.21), Parameter("rod_inertia", "kg m^2", 2.5e-4), centre=(l / 2, 0, 0)
+    )
+    slider = Body("slider", Parameter("slider_mass", "kg", 0.14), Parameter("slider_inertia", "kg m^2", 5e-5))
+    pins = (
+        PinInBush("crank_pin", rod.at(0, 0, 0), crank.at(r, 0, 0), Z, bush, c),
+        PinInBush("slider_pin", rod.at(l, 0, 0), slider.at(0, 0, 0), Z, bush, c),
+    )
+    corners = tuple(
+        CornerOnFace(
+            f"corner_{end}_{side}", slider.at(i * a, j * b, 0), GROUND.at(l, j * (b + c), 0), -Y if j > 0 else Y, X, Parameter("guide", "m", 0.4)
+        )
+        for i, end in ((-1, "rear"), (1, "front")) for j, side in ((-1, "lower"), (1, "upper"))
+    )  # fmt: skip
+    pairs = pins if count == 2 else (*pins, *corners)
+    guide = Prismatic("guide", GROUND, slider, axis=X) if count == 2 else Planar("guide", GROUND, slider)
+    along = "guide" if count == 2 else "guide.x"
+    law = flores(Parameter("restitution", "1", 0.8))
+    contacts = [Contact(pair.name, power(Parameter("K", "N/m^1.5", 1e9), sp.Rational(3, 2)), law) for pair in pairs]
+    return Scene(
+        Mechanism("several", (Revolute("main_bearing", GROUND, crank, axis=Z), Planar("rod", GROUND, rod), guide), pairs),
+        (ConstantSpeed("crank_drive", "main_bearing", w), FALL, *contacts, EnergyLedger()),
+        Scales(length=c, speed=r * w, arm=l),
+        Start(position={"rod.x": r, along: r + l}, speed={"rod.y_speed": r * w, "rod.angle_speed": -r * w / l}),
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("count", [2, 3])
+def test_several_clearances_in_one_mechanism(count):
+    run = simulate(load(clearances(count)), duration=2 * np.pi / 100, accuracy=1e-9)
+    assert run.outcome.finished
+    assert run.energy_residual < 1e-7
+    struck = {impact.contact for impact in run.impacts}
+    assert {"crank_pin", "slider_pin"} <= struck
+    assert any(name.startswith("corner") for name in struck) == (count == 3)
+    for pair in run.model.pairs:
+        assert -2e-4 < np.min(run[f"{pair}.gap"]) < 2e-4
+        assert np.all(run[f"{pair}.gap"] < 1e-3)  # nothing has come apart
+    curves = Curves.of(run)
+    name = "guide.travel" if count == 2 else "guide.x"
+    angle = 100.0 * run.t
+    ideal = 0.05 * np.cos(angle) + np.sqrt(0.12**2 - (0.05 * np.sin(angle)) ** 2)
+    assert np.max(np.abs(run[name] - ideal)) < 3 * 2e-4  # both clearances, and what the rod's angle adds
+    assert (curves.ideal is not None) == (count == 2)
+    if count == 2:
+        turned = 100.0 * curves.t
+        closed = 0.05 * np.cos(turned) + np.sqrt(0.12**2 - (0.05 * np.sin(turned)) ** 2)
+        assert curves.ideal["guide.travel"] == pytest.approx(closed, rel=1e-10)
