@@ -230,7 +230,7 @@ class BoundedFace(Touch):
         along = self.pair.along
         return (
             self.named(self.kin.direction(self.second, self.pair.normal), "direction"),
-            None if along is None else self.named(self.kin.direction(self.second, along), "along"),
+            None if along is None else self.named(self.kin.direction(self.second, along), "line"),
         )
 
     @cached_property
@@ -246,12 +246,39 @@ class BoundedFace(Touch):
         beyond = Where(way > 0, way, -way) - sp.sympify(self.pair.length) / 2
         return way > 0, self.let(beyond, "beyond")
 
+    def _nearest(self, face: Any, end: Any, what: str) -> Any:
+        """What holds for the face while the corner is nearer to it than to the end, else what holds for the end."""
+        if self._ends is None:
+            return face
+        return self.let(Where(self._height > self._ends[1], face, end), what)
+
+    def _outwards(self, value: Any) -> Any:
+        """Along the face, towards the nearer end."""
+        return 0 if self._ends is None else Where(self._ends[0], value, -value)
+
     @cached_property
     def gap(self) -> Any:
         """Of the corner to the solid [m]; beside an edge of it, outside, the greater of both ways, so that it has the right sign everywhere."""
-        if self._ends is None:
-            return self._height
-        return self.let(Where(self._height > self._ends[1], self._height, self._ends[1]), "gap")
+        return self._nearest(self._height, None if self._ends is None else self._ends[1], "gap")
+
+    @cached_property
+    def _rates(self) -> tuple[Any, Any]:
+        """Of the height and of the way [m/s]."""
+        name, line = self.pair.name, self._directions[1]
+        height = self.tape.rate(self._height, f"{name}_height_rate")
+        return height, 0 if line is None else self.tape.rate(self.let(dot(line, self.apart), "way"), f"{name}_way_rate")
+
+    @cached_property
+    def gap_rate(self) -> Any:
+        """[m/s]."""
+        height, way = self._rates
+        return self._nearest(height, self._outwards(way), "gap_rate")
+
+    @cached_property
+    def gap_acceleration(self) -> Any:
+        """[m/s^2]."""
+        height, way = (self.tape.rate(rate, f"{self.pair.name}_second") for rate in self._rates)
+        return self._nearest(height, self._outwards(way), "gap_acceleration")
 
     @cached_property
     def normal(self) -> Vector:

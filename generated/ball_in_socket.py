@@ -5,7 +5,7 @@ Effects:
     gravity: uniform gravity
     ball_joint: power
     energy_ledger: work put in, energy dissipated per effect
-Units: 47 assignments and 93 outputs checked, all consistent
+Units: 59 assignments and 93 outputs checked, all consistent
 Operations: flight 44 (equations of motion and gaps); in contact also contact_ball_joint 21
 """
 
@@ -109,15 +109,15 @@ OPERATIONS = (
     ("constants", 15),
     ("start", 11),
     ("scales", 19),
-    ("coordinate_rates", 33),
+    ("coordinate_rates", 24),
     ("gaps", 17),
     ("gap_accelerations", 19),
     ("contact_ball_joint", 21),
     ("applied", 2),
     ("accelerations", 6),
     ("ledger", 0),
-    ("energy", 80),
-    ("poses", 36),
+    ("energy", 68),
+    ("poses", 24),
     ("outputs", 0),
 )
 
@@ -220,11 +220,16 @@ def coordinate_rates(t, q, u, c):
     float_angular_speed_x = u[3]
     float_angular_speed_y = u[4]
     float_angular_speed_z = u[5]
-    return ca.vertcat(float_x_speed, float_y_speed, float_z_speed, -float_angular_speed_x*float_q1/2 -
-        float_angular_speed_y*float_q2/2 - float_angular_speed_z*float_q3/2, float_angular_speed_x*float_q0/2 +
-        float_angular_speed_z*float_q2/2 - float_angular_speed_y*float_q3/2, float_angular_speed_x*float_q3/2 +
-        float_angular_speed_y*float_q0/2 - float_angular_speed_z*float_q1/2, float_angular_speed_y*float_q1/2 +
-        float_angular_speed_z*float_q0/2 - float_angular_speed_x*float_q2/2)
+    half_float_angular_speed_x = float_angular_speed_x/2
+    half_float_angular_speed_y = float_angular_speed_y/2
+    half_float_angular_speed_z = float_angular_speed_z/2
+    return ca.vertcat(float_x_speed, float_y_speed, float_z_speed, -float_q1*half_float_angular_speed_x -
+        float_q2*half_float_angular_speed_y - float_q3*half_float_angular_speed_z,
+        float_q0*half_float_angular_speed_x + float_q2*half_float_angular_speed_z -
+        float_q3*half_float_angular_speed_y, float_q0*half_float_angular_speed_y +
+        float_q3*half_float_angular_speed_x - float_q1*half_float_angular_speed_z,
+        float_q0*half_float_angular_speed_z + float_q1*half_float_angular_speed_y -
+        float_q2*half_float_angular_speed_x)
 
 
 def gaps(t, q, u, c):
@@ -390,24 +395,27 @@ def energy(t, q, u, c):
     float_angular_speed_x = u[3]
     float_angular_speed_y = u[4]
     float_angular_speed_z = u[5]
-    x1 = float_q2*float_q2
-    x2 = -2*x1
-    x3 = float_q3*float_q3
-    x4 = -2*x3
-    ball_R_x_x = 1 + x2 + x4
-    x5 = 2*float_q1*float_q2
-    ball_R_x_y = x5 - 2*float_q0*float_q3
-    x6 = 2*float_q1*float_q3
-    ball_R_x_z = x6 + 2*float_q0*float_q2
-    ball_R_y_x = x5 + 2*float_q0*float_q3
-    x7 = float_q1*float_q1
-    x8 = -2*x7
-    ball_R_y_y = 1 + x4 + x8
-    x9 = 2*float_q2*float_q3
-    ball_R_y_z = x9 - 2*float_q0*float_q1
-    ball_R_z_x = x6 - 2*float_q0*float_q2
-    ball_R_z_y = x9 + 2*float_q0*float_q1
-    ball_R_z_z = 1 + x2 + x8
+    ball_twice_q1 = 2*float_q1
+    ball_twice_q2 = 2*float_q2
+    ball_twice_q3 = 2*float_q3
+    ball_q1q1 = ball_twice_q1*float_q1
+    ball_q2q2 = ball_twice_q2*float_q2
+    ball_q3q3 = ball_twice_q3*float_q3
+    ball_q0q1 = ball_twice_q1*float_q0
+    ball_q0q2 = ball_twice_q2*float_q0
+    ball_q0q3 = ball_twice_q3*float_q0
+    ball_R_x_x = 1 - ball_q2q2 - ball_q3q3
+    x1 = ball_twice_q1*float_q2
+    ball_R_x_y = x1 - ball_q0q3
+    x2 = ball_twice_q1*float_q3
+    ball_R_x_z = ball_q0q2 + x2
+    ball_R_y_x = ball_q0q3 + x1
+    ball_R_y_y = 1 - ball_q1q1 - ball_q3q3
+    x3 = ball_twice_q2*float_q3
+    ball_R_y_z = x3 - ball_q0q1
+    ball_R_z_x = x2 - ball_q0q2
+    ball_R_z_y = ball_q0q1 + x3
+    ball_R_z_z = 1 - ball_q1q1 - ball_q2q2
     ball_joint_apart_squared = float_x*float_x + float_y*float_y + float_z*float_z
     ball_joint_distance = ca.sqrt(ball_joint_apart_squared)
     ball_joint_penetration = ball_joint_distance - clearance
@@ -436,24 +444,27 @@ def poses(t, q, c):
     float_q1 = q[4]
     float_q2 = q[5]
     float_q3 = q[6]
-    x1 = float_q2*float_q2
-    x2 = -2*x1
-    x3 = float_q3*float_q3
-    x4 = -2*x3
-    ball_R_x_x = 1 + x2 + x4
-    x5 = 2*float_q1*float_q2
-    ball_R_x_y = x5 - 2*float_q0*float_q3
-    x6 = 2*float_q1*float_q3
-    ball_R_x_z = x6 + 2*float_q0*float_q2
-    ball_R_y_x = x5 + 2*float_q0*float_q3
-    x7 = float_q1*float_q1
-    x8 = -2*x7
-    ball_R_y_y = 1 + x4 + x8
-    x9 = 2*float_q2*float_q3
-    ball_R_y_z = x9 - 2*float_q0*float_q1
-    ball_R_z_x = x6 - 2*float_q0*float_q2
-    ball_R_z_y = x9 + 2*float_q0*float_q1
-    ball_R_z_z = 1 + x2 + x8
+    ball_twice_q1 = 2*float_q1
+    ball_twice_q2 = 2*float_q2
+    ball_twice_q3 = 2*float_q3
+    ball_q1q1 = ball_twice_q1*float_q1
+    ball_q2q2 = ball_twice_q2*float_q2
+    ball_q3q3 = ball_twice_q3*float_q3
+    ball_q0q1 = ball_twice_q1*float_q0
+    ball_q0q2 = ball_twice_q2*float_q0
+    ball_q0q3 = ball_twice_q3*float_q0
+    ball_R_x_x = 1 - ball_q2q2 - ball_q3q3
+    x1 = ball_twice_q1*float_q2
+    ball_R_x_y = x1 - ball_q0q3
+    x2 = ball_twice_q1*float_q3
+    ball_R_x_z = ball_q0q2 + x2
+    ball_R_y_x = ball_q0q3 + x1
+    ball_R_y_y = 1 - ball_q1q1 - ball_q3q3
+    x3 = ball_twice_q2*float_q3
+    ball_R_y_z = x3 - ball_q0q1
+    ball_R_z_x = x2 - ball_q0q2
+    ball_R_z_y = ball_q0q1 + x3
+    ball_R_z_z = 1 - ball_q1q1 - ball_q2q2
     return (
         ca.vertcat(float_x, float_y, float_z),
         ca.vertcat(ball_R_x_x, ball_R_x_y, ball_R_x_z, ball_R_y_x, ball_R_y_y, ball_R_y_z, ball_R_z_x, ball_R_z_y,

@@ -12,8 +12,8 @@ Effects:
     front_lower_friction: smooth_coulomb at front_lower
     front_upper_friction: smooth_coulomb at front_upper
     energy_ledger: work put in, energy dissipated per effect
-Units: 248 assignments and 186 outputs checked, all consistent
-Operations: flight 396 (equations of motion and gaps); in contact also contact_rear_lower 110, contact_rear_upper 114, contact_front_lower 109, contact_front_upper 113
+Units: 240 assignments and 186 outputs checked, all consistent
+Operations: flight 356 (equations of motion and gaps); in contact also contact_rear_lower 110, contact_rear_upper 114, contact_front_lower 109, contact_front_upper 113
 """
 
 import casadi as ca
@@ -180,8 +180,8 @@ OPERATIONS = (
     ("start", 2),
     ("scales", 12),
     ("coordinate_rates", 0),
-    ("gaps", 152),
-    ("gap_accelerations", 179),
+    ("gaps", 132),
+    ("gap_accelerations", 159),
     ("contact_rear_lower", 110),
     ("contact_rear_upper", 114),
     ("contact_front_lower", 109),
@@ -411,14 +411,10 @@ def gaps(t, q, u, c):
     front_lower_gap = ca.if_else(front_lower_apart_y > front_lower_beyond, front_lower_apart_y, front_lower_beyond)
     front_upper_beyond = k1 + ca.if_else(front_upper_apart_x > 0, front_upper_apart_x, -front_upper_apart_x)
     front_upper_gap = ca.if_else(-front_upper_apart_y > front_upper_beyond, -front_upper_apart_y, front_upper_beyond)
-    rear_lower_beyond_rate = rear_lower_apart_rate_x*ca.if_else(rear_lower_apart_x > 0, 1, -1)
-    rear_lower_gap_rate = rear_lower_apart_rate_y*ca.if_else(rear_lower_apart_y > rear_lower_beyond, 1, 0) + rear_lower_beyond_rate*ca.if_else(rear_lower_apart_y > rear_lower_beyond, 0, 1)
-    rear_upper_beyond_rate = rear_upper_apart_rate_x*ca.if_else(rear_upper_apart_x > 0, 1, -1)
-    rear_upper_gap_rate = rear_upper_apart_rate_y*ca.if_else(-rear_upper_apart_y > rear_upper_beyond, -1, 0) + rear_upper_beyond_rate*ca.if_else(-rear_upper_apart_y > rear_upper_beyond, 0, 1)
-    front_lower_beyond_rate = front_lower_apart_rate_x*ca.if_else(front_lower_apart_x > 0, 1, -1)
-    front_lower_gap_rate = front_lower_apart_rate_y*ca.if_else(front_lower_apart_y > front_lower_beyond, 1, 0) + front_lower_beyond_rate*ca.if_else(front_lower_apart_y > front_lower_beyond, 0, 1)
-    front_upper_beyond_rate = front_upper_apart_rate_x*ca.if_else(front_upper_apart_x > 0, 1, -1)
-    front_upper_gap_rate = front_upper_apart_rate_y*ca.if_else(-front_upper_apart_y > front_upper_beyond, -1, 0) + front_upper_beyond_rate*ca.if_else(-front_upper_apart_y > front_upper_beyond, 0, 1)
+    rear_lower_gap_rate = ca.if_else(rear_lower_apart_y > rear_lower_beyond, rear_lower_apart_rate_y, ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_rate_x, -rear_lower_apart_rate_x))
+    rear_upper_gap_rate = ca.if_else(-rear_upper_apart_y > rear_upper_beyond, -rear_upper_apart_rate_y, ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_rate_x, -rear_upper_apart_rate_x))
+    front_lower_gap_rate = ca.if_else(front_lower_apart_y > front_lower_beyond, front_lower_apart_rate_y, ca.if_else(front_lower_apart_x > 0, front_lower_apart_rate_x, -front_lower_apart_rate_x))
+    front_upper_gap_rate = ca.if_else(-front_upper_apart_y > front_upper_beyond, -front_upper_apart_rate_y, ca.if_else(front_upper_apart_x > 0, front_upper_apart_rate_x, -front_upper_apart_rate_x))
     return (
         ca.vertcat(rear_lower_gap, rear_upper_gap, front_lower_gap, front_upper_gap),
         ca.vertcat(rear_lower_gap_rate, rear_upper_gap_rate, front_lower_gap_rate, front_upper_gap_rate),
@@ -518,16 +514,12 @@ def gap_accelerations(t, q, u, a, c):
     rear_upper_beyond = k1 + ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_x, -rear_upper_apart_x)
     front_lower_beyond = k1 + ca.if_else(front_lower_apart_x > 0, front_lower_apart_x, -front_lower_apart_x)
     front_upper_beyond = k1 + ca.if_else(front_upper_apart_x > 0, front_upper_apart_x, -front_upper_apart_x)
-    rear_lower_beyond_rate_rate = rear_lower_apart_acceleration_x*ca.if_else(rear_lower_apart_x > 0, 1, -1)
-    rear_lower_gap_rate_rate = rear_lower_apart_acceleration_y*ca.if_else(rear_lower_apart_y > rear_lower_beyond, 1, 0) + rear_lower_beyond_rate_rate*ca.if_else(rear_lower_apart_y > rear_lower_beyond, 0, 1)
-    rear_upper_beyond_rate_rate = rear_upper_apart_acceleration_x*ca.if_else(rear_upper_apart_x > 0, 1, -1)
-    rear_upper_gap_rate_rate = rear_upper_apart_acceleration_y*ca.if_else(-rear_upper_apart_y > rear_upper_beyond, -1, 0) + rear_upper_beyond_rate_rate*ca.if_else(-rear_upper_apart_y > rear_upper_beyond, 0, 1)
-    front_lower_beyond_rate_rate = front_lower_apart_acceleration_x*ca.if_else(front_lower_apart_x > 0, 1, -1)
-    front_lower_gap_rate_rate = front_lower_apart_acceleration_y*ca.if_else(front_lower_apart_y > front_lower_beyond, 1, 0) + front_lower_beyond_rate_rate*ca.if_else(front_lower_apart_y > front_lower_beyond, 0, 1)
-    front_upper_beyond_rate_rate = front_upper_apart_acceleration_x*ca.if_else(front_upper_apart_x > 0, 1, -1)
-    front_upper_gap_rate_rate = front_upper_apart_acceleration_y*ca.if_else(-front_upper_apart_y > front_upper_beyond, -1, 0) + front_upper_beyond_rate_rate*ca.if_else(-front_upper_apart_y > front_upper_beyond, 0, 1)
-    return ca.vertcat(rear_lower_gap_rate_rate, rear_upper_gap_rate_rate, front_lower_gap_rate_rate,
-        front_upper_gap_rate_rate)
+    rear_lower_gap_acceleration = ca.if_else(rear_lower_apart_y > rear_lower_beyond, rear_lower_apart_acceleration_y, ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_acceleration_x, -rear_lower_apart_acceleration_x))
+    rear_upper_gap_acceleration = ca.if_else(-rear_upper_apart_y > rear_upper_beyond, -rear_upper_apart_acceleration_y, ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_acceleration_x, -rear_upper_apart_acceleration_x))
+    front_lower_gap_acceleration = ca.if_else(front_lower_apart_y > front_lower_beyond, front_lower_apart_acceleration_y, ca.if_else(front_lower_apart_x > 0, front_lower_apart_acceleration_x, -front_lower_apart_acceleration_x))
+    front_upper_gap_acceleration = ca.if_else(-front_upper_apart_y > front_upper_beyond, -front_upper_apart_acceleration_y, ca.if_else(front_upper_apart_x > 0, front_upper_apart_acceleration_x, -front_upper_apart_acceleration_x))
+    return ca.vertcat(rear_lower_gap_acceleration, rear_upper_gap_acceleration, front_lower_gap_acceleration,
+        front_upper_gap_acceleration)
 
 
 def contact_rear_lower(t, q, u, z, m, c):
