@@ -6,11 +6,13 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 from hertzwerk.derive import (
+    APART,
     GROUND,
     Body,
     ConstantSpeed,
     Contact,
     CornerOnFace,
+    CustomPair,
     CylinderOnPlane,
     EnergyLedger,
     Free,
@@ -25,6 +27,7 @@ from hertzwerk.derive import (
     RimOnPlane,
     Scales,
     Scene,
+    SphereOnPlane,
     Start,
     X,
     Y,
@@ -298,6 +301,24 @@ def test_a_cylinder_free_to_tilt_lies_on_its_two_rims_and_falls_over_onto_one():
     assert drop.impacts[0].contact == "far"
     assert drop.impacts[0].t == pytest.approx(np.sqrt(2 * 0.01 / G), rel=1e-9)
     assert drop.energy_residual < 1e-7
+
+
+def test_a_disc_that_lies_flat_has_no_lowest_point_and_says_so():
+    disc = Body("disc", MASS, tuple(Parameter(f"J_{k}", "kg m^2", 0.005) for k in "xyz"))
+    flat = RimOnPlane("touch", disc.at(0, 0, 0), Y, Parameter("radius", "m", 0.1), THERE, Y)
+    assert moving(flat, joint=Free("float", GROUND, disc), y=0.3)(0.5).outcome.name == "not_finite"
+
+
+def test_a_pair_of_the_users_moves_as_the_built_in_one():
+    radius = Parameter("radius", "m", 0.05)
+    own = CustomPair("touch", HERE, THERE, APART[1] - radius, (0, 1, 0), (APART[0], 0, APART[2]))
+    runs = [moving(pair, y=0.2, x_speed=0.3)(1.0) for pair in (own, SphereOnPlane("touch", HERE, radius, THERE, Y))]
+    assert [impact.t for impact in runs[0].impacts] == pytest.approx(
+        [impact.t for impact in runs[1].impacts], rel=1e-12
+    )
+    assert len(runs[0].impacts) == 3
+    assert runs[0]["float.y"][-1] == pytest.approx(runs[1]["float.y"][-1], rel=1e-10)
+    assert runs[0].energy_residual < 1e-8
 
 
 # -- several clearances in one mechanism -------------------------------------------------------------------------------
