@@ -252,9 +252,9 @@ class BoundedFace(Touch):
             return face
         return self.let(Where(self._height > self._ends[1], face, end), what)
 
-    def _outwards(self, value: Any) -> Any:
+    def _outwards(self, value: Any, what: str) -> Any:
         """Along the face, towards the nearer end."""
-        return 0 if self._ends is None else Where(self._ends[0], value, -value)
+        return 0 if self._ends is None else self.let(Where(self._ends[0], value, -value), what)
 
     @cached_property
     def gap(self) -> Any:
@@ -272,13 +272,13 @@ class BoundedFace(Touch):
     def gap_rate(self) -> Any:
         """[m/s]."""
         height, way = self._rates
-        return self._nearest(height, self._outwards(way), "gap_rate")
+        return self._nearest(height, self._outwards(way, "beyond_rate"), "gap_rate")
 
     @cached_property
     def gap_acceleration(self) -> Any:
         """[m/s^2]."""
         height, way = (self.tape.rate(rate, f"{self.pair.name}_second") for rate in self._rates)
-        return self._nearest(height, self._outwards(way), "gap_acceleration")
+        return self._nearest(height, self._outwards(way, "beyond_acceleration"), "gap_acceleration")
 
     @cached_property
     def normal(self) -> Vector:
@@ -287,7 +287,8 @@ class BoundedFace(Touch):
         if self._ends is None or along is None:
             return normal
         far, beyond = self._ends
-        end = [_choice(far, component, -component) for component in along]
+        ex, ey, ez = (_choice(far, component, -component) for component in along)
+        end = self.named((ex, ey, ez), "end")
         on_face = self._height > beyond
         x, y, z = (_choice(on_face, face, side) for face, side in zip(normal, end, strict=True))
         return self.named((x, y, z), "normal")

@@ -12,7 +12,7 @@ Effects:
     front_lower_friction: smooth_coulomb at front_lower
     front_upper_friction: smooth_coulomb at front_upper
     energy_ledger: work put in, energy dissipated per effect
-Units: 240 assignments and 186 outputs checked, all consistent
+Units: 252 assignments and 186 outputs checked, all consistent
 Operations: flight 356 (equations of motion and gaps); in contact also contact_rear_lower 110, contact_rear_upper 114, contact_front_lower 109, contact_front_upper 113
 """
 
@@ -411,10 +411,14 @@ def gaps(t, q, u, c):
     front_lower_gap = ca.if_else(front_lower_apart_y > front_lower_beyond, front_lower_apart_y, front_lower_beyond)
     front_upper_beyond = k1 + ca.if_else(front_upper_apart_x > 0, front_upper_apart_x, -front_upper_apart_x)
     front_upper_gap = ca.if_else(-front_upper_apart_y > front_upper_beyond, -front_upper_apart_y, front_upper_beyond)
-    rear_lower_gap_rate = ca.if_else(rear_lower_apart_y > rear_lower_beyond, rear_lower_apart_rate_y, ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_rate_x, -rear_lower_apart_rate_x))
-    rear_upper_gap_rate = ca.if_else(-rear_upper_apart_y > rear_upper_beyond, -rear_upper_apart_rate_y, ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_rate_x, -rear_upper_apart_rate_x))
-    front_lower_gap_rate = ca.if_else(front_lower_apart_y > front_lower_beyond, front_lower_apart_rate_y, ca.if_else(front_lower_apart_x > 0, front_lower_apart_rate_x, -front_lower_apart_rate_x))
-    front_upper_gap_rate = ca.if_else(-front_upper_apart_y > front_upper_beyond, -front_upper_apart_rate_y, ca.if_else(front_upper_apart_x > 0, front_upper_apart_rate_x, -front_upper_apart_rate_x))
+    rear_lower_beyond_rate = ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_rate_x, -rear_lower_apart_rate_x)
+    rear_lower_gap_rate = ca.if_else(rear_lower_apart_y > rear_lower_beyond, rear_lower_apart_rate_y, rear_lower_beyond_rate)
+    rear_upper_beyond_rate = ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_rate_x, -rear_upper_apart_rate_x)
+    rear_upper_gap_rate = ca.if_else(-rear_upper_apart_y > rear_upper_beyond, -rear_upper_apart_rate_y, rear_upper_beyond_rate)
+    front_lower_beyond_rate = ca.if_else(front_lower_apart_x > 0, front_lower_apart_rate_x, -front_lower_apart_rate_x)
+    front_lower_gap_rate = ca.if_else(front_lower_apart_y > front_lower_beyond, front_lower_apart_rate_y, front_lower_beyond_rate)
+    front_upper_beyond_rate = ca.if_else(front_upper_apart_x > 0, front_upper_apart_rate_x, -front_upper_apart_rate_x)
+    front_upper_gap_rate = ca.if_else(-front_upper_apart_y > front_upper_beyond, -front_upper_apart_rate_y, front_upper_beyond_rate)
     return (
         ca.vertcat(rear_lower_gap, rear_upper_gap, front_lower_gap, front_upper_gap),
         ca.vertcat(rear_lower_gap_rate, rear_upper_gap_rate, front_lower_gap_rate, front_upper_gap_rate),
@@ -514,10 +518,14 @@ def gap_accelerations(t, q, u, a, c):
     rear_upper_beyond = k1 + ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_x, -rear_upper_apart_x)
     front_lower_beyond = k1 + ca.if_else(front_lower_apart_x > 0, front_lower_apart_x, -front_lower_apart_x)
     front_upper_beyond = k1 + ca.if_else(front_upper_apart_x > 0, front_upper_apart_x, -front_upper_apart_x)
-    rear_lower_gap_acceleration = ca.if_else(rear_lower_apart_y > rear_lower_beyond, rear_lower_apart_acceleration_y, ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_acceleration_x, -rear_lower_apart_acceleration_x))
-    rear_upper_gap_acceleration = ca.if_else(-rear_upper_apart_y > rear_upper_beyond, -rear_upper_apart_acceleration_y, ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_acceleration_x, -rear_upper_apart_acceleration_x))
-    front_lower_gap_acceleration = ca.if_else(front_lower_apart_y > front_lower_beyond, front_lower_apart_acceleration_y, ca.if_else(front_lower_apart_x > 0, front_lower_apart_acceleration_x, -front_lower_apart_acceleration_x))
-    front_upper_gap_acceleration = ca.if_else(-front_upper_apart_y > front_upper_beyond, -front_upper_apart_acceleration_y, ca.if_else(front_upper_apart_x > 0, front_upper_apart_acceleration_x, -front_upper_apart_acceleration_x))
+    rear_lower_beyond_acceleration = ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_acceleration_x, -rear_lower_apart_acceleration_x)
+    rear_lower_gap_acceleration = ca.if_else(rear_lower_apart_y > rear_lower_beyond, rear_lower_apart_acceleration_y, rear_lower_beyond_acceleration)
+    rear_upper_beyond_acceleration = ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_acceleration_x, -rear_upper_apart_acceleration_x)
+    rear_upper_gap_acceleration = ca.if_else(-rear_upper_apart_y > rear_upper_beyond, -rear_upper_apart_acceleration_y, rear_upper_beyond_acceleration)
+    front_lower_beyond_acceleration = ca.if_else(front_lower_apart_x > 0, front_lower_apart_acceleration_x, -front_lower_apart_acceleration_x)
+    front_lower_gap_acceleration = ca.if_else(front_lower_apart_y > front_lower_beyond, front_lower_apart_acceleration_y, front_lower_beyond_acceleration)
+    front_upper_beyond_acceleration = ca.if_else(front_upper_apart_x > 0, front_upper_apart_acceleration_x, -front_upper_apart_acceleration_x)
+    front_upper_gap_acceleration = ca.if_else(-front_upper_apart_y > front_upper_beyond, -front_upper_apart_acceleration_y, front_upper_beyond_acceleration)
     return ca.vertcat(rear_lower_gap_acceleration, rear_upper_gap_acceleration, front_lower_gap_acceleration,
         front_upper_gap_acceleration)
 
@@ -582,7 +590,8 @@ def contact_rear_lower(t, q, u, z, m, c):
     rear_lower_beyond = k1 + ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_x, -rear_lower_apart_x)
     rear_lower_gap = ca.if_else(rear_lower_apart_y > rear_lower_beyond, rear_lower_apart_y, rear_lower_beyond)
     rear_lower_elastic_force = ca.if_else(-rear_lower_gap > 0, (-rear_lower_gap)**1*ca.sqrt(-rear_lower_gap)*stiffness, 0)
-    rear_lower_normal_x = ca.if_else(rear_lower_apart_y > rear_lower_beyond, 0, ca.if_else(rear_lower_apart_x > 0, 1, -1))
+    rear_lower_end_x = ca.if_else(rear_lower_apart_x > 0, 1, -1)
+    rear_lower_normal_x = ca.if_else(rear_lower_apart_y > rear_lower_beyond, 0, rear_lower_end_x)
     rear_lower_normal_y = ca.if_else(rear_lower_apart_y > rear_lower_beyond, 1, 0)
     rear_lower_relative_rate_x = slider_velocity_x - rear_lower_first_arm_y*slider_rate_z
     rear_lower_relative_rate_y = slider_velocity_y + rear_lower_first_arm_x*slider_rate_z
@@ -677,7 +686,8 @@ def contact_rear_upper(t, q, u, z, m, c):
     rear_upper_beyond = k1 + ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_x, -rear_upper_apart_x)
     rear_upper_gap = ca.if_else(-rear_upper_apart_y > rear_upper_beyond, -rear_upper_apart_y, rear_upper_beyond)
     rear_upper_elastic_force = ca.if_else(-rear_upper_gap > 0, (-rear_upper_gap)**1*ca.sqrt(-rear_upper_gap)*stiffness, 0)
-    rear_upper_normal_x = ca.if_else(-rear_upper_apart_y > rear_upper_beyond, 0, ca.if_else(rear_upper_apart_x > 0, 1, -1))
+    rear_upper_end_x = ca.if_else(rear_upper_apart_x > 0, 1, -1)
+    rear_upper_normal_x = ca.if_else(-rear_upper_apart_y > rear_upper_beyond, 0, rear_upper_end_x)
     rear_upper_normal_y = ca.if_else(-rear_upper_apart_y > rear_upper_beyond, -1, 0)
     rear_upper_relative_rate_x = slider_velocity_x - rear_upper_first_arm_y*slider_rate_z
     rear_upper_relative_rate_y = slider_velocity_y + rear_upper_first_arm_x*slider_rate_z
@@ -772,7 +782,8 @@ def contact_front_lower(t, q, u, z, m, c):
     front_lower_beyond = k1 + ca.if_else(front_lower_apart_x > 0, front_lower_apart_x, -front_lower_apart_x)
     front_lower_gap = ca.if_else(front_lower_apart_y > front_lower_beyond, front_lower_apart_y, front_lower_beyond)
     front_lower_elastic_force = ca.if_else(-front_lower_gap > 0, (-front_lower_gap)**1*ca.sqrt(-front_lower_gap)*stiffness, 0)
-    front_lower_normal_x = ca.if_else(front_lower_apart_y > front_lower_beyond, 0, ca.if_else(front_lower_apart_x > 0, 1, -1))
+    front_lower_end_x = ca.if_else(front_lower_apart_x > 0, 1, -1)
+    front_lower_normal_x = ca.if_else(front_lower_apart_y > front_lower_beyond, 0, front_lower_end_x)
     front_lower_normal_y = ca.if_else(front_lower_apart_y > front_lower_beyond, 1, 0)
     front_lower_relative_rate_x = slider_velocity_x - front_lower_first_arm_y*slider_rate_z
     front_lower_relative_rate_y = slider_velocity_y + front_lower_first_arm_x*slider_rate_z
@@ -868,7 +879,8 @@ def contact_front_upper(t, q, u, z, m, c):
     front_upper_beyond = k1 + ca.if_else(front_upper_apart_x > 0, front_upper_apart_x, -front_upper_apart_x)
     front_upper_gap = ca.if_else(-front_upper_apart_y > front_upper_beyond, -front_upper_apart_y, front_upper_beyond)
     front_upper_elastic_force = ca.if_else(-front_upper_gap > 0, (-front_upper_gap)**1*ca.sqrt(-front_upper_gap)*stiffness, 0)
-    front_upper_normal_x = ca.if_else(-front_upper_apart_y > front_upper_beyond, 0, ca.if_else(front_upper_apart_x > 0, 1, -1))
+    front_upper_end_x = ca.if_else(front_upper_apart_x > 0, 1, -1)
+    front_upper_normal_x = ca.if_else(-front_upper_apart_y > front_upper_beyond, 0, front_upper_end_x)
     front_upper_normal_y = ca.if_else(-front_upper_apart_y > front_upper_beyond, -1, 0)
     front_upper_relative_rate_x = slider_velocity_x - front_upper_first_arm_y*slider_rate_z
     front_upper_relative_rate_y = slider_velocity_y + front_upper_first_arm_x*slider_rate_z

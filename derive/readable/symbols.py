@@ -68,6 +68,8 @@ PAIR = {
     "line": ("l", "", "direction along the face"),
     "way": ("d", "l", "way of the corner along the face, from its middle"),
     "beyond": ("d", r"\mathrm{b}", "way of the corner beyond the nearer end of the face"),
+    "beyond_rate": (r"\dot{d}", r"\mathrm{b}", "its rate"),
+    "end": ("n", r"\mathrm{b}", "direction out of the nearer end of the face"),
     "axis": ("a", "", "axis of the disc"),
     "tilt": ("n", "a", "normal along the axis of the disc"),
     "up": ("n", r"\mathrm{d}", "part of the normal in the plane of the disc"),
@@ -116,7 +118,7 @@ PAIR = {
 }
 LANDMARKS = (
     *("apart", "e", "apart_rate", "relative_rate", "gap", "gap_rate", "distance", "normal", "penetration", "penetration_rate", "sliding_velocity"),
-    *("height", "way", "beyond", "tilt", "rise"),
+    *("height", "way", "beyond", "beyond_rate", "end", "tilt", "rise"),
     *("elastic_force", "tangent_stiffness", "hysteresis_factor", "resistance", "normal_force", "friction_force", "stored_energy"),
 )  # fmt: skip
 _HOLDS = "_multiplier"
