@@ -1,6 +1,6 @@
 """Slider-crank whose slider has clearance in its guide: four corners against two bounded faces; crank, rod and slider move freely.
 
-Data: Farahanchi, Shaw, J. Sound Vib. 177 (1994) 307, and Flores, Leine, Glocker, Multibody Syst. Dyn. 23 (2010) 165, as two public codes have them;
+Data: the set two public codes for rigid contact agree on (grade B), after Flores, Leine, Glocker, Multibody Syst. Dyn. 23 (2010) 165;
 those are rigid. The stiffness, the speed over which friction builds up and the length of the guide are our choice.
 """
 
