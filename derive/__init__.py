@@ -9,11 +9,13 @@ _HOME = {
     "Parameter": "parameter",
     "Interval": "parameter",
     **dict.fromkeys(
-        ("GROUND", "X", "Y", "Z", "Body", "Cylindrical", "Direction", "Free", "Material", "Mechanism", "ParallelCylinders", "PinInBush", "Planar",
-         "Point", "Prismatic", "Revolute", "SphereOnPlane", "SphereOnSphere", "Spherical", "Universal", "Weld"), "mechanism"),
+        ("GROUND", "X", "Y", "Z", "BallInSocket", "Body", "CornerOnFace", "CustomPair", "CylinderOnPlane", "Cylindrical", "Direction",
+         "Free", "Material", "Mechanism", "ParallelCylinders", "PinInBush", "Planar", "Point", "Prismatic", "Revolute", "RimOnPlane",
+         "SphereOnPlane", "SphereOnSphere", "Spherical", "Universal", "Weld"), "mechanism"),
     **dict.fromkeys(
         ("BodyTorque", "ConstantSpeed", "Contact", "Drive", "EnergyLedger", "Friction", "Gravity", "Harmonic", "JointDamper", "JointForce",
          "JointFriction", "JointSpring", "PointDamper", "PointForce", "PointSpring", "Potential", "Ramp", "Scales", "Scene", "Start"), "scene"),
+    **dict.fromkeys(("APART", "TURN"), "pairs"),
     **dict.fromkeys(("T", "coordinate_of", "speed_of"), "effects.expression"),
     "Table": "tables",
     "Where": "functions",

@@ -80,12 +80,7 @@ class _Derivation:
         self.rows = rows
         self.row_units = tuple(row.unit for row in rows)
         self.loops = self.equations.constraints
-        faults = [
-            fault
-            for pair, _, friction in self.contacts
-            if friction is not None
-            for fault in pair.friction_faults(friction)
-        ]
+        faults = [fault for pair, _, friction in self.contacts for fault in pair.faults(friction, scene.size)]
         if faults:
             raise InputError(f"scene {scene.name}", faults)
         self.bristles = {
@@ -210,13 +205,13 @@ class _Derivation:
             "gaps",
             "Gap of every pair, positive while open, and its rate; at an onset the rate is minus the approach speed.",
             "t q u c",
-            self._pairs("G", "m", [pair.gap for pair, _, _ in self.contacts]),
-            self._pairs("dG", "m/s", [pair.gap_rate for pair, _, _ in self.contacts]),
+            self._pairs("G", "m", [pair.touch.gap for pair, _, _ in self.contacts]),
+            self._pairs("dG", "m/s", [pair.touch.gap_rate for pair, _, _ in self.contacts]),
         )
 
     def gap_accelerations(self) -> Function:
         """Second derivatives of the event functions."""
-        values = [pair.gap_acceleration for pair, _, _ in self.contacts]
+        values = [pair.touch.gap_acceleration for pair, _, _ in self.contacts]
         return self._function(
             "gap_accelerations", "Second derivative of every gap.", "t q u a c", self._pairs("ddG", "m/s^2", values)
         )
@@ -429,7 +424,7 @@ class _Derivation:
         return self._function("outputs", "Named quantities, see OUTPUTS.", "t q u c", result)
 
     def _outputs(self) -> list[tuple[str, str, Any]]:
-        return [row for pair, _, _ in self.contacts for row in pair.outputs()]
+        return [row for pair, _, _ in self.contacts for row in pair.touch.outputs()]
 
     # -- ports -----------------------------------------------------------------------------------------------------
 

@@ -91,6 +91,7 @@ class Kinematics:
             if freedom.key not in motion:
                 motion[freedom.key] = self._driven(freedom, scene)
         self._states = {key: (q[0], rows[0].speed) for key, (q, rows) in motion.items()}
+        self._motions = motion
         self.tree = Tree(tape, scene.mechanism, motion)
         # keyed by links and bodies, which live as long as this does
         self.motion_of = cache(self._motion)
@@ -117,6 +118,11 @@ class Kinematics:
             self.drive_states.append(DriveState(ports[order], chain[order], chain[order + 1], sp.sympify(start)))
         (force,) = freedom.forces
         return (chain[0],), (Row(*force, chain[1], chain[2], False),)
+
+    def motion_of_freedom(self, freedom: Freedom) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
+        """Coordinates and speeds of a freedom, free or driven."""
+        coordinates, rows = self._motions[freedom.key]
+        return coordinates, tuple(row.speed for row in rows)
 
     def coordinate(self, key: str) -> Any:
         """Coordinate of a scalar freedom, free or driven [rad or m]."""

@@ -18,8 +18,17 @@ from hertzwerk.derive.joints import Freedom
 from hertzwerk.derive.laws.catalogue import LAWS
 from hertzwerk.derive.laws.law import APPROACH_SPEED, BoundLaw
 from hertzwerk.derive.mechanism import Body, Direction, Mechanism, Pair, Slot
-from hertzwerk.derive.parameter import POSITIVE, Parameter, Scalar, dimensions_of, is_number, parameters_of
+from hertzwerk.derive.parameter import (
+    POSITIVE,
+    Parameter,
+    Scalar,
+    default_value,
+    dimensions_of,
+    is_number,
+    parameters_of,
+)
 from hertzwerk.derive.soundness import faults_of
+from hertzwerk.derive.units import parse_unit
 
 APPROACH_FLOOR = Parameter(
     "approach_floor", "m/s", 1e-3, "least approach speed a damping law is given; h/v0 is unbounded otherwise"
@@ -288,6 +297,13 @@ class Scene:
     def free(self) -> tuple[Freedom, ...]:
         """The freedoms that keep their coordinates."""
         return tuple(freedom for freedom in self.mechanism.freedoms if freedom.key not in self.driven)
+
+    @cached_property
+    def size(self) -> float:
+        """The greatest length among the parameters at their defaults [m], or that of the scales."""
+        metre = parse_unit("m").exponents
+        lengths = [abs(p.si) for p in self.parameters.values() if p.parsed_unit.exponents == metre]
+        return max(lengths) or abs(default_value(self.scales.length)) if lengths else default_value(self.scales.length)
 
     @cached_property
     def contacts(self) -> list[tuple[Pair, Contact, Friction | None]]:

@@ -14,13 +14,15 @@ import sympy as sp
 
 from hertzwerk.derive.dimension import Dimension, check
 from hertzwerk.derive.effects.drives import Drive
-from hertzwerk.derive.effects.expression import Varying, expression_faults, table_faults
+from hertzwerk.derive.effects.expression import Varying, as_choice, expression_faults, smoothness_faults, table_faults
 from hertzwerk.derive.effects.faults import element_faults, type_faults
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.laws.law import BoundLaw, Law
 from hertzwerk.derive.mechanism import (
     GROUND,
     Body,
+    CornerOnFace,
+    CustomPair,
     Direction,
     Frame,
     Free,
@@ -34,6 +36,7 @@ from hertzwerk.derive.mechanism import (
     Universal,
     Weld,
 )
+from hertzwerk.derive.pairs import Posed, PoseSymbol
 from hertzwerk.derive.parameter import Parameter, default_value, dimensions_of, is_number, parameters_of
 from hertzwerk.derive.units import parse_unit, unit_text
 from hertzwerk.derive.vectors import along, apply, cross, sub
@@ -58,7 +61,9 @@ def faults_of(scene: Scene) -> tuple[Fault, ...]:
     for slot in scene.slots():
         if not all(sound.get(parameter.name) == parameter for parameter in parameters_of(slot.value)):
             continue
-        if isinstance(slot, Varying):
+        if isinstance(slot, Posed):
+            found.extend(_posed_faults(slot, table))
+        elif isinstance(slot, Varying):
             found.extend(expression_faults(slot, freedoms, table, partial(_quantity_faults, table=table)))
         else:
             found.extend(_quantity_faults(slot, table))
@@ -102,8 +107,12 @@ def _type_faults(scene: Scene) -> Iterator[Fault]:
             yield from _is(where, "place", place, Point, "a point of a body: body.at(x, y, z)")
             if isinstance(place, Point):
                 yield from _three(f"{where}, point", place.position)
-        for name in ("normal", "axis"):
-            if hasattr(pair, name):
+        if isinstance(pair, CustomPair):
+            yield from _three(f"{where}, normal", pair.normal)
+            yield from _three(f"{where}, contact point", pair.contact_point)
+            continue
+        for name in ("normal", "axis", "along"):
+            if getattr(pair, name, None) is not None:
                 yield from _direction_faults(where, name, getattr(pair, name))
     for effect in scene.of_kind("gravity"):
         yield from _direction_faults(f"effect {effect.name}", "direction", effect.direction)
@@ -171,6 +180,8 @@ def _topology_faults(mechanism: Mechanism) -> Iterator[Fault]:
         if isinstance(pair, PinInBush) and along(pair.axis.unit) is None:
             yield Fault(f"pair {pair.name}", f"the axis {pair.axis.components}", "X, Y, Z or the opposite of one",
                         "Turn the bush: body.at(...).turned(axis, angle).")  # fmt: skip
+        if isinstance(pair, CornerOnFace):
+            yield from _face_faults(pair)
         first, second = (place.body for place in pair.places)
         if first == second:
             yield Fault(f"pair {pair.name}", f"both sides on {first.name}", "two different bodies")
@@ -179,6 +190,20 @@ def _topology_faults(mechanism: Mechanism) -> Iterator[Fault]:
                 f"pair {pair.name}",
                 f"{first.name} and {second.name}, which are welded",
                 "bodies that can move against each other",
+            )
+
+
+def _face_faults(pair: CornerOnFace) -> Iterator[Fault]:
+    """A face that ends needs a direction in it, and a length."""
+    if (pair.along is None) != (pair.length is None):
+        found = "a length without a direction along the face" if pair.along is None else "a direction without a length"
+        yield Fault(f"pair {pair.name}", found, "both, for a face that ends, or neither")
+    if pair.along is not None:
+        normal, along_face = ([default_value(part) for part in axis.unit] for axis in (pair.normal, pair.along))
+        cosine = sum(a * b for a, b in zip(normal, along_face, strict=True))
+        if abs(cosine) > 1e-9:
+            yield Fault(
+                f"pair {pair.name}, along", f"a direction at a cosine of {cosine:.3g} to the normal", "one square to it"
             )
 
 
@@ -334,7 +359,8 @@ def _geometry_faults(effect: Any, offered: dict[str, Any]) -> Iterator[Fault]:
             if offered and quantity.name not in offered:
                 yield Fault(f"effect {effect.name}", f"a pair without {quantity.name}, {quantity.meaning}",
                             f"one that has it, because {bound.law.name} asks for it",
-                            "Line contacts need a length: PinInBush(..., length=...), or ParallelCylinders.")  # fmt: skip
+                            "Line contacts need a length: PinInBush(..., length=...), ParallelCylinders, CylinderOnPlane; "
+                            "edges and corners have no radius: power(K, n) does without one.")  # fmt: skip
 
 
 def _demand_faults(effect: Any, kind: str | None) -> Iterator[Fault]:
@@ -436,6 +462,37 @@ def _quantity_faults(slot: Slot, table: dict[sp.Symbol, Dimension]) -> Iterator[
     elif slot.limit is not None and not slot.limit.holds(number):
         shown = f"{number:g}" if unit.dimensionless else f"{number:g} {unit_text(unit.exponents)}"
         yield Fault(slot.where, shown, f"a value in {slot.limit}")
+
+
+def _posed_faults(slot: Posed, table: dict[sp.Symbol, Dimension]) -> Iterator[Fault]:
+    """Of an expression of the pose of a user's pair."""
+    if not is_number(slot.value):
+        yield Fault(slot.where, repr(slot.value), "a number, or an expression of APART, TURN and parameters")
+        return
+    value = as_choice(slot.value)
+    pose = {
+        node: Dimension.from_unit(node.unit) for node in sp.preorder_traversal(value) if isinstance(node, PoseSymbol)
+    }
+    if not pose:
+        yield from _quantity_faults(slot, table)
+        return
+    strangers = sorted(str(s) for s in value.free_symbols if not isinstance(s, Parameter | PoseSymbol))
+    if strangers:
+        yield Fault(
+            slot.where, f"the symbol {', '.join(strangers)}", "an expression of APART, TURN and Parameters alone"
+        )
+        return
+    unit = parse_unit(slot.unit)
+    fault = check(value, {**table, **pose}, Dimension.from_unit(unit, {}), list(table))
+    if fault is not None:
+        yield Fault(
+            slot.where,
+            f"{fault.subexpression} [{fault.found}]",
+            f"a quantity in {slot.unit}",
+            fault.repair or fault.reason,
+        )
+        return
+    yield from smoothness_faults(slot, value)
 
 
 def _repeated(kind: str, names: Iterable[str]) -> Iterator[Fault]:

@@ -129,11 +129,15 @@ def _pair(curves: Curves, name: str) -> Figure:
     impact = next((impact for impact in run.impacts if impact.contact == name), None)
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(12.5, 6.4), layout="constrained")
-        if dict(run.model.module.PAIRS)[name] == "pin_in_bush":
-            grid = figure.add_gridspec(2, 2, width_ratios=(1.05, 1))
-            _journal_path(figure.add_subplot(grid[:, 0]), curves, name)
-            _normal_force(figure.add_subplot(grid[0, 1]), curves, name)
-            _first_impact(figure.add_subplot(grid[1, 1]), run, impact)
+        inside = [output for output in run.model.outputs if output.startswith(f"{name}.eccentricity_")]
+        if len(inside) > 1:
+            views = [(inside[0], other) for other in inside[1:]]
+            figure.set_figwidth(7 + 5.5 * len(views))
+            grid = figure.add_gridspec(2, len(views) + 1, width_ratios=(*[1.05] * len(views), 1))
+            for column, view in enumerate(views):
+                _journal_path(figure.add_subplot(grid[:, column]), curves, name, inside, view)
+            _normal_force(figure.add_subplot(grid[0, -1]), curves, name)
+            _first_impact(figure.add_subplot(grid[1, -1]), run, impact)
         else:
             grid = figure.add_gridspec(2, 2)
             _gap(figure.add_subplot(grid[0, :]), curves, name)
@@ -227,9 +231,10 @@ def _gap(axis: Axes, curves: Curves, name: str) -> None:
     _over_time(axis, curves, f"Gap [{scale.unit}]")
 
 
-def _journal_path(axis: Axes, curves: Curves, name: str) -> None:
-    x, y, gap = (curves[f"{name}.{part}"] for part in ("eccentricity_x", "eccentricity_y", "gap"))
-    clearance = float(np.median(np.hypot(x, y) + gap))
+def _journal_path(axis: Axes, curves: Curves, name: str, inside: Sequence[str], view: tuple[str, str]) -> None:
+    """Path of what is inside, in the plane of two of its eccentricities."""
+    (x, y), gap = (curves[part] for part in view), curves[f"{name}.gap"]
+    clearance = float(np.median(np.sqrt(sum(curves[part] ** 2 for part in inside)) + gap))
     scale = scale_of("m", clearance)
     points = np.column_stack([scale(x), scale(y)])
     radius = clearance / scale.factor
@@ -239,14 +244,16 @@ def _journal_path(axis: Axes, curves: Curves, name: str) -> None:
     touching = gap[:-1] + gap[1:] < 0
     for chosen, colour, width, label in (
         (~touching, BLUE, 0.8, "free flight"),
-        (touching, VERMILLION, 1.0, "in contact (outside the circle: penetration)"),
+        (touching, VERMILLION, 1.0, "in contact" + (" (outside the circle: penetration)" if len(inside) == 2 else "")),
     ):
         axis.add_collection(LineCollection(list(segments[chosen]), colors=colour, linewidths=width, label=label))
     axis.plot(*points[0], "o", color="black", markersize=4, label="start")
     reach = 1.08 * max(radius, float(np.max(np.hypot(*points.T))))
     axis.set(xlim=(-reach, reach), ylim=(-reach, reach), aspect="equal")
-    axis.set(xlabel=f"eccentricity x [{scale.unit}]", ylabel=f"eccentricity y [{scale.unit}]")
-    axis.set_title("Path of the pin's centre in the bush")
+    labels = (f"eccentricity {part[-1]} [{scale.unit}]" for part in view)
+    axis.set(**dict(zip(("xlabel", "ylabel"), labels, strict=True)))
+    pin = dict(curves.run.model.module.PAIRS)[name] == "pin_in_bush"
+    axis.set_title(f"Path of the {'pin' if pin else 'ball'}'s centre in the {'bush' if pin else 'socket'}")
     axis.legend(loc="upper center", bbox_to_anchor=(0.5, -0.09), ncols=2)
 
 

@@ -148,7 +148,7 @@ def expression_faults(
         yield Fault(where, f"{fault.subexpression} [{fault.found}]", f"a quantity in {unit_text(unit.exponents)}" if fault.subexpression == str(value)
                     else fault.expected, fault.repair or fault.reason)  # fmt: skip
         return
-    yield from _smoothness_faults(slot, value)
+    yield from smoothness_faults(slot, value)
 
 
 def table_faults(slots: Iterable[Slot]) -> Iterator[Fault]:
@@ -161,15 +161,16 @@ def table_faults(slots: Iterable[Slot]) -> Iterator[Fault]:
                         "Share one Table object, or rename one.")  # fmt: skip
 
 
-def _smoothness_faults(slot: Varying, value: Any) -> Iterator[Fault]:
+def smoothness_faults(slot: Slot, value: Any) -> Iterator[Fault]:
     """An operation no module can hold, in the expression or in a derivative by time that is asked for."""
     from hertzwerk.derive.emit import EmitError, expression_text  # which imports the scene's audit
 
-    for order in range(slot.derivatives + 1):
+    derivatives = getattr(slot, "derivatives", 0)
+    for order in range(derivatives + 1):
         of = ("", "the first derivative of ", "the second derivative of ")[order]
         try:
             expression_text(value)
-            value = sp.diff(value, T) if order < slot.derivatives else value
+            value = sp.diff(value, T) if order < derivatives else value
         except EmitError as error:
             yield Fault(slot.where, f"{of}{shown(slot.value)}: {error}", "an expression of known functions, as smooth as its use asks for",
                         "A choice is Where(condition, a, b); what jumps is no position.")  # fmt: skip

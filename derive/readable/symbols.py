@@ -64,6 +64,22 @@ PAIR = {
     "distance": ("d", "", "distance of the places"),
     "reach": ("d", "0", "distance of the centres at the onset"),
     "direction": ("n", "0", "direction of the second place"),
+    "height": ("h", "", "height of the corner over the face"),
+    "line": ("l", "", "direction along the face"),
+    "way": ("d", "l", "way of the corner along the face, from its middle"),
+    "beyond": ("d", r"\mathrm{b}", "way of the corner beyond the nearer end of the face"),
+    "beyond_rate": (r"\dot{d}", r"\mathrm{b}", "its rate"),
+    "end": ("n", r"\mathrm{b}", "direction out of the nearer end of the face"),
+    "axis": ("a", "", "axis of the disc"),
+    "tilt": ("n", "a", "normal along the axis of the disc"),
+    "up": ("n", r"\mathrm{d}", "part of the normal in the plane of the disc"),
+    "rise": ("n", r"\mathrm{r}", "its length"),
+    "rim": ("r", r"\mathrm{r}", "from the centre of the disc to its lowest point"),
+    "local_apart": ("d", "2", "from the second place to the first, along the axes of the second"),
+    "turn": ("R", "", "rotation from the axes of the first place to those of the second"),
+    "local_normal": ("n", "2", "normal along the axes of the second place"),
+    "local_contact_arm": ("r", "2", "from the second place to the contact point, along its axes"),
+    "contact_arm": ("r", r"\mathrm{c}", "from the second place to the contact point"),
     "gap": ("G", "", "gap, positive while open"),
     "gap_rate": (r"\dot{G}", "", "rate of the gap"),
     "normal": ("n", "", "unit vector along which the first place is pushed"),
@@ -102,6 +118,7 @@ PAIR = {
 }
 LANDMARKS = (
     *("apart", "e", "apart_rate", "relative_rate", "gap", "gap_rate", "distance", "normal", "penetration", "penetration_rate", "sliding_velocity"),
+    *("height", "way", "beyond", "beyond_rate", "end", "tilt", "rise"),
     *("elastic_force", "tangent_stiffness", "hysteresis_factor", "resistance", "normal_force", "friction_force", "stored_energy"),
 )  # fmt: skip
 _HOLDS = "_multiplier"

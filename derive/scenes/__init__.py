@@ -17,4 +17,7 @@ NAMES = (
     "flyball_governor",
     "n_four_bar",
     "bricard",
+    "ball_in_socket",
+    "translational_clearance",
+    "spatial_slider_crank",
 )

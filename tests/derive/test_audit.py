@@ -10,7 +10,6 @@ from derived import Derived
 
 from hertzwerk.derive import Contact, Parameter, audit_scene, derive, generate
 from hertzwerk.derive.audit import InconsistentUnits, audit_program
-from hertzwerk.derive.contact import PairKinematics
 from hertzwerk.derive.derivation import _Derivation, derivation_of
 from hertzwerk.derive.equations import Equations
 from hertzwerk.derive.kinematics import Kinematics
@@ -19,6 +18,7 @@ from hertzwerk.derive.scenes import NAMES
 from hertzwerk.derive.scenes.ball_between_walls import scene as walls
 from hertzwerk.derive.scenes.bouncing_ball import scene as ball
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
+from hertzwerk.derive.touch import Face, Round, Touch
 from hertzwerk.derive.units import parse_unit
 from hertzwerk.derive.vectors import dot, scale
 
@@ -190,9 +190,9 @@ def no_arm(gravity, self, row):
 
 SEEDED = {
     # step: (owner, name, fault, what the first finding names)
-    "penetration instead of its rate": (PairKinematics, "penetration_rate", lambda f, self: self.penetration, "slider_pin_normal_force"),
-    "a gap in millimetres": (PairKinematics, "gap", lambda f, self: self.let(1000 * f(self) + 1, "gap"), "slider_pin_gap"),
-    "a gap squared": (PairKinematics, "gap", lambda f, self: self.let(f(self) ** 2, "gap"), "output gaps.G[slider_pin]"),
+    "penetration instead of its rate": (Touch, "penetration_rate", lambda f, self: self.penetration, "slider_pin_normal_force"),
+    "a gap in millimetres": (Round, "gap", lambda f, self: self.let(1000 * f(self) + 1, "gap"), "slider_pin_gap"),
+    "a gap squared": (Round, "gap", lambda f, self: self.let(f(self) ** 2, "gap"), "output gaps.G[slider_pin]"),
     "gravity without its arm": (Equations, "gravity", no_arm, "output applied.f[crank_pin]"),
     "no inertia in the bias": (Equations, "bias", lambda f, self, row: row.speed**2, "crank_pin_net"),
     "kinetic energy with a speed once": (
@@ -203,7 +203,7 @@ SEEDED = {
         Kinematics, "point", lambda f, self, *a: (*f(self, *a)[:2], f(self, *a)[1]), "slider_pin",
     ),
     "an arm added to a force": (
-        PairKinematics, "contact_point", lambda f, self: tuple(a + n for a, n in zip(self.position, self.normal, strict=True)),
+        Touch, "contact_point", lambda f, self: tuple(a + n for a, n in zip(self.position, self.normal, strict=True)),
         "slider_pin_drag_on",
     ),
     "a result under the wrong unit": (
@@ -395,5 +395,5 @@ def test_a_hidden_length_is_found_by_both_tests(monkeypatch):
     bad = Rescaled(ball)
     bad.derived = Derived(text=text)
     assert bad.disagreement(FACTORS["length"])[0] > 1e-3
-    seed(monkeypatch, PairKinematics, "gap", lambda f, self: self.let(f(self) - sp.Float(0.001), "gap"))
+    seed(monkeypatch, Face, "gap", lambda f, self: self.let(f(self) - sp.Float(0.001), "gap"))
     assert any("floor_gap" in finding.what for finding in refusal(ball).findings)

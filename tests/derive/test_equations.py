@@ -277,11 +277,14 @@ class Touching:
         )
         direction = {"X": X, "Y": Y, "Z": Z}[axis[1]] if axis[0] == "+" else -{"X": X, "Y": Y, "Z": Z}[axis[1]]
         big, small = Parameter("big", "m", sizes[0]), Parameter("small", "m", sizes[1])
-        self.pair = {
+        self.pair = self.declared(one, two, direction, big, small)
+
+    def declared(self, one, two, direction, big, small):
+        return {
             "sphere_on_plane": lambda: SphereOnPlane("touch", one, big, two, direction),
             "sphere_on_sphere": lambda: SphereOnSphere("touch", one, two, big, small),
             "pin_in_bush": lambda: PinInBush("touch", one, two, direction, big, small),
-        }[kind]()
+        }[self.kind]()
 
     @cache  # noqa: B019  # a dozen module-level objects
     def derive(self, friction):

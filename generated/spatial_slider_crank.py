@@ -1,0 +1,719 @@
+"""spatial_slider_crank: spatial slider-crank with a ball joint with clearance between crank and rod. Generated from derive/scenes/spatial_slider_crank.py.
+
+Do not edit; regenerate with `hertzwerk derive spatial_slider_crank`.
+Effects:
+    crank_drive: constant speed of main_bearing
+    gravity: uniform gravity
+    crank_ball: hertz_point x flores
+    energy_ledger: work put in, energy dissipated per effect
+Units: 130 assignments and 114 outputs checked, all consistent
+Operations: flight 220 (equations of motion and gaps); in contact also contact_crank_ball 94
+"""
+
+import casadi as ca
+
+NAME = "spatial_slider_crank"
+SOURCE = "derive/scenes/spatial_slider_crank.py"
+SUMMARY = "spatial slider-crank with a ball joint with clearance between crank and rod"
+
+EFFECTS = (
+    ("crank_drive", "drive", "constant speed of main_bearing"),
+    ("gravity", "gravity", "uniform gravity"),
+    ("crank_ball", "contact", "hertz_point x flores"),
+    ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
+)
+
+UNCHECKED = ()
+
+PARAMETERS = (
+    ("crank_mass", "kg", 0.12, "body crank, mass"),
+    ("crank_inertia_x", "kg m^2", 0.0001, "body crank, inertia"),
+    ("crank_inertia_y", "kg m^2", 1e-05, "body crank, inertia"),
+    ("crank_inertia_z", "kg m^2", 0.0001, "body crank, inertia"),
+    ("slider_mass", "kg", 2.0, "body slider, mass"),
+    ("rod_mass", "kg", 0.5, "body rod, mass"),
+    ("rod_inertia_x", "kg m^2", 0.0004, "body rod, inertia"),
+    ("rod_inertia_y", "kg m^2", 0.004, "body rod, inertia"),
+    ("rod_inertia_z", "kg m^2", 0.004, "body rod, inertia"),
+    ("rod_length", "m", 0.3, "scales, arm"),
+    ("bearing_y", "m", 0.1, "point of ground"),
+    ("bearing_z", "m", 0.12, "point of ground"),
+    ("socket_radius", "mm", 10, "pair crank_ball, socket radius"),
+    ("clearance", "mm", 0.2, "socket radius minus ball radius"),
+    ("crank_length", "m", 0.08, "point of crank"),
+    ("crank_speed", "rad/s", 60, "constant speed of the crank"),
+    ("gravity", "m/s^2", 9.81, "effect gravity, acceleration"),
+    ("youngs_modulus", "GPa", 207, "effect crank_ball, Young's modulus of the first body of hertz_point"),
+    ("poissons_ratio", "1", 0.3, "effect crank_ball, Poisson's ratio of the first body of hertz_point"),
+    ("restitution", "1", 0.9, "effect crank_ball, coefficient of restitution of flores"),
+    ("approach_floor", "m/s", 0.001, "least approach speed a damping law is given; h/v0 is unbounded otherwise"),
+)
+
+LIMITS = (
+    ("crank_mass", "defined", 0, None, True, False, "body crank, mass"),
+    ("crank_inertia_x", "defined", 0, None, False, False, "body crank, inertia"),
+    ("crank_inertia_y", "defined", 0, None, False, False, "body crank, inertia"),
+    ("crank_inertia_z", "defined", 0, None, False, False, "body crank, inertia"),
+    ("slider_mass", "defined", 0, None, True, False, "body slider, mass"),
+    ("rod_mass", "defined", 0, None, True, False, "body rod, mass"),
+    ("rod_inertia_x", "defined", 0, None, False, False, "body rod, inertia"),
+    ("rod_inertia_y", "defined", 0, None, False, False, "body rod, inertia"),
+    ("rod_inertia_z", "defined", 0, None, False, False, "body rod, inertia"),
+    ("socket_radius", "defined", 0, None, True, False, "pair crank_ball, socket radius"),
+    ("clearance", "defined", 0, None, True, False, "pair crank_ball, clearance"),
+    ("youngs_modulus", "defined", 0, None, True, False, "effect crank_ball, Young's modulus of the first body of hertz_point"),
+    ("poissons_ratio", "defined", -1, 0.5, True, False, "effect crank_ball, Poisson's ratio of the first body of hertz_point"),
+    ("restitution", "defined", 0, 1, True, False, "effect crank_ball, coefficient of restitution of flores"),
+    ("approach_floor", "defined", 0, None, True, False, "effect crank_ball, approach floor"),
+    ("rod_length", "defined", 0, None, True, False, "scales, arm"),
+)
+
+COORDINATES = (
+    ("guide.travel", "m"),
+    ("slider_joint.angle_1", "rad"),
+    ("slider_joint.angle_2", "rad"),
+)
+
+SPEEDS = (
+    ("guide.speed", "m/s"),
+    ("slider_joint.angle_1_speed", "rad/s"),
+    ("slider_joint.angle_2_speed", "rad/s"),
+)
+
+MEMORY = (
+    ("energy_ledger.input", "J"),
+    ("crank_ball.dissipated", "J"),
+)
+
+LATCHES = (
+    ("crank_ball.approach_speed", "m/s", 0),
+)
+
+PAIRS = (
+    ("crank_ball", "ball_in_socket"),
+)
+
+RELEASES = (
+    "force",
+)
+
+DISSIPATED = (
+    1,
+)
+
+OUTPUTS = (
+    ("crank_ball.eccentricity_x", "m"),
+    ("crank_ball.eccentricity_y", "m"),
+    ("crank_ball.eccentricity_z", "m"),
+)
+
+BODIES = (
+    "crank",
+    "slider",
+    "rod",
+)
+
+CONSTANTS = (
+    ("rod_inertia_x", "kg m^2"),
+    ("rod_length", "m"),
+    ("bearing_y", "m"),
+    ("bearing_z", "m"),
+    ("clearance", "m"),
+    ("crank_length", "m"),
+    ("crank_speed", "1/s"),
+    ("gravity", "m/s^2"),
+    ("k1", "m^2"),
+    ("k2", "1/m"),
+    ("crank_ball_R_min", "m"),
+    ("crank_ball_K", "N/m^1.5"),
+    ("k3", "N/m^1.5"),
+    ("crank_ball_hysteresis_factor", "1"),
+    ("slider_total_mass", "kg"),
+    ("rod_h_x", "kg m"),
+    ("rod_I_z_z", "kg m^2"),
+    ("k4", "kg m^2"),
+    ("k5", "kg m^2"),
+    ("k6", "kg m^2"),
+    ("k7", "1/(kg m^2)"),
+    ("k8", "kg m^2"),
+    ("k9", "kg m^2"),
+    ("k10", "kg"),
+    ("k11", "kg m^2"),
+    ("k12", "kg"),
+    ("k13", "J"),
+    ("k14", "m"),
+    ("k15", "N"),
+    ("k16", "J"),
+)
+
+OPERATIONS = (
+    ("constants", 45),
+    ("start", 21),
+    ("scales", 12),
+    ("coordinate_rates", 0),
+    ("gaps", 57),
+    ("gap_accelerations", 92),
+    ("contact_crank_ball", 94),
+    ("applied", 5),
+    ("accelerations", 66),
+    ("ledger", 1),
+    ("energy", 72),
+    ("poses", 14),
+    ("outputs", 28),
+)
+
+
+def constants(p):
+    """What depends on the parameters alone, once per run.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        c (30,): rod_inertia_x, rod_length, bearing_y, bearing_z, clearance, crank_length, crank_speed, gravity, k1,
+            k2, crank_ball_R_min, crank_ball_K, k3, crank_ball_hysteresis_factor, slider_total_mass, rod_h_x,
+            rod_I_z_z, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16
+    """
+    crank_mass = p[0]
+    crank_inertia_x = p[1]
+    slider_mass = p[4]
+    rod_mass = p[5]
+    rod_inertia_x = p[6]
+    rod_inertia_y = p[7]
+    rod_inertia_z = p[8]
+    rod_length = p[9]
+    bearing_y = p[10]
+    bearing_z = p[11]
+    socket_radius = p[12]
+    clearance = p[13]
+    crank_length = p[14]
+    crank_speed = p[15]
+    gravity = p[16]
+    youngs_modulus = p[17]
+    poissons_ratio = p[18]
+    restitution = p[19]
+    k1 = clearance*clearance
+    k2 = 1/(2*clearance)
+    x1 = socket_radius - clearance
+    crank_ball_R_eff = x1*socket_radius/clearance
+    crank_ball_E_eff = youngs_modulus/(2*(1 - poissons_ratio*poissons_ratio))
+    crank_ball_K = 4*crank_ball_E_eff*ca.sqrt(crank_ball_R_eff)/3
+    k3 = 2*crank_ball_K/5
+    crank_ball_hysteresis_factor = (8 - 8*restitution)/(5*restitution)
+    slider_total_mass = rod_mass + slider_mass
+    rod_h_x = -rod_length*rod_mass/2
+    x2 = rod_length*rod_length
+    x3 = x2*rod_mass/4
+    rod_I_z_z = x3 + rod_inertia_z
+    rod_I_y_y = x3 + rod_inertia_y
+    k4 = rod_I_y_y - rod_I_z_z
+    k5 = rod_inertia_x - rod_I_z_z
+    k6 = rod_inertia_x - rod_I_y_y
+    k7 = 1/rod_I_y_y
+    k8 = rod_I_y_y/2
+    k9 = rod_I_z_z/2
+    k10 = slider_mass/2
+    k11 = rod_inertia_x/2
+    k12 = rod_mass/2
+    k13 = crank_speed*crank_speed*crank_inertia_x/2
+    k14 = rod_length/2
+    k15 = gravity*rod_mass
+    k16 = bearing_z*crank_mass*gravity
+    return ca.vertcat(rod_inertia_x, rod_length, bearing_y, bearing_z, clearance, crank_length, crank_speed,
+        gravity, k1, k2, x1, crank_ball_K, k3, crank_ball_hysteresis_factor, slider_total_mass, rod_h_x, rod_I_z_z,
+        k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16)
+
+
+def start(p):
+    """Coordinates and speeds at t = 0.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        q (3,): guide.travel [m], slider_joint.angle_1 [rad], slider_joint.angle_2 [rad]
+        u (3,): guide.speed [m/s], slider_joint.angle_1_speed [rad/s], slider_joint.angle_2_speed [rad/s]
+    """
+    rod_length = p[9]
+    bearing_y = p[10]
+    bearing_z = p[11]
+    crank_length = p[14]
+    crank_speed = p[15]
+    x1 = rod_length*rod_length
+    x2 = bearing_z + crank_length
+    x3 = x2*x2
+    x4 = -x3
+    x5 = bearing_y*bearing_y
+    x6 = -x5
+    x7 = x1 + x4 + x6
+    x8 = 1/ca.sqrt(x7)
+    return (
+        ca.vertcat(ca.sqrt(x7), -ca.atan(x8*bearing_y), ca.asin(x2/rod_length)),
+        ca.vertcat(x8*bearing_y*crank_length*crank_speed, x8*crank_length*crank_speed, 0),
+    )
+
+
+def scales(p):
+    """Sizes that accuracy is measured by: of coordinates, speeds, memory; then length, speed, force, energy.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        sq (3,): guide.travel [m], slider_joint.angle_1 [rad], slider_joint.angle_2 [rad]
+        su (3,): guide.speed [m/s], slider_joint.angle_1_speed [rad/s], slider_joint.angle_2_speed [rad/s]
+        sz (2,): energy_ledger.input [J], crank_ball.dissipated [J]
+        s (4,): length [m], speed [m/s], force [N], energy [J]
+    """
+    crank_mass = p[0]
+    slider_mass = p[4]
+    rod_mass = p[5]
+    rod_length = p[9]
+    clearance = p[13]
+    crank_length = p[14]
+    crank_speed = p[15]
+    total_mass = crank_mass + rod_mass + slider_mass
+    energy_scale = total_mass*crank_length*crank_length*crank_speed*crank_speed/2
+    force_scale = energy_scale/clearance
+    x1 = clearance/rod_length
+    x2 = crank_length*crank_speed
+    x3 = crank_length*crank_speed/rod_length
+    return (
+        ca.vertcat(clearance, x1, x1),
+        ca.vertcat(x2, x3, x3),
+        ca.vertcat(energy_scale, energy_scale),
+        ca.vertcat(clearance, x2, force_scale, energy_scale),
+    )
+
+
+def coordinate_rates(t, q, u, c):
+    """Rates of the coordinates.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        dq (3,): guide.travel [m/s], slider_joint.angle_1 [rad/s], slider_joint.angle_2 [rad/s]
+    """
+    guide_speed = u[0]
+    slider_joint_angle_1_speed = u[1]
+    slider_joint_angle_2_speed = u[2]
+    return ca.vertcat(guide_speed, slider_joint_angle_1_speed, slider_joint_angle_2_speed)
+
+
+def gaps(t, q, u, c):
+    """Gap of every pair, positive while open, and its rate; at an onset the rate is minus the approach speed.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        G (1,): crank_ball [m]
+        dG (1,): crank_ball [m/s]
+    """
+    rod_length = c[1]
+    bearing_y = c[2]
+    bearing_z = c[3]
+    crank_length = c[5]
+    crank_speed = c[6]
+    k1 = c[8]
+    k2 = c[9]
+    guide_travel = q[0]
+    slider_joint_angle_1 = q[1]
+    slider_joint_angle_2 = q[2]
+    guide_speed = u[0]
+    slider_joint_angle_1_speed = u[1]
+    slider_joint_angle_2_speed = u[2]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    cos_slider_joint_angle_1 = ca.cos(slider_joint_angle_1)
+    sin_slider_joint_angle_1 = ca.sin(slider_joint_angle_1)
+    cos_rod = ca.cos(slider_joint_angle_2)
+    sin_rod = ca.sin(slider_joint_angle_2)
+    rod_turning_x = -sin_slider_joint_angle_1*slider_joint_angle_2_speed
+    rod_turning_y = cos_slider_joint_angle_1*slider_joint_angle_2_speed
+    rod_R_x_x = cos_rod*cos_slider_joint_angle_1
+    rod_R_y_x = cos_rod*sin_slider_joint_angle_1
+    crank_ball_ball_arm_x = -rod_R_x_x*rod_length
+    crank_ball_ball_arm_y = -rod_R_y_x*rod_length
+    crank_ball_ball_arm_z = sin_rod*rod_length
+    crank_ball_ball_arm_rate_x = crank_ball_ball_arm_z*rod_turning_y - crank_ball_ball_arm_y*slider_joint_angle_1_speed
+    crank_ball_ball_arm_rate_y = crank_ball_ball_arm_x*slider_joint_angle_1_speed - crank_ball_ball_arm_z*rod_turning_x
+    crank_ball_ball_arm_rate_z = crank_ball_ball_arm_y*rod_turning_x - crank_ball_ball_arm_x*rod_turning_y
+    crank_ball_socket_arm_y = -sin_crank*crank_length
+    crank_ball_socket_arm_z = cos_crank*crank_length
+    crank_ball_socket_arm_rate_y = -crank_ball_socket_arm_z*crank_speed
+    crank_ball_socket_arm_rate_z = crank_ball_socket_arm_y*crank_speed
+    crank_ball_apart_x = crank_ball_ball_arm_x + guide_travel
+    crank_ball_apart_y = crank_ball_ball_arm_y - crank_ball_socket_arm_y - bearing_y
+    crank_ball_apart_z = crank_ball_ball_arm_z - crank_ball_socket_arm_z - bearing_z
+    crank_ball_apart_rate_x = crank_ball_ball_arm_rate_x + guide_speed
+    crank_ball_apart_rate_y = crank_ball_ball_arm_rate_y - crank_ball_socket_arm_rate_y
+    crank_ball_apart_rate_z = crank_ball_ball_arm_rate_z - crank_ball_socket_arm_rate_z
+    crank_ball_apart_squared = crank_ball_apart_x*crank_ball_apart_x + crank_ball_apart_y*crank_ball_apart_y + crank_ball_apart_z*crank_ball_apart_z
+    crank_ball_gap = k2*(k1 - crank_ball_apart_squared)
+    crank_ball_apart_squared_rate = 2*crank_ball_apart_rate_x*crank_ball_apart_x + 2*crank_ball_apart_rate_y*crank_ball_apart_y + 2*crank_ball_apart_rate_z*crank_ball_apart_z
+    crank_ball_gap_rate = -crank_ball_apart_squared_rate*k2
+    return ca.vertcat(crank_ball_gap), ca.vertcat(crank_ball_gap_rate)
+
+
+def gap_accelerations(t, q, u, a, c):
+    """Second derivative of every gap.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; a: rates of the speeds; c: CONSTANTS.
+    Returns, each a column vector:
+        ddG (1,): crank_ball [m/s^2]
+    """
+    rod_length = c[1]
+    bearing_y = c[2]
+    bearing_z = c[3]
+    crank_length = c[5]
+    crank_speed = c[6]
+    k2 = c[9]
+    guide_travel = q[0]
+    slider_joint_angle_1 = q[1]
+    slider_joint_angle_2 = q[2]
+    guide_speed = u[0]
+    slider_joint_angle_1_speed = u[1]
+    slider_joint_angle_2_speed = u[2]
+    guide_acceleration = a[0]
+    slider_joint_angle_1_acceleration = a[1]
+    slider_joint_angle_2_acceleration = a[2]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    cos_slider_joint_angle_1 = ca.cos(slider_joint_angle_1)
+    sin_slider_joint_angle_1 = ca.sin(slider_joint_angle_1)
+    cos_rod = ca.cos(slider_joint_angle_2)
+    sin_rod = ca.sin(slider_joint_angle_2)
+    rod_turning_x = -sin_slider_joint_angle_1*slider_joint_angle_2_speed
+    rod_turning_y = cos_slider_joint_angle_1*slider_joint_angle_2_speed
+    rod_angular_acceleration_x = -rod_turning_y*slider_joint_angle_1_speed - sin_slider_joint_angle_1*slider_joint_angle_2_acceleration
+    rod_angular_acceleration_y = cos_slider_joint_angle_1*slider_joint_angle_2_acceleration + rod_turning_x*slider_joint_angle_1_speed
+    rod_R_x_x = cos_rod*cos_slider_joint_angle_1
+    rod_R_y_x = cos_rod*sin_slider_joint_angle_1
+    crank_ball_ball_arm_x = -rod_R_x_x*rod_length
+    crank_ball_ball_arm_y = -rod_R_y_x*rod_length
+    crank_ball_ball_arm_z = sin_rod*rod_length
+    crank_ball_ball_arm_rate_x = crank_ball_ball_arm_z*rod_turning_y - crank_ball_ball_arm_y*slider_joint_angle_1_speed
+    crank_ball_ball_arm_rate_y = crank_ball_ball_arm_x*slider_joint_angle_1_speed - crank_ball_ball_arm_z*rod_turning_x
+    crank_ball_ball_arm_rate_z = crank_ball_ball_arm_y*rod_turning_x - crank_ball_ball_arm_x*rod_turning_y
+    crank_ball_socket_arm_y = -sin_crank*crank_length
+    crank_ball_socket_arm_z = cos_crank*crank_length
+    crank_ball_socket_arm_rate_y = -crank_ball_socket_arm_z*crank_speed
+    crank_ball_socket_arm_rate_z = crank_ball_socket_arm_y*crank_speed
+    crank_ball_apart_x = crank_ball_ball_arm_x + guide_travel
+    crank_ball_apart_y = crank_ball_ball_arm_y - crank_ball_socket_arm_y - bearing_y
+    crank_ball_apart_z = crank_ball_ball_arm_z - crank_ball_socket_arm_z - bearing_z
+    crank_ball_apart_rate_x = crank_ball_ball_arm_rate_x + guide_speed
+    crank_ball_apart_rate_y = crank_ball_ball_arm_rate_y - crank_ball_socket_arm_rate_y
+    crank_ball_apart_rate_z = crank_ball_ball_arm_rate_z - crank_ball_socket_arm_rate_z
+    crank_ball_apart_acceleration_x = guide_acceleration + crank_ball_ball_arm_rate_z*rod_turning_y + crank_ball_ball_arm_z*rod_angular_acceleration_y - crank_ball_ball_arm_rate_y*slider_joint_angle_1_speed - crank_ball_ball_arm_y*slider_joint_angle_1_acceleration
+    crank_ball_apart_acceleration_y = crank_ball_ball_arm_rate_x*slider_joint_angle_1_speed + crank_ball_ball_arm_x*slider_joint_angle_1_acceleration + crank_ball_socket_arm_rate_z*crank_speed - crank_ball_ball_arm_rate_z*rod_turning_x - crank_ball_ball_arm_z*rod_angular_acceleration_x
+    crank_ball_apart_acceleration_z = crank_ball_ball_arm_rate_y*rod_turning_x + crank_ball_ball_arm_y*rod_angular_acceleration_x - crank_ball_ball_arm_rate_x*rod_turning_y - crank_ball_ball_arm_x*rod_angular_acceleration_y - crank_ball_socket_arm_rate_y*crank_speed
+    crank_ball_apart_squared_rate_rate = 2*crank_ball_apart_rate_x*crank_ball_apart_rate_x + 2*crank_ball_apart_rate_y*crank_ball_apart_rate_y + 2*crank_ball_apart_rate_z*crank_ball_apart_rate_z + 2*crank_ball_apart_acceleration_x*crank_ball_apart_x + 2*crank_ball_apart_acceleration_y*crank_ball_apart_y + 2*crank_ball_apart_acceleration_z*crank_ball_apart_z
+    crank_ball_gap_rate_rate = -crank_ball_apart_squared_rate_rate*k2
+    return ca.vertcat(crank_ball_gap_rate_rate)
+
+
+def contact_crank_ball(t, q, u, z, m, c):
+    """Forces of crank_ball: hertz_point x flores. The normal force is the laws' own, not clamped: where it would
+    pull, the contact ends.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
+    Returns, each a column vector:
+        f (4,): guide [N], slider_joint.angle_1 [N m], slider_joint.angle_2 [N m], main_bearing [N m]
+        dz (2,): energy_ledger.input [W], crank_ball.dissipated [W]
+        normal_force (1,): crank_ball [N]
+        sliding_velocity (0,): empty
+        in_range (1,): crank_ball [1]
+    """
+    rod_length = c[1]
+    bearing_y = c[2]
+    bearing_z = c[3]
+    clearance = c[4]
+    crank_length = c[5]
+    crank_speed = c[6]
+    crank_ball_R_min = c[10]
+    crank_ball_K = c[11]
+    crank_ball_hysteresis_factor = c[13]
+    guide_travel = q[0]
+    slider_joint_angle_1 = q[1]
+    slider_joint_angle_2 = q[2]
+    guide_speed = u[0]
+    slider_joint_angle_1_speed = u[1]
+    slider_joint_angle_2_speed = u[2]
+    crank_ball_approach_speed = m[0]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    cos_slider_joint_angle_1 = ca.cos(slider_joint_angle_1)
+    sin_slider_joint_angle_1 = ca.sin(slider_joint_angle_1)
+    cos_rod = ca.cos(slider_joint_angle_2)
+    sin_rod = ca.sin(slider_joint_angle_2)
+    rod_turning_x = -sin_slider_joint_angle_1*slider_joint_angle_2_speed
+    rod_turning_y = cos_slider_joint_angle_1*slider_joint_angle_2_speed
+    rod_R_x_x = cos_rod*cos_slider_joint_angle_1
+    rod_R_y_x = cos_rod*sin_slider_joint_angle_1
+    crank_ball_ball_arm_x = -rod_R_x_x*rod_length
+    crank_ball_ball_arm_y = -rod_R_y_x*rod_length
+    crank_ball_ball_arm_z = sin_rod*rod_length
+    crank_ball_socket_arm_y = -sin_crank*crank_length
+    crank_ball_socket_arm_z = cos_crank*crank_length
+    crank_ball_apart_x = crank_ball_ball_arm_x + guide_travel
+    crank_ball_apart_y = crank_ball_ball_arm_y - crank_ball_socket_arm_y - bearing_y
+    crank_ball_apart_z = crank_ball_ball_arm_z - crank_ball_socket_arm_z - bearing_z
+    crank_ball_apart_squared = crank_ball_apart_x*crank_ball_apart_x + crank_ball_apart_y*crank_ball_apart_y + crank_ball_apart_z*crank_ball_apart_z
+    crank_ball_distance = ca.sqrt(crank_ball_apart_squared)
+    crank_ball_penetration = crank_ball_distance - clearance
+    crank_ball_elastic_force = ca.if_else(crank_ball_penetration > 0, crank_ball_K*crank_ball_penetration*ca.sqrt(crank_ball_penetration), 0)
+    crank_ball_normal_x = -crank_ball_apart_x/crank_ball_distance
+    crank_ball_normal_y = -crank_ball_apart_y/crank_ball_distance
+    crank_ball_normal_z = -crank_ball_apart_z/crank_ball_distance
+    crank_ball_relative_rate_x = guide_speed + crank_ball_ball_arm_z*rod_turning_y - crank_ball_ball_arm_y*slider_joint_angle_1_speed
+    crank_ball_relative_rate_y = crank_ball_ball_arm_x*slider_joint_angle_1_speed + (crank_ball_ball_arm_z - bearing_z)*crank_speed - crank_ball_ball_arm_z*rod_turning_x
+    x1 = crank_ball_ball_arm_y - bearing_y
+    crank_ball_relative_rate_z = crank_ball_ball_arm_y*rod_turning_x - crank_ball_ball_arm_x*rod_turning_y - x1*crank_speed
+    crank_ball_penetration_rate = -crank_ball_normal_x*crank_ball_relative_rate_x - crank_ball_normal_y*crank_ball_relative_rate_y - crank_ball_normal_z*crank_ball_relative_rate_z
+    crank_ball_resistance = crank_ball_elastic_force*crank_ball_hysteresis_factor*crank_ball_penetration_rate/crank_ball_approach_speed
+    crank_ball_normal_force = crank_ball_elastic_force + crank_ball_resistance
+    crank_ball_normal_power = crank_ball_penetration_rate*crank_ball_resistance
+    crank_ball_push_x = crank_ball_normal_force*crank_ball_normal_x
+    crank_ball_push_y = crank_ball_normal_force*crank_ball_normal_y
+    crank_ball_push_z = crank_ball_normal_force*crank_ball_normal_z
+    crank_ball_push_on_slider_joint_angle_1 = crank_ball_ball_arm_x*crank_ball_push_y - crank_ball_ball_arm_y*crank_ball_push_x
+    crank_ball_push_on_slider_joint_angle_2 = crank_ball_push_z*(-cos_slider_joint_angle_1*crank_ball_ball_arm_x - crank_ball_ball_arm_y*sin_slider_joint_angle_1) + cos_slider_joint_angle_1*crank_ball_ball_arm_z*crank_ball_push_x + crank_ball_ball_arm_z*crank_ball_push_y*sin_slider_joint_angle_1
+    crank_ball_push_on_main_bearing = -crank_ball_push_y*(bearing_z - crank_ball_ball_arm_z) - crank_ball_push_z*x1
+    crank_ball_in_range = ca.if_else(crank_ball_penetration <= crank_ball_R_min, 1, 0)
+    return (
+        ca.vertcat(crank_ball_push_x, crank_ball_push_on_slider_joint_angle_1,
+            crank_ball_push_on_slider_joint_angle_2, crank_ball_push_on_main_bearing),
+        ca.vertcat(0, crank_ball_normal_power),
+        ca.vertcat(crank_ball_normal_force),
+        ca.vertcat(),
+        ca.vertcat(crank_ball_in_range),
+    )
+
+
+def applied(t, q, u, c):
+    """Generalised forces of everything that is no contact.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        f (4,): guide [N], slider_joint.angle_1 [N m], slider_joint.angle_2 [N m], main_bearing [N m]
+    """
+    gravity = c[7]
+    rod_h_x = c[15]
+    slider_joint_angle_2 = q[2]
+    cos_rod = ca.cos(slider_joint_angle_2)
+    rod_gravity_z = -cos_rod*gravity
+    return ca.vertcat(0, 0, -rod_gravity_z*rod_h_x, 0)
+
+
+def accelerations(t, q, u, f, c):
+    """Generalised accelerations a from M a = f - bias, and what each drive must supply.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; f: generalised forces; c: CONSTANTS.
+    Returns, each a column vector:
+        a (3,): guide.acceleration [m/s^2], slider_joint.angle_1_acceleration [rad/s^2],
+            slider_joint.angle_2_acceleration [rad/s^2]
+        reactions (1,): main_bearing.reaction [N m]
+    """
+    rod_inertia_x = c[0]
+    slider_total_mass = c[14]
+    rod_h_x = c[15]
+    rod_I_z_z = c[16]
+    k4 = c[17]
+    k5 = c[18]
+    k6 = c[19]
+    k7 = c[20]
+    slider_joint_angle_1 = q[1]
+    slider_joint_angle_2 = q[2]
+    slider_joint_angle_1_speed = u[1]
+    slider_joint_angle_2_speed = u[2]
+    guide_force = f[0]
+    slider_joint_angle_1_force = f[1]
+    slider_joint_angle_2_force = f[2]
+    main_bearing_force = f[3]
+    cos_slider_joint_angle_1 = ca.cos(slider_joint_angle_1)
+    sin_slider_joint_angle_1 = ca.sin(slider_joint_angle_1)
+    cos_rod = ca.cos(slider_joint_angle_2)
+    sin_rod = ca.sin(slider_joint_angle_2)
+    slider_joint_angle_1_total_moment_y = cos_rod*rod_h_x*sin_slider_joint_angle_1
+    rod_w_x = -sin_rod*slider_joint_angle_1_speed
+    rod_w_z = cos_rod*slider_joint_angle_1_speed
+    rod_angular_bias_x = -rod_w_z*slider_joint_angle_2_speed
+    rod_angular_bias_z = rod_w_x*slider_joint_angle_2_speed
+    rod_rate_yy = slider_joint_angle_2_speed*slider_joint_angle_2_speed
+    rod_rate_zz = rod_w_z*rod_w_z
+    rod_U_x_x = -rod_rate_yy - rod_rate_zz
+    rod_U_y_x = 2*rod_angular_bias_z
+    rod_rate_zx = rod_w_x*rod_w_z
+    rod_force_x = rod_U_x_x*rod_h_x
+    rod_force_y = rod_U_y_x*rod_h_x
+    rod_force_z = rod_h_x*rod_rate_zx
+    slider_joint_angle_1_force_x = cos_slider_joint_angle_1*(cos_rod*rod_force_x + rod_force_z*sin_rod) - rod_force_y*sin_slider_joint_angle_1
+    guide_net = guide_force - slider_joint_angle_1_force_x
+    rod_rate_yz = rod_w_z*slider_joint_angle_2_speed
+    rod_torque_x = rod_angular_bias_x*rod_inertia_x - k4*rod_rate_yz
+    rod_torque_y = k5*rod_rate_zx
+    rod_torque_z = rod_I_z_z*rod_angular_bias_z - k6*rod_angular_bias_z
+    slider_joint_angle_1_torque_z = cos_rod*rod_torque_z - rod_torque_x*sin_rod
+    slider_joint_angle_1_net = slider_joint_angle_1_force - slider_joint_angle_1_torque_z
+    slider_joint_angle_2_net = slider_joint_angle_2_force - rod_torque_y
+    rod_turned_J_swing = k5*sin_rod
+    rod_turned_J_z_z = rod_I_z_z + rod_turned_J_swing*sin_rod
+    slider_joint_angle_2_rod_force_x = -cos_slider_joint_angle_1*rod_h_x*sin_rod
+    l_guide_slider_joint_angle_2 = k7*slider_joint_angle_2_rod_force_x
+    l_guide_slider_joint_angle_1 = -slider_joint_angle_1_total_moment_y/rod_turned_J_z_z
+    D_guide = slider_total_mass + l_guide_slider_joint_angle_1*slider_joint_angle_1_total_moment_y - l_guide_slider_joint_angle_2*slider_joint_angle_2_rod_force_x
+    y_guide = guide_net - l_guide_slider_joint_angle_1*slider_joint_angle_1_net - l_guide_slider_joint_angle_2*slider_joint_angle_2_net
+    guide_acc = y_guide/D_guide
+    slider_joint_angle_1_acc = slider_joint_angle_1_net/rod_turned_J_z_z - guide_acc*l_guide_slider_joint_angle_1
+    slider_joint_angle_2_acc = k7*slider_joint_angle_2_net - guide_acc*l_guide_slider_joint_angle_2
+    return (
+        ca.vertcat(guide_acc, slider_joint_angle_1_acc, slider_joint_angle_2_acc),
+        ca.vertcat(-main_bearing_force),
+    )
+
+
+def ledger(t, q, u, reactions, c):
+    """Power the drives put in, in its row of z.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
+    Returns, each a column vector:
+        dz (2,): energy_ledger.input [W], crank_ball.dissipated [W]
+    """
+    crank_speed = c[6]
+    main_bearing_reaction_in = reactions[0]
+    return ca.vertcat(main_bearing_reaction_in*crank_speed, 0)
+
+
+def energy(t, q, u, c):
+    """Kinetic and potential energy, and what each pair's stiffness stores.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        kinetic (1,): kinetic [J]
+        potential (1,): potential [J]
+        stored (1,): crank_ball [J]
+    """
+    rod_length = c[1]
+    bearing_y = c[2]
+    bearing_z = c[3]
+    clearance = c[4]
+    crank_length = c[5]
+    crank_speed = c[6]
+    k3 = c[12]
+    rod_h_x = c[15]
+    k8 = c[21]
+    k9 = c[22]
+    k10 = c[23]
+    k11 = c[24]
+    k12 = c[25]
+    k13 = c[26]
+    k14 = c[27]
+    k15 = c[28]
+    k16 = c[29]
+    guide_travel = q[0]
+    slider_joint_angle_1 = q[1]
+    slider_joint_angle_2 = q[2]
+    guide_speed = u[0]
+    slider_joint_angle_1_speed = u[1]
+    slider_joint_angle_2_speed = u[2]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    cos_slider_joint_angle_1 = ca.cos(slider_joint_angle_1)
+    sin_slider_joint_angle_1 = ca.sin(slider_joint_angle_1)
+    cos_rod = ca.cos(slider_joint_angle_2)
+    sin_rod = ca.sin(slider_joint_angle_2)
+    rod_R_x_x = cos_rod*cos_slider_joint_angle_1
+    rod_R_y_x = cos_rod*sin_slider_joint_angle_1
+    crank_ball_ball_arm_x = -rod_R_x_x*rod_length
+    crank_ball_ball_arm_y = -rod_R_y_x*rod_length
+    crank_ball_ball_arm_z = sin_rod*rod_length
+    crank_ball_socket_arm_y = -sin_crank*crank_length
+    crank_ball_socket_arm_z = cos_crank*crank_length
+    crank_ball_apart_x = crank_ball_ball_arm_x + guide_travel
+    crank_ball_apart_y = crank_ball_ball_arm_y - crank_ball_socket_arm_y - bearing_y
+    crank_ball_apart_z = crank_ball_ball_arm_z - crank_ball_socket_arm_z - bearing_z
+    crank_ball_apart_squared = crank_ball_apart_x*crank_ball_apart_x + crank_ball_apart_y*crank_ball_apart_y + crank_ball_apart_z*crank_ball_apart_z
+    crank_ball_distance = ca.sqrt(crank_ball_apart_squared)
+    crank_ball_penetration = crank_ball_distance - clearance
+    crank_ball_stored_energy = ca.if_else(crank_ball_penetration > 0, k3*crank_ball_penetration*crank_ball_penetration*ca.sqrt(crank_ball_penetration), 0)
+    rod_w_x = -sin_rod*slider_joint_angle_1_speed
+    rod_w_z = cos_rod*slider_joint_angle_1_speed
+    rod_velocity_x = cos_rod*cos_slider_joint_angle_1*guide_speed
+    rod_velocity_y = -guide_speed*sin_slider_joint_angle_1
+    rod_velocity_z = cos_slider_joint_angle_1*guide_speed*sin_rod
+    kinetic = k13 + k10*guide_speed*guide_speed + k11*rod_w_x*rod_w_x + k12*(rod_velocity_x*rod_velocity_x + rod_velocity_y*rod_velocity_y + rod_velocity_z*rod_velocity_z) + k8*slider_joint_angle_2_speed*slider_joint_angle_2_speed + k9*rod_w_z*rod_w_z + rod_h_x*rod_velocity_y*rod_w_z - rod_h_x*rod_velocity_z*slider_joint_angle_2_speed
+    rod_centre_arm_z = k14*sin_rod
+    potential = k16 + k15*rod_centre_arm_z
+    return ca.vertcat(kinetic), ca.vertcat(potential), ca.vertcat(crank_ball_stored_energy)
+
+
+def poses(t, q, c):
+    """Origin of every body's frame (x, y, z after one another) and its rotation matrix (row by row), body by body.
+
+    Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
+    Returns, each a column vector:
+        positions (9,): crank.x [m], crank.y [m], crank.z [m], slider.x [m], slider.y [m], slider.z [m], rod.x [m],
+            rod.y [m], rod.z [m]
+        rotations (27,): crank.R_xx [1], crank.R_xy [1], crank.R_xz [1], crank.R_yx [1], crank.R_yy [1], crank.R_yz
+            [1], crank.R_zx [1], crank.R_zy [1], crank.R_zz [1], slider.R_xx [1], slider.R_xy [1], slider.R_xz [1],
+            slider.R_yx [1], slider.R_yy [1], slider.R_yz [1], slider.R_zx [1], slider.R_zy [1], slider.R_zz [1],
+            rod.R_xx [1], rod.R_xy [1], rod.R_xz [1], rod.R_yx [1], rod.R_yy [1], rod.R_yz [1], rod.R_zx [1],
+            rod.R_zy [1], rod.R_zz [1]
+    """
+    bearing_y = c[2]
+    bearing_z = c[3]
+    crank_speed = c[6]
+    guide_travel = q[0]
+    slider_joint_angle_1 = q[1]
+    slider_joint_angle_2 = q[2]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    cos_slider_joint_angle_1 = ca.cos(slider_joint_angle_1)
+    sin_slider_joint_angle_1 = ca.sin(slider_joint_angle_1)
+    cos_rod = ca.cos(slider_joint_angle_2)
+    sin_rod = ca.sin(slider_joint_angle_2)
+    rod_R_x_x = cos_rod*cos_slider_joint_angle_1
+    rod_R_x_z = cos_slider_joint_angle_1*sin_rod
+    rod_R_y_x = cos_rod*sin_slider_joint_angle_1
+    rod_R_y_z = sin_rod*sin_slider_joint_angle_1
+    return (
+        ca.vertcat(0, bearing_y, bearing_z, guide_travel, 0, 0, guide_travel, 0, 0),
+        ca.vertcat(1, 0, 0, 0, cos_crank, -sin_crank, 0, sin_crank, cos_crank, 1, 0, 0, 0, 1, 0, 0, 0, 1, rod_R_x_x,
+            -sin_slider_joint_angle_1, rod_R_x_z, rod_R_y_x, cos_slider_joint_angle_1, rod_R_y_z, -sin_rod, 0,
+            cos_rod),
+    )
+
+
+def outputs(t, q, u, c):
+    """Named quantities, see OUTPUTS.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        y (3,): crank_ball.eccentricity_x [m], crank_ball.eccentricity_y [m], crank_ball.eccentricity_z [m]
+    """
+    rod_length = c[1]
+    bearing_y = c[2]
+    bearing_z = c[3]
+    crank_length = c[5]
+    crank_speed = c[6]
+    guide_travel = q[0]
+    slider_joint_angle_1 = q[1]
+    slider_joint_angle_2 = q[2]
+    crank_angle = t*crank_speed
+    cos_crank = ca.cos(crank_angle)
+    sin_crank = ca.sin(crank_angle)
+    cos_slider_joint_angle_1 = ca.cos(slider_joint_angle_1)
+    sin_slider_joint_angle_1 = ca.sin(slider_joint_angle_1)
+    cos_rod = ca.cos(slider_joint_angle_2)
+    sin_rod = ca.sin(slider_joint_angle_2)
+    rod_R_x_x = cos_rod*cos_slider_joint_angle_1
+    rod_R_y_x = cos_rod*sin_slider_joint_angle_1
+    crank_ball_ball_arm_x = -rod_R_x_x*rod_length
+    crank_ball_ball_arm_y = -rod_R_y_x*rod_length
+    crank_ball_ball_arm_z = sin_rod*rod_length
+    crank_ball_socket_arm_y = -sin_crank*crank_length
+    crank_ball_socket_arm_z = cos_crank*crank_length
+    crank_ball_apart_x = crank_ball_ball_arm_x + guide_travel
+    crank_ball_apart_y = crank_ball_ball_arm_y - crank_ball_socket_arm_y - bearing_y
+    crank_ball_apart_z = crank_ball_ball_arm_z - crank_ball_socket_arm_z - bearing_z
+    crank_ball_eccentricity_y = cos_crank*crank_ball_apart_y + crank_ball_apart_z*sin_crank
+    crank_ball_eccentricity_z = cos_crank*crank_ball_apart_z - crank_ball_apart_y*sin_crank
+    return ca.vertcat(crank_ball_apart_x, crank_ball_eccentricity_y, crank_ball_eccentricity_z)

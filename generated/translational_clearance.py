@@ -1,0 +1,1214 @@
+"""translational_clearance: slider-crank with clearance between slider and guide. Generated from derive/scenes/translational_clearance.py.
+
+Do not edit; regenerate with `hertzwerk derive translational_clearance`.
+Effects:
+    gravity: uniform gravity
+    rear_lower: power x flores
+    rear_upper: power x flores
+    front_lower: power x flores
+    front_upper: power x flores
+    rear_lower_friction: smooth_coulomb at rear_lower
+    rear_upper_friction: smooth_coulomb at rear_upper
+    front_lower_friction: smooth_coulomb at front_lower
+    front_upper_friction: smooth_coulomb at front_upper
+    energy_ledger: work put in, energy dissipated per effect
+Units: 252 assignments and 186 outputs checked, all consistent
+Operations: flight 356 (equations of motion and gaps); in contact also contact_rear_lower 110, contact_rear_upper 114, contact_front_lower 109, contact_front_upper 113
+"""
+
+import casadi as ca
+
+NAME = "translational_clearance"
+SOURCE = "derive/scenes/translational_clearance.py"
+SUMMARY = "slider-crank with clearance between slider and guide"
+
+EFFECTS = (
+    ("gravity", "gravity", "uniform gravity"),
+    ("rear_lower", "contact", "power x flores"),
+    ("rear_upper", "contact", "power x flores"),
+    ("front_lower", "contact", "power x flores"),
+    ("front_upper", "contact", "power x flores"),
+    ("rear_lower_friction", "friction", "smooth_coulomb at rear_lower"),
+    ("rear_upper_friction", "friction", "smooth_coulomb at rear_upper"),
+    ("front_lower_friction", "friction", "smooth_coulomb at front_lower"),
+    ("front_upper_friction", "friction", "smooth_coulomb at front_upper"),
+    ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
+)
+
+UNCHECKED = ()
+
+PARAMETERS = (
+    ("crank_mass", "kg", 0.038, "body crank, mass"),
+    ("crank_inertia", "kg m^2", 7.4e-05, "body crank, inertia"),
+    ("crank_length", "m", 0.153, "point of crank"),
+    ("rod_mass", "kg", 0.038, "body rod, mass"),
+    ("rod_inertia", "kg m^2", 0.00059, "body rod, inertia"),
+    ("rod_length", "m", 0.306, "point of rod"),
+    ("slider_mass", "kg", 0.076, "body slider, mass"),
+    ("slider_inertia", "kg m^2", 2.7e-06, "body slider, inertia"),
+    ("guide_length", "m", 0.45, "pair rear_lower, length"),
+    ("half_length", "m", 0.05, "of the slider"),
+    ("half_width", "m", 0.025, "of the slider"),
+    ("clearance", "m", 0.001, "of the guide, on each side of the slider"),
+    ("gravity", "m/s^2", 9.81, "effect gravity, acceleration"),
+    ("stiffness", "N/m^1.5", 1000000000.0, "effect rear_lower, stiffness of power"),
+    ("restitution", "1", 0.4, "effect rear_lower, coefficient of restitution of flores"),
+    ("approach_floor", "m/s", 0.001, "least approach speed a damping law is given; h/v0 is unbounded otherwise"),
+    ("friction_coefficient", "1", 0.01, "effect rear_lower_friction, coefficient of friction of smooth_coulomb"),
+    ("friction_speed", "m/s", 0.1, "effect rear_lower_friction, speed over which the friction force builds up of smooth_coulomb"),
+    ("crank_speed", "rad/s", 150, "start, speed of main_bearing"),
+    ("rod_speed", "rad/s", -75, "at the start, against the ground"),
+)
+
+LIMITS = (
+    ("crank_mass", "defined", 0, None, True, False, "body crank, mass"),
+    ("crank_inertia", "defined", 0, None, False, False, "body crank, inertia"),
+    ("rod_mass", "defined", 0, None, True, False, "body rod, mass"),
+    ("rod_inertia", "defined", 0, None, False, False, "body rod, inertia"),
+    ("slider_mass", "defined", 0, None, True, False, "body slider, mass"),
+    ("slider_inertia", "defined", 0, None, False, False, "body slider, inertia"),
+    ("guide_length", "defined", 0, None, True, False, "pair rear_lower, length"),
+    ("stiffness", "defined", 0, None, True, False, "effect rear_lower, stiffness of power"),
+    ("restitution", "defined", 0, 1, True, False, "effect rear_lower, coefficient of restitution of flores"),
+    ("approach_floor", "defined", 0, None, True, False, "effect rear_lower, approach floor"),
+    ("friction_coefficient", "defined", 0, None, False, False, "effect rear_lower_friction, coefficient of friction of smooth_coulomb"),
+    ("friction_speed", "defined", 0, None, True, False, "effect rear_lower_friction, speed over which the friction force builds up of smooth_coulomb"),
+    ("clearance", "defined", 0, None, True, False, "scales, length"),
+    ("rod_length", "defined", 0, None, True, False, "scales, arm"),
+)
+
+COORDINATES = (
+    ("main_bearing.angle", "rad"),
+    ("crank_pin.angle", "rad"),
+    ("slider_pin.angle", "rad"),
+)
+
+SPEEDS = (
+    ("main_bearing.speed", "rad/s"),
+    ("crank_pin.speed", "rad/s"),
+    ("slider_pin.speed", "rad/s"),
+)
+
+MEMORY = (
+    ("rear_lower.dissipated", "J"),
+    ("rear_upper.dissipated", "J"),
+    ("front_lower.dissipated", "J"),
+    ("front_upper.dissipated", "J"),
+    ("rear_lower_friction.dissipated", "J"),
+    ("rear_upper_friction.dissipated", "J"),
+    ("front_lower_friction.dissipated", "J"),
+    ("front_upper_friction.dissipated", "J"),
+)
+
+LATCHES = (
+    ("rear_lower.approach_speed", "m/s", 0),
+    ("rear_upper.approach_speed", "m/s", 1),
+    ("front_lower.approach_speed", "m/s", 2),
+    ("front_upper.approach_speed", "m/s", 3),
+)
+
+PAIRS = (
+    ("rear_lower", "corner_on_face"),
+    ("rear_upper", "corner_on_face"),
+    ("front_lower", "corner_on_face"),
+    ("front_upper", "corner_on_face"),
+)
+
+RELEASES = (
+    "force",
+    "force",
+    "force",
+    "force",
+)
+
+DISSIPATED = (
+    0,
+    1,
+    2,
+    3,
+)
+
+OUTPUTS = (
+    ("rear_lower.gap", "m"),
+    ("rear_upper.gap", "m"),
+    ("front_lower.gap", "m"),
+    ("front_upper.gap", "m"),
+)
+
+BODIES = (
+    "crank",
+    "rod",
+    "slider",
+)
+
+CONSTANTS = (
+    ("crank_length", "m"),
+    ("rod_length", "m"),
+    ("slider_inertia", "kg m^2"),
+    ("half_length", "m"),
+    ("half_width", "m"),
+    ("gravity", "m/s^2"),
+    ("stiffness", "N/m^1.5"),
+    ("friction_coefficient", "1"),
+    ("rear_lower_second_arm_y", "m"),
+    ("rear_upper_second_arm_y", "m"),
+    ("k1", "m"),
+    ("k2", "N/m^1.5"),
+    ("rear_lower_hysteresis_factor", "1"),
+    ("k3", "s/m"),
+    ("rod_h_x", "kg m"),
+    ("crank_h_x", "kg m"),
+    ("rod_total_J_z_z", "kg m^2"),
+    ("k4", "kg m^2"),
+    ("k5", "1/(kg m^2)"),
+    ("k6", "1/(kg m^2)"),
+    ("rod_h_x_2", "kg m"),
+    ("k7", "kg m^2"),
+    ("k8", "kg m^2"),
+    ("k9", "kg m^2"),
+    ("k10", "kg"),
+    ("k11", "kg"),
+    ("k12", "m"),
+    ("k13", "m"),
+    ("k14", "N"),
+    ("k15", "N"),
+    ("k16", "N"),
+)
+
+OPERATIONS = (
+    ("constants", 50),
+    ("start", 2),
+    ("scales", 12),
+    ("coordinate_rates", 0),
+    ("gaps", 132),
+    ("gap_accelerations", 159),
+    ("contact_rear_lower", 110),
+    ("contact_rear_upper", 114),
+    ("contact_front_lower", 109),
+    ("contact_front_upper", 113),
+    ("applied", 10),
+    ("accelerations", 55),
+    ("ledger", 0),
+    ("energy", 157),
+    ("poses", 17),
+    ("outputs", 78),
+)
+
+
+def constants(p):
+    """What depends on the parameters alone, once per run.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        c (31,): crank_length, rod_length, slider_inertia, half_length, half_width, gravity, stiffness,
+            friction_coefficient, rear_lower_second_arm_y, rear_upper_second_arm_y, k1, k2,
+            rear_lower_hysteresis_factor, k3, rod_h_x, crank_h_x, rod_total_J_z_z, k4, k5, k6, rod_h_x_2, k7, k8,
+            k9, k10, k11, k12, k13, k14, k15, k16
+    """
+    crank_mass = p[0]
+    crank_inertia = p[1]
+    crank_length = p[2]
+    rod_mass = p[3]
+    rod_inertia = p[4]
+    rod_length = p[5]
+    slider_mass = p[6]
+    slider_inertia = p[7]
+    guide_length = p[8]
+    half_length = p[9]
+    half_width = p[10]
+    clearance = p[11]
+    gravity = p[12]
+    stiffness = p[13]
+    restitution = p[14]
+    friction_coefficient = p[16]
+    friction_speed = p[17]
+    rear_lower_second_arm_y = -clearance - half_width
+    rear_upper_second_arm_y = clearance + half_width
+    k1 = -guide_length/2
+    k2 = 2*stiffness/5
+    rear_lower_hysteresis_factor = (8 - 8*restitution)/(5*restitution)
+    k3 = 1/friction_speed
+    x1 = rod_length*rod_mass/2
+    rod_h_x = x1 + rod_length*slider_mass
+    rod_total_mass = rod_mass + slider_mass
+    crank_h_x = rod_total_mass*crank_length + crank_length*crank_mass/2
+    x2 = crank_length*crank_length
+    x3 = x2*crank_mass/4
+    crank_I_z_z = x3 + rod_total_mass*x2 + crank_inertia
+    x4 = rod_length*rod_length
+    x5 = x4*rod_mass/4
+    rod_I_z_z = x5 + x4*slider_mass + rod_inertia
+    rod_total_J_z_z = rod_I_z_z + slider_inertia
+    k4 = crank_I_z_z + rod_total_J_z_z
+    D_crank_pin = rod_total_J_z_z - slider_inertia
+    k5 = 1/D_crank_pin
+    k6 = 1/slider_inertia
+    crank_I_z_z_2 = x3 + crank_inertia
+    rod_I_z_z_2 = x5 + rod_inertia
+    k7 = crank_I_z_z_2/2
+    k8 = rod_I_z_z_2/2
+    k9 = slider_inertia/2
+    k10 = rod_mass/2
+    k11 = slider_mass/2
+    k12 = crank_length/2
+    k13 = rod_length/2
+    k14 = crank_mass*gravity
+    k15 = gravity*slider_mass
+    k16 = gravity*rod_mass
+    return ca.vertcat(crank_length, rod_length, slider_inertia, half_length, half_width, gravity, stiffness,
+        friction_coefficient, rear_lower_second_arm_y, rear_upper_second_arm_y, k1, k2,
+        rear_lower_hysteresis_factor, k3, rod_h_x, crank_h_x, rod_total_J_z_z, k4, k5, k6, x1, k7, k8, k9, k10, k11,
+        k12, k13, k14, k15, k16)
+
+
+def start(p):
+    """Coordinates and speeds at t = 0.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        q (3,): main_bearing.angle [rad], crank_pin.angle [rad], slider_pin.angle [rad]
+        u (3,): main_bearing.speed [rad/s], crank_pin.speed [rad/s], slider_pin.speed [rad/s]
+    """
+    crank_speed = p[18]
+    rod_speed = p[19]
+    return ca.vertcat(0, 0, 0), ca.vertcat(crank_speed, rod_speed - crank_speed, -rod_speed)
+
+
+def scales(p):
+    """Sizes that accuracy is measured by: of coordinates, speeds, memory; then length, speed, force, energy.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        sq (3,): main_bearing.angle [rad], crank_pin.angle [rad], slider_pin.angle [rad]
+        su (3,): main_bearing.speed [rad/s], crank_pin.speed [rad/s], slider_pin.speed [rad/s]
+        sz (8,): rear_lower.dissipated [J], rear_upper.dissipated [J], front_lower.dissipated [J],
+            front_upper.dissipated [J], rear_lower_friction.dissipated [J], rear_upper_friction.dissipated [J],
+            front_lower_friction.dissipated [J], front_upper_friction.dissipated [J]
+        s (4,): length [m], speed [m/s], force [N], energy [J]
+    """
+    crank_mass = p[0]
+    crank_length = p[2]
+    rod_mass = p[3]
+    rod_length = p[5]
+    slider_mass = p[6]
+    clearance = p[11]
+    crank_speed = p[18]
+    total_mass = crank_mass + rod_mass + slider_mass
+    energy_scale = total_mass*crank_length*crank_length*crank_speed*crank_speed/2
+    force_scale = energy_scale/clearance
+    x1 = clearance/rod_length
+    x2 = crank_length*crank_speed/rod_length
+    return (
+        ca.vertcat(x1, x1, x1),
+        ca.vertcat(x2, x2, x2),
+        ca.vertcat(energy_scale, energy_scale, energy_scale, energy_scale, energy_scale, energy_scale, energy_scale,
+            energy_scale),
+        ca.vertcat(clearance, crank_length*crank_speed, force_scale, energy_scale),
+    )
+
+
+def coordinate_rates(t, q, u, c):
+    """Rates of the coordinates.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        dq (3,): main_bearing.angle [rad/s], crank_pin.angle [rad/s], slider_pin.angle [rad/s]
+    """
+    main_bearing_speed = u[0]
+    crank_pin_speed = u[1]
+    slider_pin_speed = u[2]
+    return ca.vertcat(main_bearing_speed, crank_pin_speed, slider_pin_speed)
+
+
+def gaps(t, q, u, c):
+    """Gap of every pair, positive while open, and its rate; at an onset the rate is minus the approach speed.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        G (4,): rear_lower [m], rear_upper [m], front_lower [m], front_upper [m]
+        dG (4,): rear_lower [m/s], rear_upper [m/s], front_lower [m/s], front_upper [m/s]
+    """
+    crank_length = c[0]
+    rod_length = c[1]
+    half_length = c[3]
+    half_width = c[4]
+    rear_lower_second_arm_y = c[8]
+    rear_upper_second_arm_y = c[9]
+    k1 = c[10]
+    main_bearing_angle = q[0]
+    crank_pin_angle = q[1]
+    slider_pin_angle = q[2]
+    main_bearing_speed = u[0]
+    crank_pin_speed = u[1]
+    slider_pin_speed = u[2]
+    cos_crank = ca.cos(main_bearing_angle)
+    sin_crank = ca.sin(main_bearing_angle)
+    rod_angle = crank_pin_angle + main_bearing_angle
+    cos_rod = ca.cos(rod_angle)
+    sin_rod = ca.sin(rod_angle)
+    slider_angle = rod_angle + slider_pin_angle
+    cos_slider = ca.cos(slider_angle)
+    sin_slider = ca.sin(slider_angle)
+    rod_arm_x = cos_crank*crank_length
+    rod_arm_y = sin_crank*crank_length
+    rod_arm_rate_x = -main_bearing_speed*rod_arm_y
+    rod_arm_rate_y = main_bearing_speed*rod_arm_x
+    rod_rate_z = crank_pin_speed + main_bearing_speed
+    slider_arm_x = cos_rod*rod_length
+    slider_arm_y = sin_rod*rod_length
+    slider_arm_rate_x = -rod_rate_z*slider_arm_y
+    slider_arm_rate_y = rod_rate_z*slider_arm_x
+    slider_rate_z = rod_rate_z + slider_pin_speed
+    slider_x = rod_arm_x + slider_arm_x
+    slider_y = rod_arm_y + slider_arm_y
+    slider_velocity_x = rod_arm_rate_x + slider_arm_rate_x
+    slider_velocity_y = rod_arm_rate_y + slider_arm_rate_y
+    x1 = sin_slider*half_width
+    x2 = -cos_slider*half_length
+    rear_lower_first_arm_x = x1 + x2
+    x3 = -cos_slider*half_width
+    x4 = -sin_slider*half_length
+    rear_lower_first_arm_y = x3 + x4
+    rear_lower_first_arm_rate_x = -rear_lower_first_arm_y*slider_rate_z
+    rear_lower_first_arm_rate_y = rear_lower_first_arm_x*slider_rate_z
+    rear_lower_apart_x = rear_lower_first_arm_x + slider_x - rod_length
+    rear_lower_apart_y = rear_lower_first_arm_y + slider_y - rear_lower_second_arm_y
+    rear_lower_apart_rate_x = rear_lower_first_arm_rate_x + slider_velocity_x
+    rear_lower_apart_rate_y = rear_lower_first_arm_rate_y + slider_velocity_y
+    x5 = -sin_slider*half_width
+    rear_upper_first_arm_x = x2 + x5
+    x6 = cos_slider*half_width
+    rear_upper_first_arm_y = x4 + x6
+    rear_upper_first_arm_rate_x = -rear_upper_first_arm_y*slider_rate_z
+    rear_upper_first_arm_rate_y = rear_upper_first_arm_x*slider_rate_z
+    rear_upper_apart_x = rear_upper_first_arm_x + slider_x - rod_length
+    rear_upper_apart_y = rear_upper_first_arm_y + slider_y - rear_upper_second_arm_y
+    rear_upper_apart_rate_x = rear_upper_first_arm_rate_x + slider_velocity_x
+    rear_upper_apart_rate_y = rear_upper_first_arm_rate_y + slider_velocity_y
+    x7 = cos_slider*half_length
+    front_lower_first_arm_x = x1 + x7
+    x8 = sin_slider*half_length
+    front_lower_first_arm_y = x3 + x8
+    front_lower_first_arm_rate_x = -front_lower_first_arm_y*slider_rate_z
+    front_lower_first_arm_rate_y = front_lower_first_arm_x*slider_rate_z
+    front_lower_apart_x = front_lower_first_arm_x + slider_x - rod_length
+    front_lower_apart_y = front_lower_first_arm_y + rear_upper_second_arm_y + slider_y
+    front_lower_apart_rate_x = front_lower_first_arm_rate_x + slider_velocity_x
+    front_lower_apart_rate_y = front_lower_first_arm_rate_y + slider_velocity_y
+    front_upper_first_arm_x = x5 + x7
+    front_upper_first_arm_y = x6 + x8
+    front_upper_first_arm_rate_x = -front_upper_first_arm_y*slider_rate_z
+    front_upper_first_arm_rate_y = front_upper_first_arm_x*slider_rate_z
+    front_upper_apart_x = front_upper_first_arm_x + slider_x - rod_length
+    front_upper_apart_y = front_upper_first_arm_y + slider_y - rear_upper_second_arm_y
+    front_upper_apart_rate_x = front_upper_first_arm_rate_x + slider_velocity_x
+    front_upper_apart_rate_y = front_upper_first_arm_rate_y + slider_velocity_y
+    rear_lower_beyond = k1 + ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_x, -rear_lower_apart_x)
+    rear_lower_gap = ca.if_else(rear_lower_apart_y > rear_lower_beyond, rear_lower_apart_y, rear_lower_beyond)
+    rear_upper_beyond = k1 + ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_x, -rear_upper_apart_x)
+    rear_upper_gap = ca.if_else(-rear_upper_apart_y > rear_upper_beyond, -rear_upper_apart_y, rear_upper_beyond)
+    front_lower_beyond = k1 + ca.if_else(front_lower_apart_x > 0, front_lower_apart_x, -front_lower_apart_x)
+    front_lower_gap = ca.if_else(front_lower_apart_y > front_lower_beyond, front_lower_apart_y, front_lower_beyond)
+    front_upper_beyond = k1 + ca.if_else(front_upper_apart_x > 0, front_upper_apart_x, -front_upper_apart_x)
+    front_upper_gap = ca.if_else(-front_upper_apart_y > front_upper_beyond, -front_upper_apart_y, front_upper_beyond)
+    rear_lower_beyond_rate = ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_rate_x, -rear_lower_apart_rate_x)
+    rear_lower_gap_rate = ca.if_else(rear_lower_apart_y > rear_lower_beyond, rear_lower_apart_rate_y, rear_lower_beyond_rate)
+    rear_upper_beyond_rate = ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_rate_x, -rear_upper_apart_rate_x)
+    rear_upper_gap_rate = ca.if_else(-rear_upper_apart_y > rear_upper_beyond, -rear_upper_apart_rate_y, rear_upper_beyond_rate)
+    front_lower_beyond_rate = ca.if_else(front_lower_apart_x > 0, front_lower_apart_rate_x, -front_lower_apart_rate_x)
+    front_lower_gap_rate = ca.if_else(front_lower_apart_y > front_lower_beyond, front_lower_apart_rate_y, front_lower_beyond_rate)
+    front_upper_beyond_rate = ca.if_else(front_upper_apart_x > 0, front_upper_apart_rate_x, -front_upper_apart_rate_x)
+    front_upper_gap_rate = ca.if_else(-front_upper_apart_y > front_upper_beyond, -front_upper_apart_rate_y, front_upper_beyond_rate)
+    return (
+        ca.vertcat(rear_lower_gap, rear_upper_gap, front_lower_gap, front_upper_gap),
+        ca.vertcat(rear_lower_gap_rate, rear_upper_gap_rate, front_lower_gap_rate, front_upper_gap_rate),
+    )
+
+
+def gap_accelerations(t, q, u, a, c):
+    """Second derivative of every gap.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; a: rates of the speeds; c: CONSTANTS.
+    Returns, each a column vector:
+        ddG (4,): rear_lower [m/s^2], rear_upper [m/s^2], front_lower [m/s^2], front_upper [m/s^2]
+    """
+    crank_length = c[0]
+    rod_length = c[1]
+    half_length = c[3]
+    half_width = c[4]
+    rear_lower_second_arm_y = c[8]
+    rear_upper_second_arm_y = c[9]
+    k1 = c[10]
+    main_bearing_angle = q[0]
+    crank_pin_angle = q[1]
+    slider_pin_angle = q[2]
+    main_bearing_speed = u[0]
+    crank_pin_speed = u[1]
+    slider_pin_speed = u[2]
+    main_bearing_acceleration = a[0]
+    crank_pin_acceleration = a[1]
+    slider_pin_acceleration = a[2]
+    cos_crank = ca.cos(main_bearing_angle)
+    sin_crank = ca.sin(main_bearing_angle)
+    rod_angle = crank_pin_angle + main_bearing_angle
+    cos_rod = ca.cos(rod_angle)
+    sin_rod = ca.sin(rod_angle)
+    slider_angle = rod_angle + slider_pin_angle
+    cos_slider = ca.cos(slider_angle)
+    sin_slider = ca.sin(slider_angle)
+    rod_arm_x = cos_crank*crank_length
+    rod_arm_y = sin_crank*crank_length
+    rod_arm_rate_x = -main_bearing_speed*rod_arm_y
+    rod_arm_rate_y = main_bearing_speed*rod_arm_x
+    rod_rate_z = crank_pin_speed + main_bearing_speed
+    rod_angular_acceleration_z = crank_pin_acceleration + main_bearing_acceleration
+    rod_acceleration_x = -main_bearing_acceleration*rod_arm_y - main_bearing_speed*rod_arm_rate_y
+    rod_acceleration_y = main_bearing_acceleration*rod_arm_x + main_bearing_speed*rod_arm_rate_x
+    slider_arm_x = cos_rod*rod_length
+    slider_arm_y = sin_rod*rod_length
+    slider_arm_rate_x = -rod_rate_z*slider_arm_y
+    slider_arm_rate_y = rod_rate_z*slider_arm_x
+    slider_rate_z = rod_rate_z + slider_pin_speed
+    slider_angular_acceleration_z = rod_angular_acceleration_z + slider_pin_acceleration
+    slider_x = rod_arm_x + slider_arm_x
+    slider_y = rod_arm_y + slider_arm_y
+    slider_acceleration_x = rod_acceleration_x - rod_angular_acceleration_z*slider_arm_y - rod_rate_z*slider_arm_rate_y
+    slider_acceleration_y = rod_acceleration_y + rod_angular_acceleration_z*slider_arm_x + rod_rate_z*slider_arm_rate_x
+    x1 = sin_slider*half_width
+    x2 = -cos_slider*half_length
+    rear_lower_first_arm_x = x1 + x2
+    x3 = -cos_slider*half_width
+    x4 = -sin_slider*half_length
+    rear_lower_first_arm_y = x3 + x4
+    rear_lower_first_arm_rate_x = -rear_lower_first_arm_y*slider_rate_z
+    rear_lower_first_arm_rate_y = rear_lower_first_arm_x*slider_rate_z
+    rear_lower_apart_x = rear_lower_first_arm_x + slider_x - rod_length
+    rear_lower_apart_y = rear_lower_first_arm_y + slider_y - rear_lower_second_arm_y
+    rear_lower_apart_acceleration_x = slider_acceleration_x - rear_lower_first_arm_rate_y*slider_rate_z - rear_lower_first_arm_y*slider_angular_acceleration_z
+    rear_lower_apart_acceleration_y = slider_acceleration_y + rear_lower_first_arm_rate_x*slider_rate_z + rear_lower_first_arm_x*slider_angular_acceleration_z
+    x5 = -sin_slider*half_width
+    rear_upper_first_arm_x = x2 + x5
+    x6 = cos_slider*half_width
+    rear_upper_first_arm_y = x4 + x6
+    rear_upper_first_arm_rate_x = -rear_upper_first_arm_y*slider_rate_z
+    rear_upper_first_arm_rate_y = rear_upper_first_arm_x*slider_rate_z
+    rear_upper_apart_x = rear_upper_first_arm_x + slider_x - rod_length
+    rear_upper_apart_y = rear_upper_first_arm_y + slider_y - rear_upper_second_arm_y
+    rear_upper_apart_acceleration_x = slider_acceleration_x - rear_upper_first_arm_rate_y*slider_rate_z - rear_upper_first_arm_y*slider_angular_acceleration_z
+    rear_upper_apart_acceleration_y = slider_acceleration_y + rear_upper_first_arm_rate_x*slider_rate_z + rear_upper_first_arm_x*slider_angular_acceleration_z
+    x7 = cos_slider*half_length
+    front_lower_first_arm_x = x1 + x7
+    x8 = sin_slider*half_length
+    front_lower_first_arm_y = x3 + x8
+    front_lower_first_arm_rate_x = -front_lower_first_arm_y*slider_rate_z
+    front_lower_first_arm_rate_y = front_lower_first_arm_x*slider_rate_z
+    front_lower_apart_x = front_lower_first_arm_x + slider_x - rod_length
+    front_lower_apart_y = front_lower_first_arm_y + rear_upper_second_arm_y + slider_y
+    front_lower_apart_acceleration_x = slider_acceleration_x - front_lower_first_arm_rate_y*slider_rate_z - front_lower_first_arm_y*slider_angular_acceleration_z
+    front_lower_apart_acceleration_y = slider_acceleration_y + front_lower_first_arm_rate_x*slider_rate_z + front_lower_first_arm_x*slider_angular_acceleration_z
+    front_upper_first_arm_x = x5 + x7
+    front_upper_first_arm_y = x6 + x8
+    front_upper_first_arm_rate_x = -front_upper_first_arm_y*slider_rate_z
+    front_upper_first_arm_rate_y = front_upper_first_arm_x*slider_rate_z
+    front_upper_apart_x = front_upper_first_arm_x + slider_x - rod_length
+    front_upper_apart_y = front_upper_first_arm_y + slider_y - rear_upper_second_arm_y
+    front_upper_apart_acceleration_x = slider_acceleration_x - front_upper_first_arm_rate_y*slider_rate_z - front_upper_first_arm_y*slider_angular_acceleration_z
+    front_upper_apart_acceleration_y = slider_acceleration_y + front_upper_first_arm_rate_x*slider_rate_z + front_upper_first_arm_x*slider_angular_acceleration_z
+    rear_lower_beyond = k1 + ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_x, -rear_lower_apart_x)
+    rear_upper_beyond = k1 + ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_x, -rear_upper_apart_x)
+    front_lower_beyond = k1 + ca.if_else(front_lower_apart_x > 0, front_lower_apart_x, -front_lower_apart_x)
+    front_upper_beyond = k1 + ca.if_else(front_upper_apart_x > 0, front_upper_apart_x, -front_upper_apart_x)
+    rear_lower_beyond_acceleration = ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_acceleration_x, -rear_lower_apart_acceleration_x)
+    rear_lower_gap_acceleration = ca.if_else(rear_lower_apart_y > rear_lower_beyond, rear_lower_apart_acceleration_y, rear_lower_beyond_acceleration)
+    rear_upper_beyond_acceleration = ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_acceleration_x, -rear_upper_apart_acceleration_x)
+    rear_upper_gap_acceleration = ca.if_else(-rear_upper_apart_y > rear_upper_beyond, -rear_upper_apart_acceleration_y, rear_upper_beyond_acceleration)
+    front_lower_beyond_acceleration = ca.if_else(front_lower_apart_x > 0, front_lower_apart_acceleration_x, -front_lower_apart_acceleration_x)
+    front_lower_gap_acceleration = ca.if_else(front_lower_apart_y > front_lower_beyond, front_lower_apart_acceleration_y, front_lower_beyond_acceleration)
+    front_upper_beyond_acceleration = ca.if_else(front_upper_apart_x > 0, front_upper_apart_acceleration_x, -front_upper_apart_acceleration_x)
+    front_upper_gap_acceleration = ca.if_else(-front_upper_apart_y > front_upper_beyond, -front_upper_apart_acceleration_y, front_upper_beyond_acceleration)
+    return ca.vertcat(rear_lower_gap_acceleration, rear_upper_gap_acceleration, front_lower_gap_acceleration,
+        front_upper_gap_acceleration)
+
+
+def contact_rear_lower(t, q, u, z, m, c):
+    """Forces of rear_lower: power x flores, smooth_coulomb. The normal force is the laws' own, not clamped: where
+    it would pull, the contact ends.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
+    Returns, each a column vector:
+        f (3,): main_bearing [N m], crank_pin [N m], slider_pin [N m]
+        dz (8,): rear_lower.dissipated [W], rear_upper.dissipated [W], front_lower.dissipated [W],
+            front_upper.dissipated [W], rear_lower_friction.dissipated [W], rear_upper_friction.dissipated [W],
+            front_lower_friction.dissipated [W], front_upper_friction.dissipated [W]
+        normal_force (1,): rear_lower [N]
+        sliding_velocity (1,): rear_lower [m/s]
+        in_range (1,): rear_lower [1]
+    """
+    crank_length = c[0]
+    rod_length = c[1]
+    half_length = c[3]
+    half_width = c[4]
+    stiffness = c[6]
+    friction_coefficient = c[7]
+    rear_lower_second_arm_y = c[8]
+    k1 = c[10]
+    rear_lower_hysteresis_factor = c[12]
+    k3 = c[13]
+    main_bearing_angle = q[0]
+    crank_pin_angle = q[1]
+    slider_pin_angle = q[2]
+    main_bearing_speed = u[0]
+    crank_pin_speed = u[1]
+    slider_pin_speed = u[2]
+    rear_lower_approach_speed = m[0]
+    cos_crank = ca.cos(main_bearing_angle)
+    sin_crank = ca.sin(main_bearing_angle)
+    rod_angle = crank_pin_angle + main_bearing_angle
+    cos_rod = ca.cos(rod_angle)
+    sin_rod = ca.sin(rod_angle)
+    slider_angle = rod_angle + slider_pin_angle
+    cos_slider = ca.cos(slider_angle)
+    sin_slider = ca.sin(slider_angle)
+    rod_arm_x = cos_crank*crank_length
+    rod_arm_y = sin_crank*crank_length
+    rod_arm_rate_x = -main_bearing_speed*rod_arm_y
+    rod_arm_rate_y = main_bearing_speed*rod_arm_x
+    rod_rate_z = crank_pin_speed + main_bearing_speed
+    slider_arm_x = cos_rod*rod_length
+    slider_arm_y = sin_rod*rod_length
+    slider_arm_rate_x = -rod_rate_z*slider_arm_y
+    slider_arm_rate_y = rod_rate_z*slider_arm_x
+    slider_rate_z = rod_rate_z + slider_pin_speed
+    slider_x = rod_arm_x + slider_arm_x
+    slider_y = rod_arm_y + slider_arm_y
+    slider_velocity_x = rod_arm_rate_x + slider_arm_rate_x
+    slider_velocity_y = rod_arm_rate_y + slider_arm_rate_y
+    rear_lower_first_arm_x = sin_slider*half_width - cos_slider*half_length
+    rear_lower_first_arm_y = -cos_slider*half_width - sin_slider*half_length
+    rear_lower_apart_x = rear_lower_first_arm_x + slider_x - rod_length
+    rear_lower_apart_y = rear_lower_first_arm_y + slider_y - rear_lower_second_arm_y
+    rear_lower_beyond = k1 + ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_x, -rear_lower_apart_x)
+    rear_lower_gap = ca.if_else(rear_lower_apart_y > rear_lower_beyond, rear_lower_apart_y, rear_lower_beyond)
+    rear_lower_elastic_force = ca.if_else(-rear_lower_gap > 0, (-rear_lower_gap)**1*ca.sqrt(-rear_lower_gap)*stiffness, 0)
+    rear_lower_end_x = ca.if_else(rear_lower_apart_x > 0, 1, -1)
+    rear_lower_normal_x = ca.if_else(rear_lower_apart_y > rear_lower_beyond, 0, rear_lower_end_x)
+    rear_lower_normal_y = ca.if_else(rear_lower_apart_y > rear_lower_beyond, 1, 0)
+    rear_lower_relative_rate_x = slider_velocity_x - rear_lower_first_arm_y*slider_rate_z
+    rear_lower_relative_rate_y = slider_velocity_y + rear_lower_first_arm_x*slider_rate_z
+    rear_lower_penetration_rate = -rear_lower_normal_x*rear_lower_relative_rate_x - rear_lower_normal_y*rear_lower_relative_rate_y
+    rear_lower_resistance = rear_lower_elastic_force*rear_lower_hysteresis_factor*rear_lower_penetration_rate/rear_lower_approach_speed
+    rear_lower_normal_force = rear_lower_elastic_force + rear_lower_resistance
+    rear_lower_normal_power = rear_lower_penetration_rate*rear_lower_resistance
+    rear_lower_push_x = rear_lower_normal_force*rear_lower_normal_x
+    rear_lower_push_y = rear_lower_normal_force*rear_lower_normal_y
+    x1 = -rear_lower_first_arm_y - slider_y
+    x2 = rear_lower_first_arm_x + slider_x
+    rear_lower_push_on_main_bearing = rear_lower_push_x*x1 + rear_lower_push_y*x2
+    x3 = rod_arm_y - rear_lower_first_arm_y - slider_y
+    x4 = rear_lower_first_arm_x + slider_x - rod_arm_x
+    rear_lower_push_on_crank_pin = rear_lower_push_x*x3 + rear_lower_push_y*x4
+    rear_lower_push_on_slider_pin = rear_lower_first_arm_x*rear_lower_push_y - rear_lower_first_arm_y*rear_lower_push_x
+    rear_lower_sliding_velocity = rear_lower_normal_x*rear_lower_relative_rate_y - rear_lower_normal_y*rear_lower_relative_rate_x
+    rear_lower_friction_force = rear_lower_normal_force*friction_coefficient*ca.tanh(k3*rear_lower_sliding_velocity)
+    rear_lower_friction_power = rear_lower_friction_force*rear_lower_sliding_velocity
+    rear_lower_drag_x = rear_lower_friction_force*rear_lower_normal_y
+    rear_lower_drag_y = -rear_lower_friction_force*rear_lower_normal_x
+    rear_lower_drag_on_main_bearing = rear_lower_drag_x*x1 + rear_lower_drag_y*x2
+    rear_lower_drag_on_crank_pin = rear_lower_drag_x*x3 + rear_lower_drag_y*x4
+    rear_lower_drag_on_slider_pin = rear_lower_drag_y*rear_lower_first_arm_x - rear_lower_drag_x*rear_lower_first_arm_y
+    return (
+        ca.vertcat(rear_lower_drag_on_main_bearing + rear_lower_push_on_main_bearing, rear_lower_drag_on_crank_pin +
+            rear_lower_push_on_crank_pin, rear_lower_drag_on_slider_pin + rear_lower_push_on_slider_pin),
+        ca.vertcat(rear_lower_normal_power, 0, 0, 0, rear_lower_friction_power, 0, 0, 0),
+        ca.vertcat(rear_lower_normal_force),
+        ca.vertcat(rear_lower_sliding_velocity),
+        ca.vertcat(1),
+    )
+
+
+def contact_rear_upper(t, q, u, z, m, c):
+    """Forces of rear_upper: power x flores, smooth_coulomb. The normal force is the laws' own, not clamped: where
+    it would pull, the contact ends.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
+    Returns, each a column vector:
+        f (3,): main_bearing [N m], crank_pin [N m], slider_pin [N m]
+        dz (8,): rear_lower.dissipated [W], rear_upper.dissipated [W], front_lower.dissipated [W],
+            front_upper.dissipated [W], rear_lower_friction.dissipated [W], rear_upper_friction.dissipated [W],
+            front_lower_friction.dissipated [W], front_upper_friction.dissipated [W]
+        normal_force (1,): rear_upper [N]
+        sliding_velocity (1,): rear_upper [m/s]
+        in_range (1,): rear_upper [1]
+    """
+    crank_length = c[0]
+    rod_length = c[1]
+    half_length = c[3]
+    half_width = c[4]
+    stiffness = c[6]
+    friction_coefficient = c[7]
+    rear_upper_second_arm_y = c[9]
+    k1 = c[10]
+    rear_lower_hysteresis_factor = c[12]
+    k3 = c[13]
+    main_bearing_angle = q[0]
+    crank_pin_angle = q[1]
+    slider_pin_angle = q[2]
+    main_bearing_speed = u[0]
+    crank_pin_speed = u[1]
+    slider_pin_speed = u[2]
+    rear_upper_approach_speed = m[1]
+    cos_crank = ca.cos(main_bearing_angle)
+    sin_crank = ca.sin(main_bearing_angle)
+    rod_angle = crank_pin_angle + main_bearing_angle
+    cos_rod = ca.cos(rod_angle)
+    sin_rod = ca.sin(rod_angle)
+    slider_angle = rod_angle + slider_pin_angle
+    cos_slider = ca.cos(slider_angle)
+    sin_slider = ca.sin(slider_angle)
+    rod_arm_x = cos_crank*crank_length
+    rod_arm_y = sin_crank*crank_length
+    rod_arm_rate_x = -main_bearing_speed*rod_arm_y
+    rod_arm_rate_y = main_bearing_speed*rod_arm_x
+    rod_rate_z = crank_pin_speed + main_bearing_speed
+    slider_arm_x = cos_rod*rod_length
+    slider_arm_y = sin_rod*rod_length
+    slider_arm_rate_x = -rod_rate_z*slider_arm_y
+    slider_arm_rate_y = rod_rate_z*slider_arm_x
+    slider_rate_z = rod_rate_z + slider_pin_speed
+    slider_x = rod_arm_x + slider_arm_x
+    slider_y = rod_arm_y + slider_arm_y
+    slider_velocity_x = rod_arm_rate_x + slider_arm_rate_x
+    slider_velocity_y = rod_arm_rate_y + slider_arm_rate_y
+    rear_upper_first_arm_x = -cos_slider*half_length - sin_slider*half_width
+    rear_upper_first_arm_y = cos_slider*half_width - sin_slider*half_length
+    rear_upper_apart_x = rear_upper_first_arm_x + slider_x - rod_length
+    rear_upper_apart_y = rear_upper_first_arm_y + slider_y - rear_upper_second_arm_y
+    rear_upper_beyond = k1 + ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_x, -rear_upper_apart_x)
+    rear_upper_gap = ca.if_else(-rear_upper_apart_y > rear_upper_beyond, -rear_upper_apart_y, rear_upper_beyond)
+    rear_upper_elastic_force = ca.if_else(-rear_upper_gap > 0, (-rear_upper_gap)**1*ca.sqrt(-rear_upper_gap)*stiffness, 0)
+    rear_upper_end_x = ca.if_else(rear_upper_apart_x > 0, 1, -1)
+    rear_upper_normal_x = ca.if_else(-rear_upper_apart_y > rear_upper_beyond, 0, rear_upper_end_x)
+    rear_upper_normal_y = ca.if_else(-rear_upper_apart_y > rear_upper_beyond, -1, 0)
+    rear_upper_relative_rate_x = slider_velocity_x - rear_upper_first_arm_y*slider_rate_z
+    rear_upper_relative_rate_y = slider_velocity_y + rear_upper_first_arm_x*slider_rate_z
+    rear_upper_penetration_rate = -rear_upper_normal_x*rear_upper_relative_rate_x - rear_upper_normal_y*rear_upper_relative_rate_y
+    rear_upper_resistance = rear_lower_hysteresis_factor*rear_upper_elastic_force*rear_upper_penetration_rate/rear_upper_approach_speed
+    rear_upper_normal_force = rear_upper_elastic_force + rear_upper_resistance
+    rear_upper_normal_power = rear_upper_penetration_rate*rear_upper_resistance
+    rear_upper_push_x = rear_upper_normal_force*rear_upper_normal_x
+    rear_upper_push_y = rear_upper_normal_force*rear_upper_normal_y
+    x1 = -rear_upper_first_arm_y - slider_y
+    x2 = rear_upper_first_arm_x + slider_x
+    rear_upper_push_on_main_bearing = rear_upper_push_x*x1 + rear_upper_push_y*x2
+    x3 = rod_arm_y - rear_upper_first_arm_y - slider_y
+    x4 = rear_upper_first_arm_x + slider_x - rod_arm_x
+    rear_upper_push_on_crank_pin = rear_upper_push_x*x3 + rear_upper_push_y*x4
+    rear_upper_push_on_slider_pin = rear_upper_first_arm_x*rear_upper_push_y - rear_upper_first_arm_y*rear_upper_push_x
+    rear_upper_sliding_velocity = rear_upper_normal_x*rear_upper_relative_rate_y - rear_upper_normal_y*rear_upper_relative_rate_x
+    rear_upper_friction_force = rear_upper_normal_force*friction_coefficient*ca.tanh(k3*rear_upper_sliding_velocity)
+    rear_upper_friction_power = rear_upper_friction_force*rear_upper_sliding_velocity
+    rear_upper_drag_x = rear_upper_friction_force*rear_upper_normal_y
+    rear_upper_drag_y = -rear_upper_friction_force*rear_upper_normal_x
+    rear_upper_drag_on_main_bearing = rear_upper_drag_x*x1 + rear_upper_drag_y*x2
+    rear_upper_drag_on_crank_pin = rear_upper_drag_x*x3 + rear_upper_drag_y*x4
+    rear_upper_drag_on_slider_pin = rear_upper_drag_y*rear_upper_first_arm_x - rear_upper_drag_x*rear_upper_first_arm_y
+    return (
+        ca.vertcat(rear_upper_drag_on_main_bearing + rear_upper_push_on_main_bearing, rear_upper_drag_on_crank_pin +
+            rear_upper_push_on_crank_pin, rear_upper_drag_on_slider_pin + rear_upper_push_on_slider_pin),
+        ca.vertcat(0, rear_upper_normal_power, 0, 0, 0, rear_upper_friction_power, 0, 0),
+        ca.vertcat(rear_upper_normal_force),
+        ca.vertcat(rear_upper_sliding_velocity),
+        ca.vertcat(1),
+    )
+
+
+def contact_front_lower(t, q, u, z, m, c):
+    """Forces of front_lower: power x flores, smooth_coulomb. The normal force is the laws' own, not clamped: where
+    it would pull, the contact ends.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
+    Returns, each a column vector:
+        f (3,): main_bearing [N m], crank_pin [N m], slider_pin [N m]
+        dz (8,): rear_lower.dissipated [W], rear_upper.dissipated [W], front_lower.dissipated [W],
+            front_upper.dissipated [W], rear_lower_friction.dissipated [W], rear_upper_friction.dissipated [W],
+            front_lower_friction.dissipated [W], front_upper_friction.dissipated [W]
+        normal_force (1,): front_lower [N]
+        sliding_velocity (1,): front_lower [m/s]
+        in_range (1,): front_lower [1]
+    """
+    crank_length = c[0]
+    rod_length = c[1]
+    half_length = c[3]
+    half_width = c[4]
+    stiffness = c[6]
+    friction_coefficient = c[7]
+    rear_upper_second_arm_y = c[9]
+    k1 = c[10]
+    rear_lower_hysteresis_factor = c[12]
+    k3 = c[13]
+    main_bearing_angle = q[0]
+    crank_pin_angle = q[1]
+    slider_pin_angle = q[2]
+    main_bearing_speed = u[0]
+    crank_pin_speed = u[1]
+    slider_pin_speed = u[2]
+    front_lower_approach_speed = m[2]
+    cos_crank = ca.cos(main_bearing_angle)
+    sin_crank = ca.sin(main_bearing_angle)
+    rod_angle = crank_pin_angle + main_bearing_angle
+    cos_rod = ca.cos(rod_angle)
+    sin_rod = ca.sin(rod_angle)
+    slider_angle = rod_angle + slider_pin_angle
+    cos_slider = ca.cos(slider_angle)
+    sin_slider = ca.sin(slider_angle)
+    rod_arm_x = cos_crank*crank_length
+    rod_arm_y = sin_crank*crank_length
+    rod_arm_rate_x = -main_bearing_speed*rod_arm_y
+    rod_arm_rate_y = main_bearing_speed*rod_arm_x
+    rod_rate_z = crank_pin_speed + main_bearing_speed
+    slider_arm_x = cos_rod*rod_length
+    slider_arm_y = sin_rod*rod_length
+    slider_arm_rate_x = -rod_rate_z*slider_arm_y
+    slider_arm_rate_y = rod_rate_z*slider_arm_x
+    slider_rate_z = rod_rate_z + slider_pin_speed
+    slider_x = rod_arm_x + slider_arm_x
+    slider_y = rod_arm_y + slider_arm_y
+    slider_velocity_x = rod_arm_rate_x + slider_arm_rate_x
+    slider_velocity_y = rod_arm_rate_y + slider_arm_rate_y
+    front_lower_first_arm_x = cos_slider*half_length + sin_slider*half_width
+    front_lower_first_arm_y = sin_slider*half_length - cos_slider*half_width
+    front_lower_apart_x = front_lower_first_arm_x + slider_x - rod_length
+    front_lower_apart_y = front_lower_first_arm_y + rear_upper_second_arm_y + slider_y
+    front_lower_beyond = k1 + ca.if_else(front_lower_apart_x > 0, front_lower_apart_x, -front_lower_apart_x)
+    front_lower_gap = ca.if_else(front_lower_apart_y > front_lower_beyond, front_lower_apart_y, front_lower_beyond)
+    front_lower_elastic_force = ca.if_else(-front_lower_gap > 0, (-front_lower_gap)**1*ca.sqrt(-front_lower_gap)*stiffness, 0)
+    front_lower_end_x = ca.if_else(front_lower_apart_x > 0, 1, -1)
+    front_lower_normal_x = ca.if_else(front_lower_apart_y > front_lower_beyond, 0, front_lower_end_x)
+    front_lower_normal_y = ca.if_else(front_lower_apart_y > front_lower_beyond, 1, 0)
+    front_lower_relative_rate_x = slider_velocity_x - front_lower_first_arm_y*slider_rate_z
+    front_lower_relative_rate_y = slider_velocity_y + front_lower_first_arm_x*slider_rate_z
+    front_lower_penetration_rate = -front_lower_normal_x*front_lower_relative_rate_x - front_lower_normal_y*front_lower_relative_rate_y
+    front_lower_resistance = front_lower_elastic_force*front_lower_penetration_rate*rear_lower_hysteresis_factor/front_lower_approach_speed
+    front_lower_normal_force = front_lower_elastic_force + front_lower_resistance
+    front_lower_normal_power = front_lower_penetration_rate*front_lower_resistance
+    front_lower_push_x = front_lower_normal_force*front_lower_normal_x
+    front_lower_push_y = front_lower_normal_force*front_lower_normal_y
+    x1 = -front_lower_first_arm_y - slider_y
+    x2 = front_lower_first_arm_x + slider_x
+    front_lower_push_on_main_bearing = front_lower_push_x*x1 + front_lower_push_y*x2
+    x3 = rod_arm_y - front_lower_first_arm_y - slider_y
+    x4 = front_lower_first_arm_x + slider_x - rod_arm_x
+    front_lower_push_on_crank_pin = front_lower_push_x*x3 + front_lower_push_y*x4
+    front_lower_push_on_slider_pin = front_lower_first_arm_x*front_lower_push_y - front_lower_first_arm_y*front_lower_push_x
+    front_lower_sliding_velocity = front_lower_normal_x*front_lower_relative_rate_y - front_lower_normal_y*front_lower_relative_rate_x
+    front_lower_friction_force = front_lower_normal_force*friction_coefficient*ca.tanh(front_lower_sliding_velocity*k3)
+    front_lower_friction_power = front_lower_friction_force*front_lower_sliding_velocity
+    front_lower_drag_x = front_lower_friction_force*front_lower_normal_y
+    front_lower_drag_y = -front_lower_friction_force*front_lower_normal_x
+    front_lower_drag_on_main_bearing = front_lower_drag_x*x1 + front_lower_drag_y*x2
+    front_lower_drag_on_crank_pin = front_lower_drag_x*x3 + front_lower_drag_y*x4
+    front_lower_drag_on_slider_pin = front_lower_drag_y*front_lower_first_arm_x - front_lower_drag_x*front_lower_first_arm_y
+    return (
+        ca.vertcat(front_lower_drag_on_main_bearing + front_lower_push_on_main_bearing,
+            front_lower_drag_on_crank_pin + front_lower_push_on_crank_pin, front_lower_drag_on_slider_pin +
+            front_lower_push_on_slider_pin),
+        ca.vertcat(0, 0, front_lower_normal_power, 0, 0, 0, front_lower_friction_power, 0),
+        ca.vertcat(front_lower_normal_force),
+        ca.vertcat(front_lower_sliding_velocity),
+        ca.vertcat(1),
+    )
+
+
+def contact_front_upper(t, q, u, z, m, c):
+    """Forces of front_upper: power x flores, smooth_coulomb. The normal force is the laws' own, not clamped: where
+    it would pull, the contact ends.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
+    Returns, each a column vector:
+        f (3,): main_bearing [N m], crank_pin [N m], slider_pin [N m]
+        dz (8,): rear_lower.dissipated [W], rear_upper.dissipated [W], front_lower.dissipated [W],
+            front_upper.dissipated [W], rear_lower_friction.dissipated [W], rear_upper_friction.dissipated [W],
+            front_lower_friction.dissipated [W], front_upper_friction.dissipated [W]
+        normal_force (1,): front_upper [N]
+        sliding_velocity (1,): front_upper [m/s]
+        in_range (1,): front_upper [1]
+    """
+    crank_length = c[0]
+    rod_length = c[1]
+    half_length = c[3]
+    half_width = c[4]
+    stiffness = c[6]
+    friction_coefficient = c[7]
+    rear_upper_second_arm_y = c[9]
+    k1 = c[10]
+    rear_lower_hysteresis_factor = c[12]
+    k3 = c[13]
+    main_bearing_angle = q[0]
+    crank_pin_angle = q[1]
+    slider_pin_angle = q[2]
+    main_bearing_speed = u[0]
+    crank_pin_speed = u[1]
+    slider_pin_speed = u[2]
+    front_upper_approach_speed = m[3]
+    cos_crank = ca.cos(main_bearing_angle)
+    sin_crank = ca.sin(main_bearing_angle)
+    rod_angle = crank_pin_angle + main_bearing_angle
+    cos_rod = ca.cos(rod_angle)
+    sin_rod = ca.sin(rod_angle)
+    slider_angle = rod_angle + slider_pin_angle
+    cos_slider = ca.cos(slider_angle)
+    sin_slider = ca.sin(slider_angle)
+    rod_arm_x = cos_crank*crank_length
+    rod_arm_y = sin_crank*crank_length
+    rod_arm_rate_x = -main_bearing_speed*rod_arm_y
+    rod_arm_rate_y = main_bearing_speed*rod_arm_x
+    rod_rate_z = crank_pin_speed + main_bearing_speed
+    slider_arm_x = cos_rod*rod_length
+    slider_arm_y = sin_rod*rod_length
+    slider_arm_rate_x = -rod_rate_z*slider_arm_y
+    slider_arm_rate_y = rod_rate_z*slider_arm_x
+    slider_rate_z = rod_rate_z + slider_pin_speed
+    slider_x = rod_arm_x + slider_arm_x
+    slider_y = rod_arm_y + slider_arm_y
+    slider_velocity_x = rod_arm_rate_x + slider_arm_rate_x
+    slider_velocity_y = rod_arm_rate_y + slider_arm_rate_y
+    front_upper_first_arm_x = cos_slider*half_length - sin_slider*half_width
+    front_upper_first_arm_y = cos_slider*half_width + sin_slider*half_length
+    front_upper_apart_x = front_upper_first_arm_x + slider_x - rod_length
+    front_upper_apart_y = front_upper_first_arm_y + slider_y - rear_upper_second_arm_y
+    front_upper_beyond = k1 + ca.if_else(front_upper_apart_x > 0, front_upper_apart_x, -front_upper_apart_x)
+    front_upper_gap = ca.if_else(-front_upper_apart_y > front_upper_beyond, -front_upper_apart_y, front_upper_beyond)
+    front_upper_elastic_force = ca.if_else(-front_upper_gap > 0, (-front_upper_gap)**1*ca.sqrt(-front_upper_gap)*stiffness, 0)
+    front_upper_end_x = ca.if_else(front_upper_apart_x > 0, 1, -1)
+    front_upper_normal_x = ca.if_else(-front_upper_apart_y > front_upper_beyond, 0, front_upper_end_x)
+    front_upper_normal_y = ca.if_else(-front_upper_apart_y > front_upper_beyond, -1, 0)
+    front_upper_relative_rate_x = slider_velocity_x - front_upper_first_arm_y*slider_rate_z
+    front_upper_relative_rate_y = slider_velocity_y + front_upper_first_arm_x*slider_rate_z
+    front_upper_penetration_rate = -front_upper_normal_x*front_upper_relative_rate_x - front_upper_normal_y*front_upper_relative_rate_y
+    front_upper_resistance = front_upper_elastic_force*front_upper_penetration_rate*rear_lower_hysteresis_factor/front_upper_approach_speed
+    front_upper_normal_force = front_upper_elastic_force + front_upper_resistance
+    front_upper_normal_power = front_upper_penetration_rate*front_upper_resistance
+    front_upper_push_x = front_upper_normal_force*front_upper_normal_x
+    front_upper_push_y = front_upper_normal_force*front_upper_normal_y
+    x1 = -front_upper_first_arm_y - slider_y
+    x2 = front_upper_first_arm_x + slider_x
+    front_upper_push_on_main_bearing = front_upper_push_x*x1 + front_upper_push_y*x2
+    x3 = rod_arm_y - front_upper_first_arm_y - slider_y
+    x4 = front_upper_first_arm_x + slider_x - rod_arm_x
+    front_upper_push_on_crank_pin = front_upper_push_x*x3 + front_upper_push_y*x4
+    front_upper_push_on_slider_pin = front_upper_first_arm_x*front_upper_push_y - front_upper_first_arm_y*front_upper_push_x
+    front_upper_sliding_velocity = front_upper_normal_x*front_upper_relative_rate_y - front_upper_normal_y*front_upper_relative_rate_x
+    front_upper_friction_force = front_upper_normal_force*friction_coefficient*ca.tanh(front_upper_sliding_velocity*k3)
+    front_upper_friction_power = front_upper_friction_force*front_upper_sliding_velocity
+    front_upper_drag_x = front_upper_friction_force*front_upper_normal_y
+    front_upper_drag_y = -front_upper_friction_force*front_upper_normal_x
+    front_upper_drag_on_main_bearing = front_upper_drag_x*x1 + front_upper_drag_y*x2
+    front_upper_drag_on_crank_pin = front_upper_drag_x*x3 + front_upper_drag_y*x4
+    front_upper_drag_on_slider_pin = front_upper_drag_y*front_upper_first_arm_x - front_upper_drag_x*front_upper_first_arm_y
+    return (
+        ca.vertcat(front_upper_drag_on_main_bearing + front_upper_push_on_main_bearing,
+            front_upper_drag_on_crank_pin + front_upper_push_on_crank_pin, front_upper_drag_on_slider_pin +
+            front_upper_push_on_slider_pin),
+        ca.vertcat(0, 0, 0, front_upper_normal_power, 0, 0, 0, front_upper_friction_power),
+        ca.vertcat(front_upper_normal_force),
+        ca.vertcat(front_upper_sliding_velocity),
+        ca.vertcat(1),
+    )
+
+
+def applied(t, q, u, c):
+    """Generalised forces of everything that is no contact.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        f (3,): main_bearing [N m], crank_pin [N m], slider_pin [N m]
+    """
+    gravity = c[5]
+    rod_h_x = c[14]
+    crank_h_x = c[15]
+    main_bearing_angle = q[0]
+    crank_pin_angle = q[1]
+    cos_crank = ca.cos(main_bearing_angle)
+    rod_angle = crank_pin_angle + main_bearing_angle
+    cos_rod = ca.cos(rod_angle)
+    rod_moment_x = cos_rod*rod_h_x
+    crank_moment_x = cos_crank*crank_h_x
+    crank_total_moment_x = crank_moment_x + rod_moment_x
+    return ca.vertcat(-crank_total_moment_x*gravity, -rod_moment_x*gravity, 0)
+
+
+def accelerations(t, q, u, f, c):
+    """Generalised accelerations a from M a = f - bias, and what each drive must supply.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; f: generalised forces; c: CONSTANTS.
+    Returns, each a column vector:
+        a (3,): main_bearing.acceleration [rad/s^2], crank_pin.acceleration [rad/s^2], slider_pin.acceleration
+            [rad/s^2]
+        reactions (0,): empty
+    """
+    crank_length = c[0]
+    slider_inertia = c[2]
+    rod_h_x = c[14]
+    rod_total_J_z_z = c[16]
+    k4 = c[17]
+    k5 = c[18]
+    k6 = c[19]
+    main_bearing_angle = q[0]
+    crank_pin_angle = q[1]
+    main_bearing_speed = u[0]
+    crank_pin_speed = u[1]
+    main_bearing_force = f[0]
+    crank_pin_force = f[1]
+    slider_pin_force = f[2]
+    cos_crank = ca.cos(main_bearing_angle)
+    sin_crank = ca.sin(main_bearing_angle)
+    rod_angle = crank_pin_angle + main_bearing_angle
+    cos_rod = ca.cos(rod_angle)
+    sin_rod = ca.sin(rod_angle)
+    rod_arm_x = cos_crank*crank_length
+    rod_arm_y = sin_crank*crank_length
+    rod_rate_z = crank_pin_speed + main_bearing_speed
+    rod_moment_x = cos_rod*rod_h_x
+    rod_moment_y = rod_h_x*sin_rod
+    crank_rate_zz = main_bearing_speed*main_bearing_speed
+    rod_rate_zz = rod_rate_z*rod_rate_z
+    rod_force_x = -rod_moment_x*rod_rate_zz
+    rod_force_y = -rod_moment_y*rod_rate_zz
+    rod_bias_x = -crank_rate_zz*rod_arm_x
+    rod_bias_y = -crank_rate_zz*rod_arm_y
+    rod_torque_z = rod_bias_y*rod_moment_x - rod_bias_x*rod_moment_y
+    crank_torque_z = rod_torque_z + rod_arm_x*rod_force_y - rod_arm_y*rod_force_x
+    main_bearing_net = main_bearing_force - crank_torque_z
+    crank_pin_net = crank_pin_force - rod_torque_z
+    crank_total_J_z_z = k4 + 2*rod_arm_x*rod_moment_x + 2*rod_arm_y*rod_moment_y
+    crank_pin_rod_torque_z = rod_total_J_z_z + rod_arm_x*rod_moment_x + rod_arm_y*rod_moment_y
+    L_main_bearing_crank_pin = crank_pin_rod_torque_z - slider_inertia
+    l_main_bearing_crank_pin = L_main_bearing_crank_pin*k5
+    D_main_bearing = crank_total_J_z_z - slider_inertia - L_main_bearing_crank_pin*l_main_bearing_crank_pin
+    y_crank_pin = crank_pin_net - slider_pin_force
+    y_main_bearing = main_bearing_net - slider_pin_force - l_main_bearing_crank_pin*y_crank_pin
+    main_bearing_acc = y_main_bearing/D_main_bearing
+    crank_pin_acc = k5*y_crank_pin - l_main_bearing_crank_pin*main_bearing_acc
+    slider_pin_acc = k6*slider_pin_force - crank_pin_acc - main_bearing_acc
+    return ca.vertcat(main_bearing_acc, crank_pin_acc, slider_pin_acc), ca.vertcat()
+
+
+def ledger(t, q, u, reactions, c):
+    """Power the drives put in, in its row of z.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
+    Returns, each a column vector:
+        dz (8,): rear_lower.dissipated [W], rear_upper.dissipated [W], front_lower.dissipated [W],
+            front_upper.dissipated [W], rear_lower_friction.dissipated [W], rear_upper_friction.dissipated [W],
+            front_lower_friction.dissipated [W], front_upper_friction.dissipated [W]
+    """
+    return ca.vertcat(0, 0, 0, 0, 0, 0, 0, 0)
+
+
+def energy(t, q, u, c):
+    """Kinetic and potential energy, and what each pair's stiffness stores.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        kinetic (1,): kinetic [J]
+        potential (1,): potential [J]
+        stored (4,): rear_lower [J], rear_upper [J], front_lower [J], front_upper [J]
+    """
+    crank_length = c[0]
+    rod_length = c[1]
+    half_length = c[3]
+    half_width = c[4]
+    rear_lower_second_arm_y = c[8]
+    rear_upper_second_arm_y = c[9]
+    k1 = c[10]
+    k2 = c[11]
+    rod_h_x_2 = c[20]
+    k7 = c[21]
+    k8 = c[22]
+    k9 = c[23]
+    k10 = c[24]
+    k11 = c[25]
+    k12 = c[26]
+    k13 = c[27]
+    k14 = c[28]
+    k15 = c[29]
+    k16 = c[30]
+    main_bearing_angle = q[0]
+    crank_pin_angle = q[1]
+    slider_pin_angle = q[2]
+    main_bearing_speed = u[0]
+    crank_pin_speed = u[1]
+    slider_pin_speed = u[2]
+    cos_crank = ca.cos(main_bearing_angle)
+    sin_crank = ca.sin(main_bearing_angle)
+    rod_angle = crank_pin_angle + main_bearing_angle
+    cos_rod = ca.cos(rod_angle)
+    sin_rod = ca.sin(rod_angle)
+    slider_angle = rod_angle + slider_pin_angle
+    cos_slider = ca.cos(slider_angle)
+    sin_slider = ca.sin(slider_angle)
+    rod_arm_x = cos_crank*crank_length
+    rod_arm_y = sin_crank*crank_length
+    rod_arm_rate_x = -main_bearing_speed*rod_arm_y
+    rod_arm_rate_y = main_bearing_speed*rod_arm_x
+    rod_rate_z = crank_pin_speed + main_bearing_speed
+    slider_arm_x = cos_rod*rod_length
+    slider_arm_y = sin_rod*rod_length
+    slider_rate_z = rod_rate_z + slider_pin_speed
+    slider_x = rod_arm_x + slider_arm_x
+    slider_y = rod_arm_y + slider_arm_y
+    x1 = sin_slider*half_width
+    x2 = -cos_slider*half_length
+    rear_lower_first_arm_x = x1 + x2
+    x3 = -cos_slider*half_width
+    x4 = -sin_slider*half_length
+    rear_lower_first_arm_y = x3 + x4
+    rear_lower_apart_x = rear_lower_first_arm_x + slider_x - rod_length
+    rear_lower_apart_y = rear_lower_first_arm_y + slider_y - rear_lower_second_arm_y
+    x5 = -sin_slider*half_width
+    rear_upper_first_arm_x = x2 + x5
+    x6 = cos_slider*half_width
+    rear_upper_first_arm_y = x4 + x6
+    rear_upper_apart_x = rear_upper_first_arm_x + slider_x - rod_length
+    rear_upper_apart_y = rear_upper_first_arm_y + slider_y - rear_upper_second_arm_y
+    x7 = cos_slider*half_length
+    front_lower_first_arm_x = x1 + x7
+    x8 = sin_slider*half_length
+    front_lower_first_arm_y = x3 + x8
+    front_lower_apart_x = front_lower_first_arm_x + slider_x - rod_length
+    front_lower_apart_y = front_lower_first_arm_y + rear_upper_second_arm_y + slider_y
+    front_upper_first_arm_x = x5 + x7
+    front_upper_first_arm_y = x6 + x8
+    front_upper_apart_x = front_upper_first_arm_x + slider_x - rod_length
+    front_upper_apart_y = front_upper_first_arm_y + slider_y - rear_upper_second_arm_y
+    rear_lower_beyond = k1 + ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_x, -rear_lower_apart_x)
+    rear_lower_gap = ca.if_else(rear_lower_apart_y > rear_lower_beyond, rear_lower_apart_y, rear_lower_beyond)
+    rear_upper_beyond = k1 + ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_x, -rear_upper_apart_x)
+    rear_upper_gap = ca.if_else(-rear_upper_apart_y > rear_upper_beyond, -rear_upper_apart_y, rear_upper_beyond)
+    front_lower_beyond = k1 + ca.if_else(front_lower_apart_x > 0, front_lower_apart_x, -front_lower_apart_x)
+    front_lower_gap = ca.if_else(front_lower_apart_y > front_lower_beyond, front_lower_apart_y, front_lower_beyond)
+    front_upper_beyond = k1 + ca.if_else(front_upper_apart_x > 0, front_upper_apart_x, -front_upper_apart_x)
+    front_upper_gap = ca.if_else(-front_upper_apart_y > front_upper_beyond, -front_upper_apart_y, front_upper_beyond)
+    rear_lower_stored_energy = ca.if_else(-rear_lower_gap > 0, k2*(-rear_lower_gap)**2*ca.sqrt(-rear_lower_gap), 0)
+    rear_upper_stored_energy = ca.if_else(-rear_upper_gap > 0, k2*(-rear_upper_gap)**2*ca.sqrt(-rear_upper_gap), 0)
+    front_lower_stored_energy = ca.if_else(-front_lower_gap > 0, k2*(-front_lower_gap)**2*ca.sqrt(-front_lower_gap), 0)
+    front_upper_stored_energy = ca.if_else(-front_upper_gap > 0, k2*(-front_upper_gap)**2*ca.sqrt(-front_upper_gap), 0)
+    rod_moment_x_2 = cos_rod*rod_h_x_2
+    rod_moment_y_2 = rod_h_x_2*sin_rod
+    slider_velocity_x_2 = rod_arm_rate_x - rod_rate_z*slider_arm_y
+    slider_velocity_y_2 = rod_arm_rate_y + rod_rate_z*slider_arm_x
+    kinetic = k10*(rod_arm_rate_x*rod_arm_rate_x + rod_arm_rate_y*rod_arm_rate_y) + k11*(slider_velocity_x_2*slider_velocity_x_2 + slider_velocity_y_2*slider_velocity_y_2) + k7*main_bearing_speed*main_bearing_speed + k8*rod_rate_z*rod_rate_z + k9*slider_rate_z*slider_rate_z + rod_arm_rate_y*rod_moment_x_2*rod_rate_z - rod_arm_rate_x*rod_moment_y_2*rod_rate_z
+    crank_centre_arm_y = k12*sin_crank
+    rod_centre_arm_y = k13*sin_rod
+    potential = crank_centre_arm_y*k14 + k15*slider_y + k16*(rod_arm_y + rod_centre_arm_y)
+    return (
+        ca.vertcat(kinetic),
+        ca.vertcat(potential),
+        ca.vertcat(rear_lower_stored_energy, rear_upper_stored_energy, front_lower_stored_energy,
+            front_upper_stored_energy),
+    )
+
+
+def poses(t, q, c):
+    """Origin of every body's frame (x, y, z after one another) and its rotation matrix (row by row), body by body.
+
+    Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
+    Returns, each a column vector:
+        positions (9,): crank.x [m], crank.y [m], crank.z [m], rod.x [m], rod.y [m], rod.z [m], slider.x [m],
+            slider.y [m], slider.z [m]
+        rotations (27,): crank.R_xx [1], crank.R_xy [1], crank.R_xz [1], crank.R_yx [1], crank.R_yy [1], crank.R_yz
+            [1], crank.R_zx [1], crank.R_zy [1], crank.R_zz [1], rod.R_xx [1], rod.R_xy [1], rod.R_xz [1], rod.R_yx
+            [1], rod.R_yy [1], rod.R_yz [1], rod.R_zx [1], rod.R_zy [1], rod.R_zz [1], slider.R_xx [1], slider.R_xy
+            [1], slider.R_xz [1], slider.R_yx [1], slider.R_yy [1], slider.R_yz [1], slider.R_zx [1], slider.R_zy
+            [1], slider.R_zz [1]
+    """
+    crank_length = c[0]
+    rod_length = c[1]
+    main_bearing_angle = q[0]
+    crank_pin_angle = q[1]
+    slider_pin_angle = q[2]
+    cos_crank = ca.cos(main_bearing_angle)
+    sin_crank = ca.sin(main_bearing_angle)
+    rod_angle = crank_pin_angle + main_bearing_angle
+    cos_rod = ca.cos(rod_angle)
+    sin_rod = ca.sin(rod_angle)
+    slider_angle = rod_angle + slider_pin_angle
+    cos_slider = ca.cos(slider_angle)
+    sin_slider = ca.sin(slider_angle)
+    rod_arm_x = cos_crank*crank_length
+    rod_arm_y = sin_crank*crank_length
+    slider_arm_x = cos_rod*rod_length
+    slider_arm_y = sin_rod*rod_length
+    slider_x = rod_arm_x + slider_arm_x
+    slider_y = rod_arm_y + slider_arm_y
+    return (
+        ca.vertcat(0, 0, 0, rod_arm_x, rod_arm_y, 0, slider_x, slider_y, 0),
+        ca.vertcat(cos_crank, -sin_crank, 0, sin_crank, cos_crank, 0, 0, 0, 1, cos_rod, -sin_rod, 0, sin_rod,
+            cos_rod, 0, 0, 0, 1, cos_slider, -sin_slider, 0, sin_slider, cos_slider, 0, 0, 0, 1),
+    )
+
+
+def outputs(t, q, u, c):
+    """Named quantities, see OUTPUTS.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        y (4,): rear_lower.gap [m], rear_upper.gap [m], front_lower.gap [m], front_upper.gap [m]
+    """
+    crank_length = c[0]
+    rod_length = c[1]
+    half_length = c[3]
+    half_width = c[4]
+    rear_lower_second_arm_y = c[8]
+    rear_upper_second_arm_y = c[9]
+    k1 = c[10]
+    main_bearing_angle = q[0]
+    crank_pin_angle = q[1]
+    slider_pin_angle = q[2]
+    cos_crank = ca.cos(main_bearing_angle)
+    sin_crank = ca.sin(main_bearing_angle)
+    rod_angle = crank_pin_angle + main_bearing_angle
+    cos_rod = ca.cos(rod_angle)
+    sin_rod = ca.sin(rod_angle)
+    slider_angle = rod_angle + slider_pin_angle
+    cos_slider = ca.cos(slider_angle)
+    sin_slider = ca.sin(slider_angle)
+    rod_arm_x = cos_crank*crank_length
+    rod_arm_y = sin_crank*crank_length
+    slider_arm_x = cos_rod*rod_length
+    slider_arm_y = sin_rod*rod_length
+    slider_x = rod_arm_x + slider_arm_x
+    slider_y = rod_arm_y + slider_arm_y
+    x1 = sin_slider*half_width
+    x2 = -cos_slider*half_length
+    rear_lower_first_arm_x = x1 + x2
+    x3 = -cos_slider*half_width
+    x4 = -sin_slider*half_length
+    rear_lower_first_arm_y = x3 + x4
+    rear_lower_apart_x = rear_lower_first_arm_x + slider_x - rod_length
+    rear_lower_apart_y = rear_lower_first_arm_y + slider_y - rear_lower_second_arm_y
+    x5 = -sin_slider*half_width
+    rear_upper_first_arm_x = x2 + x5
+    x6 = cos_slider*half_width
+    rear_upper_first_arm_y = x4 + x6
+    rear_upper_apart_x = rear_upper_first_arm_x + slider_x - rod_length
+    rear_upper_apart_y = rear_upper_first_arm_y + slider_y - rear_upper_second_arm_y
+    x7 = cos_slider*half_length
+    front_lower_first_arm_x = x1 + x7
+    x8 = sin_slider*half_length
+    front_lower_first_arm_y = x3 + x8
+    front_lower_apart_x = front_lower_first_arm_x + slider_x - rod_length
+    front_lower_apart_y = front_lower_first_arm_y + rear_upper_second_arm_y + slider_y
+    front_upper_first_arm_x = x5 + x7
+    front_upper_first_arm_y = x6 + x8
+    front_upper_apart_x = front_upper_first_arm_x + slider_x - rod_length
+    front_upper_apart_y = front_upper_first_arm_y + slider_y - rear_upper_second_arm_y
+    rear_lower_beyond = k1 + ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_x, -rear_lower_apart_x)
+    rear_lower_gap = ca.if_else(rear_lower_apart_y > rear_lower_beyond, rear_lower_apart_y, rear_lower_beyond)
+    rear_upper_beyond = k1 + ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_x, -rear_upper_apart_x)
+    rear_upper_gap = ca.if_else(-rear_upper_apart_y > rear_upper_beyond, -rear_upper_apart_y, rear_upper_beyond)
+    front_lower_beyond = k1 + ca.if_else(front_lower_apart_x > 0, front_lower_apart_x, -front_lower_apart_x)
+    front_lower_gap = ca.if_else(front_lower_apart_y > front_lower_beyond, front_lower_apart_y, front_lower_beyond)
+    front_upper_beyond = k1 + ca.if_else(front_upper_apart_x > 0, front_upper_apart_x, -front_upper_apart_x)
+    front_upper_gap = ca.if_else(-front_upper_apart_y > front_upper_beyond, -front_upper_apart_y, front_upper_beyond)
+    return ca.vertcat(rear_lower_gap, rear_upper_gap, front_lower_gap, front_upper_gap)

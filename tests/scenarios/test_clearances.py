@@ -1,0 +1,384 @@
+"""Built-in scenes of the other pairs against closed forms and independent integrations of equations derived another way."""
+
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.integrate import solve_ivp
+
+from hertzwerk.derive import (
+    APART,
+    GROUND,
+    Body,
+    ConstantSpeed,
+    Contact,
+    CornerOnFace,
+    CustomPair,
+    CylinderOnPlane,
+    EnergyLedger,
+    Free,
+    Friction,
+    Gravity,
+    Mechanism,
+    Parameter,
+    PinInBush,
+    Planar,
+    Prismatic,
+    Revolute,
+    RimOnPlane,
+    Scales,
+    Scene,
+    SphereOnPlane,
+    Start,
+    X,
+    Y,
+    Z,
+)  # fmt: skip
+from hertzwerk.derive.laws import flores, power, smooth_coulomb
+from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime.curves import Curves
+
+TIGHT = {"rtol": 1e-13, "atol": 1e-15, "method": "DOP853"}
+
+
+def lagrange(kinetic, potential, coordinates):
+    """Accelerations as a function of (q, u) by Lagrange's equations."""
+    speeds = [sp.Symbol(f"{q}_rate") for q in coordinates]
+    t_of_u = kinetic(coordinates, speeds)
+    momenta = [sp.diff(t_of_u, u) for u in speeds]
+    mass = sp.Matrix(momenta).jacobian(speeds)
+    rest = [
+        sp.diff(t_of_u - potential(coordinates), q) - sum(sp.diff(p, k) * u for k, u in zip(coordinates, speeds, strict=True))
+        for q, p in zip(coordinates, momenta, strict=True)
+    ]  # fmt: skip
+    numbers = sp.lambdify([coordinates, speeds], (mass, sp.Matrix(rest)))
+
+    def rates(_, y):
+        n = len(coordinates)
+        m, f = numbers(y[:n], y[n:])
+        return np.concatenate([y[n:], np.linalg.solve(np.array(m, float), np.array(f, float).ravel())])
+
+    return rates
+
+
+def event(function):
+    function.terminal = True
+    return function
+
+
+# -- a ball in a socket ------------------------------------------------------------------------------------------------
+
+M, G, C, K = 0.5, 9.81, 5e-3, 1e7
+REST = (M * G / K) ** (2 / 3)
+
+
+def test_a_ball_swings_in_its_socket_as_an_elastic_pendulum():
+    """In polar coordinates about the socket's centre: the length is the clearance plus the penetration."""
+
+    def rates(_, y):
+        length, angle, length_rate, angle_rate = y
+        push = K * (length - C) ** 1.5
+        return [
+            length_rate,
+            angle_rate,
+            length * angle_rate**2 + G * np.cos(angle) - push / M,
+            -(2 * length_rate * angle_rate + G * np.sin(angle)) / length,
+        ]
+
+    run = simulate(load("ball_in_socket"), duration=0.5, accuracy=1e-10)
+    length, angle, _, _ = solve_ivp(rates, (0, 0.5), [C + REST, 0.05, 0, 0], **TIGHT).y[:, -1]
+    assert run.outcome.finished
+    assert run["float.x"][-1] == pytest.approx(length * np.sin(angle), abs=1e-9 * C)
+    assert run["float.z"][-1] == pytest.approx(-length * np.cos(angle), rel=1e-9)
+    assert run["ball_joint.eccentricity_x"][-1] == run["float.x"][-1]
+    assert run.energy_residual < 1e-9
+
+
+def test_small_oscillations_have_the_period_of_a_pendulum_as_long_as_the_clearance():
+    run = simulate(load("ball_in_socket"), duration=0.5, accuracy=1e-9, parameters={"start_angle": 0.002})
+    x, t = run["float.x"], run.t
+    down = [i for i in range(len(t) - 1) if x[i] > 0 >= x[i + 1]]
+    crossings = [t[i] + (t[i + 1] - t[i]) * x[i] / (x[i] - x[i + 1]) for i in down]
+    period = (crossings[-1] - crossings[0]) / (len(crossings) - 1)
+    assert len(crossings) > 2
+    assert period == pytest.approx(2 * np.pi * np.sqrt((C + REST) / G), rel=2e-5)
+    assert period != pytest.approx(2 * np.pi * np.sqrt(C / G), rel=1e-3)  # the penetration counts
+
+
+def test_a_ball_at_rest_in_its_socket_penetrates_as_far_as_its_weight_says():
+    run = simulate(load("ball_in_socket"), duration=0.05, parameters={"start_angle": 1e-12})
+    assert run["ball_joint.normal_force"] == pytest.approx(M * G, rel=1e-9)
+    assert run["ball_joint.penetration"] == pytest.approx(REST, rel=1e-9)
+
+
+# -- the slider in its guide -------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def guide():
+    model = load("translational_clearance")
+    return model, simulate(model, duration="40 ms", accuracy=1e-12)
+
+
+def textbook(_, y):
+    """A double pendulum of rods with a point mass at its end, which is the slider while it does not turn: angles against X."""
+    r, l, m1, m2, m3, J1, J2 = 0.153, 0.306, 0.038, 0.038, 0.076, 7.4e-5, 5.9e-4
+    a, b, da, db = y
+    cross = r * l * (m2 / 2 + m3)
+    mass = np.array([
+        [J1 + m1 * r**2 / 4 + (m2 + m3) * r**2, cross * np.cos(a - b)],
+        [cross * np.cos(a - b), J2 + m2 * l**2 / 4 + m3 * l**2],
+    ])  # fmt: skip
+    force = [
+        -cross * np.sin(a - b) * db**2 - 9.81 * r * np.cos(a) * (m1 / 2 + m2 + m3),
+        cross * np.sin(a - b) * da**2 - 9.81 * l * np.cos(b) * (m2 / 2 + m3),
+    ]
+    return [da, db, *np.linalg.solve(mass, force)]
+
+
+def height(y):
+    return 0.153 * np.sin(y[0]) + 0.306 * np.sin(y[1])
+
+
+def test_the_first_contact_of_the_slider_is_where_an_independent_integration_finds_it(guide):
+    """The slider starts parallel and keeps so until a corner touches: both corners of one side do at once."""
+    _, run = guide
+    hit = solve_ivp(textbook, (0, 0.01), [0, 0, 150, -75], events=event(lambda _, y: abs(height(y)) - 1e-3), **TIGHT)
+    (time,), (state,) = hit.t_events[0], hit.y_events[0]
+    speed = 0.153 * np.cos(state[0]) * state[2] + 0.306 * np.cos(state[1]) * state[3]
+    side = "upper" if height(state) > 0 else "lower"
+    first, second = run.impacts[:2]
+    assert {first.contact, second.contact} == {f"front_{side}", f"rear_{side}"}
+    assert first.t == pytest.approx(time, rel=1e-10)
+    assert second.t == pytest.approx(time, rel=1e-10)
+    assert first.speed == pytest.approx(abs(speed), rel=1e-9)
+
+
+def test_the_smooth_phase_keeps_its_energy(guide):
+    model, run = guide
+    smooth = simulate(model, duration=0.999 * run.impacts[0].t, accuracy=1e-12)
+    assert not smooth.impacts
+    assert smooth.energy_residual < 1e-11
+    energy = smooth["energy"]
+    assert np.ptp(energy) < 1e-11 * abs(energy[0])
+
+
+def test_four_corners_keep_the_ledger_closed_and_the_slider_in_its_guide(guide):
+    _, run = guide
+    assert run.outcome.finished
+    assert run.energy_residual < 1e-9
+    assert {impact.contact for impact in run.impacts} >= {"front_upper", "rear_upper", "front_lower"}
+    gaps = [run[f"{pair}.gap"] for pair in run.model.pairs]
+    assert min(np.min(gap) for gap in gaps) > -2e-4
+
+
+# -- the spatial slider-crank ------------------------------------------------------------------------------------------
+
+
+def test_the_first_contact_of_the_ball_is_where_an_independent_integration_finds_it():
+    """Slider and rod fly freely until the ball has left the centre of the driven socket by the clearance."""
+    r, l, w, beside, above = 0.08, 0.3, 60.0, 0.1, 0.12
+
+    def kinetic(q, u):
+        (_, yaw, pitch), (dx, dyaw, dpitch) = q, u
+        half = [-l / 2 * sp.cos(pitch) * sp.cos(yaw), -l / 2 * sp.cos(pitch) * sp.sin(yaw), l / 2 * sp.sin(pitch)]
+        v = [sum(sp.diff(k, a) * da for a, da in ((yaw, dyaw), (pitch, dpitch))) for k in half]
+        v[0] += dx
+        spin = 4e-4 * (dyaw * sp.sin(pitch)) ** 2 + 4e-3 * (dpitch**2 + (dyaw * sp.cos(pitch)) ** 2)
+        return sp.Rational(1, 2) * (2.0 * dx**2 + 0.5 * sum(k**2 for k in v) + spin)
+
+    rates = lagrange(kinetic, lambda q: 0.5 * 9.81 * l / 2 * sp.sin(q[2]), list(sp.symbols("x yaw pitch")))
+
+    def apart(t, y):
+        x, yaw, pitch = y[:3]
+        ball = np.array([x - l * np.cos(pitch) * np.cos(yaw), -l * np.cos(pitch) * np.sin(yaw), l * np.sin(pitch)])
+        return ball - [0, beside - r * np.sin(w * t), above + r * np.cos(w * t)]
+
+    way = np.sqrt(l**2 - beside**2 - (above + r) ** 2)
+    start = [way, -np.arctan(beside / way), np.arcsin((above + r) / l), beside * r * w / way, r * w / way, 0.0]
+    assert np.linalg.norm(apart(0, start)) < 1e-15
+    hit = solve_ivp(rates, (0, 0.01), start, events=event(lambda t, y: np.linalg.norm(apart(t, y)) - 2e-4), **TIGHT)
+    ((time,),) = hit.t_events
+    run = simulate(load("spatial_slider_crank"), duration="105 ms", accuracy=1e-11)
+    assert run.impacts[0].t == pytest.approx(time, rel=1e-9)
+    assert run.outcome.finished
+    assert run.energy_residual < 1e-9
+    assert len(run.impacts) > 10
+
+
+def test_the_ideal_spatial_mechanism_closes_all_three_eccentricities_of_its_ball():
+    run = simulate(load("spatial_slider_crank"), duration="20 ms")
+    curves = Curves.of(run)
+    angle = 60.0 * curves.t[-1]
+    y, z = 0.1 - 0.08 * np.sin(angle), 0.12 + 0.08 * np.cos(angle)
+    assert curves.ideal is not None
+    assert curves.ideal["guide.travel"][-1] == pytest.approx(np.sqrt(0.3**2 - y**2 - z**2), rel=1e-9)
+    assert abs(curves["guide.travel"][-1] - curves.ideal["guide.travel"][-1]) < 1e-3
+
+
+# -- pairs in motion ---------------------------------------------------------------------------------------------------
+
+SIZE, PACE, MASS = Parameter("size", "m", 0.1), Parameter("pace", "m/s", 1), Parameter("mass", "kg", 0.5)
+STIFF = power(Parameter("K", "N/m^1.5", 1e7), sp.Rational(3, 2))
+BLOCK = Body("block", MASS, Parameter("inertia", "kg m^2", 0.01))
+FALL = Gravity("gravity", Parameter("gravity", "m/s^2", G), -Y)
+HERE, THERE = BLOCK.at(0, 0, 0), GROUND.at(0, 0, 0)
+
+
+def moving(pair, *effects, joint=None, **start):
+    """A body and one pair; its start as x=0.1, x_speed=2.0 in SI."""
+    joint = joint or Planar("float", GROUND, BLOCK)
+    scales = Scales(length=Parameter("deep", "m", 1e-5), speed=PACE, arm=SIZE)
+    effects = effects or (FALL, Contact("touch", STIFF))
+    units = {"speed": "m/s", "angle_speed": "rad/s"}
+    model = load(Scene(Mechanism("moving", (joint,), (pair,)), (*effects, EnergyLedger()), scales))
+    initial = {
+        f"float.{name}": (value, units.get(name, "m/s" if name.endswith("speed") else "m"))
+        for name, value in start.items()
+    }
+    return lambda duration, accuracy=1e-9: simulate(model, duration=duration, accuracy=accuracy, initial=initial)
+
+
+FACE = CornerOnFace("touch", HERE, THERE, Y, X, Parameter("length", "m", 0.2))
+
+
+def test_a_corner_that_slides_off_its_face_falls_past_the_solid():
+    run = moving(FACE, x=0.0, y=-REST, x_speed=1.0)(0.3)
+    assert run.outcome.finished
+    assert run.energy_residual < 1e-7  # the edge is a kink of the force, which is no event
+    off = 0.1  # s, and 0.1 m
+    assert np.max(np.abs(run["touch.normal_force"][run.t < 0.99 * off] - M * G)) < 1e-6 * M * G
+    assert not np.any(run["touch.normal_force"][run.t > 1.01 * off])
+    assert run["float.x"][-1] == pytest.approx(0.3, rel=1e-3)
+    assert run["float.y"][-1] == pytest.approx(-G * (0.3 - off) ** 2 / 2, rel=2e-3)
+
+
+def test_a_corner_from_beyond_the_end_meets_the_end_of_the_solid_and_none_passes_over_it():
+    effects = (Contact("touch", STIFF),)
+    run = moving(FACE, *effects, x=0.2, y=-0.05, x_speed=-1.0)(0.2)
+    assert [impact.contact for impact in run.impacts] == ["touch"]
+    assert run.impacts[0].t == pytest.approx(0.1, rel=1e-9)
+    assert run["float.x_speed"][-1] == pytest.approx(1.0, rel=1e-7)
+    assert run["float.y"][-1] == pytest.approx(-0.05, rel=1e-12)
+    above = moving(FACE, *effects, x=0.2, y=1e-6, x_speed=-1.0)(0.4)
+    assert not above.impacts
+
+
+def test_a_cylinder_set_down_sliding_ends_rolling_at_two_thirds_of_its_speed():
+    """Angular momentum about the line of contact is conserved, whatever the friction: R m v = (1/2 + 1) m R v'."""
+    radius = Parameter("radius", "m", 0.1)
+    roller = Body("roller", MASS, MASS * radius**2 / 2)
+    pair = CylinderOnPlane("touch", roller.at(0, 0, 0), Z, radius, Parameter("length", "m", 0.3), THERE, Y)
+    rub = Friction("rub", "touch", smooth_coulomb(Parameter("mu", "1", 0.2), Parameter("v_s", "m/s", 1e-3)))
+    run = moving(
+        pair, FALL, Contact("touch", STIFF), rub, joint=Planar("float", GROUND, roller), y=0.1 - REST, x_speed=1.5
+    )(0.6)
+    assert run["float.x_speed"][-1] == pytest.approx(1.0, rel=1e-4)
+    assert run["float.angle_speed"][-1] == pytest.approx(-10.0, rel=1e-3)
+    sliding = np.interp(0.1, run.t, run["float.x_speed"])
+    assert sliding == pytest.approx(1.5 - 0.2 * G * 0.1, rel=1e-6)  # until v0/(3 mu g) = 0.255 s
+    assert run.energy_residual < 1e-8
+
+
+def test_a_cylinder_free_to_tilt_lies_on_its_two_rims_and_falls_over_onto_one():
+    half, radius = Parameter("half_length", "m", 0.15), Parameter("radius", "m", 0.1)
+    roller = Body("roller", MASS, tuple(Parameter(f"J_{k}", "kg m^2", 0.005) for k in "xyz"))
+    rims = tuple(
+        RimOnPlane(name, roller.at(0, 0, side * half), Z, radius, THERE, Y) for name, side in (("near", -1), ("far", 1))
+    )
+    contacts = [Contact(rim.name, STIFF) for rim in rims]
+    scales = Scales(length=Parameter("deep", "m", 1e-5), speed=PACE, arm=SIZE)
+    model = load(
+        Scene(Mechanism("lying", (Free("float", GROUND, roller),), rims), (FALL, *contacts, EnergyLedger()), scales)
+    )
+    deep = (M * G / 2 / K) ** (2 / 3)
+    still = simulate(model, duration=0.05, initial={"float.y": (0.1 - deep, "m")})
+    for rim in rims:
+        assert still[f"{rim.name}.normal_force"] == pytest.approx(M * G / 2, rel=1e-6)
+    tilt = 0.2  # about X: the far end is lower, its rim's lowest point at 0.1 cos + 0.15 sin below the centre
+    height = 0.1 * np.cos(tilt) + 0.15 * np.sin(tilt)
+    turned = {"float.q0": (np.cos(tilt / 2), "1"), "float.q1": (np.sin(tilt / 2), "1")}
+    drop = simulate(model, duration=0.1, initial={"float.y": (height + 0.01, "m"), **turned})
+    assert drop.impacts[0].contact == "far"
+    assert drop.impacts[0].t == pytest.approx(np.sqrt(2 * 0.01 / G), rel=1e-9)
+    assert drop.energy_residual < 1e-7
+
+
+def test_a_disc_that_lies_flat_has_no_lowest_point_and_says_so():
+    disc = Body("disc", MASS, tuple(Parameter(f"J_{k}", "kg m^2", 0.005) for k in "xyz"))
+    flat = RimOnPlane("touch", disc.at(0, 0, 0), Y, Parameter("radius", "m", 0.1), THERE, Y)
+    assert moving(flat, joint=Free("float", GROUND, disc), y=0.3)(0.5).outcome.name == "not_finite"
+
+
+def test_a_pair_of_the_users_moves_as_the_built_in_one():
+    radius = Parameter("radius", "m", 0.05)
+    own = CustomPair("touch", HERE, THERE, APART[1] - radius, (0, 1, 0), (APART[0], 0, APART[2]))
+    runs = [moving(pair, y=0.2, x_speed=0.3)(1.0) for pair in (own, SphereOnPlane("touch", HERE, radius, THERE, Y))]
+    assert [impact.t for impact in runs[0].impacts] == pytest.approx(
+        [impact.t for impact in runs[1].impacts], rel=1e-12
+    )
+    assert len(runs[0].impacts) == 3
+    assert runs[0]["float.y"][-1] == pytest.approx(runs[1]["float.y"][-1], rel=1e-10)
+    assert runs[0].energy_residual < 1e-8
+
+
+# -- several clearances in one mechanism -------------------------------------------------------------------------------
+
+
+def clearances(count):
+    """A driven slider-crank: crank pin and slider pin with clearance, and for three the slider in a guide of two faces and four corners."""
+    r, l, c = (
+        Parameter("crank_length", "m", 0.05),
+        Parameter("rod_length", "m", 0.12),
+        Parameter("clearance", "mm", 0.2),
+    )
+    w, bush = Parameter("crank_speed", "rad/s", 100), Parameter("bush", "mm", 10)
+    a, b = Parameter("half_length", "m", 0.03), Parameter("half_width", "m", 0.02)
+    crank = Body("crank", Parameter("crank_mass", "kg", 0.3), Parameter("crank_inertia", "kg m^2", 1e-4))
+    rod = Body(
+        "rod", Parameter("rod_mass", "kg", 0.21), Parameter("rod_inertia", "kg m^2", 2.5e-4), centre=(l / 2, 0, 0)
+    )
+    slider = Body("slider", Parameter("slider_mass", "kg", 0.14), Parameter("slider_inertia", "kg m^2", 5e-5))
+    pins = (
+        PinInBush("crank_pin", rod.at(0, 0, 0), crank.at(r, 0, 0), Z, bush, c),
+        PinInBush("slider_pin", rod.at(l, 0, 0), slider.at(0, 0, 0), Z, bush, c),
+    )
+    corners = tuple(
+        CornerOnFace(
+            f"corner_{end}_{side}", slider.at(i * a, j * b, 0), GROUND.at(l, j * (b + c), 0), -Y if j > 0 else Y, X, Parameter("guide", "m", 0.4)
+        )
+        for i, end in ((-1, "rear"), (1, "front")) for j, side in ((-1, "lower"), (1, "upper"))
+    )  # fmt: skip
+    pairs = pins if count == 2 else (*pins, *corners)
+    guide = Prismatic("guide", GROUND, slider, axis=X) if count == 2 else Planar("guide", GROUND, slider)
+    along = "guide" if count == 2 else "guide.x"
+    law = flores(Parameter("restitution", "1", 0.8))
+    contacts = [Contact(pair.name, power(Parameter("K", "N/m^1.5", 1e9), sp.Rational(3, 2)), law) for pair in pairs]
+    return Scene(
+        Mechanism("several", (Revolute("main_bearing", GROUND, crank, axis=Z), Planar("rod", GROUND, rod), guide), pairs),
+        (ConstantSpeed("crank_drive", "main_bearing", w), FALL, *contacts, EnergyLedger()),
+        Scales(length=c, speed=r * w, arm=l),
+        Start(position={"rod.x": r, along: r + l}, speed={"rod.y_speed": r * w, "rod.angle_speed": -r * w / l}),
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("count", [2, 3])
+def test_several_clearances_in_one_mechanism(count):
+    run = simulate(load(clearances(count)), duration=2 * np.pi / 100, accuracy=1e-9)
+    assert run.outcome.finished
+    assert run.energy_residual < 1e-7
+    struck = {impact.contact for impact in run.impacts}
+    assert {"crank_pin", "slider_pin"} <= struck
+    assert any(name.startswith("corner") for name in struck) == (count == 3)
+    for pair in run.model.pairs:
+        assert -2e-4 < np.min(run[f"{pair}.gap"]) < 2e-4
+        assert np.all(run[f"{pair}.gap"] < 1e-3)  # nothing has come apart
+    curves = Curves.of(run)
+    name = "guide.travel" if count == 2 else "guide.x"
+    angle = 100.0 * run.t
+    ideal = 0.05 * np.cos(angle) + np.sqrt(0.12**2 - (0.05 * np.sin(angle)) ** 2)
+    assert np.max(np.abs(run[name] - ideal)) < 3 * 2e-4  # both clearances, and what the rod's angle adds
+    assert (curves.ideal is not None) == (count == 2)
+    if count == 2:
+        turned = 100.0 * curves.t
+        closed = 0.05 * np.cos(turned) + np.sqrt(0.12**2 - (0.05 * np.sin(turned)) ** 2)
+        assert curves.ideal["guide.travel"] == pytest.approx(closed, rel=1e-10)
