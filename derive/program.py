@@ -282,6 +282,8 @@ class Program:
     constants: tuple[sp.Symbol, ...]
     tables: Mapping[str, tuple[Any, ...]]
     """Name of a module-level table (COORDINATES, PAIRS, ...) -> its rows."""
+    note: str = ""
+    """Which coordinates these are, and why, where they are not simply those of the joints."""
     units: Mapping[sp.Symbol, str] = field(default_factory=dict)
     """Unit of every input and assignment, once the audit has passed."""
 
