@@ -14,14 +14,19 @@ import sympy as sp
 
 from hertzwerk.derive.effects.expression import COORDINATE, states_in
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.derive.frames import AXES
+from hertzwerk.derive.frames import AXES, Slot, Triple
 from hertzwerk.derive.kinematics import Kinematics
 from hertzwerk.derive.mechanism import GROUND, Body, Frame, Free, Freedom, Joint, Mechanism, Planar, Point, Weld
 from hertzwerk.derive.parameter import default_value
-from hertzwerk.derive.scene import Scene, Slot
+from hertzwerk.derive.scene import Scene
 from hertzwerk.derive.vectors import Vector, apply, transpose
 
-MEASURED = ("Revolute", "Prismatic", "Cylindrical", "Planar")  # joints whose freedoms can be measured where they close a loop
+MEASURED = (
+    "Revolute",
+    "Prismatic",
+    "Cylindrical",
+    "Planar",
+)  # joints whose freedoms can be measured where they close a loop
 
 
 @dataclass(frozen=True, init=False)
@@ -98,9 +103,14 @@ def _base(mechanism: Mechanism, joint: Joint) -> Base:
     turns, k = _turns(mechanism, body), mechanism.plane
     if k is None:
         return Base(name, Point(GROUND), Point(body, body.centre), turns, None)
-    height = tuple(_height(mechanism, body, k) if i == k else 0 for i in range(3))
-    centre = tuple(0 if i == k else value for i, value in enumerate(body.centre))
-    return Base(name, Point(GROUND, height), Point(body, centre), turns, k)
+    centre = _with(body.centre, k, 0)
+    return Base(name, Point(GROUND, _with((0, 0, 0), k, _height(mechanism, body, k))), Point(body, centre), turns, k)
+
+
+def _with(triple: Triple, k: int, value: Any) -> Triple:
+    """The triple with another component k."""
+    x, y, z = (value if i == k else component for i, component in enumerate(triple))
+    return (x, y, z)
 
 
 def _turns(mechanism: Mechanism, body: Frame) -> bool:
@@ -134,14 +144,17 @@ def _body_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:
         if not isinstance(joint, Base) or not isinstance(body, Body):
             continue
         if body.mass == 0:
-            yield Fault(f"body {body.name}, mass", "0 kg", "a mass, because the body has coordinates of its own", remedy)
+            yield Fault(
+                f"body {body.name}, mass", "0 kg", "a mass, because the body has coordinates of its own", remedy
+            )
         if not joint.turns:
             continue
         given = body.inertia if isinstance(body.inertia, tuple) else (body.inertia,) * 3
         used = given if joint.normal is None else (given[joint.normal],)
         if any(default_value(value) == 0 for value in used):
-            yield Fault(f"body {body.name}, inertia", f"{body.inertia}", f"{'three positive principal inertias' if len(used) == 3 else 'a positive inertia'}, "
-                        "because the body turns by coordinates of its own", remedy)  # fmt: skip
+            wanted = "three positive principal inertias" if len(used) == 3 else "a positive inertia"
+            expected = f"{wanted}, because the body turns by coordinates of its own"
+            yield Fault(f"body {body.name}, inertia", f"{body.inertia}", expected, remedy)
         elif len(used) == 3 and not isinstance(body.inertia, tuple) and _about_one_axis(scene.mechanism, body):
             yield Fault(f"body {body.name}, inertia", f"{body.inertia}, about the joint's axis alone", "three principal inertias, because the "
                         "body turns by coordinates of its own", remedy)  # fmt: skip
@@ -173,10 +186,14 @@ def _effect_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:
             if key in kept:
                 continue
             joint, freedom = closing[key]
-            where = f"effect {effect.name}"
-            if type(joint).__name__ not in MEASURED:
-                yield Fault(where, f"{key}, of a {type(joint).__name__.lower()} joint", f"a freedom of a joint that is {', '.join(MEASURED).lower()}, "
-                            "where it closes a loop", remedy)  # fmt: skip
+            where, name = f"effect {effect.name}", type(joint).__name__
+            if name not in MEASURED:
+                yield Fault(
+                    where,
+                    f"{key}, of a {name.lower()} joint",
+                    f"a freedom of a joint that can be measured: {', '.join(MEASURED)}",
+                    remedy,
+                )
             elif coordinate and freedom.kind == "turn" and scene.mechanism.plane is None:
                 yield Fault(where, f"the angle of {key}, which in space is known up to whole turns alone", "its speed, or a mechanism that is plane",
                             remedy)  # fmt: skip
@@ -224,7 +241,8 @@ def _turned(joint: Base, joints: Kinematics) -> tuple[list[Any], list[Any]]:
     return list(_quaternion(joints, body)), list(apply(transpose(joints.rotation(body)), rate))
 
 
-Quaternion = tuple[Any, Any, Any, Any]
+Quaternion = tuple[Any, ...]
+"""q0 + q1 i + q2 j + q3 k."""
 
 
 def _quaternion(kin: Kinematics, body: Frame) -> Quaternion:
@@ -237,13 +255,10 @@ def _quaternion(kin: Kinematics, body: Frame) -> Quaternion:
     for link in kin.tree.links:
         if link.joint is joint and link.freedom is not None and link.kind != "slide":
             axis = link.freedom.axis
-            (first, *others) = link.coordinates
-            steps.append((first, *others) if axis is None else _of_turn(axis.unit, first))  # type: ignore[arg-type]
+            steps.append(link.coordinates if axis is None else _of_turn(axis.unit, link.coordinates[0]))
     steps += [_of_turn(axis.unit, -sp.sympify(angle)) for axis, angle in reversed(joint.child.turns)]
     for step in steps:
-        total = tuple(  # type: ignore[assignment]
-            kin.tape.let(part, f"{body.name}_q{i}") for i, part in enumerate(_times(total, step))
-        )
+        total = tuple(kin.tape.let(part, f"{body.name}_q{i}") for i, part in enumerate(_times(total, step)))
     return total
 
 

@@ -560,12 +560,16 @@ class _Derivation:
             return loops | {"GIVEN": _given(self.scene, self.kin)} if loops else {}
         coordinates, speeds = _ports(self.scene.declared, self.joints)
         given = {"GIVEN": _given(self.scene.declared, self.joints)} if self.joint_loops else {}
-        return loops | given | {
-            "JOINT_COORDINATES": tuple(map(tuple, coordinates)),
-            "JOINT_SPEEDS": tuple(map(tuple, speeds)),
-            "JOINT_QUATERNIONS": _quaternions(coordinates),
-            "JOINT_CONSTRAINTS": _names(self.joint_loops),
-        }
+        return (
+            loops
+            | given
+            | {
+                "JOINT_COORDINATES": tuple(map(tuple, coordinates)),
+                "JOINT_SPEEDS": tuple(map(tuple, speeds)),
+                "JOINT_QUATERNIONS": _quaternions(coordinates),
+                "JOINT_CONSTRAINTS": _names(self.joint_loops),
+            }
+        )
 
     def _tables(self) -> Mapping[str, tuple[Any, ...]]:
         scene = self.scene

@@ -69,7 +69,9 @@ def _(effect: Potential, kin: Kinematics, length: Any) -> Element:
     energy = as_choice(effect.energy)
     forces: dict[str, Any] = {}
     for symbol in states_in(energy):
-        force = kin.tape.let(kin.expression(-sp.diff(energy, symbol)), f"{effect.name}_on_{symbol.joint.replace('.', '_')}")
+        force = kin.tape.let(
+            kin.expression(-sp.diff(energy, symbol)), f"{effect.name}_on_{symbol.joint.replace('.', '_')}"
+        )
         for row, share in kin.on_joint(symbol.joint, force, effect.name).items():
             forces[row] = forces.get(row, sp.S.Zero) + share
     return Element(forces, stored=kin.expression(energy))

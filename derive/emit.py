@@ -337,7 +337,9 @@ def operations(text: str) -> int:
 
 def flight(program: Program) -> int:
     """Operations of one right-hand side where nothing touches."""
-    return sum(operations(function_text(program, function)) for function in program.functions if function.name in FLIGHT)
+    return sum(
+        operations(function_text(program, function)) for function in program.functions if function.name in FLIGHT
+    )
 
 
 def _helper_operations(name: str) -> int:

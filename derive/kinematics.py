@@ -136,7 +136,10 @@ class Kinematics:
         """Generalised forces, by row, of a force along a slide or a torque about a turn, on its child; the parent feels the opposite."""
         if key in self._states:
             return {key: force}
-        return {row: self.tape.let(force * share, f"{name}_on_{row.replace('.', '_')}") for row, share in self._measured(key).column.items()}
+        return {
+            row: self.tape.let(force * share, f"{name}_on_{row.replace('.', '_')}")
+            for row, share in self._measured(key).column.items()
+        }
 
     def _measure(self, key: str) -> Measured:
         from hertzwerk.derive.loops import measured  # which is written on this
@@ -148,10 +151,9 @@ class Kinematics:
         joint = self.mechanism.joint_of(body)
         if joint is None:
             return sp.S.Zero
-        turns = (freedom for freedom in joint.freedoms if freedom.axis is not None and freedom.kind == "turn")
+        turns = ((freedom.key, freedom.axis) for freedom in joint.freedoms if freedom.kind == "turn")
         total = self.turned(joint.parent.body, k) + joint.parent.turned_about(k) - joint.child.turned_about(k)
-        for freedom in turns:
-            total += freedom.axis.unit[k] * self.coordinate(freedom.key)
+        total += sp.Add(*(axis.unit[k] * self.coordinate(key) for key, axis in turns if axis is not None))
         return self.tape.let(total, f"{body.name}_turned")
 
     def expression(self, value: Any) -> Any:

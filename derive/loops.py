@@ -16,7 +16,17 @@ import sympy as sp
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.frames import AXES, Direction
 from hertzwerk.derive.kinematics import Kinematics
-from hertzwerk.derive.mechanism import Cylindrical, Freedom, Joint, Planar, Prismatic, Revolute, Spherical, Universal, Weld
+from hertzwerk.derive.mechanism import (
+    Cylindrical,
+    Freedom,
+    Joint,
+    Planar,
+    Prismatic,
+    Revolute,
+    Spherical,
+    Universal,
+    Weld,
+)
 from hertzwerk.derive.parameter import default_value
 from hertzwerk.derive.vectors import Vector, add, along, cross, dot, sub
 
@@ -51,7 +61,8 @@ def constraints_of(kinematics: Kinematics) -> tuple[Constraint, ...]:
         for freedom in joint.freedoms
         if freedom.key in kinematics.prescribed
     ]
-    never = [constraint for constraint in found if constraint.rate == 0 and constraint.value != 0]
+    still = [constraint for constraint in found if constraint.rate == 0]
+    never = [constraint for constraint in still if sp.expand(kinematics.tape.written_out(constraint.value)) != 0]
     if never:
         faults = [
             Fault(f"joint {constraint.group.split('.')[0]}", f"{constraint.name} = {constraint.value}, whatever the motion",
@@ -191,7 +202,9 @@ class _Closure:
             second = Direction(cross(freedom.axis.unit, first.unit))
             child = self.kin.direction(joint.child, first)
             cosine, sine = (dot(child, self.kin.direction(joint.parent, direction)) for direction in (first, second))
-            left = sine * self._let(sp.cos(wanted), f"{label}_cosine") - cosine * self._let(sp.sin(wanted), f"{label}_sine")
+            left = sine * self._let(sp.cos(wanted), f"{label}_cosine") - cosine * self._let(
+                sp.sin(wanted), f"{label}_sine"
+            )
         else:
             left = found.value - wanted
         return Constraint(

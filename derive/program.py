@@ -105,6 +105,16 @@ class Tape:
         """Whether it depends on parameters alone."""
         return self._groups_of(expression) <= {PARAMETER}
 
+    def written_out(self, expression: Any) -> Any:
+        """An expression over inputs alone, its assignments put in: for constants, which are short."""
+        expression = sp.sympify(expression)
+        known = {
+            symbol: self.written_out(self.assignments[symbol])
+            for symbol in symbols_in(expression)
+            if symbol in self.assignments
+        }
+        return expression.xreplace(known)
+
     def _groups_of(self, expression: Any) -> frozenset[str]:
         """Groups of the inputs that an expression depends on; known parts are not looked through again."""
         found = self._groups.get(expression)

@@ -87,12 +87,14 @@ class Model:
 
     @cached_property
     def joints(self) -> Model:
-        """The mechanism in the coordinates of its joints, of which starts are given: the model itself, or what one in absolute coordinates has of it."""
+        """The mechanism by its joints' coordinates, in which starts are given: itself, or what a model in absolute coordinates has of it."""
         module = self.module
         if not hasattr(module, "JOINT_COORDINATES"):
             return self
         given = {name: getattr(module, name) for name in ("NAME", "PARAMETERS", "CONSTANTS", "LIMITS", "start")}
-        given |= {name: getattr(module, f"JOINT_{name}") for name in ("COORDINATES", "SPEEDS", "QUATERNIONS", "CONSTRAINTS")}
+        given |= {
+            name: getattr(module, f"JOINT_{name}") for name in ("COORDINATES", "SPEEDS", "QUATERNIONS", "CONSTRAINTS")
+        }
         given |= dict.fromkeys(("MEMORY", "LATCHES", "PAIRS", "OUTPUTS"), ())
         given |= {"scales": module.joint_scales, "GIVEN": getattr(module, "GIVEN", ())}
         if module.JOINT_CONSTRAINTS:
