@@ -38,6 +38,7 @@ from hertzwerk.derive import (
 )
 from hertzwerk.derive.derivation import derivation_of
 from hertzwerk.derive.laws import smooth_coulomb
+from hertzwerk.derive.readable.equations import equations_of
 from hertzwerk.derive.scenes.bricard import scene as bricard
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 
@@ -211,6 +212,12 @@ def test_auto_keeps_the_cheaper_and_says_so():
 def test_auto_keeps_the_joints_where_absolute_coordinates_cannot_be_had():
     text = Derived(bricard.with_coordinates("auto")).text
     assert "Coordinates: of the joints; the bodies' own cannot be had: body rod_a, inertia" in text
+
+
+def test_equations_are_shown_in_absolute_coordinates():
+    text = equations_of(SCENES["plane, driven within"].with_coordinates("absolute")).markdown()
+    assert "body4.x" in text
+    assert f"{C}.turned_angle" in text  # what the drive prescribes
 
 
 def test_joint_coordinates_leave_no_trace():
