@@ -27,6 +27,7 @@ from hertzwerk.derive import (
     Y,
     Z,
 )
+from hertzwerk.derive.laws import coulomb
 from hertzwerk.derive.scenes.bricard import scene as bricard
 from hertzwerk.derive.scenes.n_four_bar import L, n_four_bar, v
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
@@ -153,6 +154,20 @@ def test_slider_crank_with_clearance_through_its_impacts():
     assert other["slider.x"] == pytest.approx(one["guide.travel"], abs=1e-9)
     assert absolute.energy_residual < 1e-8
     assert absolute["energy_ledger.input"][-1] == pytest.approx(tree["energy_ledger.input"][-1], rel=1e-6)
+
+
+def test_friction_that_sticks_and_slips():
+    friction = Parameter("friction_coefficient", "1", 0.1)
+    dry = replace(slider_crank.effect("slider_pin_friction"), law=coulomb(mu_k=friction, mu_s=friction))
+    tree, absolute = both(slider_crank.replace(slider_pin_friction=dry), 0.004, accuracy=1e-10)
+    assert len(absolute.impacts) == len(tree.impacts) > 5
+    assert absolute["slider.x"][-1] == pytest.approx(tree["guide.travel"][-1], abs=1e-11)
+    assert absolute.energy_residual < 1e-9
+
+
+def test_redundant_constraints_are_named():
+    run = simulate(load(solid_bricard().with_coordinates("absolute")), duration=0.1)
+    assert any("hinge_f.moment" in warning for warning in run.warnings)
 
 
 def test_joints_have_histories_in_absolute_coordinates_too():
