@@ -4,21 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from functools import cached_property
 from typing import Any
 
 import sympy as sp
 
 from hertzwerk.derive.audit import audit_laws, audit_program, refuse_inconsistent
 from hertzwerk.derive.contact import Forces, PairKinematics
+from hertzwerk.derive.coordinates import MEASURED, Absolute, absolute, placed
 from hertzwerk.derive.dimension import Dimension
 from hertzwerk.derive.effects.expression import tables_in
 from hertzwerk.derive.elements import BOOKED, DISSIPATED, ELEMENTS, element
-from hertzwerk.derive.emit import emit, table_name
+from hertzwerk.derive.emit import emit, flight, table_name
 from hertzwerk.derive.equations import Equations
 from hertzwerk.derive.faults import InputError
 from hertzwerk.derive.joints import Port
 from hertzwerk.derive.kinematics import Kinematics, acceleration_of
 from hertzwerk.derive.laws.law import speed_limit
+from hertzwerk.derive.loops import Constraint, constraints_of
 from hertzwerk.derive.parameter import Interval, Parameter
 from hertzwerk.derive.program import Function, Program, Result, Tape
 from hertzwerk.derive.scene import Contact, Friction, Scene
@@ -39,15 +42,36 @@ def derive(scene: Scene) -> Program:
 
 
 def derivation_of(scene: Scene) -> Program:
-    """The program, not yet audited."""
-    return _Derivation(scene).program()
+    """The program in the scene's coordinates, not yet audited."""
+    return _in_coordinates(scene)[1]
 
 
 def unsolved(scene: Scene) -> Program:
     """The program, not yet audited, with one function more than a module has: `motion`, the equations of motion before they are solved."""
-    derivation = _Derivation(scene)
-    program = derivation.program()
+    derivation, program = _in_coordinates(scene)
     return replace(program, functions=(*program.functions, derivation.motion()))
+
+
+def _in_coordinates(scene: Scene) -> tuple[_Derivation, Program]:
+    """The derivation and its program; "auto" takes what has fewer operations in flight, of equals the joints' coordinates."""
+    if scene.coordinates == "absolute":
+        return _with_program(_Derivation(absolute(scene)))
+    by_joints, tree = _with_program(_Derivation(scene))
+    if scene.coordinates == "tree":
+        return by_joints, tree
+    try:
+        by_bodies, other = _with_program(_Derivation(absolute(scene)))
+    except InputError as error:
+        return by_joints, replace(tree, note=f"of the joints; the bodies' own cannot be had: {error.faults[0].where}")
+    here, there = flight(tree), flight(other)
+    both = f"{here} operations in flight by those of the joints, {there} by the bodies' own"
+    if there < here:
+        return by_bodies, replace(other, note=f"absolute, as the cheaper: {both}")
+    return by_joints, replace(tree, note=f"of the joints, as the cheaper: {both}")
+
+
+def _with_program(derivation: _Derivation) -> tuple[_Derivation, Program]:
+    return derivation, derivation.program()
 
 
 def generate(scene: Scene, source: str = "") -> str:
@@ -77,6 +101,7 @@ class _Derivation:
         rows = list(self.equations.free)
         if scene.ledger:
             rows += self.equations.driven
+        self.driven = [*self.equations.driven, *self.equations.prescribed] if scene.ledger else []
         self.rows = rows
         self.row_units = tuple(row.unit for row in rows)
         self.loops = self.equations.constraints
@@ -101,7 +126,7 @@ class _Derivation:
         if not self.scene.ledger:
             return bristles
         ledger = self.scene.of_kind("ledger")[0].name
-        drives = [(f"{ledger}.input", "J")] if self.equations.driven else []
+        drives = [(f"{ledger}.input", "J")] if self.driven else []
         booked = [
             (f"{effect.name}.{BOOKED.get(effect.kind, DISSIPATED)}", "J")
             for effect in self.scene.effects
@@ -117,7 +142,7 @@ class _Derivation:
 
     def program(self) -> Program:
         functions = [
-            self.start(),
+            *(self.placement() if isinstance(self.scene, Absolute) else [self.start(self.scene, self.kin)]),
             self.scales(),
             self.coordinate_rates(),
             self.gaps(),
@@ -136,34 +161,71 @@ class _Derivation:
         result = Result("c", names, ("",) * len(names), tuple(constants))  # of any unit: see CONSTANTS
         summary = "What depends on the parameters alone, once per run."
         functions.insert(0, self.tape.function("constants", summary, ("p",), [result]))
-        return Program(self.scene, self.tape, tuple(functions), tuple(constants), self._tables())
+        note = "absolute" if isinstance(self.scene, Absolute) else ""
+        return Program(self.scene, self.tape, tuple(functions), tuple(constants), self._tables(), note)
 
     # -- functions of the contract ---------------------------------------------------------------------------------
 
     def _function(self, name: str, summary: str, arguments: str, *results: Result) -> Function:
         return self.tape.function(name, summary, tuple(arguments.split()), results)
 
-    def start(self) -> Function:
+    def start(self, scene: Scene, kin: Kinematics) -> Function:
         """Initial state."""
-        start = self.scene.start
-        q = [sp.sympify(value) for freedom in self.scene.free for value in start.coordinates(freedom)]
-        q += [state.start for state in self.kin.drive_states]
-        u = [sp.sympify(value) for freedom in self.scene.free for value in start.speeds(freedom)]
+        start = scene.start
+        q = [sp.sympify(value) for freedom in scene.free for value in start.coordinates(freedom)]
+        q += [state.start for state in kin.drive_states]
+        u = [sp.sympify(value) for freedom in scene.free for value in start.speeds(freedom)]
+        coordinates, speeds = _ports(scene, kin)
         return self._function(
-            "start", "Coordinates and speeds at t = 0.", "p", self._coordinates("q", q), self._speeds("u", u)
+            "start", "Coordinates and speeds at t = 0.", "p", _vector("q", coordinates, q), _vector("u", speeds, u)
         )
+
+    def placement(self) -> list[Function]:
+        """The start by the joints' coordinates, which say what is given and what follows, and the way from there to those of the bodies."""
+        assert isinstance(self.scene, Absolute)
+        declared, joints = self.scene.declared, self.joints
+        coordinates, speeds = _ports(declared, joints)
+        sizes = self._sizes()
+        q, u = placed(self.scene, joints, self.kin)
+        functions = [
+            self.start(declared, joints),
+            self._function(
+                "joint_scales",
+                "Sizes of the joints' coordinates and speeds.",
+                "p",
+                _vector("sq", coordinates, [sizes[unit] for _, unit in coordinates]),
+                _vector("su", speeds, [sizes[unit] for _, unit in speeds]),
+            ),
+            self._function(
+                "placed",
+                "Coordinates and speeds of the bodies, from those of the joints.",
+                "t joints joint_speeds c",
+                self._coordinates("q", q),
+                self._speeds("u", u),
+            ),
+        ]
+        if self.joint_loops:
+            functions.append(self._closed("joint_constraints", self.joint_loops, "t joints joint_speeds c"))
+        return functions
+
+    @cached_property
+    def joints(self) -> Kinematics:
+        """Of the scene as declared, in the joints' coordinates: where the bodies are at the start."""
+        assert isinstance(self.scene, Absolute)
+        return Kinematics(self.tape, self.scene.declared, ("joints", "joint_speeds", "joint_accelerations"))
+
+    @cached_property
+    def joint_loops(self) -> tuple[Constraint, ...]:
+        """The loops of the scene as declared."""
+        return constraints_of(self.joints)
 
     def scales(self) -> Function:
         """Sizes of everything a tolerance is set for."""
-        scales = self.scene.scales
-        length, speed, arm = sp.sympify(scales.length), sp.sympify(scales.speed), scales.arm
+        scales, of_unit = self.scene.scales, self._sizes()
+        length, speed = sp.sympify(scales.length), sp.sympify(scales.speed)
         mass = self.tape.let(sp.Add(*(sp.sympify(body.mass) for body in self.scene.mechanism.bodies)), "total_mass")
         energy = self.tape.let(mass * speed**2 / 2, "energy_scale")
         force = self.tape.let(energy / length, "force_scale")
-        # a quaternion moves by half the angle
-        of_unit = {"m": length, "m/s": speed}
-        if arm is not None:
-            of_unit |= {"rad": length / arm, "rad/s": speed / arm, "1": length / arm / 2}
         q = [of_unit[port.unit] for port in self._coordinate_names()]
         u = [of_unit[port.unit] for port in self._speed_names()]
         sizes = {
@@ -180,6 +242,16 @@ class _Derivation:
             self._memory_result("sz", [sizes.get(name, energy) for name, _ in self.memory]),
             Result("s", ("length", "speed", "force", "energy"), ("m", "m/s", "N", "J"), (length, speed, force, energy)),
         )
+
+    def _sizes(self) -> dict[str, Any]:
+        """Of coordinates and speeds, by unit."""
+        scales = self.scene.scales
+        length, speed = sp.sympify(scales.length), sp.sympify(scales.speed)
+        if scales.arm is None:
+            return {"m": length, "m/s": speed}
+        # a quaternion moves by half the angle
+        angles = {"rad": length / scales.arm, "rad/s": speed / scales.arm, "1": length / scales.arm / 2}
+        return {"m": length, "m/s": speed, **angles}
 
     def coordinate_rates(self) -> Function:
         """Kinematic equations."""
@@ -281,7 +353,6 @@ class _Derivation:
         }
         a, multipliers = self.equations.accelerations(symbols)
         reactions = self.equations.reactions(symbols, a, multipliers) if self.scene.ledger else []
-        driven = self.equations.driven if self.scene.ledger else []
         labels, units = zip(*(acceleration_of(port) for port in self._speed_names()), strict=True)
         return self._function(
             "accelerations",
@@ -290,21 +361,24 @@ class _Derivation:
             Result("a", labels, units, tuple(a)),
             Result(
                 "reactions",
-                tuple(f"{row.key}.reaction" for row in driven),
-                tuple(row.unit for row in driven),
+                tuple(f"{row.key}.reaction" for row in self.driven),
+                tuple(row.unit for row in self.driven),
                 tuple(reactions),
             ),
-            *((self._rows("multipliers", multipliers, MULTIPLIER_UNITS),) if self.loops else ()),
+            *((_rows("multipliers", self.loops, multipliers, MULTIPLIER_UNITS),) if self.loops else ()),
         )
 
     def constraints(self) -> Function:
         """What closes the loops."""
+        return self._closed("constraints", self.loops, "t q u c")
+
+    def _closed(self, name: str, loops: tuple[Constraint, ...], arguments: str) -> Function:
         return self._function(
-            "constraints",
+            name,
             "What must be zero for the loops to be closed, and its rate.",
-            "t q u c",
-            self._rows("phi", [row.value for row in self.loops], {}),
-            self._rows("dphi", [row.rate for row in self.loops], RATE_UNITS),
+            arguments,
+            _rows("phi", loops, [row.value for row in loops], {}),
+            _rows("dphi", loops, [row.rate for row in loops], RATE_UNITS),
         )
 
     def projection(self) -> Function:
@@ -318,14 +392,6 @@ class _Derivation:
             "Speeds of least kinetic energy that change the constraints at the rates wanted.",
             "t q wanted c",
             self._speeds("v", self.equations.projection(wanted)),
-        )
-
-    def _rows(self, name: str, values: list[Any], units: Mapping[str, str]) -> Result:
-        return Result(
-            name,
-            tuple(row.name for row in self.loops),
-            tuple(units.get(row.unit, row.unit) for row in self.loops),
-            tuple(values),
         )
 
     def motion(self) -> Function:
@@ -353,7 +419,7 @@ class _Derivation:
         """Power put in."""
         power = [
             self.tape.input(f"{row.key.replace('.', '_')}_reaction_in", "reactions", _dimension(row.unit)) * row.speed
-            for row in self.equations.driven
+            for row in self.driven
         ]
         drives = f"{self.scene.of_kind('ledger')[0].name}.input"
         rows = {
@@ -424,24 +490,36 @@ class _Derivation:
         return self._function("outputs", "Named quantities, see OUTPUTS.", "t q u c", result)
 
     def _outputs(self) -> list[tuple[str, str, Any]]:
-        return [row for pair, _, _ in self.contacts for row in pair.touch.outputs()]
+        of_pairs = [row for pair, _, _ in self.contacts for row in pair.touch.outputs()]
+        return of_pairs + (self._joint_outputs() if isinstance(self.scene, Absolute) else [])
+
+    def _joint_outputs(self) -> list[tuple[str, str, Any]]:
+        """What the joints' coordinates and speeds are, where they can be measured."""
+        closures = [joint for joint in self.scene.mechanism.closures if type(joint).__name__ in MEASURED]
+        freedoms = [freedom for joint in closures for freedom in joint.freedoms]
+        rows = [
+            (port, value)
+            for freedom in freedoms
+            for port, value in (
+                (freedom.coordinates[0], self.kin.coordinate(freedom.key)),
+                (freedom.speeds[0], self.kin.speed(freedom.key)),
+            )
+        ]
+        return [(port.name, port.unit, value) for port, value in rows if value is not None]
 
     # -- ports -----------------------------------------------------------------------------------------------------
 
     def _coordinate_names(self) -> list[Port]:
-        free = [port for freedom in self.scene.free for port in freedom.coordinates]
-        return free + [state.port for state in self.kin.drive_states]
+        return _ports(self.scene, self.kin)[0]
 
     def _speed_names(self) -> list[Port]:
-        return [port for freedom in self.scene.free for port in freedom.speeds]
+        return _ports(self.scene, self.kin)[1]
 
     def _coordinates(self, name: str, values: list[Any]) -> Result:
-        names = self._coordinate_names()
-        return Result(name, tuple(n for n, _ in names), tuple(u for _, u in names), tuple(values))
+        return _vector(name, self._coordinate_names(), values)
 
     def _speeds(self, name: str, values: list[Any]) -> Result:
-        names = self._speed_names()
-        return Result(name, tuple(n for n, _ in names), tuple(u for _, u in names), tuple(values))
+        return _vector(name, self._speed_names(), values)
 
     def _forces(self, name: str, values: list[Any]) -> Result:
         return Result(name, tuple(row.key for row in self.rows), self.row_units, tuple(values))
@@ -472,16 +550,28 @@ class _Derivation:
 
     def _loop_tables(self) -> dict[str, tuple[Any, ...]]:
         """The constraints, and what of the start is stated and not to be found by assembly."""
-        stated = [name for freedom in self.scene.free for name in self.scene.start.stated(freedom)]
-        given = (*stated, *(state.port.name for state in self.kin.drive_states))
-        return {"CONSTRAINTS": tuple((row.name, row.unit) for row in self.loops), "GIVEN": given}
+        loops = {"CONSTRAINTS": _names(self.loops)} if self.loops else {}
+        if not isinstance(self.scene, Absolute):
+            return loops | {"GIVEN": _given(self.scene, self.kin)} if loops else {}
+        coordinates, speeds = _ports(self.scene.declared, self.joints)
+        given = {"GIVEN": _given(self.scene.declared, self.joints)} if self.joint_loops else {}
+        return (
+            loops
+            | given
+            | {
+                "JOINT_COORDINATES": tuple(map(tuple, coordinates)),
+                "JOINT_SPEEDS": tuple(map(tuple, speeds)),
+                "JOINT_QUATERNIONS": _quaternions(coordinates),
+                "JOINT_CONSTRAINTS": _names(self.joint_loops),
+            }
+        )
 
     def _tables(self) -> Mapping[str, tuple[Any, ...]]:
         scene = self.scene
         pairs = [pair.pair.name for pair, _, _ in self.contacts]
         entries = [name for name, _ in self.memory]
         meanings = meanings_of(scene)
-        quaternions = tuple(i for i, port in enumerate(self._coordinate_names()) if port.name.endswith(".q0"))
+        quaternions = _quaternions(self._coordinate_names())
         return {
             "EFFECTS": tuple((effect.name, effect.kind, effect.text) for effect in scene.effects),
             "UNCHECKED": tuple((e.name, e.text) for e in scene.effects if getattr(e, "unchecked", False)),
@@ -498,7 +588,7 @@ class _Derivation:
             **self._slips(),
             "RELEASES": tuple("force" if c.damping is None else c.damping.law.release for _, c, _ in self.contacts),
             "DISSIPATED": tuple(entries.index(f"{name}.dissipated") for name in pairs) if scene.ledger else (),
-            **(self._loop_tables() if self.loops else {}),
+            **self._loop_tables(),
             **({"BRISTLES": tuple(self._bristle_rows())} if self.bristles else {}),
             "OUTPUTS": tuple((name, unit) for name, unit, _ in self._outputs()),
             **({"SPEED_LIMITED": tuple(self.limited)} if self.limited else {}),
@@ -509,6 +599,37 @@ class _Derivation:
     def _tables_used(self) -> list[Table]:
         """Tables that stand in some expression of the scene."""
         return list(dict.fromkeys(table for slot in self.scene.slots() for table in tables_in(slot.value)))
+
+
+def _ports(scene: Scene, kin: Kinematics) -> tuple[list[Port], list[Port]]:
+    """Coordinates, with what drives integrate, and speeds."""
+    coordinates = [port for freedom in scene.free for port in freedom.coordinates]
+    coordinates += [state.port for state in kin.drive_states]
+    return coordinates, [port for freedom in scene.free for port in freedom.speeds]
+
+
+def _vector(name: str, ports: list[Port], values: list[Any]) -> Result:
+    return Result(name, tuple(port.name for port in ports), tuple(port.unit for port in ports), tuple(values))
+
+
+def _rows(name: str, loops: tuple[Constraint, ...], values: list[Any], units: Mapping[str, str]) -> Result:
+    labels, of = tuple(row.name for row in loops), tuple(units.get(row.unit, row.unit) for row in loops)
+    return Result(name, labels, of, tuple(values))
+
+
+def _names(loops: tuple[Constraint, ...]) -> tuple[tuple[str, str], ...]:
+    return tuple((row.name, row.unit) for row in loops)
+
+
+def _quaternions(ports: list[Port]) -> tuple[int, ...]:
+    """Where quaternions begin."""
+    return tuple(i for i, port in enumerate(ports) if port.name.endswith(".q0"))
+
+
+def _given(scene: Scene, kin: Kinematics) -> tuple[str, ...]:
+    """What of the start is stated, and not to be found by assembly."""
+    stated = [name for freedom in scene.free for name in scene.start.stated(freedom)]
+    return (*stated, *(state.port.name for state in kin.drive_states))
 
 
 def _limits(scene: Scene) -> list[tuple[Any, ...]]:

@@ -46,7 +46,7 @@ def element(effect: Any, kin: Kinematics, length: Any) -> Element:
 @element.register
 def _(effect: JointForce, kin: Kinematics, length: Any) -> Element:
     force = kin.tape.let(kin.expression(effect.force), f"{effect.name}_force")
-    return Element({effect.joint: force}, power=force * kin.speed(effect.joint))
+    return Element(kin.on_joint(effect.joint, force, effect.name), power=force * kin.speed(effect.joint))
 
 
 @element.register
@@ -67,12 +67,13 @@ def _(effect: BodyTorque, kin: Kinematics, length: Any) -> Element:
 @element.register
 def _(effect: Potential, kin: Kinematics, length: Any) -> Element:
     energy = as_choice(effect.energy)
-    forces = {
-        symbol.joint: kin.tape.let(
+    forces: dict[str, Any] = {}
+    for symbol in states_in(energy):
+        force = kin.tape.let(
             kin.expression(-sp.diff(energy, symbol)), f"{effect.name}_on_{symbol.joint.replace('.', '_')}"
         )
-        for symbol in states_in(energy)
-    }
+        for row, share in kin.on_joint(symbol.joint, force, effect.name).items():
+            forces[row] = forces.get(row, sp.S.Zero) + share
     return Element(forces, stored=kin.expression(energy))
 
 
@@ -80,14 +81,14 @@ def _(effect: Potential, kin: Kinematics, length: Any) -> Element:
 def _(effect: JointSpring, kin: Kinematics, length: Any) -> Element:
     stretch = kin.tape.let(kin.coordinate(effect.joint) - sp.sympify(effect.rest), f"{effect.name}_stretch")
     force = kin.tape.let(-sp.sympify(effect.stiffness) * stretch, f"{effect.name}_force")
-    return Element({effect.joint: force}, stored=sp.sympify(effect.stiffness) * stretch**2 / 2)
+    return Element(kin.on_joint(effect.joint, force, effect.name), stored=sp.sympify(effect.stiffness) * stretch**2 / 2)
 
 
 @element.register
 def _(effect: JointDamper, kin: Kinematics, length: Any) -> Element:
     speed = kin.speed(effect.joint)
     force = kin.tape.let(-sp.sympify(effect.damping) * speed, f"{effect.name}_force")
-    return Element({effect.joint: force}, power=-force * speed)
+    return Element(kin.on_joint(effect.joint, force, effect.name), power=-force * speed)
 
 
 @element.register
@@ -122,7 +123,8 @@ def _(effect: JointFriction, kin: Kinematics, length: Any) -> Element:
     for symbol, expression in law.definitions:
         values[symbol] = kin.tape.let(expression.xreplace(values), f"{effect.name}_{symbol.name}")
     drag = kin.tape.let(law.force.xreplace(values), f"{effect.name}_drag")
-    return Element({effect.joint: kin.tape.let(-arm * drag, f"{effect.name}_force")}, power=drag * sliding)
+    force = kin.tape.let(-arm * drag, f"{effect.name}_force")
+    return Element(kin.on_joint(effect.joint, force, effect.name), power=drag * sliding)
 
 
 def _resolved(components: Any, axes: Frame, kin: Kinematics, name: str) -> Vector:

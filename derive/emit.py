@@ -20,6 +20,7 @@ from hertzwerk.derive.program import Function, Program, Result, reads, shared
 from hertzwerk.derive.tables import Spline
 
 _WIDTH = 116  # columns of the text
+FLIGHT = ("applied", "accelerations", "gaps", "gap_accelerations")  # what a right-hand side costs where nothing touches
 _SUM, _PRODUCT, _UNARY, _POWER, _ATOM = range(1, 6)
 
 
@@ -248,6 +249,8 @@ _ARGUMENTS = {
     "f": "f: generalised forces",
     "reactions": "reactions of the drives",
     "wanted": "wanted: rates of CONSTRAINTS",
+    "joints": "joints: JOINT_COORDINATES",
+    "joint_speeds": "joint_speeds: JOINT_SPEEDS",
 }
 
 
@@ -332,6 +335,13 @@ def operations(text: str) -> int:
     return count
 
 
+def flight(program: Program) -> int:
+    """Operations of one right-hand side where nothing touches."""
+    return sum(
+        operations(function_text(program, function)) for function in program.functions if function.name in FLIGHT
+    )
+
+
 def _helper_operations(name: str) -> int:
     """Of a helper, the three steps of a loop counted."""
     text = _HELPERS[name]
@@ -368,7 +378,6 @@ def emit(program: Program, source: str) -> str:
 def _header(program: Program, source: str, counts: dict[str, int]) -> str:
     scene = program.scene
     assignments, outputs = checked(program)
-    flight = sum(counts[name] for name in ("applied", "accelerations", "gaps", "gap_accelerations"))
     contacts = ", ".join(f"{name} {count}" for name, count in counts.items() if name.startswith("contact_"))
     unchecked = [effect for effect, _ in program.tables["UNCHECKED"]]
     verdict = (
@@ -386,7 +395,8 @@ def _header(program: Program, source: str, counts: dict[str, int]) -> str:
             "Effects:",
             *(f"    {effect.name}: {_prose(effect.text)}" for effect in scene.effects),
             f"Units: {verdict}",
-            f"Operations: flight {flight} (equations of motion and gaps){contact}",
+            *([f"Coordinates: {program.note}"] if program.note else []),
+            f"Operations: flight {sum(counts[name] for name in FLIGHT)} (equations of motion and gaps){contact}",
             '"""',
         )
     )
@@ -411,4 +421,4 @@ def _prose(text: str) -> str:
     return text.replace("\\", "\\\\").replace('"', "'")
 
 
-__all__ = ["EmitError", "emit", "expression_text", "function_text", "operations"]
+__all__ = ["FLIGHT", "EmitError", "emit", "expression_text", "flight", "function_text", "operations"]

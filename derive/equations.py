@@ -40,6 +40,7 @@ class Equations:
         self.free = [row for row in self.rows if row.free]
         self.driven = [row for row in self.rows if not row.free]
         self.constraints = constraints_of(kinematics)
+        self.prescribed = [row for _, (row,) in kinematics.prescribed.values()]
         self._pull = cache(self._pull_in)  # keyed by links, which live as long as this does
         self.mass_matrix = cache(self._mass_matrix)
 
@@ -148,7 +149,7 @@ class Equations:
         return Loops(self.tape, self.constraints, self._factor)
 
     def reactions(self, forces: dict[str, Any], accelerations: list[Any], multipliers: list[Any]) -> list[Any]:
-        """What each drive must supply: its row of M a + bias - f - G^T multipliers [N m or N]."""
+        """What each drive must supply [N m or N]: its row of M a + bias - f - G^T multipliers; of a joint that closes a loop its multiplier."""
         mass = self.mass_matrix()
         out = []
         for row in self.driven:
@@ -164,7 +165,8 @@ class Equations:
             ]
             needed = sp.Add(*terms) + self.bias(row) - forces[row.key] - sp.Add(*held)
             out.append(self.tape.let(needed, f"{row.key.replace('.', '_')}_reaction"))
-        return out
+        held_by = {constraint.drives: force for constraint, force in zip(self.constraints, multipliers, strict=True)}
+        return [*out, *(held_by[row.key] for row in self.prescribed)]
 
     # -- energy ----------------------------------------------------------------------------------------------------
 

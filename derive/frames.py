@@ -61,6 +61,7 @@ class Direction:
 X = Direction((1, 0, 0))
 Y = Direction((0, 1, 0))
 Z = Direction((0, 0, 1))
+AXES = (X, Y, Z)
 
 
 @dataclass(frozen=True)
@@ -141,6 +142,10 @@ class Point:
         for axis, angle in self.turns:
             matrix = multiply(matrix, about(axis.unit, sp.cos(angle), sp.sin(angle)))
         return matrix
+
+    def turned_about(self, k: int) -> Any:
+        """Angle of its axes about a coordinate axis that all its turns are about [rad]."""
+        return sp.Add(*(axis.unit[k] * angle for axis, angle in self.turns))
 
     def slots(self) -> Iterator[Slot]:
         """The coordinates of the point and the angles of its axes."""

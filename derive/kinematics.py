@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
@@ -37,6 +37,9 @@ from hertzwerk.derive.vectors import (
     sub,
     transpose,
 )
+
+if TYPE_CHECKING:
+    from hertzwerk.derive.loops import Measured
 
 
 @dataclass(frozen=True)
@@ -67,15 +70,15 @@ class Kinematics:
     `q`, `u`, `a` are the free coordinates, speeds, accelerations, and `rates` the rates of `q`; `t` is time.
     """
 
-    def __init__(self, tape: Tape, scene: Scene) -> None:
+    def __init__(self, tape: Tape, scene: Scene, groups: tuple[str, str, str] = ("q", "u", "a")) -> None:
         self.tape = tape
         self.mechanism: Mechanism = scene.mechanism
         self.t = tape.input("t", "t", Dimension.from_unit(parse_unit("s"), {}))
         tape.set_rate(self.t, sp.S.One)
         free = scene.free
-        inputs = [[self._input(port, "q") for port in freedom.coordinates] for freedom in free]
-        speeds = [[self._input(port, "u") for port in freedom.speeds] for freedom in free]
-        seconds = [[self._input(acceleration_of(port), "a") for port in freedom.speeds] for freedom in free]
+        inputs = [[self._input(port, groups[0]) for port in freedom.coordinates] for freedom in free]
+        speeds = [[self._input(port, groups[1]) for port in freedom.speeds] for freedom in free]
+        seconds = [[self._input(acceleration_of(port), groups[2]) for port in freedom.speeds] for freedom in free]
         self.q, self.u, self.a = ([symbol for part in parts for symbol in part] for parts in (inputs, speeds, seconds))
         self.rates: list[Any] = []
         self.drive_states: list[DriveState] = []
@@ -89,7 +92,8 @@ class Kinematics:
             motion[freedom.key] = tuple(q), tuple(Row(*port, speed, rate, True) for port, speed, rate in of_rows)
         for freedom in scene.mechanism.freedoms:
             if freedom.key not in motion:
-                motion[freedom.key] = self._driven(freedom, scene)
+                motion[freedom.key] = self._driven(freedom, scene, groups[0])
+        self.prescribed = {freedom.key: self._driven(freedom, scene, groups[0]) for freedom in scene.prescribed}
         self._states = {key: (q[0], rows[0].speed) for key, (q, rows) in motion.items()}
         self._motions = motion
         self.tree = Tree(tape, scene.mechanism, motion)
@@ -99,13 +103,15 @@ class Kinematics:
         self._rotations: dict[Orientation, Matrix] = {}
         self.origin_of = cache(self._origin)
         self.direction_of = cache(self._direction)
+        self.turned = cache(self._turned_about)
+        self._measured = cache(self._measure)
 
-    def _driven(self, freedom: Freedom, scene: Scene) -> tuple[tuple[Any, ...], tuple[Row, ...]]:
+    def _driven(self, freedom: Freedom, scene: Scene, group: str) -> tuple[tuple[Any, ...], tuple[Row, ...]]:
         """Coordinate, speed and acceleration of a driven freedom: the drive's law and its derivatives, and below it the states that integrate it."""
         motion = scene.driven[freedom.key].motion
         ports = (*freedom.coordinates, *freedom.speeds, *map(acceleration_of, freedom.speeds))
         names = [port.name.replace(".", "_") for port in ports]
-        chain: list[Any] = [self._input(port, "q") for port in ports[: motion.order]]
+        chain: list[Any] = [self._input(port, group) for port in ports[: motion.order]]
         law = motion.law.xreplace({T: self.t})
         uniform = motion.order == 0 and sp.diff(law, self.t, 2) == 0  # one product, named where it is used
         chain.append(law if uniform else self.tape.let(law, names[motion.order]))
@@ -125,12 +131,36 @@ class Kinematics:
         return coordinates, tuple(row.speed for row in rows)
 
     def coordinate(self, key: str) -> Any:
-        """Coordinate of a scalar freedom, free or driven [rad or m]."""
-        return self._states[key][0]
+        """Coordinate of a scalar freedom, free, driven or measured on a closing joint [rad or m]."""
+        return self._states[key][0] if key in self._states else self._measured(key).value
 
     def speed(self, key: str) -> Any:
         """Its rate [rad/s or m/s]."""
-        return self._states[key][1]
+        return self._states[key][1] if key in self._states else self._measured(key).rate
+
+    def on_joint(self, key: str, force: Any, name: str) -> dict[str, Any]:
+        """Generalised forces, by row, of a force along a slide or a torque about a turn, on its child; the parent feels the opposite."""
+        if key in self._states:
+            return {key: force}
+        return {
+            row: self.tape.let(force * share, f"{name}_on_{row.replace('.', '_')}")
+            for row, share in self._measured(key).column.items()
+        }
+
+    def _measure(self, key: str) -> Measured:
+        from hertzwerk.derive.loops import measured  # which is written on this
+
+        return measured(self, key)
+
+    def _turned_about(self, body: Frame, k: int) -> Any:
+        """Angle of a body against the ground about a coordinate axis that all turns on the way to it are about [rad]."""
+        joint = self.mechanism.joint_of(body)
+        if joint is None:
+            return sp.S.Zero
+        turns = ((freedom.key, freedom.axis) for freedom in joint.freedoms if freedom.kind == "turn")
+        total = self.turned(joint.parent.body, k) + joint.parent.turned_about(k) - joint.child.turned_about(k)
+        total += sp.Add(*(axis.unit[k] * self.coordinate(key) for key, axis in turns if axis is not None))
+        return self.tape.let(total, f"{body.name}_turned")
 
     def expression(self, value: Any) -> Any:
         """An expression of a scene over the tape: time, and the coordinates and speeds of free and driven freedoms."""

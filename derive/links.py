@@ -20,7 +20,7 @@ from hertzwerk.derive.axes import Change, Fixed, Turn
 from hertzwerk.derive.joints import Freedom, Joint
 from hertzwerk.derive.mechanism import GROUND, Frame, Mechanism, Point
 from hertzwerk.derive.parameter import default_value
-from hertzwerk.derive.program import Tape, symbols_in
+from hertzwerk.derive.program import Tape
 from hertzwerk.derive.vectors import (
     IDENTITY,
     ZERO,
@@ -235,10 +235,7 @@ class Tree:
 
     def _default(self, expression: Any) -> float:
         """Value of a constant on the tape at the parameters' defaults."""
-        made = self.tape.assignments
-        while named := [symbol for symbol in symbols_in(expression) if symbol in made]:
-            expression = expression.xreplace({symbol: made[symbol] for symbol in named})
-        return default_value(expression)
+        return default_value(self.tape.written_out(expression))
 
     def _named(self, matrix: Matrix, name: str) -> Matrix:
         return self.tape.matrix(matrix, name)

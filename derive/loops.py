@@ -11,15 +11,26 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
+import sympy as sp
+
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.derive.frames import Direction, X, Y, Z
+from hertzwerk.derive.frames import AXES, Direction
 from hertzwerk.derive.kinematics import Kinematics
-from hertzwerk.derive.mechanism import Cylindrical, Joint, Planar, Prismatic, Revolute, Spherical, Universal, Weld
+from hertzwerk.derive.mechanism import (
+    Cylindrical,
+    Freedom,
+    Joint,
+    Planar,
+    Prismatic,
+    Revolute,
+    Spherical,
+    Universal,
+    Weld,
+)
 from hertzwerk.derive.parameter import default_value
 from hertzwerk.derive.vectors import Vector, add, along, cross, dot, sub
 
 CLOSING = (Revolute, Prismatic, Cylindrical, Planar, Universal, Spherical, Weld)  # joints that can close a loop
-AXES = (X, Y, Z)
 
 
 @dataclass(frozen=True)
@@ -27,7 +38,7 @@ class Constraint:
     """`value` must be zero, as must its rate; its acceleration is `column` . a + `bias`.
 
     `column` holds, by row of the equations of motion, the generalised force of a unit multiplier. The constraints of a `group` are components of
-    one vector, or of one unit.
+    one vector, or of one unit. Where a drive prescribes it, `drives` is the freedom driven, and the multiplier what the drive supplies.
     """
 
     name: str
@@ -37,13 +48,21 @@ class Constraint:
     rate: Any
     bias: Any
     column: dict[str, Any]
+    drives: str = ""
 
 
 def constraints_of(kinematics: Kinematics) -> tuple[Constraint, ...]:
     """The constraints of a mechanism's closing joints, in declared order; raises InputError where one can never be met."""
     mechanism = kinematics.mechanism
     found = [constraint for joint in mechanism.closures for constraint in _Closure(kinematics, joint).constraints()]
-    never = [constraint for constraint in found if constraint.rate == 0 and constraint.value != 0]
+    found += [
+        _Closure(kinematics, joint).driven(freedom)
+        for joint in mechanism.closures
+        for freedom in joint.freedoms
+        if freedom.key in kinematics.prescribed
+    ]
+    still = [constraint for constraint in found if constraint.rate == 0]
+    never = [constraint for constraint in still if sp.expand(kinematics.tape.written_out(constraint.value)) != 0]
     if never:
         faults = [
             Fault(f"joint {constraint.group.split('.')[0]}", f"{constraint.name} = {constraint.value}, whatever the motion",
@@ -52,6 +71,24 @@ def constraints_of(kinematics: Kinematics) -> tuple[Constraint, ...]:
         ]  # fmt: skip
         raise InputError(f"mechanism {mechanism.name}", faults)
     return tuple(constraint for constraint in found if constraint.rate != 0 and constraint.value != 0)
+
+
+@dataclass(frozen=True)
+class Measured:
+    """The coordinate of a freedom of a closing joint (None for an angle in space, which is known up to whole turns alone) and its rate; its
+    acceleration is `column` . a + `bias`, and `column` holds the generalised forces of a unit force on it."""
+
+    value: Any
+    rate: Any
+    bias: Any
+    column: dict[str, Any]
+
+
+def measured(kinematics: Kinematics, key: str) -> Measured:
+    """Of the freedom of this key."""
+    freedoms = ((joint, freedom) for joint in kinematics.mechanism.closures for freedom in joint.freedoms)
+    joint, freedom = next(entry for entry in freedoms if entry[1].key == key)
+    return _Closure(kinematics, joint).measured(freedom)
 
 
 class _Closure:
@@ -127,6 +164,59 @@ class _Closure:
             self._let(dot(sub(alpha, beta), about) + dot(turning, moving), f"turned_{label}_bias"),
             _without_zeros(self.kin.generalised_moment(about, *self.bodies, f"{self.joint.name}_turned_{label}")),
         )  # fmt: skip
+
+    def measured(self, freedom: Freedom) -> Measured:
+        """How far the child has gone in a freedom of the joint: a travel along the parent's axis, or an angle about the axis of both."""
+        axis, label = freedom.axis, freedom.coordinates[0].name.rsplit(".", 1)[1]
+        assert axis is not None  # balls are not measured
+        if freedom.kind == "slide":
+            travel = self._slide(axis, label)
+            return Measured(travel.value, travel.rate, travel.bias, travel.column)
+        (w, v), (alpha, beta) = (motion.angular_velocity for motion in self.motions), self.biases
+        about = self.kin.direction(self.joint.child, axis)
+        turning = self.tape.vector(sub(w, v), f"{self.joint.name}_turning")
+        return Measured(
+            self._angle(axis, label),
+            self._let(dot(turning, about), f"{label}_rate"),
+            self._let(dot(sub(alpha, beta), about) + dot(turning, cross(w, about)), f"{label}_bias"),
+            _without_zeros(self.kin.generalised_moment(about, *self.bodies, f"{self.joint.name}_{label}")),
+        )
+
+    def _angle(self, axis: Direction, label: str) -> Any:
+        """Of the child against the parent about an axis across the plane of motion; it counts turns. None in space."""
+        k = self.kin.mechanism.plane
+        if k is None:
+            return None
+        one, two = (self.kin.turned(body, k) for body in self.bodies)
+        turned = one + self.joint.child.turned_about(k) - two - self.joint.parent.turned_about(k)
+        return self._let(axis.unit[k] * turned, label)
+
+    def driven(self, freedom: Freedom) -> Constraint:
+        """The freedom goes as its drive says; of an angle in space the sine of what is left must vanish."""
+        (wanted,), (row,) = self.kin.prescribed[freedom.key]
+        found, joint, slides = self.measured(freedom), self.joint, freedom.kind == "slide"
+        label = freedom.coordinates[0].name.rsplit(".", 1)[1]
+        if found.value is None:
+            assert freedom.axis is not None
+            (first, _), _ = _across(freedom.axis)
+            second = Direction(cross(freedom.axis.unit, first.unit))
+            child = self.kin.direction(joint.child, first)
+            cosine, sine = (dot(child, self.kin.direction(joint.parent, direction)) for direction in (first, second))
+            left = sine * self._let(sp.cos(wanted), f"{label}_cosine") - cosine * self._let(
+                sp.sin(wanted), f"{label}_sine"
+            )
+        else:
+            left = found.value - wanted
+        return Constraint(
+            f"{joint.name}.{'off' if slides else 'turned'}_{label}",
+            "m" if slides else "1",
+            f"{joint.name}.{label}",
+            self._let(left, f"{label}_left"),
+            self._let(found.rate - row.speed, f"{label}_left_rate"),
+            self._let(found.bias - row.acceleration, f"{label}_left_bias"),
+            found.column,
+            freedom.key,
+        )
 
     def _let(self, expression: Any, what: str) -> Any:
         return self.tape.let(expression, f"{self.joint.name}_{what}")

@@ -34,6 +34,7 @@ from hertzwerk.derive.pairs import (
     SphereOnPlane,
     SphereOnSphere,
 )
+from hertzwerk.derive.vectors import along
 
 
 @dataclass(frozen=True)
@@ -76,12 +77,27 @@ class Mechanism:
         """Those of the tree's joints, in order."""
         return tuple(freedom for joint in self.tree for freedom in joint.freedoms)
 
+    @cached_property
+    def plane(self) -> int | None:
+        """Coordinate axis across the plane all bodies move in, by structure: all turns are about it, all slides across it. None in space."""
+        return next((k for k in (2, 1, 0) if all(_stays_across(joint, k) for joint in self.joints)), None)
+
     def slots(self) -> Iterator[Slot]:
         """Every quantity of the mechanism, in declared order."""
         for body in self.bodies:
             yield from body.slots()
         for part in (*self.joints, *self.pairs):
             yield from part.slots()
+
+
+def _stays_across(joint: Joint, k: int) -> bool:
+    """Whether a joint turns about a coordinate axis and slides across it, its points' axes included."""
+    turned = (axis for point in (joint.parent, joint.child) for axis, _ in point.turns)
+    turns = (freedom.axis for freedom in joint.freedoms if freedom.kind != "slide")
+    slides = (freedom.axis for freedom in joint.freedoms if freedom.kind == "slide")
+    return all(axis is not None and along(axis.unit) == k for axis in (*turned, *turns)) and all(
+        axis is not None and axis.unit[k] == 0 for axis in slides
+    )
 
 
 __all__ = [

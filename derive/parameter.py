@@ -15,7 +15,7 @@ from hertzwerk.derive.dimension import Dimension
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.units import Unit, UnitError, parse_unit
 
-RESERVED = ("ca", "t", "p", "q", "u", "a", "f", "z", "m", "c", "wanted", "reactions")
+RESERVED = ("ca", "t", "p", "q", "u", "a", "f", "z", "m", "c", "wanted", "reactions", "joints", "joint_speeds")
 """Names that generated functions use for their arguments and for CasADi."""
 
 

@@ -105,6 +105,16 @@ class Tape:
         """Whether it depends on parameters alone."""
         return self._groups_of(expression) <= {PARAMETER}
 
+    def written_out(self, expression: Any) -> Any:
+        """An expression over inputs alone, its assignments put in: for constants, which are short."""
+        expression = sp.sympify(expression)
+        known = {
+            symbol: self.written_out(self.assignments[symbol])
+            for symbol in symbols_in(expression)
+            if symbol in self.assignments
+        }
+        return expression.xreplace(known)
+
     def _groups_of(self, expression: Any) -> frozenset[str]:
         """Groups of the inputs that an expression depends on; known parts are not looked through again."""
         found = self._groups.get(expression)
@@ -282,6 +292,8 @@ class Program:
     constants: tuple[sp.Symbol, ...]
     tables: Mapping[str, tuple[Any, ...]]
     """Name of a module-level table (COORDINATES, PAIRS, ...) -> its rows."""
+    note: str = ""
+    """Which coordinates these are, and why, where they are not simply those of the joints."""
     units: Mapping[sp.Symbol, str] = field(default_factory=dict)
     """Unit of every input and assignment, once the audit has passed."""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Literal
 
 import sympy as sp
 
@@ -207,7 +207,10 @@ class Scales:
 class Scene:
     """A mechanism plus the effects it calls for. Raises InputError, listing every fault, if it is not sound.
 
-    `without`, `replace`, `with_law` and `named` give new scenes; nothing is mutated.
+    coordinates  "tree": those of the joints that carry a body; "absolute": of every body, all joints are constraints; "auto": of both what
+                 takes fewer operations
+
+    `without`, `replace`, `with_law`, `named` and `with_coordinates` give new scenes; nothing is mutated.
     """
 
     mechanism: Mechanism
@@ -216,6 +219,7 @@ class Scene:
     start: Start = field(default_factory=Start)
     name: str = ""
     summary: str = ""
+    coordinates: Literal["tree", "absolute", "auto"] = "tree"
 
     def __post_init__(self) -> None:
         if not self.name:
@@ -239,6 +243,10 @@ class Scene:
     def named(self, name: str, summary: str = "") -> Scene:
         """The same scene under another name."""
         return replace(self, name=name, summary=summary or self.summary)
+
+    def with_coordinates(self, coordinates: Literal["tree", "absolute", "auto"]) -> Scene:
+        """The same scene in other coordinates."""
+        return replace(self, coordinates=coordinates)
 
     def with_law(self, effect_name: str, law_name: str) -> Scene:
         """The scene with one law of one effect exchanged for the law `law_name`, given the same parameters by name."""
@@ -297,6 +305,12 @@ class Scene:
     def free(self) -> tuple[Freedom, ...]:
         """The freedoms that keep their coordinates."""
         return tuple(freedom for freedom in self.mechanism.freedoms if freedom.key not in self.driven)
+
+    @property
+    def prescribed(self) -> tuple[Freedom, ...]:
+        """Driven freedoms of joints that close a loop; in joint coordinates there are none."""
+        freedoms = (freedom for joint in self.mechanism.closures for freedom in joint.freedoms)
+        return tuple(freedom for freedom in freedoms if freedom.key in self.driven)
 
     @cached_property
     def size(self) -> float:

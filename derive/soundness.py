@@ -76,6 +76,8 @@ def faults_of(scene: Scene) -> tuple[Fault, ...]:
 
 
 def _type_faults(scene: Scene) -> Iterator[Fault]:
+    if scene.coordinates not in ("tree", "absolute", "auto"):
+        yield Fault("coordinates", repr(scene.coordinates), "'tree', 'absolute' or 'auto'")
     for effect in scene.effects:
         if not hasattr(effect, "kind") or not hasattr(effect, "name"):
             yield Fault(

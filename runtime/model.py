@@ -9,7 +9,7 @@ from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
@@ -56,7 +56,7 @@ class Declaration:
 class Model:
     """A scene that can be simulated. `declaration` is where it comes from; a saved run has none."""
 
-    def __init__(self, module: ModuleType, declaration: Declaration | None = None) -> None:
+    def __init__(self, module: ModuleType | SimpleNamespace, declaration: Declaration | None = None) -> None:
         self.module = module
         self.declaration = declaration
         self.name: str = module.NAME
@@ -85,6 +85,22 @@ class Model:
         module = self.module
         return {row[0]: row[1] for rows in (module.COORDINATES, module.SPEEDS, module.MEMORY) for row in rows}
 
+    @cached_property
+    def joints(self) -> Model:
+        """The mechanism by its joints' coordinates, in which starts are given: itself, or what a model in absolute coordinates has of it."""
+        module = self.module
+        if not hasattr(module, "JOINT_COORDINATES"):
+            return self
+        given = {name: getattr(module, name) for name in ("NAME", "PARAMETERS", "CONSTANTS", "LIMITS", "start")}
+        given |= {
+            name: getattr(module, f"JOINT_{name}") for name in ("COORDINATES", "SPEEDS", "QUATERNIONS", "CONSTRAINTS")
+        }
+        given |= dict.fromkeys(("MEMORY", "LATCHES", "PAIRS", "OUTPUTS"), ())
+        given |= {"scales": module.joint_scales, "GIVEN": getattr(module, "GIVEN", ())}
+        if module.JOINT_CONSTRAINTS:
+            given["constraints"] = module.joint_constraints
+        return Model(SimpleNamespace(**given))
+
     def function(self, name: str) -> Any:
         """CasADi function of one of the module's builders, e.g. "gaps" or "contact_slider_pin"; inputs and outputs as the module documents them."""
         return self.once(name, lambda: self._build(name))
@@ -106,6 +122,8 @@ class Model:
             "p": len(self.parameters),
             "a": self.nu,
             "wanted": self.nl,
+            "joints": self.joints.nq,
+            "joint_speeds": self.joints.nu,
         }
         inputs = _INPUTS["contact" if name.startswith("contact_") else name].split()
         if "f" in inputs:
@@ -156,6 +174,7 @@ class Model:
 _INPUTS = {
     "constants": "p",
     "start": "p",
+    "placed": "t joints joint_speeds c",
     "scales": "p",
     "coordinate_rates": "t q u c",
     "gaps": "t q u c",

@@ -332,7 +332,19 @@ def _duration(duration: str | float | None, faults: list[Fault]) -> float:
 def _start(
     model: Model, bound: Bound | None, initial: Mapping[str, Value], faults: list[Fault]
 ) -> tuple[np.ndarray, np.ndarray]:
-    """q and u at the start: the model's, with `initial` in their place."""
+    """q and u at the start: the model's, with `initial` in their place; in absolute coordinates both are of the joints, and are placed."""
+    joints = model.joints
+    q, u = _assembled(joints, bound, initial, faults)
+    if joints is model or bound is None or faults:
+        return q, u
+    q, u = (np.array(x).ravel() for x in model.function("placed")(0.0, q, u, bound.c))
+    return q, u
+
+
+def _assembled(
+    model: Model, bound: Bound | None, initial: Mapping[str, Value], faults: list[Fault]
+) -> tuple[np.ndarray, np.ndarray]:
+    """The start in joint coordinates, loops closed."""
     values: dict[str, float] = {}
     names = (*model.coordinates, *model.speeds)
     for name, value in initial.items():

@@ -12,7 +12,8 @@ from hertzwerk.derive.functions import Where
 from hertzwerk.derive.program import Function, Program, symbols_in
 from hertzwerk.derive.readable.symbols import Names, words
 
-UNSHOWN = ("constants", "scales", "gap_accelerations", "accelerations", "projection", "poses", "motion", "applied")
+UNSHOWN = ("constants", "scales", "gap_accelerations", "accelerations", "projection", "poses", "motion", "applied",
+           "joint_scales", "placed", "joint_constraints")  # fmt: skip
 KINEMATICS, MOTION, LEDGER, ENERGY = "Kinematics", "Equations of motion", "Energy ledger", "Energy"
 LOOPS, OUTPUTS, START = "Closed loops", "Outputs", "Start"
 INERTIA, BIAS = "inertia", "bias"
@@ -98,7 +99,8 @@ class Drafts:
             short = {"kinetic": r"\mathrm{kin}", "potential": r"\mathrm{pot}"}.get(label, words((result, label)))
             yield Draft(ENERGY, label, unit, f"{label} energy", expression, left=f"E_{{{short}}}")
         elif function.name == "start":
-            latex = self._names.port(*self._port(result, label))
+            by_bodies = "JOINT_COORDINATES" in self._program.tables  # starts are given by the joints
+            latex = _label(label) if by_bodies else self._names.port(*self._port(result, label))
             text = f"{label} at the start"
             yield Draft(START, text, unit, text, expression, left=rf"{{{latex}}}|_{{t=0}}")
         elif function.name == "outputs":
@@ -168,7 +170,8 @@ class Drafts:
         mass, bias, held = motion.results
         labels, units = applied.results[0].labels, applied.results[0].units
         accelerations = dict(zip(labels, inputs["a"], strict=False))
-        supplied = dict(zip(labels[len(inputs["a"]) :], inputs.get("reactions", ()), strict=True))
+        # of a drive on a joint that closes a loop it is the multiplier
+        supplied = dict(zip(labels[len(inputs["a"]) :], inputs.get("reactions", ()), strict=False))
         for i, (row, unit) in enumerate(zip(labels, units, strict=True)):
             parts = [
                 Part(True, INERTIA, sp.sympify(entry), factor=accelerations[column])

@@ -22,17 +22,19 @@ ACCEPT = "python tests/derive/operations.py"
 CHAINS = {
     f"{kind} chain of {n} links": (n, axes) for kind, axes in (("plane", "Z"), ("spatial", "ZYX")) for n in range(2, 9)
 }
+IN_BOTH = ("plane chain of 8 links", "spatial chain of 4 links")
 
 
 def counts() -> dict[str, dict[str, int]]:
     """By scene or chain, the operations of each of its functions."""
     scenes = {name: dict(Derived(import_module(f"hertzwerk.derive.scenes.{name}").scene).OPERATIONS) for name in NAMES}
-    return scenes | {name: of_chain(*which) for name, which in CHAINS.items()}
+    absolute = {f"{name} in absolute coordinates": of_chain(*CHAINS[name], "absolute") for name in IN_BOTH}
+    return scenes | {name: of_chain(*which) for name, which in CHAINS.items()} | absolute
 
 
-def of_chain(n: int, axes: str) -> dict[str, int]:
+def of_chain(n: int, axes: str, coordinates: str = "tree") -> dict[str, int]:
     """The operations of a chain's equations of motion: gravity, and accelerations, which includes solving for them."""
-    found = dict(Derived(chain(n, axes).scene(ledger=False)).OPERATIONS)
+    found = dict(Derived(chain(n, axes).scene(ledger=False).with_coordinates(coordinates)).OPERATIONS)
     return {name: found[name] for name in ("applied", "accelerations")}
 
 
