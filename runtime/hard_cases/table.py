@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from hertzwerk.runtime.hard_cases import crank, edges, events, friction, impacts, many, rest
+from hertzwerk.runtime.hard_cases import crank, edges, events, friction, impacts, loops, many, rest
 from hertzwerk.runtime.hard_cases.case import HardCase
 
 CASES: tuple[HardCase, ...] = (
@@ -12,6 +12,7 @@ CASES: tuple[HardCase, ...] = (
     *many.CASES,
     *crank.CASES,
     *friction.CASES,
+    *loops.CASES,
     *edges.CASES,
 )
 BY_NAME = {case.name: case for case in CASES}

@@ -54,7 +54,8 @@ def _rate(J: Any, nq: int, nu: int) -> Any:
     """Sum of the damping rates, or root of the sum of the squared frequencies, whichever is larger [1/s]; 0 where nothing is damped or vibrates."""
     others = [i for i in range(J.size1()) if not nq <= i < nq + nu]  # coordinates, and bristles
     vibration = ca.trace(ca.mtimes(J[nq : nq + nu, others], J[others, nq : nq + nu]))
-    return ca.fmax(-ca.trace(J), ca.sqrt(ca.fmax(-vibration, 0)))
+    # of two zeros of unlike sign a compiler may choose either
+    return ca.fabs(ca.fmax(-ca.trace(J), ca.sqrt(ca.fmax(-vibration, 0))))
 
 
 @dataclass(frozen=True)

@@ -14,12 +14,15 @@ REFERENCES = ("cvodes", "idas")  # slow, and outside the graph: there is no C of
 PAIRS = [(case, method) for case in CASES for method in case.methods]
 
 
-def marked(case, method, *, slow):
-    marks = (
-        [pytest.mark.slow]
-        if slow or case.name in SLOW or (case.name, method) in LASTING or method in REFERENCES
-        else []
-    )
+IN_CI = ("dop853", "esdirk")  # whose C is compiled there; compiling takes most of the time
+
+
+def marked(case, method, *, native):
+    """Seconds: slow; minutes, or a compilation that another method's stands for: exhaustive, as `hertzwerk hardcases --all` is."""
+    if case.name in SLOW or (native and method not in IN_CI):
+        marks = [pytest.mark.exhaustive]
+    else:
+        marks = [pytest.mark.slow] if native or (case.name, method) in LASTING or method in REFERENCES else []
     return pytest.param(case, method, id=f"{case.name}-{method}", marks=marks)
 
 
@@ -30,13 +33,13 @@ def check(result):
     assert result.verdict == (runner.KNOWN if known else runner.PASSED), (result.outcome, failing)
 
 
-@pytest.mark.parametrize(("case", "method"), [marked(case, method, slow=False) for case, method in PAIRS])
+@pytest.mark.parametrize(("case", "method"), [marked(case, method, native=False) for case, method in PAIRS])
 def test_in_the_virtual_machine(case, method):
     check(runner.result(case, method, native=False))
 
 
 @pytest.mark.parametrize(
-    ("case", "method"), [marked(case, method, slow=True) for case, method in PAIRS if method not in REFERENCES]
+    ("case", "method"), [marked(case, method, native=True) for case, method in PAIRS if method not in REFERENCES]
 )
 def test_as_c_bitwise_the_same(case, method):
     result = runner.result(case, method)

@@ -1,0 +1,66 @@
+"""Closed loops: singular positions, redundant constraints, clearance in every joint."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from hertzwerk.runtime.hard_cases.case import METHODS, HardCase, Known, Source, final
+from hertzwerk.runtime.solution import Solution
+
+TURNED = -31.750597186986102  # rad, of two windows after 10 s
+
+
+def _closed(within: float) -> Known:
+    """How far the loops are open, over the accepted steps."""
+
+    def opening(run: Solution) -> float:
+        return max(float(np.max(np.abs(run[name]))) for name in run.model.constraints)
+
+    return Known("largest opening", opening, 0.0, within, "", "closed loops")
+
+
+OFF = "its larger steps look at positions off the constraints, where the redundant one contradicts the others; "
+
+CASES = (
+    HardCase(
+        name="change_points",
+        theme="loops",
+        hard="two windows of rods lie flat ten times in 10 s: there they have three freedoms, and forces without bound hold them together",
+        source=Source("n_four_bar"),
+        duration=10.0,
+        accuracy=1e-10,
+        methods=METHODS,
+        known=(
+            final("foot_0.angle", TURNED, 1e-6, "one pendulum, by elliptic functions", "rad"),
+            final("foot_2.angle", TURNED, 1e-6, "the same for every post", "rad"),
+            _closed(1e-12),
+        ),
+    ),
+    HardCase(
+        name="redundant_constraints",
+        theme="loops",
+        hard="Bricard's mechanism: by counting it cannot move, one of its constraints says what the others do",
+        source=Source("bricard"),
+        duration=10.0,
+        accuracy=1e-9,
+        methods=METHODS,
+        known=(_closed(1e-9),),
+        failures={
+            ("dopri5", "energy"): f"{OFF}3000 times the limit: at 1e-11 it is 5e-7 J of 30",
+            ("dop853", "energy"): f"{OFF}2.4 times the limit",
+            ("dop853", "energy rising"): f"{OFF}5 times the limit",
+            ("auto", "energy"): f"{OFF}2.4 times the limit",
+            ("auto", "energy rising"): f"{OFF}5 times the limit",
+        },
+    ),
+    HardCase(
+        name="three_clearances",
+        theme="loops",
+        hard="a slider-crank all of whose pins rattle, for 200 revolutions",
+        source=Source("slider_crank_three_clearances"),
+        duration=2.4,
+        accuracy=1e-7,
+        methods=("dop853", "esdirk", "auto"),
+        long=True,
+    ),
+)
