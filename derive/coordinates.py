@@ -97,7 +97,8 @@ def absolute(scene: Scene) -> Absolute:
 
 def _base(mechanism: Mechanism, joint: Joint) -> Base:
     body = joint.child.body
-    assert isinstance(body, Body)
+    if not isinstance(body, Body):
+        raise TypeError(f"joint {joint.name} moves the ground")
     taken = [other.name for other in mechanism.joints]
     name = body.name if body.name not in taken else f"{body.name}_base"
     turns, k = _turns(mechanism, body), mechanism.plane

@@ -182,11 +182,10 @@ class _Derivation:
 
     def placement(self) -> list[Function]:
         """The start by the joints' coordinates, which say what is given and what follows, and the way from there to those of the bodies."""
-        assert isinstance(self.scene, Absolute)
-        declared, joints = self.scene.declared, self.joints
+        declared, joints = self.absolute.declared, self.joints
         coordinates, speeds = _ports(declared, joints)
         sizes = self._sizes()
-        q, u = placed(self.scene, joints, self.kin)
+        q, u = placed(self.absolute, joints, self.kin)
         functions = [
             self.start(declared, joints),
             self._function(
@@ -211,8 +210,14 @@ class _Derivation:
     @cached_property
     def joints(self) -> Kinematics:
         """Of the scene as declared, in the joints' coordinates: where the bodies are at the start."""
-        assert isinstance(self.scene, Absolute)
-        return Kinematics(self.tape, self.scene.declared, ("joints", "joint_speeds", "joint_accelerations"))
+        return Kinematics(self.tape, self.absolute.declared, ("joints", "joint_speeds", "joint_accelerations"))
+
+    @property
+    def absolute(self) -> Absolute:
+        """The scene, in coordinates of the bodies."""
+        if not isinstance(self.scene, Absolute):
+            raise TypeError(f"scene {self.scene.name} is in the joints' coordinates")
+        return self.scene
 
     @cached_property
     def joint_loops(self) -> tuple[Constraint, ...]:

@@ -7,10 +7,21 @@ from typing import Any
 import sympy
 from sympy.logic.boolalg import Boolean
 
-__all__ = ["Where"]
+__all__ = ["NoText", "Where"]
 
 
-class Where(sympy.Function):  # type: ignore[misc]  # SymPy is untyped
+class NoText(sympy.Function):  # type: ignore[misc]  # SymPy is untyped
+    """A function that refuses text as an argument: SymPy would execute it."""
+
+    def __new__(cls, *args: Any, **options: Any) -> Any:
+        """Raises TypeError for text."""
+        for arg in args:
+            if isinstance(arg, str):
+                raise TypeError(f"{cls.__name__}: found the text {arg!r}, expected an expression")
+        return super().__new__(cls, *args, **options)
+
+
+class Where(NoText):
     """`Where(condition, a, b)`: a where the condition holds, else b. Never evaluated while symbols remain.
 
     The branch is a choice, not a function of the condition: its derivative is the derivative of the branch taken, which

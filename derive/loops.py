@@ -167,8 +167,7 @@ class _Closure:
 
     def measured(self, freedom: Freedom) -> Measured:
         """How far the child has gone in a freedom of the joint: a travel along the parent's axis, or an angle about the axis of both."""
-        axis, label = freedom.axis, freedom.coordinates[0].name.rsplit(".", 1)[1]
-        assert axis is not None  # balls are not measured
+        axis, label = _axis_of(freedom), freedom.coordinates[0].name.rsplit(".", 1)[1]
         if freedom.kind == "slide":
             travel = self._slide(axis, label)
             return Measured(travel.value, travel.rate, travel.bias, travel.column)
@@ -197,9 +196,9 @@ class _Closure:
         found, joint, slides = self.measured(freedom), self.joint, freedom.kind == "slide"
         label = freedom.coordinates[0].name.rsplit(".", 1)[1]
         if found.value is None:
-            assert freedom.axis is not None
-            (first, _), _ = _across(freedom.axis)
-            second = Direction(cross(freedom.axis.unit, first.unit))
+            axis = _axis_of(freedom)
+            (first, _), _ = _across(axis)
+            second = Direction(cross(axis.unit, first.unit))
             child = self.kin.direction(joint.child, first)
             cosine, sine = (dot(child, self.kin.direction(joint.parent, direction)) for direction in (first, second))
             left = sine * self._let(sp.cos(wanted), f"{label}_cosine") - cosine * self._let(
@@ -224,6 +223,13 @@ class _Closure:
     def _force(self, direction: Vector, label: str) -> dict[str, Any]:
         name = f"{self.joint.name}_{label}"
         return _without_zeros(self.kin.generalised(direction, self.place, *self.bodies, name))
+
+
+def _axis_of(freedom: Freedom) -> Direction:
+    """Of a turn or a slide; a ball has none."""
+    if freedom.axis is None:
+        raise TypeError(f"{freedom.key} turns about every axis: how far it has turned is no number")
+    return freedom.axis
 
 
 def _across(direction: Direction) -> list[tuple[Direction, str]]:

@@ -16,6 +16,7 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.functions import NoText
 from hertzwerk.derive.units import UnitError, parse_unit
 
 __all__ = ["Spline", "Table"]
@@ -58,8 +59,9 @@ class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
         return str(self.name)
 
     def __call__(self, argument: Any) -> Spline:
-        """The spline at an argument."""
-        return Spline(self, argument, 0)
+        """The spline at an argument; raises TypeError for text."""
+        spline: Spline = Spline(self, argument, 0)
+        return spline
 
     def faults(self) -> Iterator[Fault]:
         """What is wrong with the declaration."""
@@ -107,7 +109,7 @@ class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
         return (*rows, (x[-1], y[-1], nodes[-1][0], 0.0, 0.0, 0.0, 0.0))
 
 
-class Spline(sp.Function):  # type: ignore[misc]
+class Spline(NoText):
     """`Spline(table, x, k)`: the k-th derivative, k = 0, 1, 2, of a table's spline at x. Never evaluated."""
 
     nargs = 3

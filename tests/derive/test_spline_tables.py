@@ -26,6 +26,7 @@ from hertzwerk.derive import (
     Y,
     coordinate_of,
 )
+from hertzwerk.derive.functions import Where
 from hertzwerk.derive.notation import latex_of, text_of
 from hertzwerk.derive.tables import Spline
 
@@ -144,3 +145,15 @@ def test_the_third_derivative_is_refused():
     with pytest.raises(ValueError, match="two derivatives"):
         sp.diff(sine(9)(T), T, 3)
     assert sp.diff(sine(9)(2 * T), T) == 2 * Spline(sine(9), 2 * T, 1)
+
+
+def test_text_is_no_argument_and_is_not_executed(tmp_path):
+    """SymPy would execute it."""
+    mark = tmp_path / "executed"
+    text = f"__import__('pathlib').Path({str(mark)!r}).touch() or 1"
+    with pytest.raises(TypeError, match="text"):
+        Table("lift", (0.0, 1.0), (0.0, 1.0), ("s", "m"))(text)
+    for given in ((text, 1, 2), (sp.Symbol("x") > 0, text, 2), (sp.Symbol("x") > 0, 1, text)):
+        with pytest.raises(TypeError, match="text"):
+            Where(*given)
+    assert not mark.exists()
