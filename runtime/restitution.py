@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 
 GRID: Array = np.array([*np.arange(0.05, 0.96, 0.05).round(2), 0.99])
 OWN_GRID: Array = np.array([0.01, 0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.7, 1, 1.5, 2, 3])
-ACCURACY = 1e-12
+TOLERANCE = 1e-12
 LASTING = 1000  # of a run, in elastic contacts: the slowest rebound is over by then
 MAX_STEPS = 5000
 AGREEMENT = 1e-9  # of simulated and closed form
@@ -133,7 +133,7 @@ class Study:
     def record(self) -> dict[str, Any]:
         """The study as JSON has it."""
         return {
-            "accuracy": ACCURACY,
+            "tolerance": TOLERANCE,
             "largest_difference": self.difference,
             "laws": [curve.record() for curve in self.curves],
             "laws_without_restitution": [curve.record() for curve in self.others],
@@ -205,7 +205,7 @@ def simulated(model: Model, trial: Trial, value: float, impact: Impact) -> float
     run = simulate(
         model,
         duration=LASTING * depth / impact.speed,
-        accuracy=ACCURACY,
+        tolerance=TOLERANCE,
         max_steps=MAX_STEPS,
         parameters={
             "mass": f"{impact.mass!r} kg",

@@ -30,13 +30,13 @@ from hertzwerk.runtime.recorder import BLOCK, Grid, Recorder, Steps
 from hertzwerk.runtime.scales import Scales
 from hertzwerk.runtime.solution import Solution, Statistics
 
-ACCURACIES = (1e-12, 1e-1)
+TOLERANCES = (1e-12, 1e-1)
 APPROACH_FLOOR = 1e-3  # m/s, where a model has latches but no parameter of this name
 LEAST_STEPS = 10  # of a run in contact: where all is at rest, steps grow until a short push would go unnoticed
 REMEMBERED = 64  # inputs of a model that need not be read again
 COUNTERS = ("steps", "rejected", "retaken", "evaluations", "events", "floored")  # parts of a state
 MAX_STEPS, MAX_EVENTS = 1_000_000, 100_000
-ROUGH = 1e-4  # accuracy of a run that only looks for scales
+ROUGH = 1e-4  # tolerance of a run that only looks for scales
 
 
 def simulate(
@@ -44,6 +44,7 @@ def simulate(
     *,
     duration: str | float | None = None,
     accuracy: float = 1e-6,
+    tolerance: float | None = None,
     method: str = "dop853",
     parameters: Mapping[str, Value] | None = None,
     initial: Mapping[str, Value] | None = None,
@@ -56,7 +57,8 @@ def simulate(
 ) -> Solution:
     """Run a model from its start for a duration (seconds, or text such as "24 ms").
 
-    accuracy    the local tolerance in the scene's scales, 1e-12..1e-1
+    accuracy    in the scene's scales, 1e-12..1e-1
+    tolerance   the local tolerance, 1e-12..1e-1, in place of the accuracy
     method      explicit "dop853", "dopri5"; for what is stiff "esdirk", "rodas"; "auto" chooses between dop853 and esdirk as it goes;
                 "cvodes", "idas": SUNDIALS, slow, as an independent reference
     parameters, initial    values in place of the model's, each with its unit: {"clearance": "0.2 mm"}, {"guide.travel": "0.17 m"}
@@ -70,20 +72,23 @@ def simulate(
     """
     began = time.perf_counter()
     limits = _Limits(max_steps, max_events, math.inf if wall_time is None else wall_time)
-    given, times = _read(model, duration, accuracy, method, compiled, limits, parameters or {}, initial or {}, output)
+    local = accuracy if tolerance is None else tolerance
+    given, times = _read(
+        model, duration, accuracy, tolerance, method, compiled, limits, parameters or {}, initial or {}, output
+    )
     bound, seconds = given.bound, given.seconds
     engine = _engine_for(model, method, compiled)
     gear = Gear(engine.code, compiled=compiled is True, changes=compiled == "auto") if engine.code else None
     run = _Run(model, engine, given, limits, gear)
     scales = given.scales
     if not scales.sound:
-        scales = scaling.of_run(model, scales, lambda s, seen: run(max(accuracy, ROUGH), s, [seen], block=BLOCK))
+        scales = scaling.of_run(model, scales, lambda s, seen: run(max(local, ROUGH), s, [seen], block=BLOCK))
     build_s = time.perf_counter() - began
     before = gear.compile_s if gear else 0.0
     kept = Steps() if times is None else Grid(times)
     findings = Findings(model, method, later=times is None)
     speeds = tuple(_approach_speeds(model, bound))
-    ending = run(accuracy, scales, [kept, findings, *speeds], None if times is None else BLOCK, progress)
+    ending = run(local, scales, [kept, findings, *speeds], None if times is None else BLOCK, progress)
     compile_s = gear.compile_s - before if gear else 0.0
     counted = {name: int(ending.last[row]) for name, row in engine.counters.items()}
     return Solution(
@@ -94,13 +99,14 @@ def simulate(
             ending.status,
             t=float(kept.ends.t[-1]),
             where=_deepest(model, kept.ends) if ending.status == OUTSIDE_LAW_RANGE else "",
-            accuracy=accuracy,
+            accuracy=local,
             max_steps=max_steps,
             max_events=max_events,
             wall_time=wall_time,
         ),
         duration=seconds,
         accuracy=accuracy,
+        tolerance=local,
         method=method,
         compiled=gear is not None and gear.compiled,
         parameters=dict(bound.values),
@@ -157,7 +163,7 @@ class _Given:
 
 @dataclass(frozen=True)
 class _Run:
-    """Everything of a run but its accuracy and scales."""
+    """Everything of a run but its tolerance and scales."""
 
     model: Model
     engine: _Engine
@@ -172,7 +178,7 @@ class _Run:
 
     def __call__(
         self,
-        accuracy: float,
+        tolerance: float,
         scales: Scales,
         observers: Sequence[Observer],
         block: int | None,
@@ -186,7 +192,7 @@ class _Run:
             "c": self.given.bound.c,
             "scale": scales.state,
             "scales": scales.scene,
-            "accuracy": accuracy,
+            "tolerance": tolerance,
         }
         numbers |= {"t_end": self.given.seconds, "h_max": self.given.seconds / LEAST_STEPS, "floor": self.floor}
         numbers |= {"max_events": self.limits.max_events, "max_steps": self.limits.max_steps}
@@ -223,6 +229,7 @@ def check_settings(
     method: str,
     compiled: bool | Literal["auto"],
     *,
+    tolerance: float | None = None,
     output: Output = "steps",
     max_steps: int = MAX_STEPS,
     max_events: int = MAX_EVENTS,
@@ -231,7 +238,7 @@ def check_settings(
     """Raise InputError for what is bad input to a run whatever its parameters."""
     faults: list[Fault] = []
     limits = _Limits(max_steps, max_events, math.inf if wall_time is None else wall_time)
-    _check(accuracy, method, limits, faults)
+    _check(accuracy, tolerance, method, limits, faults)
     _check_compiled(compiled, faults)
     times_of(output, _duration(duration, faults), faults)
     if faults:
@@ -268,6 +275,7 @@ def _read(
     model: Model,
     duration: str | float | None,
     accuracy: float,
+    tolerance: float | None,
     method: str,
     compiled: bool | Literal["auto"],
     limits: _Limits,
@@ -277,7 +285,7 @@ def _read(
 ) -> tuple[_Given, np.ndarray | None]:
     """Everything given, read, and the times of a grid; raises InputError with every fault. Text that was read before is not read again."""
     faults: list[Fault] = []
-    _check(accuracy, method, limits, faults)
+    _check(accuracy, tolerance, method, limits, faults)
     _check_compiled(compiled, faults)
     known: dict[str, _Given] = model.once("given", dict)
     key = repr((duration, parameters, initial))  # tells 1 from True and from "1"
@@ -297,11 +305,12 @@ def _read(
     return given, times
 
 
-def _check(accuracy: float, method: str, limits: _Limits, faults: list[Fault]) -> None:
-    low, high = ACCURACIES
-    if not (_real(accuracy) and low <= accuracy <= high):
-        way_out = "it is the local tolerance in the scene's scales"
-        faults.append(Fault("accuracy", repr(accuracy), f"a number in {low:g}..{high:g}", way_out))
+def _check(accuracy: float, tolerance: float | None, method: str, limits: _Limits, faults: list[Fault]) -> None:
+    low, high = TOLERANCES
+    for name, value in (("accuracy", accuracy), ("tolerance", low if tolerance is None else tolerance)):
+        if not (_real(value) and low <= value <= high):
+            way_out = "it is measured in the scene's scales"
+            faults.append(Fault(name, repr(value), f"a number in {low:g}..{high:g}", way_out))
     if method not in METHODS:
         faults.append(unknown("method", str(method), sorted(METHODS)))
     for name, limit in vars(limits).items():

@@ -49,6 +49,7 @@ class Solution:
     outcome: Outcome
     duration: float
     accuracy: float
+    tolerance: float  # local, of this run
     method: str
     compiled: bool
     parameters: Mapping[str, tuple[float, str]] = field(repr=False)
@@ -155,7 +156,7 @@ class Solution:
             "statistics": asdict(self.statistics),
             "parameters": dict(self.parameters),
             "warnings": self.warnings,
-            **{name: getattr(self, name) for name in ("duration", "accuracy", "method", "compiled")},
+            **{name: getattr(self, name) for name in ("duration", "accuracy", "tolerance", "method", "compiled")},
             "energy_residual": self.energy_residual,
             "impacts": [asdict(impact) for impact in self.impacts],
             "choices": [asdict(choice) for choice in self.choices],
@@ -190,6 +191,7 @@ class Solution:
             outcome=Outcome(**about["outcome"]),
             duration=about["duration"],
             accuracy=about["accuracy"],
+            tolerance=about["tolerance"],
             method=about["method"],
             compiled=about["compiled"],
             parameters={name: (value, unit) for name, (value, unit) in about["parameters"].items()},

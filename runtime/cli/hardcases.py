@@ -102,7 +102,7 @@ def _list(cases: Sequence[HardCase], *, as_json: bool) -> int:
 
 def _about(case: HardCase) -> dict[str, Any]:
     return {"name": case.name, "theme": case.theme, "hard": case.hard, "scene": case.source.scene, "duration": case.duration,
-            "accuracy": case.accuracy, "methods": list(case.methods), "expected_outcome": case.outcome, "long": case.long,
+            "tolerance": case.tolerance, "methods": list(case.methods), "expected_outcome": case.outcome, "long": case.long,
             "known_failures": [{"method": m, "invariant": i, "reason": why} for (m, i), why in case.failures.items()]}  # fmt: skip
 
 

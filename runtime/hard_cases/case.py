@@ -66,7 +66,7 @@ class HardCase:
     hard: str
     source: Source
     duration: float
-    accuracy: float
+    tolerance: float
     methods: tuple[str, ...] = METHODS
     parameters: Mapping[str, Value] = field(default_factory=dict)
     initial: Mapping[str, Value] = field(default_factory=dict)
@@ -134,7 +134,7 @@ def on_grid(
         kept = simulate(
             run.model,
             duration=run.duration,
-            accuracy=run.accuracy,
+            tolerance=run.tolerance,
             method=run.method,
             parameters=parameters,
             output=times,

@@ -42,7 +42,7 @@ CASES = (
         hard="the journal starts exactly centred, where |e| - c has no derivative",
         source=SMOOTH,
         duration=0.002,
-        accuracy=1e-9,
+        tolerance=1e-9,
         methods=REFERENCED,
         known=_state(0.1373416982226764233365, -25.73104758197984349727, 5e-4, 26.18, 1e-6),
     ),
@@ -52,7 +52,7 @@ CASES = (
         hard="ends exactly in the inner dead centre, which it came to from the outer one; with friction",
         source=ROUGH,
         duration=0.006,
-        accuracy=1e-9,
+        tolerance=1e-9,
         known=_state(6.962904325573187284805e-2, 8.438369804113107325817e-1, 5e-4, 26.18, 1e-5),
     ),
     _clearance(
@@ -77,7 +77,7 @@ CASES = (
         hard="friction smoothed over 1e-7 m/s, for two revolutions",
         source=ROUGH,
         duration=0.024,
-        accuracy=1e-6,
+        tolerance=1e-6,
         parameters={"friction_speed": "1e-7 m/s"},
         known=(_near_ideal(5e-4),),
         failures={
@@ -93,7 +93,7 @@ CASES = (
         hard="1000 revolutions, some ten thousand impacts",
         source=SMOOTH,
         duration=12.0,
-        accuracy=1e-6,
+        tolerance=1e-6,
         known=(_near_ideal(5e-4),),
         failures={
             (

@@ -47,7 +47,7 @@ def _case(
         hard=f"{scene} at the {side} end of {parameter}: {values}",
         source=Source(scene),
         duration=duration,
-        accuracy=1e-8,
+        tolerance=1e-8,
         parameters=given,
         known=known,
     )

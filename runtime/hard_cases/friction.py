@@ -31,7 +31,7 @@ def _smooth(
         hard=hard,
         source=Source("incline_smooth_coulomb", hard=True),
         duration=duration,
-        accuracy=1e-7,
+        tolerance=1e-7,
         methods=methods,
         parameters={"friction_coefficient": mu, "friction_speed": (LAYER, "m/s"), "speed": (START, "m/s")},
         known=known,

@@ -8,8 +8,8 @@ from hertzwerk.runtime.hard_cases import closed
 from hertzwerk.runtime.hard_cases.case import METHODS, REFERENCED, HardCase, Source, contacts, final, impact
 
 RELATION = "h (1 + e) = ln((1 + h)/(1 - h e)), Hunt and Crossley 1975"
-ACCURACY = 1e-8
-PART = 10 * ACCURACY  # of a known speed or depth, relative to that of the impact
+TOLERANCE = 1e-8
+PART = 10 * TOLERANCE  # of a known speed or depth, relative to that of the impact
 FLORES, EXACT = Source("free_impact_flores", hard=True), Source("free_impact_exact", hard=True)
 PULLS, RELEASED = (Source(f"free_impact_{name}", hard=True) for name in ("kelvin_voigt", "kelvin_voigt_without_pull"))
 RISTOW, UNLIKE = Source("free_impact_ristow", hard=True), Source("unlike_masses", hard=True)
@@ -22,7 +22,7 @@ def _nearly_plastic(law: str, source: Source, restitution: float) -> HardCase:
         hard="restitution 0.01: damping a hundred times the elastic force, and a creeping separation",
         source=source,
         duration=0.2,
-        accuracy=ACCURACY,
+        tolerance=TOLERANCE,
         methods=REFERENCED,
         parameters={"e": 0.01},
         known=(
@@ -41,7 +41,7 @@ def _slowest() -> HardCase:
         hard="approach at 1e-9 m/s, the floor of the approach speed lowered to 1e-12 m/s: penetration of 0.04 nm",
         source=FLORES,
         duration=2.0,
-        accuracy=ACCURACY,
+        tolerance=TOLERANCE,
         methods=METHODS,
         parameters={"e": 0.5, "approach": "1e-9 m/s", "approach_floor": "1e-12 m/s"},
         known=(
@@ -70,7 +70,7 @@ def _exponent(n: float, text: str, label: str) -> HardCase:
         ),
         source=FLORES,
         duration=20 * depth,
-        accuracy=ACCURACY,
+        tolerance=TOLERANCE,
         methods=REFERENCED,
         parameters={"e": 0.7, "exponent": n, "stiffness": (1e8, f"N/m^({text})")},
         known=(
@@ -89,7 +89,7 @@ def _stiffness(K: float, label: str) -> HardCase:
         hard=f"K = {K:g} N/m^1.5: two elastic bounces {2.94 * depth / v0:.1g} s long in 1.5 s",
         source=Source("bouncing_ball"),
         duration=1.5,
-        accuracy=ACCURACY,
+        tolerance=TOLERANCE,
         methods=METHODS,
         parameters={"restitution": 1.0, "stiffness": (K, "N/m^1.5")},
         known=(
@@ -117,7 +117,7 @@ def _jump(
         hard=hard,
         source=source,
         duration=0.01,
-        accuracy=ACCURACY,
+        tolerance=TOLERANCE,
         methods=REFERENCED,
         parameters={"exponent": 1, "stiffness": (K, "N/m^1"), **parameters},
         known=(
@@ -137,7 +137,7 @@ def _masses(striker: float, target: float, label: str, hard: str) -> HardCase:
         hard=hard,
         source=UNLIKE,
         duration=0.02,
-        accuracy=ACCURACY,
+        tolerance=TOLERANCE,
         methods=REFERENCED,
         parameters={"restitution": e, "striker_mass": (striker, "kg"), "target_mass": (target, "kg")},
         known=(

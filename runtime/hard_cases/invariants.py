@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-TOLERANCE = 10.0  # of an energy, in accuracy x (initial energy + work)
+ENERGY_LIMIT = 10.0  # of an energy, in tolerance x (initial energy + work)
 DOUBLINGS = 60
 FINITE, ENERGY, RISING, DEPTH, STEPS = "not finite", "energy", "energy rising", "depth/bound", "steps tried"
 
@@ -56,7 +56,7 @@ def measure(case: HardCase, method: str, run: Solution) -> tuple[Measured, ...]:
     found = [Measured(FINITE, broken, 0, "1", "entries of states, rates and contacts that are infinite or undefined")]
     energies = Energies(run)
     tolerance, parts = (
-        TOLERANCE * case.accuracy,
+        ENERGY_LIMIT * case.tolerance,
         f"initial energy {energies.initial:.3g} J, total work {energies.work:.3g} J",
     )
     note = f"largest |energy + dissipated - input - initial| over the sum of {parts}"

@@ -28,7 +28,7 @@ CASES = (
         hard="two windows of rods lie flat ten times in 10 s: there they have three freedoms, and forces without bound hold them together",
         source=Source("n_four_bar"),
         duration=10.0,
-        accuracy=1e-10,
+        tolerance=1e-10,
         methods=METHODS,
         known=(
             final("foot_0.angle", TURNED, 1e-6, "one pendulum, by elliptic functions", "rad"),
@@ -42,7 +42,7 @@ CASES = (
         hard="Bricard's mechanism: by counting it cannot move, one of its constraints says what the others do",
         source=Source("bricard"),
         duration=10.0,
-        accuracy=1e-9,
+        tolerance=1e-9,
         methods=METHODS,
         known=(_closed(1e-9),),
         failures={
@@ -59,7 +59,7 @@ CASES = (
         hard="a slider-crank all of whose pins rattle, for 200 revolutions",
         source=Source("slider_crank_three_clearances"),
         duration=2.4,
-        accuracy=1e-7,
+        tolerance=1e-7,
         methods=("dop853", "esdirk", "auto"),
         long=True,
     ),

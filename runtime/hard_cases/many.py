@@ -7,8 +7,8 @@ import numpy as np
 from hertzwerk.runtime.hard_cases import closed
 from hertzwerk.runtime.hard_cases.case import METHODS, REFERENCED, HardCase, Known, Source, contacts, final
 
-ACCURACY = 1e-8
-PART = 100 * ACCURACY  # of a speed after a few impacts
+TOLERANCE = 1e-8
+PART = 100 * TOLERANCE  # of a speed after a few impacts
 TOUCHING = (-0.071085017086, -0.030273764097, -0.014463629032, 0.127044986067, 0.988777424148)  # m/s, after 20 ms
 
 
@@ -34,7 +34,7 @@ def _both_sides(e: float) -> HardCase:
         hard="two pairs of one sphere hit at the same instant" + ("" if e == 1 else ", and are damped"),
         source=Source("struck_from_both_sides", hard=True),
         duration=0.01,
-        accuracy=ACCURACY,
+        tolerance=TOLERANCE,
         methods=REFERENCED,
         parameters={"restitution": e},
         known=(
@@ -53,7 +53,7 @@ def _row(count: int, *, long: bool) -> HardCase:
         hard=f"a sphere meets a row of {count - 1}, 1 mm apart: {count - 1} impacts, one after another",
         source=Source(f"row_of_{count}", hard=True),
         duration=0.004 * count,
-        accuracy=ACCURACY,
+        tolerance=TOLERANCE,
         methods=METHODS if long else REFERENCED,
         known=(contacts(count - 1, "each pair meets once"), *_passed_on(count), _conserved(count)),
         long=long,
@@ -70,7 +70,7 @@ CASES = (
         hard="a sphere meets a row of four that touch: four pairs in contact at once, gaps of rounding between them at the start",
         source=Source("row_of_5", hard=True),
         duration=0.02,
-        accuracy=ACCURACY,
+        tolerance=TOLERANCE,
         methods=REFERENCED,
         parameters={"gap": "0 m"},
         known=(

@@ -18,7 +18,7 @@ import numpy as np
 from hertzwerk.runtime.hard_cases.invariants import Measured, measure
 from hertzwerk.runtime.integrate.compiled import available
 from hertzwerk.runtime.integrate.methods import SUNDIALS
-from hertzwerk.runtime.simulation import ACCURACIES, simulate
+from hertzwerk.runtime.simulation import TOLERANCES, simulate
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.hard_cases.case import HardCase, Source
@@ -61,11 +61,11 @@ def broken(case: HardCase, outcome: str, measured: Sequence[Measured]) -> tuple[
 
 
 def solve(case: HardCase, method: str, *, compiled: bool | Literal["auto"]) -> Solution:
-    """One run of a case; of the independent references more accurately, for the accuracy they are asked for is that of less than a step."""
+    """One run of a case; of the independent references more accurately, for the tolerance they are asked for is that of less than a step."""
     return simulate(
         model_of(case.source),
         duration=case.duration,
-        accuracy=max(case.accuracy / (FINER if method in SUNDIALS else 1), ACCURACIES[0]),
+        tolerance=max(case.tolerance / (FINER if method in SUNDIALS else 1), TOLERANCES[0]),
         method=method,
         parameters=case.parameters,
         initial=case.initial,

@@ -29,12 +29,12 @@ class Closing:
     """Rows of the state."""
 
     def __call__(self, t: Any, y: Any, run: Any) -> tuple[Any, Any]:
-        """The state (ny) with its loops closed, and whether they are, to the accuracy."""
+        """The state (ny) with its loops closed, and whether they are, to the tolerance."""
         y, phi, rate = self.function(t, y, run["c"])
         length, speed = run["scales"][0], run["scales"][1]
-        small = run["accuracy"] * ca.vertcat(*(length if is_length else 1 for is_length in self.lengths))
+        small = run["tolerance"] * ca.vertcat(*(length if is_length else 1 for is_length in self.lengths))
         # a singular position leaves a part of the rates undetermined
-        slow = ca.sqrt(run["accuracy"]) * ca.vertcat(
+        slow = ca.sqrt(run["tolerance"]) * ca.vertcat(
             *(speed if is_length else speed / length for is_length in self.lengths)
         )
         closed = ca.mmax(ca.vertcat(ca.fabs(phi) - small, ca.fabs(rate) - slow)) <= 0  # false for NaN

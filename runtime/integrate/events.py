@@ -19,7 +19,7 @@ from hertzwerk.runtime.integrate.layout import CONTACT, FLIGHT, RELEASED, Layout
 if TYPE_CHECKING:
     from hertzwerk.runtime.model import Model
 
-LANDING = 1e-2  # the tolerances of a landing are this times the accuracy, in the scene's scales
+LANDING = 1e-2  # a landing is met to this times the tolerance, in the scene's scales
 DOUBT = 0.1  # part of |quintic - cubic| that a graze must stay clear of
 NEAR = 1 / 64  # of a step: how far its end may be moved to land on a surface, by the classical method of order 4
 PARTS = 8  # sub-intervals searched
@@ -29,7 +29,7 @@ NO_EVENT = 2.0  # theta beyond every step
 
 
 def tolerances(model: Model, run: Mapping[str, Any], t: Any, y: Any, gap_rate: Any) -> tuple[Any, Any, Any]:
-    """Tolerance of a gap (k) [m], of a gap rate [m/s] and of a force [N] at a landing: a hundredth of the accuracy, but not below rounding.
+    """How closely a gap (k) [m], a gap rate [m/s] and a force [N] meet a landing: a hundredth of the tolerance, but not below rounding.
 
     A gap is rounded with the positions it is a difference of, and with the time it is landed at; a force with the gap, by the contact's stiffness.
     """
@@ -37,9 +37,9 @@ def tolerances(model: Model, run: Mapping[str, Any], t: Any, y: Any, gap_rate: A
     q, scale = y[: model.nq], run["scale"][: model.nq]
     position = length * ca.mmax(ca.fabs(q) / scale)
     gap = ca.fmax(
-        ca.fmax(LANDING * run["accuracy"] * length, 8 * EPS * position), 4 * EPS * ca.fabs(gap_rate) * ca.fabs(t)
+        ca.fmax(LANDING * run["tolerance"] * length, 8 * EPS * position), 4 * EPS * ca.fabs(gap_rate) * ca.fabs(t)
     )
-    small = LANDING * run["accuracy"]
+    small = LANDING * run["tolerance"]
     return gap, small * speed, ca.fmax(small, 8 * EPS * position / length) * force
 
 

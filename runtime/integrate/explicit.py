@@ -124,7 +124,7 @@ def stepped(table: RungeKutta, right: Flow, start: Mapping[str, Any], run: Mappi
     y1, is_closed = right.closed(t1, _moved(y, h, table.b, slopes), run)
     end = right.at(t1, y1, *given)
     slopes.append(end["dy"])
-    weights = 1 / (run["accuracy"] * run["scale"] + 4 * EPS * ca.fabs(y1))
+    weights = 1 / (run["tolerance"] * run["scale"] + 4 * EPS * ca.fabs(y1))
     error = _norm([_weighted(estimate.weights, slopes) * weights for estimate in table.errors], h)
     return {"t": t1, "y": y1, **end, "error": right.error(error, is_closed)}
 

@@ -123,7 +123,7 @@ class Stepper:
         t, y = start["t"], start["y"]
         J, dt = self.linear(t, y, *given)
         solve = solver(J, h * table.gamma, self.nq)
-        least = run["accuracy"] * run["scale"]
+        least = run["tolerance"] * run["scale"]
         if isinstance(table, Rosenbrock):
             y1, slope, error, converged = _rosenbrock(table, self.right, solve, J, dt, start, given, h)
         else:

@@ -95,7 +95,7 @@ def layouts(model: Model) -> Layouts:
     choice = ("method", "pressure", "stiffness")
     flags = ("accepted", "fresh_contact", "after_rejection")
     counters = ("retakes", "steps", "rejected", "retaken", "evaluations", "events", "floored")
-    limits = ("accuracy", "t_end", "h_max", "floor", "max_events", "max_steps")
+    limits = ("tolerance", "t_end", "h_max", "floor", "max_events", "max_steps")
     return Layouts(
         state=Layout(
             {"t": 1, "y": ny, "dy": ny, "mode": k, "m": nm}

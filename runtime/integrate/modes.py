@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 Parts = dict[str, Any]  # of a vector, by name
 
 HERTZ = 2.94  # duration of a Hertz impact in depth/speed
-ONSET_STEP, ONSET_POWER = 1.6 * HERTZ, 2 / 7  # of length/speed * accuracy^power: the very first contact's first step
+ONSET_STEP, ONSET_POWER = 1.6 * HERTZ, 2 / 7  # of length/speed * tolerance^power: the very first contact's first step
 FINITE = 1e300  # a sum of magnitudes is below it, or something is infinite or undefined
 
 
@@ -114,7 +114,7 @@ def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
     status = ca.if_else(finite, ca.if_else(any_of(in_range < 0.5), OUTSIDE_LAW_RANGE, RUNNING), NOT_FINITE)
     fastest = ca.mmax(ca.fabs(end["dy"]) / run["scale"])  # [1/s]
     h = ca.fmin(0.1 / ca.fmax(fastest, 1 / FINITE), run["h_max"])
-    h_onset = ONSET_STEP * run["accuracy"] ** ONSET_POWER * run["scales"][0] / run["scales"][1]
+    h_onset = ONSET_STEP * run["tolerance"] ** ONSET_POWER * run["scales"][0] / run["scales"][1]
     start = {
         **dict.fromkeys(vectors.state.sizes, ca.SX(0)),
         **end,

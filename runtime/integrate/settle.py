@@ -129,7 +129,9 @@ def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
     at_gap, at_force = ca.SX.sym("at_gap", model.k), ca.SX.sym("at_force", model.k + model.ns)
     tol, _, _ = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
     times = time_to_root(*towards(old["mode"], end))
-    near = ca.fmin(NEAR, run["accuracy"] ** 0.2) * old["h"]  # its fifth power, the nudge's error, is below the accuracy
+    near = (
+        ca.fmin(NEAR, run["tolerance"] ** 0.2) * old["h"]
+    )  # its fifth power, the nudge's error, is below the tolerance
     reached = (ca.fabs(times) <= near) * (ca.fabs(end["gap"]) > tol)
     delta = ca.mmin(ca.if_else(reached, times, 2 * near))
     theta, force = ca.mmin(at_gap), ca.mmin(at_force)

@@ -45,7 +45,7 @@ SHORTEST = 1e-9  # window, of the first: below it the integration has failed
 MAX_STEPS = 1_000_000  # inside SUNDIALS, per window
 GRIP = 3.0  # beside the modes of a pair, see _Event
 AT_REST = 1e-9  # m/s: a sliding velocity that counts as none at an event
-RELATIVE = 1e-14  # tolerance; the absolute one, in the scene's scales, is the accuracy
+RELATIVE = 1e-14  # the absolute tolerance, in the scene's scales, is the one asked for
 
 
 @dataclass(frozen=True)
@@ -72,8 +72,8 @@ def reference(model: Model, layouts: Layouts, method: str) -> Reference:
     options = {"reltol": RELATIVE, "max_num_steps": MAX_STEPS, "show_eval_warnings": False}
     points = [i / GRID for i in range(1, GRID + 1)]
 
-    def window(accuracy: float) -> tuple[Any, Any]:
-        given = {**options, "abstol": accuracy}
+    def window(tolerance: float) -> tuple[Any, Any]:
+        given = {**options, "abstol": tolerance}
         many, one = (ca.integrator("window", method, problem, 0, grid, given) for grid in (points, [1.0]))
         return many, one
 
@@ -140,7 +140,7 @@ class _Run:
         self.t_end, self.floor = float(given["t_end"][0]), float(given["floor"][0])
         self.max_events, self.max_steps = float(given["max_events"][0]), float(given["max_steps"][0])
         self.first_window = FIRST_WINDOW * float(given["scales"][0] / given["scales"][1])
-        self.many, self.one = functions.window(float(given["accuracy"][0]))
+        self.many, self.one = functions.window(float(given["tolerance"][0]))
         parts = self.layout.split(state.copy())
         self.t, self.y, self.mode, self.m = float(parts["t"][0]), parts["y"], parts["mode"], parts["m"]
         self.status = int(parts["status"][0])
@@ -238,14 +238,14 @@ class _Run:
     def dip(self, t: float, y: np.ndarray, step: float, n: int) -> float | None:
         """Where in an interval signal n has a minimum, if that is not positive."""
         if not self.value(t, y, 0, n, 1) < 0 < self.value(t, y, step, n, 1):
-            return None  # flat, to the accuracy of two integrations
+            return None  # flat, to the tolerance of two integrations
         theta = float(brentq(lambda x: self.value(t, y, x * step, n, 1), 0, 1))
         return theta if theta > 0 and self.value(t, y, theta * step, n, 0) <= 0 else None
 
     def root(self, t: float, y: np.ndarray, step: float, n: int, high: float) -> float:
         """Where in an interval signal n falls through zero, to rounding; 0 if it is below from the start."""
         if self.value(t, y, high * step, n, 0) > 0:
-            return high  # zero to the accuracy of two integrations
+            return high  # zero to the tolerance of two integrations
         low = 0.0
         while self.value(t, y, low * step, n, 0) <= 0:
             low = high / 2 if low == 0 else low / 8

@@ -30,7 +30,7 @@ def hertzwerk(method: str, *, compiled: bool, friction: bool, ledger: bool = Fal
     crank = model(friction, ledger=ledger)
 
     def run(duration: float, tolerance: float) -> Any:
-        return simulate(crank, duration=duration, accuracy=tolerance, method=method, compiled=compiled)
+        return simulate(crank, duration=duration, tolerance=tolerance, method=method, compiled=compiled)
 
     def state(duration: float, tolerance: float) -> Sequence[float]:
         found = run(duration, tolerance)

@@ -45,7 +45,7 @@ def _work(friction: bool, name: str, target: float, mine: float, theirs: float) 
     """Evaluations on both sides, and the steps they were made for."""
     from hertzwerk.runtime import simulate
 
-    ours = simulate(model(friction), duration=DURATION, accuracy=mine, compiled=True).statistics
+    ours = simulate(model(friction), duration=DURATION, tolerance=mine, compiled=True).statistics
     by_hand = programs.handwritten("dop853", theirs, friction=friction, times=(DURATION,))
     note = (
         f"steps {ours.steps} (rejected {ours.rejected}, retaken {ours.retaken}), "
@@ -59,7 +59,7 @@ def _overhead(friction: bool, name: str, target: float, tolerance: float, times:
     """A whole run over its evaluations by themselves."""
     from hertzwerk.runtime import simulate
 
-    run = simulate(model(friction), duration=DURATION, accuracy=tolerance, compiled=True)
+    run = simulate(model(friction), duration=DURATION, tolerance=tolerance, compiled=True)
     for path, time in times.items():
         found = evaluations(run, compiled=path == "C")
         alone = sum(each.number * each.seconds for each in found.values())

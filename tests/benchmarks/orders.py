@@ -48,7 +48,7 @@ def after(phase: Phase, method: str, count: int) -> np.ndarray:
     from hertzwerk.runtime import load, simulate
 
     run = simulate(
-        load("bouncing_ball"), duration=phase.length, accuracy=1e-11, method=method, compiled=False,
+        load("bouncing_ball"), duration=phase.length, tolerance=1e-11, method=method, compiled=False,
         parameters={"restitution": phase.restitution},
         initial={name: f"{value!r} {unit}" for (name, value), unit in zip(DEEP.items(), ("m", "m/s"), strict=True)},
     )  # fmt: skip

@@ -9,7 +9,7 @@ from benchmarks.ratios import Ratio, medians
 
 from reference import scenes
 
-DURATION, ACCURACY = "24 ms", 1e-8  # two revolutions, about 1500 attempts
+DURATION, TOLERANCE = "24 ms", 1e-8  # two revolutions, about 1500 attempts
 RUNS = 10  # of which a measurement is the shortest: a run is shorter than the time slice of whatever else there is
 
 
@@ -30,7 +30,7 @@ def attempt(model: Any, compiled: bool) -> Callable[[], float]:
     from hertzwerk.runtime import simulate
 
     def measure() -> float:
-        runs = [simulate(model, duration=DURATION, accuracy=ACCURACY, compiled=compiled) for _ in range(RUNS)]
+        runs = [simulate(model, duration=DURATION, tolerance=TOLERANCE, compiled=compiled) for _ in range(RUNS)]
         return min(s.wall_s / (s.steps + s.rejected + s.retaken) for s in (run.statistics for run in runs))
 
     measure()  # builds, compiles

@@ -62,8 +62,8 @@ class SolveIvp:
         self.flight, self.contact = rates(applied), rates(applied + push)
         self.gap, self.gap_rate = function(gap), function(gap_rate)
 
-    def __call__(self, duration: float, accuracy: float) -> np.ndarray:
-        """State at the end; absolute tolerances are the accuracy in the scene's scales."""
+    def __call__(self, duration: float, tolerance: float) -> np.ndarray:
+        """State at the end; absolute tolerances are `tolerance` in the scene's scales."""
         t, y, touching = 0.0, self.start, False
 
         def gap(t: float, y: np.ndarray) -> float:
@@ -71,8 +71,8 @@ class SolveIvp:
 
         gap.terminal = True
         options = {
-            "rtol": max(1e-3 * accuracy, 3e-14),
-            "atol": accuracy * self.scale,
+            "rtol": max(1e-3 * tolerance, 3e-14),
+            "atol": tolerance * self.scale,
             "method": self.method,
             "events": gap,
         }

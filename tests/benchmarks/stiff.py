@@ -14,13 +14,13 @@ from benchmarks.ratios import Measurement, Ratio, decades, hot, medians
 from benchmarks.stiff_scenes import incline
 
 EXPLICIT, IMPLICIT = ("dop853", "dopri5"), ("esdirk", "rodas", "auto")
-ACCURACY, TARGET = 1e-5, 2e-5
+TOLERANCE, TARGET = 1e-5, 2e-5
 TOLERANCES = decades(4, 8, 2)
 
 
 @dataclass(frozen=True)
 class Case:
-    """A run of a model: every method at the accuracy 1e-5, or each at the accuracy that gives an error of `TARGET` in the scene's scales."""
+    """A run of a model: every method at the tolerance 1e-5, or each at the tolerance that gives an error of `TARGET` in the scene's scales."""
 
     name: str
     model: Any = field(repr=False)
@@ -29,23 +29,23 @@ class Case:
     equal_error: bool = False
     pays: bool = True
 
-    def run(self, method: str, accuracy: float) -> Any:
+    def run(self, method: str, tolerance: float) -> Any:
         """In the virtual machine, explicit or implicit."""
         from hertzwerk.runtime import simulate
 
         return simulate(
             self.model,
             duration=self.duration,
-            accuracy=accuracy,
+            tolerance=tolerance,
             method=method,
             parameters=self.parameters,
             compiled=False,
         )
 
-    def accuracy(self, method: str) -> float | None:
+    def tolerance(self, method: str) -> float | None:
         """What to ask a method for."""
         if not self.equal_error:
-            return ACCURACY
+            return TOLERANCE
         errors = [float(np.max(np.abs(self._state(method, a) - self._exact))) for a in TOLERANCES]
         return crossing(TOLERANCES, errors, TARGET, reach=1)
 
@@ -53,9 +53,9 @@ class Case:
     def _exact(self) -> np.ndarray:
         return _exact(self.name, self._state)
 
-    def _state(self, method: str, accuracy: float) -> np.ndarray:
+    def _state(self, method: str, tolerance: float) -> np.ndarray:
         """Coordinates and speeds at the end, in the scene's scales."""
-        run, bound = self.run(method, accuracy), self.model.bind(self.parameters)
+        run, bound = self.run(method, tolerance), self.model.bind(self.parameters)
         scales = np.concatenate([np.array(part).ravel() for part in self.model.function("scales")(bound.p)[:2]])
         names = (*self.model.coordinates, *self.model.speeds)
         return np.array([run[name][-1] for name in names]) / scales
@@ -85,28 +85,28 @@ def cases() -> tuple[Case, ...]:
     )
 
 
-def _time(case: Case, method: str, accuracy: float) -> Measurement:
-    return hot(lambda: case.run(method, accuracy), calls=1, warm=1)
+def _time(case: Case, method: str, tolerance: float) -> Measurement:
+    return hot(lambda: case.run(method, tolerance), calls=1, warm=1)
 
 
 def implicit() -> Iterator[Ratio]:
-    """Explicit over implicit at accuracy 1e-5, steps and time in the virtual machine; of the explicit methods the better one."""
+    """Explicit over implicit at tolerance 1e-5, steps and time in the virtual machine; of the explicit methods the better one."""
     for case in cases():
         if not case.pays:
             print("  where implicit methods do not pay:")
-        accuracies = {method: case.accuracy(method) for method in (*EXPLICIT, *IMPLICIT)}
-        missing = [method for method, accuracy in accuracies.items() if accuracy is None]
+        tolerances = {method: case.tolerance(method) for method in (*EXPLICIT, *IMPLICIT)}
+        missing = [method for method, tolerance in tolerances.items() if tolerance is None]
         if missing:
             print(f"  {case.name}: error not reached by {', '.join(missing)}")
-        reached = {method: accuracy for method, accuracy in accuracies.items() if accuracy is not None}
-        steps = {method: case.run(method, accuracy).statistics.steps for method, accuracy in reached.items()}
+        reached = {method: tolerance for method, tolerance in tolerances.items() if tolerance is not None}
+        steps = {method: case.run(method, tolerance).statistics.steps for method, tolerance in reached.items()}
         measured = medians(*(_time(case, m, a) for m, a in reached.items()), repeats=5)
         times = dict(zip(reached, measured, strict=True))
         fewest, cheapest = (min(EXPLICIT, key=lambda m: of.get(m, np.inf)) for of in (steps, times))
         for method in IMPLICIT:
             if method not in reached:
                 continue
-            note = f"accuracies {reached[fewest]:.1e}, {reached[method]:.1e}"
+            note = f"tolerances {reached[fewest]:.1e}, {reached[method]:.1e}"
             what = f"{fewest} / {method}, {case.name}"
             yield Ratio(what, steps[fewest], steps[method], ">= 10" if case.pays else "", note, unit="steps")
             yield Ratio(f"    time, {cheapest}", times[cheapest], times[method], ">= 1" if case.pays else "")

@@ -175,7 +175,7 @@ def test_any_with_any(stiffness):
 
 def impact(pair, stiffness, damping, friction=None, **changed):
     run = simulate(
-        load(scene(pair, stiffness, damping, friction, **changed)), duration="1 ms", accuracy=1e-10, max_steps=5000
+        load(scene(pair, stiffness, damping, friction, **changed)), duration="1 ms", tolerance=1e-10, max_steps=5000
     )
     assert run.outcome.finished, run.outcome
     assert len(run.impacts) == 1
@@ -231,7 +231,7 @@ def test_release_rules_differ_and_tsuji_is_exact_where_the_gap_opens():
     assert run["joint.normal_force"].min() < 0
     model = load(scene("pin_in_bush", "hertz_point", "tsuji", e=0.7))
     model.module.RELEASES = ("force",)
-    early = simulate(model, duration="1 ms", accuracy=1e-10)
+    early = simulate(model, duration="1 ms", tolerance=1e-10)
     assert -early.final["slide.speed"] / PACE > 0.71
 
 
@@ -267,7 +267,7 @@ def test_effective_mass_is_that_of_both_bodies_by_default():
         Scales(length=CLEARANCE / 100, speed=Parameter("pace", "m/s", PACE)),
         Start(position={"away": RADIUS + SMALL}, speed={"slide": Parameter("approach", "m/s", PACE)}),
     )
-    run = simulate(load(spheres), duration="1 ms", accuracy=1e-10)
+    run = simulate(load(spheres), duration="1 ms", tolerance=1e-10)
     mass = PIN_MASS * BUSH_MASS / (PIN_MASS + BUSH_MASS)
     alone = Impact(LAWS["hertz_point"], LAWS["jankowski"], mass=mass, speed=PACE, e="0.7")
     assert (run.final["away.speed"] - run.final["slide.speed"]) / PACE == pytest.approx(alone.restitution, rel=1e-7)
@@ -297,7 +297,7 @@ def test_beyond_reach_the_run_ends():
     run = simulate(
         load(scene("pin_in_bush", "johnson", "exact")),
         duration="1 ms",
-        accuracy=1e-8,
+        tolerance=1e-8,
         initial={"slide.speed": "90 m/s"},
     )
     assert run.outcome.name == "outside_law_range"

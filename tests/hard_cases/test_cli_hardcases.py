@@ -40,7 +40,7 @@ def test_json_says_what_was_measured(without_a_compiler):
         assert result["wall_s"] > 0
         rows = {row["name"]: row for row in result["measured"]}
         assert all(row["holds"] and row["value"] <= row["limit"] for row in rows.values())
-        assert rows["energy"]["limit"] == pytest.approx(10 * known.accuracy)
+        assert rows["energy"]["limit"] == pytest.approx(10 * known.tolerance)
         assert rows["steps tried"]["value"] == result["tries"]
         assert rows["final ball.speed"]["value"] <= known.known[0].within == rows["final ball.speed"]["limit"]
         again = runner.result(known, result["method"], native=False)

@@ -27,7 +27,7 @@ def broken(run, case=CASE):
 
 
 def run_of(model, **options):
-    return simulate(model, duration=CASE.duration, accuracy=CASE.accuracy, compiled=False, **options)
+    return simulate(model, duration=CASE.duration, tolerance=CASE.tolerance, compiled=False, **options)
 
 
 def changed(**functions):

@@ -33,13 +33,13 @@ from hertzwerk.derive.scenes.n_four_bar import L, n_four_bar, v
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 from hertzwerk.runtime import load, simulate
 
-ACCURACY = 1e-11
+TOLERANCE = 1e-11
 
 
-def both(scene: Scene, duration: float, accuracy: float = ACCURACY, **options):
+def both(scene: Scene, duration: float, tolerance: float = TOLERANCE, **options):
     """The scene's run by its joints, and by its bodies."""
     return [
-        simulate(load(scene.with_coordinates(kind)), duration=duration, accuracy=accuracy, **options)
+        simulate(load(scene.with_coordinates(kind)), duration=duration, tolerance=tolerance, **options)
         for kind in ("tree", "absolute")
     ]
 
@@ -159,7 +159,7 @@ def test_slider_crank_with_clearance_through_its_impacts():
 def test_friction_that_sticks_and_slips():
     friction = Parameter("friction_coefficient", "1", 0.1)
     dry = replace(slider_crank.effect("slider_pin_friction"), law=coulomb(mu_k=friction, mu_s=friction))
-    tree, absolute = both(slider_crank.replace(slider_pin_friction=dry), 0.004, accuracy=1e-10)
+    tree, absolute = both(slider_crank.replace(slider_pin_friction=dry), 0.004, tolerance=1e-10)
     assert len(absolute.impacts) == len(tree.impacts) > 5
     assert absolute["slider.x"][-1] == pytest.approx(tree["guide.travel"][-1], abs=1e-11)
     assert absolute.energy_residual < 1e-9
@@ -181,7 +181,7 @@ def test_joints_have_histories_in_absolute_coordinates_too():
 
 def test_what_drives_a_joint_is_the_force_that_holds_it():
     """Work of the drive between two bodies against what its multiplier does at its speed, summed over the steps of a fine grid."""
-    absolute = simulate(load(driven_within().with_coordinates("absolute")), duration=1.0, accuracy=1e-10, output=4001)
+    absolute = simulate(load(driven_within().with_coordinates("absolute")), duration=1.0, tolerance=1e-10, output=4001)
     power = absolute["pin_1.moment_angle"] * absolute["pin_1.speed"]
     t = absolute.t
     work = np.sum((power[1:] + power[:-1]) / 2 * np.diff(t))
@@ -191,7 +191,7 @@ def test_what_drives_a_joint_is_the_force_that_holds_it():
 
 @pytest.mark.slow
 def test_loops_stay_closed_and_quaternions_of_norm_1_in_a_long_run():
-    run = simulate(load(ball_chain().with_coordinates("absolute")), duration=100.0, accuracy=1e-11)
+    run = simulate(load(ball_chain().with_coordinates("absolute")), duration=100.0, tolerance=1e-11)
     q = run.history.part("y")[:, : run.model.nq]
     for i in run.model.quaternions:
         assert np.max(np.abs(np.linalg.norm(q[:, i : i + 4], axis=1) - 1)) < 1e-14
@@ -201,7 +201,7 @@ def test_loops_stay_closed_and_quaternions_of_norm_1_in_a_long_run():
 
 @pytest.mark.slow
 def test_a02_in_absolute_coordinates():
-    run = simulate(load(n_four_bar(2).with_coordinates("absolute")), duration=10.0, accuracy=ACCURACY)
+    run = simulate(load(n_four_bar(2).with_coordinates("absolute")), duration=10.0, tolerance=TOLERANCE)
     times = np.linspace(0.5, 10, 20)
     at = run.at(times)
     for post in range(3):
@@ -241,5 +241,5 @@ def test_assembly_faults_are_the_same_in_words(scene):
 
 def test_compiled_is_bitwise_the_same():
     model = load(n_four_bar(2).with_coordinates("absolute"))
-    one, two = (simulate(model, duration=0.5, accuracy=1e-8, compiled=compiled) for compiled in (False, True))
+    one, two = (simulate(model, duration=0.5, tolerance=1e-8, compiled=compiled) for compiled in (False, True))
     assert np.array_equal(one.history.rows, two.history.rows)

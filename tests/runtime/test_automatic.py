@@ -23,14 +23,14 @@ def eager(monkeypatch):
 
 
 def test_a_short_run_is_not_compiled(crank, tmp_path):
-    run = simulate(crank, duration="24 ms", accuracy=1e-8)
+    run = simulate(crank, duration="24 ms", tolerance=1e-8)
     assert not run.compiled
     assert run.statistics.compile_s == 0
     assert not (tmp_path / "cache").exists()
 
 
 def test_a_run_changes_to_c_on_the_way_and_no_bit_changes(crank, eager, tmp_path):
-    options = {"duration": "24 ms", "accuracy": 1e-8}
+    options = {"duration": "24 ms", "tolerance": 1e-8}
     machine = simulate(crank, compiled=False, **options)
     run = simulate(crank, **options)
     assert run.compiled
@@ -48,7 +48,7 @@ def test_a_run_changes_to_c_on_the_way_and_no_bit_changes(crank, eager, tmp_path
 def test_a_cached_library_is_used_at_once(crank, monkeypatch):
     simulate(crank, duration="1 ms", compiled=True)
     monkeypatch.setattr(automatic, "LOOK", 0.0)
-    run = simulate(load(crank.name), duration="24 ms", accuracy=1e-8)
+    run = simulate(load(crank.name), duration="24 ms", tolerance=1e-8)
     assert run.compiled
     assert run.statistics.compile_s < 0.5
 
@@ -57,16 +57,16 @@ def test_without_a_compiler_it_goes_on(crank, eager, monkeypatch):
     monkeypatch.setenv("PATH", "")
     monkeypatch.delenv("CC", raising=False)
     compiled._compiler.cache_clear()
-    run = simulate(crank, duration="24 ms", accuracy=1e-8)
+    run = simulate(crank, duration="24 ms", tolerance=1e-8)
     compiled._compiler.cache_clear()
     assert run.outcome.finished
     assert not run.compiled
 
 
 def test_a_limited_run_is_not_compiled_for_time_it_will_not_take(crank, tmp_path):
-    run = simulate(crank, duration="100 s", accuracy=1e-8, max_steps=2000)
+    run = simulate(crank, duration="100 s", tolerance=1e-8, max_steps=2000)
     assert not run.compiled
-    run = simulate(crank, duration="100 s", accuracy=1e-8, wall_time=0.1)
+    run = simulate(crank, duration="100 s", tolerance=1e-8, wall_time=0.1)
     assert not run.compiled
     assert not (tmp_path / "cache").exists()
 

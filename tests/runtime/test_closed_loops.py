@@ -51,7 +51,7 @@ def open_by(run) -> float:
 @pytest.mark.parametrize("method", ["dop853", "dopri5", "rodas", "esdirk", "auto"])
 def test_a02_at_4_seconds(method):
     """B0 of two windows as the benchmark library's other implementations have it; singular positions have been passed."""
-    run = simulate(load("n_four_bar"), duration=4.0, accuracy=1e-10 if method != "dopri5" else 1e-11, method=method)
+    run = simulate(load("n_four_bar"), duration=4.0, tolerance=1e-10 if method != "dopri5" else 1e-11, method=method)
     assert run.outcome.finished
     angle = run.final["foot_0.angle"]
     limit = 1e-8 if method in ("dop853", "dopri5", "auto") else 1e-7
@@ -61,7 +61,7 @@ def test_a02_at_4_seconds(method):
 
 
 def test_a02_is_one_pendulum():
-    run = simulate(load("n_four_bar"), duration=10.0, accuracy=1e-10)
+    run = simulate(load("n_four_bar"), duration=10.0, tolerance=1e-10)
     times = np.linspace(0.5, 10, 20)
     at = run.at(times)
     for post in range(3):
@@ -70,7 +70,7 @@ def test_a02_is_one_pendulum():
 
 @pytest.mark.slow
 def test_a02_with_40_windows_is_one_pendulum():
-    run = simulate(load(n_four_bar(40)), duration=10.0, accuracy=1e-10)
+    run = simulate(load(n_four_bar(40)), duration=10.0, tolerance=1e-10)
     times = np.linspace(0.5, 10, 20)
     at = run.at(times)
     for post in (0, 20, 40):
@@ -81,13 +81,13 @@ def test_a02_with_40_windows_is_one_pendulum():
 
 def test_compiled_is_bitwise_the_same():
     model = load("n_four_bar")
-    one, two = (simulate(model, duration=1.5, accuracy=1e-8, compiled=compiled) for compiled in (False, True))
+    one, two = (simulate(model, duration=1.5, tolerance=1e-8, compiled=compiled) for compiled in (False, True))
     assert np.array_equal(one.history.rows, two.history.rows)
 
 
 def test_bricard_keeps_its_energy_and_its_loop():
     """One redundant constraint; by counting it could not move at all."""
-    run = simulate(load("bricard"), duration=10.0, accuracy=1e-11)
+    run = simulate(load("bricard"), duration=10.0, tolerance=1e-11)
     assert run.outcome.finished
     assert run.energy_residual < 1e-9
     assert open_by(run) < 1e-9
@@ -116,7 +116,7 @@ def four_bar(crank: float, coupler: float, rocker: float, base: float, *drive: f
 
 def test_a_four_bar_driven_round_follows_its_geometry():
     """Crank at constant speed: the rocker's angle by the law of cosines, at every time the same branch."""
-    run = simulate(load(four_bar(0.5, 1.5, 1.2, 1.6, 2.0)), duration=6.0, accuracy=1e-10)
+    run = simulate(load(four_bar(0.5, 1.5, 1.2, 1.6, 2.0)), duration=6.0, tolerance=1e-10)
     assert run.outcome.finished
     angle = 2.0 * run.t
     tip = 0.5 * np.exp(1j * angle) - 1.6
@@ -128,7 +128,7 @@ def test_a_four_bar_driven_round_follows_its_geometry():
 
 def test_a_parallelogram_keeps_its_branch_through_the_change_point():
     """Stretched out it could go on as an antiparallelogram; driven by its own weight it stays what it was."""
-    run = simulate(load(four_bar(1.0, 2.0, 1.0, 2.0, position={"main": rad(0.4)})), duration=5.0, accuracy=1e-9)
+    run = simulate(load(four_bar(1.0, 2.0, 1.0, 2.0, position={"main": rad(0.4)})), duration=5.0, tolerance=1e-9)
     assert run.outcome.finished
     assert np.min(run["main.angle"]) < -np.pi  # past the change points at 0 and -pi
     assert run["foot.angle"] == pytest.approx(run["main.angle"], abs=1e-6)
@@ -137,7 +137,7 @@ def test_a_parallelogram_keeps_its_branch_through_the_change_point():
 
 def test_a_mechanism_that_locks_ends_as_constraint_lost():
     """The crank is driven on, the other two are stretched out before it has gone round."""
-    run = simulate(load(four_bar(1.5, 1.2, 1.0, 2.0, 2.0)), duration=10.0, accuracy=1e-6)
+    run = simulate(load(four_bar(1.5, 1.2, 1.0, 2.0, 2.0)), duration=10.0, tolerance=1e-6)
     assert run.outcome.name == "constraint_lost"
     locked = np.arccos((1.5**2 + 2.0**2 - 2.2**2) / (2 * 1.5 * 2.0)) / 2.0  # the triangle 1.5, 2, 1.2 + 1
     assert run.t[-1] == pytest.approx(locked, abs=1e-5)
@@ -203,7 +203,7 @@ def test_lengths_that_never_meet():
 
 def test_the_force_in_a_hinge_is_what_its_body_needs():
     """Beam 1 of two windows, cut free: its mass times the acceleration of its centre, less its weight, is what both hinges push with."""
-    run = simulate(load("n_four_bar"), duration=0.6, accuracy=1e-11)
+    run = simulate(load("n_four_bar"), duration=0.6, tolerance=1e-11)
     t, h = np.linspace(0.05, 0.55, 11), 1e-5
     angle = [run.at(t + k * h)["foot_1.angle"] for k in (-1, 0, 1)]
     centre = [

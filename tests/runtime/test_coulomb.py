@@ -73,7 +73,7 @@ def model():
 
 @pytest.mark.parametrize("method", [*METHODS, *REFERENCES])
 def test_sliding_to_rest(model, method):
-    run = simulate(model, duration="1 s", method=method, accuracy=1e-8, parameters={"slide": "1 m/s"})
+    run = simulate(model, duration="1 s", method=method, tolerance=1e-8, parameters={"slide": "1 m/s"})
     deceleration = MU_K * WEIGHT / MOVING
     slip, force = run["floor_0.slip"], run["floor_0.friction_force"]
     sticks = np.flatnonzero(slip == 0)
@@ -102,7 +102,7 @@ def test_just_below_the_friction_angle_nothing_moves(model, method):
 @pytest.mark.parametrize("method", METHODS)
 def test_just_above_the_friction_angle_it_slides(model, method):
     angle = (1 + 1e-6) * CRITICAL
-    run = simulate(model, duration="2 s", method=method, accuracy=1e-8, parameters={"slope": angle})
+    run = simulate(model, duration="2 s", method=method, tolerance=1e-8, parameters={"slope": angle})
     a = GRAVITY * math.sin(angle) - MU_K * WEIGHT * math.cos(angle) / MOVING
     assert run.final["along_0.speed"] == pytest.approx(2 * a, rel=1e-8)
     assert run.final["along_0.travel"] == pytest.approx(2 * a, rel=1e-8)
@@ -113,7 +113,7 @@ def test_just_above_the_friction_angle_it_slides(model, method):
 def test_a_tilting_plane_lets_go_at_the_static_angle(method):
     """The turning adds a centripetal acceleration to the load: MOVING g sin = mu_s MASS (g cos - turn^2 height)."""
     turn = 0.2
-    run = simulate(built(block, DRY, turn=turn), duration="2 s", method=method, accuracy=1e-8)
+    run = simulate(built(block, DRY, turn=turn), duration="2 s", method=method, tolerance=1e-8)
     slips = np.flatnonzero(run["floor_0.slip"] != 0)
     height = float(run["up_0.travel"][slips[0]])
 
@@ -131,7 +131,7 @@ def test_thrown_uphill_it_turns_without_sticking(model, method):
     """Steeper than the friction angle: up with g (sin + mu cos), down with g (sin - mu cos), nothing in between."""
     angle, speed = 0.5, 1.0
     run = simulate(
-        model, duration="1 s", method=method, accuracy=1e-8,
+        model, duration="1 s", method=method, tolerance=1e-8,
         parameters={"slope": angle, "slide": f"{-speed} m/s"},
     )  # fmt: skip
     drag = MU_K * WEIGHT * math.cos(angle) / MOVING
@@ -147,7 +147,7 @@ def test_thrown_uphill_it_turns_without_sticking(model, method):
 def test_bounces_take_an_impulse_each():
     """Sliding all the while: what friction takes is mu_k times what the floor gives, MASS times the changes of speed plus the weight's."""
     run = simulate(
-        built(block, DRY), duration="0.3 s", accuracy=1e-9,
+        built(block, DRY), duration="0.3 s", tolerance=1e-9,
         parameters={"slide": "3 m/s", "height": "20 mm", "restitution": 1},  # less, and the law would pull before it ends
     )  # fmt: skip
     pushed = MASS * (run["up_0.speed"][-1] - run["up_0.speed"][0]) + WEIGHT * 0.3
@@ -162,8 +162,8 @@ def test_bounces_take_an_impulse_each():
 def test_bounces_on_a_slope_agree(model, method):
     """Dropped on a slope it would stay on: slips, sticks while pressed hard, slips again before it leaves; every method finds the same."""
     given = {"duration": "0.15 s", "parameters": {"slope": 0.2, "height": "2 mm", "restitution": 0.6}}
-    best = simulate(model, accuracy=1e-11, **given)
-    run = simulate(model, accuracy=1e-8, method=method, **given)
+    best = simulate(model, tolerance=1e-11, **given)
+    run = simulate(model, tolerance=1e-8, method=method, **given)
     slip, mode = best["floor_0.slip"], best["floor_0.mode"]
     assert {-1.0, 0.0} <= set(slip[mode == 1])
     assert run.final["along_0.travel"] == pytest.approx(best.final["along_0.travel"], abs=1e-7)
@@ -233,9 +233,9 @@ def test_redundant_contacts_share_what_they_hold(method):
     for foot in ("rear", "front"):
         assert run[f"{foot}.friction_force"][-1] == pytest.approx(GRAVITY * math.sin(0.25), rel=1e-7)
     assert np.max(np.abs(run["along.speed"])) < 1e-13
-    run = simulate(model, duration="1 s", method=method, accuracy=1e-8, parameters={"slope": 0.35})
+    run = simulate(model, duration="1 s", method=method, tolerance=1e-8, parameters={"slope": 0.35})
     assert run.final["along.speed"] == pytest.approx(GRAVITY * (math.sin(0.35) - MU_K * math.cos(0.35)), rel=1e-6)
-    run = simulate(model, duration="1 s", method=method, accuracy=1e-8, parameters={"slide": "1 m/s"})
+    run = simulate(model, duration="1 s", method=method, tolerance=1e-8, parameters={"slide": "1 m/s"})
     assert run.final["along.travel"] == pytest.approx(1 / (2 * MU_K * GRAVITY), rel=1e-8)
     assert run.final["along.speed"] == pytest.approx(0, abs=1e-14)
     assert run.energy_residual < 1e-7
@@ -245,14 +245,14 @@ def test_redundant_contacts_share_what_they_hold(method):
 def test_a_body_that_rocks_loads_its_feet_unequally(method):
     """Braking at the feet, which are below the middle, loads the front one: mu_k g m radius = (N_front - N_rear) FEET."""
     run = simulate(
-        built(sledge, rocks=True), duration="1.5 s", method=method, accuracy=1e-8, parameters={"slide": "2 m/s"}
+        built(sledge, rocks=True), duration="1.5 s", method=method, tolerance=1e-8, parameters={"slide": "2 m/s"}
     )
     rows = run.at(np.linspace(0.3, 0.9, 300))
     shift = np.mean(rows["front.normal_force"] - rows["rear.normal_force"])
     assert shift * FEET == pytest.approx(2 * MU_K * GRAVITY * 0.05, rel=1e-3)
     assert run.final["along.travel"] == pytest.approx(2**2 / (2 * MU_K * GRAVITY), rel=1e-5)
     assert run["front.slip"][-1] == run["rear.slip"][-1] == 0
-    assert abs(run.final["along.speed"]) < 1e-8  # the accuracy
+    assert abs(run.final["along.speed"]) < 1e-8  # the tolerance
     assert run.energy_residual < 1e-7
 
 
@@ -294,7 +294,7 @@ def stack(upper, lower):
 @pytest.mark.parametrize("method", [*METHODS, CVODES])
 def test_stuck_on_what_slides(method):
     """0.4 above holds what 0.2 below takes: slab and block brake as one, each friction force through the other's mass."""
-    run = simulate(built(stack, 0.4, 0.2), duration="0.6 s", method=method, accuracy=1e-8)
+    run = simulate(built(stack, 0.4, 0.2), duration="0.6 s", method=method, tolerance=1e-8)
     slides = run.t < 0.5
     assert np.all(run["deck.slip"] == 0)
     assert np.abs(run["deck.friction_force"][slides]) == pytest.approx(0.2 * GRAVITY, rel=1e-6)
@@ -306,7 +306,7 @@ def test_stuck_on_what_slides(method):
 @pytest.mark.parametrize("method", [*METHODS, CVODES])
 def test_sliding_on_what_sticks(method):
     """0.1 above, 0.3 below: the slab brakes faster and stands still under the block, which slides on for as long as 0.1 g takes."""
-    run = simulate(built(stack, 0.1, 0.3), duration="1.2 s", method=method, accuracy=1e-8)
+    run = simulate(built(stack, 0.1, 0.3), duration="1.2 s", method=method, tolerance=1e-8)
     slab = (0.3 * 4 * GRAVITY - 0.1 * GRAVITY) / 3
     assert run.final["sled_x.travel"] == pytest.approx(1 / (2 * slab), rel=1e-8)
     assert run.final["cart_x.travel"] == pytest.approx(1 / (2 * 0.1 * GRAVITY) - 1 / (2 * slab), rel=1e-8)
@@ -351,7 +351,7 @@ def ball(height=0.0, stiffness=STIFFNESS):
 @pytest.mark.parametrize("method", [*METHODS, CVODES])
 def test_sliding_becomes_rolling(method):
     """About the point of contact the angular momentum stays: rolling at (5 v - 2 r w)/7, here after t = 2 (v + r w)/(7 mu g)."""
-    run = simulate(built(ball), duration="1 s", method=method, accuracy=1e-8)
+    run = simulate(built(ball), duration="1 s", method=method, tolerance=1e-8)
     v, w = 1.0, 60.0
     rolling = (5 * v - 2 * RADIUS * w) / 7
     begins = np.flatnonzero(run["floor.slip"] == 0)[0]
@@ -367,7 +367,7 @@ def test_sliding_becomes_rolling(method):
 def test_a_bounce_with_backspin(method, mu, grips_it):
     """One short impact: sliding throughout it takes mu (1 + e) v_n along; with enough friction the ball leaves rolling."""
     run = simulate(
-        built(ball, 0.01), duration="40 ms", method=method, accuracy=1e-8,
+        built(ball, 0.01), duration="40 ms", method=method, tolerance=1e-8,
         parameters={"mu_k": mu, "mu_s": mu, "fall": "2 m/s", "stiffness": "1e6 N/m", "gravity": "1e-6 m/s^2"},
     )  # fmt: skip
     (impact,) = run.impacts
@@ -418,7 +418,7 @@ def test_free_oscillations_lose_four_friction_lengths_each(method):
     """Turning points x0 - 2 n mu_k N/k, half a period apart, until one lies within mu_s N/k, where it stays."""
     way, x0 = 0.02, 0.115  # mu_k N/k, m; mu_s N/k = 0.03 m
     run = simulate(
-        oscillator(0.2, 0.3), duration="2 s", method=method, accuracy=1e-8, parameters={"x0": f"{x0} m"}
+        oscillator(0.2, 0.3), duration="2 s", method=method, tolerance=1e-8, parameters={"x0": f"{x0} m"}
     )  # fmt: skip
     changes = np.flatnonzero(np.diff(run["touch.slip"])) + 1
     turns = 3  # 0.115 -> -0.075 -> 0.035 -> 0.005
@@ -435,7 +435,7 @@ def test_stick_slip_on_a_belt_has_the_closed_period(method):
     """Sticks until k x = mu_s N, slips as a free oscillation about mu_k N/k until it meets the belt's speed again."""
     belt, omega, rise = 0.05, 10.0, 0.01  # rise: (mu_s - mu_k) N/k
     run = simulate(
-        oscillator(0.2, 0.3), duration="6 s", method=method, accuracy=1e-9, parameters={"belt": f"{belt} m/s"}
+        oscillator(0.2, 0.3), duration="6 s", method=method, tolerance=1e-9, parameters={"belt": f"{belt} m/s"}
     )
     slip = run["touch.slip"]
     lets_go = np.flatnonzero((slip[:-1] == 0) & (slip[1:] == -1)) + 1
@@ -458,7 +458,7 @@ def test_the_pin_of_the_slider_crank_slips_and_sticks_in_its_bush():
         slider_pin_friction=Friction("slider_pin_friction", "slider_pin", dry(mu_k=0.1, mu_s=0.1))
     )
     model, smooth = load(sharp), load("slider_crank")
-    given = {"duration": "6 ms", "accuracy": 1e-8}
+    given = {"duration": "6 ms", "tolerance": 1e-8}
     runs = {method: simulate(model, method=method, **given) for method in ("dop853", "esdirk", "cvodes")}
     travel = runs["dop853"].final["guide.travel"]
     assert {-1.0, 0.0, 1.0} == set(runs["dop853"]["slider_pin.slip"])

@@ -15,7 +15,7 @@ from hertzwerk.runtime.integrate import explicit, implicit
 from reference import closed_forms
 from reference.slider_crank import SliderCrank, reference
 
-METHODS = {"dopri5": 1e-12, "dop853": 1e-11}  # the accuracy that gives 1e-9 over an impact
+METHODS = {"dopri5": 1e-12, "dop853": 1e-11}  # the tolerance that gives 1e-9 over an impact
 DROP = 4.42944692
 
 
@@ -34,7 +34,7 @@ def impact_alone(ball, method, **parameters):
     return simulate(
         ball,
         duration="1 ms",
-        accuracy=METHODS[method],
+        tolerance=METHODS[method],
         method=method,
         parameters={"gravity": "0 m/s^2", **parameters},
         initial={"vertical.travel": "0.1 m", "vertical.speed": f"{-DROP} m/s"},
@@ -68,7 +68,7 @@ def test_damped_impact_of_two_bodies(ball, method, e):
 
 @pytest.mark.parametrize("method", METHODS)
 def test_drop_on_the_plane(ball, method):
-    run = simulate(ball, duration="0.46 s", accuracy=METHODS[method], method=method, parameters={"restitution": 1.0})
+    run = simulate(ball, duration="0.46 s", tolerance=METHODS[method], method=method, parameters={"restitution": 1.0})
     (impact,) = run.impacts
     v0 = closed_forms.drop_speed(1, "9.81")
     assert impact.speed == pytest.approx(v0, rel=1e-12)
@@ -82,7 +82,7 @@ def test_drop_on_the_plane(ball, method):
 @pytest.mark.parametrize("e", [0.9, 0.5])
 def test_between_two_walls_bounce_by_bounce(method, e):
     run = simulate(
-        load("ball_between_walls"), duration="4 s", accuracy=1e-12, method=method, parameters={"restitution": e}
+        load("ball_between_walls"), duration="4 s", tolerance=1e-12, method=method, parameters={"restitution": e}
     )
     h = closed_forms.factor("hunt_crossley", str(e))
     bounces = closed_forms.ball_between_walls("1e6", 1, "1.6", 10, h, 10, "0.4", "0.8")
@@ -100,20 +100,20 @@ def test_between_two_walls_bounce_by_bounce(method, e):
 def test_errors_fall_with_accuracy_until_rounding(ball, method):
     exact = closed_forms.drop_speed(1, "9.81")
     errors = []
-    for accuracy in (1e-4, 1e-6, 1e-8, 1e-10, 1e-12):
-        run = simulate(ball, duration="0.46 s", accuracy=accuracy, method=method, parameters={"restitution": 1.0})
+    for tolerance in (1e-4, 1e-6, 1e-8, 1e-10, 1e-12):
+        run = simulate(ball, duration="0.46 s", tolerance=tolerance, method=method, parameters={"restitution": 1.0})
         t = run.t[-1] - run.impacts[0].t - run.impacts[0].duration
         errors.append(abs(run.final["vertical.speed"] + 9.81 * t - exact) / exact)
-    assert all(error < 10 * accuracy for error, accuracy in zip(errors, (1e-4, 1e-6, 1e-7, 1e-9, 1e-10), strict=True))
+    assert all(error < 10 * tolerance for error, tolerance in zip(errors, (1e-4, 1e-6, 1e-7, 1e-9, 1e-10), strict=True))
     assert errors[-1] < 1e-10
     assert all(later < earlier for earlier, later in pairwise(errors[1:]))
 
 
 @pytest.mark.parametrize(("method", "order"), [("dopri5", 5), ("dop853", 8)])
 def test_on_a_smooth_motion_the_work_grows_as_the_order_says(method, order):
-    """Oscillator x'' = -x over 20 s: steps ~ accuracy^(-1/order of the error estimate), error proportional to accuracy."""
+    """Oscillator x'' = -x over 20 s: steps ~ tolerance^(-1/order of the error estimate), error proportional to tolerance."""
     model = point(push=lambda t, x, v: -x)
-    runs = [simulate(model, duration=20.0, accuracy=a, method=method) for a in (1e-5, 1e-9)]
+    runs = [simulate(model, duration=20.0, tolerance=a, method=method) for a in (1e-5, 1e-9)]
     errors = [abs(run.final["path.travel"] - math.cos(20)) for run in runs]
     assert errors[1] < 1e-3 * errors[0]
     growth = math.log(runs[1].statistics.steps / runs[0].statistics.steps) / math.log(1e4)
@@ -124,8 +124,8 @@ def test_work_at_a_given_error_of_the_slider_crank(crank):
     """Impacts amplify errors at random: the mean over tolerances counts. The hand-written program needs 6050 evaluations for 5e-5 (10 ms)."""
     truth = reference(friction=False)
     logarithms, evaluations = [], []
-    for accuracy in np.logspace(-6, -9, 13):
-        run = simulate(crank, duration="10 ms", accuracy=accuracy)
+    for tolerance in np.logspace(-6, -9, 13):
+        run = simulate(crank, duration="10 ms", tolerance=tolerance)
         angle, travel, spin, speed = (run.final[name] for name in (*crank.coordinates, *crank.speeds))
         w = SliderCrank().w
         logarithms.append(math.log10(truth.error(0.010, (angle + 0.010 * w, travel, spin + w, speed))))
@@ -136,15 +136,15 @@ def test_work_at_a_given_error_of_the_slider_crank(crank):
 
 def test_landings_cost_little(crank):
     """Aimed and nudged: on parabolic flights no step is taken twice, and one in two elsewhere."""
-    run = simulate(load("ball_between_walls"), duration="4 s", accuracy=1e-8)
+    run = simulate(load("ball_between_walls"), duration="4 s", tolerance=1e-8)
     assert run.statistics.events > 10
     assert run.statistics.retaken == 0
-    run = simulate(crank, duration="24 ms", accuracy=1e-8)
+    run = simulate(crank, duration="24 ms", tolerance=1e-8)
     assert run.statistics.retaken < run.statistics.events  # an onset and an end each
 
 
 def test_first_impact_of_the_slider_crank(crank):
-    run = simulate(crank, duration="0.3 ms", accuracy=1e-8)
+    run = simulate(crank, duration="0.3 ms", tolerance=1e-8)
     (impact,) = run.impacts
     assert impact.t == pytest.approx(2.2728e-4, rel=1e-4)
     assert impact.speed == pytest.approx(4.38583, rel=1e-5)
@@ -153,15 +153,15 @@ def test_first_impact_of_the_slider_crank(crank):
 
 
 @pytest.mark.parametrize("name", ["slider_crank", "slider_crank_frictionless"])
-def test_ledger_closes_with_accuracy(name):
-    residuals = [simulate(load(name), duration="24 ms", accuracy=a).energy_residual for a in (1e-6, 1e-8, 1e-10)]
+def test_ledger_closes_with_tolerance(name):
+    residuals = [simulate(load(name), duration="24 ms", tolerance=a).energy_residual for a in (1e-6, 1e-8, 1e-10)]
     assert residuals[0] < 1e-5
     assert residuals[2] < 1e-8
     assert residuals == sorted(residuals, reverse=True)
 
 
 def test_methods_agree_before_errors_grow(crank):
-    first, second = (simulate(crank, duration="2 ms", accuracy=1e-11, method=method) for method in METHODS)
+    first, second = (simulate(crank, duration="2 ms", tolerance=1e-11, method=method) for method in METHODS)
     assert first.final["guide.travel"] == pytest.approx(second.final["guide.travel"], abs=1e-11)
     assert len(first.impacts) == len(second.impacts)
 
@@ -170,13 +170,13 @@ def test_methods_agree_before_errors_grow(crank):
 def test_compiled_is_bitwise_the_virtual_machine(name, tmp_path, monkeypatch):
     monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path / "cache"))
     model, duration = load(name), "24 ms" if name == "slider_crank" else "5 s"
-    machine = simulate(model, duration=duration, accuracy=1e-8)
-    native = simulate(model, duration=duration, accuracy=1e-8, compiled=True)
+    machine = simulate(model, duration=duration, tolerance=1e-8)
+    native = simulate(model, duration=duration, tolerance=1e-8, compiled=True)
     assert np.array_equal(machine.history.rows, native.history.rows)
     libraries = list((tmp_path / "cache").iterdir())
     assert [library.suffix for library in libraries] == [".so"]
     before = libraries[0].stat().st_mtime_ns
-    again = simulate(load(name), duration=duration, accuracy=1e-8, compiled=True)
+    again = simulate(load(name), duration=duration, tolerance=1e-8, compiled=True)
     assert libraries[0].stat().st_mtime_ns == before  # found, not compiled again
     assert np.array_equal(machine.history.rows, again.history.rows)
 
@@ -193,7 +193,7 @@ def test_without_a_compiler_the_message_names_the_way_out(crank, monkeypatch):
 
 
 def test_dense_output_has_the_method_s_accuracy(ball):
-    run = simulate(ball, duration="1 s", accuracy=1e-10, parameters={"restitution": 1.0})
+    run = simulate(ball, duration="1 s", tolerance=1e-10, parameters={"restitution": 1.0})
     times = np.linspace(0, 0.45, 50)
     between = run.at(times)
     assert np.allclose(between["vertical.travel"], 1.1 - 9.81 * times**2 / 2, rtol=0, atol=1e-13)
@@ -224,7 +224,7 @@ def elastic(**options):
 
 
 def test_start_in_deep_penetration_at_rest():
-    run = simulate(elastic(), duration=0.05, accuracy=1e-10, initial={"path.travel": "-0.01 m"})
+    run = simulate(elastic(), duration=0.05, tolerance=1e-10, initial={"path.travel": "-0.01 m"})
     assert run.final["path.speed"] == pytest.approx(1.0, rel=1e-8)  # w d = 100 * 0.01
     assert run.impacts[0].duration == pytest.approx(math.pi / 200, rel=1e-8)
     assert run.energy_residual < 1e-9
@@ -248,7 +248,7 @@ def test_a_ball_at_rest_in_its_static_penetration_stays_there():
     model = point(
         lambda d, v, v0: 1e4 * d * (1 + 0 * v0), push=lambda t, x, v: -9.81 + 0 * t, scales=(1e-3, 1.0, 10.0, 1.0)
     )
-    run = simulate(model, duration=1.0, accuracy=1e-8, initial={"path.travel": "-9.81e-4 m"})
+    run = simulate(model, duration=1.0, tolerance=1e-8, initial={"path.travel": "-9.81e-4 m"})
     assert run.outcome.finished
     assert np.max(np.abs(run["path.travel"] + 9.81e-4)) < 1e-9
     assert run.impacts[0].duration is None
@@ -262,7 +262,7 @@ def test_a_push_on_a_body_at_rest_is_not_stepped_over():
         push=lambda t, x, v: -k + ca.if_else((t > 5) * (t < 6.2), push, 0),
         scales=(1.0, 1.0, 10.0, 1.0),
     )
-    run = simulate(model, duration=10.0, accuracy=1e-8, initial={"path.travel": "-1 m"})
+    run = simulate(model, duration=10.0, tolerance=1e-8, initial={"path.travel": "-1 m"})
     assert np.max(np.abs(run["path.travel"][run.t < 5] + 1)) < 1e-12
     x, v = run.final["path.travel"] + 1, run.final["path.speed"]
     amplitude = math.hypot(x, v / math.sqrt(k))
@@ -273,7 +273,7 @@ def test_runs_of_one_model_side_by_side_do_not_disturb_each_other(ball):
     heights = [f"{0.5 + 0.1 * i} m" for i in range(8)]
 
     def rows(height):
-        return simulate(ball, duration="5 s", accuracy=1e-9, parameters={"drop_height": height}).history.rows
+        return simulate(ball, duration="5 s", tolerance=1e-9, parameters={"drop_height": height}).history.rows
 
     alone = list(map(rows, heights))
     with ThreadPoolExecutor(4) as pool:
@@ -287,7 +287,7 @@ def squeezed(speed, duration):
     return simulate(
         load("ball_between_walls"),
         duration=duration,
-        accuracy=1e-11,
+        tolerance=1e-11,
         parameters={"gap": "-1 mm", "restitution": 1.0, "speed": speed},
     )
 
@@ -370,12 +370,12 @@ def test_outcome_not_finite_from_the_start():
 def test_outcome_step_too_small():
     """A singular force at x = 1/2 that grows without bound but never becomes infinite in a step."""
     model = point(push=lambda t, x, v: -1 / ca.fabs(x - 0.5) ** 3, scales=(1e-6, 1e-6, 1e-6, 1e-6))
-    stopped(simulate(model, duration=10.0, accuracy=1e-12), "step_too_small")
+    stopped(simulate(model, duration=10.0, tolerance=1e-12), "step_too_small")
 
 
 def test_outcome_wall_time_limit():
     model = falling(lambda d, v, v0: 1e14 * d)
-    stopped(simulate(model, duration=1e5, accuracy=1e-10, wall_time=0.05), "wall_time_limit")
+    stopped(simulate(model, duration=1e5, tolerance=1e-10, wall_time=0.05), "wall_time_limit")
 
 
 def test_outcome_interrupted():
@@ -400,7 +400,7 @@ def test_all_faults_of_an_input_come_at_once(ball):
     faults = faults_of(
         ball,
         duration="-1 s",
-        accuracy=0.5,
+        tolerance=0.5,
         method="rk4",
         parameters={
             "mas": "1 kg",
@@ -413,7 +413,7 @@ def test_all_faults_of_an_input_come_at_once(ball):
         initial={"vertical.speed": 3.0, "sideways.speed": "1 m/s", "vertical.travel": "1 kg"},
     )
     assert set(faults) == {
-        *("duration", "accuracy", "rk4", "mas", "mass", "gravity", "drop_height", "restitution", "approach_floor"),
+        *("duration", "tolerance", "rk4", "mas", "mass", "gravity", "drop_height", "restitution", "approach_floor"),
         *("vertical.speed", "sideways.speed", "vertical.travel"),
     }
     assert "did you mean mass" in faults["mas"]
@@ -426,14 +426,14 @@ def test_durations_that_are_none(ball, duration):
     assert "duration" in faults_of(ball, duration=duration)
 
 
-@pytest.mark.parametrize("accuracy", [0, 9e-13, 0.11, -1e-6, math.nan, "1e-6", None, True])
-def test_accuracies_that_are_none(ball, accuracy):
-    assert "accuracy" in faults_of(ball, accuracy=accuracy)
+@pytest.mark.parametrize("tolerance", [0, 9e-13, 0.11, -1e-6, math.nan, "1e-6", True])
+def test_tolerances_that_are_none(ball, tolerance):
+    assert "tolerance" in faults_of(ball, tolerance=tolerance)
 
 
-@pytest.mark.parametrize("accuracy", [1e-12, 1e-1])
-def test_the_edges_of_accuracy_are_allowed(ball, accuracy):
-    assert simulate(ball, duration="1 s", accuracy=accuracy).outcome.finished
+@pytest.mark.parametrize("tolerance", [1e-12, 1e-1])
+def test_the_edges_of_tolerance_are_allowed(ball, tolerance):
+    assert simulate(ball, duration="1 s", tolerance=tolerance).outcome.finished
 
 
 @pytest.mark.parametrize(

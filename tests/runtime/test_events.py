@@ -65,7 +65,7 @@ def quadratic(curvature: float, height: float):
 def test_a_graze_is_a_contact_on_one_side_and_none_on_the_other(method, height):
     for sign, contacts in ((-1, 1), (+1, 0)):
         model, initial = quadratic(9.81, sign * height)
-        run = simulate(model, duration=1.0, accuracy=1e-9, method=method, initial=initial)
+        run = simulate(model, duration=1.0, tolerance=1e-9, method=method, initial=initial)
         assert run.outcome.finished
         assert len(run.impacts) == contacts
         if contacts:
@@ -77,7 +77,7 @@ def test_a_graze_is_a_contact_on_one_side_and_none_on_the_other(method, height):
 def test_a_graze_within_rounding_of_the_surface_changes_nothing(method):
     for height in (1e-12, -1e-12, 0.0):
         model, initial = quadratic(9.81, height)
-        run = simulate(model, duration=1.0, accuracy=1e-9, method=method, initial=initial)
+        run = simulate(model, duration=1.0, tolerance=1e-9, method=method, initial=initial)
         assert run.outcome.finished
         assert run.final["path.travel"] == pytest.approx(9.81 / 4, abs=1e-8)
 
@@ -90,7 +90,7 @@ def test_no_trough_of_an_oscillation_is_stepped_over(method, depth):
     run = simulate(
         model,
         duration=20.0,
-        accuracy=1e-11,
+        tolerance=1e-11,
         method=method,
         initial={"path.travel": f"{2 - depth!r} m", "path.speed": "0 m/s"},
     )
@@ -108,7 +108,7 @@ def test_a_ball_that_leaves_the_surface_returns_to_it_within_one_long_step(metho
     run = simulate(
         model,
         duration=0.0105,
-        accuracy=1e-9,
+        tolerance=1e-9,
         method=method,
         initial={"path.travel": "0 m", "path.speed": "1e-3 m/s"},
     )
@@ -126,7 +126,7 @@ def test_a_contact_that_would_pull_ends_where_its_force_ends(method):
     w, z, v = 100.0, 0.2, 1.0
     model = point(lambda d, s, v0: w * w * d + 2 * z * w * s, scales=(v / w, v, v * w, 1.0))
     run = simulate(
-        model, duration=0.1, accuracy=1e-11, method=method, initial={"path.travel": "0 m", "path.speed": f"{-v} m/s"}
+        model, duration=0.1, tolerance=1e-11, method=method, initial={"path.travel": "0 m", "path.speed": f"{-v} m/s"}
     )
     root = math.sqrt(1 - z * z)
     wd = w * root
@@ -149,7 +149,7 @@ def test_released_and_pressed_in_again_is_in_contact_again(method):
         scales=(1e-2, 1.0, 100.0, 1.0),
     )
     run = simulate(
-        model, duration=0.3, accuracy=1e-8, method=method, initial={"path.travel": "-0.05 m", "path.speed": "0.99 m/s"}
+        model, duration=0.3, tolerance=1e-8, method=method, initial={"path.travel": "-0.05 m", "path.speed": "0.99 m/s"}
     )
     assert run.outcome.finished
     modes = run["surface.mode"]
@@ -164,7 +164,7 @@ def test_released_and_pressed_in_again_is_in_contact_again(method):
 @pytest.mark.parametrize("shift", [0.0, 1e-9, -1e-9])
 def test_an_event_at_the_end_of_the_run(method, shift):
     model = point(lambda d, v, v0: 1e6 * d, push=lambda t, x, v: -2.0 + 0 * t)
-    run = simulate(model, duration=1.0 + shift, accuracy=1e-9, method=method)
+    run = simulate(model, duration=1.0 + shift, tolerance=1e-9, method=method)
     assert run.outcome.finished
     assert run.t[-1] == 1.0 + shift
     assert run.final["path.travel"] == pytest.approx(1 - (1 + shift) ** 2, abs=1e-10)
@@ -187,7 +187,7 @@ def test_a_force_whose_rate_misleads_is_landed_on_all_the_same():
     controls = np.zeros(vectors.controls.size)
     controls[vectors.controls["scales"]] = [1e-4, 1.0, 1e4, 1.0]
     controls[vectors.controls["scale"]] = 1.0
-    controls[vectors.controls["accuracy"]] = 1e-4
+    controls[vectors.controls["tolerance"]] = 1e-4
 
     def theta(retakes):
         rows = []

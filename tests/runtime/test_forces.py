@@ -77,10 +77,10 @@ def follower(drive, *effects):
 
 
 def run(scene, duration, **options):
-    given = {"accuracy": 1e-10, **options}
+    given = {"tolerance": 1e-10, **options}
     found = simulate(load(scene), duration=duration, **given)
     assert found.outcome.finished
-    assert found.energy_residual < 100 * given["accuracy"]
+    assert found.energy_residual < 100 * given["tolerance"]
     return found
 
 
@@ -223,7 +223,7 @@ def test_a_tabulated_sine_is_as_good_as_the_spline():
     """Halving the distance of the points divides the difference to the sine by 2^6."""
     errors = []
     for count in (17, 33):
-        found = simulate(tabulated(count), duration=4.0, accuracy=1e-12)
+        found = simulate(tabulated(count), duration=4.0, tolerance=1e-12)
         ratio = 3.0 / W
         exact = 0.05 / (1 - ratio**2) * (np.sin(3 * found.t) - ratio * np.sin(W * found.t))
         errors.append(np.max(np.abs(found["slide.travel"] - exact)))
@@ -233,14 +233,16 @@ def test_a_tabulated_sine_is_as_good_as_the_spline():
 
 @pytest.mark.parametrize("method", ["dopri5", "esdirk", "rodas", "auto", "cvodes"])
 def test_every_method_reads_tables(method):
-    best = simulate(tabulated(17), duration=4.0, accuracy=1e-10)
-    found = simulate(tabulated(17), duration=4.0, accuracy=1e-6, method=method)
+    best = simulate(tabulated(17), duration=4.0, tolerance=1e-10)
+    found = simulate(tabulated(17), duration=4.0, tolerance=1e-6, method=method)
     assert found.outcome.finished
     assert found.final["slide.travel"] == pytest.approx(best.final["slide.travel"], abs=1e-5)
 
 
 def test_a_table_is_read_alike_when_compiled():
-    one, other = (simulate(tabulated(17), duration=4.0, accuracy=1e-8, compiled=compiled) for compiled in (False, True))
+    one, other = (
+        simulate(tabulated(17), duration=4.0, tolerance=1e-8, compiled=compiled) for compiled in (False, True)
+    )
     assert np.array_equal(one.history.rows, other.history.rows)
 
 

@@ -156,7 +156,7 @@ def test_a_tabulated_crank_follows_its_table():
 
 def test_a_clearance_run_with_an_accelerated_crank_stays_near_the_ideal_one():
     """What the slider may deviate by is the gain of the linkage times the reach of the pin in its bush."""
-    found = simulate(cranked("speed"), duration="24 ms", accuracy=1e-7)
+    found = simulate(cranked("speed"), duration="24 ms", tolerance=1e-7)
     assert found.outcome.finished
     assert found.energy_residual < 1e-6
     ideal = followed(found.t, scene=cranked("speed"))

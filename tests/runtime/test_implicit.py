@@ -165,11 +165,11 @@ def test_at_the_surface_the_jacobian_is_a_number(ball, depth):
 # ---- orders ----------------------------------------------------------------------------------------------------------
 
 
-def controls_of(model, made, bound, accuracy):
+def controls_of(model, made, bound, tolerance):
     scales = of_parameters(model, bound)
     layout = made.layouts.controls
     controls = np.zeros(layout.size)
-    numbers = {"c": bound.c, "scale": scales.state, "scales": scales.scene, "accuracy": accuracy}
+    numbers = {"c": bound.c, "scale": scales.state, "scales": scales.scene, "tolerance": tolerance}
     for name, value in (numbers | {"t_end": 1.0, "h_max": 1.0, "floor": 1e-3}).items():
         controls[layout[name]] = value
     return controls, scales
@@ -221,7 +221,7 @@ def test_an_impact_has_the_closed_form(ball, method, e):
     h = closed_forms.factor("flores", str(e)) if e < 1 else 0
     exact = closed_forms.collision("2.4e10", 1.5, 1, str(speed), h)
     run = simulate(
-        ball, duration="1 ms", accuracy=1e-10, method=method, parameters={"gravity": "0 m/s^2", "restitution": e},
+        ball, duration="1 ms", tolerance=1e-10, method=method, parameters={"gravity": "0 m/s^2", "restitution": e},
         initial={"vertical.travel": "0.1 m", "vertical.speed": f"{-speed} m/s"},
     )  # fmt: skip
     (impact,) = run.impacts
@@ -232,13 +232,13 @@ def test_an_impact_has_the_closed_form(ball, method, e):
 
 
 @pytest.mark.parametrize("method", [*IMPLICIT, "auto"])
-def test_errors_fall_with_accuracy(method):
+def test_errors_fall_with_tolerance(method):
     """The driven mechanism over five impacts, against the explicit method at its best."""
     model = load("slider_crank_frictionless")
-    exact = simulate(model, duration="2 ms", accuracy=1e-12).final
+    exact = simulate(model, duration="2 ms", tolerance=1e-12).final
     errors = []
-    for accuracy in (1e-5, 1e-7, 1e-9):
-        final = simulate(model, duration="2 ms", accuracy=accuracy, method=method).final
+    for tolerance in (1e-5, 1e-7, 1e-9):
+        final = simulate(model, duration="2 ms", tolerance=tolerance, method=method).final
         errors.append(abs(final["guide.travel"] - exact["guide.travel"]) / 5e-4)
     assert errors == sorted(errors, reverse=True)
     assert errors[0] < 1e-2
@@ -249,7 +249,7 @@ def test_errors_fall_with_accuracy(method):
 def test_compiled_is_bitwise_the_virtual_machine(ball, method, tmp_path, monkeypatch):
     """From bounces to rest: with both kinds of steps where the method has them."""
     monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path))
-    options = {"duration": "2 s", "accuracy": 1e-6, "method": method, "parameters": {"restitution": 0.5}}
+    options = {"duration": "2 s", "tolerance": 1e-6, "method": method, "parameters": {"restitution": 0.5}}
     machine, native = (simulate(ball, compiled=compiled, **options) for compiled in (False, True))
     assert np.array_equal(machine.history.rows, native.history.rows)
     if method == "auto":
@@ -260,14 +260,14 @@ def test_compiled_is_bitwise_the_virtual_machine(ball, method, tmp_path, monkeyp
 @pytest.mark.parametrize("method", [*IMPLICIT, "auto"])
 def test_compiled_with_friction_is_bitwise_the_virtual_machine(crank, method, tmp_path, monkeypatch):
     monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path))
-    options = {"duration": "24 ms", "accuracy": 1e-6, "method": method, "parameters": {"friction_speed": "1e-7 m/s"}}
+    options = {"duration": "24 ms", "tolerance": 1e-6, "method": method, "parameters": {"friction_speed": "1e-7 m/s"}}
     machine, native = (simulate(crank, compiled=compiled, **options) for compiled in (False, True))
     assert np.array_equal(machine.history.rows, native.history.rows)
 
 
 @pytest.mark.parametrize("method", IMPLICIT)
 def test_dense_output_has_the_method_s_accuracy(ball, method):
-    run = simulate(ball, duration="1 s", accuracy=1e-9, method=method, parameters={"restitution": 1.0})
+    run = simulate(ball, duration="1 s", tolerance=1e-9, method=method, parameters={"restitution": 1.0})
     times = np.linspace(0, 0.45, 50)
     assert np.allclose(run.at(times)["vertical.travel"], 1.1 - 9.81 * times**2 / 2, rtol=0, atol=1e-13)
     middle = run.impacts[0].t + np.linspace(0, 1, 100) * run.impacts[0].duration
@@ -288,12 +288,12 @@ def settled(run, most):
 
 
 @pytest.mark.parametrize("method", [*IMPLICIT, "auto"])
-@pytest.mark.parametrize("accuracy", [1e-5, 1e-8])
-def test_settling_at_restitution_one_hundredth(ball, method, accuracy):
+@pytest.mark.parametrize("tolerance", [1e-5, 1e-8])
+def test_settling_at_restitution_one_hundredth(ball, method, tolerance):
     """At least ten times fewer steps than explicit at 1e-5 (measured: 80 times over 1 s); and as many over 10 s."""
-    options = {"accuracy": accuracy, "parameters": {"restitution": 0.01}}
+    options = {"tolerance": tolerance, "parameters": {"restitution": 0.01}}
     run = settled(simulate(ball, duration="1 s", method=method, **options), 300)
-    if accuracy == 1e-5:
+    if tolerance == 1e-5:
         explicit = simulate(ball, duration="1 s", **options)
         assert explicit.statistics.steps > 10 * run.statistics.steps
         assert explicit.statistics.rhs_evaluations > 10 * run.statistics.rhs_evaluations
@@ -306,7 +306,7 @@ def test_settling_at_restitution_one_hundredth(ball, method, accuracy):
 def test_at_rest_under_the_damping_of_a_minute_approach_speed(ball, method, depth):
     """v0 = 1e-5 m/s makes the damping 1e6 times that of the impact: an explicit method needs 350,000 steps for this second."""
     run = simulate(
-        ball, duration="1 s", accuracy=1e-6, method=method, parameters={"restitution": 0.5, "approach_floor": "1e-5 m/s"},
+        ball, duration="1 s", tolerance=1e-6, method=method, parameters={"restitution": 0.5, "approach_floor": "1e-5 m/s"},
         initial={"vertical.travel": f"{0.1 - depth * STATIC!r} m", "vertical.speed": "0 m/s"},
     )  # fmt: skip
     settled(run, 100)
@@ -346,7 +346,7 @@ def test_a_block_sticks_in_a_layer_of_1e7(method, part):
     run = simulate(
         block(slope, 0.3, 1e-7),
         duration=1.0 / braking + 1,
-        accuracy=1e-5,
+        tolerance=1e-5,
         method=method,
         initial={"along.speed": "1 m/s"},
     )
@@ -356,7 +356,7 @@ def test_a_block_sticks_in_a_layer_of_1e7(method, part):
 
 
 def test_a_block_that_sticks_takes_ten_times_fewer_steps_than_explicit():
-    model, options = block(math.atan(0.15), 0.3, 1e-7), {"duration": 1.0, "accuracy": 1e-5}
+    model, options = block(math.atan(0.15), 0.3, 1e-7), {"duration": 1.0, "tolerance": 1e-5}
     explicit = simulate(model, **options)
     for method in (*IMPLICIT, "auto"):
         run = simulate(model, method=method, **options)
@@ -370,7 +370,7 @@ def test_a_block_that_sticks_takes_ten_times_fewer_steps_than_explicit():
 def test_auto_stays_explicit_on_impacts(crank):
     """Where nothing is stiff the run is that of the explicit method, step by step."""
     auto, explicit = (
-        simulate(load("slider_crank_frictionless"), duration="6 ms", accuracy=1e-7, method=method)
+        simulate(load("slider_crank_frictionless"), duration="6 ms", tolerance=1e-7, method=method)
         for method in ("auto", "dop853")
     )
     assert [choice.method for choice in auto.choices] == ["explicit"]
@@ -378,14 +378,14 @@ def test_auto_stays_explicit_on_impacts(crank):
 
 
 def test_auto_changes_when_the_ball_settles_and_says_why(ball):
-    run = simulate(ball, duration="2 s", accuracy=1e-6, method="auto", parameters={"restitution": 0.5})
+    run = simulate(ball, duration="2 s", tolerance=1e-6, method="auto", parameters={"restitution": 0.5})
     first, second, *_ = run.choices
     assert (first.method, first.t) == ("explicit", 0)
     assert second.method == "implicit"
     assert second.t > run.impacts[4].t  # not for the bounces
     assert "stability" in second.reason
     alone = [
-        simulate(ball, duration="2 s", accuracy=1e-6, method=m, parameters={"restitution": 0.5})
+        simulate(ball, duration="2 s", tolerance=1e-6, method=m, parameters={"restitution": 0.5})
         for m in ("dop853", "esdirk")
     ]
     assert all(run.statistics.steps < other.statistics.steps for other in alone)
@@ -397,7 +397,7 @@ def test_auto_changes_when_the_ball_settles_and_says_why(ball):
 @pytest.mark.parametrize("method", ["cvodes", "idas"])
 def test_sundials_between_two_walls(method):
     model, options = load("ball_between_walls"), {"duration": "1 s", "parameters": {"restitution": 0.9}}
-    run = simulate(model, accuracy=1e-11, method=method, **options)
+    run = simulate(model, tolerance=1e-11, method=method, **options)
     h = closed_forms.factor("hunt_crossley", "0.9")
     bounces = closed_forms.ball_between_walls("1e6", 1, "1.6", 10, h, 10, "0.4", "0.8")
     assert run.outcome.finished
@@ -410,7 +410,7 @@ def test_sundials_between_two_walls(method):
 
 
 def test_sundials_agrees_on_the_slider_crank(crank):
-    run, engine = (simulate(crank, duration="1 ms", accuracy=1e-11, method=method) for method in ("cvodes", "dop853"))
+    run, engine = (simulate(crank, duration="1 ms", tolerance=1e-11, method=method) for method in ("cvodes", "dop853"))
     assert len(run.impacts) == len(engine.impacts)
     for name, scale in (("guide.travel", 5e-4), ("guide.speed", 26.0), ("slider_pin_friction.dissipated", 1.0)):
         assert run.final[name] == pytest.approx(engine.final[name], abs=1e-7 * scale)

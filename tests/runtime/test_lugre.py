@@ -63,7 +63,7 @@ def slid():
 
 @pytest.mark.parametrize("method", METHODS)
 def test_sliding_to_rest_is_what_scipy_finds(model, slid, method):
-    run = simulate(model, duration="0.4 s", accuracy=1e-8, method=method, parameters={"slide": "0.5 m/s"})
+    run = simulate(model, duration="0.4 s", tolerance=1e-8, method=method, parameters={"slide": "0.5 m/s"})
     times, (travel, speed, bristle) = slid
     rows = run.at(times)
     assert run.outcome.finished
@@ -79,7 +79,7 @@ def test_at_rest_on_a_slope_the_bristle_holds_the_block(model, method):
     """Below the Stribeck speed dz/dx = 1 - s_0 z/mu, so the way to rest is -(mu/s_0) ln(1 - s_0 z/mu): the load gives z, z gives the way."""
     angle = 0.1
     run = simulate(
-        model, duration="1 s", method=method, accuracy=1e-9,
+        model, duration="1 s", method=method, tolerance=1e-9,
         parameters={"slope": angle, "mu_k": MU_S, "s_1": "2000 s/m"},
     )  # fmt: skip
     z = (MASS + CARRIAGE) / MASS * math.tan(angle) / S_0
@@ -91,7 +91,7 @@ def test_at_rest_on_a_slope_the_bristle_holds_the_block(model, method):
 @pytest.mark.parametrize("speed", [0.01, 0.05, 0.3])
 def test_steady_sliding_is_the_stribeck_curve(speed):
     """The power that the drive of the carriage supplies, after the bristle has bent."""
-    run = simulate(load(block(bristles(), pull=speed)), duration="1 s", method="esdirk", accuracy=1e-8)
+    run = simulate(load(block(bristles(), pull=speed)), duration="1 s", method="esdirk", tolerance=1e-8)
     supplied = run.at([0.5, 1.0])["energy_ledger.input"]
     force = (supplied[1] - supplied[0]) / (0.5 * speed)
     assert force == pytest.approx(WEIGHT * (MU_K + (MU_S - MU_K) * math.exp(-((speed / V_S) ** 2))), rel=1e-6)
@@ -102,7 +102,7 @@ def test_steady_sliding_is_the_stribeck_curve(speed):
 def test_bristles_end_with_their_contact(model, method):
     """Dropped while sliding, the block bounces; each contact begins with a bristle at rest."""
     run = simulate(
-        model, duration="0.12 s", method=method, accuracy=1e-7,
+        model, duration="0.12 s", method=method, tolerance=1e-7,
         parameters={"slide": "0.5 m/s", "height": "10 mm", "restitution": 0.6},
     )  # fmt: skip
     touching, bristle = run["floor_0.mode"] == 1, run["rub_0.bristle"]
@@ -119,11 +119,11 @@ def test_every_pair_has_a_bristle_of_its_own(model):
     """Two blocks, of bristles unlike each other, do what each does alone."""
     both = load(block(bristles("_a"), bristles("_b", s_0=3e4)))
     given = {"slide": "0.3 m/s", "height": "1 mm"}
-    run = simulate(both, duration="0.15 s", method="esdirk", accuracy=1e-9, parameters=given)
+    run = simulate(both, duration="0.15 s", method="esdirk", tolerance=1e-9, parameters=given)
     assert both.memory[:2] == ("rub_0.bristle", "rub_1.bristle")
     for i, s_0 in enumerate(("1e5 1/m", "3e4 1/m")):
         alone = simulate(
-            model, duration="0.15 s", method="esdirk", accuracy=1e-9, parameters=given | {"s_0": s_0}
+            model, duration="0.15 s", method="esdirk", tolerance=1e-9, parameters=given | {"s_0": s_0}
         ).final
         for name in ("along.travel", "along.speed", "up.travel", "rub.bristle"):
             joint, what = name.split(".")

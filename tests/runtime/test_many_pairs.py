@@ -39,7 +39,7 @@ def test_a_class_for_each_pair_changes_no_number(monkeypatch, method, gap):
 
     Explicit steps are bitwise the same; implicit ones eliminate fewer unknowns, which rounds otherwise.
     """
-    options = {"accuracy": 1e-7, "method": method, "compiled": False}
+    options = {"tolerance": 1e-7, "method": method, "compiled": False}
     own = hit(row(4), gap, **options)
     monkeypatch.setattr(classes, "ALONE", 0)
     masked = hit(Model(row(4).module), gap, **options)
@@ -61,7 +61,7 @@ def test_a_pair_out_of_contact_costs_no_operation_of_a_stage():
 
 @pytest.mark.parametrize("method", ["dop853", "auto"])
 def test_the_same_digits_compiled(method):
-    machine, native = (hit(row(4), CLOSE, accuracy=1e-8, method=method, compiled=c) for c in (False, True))
+    machine, native = (hit(row(4), CLOSE, tolerance=1e-8, method=method, compiled=c) for c in (False, True))
     assert np.array_equal(machine.history.rows, native.history.rows)
 
 
@@ -95,18 +95,18 @@ def test_a_step_whose_equations_were_not_solved_is_refused(table, pivot, refused
     engine = integrator(linear(((1 - pivot) * np.eye(n) - N) / (h * table.gamma)), (table,))
     q, u = engine.model.function("start")(1.0)
     controls, layout = np.zeros(engine.layouts.controls.size), engine.layouts.controls
-    for name, value in {"scale": 1e9, "scales": 1.0, "accuracy": 1e-3, "t_end": 1.0, "h_max": 1.0}.items():
+    for name, value in {"scale": 1e9, "scales": 1.0, "tolerance": 1e-3, "t_end": 1.0, "h_max": 1.0}.items():
         controls[layout[name]] = value
     trial = np.array(engine.step(engine.begin(0, q, u, controls), controls, h)).ravel()
     (error,) = trial[engine.layouts.trial["error"]]
     assert (error < DIVERGED) != refused
 
 
-def passed_on(n, method, restitution, accuracy=1e-8, **options):
+def passed_on(n, method, restitution, tolerance=1e-8, **options):
     """The run of a row with gaps until the last sphere has left."""
     duration = 2e-3 / 0.5 * n if restitution < 1 else 1.2e-3 * n
     options = {"duration": duration, "parameters": {"restitution": restitution}, "compiled": False, **options}
-    return simulate(row(n), method=method, accuracy=accuracy, **options)
+    return simulate(row(n), method=method, tolerance=tolerance, **options)
 
 
 def momentum_error(run, n):

@@ -20,12 +20,12 @@ from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.history import History
 
 CASES = {
-    "bouncing_ball": {"duration": "2 s", "accuracy": 1e-8},
+    "bouncing_ball": {"duration": "2 s", "tolerance": 1e-8},
     "slider_crank": {"duration": "24 ms"},
-    "squeezed": {"duration": "0.1 s", "accuracy": 1e-9},
-    "resting": {"duration": "5 s", "accuracy": 1e-6, "method": "auto", "parameters": {"restitution": 0.3}},
+    "squeezed": {"duration": "0.1 s", "tolerance": 1e-9},
+    "resting": {"duration": "5 s", "tolerance": 1e-6, "method": "auto", "parameters": {"restitution": 0.3}},
     "rodas": {"duration": "1 s", "method": "rodas"},
-    "cvodes": {"duration": "0.452 s", "method": "cvodes", "accuracy": 1e-4},
+    "cvodes": {"duration": "0.452 s", "method": "cvodes", "tolerance": 1e-4},
 }
 
 
@@ -96,7 +96,7 @@ def test_blocks_of_every_size_find_the_same(monkeypatch):
 
 def test_free_flight_on_a_grid_is_the_parabola():
     ball = load("bouncing_ball")
-    grid = simulate(ball, duration="0.45 s", accuracy=1e-10, output="1 ms")
+    grid = simulate(ball, duration="0.45 s", tolerance=1e-10, output="1 ms")
     assert len(grid.t) == 451
     assert grid.statistics.steps < 40
     assert np.allclose(grid["vertical.travel"], 1.1 - 9.81 * grid.t**2 / 2, rtol=0, atol=1e-13)
@@ -111,7 +111,7 @@ def test_between_steps_the_error_falls_with_the_order_of_the_method(method, orde
     """x'' = 2 x^3 from x = x' = 1 is x = 1/(1 - t): a part of a step adds an error that falls with one power more, or faster."""
     start = {"path.travel": "1 m", "path.speed": "1 m/s"}
     model = point(push=lambda t, x, v: 2 * x**3)
-    history = simulate(model, duration=0.5, accuracy=1e-2, method=method, initial=start).history
+    history = simulate(model, duration=0.5, tolerance=1e-2, method=method, initial=start).history
     errors = []
     for part in (h, h / 2):
         between, x = history.between(np.array([0]), np.array([part])), 1 / (1 - part)
@@ -122,10 +122,10 @@ def test_between_steps_the_error_falls_with_the_order_of_the_method(method, orde
 
 def test_at_the_time_of_an_event_a_grid_has_the_state_just_after_it():
     ball = load("bouncing_ball")
-    steps = simulate(ball, duration="1 s", accuracy=1e-8)
+    steps = simulate(ball, duration="1 s", tolerance=1e-8)
     impact = steps.impacts[0]
     times = np.array([0.0, impact.t, impact.t + impact.duration, 1.0])
-    grid = simulate(ball, duration="1 s", accuracy=1e-8, output=times)
+    grid = simulate(ball, duration="1 s", tolerance=1e-8, output=times)
     assert list(grid["floor.mode"]) == [0, 1, 0, 0]
     assert np.array_equal(grid.history.rows, steps.history.rows[np.isin(steps.t, times)])
 
@@ -191,10 +191,10 @@ def test_the_forms_of_a_grid(output, times):
 )  # fmt: skip
 def test_every_fault_of_a_grid_in_one_error(output, found):
     with pytest.raises(InputError) as error:
-        simulate(load("soft_ball"), duration="1 s", accuracy=7, output=output)
+        simulate(load("soft_ball"), duration="1 s", tolerance=7, output=output)
     faults = [fault for fault in error.value.faults if fault.where == "output"]
     assert len(faults) == len(found)
-    assert len(error.value.faults) == len(found) + 1  # the accuracy
+    assert len(error.value.faults) == len(found) + 1  # the tolerance
     for fault, text in zip(faults, found, strict=True):
         assert text in fault.found
 
@@ -234,13 +234,13 @@ def test_ctrl_c_in_a_block_loses_no_observer_a_row(monkeypatch):
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     monkeypatch.setattr(findings.Findings, "take", interrupted)
     try:
-        grid = simulate(load("bouncing_ball"), duration="500 s", accuracy=1e-12, compiled=False, output=1000)
+        grid = simulate(load("bouncing_ball"), duration="500 s", tolerance=1e-12, compiled=False, output=1000)
     finally:
         signal.signal(signal.SIGINT, before)
     assert grid.outcome.name == "interrupted"
     monkeypatch.undo()
     again = simulate(
-        load("bouncing_ball"), duration="500 s", accuracy=1e-12, max_steps=grid.statistics.steps, compiled=False
+        load("bouncing_ball"), duration="500 s", tolerance=1e-12, max_steps=grid.statistics.steps, compiled=False
     )
     assert grid.t_end == again.t_end
     assert grid.impacts == again.impacts

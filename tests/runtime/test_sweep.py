@@ -14,7 +14,7 @@ from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import load, simulate, simulate_many
 
 HEIGHTS = [f"{1.5 - 0.1 * i:.1f} m" for i in range(7)]
-SETTINGS = {"duration": "3 s", "accuracy": 1e-8}
+SETTINGS = {"duration": "3 s", "tolerance": 1e-8}
 
 
 @pytest.fixture(scope="module")
@@ -173,7 +173,7 @@ def test_ctrl_c_returns_the_rows_that_are_done(workers):
         model,
         sets,
         duration=1e6,
-        accuracy=1e-10,
+        tolerance=1e-10,
         compiled=False,
         workers=workers,
         max_steps=10**9,

@@ -42,7 +42,7 @@ def struck(ball, method, *, speed=V0, **parameters):
     return simulate(
         ball,
         duration="8 ms",
-        accuracy=1e-12,
+        tolerance=1e-12,
         method=method,
         parameters=parameters,
         initial={"vertical.travel": "0.1 m", "vertical.speed": (-speed, "m/s")},
@@ -91,7 +91,7 @@ def test_elastic_impact_of_other_exponents(n, method):
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("scene", STIFFNESS)
 def test_drop_under_gravity(scene, method):
-    run = simulate(model(scene), duration="0.5 s", accuracy=1e-12, method=method, parameters=undamped(scene))
+    run = simulate(model(scene), duration="0.5 s", tolerance=1e-12, method=method, parameters=undamped(scene))
     (impact,) = run.impacts
     assert impact.t == pytest.approx(math.sqrt(2 / 9.81), rel=1e-12)
     assert impact.speed == pytest.approx(V0, rel=1e-12)
@@ -121,7 +121,7 @@ def test_restitution_depends_on_no_speed(speed):
     ball = model("bouncing_ball", law="hunt_crossley", without=("gravity",))
     v0 = float(speed.split()[0])
     start = {"vertical.travel": "0.1 m", "vertical.speed": f"-{speed}"}
-    run = simulate(ball, duration="8 ms", accuracy=1e-12, parameters={"restitution": 0.7}, initial=start)
+    run = simulate(ball, duration="8 ms", tolerance=1e-12, parameters={"restitution": 0.7}, initial=start)
     e_out = closed_forms.restitution(closed_forms.factor("hunt_crossley", "0.7"))
     assert run.final["vertical.speed"] / v0 == pytest.approx(e_out, rel=1e-9)
 
@@ -136,7 +136,7 @@ def ten_bounces(method, e, law="hunt_crossley", **parameters):
     end = (bounces[9].onset + bounces[9].duration + bounces[10].onset) / 2
     walls = model("ball_between_walls", law=None if law == "hunt_crossley" else law)
     run = simulate(
-        walls, duration=end, accuracy=1e-12, method=method, parameters={"restitution": float(e)} | parameters
+        walls, duration=end, tolerance=1e-12, method=method, parameters={"restitution": float(e)} | parameters
     )
     return run, bounces[:10]
 
@@ -167,7 +167,7 @@ def test_ten_bounces_between_walls(e, method):
 
 
 def after_two_spheres(method, law=None):
-    run = simulate(model("two_spheres", law=law), duration="0.1 s", accuracy=1e-12, method=method)
+    run = simulate(model("two_spheres", law=law), duration="0.1 s", tolerance=1e-12, method=method)
     return run, (run.final["striker_path.speed"], run.final["target_path.speed"])
 
 

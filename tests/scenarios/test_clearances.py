@@ -84,7 +84,7 @@ def test_a_ball_swings_in_its_socket_as_an_elastic_pendulum():
             -(2 * length_rate * angle_rate + G * np.sin(angle)) / length,
         ]
 
-    run = simulate(load("ball_in_socket"), duration=0.5, accuracy=1e-10)
+    run = simulate(load("ball_in_socket"), duration=0.5, tolerance=1e-10)
     length, angle, _, _ = solve_ivp(rates, (0, 0.5), [C + REST, 0.05, 0, 0], **TIGHT).y[:, -1]
     assert run.outcome.finished
     assert run["float.x"][-1] == pytest.approx(length * np.sin(angle), abs=1e-9 * C)
@@ -94,7 +94,7 @@ def test_a_ball_swings_in_its_socket_as_an_elastic_pendulum():
 
 
 def test_small_oscillations_have_the_period_of_a_pendulum_as_long_as_the_clearance():
-    run = simulate(load("ball_in_socket"), duration=0.5, accuracy=1e-9, parameters={"start_angle": 0.002})
+    run = simulate(load("ball_in_socket"), duration=0.5, tolerance=1e-9, parameters={"start_angle": 0.002})
     x, t = run["float.x"], run.t
     down = [i for i in range(len(t) - 1) if x[i] > 0 >= x[i + 1]]
     crossings = [t[i] + (t[i + 1] - t[i]) * x[i] / (x[i] - x[i + 1]) for i in down]
@@ -116,7 +116,7 @@ def test_a_ball_at_rest_in_its_socket_penetrates_as_far_as_its_weight_says():
 @pytest.fixture(scope="module")
 def guide():
     model = load("translational_clearance")
-    return model, simulate(model, duration="40 ms", accuracy=1e-12)
+    return model, simulate(model, duration="40 ms", tolerance=1e-12)
 
 
 def textbook(_, y):
@@ -155,7 +155,7 @@ def test_the_first_contact_of_the_slider_is_where_an_independent_integration_fin
 
 def test_the_smooth_phase_keeps_its_energy(guide):
     model, run = guide
-    smooth = simulate(model, duration=0.999 * run.impacts[0].t, accuracy=1e-12)
+    smooth = simulate(model, duration=0.999 * run.impacts[0].t, tolerance=1e-12)
     assert not smooth.impacts
     assert smooth.energy_residual < 1e-11
     energy = smooth["energy"]
@@ -198,7 +198,7 @@ def test_the_first_contact_of_the_ball_is_where_an_independent_integration_finds
     assert np.linalg.norm(apart(0, start)) < 1e-15
     hit = solve_ivp(rates, (0, 0.01), start, events=event(lambda t, y: np.linalg.norm(apart(t, y)) - 2e-4), **TIGHT)
     ((time,),) = hit.t_events
-    run = simulate(load("spatial_slider_crank"), duration="105 ms", accuracy=1e-11)
+    run = simulate(load("spatial_slider_crank"), duration="105 ms", tolerance=1e-11)
     assert run.impacts[0].t == pytest.approx(time, rel=1e-9)
     assert run.outcome.finished
     assert run.energy_residual < 1e-9
@@ -235,7 +235,7 @@ def moving(pair, *effects, joint=None, **start):
         f"float.{name}": (value, units.get(name, "m/s" if name.endswith("speed") else "m"))
         for name, value in start.items()
     }
-    return lambda duration, accuracy=1e-9: simulate(model, duration=duration, accuracy=accuracy, initial=initial)
+    return lambda duration, tolerance=1e-9: simulate(model, duration=duration, tolerance=tolerance, initial=initial)
 
 
 FACE = CornerOnFace("touch", HERE, THERE, Y, X, Parameter("length", "m", 0.2))
@@ -363,7 +363,7 @@ def clearances(count):
 
 @pytest.mark.parametrize("count", [2, 3])
 def test_several_clearances_in_one_mechanism(count):
-    run = simulate(load(clearances(count)), duration=2 * np.pi / 100, accuracy=1e-9)
+    run = simulate(load(clearances(count)), duration=2 * np.pi / 100, tolerance=1e-9)
     assert run.outcome.finished
     assert run.energy_residual < 1e-7
     struck = {impact.contact for impact in run.impacts}

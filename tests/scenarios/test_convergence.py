@@ -1,4 +1,4 @@
-"""Errors against independent references: with accuracy, with the number of steps, with the step itself; energy; and the same as C.
+"""Errors against independent references: with tolerance, with the number of steps, with the step itself; energy; and the same as C.
 
 Oracles: quadruple-precision digits and hand-derived equations of tests/reference/slider_crank.py, conservation of energy.
 """
@@ -17,7 +17,7 @@ from reference.slider_crank import SliderCrank, reference
 ORDERS = {"dopri5": 5, "dop853": 8}
 CRANKS = {"slider_crank_frictionless": False, "slider_crank": True}  # friction
 MECHANISM = SliderCrank()
-ACCURACIES = tuple(10.0**-k for k in range(6, 13))
+TOLERANCES = tuple(10.0**-k for k in range(6, 13))
 NEAR, FAR = (0.001, 0.002, 0.003, 0.004), 0.010  # s; errors grow about a hundredfold from 4 to 10 ms
 
 
@@ -39,12 +39,12 @@ def states(history):
     )
 
 
-def measure(crank, method, friction, accuracies=ACCURACIES):
-    """Errors and steps taken by the times NEAR and FAR, shape (accuracies, times)."""
+def measure(crank, method, friction, tolerances=TOLERANCES):
+    """Errors and steps taken by the times NEAR and FAR, shape (tolerances, times)."""
     truth, times = reference(friction), (*NEAR, FAR)
     errors, steps = [], []
-    for accuracy in accuracies:
-        run = simulate(crank, duration=FAR, accuracy=accuracy, method=method)
+    for tolerance in tolerances:
+        run = simulate(crank, duration=FAR, tolerance=tolerance, method=method)
         errors.append([truth.error(t, state) for t, state in zip(times, states(run.at(times)).T, strict=True)])
         steps.append(np.searchsorted(run.t, times))
     return np.array(errors), np.array(steps)
@@ -55,15 +55,15 @@ def slope(x, y):
 
 
 def check_convergence(errors, steps, order):
-    """Error proportional to accuracy, and falling with the number of steps at least as the order says, down to rounding.
+    """Error proportional to tolerance, and falling with the number of steps at least as the order says, down to rounding.
 
     Of many impacts one may by chance come out too well, so the first four times are averaged.
     """
     near = np.exp(np.mean(np.log(errors[:, :-1]), axis=1))
-    assert slope(ACCURACIES, near) == pytest.approx(1, abs=0.25)
-    assert slope(ACCURACIES, errors[:, -1]) == pytest.approx(1, abs=0.25)
+    assert slope(TOLERANCES, near) == pytest.approx(1, abs=0.25)
+    assert slope(TOLERANCES, errors[:, -1]) == pytest.approx(1, abs=0.25)
     assert np.all(near[2:] < near[:-2])
-    # a contact costs some steps at any accuracy, which makes the measured order larger, never smaller
+    # a contact costs some steps at any tolerance, which makes the measured order larger, never smaller
     assert -slope(np.mean(steps[:, :-1], axis=1), near) > order - 0.5
     assert np.max(errors[-1, :-1]) < 2e-9
     assert errors[-1, -1] < 2e-7
@@ -83,7 +83,7 @@ def in_contact(scene, method):
     """A phase of the first contact in which the force is smooth: the state at its start, its length [s], and its end by SciPy on other equations."""
     hit = reference(CRANKS[scene]).impacts[0]
     begin, length = hit.onset + 0.3 * (hit.end - hit.onset), 0.4 * (hit.end - hit.onset)
-    run = simulate(load(scene), duration="0.3 ms", accuracy=1e-11, method=method)
+    run = simulate(load(scene), duration="0.3 ms", tolerance=1e-11, method=method)
     start = run.at([begin])
     assert start["slider_pin.mode"] == [1]
 
@@ -168,14 +168,14 @@ SCENES = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("accuracy", [1e-3, 1e-6, 1e-9])
+@pytest.mark.parametrize("tolerance", [1e-3, 1e-6, 1e-9])
 @pytest.mark.parametrize("method", ORDERS)
 @pytest.mark.parametrize("scene", SCENES)
-def test_ledger_closed(scene, method, accuracy):
-    """Within ten times the accuracy; dopri5 takes more steps of an error each, and of as definite a sign: within that per impact."""
-    run = simulate(model(scene), duration=SCENES[scene], accuracy=accuracy, method=method)
+def test_ledger_closed(scene, method, tolerance):
+    """Within ten times the tolerance; dopri5 takes more steps of an error each, and of as definite a sign: within that per impact."""
+    run = simulate(model(scene), duration=SCENES[scene], tolerance=tolerance, method=method)
     assert run.outcome.finished
-    assert run.energy_residual < 10 * accuracy * (len(run.impacts) if method == "dopri5" else 1)
+    assert run.energy_residual < 10 * tolerance * (len(run.impacts) if method == "dopri5" else 1)
 
 
 # ---- as C ------------------------------------------------------------------------------------------------------------
@@ -185,7 +185,7 @@ def test_ledger_closed(scene, method, accuracy):
 def test_compiled_gives_the_same_digits(method, tmp_path, monkeypatch):
     monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path))
     runs = [
-        simulate(model("slider_crank"), duration=FAR, accuracy=1e-12, method=method, compiled=compiled)
+        simulate(model("slider_crank"), duration=FAR, tolerance=1e-12, method=method, compiled=compiled)
         for compiled in (False, True)
     ]
     assert np.array_equal(runs[0].history.rows, runs[1].history.rows)

@@ -75,9 +75,9 @@ ERRORS = {
 @pytest.mark.parametrize("method", ERRORS)
 def test_a_symmetric_top_precesses_as_in_closed_form(method):
     """Landau, Lifshitz, Mechanics, section 33: about the angular momentum with |L|/A, and about its own axis with w_z (A - C)/A."""
-    accuracy, error = ERRORS[method]
+    tolerance, error = ERRORS[method]
     (A, _, C), w = TOP["J"], np.array(TOP["w"])
-    run = simulate(spinning(*TOP["J"]), duration=5.0, accuracy=accuracy, method=method, initial=rate(*w))
+    run = simulate(spinning(*TOP["J"]), duration=5.0, tolerance=tolerance, method=method, initial=rate(*w))
     assert run.outcome.finished, run
     L = np.array(TOP["J"]) * w
     expected = turn(L, np.linalg.norm(L) / A * 5.0) @ turn([0, 0, 1], w[2] * (A - C) / A * 5.0)
@@ -89,7 +89,7 @@ def test_a_tumbling_body_keeps_energy_and_angular_momentum():
     """Euler and Poinsot: about the middle axis, where the motion is unstable, through several somersaults; and the mass centre flies straight on."""
     inertia = np.array([0.05, 0.03, 0.02])
     initial = {**rate(0.01, 6.0, 0.01), "float.x_speed": "2 m/s"}
-    run = simulate(spinning(*inertia), duration=20.0, accuracy=1e-11, initial=initial)
+    run = simulate(spinning(*inertia), duration=20.0, tolerance=1e-11, initial=initial)
     assert run.outcome.finished, run
     w = of(run, *ANGULAR)
     assert np.min(w[:, 1]) < -5.9 < 5.9 < np.max(w[:, 1])  # it does tumble
@@ -101,7 +101,7 @@ def test_a_tumbling_body_keeps_energy_and_angular_momentum():
 
 def test_a_quaternion_keeps_its_norm_however_long_and_rough_the_run():
     model = spinning(0.05, 0.03, 0.02)
-    run = simulate(model, duration=2000.0, accuracy=1e-2, initial=rate(3.0, 6.0, 1.0))
+    run = simulate(model, duration=2000.0, tolerance=1e-2, initial=rate(3.0, 6.0, 1.0))
     assert run.statistics.steps > 2000
     assert np.max(np.abs(np.linalg.norm(of(run, *QUATERNION), axis=1) - 1)) < 4e-16 * 4
 
@@ -110,7 +110,7 @@ def test_without_its_projection_the_norm_would_drift():
     """The check above can fail: the same run on a model that says it has no quaternions."""
     model = spinning(0.05, 0.03, 0.02)
     model.quaternions = ()
-    run = simulate(model, duration=2000.0, accuracy=1e-2, initial=rate(3.0, 6.0, 1.0))
+    run = simulate(model, duration=2000.0, tolerance=1e-2, initial=rate(3.0, 6.0, 1.0))
     assert np.max(np.abs(np.linalg.norm(of(run, *QUATERNION), axis=1) - 1)) > 1e-3
 
 
@@ -133,25 +133,25 @@ def pendulum(joint, effects=(FALL,)):
 
 @pytest.mark.parametrize("method", ["dop853", "rodas", "auto"])
 def test_a_spherical_pendulum_in_a_plane_is_a_plane_pendulum(method):
-    accuracy = 1e-7 if method == "rodas" else 1e-10
+    tolerance = 1e-7 if method == "rodas" else 1e-10
     flat = simulate(
-        pendulum(lambda bob: Revolute("pin", GROUND, bob, Z)), duration=5.0, accuracy=1e-11, initial={"pin.angle": 2.5}
+        pendulum(lambda bob: Revolute("pin", GROUND, bob, Z)), duration=5.0, tolerance=1e-11, initial={"pin.angle": 2.5}
     )
     half = {"pin.q0": np.cos(1.25), "pin.q3": np.sin(1.25)}
     ball = simulate(
         pendulum(lambda bob: Spherical("pin", GROUND, bob)),
         duration=5.0,
-        accuracy=accuracy,
+        tolerance=tolerance,
         method=method,
         initial=half,
     )
     times = np.linspace(0, 5, 101)
     swing, dense = flat.at(times)["pin.angle"], ball.at(times)
     assert 2 * np.unwrap(np.arctan2(dense["pin.q3"], dense["pin.q0"]), period=np.pi) == pytest.approx(
-        swing, abs=1e3 * accuracy
+        swing, abs=1e3 * tolerance
     )
-    assert np.max(np.abs(dense["pin.angular_speed_x"])) < 1e3 * accuracy
-    assert ball.energy_residual < 1e3 * accuracy
+    assert np.max(np.abs(dense["pin.angular_speed_x"])) < 1e3 * tolerance
+    assert ball.energy_residual < 1e3 * tolerance
 
 
 def ball_on_floor(joint, *, friction=False):
@@ -180,9 +180,9 @@ def test_a_free_ball_falls_and_bounces_as_one_on_a_slide(method):
     """Three bounces: the spin and the other directions take no part."""
     slide = ball_on_floor(lambda ball: Prismatic("fall", GROUND, ball, Y))
     free = ball_on_floor(lambda ball: Free("fall", GROUND, ball))
-    one = simulate(slide, duration=1.0, accuracy=1e-10, initial={"fall.travel": "0.3 m"})
+    one = simulate(slide, duration=1.0, tolerance=1e-10, initial={"fall.travel": "0.3 m"})
     start = {"fall.y": "0.3 m", "fall.angular_speed_y": "5 rad/s", "fall.x_speed": "1 m/s"}
-    two = simulate(free, duration=1.0, accuracy=1e-8 if method == "rodas" else 1e-10, method=method, initial=start)
+    two = simulate(free, duration=1.0, tolerance=1e-8 if method == "rodas" else 1e-10, method=method, initial=start)
     assert len(one.impacts) == len(two.impacts) == 3
     for a, b in zip(one.impacts, two.impacts, strict=True):
         assert (b.t, b.speed, b.peak_force) == pytest.approx((a.t, a.speed, a.peak_force), rel=1e-5)
@@ -196,7 +196,7 @@ def test_friction_turns_a_free_ball_by_what_it_takes_from_its_flight(method):
     """I dw = R x m dv: the impulse acts at the contact point, R away but for a penetration; sliding, it is mu times the normal one."""
     free = ball_on_floor(lambda ball: Free("fall", GROUND, ball), friction=True)
     start = {"fall.y": "0.1 m", "fall.x_speed": "2 m/s", "fall.z_speed": "-1 m/s", "fall.q0": 0.8, "fall.q1": 0.6}
-    run = simulate(free, duration=0.2, accuracy=1e-8, method=method, initial=start)
+    run = simulate(free, duration=0.2, tolerance=1e-8, method=method, initial=start)
     assert run.outcome.finished, run
     assert len(run.impacts) == 1
     v, w = of(run, "x_speed", "y_speed", "z_speed", joint="fall"), of(run, *ANGULAR, joint="fall")

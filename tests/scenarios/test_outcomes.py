@@ -31,7 +31,7 @@ CRANK, BALL = ("slider_crank_frictionless", "24 ms"), ("bouncing_ball", "5 s")
 )
 def test_outcome(outcome, scene, options):
     name, duration = scene
-    run = simulate(load(name), duration=duration, accuracy=1e-11, **options)
+    run = simulate(load(name), duration=duration, tolerance=1e-11, **options)
     assert run.outcome.name == outcome
     assert run.outcome.finished == (outcome == "finished")
     assert bool(run.outcome.remedy) != run.outcome.finished

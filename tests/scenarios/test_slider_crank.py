@@ -34,9 +34,9 @@ def model(scene):
 
 
 @cache
-def two_revolutions(scene, method="dop853", accuracy=1e-12, clearance="0.5 mm"):
+def two_revolutions(scene, method="dop853", tolerance=1e-12, clearance="0.5 mm"):
     run = simulate(
-        model(scene), duration="24 ms", accuracy=accuracy, method=method, parameters={"clearance": clearance}
+        model(scene), duration="24 ms", tolerance=tolerance, method=method, parameters={"clearance": clearance}
     )
     assert run.outcome.finished
     return run
@@ -86,7 +86,7 @@ def check_first_impact(run, friction):
     ("scene", "penetration"), [("slider_crank_frictionless", 7.795e-5), ("slider_crank", 7.817e-5)]
 )
 def test_first_impact(scene, penetration, method):
-    run = simulate(model(scene), duration="0.4 ms", accuracy=1e-11, method=method)
+    run = simulate(model(scene), duration="0.4 ms", tolerance=1e-11, method=method)
     impact = run.impacts[0]
     assert impact.t == pytest.approx(2.2728e-4, abs=5e-9)  # the printed digits
     assert impact.speed == pytest.approx(4.38583, abs=5e-6)
@@ -99,14 +99,14 @@ def test_first_impact(scene, penetration, method):
 
 @pytest.mark.parametrize("fault", ["207.0001 GPa", "206.99 GPa"])
 def test_a_wrong_stiffness_is_noticed(fault):
-    run = simulate(model("slider_crank"), duration="0.4 ms", accuracy=1e-11, parameters={"youngs_modulus": fault})
+    run = simulate(model("slider_crank"), duration="0.4 ms", tolerance=1e-11, parameters={"youngs_modulus": fault})
     with pytest.raises(AssertionError):
         check_first_impact(run, friction=True)
 
 
 @pytest.mark.parametrize("scene", SCENES)
 def test_friction_belongs_to_one_scene(scene):
-    run = simulate(model(scene), duration="0.4 ms", accuracy=1e-11)
+    run = simulate(model(scene), duration="0.4 ms", tolerance=1e-11)
     with pytest.raises(AssertionError):
         check_first_impact(run, friction=not SCENES[scene])
 
@@ -151,7 +151,7 @@ def test_kinematic_gain():
 @pytest.mark.parametrize("clearance", FLUCTUATION)
 @pytest.mark.parametrize("scene", SCENES)
 def test_the_slider_stays_within_the_kinematic_gain_of_the_ideal_one(scene, clearance):
-    run = two_revolutions(scene, accuracy=1e-9, clearance=clearance)
+    run = two_revolutions(scene, tolerance=1e-9, clearance=clearance)
     eccentricity = float(clearance.split()[0]) * 1e-3 + max(impact.peak_penetration for impact in run.impacts)
     t = np.union1d(run.t, np.linspace(0, 0.024, 12001))
     off = np.max(np.abs(run.at(t)["guide.travel"] - ideal.position(W * t, R, L)))
@@ -170,7 +170,7 @@ def fluctuation(run, begins):
 @pytest.mark.parametrize("clearance", FLUCTUATION)
 @pytest.mark.parametrize("scene", SCENES)
 def test_mean_acceleration_over_any_millisecond(scene, clearance):
-    run = two_revolutions(scene, accuracy=1e-9, clearance=clearance)
+    run = two_revolutions(scene, tolerance=1e-9, clearance=clearance)
     begins = np.linspace(0.012, 0.023, 11001)
     largest = np.max(fluctuation(run, begins))
     finer = np.max(fluctuation(run, np.linspace(0.012, 0.023, 17333)))
