@@ -42,6 +42,16 @@ class Scales:
         return bool(np.all(_sound(self.state)) and np.all(_sound(self.scene)))
 
 
+def error(model: Model, scales: Scales, y: np.ndarray, reference: np.ndarray) -> np.ndarray:
+    """What a state departs from another by, as accuracy counts it: the largest difference of a coordinate or speed, each in its scale.
+
+    y, reference (..., ny) as recorded, or their first nq + nu entries; returns (...,). Memory has no say: it is a means, or a balance.
+    """
+    n = model.nq + model.nu
+    found: np.ndarray = np.max(np.abs(y[..., :n] - reference[..., :n]) / scales.state[:n], axis=-1, initial=0.0)
+    return found
+
+
 def of_parameters(model: Model, bound: Bound) -> Scales:
     """The scales that the scene states."""
     *parts, scene = (np.array(x).ravel() for x in model.function("scales")(bound.p))

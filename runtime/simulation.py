@@ -127,6 +127,7 @@ def simulate(
             *_floored(counted["floored"], run.floor),
             *_too_fast(model, speeds),
         ),
+        scales=scales,
     )
 
 

@@ -19,6 +19,7 @@ from hertzwerk.runtime.impacts import Impact
 from hertzwerk.runtime.integrate.choose import Choice
 from hertzwerk.runtime.model import Model
 from hertzwerk.runtime.outcome import Outcome
+from hertzwerk.runtime.scales import Scales
 
 __all__ = ["History", "Impact", "Solution", "Statistics"]
 
@@ -55,6 +56,7 @@ class Solution:
     parameters: Mapping[str, tuple[float, str]] = field(repr=False)
     statistics: Statistics
     warnings: tuple[str, ...]
+    scales: Scales = field(repr=False)
 
     @property
     def model(self) -> Model:
@@ -158,6 +160,7 @@ class Solution:
             "warnings": self.warnings,
             **{name: getattr(self, name) for name in ("duration", "accuracy", "tolerance", "method", "compiled")},
             "energy_residual": self.energy_residual,
+            "scales": {"state": self.scales.state.tolist(), "scene": self.scales.scene.tolist()},
             "impacts": [asdict(impact) for impact in self.impacts],
             "choices": [asdict(choice) for choice in self.choices],
             "ends": {name: self.ends[name][[0, -1]].tolist() for name in ("t", *self.states)},
@@ -197,6 +200,7 @@ class Solution:
             parameters={name: (value, unit) for name, (value, unit) in about["parameters"].items()},
             statistics=Statistics(**about["statistics"]),
             warnings=tuple(about["warnings"]),
+            scales=Scales(**{name: np.array(values) for name, values in about["scales"].items()}),
         )
 
 
