@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 import sympy as sp
@@ -44,6 +44,7 @@ class Forces:
     """What a contact does: generalised forces by joint, dissipated powers [W], normal force [N], sliding velocity [m/s] or None, range.
 
     bristle_rate [m/s]: of friction with a bristle, else None. grip: of friction with modes, which `generalised` and `friction_power` then lack.
+    rubbing: what of `generalised` is friction's.
     """
 
     generalised: dict[str, Any]
@@ -54,6 +55,7 @@ class Forces:
     in_range: Any
     bristle_rate: Any = None
     grip: Grip | None = None
+    rubbing: Mapping[str, Any] = field(default_factory=dict)
 
 
 class PairKinematics:
@@ -136,10 +138,13 @@ class PairKinematics:
             return Forces(generalised, normal_power, sp.S.Zero, normal_force, sliding, in_range, grip=grip)
         drag, sliding, friction_power, bristle_rate = self._drag(friction, pressing, bristle)
         drag = self._named(drag, "drag")
-        for joint, force in self._on_joints(drag, self.touch.contact_point, "drag").items():
+        rubbing = self._on_joints(drag, self.touch.contact_point, "drag")
+        for joint, force in rubbing.items():
             generalised[joint] = generalised.get(joint, sp.S.Zero) + force
         in_range = self._in_range(contact)
-        return Forces(generalised, normal_power, friction_power, normal_force, sliding, in_range, bristle_rate)
+        return Forces(
+            generalised, normal_power, friction_power, normal_force, sliding, in_range, bristle_rate, rubbing=rubbing
+        )
 
     def _on_joints(self, force: Vector, position: Vector, name: str) -> dict[str, Any]:
         return self.kin.generalised(

@@ -17,13 +17,14 @@ from hertzwerk.derive.effects.expression import tables_in
 from hertzwerk.derive.elements import BOOKED, DISSIPATED, ELEMENTS, element
 from hertzwerk.derive.emit import emit, flight, table_name
 from hertzwerk.derive.equations import Equations
-from hertzwerk.derive.faults import InputError
+from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.joints import Port
 from hertzwerk.derive.kinematics import Kinematics, acceleration_of
 from hertzwerk.derive.laws.law import speed_limit
 from hertzwerk.derive.loops import Constraint, constraints_of
 from hertzwerk.derive.parameter import Interval, Parameter
 from hertzwerk.derive.program import Function, Program, Result, Tape
+from hertzwerk.derive.resistance import resistance_faults
 from hertzwerk.derive.scene import Contact, Friction, Scene
 from hertzwerk.derive.tables import Table
 from hertzwerk.derive.units import parse_unit
@@ -106,6 +107,7 @@ class _Derivation:
         self.row_units = tuple(row.unit for row in rows)
         self.loops = self.equations.constraints
         faults = [fault for pair, _, friction in self.contacts for fault in pair.faults(friction, scene.size)]
+        faults += resistance_faults(scene)
         if faults:
             raise InputError(f"scene {scene.name}", faults)
         self.bristles = {
@@ -119,6 +121,8 @@ class _Derivation:
             for _, contact, _ in self.contacts
             if contact.latches
         }
+        # effects that have a term in an equation of motion, found as it is written; a drive takes a coordinate away, a ledger has its quadratures
+        self.entered = {effect.name for effect in scene.effects if effect.kind in ("drive", "ledger")}
 
     def _memory(self) -> list[tuple[str, str]]:
         """Entries of z: (name, unit); first, in the order of the inputs, those that functions read."""
@@ -156,6 +160,9 @@ class _Derivation:
             self.outputs(),
             *([self.speed_limits()] if self.limited else []),
         ]
+        idle = [effect.name for effect in self.scene.effects if effect.name not in self.entered]
+        if idle:
+            raise InputError(f"scene {self.scene.name}", map(self._idle_fault, idle))
         constants = self.tape.constants(functions)
         names = tuple(symbol.name for symbol in constants)
         result = Result("c", names, ("",) * len(names), tuple(constants))  # of any unit: see CONSTANTS
@@ -163,6 +170,21 @@ class _Derivation:
         functions.insert(0, self.tape.function("constants", summary, ("p",), [result]))
         note = "absolute" if isinstance(self.scene, Absolute) else ""
         return Program(self.scene, self.tape, tuple(functions), tuple(constants), self._tables(), note)
+
+    def _enter(self, effect: str, forces: Mapping[str, Any]) -> None:
+        """Note an effect whose generalised forces are not zero in every row."""
+        if any(forces.get(row.key, 0) != 0 for row in self.rows):
+            self.entered.add(effect)
+
+    def _idle_fault(self, name: str) -> Fault:
+        driven = getattr(self.scene.effect(name), "joint", "") in self.scene.driven
+        why = "its joint is driven, whatever acts on it" if driven else "what it acts on cannot move that way"
+        return Fault(
+            f"effect {name}",
+            "no equation that it enters",
+            f"an effect that changes the motion; {why}",
+            f"Turn it, or leave it out: scene.without({name!r}).",
+        )
 
     # -- functions of the contract ---------------------------------------------------------------------------------
 
@@ -298,6 +320,9 @@ class _Derivation:
         bristle = None if friction is None else self.bristles.get(friction.name)
         forces = pair.forces(contact, friction, self.latches.get(contact.name), bristle)
         name = contact.name
+        self._enter(name, forces.generalised)
+        if friction is not None:
+            self._enter(friction.name, forces.rubbing if forces.grip is None else forces.grip.along)
         f = [forces.generalised.get(row.key, sp.S.Zero) for row in self.rows]
         rates = {f"{name}.dissipated": forces.normal_power}
         if friction is not None:
@@ -342,10 +367,12 @@ class _Derivation:
 
     def applied(self) -> Function:
         """Forces that are no contact's."""
-        f = [
-            sp.Add(self.equations.gravity(row), *(e.forces.get(row.key, 0) for e in self.elements.values()))
-            for row in self.rows
-        ]
+        weight = {row.key: self.equations.gravity(row) for row in self.rows}
+        for effect in self.scene.of_kind("gravity"):
+            self._enter(effect.name, weight)
+        for effect, e in self.elements.items():
+            self._enter(effect.name, e.forces)
+        f = [sp.Add(weight[row.key], *(e.forces.get(row.key, 0) for e in self.elements.values())) for row in self.rows]
         return self._function(
             "applied", "Generalised forces of everything that is no contact.", "t q u c", self._forces("f", f)
         )

@@ -50,7 +50,12 @@ def faults_of(scene: Scene) -> tuple[Fault, ...]:
     wrong_types = tuple(_type_faults(scene))
     if wrong_types:
         return tuple(dict.fromkeys(wrong_types))
-    found: list[Fault] = [*_topology_faults(scene.mechanism), *_effect_faults(scene), *_start_faults(scene)]
+    found: list[Fault] = [
+        *_length_faults(scene),
+        *_topology_faults(scene.mechanism),
+        *_effect_faults(scene),
+        *_start_faults(scene),
+    ]
     if not scene.name.isidentifier():
         found.append(Fault("scene", f"the name {scene.name!r}", "a Python identifier"))
     parameters, broken = _declared(scene)
@@ -68,8 +73,14 @@ def faults_of(scene: Scene) -> tuple[Fault, ...]:
         else:
             found.extend(_quantity_faults(slot, table))
     found.extend(_inertia_faults(scene.mechanism, sound))
-    found.extend(table_faults(scene.slots()))
+    found.extend(table_faults(_expressions(scene)))
     return tuple(dict.fromkeys(found))
+
+
+def _expressions(scene: Scene) -> Iterator[Any]:
+    """Of every quantity; of effects on joints that are not there too."""
+    yield from (slot.value for slot in scene.slots())
+    yield from (value for effect in scene.effects if hasattr(effect, "joint") for value in vars(effect).values())
 
 
 # -- types -------------------------------------------------------------------------------------------------------------
@@ -93,12 +104,8 @@ def _type_faults(scene: Scene) -> Iterator[Fault]:
         where = f"joint {joint.name}"
         yield from _is(where, "parent", joint.parent.body, Body | Ground, "a Body, GROUND, or a point of one")
         yield from _is(where, "child", joint.child.body, Body | Ground, "a Body or a point of one")
-        for name, direction in joint.directions.items():
-            yield from _direction_faults(where, name, direction)
         for point in (joint.parent, joint.child):
             yield from _three(f"{where}, point", point.position)
-            for direction, _ in point.turns:
-                yield from _direction_faults(f"{where}, turned point", "axis", direction)
     for body in scene.mechanism.bodies:
         yield from _three(f"body {body.name}, mass centre", body.centre)
         if isinstance(body.inertia, tuple):
@@ -112,12 +119,8 @@ def _type_faults(scene: Scene) -> Iterator[Fault]:
         if isinstance(pair, CustomPair):
             yield from _three(f"{where}, normal", pair.normal)
             yield from _three(f"{where}, contact point", pair.contact_point)
-            continue
-        for name in ("normal", "axis", "along"):
-            if getattr(pair, name, None) is not None:
-                yield from _direction_faults(where, name, getattr(pair, name))
-    for effect in scene.of_kind("gravity"):
-        yield from _direction_faults(f"effect {effect.name}", "direction", effect.direction)
+    for where, direction in _directions(scene):
+        yield from _direction_faults(where, direction)
     for effect in scene.of_kind("contact"):
         yield from _law_faults(effect.name, "stiffness", effect.stiffness)
         if effect.damping is not None:
@@ -126,17 +129,39 @@ def _type_faults(scene: Scene) -> Iterator[Fault]:
         yield from _law_faults(effect.name, "friction", effect.law)
 
 
-def _direction_faults(where: str, what: str, value: Any) -> Iterator[Fault]:
+def _direction_faults(where: str, value: Any) -> Iterator[Fault]:
     if not isinstance(value, Direction):
-        yield Fault(f"{where}, {what}", repr(value), "a Direction, such as X, -Y or Direction((1, 0, 1))")
+        yield Fault(where, repr(value), "a Direction, such as X, -Y or Direction((1, 0, 1))")
     elif not (
         isinstance(value.components, tuple) and len(value.components) == 3 and all(map(is_number, value.components))
     ):
-        yield Fault(
-            f"{where}, {what}", repr(value.components), "three numbers or expressions of parameters of one unit"
-        )
-    elif all(default_value(component) == 0 for component in value.components):
-        yield Fault(f"{where}, {what}", "a direction of length 0", "one that points somewhere")
+        yield Fault(where, repr(value.components), "three numbers or expressions of parameters of one unit")
+
+
+def _length_faults(scene: Scene) -> Iterator[Fault]:
+    """Directions that point nowhere."""
+    for where, direction in _directions(scene):
+        if not _points(direction):
+            yield Fault(where, "a direction of length 0", "one that points somewhere",
+                        "Its components are ratios: Direction((1, 0, 1)) lies between X and Z.")  # fmt: skip
+
+
+def _directions(scene: Scene) -> Iterator[tuple[str, Any]]:
+    """Every direction that is declared, and where."""
+    for joint in scene.mechanism.joints:
+        yield from ((f"joint {joint.name}, {name}", direction) for name, direction in joint.directions.items())
+        for point in (joint.parent, joint.child):
+            if isinstance(point, Point):
+                yield from ((f"joint {joint.name}, turned point, axis", direction) for direction, _ in point.turns)
+    for pair in scene.mechanism.pairs:
+        if not isinstance(pair, CustomPair):
+            named = ((name, getattr(pair, name, None)) for name in ("normal", "axis", "along"))
+            yield from ((f"pair {pair.name}, {name}", direction) for name, direction in named if direction is not None)
+    yield from ((f"effect {effect.name}, direction", effect.direction) for effect in scene.of_kind("gravity"))
+
+
+def _points(direction: Direction) -> bool:
+    return any(default_value(component) != 0 for component in direction.components)
 
 
 def _is(where: str, what: str, value: Any, kind: Any, expected: str) -> Iterator[Fault]:
@@ -179,7 +204,7 @@ def _topology_faults(mechanism: Mechanism) -> Iterator[Fault]:
         for point in pair.places:
             if point.body != GROUND and mechanism.joint_of(point.body) is None:
                 yield Fault(f"pair {pair.name}", f"body {point.body.name}", "a body that a joint connects")
-        if isinstance(pair, PinInBush) and along(pair.axis.unit) is None:
+        if isinstance(pair, PinInBush) and _points(pair.axis) and along(pair.axis.unit) is None:
             yield Fault(f"pair {pair.name}", f"the axis {pair.axis.components}", "X, Y, Z or the opposite of one",
                         "Turn the bush: body.at(...).turned(axis, angle).")  # fmt: skip
         if isinstance(pair, CornerOnFace):
@@ -218,7 +243,7 @@ def _axis_faults(joint: Joint) -> Iterator[Fault]:
         if abs(cosine) > 1 - 1e-9:
             yield Fault(where, "two parallel axes", "axes that are not parallel",
                         "One rotation about one axis is a Revolute.")  # fmt: skip
-    if isinstance(joint, Planar) and along(joint.normal.unit) is None:
+    if isinstance(joint, Planar) and _points(joint.normal) and along(joint.normal.unit) is None:
         yield Fault(where, f"the normal {joint.normal.components}", "X, Y, Z or the opposite of one",
                     "Turn the joint's points: parent.at(...).turned(axis, angle).")  # fmt: skip
 
@@ -273,9 +298,11 @@ def _inertia_faults(mechanism: Mechanism, sound: dict[str, Parameter]) -> Iterat
         for axis in _turning_axes(mechanism, body):
             if axis is None and body == root and body not in {*carriers, *alone} and _spins_freely(mechanism, body):
                 yield Fault(f"body {body.name}", "inertia 0 about an axis through its joint",
-                            "a positive one about every axis, because the joint lets the body turn in every way")  # fmt: skip
+                            "a positive one about every axis, because the joint lets the body turn in every way",
+                            "Body(name, mass, (J_x, J_y, J_z)), or a Universal joint, which does not let it turn about itself.")  # fmt: skip
             elif (
                 axis is not None
+                and _points(axis)
                 and all(zero[k] for k in range(3) if axis.components[k] != 0)
                 and not _swings(mechanism, body, axis)
             ):
@@ -283,6 +310,7 @@ def _inertia_faults(mechanism: Mechanism, sound: dict[str, Parameter]) -> Iterat
                     f"body {body.name}",
                     "inertia 0",
                     "a positive inertia about the joint's axis, because the body rotates",
+                    "Body(name, mass, inertia) about the mass centre, or a joint beside it.",
                 )
 
 

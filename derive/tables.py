@@ -88,7 +88,8 @@ class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
             yield Fault(where, f"{len(self.slopes)} slopes", "two, at the first and at the last argument, or None")
         for k, (a, b) in enumerate(pairwise(self.arguments)):
             if not a < b:
-                yield Fault(where, f"argument {b!r} after {a!r} in place {k + 2}", "arguments that increase")
+                yield Fault(where, f"argument {b!r} after {a!r} in place {k + 2}", "arguments that increase",
+                            "Sort the rows by argument; of two rows with one argument leave one out.")  # fmt: skip
                 return
 
     def pieces(self) -> tuple[tuple[float, ...], ...]:

@@ -64,6 +64,11 @@ class _Loops:
         sq, su, *_ = (np.array(x).ravel() for x in self.model.function("scales")(self.bound.p))
         return sq, su
 
+    @property
+    def drives(self) -> list[str]:
+        """Names of the drives, which fix coordinates."""
+        return [name for name, kind, _ in self.model.module.EFFECTS if kind == "drive"]
+
     def at(self, q: Array, u: Array) -> tuple[Array, Array, Array, Array]:
         """Constraints (nl,), their rates (nl,), and the derivatives by coordinates (nl, nq) and of the rates by speeds (nl, nu)."""
         model = self.model
@@ -114,11 +119,12 @@ def _position(loops: _Loops, q: Array, given: Collection[str]) -> tuple[Array, t
     phi, _, jacobian, _ = loops.at(found, still)
     open_ones = loops.open_ones(phi, size)
     if open_ones:
-        kept = [name for name in names if name in given]
-        remedy = (
-            f"given: {', '.join(kept)}; leave some of it to be found"
-            if kept
-            else "state positions nearer to it in the scene's Start"
+        weighted = jacobian[:, unknown] * loops.scales[0][unknown] / size[:, None]
+        locked = not _undetermined(weighted, [names[i] for i in unknown])[0]
+        remedy = _ways_out(
+            [name for name in names if name in given],
+            loops.drives if locked else [],
+            "no place that was tried closes it: check the lengths between its joints, or state positions nearer to one in the scene's Start",
         )
         fault = Fault(
             "start, positions", f"over-determined or out of reach: {', '.join(open_ones)}", "closed loops", remedy
@@ -126,6 +132,16 @@ def _position(loops: _Loops, q: Array, given: Collection[str]) -> tuple[Array, t
         return q, (fault,)
     free = _undetermined(jacobian[:, unknown] * loops.scales[0][unknown] / size[:, None], [names[i] for i in unknown])
     return found, _under("positions", *free)
+
+
+def _ways_out(given: list[str], drives: list[str], otherwise: str) -> str:
+    """Of loops that stay open: what fixes coordinates and could be left out."""
+    ways = [f"given: {', '.join(given)}; leave some of it to be found"] if given else []
+    if drives:
+        ways.append(
+            f"driven by {', '.join(drives)}: more than the loop has freedoms for, or past where it can go; leave one out"
+        )
+    return "; or ".join(ways) or otherwise
 
 
 def _closed(loops: _Loops, q: Array, unknown: list[int], size: Array) -> Array:
@@ -162,7 +178,7 @@ def _speed(loops: _Loops, q: Array, u: Array, given: Collection[str]) -> tuple[A
     found = loops.open_ones(loops.at(q, u)[1], size)
     kept = [name for name in model.speeds if name in given]
     if found:
-        remedy = f"given: {', '.join(kept)}; leave some of it to be found" if kept else "the mechanism is locked here"
+        remedy = _ways_out(kept, loops.drives, "the mechanism is locked here")
         return u, (
             Fault(
                 "start, speeds",

@@ -151,10 +151,10 @@ def expression_faults(
     yield from smoothness_faults(slot, value)
 
 
-def table_faults(slots: Iterable[Slot]) -> Iterator[Fault]:
-    """What is wrong with the tables in these slots, by themselves and beside each other; a module writes their names in capitals."""
+def table_faults(expressions: Iterable[Any]) -> Iterator[Fault]:
+    """What is wrong with the tables in these expressions, by themselves and beside each other; a module writes their names in capitals."""
     seen: dict[str, Table] = {}
-    for table in (table for slot in slots for table in tables_in(slot.value)):
+    for table in (table for expression in expressions for table in tables_in(expression)):
         yield from table.faults()
         if seen.setdefault(str(table.name).upper(), table) != table:
             yield Fault(f"table {table.name}", "two different tables of this name", "names that are unique, in capitals too",

@@ -1,4 +1,4 @@
-"""Which effects enter which equation, told by the marks on their quantities; an effect that enters none is refused."""
+"""Which effects enter which equation, told by the marks on their quantities."""
 
 from __future__ import annotations
 
@@ -8,9 +8,8 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.program import symbols_in
-from hertzwerk.derive.readable.drafts import ENERGY, LEDGER, OUTPUTS, START, Draft, Part, contact_title, pair_of
+from hertzwerk.derive.readable.drafts import ENERGY, LEDGER, Draft, Part, contact_title, pair_of
 from hertzwerk.derive.readable.marks import Marked
 from hertzwerk.derive.scene import Scene
 
@@ -52,28 +51,6 @@ class Entering:
         if draft.section in (LEDGER, ENERGY):
             found |= {effect.name for effect in self._scene.of_kind("ledger")}
         return tuple(name for name in self._effects if name in found)
-
-    def refuse_idle(self, drafts: list[Draft], entered: list[tuple[str, ...]]) -> None:
-        """Every effect must enter an equation; a start, an output or an energy alone moves nothing. Raises InputError naming those that do not."""
-        busy = {
-            name
-            for draft, effects in zip(drafts, entered, strict=True)
-            for name in effects
-            if draft.section not in (START, OUTPUTS, ENERGY) or self._effects[name].kind == "ledger"
-        }
-        faults = [
-            Fault(f"effect {name}", "no equation that it enters", "an effect that changes the motion",
-                  f"Leave it out: scene.without({name!r}).")
-            for name in self._effects
-            if name not in busy and not self._locks(name)
-        ]  # fmt: skip
-        if faults:
-            raise InputError(f"equations of {self._scene.name}", faults)
-
-    def _locks(self, name: str) -> bool:
-        """Whether it is a drive without a parameter, which takes its joint's coordinate away and leaves no symbol."""
-        effect = self._effects[name]
-        return bool(effect.kind == "drive" and effect == self._marked.scene.effect(name))
 
     # -- by the marks ----------------------------------------------------------------------------------------------
 

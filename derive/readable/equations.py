@@ -78,7 +78,6 @@ class _Reader:
         for draft in drafts:
             entering.told_apart(draft)
         entered = [entering.of(draft, drafts) for draft in drafts]
-        entering.refuse_idle(drafts, entered)
         shown = {s for draft in drafts for s in (*draft.symbols(), draft.symbol)}
         self.open = self._open(drafts)
         known = (*self.tape.inputs, *self.forms.of, *self.open)

@@ -14,6 +14,7 @@ from hertzwerk.derive import (
     Body,
     ConstantSpeed,
     Direction,
+    Drive,
     EnergyLedger,
     Free,
     Gravity,
@@ -28,6 +29,8 @@ from hertzwerk.derive import (
     SphereOnPlane,
     Spherical,
     Start,
+    T,
+    Table,
     Universal,
     Weld,
     X,
@@ -388,6 +391,19 @@ def test_faults_of_joints_come_at_once():
             Prismatic("slide", OTHER, Body("end", 0), X),
         )
     assert len(caught.value.faults) == 2
+
+
+def test_an_axis_that_points_nowhere_hides_no_other_fault():
+    lift = Table("lift", (0.0, 2.0, 1.0), (0.0, 1.0, 2.0), ("s", "rad"))
+    drive = Drive("drive", "nowhere", position=lift(T))
+    with pytest.raises(InputError) as caught:
+        scene(
+            Revolute("pin", GROUND, BODY, Direction((0, 0, 0))), Universal("cross", BODY, OTHER, X, X), effects=(drive,)
+        )
+    found = {fault.where: fault for fault in caught.value.faults}
+    assert set(found) == {"joint pin, axis", "joint cross", "effect drive", "table lift"}
+    assert found["table lift"].found == "argument 1.0 after 2.0 in place 3"
+    assert "Sort the rows" in found["table lift"].remedy
 
 
 def test_a_slender_rod_may_hang_on_a_ball_beside_its_axis():

@@ -198,6 +198,21 @@ def test_lengths_that_never_meet():
         simulate(load(four_bar(0.1, 0.2, 0.3, 5.0, 2.0)), duration=1.0)
 
 
+def test_more_drives_than_a_loop_has_freedoms_are_named():
+    """The window has one freedom: both feet driven are too many where their speeds differ, and where the posts cannot be parallel."""
+    drives = [ConstantSpeed(f"drive_{i}", f"foot_{i}", Parameter(f"pace_{i}", "rad/s", 1.0 + i)) for i in range(2)]
+    window = n_four_bar(1)
+    with pytest.raises(InputError) as error:
+        simulate(load(replace(window, effects=(*window.effects, *drives), start=Start())), duration=1.0)
+    (fault,) = error.value.faults
+    assert fault.where == "start, speeds"
+    assert "over-determined: right_0 open by" in fault.found
+    assert "driven by drive_0, drive_1" in fault.remedy
+    assert "leave one out" in fault.remedy
+    one = replace(window, effects=(*window.effects, drives[0]), start=Start())
+    assert simulate(load(one), duration=1e-2).outcome.finished
+
+
 # -- what holds the loops ----------------------------------------------------------------------------------------------
 
 
