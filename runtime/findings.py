@@ -26,8 +26,15 @@ class Observer(Protocol):
 Seen = TypeVar("Seen", bound=Observer)
 
 
+SMALL = 1e-6  # part of the scene's energy scale that an error is measured by where a run moves less energy
+
+
 class Balance:
-    """Whether energy - initial energy + dissipated - input stays zero."""
+    """Whether energy - initial energy + dissipated - input stays zero.
+
+    Measured by the energy that the run moves: the largest kinetic energy, energy dissipated or put in, or change of potential energy. The total
+    energy is no measure, since where the potential is zero is a matter of choice.
+    """
 
     def __init__(self) -> None:
         self._start: np.ndarray | None = None
@@ -36,26 +43,26 @@ class Balance:
 
     def take(self, block: History, fresh: int) -> None:
         """The next accepted steps; see `Observer`."""
-        dissipated, supplied = (
+        booked = (
             np.sum([block[name] for name in block.model.memory if name.endswith(end)], axis=0) + np.zeros(len(block.t))
             for end in (".dissipated", ".input")
         )
-        parts = np.array([block["energy"], dissipated, supplied])
+        parts = np.array([*block.energies, *booked])
         self._finite = self._finite and bool(np.all(np.isfinite(parts)))
         if not self._finite:
             return
         if self._start is None:
             self._start = parts[:, :1]
+            self._largest = SMALL * block.energy_scale
+        kinetic, *_ = parts
         change = parts - self._start
-        self._largest = max(self._largest, float(np.max(np.abs(parts))))
-        self._error = max(self._error, float(np.max(np.abs(change[0] + change[1] - change[2]))))
+        self._largest = max(self._largest, float(np.max(kinetic)), float(np.max(np.abs(change[1:]))))
+        self._error = max(self._error, float(np.max(np.abs(change[0] + change[1] + change[2] - change[3]))))
 
     @property
     def residual(self) -> float | None:
-        """Largest error over the largest of the three magnitudes; None where one was not finite."""
-        if not self._finite:
-            return None
-        return self._error / self._largest if self._largest > 0 else self._error
+        """Largest error over the largest energy moved; None where something was not finite."""
+        return self._error / self._largest if self._finite and self._largest > 0 else None
 
 
 class Choices:

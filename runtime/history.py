@@ -132,17 +132,24 @@ class History:
             (forces,) = self._holding(*(self.part(part) for part in ("t", "y", "mode", "m")))
             return dict(zip(held, forces.T, strict=True))
         if name == "energy":
-            kinetic, potential, stored = self.map("energy", "t q u")
-            return {
-                name: kinetic[:, 0]
-                + potential[:, 0]
-                + np.sum(np.where(self.part("mode") == CONTACT, stored, 0), axis=1)
-            }
+            return {name: np.sum(self.energies, axis=0)}
         for speed in model.speeds:
             if name == acceleration_of(speed):
                 return {name: self.part("dy")[:, ny.index(speed)]}
         pair, _, part = name.rpartition(".")
         return {name: self._of_pair(pair, part, model.pairs.index(pair))}
+
+    @cached_property
+    def energies(self) -> np.ndarray:
+        """Kinetic and potential energy [J], with what springs and touching surfaces store, shape (2, rows)."""
+        kinetic, potential, stored = self.map("energy", "t q u")
+        touching = np.where(self.part("mode") == CONTACT, stored, 0)
+        return np.array([kinetic[:, 0], potential[:, 0] + np.sum(touching, axis=1)])
+
+    @property
+    def energy_scale(self) -> float:
+        """The scene's [J]."""
+        return float(self.controls[self._engine.layouts.controls["scales"]][3])
 
     def _of_pair(self, pair: str, part: str, j: int) -> np.ndarray:
         mode = self.part("mode")[:, j]

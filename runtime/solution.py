@@ -115,7 +115,8 @@ class Solution:
 
     @property
     def energy_residual(self) -> float | None:
-        """Largest |energy - initial energy + dissipated - input| of all accepted steps over the largest of these four magnitudes.
+        """Largest |energy - initial energy + dissipated - input| of all accepted steps over the largest energy that the run moves: kinetic,
+        dissipated, put in, or change of potential, whatever its zero; over a millionth of the scene's energy scale where that is more.
 
         None without a ledger, and where a run that came to no good end holds an energy that is not finite.
         """

@@ -90,7 +90,7 @@ def compound(parts):
     )  # fmt: skip
 
 
-@settings(max_examples=150, deadline=None, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=150, phases=[Phase.explicit, Phase.generate])
 @given(st.recursive(LEAVES, compound, max_leaves=8))
 def test_text_means_what_the_expression_means(expression):
     nodes = [node for node in sp.preorder_traversal(expression) if not node.is_Relational and not node.is_Boolean]

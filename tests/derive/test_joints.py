@@ -145,7 +145,6 @@ def trees(draw):
 @pytest.mark.slow
 @settings(
     max_examples=50,
-    deadline=None,
     derandomize=True,
     database=None,
     suppress_health_check=[HealthCheck.too_slow],

@@ -197,7 +197,7 @@ def test_no_force_at_the_onset(name):
 
 
 @pytest.mark.parametrize("name", NUMERIC)
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(fractions=st.lists(st.floats(1e-9, 1), min_size=2, max_size=2, unique=True), spread=st.floats(0.2, 5))
 def test_force_is_compressive_continuous_and_monotone(name, fractions, spread):
     """0 <= F(a) < F(b) for a < b in range, and no jump between them: F(b) - F(a) is the integral of dF/dd."""
@@ -355,7 +355,7 @@ def test_kuwabara_kono_expansion():
 
 
 @pytest.mark.parametrize("name", DAMPING)
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(e=st.floats(1e-3, 1), depth=st.floats(1e-9, 1e-4), rate=st.floats(-20, 20), onset=st.floats(1e-3, 20))
 def test_damping_never_gives_energy(name, e, depth, rate, onset):
     """Power resistance * v >= 0 for every state, loading and unloading."""
@@ -394,7 +394,7 @@ def test_stated_exponent_of_the_penetration(name):
 
 
 @pytest.mark.parametrize("name", STATELESS)
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(speed=st.floats(1e-9, 30), load=st.just(0.0) | st.floats(1e-9, 1e5))
 def test_friction_opposes_the_motion(name, speed, load):
     """Odd in s, against it, and never more than static friction and the viscous part allow."""

@@ -121,7 +121,7 @@ SEEDS = st.integers(0, 10**6)
 # -- values survive naming, hoisting, sharing, emission ----------------------------------------------------------------
 
 
-@settings(max_examples=40, deadline=None, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=40, phases=[Phase.explicit, Phase.generate])
 @given(SEEDS)
 def test_naming_hoisting_and_sharing_keep_every_value(seed):
     small = Recorded(seed)
@@ -132,7 +132,7 @@ def test_naming_hoisting_and_sharing_keep_every_value(seed):
         assert ours == pytest.approx(float(expected), rel=1e-11, abs=1e-11)
 
 
-@settings(max_examples=40, deadline=None, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=40, phases=[Phase.explicit, Phase.generate])
 @given(SEEDS)
 def test_functions_that_read_constants_compute_none(seed):
     """No assignment or result of a function of c contains a product, sum or call of parameters alone."""
@@ -152,7 +152,7 @@ def test_functions_that_read_constants_compute_none(seed):
                 assert not small.tape.is_constant(node), f"{node} in {expression}"
 
 
-@settings(max_examples=40, deadline=None, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=40, phases=[Phase.explicit, Phase.generate])
 @given(SEEDS)
 def test_sharing_never_adds_operations(seed):
     small = Recorded(seed)
@@ -277,7 +277,7 @@ def moving(small, when):
     return values
 
 
-@settings(max_examples=40, deadline=None, phases=[Phase.explicit, Phase.generate])
+@settings(max_examples=40, phases=[Phase.explicit, Phase.generate])
 @given(SEEDS)
 def test_rates_are_derivatives_along_the_motion(seed):
     small = Recorded(seed)

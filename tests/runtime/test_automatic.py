@@ -1,11 +1,14 @@
 """compiled="auto": short runs stay in the virtual machine, long ones go on as C, and no digit changes."""
 
+import itertools
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import Solution, load, simulate
-from hertzwerk.runtime.integrate import automatic, compiled
+from hertzwerk.runtime.integrate import automatic, chunk, compiled
 
 
 @pytest.fixture
@@ -22,7 +25,14 @@ def eager(monkeypatch):
     monkeypatch.setattr(automatic, "SURE", 0.0)
 
 
-def test_a_short_run_is_not_compiled(crank, tmp_path):
+@pytest.fixture
+def clock(monkeypatch):
+    """Every chunk takes 10 ms, whatever the machine does."""
+    ticks = itertools.count(step=0.01)
+    monkeypatch.setattr(chunk, "time", SimpleNamespace(perf_counter=lambda: next(ticks)))
+
+
+def test_a_short_run_is_not_compiled(crank, clock, tmp_path):
     run = simulate(crank, duration="24 ms", tolerance=1e-8)
     assert not run.compiled
     assert run.statistics.compile_s == 0
@@ -63,12 +73,21 @@ def test_without_a_compiler_it_goes_on(crank, eager, monkeypatch):
     assert not run.compiled
 
 
-def test_a_limited_run_is_not_compiled_for_time_it_will_not_take(crank, tmp_path):
-    run = simulate(crank, duration="100 s", tolerance=1e-8, max_steps=2000)
-    assert not run.compiled
-    run = simulate(crank, duration="100 s", tolerance=1e-8, wall_time=0.1)
-    assert not run.compiled
-    assert not (tmp_path / "cache").exists()
+@pytest.fixture
+def wanted(clock, monkeypatch):
+    """How long a run had to go whenever it asked whether to compile."""
+    asked: list[float] = []
+    monkeypatch.setattr(automatic.Code, "worthwhile", lambda self, elapsed, ahead: asked.append(ahead))
+    return asked
+
+
+@pytest.mark.parametrize("limit", [{"max_steps": 2000}, {"wall_time": 0.1}])
+def test_a_limited_run_is_not_compiled_for_time_it_will_not_take(crank, wanted, limit):
+    run = simulate(crank, duration="100 s", tolerance=1e-8, **limit)
+    assert not run.outcome.finished
+    assert wanted == []
+    simulate(crank, duration="100 s", tolerance=1e-8, max_events=100)  # which nobody can foresee
+    assert min(wanted) > 10
 
 
 def test_what_compiled_may_be(crank):

@@ -281,7 +281,7 @@ def test_dense_output_has_the_method_s_accuracy(ball, method):
 def settled(run, most):
     assert run.outcome.finished
     assert run.statistics.steps < most
-    assert run.energy_residual < 1e-4
+    assert run.energy_residual < 1e-3  # of the energy that settling moves, which is little
     assert 0.1 - run.final["vertical.travel"] == pytest.approx(STATIC, rel=1e-8)
     assert abs(run.final["vertical.speed"]) < 1e-10
     return run

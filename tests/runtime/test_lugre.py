@@ -112,7 +112,7 @@ def test_bristles_end_with_their_contact(model, method):
     assert np.max(np.abs(bristle[~touching])) <= noise
     assert np.max(np.abs(bristle[onsets])) <= noise
     assert np.max(np.abs(bristle)) > 0.5 * MU_K / S_0  # and bends in between
-    assert run.energy_residual < 1e-6
+    assert run.energy_residual < 3e-6  # 30 local errors; CVODES makes 13
 
 
 def test_every_pair_has_a_bristle_of_its_own(model):
