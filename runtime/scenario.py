@@ -25,7 +25,7 @@ from hertzwerk.derive.units import UnitError, parse_quantity
 from hertzwerk.runtime import scenarios
 
 IMPACT_FIELDS = {"t": "s", "speed": "m/s", "peak_force": "N", "peak_penetration": "m", "duration": "s"}
-FOUND_IN_HISTORIES = ("final", "max", "min")
+FOUND_IN_HISTORIES = ("final", "max", "min", "largest")
 
 
 def si(text: str) -> float:
@@ -55,7 +55,8 @@ def _measurable(text: str) -> str:
     if not known:
         raise ValueError(
             f"{text!r} is no quantity; write impacts (their number), impacts.N.FIELD with N from 0 and FIELD one of "
-            f"{', '.join(IMPACT_FIELDS)}; final.NAME, max.NAME or min.NAME with a state or a contact force; energy_residual"
+            f"{', '.join(IMPACT_FIELDS)}; final.NAME, max.NAME, min.NAME or largest.NAME (of either sign) of a state or a contact force; "
+            "energy_residual"
         )
     return text
 

@@ -77,7 +77,8 @@ def measure(solution: Solution, quantity: str) -> float | None:
         value: float | None = getattr(solution.impacts[int(index)], field)
         return value
     history = solution[name]
-    return float(history[-1] if head == "final" else np.max(history) if head == "max" else np.min(history))
+    found = {"final": history[-1], "max": np.max(history), "min": np.min(history), "largest": np.max(np.abs(history))}
+    return float(found[head])
 
 
 def _verdict(check: Check, measured: float | None) -> Verdict:

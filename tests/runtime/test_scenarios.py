@@ -45,6 +45,45 @@ def test_built_in_scenarios_come_out(name):
     assert failed == []
 
 
+# Per scenario: a parameter off by 1 %, the check that must then fail, and how long a run it takes to see it.
+FAULTS = {
+    "ball_between_walls": ("restitution = 0.909", "impacts.1.speed", "0.2 s"),
+    "ball_in_socket": ("mass = 0.505 kg", "final.float.x", ""),
+    "bouncing_ball": ("drop_height = 1.01 m", "impacts.0.t", "0.5 s"),
+    "bricard": ("gravity = 9.9081 m/s^2", "final.hinge_a.angle", ""),
+    "double_pendulum": ("length = 1.01 m", "final.elbow.angle", ""),
+    "flyball_governor": ("ball_mass = 2.02 kg", "max.right_hinge.angle", ""),
+    "four_bar_clearance": ("rocker_inertia = 1.515e-4 kg m^2", "impacts.0.t", "2 ms"),
+    "journal_in_bearing": ("load = 505 N", "final.bearing.penetration", ""),
+    "n_four_bar": ("gravity = 9.9081 m/s^2", "final.foot_0.angle", ""),
+    "newtons_cradle": ("length = 0.2525 m", "impacts.0.speed", "0.3 s"),
+    "pendulum": ("length = 1.01 m", "final.hinge.speed", ""),
+    "slider_crank": ("slider_mass = 0.1414 kg", "impacts.0.peak_penetration", "1 ms"),
+    "slider_crank_frictionless": ("rod_length = 0.1212 m", "impacts.0.speed", "1 ms"),
+    "slider_crank_three_clearances": ("rod_mass_centre = 0.0606 m", "impacts.0.t", "1 ms"),
+    "slider_crank_two_clearances": ("gravity = 9.9081 m/s^2", "impacts.0.speed", "1 ms"),
+    "soft_ball": ("stiffness = 1.414e8 N/m^1.5", "impacts.0.peak_force", "0.6 s"),
+    "spatial_slider_crank": ("rod_inertia_x = 4.04e-4 kg m^2", "impacts.0.t", "2 ms"),
+    "translational_clearance": ("slider_mass = 0.07676 kg", "impacts.0.t", "3 ms"),
+    "two_spheres": ("mass = 0.09292 kg", "impacts.0.peak_penetration", ""),
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", scenarios.names())
+def test_a_parameter_that_is_off_by_a_hundredth_fails_a_check(name):
+    given, quantity, duration = FAULTS[name]
+    parameter, _, value = given.partition(" = ")
+    scenario = load_scenario(name)
+    scenario = scenario.model_copy(update={"duration": duration or scenario.duration})
+    for parameters, passed in (({}, True), ({parameter: value}, False)):
+        if passed and not duration:
+            continue  # which is seen above
+        changed = scenario.model_copy(update={"parameters": {**scenario.parameters, **parameters}})
+        verdicts = validate(changed, run_scenario(changed))
+        assert {v.passed for v in verdicts if v.check.quantity == quantity} == {passed}
+
+
 @pytest.mark.parametrize(
     ("check", "passes"),
     [
@@ -76,6 +115,11 @@ def test_quantities_are_those_of_the_solution(spheres):
     assert measure(spheres, "final.target_path.speed") == spheres["target_path.speed"][-1]
     assert measure(spheres, "max.target_path.speed") == max(spheres["target_path.speed"])
     assert measure(spheres, "min.spheres.gap") == min(spheres["spheres.gap"])
+    assert (
+        measure(spheres, "largest.spheres.gap_rate")
+        == max(abs(spheres["spheres.gap_rate"]))
+        == -min(spheres["spheres.gap_rate"])
+    )
     assert measure(spheres, "energy_residual") == spheres.energy_residual
 
 
