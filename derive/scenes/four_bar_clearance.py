@@ -1,6 +1,7 @@
 """A four-bar linkage, its crank at constant speed, whose coupler and rocker meet in a revolute joint with clearance.
 
-Data: crank and coupler those of the slider-crank with clearance (Ravn, Schwab, Flores); rocker and base of our choice, so that the crank goes round.
+Data: crank and coupler those of the slider-crank with clearance (grade C); rocker and base of our choice, so that the crank goes round. It is none of
+the four-bars with clearance in print: their data could not be had.
 """
 
 import sympy as sp

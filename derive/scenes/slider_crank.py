@@ -1,6 +1,7 @@
 """Slider-crank whose rod and slider meet in a revolute joint with clearance (the example of Wang & Liu 2020, section 6).
 
-Data: the set used by Ravn, Schwab and Flores; the paper's own could not be had.
+Data: the set ascribed to Ravn, Schwab and Flores, from general knowledge of the literature (grade C): none of their papers could be had to compare it
+with. Nor could the data of Wang & Liu.
 """
 
 from hertzwerk.derive import (
