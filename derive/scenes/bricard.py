@@ -1,7 +1,7 @@
 """Bricard's mechanism: five uniform rods and the ground along edges of a cube, six hinges across them. Benchmark A04 of the IFToMM library.
 
-By counting it has no freedom; one of its constraints is redundant, so it has one. Order of the edges, 1 m, 1 kg and gravity as two public codes of the
-benchmark have them (grade B); the rods are slender as in one of them, the other gives them a square section of 0.1 m.
+By counting it has no freedom; one of its constraints is redundant, so it has one. Order of the edges, 1 m, 1 kg and gravity as two public codes of
+the benchmark have them (grade B); the rods are slender as in one of them, the other gives them a square section of 0.1 m.
 Source: https://www.iftomm-multibody.org/benchmark, A04; Gonzalez, Dopico, Lugris, Cuadrado, Multibody Syst. Dyn. 16 (2006) 263.
 """
 

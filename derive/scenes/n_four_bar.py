@@ -1,6 +1,7 @@
 """N windows of uniform rods, hinged to the ground and to each other: benchmark A02 of the IFToMM library, here with N = 2.
 
-Rods of 1 kg and 1 m, upright, the first at 1 m/s, as the public code MBS-BOS states them too (grade B). Lying flat, all rods in one line, it has N + 1 freedoms instead of one: it passes through singular positions.
+Rods of 1 kg and 1 m, upright, the first at 1 m/s, as the public code MBS-BOS states them too (grade B). Lying flat, all rods in one line, it has N +
+1 freedoms instead of one: it passes through singular positions.
 Source: https://www.iftomm-multibody.org/benchmark, A02; Bayo, Avello, Nonlinear Dynamics 5 (1994) 209.
 """
 
