@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from hertzwerk.runtime.integrate.chunk import INTERRUPTED, WALL_TIME_LIMIT
 from hertzwerk.runtime.integrate.layout import (
@@ -14,6 +15,9 @@ from hertzwerk.runtime.integrate.layout import (
     STEP_TOO_SMALL,
     TOO_MANY_STEPS,
 )
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.accuracy import ErrorEstimate
 
 
 @dataclass(frozen=True)
@@ -34,7 +38,7 @@ _OUTCOMES = {
     FINISHED: ("finished", "reached the end at t = {t:.6g} s", ""),
     STEP_TOO_SMALL: (
         "step_too_small",
-        "at t = {t:.9g} s no step above rounding meets the accuracy {accuracy:g}",
+        "at t = {t:.9g} s no step above rounding meets the local tolerance {tolerance:g}",
         "ask for less accuracy; if that does not help, the model is discontinuous or singular there: look at the last states",
     ),
     NOT_FINITE: (
@@ -73,6 +77,15 @@ _OUTCOMES = {
         "raise wall_time, ask for less accuracy, or use compiled=True",
     ),
 }
+
+
+def unreachable(asked: float, error: ErrorEstimate) -> Outcome:
+    """The outcome of a complete run whose error no tolerance makes as small as was asked."""
+    return Outcome(
+        "accuracy_unreachable",
+        f"the error at the end is {error.floor:.1g} at best, {asked:g} was asked for: rounding, as the motion amplifies it, allows no less",
+        f"ask for an accuracy above {error.floor:.1g}, or simulate a shorter time",
+    )
 
 
 def outcome(status: int, **facts: object) -> Outcome:
