@@ -1,10 +1,10 @@
 """The error that a run really has at its end, estimated by runs at falling local tolerance; and which tolerance meets a request.
 
-A run's error is the difference to a run at a CHECK times smaller tolerance. It cannot be had for less, from looser runs: the end error is the sum
-of a few local errors, each amplified by the motion, and now and then they nearly cancel. Errors are proportional to the tolerance only on average,
-and two draws from one symmetric distribution lie within a factor of 10 of each other in 87 % of cases if it is normal (the ratio is then Cauchy
-distributed); measured over the built-in scenes, a looser run's error scaled down is within 10 of the truth in 92 %, the difference to a tighter run
-in 99 % (CHECK = 10 or 5) or 97 % (3). See tests/benchmarks/honesty.py.
+A run's error is its difference to a run at a CHECK times smaller tolerance, and a little more for that run's own. It cannot be had for less, from
+looser runs: the end error is the sum of a few local errors, each amplified by the motion, and now and then they nearly cancel. Errors are
+proportional to the tolerance only on average, and of two draws from one normal distribution the ratio is Cauchy distributed, within a factor of 10
+in 87 % of cases. Measured over the built-in scenes, a looser run's error scaled down is within 10 of the truth in 92 %, the difference to a tighter
+run in 99 % (CHECK = 10 or 5) or 97 % (3). See tests/benchmarks/honesty.py.
 """
 
 from __future__ import annotations
@@ -74,8 +74,13 @@ class ErrorEstimate:
 
     def __str__(self) -> str:
         if not self.known:
-            return f"known until t = {self.times[-1]:.4g} s: {self.values[-1]:.1g}" if len(self.times) else "not known"
-        return f"{self.end:.1g}"
+            return f"not known from t = {self.times[-1]:.4g} s on"
+        return brief(self.end)
+
+
+def brief(error: float) -> str:
+    """An error as one writes it: 4e-7."""
+    return f"{error:.1g}".replace("e-0", "e-")
 
 
 def beyond_horizon(error: ErrorEstimate) -> str:
@@ -207,7 +212,10 @@ class Ladder(Generic[Kept]):
     def _checked(self, run: Rung[Kept], other: Rung[Kept]) -> _Checked[Kept]:
         n = min(len(run.states), len(other.states))
         whole = run.end is End.REACHED and other.end is End.REACHED
-        return _Checked(run, self._differ(run.states[:n], other.states[:n]), whole)
+        part = abs(
+            1 - other.tolerance / run.tolerance
+        )  # of a run's error that shows, were errors proportional to tolerances
+        return _Checked(run, self._differ(run.states[:n], other.states[:n]) / part, whole)
 
     def _verdict(self, checked: _Checked[Kept]) -> Verdict | None:
         """What came of the request; None where a smaller tolerance may meet it."""

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
+from hertzwerk.runtime.accuracy import brief
 from hertzwerk.runtime.integrate.chunk import INTERRUPTED, WALL_TIME_LIMIT
 from hertzwerk.runtime.integrate.layout import (
     CONSTRAINT_LOST,
@@ -15,9 +15,6 @@ from hertzwerk.runtime.integrate.layout import (
     STEP_TOO_SMALL,
     TOO_MANY_STEPS,
 )
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.accuracy import ErrorEstimate
 
 
 @dataclass(frozen=True)
@@ -79,12 +76,12 @@ _OUTCOMES = {
 }
 
 
-def unreachable(asked: float, error: ErrorEstimate) -> Outcome:
+def unreachable(asked: float, floor: float) -> Outcome:
     """The outcome of a complete run whose error no tolerance makes as small as was asked."""
     return Outcome(
         "accuracy_unreachable",
-        f"the error at the end is {error.floor:.1g} at best, {asked:g} was asked for: rounding, as the motion amplifies it, allows no less",
-        f"ask for an accuracy above {error.floor:.1g}, or simulate a shorter time",
+        f"no tolerance gives an error at the end below {brief(floor)}, {brief(asked)} was asked for: the motion amplifies what rounding leaves",
+        f"ask for an accuracy above {brief(floor)}, or simulate a shorter time",
     )
 
 

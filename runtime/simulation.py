@@ -200,8 +200,8 @@ def _verdict(run: _Run, climbed: Climbed[_Made], asked: float, result: Outcome) 
             warnings.append(
                 f"the error is {error}, for a run with a smaller tolerance ended otherwise: {other.message}"
             )
-    if climbed.verdict is Verdict.UNREACHABLE and error is not None:
-        result = unreachable(asked, error)
+    if error is not None and error.floor is not None:
+        result = unreachable(asked, error.floor)
     return result, tuple(warnings)
 
 

@@ -139,6 +139,7 @@ def simulate_many(
     *,
     duration: str | float | None = None,
     accuracy: float | None = None,
+    tolerance: float | None = None,
     method: str = "dop853",
     compiled: bool | Literal["auto"] = "auto",
     workers: int | None = None,
@@ -159,9 +160,9 @@ def simulate_many(
     """
     began = time.perf_counter()
     sets = [dict(values) for values in parameter_sets]
-    check_settings(model, duration, accuracy, method, compiled, **limits)
+    check_settings(model, duration, accuracy, method, compiled, tolerance=tolerance, **limits)
     _check(model, workers, outputs or {})
-    settings = {"duration": duration, "accuracy": accuracy, "method": method, **limits}
+    settings = {"duration": duration, "accuracy": accuracy, "tolerance": tolerance, "method": method, **limits}
     job = _Job(model, sets, settings, dict(outputs or {}))
     cores = min(workers or _cores(), max(len(sets), 1))
     rows: dict[int, Row] = {}

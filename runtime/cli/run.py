@@ -172,10 +172,12 @@ def _report(solution: Solution) -> None:
         outcome.name,
         f"{statistics.steps:,} steps, {count:,} impact{'s' if count != 1 else ''}{closed}, computed in {_time(statistics.wall_s)}",
     )
-    if solution.error is not None:
+    if solution.error is not None and solution.accuracy is not None:
+        from hertzwerk.runtime.accuracy import brief
+
         cost = solution.error.decade_cost
         more = "" if cost is None else f"; ten times more would cost about {cost:.1f} x the time"
-        line("accuracy", f"asked {solution.accuracy:g}, estimated {solution.error}{more}")
+        line("accuracy", f"asked {brief(solution.accuracy)}, estimated {solution.error}{more}")
     if not outcome.finished:
         line("", outcome.message)
         line("remedy", outcome.remedy)

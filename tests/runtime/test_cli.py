@@ -195,6 +195,7 @@ def test_json_has_the_promised_fields_and_writes_nothing(hertzwerk):
         "t_end",
         "duration",
         "accuracy",
+        "tolerance",
         "method",
         "compiled",
         "steps",
@@ -205,11 +206,17 @@ def test_json_has_the_promised_fields_and_writes_nothing(hertzwerk):
         "final",
         "energy_residual",
         "error_estimate",
+        "horizon",
+        "growth",
+        "decade_cost",
         "warnings",
     ]
     assert content["impacts"][0].keys() == {"contact", "t", "speed", "peak_force", "duration"}
     assert content["t_end"] == content["duration"] == 1.3
-    assert content["error_estimate"] is None
+    assert 0 < content["error_estimate"] <= content["accuracy"] == 1e-9
+    assert content["tolerance"] < content["accuracy"]
+    assert content["horizon"] is None
+    assert 1 < content["decade_cost"] < 2
     assert content["final"].keys() >= {"track.travel", "track.speed"}
     assert len(content["impacts"]) == 10
     assert written() == []
