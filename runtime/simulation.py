@@ -121,7 +121,7 @@ def _as_accurate(
         spent_s, steps = (sum(each) for each in zip(*made, strict=True)) if made else (0.0, 0)
         left = _Limits(max(limits.max_steps - int(steps), 1), limits.max_events, max(limits.wall_time - spent_s, 0.0))
         beside = None if progress is None else _part(progress, len(made))
-        here = replace(run, limits=left).made(tolerance, scales, times if keep else grid, progress=beside, beside=grid)
+        here = replace(run, limits=left).made(tolerance, scales, times, progress=beside, beside=grid, alone=not keep)
         made.append((here.ending.wall_s, here.counted["steps"]))
         status = here.ending.status
         end = End.REACHED if status == FINISHED else End.STOPPED if status in STOPS else End.FAILED
@@ -294,13 +294,18 @@ class _Run:
         *,
         progress: Callable[[float], object] | None = None,
         beside: np.ndarray | None = None,
+        alone: bool = False,
     ) -> _Made:
-        """Run and keep every step or the states at some times [s], and those at times `beside`; both may be the same."""
+        """Run and keep every step or the states at some times [s], what is found, and the states at times `beside`, or these `alone`."""
+        if alone:
+            times = beside
         kept = Steps() if times is None else Grid(times)
         findings = Findings(self.model, self.method, later=times is None)
         speeds = tuple(_approach_speeds(self.model, self.given.bound))
-        other = kept if beside is None or beside is times else Grid(beside)
-        observers = [kept, findings, *speeds] if other is kept else [kept, findings, *speeds, other]
+        other = kept if beside is None or alone else Grid(beside)
+        observers = (
+            [kept] if alone else [kept, findings, *speeds] if other is kept else [kept, findings, *speeds, other]
+        )
         before = self.gear.compile_s if self.gear else 0.0
         ending = self(tolerance, scales, observers, None if times is None else BLOCK, progress)
         return _Made(
