@@ -83,11 +83,12 @@ def brief(error: float) -> str:
     return f"{error:.1g}".replace("e-0", "e-")
 
 
-def beyond_horizon(error: ErrorEstimate) -> str:
+def beyond_horizon(error: ErrorEstimate, asked: float) -> str:
     """Warning of a run that is longer than its horizon."""
     grow = "" if error.growth is None else f"; errors grow at {error.growth:.3g}/s"
+    missed = f"an error of {brief(asked)} at the end is out of reach: " if error.end > asked else ""
     return (
-        f"the run is longer than its horizon: the trajectory is valid, with an error below {VALID:.0%} of the scales, until "
+        f"{missed}the run is longer than its horizon: the trajectory is valid, with an error below {VALID:.0%} of the scales, until "
         f"t = {error.horizon:.4g} s{grow}; beyond it only statistics are, run.averages()"
     )
 
@@ -205,7 +206,7 @@ class Ladder(Generic[Kept]):
     def _make(self, tolerance: float, *, keep: bool) -> Rung[Kept]:
         run = self._run(tolerance, keep)
         self._runs, self._wall_s = self._runs + 1, self._wall_s + run.wall_s
-        if run.end is End.REACHED:
+        if run.end is End.REACHED and run.evaluations:  # SUNDIALS' are not counted
             self._costs.append((tolerance, run.evaluations))
         return run
 

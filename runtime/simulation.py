@@ -189,17 +189,17 @@ def _verdict(run: _Run, climbed: Climbed[_Made], asked: float, result: Outcome) 
     """Outcome and warnings of a run for an accuracy."""
     error, broken = climbed.error, climbed.broken
     warnings: list[str] = []
-    if error is not None and error.horizon is not None and climbed.verdict is not Verdict.MET:
-        warnings.append(beyond_horizon(error))
+    if error is not None and error.horizon is not None:
+        warnings.append(beyond_horizon(error, asked))
     if broken is not None:
         other = run.outcome(broken.kept)
         if climbed.verdict is Verdict.STOPPED and result.finished:
-            message = f"the run is complete, but of one with a smaller tolerance, to check it: {other.message}"
+            message = (
+                f"the run is complete, a run with a smaller tolerance to know its error by is not: {other.message}"
+            )
             result = Outcome(other.name, message, other.remedy)
         elif result.finished:
-            warnings.append(
-                f"the error is {error}, for a run with a smaller tolerance ended otherwise: {other.message}"
-            )
+            warnings.append(f"the error is {error}: runs with a smaller tolerance end otherwise, {other.message}")
     if error is not None and error.floor is not None:
         result = unreachable(asked, error.floor)
     return result, tuple(warnings)
