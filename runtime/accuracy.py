@@ -86,7 +86,7 @@ def brief(error: float) -> str:
 def beyond_horizon(error: ErrorEstimate, asked: float) -> str:
     """Warning of a run that is longer than its horizon."""
     grow = "" if error.growth is None else f"; errors grow at {error.growth:.3g}/s"
-    missed = f"an error of {brief(asked)} at the end is out of reach: " if error.end > asked else ""
+    missed = f"an error of {brief(asked)} at the end seems out of reach: " if error.end > asked else ""
     return (
         f"{missed}the run is longer than its horizon: the trajectory is valid, with an error below {VALID:.0%} of the scales, until "
         f"t = {error.horizon:.4g} s{grow}; beyond it only statistics are, run.averages()"
@@ -196,7 +196,7 @@ class Ladder(Generic[Kept]):
                 verdict = Verdict.STOPPED if check.end is End.STOPPED else Verdict.UNKNOWN
                 return self._told(best or checked, verdict, check)
             self._found.append((run.tolerance, checked.end))
-            if best is None or checked.end < best.end:
+            if best is None or checked.end < best.end or best.end > VALID:  # above VALID its size is chance
                 best = checked
             found = self._verdict(checked)
             if found is not None:

@@ -131,6 +131,10 @@ def test_beyond_the_horizon_nothing_is_tightened_in_vain():
     assert climbed.error.growth == pytest.approx(100, rel=1e-6)
     assert climbed.error.horizon == pytest.approx(np.log(0.01 / 1e-7) / 100, abs=2 / POINTS)
     assert log == [1e-8, 1e-8 / CHECK]
+    climbed, log = climb(
+        1e-3, 1e-6, rate=30.0
+    )  # here it may be worth a second try, and the tighter run is returned, however large the error
+    assert (climbed.verdict, len(log), climbed.run.tolerance) == (Verdict.BEYOND, 4, log[2])
     climbed, _ = climb(1e-3, 1e-5, rate=10.0)  # here it is not in vain
     assert climbed.verdict is Verdict.MET
     assert climbed.error.end <= 1e-3
