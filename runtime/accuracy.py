@@ -78,15 +78,15 @@ class ErrorEstimate:
         return brief(self.end)
 
 
-def brief(error: float) -> str:
+def brief(error: float, digits: int = 1) -> str:
     """An error as one writes it: 4e-7."""
-    return f"{error:.1g}".replace("e-0", "e-")
+    return f"{error:.{digits}g}".replace("e-0", "e-")
 
 
 def beyond_horizon(error: ErrorEstimate, asked: float) -> str:
     """Warning of a run that is longer than its horizon."""
     grow = "" if error.growth is None else f"; errors grow at {error.growth:.3g}/s"
-    missed = f"an error of {brief(asked)} at the end seems out of reach: " if error.end > asked else ""
+    missed = f"an error of {brief(asked, 3)} at the end seems out of reach: " if error.end > asked else ""
     return (
         f"{missed}the run is longer than its horizon: the trajectory is valid, with an error below {VALID:.0%} of the scales, until "
         f"t = {error.horizon:.4g} s{grow}; beyond it only statistics are, run.averages()"

@@ -80,7 +80,7 @@ def unreachable(asked: float, floor: float) -> Outcome:
     """The outcome of a complete run whose error no tolerance makes as small as was asked."""
     return Outcome(
         "accuracy_unreachable",
-        f"no tolerance gives an error at the end below {brief(floor)}, {brief(asked)} was asked for: the motion amplifies what rounding leaves",
+        f"no tolerance gives an error at the end below {brief(floor)}, {brief(asked, 3)} was asked for: the motion amplifies what rounding leaves",
         f"ask for an accuracy above {brief(floor)}, or simulate a shorter time",
     )
 

@@ -131,10 +131,10 @@ class Solution:
             f"{self.t_end * 1e3:g} ms in {statistics.steps:,} steps",
             f"{count:,} impact{'s' if count != 1 else ''}",
         ]
-        if self.energy_residual is not None:
-            parts.append(f"energy closed to {self.energy_residual:.1g}")
         if self.error is not None:
             parts.append(f"error {self.error}")
+        if self.energy_residual is not None:
+            parts.append(f"energy closed to {self.energy_residual:.1g}")
         text = f"{self.outcome.name}: {', '.join([*parts, f'{statistics.wall_s * 1e3:.3g} ms'])}"
         return text if self.outcome.finished else f"{text}\n{self.outcome.message}; {self.outcome.remedy}"
 

@@ -168,16 +168,17 @@ def _report(solution: Solution) -> None:
     line(solution.model.name, f"{_time(solution.duration)}, {solution.method}, tolerance {solution.tolerance:.2g}")
     count = len(solution.impacts)
     closed = "" if solution.energy_residual is None else f", energy closed to {solution.energy_residual:.1g}"
+    beside = "" if solution.error is None else f", and {_time(solution.error.pilot_s)} for its estimate"
     line(
         outcome.name,
-        f"{statistics.steps:,} steps, {count:,} impact{'s' if count != 1 else ''}{closed}, computed in {_time(statistics.wall_s)}",
+        f"{statistics.steps:,} steps, {count:,} impact{'s' if count != 1 else ''}{closed}, computed in {_time(statistics.wall_s)}{beside}",
     )
     if solution.error is not None and solution.accuracy is not None:
         from hertzwerk.runtime.accuracy import brief
 
         cost = solution.error.decade_cost
         more = "" if cost is None else f"; ten times more would cost about {cost:.1f} x the time"
-        line("accuracy", f"asked {brief(solution.accuracy)}, estimated {solution.error}{more}")
+        line("accuracy", f"asked {brief(solution.accuracy, 3)}, estimated {solution.error}{more}")
     if not outcome.finished:
         line("", outcome.message)
         line("remedy", outcome.remedy)
