@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from hertzwerk.runtime.accuracy import brief
 from hertzwerk.runtime.integrate.chunk import INTERRUPTED, WALL_TIME_LIMIT
 from hertzwerk.runtime.integrate.layout import (
     CONSTRAINT_LOST,
@@ -34,7 +35,7 @@ _OUTCOMES = {
     FINISHED: ("finished", "reached the end at t = {t:.6g} s", ""),
     STEP_TOO_SMALL: (
         "step_too_small",
-        "at t = {t:.9g} s no step above rounding meets the accuracy {accuracy:g}",
+        "at t = {t:.9g} s no step above rounding meets the local tolerance {tolerance:g}",
         "ask for less accuracy; if that does not help, the model is discontinuous or singular there: look at the last states",
     ),
     NOT_FINITE: (
@@ -73,6 +74,15 @@ _OUTCOMES = {
         "raise wall_time, ask for less accuracy, or use compiled=True",
     ),
 }
+
+
+def unreachable(asked: float, floor: float) -> Outcome:
+    """The outcome of a complete run whose error no tolerance makes as small as was asked."""
+    return Outcome(
+        "accuracy_unreachable",
+        f"no tolerance gives an error at the end below {brief(floor)}, {brief(asked, 3)} was asked for: the motion amplifies what rounding leaves",
+        f"ask for an accuracy above {brief(floor)}, or simulate a shorter time",
+    )
 
 
 def outcome(status: int, **facts: object) -> Outcome:

@@ -21,13 +21,14 @@ if TYPE_CHECKING:
 
 def summary(solution: Solution) -> dict[str, Any]:
     """What `run --json` prints: plain numbers in SI, null for what does not exist."""
-    statistics = solution.statistics
+    statistics, error = solution.statistics, solution.error
     return {
         "scene": solution.model.name,
         "outcome": solution.outcome.name,
         "t_end": solution.t_end,
         "duration": solution.duration,
         "accuracy": solution.accuracy,
+        "tolerance": solution.tolerance,
         "method": solution.method,
         "compiled": solution.compiled,
         "steps": statistics.steps,
@@ -40,7 +41,10 @@ def summary(solution: Solution) -> dict[str, Any]:
         ],
         "final": solution.final,
         "energy_residual": solution.energy_residual,
-        "error_estimate": None,
+        "error_estimate": error and error.end,
+        "horizon": error and error.horizon,
+        "growth": error and error.growth,
+        "decade_cost": error and error.decade_cost,
         "warnings": list(solution.warnings),
     }
 
@@ -59,6 +63,7 @@ def record(solution: Solution) -> dict[str, Any]:
         "initial": solution.initial,
         "rows": len(solution.t),
         "statistics": asdict(solution.statistics),
+        "error": solution.error and solution.error.numbers,
         "choices": [asdict(choice) for choice in solution.choices],
         "versions": versions(),
     }

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, Literal
 
@@ -13,6 +13,18 @@ import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime import scales as scaling
+from hertzwerk.runtime.accuracy import (
+    LEAST,
+    LOOSEST,
+    POINTS,
+    Climbed,
+    End,
+    Ladder,
+    Rung,
+    Verdict,
+    beyond_horizon,
+    first_tolerance,
+)
 from hertzwerk.runtime.binding import Value, read_state, read_time, unknown
 from hertzwerk.runtime.caller import Callers
 from hertzwerk.runtime.findings import Findings, Observer
@@ -20,30 +32,32 @@ from hertzwerk.runtime.history import History, holding_force
 from hertzwerk.runtime.impacts import ApproachSpeeds, Track
 from hertzwerk.runtime.integrate.attempt import Integrator, integrator
 from hertzwerk.runtime.integrate.automatic import Code, Gear
-from hertzwerk.runtime.integrate.chunk import Ending, chunk, march
-from hertzwerk.runtime.integrate.layout import OUTSIDE_LAW_RANGE
+from hertzwerk.runtime.integrate.chunk import INTERRUPTED, WALL_TIME_LIMIT, Ending, chunk, march
+from hertzwerk.runtime.integrate.layout import FINISHED, OUTSIDE_LAW_RANGE, TOO_MANY_STEPS
 from hertzwerk.runtime.integrate.methods import METHODS, SUNDIALS
 from hertzwerk.runtime.model import Bound, Model
-from hertzwerk.runtime.outcome import outcome
+from hertzwerk.runtime.outcome import Outcome, outcome, unreachable
 from hertzwerk.runtime.output import Output, times_of
 from hertzwerk.runtime.recorder import BLOCK, Grid, Recorder, Steps
 from hertzwerk.runtime.scales import Scales
 from hertzwerk.runtime.solution import Solution, Statistics
 
-TOLERANCES = (1e-12, 1e-1)
+ACCURACIES, TOLERANCES = (1e-12, 1e-1), (LEAST, 1e-1)
+ACCURACY = 1e-6  # where none is asked for
 APPROACH_FLOOR = 1e-3  # m/s, where a model has latches but no parameter of this name
 LEAST_STEPS = 10  # of a run in contact: where all is at rest, steps grow until a short push would go unnoticed
 REMEMBERED = 64  # inputs of a model that need not be read again
 COUNTERS = ("steps", "rejected", "retaken", "evaluations", "events", "floored")  # parts of a state
 MAX_STEPS, MAX_EVENTS = 1_000_000, 100_000
-ROUGH = 1e-4  # tolerance of a run that only looks for scales
+ROUGH = LOOSEST  # tolerance of a run that only looks for scales
+STOPS = (INTERRUPTED, WALL_TIME_LIMIT, TOO_MANY_STEPS)  # what ends all runs
 
 
 def simulate(
     model: Model,
     *,
     duration: str | float | None = None,
-    accuracy: float = 1e-6,
+    accuracy: float | None = None,
     tolerance: float | None = None,
     method: str = "dop853",
     parameters: Mapping[str, Value] | None = None,
@@ -57,58 +71,96 @@ def simulate(
 ) -> Solution:
     """Run a model from its start for a duration (seconds, or text such as "24 ms").
 
-    accuracy    in the scene's scales, 1e-12..1e-1
-    tolerance   the local tolerance, 1e-12..1e-1, in place of the accuracy
+    accuracy    the error asked for at the end, in the scene's scales, 1e-12..1e-1, by default 1e-6: runs at falling tolerance are made until the
+                error of one, by comparison with a tighter one, is known to be so small. `Solution.error` says what it is; where it is more
+                than was asked for, the outcome is "accuracy_unreachable", or a warning says that the run is longer than its horizon
+    tolerance   in place of an accuracy the local tolerance, 1e-13..1e-1, of one run without an estimate
     method      explicit "dop853", "dopri5"; for what is stiff "esdirk", "rodas"; "auto" chooses between dop853 and esdirk as it goes;
                 "cvodes", "idas": SUNDIALS, slow, as an independent reference
     parameters, initial    values in place of the model's, each with its unit: {"clearance": "0.2 mm"}, {"guide.travel": "0.17 m"}
     output      what is kept: "steps", all that were accepted; or the states at a number of points, start and end included (1000), at a
                 spacing ("0.1 ms"), at times [s] of your own, by dense output of the method's order; memory then does not grow with the run
     compiled    run the same functions as C; the result is bitwise the same; "auto" does so from where the time to go exceeds the compilation
-    max_steps, max_events (contacts begun), wall_time [s]    where to stop, with an outcome that says so
+    max_steps, wall_time [s]    of all runs together, max_events (contacts begun) of each: where to stop, with an outcome that says so
     progress    called now and then with the fraction done
 
     Raises InputError, with every fault, for bad input and for nothing else: how the run ended is `Solution.outcome`.
     """
     began = time.perf_counter()
     limits = _Limits(max_steps, max_events, math.inf if wall_time is None else wall_time)
-    local = accuracy if tolerance is None else tolerance
     given, times = _read(
         model, duration, accuracy, tolerance, method, compiled, limits, parameters or {}, initial or {}, output
     )
-    bound, seconds = given.bound, given.seconds
     engine = _engine_for(model, method, compiled)
     gear = Gear(engine.code, compiled=compiled is True, changes=compiled == "auto") if engine.code else None
-    run = _Run(model, engine, given, limits, gear)
+    run = _Run(model, method, engine, given, limits, gear)
     scales = given.scales
     if not scales.sound:
-        scales = scaling.of_run(model, scales, lambda s, seen: run(max(local, ROUGH), s, [seen], block=BLOCK))
+        rough = max(tolerance or 0.0, ROUGH)  # of no run for an accuracy is the tolerance larger
+        scales = scaling.of_run(model, scales, lambda s, seen: run(rough, s, [seen], block=BLOCK))
     build_s = time.perf_counter() - began
-    before = gear.compile_s if gear else 0.0
-    kept = Steps() if times is None else Grid(times)
-    findings = Findings(model, method, later=times is None)
-    speeds = tuple(_approach_speeds(model, bound))
-    ending = run(local, scales, [kept, findings, *speeds], None if times is None else BLOCK, progress)
-    compile_s = gear.compile_s - before if gear else 0.0
-    counted = {name: int(ending.last[row]) for name, row in engine.counters.items()}
+    if tolerance is not None:
+        return _solution(run, run.made(tolerance, scales, times, progress=progress), scales, build_s)
+    return _as_accurate(run, scales, times, accuracy or ACCURACY, build_s, progress)
+
+
+def _as_accurate(
+    run: _Run,
+    scales: Scales,
+    times: np.ndarray | None,
+    asked: float,
+    build_s: float,
+    progress: Callable[[float], object] | None,
+) -> Solution:
+    """Runs at falling tolerance; limits of steps and time are of all of them, the limit of events is of the motion, and so of each."""
+    model, seconds, limits = run.model, run.given.seconds, run.limits
+    grid = np.linspace(0.0, seconds, POINTS)
+    made: list[tuple[float, int]] = []  # times [s] and steps spent
+
+    def one(tolerance: float, keep: bool) -> Rung[_Made]:
+        spent_s, steps = (sum(each) for each in zip(*made, strict=True)) if made else (0.0, 0)
+        left = _Limits(max(limits.max_steps - int(steps), 1), limits.max_events, max(limits.wall_time - spent_s, 0.0))
+        beside = None if progress is None else _part(progress, len(made))
+        here = replace(run, limits=left).made(tolerance, scales, times, progress=beside, beside=grid, alone=not keep)
+        made.append((here.ending.wall_s, here.counted["steps"]))
+        status = here.ending.status
+        end = End.REACHED if status == FINISHED else End.STOPPED if status in STOPS else End.FAILED
+        states = here.beside.history.part("y")
+        return Rung(tolerance, end, states, here.counted["evaluations"], here.ending.wall_s, here)
+
+    ladder = Ladder(one, lambda y, reference: scaling.error(model, scales, y, reference), grid, asked)
+    climbed = ladder.climb(first_tolerance(asked, seconds, *scales.scene[:2]))
+    return _solution(run, climbed.run.kept, scales, build_s, asked, climbed)
+
+
+def _part(progress: Callable[[float], object], before: int) -> Callable[[float], object]:
+    """Progress of the next run after so many: every run that is kept has one that checks it."""
+    return lambda done: progress((before + done) / (2 * (before // 2) + 2))
+
+
+def _solution(
+    run: _Run,
+    made: _Made,
+    scales: Scales,
+    build_s: float,
+    asked: float | None = None,
+    climbed: Climbed[_Made] | None = None,
+) -> Solution:
+    model, bound, counted = run.model, run.given.bound, made.counted
+    found: tuple[str, ...] = ()
+    result = run.outcome(made)
+    if climbed is not None and asked is not None:
+        result, found = _verdict(run, climbed, asked, result)
     return Solution(
-        history=kept.history,
-        ends=kept.ends,
-        findings=findings,
-        outcome=outcome(
-            ending.status,
-            t=float(kept.ends.t[-1]),
-            where=_deepest(model, kept.ends) if ending.status == OUTSIDE_LAW_RANGE else "",
-            accuracy=local,
-            max_steps=max_steps,
-            max_events=max_events,
-            wall_time=wall_time,
-        ),
-        duration=seconds,
-        accuracy=accuracy,
-        tolerance=local,
-        method=method,
-        compiled=gear is not None and gear.compiled,
+        history=made.kept.history,
+        ends=made.kept.ends,
+        findings=made.findings,
+        outcome=result,
+        duration=run.given.seconds,
+        accuracy=asked,
+        tolerance=made.tolerance,
+        method=run.method,
+        compiled=made.compiled,
         parameters=dict(bound.values),
         statistics=Statistics(
             steps=counted["steps"],
@@ -116,19 +168,41 @@ def simulate(
             retaken=counted["retaken"],
             rhs_evaluations=counted["evaluations"],
             events=counted["events"],
-            wall_s=ending.wall_s - compile_s,
+            wall_s=made.ending.wall_s - made.compile_s,
             build_s=build_s,
-            compile_s=compile_s,
+            compile_s=made.compile_s,
         ),
         warnings=(
             *_unchecked(model),
-            *_open_forces(model, given),
+            *_open_forces(model, run.given),
             *bound.warnings,
             *_floored(counted["floored"], run.floor),
-            *_too_fast(model, speeds),
+            *_too_fast(model, made.speeds),
+            *found,
         ),
         scales=scales,
+        error=None if climbed is None else climbed.error,
     )
+
+
+def _verdict(run: _Run, climbed: Climbed[_Made], asked: float, result: Outcome) -> tuple[Outcome, tuple[str, ...]]:
+    """Outcome and warnings of a run for an accuracy."""
+    error, broken = climbed.error, climbed.broken
+    warnings: list[str] = []
+    if error is not None and error.horizon is not None:
+        warnings.append(beyond_horizon(error, asked))
+    if broken is not None:
+        other = run.outcome(broken.kept)
+        if climbed.verdict is Verdict.STOPPED and result.finished:
+            message = (
+                f"the run is complete, a run with a smaller tolerance to know its error by is not: {other.message}"
+            )
+            result = Outcome(other.name, message, other.remedy)
+        elif result.finished:
+            warnings.append(f"the error is {error}: runs with a smaller tolerance end otherwise, {other.message}")
+    if error is not None and error.floor is not None:
+        result = unreachable(asked, error.floor)
+    return result, tuple(warnings)
 
 
 @dataclass(frozen=True)
@@ -167,6 +241,7 @@ class _Run:
     """Everything of a run but its tolerance and scales."""
 
     model: Model
+    method: str
     engine: _Engine
     given: _Given
     limits: _Limits
@@ -211,6 +286,66 @@ class _Run:
         recorder.flush()
         return ending
 
+    def made(
+        self,
+        tolerance: float,
+        scales: Scales,
+        times: np.ndarray | None,
+        *,
+        progress: Callable[[float], object] | None = None,
+        beside: np.ndarray | None = None,
+        alone: bool = False,
+    ) -> _Made:
+        """Run and keep every step or the states at some times [s], what is found, and the states at times `beside`, or these `alone`."""
+        if alone:
+            times = beside
+        kept = Steps() if times is None else Grid(times)
+        findings = Findings(self.model, self.method, later=times is None)
+        speeds = tuple(_approach_speeds(self.model, self.given.bound))
+        other = kept if beside is None or alone else Grid(beside)
+        observers = (
+            [kept] if alone else [kept, findings, *speeds] if other is kept else [kept, findings, *speeds, other]
+        )
+        before = self.gear.compile_s if self.gear else 0.0
+        ending = self(tolerance, scales, observers, None if times is None else BLOCK, progress)
+        return _Made(
+            tolerance=tolerance,
+            ending=ending,
+            kept=kept,
+            beside=other,
+            findings=findings,
+            speeds=speeds,
+            counted={name: int(ending.last[row]) for name, row in self.engine.counters.items()},
+            compiled=self.gear is not None and self.gear.compiled,
+            compile_s=self.gear.compile_s - before if self.gear else 0.0,
+        )
+
+    def outcome(self, made: _Made) -> Outcome:
+        """How a run ended."""
+        limits, ends = self.limits, made.kept.ends
+        return outcome(
+            made.ending.status,
+            t=float(ends.t[-1]),
+            where=_deepest(self.model, ends) if made.ending.status == OUTSIDE_LAW_RANGE else "",
+            tolerance=made.tolerance,
+            **vars(limits),
+        )
+
+
+@dataclass(frozen=True)
+class _Made:
+    """One run, and what was kept of it."""
+
+    tolerance: float
+    ending: Ending
+    kept: Steps | Grid
+    beside: Steps | Grid
+    findings: Findings
+    speeds: tuple[ApproachSpeeds, ...]
+    counted: Mapping[str, int]
+    compiled: bool
+    compile_s: float
+
 
 def prepare(model: Model, method: str, compiled: bool | Literal["auto"], ahead: float = 0.0) -> bool:
     """Build what runs of a model need, before they are made side by side; returns whether they are to be compiled.
@@ -226,7 +361,7 @@ def prepare(model: Model, method: str, compiled: bool | Literal["auto"], ahead: 
 def check_settings(
     model: Model,
     duration: str | float | None,
-    accuracy: float,
+    accuracy: float | None,
     method: str,
     compiled: bool | Literal["auto"],
     *,
@@ -275,7 +410,7 @@ def _engine(model: Model, method: str) -> _Engine:
 def _read(
     model: Model,
     duration: str | float | None,
-    accuracy: float,
+    accuracy: float | None,
     tolerance: float | None,
     method: str,
     compiled: bool | Literal["auto"],
@@ -306,12 +441,14 @@ def _read(
     return given, times
 
 
-def _check(accuracy: float, tolerance: float | None, method: str, limits: _Limits, faults: list[Fault]) -> None:
-    low, high = TOLERANCES
-    for name, value in (("accuracy", accuracy), ("tolerance", low if tolerance is None else tolerance)):
-        if not (_real(value) and low <= value <= high):
+def _check(accuracy: float | None, tolerance: float | None, method: str, limits: _Limits, faults: list[Fault]) -> None:
+    for name, value, (low, high) in (("accuracy", accuracy, ACCURACIES), ("tolerance", tolerance, TOLERANCES)):
+        if value is not None and not (_real(value) and low <= value <= high):
             way_out = "it is measured in the scene's scales"
             faults.append(Fault(name, repr(value), f"a number in {low:g}..{high:g}", way_out))
+    if accuracy is not None and tolerance is not None:
+        way_out = "an accuracy is of the end of the run, a tolerance is local and without an estimate"
+        faults.append(Fault("tolerance", f"{tolerance!r} beside accuracy={accuracy!r}", "one of the two", way_out))
     if method not in METHODS:
         faults.append(unknown("method", str(method), sorted(METHODS)))
     for name, limit in vars(limits).items():

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from hertzwerk.runtime.accuracy import ErrorEstimate
 from hertzwerk.runtime.cache import write_atomically
 from hertzwerk.runtime.findings import Findings
 from hertzwerk.runtime.history import History
@@ -21,7 +22,7 @@ from hertzwerk.runtime.model import Model
 from hertzwerk.runtime.outcome import Outcome
 from hertzwerk.runtime.scales import Scales
 
-__all__ = ["History", "Impact", "Solution", "Statistics"]
+__all__ = ["ErrorEstimate", "History", "Impact", "Solution", "Statistics"]
 
 
 @dataclass(frozen=True)
@@ -49,7 +50,7 @@ class Solution:
     findings: Findings = field(repr=False)
     outcome: Outcome
     duration: float
-    accuracy: float
+    accuracy: float | None  # asked for at the end; None for a run at a tolerance
     tolerance: float  # local, of this run
     method: str
     compiled: bool
@@ -57,6 +58,9 @@ class Solution:
     statistics: Statistics
     warnings: tuple[str, ...]
     scales: Scales = field(repr=False)
+    error: ErrorEstimate | None = field(
+        default=None, repr=False
+    )  # None for a run at a tolerance, and where nothing could be compared
 
     @property
     def model(self) -> Model:
@@ -128,6 +132,8 @@ class Solution:
             f"{self.t_end * 1e3:g} ms in {statistics.steps:,} steps",
             f"{count:,} impact{'s' if count != 1 else ''}",
         ]
+        if self.error is not None:
+            parts.append(f"error {self.error}")
         if self.energy_residual is not None:
             parts.append(f"energy closed to {self.energy_residual:.1g}")
         text = f"{self.outcome.name}: {', '.join([*parts, f'{statistics.wall_s * 1e3:.3g} ms'])}"
@@ -162,6 +168,7 @@ class Solution:
             **{name: getattr(self, name) for name in ("duration", "accuracy", "tolerance", "method", "compiled")},
             "energy_residual": self.energy_residual,
             "scales": {"state": self.scales.state.tolist(), "scene": self.scales.scene.tolist()},
+            "error": self.error and self.error.numbers,
             "impacts": [asdict(impact) for impact in self.impacts],
             "choices": [asdict(choice) for choice in self.choices],
             "ends": {name: self.ends[name][[0, -1]].tolist() for name in ("t", *self.states)},
@@ -202,6 +209,7 @@ class Solution:
             statistics=Statistics(**about["statistics"]),
             warnings=tuple(about["warnings"]),
             scales=Scales(**{name: np.array(values) for name, values in about["scales"].items()}),
+            error=about["error"] and ErrorEstimate.of(about["error"]),
         )
 
 

@@ -38,7 +38,7 @@ Output = Callable[[Solution], float]
 BAD_INPUT, BAD_OUTPUT, LOST = "bad_input", "bad_output", "lost"  # outcomes of rows without a run or some of its numbers
 AHEAD = 2  # rows handed out per worker: none waits for the next, and few are under way where one dies
 PROBE = 0.3  # s that the first run may take alone, to foresee how long all of them take
-_NUMBERS = ("impacts", "peak_force", "energy_residual", "steps", "rhs_evaluations", "wall_s")
+_NUMBERS = ("impacts", "peak_force", "energy_residual", "error_estimate", "steps", "rhs_evaluations", "wall_s")
 _TEXTS = ("outcome", "message", "warnings")
 _UNITS = {"peak_force": "N", "wall_s": "s"}
 
@@ -58,6 +58,7 @@ class Row:
     impacts: int = 0
     peak_force: float = math.nan
     energy_residual: float | None = None
+    error_estimate: float | None = None  # at the end; see `ErrorEstimate`
     final: Mapping[str, float] = field(default_factory=dict)
     outputs: Mapping[str, float] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
@@ -137,7 +138,8 @@ def simulate_many(
     parameter_sets: Iterable[Mapping[str, Value]],
     *,
     duration: str | float | None = None,
-    accuracy: float = 1e-6,
+    accuracy: float | None = None,
+    tolerance: float | None = None,
     method: str = "dop853",
     compiled: bool | Literal["auto"] = "auto",
     workers: int | None = None,
@@ -148,7 +150,7 @@ def simulate_many(
     """Run a model once for each set of values, on all cores; each run is bitwise the one that `simulate` makes.
 
     parameter_sets    values in place of the model's, parameters and initial states alike: [{"clearance": "0.2 mm"}, ...]
-    compiled    "auto" compiles once for all where that saves time; duration, accuracy, method, and limits as in `simulate`
+    compiled    "auto" compiles once for all where that saves time; duration, accuracy or tolerance, method, and limits as in `simulate`
     workers    processes, by default as many as there are cores (threads where processes cannot be forked: correct, slower)
     outputs    further columns, each a function of the Solution: {"stroke": lambda run: np.ptp(run["guide.travel"])}
     progress    called now and then with the fraction of runs done
@@ -158,9 +160,9 @@ def simulate_many(
     """
     began = time.perf_counter()
     sets = [dict(values) for values in parameter_sets]
-    check_settings(model, duration, accuracy, method, compiled, **limits)
+    check_settings(model, duration, accuracy, method, compiled, tolerance=tolerance, **limits)
     _check(model, workers, outputs or {})
-    settings = {"duration": duration, "accuracy": accuracy, "method": method, **limits}
+    settings = {"duration": duration, "accuracy": accuracy, "tolerance": tolerance, "method": method, **limits}
     job = _Job(model, sets, settings, dict(outputs or {}))
     cores = min(workers or _cores(), max(len(sets), 1))
     rows: dict[int, Row] = {}
@@ -233,7 +235,8 @@ class _Job:
             if solution.outcome.name != "wall_time_limit":
                 rows[i] = self._row(i, solution)
             done = max(solution.t_end / solution.duration, 1e-9) if i not in rows else 1.0
-            one = min(solution.statistics.wall_s / done, self.settings.get("wall_time") or math.inf)
+            wall_s = solution.statistics.wall_s + (solution.error.pilot_s if solution.error is not None else 0.0)
+            one = min(wall_s / done, self.settings.get("wall_time") or math.inf)
             return one * math.ceil((len(self.sets) - len(rows)) / cores)
         return 0.0
 
@@ -264,6 +267,7 @@ class _Job:
             impacts=len(solution.impacts),
             peak_force=max((impact.peak_force for impact in solution.impacts), default=0.0),
             energy_residual=solution.energy_residual,
+            error_estimate=solution.error.end if solution.error is not None else None,
             final=solution.final,
             outputs=outputs,
             warnings=solution.warnings,

@@ -35,7 +35,9 @@ if TYPE_CHECKING:
 )
 @click.option("--duration", metavar="TIME", help='Such as "24 ms" (default: the scenario\'s).')
 @click.option(
-    "--accuracy", metavar="NUMBER", help="Local tolerance in the scene's scales, 1e-12..1e-1 (default: the scenario's)."
+    "--accuracy",
+    metavar="NUMBER",
+    help="Error asked for at the end, in the scene's scales, 1e-12..1e-1 (default: the scenario's).",
 )
 @click.option(
     "--method", metavar="NAME", help="auto, dop853, dopri5, esdirk, rodas, cvodes or idas (default: the scenario's)."
@@ -123,7 +125,7 @@ def _simulate(
             solution = simulate(
                 model,
                 duration=duration or numbers.get("duration"),
-                accuracy=_number(accuracy) if accuracy is not None else numbers.get("accuracy", 1e-6),
+                accuracy=_number(accuracy) if accuracy is not None else numbers.get("accuracy"),
                 method=method or numbers.get("method", "dop853"),
                 parameters={name: value for name, value in values.items() if name not in states},
                 initial={name: value for name, value in values.items() if name in states},
@@ -163,13 +165,20 @@ def _number(text: str) -> Any:
 def _report(solution: Solution) -> None:
     """What a person wants to know of a run, in a few lines."""
     statistics, outcome = solution.statistics, solution.outcome
-    line(solution.model.name, f"{_time(solution.duration)}, {solution.method}, accuracy {solution.accuracy:g}")
+    line(solution.model.name, f"{_time(solution.duration)}, {solution.method}, tolerance {solution.tolerance:.2g}")
     count = len(solution.impacts)
     closed = "" if solution.energy_residual is None else f", energy closed to {solution.energy_residual:.1g}"
+    beside = "" if solution.error is None else f", and {_time(solution.error.pilot_s)} for its estimate"
     line(
         outcome.name,
-        f"{statistics.steps:,} steps, {count:,} impact{'s' if count != 1 else ''}{closed}, computed in {_time(statistics.wall_s)}",
+        f"{statistics.steps:,} steps, {count:,} impact{'s' if count != 1 else ''}{closed}, computed in {_time(statistics.wall_s)}{beside}",
     )
+    if solution.error is not None and solution.accuracy is not None:
+        from hertzwerk.runtime.accuracy import brief
+
+        cost = solution.error.decade_cost
+        more = "" if cost is None else f"; ten times more would cost about {cost:.1f} x the time"
+        line("accuracy", f"asked {brief(solution.accuracy, 3)}, estimated {solution.error}{more}")
     if not outcome.finished:
         line("", outcome.message)
         line("remedy", outcome.remedy)

@@ -18,7 +18,7 @@ import numpy as np
 from hertzwerk.runtime.hard_cases.invariants import Measured, measure
 from hertzwerk.runtime.integrate.compiled import available
 from hertzwerk.runtime.integrate.methods import SUNDIALS
-from hertzwerk.runtime.simulation import TOLERANCES, simulate
+from hertzwerk.runtime.simulation import simulate
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.hard_cases.case import HardCase, Source
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.solution import Solution
 
 FINER = 100  # than its case is a reference run
+FINEST = 1e-12  # that a reference run is asked for
 MAX_STEPS, MAX_EVENTS = 20_000_000, 1_000_000
 OUTCOME, SAME = "outcome", "C unlike machine"
 PASSED, FAILED, KNOWN = "passed", "failed", "known failure"
@@ -65,7 +66,7 @@ def solve(case: HardCase, method: str, *, compiled: bool | Literal["auto"]) -> S
     return simulate(
         model_of(case.source),
         duration=case.duration,
-        tolerance=max(case.tolerance / (FINER if method in SUNDIALS else 1), TOLERANCES[0]),
+        tolerance=max(case.tolerance / (FINER if method in SUNDIALS else 1), FINEST),
         method=method,
         parameters=case.parameters,
         initial=case.initial,

@@ -17,7 +17,7 @@ def main(name: str, steps: str, spacing: str, duration: str) -> None:
 
     began = time.process_time()
     run = simulate(
-        load(name), duration=duration, output=spacing, compiled="auto", max_steps=int(steps), max_events=10**9
+        load(name), duration=duration, output=spacing, tolerance=1e-6, max_steps=int(steps), max_events=10**9
     )
     seconds = time.process_time() - began
     found = {

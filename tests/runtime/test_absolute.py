@@ -166,7 +166,7 @@ def test_friction_that_sticks_and_slips():
 
 
 def test_redundant_constraints_are_named():
-    run = simulate(load(solid_bricard().with_coordinates("absolute")), duration=0.1)
+    run = simulate(load(solid_bricard().with_coordinates("absolute")), duration=0.1, tolerance=1e-6)
     assert any("hinge_f.moment" in warning for warning in run.warnings)
 
 
@@ -213,10 +213,12 @@ def test_a02_in_absolute_coordinates():
 
 def test_initial_values_are_those_of_the_joints():
     given = {"left_1.angle": "0.2 rad", "foot_2.speed": "-1 rad/s", "foot_0.speed": "-1 rad/s"}
-    run = simulate(load(n_four_bar(2).with_coordinates("absolute")), duration=1e-3, initial=given)
+    run = simulate(load(n_four_bar(2).with_coordinates("absolute")), duration=1e-3, initial=given, tolerance=1e-6)
     assert [run[f"post_{i}.angle"][0] for i in range(3)] == pytest.approx([-0.2] * 3, abs=1e-12)
     with pytest.raises(InputError, match=r"foot_0\.angle"):
-        simulate(load(n_four_bar(2).with_coordinates("absolute")), duration=1e-3, initial={"post_0.x": "1 m"})
+        simulate(
+            load(n_four_bar(2).with_coordinates("absolute")), duration=1e-3, initial={"post_0.x": "1 m"}, tolerance=1e-6
+        )
 
 
 @pytest.mark.parametrize(
@@ -234,7 +236,7 @@ def test_assembly_faults_are_the_same_in_words(scene):
     texts = []
     for kind in ("tree", "absolute"):
         with pytest.raises(InputError) as error:
-            simulate(load(scene.with_coordinates(kind)), duration=1.0)
+            simulate(load(scene.with_coordinates(kind)), duration=1.0, tolerance=1e-6)
         texts.append([str(fault) for fault in error.value.faults])
     assert texts[0] == texts[1]
 

@@ -56,7 +56,7 @@ def test_a_run_changes_to_c_on_the_way_and_no_bit_changes(crank, eager, tmp_path
 
 
 def test_a_cached_library_is_used_at_once(crank, monkeypatch):
-    simulate(crank, duration="1 ms", compiled=True)
+    simulate(crank, duration="1 ms", compiled=True, tolerance=1e-6)
     monkeypatch.setattr(automatic, "LOOK", 0.0)
     run = simulate(load(crank.name), duration="24 ms", tolerance=1e-8)
     assert run.compiled
@@ -92,4 +92,4 @@ def test_a_limited_run_is_not_compiled_for_time_it_will_not_take(crank, wanted, 
 
 def test_what_compiled_may_be(crank):
     with pytest.raises(InputError, match="auto"):
-        simulate(crank, duration="1 ms", compiled="always")
+        simulate(crank, duration="1 ms", compiled="always", tolerance=1e-6)

@@ -4,6 +4,7 @@ import csv
 import importlib
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -195,6 +196,7 @@ def test_json_has_the_promised_fields_and_writes_nothing(hertzwerk):
         "t_end",
         "duration",
         "accuracy",
+        "tolerance",
         "method",
         "compiled",
         "steps",
@@ -205,11 +207,17 @@ def test_json_has_the_promised_fields_and_writes_nothing(hertzwerk):
         "final",
         "energy_residual",
         "error_estimate",
+        "horizon",
+        "growth",
+        "decade_cost",
         "warnings",
     ]
     assert content["impacts"][0].keys() == {"contact", "t", "speed", "peak_force", "duration"}
     assert content["t_end"] == content["duration"] == 1.3
-    assert content["error_estimate"] is None
+    assert 0 < content["error_estimate"] <= content["accuracy"] == 1e-9
+    assert content["tolerance"] < content["accuracy"]
+    assert content["horizon"] is None
+    assert 1 < content["decade_cost"] < 2
     assert content["final"].keys() >= {"track.travel", "track.speed"}
     assert len(content["impacts"]) == 10
     assert written() == []
@@ -219,6 +227,20 @@ def test_json_with_a_folder_writes_it_too(hertzwerk):
     done = hertzwerk("run", "two_spheres", "--json", "--no-plots", "--out", "here/there")
     assert json.loads(done.output)["outcome"] == "finished"
     assert sorted(path.name for path in Path("here/there").iterdir()) == ["run.json", "states.csv", "states.npz"]
+
+
+def test_a_run_tells_its_error_and_what_the_next_decade_costs(hertzwerk):
+    done = hertzwerk("run", "two_spheres", "--no-plots", "--accuracy", "2.5e-5")
+    (told,) = [line for line in done.output.splitlines() if line.startswith("accuracy")]
+    assert re.fullmatch(
+        r"accuracy +asked 2.5e-5, estimated \d+e-\d+; ten times more would cost about 1.\d x the time", told
+    )
+    kept = json.loads(Path("runs/two_spheres-001/run.json").read_text())
+    assert kept["error"]["end"] == kept["error_estimate"] <= 2.5e-5
+    assert len(kept["error"]["values"]) == len(kept["error"]["times"]) > 100
+    done = hertzwerk("run", "two_spheres", "--no-plots", "--accuracy", "1e-12")
+    assert done.exit_code == 1
+    assert "accuracy_unreachable" in done.output
 
 
 def test_without_a_ledger_there_is_no_residual(hertzwerk):

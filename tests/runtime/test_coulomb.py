@@ -92,7 +92,7 @@ def test_sliding_to_rest(model, method):
 
 @pytest.mark.parametrize("method", METHODS)
 def test_just_below_the_friction_angle_nothing_moves(model, method):
-    run = simulate(model, duration="10 s", method=method, parameters={"slope": (1 - 1e-6) * CRITICAL})
+    run = simulate(model, duration="10 s", method=method, parameters={"slope": (1 - 1e-6) * CRITICAL}, tolerance=1e-6)
     assert np.all(run["floor_0.slip"] == 0)
     assert np.max(np.abs(run["along_0.speed"])) < 1e-14
     assert np.max(np.abs(run["along_0.travel"])) < 1e-13
@@ -174,14 +174,14 @@ def test_bounces_on_a_slope_agree(model, method):
 @pytest.mark.parametrize("method", ["dop853", "esdirk"])
 def test_compiled_is_bitwise_the_virtual_machine(model, method):
     parameters = {"slope": 0.2, "height": "2 mm", "slide": "-0.3 m/s", "restitution": 0.6}
-    given = {"duration": "0.3 s", "method": method, "parameters": parameters}
+    given = {"duration": "0.3 s", "tolerance": 1e-6, "method": method, "parameters": parameters}
     one, two = (simulate(model, compiled=compiled, **given) for compiled in (False, True))
     assert {-1.0, 0.0, 1.0} <= set(one["floor_0.slip"])
     assert np.array_equal(one.history.rows, two.history.rows)
 
 
 def test_a_saved_run_keeps_slip_and_friction_force(model, tmp_path):
-    run = simulate(model, duration="0.7 s", parameters={"slide": "1 m/s"})
+    run = simulate(model, duration="0.7 s", parameters={"slide": "1 m/s"}, tolerance=1e-6)
     back = Solution.load(run.save(tmp_path / "run.npz"))
     for name in ("floor_0.slip", "floor_0.friction_force", "floor_0.sliding_velocity"):
         assert np.array_equal(back[name], run[name])
@@ -228,7 +228,7 @@ def sledge(angle=0.0, *, rocks=False, speed=0.0):
 def test_redundant_contacts_share_what_they_hold(method):
     """Two feet that cannot but stick together: one force to share, so each takes half."""
     model = built(sledge)
-    run = simulate(model, duration="2 s", method=method, parameters={"slope": 0.25})
+    run = simulate(model, duration="2 s", method=method, parameters={"slope": 0.25}, tolerance=1e-6)
     assert run.outcome.finished
     for foot in ("rear", "front"):
         assert run[f"{foot}.friction_force"][-1] == pytest.approx(GRAVITY * math.sin(0.25), rel=1e-7)
@@ -523,7 +523,7 @@ def test_nothing_of_it_where_no_law_has_modes():
     model = built(block, smooth)
     assert not hasattr(model.module, "SLIPS")
     assert flow(model).ends.size1_out("margin") == 0
-    assert "floor_0.slip" not in simulate(model, duration="1 ms").names
+    assert "floor_0.slip" not in simulate(model, duration="1 ms", tolerance=1e-6).names
 
 
 def test_sliding_in_two_directions_is_refused():

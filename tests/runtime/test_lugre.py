@@ -134,7 +134,9 @@ def test_every_pair_has_a_bristle_of_its_own(model):
 @pytest.mark.parametrize("method", IMPLICIT)
 def test_very_stiff_bristles_take_few_implicit_steps(model, method):
     """s_0 = 1e7 1/m: explicit steps would be some millions."""
-    run = simulate(model, duration="1 s", method=method, parameters={"slide": "1 m/s", "s_0": "1e7 1/m"})
+    run = simulate(
+        model, duration="1 s", method=method, parameters={"slide": "1 m/s", "s_0": "1e7 1/m"}, tolerance=1e-6
+    )
     assert run.outcome.finished
     assert run.statistics.steps < 2000
     stop = (MASS + CARRIAGE) / (MU_K * WEIGHT)
@@ -147,7 +149,12 @@ def test_very_stiff_bristles_take_few_implicit_steps(model, method):
 
 @pytest.mark.parametrize("method", ["dop853", "esdirk"])
 def test_compiled_is_bitwise_the_virtual_machine(model, method):
-    given = {"duration": "50 ms", "method": method, "parameters": {"slide": "0.5 m/s", "height": "2 mm"}}
+    given = {
+        "duration": "50 ms",
+        "tolerance": 1e-6,
+        "method": method,
+        "parameters": {"slide": "0.5 m/s", "height": "2 mm"},
+    }
     one, two = (simulate(model, compiled=compiled, **given) for compiled in (False, True))
     assert np.array_equal(one.history.rows, two.history.rows)
 
@@ -171,7 +178,7 @@ def test_jacobian_against_differences(model):
 
 def test_a_bristle_is_no_energy(model):
     """The ledger's entries are drawn as energies, the bristle beside them is not."""
-    figure = simulate(model, duration="50 ms", parameters={"slide": "1 m/s"}).plot()
+    figure = simulate(model, duration="50 ms", parameters={"slide": "1 m/s"}, tolerance=1e-6).plot()
     labels = {
         text.get_text() for axis in figure.axes for text in (*axis.texts, *(axis.get_legend() or figure).findobj(Text))
     }

@@ -17,12 +17,12 @@ C = 0.5e-3  # clearance [m]
 
 @pytest.fixture(scope="module")
 def crank():
-    return simulate(load("slider_crank"), duration="24 ms")
+    return simulate(load("slider_crank"), duration="24 ms", tolerance=1e-6)
 
 
 @pytest.fixture(scope="module")
 def ball():
-    return simulate(load("soft_ball"), duration="1 s")
+    return simulate(load("soft_ball"), duration="1 s", tolerance=1e-6)
 
 
 def texts(figure):
@@ -78,7 +78,7 @@ def test_legends_cover_no_data(crank, name):
 
 
 def test_many_curves_have_legends_in_rows_that_cover_nothing():
-    figure = simulate(load("slider_crank_three_clearances"), duration="12 ms").plot()
+    figure = simulate(load("slider_crank_three_clearances"), duration="12 ms", tolerance=1e-6).plot()
     FigureCanvasAgg(figure).draw()
     tops = {}
     for axis in figure.axes:
@@ -94,11 +94,11 @@ def test_many_curves_have_legends_in_rows_that_cover_nothing():
 
 
 def test_a_mechanism_without_contacts_has_no_panel_of_contact_forces():
-    assert "Contact force" not in texts(simulate(load("pendulum"), duration="1 s").plot())
+    assert "Contact force" not in texts(simulate(load("pendulum"), duration="1 s", tolerance=1e-6).plot())
 
 
 def test_accelerations_are_not_cut_where_the_ideal_mechanism_rests(tmp_path):
-    figure = simulate(load("journal_in_bearing"), duration="50 ms").plot()
+    figure = simulate(load("journal_in_bearing"), duration="50 ms", tolerance=1e-6).plot()
     (axis,) = (axis for axis in figure.axes if axis.get_title("left").startswith("Acceleration"))
     assert "cut" not in axis.get_title("left")
     figure.savefig(tmp_path / "journal.png")
@@ -133,13 +133,13 @@ def test_unchecked_laws_and_warnings_stand_on_the_picture():
     scene = scene_from("two_spheres")
     stiffness = power(1e8 * scene.parameters["youngs_modulus"] / 207e9, 1)  # Pa, not N/m
     wrong = scene.replace(spheres=Contact("spheres", stiffness, scene.effect("spheres").damping, unchecked=True))
-    run = simulate(load(wrong), duration="50 ms", parameters={"restitution": "0.7"})
+    run = simulate(load(wrong), duration="50 ms", parameters={"restitution": "0.7"}, tolerance=1e-6)
     for figure in (run.plot(), run.plot("spheres")):
         assert "UNCHECKED" in texts(figure)
 
 
 def test_a_parameter_outside_its_recommended_range_is_told_on_the_picture():
-    run = simulate(load("slider_crank"), duration="1 ms", parameters={"restitution": 0.5})
+    run = simulate(load("slider_crank"), duration="1 ms", parameters={"restitution": 0.5}, tolerance=1e-6)
     assert run.warnings
     assert "restitution" in texts(run.plot())
 

@@ -56,20 +56,20 @@ def test_compiled_rows_are_the_same(ball):
 @pytest.mark.parametrize("workers", [1, 2])
 def test_failures_are_rows(ball, workers):
     sets = [{"mass": "-1 kg", "mas": 1}, {}, {"mass": "1 m"}, {"vertical.speed": "-1 m/s"}, {"vertical.speed": 1.0}]
-    sweep = simulate_many(ball, sets, workers=workers, duration="1 s")
+    sweep = simulate_many(ball, sets, workers=workers, duration="1 s", tolerance=1e-6)
     assert list(sweep["outcome"]) == ["bad_input", "finished", "bad_input", "finished", "bad_input"]
     assert "did you mean mass" in sweep.rows[0].message
     assert "mass" in sweep.rows[2].message
     assert np.array_equal(np.isnan(sweep["peak_force"]), [True, False, True, False, True])
     assert sweep["vertical.speed"][3] == -1
-    stopped = simulate_many(ball, [{}, {}], workers=workers, duration="1 s", max_steps=5)
+    stopped = simulate_many(ball, [{}, {}], workers=workers, duration="1 s", max_steps=5, tolerance=1e-6)
     assert list(stopped["outcome"]) == ["too_many_steps"] * 2
     assert all(row.message for row in stopped)
 
 
 def test_all_sets_bad_and_no_sets(ball):
-    assert list(simulate_many(ball, [{"mas": 1}] * 3, duration="1 s")["outcome"]) == ["bad_input"] * 3
-    assert len(simulate_many(ball, [], duration="1 s")) == 0
+    assert list(simulate_many(ball, [{"mas": 1}] * 3, duration="1 s", tolerance=1e-6)["outcome"]) == ["bad_input"] * 3
+    assert len(simulate_many(ball, [], duration="1 s", tolerance=1e-6)) == 0
 
 
 def test_what_is_bad_for_every_run_is_bad_input(ball):
@@ -77,16 +77,16 @@ def test_what_is_bad_for_every_run_is_bad_input(ball):
         simulate_many(ball, [{}], duration="-1 s", accuracy=2, method="rk4", compiled="yes")
     assert {fault.where for fault in error.value.faults} == {"duration", "accuracy", "rk4", "compiled"}
     with pytest.raises(InputError, match="workers"):
-        simulate_many(ball, [{}], duration="1 s", workers=0)
+        simulate_many(ball, [{}], duration="1 s", workers=0, tolerance=1e-6)
     with pytest.raises(InputError, match="a name of its own"):
-        simulate_many(ball, [{}], duration="1 s", outputs={"impacts": lambda run: 0.0})
+        simulate_many(ball, [{}], duration="1 s", outputs={"impacts": lambda run: 0.0}, tolerance=1e-6)
 
 
 @pytest.mark.parametrize("workers", [1, 2])
 def test_outputs_are_columns_and_one_that_raises_is_a_row(ball, workers):
     outputs = {"top": lambda run: np.max(run["vertical.travel"]), "second": lambda run: run.impacts[1].speed}
     sets = [{"drop_height": "1 m"}, {"drop_height": "20 m"}]
-    sweep = simulate_many(ball, sets, duration="1.5 s", outputs=outputs, workers=workers)
+    sweep = simulate_many(ball, sets, duration="1.5 s", outputs=outputs, workers=workers, tolerance=1e-6)
     assert sweep["top"] == pytest.approx([1.1, 20.1])
     assert sweep["second"][0] > 0
     assert sweep.rows[1].outcome == "bad_output"
@@ -97,7 +97,9 @@ def test_a_process_that_dies_is_a_row(ball):
     def die(run):
         os._exit(3)
 
-    sweep = simulate_many(ball, [{}, {}, {}], duration="1 s", compiled=False, workers=2, outputs={"x": die})
+    sweep = simulate_many(
+        ball, [{}, {}, {}], duration="1 s", compiled=False, workers=2, outputs={"x": die}, tolerance=1e-6
+    )
     assert set(sweep["outcome"]) == {"lost"}
     assert len(sweep) == 3
 
@@ -110,7 +112,7 @@ def test_of_all_rows_only_the_guilty_ones_are_lost(ball):
 
     heights = [round(0.5 + 0.1 * i, 1) for i in range(20)]
     sets = [{"drop_height": f"{height} m"} for height in heights]
-    sweep = simulate_many(ball, sets, duration="1 s", compiled=False, workers=2, outputs={"end": die})
+    sweep = simulate_many(ball, sets, duration="1 s", compiled=False, workers=2, outputs={"end": die}, tolerance=1e-6)
     assert [row.index for row in sweep] == list(range(20))
     assert [h for h, row in zip(heights, sweep, strict=True) if row.outcome == "lost"] == [1.2, 1.8]
     assert all(row["end"] == 1 for row in sweep if row.outcome != "lost")
@@ -128,11 +130,11 @@ def test_a_grid_changes_no_row_and_is_what_outputs_see(ball):
     for name in ("peak_force", "impacts", "energy_residual", "steps", "final.vertical.speed"):
         assert np.array_equal(steps[name], grid[name]), name
     with pytest.raises(InputError, match="output"):
-        simulate_many(ball, sets, duration="1 s", output=1)
+        simulate_many(ball, sets, duration="1 s", output=1, tolerance=1e-6)
 
 
 def test_csv(ball, tmp_path):
-    sweep = simulate_many(ball, [{"drop_height": "1 m"}, {"drop_height": "-1 kg"}], duration="1 s")
+    sweep = simulate_many(ball, [{"drop_height": "1 m"}, {"drop_height": "-1 kg"}], duration="1 s", tolerance=1e-6)
     path = sweep.to_csv(tmp_path / "sweep.csv")
     with path.open(newline="") as file:
         rows = list(csv.DictReader(file))

@@ -118,10 +118,10 @@ def test_a_start_is_normalised_and_a_norm_of_zero_is_a_fault():
     from hertzwerk.derive import InputError
 
     model = spinning(0.05, 0.03, 0.02)
-    run = simulate(model, duration=0.1, initial={"float.q0": 3.0, "float.q3": 4.0})
+    run = simulate(model, duration=0.1, initial={"float.q0": 3.0, "float.q3": 4.0}, tolerance=1e-6)
     assert of(run, *QUATERNION)[0] == pytest.approx([0.6, 0, 0, 0.8], rel=1e-15)
     with pytest.raises(InputError, match="norm 0"):
-        simulate(model, duration=0.1, initial={"float.q0": 0.0})
+        simulate(model, duration=0.1, initial={"float.q0": 0.0}, tolerance=1e-6)
 
 
 def pendulum(joint, effects=(FALL,)):
@@ -211,7 +211,9 @@ def test_a_run_on_quaternions_is_saved_read_and_drawn(tmp_path):
     from hertzwerk.runtime.curves import Curves
     from hertzwerk.runtime.solution import Solution
 
-    run = simulate(pendulum(lambda bob: Spherical("pin", GROUND, bob)), duration=0.5, initial={"pin.q3": 0.2})
+    run = simulate(
+        pendulum(lambda bob: Spherical("pin", GROUND, bob)), duration=0.5, initial={"pin.q3": 0.2}, tolerance=1e-6
+    )
     read = Solution.load(run.save(tmp_path / "run.npz"))
     assert np.array_equal(read["pin.angular_acceleration_z"], run["pin.angular_acceleration_z"])
     assert run.history.units["pin.angular_acceleration_z"] == "rad/s^2"
