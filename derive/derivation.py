@@ -23,6 +23,7 @@ from hertzwerk.derive.kinematics import Kinematics, acceleration_of
 from hertzwerk.derive.laws.law import speed_limit
 from hertzwerk.derive.loops import Constraint, constraints_of
 from hertzwerk.derive.parameter import Interval, Parameter
+from hertzwerk.derive.periods import period
 from hertzwerk.derive.program import Function, Program, Result, Tape
 from hertzwerk.derive.scene import Contact, Friction, Scene
 from hertzwerk.derive.tables import Table
@@ -140,6 +141,11 @@ class _Derivation:
         limits = {contact.name: speed_limit(contact.laws) for _, contact, _ in self.contacts}
         return {name: limit for name, limit in limits.items() if limit is not None}
 
+    @cached_property
+    def periodic(self) -> Any | None:
+        """After what time everything that depends on time repeats [s], where it does."""
+        return period(self.scene)
+
     def program(self) -> Program:
         functions = [
             *(self.placement() if isinstance(self.scene, Absolute) else [self.start(self.scene, self.kin)]),
@@ -155,6 +161,7 @@ class _Derivation:
             self.poses(),
             self.outputs(),
             *([self.speed_limits()] if self.limited else []),
+            *([self.period()] if self.periodic is not None else []),
         ]
         constants = self.tape.constants(functions)
         names = tuple(symbol.name for symbol in constants)
@@ -464,6 +471,11 @@ class _Derivation:
             "p",
             Result("limits", names, ("m/s",) * len(names), values),
         )
+
+    def period(self) -> Function:
+        """When what depends on time repeats."""
+        summary = "After what time everything that depends on time repeats."
+        return self._function("period", summary, "p", Result("period", ("period",), ("s",), (self.periodic,)))
 
     def poses(self) -> Function:
         """Where the bodies are."""

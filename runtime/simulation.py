@@ -86,7 +86,7 @@ def simulate(
     build_s = time.perf_counter() - began
     before = gear.compile_s if gear else 0.0
     kept = Steps() if times is None else Grid(times)
-    findings = Findings(model, method, later=times is None)
+    findings = Findings(model, method, later=times is None, duration=seconds, period=model.period(bound))
     speeds = tuple(_approach_speeds(model, bound))
     ending = run(local, scales, [kept, findings, *speeds], None if times is None else BLOCK, progress)
     compile_s = gear.compile_s - before if gear else 0.0
