@@ -25,6 +25,7 @@ CONFIDENCE = 0.95
 FEWEST, MOST = 8, 30  # blocks
 INTERVALS = 240  # of a run that has no period
 TRANSIENT = 0.1  # part of a run that is left out, in whole intervals
+STEADY = 1e-5  # of a mean: blocks that differ by less are the same, in whatever order
 DOUBT = 1.645  # standard deviations: a correlation above that much is one, on the one-sided level of 5 %
 POWERS = {".dissipated": ".dissipated_power", ".input": ".input_power"}  # of what a ledger holds
 
@@ -64,12 +65,12 @@ class Estimate:
     reason: str = ""
 
 
-def estimate(values: np.ndarray, weights: np.ndarray | None = None, *, steady: float = 0.0) -> Estimate:
+def estimate(values: np.ndarray, weights: np.ndarray | None = None, *, floor: float = 0.0) -> Estimate:
     """Mean of a series (n,), or the ratio of the sums of values and weights (n,), with its confidence interval.
 
     Blocks are equally long, at most MOST, and longer until the correlation of neighbours is within DOUBT of none; what is left of it widens the
-    interval as in a series whose correlations fall geometrically. steady: blocks whose means differ by no more are the same, and not asked for
-    correlation.
+    interval as in a series whose correlations fall geometrically. Blocks whose means differ by no more than `floor`, or STEADY, are steady: how
+    much they differ is the half width, and nobody asks for correlation.
     """
     if weights is None:
         weights = np.ones(len(values))
@@ -79,7 +80,7 @@ def estimate(values: np.ndarray, weights: np.ndarray | None = None, *, steady: f
         mean = float(above.sum() / below.sum())
         means = (above - mean * below) / below.mean()  # less the mean
         spread = float(np.ptp(means))
-        if spread <= steady:
+        if spread <= max(floor, STEADY * abs(mean)):
             return Estimate(mean, spread, n, size)
         correlation = (
             float(means[1:] @ means[:-1] / (means @ means)) + 1 / n
@@ -119,7 +120,7 @@ def averages(
     <pair>.largest_force    largest normal force in an interval [N], over the intervals; where the scene has a period, or an interval is given
     <effect>.dissipated_power, <effect>.input_power    [W]
 
-    interval    shortest time that is looked at, "12 ms" or seconds: by default the period of all drives and forces, or 1/240 of the run where
+    interval    shortest time looked at, "12 ms" or seconds: by default the period of all drives and forces, or 1/240 of the run where
                 there is none. A run that kept a grid, or was saved, has sums over the default interval: only multiples of it can be asked for
     skip        the transient at the start, that is left out: by default a tenth of the run, in whole intervals
 
@@ -168,7 +169,7 @@ def _averages(run: Solution, sums: Sums, first: int, *, shows_largest: bool) -> 
             return Average(name, unit, None, None, 0, dt, "the run holds what is not finite")
         if w is not None and not np.any(w):
             return Average(name, unit, None, None, 0, dt, "no impact after the transient")
-        found = estimate(x, w, steady=tolerance * max(scale, float(np.max(np.abs(x)))))
+        found = estimate(x, w, floor=tolerance * scale)
         return Average(name, unit, found.mean, found.half_width, found.blocks, found.intervals * dt, found.reason)
 
     for j, pair in enumerate(model.pairs):
