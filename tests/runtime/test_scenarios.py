@@ -43,6 +43,8 @@ def test_built_in_scenarios_come_out(name):
     assert solution.outcome.name == "finished"
     failed = [str(verdict) for verdict in validate(scenario, solution) if not verdict.passed]
     assert failed == []
+    assert solution.model.has_ledger
+    assert solution.energy_residual < 10 * scenario.accuracy
 
 
 @pytest.mark.parametrize(
