@@ -23,6 +23,7 @@ from hertzwerk.derive.kinematics import Kinematics, acceleration_of
 from hertzwerk.derive.laws.law import speed_limit
 from hertzwerk.derive.loops import Constraint, constraints_of
 from hertzwerk.derive.parameter import Interval, Parameter
+from hertzwerk.derive.periods import period
 from hertzwerk.derive.program import Function, Program, Result, Tape
 from hertzwerk.derive.resistance import resistance_faults
 from hertzwerk.derive.scene import Contact, Friction, Scene
@@ -144,6 +145,11 @@ class _Derivation:
         limits = {contact.name: speed_limit(contact.laws) for _, contact, _ in self.contacts}
         return {name: limit for name, limit in limits.items() if limit is not None}
 
+    @cached_property
+    def periodic(self) -> Any | None:
+        """After what time everything that depends on time repeats [s], where it does."""
+        return period(self.scene)
+
     def program(self) -> Program:
         functions = [
             *(self.placement() if isinstance(self.scene, Absolute) else [self.start(self.scene, self.kin)]),
@@ -159,6 +165,7 @@ class _Derivation:
             self.poses(),
             self.outputs(),
             *([self.speed_limits()] if self.limited else []),
+            *([self.period()] if self.periodic is not None else []),
         ]
         idle = [effect.name for effect in self.scene.effects if effect.name not in self.entered]
         if idle:
@@ -491,6 +498,11 @@ class _Derivation:
             "p",
             Result("limits", names, ("m/s",) * len(names), values),
         )
+
+    def period(self) -> Function:
+        """When what depends on time repeats."""
+        summary = "After what time everything that depends on time repeats."
+        return self._function("period", summary, "p", Result("period", ("period",), ("s",), (self.periodic,)))
 
     def poses(self) -> Function:
         """Where the bodies are."""

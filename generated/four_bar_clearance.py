@@ -7,7 +7,7 @@ Effects:
     rocker_pin: hertz_point x flores
     rocker_pin_friction: smooth_coulomb at rocker_pin
     energy_ledger: work put in, energy dissipated per effect
-Units: 112 assignments and 109 outputs checked, all consistent
+Units: 112 assignments and 110 outputs checked, all consistent
 Operations: flight 162 (equations of motion and gaps); in contact also contact_rocker_pin 113
 """
 
@@ -158,6 +158,7 @@ OPERATIONS = (
     ("energy", 59),
     ("poses", 13),
     ("outputs", 25),
+    ("period", 3),
 )
 
 
@@ -702,3 +703,14 @@ def outputs(t, q, u, c):
     rocker_pin_eccentricity_x = cos_rocker*rocker_pin_apart_x + rocker_pin_apart_y*sin_rocker
     rocker_pin_eccentricity_y = cos_rocker*rocker_pin_apart_y - rocker_pin_apart_x*sin_rocker
     return ca.vertcat(rocker_pin_eccentricity_x, rocker_pin_eccentricity_y)
+
+
+def period(p):
+    """After what time everything that depends on time repeats.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        period (1,): period [s]
+    """
+    crank_speed = p[12]
+    return ca.vertcat(2*3.141592653589793/ca.fabs(crank_speed))

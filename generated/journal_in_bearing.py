@@ -7,7 +7,7 @@ Effects:
     bearing: power x flores
     bearing_friction: smooth_coulomb at bearing
     energy_ledger: work put in, energy dissipated per effect
-Units: 42 assignments and 74 outputs checked, all consistent
+Units: 42 assignments and 75 outputs checked, all consistent
 Operations: flight 29 (equations of motion and gaps); in contact also contact_bearing 43
 """
 
@@ -130,6 +130,7 @@ OPERATIONS = (
     ("energy", 15),
     ("poses", 4),
     ("outputs", 0),
+    ("period", 3),
 )
 
 
@@ -405,3 +406,14 @@ def outputs(t, q, u, c):
     shaft_x = q[0]
     shaft_y = q[1]
     return ca.vertcat(shaft_x, shaft_y)
+
+
+def period(p):
+    """After what time everything that depends on time repeats.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        period (1,): period [s]
+    """
+    speed = p[4]
+    return ca.vertcat(2*3.141592653589793/ca.fabs(speed))

@@ -7,7 +7,7 @@ Effects:
     slider_pin: hertz_point x lankarani_nikravesh
     slider_pin_friction: smooth_coulomb at slider_pin
     energy_ledger: work put in, energy dissipated per effect
-Units: 95 assignments and 104 outputs checked, all consistent
+Units: 95 assignments and 105 outputs checked, all consistent
 Operations: flight 131 (equations of motion and gaps); in contact also contact_slider_pin 90
 """
 
@@ -151,6 +151,7 @@ OPERATIONS = (
     ("energy", 50),
     ("poses", 10),
     ("outputs", 13),
+    ("period", 3),
 )
 
 
@@ -613,3 +614,14 @@ def outputs(t, q, u, c):
     slider_pin_apart_x = rod_arm_x + slider_pin_pin_arm_x - guide_travel
     slider_pin_apart_y = rod_arm_y + slider_pin_pin_arm_y
     return ca.vertcat(slider_pin_apart_x, slider_pin_apart_y)
+
+
+def period(p):
+    """After what time everything that depends on time repeats.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        period (1,): period [s]
+    """
+    crank_speed = p[10]
+    return ca.vertcat(2*3.141592653589793/ca.fabs(crank_speed))

@@ -11,7 +11,7 @@ Effects:
     crank_pin_friction: smooth_coulomb at crank_pin
     slider_pin_friction: smooth_coulomb at slider_pin
     energy_ledger: work put in, energy dissipated per effect
-Units: 159 assignments and 197 outputs checked, all consistent
+Units: 159 assignments and 198 outputs checked, all consistent
 Operations: flight 197 (equations of motion and gaps); in contact also contact_main_bearing 46, contact_crank_pin 95, contact_slider_pin 67
 """
 
@@ -188,6 +188,7 @@ OPERATIONS = (
     ("energy", 78),
     ("poses", 7),
     ("outputs", 22),
+    ("period", 3),
 )
 
 
@@ -870,3 +871,14 @@ def outputs(t, q, u, c):
     crank_pin_eccentricity_y = cos_rod*crank_pin_apart_y - crank_pin_apart_x*sin_rod
     return ca.vertcat(crank_plane_x, crank_plane_y, crank_pin_eccentricity_x, crank_pin_eccentricity_y,
         slider_pin_apart_x, slider_pin_apart_y)
+
+
+def period(p):
+    """After what time everything that depends on time repeats.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        period (1,): period [s]
+    """
+    crank_speed = p[10]
+    return ca.vertcat(2*3.141592653589793/ca.fabs(crank_speed))

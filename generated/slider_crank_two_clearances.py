@@ -9,7 +9,7 @@ Effects:
     crank_pin_friction: smooth_coulomb at crank_pin
     slider_pin_friction: smooth_coulomb at slider_pin
     energy_ledger: work put in, energy dissipated per effect
-Units: 128 assignments and 143 outputs checked, all consistent
+Units: 128 assignments and 144 outputs checked, all consistent
 Operations: flight 159 (equations of motion and gaps); in contact also contact_crank_pin 86, contact_slider_pin 67
 """
 
@@ -166,6 +166,7 @@ OPERATIONS = (
     ("energy", 58),
     ("poses", 7),
     ("outputs", 20),
+    ("period", 3),
 )
 
 
@@ -720,3 +721,14 @@ def outputs(t, q, u, c):
     crank_pin_eccentricity_x = cos_rod*crank_pin_apart_x + crank_pin_apart_y*sin_rod
     crank_pin_eccentricity_y = cos_rod*crank_pin_apart_y - crank_pin_apart_x*sin_rod
     return ca.vertcat(crank_pin_eccentricity_x, crank_pin_eccentricity_y, slider_pin_apart_x, slider_pin_apart_y)
+
+
+def period(p):
+    """After what time everything that depends on time repeats.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        period (1,): period [s]
+    """
+    crank_speed = p[10]
+    return ca.vertcat(2*3.141592653589793/ca.fabs(crank_speed))

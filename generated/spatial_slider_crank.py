@@ -6,7 +6,7 @@ Effects:
     gravity: uniform gravity
     crank_ball: hertz_point x flores
     energy_ledger: work put in, energy dissipated per effect
-Units: 130 assignments and 114 outputs checked, all consistent
+Units: 130 assignments and 115 outputs checked, all consistent
 Operations: flight 220 (equations of motion and gaps); in contact also contact_crank_ball 94
 """
 
@@ -160,6 +160,7 @@ OPERATIONS = (
     ("energy", 72),
     ("poses", 14),
     ("outputs", 28),
+    ("period", 3),
 )
 
 
@@ -717,3 +718,14 @@ def outputs(t, q, u, c):
     crank_ball_eccentricity_y = cos_crank*crank_ball_apart_y + crank_ball_apart_z*sin_crank
     crank_ball_eccentricity_z = cos_crank*crank_ball_apart_z - crank_ball_apart_y*sin_crank
     return ca.vertcat(crank_ball_apart_x, crank_ball_eccentricity_y, crank_ball_eccentricity_z)
+
+
+def period(p):
+    """After what time everything that depends on time repeats.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        period (1,): period [s]
+    """
+    crank_speed = p[15]
+    return ca.vertcat(2*3.141592653589793/ca.fabs(crank_speed))

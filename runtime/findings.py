@@ -1,19 +1,27 @@
-"""What is found of all accepted steps of a run as it goes, block by block, whether or not they are kept: contacts, energy balance, choices."""
+"""What is found of all accepted steps of a run as it goes, block by block, whether or not they are kept: contacts, energy balance, choices,
+sums for averages."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Protocol, TypeVar
 
 import numpy as np
 
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.averages import INTERVALS
 from hertzwerk.runtime.impacts import Contacts, Impact
 from hertzwerk.runtime.integrate.choose import Choice, choices
+from hertzwerk.runtime.sums import Summing, Sums
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.history import History
     from hertzwerk.runtime.model import Model
+
+
+MOST_INTERVALS = 10_000  # that sums are kept of
 
 
 class Observer(Protocol):
@@ -77,23 +85,33 @@ class Choices:
 
 
 class Findings:
-    """Impacts, energy residual and choices of a run: found as it goes, or, of steps that are kept, when asked for (`later`)."""
+    """Impacts, energy residual, choices and sums of a run: found as it goes, or, of steps that are kept, when asked for (`later`).
 
-    def __init__(self, model: Model, method: str, *, later: bool) -> None:
-        self._later = later
+    period    after which everything that depends on time repeats [s], None where nothing does
+    """
+
+    def __init__(self, model: Model, method: str, *, later: bool, duration: float, period: float | None) -> None:
+        self._model, self._later, self._duration, self.period = model, later, duration, period
         self._steps: list[History] = []
         self._contacts = Contacts(model)
         self._balance = Balance() if model.has_ledger else None
         self._choices = Choices() if method == "auto" else None
+        self._summing = None if later else self._summing_up(None)
 
     @classmethod
     def saved(
-        cls, model: Model, impacts: Sequence[Impact], energy_residual: float | None, chosen: Sequence[Choice]
+        cls,
+        model: Model,
+        impacts: Sequence[Impact],
+        energy_residual: float | None,
+        chosen: Sequence[Choice],
+        sums: Sums,
+        period: float | None,
     ) -> Findings:
         """Those of a run that was saved."""
-        findings = cls(model, "", later=True)
+        findings = cls(model, "", later=True, duration=math.nan, period=period)
         known = {"impacts": tuple(impacts), "energy_residual": energy_residual, "choices": tuple(chosen)}
-        findings.__dict__.update(known)
+        findings.__dict__.update(known, _sums=sums)
         return findings
 
     def take(self, block: History, fresh: int) -> None:
@@ -101,7 +119,7 @@ class Findings:
         if self._later:
             self._steps.append(block)
             return
-        for observer in (self._contacts, self._balance, self._choices):
+        for observer in (self._contacts, self._balance, self._choices, self._summing):
             if observer is not None:
                 observer.take(block, fresh)
 
@@ -124,3 +142,30 @@ class Findings:
     def choices(self) -> tuple[Choice, ...]:
         """See `Solution.choices`."""
         return tuple(self._looked(self._choices).made) if self._choices is not None else ()
+
+    def sums(self, interval: float | None = None) -> Sums:
+        """Sums over intervals [s], by default of the period, or of a part of the run where there is none; over longer ones where there are many.
+
+        Raises InputError for what is no multiple of the intervals that are known, where steps are not kept.
+        """
+        if interval is not None and self._steps:
+            return self._looked(self._summing_up(interval)).sums
+        known = self._sums
+        if interval is None:
+            return known
+        many = round(interval / known.interval)
+        if many < 1 or abs(many * known.interval - interval) > 1e-6 * interval:
+            expected = f"a multiple of {known.interval:g} s, over which a run without its steps has its sums"
+            raise InputError(f"averages of {self._model.name}", [Fault("interval", f"{interval:g} s", expected)])
+        return known.joined(many)
+
+    @cached_property
+    def _sums(self) -> Sums:
+        return self._looked(self._summing_up(None)).sums if self._summing is None else self._summing.sums
+
+    def _summing_up(self, interval: float | None) -> Summing:
+        until = float(self._steps[-1].t[-1]) if self._steps else self._duration
+        if interval is None:
+            periods = 0.0 if self.period is None else until / self.period
+            interval = until / INTERVALS if self.period is None else self.period * math.ceil(periods / MOST_INTERVALS)
+        return Summing(self._model, interval, until)

@@ -135,6 +135,11 @@ class Model:
         columns = [ca.densify(ca.vec(ca.SX(x))) for x in (results if isinstance(results, tuple) else (results,))]
         return ca.Function(name, symbols, ca.cse(columns), inputs, [f"o{i}" for i in range(len(columns))])
 
+    def period(self, bound: Bound) -> float | None:
+        """After what time everything that depends on time repeats [s]; None where nothing does."""
+        found = float(self.function("period")(bound.p)) if hasattr(self.module, "period") else math.inf
+        return found if math.isfinite(found) else None  # a drive that stands still has none
+
     def equations(self) -> Readable:
         """The equations of the model for people, derived from its scene anew: Markdown with LaTeX, typeset in a notebook.
 
@@ -189,6 +194,7 @@ _INPUTS = {
     "poses": "t q c",
     "outputs": "t q u c",
     "speed_limits": "p",
+    "period": "p",
 }
 
 

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.solution import Solution
 
 
-def summary(solution: Solution) -> dict[str, Any]:
-    """What `run --json` prints: plain numbers in SI, null for what does not exist."""
+def summary(solution: Solution, *, averages: bool = False) -> dict[str, Any]:
+    """What `run --json` prints: plain numbers in SI, null for what does not exist; averages where they are asked for."""
     statistics, error = solution.statistics, solution.error
     return {
         "scene": solution.model.name,
@@ -46,14 +46,15 @@ def summary(solution: Solution) -> dict[str, Any]:
         "growth": error and error.growth,
         "decade_cost": error and error.decade_cost,
         "warnings": list(solution.warnings),
+        **({"averages": [asdict(average) for average in solution.averages()]} if averages else {}),
     }
 
 
-def record(solution: Solution) -> dict[str, Any]:
+def record(solution: Solution, *, averages: bool = False) -> dict[str, Any]:
     """What `run.json` keeps: the summary, and everything needed to run the same again."""
     model = solution.model
     return {
-        **summary(solution),
+        **summary(solution, averages=averages),
         "outcome_message": solution.outcome.message,
         "remedy": solution.outcome.remedy,
         "source": model.module.SOURCE,
@@ -97,9 +98,11 @@ def destination_fault(out: Path) -> Fault | None:
     return None
 
 
-def write(solution: Solution, out: Path | None, *, plots: bool) -> tuple[Path, list[str]]:
+def write(solution: Solution, out: Path | None, *, plots: bool, averages: bool = False) -> tuple[Path, list[str]]:
     """Write a run to `out`, or to the next free runs/<scene>-NNN; returns the folder and its files. All of it appears at once, or nothing."""
-    return new_folder(solution.model.name, out, lambda folder: _write_files(solution, folder, plots=plots))
+    return new_folder(
+        solution.model.name, out, lambda folder: _write_files(solution, folder, plots=plots, averages=averages)
+    )
 
 
 def new_folder(name: str, out: Path | None, fill: Callable[[Path], list[str]]) -> tuple[Path, list[str]]:
@@ -115,10 +118,10 @@ def new_folder(name: str, out: Path | None, fill: Callable[[Path], list[str]]) -
         shutil.rmtree(temporary, ignore_errors=True)
 
 
-def _write_files(solution: Solution, folder: Path, *, plots: bool) -> list[str]:
+def _write_files(solution: Solution, folder: Path, *, plots: bool, averages: bool) -> list[str]:
     solution.to_csv(folder / "states.csv")
     solution.save(folder / "states.npz")
-    (folder / "run.json").write_text(json_text(record(solution)) + "\n", encoding="utf-8")
+    (folder / "run.json").write_text(json_text(record(solution, averages=averages)) + "\n", encoding="utf-8")
     files = ["states.csv", "states.npz", "run.json"]
     if plots:
         from hertzwerk.runtime import plot

@@ -300,7 +300,9 @@ class _Run:
         if alone:
             times = beside
         kept = Steps() if times is None else Grid(times)
-        findings = Findings(self.model, self.method, later=times is None)
+        given = self.given
+        period = self.model.period(given.bound)
+        findings = Findings(self.model, self.method, later=times is None, duration=given.seconds, period=period)
         speeds = tuple(_approach_speeds(self.model, self.given.bound))
         other = kept if beside is None or alone else Grid(beside)
         observers = (

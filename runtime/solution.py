@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from hertzwerk.runtime.accuracy import ErrorEstimate
+from hertzwerk.runtime.averages import Average, averages
 from hertzwerk.runtime.cache import write_atomically
 from hertzwerk.runtime.findings import Findings
 from hertzwerk.runtime.history import History
@@ -21,6 +22,7 @@ from hertzwerk.runtime.integrate.choose import Choice
 from hertzwerk.runtime.model import Model
 from hertzwerk.runtime.outcome import Outcome
 from hertzwerk.runtime.scales import Scales
+from hertzwerk.runtime.sums import Sums
 
 __all__ = ["ErrorEstimate", "History", "Impact", "Solution", "Statistics"]
 
@@ -126,6 +128,10 @@ class Solution:
         """
         return self.findings.energy_residual
 
+    def averages(self, *, interval: str | float | None = None, skip: str | float | None = None) -> tuple[Average, ...]:
+        """What the run does on average, with 95 % confidence: impact rates, forces, powers; see `hertzwerk.runtime.averages.averages`."""
+        return averages(self, interval=interval, skip=skip)
+
     def __str__(self) -> str:
         statistics, count = self.statistics, len(self.impacts)
         parts = [
@@ -171,6 +177,8 @@ class Solution:
             "error": self.error and self.error.numbers,
             "impacts": [asdict(impact) for impact in self.impacts],
             "choices": [asdict(choice) for choice in self.choices],
+            "sums": self.findings.sums().about(),
+            "period": self.findings.period,
             "ends": {name: self.ends[name][[0, -1]].tolist() for name in ("t", *self.states)},
         }
         content = io.BytesIO()
@@ -198,6 +206,8 @@ class Solution:
                 [Impact(**impact) for impact in about["impacts"]],
                 about["energy_residual"],
                 [Choice(**choice) for choice in about["choices"]],
+                Sums.saved(about["sums"], model),
+                about["period"],
             ),
             outcome=Outcome(**about["outcome"]),
             duration=about["duration"],

@@ -48,6 +48,9 @@ if TYPE_CHECKING:
     help='Keep so many equally spaced states (10000), or one each TIME ("0.1 ms"), in place of every accepted step.',
 )
 @click.option(
+    "--averages", is_flag=True, help="Also averages with 95 % confidence: impact rates, mean and peak forces, powers."
+)
+@click.option(
     "--out", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-NNN)."
 )
 @click.option("--no-plots", is_flag=True, help="Write the data only.")
@@ -55,18 +58,20 @@ if TYPE_CHECKING:
     "--json", "as_json", is_flag=True, help="Print one JSON object, and write a folder only if --out is given."
 )
 @reports_bad_input
-def run(target: str, out: Path | None, no_plots: bool, as_json: bool, **options: Any) -> int:
+def run(target: str, out: Path | None, no_plots: bool, as_json: bool, averages: bool, **options: Any) -> int:
     """Simulate TARGET and write data and plots into one new folder."""
     from hertzwerk.runtime import record
 
     solution = _simulate(target, out, quiet=as_json, **options)
     folder: tuple[Path, list[str]] | None = None
     if out is not None or not as_json:
-        folder = record.write(solution, out, plots=not no_plots)
+        folder = record.write(solution, out, plots=not no_plots, averages=averages)
     if as_json:
-        click.echo(record.json_text(record.summary(solution)))
+        click.echo(record.json_text(record.summary(solution, averages=averages)))
     else:
         _report(solution)
+        for average in solution.averages() if averages else ():
+            line("average", str(average))
     if folder is not None and not as_json:
         line("written", f"{folder[0]}/ ({', '.join(folder[1])})")
     return GOOD if solution.outcome.finished else OTHER_OUTCOME

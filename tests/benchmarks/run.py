@@ -3,8 +3,8 @@
     python tests/benchmarks/run.py [SECTION...]        (--help lists them)
 
 Every number is a median of at least five measurements that alternate between the sides. A ratio's bar is what the issues ask for: issue 2 ("Speed")
-in startup, engine and derivation, issue 5 ("Numbers") in chains and coordinates, issue 4 ("Numbers") in the others; honesty is no matter of time
-but of shares (issue 6, item 1). Nothing here fails a test, for seconds depend on the machine.
+in startup, engine and derivation, issue 5 ("Numbers") in chains and coordinates, issue 6 in nothing and honesty (which is no
+matter of time but of shares), issue 4 ("Numbers") in the others. Nothing here fails a test, for seconds depend on the machine.
 """
 
 from __future__ import annotations
@@ -27,6 +27,7 @@ from benchmarks.contenders import hertzwerk, scipy
 from benchmarks.coordinates import coordinates
 from benchmarks.honesty import honesty
 from benchmarks.limit import limit
+from benchmarks.nothing import nothing
 from benchmarks.orders import orders
 from benchmarks.pairs import pairs
 from benchmarks.ratios import Ratio, medians, timed
@@ -119,6 +120,7 @@ SECTIONS = {
     "implicit": implicit,
     "orders": orders,
     "pairs": pairs,
+    "nothing": nothing,
     "coordinates": coordinates,
     "honesty": honesty,
 }

@@ -100,6 +100,32 @@ def scene(pair, stiffness, damping=None, friction=None, **changed):
     )
 
 
+MEMORY = {"s_0": 1e5, "s_1": 3, "z": 1e-6}
+RESISTING = {name: law for name, law in LAWS.items() if isinstance(law, DampingLaw | FrictionLaw)}
+
+
+@pytest.mark.parametrize("name", RESISTING)
+def test_a_law_without_memory_adds_no_state_and_no_latch(name):
+    """And one with memory what its expression names, and no more."""
+    law, damping = LAWS[name], isinstance(LAWS[name], DampingLaw)
+    effects = [Contact("joint", bound(LAWS["hertz_point"]), bound(law) if damping else None, effective_mass=PIN.mass)]
+    effects += [] if damping else [Friction("drag", "joint", bound(law, **MEMORY))]
+    model = Derived(
+        Scene(
+            Mechanism("impact", (SLIDE, ALONG), (PAIRS["pin_in_bush"][0],)),
+            effects,
+            Scales(length=CLEARANCE / 100, speed=Parameter("pace", "m/s", PACE)),
+            Start(position={"slide": CLEARANCE}),
+        )
+    )
+    latches = [("joint.approach_speed", "m/s", 0)] if damping and v0 in law.quantities() else []
+    assert list(model.LATCHES) == latches
+    assert [row[0] for row in model.MEMORY] == (["drag.bristle"] if not damping and law.memory else [])
+    assert ("SLIPS" in model.names) == (not damping and bool(law.modes))
+    assert ("approach_floor" in model.text) == ("= m[0]\n" in model.text) == bool(latches)  # which is read
+    assert ("= z[0]\n" in model.text) == bool(model.MEMORY)
+
+
 def pair_for(stiffness):
     return next((name for name in PAIRS if name in LAWS[stiffness].pairs), "pin_in_bush")
 

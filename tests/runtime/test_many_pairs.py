@@ -1,6 +1,7 @@
 """Many contact pairs: a step evaluates the pairs in contact and no others, and a row of spheres does what the laws of impact say."""
 
 from functools import cache
+from types import ModuleType
 
 import casadi as ca
 import numpy as np
@@ -9,10 +10,14 @@ from handmade import point
 
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.integrate import classes
+from hertzwerk.runtime.integrate.advance import advance
 from hertzwerk.runtime.integrate.attempt import integrator
+from hertzwerk.runtime.integrate.classes import BY_MODE, kinds
 from hertzwerk.runtime.integrate.explicit import flow
 from hertzwerk.runtime.integrate.implicit import DIVERGED
 from hertzwerk.runtime.integrate.implicit_tables import esdirk54, rodas5p
+from hertzwerk.runtime.integrate.layout import layouts
+from hertzwerk.runtime.integrate.methods import METHODS
 from hertzwerk.runtime.model import Model
 from reference import closed_forms, scenes
 
@@ -57,6 +62,30 @@ def test_a_pair_out_of_contact_costs_no_operation_of_a_stage():
     bare, guarded = (load(scenes.guarded_crank(guards)) for guards in (0, 3))
     operations = [flow(model, (0,)).rates.n_instructions() for model in (bare, guarded)]
     assert operations[1] - operations[0] == guarded.nz - bare.nz == 3
+
+
+MARKS = (ca.OP_ERF, ca.OP_ASINH, ca.OP_ATANH)  # which nothing else uses
+
+
+@pytest.mark.parametrize("method", ["dop853", "rodas"])
+def test_free_flight_evaluates_no_contact_and_one_contact_no_other(method):
+    """Every result of each pair's contact goes through an operation of its own: those of the pairs that touch are in the step, and no others."""
+    functions = {ca.OP_ERF: ca.erf, ca.OP_ASINH: ca.asinh, ca.OP_ATANH: ca.atanh}
+    module = ModuleType("marked")
+    module.__dict__.update(load("slider_crank_three_clearances").module.__dict__)
+    names = [name for name, _ in module.PAIRS]
+
+    def marked(contact, mark):
+        return lambda *given: tuple(functions[mark](ca.SX(result)) for result in contact(*given))
+
+    for name, mark in zip(names, MARKS, strict=True):
+        setattr(module, f"contact_{name}", marked(getattr(module, f"contact_{name}"), mark))
+    model = Model(module)
+    (table,) = (table() for table in METHODS[method])
+    for contacts in kinds(model):
+        step = advance(model, layouts(model), table, contacts)
+        found = {step.instruction_id(i) for i in range(step.n_instructions())}
+        assert found & set(MARKS) == {MARKS[j] for j in (range(model.k) if contacts is BY_MODE else contacts)}
 
 
 @pytest.mark.parametrize("method", ["dop853", "auto"])

@@ -43,6 +43,8 @@ def test_built_in_scenarios_come_out(name):
     assert solution.outcome.name == "finished"
     failed = [str(verdict) for verdict in validate(scenario, solution) if not verdict.passed]
     assert failed == []
+    assert solution.model.has_ledger
+    assert solution.energy_residual < 10 * scenario.accuracy
 
 
 # Per scenario: a parameter off by 1 %, the check that must then fail, and how long a run it takes to see it.
