@@ -20,6 +20,7 @@ from hertzwerk.derive.equations import Equations
 from hertzwerk.derive.faults import InputError
 from hertzwerk.derive.joints import Port
 from hertzwerk.derive.kinematics import Kinematics, acceleration_of
+from hertzwerk.derive.landmarks import Landmark, landmarks_of
 from hertzwerk.derive.laws.law import speed_limit
 from hertzwerk.derive.loops import Constraint, constraints_of
 from hertzwerk.derive.parameter import Interval, Parameter
@@ -155,6 +156,7 @@ class _Derivation:
             self.poses(),
             self.outputs(),
             *([self.speed_limits()] if self.limited else []),
+            self.landmarks(),
         ]
         constants = self.tape.constants(functions)
         names = tuple(symbol.name for symbol in constants)
@@ -488,6 +490,20 @@ class _Derivation:
             ),
         )
 
+    def landmarks(self) -> Function:
+        """What a picture shows."""
+        return self._function(
+            "landmarks",
+            "What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes of its body.",
+            "p",
+            *(landmark.result for landmark in self._landmarks),
+        )
+
+    @cached_property
+    def _landmarks(self) -> tuple[Landmark, ...]:
+        """Of the scene as declared: joints that only coordinates ask for are not there."""
+        return tuple(landmarks_of(self.scene.declared if isinstance(self.scene, Absolute) else self.scene))
+
     def outputs(self) -> Function:
         """Named quantities of the pairs."""
         rows = self._outputs()
@@ -598,6 +614,7 @@ class _Derivation:
             "OUTPUTS": tuple((name, unit) for name, unit, _ in self._outputs()),
             **({"SPEED_LIMITED": tuple(self.limited)} if self.limited else {}),
             "BODIES": tuple(body.name for body in scene.mechanism.bodies),
+            "LANDMARKS": tuple(landmark.row for landmark in self._landmarks),
             **{table_name(table): table.pieces() for table in self._tables_used()},
         }
 

@@ -7,7 +7,7 @@ Effects:
     rocker_pin: hertz_point x flores
     rocker_pin_friction: smooth_coulomb at rocker_pin
     energy_ledger: work put in, energy dissipated per effect
-Units: 112 assignments and 109 outputs checked, all consistent
+Units: 112 assignments and 177 outputs checked, all consistent
 Operations: flight 162 (equations of motion and gaps); in contact also contact_rocker_pin 113
 """
 
@@ -111,6 +111,22 @@ BODIES = (
     "rocker",
 )
 
+LANDMARKS = (
+    ("main_bearing", "revolute", "parent", "ground", ("axis",)),
+    ("main_bearing", "revolute", "child", "crank", ("axis",)),
+    ("crank_pin", "revolute", "parent", "crank", ("axis",)),
+    ("crank_pin", "revolute", "child", "coupler", ("axis",)),
+    ("rocker_bearing", "revolute", "parent", "ground", ("axis",)),
+    ("rocker_bearing", "revolute", "child", "rocker", ("axis",)),
+    ("rocker_pin", "pin_in_bush", "pin", "coupler", ("radius",)),
+    ("rocker_pin", "pin_in_bush", "bush", "rocker", ("radius", "axis")),
+    ("crank_drive", "turn_drive", "child", "crank", ("axis",)),
+    ("gravity", "gravity", "direction", "ground", ("axis",)),
+    ("crank", "body", "centre", "crank", ()),
+    ("coupler", "body", "centre", "coupler", ()),
+    ("rocker", "body", "centre", "rocker", ()),
+)
+
 CONSTANTS = (
     ("coupler_length", "m"),
     ("rocker_length", "m"),
@@ -158,6 +174,7 @@ OPERATIONS = (
     ("energy", 59),
     ("poses", 13),
     ("outputs", 25),
+    ("landmarks", 3),
 )
 
 
@@ -702,3 +719,46 @@ def outputs(t, q, u, c):
     rocker_pin_eccentricity_x = cos_rocker*rocker_pin_apart_x + rocker_pin_apart_y*sin_rocker
     rocker_pin_eccentricity_y = cos_rocker*rocker_pin_apart_y - rocker_pin_apart_x*sin_rocker
     return ca.vertcat(rocker_pin_eccentricity_x, rocker_pin_eccentricity_y)
+
+
+def landmarks(p):
+    """What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes
+    of its body.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        main_bearing.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        main_bearing.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        crank_pin.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        crank_pin.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        rocker_bearing.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        rocker_bearing.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        rocker_pin.pin (4,): x [m], y [m], z [m], radius [m]
+        rocker_pin.bush (7,): x [m], y [m], z [m], radius [m], axis_x [1], axis_y [1], axis_z [1]
+        crank_drive.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        crank.centre (3,): x [m], y [m], z [m]
+        coupler.centre (3,): x [m], y [m], z [m]
+        rocker.centre (3,): x [m], y [m], z [m]
+    """
+    coupler_length = p[4]
+    rocker_length = p[7]
+    crank_length = p[8]
+    base_length = p[9]
+    bush_radius = p[10]
+    clearance = p[11]
+    return (
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(crank_length, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(base_length, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(coupler_length, 0, 0, bush_radius - clearance),
+        ca.vertcat(rocker_length, 0, 0, bush_radius, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, -1, 0),
+        ca.vertcat(0, 0, 0),
+        ca.vertcat(coupler_length/2, 0, 0),
+        ca.vertcat(rocker_length/2, 0, 0),
+    )

@@ -189,6 +189,7 @@ _INPUTS = {
     "poses": "t q c",
     "outputs": "t q u c",
     "speed_limits": "p",
+    "landmarks": "p",
 }
 
 
