@@ -70,7 +70,7 @@ class Drawing:
     def on(self, axis: Axes, size: float = 9.0, symbols: float = 1.0) -> None:
         """Draw it, with names of a size [points], and symbols of so much their usual one."""
         parts, paper = self.parts, Paper(axis, self.point * symbols)
-        axis.set(xlim=self.frame[:2], ylim=self.frame[2:])
+        axis.set(xlim=self.frame[:2], ylim=self.frame[2:], aspect="equal")
         for i in self.ghosts:
             parts.draw(paper.faint(), i)
         self._paths(paper)

@@ -56,6 +56,8 @@ class Places:
         """At t = 0, loops closed; raises InputError."""
         from hertzwerk.runtime.simulation import start_of
 
+        if not hasattr(model.module, "landmarks"):
+            raise _without_functions(model)
         bound, q, _ = start_of(model, parameters or {}, initial or {})
         positions, rotations = (np.array(x).reshape(1, -1) for x in model.function("poses")(0.0, q, bound.c))
         return cls._of(model, bound.p, np.zeros(1), positions, rotations)
@@ -64,13 +66,7 @@ class Places:
     def over(cls, run: Solution) -> Places:
         """Over a run, between its accepted steps; of one that kept a grid at its rows. Raises InputError for a saved run."""
         if run.history.integrator is None:
-            fault = Fault(
-                "draw",
-                "a saved run, which holds no functions",
-                "a run that `simulate` returned",
-                "simulate again, or model.draw()",
-            )
-            raise InputError(run.model.name, [fault])
+            raise _without_functions(run.model)
         if run.history.steps and len(run.t) > 1:
             rows = run.t[:: 1 + len(run.t) // SAMPLES]
             times = np.unique(np.concatenate([rows, np.linspace(run.t[0], run.t[-1], SAMPLES), run.t[-1:]]))
@@ -127,6 +123,13 @@ def landmarks_of(model: Model, p: Array) -> tuple[Landmark, ...]:
     columns = results if isinstance(results, tuple) else (results,)
     return tuple(
         _landmark(row, np.array(column).ravel()) for row, column in zip(model.module.LANDMARKS, columns, strict=True)
+    )
+
+
+def _without_functions(model: Model) -> InputError:
+    found, remedy = "a saved run, which holds no functions", f"simulate again, or load({model.name!r}).draw()"
+    return InputError(
+        model.name, [Fault("draw", found, "a model that `load` returned, a run that `simulate` did", remedy)]
     )
 
 
