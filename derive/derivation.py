@@ -20,6 +20,7 @@ from hertzwerk.derive.equations import Equations
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.joints import Port
 from hertzwerk.derive.kinematics import Kinematics, acceleration_of
+from hertzwerk.derive.landmarks import Landmark, landmarks_of
 from hertzwerk.derive.laws.law import speed_limit
 from hertzwerk.derive.loops import Constraint, constraints_of
 from hertzwerk.derive.parameter import Interval, Parameter
@@ -166,6 +167,7 @@ class _Derivation:
             self.outputs(),
             *([self.speed_limits()] if self.limited else []),
             *([self.period()] if self.periodic is not None else []),
+            self.landmarks(),
         ]
         idle = [effect.name for effect in self.scene.effects if effect.name not in self.entered]
         if idle:
@@ -527,6 +529,20 @@ class _Derivation:
             ),
         )
 
+    def landmarks(self) -> Function:
+        """What a picture shows."""
+        return self._function(
+            "landmarks",
+            "What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes of its body.",
+            "p",
+            *(landmark.result for landmark in self._landmarks),
+        )
+
+    @cached_property
+    def _landmarks(self) -> tuple[Landmark, ...]:
+        """Of the scene as declared: joints that only coordinates ask for are not there."""
+        return tuple(landmarks_of(self.scene.declared if isinstance(self.scene, Absolute) else self.scene))
+
     def outputs(self) -> Function:
         """Named quantities of the pairs."""
         rows = self._outputs()
@@ -637,6 +653,7 @@ class _Derivation:
             "OUTPUTS": tuple((name, unit) for name, unit, _ in self._outputs()),
             **({"SPEED_LIMITED": tuple(self.limited)} if self.limited else {}),
             "BODIES": tuple(body.name for body in scene.mechanism.bodies),
+            "LANDMARKS": tuple(landmark.row for landmark in self._landmarks),
             **{table_name(table): table.pieces() for table in self._tables_used()},
         }
 

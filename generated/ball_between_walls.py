@@ -5,7 +5,7 @@ Effects:
     left_wall: power x hunt_crossley
     right_wall: power x hunt_crossley
     energy_ledger: work put in, energy dissipated per effect
-Units: 24 assignments and 57 outputs checked, all consistent
+Units: 24 assignments and 92 outputs checked, all consistent
 Operations: flight 8 (equations of motion and gaps); in contact also contact_left_wall 14, contact_right_wall 14
 """
 
@@ -85,6 +85,16 @@ BODIES = (
     "ball",
 )
 
+LANDMARKS = (
+    ("track", "prismatic", "parent", "ground", ("axis",)),
+    ("track", "prismatic", "child", "ball", ("axis",)),
+    ("left_wall", "sphere_on_plane", "sphere", "ball", ("radius",)),
+    ("left_wall", "sphere_on_plane", "plane", "ground", ("normal",)),
+    ("right_wall", "sphere_on_plane", "sphere", "ball", ("radius",)),
+    ("right_wall", "sphere_on_plane", "plane", "ground", ("normal",)),
+    ("ball", "body", "centre", "ball", ()),
+)
+
 CONSTANTS = (
     ("radius", "m"),
     ("stiffness", "N/m"),
@@ -111,6 +121,7 @@ OPERATIONS = (
     ("energy", 17),
     ("poses", 0),
     ("outputs", 5),
+    ("landmarks", 3),
 )
 
 
@@ -374,3 +385,30 @@ def outputs(t, q, u, c):
     left_wall_gap = left_wall_apart_x - radius
     right_wall_gap = -right_wall_apart_x - radius
     return ca.vertcat(left_wall_gap, right_wall_gap)
+
+
+def landmarks(p):
+    """What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes
+    of its body.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        track.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        track.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        left_wall.sphere (4,): x [m], y [m], z [m], radius [m]
+        left_wall.plane (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
+        right_wall.sphere (4,): x [m], y [m], z [m], radius [m]
+        right_wall.plane (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
+        ball.centre (3,): x [m], y [m], z [m]
+    """
+    radius = p[1]
+    gap = p[2]
+    return (
+        ca.vertcat(0, 0, 0, 1, 0, 0),
+        ca.vertcat(0, 0, 0, 1, 0, 0),
+        ca.vertcat(0, 0, 0, radius),
+        ca.vertcat(-gap - radius, 0, 0, 1, 0, 0),
+        ca.vertcat(0, 0, 0, radius),
+        ca.vertcat(gap + radius, 0, 0, -1, 0, 0),
+        ca.vertcat(0, 0, 0),
+    )

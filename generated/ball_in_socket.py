@@ -5,7 +5,7 @@ Effects:
     gravity: uniform gravity
     ball_joint: power
     energy_ledger: work put in, energy dissipated per effect
-Units: 59 assignments and 93 outputs checked, all consistent
+Units: 59 assignments and 110 outputs checked, all consistent
 Operations: flight 44 (equations of motion and gaps); in contact also contact_ball_joint 21
 """
 
@@ -90,6 +90,13 @@ BODIES = (
     "ball",
 )
 
+LANDMARKS = (
+    ("ball_joint", "ball_in_socket", "ball", "ball", ("radius",)),
+    ("ball_joint", "ball_in_socket", "socket", "ground", ("radius",)),
+    ("gravity", "gravity", "direction", "ground", ("axis",)),
+    ("ball", "body", "centre", "ball", ()),
+)
+
 CONSTANTS = (
     ("mass", "kg"),
     ("clearance", "m"),
@@ -119,6 +126,7 @@ OPERATIONS = (
     ("energy", 68),
     ("poses", 24),
     ("outputs", 0),
+    ("landmarks", 1),
 )
 
 
@@ -483,3 +491,24 @@ def outputs(t, q, u, c):
     float_y = q[1]
     float_z = q[2]
     return ca.vertcat(float_x, float_y, float_z)
+
+
+def landmarks(p):
+    """What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes
+    of its body.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        ball_joint.ball (4,): x [m], y [m], z [m], radius [m]
+        ball_joint.socket (4,): x [m], y [m], z [m], radius [m]
+        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        ball.centre (3,): x [m], y [m], z [m]
+    """
+    clearance = p[1]
+    socket_radius = p[2]
+    return (
+        ca.vertcat(0, 0, 0, socket_radius - clearance),
+        ca.vertcat(0, 0, 0, socket_radius),
+        ca.vertcat(0, 0, 0, 0, 0, -1),
+        ca.vertcat(0, 0, 0),
+    )

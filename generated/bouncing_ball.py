@@ -5,7 +5,7 @@ Effects:
     gravity: uniform gravity
     floor: power x flores
     energy_ledger: work put in, energy dissipated per effect
-Units: 16 assignments and 46 outputs checked, all consistent
+Units: 16 assignments and 77 outputs checked, all consistent
 Operations: flight 4 (equations of motion and gaps); in contact also contact_floor 14
 """
 
@@ -79,6 +79,15 @@ BODIES = (
     "ball",
 )
 
+LANDMARKS = (
+    ("vertical", "prismatic", "parent", "ground", ("axis",)),
+    ("vertical", "prismatic", "child", "ball", ("axis",)),
+    ("floor", "sphere_on_plane", "sphere", "ball", ("radius",)),
+    ("floor", "sphere_on_plane", "plane", "ground", ("normal",)),
+    ("gravity", "gravity", "direction", "ground", ("axis",)),
+    ("ball", "body", "centre", "ball", ()),
+)
+
 CONSTANTS = (
     ("mass", "kg"),
     ("radius", "m"),
@@ -106,6 +115,7 @@ OPERATIONS = (
     ("energy", 11),
     ("poses", 0),
     ("outputs", 1),
+    ("landmarks", 0),
 )
 
 
@@ -323,3 +333,27 @@ def outputs(t, q, u, c):
     vertical_travel = q[0]
     floor_gap = vertical_travel - radius
     return ca.vertcat(floor_gap)
+
+
+def landmarks(p):
+    """What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes
+    of its body.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        vertical.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        vertical.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        floor.sphere (4,): x [m], y [m], z [m], radius [m]
+        floor.plane (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
+        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        ball.centre (3,): x [m], y [m], z [m]
+    """
+    radius = p[1]
+    return (
+        ca.vertcat(0, 0, 0, 0, 1, 0),
+        ca.vertcat(0, 0, 0, 0, 1, 0),
+        ca.vertcat(0, 0, 0, radius),
+        ca.vertcat(0, 0, 0, 0, 1, 0),
+        ca.vertcat(0, 0, 0, 0, -1, 0),
+        ca.vertcat(0, 0, 0),
+    )

@@ -4,7 +4,7 @@ Do not edit; regenerate with `hertzwerk derive double_pendulum`.
 Effects:
     gravity: uniform gravity
     energy_ledger: work put in, energy dissipated per effect
-Units: 46 assignments and 54 outputs checked, all consistent
+Units: 46 assignments and 90 outputs checked, all consistent
 Operations: flight 62 (equations of motion and gaps)
 """
 
@@ -61,6 +61,16 @@ BODIES = (
     "lower",
 )
 
+LANDMARKS = (
+    ("shoulder", "revolute", "parent", "ground", ("axis",)),
+    ("shoulder", "revolute", "child", "upper", ("axis",)),
+    ("elbow", "revolute", "parent", "upper", ("axis",)),
+    ("elbow", "revolute", "child", "lower", ("axis",)),
+    ("gravity", "gravity", "direction", "ground", ("axis",)),
+    ("upper", "body", "centre", "upper", ()),
+    ("lower", "body", "centre", "lower", ()),
+)
+
 CONSTANTS = (
     ("length", "m"),
     ("gravity", "m/s^2"),
@@ -87,6 +97,7 @@ OPERATIONS = (
     ("energy", 37),
     ("poses", 10),
     ("outputs", 0),
+    ("landmarks", 3),
 )
 
 
@@ -332,3 +343,29 @@ def outputs(t, q, u, c):
         y (0,): empty
     """
     return ca.vertcat()
+
+
+def landmarks(p):
+    """What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes
+    of its body.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        shoulder.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        shoulder.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        elbow.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        elbow.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        upper.centre (3,): x [m], y [m], z [m]
+        lower.centre (3,): x [m], y [m], z [m]
+    """
+    length = p[1]
+    return (
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, -length, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, -1, 0),
+        ca.vertcat(0, -length, 0),
+        ca.vertcat(0, -length, 0),
+    )

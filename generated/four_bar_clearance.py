@@ -7,7 +7,7 @@ Effects:
     rocker_pin: hertz_point x flores
     rocker_pin_friction: smooth_coulomb at rocker_pin
     energy_ledger: work put in, energy dissipated per effect
-Units: 112 assignments and 110 outputs checked, all consistent
+Units: 112 assignments and 178 outputs checked, all consistent
 Operations: flight 162 (equations of motion and gaps); in contact also contact_rocker_pin 113
 """
 
@@ -111,6 +111,22 @@ BODIES = (
     "rocker",
 )
 
+LANDMARKS = (
+    ("main_bearing", "revolute", "parent", "ground", ("axis",)),
+    ("main_bearing", "revolute", "child", "crank", ("axis",)),
+    ("crank_pin", "revolute", "parent", "crank", ("axis",)),
+    ("crank_pin", "revolute", "child", "coupler", ("axis",)),
+    ("rocker_bearing", "revolute", "parent", "ground", ("axis",)),
+    ("rocker_bearing", "revolute", "child", "rocker", ("axis",)),
+    ("rocker_pin", "pin_in_bush", "pin", "coupler", ("radius",)),
+    ("rocker_pin", "pin_in_bush", "bush", "rocker", ("radius", "axis")),
+    ("crank_drive", "turn_drive", "child", "crank", ("axis",)),
+    ("gravity", "gravity", "direction", "ground", ("axis",)),
+    ("crank", "body", "centre", "crank", ()),
+    ("coupler", "body", "centre", "coupler", ()),
+    ("rocker", "body", "centre", "rocker", ()),
+)
+
 CONSTANTS = (
     ("coupler_length", "m"),
     ("rocker_length", "m"),
@@ -159,6 +175,7 @@ OPERATIONS = (
     ("poses", 13),
     ("outputs", 25),
     ("period", 3),
+    ("landmarks", 3),
 )
 
 
@@ -714,3 +731,46 @@ def period(p):
     """
     crank_speed = p[12]
     return ca.vertcat(2*3.141592653589793/ca.fabs(crank_speed))
+
+
+def landmarks(p):
+    """What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes
+    of its body.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        main_bearing.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        main_bearing.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        crank_pin.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        crank_pin.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        rocker_bearing.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        rocker_bearing.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        rocker_pin.pin (4,): x [m], y [m], z [m], radius [m]
+        rocker_pin.bush (7,): x [m], y [m], z [m], radius [m], axis_x [1], axis_y [1], axis_z [1]
+        crank_drive.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        crank.centre (3,): x [m], y [m], z [m]
+        coupler.centre (3,): x [m], y [m], z [m]
+        rocker.centre (3,): x [m], y [m], z [m]
+    """
+    coupler_length = p[4]
+    rocker_length = p[7]
+    crank_length = p[8]
+    base_length = p[9]
+    bush_radius = p[10]
+    clearance = p[11]
+    return (
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(crank_length, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(base_length, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(coupler_length, 0, 0, bush_radius - clearance),
+        ca.vertcat(rocker_length, 0, 0, bush_radius, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, -1, 0),
+        ca.vertcat(0, 0, 0),
+        ca.vertcat(coupler_length/2, 0, 0),
+        ca.vertcat(rocker_length/2, 0, 0),
+    )

@@ -7,7 +7,7 @@ Effects:
     bearing: power x flores
     bearing_friction: smooth_coulomb at bearing
     energy_ledger: work put in, energy dissipated per effect
-Units: 42 assignments and 75 outputs checked, all consistent
+Units: 42 assignments and 116 outputs checked, all consistent
 Operations: flight 29 (equations of motion and gaps); in contact also contact_bearing 43
 """
 
@@ -97,6 +97,17 @@ BODIES = (
     "journal",
 )
 
+LANDMARKS = (
+    ("shaft", "planar", "parent", "ground", ("normal",)),
+    ("shaft", "planar", "child", "journal", ("normal",)),
+    ("bearing", "pin_in_bush", "pin", "journal", ("radius",)),
+    ("bearing", "pin_in_bush", "bush", "ground", ("radius", "axis")),
+    ("motor", "turn_drive", "child", "journal", ("axis",)),
+    ("load", "force", "point", "journal", ()),
+    ("load", "force", "axes", "ground", ("force",)),
+    ("journal", "body", "centre", "journal", ()),
+)
+
 CONSTANTS = (
     ("clearance", "m"),
     ("speed", "1/s"),
@@ -131,6 +142,7 @@ OPERATIONS = (
     ("poses", 4),
     ("outputs", 0),
     ("period", 3),
+    ("landmarks", 2),
 )
 
 
@@ -417,3 +429,33 @@ def period(p):
     """
     speed = p[4]
     return ca.vertcat(2*3.141592653589793/ca.fabs(speed))
+
+
+def landmarks(p):
+    """What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes
+    of its body.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        shaft.parent (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
+        shaft.child (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
+        bearing.pin (4,): x [m], y [m], z [m], radius [m]
+        bearing.bush (7,): x [m], y [m], z [m], radius [m], axis_x [1], axis_y [1], axis_z [1]
+        motor.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        load.point (3,): x [m], y [m], z [m]
+        load.axes (6,): x [m], y [m], z [m], force_x [N], force_y [N], force_z [N]
+        journal.centre (3,): x [m], y [m], z [m]
+    """
+    bush_radius = p[2]
+    clearance = p[3]
+    load = p[5]
+    return (
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, bush_radius - clearance),
+        ca.vertcat(0, 0, 0, bush_radius, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0),
+        ca.vertcat(0, 0, 0, 0, -load, 0),
+        ca.vertcat(0, 0, 0),
+    )

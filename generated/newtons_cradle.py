@@ -8,7 +8,7 @@ Effects:
     contact_2: power x exact
     contact_3: power x exact
     energy_ledger: work put in, energy dissipated per effect
-Units: 189 assignments and 192 outputs checked, all consistent
+Units: 189 assignments and 305 outputs checked, all consistent
 Operations: flight 298 (equations of motion and gaps); in contact also contact_contact_0 47, contact_contact_1 47, contact_contact_2 47, contact_contact_3 47
 """
 
@@ -115,6 +115,33 @@ BODIES = (
     "ball_4",
 )
 
+LANDMARKS = (
+    ("string_0", "revolute", "parent", "ground", ("axis",)),
+    ("string_0", "revolute", "child", "ball_0", ("axis",)),
+    ("string_1", "revolute", "parent", "ground", ("axis",)),
+    ("string_1", "revolute", "child", "ball_1", ("axis",)),
+    ("string_2", "revolute", "parent", "ground", ("axis",)),
+    ("string_2", "revolute", "child", "ball_2", ("axis",)),
+    ("string_3", "revolute", "parent", "ground", ("axis",)),
+    ("string_3", "revolute", "child", "ball_3", ("axis",)),
+    ("string_4", "revolute", "parent", "ground", ("axis",)),
+    ("string_4", "revolute", "child", "ball_4", ("axis",)),
+    ("contact_0", "sphere_on_sphere", "first", "ball_0", ("radius",)),
+    ("contact_0", "sphere_on_sphere", "second", "ball_1", ("radius",)),
+    ("contact_1", "sphere_on_sphere", "first", "ball_1", ("radius",)),
+    ("contact_1", "sphere_on_sphere", "second", "ball_2", ("radius",)),
+    ("contact_2", "sphere_on_sphere", "first", "ball_2", ("radius",)),
+    ("contact_2", "sphere_on_sphere", "second", "ball_3", ("radius",)),
+    ("contact_3", "sphere_on_sphere", "first", "ball_3", ("radius",)),
+    ("contact_3", "sphere_on_sphere", "second", "ball_4", ("radius",)),
+    ("gravity", "gravity", "direction", "ground", ("axis",)),
+    ("ball_0", "body", "centre", "ball_0", ()),
+    ("ball_1", "body", "centre", "ball_1", ()),
+    ("ball_2", "body", "centre", "ball_2", ()),
+    ("ball_3", "body", "centre", "ball_3", ()),
+    ("ball_4", "body", "centre", "ball_4", ()),
+)
+
 CONSTANTS = (
     ("length", "m"),
     ("gravity", "m/s^2"),
@@ -154,6 +181,7 @@ OPERATIONS = (
     ("energy", 101),
     ("poses", 15),
     ("outputs", 61),
+    ("landmarks", 21),
 )
 
 
@@ -966,3 +994,65 @@ def outputs(t, q, u, c):
     contact_3_penetration = contact_0_reach - contact_3_distance
     return ca.vertcat(-contact_0_penetration, -contact_1_penetration, -contact_2_penetration,
         -contact_3_penetration)
+
+
+def landmarks(p):
+    """What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes
+    of its body.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        string_0.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        string_0.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        string_1.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        string_1.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        string_2.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        string_2.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        string_3.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        string_3.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        string_4.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        string_4.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        contact_0.first (4,): x [m], y [m], z [m], radius [m]
+        contact_0.second (4,): x [m], y [m], z [m], radius [m]
+        contact_1.first (4,): x [m], y [m], z [m], radius [m]
+        contact_1.second (4,): x [m], y [m], z [m], radius [m]
+        contact_2.first (4,): x [m], y [m], z [m], radius [m]
+        contact_2.second (4,): x [m], y [m], z [m], radius [m]
+        contact_3.first (4,): x [m], y [m], z [m], radius [m]
+        contact_3.second (4,): x [m], y [m], z [m], radius [m]
+        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        ball_0.centre (3,): x [m], y [m], z [m]
+        ball_1.centre (3,): x [m], y [m], z [m]
+        ball_2.centre (3,): x [m], y [m], z [m]
+        ball_3.centre (3,): x [m], y [m], z [m]
+        ball_4.centre (3,): x [m], y [m], z [m]
+    """
+    radius = p[0]
+    length = p[2]
+    spacing = p[3]
+    return (
+        ca.vertcat(0, length, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(2*radius*spacing, length, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(4*radius*spacing, length, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(6*radius*spacing, length, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(8*radius*spacing, length, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, -length, 0, radius),
+        ca.vertcat(0, -length, 0, radius),
+        ca.vertcat(0, -length, 0, radius),
+        ca.vertcat(0, -length, 0, radius),
+        ca.vertcat(0, -length, 0, radius),
+        ca.vertcat(0, -length, 0, radius),
+        ca.vertcat(0, -length, 0, radius),
+        ca.vertcat(0, -length, 0, radius),
+        ca.vertcat(0, 0, 0, 0, -1, 0),
+        ca.vertcat(0, -length, 0),
+        ca.vertcat(0, -length, 0),
+        ca.vertcat(0, -length, 0),
+        ca.vertcat(0, -length, 0),
+        ca.vertcat(0, -length, 0),
+    )

@@ -4,7 +4,7 @@ Do not edit; regenerate with `hertzwerk derive pendulum`.
 Effects:
     gravity: uniform gravity
     energy_ledger: work put in, energy dissipated per effect
-Units: 14 assignments and 31 outputs checked, all consistent
+Units: 14 assignments and 52 outputs checked, all consistent
 Operations: flight 6 (equations of motion and gaps)
 """
 
@@ -57,6 +57,13 @@ BODIES = (
     "bob",
 )
 
+LANDMARKS = (
+    ("hinge", "revolute", "parent", "ground", ("axis",)),
+    ("hinge", "revolute", "child", "bob", ("axis",)),
+    ("gravity", "gravity", "direction", "ground", ("axis",)),
+    ("bob", "body", "centre", "bob", ()),
+)
+
 CONSTANTS = (
     ("length", "m"),
     ("gravity", "m/s^2"),
@@ -79,6 +86,7 @@ OPERATIONS = (
     ("energy", 7),
     ("poses", 3),
     ("outputs", 0),
+    ("landmarks", 1),
 )
 
 
@@ -248,3 +256,23 @@ def outputs(t, q, u, c):
         y (0,): empty
     """
     return ca.vertcat()
+
+
+def landmarks(p):
+    """What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes
+    of its body.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        hinge.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        hinge.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        bob.centre (3,): x [m], y [m], z [m]
+    """
+    length = p[1]
+    return (
+        ca.vertcat(0, length, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, -1, 0),
+        ca.vertcat(0, -length, 0),
+    )

@@ -6,7 +6,7 @@ Effects:
     gravity: uniform gravity
     slider_pin: hertz_point x lankarani_nikravesh
     energy_ledger: work put in, energy dissipated per effect
-Units: 87 assignments and 99 outputs checked, all consistent
+Units: 87 assignments and 167 outputs checked, all consistent
 Operations: flight 131 (equations of motion and gaps); in contact also contact_slider_pin 59
 """
 
@@ -102,6 +102,22 @@ BODIES = (
     "slider",
 )
 
+LANDMARKS = (
+    ("main_bearing", "revolute", "parent", "ground", ("axis",)),
+    ("main_bearing", "revolute", "child", "crank", ("axis",)),
+    ("crank_pin", "revolute", "parent", "crank", ("axis",)),
+    ("crank_pin", "revolute", "child", "rod", ("axis",)),
+    ("guide", "prismatic", "parent", "ground", ("axis",)),
+    ("guide", "prismatic", "child", "slider", ("axis",)),
+    ("slider_pin", "pin_in_bush", "pin", "rod", ("radius",)),
+    ("slider_pin", "pin_in_bush", "bush", "slider", ("radius", "axis")),
+    ("crank_drive", "turn_drive", "child", "crank", ("axis",)),
+    ("gravity", "gravity", "direction", "ground", ("axis",)),
+    ("crank", "body", "centre", "crank", ()),
+    ("rod", "body", "centre", "rod", ()),
+    ("slider", "body", "centre", "slider", ()),
+)
+
 CONSTANTS = (
     ("rod_mass_centre", "m"),
     ("crank_radius", "m"),
@@ -143,6 +159,7 @@ OPERATIONS = (
     ("poses", 10),
     ("outputs", 13),
     ("period", 3),
+    ("landmarks", 1),
 )
 
 
@@ -601,3 +618,45 @@ def period(p):
     """
     crank_speed = p[10]
     return ca.vertcat(2*3.141592653589793/ca.fabs(crank_speed))
+
+
+def landmarks(p):
+    """What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes
+    of its body.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        main_bearing.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        main_bearing.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        crank_pin.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        crank_pin.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        guide.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        guide.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        slider_pin.pin (4,): x [m], y [m], z [m], radius [m]
+        slider_pin.bush (7,): x [m], y [m], z [m], radius [m], axis_x [1], axis_y [1], axis_z [1]
+        crank_drive.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        crank.centre (3,): x [m], y [m], z [m]
+        rod.centre (3,): x [m], y [m], z [m]
+        slider.centre (3,): x [m], y [m], z [m]
+    """
+    rod_mass_centre = p[4]
+    crank_radius = p[6]
+    bush_radius = p[7]
+    clearance = p[8]
+    rod_length = p[9]
+    return (
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(crank_radius, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 1, 0, 0),
+        ca.vertcat(0, 0, 0, 1, 0, 0),
+        ca.vertcat(rod_length, 0, 0, bush_radius - clearance),
+        ca.vertcat(0, 0, 0, bush_radius, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, -1, 0),
+        ca.vertcat(0, 0, 0),
+        ca.vertcat(rod_mass_centre, 0, 0),
+        ca.vertcat(0, 0, 0),
+    )

@@ -9,7 +9,7 @@ Effects:
     crank_pin_friction: smooth_coulomb at crank_pin
     slider_pin_friction: smooth_coulomb at slider_pin
     energy_ledger: work put in, energy dissipated per effect
-Units: 128 assignments and 144 outputs checked, all consistent
+Units: 128 assignments and 223 outputs checked, all consistent
 Operations: flight 159 (equations of motion and gaps); in contact also contact_crank_pin 86, contact_slider_pin 67
 """
 
@@ -125,6 +125,24 @@ BODIES = (
     "slider",
 )
 
+LANDMARKS = (
+    ("main_bearing", "revolute", "parent", "ground", ("axis",)),
+    ("main_bearing", "revolute", "child", "crank", ("axis",)),
+    ("rod_plane", "planar", "parent", "ground", ("normal",)),
+    ("rod_plane", "planar", "child", "rod", ("normal",)),
+    ("guide", "prismatic", "parent", "ground", ("axis",)),
+    ("guide", "prismatic", "child", "slider", ("axis",)),
+    ("crank_pin", "pin_in_bush", "pin", "crank", ("radius",)),
+    ("crank_pin", "pin_in_bush", "bush", "rod", ("radius", "axis")),
+    ("slider_pin", "pin_in_bush", "pin", "rod", ("radius",)),
+    ("slider_pin", "pin_in_bush", "bush", "slider", ("radius", "axis")),
+    ("crank_drive", "turn_drive", "child", "crank", ("axis",)),
+    ("gravity", "gravity", "direction", "ground", ("axis",)),
+    ("crank", "body", "centre", "crank", ()),
+    ("rod", "body", "centre", "rod", ()),
+    ("slider", "body", "centre", "slider", ()),
+)
+
 CONSTANTS = (
     ("rod_mass", "kg"),
     ("rod_mass_centre", "m"),
@@ -167,6 +185,7 @@ OPERATIONS = (
     ("poses", 7),
     ("outputs", 20),
     ("period", 3),
+    ("landmarks", 1),
 )
 
 
@@ -732,3 +751,50 @@ def period(p):
     """
     crank_speed = p[10]
     return ca.vertcat(2*3.141592653589793/ca.fabs(crank_speed))
+
+
+def landmarks(p):
+    """What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes
+    of its body.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        main_bearing.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        main_bearing.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        rod_plane.parent (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
+        rod_plane.child (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
+        guide.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        guide.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        crank_pin.pin (4,): x [m], y [m], z [m], radius [m]
+        crank_pin.bush (7,): x [m], y [m], z [m], radius [m], axis_x [1], axis_y [1], axis_z [1]
+        slider_pin.pin (4,): x [m], y [m], z [m], radius [m]
+        slider_pin.bush (7,): x [m], y [m], z [m], radius [m], axis_x [1], axis_y [1], axis_z [1]
+        crank_drive.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        crank.centre (3,): x [m], y [m], z [m]
+        rod.centre (3,): x [m], y [m], z [m]
+        slider.centre (3,): x [m], y [m], z [m]
+    """
+    rod_mass_centre = p[4]
+    bush_radius = p[6]
+    clearance = p[7]
+    crank_radius = p[8]
+    rod_length = p[9]
+    x1 = bush_radius - clearance
+    return (
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 1, 0, 0),
+        ca.vertcat(0, 0, 0, 1, 0, 0),
+        ca.vertcat(crank_radius, 0, 0, x1),
+        ca.vertcat(0, 0, 0, bush_radius, 0, 0, 1),
+        ca.vertcat(rod_length, 0, 0, x1),
+        ca.vertcat(0, 0, 0, bush_radius, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, -1, 0),
+        ca.vertcat(0, 0, 0),
+        ca.vertcat(rod_mass_centre, 0, 0),
+        ca.vertcat(0, 0, 0),
+    )

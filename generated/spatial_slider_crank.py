@@ -6,7 +6,7 @@ Effects:
     gravity: uniform gravity
     crank_ball: hertz_point x flores
     energy_ledger: work put in, energy dissipated per effect
-Units: 130 assignments and 115 outputs checked, all consistent
+Units: 130 assignments and 180 outputs checked, all consistent
 Operations: flight 220 (equations of motion and gaps); in contact also contact_crank_ball 94
 """
 
@@ -113,6 +113,22 @@ BODIES = (
     "rod",
 )
 
+LANDMARKS = (
+    ("main_bearing", "revolute", "parent", "ground", ("axis",)),
+    ("main_bearing", "revolute", "child", "crank", ("axis",)),
+    ("guide", "prismatic", "parent", "ground", ("axis",)),
+    ("guide", "prismatic", "child", "slider", ("axis",)),
+    ("slider_joint", "universal", "parent", "slider", ("axis",)),
+    ("slider_joint", "universal", "child", "rod", ("axis",)),
+    ("crank_ball", "ball_in_socket", "ball", "rod", ("radius",)),
+    ("crank_ball", "ball_in_socket", "socket", "crank", ("radius",)),
+    ("crank_drive", "turn_drive", "child", "crank", ("axis",)),
+    ("gravity", "gravity", "direction", "ground", ("axis",)),
+    ("crank", "body", "centre", "crank", ()),
+    ("slider", "body", "centre", "slider", ()),
+    ("rod", "body", "centre", "rod", ()),
+)
+
 CONSTANTS = (
     ("rod_inertia_x", "kg m^2"),
     ("rod_length", "m"),
@@ -161,6 +177,7 @@ OPERATIONS = (
     ("poses", 14),
     ("outputs", 28),
     ("period", 3),
+    ("landmarks", 4),
 )
 
 
@@ -729,3 +746,46 @@ def period(p):
     """
     crank_speed = p[15]
     return ca.vertcat(2*3.141592653589793/ca.fabs(crank_speed))
+
+
+def landmarks(p):
+    """What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes
+    of its body.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        main_bearing.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        main_bearing.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        guide.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        guide.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        slider_joint.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        slider_joint.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        crank_ball.ball (4,): x [m], y [m], z [m], radius [m]
+        crank_ball.socket (4,): x [m], y [m], z [m], radius [m]
+        crank_drive.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        crank.centre (3,): x [m], y [m], z [m]
+        slider.centre (3,): x [m], y [m], z [m]
+        rod.centre (3,): x [m], y [m], z [m]
+    """
+    rod_length = p[9]
+    bearing_y = p[10]
+    bearing_z = p[11]
+    socket_radius = p[12]
+    clearance = p[13]
+    crank_length = p[14]
+    return (
+        ca.vertcat(0, bearing_y, bearing_z, 1, 0, 0),
+        ca.vertcat(0, 0, 0, 1, 0, 0),
+        ca.vertcat(0, 0, 0, 1, 0, 0),
+        ca.vertcat(0, 0, 0, 1, 0, 0),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 1, 0),
+        ca.vertcat(-rod_length, 0, 0, socket_radius - clearance),
+        ca.vertcat(0, 0, crank_length, socket_radius),
+        ca.vertcat(0, 0, 0, 1, 0, 0),
+        ca.vertcat(0, 0, 0, 0, 0, -1),
+        ca.vertcat(0, 0, 0),
+        ca.vertcat(0, 0, 0),
+        ca.vertcat(-rod_length/2, 0, 0),
+    )

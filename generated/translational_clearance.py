@@ -12,7 +12,7 @@ Effects:
     front_lower_friction: smooth_coulomb at front_lower
     front_upper_friction: smooth_coulomb at front_upper
     energy_ledger: work put in, energy dissipated per effect
-Units: 252 assignments and 186 outputs checked, all consistent
+Units: 252 assignments and 289 outputs checked, all consistent
 Operations: flight 356 (equations of motion and gaps); in contact also contact_rear_lower 110, contact_rear_upper 114, contact_front_lower 109, contact_front_upper 113
 """
 
@@ -141,6 +141,27 @@ BODIES = (
     "slider",
 )
 
+LANDMARKS = (
+    ("main_bearing", "revolute", "parent", "ground", ("axis",)),
+    ("main_bearing", "revolute", "child", "crank", ("axis",)),
+    ("crank_pin", "revolute", "parent", "crank", ("axis",)),
+    ("crank_pin", "revolute", "child", "rod", ("axis",)),
+    ("slider_pin", "revolute", "parent", "rod", ("axis",)),
+    ("slider_pin", "revolute", "child", "slider", ("axis",)),
+    ("rear_lower", "corner_on_face", "corner", "slider", ()),
+    ("rear_lower", "corner_on_face", "face", "ground", ("normal", "along", "length")),
+    ("rear_upper", "corner_on_face", "corner", "slider", ()),
+    ("rear_upper", "corner_on_face", "face", "ground", ("normal", "along", "length")),
+    ("front_lower", "corner_on_face", "corner", "slider", ()),
+    ("front_lower", "corner_on_face", "face", "ground", ("normal", "along", "length")),
+    ("front_upper", "corner_on_face", "corner", "slider", ()),
+    ("front_upper", "corner_on_face", "face", "ground", ("normal", "along", "length")),
+    ("gravity", "gravity", "direction", "ground", ("axis",)),
+    ("crank", "body", "centre", "crank", ()),
+    ("rod", "body", "centre", "rod", ()),
+    ("slider", "body", "centre", "slider", ()),
+)
+
 CONSTANTS = (
     ("crank_length", "m"),
     ("rod_length", "m"),
@@ -192,6 +213,7 @@ OPERATIONS = (
     ("energy", 157),
     ("poses", 17),
     ("outputs", 78),
+    ("landmarks", 9),
 )
 
 
@@ -1212,3 +1234,62 @@ def outputs(t, q, u, c):
     front_upper_beyond = k1 + ca.if_else(front_upper_apart_x > 0, front_upper_apart_x, -front_upper_apart_x)
     front_upper_gap = ca.if_else(-front_upper_apart_y > front_upper_beyond, -front_upper_apart_y, front_upper_beyond)
     return ca.vertcat(rear_lower_gap, rear_upper_gap, front_lower_gap, front_upper_gap)
+
+
+def landmarks(p):
+    """What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes
+    of its body.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        main_bearing.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        main_bearing.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        crank_pin.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        crank_pin.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        slider_pin.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        slider_pin.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        rear_lower.corner (3,): x [m], y [m], z [m]
+        rear_lower.face (10,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1], along_x [1], along_y
+            [1], along_z [1], length [m]
+        rear_upper.corner (3,): x [m], y [m], z [m]
+        rear_upper.face (10,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1], along_x [1], along_y
+            [1], along_z [1], length [m]
+        front_lower.corner (3,): x [m], y [m], z [m]
+        front_lower.face (10,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1], along_x [1], along_y
+            [1], along_z [1], length [m]
+        front_upper.corner (3,): x [m], y [m], z [m]
+        front_upper.face (10,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1], along_x [1], along_y
+            [1], along_z [1], length [m]
+        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        crank.centre (3,): x [m], y [m], z [m]
+        rod.centre (3,): x [m], y [m], z [m]
+        slider.centre (3,): x [m], y [m], z [m]
+    """
+    crank_length = p[2]
+    rod_length = p[5]
+    guide_length = p[8]
+    half_length = p[9]
+    half_width = p[10]
+    clearance = p[11]
+    x1 = -clearance - half_width
+    x2 = clearance + half_width
+    return (
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(crank_length, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(rod_length, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(-half_length, -half_width, 0),
+        ca.vertcat(rod_length, x1, 0, 0, 1, 0, 1, 0, 0, guide_length),
+        ca.vertcat(-half_length, half_width, 0),
+        ca.vertcat(rod_length, x2, 0, 0, -1, 0, 1, 0, 0, guide_length),
+        ca.vertcat(half_length, -half_width, 0),
+        ca.vertcat(rod_length, x1, 0, 0, 1, 0, 1, 0, 0, guide_length),
+        ca.vertcat(half_length, half_width, 0),
+        ca.vertcat(rod_length, x2, 0, 0, -1, 0, 1, 0, 0, guide_length),
+        ca.vertcat(0, 0, 0, 0, -1, 0),
+        ca.vertcat(crank_length/2, 0, 0),
+        ca.vertcat(rod_length/2, 0, 0),
+        ca.vertcat(0, 0, 0),
+    )

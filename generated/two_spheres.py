@@ -4,7 +4,7 @@ Do not edit; regenerate with `hertzwerk derive two_spheres`.
 Effects:
     spheres: hertz_point x flores
     energy_ledger: work put in, energy dissipated per effect
-Units: 36 assignments and 65 outputs checked, all consistent
+Units: 36 assignments and 103 outputs checked, all consistent
 Operations: flight 19 (equations of motion and gaps); in contact also contact_spheres 22
 """
 
@@ -81,6 +81,17 @@ BODIES = (
     "target",
 )
 
+LANDMARKS = (
+    ("striker_path", "prismatic", "parent", "ground", ("axis",)),
+    ("striker_path", "prismatic", "child", "striker", ("axis",)),
+    ("target_path", "prismatic", "parent", "ground", ("axis",)),
+    ("target_path", "prismatic", "child", "target", ("axis",)),
+    ("spheres", "sphere_on_sphere", "first", "striker", ("radius",)),
+    ("spheres", "sphere_on_sphere", "second", "target", ("radius",)),
+    ("striker", "body", "centre", "striker", ()),
+    ("target", "body", "centre", "target", ()),
+)
+
 CONSTANTS = (
     ("radius", "m"),
     ("spheres_reach", "m"),
@@ -107,6 +118,7 @@ OPERATIONS = (
     ("energy", 15),
     ("poses", 0),
     ("outputs", 5),
+    ("landmarks", 0),
 )
 
 
@@ -381,3 +393,31 @@ def outputs(t, q, u, c):
     spheres_distance = ca.sqrt(spheres_apart_squared)
     spheres_penetration = spheres_reach - spheres_distance
     return ca.vertcat(-spheres_penetration)
+
+
+def landmarks(p):
+    """What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes
+    of its body.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        striker_path.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        striker_path.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        target_path.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        target_path.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        spheres.first (4,): x [m], y [m], z [m], radius [m]
+        spheres.second (4,): x [m], y [m], z [m], radius [m]
+        striker.centre (3,): x [m], y [m], z [m]
+        target.centre (3,): x [m], y [m], z [m]
+    """
+    radius = p[1]
+    return (
+        ca.vertcat(0, 0, 0, 1, 0, 0),
+        ca.vertcat(0, 0, 0, 1, 0, 0),
+        ca.vertcat(0, 0, 0, 1, 0, 0),
+        ca.vertcat(0, 0, 0, 1, 0, 0),
+        ca.vertcat(0, 0, 0, radius),
+        ca.vertcat(0, 0, 0, radius),
+        ca.vertcat(0, 0, 0),
+        ca.vertcat(0, 0, 0),
+    )

@@ -153,6 +153,12 @@ class Model:
 
         return build.equations(self.declaration.scene())
 
+    def draw(self, *, parameters: Mapping[str, Value] | None = None, initial: Mapping[str, Value] | None = None) -> Any:
+        """A figure of the mechanism at its start, with its clearances enlarged; raises InputError. `Solution.draw` shows how it moves."""
+        from hertzwerk.runtime.draw import picture
+
+        return picture.of_start(self, parameters, initial)
+
     def bind(self, parameters: Mapping[str, Value] | None = None) -> Bound:
         """Defaults with `parameters` in their place, in SI; raises InputError with every fault."""
         bound, faults = self.check(parameters or {})
@@ -195,6 +201,7 @@ _INPUTS = {
     "outputs": "t q u c",
     "speed_limits": "p",
     "period": "p",
+    "landmarks": "p",
 }
 
 

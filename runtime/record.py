@@ -125,8 +125,10 @@ def _write_files(solution: Solution, folder: Path, *, plots: bool, averages: boo
     files = ["states.csv", "states.npz", "run.json"]
     if plots:
         from hertzwerk.runtime import plot
+        from hertzwerk.runtime.draw import picture
 
-        files += plot.save_all(solution, folder)
+        picture.save(picture.of_run(solution), folder / "mechanism.png")
+        files += ["mechanism.png", *plot.save_all(solution, folder)]
     return files
 
 

@@ -173,7 +173,7 @@ def _solution(
             compile_s=made.compile_s,
         ),
         warnings=(
-            *_unchecked(model),
+            *unchecked(model),
             *_open_forces(model, run.given),
             *bound.warnings,
             *_floored(counted["floored"], run.floor),
@@ -478,6 +478,18 @@ def _duration(duration: str | float | None, faults: list[Fault]) -> float:
     return math.nan
 
 
+def start_of(
+    model: Model, parameters: Mapping[str, Value], initial: Mapping[str, Value]
+) -> tuple[Bound, np.ndarray, np.ndarray]:
+    """What a run would start from: the numbers bound, q and u, loops closed; raises InputError with every fault."""
+    faults: list[Fault] = []
+    bound, wrong = model.check(parameters)
+    q, u = _start(model, bound, initial, faults)
+    if bound is None or wrong or faults:
+        raise InputError(model.name, wrong + faults)
+    return bound, q, u
+
+
 def _start(
     model: Model, bound: Bound | None, initial: Mapping[str, Value], faults: list[Fault]
 ) -> tuple[np.ndarray, np.ndarray]:
@@ -549,7 +561,8 @@ def _open_forces(model: Model, given: _Given) -> Iterator[str]:
         yield f"redundant constraints leave these forces open, of all that hold the least are given: {', '.join(names)}"
 
 
-def _unchecked(model: Model) -> tuple[str, ...]:
+def unchecked(model: Model) -> tuple[str, ...]:
+    """What of a model runs although it is inconsistent."""
     return tuple(
         f"{effect} is dimensionally inconsistent and runs unchecked: {why}" for effect, why in model.module.UNCHECKED
     )

@@ -151,6 +151,12 @@ class Solution:
 
         return plot.plot(self, *names, **options)
 
+    def draw(self) -> Any:
+        """A figure of the mechanism at its start and later, with its clearances enlarged; raises InputError for a saved run."""
+        from hertzwerk.runtime.draw import picture
+
+        return picture.of_run(self)
+
     def to_csv(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write every history as a column, headed `name [unit]`, rows at `run.t`, SI; raises FileExistsError."""
         columns = ["t", *self.names]

@@ -134,6 +134,7 @@ def test_build_opens_it_lazily():
 CLI = {
     "cli/__init__.py",
     "cli/audit.py",
+    "cli/draw.py",
     "cli/hardcases.py",
     "cli/laws.py",
     "cli/run.py",
@@ -141,10 +142,13 @@ CLI = {
     "cli/terminal.py",
 }
 
+DRAWING = ("drawing", "insets", "labels", "paper", "picture", "sheet")
+PICTURES = {"plot.py", "plot_laws.py", *(f"draw/{name}.py" for name in DRAWING)}
+
 
 @pytest.mark.parametrize(
     ("libraries", "home"),
-    [(("matplotlib",), {"plot.py", "plot_laws.py"}), (("click", "rich"), CLI), (("pydantic",), {"scenario.py"})],
+    [(("matplotlib",), PICTURES), (("click", "rich"), CLI), (("pydantic",), {"scenario.py"})],
 )
 def test_heavy_libraries_have_one_importer(libraries, home):
     importers = {

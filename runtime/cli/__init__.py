@@ -5,6 +5,7 @@ from __future__ import annotations
 import click
 
 from hertzwerk.runtime.cli.audit import audit
+from hertzwerk.runtime.cli.draw import draw
 from hertzwerk.runtime.cli.hardcases import hardcases
 from hertzwerk.runtime.cli.laws import laws
 from hertzwerk.runtime.cli.run import run, validate
@@ -35,5 +36,5 @@ def main() -> None:
     """
 
 
-for command in (list_scenes, laws, derive, audit, run, validate, hardcases):
+for command in (list_scenes, laws, derive, audit, run, draw, validate, hardcases):
     main.add_command(command)

@@ -120,8 +120,8 @@ def _simulate(
     faults: list[Fault] = []
     if out is not None and (fault := destination_fault(out)) is not None:
         faults.append(fault)
-    values = _assignments("--set", settings, faults)
-    model = load(target, without=without, laws=_assignments("--law", laws, faults))
+    values = assignments("--set", settings, faults)
+    model = load(target, without=without, laws=assignments("--law", laws, faults))
     numbers = scenarios.read(target) if target in scenarios.names() else {}
     states = {*model.coordinates, *model.speeds}
     limits: dict[str, Any] = {"max_steps": 1} if faults else {}  # reads the rest of the input completely, and no more
@@ -145,7 +145,7 @@ def _simulate(
     return solution
 
 
-def _assignments(option: str, texts: Sequence[str], faults: list[Fault]) -> dict[str, str]:
+def assignments(option: str, texts: Sequence[str], faults: list[Fault]) -> dict[str, str]:
     """NAME=VALUE texts as a dictionary; what is no assignment, or a second one of a name, becomes a fault."""
     found: dict[str, str] = {}
     for text in texts:

@@ -161,6 +161,7 @@ def test_a_run_is_one_new_folder_with_everything_in_it(hertzwerk):
     assert done.exit_code == 0
     folder = Path("runs/two_spheres-001")
     assert sorted(path.name for path in folder.iterdir()) == [
+        "mechanism.png",
         "overview.png",
         "run.json",
         "spheres.png",

@@ -1,0 +1,91 @@
+"""`hertzwerk draw`: pictures of mechanisms."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.cli.run import assignments
+from hertzwerk.runtime.cli.terminal import GOOD, line, reports_bad_input
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.draw.places import Places
+
+TOLERANCE = 1e-6  # local; a picture shows no more
+
+
+@click.command()
+@click.argument("targets", metavar="[TARGET]...", nargs=-1)
+@click.option(
+    "--set", "settings", metavar="NAME=VALUE", multiple=True,
+    help='Parameter or initial state, with its unit: --set clearance="0.2 mm".',
+)  # fmt: skip
+@click.option(
+    "--duration", metavar="TIME", help='Such as "24 ms" (default: the scenario\'s; without one, the start alone).'
+)
+@click.option("--start", is_flag=True, help="The start alone; nothing is simulated.")
+@click.option(
+    "--out", type=click.Path(path_type=Path), help="PNG to write (default: TARGET.png, of several mechanisms.png)."
+)
+@click.option("--overwrite", is_flag=True, help="Write it in place of another.")
+@reports_bad_input
+def draw(
+    targets: tuple[str, ...],
+    settings: Sequence[str],
+    duration: str | None,
+    start: bool,
+    out: Path | None,
+    overwrite: bool,
+) -> int:
+    """Draw the mechanism of TARGET at its start and later, clearances enlarged; of several (default: all built-in scenes) one sheet."""
+    import matplotlib as mpl
+
+    from hertzwerk.runtime.build import built_in_scenes
+    from hertzwerk.runtime.draw import picture
+    from hertzwerk.runtime.draw.sheet import sheet
+    from hertzwerk.runtime.plot import STYLE
+    from hertzwerk.runtime.solution import write
+
+    faults: list[Fault] = []
+    values = assignments("--set", settings, faults)
+    names = targets or built_in_scenes()
+    if start and duration is not None:
+        faults.append(Fault("--duration", repr(duration), "none beside --start"))
+    if len(names) > 1 and (values or duration is not None):
+        faults.append(Fault("--set, --duration", "several targets", "one"))
+    if faults:
+        raise InputError("draw", faults)
+    seen = [_places(name, values, duration, start) for name in names]
+    path = out or Path(f"{seen[0][0].model.name}.png" if len(names) == 1 else "mechanisms.png")
+    content = io.BytesIO()
+    page = picture.figure(*seen[0]) if len(names) == 1 else sheet([places for places, _ in seen])
+    with mpl.rc_context(STYLE if len(names) == 1 else {}):
+        page.savefig(content, format="png")
+    line("written", str(write(path, content.getvalue(), overwrite=overwrite)))
+    return GOOD
+
+
+def _places(target: str, values: dict[str, str], duration: str | None, start: bool) -> tuple[Places, tuple[str, ...]]:
+    """Where a mechanism is in its scenario, and what to say of that; raises InputError."""
+    from hertzwerk.runtime import scenarios
+    from hertzwerk.runtime.draw.picture import notes_on
+    from hertzwerk.runtime.draw.places import Places
+    from hertzwerk.runtime.model import load
+    from hertzwerk.runtime.simulation import simulate, unchecked
+
+    model = load(target)
+    numbers = scenarios.read(target) if target in scenarios.names() else {}
+    states = {*model.coordinates, *model.speeds, *model.joints.coordinates, *model.joints.speeds}
+    initial = {name: value for name, value in values.items() if name in states}
+    parameters = {name: value for name, value in values.items() if name not in states}
+    until = duration or numbers.get("duration")
+    if start or until is None:
+        return Places.at_start(model, parameters, initial), unchecked(model)
+    method = numbers.get("method", "dop853")
+    run = simulate(model, duration=until, tolerance=TOLERANCE, method=method, parameters=parameters, initial=initial)
+    return Places.over(run), notes_on(run)

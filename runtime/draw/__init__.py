@@ -1,0 +1,1 @@
+"""Pictures of mechanisms, from the landmarks of their generated modules."""
