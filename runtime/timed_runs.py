@@ -1,0 +1,147 @@
+"""Runs of one problem, measured against its reference and timed fairly: what is built is built before, and the runs take turns.
+
+Runs are timed one after the other in one process, round after round: whatever else the machine does at a time then hits all of them alike, and the
+median of the rounds leaves it out.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from statistics import median
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hertzwerk.derive.faults import InputError
+from hertzwerk.runtime.integrate.choose import IMPLICIT
+from hertzwerk.runtime.integrate.methods import METHODS
+from hertzwerk.runtime.simulation import prepare
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.outcome import Outcome
+    from hertzwerk.runtime.reference import Problem, Reference
+    from hertzwerk.runtime.solution import Solution
+
+Array = NDArray[np.float64]
+
+MAX_STEPS = 300_000
+LATE = ("wall_time_limit", "too_many_steps")  # outcomes after which tighter accuracies would take too long, too
+ROUNDS, BUDGET = (
+    (3, 9),
+    15.0,
+)  # least and most rounds; after the least, no more that would go beyond so many seconds in all
+ONCE = 1.0  # s: what takes longer is not repeated
+SHORT, IN_A_ROW = 0.05, 3  # s: what takes less runs so often in a round
+
+
+@dataclass(frozen=True)
+class Try:
+    """One way to run the problem. Called, it returns the time [s] that the whole call takes its user, and the run."""
+
+    problem: Problem
+    method: str
+    compiled: bool
+    accuracy: float
+    wall_time: float
+
+    def __call__(self) -> tuple[float, Solution]:
+        """Run once."""
+        began = time.perf_counter()
+        run = self.problem(accuracy=self.accuracy, **self.options)
+        return time.perf_counter() - began, run
+
+    @property
+    def options(self) -> dict[str, Any]:
+        """Arguments of `simulate` but for the accuracy."""
+        limits = {"wall_time": self.wall_time, "max_steps": MAX_STEPS}
+        return {"method": self.method, "compiled": self.compiled, **limits}
+
+
+@dataclass
+class Made:
+    """What came of a try: what is kept of its run, and its times [s].
+
+    error, departure    (n,) at the times of the reference (see `Reference`), nan after the end of the run
+    taken               of the steps of `auto`, the share of each of its methods
+    """
+
+    by: Try
+    outcome: Outcome
+    reached: bool  # the end
+    error: Array
+    departure: Array
+    estimate: float | None
+    tolerance: float
+    steps: int
+    rhs_evaluations: int
+    taken: dict[str, float]
+    times: list[float] = field(default_factory=list)
+
+    @property
+    def time(self) -> float:
+        """Median [s]."""
+        return median(self.times)
+
+    @cached_property
+    def late(self) -> bool:
+        """Whether it took too long."""
+        return self.outcome.name in LATE
+
+
+def ready(problem: Problem, methods: Sequence[str]) -> bool:
+    """Build, and where there is a compiler compile, what the methods run with; returns whether there is one."""
+    try:
+        for method in methods:
+            prepare(problem.model, method, True)
+    except InputError:
+        return False
+    return True
+
+
+def make(by: Try, held: Reference) -> Made:
+    """Run once, and measure."""
+    by.problem(tolerance=by.accuracy, **{**by.options, "max_steps": 1})  # what is built once is built now
+    seconds, run = by()
+    return Made(
+        by=by,
+        outcome=run.outcome,
+        reached=run.t_end == held.t[-1],
+        error=held.error(run),
+        departure=held.departure(run),
+        estimate=_estimate(run),
+        tolerance=run.tolerance,
+        steps=run.statistics.steps,
+        rhs_evaluations=run.statistics.rhs_evaluations,
+        taken=_shares(run) if by.method == "auto" else {},
+        times=[seconds],
+    )
+
+
+def repeat(made: Sequence[Made], progress: Callable[[float], object]) -> None:
+    """Add to the times of what is short enough, in rounds."""
+    least, most = ROUNDS
+    short = [this for this in made if this.times[0] < ONCE]
+    began = time.perf_counter()
+    for done in range(most):
+        spent = time.perf_counter() - began
+        if done >= least and spent * (done + 1) / done > BUDGET:
+            break
+        for this in short:
+            for _ in range(IN_A_ROW if this.times[0] < SHORT else 1):
+                this.times.append(this.by()[0])
+            progress(min(1.0, (time.perf_counter() - began) / BUDGET))
+
+
+def _estimate(run: Solution) -> float | None:
+    return None
+
+
+def _shares(run: Solution) -> dict[str, float]:
+    """Share of the steps that `auto` took with each of its two methods."""
+    implicit = float(np.mean(run.history.part("method")[1:, 0] == IMPLICIT)) if len(run.t) > 1 else 0.0
+    explicit, other = (table().name for table in METHODS["auto"])
+    return {explicit: 1 - implicit, other: implicit}
