@@ -1,7 +1,8 @@
 """Runs of one problem, measured against its reference and timed fairly: what is built is built before, and the runs take turns.
 
 Runs are timed one after the other in one process, round after round: whatever else the machine does at a time then hits all of them alike, and the
-median of the rounds leaves it out.
+median of the rounds leaves it out. The time is the processor's, which a run, being one thread that waits for nothing, has all to itself on an idle
+machine; on a busy one the clock on the wall also shows the turns of others.
 """
 
 from __future__ import annotations
@@ -50,9 +51,9 @@ class Try:
 
     def __call__(self) -> tuple[float, Solution]:
         """Run once."""
-        began = time.perf_counter()
+        began = time.process_time()
         run = self.problem(accuracy=self.accuracy, **self.options)
-        return time.perf_counter() - began, run
+        return time.process_time() - began, run
 
     @property
     def options(self) -> dict[str, Any]:

@@ -1,0 +1,192 @@
+"""The picture of a work-precision study: error against time for every method, and how errors go along the run."""
+
+from __future__ import annotations
+
+import textwrap
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.ticker import LogLocator, NullFormatter
+
+from hertzwerk.runtime.accuracy_report import conclusions, length, seconds, warnings
+from hertzwerk.runtime.curves import scale_of
+from hertzwerk.runtime.horizon import LIMIT, crossing
+from hertzwerk.runtime.plot import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, STYLE, VERMILLION
+from hertzwerk.runtime.timed_runs import LATE
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from hertzwerk.runtime.work_precision import Study
+
+LOOKS = {
+    "dop853": (BLUE, "o"),
+    "dopri5": (SKY, "s"),
+    "esdirk": (GREEN, "D"),
+    "rodas": (ORANGE, "^"),
+    "auto": ("black", "x"),
+}
+OTHER = (PURPLE, "v")
+SHADE = "#ececec"
+LEAST = 1e-16  # errors are drawn down to this
+
+
+def save(study: Study, path: Path) -> None:
+    """Write the picture."""
+    with mpl.rc_context(STYLE):
+        figure(study).savefig(path)
+
+
+def figure(study: Study) -> Figure:
+    """The picture."""
+    with mpl.rc_context({**STYLE, "axes.titlepad": 40}):
+        page = Figure(figsize=(13, 6.6), layout="constrained")
+        left, right = page.subplots(1, 2, width_ratios=(1.15, 1))
+        _work(left, study)
+        _along(right, study)
+        page.suptitle(
+            f"{study.problem.model.name}: what accuracy costs in {seconds(float(study.reference.t[-1]))}",
+            x=0.01, ha="left", fontsize=12.5, fontweight="bold",
+        )  # fmt: skip
+        said = [line for text in conclusions(study) for line in textwrap.wrap(text, 170)]
+        cautions = [line for text in warnings(study) for line in textwrap.wrap(text, 170)]
+        page.supxlabel(
+            "\n".join([*said, *cautions]), x=0.01, ha="left", fontsize=9, color=VERMILLION if cautions else GREY
+        )
+    return page
+
+
+def _work(axis: Axes, study: Study) -> None:
+    """Error at the end over time: a line per method, as C and in the virtual machine."""
+    handles = []
+    for method in study.methods:
+        colour, marker = LOOKS.get(method, OTHER)
+        handles.append(Line2D([], [], color=colour, marker=marker, markersize=4.5, linewidth=1.5, label=method))
+        for compiled in {False, study.compiled}:
+            rows = study.of(method, compiled=compiled)
+            points = np.array([(row.time, max(row.error, LEAST)) for row in rows if row.error is not None and row.time])
+            main = compiled == study.compiled
+            look: dict[str, Any] = (
+                {"linewidth": 1.5} if main else {"linewidth": 0.9, "linestyle": (0, (4, 2)), "alpha": 0.65}
+            )
+            if len(points):
+                axis.plot(
+                    points[:, 0] * 1e3, points[:, 1], color=colour, marker=marker, markersize=4.5 if main else 3, **look
+                )
+            late = np.array([(row.time, row.accuracy) for row in rows if row.outcome in LATE])
+            if len(late):
+                axis.plot(late[:, 0] * 1e3, late[:, 1], ">", color=colour, markersize=8, markerfacecolor="none")
+    taken = _taken(study)
+    if len(taken):
+        rings: dict[str, Any] = {
+            "marker": "o",
+            "markersize": 11,
+            "markerfacecolor": "none",
+            "color": VERMILLION,
+            "linestyle": "none",
+        }
+        axis.plot(taken[:, 0] * 1e3, taken[:, 1], zorder=1.8, **rings)
+        handles.append(Line2D([], [], label="taken by auto", **rings))
+    if study.compiled:
+        handles.append(Line2D([], [], color=GREY, linewidth=1.5, label="as C"))
+        handles.append(Line2D([], [], color=GREY, linewidth=0.9, linestyle=(0, (4, 2)), label="in the virtual machine"))
+    if any(row.outcome in LATE for row in study.rows):
+        handles.append(
+            Line2D(
+                [],
+                [],
+                color=GREY,
+                marker=">",
+                markersize=8,
+                markerfacecolor="none",
+                linestyle="none",
+                label="takes longer",
+            )
+        )
+    axis.set(xscale="log", yscale="log", xlabel="time of the whole call [ms]")
+    held = study.reference
+    _floor(axis, held.uncertainty)
+    axis.annotate(
+        f"floor: {held.run.method} and {held.partner.method} differ by {held.uncertainty:.0e}",
+        (0.99, held.uncertainty), (0, -3), xycoords=("axes fraction", "data"), textcoords="offset points",
+        ha="right", va="top", fontsize=8.5, color=GREY,
+    )  # fmt: skip
+    axis.set_title("Error at the end, in the scene's scales")
+    _legend(axis, handles, 5)
+
+
+def _taken(study: Study) -> np.ndarray:
+    """Time [s] and error of the runs whose method `auto` takes most steps with, at each accuracy."""
+    points = []
+    for accuracy, share in study.taken.items():
+        method = max(share, key=lambda name: share[name])
+        points += [
+            (r.time, max(r.error, LEAST))
+            for r in study.of(method)
+            if r.accuracy == accuracy and r.error is not None and r.time
+        ]
+    return np.array(points)
+
+
+def _along(axis: Axes, study: Study) -> None:
+    """Departure along the run of the recommended method, by accuracy."""
+    held = study.reference
+    method = study.recommended or study.methods[0]
+    scale = scale_of("s", held.t[-1])
+    runs = {accuracy: path for (name, accuracy), (_, path) in study.along.items() if name == method}
+    colours = mpl.colormaps["viridis"](np.linspace(0.92, 0.0, max(len(runs), 2)))
+    handles = []
+    for (accuracy, path), colour in zip(runs.items(), colours, strict=False):
+        shown = np.where(path > LEAST, path, np.nan)
+        axis.plot(scale(held.t), shown, color=colour, linewidth=1.1)
+        handles.append(Line2D([], [], color=colour, linewidth=2, label=f"{accuracy:.0e}"))
+        left = crossing(held.t, path)
+        if np.isfinite(left):
+            axis.plot(
+                scale(left), LIMIT, "o", color=colour, markersize=5, markeredgecolor="white", zorder=3, clip_on=False
+            )
+    axis.set(yscale="log", xlabel=f"time [{scale.unit}]", xlim=scale(held.t[[0, -1]]))
+    floor = np.maximum(held.floor_of_departure, LEAST)
+    low = float(np.median(floor)) / 30
+    axis.set_ylim(bottom=low, top=max(3.0, axis.get_ylim()[1]))
+    axis.fill_between(scale(held.t), low, np.maximum(floor, low), color=SHADE, zorder=0.6, linewidth=0)
+    axis.axhline(LIMIT, color=VERMILLION, linewidth=1, linestyle=(0, (5, 3)))
+    axis.annotate(
+        length(study),
+        (0.01, LIMIT),
+        (0, 3),
+        xycoords=("axes fraction", "data"),
+        textcoords="offset points",
+        fontsize=8.5,
+        color=VERMILLION,
+    )
+    _decades(axis)
+    axis.set_title(f"Departure along the run, {method}, by accuracy asked for")
+    _legend(axis, handles, 7)
+
+
+def _floor(axis: Axes, floor: float) -> None:
+    """Shade what cannot be told."""
+    low, high = axis.get_ylim()
+    low = min(low, floor / 10)
+    axis.axhspan(low / 10, floor, color=SHADE, zorder=0.6, linewidth=0)
+    axis.axhline(floor, color=GREY, linewidth=0.8, zorder=0.7)
+    axis.set_ylim(low, high)
+    _decades(axis)
+
+
+def _decades(axis: Axes) -> None:
+    """A line for each decade of errors, and no numbers between them."""
+    axis.yaxis.set_major_locator(LogLocator(numticks=20))
+    axis.yaxis.set_minor_formatter(NullFormatter())
+
+
+def _legend(axis: Axes, handles: list[Line2D], columns: int) -> None:
+    axis.legend(
+        handles=handles, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=columns,
+        borderaxespad=0.2, borderpad=0.1, handlelength=1.8, columnspacing=1.1, labelspacing=0.3,
+    )  # fmt: skip
