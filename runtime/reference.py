@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 METHODS = ("dop853", "rodas", "esdirk", "dopri5")  # the first two that can: as unlike each other as there are
-TOLERANCES = (1e-8, 1e-9, 1e-10, 1e-11, 1e-12)
+TOLERANCES = (1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13)
 AGREED = 1e-12  # at the end: no closer agreement is asked for
 LIMITS = {"max_steps": 300_000, "wall_time": 20.0}  # of each run
 SAMPLES = 400  # equally spaced, and at most so many of the reference's own steps, which lie close where much happens

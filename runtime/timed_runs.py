@@ -29,14 +29,14 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-MAX_STEPS = 300_000
+MAX_STEPS = 600_000
 LATE = ("wall_time_limit", "too_many_steps")  # outcomes after which tighter accuracies would take too long, too
 ROUNDS, BUDGET = (
     (3, 9),
     15.0,
 )  # least and most rounds; after the least, no more that would go beyond so many seconds in all
 ONCE = 1.0  # s: what takes longer is not repeated
-SHORT, IN_A_ROW = 0.05, 3  # s: what takes less runs so often in a round
+SHORT, IN_A_ROW = 0.02, 3  # s: what takes less runs so often in a round
 
 
 @dataclass(frozen=True)
@@ -138,7 +138,7 @@ def repeat(made: Sequence[Made], progress: Callable[[float], object]) -> None:
 
 
 def _estimate(run: Solution) -> float | None:
-    return None
+    return run.error.end if run.error is not None and run.error.known else None
 
 
 def _shares(run: Solution) -> dict[str, float]:

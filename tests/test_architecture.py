@@ -133,6 +133,7 @@ def test_build_opens_it_lazily():
 
 CLI = {
     "cli/__init__.py",
+    "cli/accuracy.py",
     "cli/audit.py",
     "cli/draw.py",
     "cli/hardcases.py",
@@ -143,7 +144,7 @@ CLI = {
 }
 
 DRAWING = ("drawing", "insets", "labels", "paper", "picture", "sheet")
-PICTURES = {"plot.py", "plot_laws.py", *(f"draw/{name}.py" for name in DRAWING)}
+PICTURES = {"plot.py", "plot_accuracy.py", "plot_laws.py", *(f"draw/{name}.py" for name in DRAWING)}
 
 
 @pytest.mark.parametrize(

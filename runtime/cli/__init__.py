@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import click
 
+from hertzwerk.runtime.cli.accuracy import accuracy
 from hertzwerk.runtime.cli.audit import audit
 from hertzwerk.runtime.cli.draw import draw
 from hertzwerk.runtime.cli.hardcases import hardcases
@@ -36,5 +37,5 @@ def main() -> None:
     """
 
 
-for command in (list_scenes, laws, derive, audit, run, draw, validate, hardcases):
+for command in (list_scenes, laws, derive, audit, run, draw, validate, accuracy, hardcases):
     main.add_command(command)

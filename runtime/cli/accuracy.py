@@ -1,0 +1,159 @@
+"""`hertzwerk accuracy`: what ten times more accuracy costs here in time, and what it buys."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.cli.run import assignments
+from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.reference import NoReferenceError, Problem
+    from hertzwerk.runtime.work_precision import Study
+
+
+@click.command()
+@click.argument("target")
+@click.option(
+    "--set",
+    "settings",
+    metavar="NAME=VALUE",
+    multiple=True,
+    help='Parameter or initial state, with its unit: --set clearance="0.2 mm".',
+)
+@click.option("--without", metavar="EFFECT", multiple=True, help="Leave an effect out (derives the variation).")
+@click.option(
+    "--law",
+    "laws",
+    metavar="EFFECT=NAME",
+    multiple=True,
+    help="Another law for a contact or friction (derives the variation).",
+)
+@click.option("--duration", metavar="TIME", help='Such as "24 ms" (default: the scenario\'s).')
+@click.option(
+    "--out", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-accuracy-NNN)."
+)
+@click.option(
+    "--json", "as_json", is_flag=True, help="Print one JSON object, and write a folder only if --out is given."
+)
+@reports_bad_input
+def accuracy(target: str, out: Path | None, as_json: bool, **options: Any) -> int:
+    """Measure what accuracy costs TARGET in time, with every method, in the virtual machine and as C.
+
+    Each run asks for an error at its end; what it really has is measured against a reference of two independent methods. How errors go along
+    the run says how long a trajectory stays the true one, and what ten times more accuracy buys.
+    """
+    from hertzwerk.runtime import record
+    from hertzwerk.runtime.reference import NoReferenceError
+    from hertzwerk.runtime.work_precision import study
+
+    problem = _problem(target, out, **options)
+    name = problem.model.name
+    try:
+        with Progress(f"{name}: accuracy", shown=not as_json and sys.stderr.isatty()) as progress:
+            found = study(problem, progress=progress)
+    except NoReferenceError as error:
+        return _without_reference(problem, error, as_json=as_json)
+    written: tuple[Path, list[str]] | None = None
+    if out is not None or not as_json:
+        written = record.new_folder(f"{name}-accuracy", out, lambda folder: _write(found, folder))
+    if as_json:
+        from hertzwerk.runtime.accuracy_report import record as numbers
+
+        click.echo(record.json_text(numbers(found)))
+    else:
+        _report(found, written)
+    return GOOD
+
+
+def _problem(
+    target: str,
+    out: Path | None,
+    *,
+    settings: Sequence[str],
+    without: Sequence[str],
+    laws: Sequence[str],
+    duration: str | None,
+) -> Problem:
+    """What a command line asks for; raises InputError with the faults of all its parts."""
+    from hertzwerk.runtime import scenarios
+    from hertzwerk.runtime.model import load
+    from hertzwerk.runtime.record import destination_fault
+    from hertzwerk.runtime.reference import Problem
+
+    faults: list[Fault] = []
+    if out is not None and (fault := destination_fault(out)) is not None:
+        faults.append(fault)
+    values = assignments("--set", settings, faults)
+    model = load(target, without=without, laws=assignments("--law", laws, faults))
+    numbers = scenarios.read(target) if target in scenarios.names() else {}
+    states = {*model.coordinates, *model.speeds}
+    problem = Problem(
+        model,
+        duration or numbers.get("duration"),
+        parameters={name: value for name, value in values.items() if name not in states},
+        initial={name: value for name, value in values.items() if name in states},
+    )
+    try:
+        problem(tolerance=1e-3, max_steps=1)  # reads the rest of the input completely, and no more
+    except InputError as error:
+        raise InputError(error.subject, [*faults, *error.faults]) from error
+    if faults:
+        raise InputError(model.name, faults)
+    return problem
+
+
+def _write(found: Study, folder: Path) -> list[str]:
+    """Data and picture of a study."""
+    from hertzwerk.runtime.accuracy_report import csv_text
+    from hertzwerk.runtime.accuracy_report import record as numbers
+    from hertzwerk.runtime.plot_accuracy import save
+    from hertzwerk.runtime.record import json_text, versions
+
+    (folder / "accuracy.csv").write_text(csv_text(found), encoding="utf-8")
+    content = {**numbers(found), "versions": versions()}
+    (folder / "accuracy.json").write_text(json_text(content) + "\n", encoding="utf-8")
+    save(found, folder / "accuracy.png")
+    return ["accuracy.csv", "accuracy.json", "accuracy.png"]
+
+
+def _report(found: Study, written: tuple[Path, list[str]] | None) -> None:
+    from hertzwerk.runtime import accuracy_report as report
+
+    held = found.reference
+    line(found.problem.model.name, f"{report.seconds(float(held.t[-1]))}, errors in the scene's scales at the end")
+    table(report.COLUMNS, report.rows(found))
+    line(
+        "reference",
+        f"{held.run.method} and {held.partner.method} at a tolerance of {held.run.tolerance:.0e} agree to {held.uncertainty:.1e}",
+    )
+    for warning in report.warnings(found):
+        line("warning", warning)
+    if written is not None:
+        line("written", f"{written[0]}/ ({', '.join(written[1])})")
+    for sentence in report.conclusions(found):
+        line("", sentence)
+
+
+def _without_reference(problem: Problem, error: NoReferenceError, *, as_json: bool) -> int:
+    """No two methods reach the end: there is nothing to measure errors by."""
+    from hertzwerk.runtime.record import json_text
+
+    failed = {method: (run.outcome, run.t_end) for method, run in error.runs.items()}
+    if as_json:
+        outcomes = {method: {"outcome": o.name, "message": o.message, "t_end": t} for method, (o, t) in failed.items()}
+        nothing: dict[str, Any] = {"rows": [], "reference": None, "decade_cost": None, "recommended": None}
+        click.echo(json_text({"scene": problem.model.name, **nothing, "outcomes": outcomes}))
+        return OTHER_OUTCOME
+    line("no reference", "no two methods reach the end, so errors cannot be measured")
+    for method, (outcome, _) in failed.items():
+        line("", f"{method}: {outcome.message}")
+    remedy = next(outcome.remedy for outcome, _ in failed.values())
+    line("remedy", f"--duration with a shorter time; {remedy}")
+    return OTHER_OUTCOME
