@@ -12,8 +12,20 @@ from hertzwerk.runtime.horizon import LIMIT
 from hertzwerk.runtime.timed_runs import LATE
 from hertzwerk.runtime.work_precision import NOT_TRIED, Row, Study
 
-COLUMNS = ("method", "asked", "error", "estimate", "steps", "evaluations", "time as C", "time in VM", "valid for")
+COLUMNS = (
+    "method",
+    "asked",
+    "error",
+    "estimate",
+    "steps",
+    "evaluations",
+    "time as C",
+    "time in VM",
+    "valid for",
+    "outcome",
+)
 CLEARANCES = ("pin_in_bush", "ball_in_socket")  # pairs whose clearance is the scale of lengths
+FAR = 10
 FIELDS = ("method", "compiled", "accuracy", "error", "estimate", "steps", "rhs_evaluations", "time", "horizon")
 
 
@@ -46,27 +58,31 @@ def rows(study: Study) -> list[tuple[str, ...]]:
         native: list[Row | None] = [*study.of(method, compiled=True)] or [None] * len(machine)
         for a, c in zip(machine, native, strict=True):
             row = c if c is not None and (c.error is not None or a.error is None) else a
+            ended = "" if row.outcome == "finished" else row.outcome.replace("_", " ")
             table.append((
                 method, f"{row.accuracy:.0e}", error(study, row), _number(row.estimate), _count(row.steps),
-                _count(row.rhs_evaluations), "" if c is None else _time(c), _time(a), valid_for(row),
+                _count(row.rhs_evaluations), "" if c is None else _time(c), _time(a), valid_for(study, row), ended,
             ))  # fmt: skip
     return table
 
 
 def error(study: Study, row: Row) -> str:
-    """Error of a row as people read it: below what the reference can tell, only that; of a run that did not get there, its outcome."""
+    """Error of a row as people read it: below what the reference can tell, only that."""
     if row.error is None:
-        return "not tried" if row.outcome == NOT_TRIED else row.outcome.replace("_", " ")
+        return ""
     if row.error < study.least:
         return f"< {study.least:.1e}"
     return f"{row.error:.1e}"
 
 
-def valid_for(row: Row) -> str:
-    """How long a row's trajectory is the true one."""
+def valid_for(study: Study, row: Row) -> str:
+    """How long a row's trajectory is the true one; a growth that was seen for so long is not believed for more than FAR times as long."""
     if row.horizon is None:
         return ""
-    return "unbounded" if math.isinf(row.horizon) else seconds(row.horizon)
+    far = FAR * float(study.reference.t[-1])
+    return (
+        "unbounded" if math.isinf(row.horizon) else f"> {seconds(far)}" if row.horizon > far else seconds(row.horizon)
+    )
 
 
 def seconds(value: float) -> str:
@@ -153,7 +169,7 @@ def _cost(study: Study) -> str:
     said = (
         "What ten times more accuracy costs cannot be told"
         if cost is None
-        else f"Ten times more accuracy costs {cost:.2g} x the time here"
+        else f"Ten times more accuracy costs {plain(cost)} x the time here"
     )
     others: dict[str, list[float]] = {}
     for level, method in study.cheapest.items():
@@ -167,10 +183,10 @@ def _cost(study: Study) -> str:
     times = {m: t for m, t in study.relative_times.items() if m != best and t is not None}
     if times:
         said += ". For the same error " + _listed(
-            f"{m} takes {t:.2g} x its time" for m, t in sorted(times.items(), key=lambda x: x[1])
+            f"{m} takes {plain(t)} x its time" for m, t in sorted(times.items(), key=lambda x: x[1])
         )
     gain = study.gain_of_compilation
-    return said + ("" if gain is None else f"; compiled, it is {gain:.2g} x as fast as in the virtual machine") + "."
+    return said + ("" if gain is None else f"; compiled, it is {plain(gain)} x as fast as in the virtual machine") + "."
 
 
 def _growth(study: Study) -> str:
@@ -180,7 +196,7 @@ def _growth(study: Study) -> str:
         return f"How errors grow cannot be told: too few of them stand above the floor for long enough in these {span}."
     known = [f for f in grows.factors if math.isfinite(f)]
     step = seconds(grows.edges[1] - grows.edges[0])
-    pace = f"by factors of {min(known):.2g} to {max(known):.2g} from one {step} to the next"
+    pace = f"by factors of {plain(min(known))} to {plain(max(known))} from one {step} to the next"
     if grows.kind == "none":
         return (
             f"Errors do not grow over these {span} ({pace}): ten times more accuracy means ten times less error, not more time; how long a "
@@ -189,12 +205,12 @@ def _growth(study: Study) -> str:
     how = "intermittently, " if grows.intermittent else ""
     if grows.kind == "exponential":
         return (
-            f"Errors grow at {grows.rate:.2g}/s ({how}{pace}): ten times more accuracy keeps the trajectory within {within} for "
+            f"Errors grow at {plain(grows.rate)}/s ({how}{pace}): ten times more accuracy keeps the trajectory within {within} for "
             f"{seconds(grows.gained)} more."
         )
     return (
-        f"Errors grow like t^{grows.exponent:.2g} ({how}{pace}): ten times more accuracy keeps the trajectory within {within} for "
-        f"{10 ** (1 / grows.exponent):.2g} x the time."
+        f"Errors grow like t^{plain(grows.exponent)} ({how}{pace}): ten times more accuracy keeps the trajectory within {within} for "
+        f"{plain(10 ** (1 / grows.exponent))} x the time."
     )
 
 
@@ -205,6 +221,11 @@ def _failures(found: Iterable[Row]) -> dict[str, str]:
         if row.error is None and row.outcome not in (NOT_TRIED, *LATE):
             failed.setdefault(row.method, f"asked for {row.accuracy:.0e}, {row.message}")
     return failed
+
+
+def plain(value: float) -> str:
+    """A number of two digits, without an exponent where that is short."""
+    return f"{float(f'{value:.2g}'):g}"
 
 
 def _time(row: Row) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import textwrap
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -10,7 +11,7 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.ticker import LogLocator, NullFormatter
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from hertzwerk.runtime.accuracy_report import conclusions, length, seconds, warnings
 from hertzwerk.runtime.curves import scale_of
@@ -21,7 +22,7 @@ from hertzwerk.runtime.timed_runs import LATE
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from hertzwerk.runtime.work_precision import Study
+    from hertzwerk.runtime.work_precision import Row, Study
 
 LOOKS = {
     "dop853": (BLUE, "o"),
@@ -32,7 +33,17 @@ LOOKS = {
 }
 OTHER = (PURPLE, "v")
 SHADE = "#ececec"
-LEAST = 1e-16  # errors are drawn down to this
+LEAST = 1e-16  # departures are drawn down to this
+MAIN: dict[str, Any] = {"linewidth": 1.5, "markersize": 4.5}
+BESIDE: dict[str, Any] = {"linewidth": 0.9, "markersize": 3, "linestyle": (0, (4, 2)), "alpha": 0.65}
+LATER: dict[str, Any] = {"marker": ">", "markersize": 8, "markerfacecolor": "none", "linestyle": "none"}
+RING: dict[str, Any] = {
+    "marker": "o",
+    "markersize": 11,
+    "markerfacecolor": "none",
+    "color": VERMILLION,
+    "linestyle": "none",
+}
 
 
 def save(study: Study, path: Path) -> None:
@@ -45,91 +56,67 @@ def figure(study: Study) -> Figure:
     """The picture."""
     with mpl.rc_context({**STYLE, "axes.titlepad": 40}):
         page = Figure(figsize=(13, 6.6), layout="constrained")
-        left, right = page.subplots(1, 2, width_ratios=(1.15, 1))
+        left, right = page.subplots(1, 2, width_ratios=(1.1, 1))
         _work(left, study)
         _along(right, study)
         page.suptitle(
             f"{study.problem.model.name}: what accuracy costs in {seconds(float(study.reference.t[-1]))}",
             x=0.01, ha="left", fontsize=12.5, fontweight="bold",
         )  # fmt: skip
-        said = [line for text in conclusions(study) for line in textwrap.wrap(text, 170)]
-        cautions = [line for text in warnings(study) for line in textwrap.wrap(text, 170)]
-        page.supxlabel(
-            "\n".join([*said, *cautions]), x=0.01, ha="left", fontsize=9, color=VERMILLION if cautions else GREY
-        )
+        said = [*conclusions(study), *(f"Warning: {text}" for text in warnings(study))]
+        text = "\n".join(line for part in said for line in textwrap.wrap(part, 170))
+        page.supxlabel(text, x=0.01, ha="left", fontsize=9, color="#404040")
     return page
 
 
 def _work(axis: Axes, study: Study) -> None:
-    """Error at the end over time: a line per method, as C and in the virtual machine."""
-    handles = []
+    """Error at the end over time: a line per method, as C and in the virtual machine. What cannot be told lies on the floor."""
+    handles, floor = [], study.reference.uncertainty
     for method in study.methods:
         colour, marker = LOOKS.get(method, OTHER)
         handles.append(Line2D([], [], color=colour, marker=marker, markersize=4.5, linewidth=1.5, label=method))
         for compiled in {False, study.compiled}:
             rows = study.of(method, compiled=compiled)
-            points = np.array([(row.time, max(row.error, LEAST)) for row in rows if row.error is not None and row.time])
-            main = compiled == study.compiled
-            look: dict[str, Any] = (
-                {"linewidth": 1.5} if main else {"linewidth": 0.9, "linestyle": (0, (4, 2)), "alpha": 0.65}
-            )
-            if len(points):
-                axis.plot(
-                    points[:, 0] * 1e3, points[:, 1], color=colour, marker=marker, markersize=4.5 if main else 3, **look
-                )
-            late = np.array([(row.time, row.accuracy) for row in rows if row.outcome in LATE])
-            if len(late):
-                axis.plot(late[:, 0] * 1e3, late[:, 1], ">", color=colour, markersize=8, markerfacecolor="none")
-    taken = _taken(study)
+            points = _points(rows, floor)
+            look: dict[str, Any] = MAIN if compiled == study.compiled else BESIDE
+            axis.plot(points[:, 0] * 1e3, points[:, 1], color=colour, marker=marker, **look)
+            late = [row for row in rows if row.outcome in LATE and row.time]
+            axis.plot([(r.time or 0) * 1e3 for r in late], [r.accuracy for r in late], color=colour, **LATER)
+    taken = _points(_taken(study), floor)
     if len(taken):
-        rings: dict[str, Any] = {
-            "marker": "o",
-            "markersize": 11,
-            "markerfacecolor": "none",
-            "color": VERMILLION,
-            "linestyle": "none",
-        }
-        axis.plot(taken[:, 0] * 1e3, taken[:, 1], zorder=1.8, **rings)
-        handles.append(Line2D([], [], label="taken by auto", **rings))
+        axis.plot(taken[:, 0] * 1e3, taken[:, 1], zorder=1.8, **RING)
+        handles.append(Line2D([], [], label="taken by auto", **RING))
     if study.compiled:
-        handles.append(Line2D([], [], color=GREY, linewidth=1.5, label="as C"))
-        handles.append(Line2D([], [], color=GREY, linewidth=0.9, linestyle=(0, (4, 2)), label="in the virtual machine"))
+        handles.append(Line2D([], [], color=GREY, label="as C", **MAIN))
+        handles.append(Line2D([], [], color=GREY, label="in the virtual machine", **BESIDE))
     if any(row.outcome in LATE for row in study.rows):
-        handles.append(
-            Line2D(
-                [],
-                [],
-                color=GREY,
-                marker=">",
-                markersize=8,
-                markerfacecolor="none",
-                linestyle="none",
-                label="takes longer",
-            )
-        )
+        handles.append(Line2D([], [], color=GREY, label="takes longer", **LATER))
     axis.set(xscale="log", yscale="log", xlabel="time of the whole call [ms]")
-    held = study.reference
-    _floor(axis, held.uncertainty)
-    axis.annotate(
-        f"floor: {held.run.method} and {held.partner.method} differ by {held.uncertainty:.0e}",
-        (0.99, held.uncertainty), (0, -3), xycoords=("axes fraction", "data"), textcoords="offset points",
-        ha="right", va="top", fontsize=8.5, color=GREY,
+    axis.set_ylim(floor / 10, max(1e-2, axis.get_ylim()[1]))
+    axis.axhspan(floor / 10, floor, color=SHADE, zorder=0.6, linewidth=0)
+    axis.axhline(floor, color=GREY, linewidth=0.8, zorder=0.7)
+    one, other = study.reference.run.method, study.reference.partner.method
+    axis.text(
+        0.5, floor / 3.2, f"floor: {one} and {other}, the reference, differ by {floor:.0e}",
+        transform=axis.get_yaxis_transform(), ha="center", va="center", fontsize=8.5, color=GREY,
     )  # fmt: skip
+    _decades(axis)
+    axis.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axis.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axis.xaxis.set_minor_formatter(NullFormatter())
     axis.set_title("Error at the end, in the scene's scales")
     _legend(axis, handles, 5)
 
 
-def _taken(study: Study) -> np.ndarray:
-    """Time [s] and error of the runs whose method `auto` takes most steps with, at each accuracy."""
-    points = []
-    for accuracy, share in study.taken.items():
-        method = max(share, key=lambda name: share[name])
-        points += [
-            (r.time, max(r.error, LEAST))
-            for r in study.of(method)
-            if r.accuracy == accuracy and r.error is not None and r.time
-        ]
-    return np.array(points)
+def _points(rows: Sequence[Row], floor: float) -> np.ndarray:
+    """Time [s] and error of rows that have both, shape (n, 2)."""
+    return np.array([(r.time, max(r.error, floor)) for r in rows if r.error is not None and r.time]).reshape(-1, 2)
+
+
+def _taken(study: Study) -> list[Row]:
+    """The runs of the method that `auto` takes most steps with, at each accuracy."""
+    methods = {accuracy: max(share, key=lambda name: share[name]) for accuracy, share in study.taken.items()}
+    return [row for accuracy, method in methods.items() for row in study.of(method) if row.accuracy == accuracy]
 
 
 def _along(axis: Axes, study: Study) -> None:
@@ -152,7 +139,7 @@ def _along(axis: Axes, study: Study) -> None:
     axis.set(yscale="log", xlabel=f"time [{scale.unit}]", xlim=scale(held.t[[0, -1]]))
     floor = np.maximum(held.floor_of_departure, LEAST)
     low = float(np.median(floor)) / 30
-    axis.set_ylim(bottom=low, top=max(3.0, axis.get_ylim()[1]))
+    axis.set_ylim(bottom=low, top=max(0.1, axis.get_ylim()[1]))
     axis.fill_between(scale(held.t), low, np.maximum(floor, low), color=SHADE, zorder=0.6, linewidth=0)
     axis.axhline(LIMIT, color=VERMILLION, linewidth=1, linestyle=(0, (5, 3)))
     axis.annotate(
@@ -169,16 +156,6 @@ def _along(axis: Axes, study: Study) -> None:
     _legend(axis, handles, 7)
 
 
-def _floor(axis: Axes, floor: float) -> None:
-    """Shade what cannot be told."""
-    low, high = axis.get_ylim()
-    low = min(low, floor / 10)
-    axis.axhspan(low / 10, floor, color=SHADE, zorder=0.6, linewidth=0)
-    axis.axhline(floor, color=GREY, linewidth=0.8, zorder=0.7)
-    axis.set_ylim(low, high)
-    _decades(axis)
-
-
 def _decades(axis: Axes) -> None:
     """A line for each decade of errors, and no numbers between them."""
     axis.yaxis.set_major_locator(LogLocator(numticks=20))
@@ -188,5 +165,5 @@ def _decades(axis: Axes) -> None:
 def _legend(axis: Axes, handles: list[Line2D], columns: int) -> None:
     axis.legend(
         handles=handles, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=columns,
-        borderaxespad=0.2, borderpad=0.1, handlelength=1.8, columnspacing=1.1, labelspacing=0.3,
+        borderaxespad=0.2, borderpad=0.1, handlelength=1.5, columnspacing=0.9, labelspacing=0.3,
     )  # fmt: skip

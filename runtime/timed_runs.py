@@ -35,7 +35,7 @@ ROUNDS, BUDGET = (
     (3, 9),
     15.0,
 )  # least and most rounds; after the least, no more that would go beyond so many seconds in all
-ONCE = 1.0  # s: what takes longer is not repeated
+ONCE = 1.0  # s: what takes longer is not repeated, and neither is what asks for too much
 SHORT, IN_A_ROW = 0.02, 3  # s: what takes less runs so often in a round
 
 
@@ -125,7 +125,7 @@ def make(by: Try, held: Reference) -> Made:
 def repeat(made: Sequence[Made], progress: Callable[[float], object]) -> None:
     """Add to the times of what is short enough, in rounds."""
     least, most = ROUNDS
-    short = [this for this in made if this.times[0] < ONCE]
+    short = [this for this in made if this.times[0] < ONCE and this.outcome.finished]
     began = time.perf_counter()
     for done in range(most):
         spent = time.perf_counter() - began

@@ -131,9 +131,15 @@ class Study:
 
     @cached_property
     def decade_costs(self) -> dict[str, float | None]:
-        """Factor of time for ten times less error, of each method."""
-        rows = {method: self._told(method) for method in self.methods}
-        return {m: decade_cost([e for e, _, _ in told], [t for _, t, _ in told]) for m, told in rows.items()}
+        """Factor of time for ten times less error, of each method; where no error can be told, for ten times less asked for."""
+        found = {}
+        for method in self.methods:
+            told = self._told(method)
+            cost = decade_cost([error for error, _, _ in told], [time for _, time, _ in told])
+            rows = [row for row in self.of(method) if row.time and row.error is not None and row.error <= row.accuracy]
+            asked = decade_cost([row.accuracy for row in rows], [row.time or math.nan for row in rows])
+            found[method] = asked if cost is None else cost
+        return found
 
     @property
     def decade_cost(self) -> float | None:
@@ -245,7 +251,8 @@ def _row(this: Made, held: Reference, grows: Growth) -> Row:
     if this.reached:
         left = crossing(held.t, this.departure)
         if math.isinf(left):
-            left = grows.reaches(float(np.median(this.departure[-max(1, len(held.t) // 10) :])))
+            last = slice(-max(1, len(held.t) // 10), None)
+            left = grows.reaches(float(np.median(np.maximum(this.departure, held.floor_of_departure)[last])))
         horizon = None if math.isnan(left) else left
     by = this.by
     return Row(
