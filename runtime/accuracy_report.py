@@ -137,7 +137,7 @@ def record(study: Study) -> dict[str, Any]:
             }
             for method in study.methods
         },
-        "auto": [{"accuracy": accuracy, "steps": dict(share)} for accuracy, share in study.taken.items()],
+        "auto": [{"accuracy": accuracy, "share_of_time": dict(share)} for accuracy, share in study.taken.items()],
         "gain_of_compilation": study.gain_of_compilation,
         "conclusions": conclusions(study),
         "warnings": warnings(study),

@@ -92,7 +92,7 @@ def _work(axis: Axes, study: Study) -> None:
     if any(row.outcome in LATE for row in study.rows):
         handles.append(Line2D([], [], color=GREY, label="takes longer", **LATER))
     axis.set(xscale="log", yscale="log", xlabel="time of the whole call [ms]")
-    axis.set_ylim(floor / 10, max(1e-2, axis.get_ylim()[1]))
+    axis.set_ylim(floor / 10, max(100 * floor, axis.get_ylim()[1]))
     axis.axhspan(floor / 10, floor, color=SHADE, zorder=0.6, linewidth=0)
     axis.axhline(floor, color=GREY, linewidth=0.8, zorder=0.7)
     one, other = study.reference.run.method, study.reference.partner.method
@@ -114,7 +114,7 @@ def _points(rows: Sequence[Row], floor: float) -> np.ndarray:
 
 
 def _taken(study: Study) -> list[Row]:
-    """The runs of the method that `auto` takes most steps with, at each accuracy."""
+    """The runs of the method that `auto` goes with for most of the time, at each accuracy."""
     methods = {accuracy: max(share, key=lambda name: share[name]) for accuracy, share in study.taken.items()}
     return [row for accuracy, method in methods.items() for row in study.of(method) if row.accuracy == accuracy]
 
@@ -152,7 +152,7 @@ def _along(axis: Axes, study: Study) -> None:
         color=VERMILLION,
     )
     _decades(axis)
-    axis.set_title(f"Departure along the run, {method}, by accuracy asked for")
+    axis.set_title(f"Departure along the run, {method}, by accuracy asked for", pad=26)
     _legend(axis, handles, 7)
 
 

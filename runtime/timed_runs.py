@@ -67,7 +67,7 @@ class Made:
     """What came of a try: what is kept of its run, and its times [s].
 
     error, departure    (n,) at the times of the reference (see `Reference`), nan after the end of the run
-    taken               of the steps of `auto`, the share of each of its methods
+    taken               of the time simulated by `auto`, the share of each of its methods
     """
 
     by: Try
@@ -142,7 +142,7 @@ def _estimate(run: Solution) -> float | None:
 
 
 def _shares(run: Solution) -> dict[str, float]:
-    """Share of the steps that `auto` took with each of its two methods."""
-    implicit = float(np.mean(run.history.part("method")[1:, 0] == IMPLICIT)) if len(run.t) > 1 else 0.0
+    """Share of the time simulated that `auto` went with each of its two methods."""
+    implicit = np.diff(run.t) @ (run.history.part("method")[1:, 0] == IMPLICIT) / run.t[-1]
     explicit, other = (table().name for table in METHODS["auto"])
-    return {explicit: 1 - implicit, other: implicit}
+    return {explicit: float(1 - implicit), other: float(implicit)}

@@ -58,7 +58,7 @@ class Study:
 
     asked       duration that was asked for [s]; longer than the runs where the reference does not hold so long
     along       error and departure (n,) at the times of the reference, of the runs of each method and accuracy
-    taken       of the steps of `auto`, the share of each of its methods, by accuracy
+    taken       of the time simulated by `auto`, the share of each of its methods, by accuracy
     """
 
     problem: Problem
