@@ -47,7 +47,7 @@ def warnings(study: Study) -> list[str]:
     if not study.compiled:
         found.append("there is no working C compiler: every time is that of CasADi's virtual machine")
     found += [f"{method}: {message}" for method, message in _failures(study.rows).items()]
-    return found
+    return [*found, *held.run.warnings]
 
 
 def rows(study: Study) -> list[tuple[str, ...]]:
@@ -59,6 +59,7 @@ def rows(study: Study) -> list[tuple[str, ...]]:
         for a, c in zip(machine, native, strict=True):
             row = c if c is not None and (c.error is not None or a.error is None) else a
             ended = "" if row.outcome == "finished" else row.outcome.replace("_", " ")
+            ended += "" if row.floor is None else f", floor {row.floor:.1e}"
             table.append((
                 method, f"{row.accuracy:.0e}", error(study, row), _number(row.estimate), _count(row.steps),
                 _count(row.rhs_evaluations), "" if c is None else _time(c), _time(a), valid_for(study, row), ended,
@@ -105,6 +106,7 @@ def record(study: Study) -> dict[str, Any]:
                 **{name: getattr(row, name) for name in FIELDS},
                 "unbounded": row.horizon is not None and math.isinf(row.horizon),
                 "outcome": row.outcome,
+                "floor": row.floor,
                 "message": row.message,
             }
             for row in study.rows

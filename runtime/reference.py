@@ -40,10 +40,12 @@ class Problem:
     solve: Callable[..., Solution] = simulate
 
     def __call__(self, **options: Any) -> Solution:
-        """One run; raises InputError."""
-        return self.solve(
-            self.model, **{"duration": self.duration, "parameters": self.parameters, "initial": self.initial, **options}
-        )
+        """One run; raises InputError, and KeyboardInterrupt where the user stopped it: that ends what it was a part of."""
+        given = {"duration": self.duration, "parameters": self.parameters, "initial": self.initial}
+        run = self.solve(self.model, **{**given, **options})
+        if run.outcome.name == "interrupted":
+            raise KeyboardInterrupt
+        return run
 
 
 class NoReferenceError(Exception):
@@ -123,7 +125,7 @@ def states(run: Solution, t: Array) -> Array:
     return found
 
 
-def reference(problem: Problem) -> Reference:
+def reference(problem: Problem, progress: Callable[[float], object] = lambda _: None) -> Reference:
     """The reference of a problem: of two methods at the tolerance where they agree best, the one that changed less when it was tightened.
 
     Raises NoReferenceError where no two methods reach the end, InputError.
@@ -133,7 +135,8 @@ def reference(problem: Problem) -> Reference:
     best: Reference | None = None
     before: dict[str, Array] = {}
     levels: list[tuple[float, float]] = []
-    for tolerance in TOLERANCES:
+    for i, tolerance in enumerate(TOLERANCES):
+        progress(i / len(TOLERANCES))
         runs: dict[str, Solution] = {}
         for method in tuple(able):
             run = problem(tolerance=tolerance, method=method, **LIMITS)

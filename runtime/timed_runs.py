@@ -76,6 +76,7 @@ class Made:
     error: Array
     departure: Array
     estimate: float | None
+    floor: float | None
     tolerance: float
     steps: int
     rhs_evaluations: int
@@ -113,7 +114,8 @@ def make(by: Try, held: Reference) -> Made:
         reached=run.t_end == held.t[-1],
         error=held.error(run),
         departure=held.departure(run),
-        estimate=_estimate(run),
+        estimate=run.error.end if run.error is not None and run.error.known else None,
+        floor=None if run.error is None else run.error.floor,
         tolerance=run.tolerance,
         steps=run.statistics.steps,
         rhs_evaluations=run.statistics.rhs_evaluations,
@@ -135,10 +137,6 @@ def repeat(made: Sequence[Made], progress: Callable[[float], object]) -> None:
             for _ in range(IN_A_ROW if this.times[0] < SHORT else 1):
                 this.times.append(this.by()[0])
             progress(min(1.0, (time.perf_counter() - began) / BUDGET))
-
-
-def _estimate(run: Solution) -> float | None:
-    return run.error.end if run.error is not None and run.error.known else None
 
 
 def _shares(run: Solution) -> dict[str, float]:

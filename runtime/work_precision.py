@@ -35,6 +35,7 @@ class Row:
     error       true error at the end, in the scene's scales; None where the run did not get there
     estimate    what the run itself says of it
     time        [s] the whole call takes its user, median of several; None where it was not tried
+    floor       least error that the run found to be possible, where that is more than was asked for
     horizon     time [s] up to which the trajectory stays within 1 %, beyond the end of the run as errors grow; infinite where they do not;
                 None where that is unknown
     """
@@ -49,6 +50,7 @@ class Row:
     steps: int | None = None
     rhs_evaluations: int | None = None
     time: float | None = None
+    floor: float | None = None
     horizon: float | None = None
 
 
@@ -192,7 +194,7 @@ def study(
 
     Raises InputError for bad input, NoReferenceError where there is nothing to measure by.
     """
-    held = reference(problem)
+    held = reference(problem, lambda part: progress(FIRST[0] * part))
     asked = held.run.duration
     if held.known < asked:
         problem = replace(problem, duration=held.known)
@@ -266,5 +268,6 @@ def _row(this: Made, held: Reference, grows: Growth) -> Row:
         steps=this.steps,
         rhs_evaluations=this.rhs_evaluations,
         time=this.time,
+        floor=this.floor,
         horizon=horizon,
     )

@@ -227,6 +227,23 @@ def test_a_method_that_takes_too_long_is_said_to_and_not_tried_further(unstable,
     assert "No run got to an error" in accuracy_report.conclusions(found)[0]
 
 
+def test_an_accuracy_that_rounding_forbids_is_said_to_be_with_its_floor(model, quick):
+    found = study(Problem(model, "8 s"), methods=("dop853",), accuracies=(1e-4, 1e-9))
+    last = found.rows[-1]
+    assert last.outcome == "accuracy_unreachable"
+    assert 1e-9 < last.floor < 1e-4
+    assert accuracy_report.rows(found)[-1][-1] == f"accuracy unreachable, floor {last.floor:.1e}"
+
+
+def test_ctrl_c_ends_the_study_and_not_one_run_of_it(unstable):
+    def stopped(model, **options):
+        run = simulate(model, **options)
+        return dataclasses.replace(run, outcome=dataclasses.replace(run.outcome, name="interrupted"))
+
+    with pytest.raises(KeyboardInterrupt):
+        study(dataclasses.replace(unstable, solve=stopped))
+
+
 def test_csv_has_the_rows(of_unstable):
     head, *rows = csv.reader(io.StringIO(accuracy_report.csv_text(of_unstable)))
     assert head[:4] == ["method", "compiled", "accuracy", "error"]
@@ -240,6 +257,7 @@ def test_csv_has_the_rows(of_unstable):
 def hertzwerk(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(timed_runs, "ROUNDS", (1, 1))
+    monkeypatch.setattr(work_precision, "ready", timed_runs.ready)
     monkeypatch.setattr(
         work_precision, "study", partial(study, methods=("dop853", "auto"), accuracies=(1e-3, 1e-5, 1e-7))
     )
