@@ -97,8 +97,8 @@ class Reference:
 
     @property
     def uncertainty(self) -> float:
-        """Of the state at the end."""
-        return at_end(self.floor)
+        """Of the state at the end: no less than rounding."""
+        return max(at_end(self.floor), float(np.finfo(float).eps))
 
     @property
     def horizon(self) -> float:

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-MAX_STEPS = 600_000
+MAX_STEPS = 1_000_000
 LATE = ("wall_time_limit", "too_many_steps")  # outcomes after which tighter accuracies would take too long, too
 ROUNDS, BUDGET = (
     (3, 9),

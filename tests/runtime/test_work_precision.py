@@ -284,6 +284,19 @@ def test_the_command_prints_json_writes_a_new_folder_and_never_overwrites(hertzw
     assert "never overwrites" in again.stderr
 
 
+@pytest.mark.slow  # draws
+def test_a_motion_that_every_method_gets_right_has_nothing_to_tell_and_can_be_drawn(model, quick):
+    from hertzwerk.runtime.plot_accuracy import figure
+
+    found = study(Problem(model, "1 s", {"push": "0 N/m", "w": "0 rad/s"}), methods=("dop853", "auto"))
+    assert found.reference.uncertainty == np.finfo(float).eps
+    assert found.growth.kind == "unknown"
+    assert all(cells[2].startswith("<") for cells in accuracy_report.rows(found))
+    work, along = figure(found).axes
+    assert work.get_ylim()[0] > 0
+    assert along.get_ylim()[0] > 0
+
+
 def test_bad_input_is_told_all_at_once(hertzwerk, tmp_path):
     done = hertzwerk("pendulum", "--set", "length", "--set", "gravity=1 kg", "--duration", "soon")
     assert done.exit_code == 2
