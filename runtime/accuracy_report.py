@@ -79,7 +79,7 @@ def error(study: Study, row: Row) -> str:
 def valid_for(study: Study, row: Row) -> str:
     """How long a row's trajectory is the true one; a growth that was seen for so long is not believed for more than FAR times as long."""
     if row.horizon is None:
-        return ""
+        return "" if row.error is None else f"> {seconds(float(study.reference.t[-1]))}"
     far = FAR * float(study.reference.t[-1])
     return (
         "unbounded" if math.isinf(row.horizon) else f"> {seconds(far)}" if row.horizon > far else seconds(row.horizon)

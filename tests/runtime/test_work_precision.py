@@ -291,7 +291,7 @@ def test_a_motion_that_every_method_gets_right_has_nothing_to_tell_and_can_be_dr
     found = study(Problem(model, "1 s", {"push": "0 N/m", "w": "0 rad/s"}), methods=("dop853", "auto"))
     assert found.reference.uncertainty == np.finfo(float).eps
     assert found.growth.kind == "unknown"
-    assert all(cells[2].startswith("<") for cells in accuracy_report.rows(found))
+    assert all(cells[2].startswith("<") and cells[8] == "> 1 s" for cells in accuracy_report.rows(found))
     work, along = figure(found).axes
     assert work.get_ylim()[0] > 0
     assert along.get_ylim()[0] > 0
