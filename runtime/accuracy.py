@@ -21,13 +21,8 @@ CHECK = 5.0  # tolerance of a run over that of the run that checks it
 LEAST, LOOSEST = 1e-13, 1e-4  # tolerances of a run that is kept; looser ones chatter at contact
 POINTS = 201  # of the grid on which runs are compared
 VALID = 0.01  # of the scales: up to such an error a trajectory is taken for the true one
-CARRIED = (
-    10.0,
-    1000.0,
-)  # limits of the factor from the local tolerance to the end error that the first run is made for
-MARGIN = (
-    6.0  # how much smaller than the request the next run's error is aimed at: as it scatters, 90 % of them then meet it
-)
+CARRIED = (10.0, 1000.0)  # limits of the factor from the tolerance to the end error that the first run is made for
+MARGIN = 6.0  # how far below the request the next run aims: as errors scatter, 90 % of such runs meet it
 STUCK = 100.0  # where the tolerance fell by this factor and the error not even by 2, it is rounding that is seen
 SLACK = 3.0  # errors grow intermittently: how much farther than the fitted growth says a tighter run may get
 HEARD = 1e-3  # of the tolerance: a smaller difference of two runs is rounding, before anything happened
@@ -213,9 +208,7 @@ class Ladder(Generic[Kept]):
     def _checked(self, run: Rung[Kept], other: Rung[Kept]) -> _Checked[Kept]:
         n = min(len(run.states), len(other.states))
         whole = run.end is End.REACHED and other.end is End.REACHED
-        part = abs(
-            1 - other.tolerance / run.tolerance
-        )  # of a run's error that shows, were errors proportional to tolerances
+        part = abs(1 - other.tolerance / run.tolerance)  # of a run's error that shows, if errors are as tolerances
         return _Checked(run, self._differ(run.states[:n], other.states[:n]) / part, whole)
 
     def _verdict(self, checked: _Checked[Kept]) -> Verdict | None:
