@@ -12,10 +12,11 @@ import casadi as ca
 from hertzwerk.runtime.integrate.choose import choice
 from hertzwerk.runtime.integrate.classes import BY_MODE, modes
 from hertzwerk.runtime.integrate.control import factor, near_surfaces, remembered, roughness
-from hertzwerk.runtime.integrate.events import all_clear
+from hertzwerk.runtime.integrate.events import all_clear, far
 from hertzwerk.runtime.integrate.layout import (
     CONTACT,
     FLIGHT,
+    NEAR,
     PLAIN,
     REJECTED,
     RELEASED,
@@ -29,6 +30,20 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.classes import Contacts
     from hertzwerk.runtime.integrate.methods import Table
     from hertzwerk.runtime.model import Model
+
+
+def polynomial_of(model: Model, contacts: Contacts) -> list[int]:
+    """The pairs whose gaps are looked at by their polynomials in every step of a class: those in contact; and all where one is all there is."""
+    return list(range(model.k)) if contacts is BY_MODE or model.k == 1 else list(contacts)
+
+
+def near(model: Model, vectors: Layouts) -> Any:
+    """CasADi function (state, controls, next) -> 1 if no event is possible in a step that passed but for pairs that were not asked."""
+    vector = (vectors.state, vectors.controls, vectors.state)
+    given = [part.symbol(name) for part, name in zip(vector, ("state", "controls", "next"), strict=True)]
+    old, run, end = (part.split(x) for part, x in zip(vector, given, strict=True))
+    clear = all_of(all_clear(model, run, old["mode"], old, end, list(range(model.k))))
+    return ca.Function("near", given, [ca.cse(clear)], ["state", "controls", "next"], ["clear"])
 
 
 def advance(model: Model, vectors: Layouts, table: Table, contacts: Contacts, *, chooses: bool = False) -> Any:
@@ -52,8 +67,11 @@ def advance(model: Model, vectors: Layouts, table: Table, contacts: Contacts, *,
     left = run["t_end"] - end["t"]
     passed = (error <= 1) * is_finite(end)
     clear = plain * (1 - old["fresh_contact"]) * (left > 0) * (steps < run["max_steps"])
-    if model.k:
-        clear *= all_of(all_clear(model, run, mode, old, end))
+    asked = polynomial_of(model, contacts)
+    others = [j for j in range(model.k) if j not in asked]
+    if asked:
+        clear *= all_of(all_clear(model, run, mode, old, end, asked))
+    apart = all_of(far(model, run, old, end, others)) if others else ca.SX(1)
     if contact:
         clear *= all_of(in_range > 0.5)
 
@@ -77,7 +95,7 @@ def advance(model: Model, vectors: Layouts, table: Table, contacts: Contacts, *,
     }
     if chooses:
         new |= choice(model, contacts, {**old, "mode": mode}, run, end, kept)
-    judged = REJECTED + passed * (SPECIAL - REJECTED + clear * (PLAIN - SPECIAL))
+    judged = REJECTED + passed * (SPECIAL - REJECTED + clear * (NEAR - SPECIAL + apart * (PLAIN - NEAR)))
     verdict = {"kind": judged, "error": error, "in_range": in_range}
     return ca.Function(
         "advance_in_contact" if contact else "advance_in_flight",

@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
-from hertzwerk.runtime.integrate.advance import advance
+from hertzwerk.runtime.integrate.advance import advance, near
 from hertzwerk.runtime.integrate.classes import BY_MODE, kinds
 from hertzwerk.runtime.integrate.explicit import flow
-from hertzwerk.runtime.integrate.layout import Layouts, layouts
+from hertzwerk.runtime.integrate.layout import REJECTED, Layouts, layouts
 from hertzwerk.runtime.integrate.methods import Table, stepper
 from hertzwerk.runtime.integrate.modes import begin
 from hertzwerk.runtime.integrate.settle import reject, settle
 
 if TYPE_CHECKING:
+    from hertzwerk.runtime.integrate.explicit import Flow
     from hertzwerk.runtime.model import Model
 
 
@@ -45,17 +47,17 @@ def integrator(model: Model, tables: tuple[Table, ...]) -> Integrator:
     """Build the attempt of a model with a method of one table, or of two that it chooses from on the way (`choose`)."""
     vectors, right = layouts(model), flow(model)
     # called with MX, so that one branch of each is evaluated; SX would evaluate all
-    ends = [after for table in tables for after in (settle(model, vectors, table, right), reject(vectors, table))]
+    ends = [after for table in tables for after in _ends(model, vectors, table, right)]
     state, controls, end, verdict = ends[0].mx_in()
     method = state[vectors.state["method"]]
-    plain = ca.Function("plain", [state, controls, end, verdict], [end])
+    plain = _plain(ends[0])
     finish = ca.Function.conditional("finish", [plain, *ends[:-1]], ends[-1])
     idle = ca.Function("idle", [state, controls], [state, ca.MX.zeros(vectors.verdict.size)])
     classes, chooses = kinds(model), len(tables) > 1
     tries = [advance(model, vectors, table, contacts, chooses=chooses) for table in tables for contacts in classes]
     advanced = ca.Function.conditional("advance", [idle, *tries[:-1]], tries[-1])
     end, verdict = advanced(_case(state[vectors.state["class"]], method, len(classes)), state, controls)
-    done = finish(_case(verdict[vectors.verdict["kind"]], method, 2), state, controls, end, verdict)
+    done = finish(_case(verdict[vectors.verdict["kind"]], method, REJECTED), state, controls, end, verdict)
     return Integrator(
         layouts=vectors,
         begin=begin(model, vectors, right),
@@ -63,6 +65,25 @@ def integrator(model: Model, tables: tuple[Table, ...]) -> Integrator:
         model=model,
         tables=tables,
     )
+
+
+def _ends(model: Model, vectors: Layouts, table: Table, right: Flow) -> Iterator[Any]:
+    """What follows from a step that is NEAR, SPECIAL, REJECTED."""
+    special = settle(model, vectors, table, right)
+    given = special.mx_in()
+    if model.k > 1:
+        judge = ca.Function.if_else("judge", _plain(special), special)
+        yield ca.Function("asked", given, [judge(near(model, vectors)(*given[:3]), *given)])
+    else:
+        yield special  # one pair is always asked
+    yield special
+    yield reject(vectors, table)
+
+
+def _plain(like: Any) -> Any:
+    """A step that stays as it is; arguments as of another."""
+    given = like.mx_in()
+    return ca.Function("plain", given, [given[2]])
 
 
 def _case(number: Any, method: Any, count: int) -> Any:

@@ -19,6 +19,7 @@ from hertzwerk.runtime.integrate.layout import CONTACT, FLIGHT, RELEASED, Layout
 if TYPE_CHECKING:
     from hertzwerk.runtime.model import Model
 
+GAP = ("gap", "gap_rate", "gap_acceleration")
 LANDING = 1e-2  # a landing is met to this times the tolerance, in the scene's scales
 DOUBT = 0.1  # part of |quintic - cubic| that a graze must stay clear of
 NEAR = 1 / 64  # of a step: how far its end may be moved to land on a surface, by the classical method of order 4
@@ -43,15 +44,31 @@ def tolerances(model: Model, run: Mapping[str, Any], t: Any, y: Any, gap_rate: A
     return gap, small * speed, ca.fmax(small, 8 * EPS * position / length) * force
 
 
-def all_clear(model: Model, run: Mapping[str, Any], mode: Any, start: Mapping[str, Any], end: Mapping[str, Any]) -> Any:
-    """1 (k) where no event is possible in a step under these modes, flight or contact, nor just behind it: no gap near zero, no force that pulls."""
+def far(
+    model: Model, run: Mapping[str, Any], start: Mapping[str, Any], end: Mapping[str, Any], pairs: list[int]
+) -> Any:
+    """1 for those of some pairs in flight that are so far apart at both ends of a step that they are clear (`all_clear`), without a polynomial."""
     h = start["h"]
-    tol, _, _ = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
-    before, after = towards(mode, start), towards(mode, end)
+    gap0, rate0, a0 = (start[part][pairs] for part in GAP)
+    gap1, rate1, a1 = (end[part][pairs] for part in GAP)
+    tol, _, _ = tolerances(model, run, end["t"], end["y"], ca.SX(0))
+    rates, accelerations = ca.fabs(rate0) + ca.fabs(rate1), ca.fabs(a0) + ca.fabs(a1)
+    way = (2 / 5 + DOUBT / 32) * h + 4 * EPS * ca.fabs(end["t"])
+    return ca.fmin(gap0, gap1) > tol + way * rates + (1 / 20 + DOUBT / 64) * h * h * accelerations
+
+
+def all_clear(
+    model: Model, run: Mapping[str, Any], mode: Any, start: Mapping[str, Any], end: Mapping[str, Any], pairs: list[int]
+) -> Any:
+    """1 for those of some pairs to which no event is possible in a step under modes flight or contact (k), nor just behind it: no gap near zero,
+    no force that pulls."""
+    h = start["h"]
+    tol, _, _ = tolerances(model, run, end["t"], end["y"], end["gap_rate"][pairs])
+    before, after = ([x[pairs] for x in towards(mode, side)] for side in (start, end))
     b = _quintic(before, after, h)
     between = _between(before, after, h)
     soon = b[5] + NEAR * h * after[1]
-    clear = (b[0] > tol) * (b[5] > tol) * (soon > tol) * (1 - pulls(model, end["force"]))
+    clear = (b[0] > tol) * (b[5] > tol) * (soon > tol) * (1 - pulls(model, end["force"])[pairs])
     for coefficient in b[1:5]:
         clear *= coefficient > between
     return clear * (steady(model, mode, start, end) if model.ns else 1)
@@ -225,7 +242,7 @@ _POWERS = [
 def towards(mode: Any, parts: Mapping[str, Any]) -> list[Any]:
     """Gaps, rates and accelerations, turned so that an event is a fall through zero."""
     sign = ca.if_else(mode == FLIGHT, 1, -1)
-    return [sign * parts[part] for part in ("gap", "gap_rate", "gap_acceleration")]
+    return [sign * parts[part] for part in GAP]
 
 
 def _between(start: list[Any], end: list[Any], h: Any) -> Any:

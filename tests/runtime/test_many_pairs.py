@@ -9,8 +9,8 @@ import pytest
 from handmade import point
 
 from hertzwerk.runtime import load, simulate
-from hertzwerk.runtime.integrate import classes
-from hertzwerk.runtime.integrate.advance import advance
+from hertzwerk.runtime.integrate import classes, events
+from hertzwerk.runtime.integrate.advance import advance, near
 from hertzwerk.runtime.integrate.attempt import integrator
 from hertzwerk.runtime.integrate.classes import BY_MODE, kinds
 from hertzwerk.runtime.integrate.explicit import flow
@@ -62,6 +62,69 @@ def test_a_pair_out_of_contact_costs_no_operation_of_a_stage():
     bare, guarded = (load(scenes.guarded_crank(guards)) for guards in (0, 3))
     operations = [flow(model, (0,)).rates.n_instructions() for model in (bare, guarded)]
     assert operations[1] - operations[0] == guarded.nz - bare.nz == 3
+
+
+def every_pair(model, contacts):
+    """In place of `polynomial_of`: all of them, in every step."""
+    return list(range(model.k))
+
+
+def operations(function):
+    ids = [function.instruction_id(i) for i in range(function.n_instructions())]
+    return sum(number not in (ca.OP_INPUT, ca.OP_OUTPUT, ca.OP_CONST) for number in ids)
+
+
+def test_a_pair_far_from_contact_costs_no_event_polynomial(monkeypatch):
+    """A guard more adds to a step what it takes to see that it is far, less than a polynomial; that is left to a function called where it is not."""
+    models = [load(scenes.guarded_crank(guards)) for guards in (1, 3)]
+    (table,) = (table() for table in METHODS["dop853"])
+
+    def each(make):
+        return (operations(make(models[1])) - operations(make(models[0]))) / 2
+
+    for contacts in ((), (0,)):
+        lean = each(lambda model, c=contacts: advance(model, layouts(model), table, c))
+        with monkeypatch.context() as patched:
+            patched.setattr("hertzwerk.runtime.integrate.advance.polynomial_of", every_pair)
+            asked = each(lambda model, c=contacts: advance(model, layouts(model), table, c))
+        assert lean < asked - 20
+        assert lean < 60  # of which half is for the time of the next landing
+    assert each(lambda model: near(model, layouts(model))) > 40  # called where a pair may be near
+
+
+def test_far_means_clear():
+    """At random gaps, rates and accelerations: no pair that is far may have an event, or doubt of one; and many are neither far nor clear."""
+    model = load(scenes.guarded_crank(3))
+    vectors = layouts(model)
+    parts = (vectors.state, vectors.controls, vectors.state)
+    given = [part.symbol(name) for part, name in zip(parts, ("state", "controls", "next"), strict=True)]
+    old, run, end = (part.split(x) for part, x in zip(parts, given, strict=True))
+    pairs, flying = [0, 1, 2, 3], ca.SX.zeros(model.k)
+    judged = [events.far(model, run, old, end, pairs), events.all_clear(model, run, flying, old, end, pairs)]
+    judge = ca.Function("judge", given, judged)
+    random, seen = np.random.default_rng(5), np.zeros((2, 2))
+    controls = np.zeros(vectors.controls.size)
+    for name, value in {"scale": 1.0, "scales": 1.0, "tolerance": 1e-6}.items():
+        controls[vectors.controls[name]] = value
+    for _ in range(2000):
+        states = random.standard_normal((2, vectors.state.size))
+        states[:, vectors.state["h"]] = 10 ** random.uniform(-2, 1)
+        states[:, vectors.state["gap"]] = np.abs(states[:, vectors.state["gap"]])
+        states[:, vectors.state["force"]] = 0.0
+        is_far, is_clear = (np.array(x).ravel() for x in judge(states[0], controls, states[1]))
+        for i, j in zip(is_far, is_clear, strict=True):
+            seen[int(i), int(j)] += 1
+    assert seen[1, 0] == 0
+    assert min(seen[1, 1], seen[0, 1], seen[0, 0]) > 400
+
+
+@pytest.mark.parametrize("gap", [APART, CLOSE])
+def test_pairs_that_are_not_asked_change_no_bit(monkeypatch, gap):
+    options = {"tolerance": 1e-7, "compiled": False}
+    lean = hit(row(4), gap, **options)
+    monkeypatch.setattr("hertzwerk.runtime.integrate.advance.polynomial_of", every_pair)
+    asked = hit(Model(row(4).module), gap, **options)
+    assert np.array_equal(lean.history.rows, asked.history.rows)
 
 
 MARKS = (ca.OP_ERF, ca.OP_ASINH, ca.OP_ATANH)  # which nothing else uses
