@@ -323,16 +323,26 @@ def _column(result: Result) -> str:
 
 def operations(text: str) -> int:
     """Arithmetic operations and function calls in the text of a builder; packing and unpacking cost nothing."""
-    count = 0
-    for node in ast.walk(ast.parse(text)):
-        if isinstance(node, ast.BinOp | ast.Compare) or (
-            isinstance(node, ast.UnaryOp) and not isinstance(node.operand, ast.Constant)
-        ):
-            count += 1
-        elif isinstance(node, ast.Call):
-            name = node.func.attr if isinstance(node.func, ast.Attribute) else str(getattr(node.func, "id", ""))
-            count += 0 if name == "vertcat" else _helper_operations(name) if name in _HELPERS else 1
-    return count
+    return sum(map(_operations, ast.parse(text).body))
+
+
+def _operations(node: ast.AST) -> int:
+    """Of a node and what is in it; what there is most of comes first, for a module has ten thousands of them."""
+    if isinstance(node, ast.Name | ast.Constant):
+        return 0
+    if isinstance(node, ast.BinOp):
+        return 1 + _operations(node.left) + _operations(node.right)
+    if isinstance(node, ast.Assign):
+        return _operations(node.value)
+    if isinstance(node, ast.Subscript):
+        return _operations(node.slice)
+    inside = sum(map(_operations, ast.iter_child_nodes(node)))
+    if isinstance(node, ast.Compare) or (isinstance(node, ast.UnaryOp) and not isinstance(node.operand, ast.Constant)):
+        return 1 + inside
+    if isinstance(node, ast.Call):
+        name = node.func.attr if isinstance(node.func, ast.Attribute) else str(getattr(node.func, "id", ""))
+        return inside + (0 if name == "vertcat" else _helper_operations(name) if name in _HELPERS else 1)
+    return inside
 
 
 def flight(program: Program) -> int:

@@ -78,7 +78,7 @@ class Tape:
             return expression
         if dimension is None:
             expression = self._hoist(expression)
-        if dimension is None and (expression.is_Atom or (-expression).is_Symbol):
+        if dimension is None and (expression.is_Atom or _opposite(expression).is_Symbol):
             return expression
         if dimension is None and expression.could_extract_minus_sign() and -expression in self._known:
             return -self._known[-expression]
@@ -142,7 +142,7 @@ class Tape:
             still = [arg for arg in expression.args if self.is_constant(arg)]
             moving = [self._hoist(arg) for arg in expression.args if not self.is_constant(arg)]
             part = expression.func(*still)
-            if not (part.is_Atom or (-part).is_Symbol):
+            if not (part.is_Atom or _opposite(part).is_Symbol):
                 sign = -1 if expression.is_Mul and part.could_extract_minus_sign() else 1
                 part = sign * self.let(sign * part, "k1")
             return expression.func(part, *moving)
@@ -206,9 +206,23 @@ class Tape:
         return [symbol for symbol in (*self.inputs, *self.assignments) if symbol in wanted]
 
 
+def _opposite(expression: Any) -> Any:
+    """The atom that an expression is minus of, or zero; to make the opposite and look takes a hundred times longer."""
+    negated = expression.is_Mul and len(expression.args) == 2 and expression.args[0] is sp.S.NegativeOne
+    return expression.args[1] if negated and expression.args[1].is_Atom else sp.S.Zero
+
+
 def symbols_in(expression: Any) -> list[sp.Symbol]:
     """The symbols of an expression in the order they stand in it (never in hash order)."""
-    return list(dict.fromkeys(node for node in sp.preorder_traversal(expression) if isinstance(node, sp.Symbol)))
+    found: dict[sp.Symbol, None] = {}
+    pending = [sp.sympify(expression)]
+    while pending:
+        node = pending.pop()
+        if isinstance(node, sp.Symbol):
+            found[node] = None
+        else:
+            pending.extend(reversed(node.args))
+    return list(found)
 
 
 def reads(function: Function) -> list[sp.Symbol]:
@@ -277,7 +291,7 @@ def _expressions(function: Function) -> Iterator[Any]:
 def _compound_parts(expression: Any) -> Iterator[Any]:
     """Nodes worth a name: no atoms, no plain negations or numbers times a symbol, no reciprocals."""
     for node in sp.preorder_traversal(expression):
-        if node.is_Atom or node.is_Relational or (node.is_Pow and node.exp == -1) or (-node).is_Atom:
+        if node.is_Atom or node.is_Relational or (node.is_Pow and node.exp == -1) or _opposite(node) != 0:
             continue
         yield node
 

@@ -118,20 +118,28 @@ def _position(loops: _Loops, q: Array, given: Collection[str]) -> tuple[Array, t
         found = min(closed, key=lambda x: float(np.linalg.norm((x - q) / reach)), default=found)
     phi, _, jacobian, _ = loops.at(found, still)
     open_ones = loops.open_ones(phi, size)
+    closing = jacobian * loops.scales[0] / size[:, None]
+    closing = np.vstack([closing, np.max(np.abs(closing)) * _norms(model, found)])
+    free = _undetermined(closing[:, unknown], [names[i] for i in unknown])
     if open_ones:
-        weighted = jacobian[:, unknown] * loops.scales[0][unknown] / size[:, None]
-        locked = not _undetermined(weighted, [names[i] for i in unknown])[0]
         remedy = _ways_out(
             [name for name in names if name in given],
-            loops.drives if locked else [],
+            loops.drives if not free[0] else [],
             "no place that was tried closes it: check the lengths between its joints, or state positions nearer to one in the scene's Start",
         )
         fault = Fault(
             "start, positions", f"over-determined or out of reach: {', '.join(open_ones)}", "closed loops", remedy
         )
         return q, (fault,)
-    free = _undetermined(jacobian[:, unknown] * loops.scales[0][unknown] / size[:, None], [names[i] for i in unknown])
     return found, _under("positions", *free)
+
+
+def _norms(model: Model, q: Array) -> Array:
+    """What quaternions must not do, their lengths being 1: one row each (n, nq)."""
+    rows = np.zeros((len(model.quaternions), model.nq))
+    for row, i in zip(rows, model.quaternions, strict=True):
+        row[i : i + 4] = q[i : i + 4]
+    return rows
 
 
 def _ways_out(given: list[str], drives: list[str], otherwise: str) -> str:
@@ -149,7 +157,9 @@ def _closed(loops: _Loops, q: Array, unknown: list[int], size: Array) -> Array:
     q, scale, still = q.copy(), loops.scales[0], np.zeros(loops.model.nu)
     phi, _, jacobian, _ = loops.at(q, still)
     for _ in range(ITERATIONS):
-        weighted = jacobian[:, unknown] * scale[unknown] / size[:, None]
+        norms = _norms(loops.model, q)
+        across = jacobian - jacobian @ norms.T @ norms  # what a quaternion grew by would be taken back
+        weighted = across[:, unknown] * scale[unknown] / size[:, None]
         step = scale[unknown] * np.linalg.lstsq(weighted, -phi / size, rcond=RANK)[0]
         before, start = np.linalg.norm(phi / size), q.copy()
         for halving in range(HALVINGS):

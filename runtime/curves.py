@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.runtime.history import acceleration_of
-from hertzwerk.runtime.ideal import IdealMotion, ideal_motion
+from hertzwerk.runtime.ideal import IdealMotion, has_clearance, ideal_motion, unknown_because
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.history import History
@@ -91,6 +91,14 @@ class Curves:
             return None
         start = np.array([run[name][0] for name in run.model.coordinates])
         return ideal_motion(run.model, self.t, start, run.history.controls[: run.model.nc])
+
+    @property
+    def no_ideal(self) -> str:
+        """Why a run with clearance is not compared with the ideal mechanism; empty where it is, or has none."""
+        if self.ideal is not None or self.run.history.integrator is None or not has_clearance(self.run.model):
+            return ""
+        why = unknown_because(self.run.model) or "it cannot be assembled, or locks on the way"
+        return f"No ideal mechanism to compare with: {why}."
 
     @property
     def motions(self) -> list[Motion]:

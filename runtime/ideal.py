@@ -1,8 +1,10 @@
 """The ideal mechanism: every clearance closed, the motion that a run with clearance is compared with.
 
-A pin in a bush reports its eccentricity in the outputs of the model. Where these eccentricities are as many as the speeds, the ideal motion
-is their common zero e(t, q) = 0, found by Newton's method and followed in time; its speeds and accelerations solve the first and second time
-derivative of the same equations, which are linear in them. A coordinate that a drive integrates has no speed to be solved for: it is integrated
+A pin in a bush, or a ball in a socket, reports its eccentricity in the outputs of the model. Where these eccentricities and the constraints of closed
+loops are together as many as the speeds, the ideal motion is their common zero e(t, q) = 0, found by Newton's method and followed in time; its speeds
+and accelerations solve the first and second time derivative of the same equations, which are linear in them. Where they are fewer, the mechanism
+without clearance still moves by its masses and forces, and has no motion to compare with that geometry alone would tell. A corner on a face is not a
+joint that could be closed. A coordinate that a drive integrates has no speed to be solved for: it is integrated
 here too. Nothing else of the model enters: no mass, no force.
 """
 
@@ -24,6 +26,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
+_CLEARANCES = ("pin_in_bush", "ball_in_socket", "corner_on_face")  # pairs that stand for a joint
 _CORRECTIONS = 4  # Newton's, in one step in time
 _CONTRACTION = 0.25  # of the second correction over the first (Deuflhard's test): a step that stays on its branch
 _ROUNDING = 1e-12  # the last correction, relative to 1 + |q|
@@ -58,10 +61,11 @@ class IdealMotion:
 def ideal_motion(model: Model, times: Sequence[float] | Array, q: Array, c: Array) -> IdealMotion | None:
     """Follow the ideal mechanism through increasing times, from coordinates q (nq,) near the assembled position at the first.
 
-    c (nc,) are the model's constants for the run's parameters. None where the eccentricities do not determine the coordinates: no pin in a bush,
-    fewer or more of them than the coordinates need, a mechanism that cannot be assembled, or one that locks on the way.
+    c (nc,) are the model's constants for the run's parameters. None where eccentricities and constraints do not determine the coordinates: no pin
+    in a bush, fewer or more of them than the coordinates need (see `unknown_because`), a mechanism that cannot be assembled, or one that locks on
+    the way.
     """
-    closure = _Closure.of(model)
+    closure = None if unknown_because(model) else _Closure.of(model)
     wanted = np.asarray(times, dtype=float)
     if closure is None or not len(wanted):
         return None
@@ -74,6 +78,27 @@ def ideal_motion(model: Model, times: Sequence[float] | Array, q: Array, c: Arra
         rows.append(here)
     q_rows, u_rows, a_rows = (np.array(column) for column in zip(*((row.q, row.u, row.a) for row in rows), strict=True))
     return IdealMotion(wanted, q_rows, u_rows, a_rows, tuple(model.coordinates), tuple(model.speeds))
+
+
+def has_clearance(model: Model) -> bool:
+    """Whether some pair stands for a joint."""
+    return any(kind in _CLEARANCES for _, kind in model.module.PAIRS)
+
+
+def unknown_because(model: Model) -> str:
+    """Why geometry alone does not tell the motion of the ideal mechanism, for people; empty where it may."""
+    if not has_clearance(model):
+        return "it has no joint with clearance"
+    if any(kind == "corner_on_face" for _, kind in model.module.PAIRS):
+        return "a corner on a face is no joint that could be closed"
+    found = len(_eccentricities(model)) + model.nl
+    if found != model.nu:
+        return f"closed clearances and loops make {found} equations for {model.nu} freedoms, so it moves by its masses and forces"
+    return ""
+
+
+def _eccentricities(model: Model) -> list[int]:
+    return [i for i, name in enumerate(model.outputs) if ".eccentricity_" in name]
 
 
 @dataclass(frozen=True)
@@ -93,16 +118,15 @@ class _Closure:
     nu: int
 
     @classmethod
-    def of(cls, model: Model) -> _Closure | None:
-        """Closure equations of a model, or None where their number is not that of its speeds."""
-        rows = [i for i, name in enumerate(model.outputs) if ".eccentricity_" in name]
-        if not rows or len(rows) != model.nu:
-            return None
+    def of(cls, model: Model) -> _Closure:
+        """Closure equations of a model that has as many of them as speeds."""
         outputs, rates = model.function("outputs"), model.function("coordinate_rates")
         t, q, u, c = (ca.SX.sym(name, outputs.sparsity_in(i)) for i, name in enumerate("tquc"))
         a, dt = ca.SX.sym("a", u.sparsity()), ca.SX.sym("dt")
         dq = rates(t, q, u, c)
-        e = outputs(t, q, u, c)[rows]
+        e = outputs(t, q, u, c)[_eccentricities(model)]
+        if model.nl:
+            e = ca.vertcat(e, model.function("constraints")(t, q, u, c)[0])
         e_dot = ca.jtimes(e, ca.vertcat(t, q), ca.vertcat(1, dq))
         e_ddot = ca.jtimes(e_dot, ca.vertcat(t, q, u), ca.vertcat(1, dq, a))
         jacobian = ca.substitute(ca.jacobian(e_dot, u), u, ca.SX.zeros(model.nu))

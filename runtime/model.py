@@ -91,7 +91,9 @@ class Model:
         module = self.module
         if not hasattr(module, "JOINT_COORDINATES"):
             return self
-        given = {name: getattr(module, name) for name in ("NAME", "PARAMETERS", "CONSTANTS", "LIMITS", "start")}
+        given = {
+            name: getattr(module, name) for name in ("NAME", "EFFECTS", "PARAMETERS", "CONSTANTS", "LIMITS", "start")
+        }
         given |= {
             name: getattr(module, f"JOINT_{name}") for name in ("COORDINATES", "SPEEDS", "QUATERNIONS", "CONSTRAINTS")
         }

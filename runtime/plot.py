@@ -120,7 +120,7 @@ def _overview(curves: Curves) -> Figure:
             draw(axis, curves)
         for axis in axes[len(panels) :]:
             axis.set_visible(False)
-        _caption(figure, curves.run, curves.run.model.module.SUMMARY)
+        _caption(figure, curves.run, curves.run.model.module.SUMMARY, curves.no_ideal)
     return figure
 
 
@@ -293,11 +293,12 @@ def _loop(axis: Axes, run: Solution, impact: Impact | None) -> None:
 # ---- furniture -------------------------------------------------------------------------------------------------------
 
 
-def _caption(figure: Figure, run: Solution, subtitle: str) -> None:
+def _caption(figure: Figure, run: Solution, subtitle: str, note: str = "") -> None:
     """Title, and below the panels what a reader must know to trust them."""
     figure.suptitle(f"{run.model.name}: {subtitle}", x=0.01, ha="left", fontsize=12.5, fontweight="bold")
     notes = [] if run.outcome.finished else [f"{run.outcome.name}: {run.outcome.message}"]
     notes += run.warnings  # unchecked laws among them
+    notes += [note] if note else []
     if notes:
         text = "\n".join(line for note in notes for line in textwrap.wrap(note, 150))
         figure.supxlabel(text, x=0.01, ha="left", fontsize=9, color=VERMILLION)

@@ -380,7 +380,7 @@ def test_an_unchecked_law_says_so():
     assert "UNCHECKED" in equations_of(scene.replace(floor=wrong)).markdown()
 
 
-LONG = 700  # characters of a formula that mathtext takes too long for
+LONG = 400  # characters of a formula that mathtext takes too long for
 
 # -- typeset -----------------------------------------------------------------------------------------------------------
 
@@ -392,18 +392,31 @@ def pieces(latex):
         yield line.replace("&", " ").strip()
 
 
+def shape(latex):
+    """A formula up to the names in its indices and its digits."""
+    return re.sub(r"\d+", "1", re.sub(r"\\mathrm\{[^{}]*\}", "i", latex))
+
+
+TYPESET = set()  # shapes; of two scenes that share a mechanism most are the same
+
+
 @pytest.mark.parametrize("name", SCENES)
 def test_every_formula_can_be_typeset(read, name):
+    """One of each shape; the symbols themselves all."""
     from matplotlib.mathtext import MathTextParser
 
     shown, _ = read(name)
     parser = MathTextParser("path")
+    for symbol in (*shown.states, *shown.parameters):
+        parser.parse(f"${symbol.latex}$")
     for latex in [*(e.latex for e in shown.equations), *(s.latex for s in (*shown.states, *shown.parameters))]:
         assert latex.count("{") == latex.count("}")
         assert latex.count(r"\left") == latex.count(r"\right")
         assert "mark" not in latex
         for piece in pieces(latex) if len(latex) < LONG else ():
-            parser.parse(f"${piece}$")
+            if shape(piece) not in TYPESET:
+                parser.parse(f"${piece}$")
+                TYPESET.add(shape(piece))
     with pytest.raises(ValueError, match="Expected"):
         parser.parse(r"$\frac{1}{$")
 

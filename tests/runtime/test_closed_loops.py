@@ -14,10 +14,14 @@ from hertzwerk.derive import (
     Gravity,
     Mechanism,
     Parameter,
+    Prismatic,
     Revolute,
     Scales,
     Scene,
+    Spherical,
     Start,
+    Universal,
+    X,
     Y,
     Z,
 )  # fmt: skip
@@ -201,6 +205,43 @@ def test_too_little_is_said_with_what_is_free():
     (fault,) = error.value.faults
     assert fault.found == "under-determined: main.angle, left.angle, foot.angle"
     assert fault.expected == "1 more value among them"
+
+
+@pytest.fixture(scope="module")
+def ball_crank():
+    """A crank about Z, a rod on it by a ball, that pushes a slider on a line along X, 0.2 m above and 0.3 m beside, by a universal joint."""
+    triple = tuple(Parameter(f"inertia_{k}", "kg m^2", 0.02) for k in "xyz")
+    m, l, far = Parameter("mass", "kg", 1.0), Parameter("rod", "m", 1.5), Parameter("far", "m", 0.5)
+    crank, rod, slider = (Body(name, m, triple, centre=(far, 0, 0)) for name in ("crank", "rod", "slider"))
+    joints = (
+        Revolute("main", GROUND, crank, axis=Z),
+        Spherical("ball", crank.at(2 * far, 0, 0), rod),
+        Prismatic("guide", GROUND.at(0, 0.4 * far, 0.6 * far), slider, axis=X),
+        Universal("cross", rod.at(l, 0, 0), slider, first=Y, second=Z),
+    )
+    gravity = Gravity("gravity", Parameter("g", "m/s^2", 9.81), direction=-Y)
+    pace = Parameter("pace", "m/s", 1.0)
+    return load(Scene(Mechanism("pushed", joints), (gravity, EnergyLedger()), Scales(length=far, speed=pace, arm=far)))
+
+
+@pytest.mark.parametrize("degrees", [10, 60, 100, 300])
+def test_a_ball_in_a_loop_is_turned_until_it_closes(ball_crank, degrees):
+    """One angle determines the rest: a quaternion has one number more than freedoms, and it is no freedom."""
+    run = simulate(ball_crank, duration=1e-3, initial={"main.angle": (degrees, "deg")})
+    a = np.radians(degrees)
+    reach = np.sqrt(1.5**2 - (np.sin(a) - 0.2) ** 2 - 0.3**2)
+    assert min(abs(run["guide.travel"][0] - np.cos(a) - sign * reach) for sign in (1, -1)) < 1e-11
+    assert max(abs(run[name][0]) for name in ball_crank.constraints) < 1e-11
+    assert sum(run[f"ball.q{i}"][0] ** 2 for i in range(4)) == pytest.approx(1, abs=1e-14)
+
+
+def test_too_little_is_said_of_a_ball_too(ball_crank):
+    with pytest.raises(InputError) as error:
+        simulate(ball_crank, duration=1e-3)
+    (fault,) = error.value.faults
+    assert fault.expected == "1 more value among them"
+    with pytest.raises(InputError, match="out of reach: cross open by"):
+        simulate(ball_crank, duration=1e-3, initial={"guide.travel": "0 m"})
 
 
 def test_lengths_that_never_meet():

@@ -1,5 +1,6 @@
 """The ideal mechanism, against the closed form of the slider-crank, which knows nothing of eccentricities."""
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -30,7 +31,7 @@ from hertzwerk.derive import (
 from hertzwerk.derive.laws import power
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 from hertzwerk.runtime import simulate
-from hertzwerk.runtime.ideal import ideal_motion
+from hertzwerk.runtime.ideal import ideal_motion, unknown_because
 from hertzwerk.runtime.model import load
 from reference import ideal_slider_crank as closed_form
 
@@ -199,3 +200,36 @@ def test_a_free_body_is_assembled_and_followed_on_its_quaternion():
     assert np.max(np.abs(ideal.q - expected)) < 1e-13
     assert np.max(np.abs(ideal.u - [0, 0, 0, 0, 0, speed])) < 1e-12
     assert np.max(np.abs(ideal.acceleration)) < 1e-11
+
+
+def test_a_closed_loop_counts_beside_the_clearances():
+    """A second crank, hung to the first by a coupler as long as the base: it turns along, and the slider does what it did."""
+    base, mass = Parameter("base", "m", 0.2), Parameter("second_mass", "kg", 0.1)
+    inertia = Parameter("second_inertia", "kg m^2", 1e-4)
+    second, coupler = Body("second", mass, inertia), Body("coupler", mass, inertia, (base / 2, 0, 0))
+    crank, radius = slider_crank.mechanism.joints[1].parent.body, slider_crank.mechanism.joints[1].parent.position[0]
+    joints = (
+        *slider_crank.mechanism.joints,
+        Revolute("second_bearing", GROUND.at(base, 0, 0), second, Z),
+        Revolute("near", crank.at(radius, 0, 0), coupler, Z),
+        Revolute("far", second.at(radius, 0, 0), coupler.at(base, 0, 0), Z),
+    )
+    model = load(replace(slider_crank, mechanism=replace(slider_crank.mechanism, joints=joints)))
+    assert (model.nu, model.nl) == (4, 2)
+    t = np.linspace(0, 0.009, 13)  # on both sides of the change points, where crank and base are in one line
+    t = t[np.abs(np.sin(W * t)) > 0.1]
+    q = np.array(model.function("start")(model.bind().p)[0]).ravel()
+    q[[model.coordinates.index("second_bearing.angle"), model.coordinates.index("near.angle")]] = W * t[0], -W * t[0]
+    ideal = ideal_motion(model, t[t < 0.006], q, model.bind().c)
+    wanted = t[t < 0.006]
+    assert ideal["guide.travel"] == pytest.approx(closed_form.position(W * wanted, R, L), rel=1e-13)
+    assert ideal["second_bearing.angle"] == pytest.approx(W * wanted, rel=1e-12)
+    assert ideal["near.speed"] == pytest.approx(np.full_like(wanted, -W), rel=1e-11)
+
+
+def test_what_has_none_says_why():
+    """A slider in its guide is four corners on two faces; a ball in a socket by itself keeps all its turns."""
+    assert "corner on a face" in unknown_because(load("translational_clearance"))
+    assert "3 equations for 6 freedoms" in unknown_because(load("ball_in_socket"))
+    assert "no joint with clearance" in unknown_because(load("soft_ball"))
+    assert unknown_because(load("spatial_slider_crank")) == ""

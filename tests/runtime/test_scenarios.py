@@ -3,7 +3,7 @@
 import pytest
 
 from hertzwerk.derive.faults import InputError
-from hertzwerk.runtime import scenarios
+from hertzwerk.runtime import load, scenarios, simulate
 from hertzwerk.runtime.build import built_in_scenes
 from hertzwerk.runtime.scenario import load_scenario
 from hertzwerk.runtime.validate import measure, run_scenario, validate
@@ -76,14 +76,13 @@ FAULTS = {
 def test_a_parameter_that_is_off_by_a_hundredth_fails_a_check(name):
     given, quantity, duration = FAULTS[name]
     parameter, _, value = given.partition(" = ")
-    scenario = load_scenario(name)
-    scenario = scenario.model_copy(update={"duration": duration or scenario.duration})
+    scenario, model = load_scenario(name), load(name)
+    plain = {"duration": duration or scenario.duration, "tolerance": scenario.accuracy, "method": scenario.method}
     for parameters, passed in (({}, True), ({parameter: value}, False)):
         if passed and not duration:
             continue  # which is seen above
-        changed = scenario.model_copy(update={"parameters": {**scenario.parameters, **parameters}})
-        verdicts = validate(changed, run_scenario(changed))
-        assert {v.passed for v in verdicts if v.check.quantity == quantity} == {passed}
+        run = simulate(model, **plain, initial=scenario.initial, parameters={**scenario.parameters, **parameters})
+        assert {v.passed for v in validate(scenario, run) if v.check.quantity == quantity} == {passed}
 
 
 @pytest.mark.parametrize(
