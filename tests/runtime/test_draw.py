@@ -45,11 +45,9 @@ CRANK, ROD, PACE = 0.05, 0.12, 30.0  # m, m, rad/s
 def ideal_slider_crank() -> Scene:
     """Crank at constant speed, rod, slider; the slider's pin closes the loop."""
     r, l, w = Parameter("crank_length", "m", CRANK), Parameter("rod_length", "m", ROD), Parameter("pace", "rad/s", PACE)
-    bodies = [
-        Body(name, Parameter(f"{name}_mass", "kg", 1), Parameter("inertia", "kg m^2", 1e-3))
-        for name in ("crank", "rod", "slider")
-    ]
-    crank, rod, slider = bodies
+    inertia = Parameter("inertia", "kg m^2", 1e-3)
+    crank, slider = (Body(name, Parameter(f"{name}_mass", "kg", 1), inertia) for name in ("crank", "slider"))
+    rod = Body("rod", Parameter("rod_mass", "kg", 1), inertia, centre=(l / 2, 0, 0))
     return Scene(
         Mechanism(
             "ideal_slider_crank",
