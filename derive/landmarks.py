@@ -126,9 +126,8 @@ def _on_joint(effect: Any, mechanism: Mechanism) -> Iterator[Landmark]:
     if freedom.axis is None:
         return
     kind = f"{freedom.kind}_{effect.kind}"
-    last = (
-        freedom == joint.freedoms[-1]
-    )  # its axis is fixed in the child, as the first turn's and every slide's is in the parent
+    # the last axis is fixed in the child, as the first turn's and every slide's is in the parent
+    last = freedom == joint.freedoms[-1]
     if freedom.kind == "turn":
         point, place = (joint.child, "child") if last else (joint.parent, "parent")
         yield Landmark(effect.name, kind, place, point, {"axis": _in_body(point, freedom.axis)})

@@ -127,7 +127,7 @@ def _write_files(solution: Solution, folder: Path, *, plots: bool, averages: boo
         from hertzwerk.runtime import plot
         from hertzwerk.runtime.draw import picture
 
-        picture.save(picture.of_run(solution), folder / "mechanism.png")
+        picture.of_run(solution).savefig(folder / "mechanism.png", dpi="figure")
         files += ["mechanism.png", *plot.save_all(solution, folder)]
     return files
 

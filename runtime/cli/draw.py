@@ -43,12 +43,9 @@ def draw(
     overwrite: bool,
 ) -> int:
     """Draw the mechanism of TARGET at its start and later, clearances enlarged; of several (default: all built-in scenes) one sheet."""
-    import matplotlib as mpl
-
     from hertzwerk.runtime.build import built_in_scenes
     from hertzwerk.runtime.draw import picture
     from hertzwerk.runtime.draw.sheet import sheet
-    from hertzwerk.runtime.plot import STYLE
     from hertzwerk.runtime.solution import write
 
     faults: list[Fault] = []
@@ -58,14 +55,15 @@ def draw(
         faults.append(Fault("--duration", repr(duration), "none beside --start"))
     if len(names) > 1 and (values or duration is not None):
         faults.append(Fault("--set, --duration", "several targets", "one"))
+    path = out or Path(f"{Path(names[0]).stem}.png" if len(names) == 1 else "mechanisms.png")
+    if path.exists() and not overwrite:
+        faults.append(Fault("--out", f"{path}, which exists", "a new file", "name another, or say --overwrite"))
     if faults:
         raise InputError("draw", faults)
     seen = [_places(name, values, duration, start) for name in names]
-    path = out or Path(f"{seen[0][0].model.name}.png" if len(names) == 1 else "mechanisms.png")
     content = io.BytesIO()
     page = picture.figure(*seen[0]) if len(names) == 1 else sheet([places for places, _ in seen])
-    with mpl.rc_context(STYLE if len(names) == 1 else {}):
-        page.savefig(content, format="png")
+    page.savefig(content, format="png", dpi="figure")
     line("written", str(write(path, content.getvalue(), overwrite=overwrite)))
     return GOOD
 

@@ -12,7 +12,7 @@ from matplotlib.ticker import MaxNLocator
 
 from hertzwerk.runtime.curves import Scale, scale_of
 from hertzwerk.runtime.draw import elements, labels
-from hertzwerk.runtime.draw.paper import INK, Paper
+from hertzwerk.runtime.draw.paper import INK, Paper, shade
 from hertzwerk.runtime.draw.parts import Parts
 from hertzwerk.runtime.draw.places import GROUND, Array, Landmark, Places
 from hertzwerk.runtime.draw.view import view_of
@@ -23,8 +23,10 @@ if TYPE_CHECKING:
 
 LEAST = (3.0, 1.9)  # inches of an axis
 MARGIN = 30.0  # points around what has to be seen
+MORE = 22.0  # where the ground of a spring stands behind what slides
+CROWDED, LEAST_SYMBOL = 28.0, 0.3  # bodies shorter than this, in points, get smaller symbols, down to this part
 GHOSTS = 5
-DISTINCT = 0.07  # of the size of the mechanism: ghosts nearer to each other than this say nothing
+DISTINCT = 0.07  # of the size of the mechanism: ghosts nearer to each other than this, or than half a body, say nothing
 PATHS = 3
 ROUNDS = 4.0  # of the size of a path: as long as it is shown, once around a circle and on
 MANY = 16  # names that still find a place
@@ -46,21 +48,18 @@ class Drawing:
     ) -> Drawing:
         """Everything fits into a panel [inch]."""
         view = view_of(places)
-        rough = Parts(places, view, Scale("m", 1.0)).extents()
-        parts = Parts(places, view, _unit(float(np.max(np.ptp(rough, axis=0)))))
+        rough = float(np.max(np.ptp(Parts(places, view, Scale("m", 1.0)).extents(), axis=0)))
+        parts = Parts(places, view, _unit(rough or 1.0))
         seen = parts.extents()
         low, high = np.min(seen, axis=0), np.max(seen, axis=0)
-        room = [inches - 2 * margin / 72 for inches in panel]
-        per_inch = max(float(np.max((high - low) / room)), 1e-12)
-        size = np.maximum((high - low) / per_inch + 2 * margin / 72, least)
+        around = margin + (MORE if _stands_behind(parts, float(np.max(high - low))) else 0.0)
+        room = [inches - 2 * around / 72 for inches in panel]
+        per_inch = float(np.max((high - low) / room)) or 0.25 / parts.unit.factor  # of a point mass: a metre
+        size = np.maximum((high - low) / per_inch + 2 * around / 72, least)
         middle, half = (low + high) / 2, size * per_inch / 2
         (left, bottom), (right, top) = middle - half, middle + half
-        return cls(
-            parts,
-            (float(size[0]), float(size[1])),
-            (left, right, bottom, top),
-            _distinct(parts, float(np.max(high - low))),
-        )
+        inches = float(size[0]), float(size[1])
+        return cls(parts, inches, (left, right, bottom, top), _distinct(parts, float(np.max(high - low))))
 
     @property
     def point(self) -> float:
@@ -69,16 +68,18 @@ class Drawing:
 
     def on(self, axis: Axes, size: float = 9.0, symbols: float = 1.0) -> None:
         """Draw it, with names of a size [points], and symbols of so much their usual one."""
-        parts, paper = self.parts, Paper(axis, self.point * symbols)
+        parts = self.parts
+        length = parts.length(0) or CROWDED * self.point
+        paper = Paper(axis, self.point * symbols * float(np.clip(length / (CROWDED * self.point), LEAST_SYMBOL, 1.0)))
         axis.set(xlim=self.frame[:2], ylim=self.frame[2:], aspect="equal")
         for i in self.ghosts:
             parts.draw(paper.faint(), i)
         self._paths(paper)
         parts.draw(paper, 0)
         elements.draw(parts, paper, 0)
-        self._gravity(paper)
+        self._gravity(paper, self.point * symbols)
         if parts.view.names is None:
-            self._triad(paper)
+            self._triad(paper, self.point * symbols)
         else:
             self._scales(axis)
         labels.place(paper, list(self._names(paper, size)), self.frame, self.point)
@@ -97,7 +98,7 @@ class Drawing:
         return (
             f"At t = 0{faint}. "
             + ("Thin lines: paths of " if len(paths) > 1 else "Thin line: path of ")
-            + f"{', '.join(paths)}."
+            + f"{', '.join(dict.fromkeys(paths))}."
         )
 
     # -- paths ---------------------------------------------------------------------------------------------------------
@@ -135,7 +136,7 @@ class Drawing:
         bodies = parts.places.bodies[1:]
         if len(bodies) <= MANY:
             for body in bodies:
-                yield labels.Label(body, parts.beside(paper, body, 0), parts.colours[body], size)
+                yield labels.Label(body, parts.beside(paper, body, 0), shade(parts.colours[body]), size)
         for (name, kind), marks in parts.of.items():
             if kind in ("spring", "damper", "slide_spring", "slide_damper"):
                 a, b = parts.at(marks[0], 0), parts.at(marks[1], 0)
@@ -143,9 +144,9 @@ class Drawing:
             elif kind in ("force", "moment", "turn_drive", "slide_drive", "turn_force", "slide_force"):
                 yield labels.Label(name, parts.at(marks[0], 0)[None], VERMILLION, size - 1)
 
-    def _gravity(self, paper: Paper) -> None:
+    def _gravity(self, paper: Paper, p: float) -> None:
         """An arrow in the corner where there is least ink."""
-        parts, (left, right, bottom, top), p = self.parts, self.frame, paper.point
+        parts, (left, right, bottom, top) = self.parts, self.frame
         marks = [mark for mark in parts.places.landmarks if mark.kind == "gravity"]
         if not marks:
             return
@@ -166,9 +167,9 @@ class Drawing:
             side.set_major_locator(MaxNLocator(nbins=6, steps=[1, 2, 2.5, 5, 10], min_n_ticks=3))
         axis.tick_params(labelsize=8.5)
 
-    def _triad(self, paper: Paper) -> None:
+    def _triad(self, paper: Paper, p: float) -> None:
         """The ground's axes as they are seen, and a scale."""
-        axis, p, (left, right, bottom, top) = paper.axis, paper.point, self.frame
+        axis, (left, right, bottom, top) = paper.axis, self.frame
         axis.set_axis_off()
         corners = [np.array([x, y]) for y in (bottom + 30 * p, top - 38 * p) for x in (left + 30 * p, right - 32 * p)]
         at = min(corners, key=lambda corner: paper.inked(corner, 28 * p))
@@ -194,6 +195,12 @@ def _cut(way: Array) -> Array:
     return way[: 2 + int(np.searchsorted(length, ROUNDS * float(np.max(np.ptp(way, axis=0)))))]
 
 
+def _stands_behind(parts: Parts, size: float) -> bool:
+    """Whether a spring or damper on a slide is too short to be drawn between its points."""
+    ends = [marks for (_, kind), marks in parts.of.items() if kind in ("slide_spring", "slide_damper")]
+    return any(np.linalg.norm(parts.at(a, 0) - parts.at(b, 0)) < 0.15 * size for a, b in ends)
+
+
 def _distinct(parts: Parts, size: float) -> tuple[int, ...]:
     """Instants that show most of the motion: each in turn the furthest from those before, the start first (farthest-point sampling)."""
     marks = [m for m in parts.places.landmarks if m.body != GROUND]
@@ -201,8 +208,9 @@ def _distinct(parts: Parts, size: float) -> tuple[int, ...]:
         return ()
     shape = np.concatenate([parts.flat(parts.positions[id(mark)]) for mark in marks], axis=1)
     nearest = np.max(np.abs(shape - shape[0]), axis=1)
+    apart = min(DISTINCT * size, parts.length(0) / 2 or size)
     found: list[int] = []
-    while len(found) < GHOSTS and np.max(nearest) > DISTINCT * size:
+    while len(found) < GHOSTS and np.max(nearest) > apart:
         found.append(int(np.argmax(nearest)))
         nearest = np.minimum(nearest, np.max(np.abs(shape - shape[found[-1]]), axis=1))
     return tuple(sorted(found))

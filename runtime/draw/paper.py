@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.collections import LineCollection
-from matplotlib.colors import to_rgb
+from matplotlib.colors import to_hex, to_rgb
 from matplotlib.lines import Line2D
 from matplotlib.patches import Polygon, Wedge
 
@@ -180,7 +180,8 @@ class Paper:
 
     def inked(self, centre: Array, half: float) -> int:
         """How much ink there is in a square about a place."""
-        return sum(int(np.sum(np.max(np.abs(points - centre), axis=1) < half)) for points in self.ink)
+        points = np.concatenate([np.zeros((0, 2)), *self.ink])
+        return int(np.sum(np.max(np.abs(points - centre), axis=1) < half))
 
 
 def _circle() -> Array:
@@ -191,6 +192,12 @@ def tint(colour: str, strength: float) -> tuple[float, float, float]:
     """A colour mixed with white."""
     r, g, b = (1 - strength * (1 - part) for part in to_rgb(colour))
     return (r, g, b)
+
+
+def shade(colour: str) -> str:
+    """A colour dark enough to be read."""
+    r, g, b = (0.78 * part for part in to_rgb(colour))
+    return to_hex((r, g, b))
 
 
 def hull(points: Array) -> Array:

@@ -319,6 +319,15 @@ class Parts:
                 anchors.append(self.at(mark, i) + np.array([across * side, -across * side, along * way, -along * way]))
         return np.concatenate(anchors)
 
+    def length(self, i: int) -> float:
+        """Of a body between its points on the paper, the median; 0 where all are points."""
+        spans = [
+            float(np.max(np.ptp(corners, axis=0)))
+            for body in self.places.bodies[1:]
+            if len(corners := self.corners(body, i)) > 1
+        ]
+        return float(np.median(spans)) if spans else 0.0
+
     def extents(self) -> Array:
         """Points on the paper that have to be seen, over all instants: (k, 2)."""
         return np.concatenate(list(self._extents()))

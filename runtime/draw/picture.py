@@ -5,7 +5,6 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
@@ -24,6 +23,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.solution import Solution
 
 PANEL = (6.6, 4.7)  # inches of the mechanism at most
+DPI = 160
 
 
 def of_run(run: Solution) -> Figure:
@@ -52,7 +52,7 @@ def figure(places: Places, warnings: Sequence[str]) -> Figure:
     across = left + width + beside
     caption = textwrap.wrap(drawing.caption(), int(15.5 * across))
     cautions = [line for text in warnings for line in textwrap.wrap(text, int(15.5 * across))]
-    title = textwrap.wrap(f"{places.model.name}: {places.model.module.SUMMARY}", int(9.8 * across))
+    title = textwrap.wrap(": ".join(filter(None, (places.model.name, places.model.module.SUMMARY))), int(9.8 * across))
     foot = 0.14 + 0.165 * (len(caption) + len(cautions))
     low = foot + below + (insets.HEIGHT if row else 0.0)
     top = max(low + height, low + insets.HEIGHT) + 0.15
@@ -62,7 +62,7 @@ def figure(places: Places, warnings: Sequence[str]) -> Figure:
         return x / across, y / tall, w / across, h / tall
 
     with mpl.rc_context({**STYLE, "axes.grid": False}):
-        page = Figure(figsize=(across, tall))
+        page = Figure(figsize=(across, tall), dpi=DPI)
         axis = page.add_axes(fraction(left, low, width, height))
         drawing.on(axis)
         spots = [(left + width + 0.3, top - insets.HEIGHT)]
@@ -94,9 +94,3 @@ def _spread(wanted: Array, low: float, high: float) -> Array:
         first[k] = min(first[k], last)
         last = first[k] - step
     return first
-
-
-def save(page: Figure, path: Path) -> None:
-    """Write a page."""
-    with mpl.rc_context(STYLE):
-        page.savefig(path)

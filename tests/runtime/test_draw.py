@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
 
 from hertzwerk.derive import (
@@ -31,7 +32,9 @@ from hertzwerk.derive.laws import power
 from hertzwerk.runtime import Solution, load, simulate
 from hertzwerk.runtime.build import scene_from
 from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.draw import labels
 from hertzwerk.runtime.draw.drawing import Drawing
+from hertzwerk.runtime.draw.paper import Paper
 from hertzwerk.runtime.draw.picture import PANEL
 from hertzwerk.runtime.draw.places import Places
 from reference.workshop import workshop
@@ -42,11 +45,9 @@ CRANK, ROD, PACE = 0.05, 0.12, 30.0  # m, m, rad/s
 def ideal_slider_crank() -> Scene:
     """Crank at constant speed, rod, slider; the slider's pin closes the loop."""
     r, l, w = Parameter("crank_length", "m", CRANK), Parameter("rod_length", "m", ROD), Parameter("pace", "rad/s", PACE)
-    bodies = [
-        Body(name, Parameter(f"{name}_mass", "kg", 1), Parameter("inertia", "kg m^2", 1e-3))
-        for name in ("crank", "rod", "slider")
-    ]
-    crank, rod, slider = bodies
+    inertia = Parameter("inertia", "kg m^2", 1e-3)
+    crank, slider = (Body(name, Parameter(f"{name}_mass", "kg", 1), inertia) for name in ("crank", "slider"))
+    rod = Body("rod", Parameter("rod_mass", "kg", 1), inertia, centre=(l / 2, 0, 0))
     return Scene(
         Mechanism(
             "ideal_slider_crank",
@@ -186,6 +187,22 @@ def test_everything_is_in_the_frame_and_names_cover_nothing(name):
     assert all(frame.contains(*box.p0) and frame.contains(*box.p1) for box in boxes)
     assert not [(a, b) for i, a in enumerate(boxes) for b in boxes[i + 1 :] if a.overlaps(b)]
     assert main.get_aspect() == 1
+
+
+def test_names_of_things_at_one_place_stand_beside_each_other():
+    figure = Figure(figsize=(4, 4))
+    axis = figure.add_axes((0, 0, 1, 1), xlim=(-2, 2), ylim=(-2, 2))
+    paper = Paper(axis, 1 / 72)
+    paper.line(np.array([[-2.0, 0.0], [2.0, 0.0]]))
+    labels.place(
+        paper, [labels.Label(f"name_{k}", np.zeros((1, 2)), "black") for k in range(8)], (-2, 2, -2, 2), 1 / 72
+    )
+    renderer = FigureCanvasAgg(figure).get_renderer()
+    boxes = [text.get_window_extent(renderer) for text in axis.texts]
+    assert len(boxes) == 8
+    assert not [(a, b) for i, a in enumerate(boxes) for b in boxes[i + 1 :] if a.overlaps(b)]
+    level = axis.transData.transform((0, 0))[1]  # of the line they are beside
+    assert not any(box.y0 < level < box.y1 for box in boxes)
 
 
 def test_later_instants_differ_and_are_told(crank):
