@@ -14,7 +14,8 @@ _HOME = {
          "SphereOnPlane", "SphereOnSphere", "Spherical", "Universal", "Weld"), "mechanism"),
     **dict.fromkeys(
         ("BodyTorque", "ConstantSpeed", "Contact", "Drive", "EnergyLedger", "Friction", "Gravity", "Harmonic", "JointDamper", "JointForce",
-         "JointFriction", "JointSpring", "PointDamper", "PointForce", "PointSpring", "Potential", "Ramp", "Scales", "Scene", "Start"), "scene"),
+         "JointFriction", "JointSpring", "Lubrication", "PointDamper", "PointForce", "PointSpring", "Potential", "Ramp", "Scales", "Scene",
+         "Start"), "scene"),
     **dict.fromkeys(("APART", "TURN"), "pairs"),
     **dict.fromkeys(("T", "coordinate_of", "speed_of"), "effects.expression"),
     "Table": "tables",

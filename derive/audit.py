@@ -12,7 +12,7 @@ from hertzwerk.derive.dimension import ONE, Dimension, DimensionError, Dimension
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.laws.law import STATE, BoundLaw, Law
 from hertzwerk.derive.program import Program
-from hertzwerk.derive.scene import Contact, Friction, JointFriction, Scene
+from hertzwerk.derive.scene import Scene
 from hertzwerk.derive.units import parse_unit
 
 
@@ -123,9 +123,8 @@ def audit_laws(scene: Scene) -> tuple[Finding, ...]:
     """One finding per expression of every law the scene calls for."""
     findings: list[Finding] = []
     for effect in scene.effects:
-        if isinstance(effect, Contact | Friction | JointFriction):
-            for bound in effect.laws:
-                findings.extend(_law_findings(scene, effect.name, bound, effect.unchecked))
+        for bound in getattr(effect, "laws", ()):
+            findings.extend(_law_findings(scene, effect.name, bound, getattr(effect, "unchecked", False)))
     return tuple(findings)
 
 

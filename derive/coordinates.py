@@ -203,7 +203,7 @@ def _effect_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:
 def _slots_of(effect: Any, closing: dict[str, tuple[Joint, Freedom]]) -> Iterator[Slot]:
     if hasattr(effect, "joint"):
         return iter(effect.slots(closing[effect.joint][1]))
-    return iter(() if effect.kind in ("contact", "friction") else effect.slots())
+    return iter(() if hasattr(effect, "pair") else effect.slots())
 
 
 # -- from the joints' coordinates --------------------------------------------------------------------------------------

@@ -14,7 +14,7 @@ from hertzwerk.derive.contact import Forces, PairKinematics
 from hertzwerk.derive.coordinates import MEASURED, Absolute, absolute, placed
 from hertzwerk.derive.dimension import Dimension
 from hertzwerk.derive.effects.expression import tables_in
-from hertzwerk.derive.elements import BOOKED, DISSIPATED, ELEMENTS, element
+from hertzwerk.derive.elements import DISSIPATED, element
 from hertzwerk.derive.emit import emit, flight, table_name
 from hertzwerk.derive.equations import Equations
 from hertzwerk.derive.faults import Fault, InputError
@@ -96,11 +96,8 @@ class _Derivation:
             (PairKinematics(self.kin, pair, scene.geometry(pair.name)), contact, friction)
             for pair, contact, friction in scene.contacts
         ]
-        self.elements = {
-            effect: element(effect, self.kin, scene.scales.length)
-            for effect in scene.effects
-            if effect.kind in ELEMENTS
-        }
+        found = {effect: element(effect, self.kin, scene) for effect in scene.effects}
+        self.elements = {effect: e for effect, e in found.items() if e is not None}
         rows = list(self.equations.free)
         if scene.ledger:
             rows += self.equations.driven
@@ -133,11 +130,9 @@ class _Derivation:
             return bristles
         ledger = self.scene.of_kind("ledger")[0].name
         drives = [(f"{ledger}.input", "J")] if self.driven else []
-        booked = [
-            (f"{effect.name}.{BOOKED.get(effect.kind, DISSIPATED)}", "J")
-            for effect in self.scene.effects
-            if isinstance(effect, Contact | Friction) or effect.kind in BOOKED
-        ]
+        rows = {effect.name: DISSIPATED for effect in self.scene.effects if isinstance(effect, Contact | Friction)}
+        rows |= {effect.name: e.booked for effect, e in self.elements.items() if e.power is not None}
+        booked = [(f"{e.name}.{rows[e.name]}", "J") for e in self.scene.effects if e.name in rows]
         return bristles + drives + booked
 
     @property
@@ -463,11 +458,7 @@ class _Derivation:
             for row in self.driven
         ]
         drives = f"{self.scene.of_kind('ledger')[0].name}.input"
-        rows = {
-            f"{effect.name}.{BOOKED[effect.kind]}": e.power
-            for effect, e in self.elements.items()
-            if effect.kind in BOOKED
-        }
+        rows = {f"{effect.name}.{e.booked}": e.power for effect, e in self.elements.items() if e.power is not None}
         rows[drives] = sp.Add(*power)
         values = [rows.get(name, sp.S.Zero) for name, _ in self.memory]
         return self._function(
@@ -551,6 +542,7 @@ class _Derivation:
 
     def _outputs(self) -> list[tuple[str, str, Any]]:
         of_pairs = [row for pair, _, _ in self.contacts for row in pair.touch.outputs()]
+        of_pairs += [row for e in self.elements.values() for row in e.outputs]
         return of_pairs + (self._joint_outputs() if isinstance(self.scene, Absolute) else [])
 
     def _joint_outputs(self) -> list[tuple[str, str, Any]]:

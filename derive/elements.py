@@ -1,6 +1,7 @@
 """Force elements on the tape: what each effect that is no contact, gravity or drive does to a mechanism.
 
-Every element gives generalised forces by joint; beside them the energy it stores, the power it dissipates, and the power it puts in.
+Every element gives generalised forces by joint; beside them the energy it stores, the power it dissipates or puts in, and named outputs.
+A new kind of effect is a record with `name`, `kind`, `text` and `slots`, and its `element`, registered here: nothing else knows of it.
 """
 
 from __future__ import annotations
@@ -13,59 +14,61 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.effects.expression import as_choice, states_in
+from hertzwerk.derive.effects.film import film
 from hertzwerk.derive.effects.forces import BodyTorque, JointForce, PointForce, Potential
+from hertzwerk.derive.effects.lubrication import Lubrication
 from hertzwerk.derive.effects.springs import JointDamper, JointFriction, JointSpring, PointDamper, PointSpring
 from hertzwerk.derive.functions import Where
 from hertzwerk.derive.kinematics import Kinematics
 from hertzwerk.derive.laws.law import N, s
 from hertzwerk.derive.mechanism import GROUND, Frame
+from hertzwerk.derive.scene import Scene
 from hertzwerk.derive.vectors import Vector, apply, dot, scale, sub
 
-ELEMENTS = ("force", "potential", "spring", "damper", "joint_friction")
-"""Kinds of effects that are elements."""
 DISSIPATED, INPUT = "dissipated", "input"
-BOOKED = {"force": INPUT, "damper": DISSIPATED, "joint_friction": DISSIPATED}
-"""What the energy ledger books of a kind; the others store."""
 
 
 @dataclass(frozen=True)
 class Element:
-    """Generalised forces by joint [N m or N]; stored energy [J]; power [W] dissipated or put in, as `BOOKED` says of its kind."""
+    """Generalised forces by joint [N m or N]; stored energy [J]; power [W] that the energy ledger books as `DISSIPATED` or `INPUT`, None where the
+    element stores; outputs (name, unit, expression)."""
 
     forces: Mapping[str, Any] = field(default_factory=dict)
     stored: Any = sp.S.Zero
-    power: Any = sp.S.Zero
+    power: Any = None
+    booked: str = DISSIPATED
+    outputs: tuple[tuple[str, str, Any], ...] = ()
 
 
 @singledispatch
-def element(effect: Any, kin: Kinematics, length: Any) -> Element:
-    """What an effect does; `length` [m] is the scene's, where a direction has none of its own."""
-    raise TypeError(f"{type(effect).__name__} is no force element")
+def element(effect: Any, kin: Kinematics, scene: Scene) -> Element | None:
+    """What an effect of the scene does; None for one that is no force element: a contact, gravity, a drive, the ledger."""
+    return None
 
 
 @element.register
-def _(effect: JointForce, kin: Kinematics, length: Any) -> Element:
+def _(effect: JointForce, kin: Kinematics, scene: Scene) -> Element:
     force = kin.tape.let(kin.expression(effect.force), f"{effect.name}_force")
-    return Element(kin.on_joint(effect.joint, force, effect.name), power=force * kin.speed(effect.joint))
+    return Element(kin.on_joint(effect.joint, force, effect.name), power=force * kin.speed(effect.joint), booked=INPUT)
 
 
 @element.register
-def _(effect: PointForce, kin: Kinematics, length: Any) -> Element:
+def _(effect: PointForce, kin: Kinematics, scene: Scene) -> Element:
     force = _resolved(effect.force, effect.axes, kin, f"{effect.name}_force")
     position, velocity, _ = kin.point(effect.point, f"{effect.name}_point")
     forces = kin.generalised(force, position, effect.point.body, GROUND, effect.name)
-    return Element(forces, power=dot(force, velocity))
+    return Element(forces, power=dot(force, velocity), booked=INPUT)
 
 
 @element.register
-def _(effect: BodyTorque, kin: Kinematics, length: Any) -> Element:
+def _(effect: BodyTorque, kin: Kinematics, scene: Scene) -> Element:
     torque = _resolved(effect.torque, effect.axes, kin, f"{effect.name}_torque")
     forces = kin.generalised_moment(torque, effect.body, GROUND, effect.name)
-    return Element(forces, power=dot(torque, kin.motion(effect.body).angular_velocity))
+    return Element(forces, power=dot(torque, kin.motion(effect.body).angular_velocity), booked=INPUT)
 
 
 @element.register
-def _(effect: Potential, kin: Kinematics, length: Any) -> Element:
+def _(effect: Potential, kin: Kinematics, scene: Scene) -> Element:
     energy = as_choice(effect.energy)
     forces: dict[str, Any] = {}
     for symbol in states_in(energy):
@@ -78,21 +81,21 @@ def _(effect: Potential, kin: Kinematics, length: Any) -> Element:
 
 
 @element.register
-def _(effect: JointSpring, kin: Kinematics, length: Any) -> Element:
+def _(effect: JointSpring, kin: Kinematics, scene: Scene) -> Element:
     stretch = kin.tape.let(kin.coordinate(effect.joint) - sp.sympify(effect.rest), f"{effect.name}_stretch")
     force = kin.tape.let(-sp.sympify(effect.stiffness) * stretch, f"{effect.name}_force")
     return Element(kin.on_joint(effect.joint, force, effect.name), stored=sp.sympify(effect.stiffness) * stretch**2 / 2)
 
 
 @element.register
-def _(effect: JointDamper, kin: Kinematics, length: Any) -> Element:
+def _(effect: JointDamper, kin: Kinematics, scene: Scene) -> Element:
     speed = kin.speed(effect.joint)
     force = kin.tape.let(-sp.sympify(effect.damping) * speed, f"{effect.name}_force")
     return Element(kin.on_joint(effect.joint, force, effect.name), power=-force * speed)
 
 
 @element.register
-def _(effect: PointSpring, kin: Kinematics, length: Any) -> Element:
+def _(effect: PointSpring, kin: Kinematics, scene: Scene) -> Element:
     between, _ = _line(effect, kin)
     stiffness = sp.sympify(effect.stiffness)
     squared = kin.tape.let(dot(between, between), f"{effect.name}_squared")
@@ -106,17 +109,17 @@ def _(effect: PointSpring, kin: Kinematics, length: Any) -> Element:
 
 
 @element.register
-def _(effect: PointDamper, kin: Kinematics, length: Any) -> Element:
+def _(effect: PointDamper, kin: Kinematics, scene: Scene) -> Element:
     between, rate = _line(effect, kin)
     squared = kin.tape.let(dot(between, between), f"{effect.name}_squared")
     along = kin.tape.let(dot(between, rate), f"{effect.name}_along")
-    nonzero = Where(squared > 0, squared, sp.sympify(length) ** 2)
+    nonzero = Where(squared > 0, squared, sp.sympify(scene.scales.length) ** 2)
     drag = kin.tape.let(sp.sympify(effect.damping) * along / nonzero, f"{effect.name}_per_length")
     return Element(_pulled(effect, kin, drag, between), power=drag * along)
 
 
 @element.register
-def _(effect: JointFriction, kin: Kinematics, length: Any) -> Element:
+def _(effect: JointFriction, kin: Kinematics, scene: Scene) -> Element:
     arm = sp.S.One if effect.radius is None else sp.sympify(effect.radius)
     sliding = kin.tape.let(arm * kin.speed(effect.joint), f"{effect.name}_sliding_velocity")
     law, values = effect.law.law, {**effect.law.binding, N: kin.expression(effect.normal_force), s: sliding}
@@ -125,6 +128,11 @@ def _(effect: JointFriction, kin: Kinematics, length: Any) -> Element:
     drag = kin.tape.let(law.force.xreplace(values), f"{effect.name}_drag")
     force = kin.tape.let(-arm * drag, f"{effect.name}_force")
     return Element(kin.on_joint(effect.joint, force, effect.name), power=drag * sliding)
+
+
+@element.register
+def _(effect: Lubrication, kin: Kinematics, scene: Scene) -> Element:
+    return Element(**film(effect, kin, scene))
 
 
 def _resolved(components: Any, axes: Frame, kin: Kinematics, name: str) -> Vector:

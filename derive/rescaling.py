@@ -18,7 +18,23 @@ import sympy as sp
 from mpmath import mp, mpf  # SymPy brings it
 
 from hertzwerk.derive.dimension import Dimension
-from hertzwerk.derive.laws.law import R_1, R_2, F, L, Law, Quantity, R_eff, R_min, StiffnessLaw, d, dR, s, v
+from hertzwerk.derive.laws.law import (
+    R_1,
+    R_2,
+    F,
+    L,
+    Law,
+    Quantity,
+    R_eff,
+    R_min,
+    StiffnessLaw,
+    d,
+    dR,
+    eps_c,
+    eps_w,
+    s,
+    v,
+)
 from hertzwerk.derive.parameter import Interval
 from hertzwerk.derive.units import parse_unit
 
@@ -47,6 +63,8 @@ SPANS_OF_SYMBOLS: dict[str, tuple[float, float]] = {
     "c_b": (1.1, 2.3),
     "v_a": (1e-3, 1e-2),
     "v_b": (0.1, 1),
+    "epsilon_w": (0.05, 0.65),
+    "epsilon_c": (0.05, 0.65),
 }
 SPANS_OF_UNITS: dict[str, tuple[float, float]] = {
     "1": (0.05, 0.9),
@@ -63,7 +81,7 @@ SPANS_OF_UNITS: dict[str, tuple[float, float]] = {
 }
 """Where states are taken, SI, evenly in the logarithm: by its range where that is bounded, by its name, by its unit, else (1/10, 10)."""
 
-_SIGNED = (v, s)
+_SIGNED = (v, s, eps_w, eps_c)
 
 State = Mapping[sp.Symbol, Any]
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any, ClassVar, Literal
+from typing import Any, ClassVar, Literal, Protocol
 
 import sympy as sp
 
 from hertzwerk.derive.dimension import Dimension
 from hertzwerk.derive.effects.drives import AnyDrive, ConstantSpeed, Drive, Harmonic, Ramp
 from hertzwerk.derive.effects.forces import BodyTorque, JointForce, PointForce, Potential
+from hertzwerk.derive.effects.lubrication import Lubrication
 from hertzwerk.derive.effects.springs import JointDamper, JointFriction, JointSpring, PointDamper, PointSpring
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.joints import Freedom
@@ -108,6 +109,7 @@ class Friction:
     law: BoundLaw
     unchecked: bool = False
     kind: ClassVar[str] = "friction"
+    takes: ClassVar[str] = "friction"
 
     @property
     def text(self) -> str:
@@ -137,19 +139,25 @@ class EnergyLedger:
         return iter(())
 
 
-OnJoint = AnyDrive | JointForce | JointSpring | JointDamper | JointFriction
-Effect = (
-    OnJoint
-    | PointForce
-    | BodyTorque
-    | Potential
-    | PointSpring
-    | PointDamper
-    | Gravity
-    | Contact
-    | Friction
-    | EnergyLedger
-)
+class Effect(Protocol):
+    """Anything a scene may call for: a frozen record. What it does is its `element`, see `elements`; a contact, gravity, a drive are built in.
+
+    What else it has says what it is about: a `joint`, whose freedom its slots are given, or a `pair`, whose geometry; `laws`, which are audited; one
+    `law`, of the kind that it `takes`; `unchecked`, where an inconsistent law may run.
+    """
+
+    kind: ClassVar[str]
+
+    @property
+    def name(self) -> str:
+        """Unique in its scene."""
+
+    @property
+    def text(self) -> str:
+        """What the effect is, for people."""
+
+    def slots(self, *about: Any) -> Iterator[Slot]:
+        """The quantities of the effect, in declared order."""
 
 
 @dataclass(frozen=True)
@@ -253,15 +261,13 @@ class Scene:
         self._must_exist((effect_name,))
         effect = self.effect(effect_name)
         law = LAWS.get(law_name)
-        friction = ("friction",)
-        fields = {"contact": ("stiffness", "damping"), "friction": friction, "joint_friction": friction}.get(
-            effect.kind, ()
-        )
+        takes = getattr(effect, "takes", None)  # of an effect with one law, its kind
+        fields = ("stiffness", "damping") if effect.kind == "contact" else () if takes is None else (takes,)
         if law is None or law.kind not in fields:
             offer = [name for name, other in LAWS.items() if other.kind in fields]
             expected = f"one of {', '.join(offer)}" if offer else "an effect that has a law"
             raise InputError(f"scene {self.name}", [Fault(f"effect {effect_name}", f"law {law_name!r}", expected)])
-        slot = "law" if law.kind == "friction" else law.kind
+        slot = law.kind if takes is None else "law"
         bound: BoundLaw | None = getattr(effect, slot)
         given = {s.name: value for s, value in bound.binding.items()} if bound is not None else {}
         missing = [symbol for symbol in law.parameters if symbol.name not in given]
@@ -354,9 +360,9 @@ class Scene:
         yield from self.mechanism.slots()
         freedoms = {freedom.key: freedom for freedom in self.mechanism.freedoms if freedom.scalar}
         for effect in self.effects:
-            if isinstance(effect, Contact | Friction):
+            if hasattr(effect, "pair"):
                 yield from effect.slots(self.geometry(effect.pair))
-            elif not isinstance(effect, OnJoint):
+            elif not hasattr(effect, "joint"):
                 yield from effect.slots()
             elif effect.joint in freedoms:  # else a fault, which the scene reports
                 yield from effect.slots(freedoms[effect.joint])
@@ -400,6 +406,7 @@ __all__ = [
     "JointForce",
     "JointFriction",
     "JointSpring",
+    "Lubrication",
     "PointDamper",
     "PointForce",
     "PointSpring",

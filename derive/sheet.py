@@ -193,6 +193,9 @@ _RESULTS = {
     "friction force": "F_t",
     "slope of the friction force at rest": "c_0",
     "force held at rest": "F_s",
+    "drag along the squeeze velocity": "D_w",
+    "drag across the squeeze velocity": "D_c",
+    "drag against the spin": "D_spin",
 }
 
 
@@ -221,16 +224,16 @@ def operations_of(law: Law) -> tuple[int, int]:
     """Operations of the generated text of a law's force: once per run, and per evaluation."""
     tape = Tape()
     defined = {symbol for symbol, _ in _definitions(law)}
-    expression = _resistance(law) if isinstance(law, DampingLaw) else law.force  # type: ignore[attr-defined]
-    read = {node for e in (expression, *(e for _, e in _definitions(law))) for node in e.free_symbols}
+    expressions = (_resistance(law),) if isinstance(law, DampingLaw) else law.forces
+    read = {node for e in (*expressions, *(e for _, e in _definitions(law))) for node in e.free_symbols}
     for symbol in sorted(read - defined, key=str):
         tape.input(symbol.name, "q" if symbol in STATE else PARAMETER, ONE, symbol)
     values: dict[Any, Any] = {}
     for symbol, definition in _definitions(law):
         values[symbol] = tape.let(definition.xreplace(values), symbol.name)
-    force = tape.function(
-        "force", "", ("q", "c"), [Result("force", ("",), ("",), (tape.let(expression.xreplace(values), "force"),))]
-    )
+    forces = tuple(tape.let(expression.xreplace(values), "force") for expression in expressions)
+    blank = ("",) * len(forces)
+    force = tape.function("force", "", ("q", "c"), [Result("force", blank, blank, forces)])
     needed = [symbol for symbol in tape.constants([force]) if symbol in tape.assignments]
     once = tape.function(
         "constants", "", ("p",), [Result("c", ("",) * len(needed), ("",) * len(needed), tuple(needed))]

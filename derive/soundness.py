@@ -125,8 +125,9 @@ def _type_faults(scene: Scene) -> Iterator[Fault]:
         yield from _law_faults(effect.name, "stiffness", effect.stiffness)
         if effect.damping is not None:
             yield from _law_faults(effect.name, "damping", effect.damping)
-    for effect in (*scene.of_kind("friction"), *scene.of_kind("joint_friction")):
-        yield from _law_faults(effect.name, "friction", effect.law)
+    lawful: list[Any] = [effect for effect in scene.effects if hasattr(effect, "takes")]
+    for effect in lawful:
+        yield from _law_faults(effect.name, effect.takes, effect.law)
 
 
 def _direction_faults(where: str, value: Any) -> Iterator[Fault]:
@@ -359,22 +360,24 @@ def _effect_faults(scene: Scene) -> Iterator[Fault]:
     contacts = [effect.pair for effect in scene.of_kind("contact")]
     for effect in scene.effects:
         yield from element_faults(effect, scene.mechanism)
-    for effect in scene.of_kind("contact"):
-        if effect.pair not in pairs:
+    paired: list[Any] = [effect for effect in scene.effects if hasattr(effect, "pair")]
+    for effect in paired:
+        if effect.kind != "friction" and effect.pair not in pairs:
             offer = ", ".join(pairs) or "no pair is declared"
             yield Fault(f"effect {effect.name}", f"pair {effect.pair!r}", f"one of {offer}")
     for effect in scene.of_kind("friction"):
         if effect.pair not in contacts:
             yield Fault(f"effect {effect.name}", f"pair {effect.pair!r} without a contact", f"one of {', '.join(contacts) or 'none'}",
                         "Friction needs a normal force: leave it out too, or add the pair's Contact.")  # fmt: skip
-    for effect in (*scene.of_kind("contact"), *scene.of_kind("friction")):
+    for effect in paired:
         yield from _geometry_faults(effect, scene.geometry(effect.pair))
         yield from _demand_faults(
             effect, next((pair.kind for pair in scene.mechanism.pairs if pair.name == effect.pair), None)
         )
     drives = [effect.joint for effect in scene.of_kind("drive")]
     yield from _twice("drive of joint", drives)
-    yield from _twice("friction of pair", [effect.pair for effect in scene.of_kind("friction")])
+    for kind in dict.fromkeys(effect.kind for effect in paired if effect.kind != "contact"):
+        yield from _twice(f"{kind} of pair", [effect.pair for effect in scene.of_kind(kind)])
     for kind in ("ledger", "gravity"):
         if len(scene.of_kind(kind)) > 1:
             yield Fault("effects", f"{len(scene.of_kind(kind))} of kind {kind}", "at most one")

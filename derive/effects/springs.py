@@ -126,6 +126,7 @@ class JointFriction:
     normal_force: Scalar
     radius: Scalar | None = None
     kind: ClassVar[str] = "joint_friction"
+    takes: ClassVar[str] = "friction"
     unchecked: ClassVar[bool] = False
 
     @property

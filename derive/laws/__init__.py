@@ -1,4 +1,4 @@
-"""Contact laws: stiffness, damping and friction records, and the catalogue of all of them by name."""
+"""Contact laws: stiffness, damping, friction and film records, and the catalogue of all of them by name."""
 
 from hertzwerk.derive.laws.catalogue import LAWS
 from hertzwerk.derive.laws.damping import (
@@ -55,6 +55,7 @@ from hertzwerk.derive.laws.logarithmic import (
     johnson,
     radzimovsky,
 )
+from hertzwerk.derive.laws.lubrication import long_bearing, short_bearing
 from hertzwerk.derive.laws.reconstruction import (
     wang_liu_external,
     wang_liu_half_width,
@@ -100,6 +101,7 @@ __all__ = [
     "lee_wang",
     "liu",
     "liu_with_length",
+    "long_bearing",
     "lugre",
     "palmgren",
     "palmgren_si",
@@ -113,6 +115,7 @@ __all__ = [
     "radzimovsky",
     "ristow",
     "safaeifar_farshidianfar",
+    "short_bearing",
     "smooth_coulomb",
     "stribeck",
     "threlfall",

@@ -47,7 +47,9 @@ k_t = Quantity("k_t", "N/m", "tangent stiffness dF/dd of the stiffness law")
 N = Quantity("N", "N", "normal force")
 s = Quantity("s", "m/s", "sliding velocity")
 z = Quantity("z", "m", "bristle deflection")
-STATE = (d, v, v0, F, k_t, N, s, z)
+eps_w = Quantity("epsilon_w", "1", "eccentricity over clearance, along the squeeze velocity")
+eps_c = Quantity("epsilon_c", "1", "eccentricity over clearance, across it, a quarter turn on about the axis")
+STATE = (d, v, v0, F, k_t, N, s, z, eps_w, eps_c)
 
 # What a pair supplies, once per run.
 R_eff = Quantity("R_eff", "m", "radius of relative curvature of the pair", POSITIVE)
@@ -120,6 +122,11 @@ class Law:
         """What the law computes: (what it is, expression, unit it must have)."""
         raise NotImplementedError
 
+    @property
+    def forces(self) -> tuple[sp.Expr, ...]:
+        """Of these expressions what is evaluated at every step."""
+        raise NotImplementedError
+
     def quantities(self) -> tuple[Quantity, ...]:
         """Every symbol the law's expressions and definitions contain, in the order they stand there."""
         texts = [*(e for _, e in self.definitions), *(e for _, e, _ in self.expressions())]
@@ -168,6 +175,11 @@ class StiffnessLaw(Law):
             yield "reach", self.reach, "m"
 
     @property
+    def forces(self) -> tuple[sp.Expr, ...]:
+        """The elastic force."""
+        return (self.force,)
+
+    @property
     def work(self) -> sp.Expr:
         """Stored energy [J]: as given, or by 16-point Gauss quadrature in the square root of the penetration, exact for d^(k/2), k < 31."""
         if self.stored is not None:
@@ -201,6 +213,11 @@ class DampingLaw(Law):
         """Dissipative part of the normal force [N]."""
         return F * self.factor * v / v0 if self.term is None else self.term
 
+    @property
+    def forces(self) -> tuple[sp.Expr, ...]:
+        """The resistance."""
+        return (self.resistance,)
+
     def expressions(self) -> Iterator[tuple[str, sp.Expr, str]]:
         """The resistance."""
         yield "damping force", self.resistance, "N"
@@ -232,6 +249,11 @@ class FrictionLaw(Law):
         """Of a law with modes: the force while sliding [N], without its sign."""
         return self.force.xreplace({sp.sign(s): sp.S.One})
 
+    @property
+    def forces(self) -> tuple[sp.Expr, ...]:
+        """The friction force."""
+        return (self.force,)
+
     def expressions(self) -> Iterator[tuple[str, sp.Expr, str]]:
         """The friction force, its slope at rest, the force held at rest, rates and sizes of the memory."""
         yield "friction force", self.force, "N"
@@ -241,6 +263,32 @@ class FrictionLaw(Law):
         for symbol, rate, size in self.memory:
             yield f"rate of {symbol.name}", rate, f"({symbol.unit})/s"
             yield f"size of {symbol.name}", size, symbol.unit
+
+
+@dataclass(frozen=True)
+class FilmLaw(Law):
+    """A fluid film between pin and bush: what it resists, by the place of the pin alone (`eps_w`, `eps_c`), each per unit of its velocity.
+
+    along   force against the squeeze velocity [N s/m]
+    across  force against the direction a quarter turn on from it, about the axis [N s/m]
+    couple  couple against the spin of the pin in the bush [N m s]
+    """
+
+    along: sp.Expr = sp.S.Zero
+    across: sp.Expr = sp.S.Zero
+    couple: sp.Expr = sp.S.Zero
+    kind = "film"
+
+    @property
+    def forces(self) -> tuple[sp.Expr, ...]:
+        """All three."""
+        return self.along, self.across, self.couple
+
+    def expressions(self) -> Iterator[tuple[str, sp.Expr, str]]:
+        """Drag along and across the squeeze velocity, and against the spin."""
+        yield "drag along the squeeze velocity", self.along, "N s/m"
+        yield "drag across the squeeze velocity", self.across, "N s/m"
+        yield "drag against the spin", self.couple, "N m s"
 
 
 def _gauss_legendre(points: int) -> Iterator[tuple[sp.Float, sp.Float]]:

@@ -112,11 +112,12 @@ class _Reader:
         return "\n".join(self._laws(title)) or _NOTES.get(title, "")
 
     def _laws(self, title: str) -> Iterator[str]:
-        for effect in self.scene.effects:
+        effects: tuple[Any, ...] = self.scene.effects
+        for effect in effects:
             if title == contact_title(getattr(effect, "pair", "")):
-                for bound in effect.laws:  # type: ignore[union-attr]
+                for bound in effect.laws:
                     yield f"- `{effect.name}`: {bound.law.title}. {bound.law.source}, grade {bound.law.grade}."
-                if effect.unchecked:  # type: ignore[union-attr]
+                if effect.unchecked:
                     yield f"- `{effect.name}` is UNCHECKED: its units do not hold."
 
     def _open(self, drafts: list[Draft]) -> tuple[sp.Symbol, ...]:

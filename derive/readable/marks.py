@@ -36,8 +36,9 @@ def marked(scene: Scene) -> Marked:
     prefix = "mark_"
     while any(p.name.startswith(prefix) for p in parameters):
         prefix += "_"
+    records: tuple[Any, ...] = scene.effects
     effects, effect_of = [], {}
-    for i, effect in enumerate(scene.effects):
+    for i, effect in enumerate(records):
         mark = Parameter(f"{prefix}{i}", "1", 1)
         table = {p: p * mark for p in parameters if p.name not in exponents}
         effects.append(replace(effect, **_changed(effect, table)))

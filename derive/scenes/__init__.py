@@ -11,6 +11,7 @@ NAMES = (
     "slider_crank_three_clearances",
     "four_bar_clearance",
     "journal_in_bearing",
+    "journal_lubricated",
     "newtons_cradle",
     "pendulum",
     "double_pendulum",

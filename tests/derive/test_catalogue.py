@@ -50,6 +50,7 @@ CONTACT_LAWS_MD = {
         wang_liu_half_width wang_liu_johnson""",
     "damping": """hunt_crossley herbert_mcwhannell lee_wang lankarani_nikravesh gonthier zhiying_qishao flores gharib_hurmuzlu hu_guo
         carvalho_martins safaeifar_farshidianfar exact kelvin_voigt ristow tsuji kuwabara_kono jankowski""",
+    "film": "short_bearing long_bearing",
     "friction": "coulomb smooth_coulomb ambrosio threlfall stribeck brown_mcphee bengisu_akay lugre",
 }
 WRONG = {

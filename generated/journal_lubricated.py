@@ -1,0 +1,551 @@
+"""journal_lubricated: loaded journal on the oil film of a short bearing. Generated from derive/scenes/journal_lubricated.py.
+
+Do not edit; regenerate with `hertzwerk derive journal_lubricated`.
+Effects:
+    motor: constant speed of shaft.angle
+    load: force on journal = (0, -load, 0) in axes of ground
+    bearing: power x flores
+    oil: short_bearing film at bearing
+    energy_ledger: work put in, energy dissipated per effect
+Units: 75 assignments and 83 outputs checked, all consistent
+Operations: flight 133 (equations of motion and gaps); in contact also contact_bearing 25
+"""
+
+import casadi as ca
+
+NAME = "journal_lubricated"
+SOURCE = "derive/scenes/journal_lubricated.py"
+SUMMARY = "loaded journal on the oil film of a short bearing"
+
+EFFECTS = (
+    ("motor", "drive", "constant speed of shaft.angle"),
+    ("load", "force", "force on journal = (0, -load, 0) in axes of ground"),
+    ("bearing", "contact", "power x flores"),
+    ("oil", "lubrication", "short_bearing film at bearing"),
+    ("energy_ledger", "ledger", "work put in, energy dissipated per effect"),
+)
+
+UNCHECKED = ()
+
+PARAMETERS = (
+    ("mass", "kg", 2.0, "of the journal and what it carries"),
+    ("inertia", "kg m^2", 0.0004, "body journal, inertia"),
+    ("bush_radius", "mm", 20, "pair bearing, bush radius"),
+    ("clearance", "um", 50, "bush radius minus journal radius"),
+    ("length", "mm", 10, "pair bearing, length"),
+    ("speed", "rpm", 1500, "of the journal"),
+    ("load", "N", 300, "downwards"),
+    ("contact_stiffness", "N/m^1.5", 10000000000.0, "effect bearing, stiffness of power"),
+    ("restitution", "1", 0.5, "effect bearing, coefficient of restitution of flores"),
+    ("approach_floor", "m/s", 0.001, "least approach speed a damping law is given; h/v0 is unbounded otherwise"),
+    ("viscosity", "Pa s", 0.05, "effect oil, dynamic viscosity of short_bearing"),
+    ("boundary_layer", "um", 0.5, "effect oil, boundary layer"),
+)
+
+LIMITS = (
+    ("mass", "defined", 0, None, True, False, "body journal, mass"),
+    ("inertia", "defined", 0, None, False, False, "body journal, inertia"),
+    ("bush_radius", "defined", 0, None, True, False, "pair bearing, bush radius"),
+    ("clearance", "defined", 0, None, True, False, "pair bearing, clearance"),
+    ("length", "defined", 0, None, True, False, "pair bearing, length"),
+    ("contact_stiffness", "defined", 0, None, True, False, "effect bearing, stiffness of power"),
+    ("restitution", "defined", 0, 1, True, False, "effect bearing, coefficient of restitution of flores"),
+    ("approach_floor", "defined", 0, None, True, False, "effect bearing, approach floor"),
+    ("viscosity", "defined", 0, None, True, False, "effect oil, dynamic viscosity of short_bearing"),
+    ("boundary_layer", "defined", 0, None, True, False, "effect oil, boundary layer"),
+)
+
+COORDINATES = (
+    ("shaft.x", "m"),
+    ("shaft.y", "m"),
+)
+
+SPEEDS = (
+    ("shaft.x_speed", "m/s"),
+    ("shaft.y_speed", "m/s"),
+)
+
+MEMORY = (
+    ("energy_ledger.input", "J"),
+    ("load.input", "J"),
+    ("bearing.dissipated", "J"),
+    ("oil.dissipated", "J"),
+)
+
+LATCHES = (
+    ("bearing.approach_speed", "m/s", 0),
+)
+
+PAIRS = (
+    ("bearing", "pin_in_bush"),
+)
+
+RELEASES = (
+    "force",
+)
+
+DISSIPATED = (
+    2,
+)
+
+OUTPUTS = (
+    ("bearing.eccentricity_x", "m"),
+    ("bearing.eccentricity_y", "m"),
+    ("oil.force", "N"),
+    ("oil.thickness", "m"),
+)
+
+BODIES = (
+    "journal",
+)
+
+CONSTANTS = (
+    ("clearance", "m"),
+    ("speed", "1/s"),
+    ("load", "N"),
+    ("contact_stiffness", "N/m^1.5"),
+    ("k1", "1/s"),
+    ("oil_free", "1"),
+    ("k2", "1/m^2"),
+    ("k3", "1"),
+    ("k4", "1"),
+    ("k5", "1"),
+    ("oil_dry", "1"),
+    ("k6", "1"),
+    ("k7", "1/m"),
+    ("k8", "m^2/s^2"),
+    ("k9", "1"),
+    ("k10", "N s/m"),
+    ("k11", "J s"),
+    ("k12", "m^2"),
+    ("k13", "1/m"),
+    ("k14", "N/m^1.5"),
+    ("bearing_hysteresis_factor", "1"),
+    ("k15", "1/kg"),
+    ("k16", "kg"),
+    ("k17", "J"),
+)
+
+OPERATIONS = (
+    ("constants", 46),
+    ("start", 0),
+    ("scales", 7),
+    ("coordinate_rates", 0),
+    ("gaps", 12),
+    ("gap_accelerations", 13),
+    ("contact_bearing", 25),
+    ("applied", 105),
+    ("accelerations", 3),
+    ("ledger", 107),
+    ("energy", 16),
+    ("poses", 4),
+    ("outputs", 102),
+)
+
+
+def constants(p):
+    """What depends on the parameters alone, once per run.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        c (24,): clearance, speed, load, contact_stiffness, k1, oil_free, k2, k3, k4, k5, oil_dry, k6, k7, k8, k9,
+            k10, k11, k12, k13, k14, bearing_hysteresis_factor, k15, k16, k17
+    """
+    mass = p[0]
+    inertia = p[1]
+    bush_radius = p[2]
+    clearance = p[3]
+    length = p[4]
+    speed = p[5]
+    load = p[6]
+    contact_stiffness = p[7]
+    restitution = p[8]
+    viscosity = p[10]
+    boundary_layer = p[11]
+    k1 = speed/2
+    oil_free = 1 - 2*boundary_layer/clearance
+    k2 = 1/(clearance*clearance)
+    k3 = oil_free*oil_free
+    k4 = clearance/(2*boundary_layer)
+    k5 = 2*boundary_layer/clearance
+    oil_dry = 1 + boundary_layer/clearance
+    k6 = clearance/boundary_layer
+    k7 = 1/clearance
+    x1 = speed*speed
+    k8 = x1*bush_radius*bush_radius
+    k9 = 3.141592653589793/2
+    x2 = bush_radius - clearance
+    k10 = x2*length*length*length*viscosity/(clearance*clearance*clearance)
+    k11 = 2*3.141592653589793*k7*x2*x2*x2*length*viscosity
+    k12 = clearance*clearance
+    k13 = k7/2
+    k14 = 2*contact_stiffness/5
+    bearing_hysteresis_factor = (8 - 8*restitution)/(5*restitution)
+    k15 = 1/mass
+    k16 = mass/2
+    k17 = x1*inertia/2
+    return ca.vertcat(clearance, speed, load, contact_stiffness, k1, oil_free, k2, k3, k4, k5, oil_dry, k6, k7, k8,
+        k9, k10, k11, k12, k13, k14, bearing_hysteresis_factor, k15, k16, k17)
+
+
+def start(p):
+    """Coordinates and speeds at t = 0.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        q (2,): shaft.x [m], shaft.y [m]
+        u (2,): shaft.x_speed [m/s], shaft.y_speed [m/s]
+    """
+    return ca.vertcat(0, 0), ca.vertcat(0, 0)
+
+
+def scales(p):
+    """Sizes that accuracy is measured by: of coordinates, speeds, memory; then length, speed, force, energy.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        sq (2,): shaft.x [m], shaft.y [m]
+        su (2,): shaft.x_speed [m/s], shaft.y_speed [m/s]
+        sz (4,): energy_ledger.input [J], load.input [J], bearing.dissipated [J], oil.dissipated [J]
+        s (4,): length [m], speed [m/s], force [N], energy [J]
+    """
+    mass = p[0]
+    bush_radius = p[2]
+    clearance = p[3]
+    speed = p[5]
+    energy_scale = bush_radius*bush_radius*speed*speed*mass/2
+    force_scale = energy_scale/clearance
+    x1 = bush_radius*speed
+    return (
+        ca.vertcat(clearance, clearance),
+        ca.vertcat(x1, x1),
+        ca.vertcat(energy_scale, energy_scale, energy_scale, energy_scale),
+        ca.vertcat(clearance, x1, force_scale, energy_scale),
+    )
+
+
+def coordinate_rates(t, q, u, c):
+    """Rates of the coordinates.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        dq (2,): shaft.x [m/s], shaft.y [m/s]
+    """
+    shaft_x_speed = u[0]
+    shaft_y_speed = u[1]
+    return ca.vertcat(shaft_x_speed, shaft_y_speed)
+
+
+def gaps(t, q, u, c):
+    """Gap of every pair, positive while open, and its rate; at an onset the rate is minus the approach speed.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        G (1,): bearing [m]
+        dG (1,): bearing [m/s]
+    """
+    k12 = c[17]
+    k13 = c[18]
+    shaft_x = q[0]
+    shaft_y = q[1]
+    shaft_x_speed = u[0]
+    shaft_y_speed = u[1]
+    oil_e_squared = shaft_x*shaft_x + shaft_y*shaft_y
+    bearing_gap = k13*(k12 - oil_e_squared)
+    oil_e_squared_rate = 2*shaft_x*shaft_x_speed + 2*shaft_y*shaft_y_speed
+    bearing_gap_rate = -k13*oil_e_squared_rate
+    return ca.vertcat(bearing_gap), ca.vertcat(bearing_gap_rate)
+
+
+def gap_accelerations(t, q, u, a, c):
+    """Second derivative of every gap.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; a: rates of the speeds; c: CONSTANTS.
+    Returns, each a column vector:
+        ddG (1,): bearing [m/s^2]
+    """
+    k13 = c[18]
+    shaft_x = q[0]
+    shaft_y = q[1]
+    shaft_x_speed = u[0]
+    shaft_y_speed = u[1]
+    shaft_x_acceleration = a[0]
+    shaft_y_acceleration = a[1]
+    oil_e_squared_rate_rate = 2*shaft_x_speed*shaft_x_speed + 2*shaft_y_speed*shaft_y_speed + 2*shaft_x*shaft_x_acceleration + 2*shaft_y*shaft_y_acceleration
+    bearing_gap_rate_rate = -k13*oil_e_squared_rate_rate
+    return ca.vertcat(bearing_gap_rate_rate)
+
+
+def contact_bearing(t, q, u, z, m, c):
+    """Forces of bearing: power x flores. The normal force is the laws' own, not clamped: where it would pull, the
+    contact ends.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; z: MEMORY; m: LATCHES; c: CONSTANTS.
+    Returns, each a column vector:
+        f (3,): shaft.x [N], shaft.y [N], shaft.angle [N m]
+        dz (4,): energy_ledger.input [W], load.input [W], bearing.dissipated [W], oil.dissipated [W]
+        normal_force (1,): bearing [N]
+        sliding_velocity (0,): empty
+        in_range (1,): bearing [1]
+    """
+    clearance = c[0]
+    contact_stiffness = c[3]
+    bearing_hysteresis_factor = c[20]
+    shaft_x = q[0]
+    shaft_y = q[1]
+    shaft_x_speed = u[0]
+    shaft_y_speed = u[1]
+    bearing_approach_speed = m[0]
+    oil_e_squared = shaft_x*shaft_x + shaft_y*shaft_y
+    oil_e_size = ca.sqrt(oil_e_squared)
+    bearing_penetration = oil_e_size - clearance
+    bearing_elastic_force = ca.if_else(bearing_penetration > 0, bearing_penetration*ca.sqrt(bearing_penetration)*contact_stiffness, 0)
+    bearing_normal_x = -shaft_x/oil_e_size
+    bearing_normal_y = -shaft_y/oil_e_size
+    bearing_penetration_rate = -bearing_normal_x*shaft_x_speed - bearing_normal_y*shaft_y_speed
+    bearing_resistance = bearing_elastic_force*bearing_hysteresis_factor*bearing_penetration_rate/bearing_approach_speed
+    bearing_normal_force = bearing_elastic_force + bearing_resistance
+    bearing_normal_power = bearing_penetration_rate*bearing_resistance
+    bearing_push_x = bearing_normal_force*bearing_normal_x
+    bearing_push_y = bearing_normal_force*bearing_normal_y
+    return (
+        ca.vertcat(bearing_push_x, bearing_push_y, 0),
+        ca.vertcat(0, 0, bearing_normal_power, 0),
+        ca.vertcat(bearing_normal_force),
+        ca.vertcat(),
+        ca.vertcat(1),
+    )
+
+
+def applied(t, q, u, c):
+    """Generalised forces of everything that is no contact.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        f (3,): shaft.x [N], shaft.y [N], shaft.angle [N m]
+    """
+    speed = c[1]
+    load = c[2]
+    k1 = c[4]
+    oil_free = c[5]
+    k2 = c[6]
+    k3 = c[7]
+    k4 = c[8]
+    k5 = c[9]
+    oil_dry = c[10]
+    k6 = c[11]
+    k7 = c[12]
+    k8 = c[13]
+    k9 = c[14]
+    k10 = c[15]
+    k11 = c[16]
+    shaft_x = q[0]
+    shaft_y = q[1]
+    shaft_x_speed = u[0]
+    shaft_y_speed = u[1]
+    oil_rate_x = shaft_x_speed + k1*shaft_y
+    oil_rate_y = shaft_y_speed - k1*shaft_x
+    oil_e_squared = shaft_x*shaft_x + shaft_y*shaft_y
+    oil_epsilon_squared = k2*oil_e_squared
+    base = ca.if_else(oil_epsilon_squared > oil_free*oil_free, oil_epsilon_squared, k3)
+    oil_ratio = ca.sqrt(base)
+    oil_way = k4*(ca.if_else(oil_epsilon_squared < 1, oil_ratio, 1) - oil_free)
+    oil_limited = oil_free + k5*(oil_way + oil_way**4/2 - oil_way*oil_way*oil_way)
+    oil_beyond = k6*(ca.if_else(oil_epsilon_squared < oil_dry*oil_dry, ca.if_else(oil_epsilon_squared > 1, oil_ratio, 1), oil_dry) - 1)
+    oil_per_e = k7*oil_limited/oil_ratio
+    oil_share = 1 - oil_beyond*oil_beyond*(3 - 2*oil_beyond)
+    oil_squeeze_squared = oil_rate_x*oil_rate_x + oil_rate_y*oil_rate_y
+    base_2 = ca.if_else(oil_squeeze_squared > 0, oil_squeeze_squared, k8)
+    oil_squeeze_speed = ca.sqrt(base_2)
+    oil_epsilon_w = oil_per_e*(oil_rate_x*shaft_x + oil_rate_y*shaft_y)/oil_squeeze_speed
+    oil_epsilon_c = oil_per_e*(oil_rate_x*shaft_y - oil_rate_y*shaft_x)/oil_squeeze_speed
+    x1 = oil_epsilon_w*oil_epsilon_w
+    oil_S = 1 - x1 - oil_epsilon_c*oil_epsilon_c
+    oil_q = ca.sqrt(oil_S)
+    oil_A = k9 + ca.atan(oil_epsilon_w/oil_q)
+    x2 = 1/(oil_S*oil_S)
+    oil_drag_along = k10*x2*(oil_A*(oil_S + 3*x1) + 3*oil_epsilon_w*oil_q)/oil_q
+    oil_drag_across = k10*oil_epsilon_c*x2*(oil_q*(2 + x1/(oil_S + x1)) + 3*oil_A*oil_epsilon_w)/oil_q
+    oil_drag_spin = k11/oil_q
+    oil_force_x = -oil_share*(oil_drag_along*oil_rate_x - oil_drag_across*oil_rate_y)
+    oil_force_y = -oil_share*(oil_drag_across*oil_rate_x + oil_drag_along*oil_rate_y)
+    oil_couple = -oil_drag_spin*oil_share*speed
+    oil_on_shaft_angle = oil_force_x*shaft_y/2 - oil_force_y*shaft_x/2
+    return ca.vertcat(oil_force_x, oil_force_y - load, oil_couple + oil_on_shaft_angle)
+
+
+def accelerations(t, q, u, f, c):
+    """Generalised accelerations a from M a = f - bias, and what each drive must supply.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; f: generalised forces; c: CONSTANTS.
+    Returns, each a column vector:
+        a (2,): shaft.x_acceleration [m/s^2], shaft.y_acceleration [m/s^2]
+        reactions (1,): shaft.angle.reaction [N m]
+    """
+    k15 = c[21]
+    shaft_x_force = f[0]
+    shaft_y_force = f[1]
+    shaft_angle_force = f[2]
+    shaft_x_acc = k15*shaft_x_force
+    shaft_y_acc = k15*shaft_y_force
+    return ca.vertcat(shaft_x_acc, shaft_y_acc), ca.vertcat(-shaft_angle_force)
+
+
+def ledger(t, q, u, reactions, c):
+    """Power the drives put in, in its row of z; put in and dissipated by force elements, in theirs.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
+    Returns, each a column vector:
+        dz (4,): energy_ledger.input [W], load.input [W], bearing.dissipated [W], oil.dissipated [W]
+    """
+    speed = c[1]
+    load = c[2]
+    k1 = c[4]
+    oil_free = c[5]
+    k2 = c[6]
+    k3 = c[7]
+    k4 = c[8]
+    k5 = c[9]
+    oil_dry = c[10]
+    k6 = c[11]
+    k7 = c[12]
+    k8 = c[13]
+    k9 = c[14]
+    k10 = c[15]
+    k11 = c[16]
+    shaft_x = q[0]
+    shaft_y = q[1]
+    shaft_x_speed = u[0]
+    shaft_y_speed = u[1]
+    shaft_angle_reaction_in = reactions[0]
+    oil_rate_x = shaft_x_speed + k1*shaft_y
+    oil_rate_y = shaft_y_speed - k1*shaft_x
+    oil_e_squared = shaft_x*shaft_x + shaft_y*shaft_y
+    oil_epsilon_squared = k2*oil_e_squared
+    base = ca.if_else(oil_epsilon_squared > oil_free*oil_free, oil_epsilon_squared, k3)
+    oil_ratio = ca.sqrt(base)
+    oil_way = k4*(ca.if_else(oil_epsilon_squared < 1, oil_ratio, 1) - oil_free)
+    oil_limited = oil_free + k5*(oil_way + oil_way**4/2 - oil_way*oil_way*oil_way)
+    oil_beyond = k6*(ca.if_else(oil_epsilon_squared < oil_dry*oil_dry, ca.if_else(oil_epsilon_squared > 1, oil_ratio, 1), oil_dry) - 1)
+    oil_per_e = k7*oil_limited/oil_ratio
+    oil_share = 1 - oil_beyond*oil_beyond*(3 - 2*oil_beyond)
+    oil_squeeze_squared = oil_rate_x*oil_rate_x + oil_rate_y*oil_rate_y
+    base_2 = ca.if_else(oil_squeeze_squared > 0, oil_squeeze_squared, k8)
+    oil_squeeze_speed = ca.sqrt(base_2)
+    oil_epsilon_w = oil_per_e*(oil_rate_x*shaft_x + oil_rate_y*shaft_y)/oil_squeeze_speed
+    oil_epsilon_c = oil_per_e*(oil_rate_x*shaft_y - oil_rate_y*shaft_x)/oil_squeeze_speed
+    x1 = oil_epsilon_w*oil_epsilon_w
+    oil_S = 1 - x1 - oil_epsilon_c*oil_epsilon_c
+    oil_q = ca.sqrt(oil_S)
+    oil_A = k9 + ca.atan(oil_epsilon_w/oil_q)
+    x2 = 1/(oil_S*oil_S)
+    oil_drag_along = k10*x2*(oil_A*(oil_S + 3*x1) + 3*oil_epsilon_w*oil_q)/oil_q
+    oil_drag_across = k10*oil_epsilon_c*x2*(oil_q*(2 + x1/(oil_S + x1)) + 3*oil_A*oil_epsilon_w)/oil_q
+    oil_drag_spin = k11/oil_q
+    oil_force_x = -oil_share*(oil_drag_along*oil_rate_x - oil_drag_across*oil_rate_y)
+    oil_force_y = -oil_share*(oil_drag_across*oil_rate_x + oil_drag_along*oil_rate_y)
+    oil_couple = -oil_drag_spin*oil_share*speed
+    oil_power = -oil_couple*speed - oil_force_x*oil_rate_x - oil_force_y*oil_rate_y
+    return ca.vertcat(shaft_angle_reaction_in*speed, -shaft_y_speed*load, 0, oil_power)
+
+
+def energy(t, q, u, c):
+    """Kinetic and potential energy, and what each pair's stiffness stores.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        kinetic (1,): kinetic [J]
+        potential (1,): potential [J]
+        stored (1,): bearing [J]
+    """
+    clearance = c[0]
+    k14 = c[19]
+    k16 = c[22]
+    k17 = c[23]
+    shaft_x = q[0]
+    shaft_y = q[1]
+    shaft_x_speed = u[0]
+    shaft_y_speed = u[1]
+    oil_e_squared = shaft_x*shaft_x + shaft_y*shaft_y
+    oil_e_size = ca.sqrt(oil_e_squared)
+    bearing_penetration = oil_e_size - clearance
+    bearing_stored_energy = ca.if_else(bearing_penetration > 0, k14*bearing_penetration*bearing_penetration*ca.sqrt(bearing_penetration), 0)
+    kinetic = k17 + k16*(shaft_x_speed*shaft_x_speed + shaft_y_speed*shaft_y_speed)
+    return ca.vertcat(kinetic), ca.vertcat(0), ca.vertcat(bearing_stored_energy)
+
+
+def poses(t, q, c):
+    """Origin of every body's frame (x, y, z after one another) and its rotation matrix (row by row), body by body.
+
+    Arguments: t [s]; q: COORDINATES; c: CONSTANTS.
+    Returns, each a column vector:
+        positions (3,): journal.x [m], journal.y [m], journal.z [m]
+        rotations (9,): journal.R_xx [1], journal.R_xy [1], journal.R_xz [1], journal.R_yx [1], journal.R_yy [1],
+            journal.R_yz [1], journal.R_zx [1], journal.R_zy [1], journal.R_zz [1]
+    """
+    speed = c[1]
+    shaft_x = q[0]
+    shaft_y = q[1]
+    journal_angle = t*speed
+    cos_journal = ca.cos(journal_angle)
+    sin_journal = ca.sin(journal_angle)
+    return (
+        ca.vertcat(shaft_x, shaft_y, 0),
+        ca.vertcat(cos_journal, -sin_journal, 0, sin_journal, cos_journal, 0, 0, 0, 1),
+    )
+
+
+def outputs(t, q, u, c):
+    """Named quantities, see OUTPUTS.
+
+    Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
+    Returns, each a column vector:
+        y (4,): bearing.eccentricity_x [m], bearing.eccentricity_y [m], oil.force [N], oil.thickness [m]
+    """
+    clearance = c[0]
+    k1 = c[4]
+    oil_free = c[5]
+    k2 = c[6]
+    k3 = c[7]
+    k4 = c[8]
+    k5 = c[9]
+    oil_dry = c[10]
+    k6 = c[11]
+    k7 = c[12]
+    k8 = c[13]
+    k9 = c[14]
+    k10 = c[15]
+    shaft_x = q[0]
+    shaft_y = q[1]
+    shaft_x_speed = u[0]
+    shaft_y_speed = u[1]
+    oil_rate_x = shaft_x_speed + k1*shaft_y
+    oil_rate_y = shaft_y_speed - k1*shaft_x
+    oil_e_squared = shaft_x*shaft_x + shaft_y*shaft_y
+    oil_epsilon_squared = k2*oil_e_squared
+    base = ca.if_else(oil_epsilon_squared > oil_free*oil_free, oil_epsilon_squared, k3)
+    oil_ratio = ca.sqrt(base)
+    oil_way = k4*(ca.if_else(oil_epsilon_squared < 1, oil_ratio, 1) - oil_free)
+    oil_limited = oil_free + k5*(oil_way + oil_way**4/2 - oil_way*oil_way*oil_way)
+    oil_beyond = k6*(ca.if_else(oil_epsilon_squared < oil_dry*oil_dry, ca.if_else(oil_epsilon_squared > 1, oil_ratio, 1), oil_dry) - 1)
+    oil_per_e = k7*oil_limited/oil_ratio
+    oil_share = 1 - oil_beyond*oil_beyond*(3 - 2*oil_beyond)
+    oil_squeeze_squared = oil_rate_x*oil_rate_x + oil_rate_y*oil_rate_y
+    base_2 = ca.if_else(oil_squeeze_squared > 0, oil_squeeze_squared, k8)
+    oil_squeeze_speed = ca.sqrt(base_2)
+    oil_epsilon_w = oil_per_e*(oil_rate_x*shaft_x + oil_rate_y*shaft_y)/oil_squeeze_speed
+    oil_epsilon_c = oil_per_e*(oil_rate_x*shaft_y - oil_rate_y*shaft_x)/oil_squeeze_speed
+    x1 = oil_epsilon_w*oil_epsilon_w
+    oil_S = 1 - x1 - oil_epsilon_c*oil_epsilon_c
+    oil_q = ca.sqrt(oil_S)
+    oil_A = k9 + ca.atan(oil_epsilon_w/oil_q)
+    x2 = 1/(oil_S*oil_S)
+    oil_drag_along = k10*x2*(oil_A*(oil_S + 3*x1) + 3*oil_epsilon_w*oil_q)/oil_q
+    oil_drag_across = k10*oil_epsilon_c*x2*(oil_q*(2 + x1/(oil_S + x1)) + 3*oil_A*oil_epsilon_w)/oil_q
+    oil_force_x = -oil_share*(oil_drag_along*oil_rate_x - oil_drag_across*oil_rate_y)
+    oil_force_y = -oil_share*(oil_drag_across*oil_rate_x + oil_drag_along*oil_rate_y)
+    oil_e_size = ca.sqrt(oil_e_squared)
+    oil_thickness = (1 - oil_e_size*oil_per_e)*clearance
+    base_3 = oil_force_x*oil_force_x + oil_force_y*oil_force_y
+    oil_force_size = ca.sqrt(base_3)
+    return ca.vertcat(shaft_x, shaft_y, oil_force_size, oil_thickness)
