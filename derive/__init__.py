@@ -16,6 +16,8 @@ _HOME = {
         ("BodyTorque", "ConstantSpeed", "Contact", "Drive", "EnergyLedger", "Friction", "Gravity", "Harmonic", "JointDamper", "JointForce",
          "JointFriction", "JointSpring", "Lubrication", "PointDamper", "PointForce", "PointSpring", "Potential", "Ramp", "Scales", "Scene",
          "Start"), "scene"),
+    "Element": "effects.element",
+    "element": "elements",
     **dict.fromkeys(("APART", "TURN"), "pairs"),
     **dict.fromkeys(("T", "coordinate_of", "speed_of"), "effects.expression"),
     "Table": "tables",

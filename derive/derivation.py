@@ -13,8 +13,9 @@ from hertzwerk.derive.audit import audit_laws, audit_program, refuse_inconsisten
 from hertzwerk.derive.contact import Forces, PairKinematics
 from hertzwerk.derive.coordinates import MEASURED, Absolute, absolute, placed
 from hertzwerk.derive.dimension import Dimension
+from hertzwerk.derive.effects.element import DISSIPATED
 from hertzwerk.derive.effects.expression import tables_in
-from hertzwerk.derive.elements import DISSIPATED, element
+from hertzwerk.derive.elements import element
 from hertzwerk.derive.emit import emit, flight, table_name
 from hertzwerk.derive.equations import Equations
 from hertzwerk.derive.faults import Fault, InputError

@@ -6,18 +6,18 @@ A new kind of effect is a record with `name`, `kind`, `text` and `slots`, and it
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
 from functools import singledispatch
 from typing import Any
 
 import sympy as sp
 
+from hertzwerk.derive.effects.element import INPUT, Element
 from hertzwerk.derive.effects.expression import as_choice, states_in
 from hertzwerk.derive.effects.film import film
 from hertzwerk.derive.effects.forces import BodyTorque, JointForce, PointForce, Potential
 from hertzwerk.derive.effects.lubrication import Lubrication
 from hertzwerk.derive.effects.springs import JointDamper, JointFriction, JointSpring, PointDamper, PointSpring
+from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.functions import Where
 from hertzwerk.derive.kinematics import Kinematics
 from hertzwerk.derive.laws.law import N, s
@@ -25,25 +25,18 @@ from hertzwerk.derive.mechanism import GROUND, Frame
 from hertzwerk.derive.scene import Scene
 from hertzwerk.derive.vectors import Vector, apply, dot, scale, sub
 
-DISSIPATED, INPUT = "dissipated", "input"
-
-
-@dataclass(frozen=True)
-class Element:
-    """Generalised forces by joint [N m or N]; stored energy [J]; power [W] that the energy ledger books as `DISSIPATED` or `INPUT`, None where the
-    element stores; outputs (name, unit, expression)."""
-
-    forces: Mapping[str, Any] = field(default_factory=dict)
-    stored: Any = sp.S.Zero
-    power: Any = None
-    booked: str = DISSIPATED
-    outputs: tuple[tuple[str, str, Any], ...] = ()
+BUILT_IN = ("contact", "friction", "gravity", "drive", "ledger")
+"""Kinds of effects that are no elements."""
 
 
 @singledispatch
 def element(effect: Any, kin: Kinematics, scene: Scene) -> Element | None:
-    """What an effect of the scene does; None for one that is no force element: a contact, gravity, a drive, the ledger."""
-    return None
+    """What an effect of the scene does; None for a contact, gravity, a drive or the ledger. Raises InputError for a kind without one."""
+    if effect.kind in BUILT_IN:
+        return None
+    found = f"the kind {effect.kind!r}, which has no element"
+    raise InputError(f"scene {scene.name}", [Fault(f"effect {effect.name}", found, "one that says what it does",
+                     f"@element.register on a function of ({type(effect).__name__}, kinematics, scene) that gives an Element.")])  # fmt: skip
 
 
 @element.register
@@ -132,7 +125,7 @@ def _(effect: JointFriction, kin: Kinematics, scene: Scene) -> Element:
 
 @element.register
 def _(effect: Lubrication, kin: Kinematics, scene: Scene) -> Element:
-    return Element(**film(effect, kin, scene))
+    return film(effect, kin, scene)
 
 
 def _resolved(components: Any, axes: Frame, kin: Kinematics, name: str) -> Vector:

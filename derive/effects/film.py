@@ -7,10 +7,11 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.dimension import Dimension
+from hertzwerk.derive.effects.element import Element
 from hertzwerk.derive.effects.lubrication import Lubrication
 from hertzwerk.derive.functions import Where
 from hertzwerk.derive.kinematics import Kinematics
-from hertzwerk.derive.laws.law import GEOMETRY, eps_c, eps_w
+from hertzwerk.derive.laws.law import eps_c, eps_w
 from hertzwerk.derive.pairs import PinInBush
 from hertzwerk.derive.scene import Scene
 from hertzwerk.derive.touch import Round, touch
@@ -18,8 +19,8 @@ from hertzwerk.derive.units import parse_unit
 from hertzwerk.derive.vectors import Vector, add, cross, dot, scale, sub
 
 
-def film(effect: Lubrication, kin: Kinematics, scene: Scene) -> dict[str, Any]:
-    """What the `Element` of a film has: forces by joint, dissipated power [W]; outputs: its force [N] and least thickness [m], down to the layer."""
+def film(effect: Lubrication, kin: Kinematics, scene: Scene) -> Element:
+    """The element of a film; its outputs are the size of its force [N] and its least thickness [m], which is a boundary layer where that is more."""
     return _Film(effect, kin, scene).element()
 
 
@@ -29,9 +30,7 @@ class _Film:
         pair = next(pair for pair in scene.mechanism.pairs if pair.name == effect.pair)
         place = touch(kin, pair)
         if not isinstance(place, Round) or not isinstance(pair, PinInBush):
-            raise TypeError(
-                f"{effect.name}: a film at {pair.name}, which is no pin in a bush"
-            )  # the law says so before
+            raise TypeError(f"{effect.name}: a film at {pair.name}, which is no pin in a bush")
         self.touch, self.clearance = place, sp.sympify(pair.clearance)
         self.layer = sp.sympify(effect.boundary_layer) / self.clearance
 
@@ -44,13 +43,13 @@ class _Film:
         """Name a vector on the tape."""
         return self.kin.tape.vector(vector, f"{self.effect.name}_{what}")
 
-    def element(self) -> dict[str, Any]:
-        """Forces, power, outputs."""
+    def element(self) -> Element:
+        """Forces, dissipated power, outputs."""
         touch, kin = self.touch, self.kin
         axis = self.named(kin.direction(touch.second, touch.pair.axis), "axis")
         middle = add(touch.base, scale(sp.Rational(1, 2), touch.apart))
-        rate = self.named(touch.rate_at(middle), "rate")
-        squeeze = self.named(sub(rate, scale(self.let(dot(rate, axis), "rate_along"), axis)), "squeeze")
+        rate = self.named(touch.rate_at(middle), "squeeze")
+        squeeze = self.named(sub(rate, scale(self.let(dot(rate, axis), "along"), axis)), "squeeze")
         across = self.named(cross(axis, squeeze), "across")
         bodies = touch.first.body, touch.second.body
         turning = sub(*(kin.motion(body).angular_velocity for body in bodies))
@@ -67,11 +66,8 @@ class _Film:
         power = self.let(-dot(force, squeeze) - couple * spin, "power")
         thickness = self.let(self.clearance * (1 - near * self.let(sp.sqrt(self._squared), "e_size")), "thickness")
         size = self.let(sp.sqrt(dot(force, force)), "force_size")
-        return {
-            "forces": forces,
-            "power": power,
-            "outputs": ((f"{self.effect.name}.force", "N", size), (f"{self.effect.name}.thickness", "m", thickness)),
-        }
+        outputs = (f"{self.effect.name}.force", "N", size), (f"{self.effect.name}.thickness", "m", thickness)
+        return Element(forces, power=power, outputs=outputs)
 
     @property
     def _squared(self) -> Any:
@@ -84,15 +80,16 @@ class _Film:
         layer, clearance = self.layer, self.clearance
         free = self.let(1 - 2 * layer, "free")
         squared = self.let(self._squared / clearance**2, "epsilon_squared")
-        ratio = self.let(sp.sqrt(Where(squared > free**2, squared, free**2)), "ratio")  # of the centre there is no root
-        way = self.let((Where(squared < 1, ratio, 1) - free) / (2 * layer), "way")
-        # from slope 1 to slope 0, curvature 0 at both ends: from 1 - 2 layer to 1 - layer
-        limited = self.let(free + 2 * layer * (way - way**3 + way**4 / 2), "limited")
+        # not of the centre, where a root has no derivative
+        ratio = self.let(sp.sqrt(Where(squared > free**2, squared, free**2)), "epsilon")
+        thinning = self.let((Where(squared < 1, ratio, 1) - free) / (2 * layer), "thinning")
+        # from 1 - 2 layer to 1 - layer, with slope 1 at the one end and 0 at the other, and no curvature at either
+        limited = self.let(free + 2 * layer * (thinning - thinning**3 + thinning**4 / 2), "limited")
         dry = self.let(1 + layer, "dry")
-        beyond = self.let((Where(squared < dry**2, Where(squared > 1, ratio, 1), dry) - 1) / layer, "beyond")
+        sinking = self.let((Where(squared < dry**2, Where(squared > 1, ratio, 1), dry) - 1) / layer, "sinking")
         return (
             self.let(limited / (ratio * clearance), "per_e"),
-            self.let(1 - beyond**2 * (3 - 2 * beyond), "share"),
+            self.let(1 - sinking**2 * (3 - 2 * sinking), "share"),
         )
 
     def _drags(self, squeeze: Vector, across: Vector, near: Any) -> list[Any]:
@@ -107,7 +104,7 @@ class _Film:
             **bound.binding,
         }
         geometry = self.scene.geometry(self.effect.pair)
-        values |= {quantity: geometry[quantity.name] for quantity in bound.law.geometry() if quantity in GEOMETRY}
+        values |= {quantity: geometry[quantity.name] for quantity in bound.law.geometry()}
         for symbol, expression in bound.law.definitions:
             values[symbol] = self.let(expression.xreplace(values), symbol.name, symbol.unit)
         return [

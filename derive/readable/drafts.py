@@ -10,7 +10,7 @@ import sympy as sp
 
 from hertzwerk.derive.functions import Where
 from hertzwerk.derive.program import Function, Program, symbols_in
-from hertzwerk.derive.readable.symbols import Names, words
+from hertzwerk.derive.readable.symbols import Names, contact_title, words
 
 UNSHOWN = ("constants", "scales", "gap_accelerations", "accelerations", "projection", "poses", "motion", "applied",
            "joint_scales", "placed", "joint_constraints")  # fmt: skip
@@ -200,11 +200,6 @@ class Drafts:
     def _drive_of(self, row: str) -> str:
         joints = (row, row.rsplit(".", 1)[0])
         return next((e.name for e in self._effects.values() if e.kind == "drive" and e.joint in joints), "")
-
-
-def contact_title(pair: str) -> str:
-    """Title of a pair's section."""
-    return f"Contact {pair}"
 
 
 def multiplier(constraint: str) -> sp.Symbol:

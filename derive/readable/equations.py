@@ -25,14 +25,13 @@ from hertzwerk.derive.readable.drafts import (
     Draft,
     Drafts,
     Part,
-    contact_title,
     multiplier,
 )
 from hertzwerk.derive.readable.entering import Entering, sources
 from hertzwerk.derive.readable.forms import Forms
 from hertzwerk.derive.readable.marks import Marked, marked
 from hertzwerk.derive.readable.record import Effect, Equation, Readable, Section, Symbol, Term
-from hertzwerk.derive.readable.symbols import Names
+from hertzwerk.derive.readable.symbols import Names, contact_title, film_title
 from hertzwerk.derive.scene import Scene
 
 LINE = 19  # symbols of a sum that stands on one line
@@ -114,7 +113,10 @@ class _Reader:
     def _laws(self, title: str) -> Iterator[str]:
         effects: tuple[Any, ...] = self.scene.effects
         for effect in effects:
-            if title == contact_title(getattr(effect, "pair", "")):
+            own = (
+                film_title(effect.name) if effect.kind == "lubrication" else contact_title(getattr(effect, "pair", ""))
+            )
+            if title == own:
                 for bound in effect.laws:
                     yield f"- `{effect.name}`: {bound.law.title}. {bound.law.source}, grade {bound.law.grade}."
                 if effect.unchecked:

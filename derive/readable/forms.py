@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.program import Tape, symbols_in
-from hertzwerk.derive.readable.drafts import KINEMATICS, Draft, contact_title
+from hertzwerk.derive.readable.drafts import KINEMATICS, Draft
 from hertzwerk.derive.readable.symbols import Names
 from hertzwerk.derive.readable.trigonometry import contracted
 
@@ -170,10 +170,10 @@ class Forms:
             users = [draft for draft in drafts if symbol in draft.symbols()]
             if symbol in defined or not users:
                 continue
-            pair = self._names.pair_of(symbol)
+            own = self._names.title_of(symbol)
             sections = {draft.section for draft in users}
             shared = len(sections) > 1 or self.units.get(symbol) == "rad"
-            section = contact_title(pair) if pair else KINEMATICS if shared else users[0].section
+            section = own or (KINEMATICS if shared else users[0].section)
             unit, meaning = self.units.get(symbol, ""), self._names.meaning(symbol)
             drafts.append(Draft(section, symbol.name, unit, meaning, self.of[symbol], symbol))
         return drafts

@@ -12,6 +12,7 @@ from hertzwerk.derive.laws.law import GEOMETRY, Quantity
 from hertzwerk.derive.notation import latex_name
 from hertzwerk.derive.parameter import Parameter
 from hertzwerk.derive.program import Program
+from hertzwerk.derive.readable.films import FILM, FILM_LANDMARKS
 
 AXES = ("x", "y", "z")
 
@@ -52,6 +53,8 @@ LETTERS = {
     "torque": "T",
     "force": "F",
     "amplitude": "A",
+    "viscosity": r"\eta",
+    "boundary_layer": r"h_{0}",
 }
 # What a contact pair is made of: the words after the pair's name -> letter, subscript, meaning.
 PAIR = {
@@ -125,12 +128,24 @@ _HOLDS = "_multiplier"
 _LAW = {quantity.name: quantity.meaning for quantity in GEOMETRY}
 
 
+def contact_title(pair: str) -> str:
+    """Title of a pair's section."""
+    return f"Contact {pair}"
+
+
+def film_title(effect: str) -> str:
+    """Title of a film's section."""
+    return f"Film {effect}"
+
+
 class Names:
     """LaTeX and meaning of the symbols of a program; two symbols never look the same."""
 
     def __init__(self, program: Program, units: dict[sp.Symbol, str], meanings: Mapping[str, str]) -> None:
         self._program, self._units, self._meanings = program, units, meanings
-        self._pairs = sorted((name for name, _ in program.tables["PAIRS"]), key=len, reverse=True)
+        films = {effect.name: FILM for effect in program.scene.effects if effect.kind == "lubrication"}
+        self._words = dict.fromkeys((name for name, _ in program.tables["PAIRS"]), PAIR) | films
+        self._owners = sorted(self._words, key=len, reverse=True)
         self._law_meanings = dict(_law_symbols(program.scene))
         self._ports = self._port_names()
         self.latex: dict[sp.Symbol, str] = {}
@@ -150,15 +165,16 @@ class Names:
             return self._ports[symbol][1]
         if isinstance(symbol, Parameter):
             return str(symbol.meaning or self._meanings.get(symbol.name, ""))
-        pair, rest, axis = self._of_pair(symbol.name)
-        if pair:
-            return self._law_meanings.get(rest) or f"{PAIR[rest][2]}{f', {axis}' if axis else ''}"
+        owner, rest, axis = self._owned(symbol.name)
+        if owner:
+            return self._law_meanings.get(rest) or f"{self._words[owner][rest][2]}{f', {axis}' if axis else ''}"
         text = str(symbol.name).replace("_", " ")
         return f"what holds the constraint {text.removesuffix(' multiplier')}" if symbol.name.endswith(_HOLDS) else text
 
-    def pair_of(self, symbol: sp.Symbol) -> str:
-        """The contact pair a symbol belongs to; "" for none."""
-        return next((pair for pair in self._pairs if symbol.name.startswith(f"{pair}_")), "")
+    def title_of(self, symbol: sp.Symbol) -> str:
+        """Title of the section of the contact pair or film a symbol belongs to; "" for none."""
+        owner = next((name for name in self._owners if symbol.name.startswith(f"{name}_")), "")
+        return "" if not owner else film_title(owner) if self._words[owner] is FILM else contact_title(owner)
 
     def port(self, group: str, place: int) -> str:
         """LaTeX of an input, by its group and its place in it."""
@@ -166,18 +182,20 @@ class Names:
 
     def is_landmark(self, symbol: sp.Symbol) -> bool:
         """Whether readers look for it by name: what a contact is made of, and what its laws define."""
-        _, rest, _ = self._of_pair(symbol.name)
-        return rest in LANDMARKS or rest in self._law_meanings
+        owner, rest, _ = self._owned(symbol.name)
+        landmarks = FILM_LANDMARKS if owner and self._words[owner] is FILM else LANDMARKS
+        return rest in landmarks or rest in self._law_meanings
 
     # -- letters ---------------------------------------------------------------------------------------------------
 
     def _letter(self, symbol: sp.Symbol) -> str:
         if symbol in self._ports:
             return self._ports[symbol][0]
-        pair, rest, axis = self._of_pair(symbol.name)
-        if pair:
-            letter, below, _ = PAIR.get(rest) or (*_split(latex_name(sp.Symbol(rest))), "")
-            whose = words(pair.split("_")) if len(self._pairs) > 1 else ""
+        owner, rest, axis = self._owned(symbol.name)
+        if owner:
+            own = self._words[owner]
+            letter, below, _ = own.get(rest) or (*_split(latex_name(sp.Symbol(rest))), "")
+            whose = words(owner.split("_")) if sum(other is own for other in self._words.values()) > 1 else ""
             return _with_subscript(letter, (axis, below, whose))
         if symbol.name.endswith(_HOLDS):
             return _with_subscript(r"\lambda", (words(symbol.name.removesuffix(_HOLDS).split("_")),))
@@ -198,15 +216,15 @@ class Names:
     def _turns(self, symbol: sp.Symbol) -> bool:
         return self._units.get(symbol, "") in ("1/s", "rad/s")
 
-    def _of_pair(self, name: str) -> tuple[str, str, str]:
-        """The pair, the words that say what it is of the pair, and the axis; ("", "", "") for what is of no pair or not known."""
-        for pair in self._pairs:
-            if name.startswith(f"{pair}_"):
-                rest, axis = name[len(pair) + 1 :], ""
+    def _owned(self, name: str) -> tuple[str, str, str]:
+        """The pair or film, the words that say what it is of it, and the axis; ("", "", "") for what is of none or not known."""
+        for owner in self._owners:
+            if name.startswith(f"{owner}_"):
+                rest, axis = name[len(owner) + 1 :], ""
                 if rest[-2:] in ("_x", "_y", "_z"):
                     rest, axis = rest[:-2], rest[-1]
-                if rest in PAIR or (rest in self._law_meanings and not axis):
-                    return pair, rest, axis
+                if rest in self._words[owner] or (rest in self._law_meanings and not axis):
+                    return owner, rest, axis
         return "", "", ""
 
     # -- ports -----------------------------------------------------------------------------------------------------

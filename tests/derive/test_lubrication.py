@@ -21,7 +21,9 @@ from hertzwerk.derive import (
     BallInSocket,
     Body,
     Contact,
+    Element,
     EnergyLedger,
+    Free,
     Friction,
     InputError,
     Lubrication,
@@ -31,12 +33,13 @@ from hertzwerk.derive import (
     Planar,
     Scales,
     Scene,
+    X,
     Z,
+    element,
     generate,
 )
 from hertzwerk.derive.audit import InconsistentUnits
 from hertzwerk.derive.effects.expression import Varying
-from hertzwerk.derive.elements import Element, element
 from hertzwerk.derive.laws import LAWS, flores, long_bearing, power, short_bearing
 from hertzwerk.derive.readable.equations import equations_of
 from hertzwerk.derive.rescaling import evaluate
@@ -277,6 +280,8 @@ def test_the_film_gives_way_to_dry_contact(law):
         (f, slope), (g, other) = force(seam - 1e-8 * LAYER), force(seam + 1e-8 * LAYER)
         assert f == pytest.approx(g, rel=1e-6, abs=1e-6 * 0.01 * least)
         assert slope == pytest.approx(other, rel=1e-4, abs=1e-5 * 0.01 * least / LAYER)
+    before, at, after = (force(C - 2 * LAYER + way)[1] for way in (-1e-3 * LAYER, 0, 1e-3 * LAYER))
+    assert at - before == pytest.approx(after - at, rel=0.02)  # not even the curvature jumps
 
 
 # -- action and reaction, energy ---------------------------------------------------------------------------------------
@@ -299,6 +304,21 @@ def test_action_is_reaction_and_the_film_dissipates(law):
         assert dissipated == pytest.approx(-f @ u, rel=1e-9, abs=1e-9 * np.abs(f * u).max())
         power.append(dissipated)
     assert min(power) > 0
+
+
+def test_a_film_in_space_is_the_one_in_the_plane():
+    """About another axis, the pin off along it: what is along the axis, and the turn of the frame, do nothing."""
+    bodies = [Body(b.name, b.mass, (b.inertia,) * 3) for b in (pin, bush)]
+    joint = replace(JOINT, pin=bodies[0].at(0, 0, 0), bush=bodies[1].at(0, 0, 0), axis=X)
+    joints = (Free("of_pin", GROUND, bodies[0]), Free("of_bush", GROUND, bodies[1]))
+    sizes = Scales(length=clearance, speed=Parameter("pace", "m/s", 1), arm=radius)
+    model = Derived(Scene(Mechanism("spatial", joints, (joint,)), (film(long_bearing),), sizes))
+    e, rate, spin_pin, spin_bush = MOTIONS["all at once"]
+    q, u = np.array([1e-3, *e, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0]), np.zeros(12)
+    u[:4], u[9] = (0.3, *rate, spin_pin), spin_bush
+    got, plane = model.call("applied", t=0.0, q=q, u=u), resultants("long_bearing", e, rate, spin_pin, spin_bush)
+    assert got[[1, 2, 3, 7, 8, 9]] == pytest.approx(plane, rel=1e-12)
+    assert got[[0, 6]] == pytest.approx(0, abs=1e-12 * np.abs(plane).max())
 
 
 # -- a scene with a film -----------------------------------------------------------------------------------------------
@@ -403,6 +423,16 @@ def _(effect: AirDrag, kin, scene):
     force = kin.tape.vector(tuple(-effect.coefficient * speed * v for v in velocity), f"{effect.name}_force")
     forces = kin.generalised(force, position, effect.point.body, GROUND, effect.name)
     return Element(forces, power=effect.coefficient * speed**3, outputs=((f"{effect.name}.speed", "m/s", speed),))
+
+
+def test_a_kind_of_effect_that_does_nothing_is_refused():
+    @dataclass(frozen=True)
+    class Mystery(AirDrag):
+        kind: ClassVar[str] = "mystery"
+
+    element.register(Mystery, element.dispatch(object))
+    with pytest.raises(InputError, match="the kind 'mystery', which has no element"):
+        generate(scene(Mystery("x", pin.at(0, 0, 0), Parameter("k", "kg/m", 0.3)), TOUCHING))
 
 
 def test_a_new_kind_of_effect_is_one_record_and_its_element():
