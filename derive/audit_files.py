@@ -18,7 +18,7 @@ from hertzwerk.derive.scene import Scene
 
 __all__ = ["audit_catalogue", "audit_files", "audit_path", "differing"]
 
-_RECORDS = ("StiffnessLaw", "DampingLaw", "FrictionLaw")
+_RECORDS = ("StiffnessLaw", "DampingLaw", "FrictionLaw", "FilmLaw")
 
 
 def audit_catalogue() -> tuple[Finding, ...]:

@@ -3,7 +3,7 @@
     [[law]]
     name = "my_foam"
     kind = "stiffness"                # stiffness: force, stored?, reach?, exponent?, relation?     damping: factor or term, exponent?, release?
-    title = "Foam pad"                # friction: force, slope? (else its derivative at rest)
+    title = "Foam pad"                # friction: force, slope? (else its derivative at rest)     film: along, across, couple
     source = "measured, 2024"
     force = "K*d**n*exp(d/h)"
     exponent = "n"
@@ -15,7 +15,8 @@
     ranges.dR = { defined = "[5e-6, 1 mm]", recommended = "..." }                             # a bare bound is in the symbol's own unit
 
 The parameters are the symbols, in the order written. What a contact supplies (d in a stiffness law; d, v, v0, F, k_t in a damping law; N, s in a
-friction law) and the geometry of its pair (R_eff, dR, L, m_eff, ...) need no declaration. All faults of a file come at once.
+friction law; epsilon_w, epsilon_c in a film law) and the geometry of its pair (R_eff, dR, L, m_eff, ...) need no declaration. All faults of a file
+come at once.
 """
 
 from __future__ import annotations
@@ -37,7 +38,7 @@ from hertzwerk.derive.dimension import Dimension
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws import law as record
-from hertzwerk.derive.laws.law import DampingLaw, FrictionLaw, Law, Quantity, Range, StiffnessLaw
+from hertzwerk.derive.laws.law import DampingLaw, FilmLaw, FrictionLaw, Law, Quantity, Range, StiffnessLaw
 from hertzwerk.derive.parameter import Interval, Parameter
 from hertzwerk.derive.text import RESERVED, Expression, TextError, plain_name, read, to_sympy
 from hertzwerk.derive.text_dimension import Declared, dimension_of_unit
@@ -47,19 +48,27 @@ __all__ = ["WrittenLaw", "audit_laws_as_written", "laws_from", "read_laws"]
 
 MAX_BYTES = 1_000_000  # of a file
 
-# kind -> expression field -> (what it is, its unit); the first is required (a damping law: factor or term)
+# kind -> expression field -> (what it is, its unit); the first is required (a damping law: factor or term; a film: all)
 _FIELDS: dict[str, dict[str, tuple[str, str]]] = {
     "stiffness": {"force": ("normal force", "N"), "relation": ("penetration", "m"), "stored": ("stored energy", "J"),
                   "reach": ("reach", "m"), "exponent": ("exponent", "1")},
     "damping": {"factor": ("hysteresis factor", "1"), "term": ("damping force", "N"), "exponent": ("exponent", "1")},
     "friction": {"force": ("friction force", "N"), "slope": ("slope of the friction force at rest", "N s/m")},
+    "film": {"along": ("drag along the squeeze velocity", "N s/m"), "across": ("drag across the squeeze velocity", "N s/m"),
+             "couple": ("drag against the spin", "N m s")},
 }  # fmt: skip
 _SUPPLIED = {
     "stiffness": (record.d,),
     "damping": (record.d, record.v, record.v0, record.F, record.k_t),
     "friction": (record.N, record.s),
+    "film": (record.eps_w, record.eps_c),
 }
-_RECORDS: dict[str, type[Any]] = {"stiffness": StiffnessLaw, "damping": DampingLaw, "friction": FrictionLaw}
+_RECORDS: dict[str, type[Any]] = {
+    "stiffness": StiffnessLaw,
+    "damping": DampingLaw,
+    "friction": FrictionLaw,
+    "film": FilmLaw,
+}
 _PLAIN = {"name", "kind", "title", "source", "grade", "verdict", "fitted_in", "repair", "note"}
 _KEYS = _PLAIN | {"symbols", "definitions", "ranges"}
 _GRADES = ("A", "B", "C", "R")
@@ -372,7 +381,7 @@ class _Reader:
                 and symbol.name not in {g.name for g in record.GEOMETRY}
             ):
                 self.fault(where, f"a second symbol {symbol.name}", "names that are unique")
-            state = [known.name for known in _SUPPLIED[self.kind]]
+            state = [known.name for known in _SUPPLIED[self.kind] if self.kind != "film"]
             expression = self.expression(where, row.get("expression"), symbol.unit if symbol else "1", state)
             if symbol is not None:
                 self.declare(symbol)
@@ -383,14 +392,18 @@ class _Reader:
     def expressions(self) -> dict[str, sp.Expr]:
         """The expression fields of the kind."""
         fields = _FIELDS[self.kind]
-        required = ("factor", "term") if self.kind == "damping" else ("force",)
-        given = [key for key in required if key in self.table]
-        if len(given) != 1:
-            self.fault(
-                "",
-                f"{' and '.join(given) or 'no'} {'' if given else ' or '.join(required)}".strip(),
-                "the " + " or the ".join(required),
-            )
+        alternatives: dict[str, tuple[tuple[str, ...], ...]] = {
+            "damping": (("factor", "term"),),
+            "film": tuple((key,) for key in fields),
+        }
+        for required in alternatives.get(self.kind, (("force",),)):
+            given = [key for key in required if key in self.table]
+            if len(given) != 1:
+                self.fault(
+                    "",
+                    f"{' and '.join(given) or 'no'} {'' if given else ' or '.join(required)}".strip(),
+                    "the " + " or the ".join(required),
+                )
         found: dict[str, sp.Expr] = {}
         for key, (_, unit) in fields.items():
             if key in self.table:
@@ -410,7 +423,7 @@ class _Reader:
 
     def of_kind(self, fields: dict[str, sp.Expr], ranges: tuple[Range, ...]) -> dict[str, Any]:
         """What the record of the kind has beside the common fields."""
-        if self.kind == "stiffness":
+        if self.kind in ("stiffness", "film"):
             return {**fields, "ranges": ranges}
         if self.kind == "friction":
             slope = fields["slope"] if "slope" in fields else self.slope(fields["force"])

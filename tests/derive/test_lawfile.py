@@ -253,7 +253,7 @@ FAULTS = [  # text, parts of the message
     ("x = 1", ["the key 'x'"]),
     ("law = 3", ["[[law]]"]),
     ("[[law]\n", ["TOML"]),
-    ("[[law]]\nkind = 'spring'", ["'spring'", "stiffness, damping, friction"]),
+    ("[[law]]\nkind = 'spring'", ["'spring'", "stiffness, damping, friction, film"]),
     (FOAM.replace("kind", "kinds"), ["kind", "none"]),
     (FOAM.replace("force =", "forse ="), ["the key 'forse'", "did you mean force?", "the force"]),
     (FOAM.replace('reach = "h"', 'factor = "h"'), ["the key 'factor'", "damping law"]),

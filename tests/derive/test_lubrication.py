@@ -35,8 +35,10 @@ from hertzwerk.derive import (
     Scene,
     X,
     Z,
+    audit_path,
     element,
     generate,
+    laws_from,
 )
 from hertzwerk.derive.audit import InconsistentUnits
 from hertzwerk.derive.effects.expression import Varying
@@ -388,6 +390,37 @@ def test_units_are_scaled_away_from_an_inconsistent_film():
     with pytest.raises(InconsistentUnits, match="drag against the spin"):
         generate(scene(film(wrong)))
     assert "UNCHECKED" in generate(scene(replace(film(wrong), unchecked=True)))
+
+
+WRITTEN = """
+[[law]]
+name = "full_squeeze"
+kind = "film"
+title = "Full film of a short bearing, its pressures below that at the ends kept"
+source = "Frene et al. (1997)"
+symbols.eta = { unit = "Pa s", meaning = "viscosity" }
+definitions = [{ symbol = "T", unit = "1", meaning = "1 - eps^2", expression = "1 - epsilon_w**2 - epsilon_c**2" }]
+along = "pi*eta*R_2*L**3/dR**3*(1 + 2*epsilon_w**2 - epsilon_c**2)/T**2.5"
+across = "3*pi*eta*R_2*L**3/dR**3*epsilon_w*epsilon_c/T**2.5"
+couple = "2*pi*eta*R_2**3*L/(dR*sqrt(T))"
+"""
+
+
+def test_a_film_law_of_a_file(tmp_path):
+    """The full film is the two halves together, at w and at -w."""
+    file = tmp_path / "own.toml"
+    file.write_text(WRITTEN)
+    full = Derived(scene(film(laws_from(file)["full_squeeze"])))
+    e, rate = (3e-5, -6e-5), np.array([0.02, 0.05])
+    q, u = state(e, rate)
+    halves = resultants("short_bearing", e, rate) - resultants("short_bearing", e, -rate)
+    assert full.call("applied", t=0.0, q=q, u=u) == pytest.approx(halves, rel=1e-10)
+    assert all(finding.verdict == "consistent" for finding in audit_path(file))
+    file.write_text(WRITTEN.replace("R_2**3*L/(dR", "R_2**3*L/(dR**2"))
+    assert [finding.what for finding in audit_path(file) if finding.verdict != "consistent"] == ["couple"]
+    file.write_text("\n".join(line for line in WRITTEN.splitlines() if not line.startswith("across")))
+    with pytest.raises(InputError, match="found no across"):
+        laws_from(file)
 
 
 def test_a_film_without_a_contact_law_is_a_film():
