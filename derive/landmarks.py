@@ -37,7 +37,7 @@ from hertzwerk.derive.mechanism import (
 )
 from hertzwerk.derive.parameter import is_number, parameters_of
 from hertzwerk.derive.program import Result
-from hertzwerk.derive.scene import Gravity, OnJoint, Scene
+from hertzwerk.derive.scene import Gravity, Scene
 from hertzwerk.derive.vectors import Vector, apply
 
 UNITS = {"axis": "1", "normal": "1", "along": "1", "force": "N", "moment": "N m", "radius": "m", "length": "m"}
@@ -90,7 +90,7 @@ def landmarks_of(scene: Scene) -> Iterator[Landmark]:
         yield Landmark(pair.name, pair.kind, first, one, of_first)
         yield Landmark(pair.name, pair.kind, second, two, of_second)
     for effect in scene.effects:
-        if isinstance(effect, OnJoint):
+        if hasattr(effect, "joint"):
             yield from _on_joint(effect, mechanism)
         else:
             yield from _of_effect(effect)

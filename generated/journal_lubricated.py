@@ -7,8 +7,8 @@ Effects:
     bearing: power x flores
     oil: short_bearing film at bearing
     energy_ledger: work put in, energy dissipated per effect
-Units: 75 assignments and 83 outputs checked, all consistent
-Operations: flight 133 (equations of motion and gaps); in contact also contact_bearing 25
+Units: 74 assignments and 125 outputs checked, all consistent
+Operations: flight 135 (equations of motion and gaps); in contact also contact_bearing 25
 """
 
 import casadi as ca
@@ -99,18 +99,29 @@ BODIES = (
     "journal",
 )
 
+LANDMARKS = (
+    ("shaft", "planar", "parent", "ground", ("normal",)),
+    ("shaft", "planar", "child", "journal", ("normal",)),
+    ("bearing", "pin_in_bush", "pin", "journal", ("radius",)),
+    ("bearing", "pin_in_bush", "bush", "ground", ("radius", "axis")),
+    ("motor", "turn_drive", "child", "journal", ("axis",)),
+    ("load", "force", "point", "journal", ()),
+    ("load", "force", "axes", "ground", ("force",)),
+    ("journal", "body", "centre", "journal", ()),
+)
+
 CONSTANTS = (
     ("clearance", "m"),
     ("speed", "1/s"),
     ("load", "N"),
     ("contact_stiffness", "N/m^1.5"),
+    ("boundary_layer", "m"),
     ("k1", "1/s"),
     ("oil_free", "1"),
     ("k2", "1/m^2"),
     ("k3", "1"),
     ("k4", "1"),
     ("k5", "1"),
-    ("oil_dry", "1"),
     ("k6", "1"),
     ("k7", "1/m"),
     ("k8", "m^2/s^2"),
@@ -127,19 +138,21 @@ CONSTANTS = (
 )
 
 OPERATIONS = (
-    ("constants", 46),
+    ("constants", 44),
     ("start", 0),
     ("scales", 7),
     ("coordinate_rates", 0),
     ("gaps", 12),
     ("gap_accelerations", 13),
     ("contact_bearing", 25),
-    ("applied", 105),
+    ("applied", 107),
     ("accelerations", 3),
-    ("ledger", 107),
+    ("ledger", 109),
     ("energy", 16),
     ("poses", 4),
-    ("outputs", 102),
+    ("outputs", 104),
+    ("period", 3),
+    ("landmarks", 2),
 )
 
 
@@ -148,8 +161,8 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (24,): clearance, speed, load, contact_stiffness, k1, oil_free, k2, k3, k4, k5, oil_dry, k6, k7, k8, k9,
-            k10, k11, k12, k13, k14, bearing_hysteresis_factor, k15, k16, k17
+        c (24,): clearance, speed, load, contact_stiffness, boundary_layer, k1, oil_free, k2, k3, k4, k5, k6, k7,
+            k8, k9, k10, k11, k12, k13, k14, bearing_hysteresis_factor, k15, k16, k17
     """
     mass = p[0]
     inertia = p[1]
@@ -168,7 +181,6 @@ def constants(p):
     k3 = oil_free*oil_free
     k4 = clearance/(2*boundary_layer)
     k5 = 2*boundary_layer/clearance
-    oil_dry = 1 + boundary_layer/clearance
     k6 = clearance/boundary_layer
     k7 = 1/clearance
     x1 = speed*speed
@@ -184,8 +196,8 @@ def constants(p):
     k15 = 1/mass
     k16 = mass/2
     k17 = x1*inertia/2
-    return ca.vertcat(clearance, speed, load, contact_stiffness, k1, oil_free, k2, k3, k4, k5, oil_dry, k6, k7, k8,
-        k9, k10, k11, k12, k13, k14, bearing_hysteresis_factor, k15, k16, k17)
+    return ca.vertcat(clearance, speed, load, contact_stiffness, boundary_layer, k1, oil_free, k2, k3, k4, k5, k6,
+        k7, k8, k9, k10, k11, k12, k13, k14, bearing_hysteresis_factor, k15, k16, k17)
 
 
 def start(p):
@@ -324,15 +336,16 @@ def applied(t, q, u, c):
     Returns, each a column vector:
         f (3,): shaft.x [N], shaft.y [N], shaft.angle [N m]
     """
+    clearance = c[0]
     speed = c[1]
     load = c[2]
-    k1 = c[4]
-    oil_free = c[5]
-    k2 = c[6]
-    k3 = c[7]
-    k4 = c[8]
-    k5 = c[9]
-    oil_dry = c[10]
+    boundary_layer = c[4]
+    k1 = c[5]
+    oil_free = c[6]
+    k2 = c[7]
+    k3 = c[8]
+    k4 = c[9]
+    k5 = c[10]
     k6 = c[11]
     k7 = c[12]
     k8 = c[13]
@@ -343,22 +356,22 @@ def applied(t, q, u, c):
     shaft_y = q[1]
     shaft_x_speed = u[0]
     shaft_y_speed = u[1]
-    oil_rate_x = shaft_x_speed + k1*shaft_y
-    oil_rate_y = shaft_y_speed - k1*shaft_x
+    oil_squeeze_x = shaft_x_speed + k1*shaft_y
+    oil_squeeze_y = shaft_y_speed - k1*shaft_x
     oil_e_squared = shaft_x*shaft_x + shaft_y*shaft_y
     oil_epsilon_squared = k2*oil_e_squared
     base = ca.if_else(oil_epsilon_squared > oil_free*oil_free, oil_epsilon_squared, k3)
-    oil_ratio = ca.sqrt(base)
-    oil_way = k4*(ca.if_else(oil_epsilon_squared < 1, oil_ratio, 1) - oil_free)
-    oil_limited = oil_free + k5*(oil_way + oil_way**4/2 - oil_way*oil_way*oil_way)
-    oil_beyond = k6*(ca.if_else(oil_epsilon_squared < oil_dry*oil_dry, ca.if_else(oil_epsilon_squared > 1, oil_ratio, 1), oil_dry) - 1)
-    oil_per_e = k7*oil_limited/oil_ratio
-    oil_share = 1 - oil_beyond*oil_beyond*(3 - 2*oil_beyond)
-    oil_squeeze_squared = oil_rate_x*oil_rate_x + oil_rate_y*oil_rate_y
+    oil_epsilon = ca.sqrt(base)
+    oil_thinning = ca.if_else(oil_epsilon_squared < 1, k4*(oil_epsilon - oil_free), 1)
+    oil_limited = oil_free + k5*oil_thinning*(1 - oil_thinning*oil_thinning*(1 - oil_thinning/2))
+    oil_sinking = ca.if_else(oil_epsilon_squared > 1, k6*(oil_epsilon - 1), 0)
+    oil_per_e = k7*oil_limited/oil_epsilon
+    oil_share = ca.if_else(oil_epsilon_squared < (1 + boundary_layer/clearance)**2, 1 - oil_sinking*oil_sinking*(3 - 2*oil_sinking), 0)
+    oil_squeeze_squared = oil_squeeze_x*oil_squeeze_x + oil_squeeze_y*oil_squeeze_y
     base_2 = ca.if_else(oil_squeeze_squared > 0, oil_squeeze_squared, k8)
     oil_squeeze_speed = ca.sqrt(base_2)
-    oil_epsilon_w = oil_per_e*(oil_rate_x*shaft_x + oil_rate_y*shaft_y)/oil_squeeze_speed
-    oil_epsilon_c = oil_per_e*(oil_rate_x*shaft_y - oil_rate_y*shaft_x)/oil_squeeze_speed
+    oil_epsilon_w = oil_per_e*(oil_squeeze_x*shaft_x + oil_squeeze_y*shaft_y)/oil_squeeze_speed
+    oil_epsilon_c = oil_per_e*(oil_squeeze_x*shaft_y - oil_squeeze_y*shaft_x)/oil_squeeze_speed
     x1 = oil_epsilon_w*oil_epsilon_w
     oil_S = 1 - x1 - oil_epsilon_c*oil_epsilon_c
     oil_q = ca.sqrt(oil_S)
@@ -367,8 +380,8 @@ def applied(t, q, u, c):
     oil_drag_along = k10*x2*(oil_A*(oil_S + 3*x1) + 3*oil_epsilon_w*oil_q)/oil_q
     oil_drag_across = k10*oil_epsilon_c*x2*(oil_q*(2 + x1/(oil_S + x1)) + 3*oil_A*oil_epsilon_w)/oil_q
     oil_drag_spin = k11/oil_q
-    oil_force_x = -oil_share*(oil_drag_along*oil_rate_x - oil_drag_across*oil_rate_y)
-    oil_force_y = -oil_share*(oil_drag_across*oil_rate_x + oil_drag_along*oil_rate_y)
+    oil_force_x = -oil_share*(oil_drag_along*oil_squeeze_x - oil_drag_across*oil_squeeze_y)
+    oil_force_y = -oil_share*(oil_drag_across*oil_squeeze_x + oil_drag_along*oil_squeeze_y)
     oil_couple = -oil_drag_spin*oil_share*speed
     oil_on_shaft_angle = oil_force_x*shaft_y/2 - oil_force_y*shaft_x/2
     return ca.vertcat(oil_force_x, oil_force_y - load, oil_couple + oil_on_shaft_angle)
@@ -398,15 +411,16 @@ def ledger(t, q, u, reactions, c):
     Returns, each a column vector:
         dz (4,): energy_ledger.input [W], load.input [W], bearing.dissipated [W], oil.dissipated [W]
     """
+    clearance = c[0]
     speed = c[1]
     load = c[2]
-    k1 = c[4]
-    oil_free = c[5]
-    k2 = c[6]
-    k3 = c[7]
-    k4 = c[8]
-    k5 = c[9]
-    oil_dry = c[10]
+    boundary_layer = c[4]
+    k1 = c[5]
+    oil_free = c[6]
+    k2 = c[7]
+    k3 = c[8]
+    k4 = c[9]
+    k5 = c[10]
     k6 = c[11]
     k7 = c[12]
     k8 = c[13]
@@ -418,22 +432,22 @@ def ledger(t, q, u, reactions, c):
     shaft_x_speed = u[0]
     shaft_y_speed = u[1]
     shaft_angle_reaction_in = reactions[0]
-    oil_rate_x = shaft_x_speed + k1*shaft_y
-    oil_rate_y = shaft_y_speed - k1*shaft_x
+    oil_squeeze_x = shaft_x_speed + k1*shaft_y
+    oil_squeeze_y = shaft_y_speed - k1*shaft_x
     oil_e_squared = shaft_x*shaft_x + shaft_y*shaft_y
     oil_epsilon_squared = k2*oil_e_squared
     base = ca.if_else(oil_epsilon_squared > oil_free*oil_free, oil_epsilon_squared, k3)
-    oil_ratio = ca.sqrt(base)
-    oil_way = k4*(ca.if_else(oil_epsilon_squared < 1, oil_ratio, 1) - oil_free)
-    oil_limited = oil_free + k5*(oil_way + oil_way**4/2 - oil_way*oil_way*oil_way)
-    oil_beyond = k6*(ca.if_else(oil_epsilon_squared < oil_dry*oil_dry, ca.if_else(oil_epsilon_squared > 1, oil_ratio, 1), oil_dry) - 1)
-    oil_per_e = k7*oil_limited/oil_ratio
-    oil_share = 1 - oil_beyond*oil_beyond*(3 - 2*oil_beyond)
-    oil_squeeze_squared = oil_rate_x*oil_rate_x + oil_rate_y*oil_rate_y
+    oil_epsilon = ca.sqrt(base)
+    oil_thinning = ca.if_else(oil_epsilon_squared < 1, k4*(oil_epsilon - oil_free), 1)
+    oil_limited = oil_free + k5*oil_thinning*(1 - oil_thinning*oil_thinning*(1 - oil_thinning/2))
+    oil_sinking = ca.if_else(oil_epsilon_squared > 1, k6*(oil_epsilon - 1), 0)
+    oil_per_e = k7*oil_limited/oil_epsilon
+    oil_share = ca.if_else(oil_epsilon_squared < (1 + boundary_layer/clearance)**2, 1 - oil_sinking*oil_sinking*(3 - 2*oil_sinking), 0)
+    oil_squeeze_squared = oil_squeeze_x*oil_squeeze_x + oil_squeeze_y*oil_squeeze_y
     base_2 = ca.if_else(oil_squeeze_squared > 0, oil_squeeze_squared, k8)
     oil_squeeze_speed = ca.sqrt(base_2)
-    oil_epsilon_w = oil_per_e*(oil_rate_x*shaft_x + oil_rate_y*shaft_y)/oil_squeeze_speed
-    oil_epsilon_c = oil_per_e*(oil_rate_x*shaft_y - oil_rate_y*shaft_x)/oil_squeeze_speed
+    oil_epsilon_w = oil_per_e*(oil_squeeze_x*shaft_x + oil_squeeze_y*shaft_y)/oil_squeeze_speed
+    oil_epsilon_c = oil_per_e*(oil_squeeze_x*shaft_y - oil_squeeze_y*shaft_x)/oil_squeeze_speed
     x1 = oil_epsilon_w*oil_epsilon_w
     oil_S = 1 - x1 - oil_epsilon_c*oil_epsilon_c
     oil_q = ca.sqrt(oil_S)
@@ -442,10 +456,10 @@ def ledger(t, q, u, reactions, c):
     oil_drag_along = k10*x2*(oil_A*(oil_S + 3*x1) + 3*oil_epsilon_w*oil_q)/oil_q
     oil_drag_across = k10*oil_epsilon_c*x2*(oil_q*(2 + x1/(oil_S + x1)) + 3*oil_A*oil_epsilon_w)/oil_q
     oil_drag_spin = k11/oil_q
-    oil_force_x = -oil_share*(oil_drag_along*oil_rate_x - oil_drag_across*oil_rate_y)
-    oil_force_y = -oil_share*(oil_drag_across*oil_rate_x + oil_drag_along*oil_rate_y)
+    oil_force_x = -oil_share*(oil_drag_along*oil_squeeze_x - oil_drag_across*oil_squeeze_y)
+    oil_force_y = -oil_share*(oil_drag_across*oil_squeeze_x + oil_drag_along*oil_squeeze_y)
     oil_couple = -oil_drag_spin*oil_share*speed
-    oil_power = -oil_couple*speed - oil_force_x*oil_rate_x - oil_force_y*oil_rate_y
+    oil_power = -oil_couple*speed - oil_force_x*oil_squeeze_x - oil_force_y*oil_squeeze_y
     return ca.vertcat(shaft_angle_reaction_in*speed, -shaft_y_speed*load, 0, oil_power)
 
 
@@ -503,13 +517,13 @@ def outputs(t, q, u, c):
         y (4,): bearing.eccentricity_x [m], bearing.eccentricity_y [m], oil.force [N], oil.thickness [m]
     """
     clearance = c[0]
-    k1 = c[4]
-    oil_free = c[5]
-    k2 = c[6]
-    k3 = c[7]
-    k4 = c[8]
-    k5 = c[9]
-    oil_dry = c[10]
+    boundary_layer = c[4]
+    k1 = c[5]
+    oil_free = c[6]
+    k2 = c[7]
+    k3 = c[8]
+    k4 = c[9]
+    k5 = c[10]
     k6 = c[11]
     k7 = c[12]
     k8 = c[13]
@@ -519,22 +533,22 @@ def outputs(t, q, u, c):
     shaft_y = q[1]
     shaft_x_speed = u[0]
     shaft_y_speed = u[1]
-    oil_rate_x = shaft_x_speed + k1*shaft_y
-    oil_rate_y = shaft_y_speed - k1*shaft_x
+    oil_squeeze_x = shaft_x_speed + k1*shaft_y
+    oil_squeeze_y = shaft_y_speed - k1*shaft_x
     oil_e_squared = shaft_x*shaft_x + shaft_y*shaft_y
     oil_epsilon_squared = k2*oil_e_squared
     base = ca.if_else(oil_epsilon_squared > oil_free*oil_free, oil_epsilon_squared, k3)
-    oil_ratio = ca.sqrt(base)
-    oil_way = k4*(ca.if_else(oil_epsilon_squared < 1, oil_ratio, 1) - oil_free)
-    oil_limited = oil_free + k5*(oil_way + oil_way**4/2 - oil_way*oil_way*oil_way)
-    oil_beyond = k6*(ca.if_else(oil_epsilon_squared < oil_dry*oil_dry, ca.if_else(oil_epsilon_squared > 1, oil_ratio, 1), oil_dry) - 1)
-    oil_per_e = k7*oil_limited/oil_ratio
-    oil_share = 1 - oil_beyond*oil_beyond*(3 - 2*oil_beyond)
-    oil_squeeze_squared = oil_rate_x*oil_rate_x + oil_rate_y*oil_rate_y
+    oil_epsilon = ca.sqrt(base)
+    oil_thinning = ca.if_else(oil_epsilon_squared < 1, k4*(oil_epsilon - oil_free), 1)
+    oil_limited = oil_free + k5*oil_thinning*(1 - oil_thinning*oil_thinning*(1 - oil_thinning/2))
+    oil_sinking = ca.if_else(oil_epsilon_squared > 1, k6*(oil_epsilon - 1), 0)
+    oil_per_e = k7*oil_limited/oil_epsilon
+    oil_share = ca.if_else(oil_epsilon_squared < (1 + boundary_layer/clearance)**2, 1 - oil_sinking*oil_sinking*(3 - 2*oil_sinking), 0)
+    oil_squeeze_squared = oil_squeeze_x*oil_squeeze_x + oil_squeeze_y*oil_squeeze_y
     base_2 = ca.if_else(oil_squeeze_squared > 0, oil_squeeze_squared, k8)
     oil_squeeze_speed = ca.sqrt(base_2)
-    oil_epsilon_w = oil_per_e*(oil_rate_x*shaft_x + oil_rate_y*shaft_y)/oil_squeeze_speed
-    oil_epsilon_c = oil_per_e*(oil_rate_x*shaft_y - oil_rate_y*shaft_x)/oil_squeeze_speed
+    oil_epsilon_w = oil_per_e*(oil_squeeze_x*shaft_x + oil_squeeze_y*shaft_y)/oil_squeeze_speed
+    oil_epsilon_c = oil_per_e*(oil_squeeze_x*shaft_y - oil_squeeze_y*shaft_x)/oil_squeeze_speed
     x1 = oil_epsilon_w*oil_epsilon_w
     oil_S = 1 - x1 - oil_epsilon_c*oil_epsilon_c
     oil_q = ca.sqrt(oil_S)
@@ -542,10 +556,51 @@ def outputs(t, q, u, c):
     x2 = 1/(oil_S*oil_S)
     oil_drag_along = k10*x2*(oil_A*(oil_S + 3*x1) + 3*oil_epsilon_w*oil_q)/oil_q
     oil_drag_across = k10*oil_epsilon_c*x2*(oil_q*(2 + x1/(oil_S + x1)) + 3*oil_A*oil_epsilon_w)/oil_q
-    oil_force_x = -oil_share*(oil_drag_along*oil_rate_x - oil_drag_across*oil_rate_y)
-    oil_force_y = -oil_share*(oil_drag_across*oil_rate_x + oil_drag_along*oil_rate_y)
+    oil_force_x = -oil_share*(oil_drag_along*oil_squeeze_x - oil_drag_across*oil_squeeze_y)
+    oil_force_y = -oil_share*(oil_drag_across*oil_squeeze_x + oil_drag_along*oil_squeeze_y)
     oil_e_size = ca.sqrt(oil_e_squared)
     oil_thickness = (1 - oil_e_size*oil_per_e)*clearance
     base_3 = oil_force_x*oil_force_x + oil_force_y*oil_force_y
     oil_force_size = ca.sqrt(base_3)
     return ca.vertcat(shaft_x, shaft_y, oil_force_size, oil_thickness)
+
+
+def period(p):
+    """After what time everything that depends on time repeats.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        period (1,): period [s]
+    """
+    speed = p[5]
+    return ca.vertcat(2*3.141592653589793/ca.fabs(speed))
+
+
+def landmarks(p):
+    """What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes
+    of its body.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        shaft.parent (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
+        shaft.child (6,): x [m], y [m], z [m], normal_x [1], normal_y [1], normal_z [1]
+        bearing.pin (4,): x [m], y [m], z [m], radius [m]
+        bearing.bush (7,): x [m], y [m], z [m], radius [m], axis_x [1], axis_y [1], axis_z [1]
+        motor.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        load.point (3,): x [m], y [m], z [m]
+        load.axes (6,): x [m], y [m], z [m], force_x [N], force_y [N], force_z [N]
+        journal.centre (3,): x [m], y [m], z [m]
+    """
+    bush_radius = p[2]
+    clearance = p[3]
+    load = p[6]
+    return (
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, bush_radius - clearance),
+        ca.vertcat(0, 0, 0, bush_radius, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0),
+        ca.vertcat(0, 0, 0, 0, -load, 0),
+        ca.vertcat(0, 0, 0),
+    )

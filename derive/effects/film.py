@@ -82,15 +82,12 @@ class _Film:
         squared = self.let(self._squared / clearance**2, "epsilon_squared")
         # not of the centre, where a root has no derivative
         ratio = self.let(sp.sqrt(Where(squared > free**2, squared, free**2)), "epsilon")
-        thinning = self.let((Where(squared < 1, ratio, 1) - free) / (2 * layer), "thinning")
+        thinning = self.let(Where(squared < 1, (ratio - free) / (2 * layer), 1), "thinning")
         # from 1 - 2 layer to 1 - layer, with slope 1 at the one end and 0 at the other, and no curvature at either
-        limited = self.let(free + 2 * layer * (thinning - thinning**3 + thinning**4 / 2), "limited")
-        dry = self.let(1 + layer, "dry")
-        sinking = self.let((Where(squared < dry**2, Where(squared > 1, ratio, 1), dry) - 1) / layer, "sinking")
-        return (
-            self.let(limited / (ratio * clearance), "per_e"),
-            self.let(1 - sinking**2 * (3 - 2 * sinking), "share"),
-        )
+        limited = self.let(free + 2 * layer * thinning * (1 - thinning**2 * (1 - thinning / 2)), "limited")
+        sinking = self.let(Where(squared > 1, (ratio - 1) / layer, 0), "sinking")
+        share = Where(squared < (1 + layer) ** 2, 1 - sinking**2 * (3 - 2 * sinking), 0)
+        return self.let(limited / (ratio * clearance), "per_e"), self.let(share, "share")
 
     def _drags(self, squeeze: Vector, across: Vector, near: Any) -> list[Any]:
         """Of the law, at the place of the pin: along, across, against the spin."""

@@ -13,7 +13,7 @@ FILM = {
     ),
     "thinning": ("x", "", "0 up to a film of two boundary layers, 1 from contact on"),
     "limited": (r"\varepsilon", r"\mathrm{lim}", "the same, never less than a film of one boundary layer"),
-    "sinking": ("y", "", "0 up to contact, 1 from a penetration of one boundary layer on"),
+    "sinking": ("y", "", "0 up to contact, 1 at a penetration of one boundary layer"),
     "per_e": (
         r"\kappa",
         "",
