@@ -387,7 +387,7 @@ def _effect_faults(scene: Scene) -> Iterator[Fault]:
 
 
 def _geometry_faults(effect: Any, offered: dict[str, Any]) -> Iterator[Fault]:
-    for bound in effect.laws:
+    for bound in getattr(effect, "laws", ()):
         for quantity in bound.law.geometry():
             if offered and quantity.name not in offered:
                 yield Fault(f"effect {effect.name}", f"a pair without {quantity.name}, {quantity.meaning}",
@@ -398,7 +398,7 @@ def _geometry_faults(effect: Any, offered: dict[str, Any]) -> Iterator[Fault]:
 
 def _demand_faults(effect: Any, kind: str | None) -> Iterator[Fault]:
     """What laws ask of a scene beyond units and geometry: the pair they were made for."""
-    for law in (bound.law for bound in effect.laws):
+    for law in (bound.law for bound in getattr(effect, "laws", ())):
         if law.pairs and kind is not None and kind not in law.pairs:
             expected = f"the pair it was made for, {' or '.join(law.pairs)}"
             yield Fault(f"effect {effect.name}", f"law {law.name} at a {kind} pair", expected)

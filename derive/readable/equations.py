@@ -117,9 +117,9 @@ class _Reader:
                 film_title(effect.name) if effect.kind == "lubrication" else contact_title(getattr(effect, "pair", ""))
             )
             if title == own:
-                for bound in effect.laws:
+                for bound in getattr(effect, "laws", ()):
                     yield f"- `{effect.name}`: {bound.law.title}. {bound.law.source}, grade {bound.law.grade}."
-                if effect.unchecked:
+                if getattr(effect, "unchecked", False):
                     yield f"- `{effect.name}` is UNCHECKED: its units do not hold."
 
     def _open(self, drafts: list[Draft]) -> tuple[sp.Symbol, ...]:
