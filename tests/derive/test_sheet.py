@@ -169,7 +169,7 @@ def test_text_is_what_the_audit_of_expressions_reads(sheets, name):
 def test_text_evaluates_to_the_law(name):
     """The printed formula, evaluated as Python, is the record's expression: nothing is lost in tidying up."""
     law = LAWS[name]
-    functions = {f: getattr(mp, f) for f in ("sqrt", "exp", "log", "tanh", "sign", "gamma", "pi")}
+    functions = {f: getattr(mp, f) for f in ("sqrt", "exp", "log", "tanh", "atan", "sign", "gamma", "pi")}
     functions |= {"where": lambda c, a, b: a if c else b, "max": max, "min": min, "abs": abs}
     functions["LambertW"] = lambda x, k: mp.lambertw(x, k).real
     with mp.workdps(40):
