@@ -290,10 +290,14 @@ def _expressions(function: Function) -> Iterator[Any]:
 
 def _compound_parts(expression: Any) -> Iterator[Any]:
     """Nodes worth a name: no atoms, no plain negations or numbers times a symbol, no reciprocals."""
-    for node in sp.preorder_traversal(expression):
-        if node.is_Atom or node.is_Relational or (node.is_Pow and node.exp == -1) or _opposite(node) != 0:
+    pending = [expression]
+    while pending:
+        node = pending.pop()
+        if node.is_Atom:
             continue
-        yield node
+        pending.extend(node.args)
+        if not (node.is_Relational or (node.is_Pow and node.exp == -1) or _opposite(node) != 0):
+            yield node
 
 
 @dataclass(frozen=True)
