@@ -1,7 +1,8 @@
 """Motions of a tree corrected so that its loops stay closed: multipliers by G M^-1 G^T, in steps that refine each other.
 
 Redundant constraints and singular positions leave G M^-1 G^T singular, so a small part of its diagonal is added to it. What that leaves open is
-measured on the corrected motion itself and corrected again.
+measured on the corrected motion itself and corrected again. The part is a constant of each constraint, its softness: a run that makes it huge
+takes the constraint out, as it does, step by step, with what others say already.
 """
 
 from __future__ import annotations
@@ -10,11 +11,12 @@ from typing import Any
 
 import sympy as sp
 
+from hertzwerk.derive.dimension import ONE
 from hertzwerk.derive.elimination import Factor, least_fill
 from hertzwerk.derive.loops import Constraint
-from hertzwerk.derive.program import Tape
+from hertzwerk.derive.program import CONSTANT, Tape
 
-REGULAR = 3e-9  # of the diagonal of G M^-1 G^T: what is added
+REGULAR = 3e-9  # of the diagonal of G M^-1 G^T: what is added where nothing is taken out
 
 
 class Loops:
@@ -40,7 +42,8 @@ class Loops:
             groups.setdefault(constraint.group, []).append(matrix.get((name, name), sp.S.Zero))
         for constraint, name in each:  # one alone may vanish in a singular position, its group does not
             size = tape.let(sp.Add(*groups[constraint.group]), f"{constraint.group.replace('.', '_')}_size")
-            matrix[name, name] = tape.let(matrix.get((name, name), sp.S.Zero) + REGULAR * size, f"W_{name}_raised")
+            softness = tape.input(f"{name}_softness", CONSTANT, ONE)
+            matrix[name, name] = tape.let(matrix.get((name, name), sp.S.Zero) + softness * size, f"W_{name}_raised")
         self._factor = Factor(tape, order, matrix)
 
     def corrected(

@@ -10,6 +10,7 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.audit import audit_laws, audit_program, refuse_inconsistent
+from hertzwerk.derive.constrained import REGULAR
 from hertzwerk.derive.contact import Forces, PairKinematics
 from hertzwerk.derive.coordinates import MEASURED, Absolute, absolute, placed
 from hertzwerk.derive.dimension import Dimension
@@ -26,7 +27,7 @@ from hertzwerk.derive.laws.law import speed_limit
 from hertzwerk.derive.loops import Constraint, constraints_of
 from hertzwerk.derive.parameter import Interval, Parameter
 from hertzwerk.derive.periods import period
-from hertzwerk.derive.program import Function, Program, Result, Tape
+from hertzwerk.derive.program import CONSTANT, Function, Program, Result, Tape
 from hertzwerk.derive.resistance import resistance_faults
 from hertzwerk.derive.scene import Contact, Friction, Scene
 from hertzwerk.derive.tables import Table
@@ -169,8 +170,11 @@ class _Derivation:
         if idle:
             raise InputError(f"scene {self.scene.name}", map(self._idle_fault, idle))
         constants = self.tape.constants(functions)
+        softness = [symbol for symbol, group in self.tape.inputs.items() if group == CONSTANT]
+        values = (*constants, *(sp.Float(REGULAR) for _ in softness))
+        constants = [*constants, *softness]
         names = tuple(symbol.name for symbol in constants)
-        result = Result("c", names, ("",) * len(names), tuple(constants))  # of any unit: see CONSTANTS
+        result = Result("c", names, ("",) * len(names), values)  # of any unit: see CONSTANTS
         summary = "What depends on the parameters alone, once per run."
         functions.insert(0, self.tape.function("constants", summary, ("p",), [result]))
         note = "absolute" if isinstance(self.scene, Absolute) else ""

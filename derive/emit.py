@@ -310,7 +310,7 @@ def _unpacked(program: Program, function: Function) -> list[str]:
         positions.update((symbol, f"p[{k}]") for k, symbol in enumerate(parameters))
     count: dict[str, int] = {}
     for symbol, group in program.tape.inputs.items():
-        if group not in ("p", "t"):
+        if group not in ("p", "t", "c"):
             positions[symbol] = f"{group}[{count.get(group, 0)}]"
             count[group] = count.get(group, 0) + 1
     wanted = set(reads(function))

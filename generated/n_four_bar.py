@@ -4,8 +4,8 @@ Do not edit; regenerate with `hertzwerk derive n_four_bar`.
 Effects:
     gravity: uniform gravity
     energy_ledger: work put in, energy dissipated per effect
-Units: 254 assignments and 235 outputs checked, all consistent
-Operations: flight 550 (equations of motion and gaps)
+Units: 254 assignments and 134 outputs checked, all consistent
+Operations: flight 552 (equations of motion and gaps)
 """
 
 import casadi as ca
@@ -81,29 +81,6 @@ BODIES = (
     "beam_1",
 )
 
-LANDMARKS = (
-    ("foot_0", "revolute", "parent", "ground", ("axis",)),
-    ("foot_0", "revolute", "child", "post_0", ("axis",)),
-    ("foot_1", "revolute", "parent", "ground", ("axis",)),
-    ("foot_1", "revolute", "child", "post_1", ("axis",)),
-    ("foot_2", "revolute", "parent", "ground", ("axis",)),
-    ("foot_2", "revolute", "child", "post_2", ("axis",)),
-    ("left_0", "revolute", "parent", "post_0", ("axis",)),
-    ("left_0", "revolute", "child", "beam_0", ("axis",)),
-    ("left_1", "revolute", "parent", "post_1", ("axis",)),
-    ("left_1", "revolute", "child", "beam_1", ("axis",)),
-    ("right_0", "revolute", "parent", "post_1", ("axis",)),
-    ("right_0", "revolute", "child", "beam_0", ("axis",)),
-    ("right_1", "revolute", "parent", "post_2", ("axis",)),
-    ("right_1", "revolute", "child", "beam_1", ("axis",)),
-    ("gravity", "gravity", "direction", "ground", ("axis",)),
-    ("post_0", "body", "centre", "post_0", ()),
-    ("post_1", "body", "centre", "post_1", ()),
-    ("post_2", "body", "centre", "post_2", ()),
-    ("beam_0", "body", "centre", "beam_0", ()),
-    ("beam_1", "body", "centre", "beam_1", ()),
-)
-
 CONSTANTS = (
     ("length", "m"),
     ("gravity", "m/s^2"),
@@ -117,6 +94,10 @@ CONSTANTS = (
     ("k4", "kg"),
     ("k5", "m"),
     ("k6", "N"),
+    ("right_0_apart_x_softness", "1"),
+    ("right_0_apart_y_softness", "1"),
+    ("right_1_apart_x_softness", "1"),
+    ("right_1_apart_y_softness", "1"),
 )
 
 OPERATIONS = (
@@ -127,14 +108,13 @@ OPERATIONS = (
     ("gaps", 0),
     ("gap_accelerations", 0),
     ("applied", 27),
-    ("accelerations", 523),
+    ("accelerations", 525),
     ("constraints", 61),
-    ("projection", 305),
+    ("projection", 307),
     ("ledger", 0),
     ("energy", 81),
     ("poses", 24),
     ("outputs", 0),
-    ("landmarks", 2),
 )
 
 
@@ -143,7 +123,8 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (12,): length, gravity, post_2_arm_x, beam_0_h_x, post_0_h_y, beam_0_I_z_z, k1, k2, k3, k4, k5, k6
+        c (16,): length, gravity, post_2_arm_x, beam_0_h_x, post_0_h_y, beam_0_I_z_z, k1, k2, k3, k4, k5, k6,
+            right_0_apart_x_softness, right_0_apart_y_softness, right_1_apart_x_softness, right_1_apart_y_softness
     """
     mass = p[0]
     length = p[1]
@@ -160,7 +141,8 @@ def constants(p):
     k4 = mass/2
     k5 = length/2
     k6 = gravity*mass
-    return ca.vertcat(length, gravity, post_2_arm_x, beam_0_h_x, post_0_h_y, beam_0_I_z_z, k1, k2, k3, k4, k5, k6)
+    return ca.vertcat(length, gravity, post_2_arm_x, beam_0_h_x, post_0_h_y, beam_0_I_z_z, k1, k2, k3, k4, k5, k6,
+        3e-09, 3e-09, 3e-09, 3e-09)
 
 
 def start(p):
@@ -289,6 +271,10 @@ def accelerations(t, q, u, f, c):
     beam_0_I_z_z = c[5]
     k1 = c[6]
     k2 = c[7]
+    right_0_apart_x_softness = c[12]
+    right_0_apart_y_softness = c[13]
+    right_1_apart_x_softness = c[14]
+    right_1_apart_y_softness = c[15]
     foot_0_angle = q[0]
     foot_1_angle = q[1]
     foot_2_angle = q[2]
@@ -423,13 +409,11 @@ def accelerations(t, q, u, f, c):
     W_right_1_apart_y_right_1_apart_x = foot_1_by_right_1_apart_x*right_1_y_on_foot_1 + foot_2_by_right_1_apart_x*right_1_y_on_foot_2 + left_1_by_right_1_apart_x*right_1_child_arm_x
     W_right_1_apart_y_right_1_apart_y = foot_1_by_right_1_apart_y*right_1_y_on_foot_1 + foot_2_by_right_1_apart_y*right_1_y_on_foot_2 + left_1_by_right_1_apart_y*right_1_child_arm_x
     right_0_apart_size = W_right_0_apart_x_right_0_apart_x + W_right_0_apart_y_right_0_apart_y
-    x1 = 3e-09*right_0_apart_size
-    W_right_0_apart_x_raised = W_right_0_apart_x_right_0_apart_x + x1
-    W_right_0_apart_y_raised = W_right_0_apart_y_right_0_apart_y + x1
+    W_right_0_apart_x_raised = W_right_0_apart_x_right_0_apart_x + right_0_apart_size*right_0_apart_x_softness
+    W_right_0_apart_y_raised = W_right_0_apart_y_right_0_apart_y + right_0_apart_size*right_0_apart_y_softness
     right_1_apart_size = W_right_1_apart_x_right_1_apart_x + W_right_1_apart_y_right_1_apart_y
-    x2 = 3e-09*right_1_apart_size
-    W_right_1_apart_x_raised = W_right_1_apart_x_right_1_apart_x + x2
-    W_right_1_apart_y_raised = W_right_1_apart_y_right_1_apart_y + x2
+    W_right_1_apart_x_raised = W_right_1_apart_x_right_1_apart_x + right_1_apart_size*right_1_apart_x_softness
+    W_right_1_apart_y_raised = W_right_1_apart_y_right_1_apart_y + right_1_apart_size*right_1_apart_y_softness
     l_right_0_apart_y_right_0_apart_x = W_right_0_apart_y_right_0_apart_x/W_right_0_apart_x_raised
     D_right_0_apart_y = W_right_0_apart_y_raised - W_right_0_apart_y_right_0_apart_x*l_right_0_apart_y_right_0_apart_x
     l_right_1_apart_x_right_0_apart_x = W_right_1_apart_x_right_0_apart_x/W_right_0_apart_x_raised
@@ -588,6 +572,10 @@ def projection(t, q, wanted, c):
     beam_0_I_z_z = c[5]
     k1 = c[6]
     k2 = c[7]
+    right_0_apart_x_softness = c[12]
+    right_0_apart_y_softness = c[13]
+    right_1_apart_x_softness = c[14]
+    right_1_apart_y_softness = c[15]
     foot_0_angle = q[0]
     foot_1_angle = q[1]
     left_0_angle = q[3]
@@ -664,13 +652,11 @@ def projection(t, q, wanted, c):
     W_right_1_apart_y_right_1_apart_x = foot_1_by_right_1_apart_x*right_1_y_on_foot_1 + foot_2_by_right_1_apart_x*right_1_y_on_foot_2 + left_1_by_right_1_apart_x*right_1_child_arm_x
     W_right_1_apart_y_right_1_apart_y = foot_1_by_right_1_apart_y*right_1_y_on_foot_1 + foot_2_by_right_1_apart_y*right_1_y_on_foot_2 + left_1_by_right_1_apart_y*right_1_child_arm_x
     right_0_apart_size = W_right_0_apart_x_right_0_apart_x + W_right_0_apart_y_right_0_apart_y
-    x1 = 3e-09*right_0_apart_size
-    W_right_0_apart_x_raised = W_right_0_apart_x_right_0_apart_x + x1
-    W_right_0_apart_y_raised = W_right_0_apart_y_right_0_apart_y + x1
+    W_right_0_apart_x_raised = W_right_0_apart_x_right_0_apart_x + right_0_apart_size*right_0_apart_x_softness
+    W_right_0_apart_y_raised = W_right_0_apart_y_right_0_apart_y + right_0_apart_size*right_0_apart_y_softness
     right_1_apart_size = W_right_1_apart_x_right_1_apart_x + W_right_1_apart_y_right_1_apart_y
-    x2 = 3e-09*right_1_apart_size
-    W_right_1_apart_x_raised = W_right_1_apart_x_right_1_apart_x + x2
-    W_right_1_apart_y_raised = W_right_1_apart_y_right_1_apart_y + x2
+    W_right_1_apart_x_raised = W_right_1_apart_x_right_1_apart_x + right_1_apart_size*right_1_apart_x_softness
+    W_right_1_apart_y_raised = W_right_1_apart_y_right_1_apart_y + right_1_apart_size*right_1_apart_y_softness
     l_right_0_apart_y_right_0_apart_x = W_right_0_apart_y_right_0_apart_x/W_right_0_apart_x_raised
     D_right_0_apart_y = W_right_0_apart_y_raised - W_right_0_apart_y_right_0_apart_x*l_right_0_apart_y_right_0_apart_x
     l_right_1_apart_x_right_0_apart_x = W_right_1_apart_x_right_0_apart_x/W_right_0_apart_x_raised
@@ -843,56 +829,3 @@ def outputs(t, q, u, c):
         y (0,): empty
     """
     return ca.vertcat()
-
-
-def landmarks(p):
-    """What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes
-    of its body.
-
-    Arguments: p: PARAMETERS, in SI.
-    Returns, each a column vector:
-        foot_0.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        foot_0.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        foot_1.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        foot_1.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        foot_2.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        foot_2.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        left_0.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        left_0.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        left_1.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        left_1.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        right_0.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        right_0.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        right_1.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        right_1.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
-        post_0.centre (3,): x [m], y [m], z [m]
-        post_1.centre (3,): x [m], y [m], z [m]
-        post_2.centre (3,): x [m], y [m], z [m]
-        beam_0.centre (3,): x [m], y [m], z [m]
-        beam_1.centre (3,): x [m], y [m], z [m]
-    """
-    length = p[1]
-    x1 = length/2
-    return (
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(length, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(2*length, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, length, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, length, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, length, 0, 0, 0, 1),
-        ca.vertcat(length, 0, 0, 0, 0, 1),
-        ca.vertcat(0, length, 0, 0, 0, 1),
-        ca.vertcat(length, 0, 0, 0, 0, 1),
-        ca.vertcat(0, 0, 0, 0, -1, 0),
-        ca.vertcat(0, x1, 0),
-        ca.vertcat(0, x1, 0),
-        ca.vertcat(0, x1, 0),
-        ca.vertcat(x1, 0, 0),
-        ca.vertcat(x1, 0, 0),
-    )
