@@ -25,7 +25,8 @@ CLOSED = 1e-11  # open by no more than this part of the sizes that meet in a loo
 ITERATIONS, HALVINGS = 60, 30
 TRIES = 20  # other places to begin at
 RANK = 1e-9  # singular values below this part of the largest count as zero
-AROUND = 4  # positions near the start that are looked at
+AWAY = 1e-6  # and away from a singular position, which nothing there is near to
+AROUND = 8  # positions near the start that are looked at
 NEAR = 0.3  # rad, or of the size: how far off they are at most
 TOGETHER = 40  # constraints that imply each other, at most: with more, choosing among them at every step costs more than the steps
 
@@ -54,7 +55,7 @@ def dependent(model: Model, bound: Bound, q: Array) -> tuple[Dependent, ...]:
     """
     if not model.nl or not len(_implied(_Loops(model, bound), q)):
         return ()
-    ways = [_implied(_Loops(model, bound, time), place) for time, place in _nearby(model, bound, q)]
+    ways = [_implied(_Loops(model, bound, time), place, AWAY) for time, place in _nearby(model, bound, q)]
     least = min(map(len, ways), default=0)
     if not least:
         return ()
@@ -83,22 +84,28 @@ def _nearby(model: Model, bound: Bound, q: Array) -> Iterator[tuple[float, Array
     _, values, vectors = np.linalg.svd(jacobian * reach / size[:, None])
     free = vectors[int(np.sum(values > RANK * values[0])) :]
     *_, scene = (np.array(x).ravel() for x in model.function("scales")(bound.p))
-    rng = np.random.default_rng(0)
+    rng, every = np.random.default_rng(0), list(range(model.nq))
     for _ in range(AROUND):
         later = _Loops(model, bound, float(NEAR * rng.uniform(0.5, 1) * scene[0] / scene[1]))
         way = free.T @ rng.uniform(-1, 1, len(free))
         way *= NEAR / max(float(np.max(np.abs(way), initial=0.0)), NEAR)
-        place = _closed(later, q + reach * way, list(range(model.nq)), size)
-        if np.all(np.abs(later.at(place, still)[0]) <= size):
-            yield later.t, place
+        furthest = int(np.argmax(np.abs(way)))  # stays, or closing the loops would lead back to a singular position
+        for unknown in ([i for i in every if i != furthest], every):
+            place = _closed(later, q + reach * way, unknown, size)
+            away = np.max(np.abs(place - q) / reach) > NEAR / 10
+            if away and np.all(np.abs(later.at(place, still)[0]) <= size):
+                yield later.t, place
+                break
 
 
-def _implied(loops: _Loops, q: Array) -> Array:
-    """Ways to add up constraints, each in a size of its own, so that they forbid nothing at a position; orthonormal rows (n, nl)."""
+def _implied(loops: _Loops, q: Array, rank: float = RANK) -> Array:
+    """Ways to add up constraints, each unit in the size of its largest, so that they forbid nothing at a position; orthonormal rows (n, nl)."""
     _, _, _, jacobian = loops.at(q, np.zeros(loops.model.nu))
     matrix = jacobian * loops.scales[1]
-    left, values, _ = np.linalg.svd(matrix / np.maximum(np.linalg.norm(matrix, axis=1, keepdims=True), 1e-300))
-    ways: Array = left[:, int(np.sum(values > RANK * values[0])) :].T
+    norms, lengths = np.linalg.norm(matrix, axis=1), np.array(loops.model.is_length)
+    sizes = np.where(lengths, *(np.max(norms, where=which, initial=1e-300) for which in (lengths, ~lengths)))
+    left, values, _ = np.linalg.svd(matrix / sizes[:, None])
+    ways: Array = left[:, int(np.sum(values > rank * values[0])) :].T
     return ways
 
 
