@@ -7,6 +7,8 @@ takes the constraint out, as it does, step by step, with what others say already
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Any
 
 import sympy as sp
@@ -23,7 +25,7 @@ class Loops:
     """The constraints of a mechanism on its mass matrix."""
 
     def __init__(self, tape: Tape, constraints: tuple[Constraint, ...], mass: Factor) -> None:
-        self._tape, self._constraints = tape, constraints
+        self._tape, self._constraints, self._mass = tape, constraints, mass
         self._names = [constraint.name.replace(".", "_") for constraint in constraints]
         each = list(zip(constraints, self._names, strict=True))
         self._through = [  # what a unit multiplier does to each speed: M^-1 G^T
@@ -47,12 +49,29 @@ class Loops:
         self._factor = Factor(tape, order, matrix)
 
     def corrected(
-        self, motion: dict[str, Any], wanted: list[Any], label: str, refinements: int
+        self,
+        motion: dict[str, Any],
+        wanted: list[Any],
+        label: str,
+        refinements: int,
+        lent: Mapping[str, Any] = MappingProxyType({}),
     ) -> tuple[dict[str, Any], list[Any]]:
-        """Speeds or accelerations by row, least far from `motion` in kinetic energy, whose constraints are as `wanted`; and the multipliers."""
+        """Speeds or accelerations by row, least far from `motion` in kinetic energy, whose constraints are as `wanted`; and the multipliers.
+
+        lent    by row, what the mass matrix has too much: accelerations are found as if what it takes to move it came on top of the forces
+        """
         tape, names = self._tape, self._names
         multipliers = dict.fromkeys(names, sp.S.Zero)
-        for _ in range(1 + refinements):
+        before = dict.fromkeys(motion, sp.S.Zero)
+        for i in range(1 + refinements):
+            if lent and i:
+                given = {key: lent.get(key, sp.S.Zero) * (value - before[key]) for key, value in motion.items()}
+                back = self._mass.solve(given, f"{label}_back")
+                before = motion
+                motion = {
+                    key: tape.let(value + back[key], f"{key.replace('.', '_')}_{label}")
+                    for key, value in motion.items()
+                }
             left = {
                 name: tape.let(value - _seen(constraint, motion), f"{name}_left")
                 for constraint, name, value in zip(self._constraints, names, wanted, strict=True)

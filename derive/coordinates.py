@@ -138,30 +138,39 @@ def _height(mechanism: Mechanism, body: Frame, k: int) -> Any:
 
 
 def _body_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:
-    """Bodies without the mass or an inertia that coordinates of their own need."""
+    """Masses and inertias that are zero without saying so in so many words, inertias about one axis alone, and the size that angles need."""
     remedy = "Give it one, or keep the joints' coordinates: coordinates='tree'."
+    welded = [joint.parent.body for joint in carried if isinstance(joint, Weld)]
     for joint in carried:
         body = joint.child.body
         if not isinstance(joint, Base) or not isinstance(body, Body):
             continue
-        if body.mass == 0:
-            yield Fault(
-                f"body {body.name}, mass", "0 kg", "a mass, because the body has coordinates of its own", remedy
-            )
+        if _vanishes(body.mass) or (body.mass == 0 and body in welded):
+            yield Fault(f"body {body.name}, mass", f"{body.mass}, 0 kg at the defaults" if body.mass != 0 else "0 kg, with another body welded to it",
+                        "a mass, or the number 0, because the body has coordinates of its own", remedy)  # fmt: skip
         if not joint.turns:
             continue
         given = body.inertia if isinstance(body.inertia, tuple) else (body.inertia,) * 3
         used = given if joint.normal is None else (given[joint.normal],)
-        if any(default_value(value) == 0 for value in used):
-            wanted = "three positive principal inertias" if len(used) == 3 else "a positive inertia"
-            expected = f"{wanted}, because the body turns by coordinates of its own"
-            yield Fault(f"body {body.name}, inertia", f"{body.inertia}", expected, remedy)
-        elif len(used) == 3 and not isinstance(body.inertia, tuple) and _about_one_axis(scene.mechanism, body):
+        if any(_vanishes(value) or (value == 0 and body in welded) for value in used):
+            yield Fault(f"body {body.name}, inertia", f"{body.inertia}{', with another body welded to it' if body in welded else ''}",
+                        "positive principal inertias, or the number 0, because the body turns by coordinates of its own", remedy)  # fmt: skip
+        elif (
+            len(used) == 3
+            and not isinstance(body.inertia, tuple)
+            and body.inertia != 0
+            and _about_one_axis(scene.mechanism, body)
+        ):
             yield Fault(f"body {body.name}, inertia", f"{body.inertia}, about the joint's axis alone", "three principal inertias, because the "
                         "body turns by coordinates of its own", remedy)  # fmt: skip
         if scene.scales.arm is None:
             yield Fault("scales", "no arm", "an arm [m], because the bodies' coordinates have angles",
                         "Scales(length=..., speed=..., arm=...): an angle is measured as length/arm.")  # fmt: skip
+
+
+def _vanishes(value: Any) -> bool:
+    """Whether a quantity is zero at the defaults, but may be something else."""
+    return bool(value != 0 and default_value(value) == 0)
 
 
 def _about_one_axis(mechanism: Mechanism, body: Frame) -> bool:
