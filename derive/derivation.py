@@ -17,7 +17,7 @@ from hertzwerk.derive.dimension import Dimension
 from hertzwerk.derive.effects.element import DISSIPATED
 from hertzwerk.derive.effects.expression import tables_in
 from hertzwerk.derive.elements import element
-from hertzwerk.derive.emit import emit, flight, table_name
+from hertzwerk.derive.emit import emit, of_a_step, table_name
 from hertzwerk.derive.equations import Equations
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.joints import Port
@@ -58,7 +58,7 @@ def unsolved(scene: Scene) -> Program:
 
 
 def _in_coordinates(scene: Scene) -> tuple[_Derivation, Program]:
-    """The derivation and its program; "auto" takes what has fewer operations in flight, of equals the joints' coordinates."""
+    """The derivation and its program; "auto" takes what has fewer operations a step, of equals the joints' coordinates."""
     if scene.coordinates == "absolute":
         return _with_program(_Derivation(absolute(scene)))
     by_joints, tree = _with_program(_Derivation(scene))
@@ -68,8 +68,8 @@ def _in_coordinates(scene: Scene) -> tuple[_Derivation, Program]:
         by_bodies, other = _with_program(_Derivation(absolute(scene)))
     except InputError as error:
         return by_joints, replace(tree, note=f"of the joints; the bodies' own cannot be had: {error.faults[0].where}")
-    here, there = flight(tree), flight(other)
-    both = f"{here} operations in flight by those of the joints, {there} by the bodies' own"
+    here, there = of_a_step(tree), of_a_step(other)
+    both = f"{here} operations a step by those of the joints, {there} by the bodies' own"
     if there < here:
         return by_bodies, replace(other, note=f"absolute, as the cheaper: {both}")
     return by_joints, replace(tree, note=f"of the joints, as the cheaper: {both}")

@@ -45,18 +45,19 @@ SOLVING = ("accelerations", "projection")  # functions that solve for what holds
 
 @dataclass(frozen=True)
 class Declaration:
-    """What a model was loaded from: a built-in scene's name or a scene, without some effects, with other laws."""
+    """What a model was loaded from: a built-in scene's name or a scene, without some effects, with other laws, in other coordinates."""
 
     target: str | Scene
     without: tuple[str, ...] = ()
     laws: tuple[tuple[str, str], ...] = ()
+    coordinates: str | None = None
 
     def scene(self) -> Scene:
         """The scene of the model; raises InputError."""
         from hertzwerk.runtime import build
 
         scene = build.scene_from(self.target) if isinstance(self.target, str) else self.target
-        return build.vary(scene, self.without, dict(self.laws))
+        return build.vary(scene, self.without, dict(self.laws), self.coordinates)
 
 
 class Model:
@@ -233,20 +234,28 @@ _INPUTS = {
 }
 
 
-def load(target: str | Path | Scene, *, without: Sequence[str] = (), laws: Mapping[str, str] | None = None) -> Model:
+def load(
+    target: str | Path | Scene,
+    *,
+    without: Sequence[str] = (),
+    laws: Mapping[str, str] | None = None,
+    coordinates: str | None = None,
+) -> Model:
     """The model of a built-in scene (never imports SymPy), of a variation of one, of a Python file that defines `scene`, or of a Scene.
 
-    `without` names effects to leave out, `laws` gives an effect another law by name. Raises InputError.
+    `without` names effects to leave out, `laws` gives an effect another law by name, `coordinates` are "tree", "absolute" or "auto" in place of
+    the scene's own. Raises InputError.
     """
-    if isinstance(target, str) and not without and not laws and target.isidentifier():
+    varied = bool(without or laws or coordinates is not None)
+    if isinstance(target, str) and not varied and target.isidentifier():
         name = f"hertzwerk.generated.{target}"
         if importlib.util.find_spec(name) is not None:
             return Model(importlib.import_module(name), Declaration(target))
     from hertzwerk.runtime import build
 
-    varied = tuple(without), tuple((laws or {}).items())
+    how = tuple(without), tuple((laws or {}).items()), coordinates
     if isinstance(target, str) and not build.is_file(target):
-        return Model(build.build_built_in(target, without, laws), Declaration(target, *varied))
+        return Model(build.build_built_in(target, without, laws, coordinates), Declaration(target, *how))
     source = build.source_of(target) if isinstance(target, str | Path) else "a scene"
     scene = build.scene_from(target) if isinstance(target, str | Path) else target
-    return Model(build.build(build.vary(scene, without, laws), source), Declaration(scene, *varied))
+    return Model(build.build(build.vary(scene, without, laws, coordinates), source), Declaration(scene, *how))
