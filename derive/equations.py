@@ -135,8 +135,8 @@ class Equations:
         multipliers: list[Any] = []
         if self.constraints:
             wanted = [-constraint.bias for constraint in self.constraints]
-            refinements = REFINEMENTS + (RETURNS if self._lent else 0)
-            found, multipliers = self._loops.corrected(found, wanted, "acc", refinements, self._lent)
+            refinements = REFINEMENTS + (RETURNS if self.lent else 0)
+            found, multipliers = self._loops.corrected(found, wanted, "acc", refinements, self.lent)
         return [found[row.key] for row in self.free], multipliers
 
     def projection(self, wanted: list[Any]) -> list[Any]:
@@ -148,11 +148,11 @@ class Equations:
     @cached_property
     def _factor(self) -> Factor:
         """Of the mass matrix of the free rows; leaves first: eliminating a chain from its end keeps the branches' zeros."""
-        lent = {(key, key): value for key, value in self._lent.items()}
+        lent = {(key, key): value for key, value in self.lent.items()}
         return Factor(self.tape, [row.key for row in self.free][::-1], {**self.mass_matrix(), **lent})
 
     @cached_property
-    def _lent(self) -> dict[str, Any]:
+    def lent(self) -> dict[str, Any]:
         """Mass or inertia lent to rows that have none, where the bodies that constraints tie them to have it: a slender rod's about its own axis.
 
         What is lent is given back while the multipliers are refined (`constrained`). That is quick where little is lent.

@@ -15,6 +15,7 @@ from hertzwerk.derive import (
     ConstantSpeed,
     Direction,
     Drive,
+    EnergyLedger,
     Gravity,
     InputError,
     JointDamper,
@@ -38,7 +39,7 @@ from hertzwerk.derive import (
     coordinate_of,
     speed_of,
 )
-from hertzwerk.derive.derivation import derivation_of
+from hertzwerk.derive.derivation import _in_coordinates, derivation_of
 from hertzwerk.derive.laws import smooth_coulomb
 from hertzwerk.derive.readable.equations import equations_of
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
@@ -72,7 +73,7 @@ def hung(*bodies: tuple[Body, Direction, tuple], name: str = "hung", last: tuple
     for body, axis, place in bodies:
         joints.append(Revolute(f"at_{body.name}", before.at(*place), body, axis=axis))
         before = body
-    effects = (Gravity("gravity", P("g", "m/s^2", 9.81), -Y),)
+    effects = (Gravity("gravity", P("g", "m/s^2", 9.81), -Y), EnergyLedger())
     return Scene(Mechanism(name, (*joints, *last)), effects, Scales(LENGTH, P("pace", "m/s", 1.0), LENGTH))
 
 
@@ -234,20 +235,21 @@ def test_cost_is_linear_in_the_length_of_a_chain():
 def test_cost_is_linear_without_inertias_too_and_nothing_is_lent_to_who_has_one():
     counts = [dict(Derived(bobs(n).with_coordinates("absolute")).OPERATIONS)["accelerations"] for n in (4, 6, 8)]
     assert counts[2] - counts[1] == counts[1] - counts[0]
-    lent = [name for name in dir_of(rods().with_coordinates("absolute")) if name.endswith("_lent")]
-    assert lent == [
-        "one_moment_x_lent",
-        "two_moment_y_lent",
-        *(f"cross_{k}_lent" for k in "xyz"),
-        *(f"cross_moment_{k}_lent" for k in "xyz"),
-        "three_moment_x_lent",
+    wanted = [
+        "one.moment_x",
+        "two.moment_y",
+        *(f"cross.{k}" for k in "xyz"),
+        *(f"cross.moment_{k}" for k in "xyz"),
+        "three.moment_x",
     ]
-    assert not [name for name in dir_of(chain(3, "ZYX").scene().with_coordinates("absolute")) if name.endswith("_lent")]
+    assert lent(rods()) == wanted
+    assert lent(chain(3, "ZYX").scene()) == []
 
 
-def dir_of(scene: Scene) -> list[str]:
-    """Names of what a derivation makes."""
-    return [symbol.name for symbol in derivation_of(scene).tape.assignments]
+def lent(scene: Scene) -> list[str]:
+    """Rows that a mass or an inertia is lent to."""
+    derivation, _ = _in_coordinates(scene.with_coordinates("absolute"))
+    return list(derivation.equations.lent)
 
 
 # -- which coordinates -------------------------------------------------------------------------------------------------
@@ -306,21 +308,23 @@ def test_another_word_is_refused():
         slider_crank.with_coordinates("cartesian")
 
 
-def test_masses_and_inertias_that_cannot_be_told_come_all_at_once():
-    nothing = P("nothing", "kg m^2", 0.0)
+def test_inertias_that_cannot_be_told_come_all_at_once():
+    nothing, full = P("nothing", "kg m^2", 0.0), (ACROSS, ACROSS, ACROSS)
     one, two, three = (
-        Body("one", P("none", "kg", 0.0)),
+        Body("one", 0),
         Body("two", MASS, ACROSS),
         Body("three", MASS, (nothing, ACROSS, ACROSS), centre=HALF_Y),
     )
-    tip = Weld("glued", three.at(*ALONG_X), Body("tip", MASS, (ACROSS, ACROSS, ACROSS)))
     thin = Body("thin", MASS, (0, ACROSS, ACROSS))
-    found = faults_of(hung((one, Z, ORIGIN), (two, X, ALONG_X), (three, X, ALONG_X), last=(tip,)))
-    assert found["body one, mass"] == "none, 0 kg at the defaults"
-    assert found["body two, inertia"] == "J_across, about the joint's axis alone"
-    assert found["body three, inertia"].startswith("(nothing, J_across, J_across), with another body welded to it")
-    glued = Weld("glued", thin.at(*ALONG_X), tip.child)
-    assert "with another body welded to it" in faults_of(hung((thin, Z, ORIGIN), last=(glued,)))["body thin, inertia"]
+    chained = (one, Z, ORIGIN), (two, X, ALONG_X), (three, X, ALONG_X), (thin, Z, ORIGIN)
+    tips = [Body("tip", MASS, inertia) for inertia in ((ACROSS, 0, ACROSS), full)]
+    found, other = (faults_of(hung(*chained, last=(Weld("glued", thin.at(*ALONG_X), tip),))) for tip in tips)
+    assert found == {
+        "body two, inertia": "J_across, about the joint's axis alone",
+        "body three, inertia": "(nothing, J_across, J_across), zero at the defaults",
+        "body thin, inertia": "(0, J_across, J_across), and welded to it tip, without one about every axis",
+    }
+    assert other.keys() == found.keys() - {"body thin, inertia"}
 
 
 @pytest.mark.parametrize("coordinates", ["tree", "absolute"])
@@ -355,3 +359,14 @@ def test_an_arm_is_asked_for_where_bodies_turn():
     scene = Scene(Mechanism("rail", joints), (ConstantSpeed("motor", "axle", w), Gravity("gravity", P("g", "m/s^2", 9.81), -Y)),
                   Scales(length, length * w), Start({"rail": length}))  # fmt: skip
     assert faults_of(scene) == {"scales": "no arm"}
+
+
+@pytest.mark.parametrize("coordinates", ["tree", "absolute"])
+def test_axes_that_coincide_with_no_mass_between_them_are_refused(coordinates):
+    hub, cross, one = (
+        Body("hub", MASS, (ACROSS, ACROSS, ACROSS)),
+        Body("cross", 0),
+        Body("one", MASS, (ACROSS, ACROSS, ACROSS), centre=HALF_Y),
+    )
+    with pytest.raises(InputError, match=r"axes that coincide: .* together move no mass; .* without one: cross"):
+        Derived(hung((hub, Z, ORIGIN), (cross, X, ORIGIN), (one, X, ORIGIN)).with_coordinates(coordinates))
