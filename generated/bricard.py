@@ -4,7 +4,7 @@ Do not edit; regenerate with `hertzwerk derive bricard`.
 Effects:
     gravity: uniform gravity
     energy_ledger: work put in, energy dissipated per effect
-Units: 571 assignments and 145 outputs checked, all consistent
+Units: 571 assignments and 238 outputs checked, all consistent
 Operations: flight 1818 (equations of motion and gaps)
 """
 
@@ -80,6 +80,27 @@ BODIES = (
     "rod_e",
 )
 
+LANDMARKS = (
+    ("hinge_a", "revolute", "parent", "ground", ("axis",)),
+    ("hinge_a", "revolute", "child", "rod_a", ("axis",)),
+    ("hinge_b", "revolute", "parent", "rod_a", ("axis",)),
+    ("hinge_b", "revolute", "child", "rod_b", ("axis",)),
+    ("hinge_c", "revolute", "parent", "rod_b", ("axis",)),
+    ("hinge_c", "revolute", "child", "rod_c", ("axis",)),
+    ("hinge_d", "revolute", "parent", "rod_c", ("axis",)),
+    ("hinge_d", "revolute", "child", "rod_d", ("axis",)),
+    ("hinge_e", "revolute", "parent", "rod_d", ("axis",)),
+    ("hinge_e", "revolute", "child", "rod_e", ("axis",)),
+    ("hinge_f", "revolute", "parent", "ground", ("axis",)),
+    ("hinge_f", "revolute", "child", "rod_e", ("axis",)),
+    ("gravity", "gravity", "direction", "ground", ("axis",)),
+    ("rod_a", "body", "centre", "rod_a", ()),
+    ("rod_b", "body", "centre", "rod_b", ()),
+    ("rod_c", "body", "centre", "rod_c", ()),
+    ("rod_d", "body", "centre", "rod_d", ()),
+    ("rod_e", "body", "centre", "rod_e", ()),
+)
+
 CONSTANTS = (
     ("length", "m"),
     ("gravity", "m/s^2"),
@@ -122,6 +143,7 @@ OPERATIONS = (
     ("energy", 188),
     ("poses", 94),
     ("outputs", 0),
+    ("landmarks", 5),
 )
 
 
@@ -1516,3 +1538,53 @@ def outputs(t, q, u, c):
         y (0,): empty
     """
     return ca.vertcat()
+
+
+def landmarks(p):
+    """What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes
+    of its body.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        hinge_a.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        hinge_a.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        hinge_b.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        hinge_b.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        hinge_c.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        hinge_c.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        hinge_d.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        hinge_d.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        hinge_e.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        hinge_e.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        hinge_f.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        hinge_f.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        rod_a.centre (3,): x [m], y [m], z [m]
+        rod_b.centre (3,): x [m], y [m], z [m]
+        rod_c.centre (3,): x [m], y [m], z [m]
+        rod_d.centre (3,): x [m], y [m], z [m]
+        rod_e.centre (3,): x [m], y [m], z [m]
+    """
+    length = p[1]
+    x1 = length/2
+    x2 = -length/2
+    return (
+        ca.vertcat(0, 0, 0, 0, 1, 0),
+        ca.vertcat(0, 0, 0, 0, 1, 0),
+        ca.vertcat(length, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, -length, 0, 1, 0, 0),
+        ca.vertcat(0, 0, 0, 1, 0, 0),
+        ca.vertcat(0, 0, length, 0, 1, 0),
+        ca.vertcat(0, 0, 0, 0, 1, 0),
+        ca.vertcat(-length, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, length, 1, 0, 0),
+        ca.vertcat(0, length, 0, 1, 0, 0),
+        ca.vertcat(0, 0, 0, 0, -1, 0),
+        ca.vertcat(x1, 0, 0),
+        ca.vertcat(0, x2, 0),
+        ca.vertcat(0, 0, x1),
+        ca.vertcat(x2, 0, 0),
+        ca.vertcat(0, x1, 0),
+    )

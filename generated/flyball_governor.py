@@ -5,7 +5,7 @@ Effects:
     gravity: uniform gravity
     spring: linear spring of guide
     energy_ledger: work put in, energy dissipated per effect
-Units: 561 assignments and 182 outputs checked, all consistent
+Units: 561 assignments and 311 outputs checked, all consistent
 Operations: flight 1519 (equations of motion and gaps)
 """
 
@@ -109,6 +109,34 @@ BODIES = (
     "collar",
 )
 
+LANDMARKS = (
+    ("spindle", "revolute", "parent", "ground", ("axis",)),
+    ("spindle", "revolute", "child", "spindle", ("axis",)),
+    ("right_hinge", "revolute", "parent", "spindle", ("axis",)),
+    ("right_hinge", "revolute", "child", "right_arm", ("axis",)),
+    ("right_knee", "revolute", "parent", "right_arm", ("axis",)),
+    ("right_knee", "revolute", "child", "right_rod", ("axis",)),
+    ("left_hinge", "revolute", "parent", "spindle", ("axis",)),
+    ("left_hinge", "revolute", "child", "left_arm", ("axis",)),
+    ("left_knee", "revolute", "parent", "left_arm", ("axis",)),
+    ("left_knee", "revolute", "child", "left_rod", ("axis",)),
+    ("guide", "prismatic", "parent", "spindle", ("axis",)),
+    ("guide", "prismatic", "child", "collar", ("axis",)),
+    ("right_foot", "revolute", "parent", "collar", ("axis",)),
+    ("right_foot", "revolute", "child", "right_rod", ("axis",)),
+    ("left_foot", "revolute", "parent", "collar", ("axis",)),
+    ("left_foot", "revolute", "child", "left_rod", ("axis",)),
+    ("gravity", "gravity", "direction", "ground", ("axis",)),
+    ("spring", "slide_spring", "parent", "spindle", ("axis",)),
+    ("spring", "slide_spring", "child", "collar", ()),
+    ("spindle", "body", "centre", "spindle", ()),
+    ("right_arm", "body", "centre", "right_arm", ()),
+    ("right_rod", "body", "centre", "right_rod", ()),
+    ("left_arm", "body", "centre", "left_arm", ()),
+    ("left_rod", "body", "centre", "left_rod", ()),
+    ("collar", "body", "centre", "collar", ()),
+)
+
 CONSTANTS = (
     ("arm_length", "m"),
     ("rod_length", "m"),
@@ -165,6 +193,7 @@ OPERATIONS = (
     ("energy", 224),
     ("poses", 61),
     ("outputs", 0),
+    ("landmarks", 10),
 )
 
 
@@ -1548,3 +1577,69 @@ def outputs(t, q, u, c):
         y (0,): empty
     """
     return ca.vertcat()
+
+
+def landmarks(p):
+    """What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes
+    of its body.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        spindle.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        spindle.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        right_hinge.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        right_hinge.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        right_knee.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        right_knee.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        left_hinge.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        left_hinge.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        left_knee.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        left_knee.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        guide.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        guide.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        right_foot.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        right_foot.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        left_foot.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        left_foot.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        spring.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        spring.child (3,): x [m], y [m], z [m]
+        spindle.centre (3,): x [m], y [m], z [m]
+        right_arm.centre (3,): x [m], y [m], z [m]
+        right_rod.centre (3,): x [m], y [m], z [m]
+        left_arm.centre (3,): x [m], y [m], z [m]
+        left_rod.centre (3,): x [m], y [m], z [m]
+        collar.centre (3,): x [m], y [m], z [m]
+    """
+    arm_length = p[4]
+    rod_length = p[6]
+    offset = p[9]
+    x1 = -arm_length/2
+    x2 = -rod_length/2
+    return (
+        ca.vertcat(0, 0, 0, 0, 1, 0),
+        ca.vertcat(0, 0, 0, 0, 1, 0),
+        ca.vertcat(offset, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, x1, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(-offset, 0, 0, 0, 0, -1),
+        ca.vertcat(0, 0, 0, 0, 0, -1),
+        ca.vertcat(0, x1, 0, 0, 0, -1),
+        ca.vertcat(0, 0, 0, 0, 0, -1),
+        ca.vertcat(0, 0, 0, 0, 1, 0),
+        ca.vertcat(0, 0, 0, 0, 1, 0),
+        ca.vertcat(offset, 0, 0, 0, 0, 1),
+        ca.vertcat(0, -rod_length, 0, 0, 0, 1),
+        ca.vertcat(-offset, 0, 0, 0, 0, -1),
+        ca.vertcat(0, -rod_length, 0, 0, 0, -1),
+        ca.vertcat(0, 0, 0, 0, -1, 0),
+        ca.vertcat(0, 0, 0, 0, 1, 0),
+        ca.vertcat(0, 0, 0),
+        ca.vertcat(0, 0, 0),
+        ca.vertcat(0, -arm_length, 0),
+        ca.vertcat(0, x2, 0),
+        ca.vertcat(0, -arm_length, 0),
+        ca.vertcat(0, x2, 0),
+        ca.vertcat(0, 0, 0),
+    )

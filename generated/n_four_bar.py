@@ -4,7 +4,7 @@ Do not edit; regenerate with `hertzwerk derive n_four_bar`.
 Effects:
     gravity: uniform gravity
     energy_ledger: work put in, energy dissipated per effect
-Units: 254 assignments and 134 outputs checked, all consistent
+Units: 254 assignments and 239 outputs checked, all consistent
 Operations: flight 552 (equations of motion and gaps)
 """
 
@@ -81,6 +81,29 @@ BODIES = (
     "beam_1",
 )
 
+LANDMARKS = (
+    ("foot_0", "revolute", "parent", "ground", ("axis",)),
+    ("foot_0", "revolute", "child", "post_0", ("axis",)),
+    ("foot_1", "revolute", "parent", "ground", ("axis",)),
+    ("foot_1", "revolute", "child", "post_1", ("axis",)),
+    ("foot_2", "revolute", "parent", "ground", ("axis",)),
+    ("foot_2", "revolute", "child", "post_2", ("axis",)),
+    ("left_0", "revolute", "parent", "post_0", ("axis",)),
+    ("left_0", "revolute", "child", "beam_0", ("axis",)),
+    ("left_1", "revolute", "parent", "post_1", ("axis",)),
+    ("left_1", "revolute", "child", "beam_1", ("axis",)),
+    ("right_0", "revolute", "parent", "post_1", ("axis",)),
+    ("right_0", "revolute", "child", "beam_0", ("axis",)),
+    ("right_1", "revolute", "parent", "post_2", ("axis",)),
+    ("right_1", "revolute", "child", "beam_1", ("axis",)),
+    ("gravity", "gravity", "direction", "ground", ("axis",)),
+    ("post_0", "body", "centre", "post_0", ()),
+    ("post_1", "body", "centre", "post_1", ()),
+    ("post_2", "body", "centre", "post_2", ()),
+    ("beam_0", "body", "centre", "beam_0", ()),
+    ("beam_1", "body", "centre", "beam_1", ()),
+)
+
 CONSTANTS = (
     ("length", "m"),
     ("gravity", "m/s^2"),
@@ -115,6 +138,7 @@ OPERATIONS = (
     ("energy", 81),
     ("poses", 24),
     ("outputs", 0),
+    ("landmarks", 2),
 )
 
 
@@ -829,3 +853,56 @@ def outputs(t, q, u, c):
         y (0,): empty
     """
     return ca.vertcat()
+
+
+def landmarks(p):
+    """What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes
+    of its body.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        foot_0.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        foot_0.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        foot_1.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        foot_1.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        foot_2.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        foot_2.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        left_0.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        left_0.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        left_1.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        left_1.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        right_0.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        right_0.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        right_1.parent (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        right_1.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        gravity.direction (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
+        post_0.centre (3,): x [m], y [m], z [m]
+        post_1.centre (3,): x [m], y [m], z [m]
+        post_2.centre (3,): x [m], y [m], z [m]
+        beam_0.centre (3,): x [m], y [m], z [m]
+        beam_1.centre (3,): x [m], y [m], z [m]
+    """
+    length = p[1]
+    x1 = length/2
+    return (
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(length, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(2*length, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, length, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, length, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, 0, 1),
+        ca.vertcat(0, length, 0, 0, 0, 1),
+        ca.vertcat(length, 0, 0, 0, 0, 1),
+        ca.vertcat(0, length, 0, 0, 0, 1),
+        ca.vertcat(length, 0, 0, 0, 0, 1),
+        ca.vertcat(0, 0, 0, 0, -1, 0),
+        ca.vertcat(0, x1, 0),
+        ca.vertcat(0, x1, 0),
+        ca.vertcat(0, x1, 0),
+        ca.vertcat(x1, 0, 0),
+        ca.vertcat(x1, 0, 0),
+    )
