@@ -2,7 +2,7 @@
 
 The stages of a step lie off the constraints, by far more than its error, and there a redundant constraint contradicts the others: by no more than
 they are off, but what it asks for is divided by as little. So each step goes by as many constraints as are independent, the same in all its stages,
-those that are least alike where it starts; which they are changes on the way. Ends of steps are closed by all of them.
+those that are least alike where it starts; which they are changes on the way. A step's end is closed by them too, and must close all (`closing`).
 
 Businger, Golub, Linear least squares solutions by Householder transformations, Numer. Math. 7 (1965) 269: the choice, by Gram and Schmidt.
 """
