@@ -1,27 +1,31 @@
 """Motions of a tree corrected so that its loops stay closed: multipliers by G M^-1 G^T, in steps that refine each other.
 
 Redundant constraints and singular positions leave G M^-1 G^T singular, so a small part of its diagonal is added to it. What that leaves open is
-measured on the corrected motion itself and corrected again.
+measured on the corrected motion itself and corrected again. The part is a constant of each constraint, its softness: a run that makes it huge
+takes the constraint out, as it does, step by step, with what others say already.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Any
 
 import sympy as sp
 
+from hertzwerk.derive.dimension import ONE
 from hertzwerk.derive.elimination import Factor, least_fill
 from hertzwerk.derive.loops import Constraint
-from hertzwerk.derive.program import Tape
+from hertzwerk.derive.program import CONSTANT, Tape
 
-REGULAR = 3e-9  # of the diagonal of G M^-1 G^T: what is added
+REGULAR = 3e-9  # of the diagonal of G M^-1 G^T: what is added where nothing is taken out
 
 
 class Loops:
     """The constraints of a mechanism on its mass matrix."""
 
     def __init__(self, tape: Tape, constraints: tuple[Constraint, ...], mass: Factor) -> None:
-        self._tape, self._constraints = tape, constraints
+        self._tape, self._constraints, self._mass = tape, constraints, mass
         self._names = [constraint.name.replace(".", "_") for constraint in constraints]
         each = list(zip(constraints, self._names, strict=True))
         self._through = [  # what a unit multiplier does to each speed: M^-1 G^T
@@ -40,16 +44,34 @@ class Loops:
             groups.setdefault(constraint.group, []).append(matrix.get((name, name), sp.S.Zero))
         for constraint, name in each:  # one alone may vanish in a singular position, its group does not
             size = tape.let(sp.Add(*groups[constraint.group]), f"{constraint.group.replace('.', '_')}_size")
-            matrix[name, name] = tape.let(matrix.get((name, name), sp.S.Zero) + REGULAR * size, f"W_{name}_raised")
+            softness = tape.input(f"{name}_softness", CONSTANT, ONE)
+            matrix[name, name] = tape.let(matrix.get((name, name), sp.S.Zero) + softness * size, f"W_{name}_raised")
         self._factor = Factor(tape, order, matrix)
 
     def corrected(
-        self, motion: dict[str, Any], wanted: list[Any], label: str, refinements: int
+        self,
+        motion: dict[str, Any],
+        wanted: list[Any],
+        label: str,
+        refinements: int,
+        lent: Mapping[str, Any] = MappingProxyType({}),
     ) -> tuple[dict[str, Any], list[Any]]:
-        """Speeds or accelerations by row, least far from `motion` in kinetic energy, whose constraints are as `wanted`; and the multipliers."""
+        """Speeds or accelerations by row, least far from `motion` in kinetic energy, whose constraints are as `wanted`; and the multipliers.
+
+        lent    by row, what the mass matrix has too much: accelerations are found as if what it takes to move it came on top of the forces
+        """
         tape, names = self._tape, self._names
         multipliers = dict.fromkeys(names, sp.S.Zero)
-        for _ in range(1 + refinements):
+        before = dict.fromkeys(motion, sp.S.Zero)
+        for i in range(1 + refinements):
+            if lent and i:
+                given = {key: lent.get(key, sp.S.Zero) * (value - before[key]) for key, value in motion.items()}
+                back = self._mass.solve(given, f"{label}_back")
+                before = motion
+                motion = {
+                    key: tape.let(value + back[key], f"{key.replace('.', '_')}_{label}")
+                    for key, value in motion.items()
+                }
             left = {
                 name: tape.let(value - _seen(constraint, motion), f"{name}_left")
                 for constraint, name, value in zip(self._constraints, names, wanted, strict=True)

@@ -138,30 +138,46 @@ def _height(mechanism: Mechanism, body: Frame, k: int) -> Any:
 
 
 def _body_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:
-    """Bodies without the mass or an inertia that coordinates of their own need."""
+    """Inertias that are zero without being the number 0 of a body alone (`Equations.lent`) or are about one axis, and the size that angles need."""
     remedy = "Give it one, or keep the joints' coordinates: coordinates='tree'."
     for joint in carried:
         body = joint.child.body
-        if not isinstance(joint, Base) or not isinstance(body, Body):
+        if not isinstance(joint, Base) or not isinstance(body, Body) or not joint.turns:
             continue
-        if body.mass == 0:
-            yield Fault(
-                f"body {body.name}, mass", "0 kg", "a mass, because the body has coordinates of its own", remedy
+        rigid = [body, *_welded_to(body, carried)]
+        used = [_turning_inertias(each, joint.normal) for each in rigid]
+        zero = any(value != 0 and default_value(value) == 0 for value in used[0])
+        if zero or (len(rigid) > 1 and not any(all(default_value(value) != 0 for value in each) for each in used)):
+            why = (
+                ", zero at the defaults"
+                if zero
+                else f", and welded to it {', '.join(each.name for each in rigid[1:])}, without one about every axis"
             )
-        if not joint.turns:
-            continue
-        given = body.inertia if isinstance(body.inertia, tuple) else (body.inertia,) * 3
-        used = given if joint.normal is None else (given[joint.normal],)
-        if any(default_value(value) == 0 for value in used):
-            wanted = "three positive principal inertias" if len(used) == 3 else "a positive inertia"
-            expected = f"{wanted}, because the body turns by coordinates of its own"
-            yield Fault(f"body {body.name}, inertia", f"{body.inertia}", expected, remedy)
-        elif len(used) == 3 and not isinstance(body.inertia, tuple) and _about_one_axis(scene.mechanism, body):
+            yield Fault(f"body {body.name}, inertia", f"{body.inertia}{why}", "positive inertias, or of a body by itself the number 0, because the "
+                        "body turns by coordinates of its own", remedy)  # fmt: skip
+        elif (
+            len(used[0]) == 3
+            and not isinstance(body.inertia, tuple)
+            and body.inertia != 0
+            and _about_one_axis(scene.mechanism, body)
+        ):
             yield Fault(f"body {body.name}, inertia", f"{body.inertia}, about the joint's axis alone", "three principal inertias, because the "
                         "body turns by coordinates of its own", remedy)  # fmt: skip
         if scene.scales.arm is None:
             yield Fault("scales", "no arm", "an arm [m], because the bodies' coordinates have angles",
                         "Scales(length=..., speed=..., arm=...): an angle is measured as length/arm.")  # fmt: skip
+
+
+def _turning_inertias(body: Body, normal: int | None) -> tuple[Any, ...]:
+    """Principal inertias about the axes that a body turns about: one in the plane."""
+    given = body.inertia if isinstance(body.inertia, tuple) else (body.inertia,) * 3
+    return given if normal is None else (given[normal],)
+
+
+def _welded_to(body: Frame, carried: list[Joint]) -> list[Body]:
+    """Bodies that are one with a body, seen outwards."""
+    tips = [joint.child.body for joint in carried if isinstance(joint, Weld) and joint.parent.body == body]
+    return [each for tip in tips if isinstance(tip, Body) for each in (tip, *_welded_to(tip, carried))]
 
 
 def _about_one_axis(mechanism: Mechanism, body: Frame) -> bool:

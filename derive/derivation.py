@@ -10,13 +10,14 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.audit import audit_laws, audit_program, refuse_inconsistent
+from hertzwerk.derive.constrained import REGULAR
 from hertzwerk.derive.contact import Forces, PairKinematics
 from hertzwerk.derive.coordinates import MEASURED, Absolute, absolute, placed
 from hertzwerk.derive.dimension import Dimension
 from hertzwerk.derive.effects.element import DISSIPATED
 from hertzwerk.derive.effects.expression import tables_in
 from hertzwerk.derive.elements import element
-from hertzwerk.derive.emit import emit, flight, table_name
+from hertzwerk.derive.emit import emit, of_a_step, table_name
 from hertzwerk.derive.equations import Equations
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.joints import Port
@@ -26,7 +27,7 @@ from hertzwerk.derive.laws.law import speed_limit
 from hertzwerk.derive.loops import Constraint, constraints_of
 from hertzwerk.derive.parameter import Interval, Parameter
 from hertzwerk.derive.periods import period
-from hertzwerk.derive.program import Function, Program, Result, Tape
+from hertzwerk.derive.program import CONSTANT, Function, Program, Result, Tape
 from hertzwerk.derive.resistance import resistance_faults
 from hertzwerk.derive.scene import Contact, Friction, Scene
 from hertzwerk.derive.tables import Table
@@ -57,7 +58,7 @@ def unsolved(scene: Scene) -> Program:
 
 
 def _in_coordinates(scene: Scene) -> tuple[_Derivation, Program]:
-    """The derivation and its program; "auto" takes what has fewer operations in flight, of equals the joints' coordinates."""
+    """The derivation and its program; "auto" takes what has fewer operations a step, of equals the joints' coordinates."""
     if scene.coordinates == "absolute":
         return _with_program(_Derivation(absolute(scene)))
     by_joints, tree = _with_program(_Derivation(scene))
@@ -67,8 +68,8 @@ def _in_coordinates(scene: Scene) -> tuple[_Derivation, Program]:
         by_bodies, other = _with_program(_Derivation(absolute(scene)))
     except InputError as error:
         return by_joints, replace(tree, note=f"of the joints; the bodies' own cannot be had: {error.faults[0].where}")
-    here, there = flight(tree), flight(other)
-    both = f"{here} operations in flight by those of the joints, {there} by the bodies' own"
+    here, there = of_a_step(tree), of_a_step(other)
+    both = f"{here} operations a step by those of the joints, {there} by the bodies' own"
     if there < here:
         return by_bodies, replace(other, note=f"absolute, as the cheaper: {both}")
     return by_joints, replace(tree, note=f"of the joints, as the cheaper: {both}")
@@ -169,8 +170,11 @@ class _Derivation:
         if idle:
             raise InputError(f"scene {self.scene.name}", map(self._idle_fault, idle))
         constants = self.tape.constants(functions)
+        softness = [symbol for symbol, group in self.tape.inputs.items() if group == CONSTANT]
+        values = (*constants, *(sp.Float(REGULAR) for _ in softness))
+        constants = [*constants, *softness]
         names = tuple(symbol.name for symbol in constants)
-        result = Result("c", names, ("",) * len(names), tuple(constants))  # of any unit: see CONSTANTS
+        result = Result("c", names, ("",) * len(names), values)  # of any unit: see CONSTANTS
         summary = "What depends on the parameters alone, once per run."
         functions.insert(0, self.tape.function("constants", summary, ("p",), [result]))
         note = "absolute" if isinstance(self.scene, Absolute) else ""

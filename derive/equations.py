@@ -25,6 +25,11 @@ REFINEMENTS = (
     2  # of the multipliers: with constrained.REGULAR, what a singular position and rounding cost together is least
 )
 
+LENT = sp.Rational(
+    1, 10_000
+)  # of the inertia about other axes, or of the mean body: what is lent to a row that has none
+RETURNS = 2  # refinements more where something is lent: each leaves about that part of it
+
 
 class Equations:
     """Equations of one scene on its kinematics' tape."""
@@ -130,7 +135,8 @@ class Equations:
         multipliers: list[Any] = []
         if self.constraints:
             wanted = [-constraint.bias for constraint in self.constraints]
-            found, multipliers = self._loops.corrected(found, wanted, "acc", REFINEMENTS)
+            refinements = REFINEMENTS + (RETURNS if self.lent else 0)
+            found, multipliers = self._loops.corrected(found, wanted, "acc", refinements, self.lent)
         return [found[row.key] for row in self.free], multipliers
 
     def projection(self, wanted: list[Any]) -> list[Any]:
@@ -142,7 +148,28 @@ class Equations:
     @cached_property
     def _factor(self) -> Factor:
         """Of the mass matrix of the free rows; leaves first: eliminating a chain from its end keeps the branches' zeros."""
-        return Factor(self.tape, [row.key for row in self.free][::-1], self.mass_matrix())
+        lent = {(key, key): value for key, value in self.lent.items()}
+        return Factor(self.tape, [row.key for row in self.free][::-1], {**self.mass_matrix(), **lent})
+
+    @cached_property
+    def lent(self) -> dict[str, Any]:
+        """Mass or inertia lent to rows that have none, where the bodies that constraints tie them to have it: a slender rod's about its own axis.
+
+        What is lent is given back while the multipliers are refined (`constrained`). That is quick where little is lent.
+        """
+        if not self.constraints:
+            return {}
+        mass, bodies, scales = self.mass_matrix(), self.scene.mechanism.bodies, self.scene.scales
+        mean = sp.Add(*(sp.sympify(body.mass) for body in bodies)) / len(bodies)
+        found = {}
+        for row in self.free:
+            if (row.key, row.key) in mass:
+                continue
+            link = self.link_of[row]
+            own = [mass[other.key, other.key] for other in link.rows if (other.key, other.key) in mass]
+            size = mean if link.kind == "slide" else sp.Add(*own) or mean * sp.sympify(scales.arm) ** 2
+            found[row.key] = self.tape.let(LENT * size, f"{row.key.replace('.', '_')}_lent")
+        return found
 
     @cached_property
     def _loops(self) -> Loops:

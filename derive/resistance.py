@@ -7,9 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from hertzwerk.derive.coordinates import Absolute
 from hertzwerk.derive.equations import Equations
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.kinematics import Kinematics
+from hertzwerk.derive.mechanism import Body
 from hertzwerk.derive.parameter import default_value
 from hertzwerk.derive.probe import Probe
 from hertzwerk.derive.program import Tape
@@ -19,8 +21,14 @@ SINGULAR = 1e-10  # what elimination leaves of a diagonal entry, as a part of it
 
 
 def resistance_faults(scene: Scene) -> Iterator[Fault]:
-    """One for each motion of the free joints that moves no mass. Only massless bodies make any, so a scene without them costs nothing here."""
+    """One for each motion of the free joints that moves no mass. Only massless bodies make any, so a scene without them costs nothing here.
+
+    Absolute coordinates can do with bodies without an inertia too as long as the joints' coordinates can, which are what is tried.
+    """
     massless = [body.name for body in scene.mechanism.bodies if default_value(body.mass) == 0]
+    if isinstance(scene, Absolute):
+        scene = scene.declared
+        massless = [body.name for body in scene.mechanism.bodies if not _is_whole(body)]
     if not massless:
         return
     names, matrix = _mass_matrix(scene)
@@ -33,6 +41,12 @@ def resistance_faults(scene: Scene) -> Iterator[Fault]:
             f"a mass that every motion moves; without one: {', '.join(massless)}",
             f"Leave one of the joints out, turn its axis, or give {' or '.join(massless)} a mass and an inertia.",
         )
+
+
+def _is_whole(body: Body) -> bool:
+    """Whether a body has a mass, and an inertia about every axis."""
+    inertia = body.inertia if isinstance(body.inertia, tuple) else (body.inertia,)
+    return all(default_value(value) != 0 for value in (body.mass, *inertia))
 
 
 def _mass_matrix(scene: Scene) -> tuple[list[str], list[list[float]]]:

@@ -252,9 +252,9 @@ class Scene:
         """The same scene under another name."""
         return replace(self, name=name, summary=summary or self.summary)
 
-    def with_coordinates(self, coordinates: Literal["tree", "absolute", "auto"]) -> Scene:
-        """The same scene in other coordinates."""
-        return replace(self, coordinates=coordinates)
+    def with_coordinates(self, coordinates: str) -> Scene:
+        """The same scene in other coordinates; raises InputError for a word that is none of the three."""
+        return replace(self, coordinates=coordinates)  # type: ignore[arg-type]  # which the new scene checks
 
     def with_law(self, effect_name: str, law_name: str) -> Scene:
         """The scene with one law of one effect exchanged for the law `law_name`, given the same parameters by name."""

@@ -4,8 +4,8 @@ Do not edit; regenerate with `hertzwerk derive bricard`.
 Effects:
     gravity: uniform gravity
     energy_ledger: work put in, energy dissipated per effect
-Units: 571 assignments and 233 outputs checked, all consistent
-Operations: flight 1815 (equations of motion and gaps)
+Units: 571 assignments and 238 outputs checked, all consistent
+Operations: flight 1818 (equations of motion and gaps)
 """
 
 import casadi as ca
@@ -121,6 +121,11 @@ CONSTANTS = (
     ("k6", "kg"),
     ("k7", "m"),
     ("k8", "N"),
+    ("hinge_f_apart_x_softness", "1"),
+    ("hinge_f_apart_y_softness", "1"),
+    ("hinge_f_apart_z_softness", "1"),
+    ("hinge_f_turned_y_softness", "1"),
+    ("hinge_f_turned_z_softness", "1"),
 )
 
 OPERATIONS = (
@@ -131,9 +136,9 @@ OPERATIONS = (
     ("gaps", 0),
     ("gap_accelerations", 0),
     ("applied", 44),
-    ("accelerations", 1771),
+    ("accelerations", 1774),
     ("constraints", 176),
-    ("projection", 1041),
+    ("projection", 1044),
     ("ledger", 0),
     ("energy", 188),
     ("poses", 94),
@@ -147,8 +152,9 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (19,): length, gravity, rod_e_h_y, rod_d_h_x, rod_c_h_z, rod_b_h_y, rod_b_I_x_x, rod_c_I_x_x, rod_d_I_z_z,
-            rod_e_I_x_x, k1, k2, k3, rod_a_I_y_y, k4, k5, k6, k7, k8
+        c (24,): length, gravity, rod_e_h_y, rod_d_h_x, rod_c_h_z, rod_b_h_y, rod_b_I_x_x, rod_c_I_x_x, rod_d_I_z_z,
+            rod_e_I_x_x, k1, k2, k3, rod_a_I_y_y, k4, k5, k6, k7, k8, hinge_f_apart_x_softness,
+            hinge_f_apart_y_softness, hinge_f_apart_z_softness, hinge_f_turned_y_softness, hinge_f_turned_z_softness
     """
     mass = p[0]
     length = p[1]
@@ -175,7 +181,7 @@ def constants(p):
     k7 = length/2
     k8 = gravity*mass
     return ca.vertcat(length, gravity, rod_e_h_y, rod_d_h_x, rod_c_h_z, rod_b_h_y, rod_b_I_x_x, rod_c_I_x_x,
-        rod_d_I_z_z, x2, k1, k2, k3, rod_a_I_y_y, k4, k5, k6, k7, k8)
+        rod_d_I_z_z, x2, k1, k2, k3, rod_a_I_y_y, k4, k5, k6, k7, k8, 3e-09, 3e-09, 3e-09, 3e-09, 3e-09)
 
 
 def start(p):
@@ -321,6 +327,11 @@ def accelerations(t, q, u, f, c):
     k3 = c[12]
     rod_a_I_y_y = c[13]
     k4 = c[14]
+    hinge_f_apart_x_softness = c[19]
+    hinge_f_apart_y_softness = c[20]
+    hinge_f_apart_z_softness = c[21]
+    hinge_f_turned_y_softness = c[22]
+    hinge_f_turned_z_softness = c[23]
     hinge_a_angle = q[0]
     hinge_b_angle = q[1]
     hinge_c_angle = q[2]
@@ -764,14 +775,12 @@ def accelerations(t, q, u, f, c):
     W_hinge_f_turned_z_hinge_f_turned_y = hinge_b_by_hinge_f_turned_y*hinge_f_turned_z_on_hinge_b + hinge_c_by_hinge_f_turned_y*hinge_f_turned_z_on_hinge_c + hinge_d_by_hinge_f_turned_y*hinge_f_turned_z_on_hinge_d + hinge_e_by_hinge_f_turned_y*hinge_f_turned_z_on_hinge_e - hinge_a_by_hinge_f_turned_y*rod_e_R_x_x
     W_hinge_f_turned_z_hinge_f_turned_z = hinge_b_by_hinge_f_turned_z*hinge_f_turned_z_on_hinge_b + hinge_c_by_hinge_f_turned_z*hinge_f_turned_z_on_hinge_c + hinge_d_by_hinge_f_turned_z*hinge_f_turned_z_on_hinge_d + hinge_e_by_hinge_f_turned_z*hinge_f_turned_z_on_hinge_e - hinge_a_by_hinge_f_turned_z*rod_e_R_x_x
     hinge_f_apart_size = W_hinge_f_apart_x_hinge_f_apart_x + W_hinge_f_apart_y_hinge_f_apart_y + W_hinge_f_apart_z_hinge_f_apart_z
-    x49 = 3e-09*hinge_f_apart_size
-    W_hinge_f_apart_x_raised = W_hinge_f_apart_x_hinge_f_apart_x + x49
-    W_hinge_f_apart_y_raised = W_hinge_f_apart_y_hinge_f_apart_y + x49
-    W_hinge_f_apart_z_raised = W_hinge_f_apart_z_hinge_f_apart_z + x49
+    W_hinge_f_apart_x_raised = W_hinge_f_apart_x_hinge_f_apart_x + hinge_f_apart_size*hinge_f_apart_x_softness
+    W_hinge_f_apart_y_raised = W_hinge_f_apart_y_hinge_f_apart_y + hinge_f_apart_size*hinge_f_apart_y_softness
+    W_hinge_f_apart_z_raised = W_hinge_f_apart_z_hinge_f_apart_z + hinge_f_apart_size*hinge_f_apart_z_softness
     hinge_f_turned_size = W_hinge_f_turned_y_hinge_f_turned_y + W_hinge_f_turned_z_hinge_f_turned_z
-    x50 = 3e-09*hinge_f_turned_size
-    W_hinge_f_turned_y_raised = W_hinge_f_turned_y_hinge_f_turned_y + x50
-    W_hinge_f_turned_z_raised = W_hinge_f_turned_z_hinge_f_turned_z + x50
+    W_hinge_f_turned_y_raised = W_hinge_f_turned_y_hinge_f_turned_y + hinge_f_turned_size*hinge_f_turned_y_softness
+    W_hinge_f_turned_z_raised = W_hinge_f_turned_z_hinge_f_turned_z + hinge_f_turned_size*hinge_f_turned_z_softness
     l_hinge_f_apart_y_hinge_f_apart_x = W_hinge_f_apart_y_hinge_f_apart_x/W_hinge_f_apart_x_raised
     D_hinge_f_apart_y = W_hinge_f_apart_y_raised - W_hinge_f_apart_y_hinge_f_apart_x*l_hinge_f_apart_y_hinge_f_apart_x
     l_hinge_f_apart_z_hinge_f_apart_x = W_hinge_f_apart_z_hinge_f_apart_x/W_hinge_f_apart_x_raised
@@ -1020,6 +1029,11 @@ def projection(t, q, wanted, c):
     k3 = c[12]
     rod_a_I_y_y = c[13]
     k4 = c[14]
+    hinge_f_apart_x_softness = c[19]
+    hinge_f_apart_y_softness = c[20]
+    hinge_f_apart_z_softness = c[21]
+    hinge_f_turned_y_softness = c[22]
+    hinge_f_turned_z_softness = c[23]
     hinge_a_angle = q[0]
     hinge_b_angle = q[1]
     hinge_c_angle = q[2]
@@ -1274,14 +1288,12 @@ def projection(t, q, wanted, c):
     W_hinge_f_turned_z_hinge_f_turned_y = hinge_b_by_hinge_f_turned_y*hinge_f_turned_z_on_hinge_b + hinge_c_by_hinge_f_turned_y*hinge_f_turned_z_on_hinge_c + hinge_d_by_hinge_f_turned_y*hinge_f_turned_z_on_hinge_d + hinge_e_by_hinge_f_turned_y*hinge_f_turned_z_on_hinge_e - hinge_a_by_hinge_f_turned_y*rod_e_R_x_x
     W_hinge_f_turned_z_hinge_f_turned_z = hinge_b_by_hinge_f_turned_z*hinge_f_turned_z_on_hinge_b + hinge_c_by_hinge_f_turned_z*hinge_f_turned_z_on_hinge_c + hinge_d_by_hinge_f_turned_z*hinge_f_turned_z_on_hinge_d + hinge_e_by_hinge_f_turned_z*hinge_f_turned_z_on_hinge_e - hinge_a_by_hinge_f_turned_z*rod_e_R_x_x
     hinge_f_apart_size = W_hinge_f_apart_x_hinge_f_apart_x + W_hinge_f_apart_y_hinge_f_apart_y + W_hinge_f_apart_z_hinge_f_apart_z
-    x29 = 3e-09*hinge_f_apart_size
-    W_hinge_f_apart_x_raised = W_hinge_f_apart_x_hinge_f_apart_x + x29
-    W_hinge_f_apart_y_raised = W_hinge_f_apart_y_hinge_f_apart_y + x29
-    W_hinge_f_apart_z_raised = W_hinge_f_apart_z_hinge_f_apart_z + x29
+    W_hinge_f_apart_x_raised = W_hinge_f_apart_x_hinge_f_apart_x + hinge_f_apart_size*hinge_f_apart_x_softness
+    W_hinge_f_apart_y_raised = W_hinge_f_apart_y_hinge_f_apart_y + hinge_f_apart_size*hinge_f_apart_y_softness
+    W_hinge_f_apart_z_raised = W_hinge_f_apart_z_hinge_f_apart_z + hinge_f_apart_size*hinge_f_apart_z_softness
     hinge_f_turned_size = W_hinge_f_turned_y_hinge_f_turned_y + W_hinge_f_turned_z_hinge_f_turned_z
-    x30 = 3e-09*hinge_f_turned_size
-    W_hinge_f_turned_y_raised = W_hinge_f_turned_y_hinge_f_turned_y + x30
-    W_hinge_f_turned_z_raised = W_hinge_f_turned_z_hinge_f_turned_z + x30
+    W_hinge_f_turned_y_raised = W_hinge_f_turned_y_hinge_f_turned_y + hinge_f_turned_size*hinge_f_turned_y_softness
+    W_hinge_f_turned_z_raised = W_hinge_f_turned_z_hinge_f_turned_z + hinge_f_turned_size*hinge_f_turned_z_softness
     l_hinge_f_apart_y_hinge_f_apart_x = W_hinge_f_apart_y_hinge_f_apart_x/W_hinge_f_apart_x_raised
     D_hinge_f_apart_y = W_hinge_f_apart_y_raised - W_hinge_f_apart_y_hinge_f_apart_x*l_hinge_f_apart_y_hinge_f_apart_x
     l_hinge_f_apart_z_hinge_f_apart_x = W_hinge_f_apart_z_hinge_f_apart_x/W_hinge_f_apart_x_raised

@@ -5,8 +5,8 @@ Effects:
     gravity: uniform gravity
     spring: linear spring of guide
     energy_ledger: work put in, energy dissipated per effect
-Units: 561 assignments and 305 outputs checked, all consistent
-Operations: flight 1515 (equations of motion and gaps)
+Units: 561 assignments and 311 outputs checked, all consistent
+Operations: flight 1519 (equations of motion and gaps)
 """
 
 import casadi as ca
@@ -170,6 +170,12 @@ CONSTANTS = (
     ("k17", "N"),
     ("k18", "N"),
     ("k19", "N"),
+    ("right_foot_apart_x_softness", "1"),
+    ("right_foot_apart_y_softness", "1"),
+    ("right_foot_apart_z_softness", "1"),
+    ("left_foot_apart_x_softness", "1"),
+    ("left_foot_apart_y_softness", "1"),
+    ("left_foot_apart_z_softness", "1"),
 )
 
 OPERATIONS = (
@@ -180,9 +186,9 @@ OPERATIONS = (
     ("gaps", 0),
     ("gap_accelerations", 0),
     ("applied", 42),
-    ("accelerations", 1473),
+    ("accelerations", 1477),
     ("constraints", 141),
-    ("projection", 812),
+    ("projection", 816),
     ("ledger", 0),
     ("energy", 224),
     ("poses", 61),
@@ -196,9 +202,11 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (32,): arm_length, rod_length, collar_mass, offset, gravity, spring_stiffness, spring_rest, k1,
+        c (38,): arm_length, rod_length, collar_mass, offset, gravity, spring_stiffness, spring_rest, k1,
             right_rod_h_y, right_arm_h_y, right_arm_I_x_x, right_arm_I_y_y, right_rod_I_x_x, k2, k3, k4, k5, k6, k7,
-            right_arm_h_y_2, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19
+            right_arm_h_y_2, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, right_foot_apart_x_softness,
+            right_foot_apart_y_softness, right_foot_apart_z_softness, left_foot_apart_x_softness,
+            left_foot_apart_y_softness, left_foot_apart_z_softness
     """
     spindle_inertia = p[1]
     ball_mass = p[2]
@@ -245,7 +253,7 @@ def constants(p):
     k19 = gravity*rod_mass
     return ca.vertcat(arm_length, rod_length, collar_mass, offset, gravity, spring_stiffness, spring_rest, k1,
         right_rod_h_y, right_arm_h_y, right_arm_I_x_x, x5, right_rod_I_x_x, k2, k3, k4, k5, k6, k7, x1, k8, k9, k10,
-        k11, k12, k13, k14, k15, k16, k17, k18, k19)
+        k11, k12, k13, k14, k15, k16, k17, k18, k19, 3e-09, 3e-09, 3e-09, 3e-09, 3e-09, 3e-09)
 
 
 def start(p):
@@ -418,6 +426,12 @@ def accelerations(t, q, u, f, c):
     k5 = c[16]
     k6 = c[17]
     k7 = c[18]
+    right_foot_apart_x_softness = c[32]
+    right_foot_apart_y_softness = c[33]
+    right_foot_apart_z_softness = c[34]
+    left_foot_apart_x_softness = c[35]
+    left_foot_apart_y_softness = c[36]
+    left_foot_apart_z_softness = c[37]
     spindle_angle = q[0]
     right_hinge_angle = q[1]
     right_knee_angle = q[2]
@@ -792,15 +806,13 @@ def accelerations(t, q, u, f, c):
     W_left_foot_apart_z_left_foot_apart_y = left_foot_z_on_left_hinge*left_hinge_by_left_foot_apart_y + left_foot_z_on_left_knee*left_knee_by_left_foot_apart_y
     W_left_foot_apart_z_left_foot_apart_z = left_foot_z_on_left_hinge*left_hinge_by_left_foot_apart_z + left_foot_z_on_left_knee*left_knee_by_left_foot_apart_z
     right_foot_apart_size = W_right_foot_apart_x_right_foot_apart_x + W_right_foot_apart_y_right_foot_apart_y + W_right_foot_apart_z_right_foot_apart_z
-    x33 = 3e-09*right_foot_apart_size
-    W_right_foot_apart_x_raised = W_right_foot_apart_x_right_foot_apart_x + x33
-    W_right_foot_apart_y_raised = W_right_foot_apart_y_right_foot_apart_y + x33
-    W_right_foot_apart_z_raised = W_right_foot_apart_z_right_foot_apart_z + x33
+    W_right_foot_apart_x_raised = W_right_foot_apart_x_right_foot_apart_x + right_foot_apart_size*right_foot_apart_x_softness
+    W_right_foot_apart_y_raised = W_right_foot_apart_y_right_foot_apart_y + right_foot_apart_size*right_foot_apart_y_softness
+    W_right_foot_apart_z_raised = W_right_foot_apart_z_right_foot_apart_z + right_foot_apart_size*right_foot_apart_z_softness
     left_foot_apart_size = W_left_foot_apart_x_left_foot_apart_x + W_left_foot_apart_y_left_foot_apart_y + W_left_foot_apart_z_left_foot_apart_z
-    x34 = 3e-09*left_foot_apart_size
-    W_left_foot_apart_x_raised = W_left_foot_apart_x_left_foot_apart_x + x34
-    W_left_foot_apart_y_raised = W_left_foot_apart_y_left_foot_apart_y + x34
-    W_left_foot_apart_z_raised = W_left_foot_apart_z_left_foot_apart_z + x34
+    W_left_foot_apart_x_raised = W_left_foot_apart_x_left_foot_apart_x + left_foot_apart_size*left_foot_apart_x_softness
+    W_left_foot_apart_y_raised = W_left_foot_apart_y_left_foot_apart_y + left_foot_apart_size*left_foot_apart_y_softness
+    W_left_foot_apart_z_raised = W_left_foot_apart_z_left_foot_apart_z + left_foot_apart_size*left_foot_apart_z_softness
     l_right_foot_apart_y_right_foot_apart_x = W_right_foot_apart_y_right_foot_apart_x/W_right_foot_apart_x_raised
     D_right_foot_apart_y = W_right_foot_apart_y_raised - W_right_foot_apart_y_right_foot_apart_x*l_right_foot_apart_y_right_foot_apart_x
     l_right_foot_apart_z_right_foot_apart_x = W_right_foot_apart_z_right_foot_apart_x/W_right_foot_apart_x_raised
@@ -1058,6 +1070,12 @@ def projection(t, q, wanted, c):
     k5 = c[16]
     k6 = c[17]
     k7 = c[18]
+    right_foot_apart_x_softness = c[32]
+    right_foot_apart_y_softness = c[33]
+    right_foot_apart_z_softness = c[34]
+    left_foot_apart_x_softness = c[35]
+    left_foot_apart_y_softness = c[36]
+    left_foot_apart_z_softness = c[37]
     spindle_angle = q[0]
     right_hinge_angle = q[1]
     right_knee_angle = q[2]
@@ -1266,15 +1284,13 @@ def projection(t, q, wanted, c):
     W_left_foot_apart_z_left_foot_apart_y = left_foot_z_on_left_hinge*left_hinge_by_left_foot_apart_y + left_foot_z_on_left_knee*left_knee_by_left_foot_apart_y
     W_left_foot_apart_z_left_foot_apart_z = left_foot_z_on_left_hinge*left_hinge_by_left_foot_apart_z + left_foot_z_on_left_knee*left_knee_by_left_foot_apart_z
     right_foot_apart_size = W_right_foot_apart_x_right_foot_apart_x + W_right_foot_apart_y_right_foot_apart_y + W_right_foot_apart_z_right_foot_apart_z
-    x21 = 3e-09*right_foot_apart_size
-    W_right_foot_apart_x_raised = W_right_foot_apart_x_right_foot_apart_x + x21
-    W_right_foot_apart_y_raised = W_right_foot_apart_y_right_foot_apart_y + x21
-    W_right_foot_apart_z_raised = W_right_foot_apart_z_right_foot_apart_z + x21
+    W_right_foot_apart_x_raised = W_right_foot_apart_x_right_foot_apart_x + right_foot_apart_size*right_foot_apart_x_softness
+    W_right_foot_apart_y_raised = W_right_foot_apart_y_right_foot_apart_y + right_foot_apart_size*right_foot_apart_y_softness
+    W_right_foot_apart_z_raised = W_right_foot_apart_z_right_foot_apart_z + right_foot_apart_size*right_foot_apart_z_softness
     left_foot_apart_size = W_left_foot_apart_x_left_foot_apart_x + W_left_foot_apart_y_left_foot_apart_y + W_left_foot_apart_z_left_foot_apart_z
-    x22 = 3e-09*left_foot_apart_size
-    W_left_foot_apart_x_raised = W_left_foot_apart_x_left_foot_apart_x + x22
-    W_left_foot_apart_y_raised = W_left_foot_apart_y_left_foot_apart_y + x22
-    W_left_foot_apart_z_raised = W_left_foot_apart_z_left_foot_apart_z + x22
+    W_left_foot_apart_x_raised = W_left_foot_apart_x_left_foot_apart_x + left_foot_apart_size*left_foot_apart_x_softness
+    W_left_foot_apart_y_raised = W_left_foot_apart_y_left_foot_apart_y + left_foot_apart_size*left_foot_apart_y_softness
+    W_left_foot_apart_z_raised = W_left_foot_apart_z_left_foot_apart_z + left_foot_apart_size*left_foot_apart_z_softness
     l_right_foot_apart_y_right_foot_apart_x = W_right_foot_apart_y_right_foot_apart_x/W_right_foot_apart_x_raised
     D_right_foot_apart_y = W_right_foot_apart_y_raised - W_right_foot_apart_y_right_foot_apart_x*l_right_foot_apart_y_right_foot_apart_x
     l_right_foot_apart_z_right_foot_apart_x = W_right_foot_apart_z_right_foot_apart_x/W_right_foot_apart_x_raised

@@ -4,8 +4,8 @@ Do not edit; regenerate with `hertzwerk derive n_four_bar`.
 Effects:
     gravity: uniform gravity
     energy_ledger: work put in, energy dissipated per effect
-Units: 254 assignments and 235 outputs checked, all consistent
-Operations: flight 550 (equations of motion and gaps)
+Units: 254 assignments and 239 outputs checked, all consistent
+Operations: flight 552 (equations of motion and gaps)
 """
 
 import casadi as ca
@@ -117,6 +117,10 @@ CONSTANTS = (
     ("k4", "kg"),
     ("k5", "m"),
     ("k6", "N"),
+    ("right_0_apart_x_softness", "1"),
+    ("right_0_apart_y_softness", "1"),
+    ("right_1_apart_x_softness", "1"),
+    ("right_1_apart_y_softness", "1"),
 )
 
 OPERATIONS = (
@@ -127,9 +131,9 @@ OPERATIONS = (
     ("gaps", 0),
     ("gap_accelerations", 0),
     ("applied", 27),
-    ("accelerations", 523),
+    ("accelerations", 525),
     ("constraints", 61),
-    ("projection", 305),
+    ("projection", 307),
     ("ledger", 0),
     ("energy", 81),
     ("poses", 24),
@@ -143,7 +147,8 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (12,): length, gravity, post_2_arm_x, beam_0_h_x, post_0_h_y, beam_0_I_z_z, k1, k2, k3, k4, k5, k6
+        c (16,): length, gravity, post_2_arm_x, beam_0_h_x, post_0_h_y, beam_0_I_z_z, k1, k2, k3, k4, k5, k6,
+            right_0_apart_x_softness, right_0_apart_y_softness, right_1_apart_x_softness, right_1_apart_y_softness
     """
     mass = p[0]
     length = p[1]
@@ -160,7 +165,8 @@ def constants(p):
     k4 = mass/2
     k5 = length/2
     k6 = gravity*mass
-    return ca.vertcat(length, gravity, post_2_arm_x, beam_0_h_x, post_0_h_y, beam_0_I_z_z, k1, k2, k3, k4, k5, k6)
+    return ca.vertcat(length, gravity, post_2_arm_x, beam_0_h_x, post_0_h_y, beam_0_I_z_z, k1, k2, k3, k4, k5, k6,
+        3e-09, 3e-09, 3e-09, 3e-09)
 
 
 def start(p):
@@ -289,6 +295,10 @@ def accelerations(t, q, u, f, c):
     beam_0_I_z_z = c[5]
     k1 = c[6]
     k2 = c[7]
+    right_0_apart_x_softness = c[12]
+    right_0_apart_y_softness = c[13]
+    right_1_apart_x_softness = c[14]
+    right_1_apart_y_softness = c[15]
     foot_0_angle = q[0]
     foot_1_angle = q[1]
     foot_2_angle = q[2]
@@ -423,13 +433,11 @@ def accelerations(t, q, u, f, c):
     W_right_1_apart_y_right_1_apart_x = foot_1_by_right_1_apart_x*right_1_y_on_foot_1 + foot_2_by_right_1_apart_x*right_1_y_on_foot_2 + left_1_by_right_1_apart_x*right_1_child_arm_x
     W_right_1_apart_y_right_1_apart_y = foot_1_by_right_1_apart_y*right_1_y_on_foot_1 + foot_2_by_right_1_apart_y*right_1_y_on_foot_2 + left_1_by_right_1_apart_y*right_1_child_arm_x
     right_0_apart_size = W_right_0_apart_x_right_0_apart_x + W_right_0_apart_y_right_0_apart_y
-    x1 = 3e-09*right_0_apart_size
-    W_right_0_apart_x_raised = W_right_0_apart_x_right_0_apart_x + x1
-    W_right_0_apart_y_raised = W_right_0_apart_y_right_0_apart_y + x1
+    W_right_0_apart_x_raised = W_right_0_apart_x_right_0_apart_x + right_0_apart_size*right_0_apart_x_softness
+    W_right_0_apart_y_raised = W_right_0_apart_y_right_0_apart_y + right_0_apart_size*right_0_apart_y_softness
     right_1_apart_size = W_right_1_apart_x_right_1_apart_x + W_right_1_apart_y_right_1_apart_y
-    x2 = 3e-09*right_1_apart_size
-    W_right_1_apart_x_raised = W_right_1_apart_x_right_1_apart_x + x2
-    W_right_1_apart_y_raised = W_right_1_apart_y_right_1_apart_y + x2
+    W_right_1_apart_x_raised = W_right_1_apart_x_right_1_apart_x + right_1_apart_size*right_1_apart_x_softness
+    W_right_1_apart_y_raised = W_right_1_apart_y_right_1_apart_y + right_1_apart_size*right_1_apart_y_softness
     l_right_0_apart_y_right_0_apart_x = W_right_0_apart_y_right_0_apart_x/W_right_0_apart_x_raised
     D_right_0_apart_y = W_right_0_apart_y_raised - W_right_0_apart_y_right_0_apart_x*l_right_0_apart_y_right_0_apart_x
     l_right_1_apart_x_right_0_apart_x = W_right_1_apart_x_right_0_apart_x/W_right_0_apart_x_raised
@@ -588,6 +596,10 @@ def projection(t, q, wanted, c):
     beam_0_I_z_z = c[5]
     k1 = c[6]
     k2 = c[7]
+    right_0_apart_x_softness = c[12]
+    right_0_apart_y_softness = c[13]
+    right_1_apart_x_softness = c[14]
+    right_1_apart_y_softness = c[15]
     foot_0_angle = q[0]
     foot_1_angle = q[1]
     left_0_angle = q[3]
@@ -664,13 +676,11 @@ def projection(t, q, wanted, c):
     W_right_1_apart_y_right_1_apart_x = foot_1_by_right_1_apart_x*right_1_y_on_foot_1 + foot_2_by_right_1_apart_x*right_1_y_on_foot_2 + left_1_by_right_1_apart_x*right_1_child_arm_x
     W_right_1_apart_y_right_1_apart_y = foot_1_by_right_1_apart_y*right_1_y_on_foot_1 + foot_2_by_right_1_apart_y*right_1_y_on_foot_2 + left_1_by_right_1_apart_y*right_1_child_arm_x
     right_0_apart_size = W_right_0_apart_x_right_0_apart_x + W_right_0_apart_y_right_0_apart_y
-    x1 = 3e-09*right_0_apart_size
-    W_right_0_apart_x_raised = W_right_0_apart_x_right_0_apart_x + x1
-    W_right_0_apart_y_raised = W_right_0_apart_y_right_0_apart_y + x1
+    W_right_0_apart_x_raised = W_right_0_apart_x_right_0_apart_x + right_0_apart_size*right_0_apart_x_softness
+    W_right_0_apart_y_raised = W_right_0_apart_y_right_0_apart_y + right_0_apart_size*right_0_apart_y_softness
     right_1_apart_size = W_right_1_apart_x_right_1_apart_x + W_right_1_apart_y_right_1_apart_y
-    x2 = 3e-09*right_1_apart_size
-    W_right_1_apart_x_raised = W_right_1_apart_x_right_1_apart_x + x2
-    W_right_1_apart_y_raised = W_right_1_apart_y_right_1_apart_y + x2
+    W_right_1_apart_x_raised = W_right_1_apart_x_right_1_apart_x + right_1_apart_size*right_1_apart_x_softness
+    W_right_1_apart_y_raised = W_right_1_apart_y_right_1_apart_y + right_1_apart_size*right_1_apart_y_softness
     l_right_0_apart_y_right_0_apart_x = W_right_0_apart_y_right_0_apart_x/W_right_0_apart_x_raised
     D_right_0_apart_y = W_right_0_apart_y_raised - W_right_0_apart_y_right_0_apart_x*l_right_0_apart_y_right_0_apart_x
     l_right_1_apart_x_right_0_apart_x = W_right_1_apart_x_right_0_apart_x/W_right_0_apart_x_raised

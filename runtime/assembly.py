@@ -6,7 +6,7 @@ scales, rank by singular values). A start that is closed as it stands is taken a
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from hertzwerk.derive.faults import Fault
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.model import Bound, Model
+    from hertzwerk.runtime.model import Bound, Dependent, Model
 
 Array = NDArray[np.float64]
 
@@ -25,6 +25,10 @@ CLOSED = 1e-11  # open by no more than this part of the sizes that meet in a loo
 ITERATIONS, HALVINGS = 60, 30
 TRIES = 20  # other places to begin at
 RANK = 1e-9  # singular values below this part of the largest count as zero
+AWAY = 1e-6  # and away from a singular position, which nothing there is near to
+AROUND = 8  # positions near the start that are looked at
+NEAR = 0.3  # rad, or of the size: how far off they are at most
+TOGETHER = 40  # constraints that imply each other, at most: with more, choosing among them at every step costs more than the steps
 
 
 def assemble(
@@ -38,17 +42,71 @@ def assemble(
     return q, *_speed(loops, q, u, given)
 
 
-def undetermined(model: Model, bound: Bound, q: Array, u: Array) -> tuple[str, ...]:
+def undetermined(model: Model, bound: Bound, q: Array) -> tuple[str, ...]:
     """Constraints whose forces the motion leaves open at a position, because others say the same; none where all are independent."""
-    if not model.nl:
+    open_ones = np.max(np.abs(_implied(_Loops(model, bound), q)), axis=0, initial=0.0) > RANK**0.5
+    return tuple(name for name, is_open in zip(model.constraints, open_ones, strict=True) if is_open)
+
+
+def dependent(model: Model, bound: Bound, q: Array) -> tuple[Dependent, ...]:
+    """Groups of constraints of which some follow from the others wherever the mechanism goes from a position, not just there.
+
+    Where it can go is tried: at a singular position, such as a change point, constraints are alike that are not elsewhere.
+    """
+    if not model.nl or not len(_implied(_Loops(model, bound), q)):
         return ()
+    ways = [_implied(_Loops(model, bound, time), place, AWAY) for time, place in _nearby(model, bound, q)]
+    least = min(map(len, ways), default=0)
+    if not least:
+        return ()
+    shares = [way.T @ way for way in ways if len(way) == least]
+    tied = np.max(np.abs(shares), axis=0) > RANK**0.5
+    groups, rest = [], {int(i) for i in np.flatnonzero(np.diag(tied))}
+    while rest:
+        group, fresh = set(), {min(rest)}
+        while fresh:
+            group |= fresh
+            fresh = {int(j) for i in fresh for j in np.flatnonzero(tied[i])} - group
+        rest -= group
+        members = tuple(sorted(group))
+        implied = round(float(np.trace(shares[0][np.ix_(members, members)])))
+        if len(members) <= TOGETHER:
+            groups.append((members, len(members) - implied))
+    return tuple(groups)
+
+
+def _nearby(model: Model, bound: Bound, q: Array) -> Iterator[tuple[float, Array]]:
+    """Times and positions around a start to which the mechanism can go."""
     loops = _Loops(model, bound)
-    _, _, _, jacobian = loops.at(q, u)
+    still = np.zeros(model.nu)
+    _, _, jacobian, _ = loops.at(q, still)
+    size, reach = _sizes(model, jacobian, q), _reach(model, jacobian)
+    _, values, vectors = np.linalg.svd(jacobian * reach / size[:, None])
+    free = vectors[int(np.sum(values > RANK * values[0])) :]
+    *_, scene = (np.array(x).ravel() for x in model.function("scales")(bound.p))
+    rng, every = np.random.default_rng(0), list(range(model.nq))
+    for _ in range(AROUND):
+        later = _Loops(model, bound, float(NEAR * rng.uniform(0.5, 1) * scene[0] / scene[1]))
+        way = free.T @ rng.uniform(-1, 1, len(free))
+        way *= NEAR / max(float(np.max(np.abs(way), initial=0.0)), NEAR)
+        furthest = int(np.argmax(np.abs(way)))  # stays, or closing the loops would lead back to a singular position
+        for unknown in ([i for i in every if i != furthest], every):
+            place = _closed(later, q + reach * way, unknown, size)
+            away = np.max(np.abs(place - q) / reach) > NEAR / 10
+            if away and np.all(np.abs(later.at(place, still)[0]) <= size):
+                yield later.t, place
+                break
+
+
+def _implied(loops: _Loops, q: Array, rank: float = RANK) -> Array:
+    """Ways to add up constraints, each unit in the size of its largest, so that they forbid nothing at a position; orthonormal rows (n, nl)."""
+    _, _, _, jacobian = loops.at(q, np.zeros(loops.model.nu))
     matrix = jacobian * loops.scales[1]
-    left, values, _ = np.linalg.svd(matrix / np.maximum(np.linalg.norm(matrix, axis=1, keepdims=True), 1e-300))
-    rank = int(np.sum(values > RANK * values[0]))
-    shares = np.max(np.abs(left[:, rank:]), axis=1, initial=0.0)
-    return tuple(name for name, part in zip(model.constraints, shares, strict=True) if part > np.sqrt(RANK))
+    norms, lengths = np.linalg.norm(matrix, axis=1), np.array(loops.model.is_length)
+    sizes = np.where(lengths, *(np.max(norms, where=which, initial=1e-300) for which in (lengths, ~lengths)))
+    left, values, _ = np.linalg.svd(matrix / sizes[:, None])
+    ways: Array = left[:, int(np.sum(values > rank * values[0])) :].T
+    return ways
 
 
 @dataclass(frozen=True)
@@ -57,6 +115,7 @@ class _Loops:
 
     model: Model
     bound: Bound
+    t: float = 0.0
 
     @property
     def scales(self) -> tuple[Array, Array]:
@@ -75,7 +134,7 @@ class _Loops:
         return tuple(  # type: ignore[return-value]
             np.array(x).reshape(shape)
             for x, shape in zip(
-                model.once("loops at the start", self._function)(0.0, q, u, self.bound.c),
+                model.once("loops at the start", self._function)(self.t, q, u, self.bound.c),
                 ((model.nl,), (model.nl,), (model.nl, model.nq), (model.nl, model.nu)),
                 strict=True,
             )
@@ -108,7 +167,7 @@ def _position(loops: _Loops, q: Array, given: Collection[str]) -> tuple[Array, t
         return q, ()
     found = _closed(loops, q, unknown, size)
     if np.any(np.abs(loops.at(found, still)[0]) > size):  # stretched out, or on the way to nowhere: from places around
-        reach = np.array([1.0 if unit == "rad" else np.max(np.abs(jacobian)) for unit in map(model.units.get, names)])
+        reach = _reach(model, jacobian)
         around = np.random.default_rng(0).uniform(-0.7, 0.7, (TRIES, len(q))) * reach
         tries = (
             _closed(loops, q + np.where(np.isin(np.arange(len(q)), unknown), shift, 0.0), unknown, size)
@@ -210,6 +269,11 @@ def _sizes(model: Model, jacobian: Array, values: Array) -> Array:
     reach = np.max(np.abs(jacobian) * np.maximum(np.abs(values), 1.0), axis=1, initial=1e-9)
     size: Array = CLOSED * np.array([np.max(reach[units == unit]) for unit in units])
     return size
+
+
+def _reach(model: Model, jacobian: Array) -> Array:
+    """How far coordinates go in a mechanism: a radian, or what a radian moves."""
+    return np.array([1.0 if model.units[name] == "rad" else np.max(np.abs(jacobian)) for name in model.coordinates])
 
 
 def _undetermined(matrix: Array, names: list[str]) -> tuple[int, list[str]]:

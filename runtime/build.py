@@ -10,11 +10,11 @@ import hashlib
 import linecache
 import sys
 from collections.abc import Callable, Mapping, Sequence
-from functools import cache
+from functools import cache, partial
 from importlib import metadata, resources
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime import cache as disk
@@ -65,8 +65,13 @@ def source_of(target: str | Path) -> str:
     return Path(target).name if is_file(target) else f"derive/scenes/{target}.py"
 
 
-def vary(scene: Scene, without: Sequence[str] = (), laws: Mapping[str, str] | None = None) -> Scene:
-    """The scene without some effects and with other laws (effect -> name of a law); raises InputError with all faults."""
+def vary(
+    scene: Scene,
+    without: Sequence[str] = (),
+    laws: Mapping[str, str] | None = None,
+    coordinates: str | None = None,
+) -> Scene:
+    """The scene without some effects, with other laws (effect -> name of a law), in other coordinates; raises InputError with all faults."""
     faults: list[Fault] = []
     for effect, law in (laws or {}).items():
         try:
@@ -75,6 +80,10 @@ def vary(scene: Scene, without: Sequence[str] = (), laws: Mapping[str, str] | No
             faults.extend(error.faults)
     try:
         scene = scene.without(*without) if without else scene
+    except InputError as error:
+        faults.extend(error.faults)
+    try:
+        scene = scene.with_coordinates(coordinates) if coordinates is not None else scene
     except InputError as error:
         faults.extend(error.faults)
     if faults:
@@ -154,11 +163,21 @@ def impact_trials() -> tuple[Trial, ...]:
     return tuple(trials())
 
 
-def build_built_in(name: str, without: Sequence[str] = (), laws: Mapping[str, str] | None = None) -> ModuleType:
+def build_built_in(
+    name: str,
+    without: Sequence[str] = (),
+    laws: Mapping[str, str] | None = None,
+    coordinates: str | None = None,
+) -> ModuleType:
     """Module of a variation of a built-in scene; from the cache where it can."""
     _require_built_in(name)
-    variation = name, tuple(without), tuple(sorted((laws or {}).items()))
-    return _module(name, _remembered(variation, lambda: vary(scene_from(name), without, laws), source_of(name)))
+    variation = name, tuple(without), tuple(sorted((laws or {}).items())), coordinates
+    scene = partial(_varied, name, without, laws, coordinates)
+    return _module(name, _remembered(variation, scene, source_of(name)))
+
+
+def _varied(name: str, *variation: Any) -> Scene:
+    return vary(scene_from(name), *variation)
 
 
 def build_hard_scene(name: str) -> ModuleType:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import casadi as ca
 import numpy as np
@@ -37,28 +37,41 @@ class Bound:
         return float(self.p[list(self.values).index(name)])
 
 
+Dependent: TypeAlias = tuple[tuple[int, ...], int]
+"""Constraints that imply each other, and how many of them are independent."""
+
+SOLVING = ("accelerations", "projection")  # functions that solve for what holds the loops
+
+
 @dataclass(frozen=True)
 class Declaration:
-    """What a model was loaded from: a built-in scene's name or a scene, without some effects, with other laws."""
+    """What a model was loaded from: a built-in scene's name or a scene, without some effects, with other laws, in other coordinates."""
 
     target: str | Scene
     without: tuple[str, ...] = ()
     laws: tuple[tuple[str, str], ...] = ()
+    coordinates: str | None = None
 
     def scene(self) -> Scene:
         """The scene of the model; raises InputError."""
         from hertzwerk.runtime import build
 
         scene = build.scene_from(self.target) if isinstance(self.target, str) else self.target
-        return build.vary(scene, self.without, dict(self.laws))
+        return build.vary(scene, self.without, dict(self.laws), self.coordinates)
 
 
 class Model:
     """A scene that can be simulated. `declaration` is where it comes from; a saved run has none."""
 
-    def __init__(self, module: ModuleType | SimpleNamespace, declaration: Declaration | None = None) -> None:
+    def __init__(
+        self,
+        module: ModuleType | SimpleNamespace,
+        declaration: Declaration | None = None,
+        dependent: tuple[Dependent, ...] = (),
+    ) -> None:
         self.module = module
         self.declaration = declaration
+        self.dependent = dependent
         self.name: str = module.NAME
         self.parameters: dict[str, Port] = {row[0]: Port(*row) for row in module.PARAMETERS}
         self.coordinates, self.speeds, self.memory, self.latches, self.pairs, self.outputs = (
@@ -73,6 +86,8 @@ class Model:
         """Rows of q where one begins."""
         self.constraints: tuple[str, ...] = tuple(row[0] for row in getattr(module, "CONSTRAINTS", ()))
         self.nl = len(self.constraints)
+        self.is_length = tuple(row[1] == "m" for row in getattr(module, "CONSTRAINTS", ()))
+        """Of each constraint: whether it is a length [m], not an angle's sine [1]."""
         self.has_ledger = hasattr(module, "ledger")
         self._made: dict[Hashable, Any] = {}
 
@@ -102,6 +117,13 @@ class Model:
         if module.JOINT_CONSTRAINTS:
             given["constraints"] = module.joint_constraints
         return Model(SimpleNamespace(**given))
+
+    def without_redundancy(self, dependent: tuple[Dependent, ...]) -> Model:
+        """The model whose steps leave out what others of these constraints imply; itself where there are none."""
+        if not dependent:
+            return self
+        made: Model = self.once(("dependent", dependent), lambda: Model(self.module, self.declaration, dependent))
+        return made
 
     def function(self, name: str) -> Any:
         """CasADi function of one of the module's builders, e.g. "gaps" or "contact_slider_pin"; inputs and outputs as the module documents them."""
@@ -133,7 +155,12 @@ class Model:
         if "reactions" in inputs:
             sizes["reactions"] = self.function("accelerations").size1_out(1)
         symbols = [ca.SX.sym(symbol, sizes[symbol]) for symbol in inputs]
-        results = getattr(self.module, name)(*symbols)
+        given = dict(zip(inputs, symbols, strict=True))
+        if name in SOLVING and self.nl and not self.dependent:
+            # a softness that never changes is a number, and what it multiplies is made once
+            softness = self.module.constants(ca.SX.sym("p", sizes["p"]))[self.nc - self.nl :]
+            given["c"] = ca.vertcat(given["c"][: self.nc - self.nl], softness)
+        results = getattr(self.module, name)(*given.values())
         columns = [ca.densify(ca.vec(ca.SX(x))) for x in (results if isinstance(results, tuple) else (results,))]
         return ca.Function(name, symbols, ca.cse(columns), inputs, [f"o{i}" for i in range(len(columns))])
 
@@ -207,20 +234,28 @@ _INPUTS = {
 }
 
 
-def load(target: str | Path | Scene, *, without: Sequence[str] = (), laws: Mapping[str, str] | None = None) -> Model:
+def load(
+    target: str | Path | Scene,
+    *,
+    without: Sequence[str] = (),
+    laws: Mapping[str, str] | None = None,
+    coordinates: str | None = None,
+) -> Model:
     """The model of a built-in scene (never imports SymPy), of a variation of one, of a Python file that defines `scene`, or of a Scene.
 
-    `without` names effects to leave out, `laws` gives an effect another law by name. Raises InputError.
+    `without` names effects to leave out, `laws` gives an effect another law by name, `coordinates` are "tree", "absolute" or "auto" in place of
+    the scene's own. Raises InputError.
     """
-    if isinstance(target, str) and not without and not laws and target.isidentifier():
+    varied = bool(without or laws or coordinates is not None)
+    if isinstance(target, str) and not varied and target.isidentifier():
         name = f"hertzwerk.generated.{target}"
         if importlib.util.find_spec(name) is not None:
             return Model(importlib.import_module(name), Declaration(target))
     from hertzwerk.runtime import build
 
-    varied = tuple(without), tuple((laws or {}).items())
+    how = tuple(without), tuple((laws or {}).items()), coordinates
     if isinstance(target, str) and not build.is_file(target):
-        return Model(build.build_built_in(target, without, laws), Declaration(target, *varied))
+        return Model(build.build_built_in(target, without, laws, coordinates), Declaration(target, *how))
     source = build.source_of(target) if isinstance(target, str | Path) else "a scene"
     scene = build.scene_from(target) if isinstance(target, str | Path) else target
-    return Model(build.build(build.vary(scene, without, laws), source), Declaration(scene, *varied))
+    return Model(build.build(build.vary(scene, without, laws, coordinates), source), Declaration(scene, *how))

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.runtime.build import derive_digest, derive_text, equations, is_file, scene_from, source_of
+from hertzwerk.runtime.build import derive_digest, derive_text, equations, is_file, scene_from, source_of, vary
 from hertzwerk.runtime.cache import write_atomically
 
 if TYPE_CHECKING:
@@ -37,12 +37,12 @@ class Difference:
     accept: str
 
 
-def derived(targets: Sequence[str]) -> tuple[Derived, ...]:
-    """Modules of all targets or of none: the faults of all are raised together, as InputError."""
+def derived(targets: Sequence[str], coordinates: str | None = None) -> tuple[Derived, ...]:
+    """Modules of all targets or of none, in the scenes' coordinates or others: the faults of all come together, as InputError."""
     seen: set[str] = set()
 
     def one(target: str) -> Derived:
-        scene = scene_from(target)
+        scene = vary(scene_from(target), coordinates=coordinates)
         if scene.name in seen:
             raise InputError(target, [Fault(target, f"a second scene named {scene.name}", "one name per scene")])
         seen.add(scene.name)
@@ -51,9 +51,9 @@ def derived(targets: Sequence[str]) -> tuple[Derived, ...]:
     return _all_or_none(targets, one)
 
 
-def shown(targets: Sequence[str]) -> tuple[Readable, ...]:
-    """Equations for people of all targets or of none: the faults of all are raised together, as InputError."""
-    return _all_or_none(targets, lambda target: equations(scene_from(target)))
+def shown(targets: Sequence[str], coordinates: str | None = None) -> tuple[Readable, ...]:
+    """Equations for people of all targets or of none, in the scenes' coordinates or others: the faults of all come together, as InputError."""
+    return _all_or_none(targets, lambda target: equations(vary(scene_from(target), coordinates=coordinates)))
 
 
 _T = TypeVar("_T")

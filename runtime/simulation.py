@@ -35,7 +35,7 @@ from hertzwerk.runtime.integrate.automatic import Code, Gear
 from hertzwerk.runtime.integrate.chunk import INTERRUPTED, WALL_TIME_LIMIT, Ending, chunk, march
 from hertzwerk.runtime.integrate.layout import FINISHED, OUTSIDE_LAW_RANGE, TOO_MANY_STEPS
 from hertzwerk.runtime.integrate.methods import METHODS, SUNDIALS
-from hertzwerk.runtime.model import Bound, Model
+from hertzwerk.runtime.model import Bound, Dependent, Model
 from hertzwerk.runtime.outcome import Outcome, outcome, unreachable
 from hertzwerk.runtime.output import Output, times_of
 from hertzwerk.runtime.recorder import BLOCK, Grid, Recorder, Steps
@@ -91,7 +91,7 @@ def simulate(
     given, times = _read(
         model, duration, accuracy, tolerance, method, compiled, limits, parameters or {}, initial or {}, output
     )
-    engine = _engine_for(model, method, compiled)
+    engine = _engine_for(model.without_redundancy(given.dependent), method, compiled)
     gear = Gear(engine.code, compiled=compiled is True, changes=compiled == "auto") if engine.code else None
     run = _Run(model, method, engine, given, limits, gear)
     scales = given.scales
@@ -234,6 +234,7 @@ class _Given:
     u: np.ndarray
     seconds: float
     scales: Scales
+    dependent: tuple[Dependent, ...]
 
 
 @dataclass(frozen=True)
@@ -354,7 +355,10 @@ def prepare(model: Model, method: str, compiled: bool | Literal["auto"], ahead: 
 
     That is as `compiled` says, or with "auto" if it saves time for runs that take `ahead` [s] uncompiled. Raises InputError without a compiler.
     """
-    code = _engine_for(model, method, compiled).code
+    bound, _ = model.check({})
+    q, _ = _start(model, bound, {}, [])
+    typical = model if bound is None else model.without_redundancy(_dependent(model, bound, q))
+    code = _engine_for(typical, method, compiled).code
     if compiled == "auto":
         return code is not None and code.worthwhile(math.inf, ahead) is not None
     return compiled and code is not None
@@ -436,7 +440,7 @@ def _read(
     q, u = _start(model, bound, initial, faults)
     if bound is None or wrong or faults:
         raise InputError(model.name, wrong + faults)
-    given = _Given(bound, q, u, seconds, scaling.of_parameters(model, bound))
+    given = _Given(bound, q, u, seconds, scaling.of_parameters(model, bound), _dependent(model, bound, q))
     if len(known) >= REMEMBERED:
         known.clear()
     known[key] = given
@@ -546,6 +550,15 @@ def _assembled(
     return q, u
 
 
+def _dependent(model: Model, bound: Bound, q: np.ndarray) -> tuple[Dependent, ...]:
+    """Constraints that follow from others, from a start on."""
+    if not model.nl:
+        return ()
+    from hertzwerk.runtime.assembly import dependent  # a tree needs none
+
+    return dependent(model, bound, q)
+
+
 def _deepest(model: Model, history: History) -> str:
     return ", ".join(f"{pair} at penetration {history[f'{pair}.penetration'][-1]:.4g} m" for pair in model.pairs)
 
@@ -556,7 +569,7 @@ def _open_forces(model: Model, given: _Given) -> Iterator[str]:
         return
     from hertzwerk.runtime.assembly import undetermined  # a tree needs none
 
-    names = [holding_force(name) for name in undetermined(model, given.bound, given.q, given.u)]
+    names = [holding_force(name) for name in undetermined(model, given.bound, given.q)]
     if names:
         yield f"redundant constraints leave these forces open, of all that hold the least are given: {', '.join(names)}"
 

@@ -33,6 +33,11 @@ if TYPE_CHECKING:
     multiple=True,
     help="Another law for a contact or friction (derives the variation).",
 )
+@click.option(
+    "--coordinates",
+    metavar="NAME",
+    help="tree (of the joints), absolute (of every body) or auto (what takes fewer operations); derives the variation.",
+)
 @click.option("--duration", metavar="TIME", help='Such as "24 ms" (default: the scenario\'s).')
 @click.option(
     "--accuracy",
@@ -106,6 +111,7 @@ def _simulate(
     settings: Sequence[str],
     without: Sequence[str],
     laws: Sequence[str],
+    coordinates: str | None,
     duration: str | None,
     accuracy: str | None,
     method: str | None,
@@ -121,9 +127,9 @@ def _simulate(
     if out is not None and (fault := destination_fault(out)) is not None:
         faults.append(fault)
     values = assignments("--set", settings, faults)
-    model = load(target, without=without, laws=assignments("--law", laws, faults))
+    model = load(target, without=without, laws=assignments("--law", laws, faults), coordinates=coordinates)
     numbers = scenarios.read(target) if target in scenarios.names() else {}
-    states = {*model.coordinates, *model.speeds}
+    states = {*model.joints.coordinates, *model.joints.speeds}
     limits: dict[str, Any] = {"max_steps": 1} if faults else {}  # reads the rest of the input completely, and no more
     with Progress(model.name, shown=not quiet and sys.stderr.isatty()) as progress:
         try:

@@ -39,25 +39,37 @@ def list_scenes() -> int:
 @click.option(
     "--out", type=click.Path(path_type=Path), help="Folder to write to (default: generated/ of this repository)."
 )
+@click.option(
+    "--coordinates",
+    metavar="NAME",
+    help="tree (of the joints), absolute (of every body) or auto (what takes fewer operations).",
+)
 @click.option("--show", is_flag=True, help="Write nothing; print the equations, as Markdown with LaTeX.")
 @click.option("--json", "as_json", is_flag=True, help="Of --show, print one JSON object.")
 @reports_bad_input
-def derive(targets: tuple[str, ...], check: bool, out: Path | None, show: bool, as_json: bool) -> int:
+def derive(
+    targets: tuple[str, ...], check: bool, out: Path | None, coordinates: str | None, show: bool, as_json: bool
+) -> int:
     """Derive the equations of TARGET, check every unit, and write the generated module."""
     from hertzwerk.runtime import regenerate
     from hertzwerk.runtime.build import built_in_scenes
 
     if show or as_json:
         _refuse_beside_show({"--check": check, "--out": out is not None, "--json without --show": not show})
+    elif coordinates is not None and out is None:
+        expected = "a folder for what are other modules than those of generated/"
+        raise InputError(
+            "derive", [Fault("--coordinates without --out", coordinates, expected, "name a folder: --out DIR")]
+        )
     if check:
-        return _compare(regenerate.derived(targets or built_in_scenes()), out, everything=not targets)
+        return _compare(regenerate.derived(targets or built_in_scenes(), coordinates), out, everything=not targets)
     if not targets:
         example = " ".join(built_in_scenes()[:2])
         raise InputError("derive", [Fault("TARGET", "none", f"scenes or files, such as {example}")])
     if show:
-        return _show(targets, as_json=as_json)
+        return _show(targets, coordinates, as_json=as_json)
     folder = out if out is not None else regenerate.repository_folder(targets)
-    for path in regenerate.write(regenerate.derived(targets), folder):
+    for path in regenerate.write(regenerate.derived(targets, coordinates), folder):
         line("written", str(path))
     return GOOD
 
@@ -68,11 +80,11 @@ def _refuse_beside_show(given: dict[str, bool]) -> None:
         raise InputError("derive", faults)
 
 
-def _show(targets: Sequence[str], *, as_json: bool) -> int:
+def _show(targets: Sequence[str], coordinates: str | None, *, as_json: bool) -> int:
     """Print the equations of all targets or of none."""
     from hertzwerk.runtime import regenerate
 
-    shown = regenerate.shown(targets)
+    shown = regenerate.shown(targets, coordinates)
     if as_json:
         click.echo(json.dumps({"equations": [each.record() for each in shown]}, indent=2, ensure_ascii=False))
     else:

@@ -19,8 +19,6 @@ def _closed(within: float) -> Known:
     return Known("largest opening", opening, 0.0, within, "", "closed loops")
 
 
-OFF = "its larger steps look at positions off the constraints, where the redundant one contradicts the others; "
-
 CASES = (
     HardCase(
         name="change_points",
@@ -45,13 +43,6 @@ CASES = (
         tolerance=1e-9,
         methods=METHODS,
         known=(_closed(1e-9),),
-        failures={
-            ("dopri5", "energy"): f"{OFF}3000 times the limit: at 1e-11 it is 5e-7 J of 30",
-            ("dop853", "energy"): f"{OFF}2.4 times the limit",
-            ("dop853", "energy rising"): f"{OFF}5 times the limit",
-            ("auto", "energy"): f"{OFF}2.4 times the limit",
-            ("auto", "energy rising"): f"{OFF}5 times the limit",
-        },
     ),
     HardCase(
         name="three_clearances",

@@ -109,7 +109,7 @@ TRIES: dict[str, dict[str, int]] = {
     "incline_holds_lugre": {"dopri5": 4258, "dop853": 2153, "rodas": 1099, "esdirk": 1118, "auto": 678},
     "incline_slides_lugre": {"dopri5": 55486, "dop853": 25452, "rodas": 45, "esdirk": 37, "auto": 41},
     "change_points": {"dopri5": 1993, "dop853": 329, "rodas": 1818, "esdirk": 4374, "auto": 312},
-    "redundant_constraints": {"dopri5": 440, "dop853": 92, "rodas": 725, "esdirk": 389, "auto": 92},
+    "redundant_constraints": {"dopri5": 410, "dop853": 88, "rodas": 606, "esdirk": 390, "auto": 88},
     "three_clearances": {"dop853": 210681, "esdirk": 294412, "auto": 211870},
     "edge_bouncing_ball_mass_lower": {"dopri5": 54, "dop853": 27, "rodas": 76, "esdirk": 59, "auto": 27},
     "edge_bouncing_ball_radius_lower": {"dopri5": 53, "dop853": 25, "rodas": 77, "esdirk": 61, "auto": 25},

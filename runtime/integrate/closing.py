@@ -45,9 +45,8 @@ def closing(model: Model) -> Closing | None:
     """The projection of a model; None for a tree."""
     if not model.nl:
         return None
-    lengths = tuple(unit == "m" for _, unit in model.module.CONSTRAINTS)
     speeds = slice(model.nq, model.nq + model.nu)
-    return Closing(model.once("closed", lambda: _closed(model)), lengths, speeds)
+    return Closing(model.once("closed", lambda: _closed(model)), model.is_length, speeds)
 
 
 def _closed(model: Model) -> Any:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from hertzwerk.runtime.integrate import explicit, implicit
 from hertzwerk.runtime.integrate.implicit_tables import DiagonallyImplicit, Rosenbrock, esdirk54, rodas5p
+from hertzwerk.runtime.integrate.redundant import reduced
 from hertzwerk.runtime.integrate.tables import RungeKutta, dop853, dopri5
 
 if TYPE_CHECKING:
@@ -30,7 +31,8 @@ METHODS: dict[str, tuple[Callable[[], Table], ...]] = {
 
 def stepper(model: Model, table: Table, contacts: Contacts) -> Take:
     """(start, run, h) -> trial: one step of h [s] from the parts of a state, with the forces of these contacts."""
-    right = explicit.flow(model, contacts)
+    right, within = explicit.flow(model, contacts), reduced(model)
     if isinstance(table, RungeKutta):
-        return lambda start, run, h: explicit.stepped(table, right, start, run, h)
-    return implicit.stepper(model, table, right, contacts)
+        return lambda start, run, h: explicit.stepped(table, right, start, within(start, run), h)
+    take = implicit.stepper(model, table, right, contacts)
+    return lambda start, run, h: take(start, within(start, run), h)

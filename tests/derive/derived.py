@@ -109,13 +109,18 @@ def rate_along(derived, function, result, t, q, u, a):
 
 
 def energy_balance(derived, t, q, u, extra, power_of_extra, dz=None):
-    """What is left of d(kinetic + potential + stored)/dt + dissipated - input - power of extra forces, over the largest term."""
-    f = derived.call("applied", t=t, q=q, u=u) + extra
-    a, reactions = derived.call("accelerations", t=t, q=q, u=u, f=f)
-    kinetic, potential, stored = (rate_along(derived, "energy", k, t, q, u, a) for k in range(3))
-    supplied = derived.call("ledger", t=t, q=q, u=u, reactions=reactions)
-    terms = [*kinetic, *potential, *stored, *(-supplied), *([] if dz is None else dz), -power_of_extra]
-    return abs(sum(terms)) / max(map(abs, terms))
+    """What is left of d(kinetic + potential + stored)/dt + dissipated - input - power of extra forces, over the sum of what cancels in it.
+
+    Of the energy's rate that is each derivative times the rate of its argument: the accelerations' share is large where bodies are light.
+    """
+    given = {"t": t, "q": q, "u": u}
+    f = derived.call("applied", **given) + extra
+    a, reactions = derived.call("accelerations", **given, f=f)
+    moving = {"t": np.ones(1), "q": derived.call("coordinate_rates", **given), "u": a}
+    parts = [derived.jacobian("energy", x, k, **given) * rate for k in range(3) for x, rate in moving.items()]
+    supplied = derived.call("ledger", **given, reactions=reactions)
+    terms = np.concatenate([*map(np.ravel, parts), -supplied, [] if dz is None else dz, [-power_of_extra]])
+    return abs(np.sum(terms)) / np.sum(np.abs(terms))
 
 
 def _casadi(value: Any) -> Any:

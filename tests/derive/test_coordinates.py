@@ -13,7 +13,9 @@ from hertzwerk.derive import (
     GROUND,
     Body,
     ConstantSpeed,
+    Direction,
     Drive,
+    EnergyLedger,
     Gravity,
     InputError,
     JointDamper,
@@ -30,16 +32,17 @@ from hertzwerk.derive import (
     Start,
     T,
     Universal,
+    Weld,
     X,
     Y,
     Z,
     coordinate_of,
     speed_of,
 )
-from hertzwerk.derive.derivation import derivation_of
+from hertzwerk.derive.coordinates import absolute
+from hertzwerk.derive.derivation import _Derivation, derivation_of
 from hertzwerk.derive.laws import smooth_coulomb
 from hertzwerk.derive.readable.equations import equations_of
-from hertzwerk.derive.scenes.bricard import scene as bricard
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 
 P = Parameter
@@ -63,6 +66,36 @@ def loaded(tree: Tree, *effects) -> Scene:
     """A scene of the tree with more effects."""
     scene = tree.scene()
     return replace(scene, effects=(*scene.effects, *effects))
+
+
+def hung(*bodies: tuple[Body, Direction, tuple], name: str = "hung", last: tuple = ()) -> Scene:
+    """A chain under gravity: each body on a hinge about an axis at a point of the one before."""
+    joints, before = [], GROUND
+    for body, axis, place in bodies:
+        joints.append(Revolute(f"at_{body.name}", before.at(*place), body, axis=axis))
+        before = body
+    effects = (Gravity("gravity", P("g", "m/s^2", 9.81), -Y), EnergyLedger())
+    return Scene(Mechanism(name, (*joints, *last)), effects, Scales(LENGTH, P("pace", "m/s", 1.0), LENGTH))
+
+
+LENGTH, MASS, ACROSS = P("reach", "m", 0.7), P("mass", "kg", 1.3), P("J_across", "kg m^2", 0.04)
+ORIGIN, ALONG_X, ALONG_Y = (0, 0, 0), (LENGTH, 0, 0), (0, LENGTH, 0)
+HALF_X, HALF_Y = (LENGTH / 2, 0, 0), (0, LENGTH / 2, 0)
+
+
+def bobs(n: int) -> Scene:
+    """Points with a mass on strings that stay straight."""
+    return hung(*((Body(f"bob{i}", MASS, centre=ALONG_X), Z, ALONG_X if i else ORIGIN) for i in range(n)), name="bobs")
+
+
+def rods() -> Scene:
+    """Slender rods and, between two of them, a cross without any mass."""
+    one, two = (
+        Body("one", MASS, (0, ACROSS, ACROSS), centre=HALF_X),
+        Body("two", MASS, (ACROSS, 0, ACROSS), centre=HALF_Y),
+    )
+    cross, three = Body("cross", 0), Body("three", MASS, (0, ACROSS, ACROSS), centre=HALF_X)
+    return hung((one, Z, ORIGIN), (two, X, ALONG_X), (cross, Z, ALONG_Y), (three, Y, ORIGIN), name="rods")
 
 
 PLANE = Tree(
@@ -99,6 +132,8 @@ SCENES = {
     "spatial": line("R+Z", "P-X", "C+Y", "S", "U+X", "R-Y").scene(),
     "turned points": line("R+Z", "U+Y", "C-X", second="+X", turned=TURNED).scene(),
     "free, with a tail": line("F", "R+Y", "S").scene(),
+    "points with a mass": bobs(3),
+    "slender rods and a cross without mass": rods(),
     "welded": line("R+Y", "W", "R+X").scene(),
     "spatial, driven within": loaded(
         line("R+Z", "R+X", "C+Y"),
@@ -198,6 +233,25 @@ def test_cost_is_linear_in_the_length_of_a_chain():
     assert counts[2] - counts[1] == 2 * (counts[1] - counts[0])
 
 
+def test_cost_is_linear_without_inertias_too_and_nothing_is_lent_to_who_has_one():
+    counts = [dict(Derived(bobs(n).with_coordinates("absolute")).OPERATIONS)["accelerations"] for n in (3, 4, 5)]
+    assert counts[2] - counts[1] == counts[1] - counts[0]
+    wanted = [
+        "one.moment_x",
+        "two.moment_y",
+        *(f"cross.{k}" for k in "xyz"),
+        *(f"cross.moment_{k}" for k in "xyz"),
+        "three.moment_x",
+    ]
+    assert lent(rods()) == wanted
+    assert lent(chain(3, "ZYX").scene()) == []
+
+
+def lent(scene: Scene) -> list[str]:
+    """Rows that a mass or an inertia is lent to."""
+    return list(_Derivation(absolute(scene)).equations.lent)
+
+
 # -- which coordinates -------------------------------------------------------------------------------------------------
 
 
@@ -210,8 +264,10 @@ def test_auto_keeps_the_cheaper_and_says_so():
 
 
 def test_auto_keeps_the_joints_where_absolute_coordinates_cannot_be_had():
-    text = Derived(bricard.with_coordinates("auto")).text
-    assert "Coordinates: of the joints; the bodies' own cannot be had: body rod_a, inertia" in text
+    text = Derived(
+        hung((Body("one", MASS, ACROSS), Z, ORIGIN), (Body("two", MASS, ACROSS), X, ALONG_X)).with_coordinates("auto")
+    ).text
+    assert "Coordinates: of the joints; the bodies' own cannot be had: body one, inertia" in text
 
 
 def test_equations_are_shown_in_absolute_coordinates():
@@ -252,15 +308,31 @@ def test_another_word_is_refused():
         slider_crank.with_coordinates("cartesian")
 
 
-def test_bodies_need_mass_and_inertia_of_their_own_all_at_once():
-    found = faults_of(bricard)
-    assert set(found) == {f"body rod_{name}, inertia" for name in "abcde"}
-    m, J, length = P("mass", "kg", 1.0), P("inertia", "kg m^2", 0.1), P("reach", "m", 1.0)
-    one, two = Body("one", 0, centre=(length, 0, 0)), Body("two", m, J)
-    joints = (Revolute("first", GROUND, one, Z), Revolute("second", one.at(length, 0, 0), two, X))
-    found = faults_of(Scene(Mechanism("two", joints), (), Scales(length, P("pace", "m/s", 1.0), length)))
-    assert found["body one, mass"] == "0 kg"
-    assert found["body two, inertia"] == "inertia, about the joint's axis alone"
+def test_inertias_that_cannot_be_told_come_all_at_once():
+    nothing, full = P("nothing", "kg m^2", 0.0), (ACROSS, ACROSS, ACROSS)
+    one, two, three = (
+        Body("one", 0),
+        Body("two", MASS, ACROSS),
+        Body("three", MASS, (nothing, ACROSS, ACROSS), centre=HALF_Y),
+    )
+    thin = Body("thin", MASS, (0, ACROSS, ACROSS))
+    chained = (one, Z, ORIGIN), (two, X, ALONG_X), (three, X, ALONG_X), (thin, Z, ORIGIN)
+    tips = [Body("tip", MASS, inertia) for inertia in ((ACROSS, 0, ACROSS), full)]
+    found, other = (faults_of(hung(*chained, last=(Weld("glued", thin.at(*ALONG_X), tip),))) for tip in tips)
+    assert found == {
+        "body two, inertia": "J_across, about the joint's axis alone",
+        "body three, inertia": "(nothing, J_across, J_across), zero at the defaults",
+        "body thin, inertia": "(0, J_across, J_across), and welded to it tip, without one about every axis",
+    }
+    assert other.keys() == found.keys() - {"body thin, inertia"}
+
+
+@pytest.mark.parametrize("coordinates", ["tree", "absolute"])
+def test_a_body_without_a_mass_at_the_end_of_a_chain_is_refused(coordinates):
+    with pytest.raises(InputError, match="body cross, mass: found 0 kg at the end of a chain"):
+        hung(
+            (Body("one", MASS, (0, ACROSS, ACROSS), centre=HALF_X), Z, ORIGIN), (Body("cross", 0), X, ALONG_X)
+        ).with_coordinates(coordinates)
 
 
 def test_coordinates_that_cannot_be_measured_are_refused_all_at_once():
@@ -287,3 +359,14 @@ def test_an_arm_is_asked_for_where_bodies_turn():
     scene = Scene(Mechanism("rail", joints), (ConstantSpeed("motor", "axle", w), Gravity("gravity", P("g", "m/s^2", 9.81), -Y)),
                   Scales(length, length * w), Start({"rail": length}))  # fmt: skip
     assert faults_of(scene) == {"scales": "no arm"}
+
+
+@pytest.mark.parametrize("coordinates", ["tree", "absolute"])
+def test_axes_that_coincide_with_no_mass_between_them_are_refused(coordinates):
+    hub, cross, one = (
+        Body("hub", MASS, (ACROSS, ACROSS, ACROSS)),
+        Body("cross", 0),
+        Body("one", MASS, (ACROSS, ACROSS, ACROSS), centre=HALF_Y),
+    )
+    with pytest.raises(InputError, match=r"axes that coincide: .* together move no mass; .* without one: cross"):
+        Derived(hung((hub, Z, ORIGIN), (cross, X, ORIGIN), (one, X, ORIGIN)).with_coordinates(coordinates))

@@ -248,7 +248,7 @@ def test_energy_changes_by_the_power_of_the_other_forces_and_the_drives(name):
     derived = derived_of(name)
     for t, q, u, force in states(tree, 2):
         work = force @ tree.whole(t, u, speeds=True)
-        assert energy_balance(derived, t, q, u, rows(tree, force), work) < 1e-9
+        assert energy_balance(derived, t, q, u, rows(tree, force), work) < 1e-12
 
 
 def test_a_wrong_energy_is_noticed():
@@ -405,7 +405,7 @@ def test_energy_is_conserved_in_contact_with_friction(name):
     derived = case.derive(friction=True)
     for t, q, u in case.states(derived, 2):
         f, dz, *_ = derived.call("contact_touch", t=t, q=q, u=u, m=[V0])
-        assert energy_balance(derived, t, q, u, f, 0.0, dz) < 1e-9
+        assert energy_balance(derived, t, q, u, f, 0.0, dz) < 1e-12
 
 
 @pytest.mark.parametrize("name", TOUCHING)

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from derived import Derived, energy_balance
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, given, reject, settings
 from hypothesis import strategies as st
 from kane import Link, Tree
 
@@ -151,11 +151,15 @@ def trees(draw):
 )
 @given(trees())
 def test_random_trees_equal_kanes_method(tree):
-    found = Derived(tree.scene())
+    try:
+        found = Derived(tree.scene())
+    except InputError as error:  # gravity along the only axis that something turns about
+        assert [fault.found for fault in error.faults] == ["no equation that it enters"]
+        reject()
     assert deviation(tree, found, 2) < 1e-10
     for t, q, u, force in tree.states(1, seed=1):
         work = force @ tree.whole(t, u, speeds=True)
-        assert energy_balance(found, t, q, u, rows(tree, force), work) < 1e-10
+        assert energy_balance(found, t, q, u, rows(tree, force), work) < 1e-12
 
 
 # -- energy, poses, rates ----------------------------------------------------------------------------------------------

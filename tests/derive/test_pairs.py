@@ -146,7 +146,7 @@ def test_contact_forces_do_the_virtual_work_of_the_contact_point(name, friction)
         assert power_of["touch.dissipated"] == pytest.approx(powers[0], rel=1e-9)
         if friction:
             assert power_of["rub.dissipated"] == pytest.approx(powers[1], rel=1e-9)
-        assert energy_balance(derived, t, q, u, f, 0.0, dz) < 1e-9
+        assert energy_balance(derived, t, q, u, f, 0.0, dz) < 1e-12
 
 
 @pytest.mark.parametrize("name", PAIRS)

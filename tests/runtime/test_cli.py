@@ -266,6 +266,27 @@ def test_a_variation_comes_from_the_cache_the_second_time_and_is_the_same(hertzw
     assert first["final"] == second["final"]
 
 
+def test_a_run_in_other_coordinates_starts_by_the_joints_and_comes_from_the_cache(hertzwerk, monkeypatch):
+    line = ("run", "pendulum", "--json", "--duration", "0.5 s", "--set", "hinge.speed=1 rad/s")
+    by_joints = json.loads(hertzwerk(*line).output)["final"]
+    by_bodies = json.loads(hertzwerk(*line, "--coordinates", "absolute").output)["final"]
+    assert {name.split(".")[0] for name in by_bodies} != {name.split(".")[0] for name in by_joints}
+    turned = next(value for name, value in by_bodies.items() if name.endswith(".angle"))
+    assert turned == pytest.approx(by_joints["hinge.angle"], abs=1e-5)
+    monkeypatch.setitem(sys.modules, "hertzwerk.derive.derivation", None)  # an import now fails
+    assert json.loads(hertzwerk(*line, "--coordinates", "absolute").output)["final"] == by_bodies
+
+
+def test_other_coordinates_are_derived_into_a_folder_of_their_own(hertzwerk):
+    done = hertzwerk("derive", "pendulum", "--coordinates", "auto")
+    assert done.exit_code == 2
+    assert "--out DIR" in done.output
+    assert hertzwerk("derive", "pendulum", "--coordinates", "auto", "--out", "here").exit_code == 0
+    assert "Coordinates: of the joints, as the cheaper: " in Path("here/pendulum.py").read_text()
+    assert hertzwerk("derive", "pendulum", "--coordinates", "auto", "--check", "--out", "here").exit_code == 0
+    assert hertzwerk("derive", "pendulum", "--coordinates", "absolute", "--check", "--out", "here").exit_code == 1
+
+
 def test_a_file_is_run(hertzwerk):
     Path("mine.py").write_text(SCENE)
     done = hertzwerk("run", "mine.py", "--json", "--duration", "0.3 s")
@@ -339,6 +360,7 @@ BAD = [
     (("slider_crank", "--without", "frictoin"), "frictoin"),
     (("slider_crank", "--law", "slider_pin=newton"), "newton"),
     (("slider_crank", "--law", "slider_pin"), "NAME=VALUE"),
+    (("slider_crank", "--coordinates", "cartesian"), "'tree', 'absolute' or 'auto'"),
     (("bouncing_ball", "--set", "exponent=1.1"), "stiffness"),
     (("no_such_scene",), "slider_crank"),
     (("no_such_file.py",), "no_such_file.py"),

@@ -79,7 +79,7 @@ def test_a02_with_40_windows_is_one_pendulum():
     times = np.linspace(0.5, 10, 20)
     at = run.at(times)
     for post in (0, 20, 40):
-        assert at[f"foot_{post}.angle"] == pytest.approx([turned(40, t) for t in times], abs=1.2e-8)
+        assert at[f"foot_{post}.angle"] == pytest.approx([turned(40, t) for t in times], abs=1e-8)
     assert run.energy_residual < 1e-9
     assert open_by(run) < 1e-12
 
