@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from hertzwerk.derive.faults import Fault, InputError
+    from hertzwerk.runtime.effects.leaving_out import study_effects
     from hertzwerk.runtime.model import Bound, Model, load
     from hertzwerk.runtime.outcome import Outcome
     from hertzwerk.runtime.simulation import simulate
@@ -25,6 +26,7 @@ _PLACES = {
     "load": "model",
     "simulate": "simulation",
     "simulate_many": "sweep",
+    "study_effects": "effects.leaving_out",
 }
 
 __all__ = [
@@ -40,6 +42,7 @@ __all__ = [
     "load",
     "simulate",
     "simulate_many",
+    "study_effects",
 ]
 
 
@@ -50,7 +53,7 @@ def __getattr__(name: str) -> Any:
     from importlib import import_module
 
     place = _PLACES[name]
-    value = getattr(import_module(place if "." in place else f"{__name__}.{place}"), name)
+    value = getattr(import_module(place if place.startswith("hertzwerk.") else f"{__name__}.{place}"), name)
     globals()[name] = value
     return value
 

@@ -136,6 +136,7 @@ CLI = {
     "cli/accuracy.py",
     "cli/audit.py",
     "cli/draw.py",
+    "cli/effects.py",
     "cli/hardcases.py",
     "cli/laws.py",
     "cli/run.py",
@@ -144,7 +145,13 @@ CLI = {
 }
 
 DRAWING = ("drawing", "insets", "labels", "paper", "picture", "sheet")
-PICTURES = {"plot.py", "plot_accuracy.py", "plot_laws.py", *(f"draw/{name}.py" for name in DRAWING)}
+PICTURES = {
+    "plot.py",
+    "plot_accuracy.py",
+    "plot_effects.py",
+    "plot_laws.py",
+    *(f"draw/{name}.py" for name in DRAWING),
+}
 
 
 @pytest.mark.parametrize(

@@ -7,6 +7,7 @@ import click
 from hertzwerk.runtime.cli.accuracy import accuracy
 from hertzwerk.runtime.cli.audit import audit
 from hertzwerk.runtime.cli.draw import draw
+from hertzwerk.runtime.cli.effects import effects
 from hertzwerk.runtime.cli.hardcases import hardcases
 from hertzwerk.runtime.cli.laws import laws
 from hertzwerk.runtime.cli.run import run, validate
@@ -37,5 +38,5 @@ def main() -> None:
     """
 
 
-for command in (list_scenes, laws, derive, audit, run, draw, validate, accuracy, hardcases):
+for command in (list_scenes, laws, derive, audit, run, draw, effects, validate, accuracy, hardcases):
     main.add_command(command)

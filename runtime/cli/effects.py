@@ -1,0 +1,225 @@
+"""`hertzwerk effects`: what each effect of a scene costs and changes, and the smallest scene within a tolerance."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.cli.run import assignments
+from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
+from hertzwerk.runtime.effects.study import percent
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.effects.study import Change, Row, Study
+
+DEFAULT = 1e-9  # tolerance where the scenario's is finer: an error of so much hides no effect
+
+
+@click.command()
+@click.argument("target")
+@click.option(
+    "--within", metavar="PERCENT", help='Find the smallest scene whose outputs change by no more, such as "2%".'
+)
+@click.option(
+    "--output",
+    "outputs",
+    metavar="NAME",
+    multiple=True,
+    help="What is compared: peak_force, peak_acceleration, impact_rate, mean_peak_force, journal_path; max., min., mean. or amplitude. before "
+    "the name of a history; an average, such as slider_pin.impact_rate (default: as the scene has them).",
+)
+@click.option(
+    "--set",
+    "settings",
+    metavar="NAME=VALUE",
+    multiple=True,
+    help='Parameter or initial state, with its unit: --set clearance="0.2 mm".',
+)
+@click.option("--without", metavar="EFFECT", multiple=True, help="Leave an effect out of the whole scene.")
+@click.option("--law", "laws", metavar="EFFECT=NAME", multiple=True, help="Another law, in the whole scene.")
+@click.option("--duration", metavar="TIME", help='Such as "24 ms" (default: the scenario\'s).')
+@click.option(
+    "--tolerance",
+    metavar="NUMBER",
+    help="Local tolerance of the coarsest runs; down to a 30th of it shows the error (default: the scenario's).",
+)
+@click.option("--method", metavar="NAME", help="As of `run` (default: the scenario's).")
+@click.option("--compiled", is_flag=True, help="Time compiled runs (default: in CasADi's virtual machine).")
+@click.option(
+    "--out", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-effects-NNN)."
+)
+@click.option("--no-plots", is_flag=True, help="Write the data only.")
+@click.option(
+    "--json", "as_json", is_flag=True, help="Print one JSON object, and write a folder only if --out is given."
+)
+@reports_bad_input
+def effects(target: str, out: Path | None, no_plots: bool, as_json: bool, **options: Any) -> int:
+    """Leave out each effect of TARGET in turn: what it costs, and what it changes.
+
+    A change is of the scene without the effect, relative to the whole scene. One that is smaller than the error of both is none seen.
+    """
+    from hertzwerk.runtime import record
+
+    study = _study(target, out, quiet=as_json, **options)
+    folder: tuple[Path, list[str]] | None = None
+    if (out is not None or not as_json) and study.rows:
+        folder = record.new_folder(f"{study.scene}-effects", out, lambda at: _write(study, at, plots=not no_plots))
+    if as_json:
+        click.echo(record.json_text(study.record()))
+    else:
+        _report(study)
+    if folder is not None and not as_json:
+        line("written", f"{folder[0]}/ ({', '.join(folder[1])})")
+    return GOOD if study.outcome.finished else OTHER_OUTCOME
+
+
+def _study(target: str, out: Path | None, *, quiet: bool, **options: Any) -> Study:
+    """The study that a command line asks for; raises InputError."""
+    from hertzwerk.runtime import scenarios
+    from hertzwerk.runtime.effects.leaving_out import study_effects
+    from hertzwerk.runtime.record import destination_fault
+
+    faults: list[Fault] = []
+    if out is not None and (fault := destination_fault(out)) is not None:
+        faults.append(fault)
+    values = assignments("--set", options["settings"], faults)
+    laws = assignments("--law", options["laws"], faults)
+    within = None if options["within"] is None else _fraction(options["within"], faults)
+    numbers = scenarios.read(target) if target in scenarios.names() else {}
+    tolerance = max(numbers.get("accuracy", 1e-6), DEFAULT)
+    if options["tolerance"] is not None:
+        tolerance = _number(options["tolerance"])
+        if not isinstance(tolerance, float):
+            faults.append(Fault("--tolerance", repr(tolerance), "a number"))
+    if faults:
+        raise InputError("effects", faults)
+    with Progress(f"effects of {target}", shown=not quiet and sys.stderr.isatty()) as progress:
+        return study_effects(
+            target,
+            duration=options["duration"] or numbers.get("duration"),
+            tolerance=tolerance,
+            method=options["method"] or numbers.get("method", "dop853"),
+            values=values,
+            outputs=options["outputs"],
+            within=within,
+            without=options["without"],
+            laws=laws,
+            compiled=options["compiled"],
+            progress=progress,
+        )
+
+
+def _number(text: str) -> float | str:
+    """The number a text is, or the text."""
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+def _fraction(text: str, faults: list[Fault]) -> float | None:
+    """A part of one, as "2%", "2 %" or "0.02"; what is none becomes a fault."""
+    number = _number(text.strip().removesuffix("%"))
+    fraction = number / 100 if isinstance(number, float) and text.strip().endswith("%") else number
+    if isinstance(fraction, float) and 0 < fraction < 1:
+        return fraction
+    faults.append(Fault("--within", repr(text), "a change above 0 and below 100 %, such as 2%"))
+    return None
+
+
+def _write(study: Study, folder: Path, *, plots: bool) -> list[str]:
+    from hertzwerk.runtime.record import json_text
+
+    (folder / "effects.json").write_text(json_text(study.record()) + "\n", encoding="utf-8")
+    if not plots:
+        return ["effects.json"]
+    from hertzwerk.runtime.plot_effects import save
+
+    save(study, folder / "effects.png")
+    return ["effects.json", "effects.png"]
+
+
+# -- as people read it -------------------------------------------------------------------------------------------------
+
+
+def _report(study: Study) -> None:
+    coarse, fine = study.tolerances
+    line(study.scene, f"{study.duration:g} s, {study.method}, local tolerances {coarse:.2g} to {fine:.2g}")
+    if not study.outcome.finished:
+        line(study.outcome.name, study.outcome.message)
+        line("remedy", study.outcome.remedy)
+        return
+    for output in study.outputs:
+        number = study.numbers[output.name]
+        line("output", f"{output.name} = {number.value:.6g} {output.unit}, error {number.error:.1g}: {output.meaning}")
+    if study.past_horizon:
+        line(
+            "warning",
+            "past the horizon: runs part whatever the tolerance; outputs are means of 9 runs, averages those of one, with 95 % intervals",
+        )
+    for warning in study.warnings:
+        line("warning", warning)
+    click.echo()
+    columns = ("effect", "in flight", "in contact", "states", "events", "time")
+    table((*columns, *(output.name for output in study.outputs)), [_cells(study, row) for row in study.rows])
+    click.echo(
+        "\nTo the left what an effect costs: operations of one evaluation, states, event functions, share of the time. Then what leaving it\n"
+        "out changes, relative to the whole scene; none seen: less than the error."
+    )
+    for row in study.rows:
+        for note in _notes(row):
+            line("note", f"{row.effect}: {note}")
+    if study.smallest is not None:
+        _report_smallest(study)
+
+
+def _cells(study: Study, row: Row) -> list[str]:
+    if row.cost is None:
+        return [row.effect, *[""] * (5 + len(study.outputs))]
+    pairs = zip(vars(row.cost).values(), vars(study.cost).values(), strict=True)
+    share = "" if row.share is None else percent(row.share.median, sign=False) if row.share.seen else "none seen"
+    costs = (f"{cost} of {whole}" if cost else "-" for cost, whole in pairs)
+    return [row.effect, *costs, share, *(_cell(row.changes.get(output.name)) for output in study.outputs)]
+
+
+def _cell(change: Change | None) -> str:
+    if change is None:
+        return ""
+    return percent(change.relative) if change.relative is not None else change.why
+
+
+def _notes(row: Row) -> list[str]:
+    along = [f"left out together with {', '.join(row.along_with)}"] if row.along_with else []
+    details: dict[str, list[str]] = {}
+    for name, change in row.changes.items():
+        if change.detail:
+            details.setdefault(change.detail, []).append(name)
+    of_outputs = [f"{', '.join(names)}: {detail}" for detail, names in details.items()]
+    return [*along, *([row.fault] if row.fault else []), *row.notes, *of_outputs]
+
+
+def _report_smallest(study: Study) -> None:
+    found = study.smallest
+    if found is None or study.within is None:
+        return
+    click.echo(f"\nSmallest scene within {100 * study.within:g} %: {', '.join(found.kept) or 'no effect at all'}.")
+    if found.left_out:
+        share = study.smallest_share
+        saved = "" if share is None or not share.seen else f"; the time changes by {percent(-share.median)}"
+        change = (
+            "changes nothing"
+            if found.change == 0
+            else f"changes the outputs by at most {percent(found.change, sign=False)}, errors included"
+        )
+        line("left out", f"{', '.join(found.left_out)}: {change}{saved}")
+    noisy = [name for name, number in study.numbers.items() if number.error > study.within * abs(number.value)]
+    if noisy:
+        line("warning", f"the error of {', '.join(noisy)} alone is larger than that: what could be left out is not known; "
+                        "runs within the horizon, or other outputs, would show")  # fmt: skip
+    tried = "" if found.complete else ", the most that are tried: a smaller one may exist"
+    line("found by", "leaving out one effect after another, or two at once where no single one can go, each time with all outputs measured again; "
+                     f"{found.tried} scenes tried{tried}")  # fmt: skip

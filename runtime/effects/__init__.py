@@ -1,0 +1,1 @@
+"""What each effect of a scene costs, and what it changes: found by leaving out each in turn."""

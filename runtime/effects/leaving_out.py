@@ -1,0 +1,274 @@
+"""Leaves out each effect of a scene in turn, and all that may go together."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime import build
+from hertzwerk.runtime.binding import Value, unknown
+from hertzwerk.runtime.effects.cost import cost_of, shares
+from hertzwerk.runtime.effects.measuring import EIGHTHS, LADDER, Bench, Case, Measurement
+from hertzwerk.runtime.effects.outputs import PAST_HORIZON, Output, automatic, chosen
+from hertzwerk.runtime.effects.smallest import smallest
+from hertzwerk.runtime.effects.starts import as_driven
+from hertzwerk.runtime.effects.study import GONE, NEW, NONE_SEEN, Change, Row, Study
+from hertzwerk.runtime.model import Model, load
+from hertzwerk.runtime.solution import Solution
+
+if TYPE_CHECKING:
+    from hertzwerk.derive.scene import Scene
+
+HOPELESS = 6.0
+
+
+def study_effects(
+    target: str | Path | Scene,
+    *,
+    duration: str | float | None = None,
+    tolerance: float = 1e-6,
+    method: str = "dop853",
+    values: Mapping[str, Value] | None = None,
+    outputs: Sequence[str] = (),
+    within: float | None = None,
+    without: Sequence[str] = (),
+    laws: Mapping[str, str] | None = None,
+    compiled: bool = False,
+    progress: Callable[[float], object] = lambda fraction: None,
+) -> Study:
+    """Leave out each effect of a scene in turn: what it costs and what it changes; raises InputError.
+
+    tolerance    of the coarsest runs and of those that are timed; finer ones show the error
+    values    parameters and initial states in place of the scene's
+    outputs    names, `max.NAME`, `min.NAME`, `mean.NAME`, `amplitude.NAME`; by default what the scene is made for
+    within    search the smallest scene whose outputs change by no more, relative
+    without, laws    of the whole scene, as `load` takes them
+    compiled    whether the timed runs are compiled
+    """
+    if within is not None and not 0 < within < 1:
+        raise InputError("effects", [Fault("--within", f"{within:g}", "a change above 0 and below 100 %")])
+    bench = Bench(duration, tolerance, method, dict(values or {}))
+    scenes = _Scenes(target, tuple(without), dict(laws or {}))
+    whole = scenes.model()
+    wanted, first = _outputs(whole, bench, outputs)
+    study = Study(
+        scene=whole.name,
+        outcome=first.outcome,
+        duration=first.duration,
+        method=method,
+        tolerances=(bench.tolerance, bench.finest),
+        compiled=compiled,
+        effects=tuple(name for name, *_ in whole.module.EFFECTS),
+        cost=cost_of(whole),
+        within=within,
+    )
+    measured = bench.measure(Case(whole), wanted) if first.outcome.finished else None
+    if measured is None or not measured.outcome.finished:
+        return study if measured is None else replace(study, outcome=measured.outcome)
+    hidden = () if measured.past_horizon or outputs else PAST_HORIZON
+    wanted = tuple(output for output in wanted if output.name in measured.numbers and output.name not in hidden)
+    trials = _Trials(scenes, bench, first, wanted, measured)
+    rows = []
+    for i, effect in enumerate(study.effects):
+        rows.append(trials.row(effect))
+        progress(0.4 * (i + 1) / len(study.effects))
+    going = {row.effect: frozenset((row.effect, *row.along_with)) for row in rows if not row.fault}
+    found = None
+    if within is not None:
+        found = smallest(study.effects, within, going, lambda gone: trials.change(gone, within))
+    progress(0.7)
+    cases = {effect: trials.cases[gone] for effect, gone in going.items()}
+    if found is not None and found.left_out:
+        cases[_SMALLEST] = trials.cases[frozenset(found.left_out)]
+    timed = shares(
+        Case(whole),
+        cases,
+        bench,
+        compiled=compiled,
+        eighths=EIGHTHS if measured.past_horizon else LADDER[0],
+        progress=lambda part: progress(0.7 + 0.3 * part),
+    )
+    return replace(
+        study,
+        outcome=measured.outcome,
+        past_horizon=measured.past_horizon,
+        outputs=wanted,
+        numbers=measured.numbers,
+        rows=tuple(replace(row, share=timed.get(row.effect)) for row in rows),
+        smallest=found,
+        smallest_share=timed.get(_SMALLEST),
+        warnings=(
+            *first.warnings,
+            *(f"{name}: {why}" for name, why in measured.lacking.items() if name in outputs),
+        ),
+    )
+
+
+_SMALLEST = ""  # no effect has this name
+
+
+def _outputs(whole: Model, bench: Bench, names: Sequence[str]) -> tuple[tuple[Output, ...], Solution]:
+    """The outputs to be compared, and the run they were found in; raises InputError with all that is wrong with names and values."""
+    known = (*whole.parameters, *whole.joints.coordinates, *whole.joints.speeds)
+    faults = [unknown("parameter or state", name, known) for name in bench.unknown_of(whole)]
+    try:
+        run = bench.simulate(Case(whole), compiled=False, **({"max_steps": 1} if faults else {}))
+    except InputError as error:
+        raise InputError(error.subject, [*faults, *error.faults]) from error
+    outputs, wrong = chosen(run, names) if names else (automatic(run), [])
+    if faults or wrong:
+        raise InputError(whole.name, [*faults, *wrong])
+    return outputs, run
+
+
+@dataclass(frozen=True)
+class _Scenes:
+    """A scene and its variations. A built-in one is named, so that its variations are found again without being derived."""
+
+    target: str | Path | Scene
+    without: tuple[str, ...]
+    laws: Mapping[str, str]
+    _scene: list[Scene] = field(default_factory=list)
+
+    @property
+    def scene(self) -> Scene:
+        """The whole scene."""
+        if not self._scene:
+            target = self.target
+            scene = build.scene_from(target) if isinstance(target, str | Path) else target
+            self._scene.append(build.vary(scene, self.without, self.laws))
+        return self._scene[0]
+
+    def model(self, *gone: str) -> Model:
+        """The scene without exactly these effects; raises InputError."""
+        if isinstance(self.target, str) and not build.is_file(self.target):
+            return load(self.target, without=(*self.without, *gone), laws=self.laws)
+        return load(self.scene, without=gone)
+
+    def leave_out(self, effects: Sequence[str], names: Iterable[str]) -> tuple[frozenset[str], Model]:
+        """The scene without some of its effects, and without those that are at fault then, as friction is without its contact.
+
+        Raises InputError where the fault is of no effect.
+        """
+        gone = frozenset(names)
+        while True:
+            try:
+                return gone, self.model(*(name for name in effects if name in gone))
+            except InputError as error:
+                at_fault = {fault.where for fault in error.faults}
+                following = {name for name in effects if f"effect {name}" in at_fault} - gone
+                if not following:
+                    raise
+                gone |= following
+
+
+@dataclass(frozen=True)
+class _Trials:
+    """Scenes without some effects, measured against the whole one."""
+
+    scenes: _Scenes
+    bench: Bench
+    run: Solution  # of the whole scene
+    outputs: tuple[Output, ...]
+    measured: Measurement
+    cases: dict[frozenset[str], Case] = field(default_factory=dict)
+
+    @property
+    def whole(self) -> Model:
+        """The whole scene."""
+        return self.run.model
+
+    def row(self, effect: str) -> Row:
+        """An effect left out."""
+        try:
+            gone, case = self._case(frozenset((effect,)))
+            along_with = tuple(name for name in self._effects if name in gone and name != effect)
+            found, changes = self._measured(case)
+        except InputError as error:
+            return Row(effect, fault=f"cannot be left out: {'; '.join(map(str, error.faults))}")
+        cost = cost_of(self.whole) - cost_of(case.model)
+        if not found.outcome.finished:
+            return Row(effect, along_with, cost, fault=f"without it {found.outcome.name}: {found.outcome.message}")
+        return Row(effect, along_with, cost, None, changes, notes=tuple(self._notes(case, found)))
+
+    def change(self, gone: frozenset[str], within: float) -> float:
+        """The most that an output changes by without some effects, its error added; infinite where that is no scene, does not run or lacks one.
+
+        A change HOPELESS times too large in a single run is not measured any better: with an error that is small enough it would stay too large.
+        """
+        try:
+            _, case = self._case(gone)
+            seen = self.bench.glance(case, self.outputs)
+            if seen is None:
+                return math.inf
+            known = {output.name: self.measured.numbers[output.name].value for output in self.outputs}
+            largest = max(
+                (abs(seen[name] - value) / (abs(value) or math.inf) for name, value in known.items()), default=0.0
+            )
+            if largest > HOPELESS * within:
+                return largest
+            _, changes = self._measured(case)
+        except InputError:
+            return math.inf
+        return max((change.bound for change in changes.values()), default=math.inf)
+
+    @property
+    def _effects(self) -> tuple[str, ...]:
+        return tuple(name for name, *_ in self.whole.module.EFFECTS)
+
+    def _case(self, names: frozenset[str]) -> tuple[frozenset[str], Case]:
+        """The scene without some effects, and all that it is without."""
+        if names in self.cases:
+            return names, self.cases[names]
+        gone, model = self.scenes.leave_out(self._effects, names)
+        if gone not in self.cases:
+            self.cases[gone] = Case(model, as_driven(self.run, model, self.bench.parameters(model)))
+        return gone, self.cases[gone]
+
+    def _measured(self, case: Case) -> tuple[Measurement, dict[str, Change]]:
+        model, found = case.model, self.bench.measure(case, self.outputs)
+        if not found.outcome.finished:
+            return found, {}
+        if self.bench.same_motion(self.run, model):
+            same = Change(None, NONE_SEEN, noise=0.0)
+            return found, {o.name: same if o.name in found.numbers else _lacking(found, o) for o in self.outputs}
+        return found, {output.name: self._change(found, output) for output in self.outputs}
+
+    def _change(self, found: Measurement, output: Output) -> Change:
+        if output.name not in found.numbers:
+            return _lacking(found, output)
+        here, there = self.measured.numbers[output.name], found.numbers[output.name]
+        difference, noise = there.value - here.value, there.error + here.error
+        size = abs(here.value)
+        if abs(difference) <= noise:
+            return Change(None, NONE_SEEN, noise=noise / size if size else math.inf if noise else 0.0)
+        if size <= here.error:
+            return Change(None, NEW, f"it is {there.value:.3g} {output.unit} without it")
+        return Change(difference / size, noise=noise / size)
+
+    def _notes(self, case: Case, found: Measurement) -> Iterator[str]:
+        model, joints, of_whole = case.model, case.model.joints, self.whole.joints
+        freed = [
+            name
+            for name in (*joints.coordinates, *joints.speeds)
+            if name not in (*of_whole.coordinates, *of_whole.speeds)
+        ]
+        if case.start:
+            starts = ", ".join(f"{name} = {value:.4g} {unit}" for name, (value, unit) in case.start.items())
+            yield f"without it free to move, from {starts} as before"
+        elif freed:
+            yield f"without it {', '.join(freed)} are free, from the scene's own start: it may be another one than before"
+        if self.bench.same_motion(self.run, model):
+            yield "the equations of motion give the same accelerations without it, in every state of the run"
+        if found.past_horizon and not self.measured.past_horizon:
+            yield "without it runs at different tolerances part: its outputs are means of several runs"
+        if found.failed:
+            yield f"without it {len(found.failed)} of its runs did not finish and do not count: {'; '.join(found.failed)}"
+
+
+def _lacking(found: Measurement, output: Output) -> Change:
+    return Change(None, GONE, f"without it {found.lacking[output.name]}")

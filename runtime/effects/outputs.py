@@ -1,0 +1,245 @@
+"""What of a run is compared between scenes: outputs, each one number of a whole run.
+
+The automatic ones follow from the scene: with contacts the peak of the normal forces, the rate of impacts and the way of each pin in its bush,
+always the peak acceleration, and without contacts the amplitudes. Any history has four more: `max.NAME`, `min.NAME`, `mean.NAME`, `amplitude.NAME`.
+The averages of a run (`averages`) are outputs by their names: their intervals are of the blocks of one long run.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import casadi as ca
+import numpy as np
+
+from hertzwerk.derive.faults import Fault
+from hertzwerk.runtime.binding import unknown
+from hertzwerk.runtime.caller import Rowwise
+from hertzwerk.runtime.history import acceleration_of
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.averages import Average
+    from hertzwerk.runtime.history import History
+    from hertzwerk.runtime.model import Model
+    from hertzwerk.runtime.solution import Solution
+
+SAMPLES, HALVES = 4_000, (1, 16)  # wanted of a run; half the least and the most parts of one step
+WAY_SAMPLES = 10_000  # for the length of a path, which has cusps
+POINTS, ZOOMS = 17, 4  # an extreme is looked for again among so many points around the largest sample, so many times
+PAST_HORIZON = ("mean_peak_force",)  # of more use there than the largest of all
+AMPLITUDES = 4  # at most, of those taken by themselves
+
+
+class Samples:
+    """A run between its accepted steps: histories over times `t` (n,) that divide every step into an even number of parts."""
+
+    def __init__(self, run: Solution, wanted: int = SAMPLES) -> None:
+        self.run = run
+        ends = np.unique(run.t)  # an event may leave two rows at its time
+        self._steps = np.diff(ends)
+        half = int(np.clip(wanted // max(2 * len(self._steps), 1), *HALVES))
+        within = ends[:-1, None] + self._steps[:, None] * np.arange(2 * half) / (2 * half)
+        self.t = np.append(np.minimum(within, ends[1:, None]).ravel(), ends[-1])
+        self.history = run.at(self.t)
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        return self.history[name]
+
+    def highest(self, of: Callable[[History], np.ndarray]) -> float:
+        """Largest value in the run of what a history has at its times: around the largest sample to the accuracy of the run."""
+        times, values = self.t, of(self.history)
+        largest = float(np.max(values))
+        for _ in range(ZOOMS):
+            i = int(np.argmax(values))
+            times = np.linspace(times[max(i - 1, 0)], times[min(i + 1, len(times) - 1)], POINTS)
+            values = of(self.run.at(times))
+            largest = max(largest, float(np.max(values)))
+        return largest
+
+    def integral(self, values: np.ndarray) -> float:
+        """Integral over time [s] of values at the times, by Simpson's rule."""
+        parts = (len(values) - 1) // len(self._steps)
+        weights = np.tile([2.0, 4.0], parts // 2)
+        weights[0] = 1
+        by_step = values[:-1].reshape(-1, parts) @ weights + values[parts::parts]
+        return float(by_step @ self._steps) / (3 * parts)
+
+
+@dataclass(frozen=True)
+class Output:
+    """One number of a run: `of` gives it in SI, None where it does not exist; a run without the histories `of_histories` has none.
+
+    half_width    of a mean over time or impacts its 95 % interval, from the run itself; None where the run is too short for one
+    """
+
+    name: str
+    unit: str
+    meaning: str
+    of: Callable[[Samples], float | None]
+    of_histories: tuple[str, ...] = ()
+    half_width: Callable[[Solution], float | None] | None = None
+
+    def missing(self, run: Solution) -> str:
+        """What a run lacks for this output; empty if nothing."""
+        return ", ".join(name for name in self.of_histories if name not in run.history.units)
+
+
+def automatic(run: Solution) -> tuple[Output, ...]:
+    """The outputs of a scene that is compared with its variations, from a run of it; those in PAST_HORIZON are for runs that part."""
+    model = run.model
+    chosen = list(named(run))
+    if not model.k:
+        chosen += [_of_history(run, "amplitude", name) for name in _coordinates(model)[:AMPLITUDES]]
+    return tuple(chosen)
+
+
+def named(run: Solution) -> tuple[Output, ...]:
+    """The outputs that have a name of their own, as far as a scene has them."""
+    model, units = run.model, run.history.units
+    speeds = _of_one_kind(model, model.speeds, "m/s")
+    accelerations = tuple(acceleration_of(speed) for speed in speeds)
+    found = [
+        Output("peak_acceleration", units[accelerations[0]], f"largest |acceleration| of {', '.join(speeds)}",
+               lambda samples: samples.highest(lambda history: _largest(history, accelerations)), accelerations),
+    ]  # fmt: skip
+    if model.k:
+        found = [
+            Output("peak_force", "N", "largest normal force of all pairs", _peak_force),
+            *found,
+            Output("impact_rate", "1/s", "contacts begun per time", _impact_rate),
+            Output("mean_peak_force", "N", "mean of the largest normal force of each contact", _mean_peak_force),
+        ]
+    journals = _journals(model)
+    if journals:
+        parts = tuple(part for journal in journals for part in journal)
+        meaning = "way of the pin or ball within its bearing" + (", all of them" if len(journals) > 1 else "")
+        found.append(Output("journal_path", "m", meaning, lambda samples: _way(samples, journals), parts))
+    return tuple(found)
+
+
+def averaged(run: Solution) -> tuple[Output, ...]:
+    """The averages that a run has, each with the interval of its own blocks."""
+    return tuple(_average(average) for average in run.averages())
+
+
+def _average(average: Average) -> Output:
+    def found(run: Solution) -> Average | None:
+        return next((other for other in run.averages() if other.name == average.name), None)
+
+    def mean(samples: Samples) -> float | None:
+        there = found(samples.run)
+        return None if there is None else there.mean
+
+    def half_width(run: Solution) -> float | None:
+        there = found(run)
+        return None if there is None else there.half_width
+
+    return Output(average.name, average.unit, "mean after the transient", mean, half_width=half_width)
+
+
+def chosen(run: Solution, texts: Sequence[str]) -> tuple[tuple[Output, ...], list[Fault]]:
+    """The outputs of these names, and the faults of what is none."""
+    own = {output.name: output for output in (*named(run), *averaged(run))}
+    found: dict[str, Output] = {}
+    faults = []
+    for text in texts:
+        kind, _, name = text.partition(".")
+        if text in own:
+            found[text] = own[text]
+        elif kind not in _KINDS or not name:
+            expected = f"one of {', '.join(own)}, or {', '.join(f'{kind}.NAME' for kind in _KINDS)} with a history"
+            faults.append(Fault("--output", repr(text), expected))
+        elif name not in run.history.units or name == "t":
+            faults.append(unknown("history", name, run.history.names))
+        else:
+            found[text] = _of_history(run, kind, name)
+    return tuple(found.values()), faults
+
+
+def _of_history(run: Solution, kind: str, name: str) -> Output:
+    meaning, of = _KINDS[kind]
+    return Output(f"{kind}.{name}", run.history.units[name], f"{meaning} {name}", lambda s: of(s, name), (name,))
+
+
+def _highest(samples: Samples, name: str) -> float:
+    return samples.highest(lambda history: history[name])
+
+
+def _lowest(samples: Samples, name: str) -> float:
+    return -samples.highest(lambda history: -history[name])
+
+
+_KINDS: dict[str, tuple[str, Callable[[Samples, str], float]]] = {
+    "max": ("largest", _highest),
+    "min": ("least", _lowest),
+    "mean": ("mean over time of", lambda s, name: s.integral(s[name]) / (s.t[-1] - s.t[0])),
+    "amplitude": ("half the range of", lambda s, name: (_highest(s, name) - _lowest(s, name)) / 2),
+}
+
+
+# -- what they are -----------------------------------------------------------------------------------------------------
+
+
+def _peak_force(samples: Samples) -> float:
+    return max((impact.peak_force for impact in samples.run.impacts), default=0.0)
+
+
+def _mean_peak_force(samples: Samples) -> float | None:
+    peaks = [impact.peak_force for impact in samples.run.impacts]
+    return float(np.mean(peaks)) if peaks else None
+
+
+def _impact_rate(samples: Samples) -> float:
+    return len(samples.run.impacts) / samples.run.t_end
+
+
+def _largest(history: History, names: Sequence[str]) -> np.ndarray:
+    largest: np.ndarray = np.max(np.abs([history[name] for name in names]), axis=0)
+    return largest
+
+
+def _way(samples: Samples, journals: Sequence[Sequence[str]]) -> float:
+    """Length of the paths of the eccentricities: the integral of their speeds."""
+    model = samples.run.model
+    fine = Samples(samples.run, WAY_SAMPLES)
+    rates = _output_rates(fine.history)
+    columns = ([model.outputs.index(part) for part in parts] for parts in journals)
+    return sum(fine.integral(np.sqrt(np.sum(rates[:, of] ** 2, axis=1))) for of in columns)
+
+
+def _output_rates(history: History) -> np.ndarray:
+    """Time derivatives of the model's outputs that depend on time and coordinates alone, shape (rows, outputs)."""
+    model = history.model
+
+    def made() -> Rowwise:
+        t, q, u, c = (ca.SX.sym(*of) for of in (("t",), ("q", model.nq), ("u", model.nu), ("c", model.nc)))
+        moves = ca.vertcat(1, model.function("coordinate_rates")(t, q, u, c))
+        rates = ca.jtimes(model.function("outputs")(t, q, u, c), ca.vertcat(t, q), moves)
+        return Rowwise(ca.Function("output_rates", [t, q, u, c], [ca.densify(rates)]), constant=3)
+
+    y = history.part("y")
+    rowwise: Rowwise = model.once("output rates", made)
+    (rates,) = rowwise(
+        history.controls[: model.nc], history.part("t"), y[:, : model.nq], y[:, model.nq : model.nq + model.nu]
+    )
+    return rates
+
+
+def _journals(model: Model) -> list[tuple[str, ...]]:
+    of_pairs = (
+        tuple(name for name in model.outputs if name.startswith(f"{pair}.eccentricity_")) for pair in model.pairs
+    )
+    return [parts for parts in of_pairs if parts]
+
+
+def _coordinates(model: Model) -> list[str]:
+    """The coordinates with a speed of their own that travel, or else those that turn, or else the vector parts of quaternions."""
+    free = [name for i, name in enumerate(model.coordinates) if i not in model.quaternions]
+    free = [name for name, _ in zip(free, model.speeds, strict=False)]  # then, what drives integrate
+    return _of_one_kind(model, free, "m")
+
+
+def _of_one_kind(model: Model, names: Sequence[str], wanted: str) -> list[str]:
+    return [name for name in names if model.units[name] == wanted] or list(names)

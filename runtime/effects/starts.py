@@ -1,0 +1,86 @@
+"""How a scene without a drive starts: as the driven one does, so that what changes is what the drive does, and not a joint that starts at rest."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+import numpy as np
+
+from hertzwerk.runtime.binding import Value
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model import Model
+    from hertzwerk.runtime.solution import Solution
+
+CORRECTIONS = 20  # of the positions, by Gauss and Newton
+AGREE = 1e-9  # relative: the poses of all bodies and their rates, where they are the same
+
+
+def as_driven(run: Solution, model: Model, parameters: Mapping[str, Value]) -> dict[str, tuple[float, str]]:
+    """Coordinates and speeds of joints that a scene has beyond those of a run's model, so that every body starts as there.
+
+    The rest starts as in the run. Empty where there are none such, and where bodies cannot start so.
+    """
+    whole, joints = run.model, model.joints
+    q_free = [i for i, name in enumerate(joints.coordinates) if name not in whole.joints.coordinates]
+    u_free = [i for i, name in enumerate(joints.speeds) if name not in whole.joints.speeds]
+    if whole.module.BODIES != model.module.BODIES or not (q_free or u_free):
+        return {}
+    known = run.initial
+    start = (np.array([known[name] for name in names]) for names in (whole.coordinates, whole.speeds))
+    there = _flat(_motion(whole)(0.0, *start, run.history.controls[: whole.nc]))
+    bound = model.bind(parameters)
+    q, u = _flat(joints.function("start")(bound.p))
+    for values, names in ((q, joints.coordinates), (u, joints.speeds)):
+        values[:] = [known.get(name, value) for name, value in zip(names, values, strict=True)]
+    motion = _motion_of_joints(model)
+    for _ in range(CORRECTIONS):
+        poses, _, by_q, _ = motion(0.0, q, u, bound.c)
+        q[q_free] += _least_squares(by_q, q_free, there[0] - np.array(poses).ravel())
+    _, rates, _, by_u = motion(0.0, q, u, bound.c)
+    u[u_free] += _least_squares(by_u, u_free, there[1] - np.array(rates).ravel())
+    here = _flat(motion(0.0, q, u, bound.c)[:2])
+    if any(
+        np.max(np.abs(x - y)) > AGREE * max(1.0, float(np.max(np.abs(y)))) for x, y in zip(here, there, strict=True)
+    ):
+        return {}
+    found = [(joints.coordinates[i], q[i]) for i in q_free] + [(joints.speeds[i], u[i]) for i in u_free]
+    return {name: (float(value), joints.units[name]) for name, value in found}
+
+
+def _flat(results: Sequence[Any]) -> list[np.ndarray]:
+    return [np.array(result).ravel() for result in results]
+
+
+def _motion(model: Model) -> Any:
+    """(t, q, u, c) -> the poses of all bodies, and their rates."""
+
+    def made() -> Any:
+        sizes = {"t": 1, "q": model.nq, "u": model.nu, "c": model.nc}
+        t, q, u, c = symbols = [ca.SX.sym(name, size) for name, size in sizes.items()]
+        poses = ca.vertcat(*model.function("poses")(t, q, c))
+        moves = ca.vertcat(1, model.function("coordinate_rates")(t, q, u, c))
+        return ca.Function("motion", symbols, [poses, ca.jtimes(poses, ca.vertcat(t, q), moves)])
+
+    return model.once("motion", made)
+
+
+def _motion_of_joints(model: Model) -> Any:
+    """(t, q, u, c), q and u of the joints -> the poses, their rates; derivatives of the poses by q, and of the rates by u."""
+
+    def made() -> Any:
+        sizes = {"t": 1, "q": model.joints.nq, "u": model.joints.nu, "c": model.nc}
+        t, q, u, c = symbols = [ca.SX.sym(name, size) for name, size in sizes.items()]
+        placed = (q, u) if model.joints is model else model.function("placed")(t, q, u, c)
+        poses, rates = _motion(model)(t, *placed, c)
+        return ca.Function("motion_of_joints", symbols, [poses, rates, ca.jacobian(poses, q), ca.jacobian(rates, u)])
+
+    return model.once("motion of joints", made)
+
+
+def _least_squares(columns: Any, free: Sequence[int], wanted: np.ndarray) -> np.ndarray:
+    """Changes of the free variables that come closest to what is wanted."""
+    changes: np.ndarray = np.linalg.lstsq(np.array(columns)[:, free], wanted, rcond=None)[0]
+    return changes
