@@ -32,7 +32,7 @@ HEARD = 1e-3  # of the tolerance: a smaller difference of two runs is rounding, 
 class ErrorEstimate:
     """What a run's error is, in the scene's scales (`scales.error`), by comparison with tighter runs.
 
-    end           error at the end of the run; nan where no tighter run got there
+    end           error at the end of the run, never told to be below 1e-13; nan where no tighter run got there
     times, values (n,)   error along the run, times [s], as far as both runs got
     horizon       time [s] up to which the error stays within 1 % of the scales; None: the whole run. A single time of `times` above is none:
                   there one run has had an impact that the other is about to have.
@@ -147,7 +147,9 @@ class _Checked(Generic[Kept]):
 
     @property
     def end(self) -> float:
-        return float(self.values[-1]) if self.whole else math.nan
+        return (
+            max(float(self.values[-1]), LEAST) if self.whole else math.nan
+        )  # at rest runs agree to more digits than are true
 
 
 class Ladder(Generic[Kept]):
