@@ -51,6 +51,8 @@ class Dimension:
     def from_unit(cls, unit: Unit | str, symbols: Mapping[str, Expr] | None = None) -> Dimension:
         """The dimension of a unit (or its text), the names in its exponents replaced by `symbols` (or numbers)."""
         unit = parse_unit(unit) if isinstance(unit, str) else unit
+        if not unit.free_names:
+            return _of_unit(unit)
         symbols = symbols or {}
         if missing := [name for name in unit.free_names if name not in symbols]:
             raise UnitError(f"unit {unit}: found the exponent {', '.join(missing)}, expected the name of a parameter")
@@ -90,6 +92,12 @@ class Dimension:
         mass, length, time, temperature = (_linear(exponent) for exponent in self.exponents)
         exponents: Exponents = (mass, length, time, temperature)
         return unit_text(exponents)
+
+
+@lru_cache(maxsize=4096)
+def _of_unit(unit: Unit) -> Dimension:
+    """Of a unit without names in its exponents."""
+    return Dimension(*(_canonical(exponent.constant) for exponent in unit.exponents))
 
 
 def _canonical(value: Expr) -> Expr:

@@ -8,6 +8,7 @@ results need; slices that read `c` stop at the constants, so nothing that could 
 from __future__ import annotations
 
 import keyword
+import operator
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -55,6 +56,8 @@ class Tape:
     """Dimensions of the inputs, and of assignments whose dimension is stated instead of inferred (unchecked laws)."""
     _groups: dict[Any, frozenset[str]] = field(default_factory=dict)
     _known: dict[Any, sp.Symbol] = field(default_factory=dict)
+    _unsigned: set[Any] = field(default_factory=set)
+    """Of what is known: see `_unsigned`."""
     _rates: dict[sp.Symbol, Any] = field(default_factory=dict)
     _names: set[str] = field(default_factory=lambda: set(RESERVED))
 
@@ -74,23 +77,29 @@ class Tape:
     def let(self, expression: Any, name: str, dimension: Dimension | None = None) -> Any:
         """Name an intermediate result; numbers and symbols (also negated) pass through. `dimension` states it unchecked."""
         expression = sp.sympify(expression)
-        if dimension is None and expression.is_Atom:
+        if dimension is not None:
+            symbol = self._assign(expression, name)
+            self.declared[symbol] = dimension
+            return symbol
+        if expression.is_Atom:
             return expression
-        if dimension is None:
-            expression = self._hoist(expression)
-        if dimension is None and (expression.is_Atom or _opposite(expression).is_Symbol):
+        expression = self._hoist(expression)
+        if expression.is_Atom or _opposite(expression).is_Symbol:
             return expression
-        if dimension is None and expression.could_extract_minus_sign() and -expression in self._known:
-            return -self._known[-expression]
-        if dimension is None and expression in self._known:
-            return self._known[expression]
+        unsigned = _unsigned(expression)
+        if unsigned in self._unsigned:
+            if -expression in self._known and expression.could_extract_minus_sign():
+                return -self._known[-expression]
+            if expression in self._known:
+                return self._known[expression]
+        self._unsigned.add(unsigned)
+        self._known[expression] = symbol = self._assign(expression, name)
+        return symbol
+
+    def _assign(self, expression: Any, name: str) -> sp.Symbol:
         symbol = sp.Symbol(self._unique(name), real=True)
         self.assignments[symbol] = expression
         self._groups[symbol] = self._groups_of(expression)
-        if dimension is None:
-            self._known[expression] = symbol
-        else:
-            self.declared[symbol] = dimension
         return symbol
 
     def vector(self, vector: Vector, name: str) -> Vector:
@@ -140,11 +149,14 @@ class Tape:
             return expression
         if expression.is_Mul or expression.is_Add:
             still = [arg for arg in expression.args if self.is_constant(arg)]
-            moving = [self._hoist(arg) for arg in expression.args if not self.is_constant(arg)]
-            part = expression.func(*still)
+            others = [arg for arg in expression.args if not self.is_constant(arg)]
+            moving = [self._hoist(arg) for arg in others]
+            part = still[0] if len(still) == 1 else expression.func(*still)
             if not (part.is_Atom or _opposite(part).is_Symbol):
                 sign = -1 if expression.is_Mul and part.could_extract_minus_sign() else 1
                 part = sign * self.let(sign * part, "k1")
+            elif all(map(operator.is_, moving, others)):
+                return expression  # there is nothing to take out
             return expression.func(part, *moving)
         if expression.is_Pow:  # an exponent stays as written: the audit compares it with the exponent in a unit
             base = self._hoist(expression.base)
@@ -210,6 +222,16 @@ def _opposite(expression: Any) -> Any:
     """The atom that an expression is minus of, or zero; to make the opposite and look takes a hundred times longer."""
     negated = expression.is_Mul and len(expression.args) == 2 and expression.args[0] is sp.S.NegativeOne
     return expression.args[1] if negated and expression.args[1].is_Atom else sp.S.Zero
+
+
+def _unsigned(expression: Any) -> Any:
+    """What an expression has in common with its opposite and hardly any other; to look this up first spares making most of the opposites."""
+    if expression.is_Add:
+        return frozenset(map(_unsigned, expression.args))
+    if expression.is_Mul and expression.args[0].is_Number:
+        number, *factors = expression.args
+        return (*factors,) if number is sp.S.NegativeOne else (*factors, abs(number))
+    return expression.args if expression.is_Mul else (expression,)
 
 
 def symbols_in(expression: Any) -> list[sp.Symbol]:
