@@ -127,6 +127,8 @@ def _raise(a: Dimension, exponent: Expr) -> Dimension:
 
 def _linear(exponent: Expr) -> Exponent:
     """A SymPy exponent for printing; what is no name (1/k, k*n) prints in parentheses."""
+    if exponent.is_Rational:
+        return Exponent(Fraction(exponent.p, exponent.q))
     total = Exponent()
     for term, c in sympy.expand(exponent).as_coefficients_dict().items():
         number = Fraction(int(c.p), int(c.q))

@@ -11,6 +11,7 @@ import keyword
 import operator
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import sympy as sp
@@ -43,6 +44,13 @@ class Function:
     arguments: tuple[str, ...]
     body: tuple[tuple[sp.Symbol, sp.Expr], ...]
     results: tuple[Result, ...]
+
+    @cached_property
+    def reads(self) -> tuple[sp.Symbol, ...]:
+        """The symbols it takes from outside, in order of first use."""
+        expressions = [e for _, e in self.body] + [e for result in self.results for e in result.expressions]
+        made = {symbol for symbol, _ in self.body}  # each before it is used
+        return tuple(s for s in symbols_in(*expressions) if s not in made)
 
 
 @dataclass
@@ -207,14 +215,14 @@ class Tape:
             pending.extend(symbols_in(self.assignments[symbol]))
         body = tuple((symbol, e) for symbol, e in self.assignments.items() if symbol in needed)
         function = Function(name, summary, arguments, body, results)
-        foreign = [s for s in reads(function) if self.inputs.get(s, PARAMETER) not in (*arguments, PARAMETER)]
+        foreign = [s for s in function.reads if self.inputs.get(s, PARAMETER) not in (*arguments, PARAMETER)]
         if foreign:
             raise ValueError(f"{name}({', '.join(arguments)}) would read {', '.join(map(str, foreign))}")
         return function
 
     def constants(self, functions: Iterable[Function]) -> list[sp.Symbol]:
         """What `functions` read of parameters and parameter-only results: the entries of c, parameters first, in declared order."""
-        wanted = {s for f in functions if CONSTANT in f.arguments for s in reads(f) if self.is_constant(s)}
+        wanted = {s for f in functions if CONSTANT in f.arguments for s in f.reads if self.is_constant(s)}
         return [symbol for symbol in (*self.inputs, *self.assignments) if symbol in wanted]
 
 
@@ -234,29 +242,16 @@ def _unsigned(expression: Any) -> Any:
     return expression.args if expression.is_Mul else (expression,)
 
 
-def symbols_in(expression: Any) -> list[sp.Symbol]:
-    """The symbols of an expression in the order they stand in it (never in hash order)."""
+def symbols_in(*expressions: Any) -> list[sp.Symbol]:
+    """The symbols of expressions in the order they stand there (never in hash order)."""
     found: dict[sp.Symbol, None] = {}
-    pending = [sp.sympify(expression)]
+    pending = [sp.sympify(expression) for expression in reversed(expressions)]
     while pending:
         node = pending.pop()
-        if isinstance(node, sp.Symbol):
+        if node.is_Symbol:
             found[node] = None
         else:
             pending.extend(reversed(node.args))
-    return list(found)
-
-
-def reads(function: Function) -> list[sp.Symbol]:
-    """The symbols a function takes from outside, in order of first use."""
-    made: set[sp.Symbol] = set()
-    found: dict[sp.Symbol, None] = {}
-    for symbol, expression in function.body:
-        found.update((s, None) for s in symbols_in(expression) if s not in made)
-        made.add(symbol)
-    for result in function.results:
-        for expression in result.expressions:
-            found.update((s, None) for s in symbols_in(expression) if s not in made)
     return list(found)
 
 
@@ -268,7 +263,7 @@ def shared(function: Function) -> Function:
             count[node] = count.get(node, 0) + 1
     names: dict[Any, sp.Symbol] = {}
     body: list[tuple[sp.Symbol, sp.Expr]] = []
-    taken = {symbol.name for symbol in (*reads(function), *(symbol for symbol, _ in function.body))}
+    taken = {symbol.name for symbol in (*function.reads, *(symbol for symbol, _ in function.body))}
     count_names = 0
 
     def visit(expression: Any, whole: bool = False) -> Any:
