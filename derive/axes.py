@@ -10,7 +10,7 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.program import Tape
-from hertzwerk.derive.vectors import Matrix, Vector, apply, rotation, transpose
+from hertzwerk.derive.vectors import Matrix, Vector, apply, dot, less, product, rotation, total, transpose
 
 
 class Symmetric:
@@ -36,12 +36,12 @@ class Symmetric:
 
     def apply(self, a: Vector) -> Vector:
         """M a; entries that meet a zero are never asked for."""
-        return tuple(sp.Add(*(self[i, j] * a[j] for j in range(3) if a[j] != 0)) for i in range(3))
+        return tuple(total(*(product(self[i, j], a[j]) for j in range(3) if a[j] != 0)) for i in range(3))
 
 
 def added(*parts: Symmetric) -> Symmetric:
     """Sum of symmetric matrices."""
-    return Symmetric(lambda i, j: sp.Add(*(part[i, j] for part in parts)))
+    return Symmetric(lambda i, j: total(*(part[i, j] for part in parts)))
 
 
 def of_matrix(matrix: Matrix) -> Symmetric:
@@ -73,7 +73,8 @@ class Turn:
     def _rotated(self, a: Vector, sine: Any) -> Vector:
         i, j = (self.k + 1) % 3, (self.k + 2) % 3
         out = list(a)
-        out[i], out[j] = self.cosine * a[i] - sine * a[j], sine * a[i] + self.cosine * a[j]
+        out[i] = less(product(self.cosine, a[i]), product(sine, a[j]))
+        out[j] = total(product(sine, a[i]), product(self.cosine, a[j]))
         return (out[0], out[1], out[2])
 
     def symmetric(self, inner: Symmetric, tape: Tape, name: str) -> Symmetric:
@@ -117,7 +118,7 @@ class Fixed:
         """R J R^T."""
         R = self.matrix
         half = [tape.vector(inner.apply(R[i]), f"{name}_half_{'xyz'[i]}") for i in range(3)]
-        return Symmetric(lambda i, j: sp.Add(*(R[j][k] * half[i][k] for k in range(3))))
+        return Symmetric(lambda i, j: dot(R[j], half[i]))
 
 
 Step = Turn | Fixed

@@ -51,6 +51,8 @@ class Dimension:
     def from_unit(cls, unit: Unit | str, symbols: Mapping[str, Expr] | None = None) -> Dimension:
         """The dimension of a unit (or its text), the names in its exponents replaced by `symbols` (or numbers)."""
         unit = parse_unit(unit) if isinstance(unit, str) else unit
+        if not unit.free_names:
+            return _of_unit(unit)
         symbols = symbols or {}
         if missing := [name for name in unit.free_names if name not in symbols]:
             raise UnitError(f"unit {unit}: found the exponent {', '.join(missing)}, expected the name of a parameter")
@@ -92,6 +94,12 @@ class Dimension:
         return unit_text(exponents)
 
 
+@lru_cache(maxsize=4096)
+def _of_unit(unit: Unit) -> Dimension:
+    """Of a unit without names in its exponents."""
+    return Dimension(*(_canonical(exponent.constant) for exponent in unit.exponents))
+
+
 def _canonical(value: Expr) -> Expr:
     """An exponent in the form in which equal exponents are identical: rational, or a cancelled rational function."""
     if isinstance(value, sympy.Rational):
@@ -119,6 +127,8 @@ def _raise(a: Dimension, exponent: Expr) -> Dimension:
 
 def _linear(exponent: Expr) -> Exponent:
     """A SymPy exponent for printing; what is no name (1/k, k*n) prints in parentheses."""
+    if exponent.is_Rational:
+        return Exponent(Fraction(exponent.p, exponent.q))
     total = Exponent()
     for term, c in sympy.expand(exponent).as_coefficients_dict().items():
         number = Fraction(int(c.p), int(c.q))

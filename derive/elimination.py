@@ -7,6 +7,7 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.program import Tape
+from hertzwerk.derive.vectors import less, product
 
 
 class Factor:
@@ -21,27 +22,27 @@ class Factor:
         for i, row in enumerate(order):
             known: list[str] = []
             for k in order[:i]:
-                terms = [self._lower[k, j] * work[row, j] for j in known if (k, j) in self._lower]
-                value = tape.let(matrix.get((row, k), sp.S.Zero) - sp.Add(*terms), f"L_{label[row]}_{label[k]}")
+                terms = [product(self._lower[k, j], work[row, j]) for j in known if (k, j) in self._lower]
+                value = tape.let(less(matrix.get((row, k), sp.S.Zero), *terms), f"L_{label[row]}_{label[k]}")
                 if value != 0:
                     known.append(k)
                     work[row, k] = value
                     self._lower[row, k] = tape.let(value / self._diagonal[k], f"l_{label[row]}_{label[k]}")
-            terms = [self._lower[row, j] * work[row, j] for j in known]
-            self._diagonal[row] = tape.let(matrix[row, row] - sp.Add(*terms), f"D_{label[row]}")
+            terms = [product(self._lower[row, j], work[row, j]) for j in known]
+            self._diagonal[row] = tape.let(less(matrix[row, row], *terms), f"D_{label[row]}")
 
     def solve(self, right: dict[str, Any], label: str) -> dict[str, Any]:
         """The solution for one right-hand side, in the reverse of the order of elimination."""
         tape, order, lower = self._tape, self.names, self._lower
         solved: dict[str, Any] = {}
         for i, row in enumerate(order):
-            terms = [lower[row, k] * solved[k] for k in order[:i] if (row, k) in lower]
-            solved[row] = tape.let(right[row] - sp.Add(*terms), f"y_{self._label[row]}") if terms else right[row]
+            terms = [product(lower[row, k], solved[k]) for k in order[:i] if (row, k) in lower]
+            solved[row] = tape.let(less(right[row], *terms), f"y_{self._label[row]}") if terms else right[row]
         result: dict[str, Any] = {}
         for i in reversed(range(len(order))):
             row = order[i]
-            terms = [lower[k, row] * result[k] for k in order[i + 1 :] if (k, row) in lower]
-            result[row] = tape.let(solved[row] / self._diagonal[row] - sp.Add(*terms), f"{self._label[row]}_{label}")
+            terms = [product(lower[k, row], result[k]) for k in order[i + 1 :] if (k, row) in lower]
+            result[row] = tape.let(less(solved[row] / self._diagonal[row], *terms), f"{self._label[row]}_{label}")
         return result
 
 

@@ -8,8 +8,10 @@ results need; slices that read `c` stop at the constants, so nothing that could 
 from __future__ import annotations
 
 import keyword
+import operator
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import sympy as sp
@@ -43,6 +45,13 @@ class Function:
     body: tuple[tuple[sp.Symbol, sp.Expr], ...]
     results: tuple[Result, ...]
 
+    @cached_property
+    def reads(self) -> tuple[sp.Symbol, ...]:
+        """The symbols it takes from outside, in order of first use."""
+        expressions = [e for _, e in self.body] + [e for result in self.results for e in result.expressions]
+        made = {symbol for symbol, _ in self.body}  # each before it is used
+        return tuple(s for s in symbols_in(*expressions) if s not in made)
+
 
 @dataclass
 class Tape:
@@ -55,6 +64,8 @@ class Tape:
     """Dimensions of the inputs, and of assignments whose dimension is stated instead of inferred (unchecked laws)."""
     _groups: dict[Any, frozenset[str]] = field(default_factory=dict)
     _known: dict[Any, sp.Symbol] = field(default_factory=dict)
+    _unsigned: set[Any] = field(default_factory=set)
+    """Of what is known: see `_unsigned`."""
     _rates: dict[sp.Symbol, Any] = field(default_factory=dict)
     _names: set[str] = field(default_factory=lambda: set(RESERVED))
 
@@ -74,23 +85,29 @@ class Tape:
     def let(self, expression: Any, name: str, dimension: Dimension | None = None) -> Any:
         """Name an intermediate result; numbers and symbols (also negated) pass through. `dimension` states it unchecked."""
         expression = sp.sympify(expression)
-        if dimension is None and expression.is_Atom:
+        if dimension is not None:
+            symbol = self._assign(expression, name)
+            self.declared[symbol] = dimension
+            return symbol
+        if expression.is_Atom:
             return expression
-        if dimension is None:
-            expression = self._hoist(expression)
-        if dimension is None and (expression.is_Atom or _opposite(expression).is_Symbol):
+        expression = self._hoist(expression)
+        if expression.is_Atom or _opposite(expression).is_Symbol:
             return expression
-        if dimension is None and expression.could_extract_minus_sign() and -expression in self._known:
-            return -self._known[-expression]
-        if dimension is None and expression in self._known:
-            return self._known[expression]
+        unsigned = _unsigned(expression)
+        if unsigned in self._unsigned:
+            if -expression in self._known and expression.could_extract_minus_sign():
+                return -self._known[-expression]
+            if expression in self._known:
+                return self._known[expression]
+        self._unsigned.add(unsigned)
+        self._known[expression] = symbol = self._assign(expression, name)
+        return symbol
+
+    def _assign(self, expression: Any, name: str) -> sp.Symbol:
         symbol = sp.Symbol(self._unique(name), real=True)
         self.assignments[symbol] = expression
         self._groups[symbol] = self._groups_of(expression)
-        if dimension is None:
-            self._known[expression] = symbol
-        else:
-            self.declared[symbol] = dimension
         return symbol
 
     def vector(self, vector: Vector, name: str) -> Vector:
@@ -140,11 +157,14 @@ class Tape:
             return expression
         if expression.is_Mul or expression.is_Add:
             still = [arg for arg in expression.args if self.is_constant(arg)]
-            moving = [self._hoist(arg) for arg in expression.args if not self.is_constant(arg)]
-            part = expression.func(*still)
+            others = [arg for arg in expression.args if not self.is_constant(arg)]
+            moving = [self._hoist(arg) for arg in others]
+            part = still[0] if len(still) == 1 else expression.func(*still)
             if not (part.is_Atom or _opposite(part).is_Symbol):
                 sign = -1 if expression.is_Mul and part.could_extract_minus_sign() else 1
                 part = sign * self.let(sign * part, "k1")
+            elif all(map(operator.is_, moving, others)):
+                return expression  # there is nothing to take out
             return expression.func(part, *moving)
         if expression.is_Pow:  # an exponent stays as written: the audit compares it with the exponent in a unit
             base = self._hoist(expression.base)
@@ -195,14 +215,14 @@ class Tape:
             pending.extend(symbols_in(self.assignments[symbol]))
         body = tuple((symbol, e) for symbol, e in self.assignments.items() if symbol in needed)
         function = Function(name, summary, arguments, body, results)
-        foreign = [s for s in reads(function) if self.inputs.get(s, PARAMETER) not in (*arguments, PARAMETER)]
+        foreign = [s for s in function.reads if self.inputs.get(s, PARAMETER) not in (*arguments, PARAMETER)]
         if foreign:
             raise ValueError(f"{name}({', '.join(arguments)}) would read {', '.join(map(str, foreign))}")
         return function
 
     def constants(self, functions: Iterable[Function]) -> list[sp.Symbol]:
         """What `functions` read of parameters and parameter-only results: the entries of c, parameters first, in declared order."""
-        wanted = {s for f in functions if CONSTANT in f.arguments for s in reads(f) if self.is_constant(s)}
+        wanted = {s for f in functions if CONSTANT in f.arguments for s in f.reads if self.is_constant(s)}
         return [symbol for symbol in (*self.inputs, *self.assignments) if symbol in wanted]
 
 
@@ -212,29 +232,26 @@ def _opposite(expression: Any) -> Any:
     return expression.args[1] if negated and expression.args[1].is_Atom else sp.S.Zero
 
 
-def symbols_in(expression: Any) -> list[sp.Symbol]:
-    """The symbols of an expression in the order they stand in it (never in hash order)."""
+def _unsigned(expression: Any) -> Any:
+    """What an expression has in common with its opposite and hardly any other; to look this up first spares making most of the opposites."""
+    if expression.is_Add:
+        return frozenset(map(_unsigned, expression.args))
+    if expression.is_Mul and expression.args[0].is_Number:
+        number, *factors = expression.args
+        return (*factors,) if number is sp.S.NegativeOne else (*factors, abs(number))
+    return expression.args if expression.is_Mul else (expression,)
+
+
+def symbols_in(*expressions: Any) -> list[sp.Symbol]:
+    """The symbols of expressions in the order they stand there (never in hash order)."""
     found: dict[sp.Symbol, None] = {}
-    pending = [sp.sympify(expression)]
+    pending = [sp.sympify(expression) for expression in reversed(expressions)]
     while pending:
         node = pending.pop()
-        if isinstance(node, sp.Symbol):
+        if node.is_Symbol:
             found[node] = None
         else:
             pending.extend(reversed(node.args))
-    return list(found)
-
-
-def reads(function: Function) -> list[sp.Symbol]:
-    """The symbols a function takes from outside, in order of first use."""
-    made: set[sp.Symbol] = set()
-    found: dict[sp.Symbol, None] = {}
-    for symbol, expression in function.body:
-        found.update((s, None) for s in symbols_in(expression) if s not in made)
-        made.add(symbol)
-    for result in function.results:
-        for expression in result.expressions:
-            found.update((s, None) for s in symbols_in(expression) if s not in made)
     return list(found)
 
 
@@ -246,7 +263,7 @@ def shared(function: Function) -> Function:
             count[node] = count.get(node, 0) + 1
     names: dict[Any, sp.Symbol] = {}
     body: list[tuple[sp.Symbol, sp.Expr]] = []
-    taken = {symbol.name for symbol in (*reads(function), *(symbol for symbol, _ in function.body))}
+    taken = {symbol.name for symbol in (*function.reads, *(symbol for symbol, _ in function.body))}
     count_names = 0
 
     def visit(expression: Any, whole: bool = False) -> Any:

@@ -33,10 +33,13 @@ from hertzwerk.derive.vectors import (
     diagonal,
     dot,
     is_zero,
+    less,
     multiply,
     outer,
+    product,
     scale,
     scaled,
+    total,
     transpose,
 )
 
@@ -179,9 +182,9 @@ class Recursion:
         driven = add(
             *(scale(row.acceleration, axis) for row, axis in zip(link.rows, axes, strict=True) if not row.free)
         )
-        total = tape.vector(add(w, turn), f"{name}_rate")
+        rate = tape.vector(add(w, turn), f"{name}_rate")
         bias = tape.vector(add(alpha, cross(w, turn), driven), f"{name}_angular_bias")
-        return Spin(total, bias, w, alpha, along(axes[0]) if link.kind == "turn" else None)
+        return Spin(rate, bias, w, alpha, along(axes[0]) if link.kind == "turn" else None)
 
     @per_link
     def swing(self, link: Link) -> Callable[[Vector], Vector]:
@@ -199,13 +202,13 @@ class Recursion:
             return tape.let(sign * alpha[k] + self.product(link, w, i, j), f"{name}_U_{'xyz'[i]}_{'xyz'[j]}")
 
         def times(r: Vector) -> Vector:
-            return tuple(sp.Add(*(entry(i, j) * r[j] for j in range(3) if r[j] != 0)) for i in range(3))
+            return tuple(total(*(product(entry(i, j), r[j]) for j in range(3) if r[j] != 0)) for i in range(3))
 
         return times
 
     def product(self, link: Link, w: Vector, i: int, j: int) -> Any:
         """w_i w_j, named, so that it is made once."""
-        return self.tape.let(w[i] * w[j], f"{link.name}_rate_{'xyz'[i]}{'xyz'[j]}")
+        return self.tape.let(product(w[i], w[j]), f"{link.name}_rate_{'xyz'[i]}{'xyz'[j]}")
 
     @per_link
     def jump(self, link: Link) -> Vector:
@@ -258,18 +261,18 @@ class Recursion:
         out = []
         for i in range(3):
             j, k = (i + 1) % 3, (i + 2) % 3
-            total = sp.S.Zero
+            terms = []
             if alpha[i] != 0:
-                total += J[i, i] * alpha[i]
+                terms.append(product(J[i, i], alpha[i]))
             if w[j] != 0 and w[k] != 0:
-                total += (J[k, k] - J[j, j]) * self.product(link, w, j, k)
+                terms.append((J[k, k] - J[j, j]) * self.product(link, w, j, k))
             products = (
                 ((i, j), alpha[j] - self.product(link, w, i, k)),
                 ((i, k), alpha[k] + self.product(link, w, i, j)),
                 ((j, k), self.product(link, w, j, j) - self.product(link, w, k, k)),
             )
-            total += sp.Add(*(J[place] * value for place, value in products if value != 0))
-            out.append(total)
+            terms += [product(J[place], value) for place, value in products if value != 0]
+            out.append(total(*terms))
         return (out[0], out[1], out[2])
 
     # -- velocity, for the energy ----------------------------------------------------------------------------------
@@ -294,7 +297,7 @@ def _shifted(arm: Vector, moment: Vector) -> Symmetric:
 
     def entry(i: int, j: int) -> Any:
         if i != j:
-            return -arm[i] * moment[j] - arm[j] * moment[i]
-        return sp.Add(*(2 * arm[k] * moment[k] for k in range(3) if k != i))
+            return less(-product(arm[i], moment[j]), product(arm[j], moment[i]))
+        return total(*(2 * product(arm[k], moment[k]) for k in range(3) if k != i))
 
     return Symmetric(entry)

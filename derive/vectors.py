@@ -14,13 +14,22 @@ def product(a: Any, b: Any) -> Any:
     """A b; zeros and ones are seen without SymPy's help, which takes a hundred times longer."""
     if a is ZERO[0] or b is ZERO[0]:
         return ZERO[0]
-    return b if a is sp.S.One else a if b is sp.S.One else a * b
+    if a is sp.S.One or b is sp.S.One:
+        return b if a is sp.S.One else a
+    if isinstance(a, sp.Symbol) and isinstance(b, sp.Symbol) and (order := a.compare(b)):
+        return sp.Mul(a, b, evaluate=False) if order < 0 else sp.Mul(b, a, evaluate=False)  # as SymPy has it, sooner
+    return a * b
 
 
-def total(*terms: Any) -> Any:
+def total(*given: Any) -> Any:
     """Sum."""
-    terms = tuple(term for term in terms if term is not ZERO[0])
+    terms = [term for term in given if term is not ZERO[0]]
     return terms[0] if len(terms) == 1 else sp.Add(*terms)
+
+
+def less(value: Any, *terms: Any) -> Any:
+    """A value minus the sum of terms, whose opposites are cheaper to make than that of their sum."""
+    return total(value, *(-term for term in terms))
 
 
 def add(*vectors: Vector) -> Vector:

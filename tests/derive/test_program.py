@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from hertzwerk.derive.dimension import ONE
 from hertzwerk.derive.emit import function_text, operations
 from hertzwerk.derive.functions import Where
-from hertzwerk.derive.program import Function, Program, Result, Tape, reads, shared, symbols_in
+from hertzwerk.derive.program import Function, Program, Result, Tape, shared, symbols_in
 
 
 class Small:
@@ -178,7 +178,7 @@ def test_sharing_names_what_occurs_twice_once():
     once = shared(function)
     assert sum(e.has(sp.sin) for _, e in once.body) == 1
     assert not any(sp.sympify(e).has(sp.sin) for e in once.results[0].expressions)
-    assert reads(once) == reads(function) == [x, y] or set(reads(once)) == {x, y}
+    assert once.reads == function.reads == (x, y) or set(once.reads) == {x, y}
 
 
 def test_sharing_respects_names_that_are_taken():
