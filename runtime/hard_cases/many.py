@@ -5,10 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from hertzwerk.runtime.hard_cases import closed
-from hertzwerk.runtime.hard_cases.case import METHODS, REFERENCED, HardCase, Known, Source, contacts, final
+from hertzwerk.runtime.hard_cases.case import METHODS, REFERENCED, HardCase, Known, Source, contacts, final, impact
 
 TOLERANCE = 1e-8
 PART = 100 * TOLERANCE  # of a speed after a few impacts
+APART = 1e-6  # m, and so as many seconds
+NEARLY = {"left": -0.999758604583, "middle": -0.000482616145, "right": 1.000241220728}  # m/s
 TOUCHING = (-0.071085017086, -0.030273764097, -0.014463629032, 0.127044986067, 0.988777424148)  # m/s, after 20 ms
 
 
@@ -46,6 +48,27 @@ def _both_sides(e: float) -> HardCase:
     )
 
 
+def _nearly_both_sides() -> HardCase:
+    source = "SciPy's DOP853 at 1e-13, without events"
+    free = "uniform motion; what the first contact moves in 1 us is 1e-14 m"
+    return HardCase(
+        name="both_sides_1us_apart",
+        theme="many pairs",
+        hard="two pairs of one sphere hit 1 us apart: a step that has landed on one must not be moved on to the other, past the one",
+        source=Source("struck_from_both_sides", hard=True),
+        duration=0.01,
+        tolerance=TOLERANCE,
+        methods=REFERENCED,
+        initial={"right.travel": (0.041 + APART, "m")},
+        known=(
+            contacts(2, "two impacts"),
+            impact(0, "t", 1e-3, 1e-12, free),
+            impact(1, "t", 1e-3 + APART, 1e-12, free),
+            *(final(f"{body}.speed", speed, PART, source) for body, speed in NEARLY.items()),
+        ),
+    )
+
+
 def _row(count: int, *, long: bool) -> HardCase:
     return HardCase(
         name=f"row_of_{count}",
@@ -63,6 +86,7 @@ def _row(count: int, *, long: bool) -> HardCase:
 CASES = (
     _both_sides(1.0),
     _both_sides(0.5),
+    _nearly_both_sides(),
     _row(5, long=False),
     HardCase(
         name="touching_row_of_5",

@@ -77,6 +77,15 @@ TRIES: dict[str, dict[str, int]] = {
     "law_left": {"dopri5": 1264, "dop853": 555, "rodas": 1210, "esdirk": 1027, "auto": 555},
     "both_sides_e10": {"dopri5": 52, "dop853": 26, "rodas": 75, "esdirk": 61, "auto": 26, "cvodes": 347, "idas": 347},
     "both_sides_e05": {"dopri5": 51, "dop853": 31, "rodas": 87, "esdirk": 65, "auto": 31, "cvodes": 340, "idas": 340},
+    "both_sides_1us_apart": {
+        "dopri5": 55,
+        "dop853": 28,
+        "rodas": 77,
+        "esdirk": 61,
+        "auto": 28,
+        "cvodes": 349,
+        "idas": 349,
+    },
     "row_of_5": {"dopri5": 181, "dop853": 81, "rodas": 246, "esdirk": 198, "auto": 81, "cvodes": 485, "idas": 485},
     "touching_row_of_5": {
         "dopri5": 125,

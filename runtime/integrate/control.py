@@ -50,17 +50,19 @@ def remembered(h: Any, kept: Any, grown: Any) -> Any:
     return ca.if_else(h < kept * (1 - 1e-9), ca.fmax(kept, grown), grown)
 
 
-def near_surfaces(free: Any, h_onset: Any, mode: Any, end: dict[str, Any]) -> Any:
+def near_surfaces(free: Any, h_onset: Any, mode: Any, end: dict[str, Any], resting: Any = 0) -> Any:
     """The step [s] no longer than `free` that heeds the surfaces: it lands on the next one or, in contact, nears it as gently as it left.
 
     A step over the kink of the force would be rejected; a step to just before it is followed by a tiny one.
+    resting: 1 for the pairs (k) that stay in contact though on their surface: it is not ahead of them, the way to it 0 or backwards.
     """
     sign = ca.if_else(mode == FLIGHT, 1, -1)
     g, rate, acceleration = (sign * end[part] for part in ("gap", "gap_rate", "gap_acceleration"))
     opening = time_to_root(g, rate, acceleration)
     opening = ca.if_else(opening <= LANDING_STEP * h_onset, opening, LANDING_PART * opening)
     landing = time_to_landing(g, rate, acceleration)
-    return ca.fmin(free, ca.mmin(ca.if_else(mode == CONTACT, opening, ca.if_else(mode == FLIGHT, landing, FAR))))
+    leaving = (mode == CONTACT) * (1 - resting)
+    return ca.fmin(free, ca.mmin(ca.if_else(leaving, opening, ca.if_else(mode == FLIGHT, landing, FAR))))
 
 
 def time_to_root(g: Any, rate: Any, acceleration: Any) -> Any:

@@ -132,8 +132,9 @@ def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
     near = (
         ca.fmin(NEAR, run["tolerance"] ** 0.2) * old["h"]
     )  # its fifth power, the nudge's error, is below the tolerance
-    reached = (ca.fabs(times) <= near) * (ca.fabs(end["gap"]) > tol)
-    delta = ca.mmin(ca.if_else(reached, times, 2 * near))
+    # Whoever is on its surface already would be led past it by a move on to another's close by, and back by the retake: the step ends there.
+    away = ca.if_else(ca.fabs(end["gap"]) > tol, times, 0)
+    delta = ca.mmin(ca.if_else(ca.fabs(times) <= near, away, 2 * near))
     theta, force = ca.mmin(at_gap), ca.mmin(at_force)
     alone = (theta >= 1 - 2 * NEAR) * (force >= NO_EVENT)  # a force that runs out is no surface
     within = (delta <= near) * (old["h"] + delta <= run["t_end"] - old["t"])
@@ -190,7 +191,7 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
     t = ca.if_else(accepted, ca.if_else(arrived, run["t_end"], end["t"]), old["t"])
     free = ca.if_else(now_contact, ca.fmin(new["h_contact"], run["h_max"]), new["h_flight"])
     if model.k:
-        free = near_surfaces(free, new["h_onset"], mode, end)
+        free = near_surfaces(free, new["h_onset"], mode, end, resting=ca.fabs(end["gap"]) <= tol)
     left = run["t_end"] - t
     h = ca.if_else(retake, aimed, ca.if_else(1.01 * free >= left, left, free))
     new |= {part: ca.if_else(accepted, end[part], old[part]) for part in MOVED}

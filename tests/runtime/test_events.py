@@ -170,6 +170,28 @@ def test_an_event_at_the_end_of_the_run(method, shift):
     assert run.final["path.travel"] == pytest.approx(1 - (1 + shift) ** 2, abs=1e-10)
 
 
+@pytest.mark.parametrize("method", METHODS)
+def test_a_contact_that_hardly_reaches_its_surface_goes_on_in_time(method):
+    """Thrown up from -2 um to 0.5 um, half of what counts as the surface: it stays in contact, and the surface is behind it."""
+    tolerance, push = 1e-4, 10.0
+    start, peak = -2e-2 * tolerance, 0.5e-2 * tolerance
+    speed = math.sqrt(2 * push * (peak - start))
+    model = point(lambda d, v, v0: 1e-3 * d, push=lambda t, x, v: -push + 0 * t)
+    run = simulate(
+        model,
+        duration=3e-3,  # and so steps of at most 0.3 ms: 0.39 ms to the surface
+        tolerance=tolerance,
+        method=method,
+        initial={"path.travel": f"{start!r} m", "path.speed": f"{speed!r} m/s"},
+        max_steps=100,
+    )
+    assert run.outcome.finished
+    assert np.all(np.diff(run.t) > 0)
+    assert abs(run["path.travel"]).min() < 1e-2 * tolerance  # a step ended there
+    assert np.all(run["surface.mode"] == 1)
+    assert run.final["path.travel"] == pytest.approx(start + 3e-3 * speed - 4.5e-6 * push, abs=1e-12)
+
+
 def test_a_force_whose_rate_misleads_is_landed_on_all_the_same():
     """60 N falling to -11 N in 59 us, with rates of stiff damping that no cubic fits: as found where a landing took more than 60 retakes."""
     model = load("bouncing_ball")
