@@ -160,8 +160,13 @@ class PairKinematics:
         return self.let(Where(self.touch.penetration <= limit, 1, 0), "in_range")
 
     def faults(self, friction: Friction | None, length: float) -> Iterator[Fault]:
-        """Of the pair; and a law with modes or memory needs a direction of sliding that is known: one along a line, as in plane motion."""
+        """Of the pair; a gap that is zero by structure, as that of a cylinder guided at its radius above the plane; and a law with modes or memory
+        needs a direction of sliding that is known: one along a line, as in plane motion."""
         yield from self.touch.faults(length)
+        if self.touch.gap == 0:
+            yield Fault(f"pair {self.pair.name}, gap", "0 m in every position: it never changes",
+                        "surfaces that the joints let come nearer or part, or press into each other",
+                        "Add a joint along the normal, guide the body nearer, or leave the pair out.")  # fmt: skip
         law = None if friction is None else friction.law.law
         if friction is not None and law is not None and (law.modes or law.memory) and self._plane_of_motion() is None:
             found = f"law {law.name} at {self.pair.name}, whose bodies may slide in more than one direction"

@@ -29,6 +29,7 @@ from hertzwerk.derive import (
     Y,
     Z,
     derive,
+    generate,
 )
 from hertzwerk.derive.faults import InputError
 from hertzwerk.derive.laws import power, smooth_coulomb
@@ -94,6 +95,23 @@ def test_contacts_and_friction_must_act_on_what_can_move():
     assert set(refused(across, effects=(touch, rub), pairs=(BALL,))) == {"effect rub"}
     derive(scene(TRACK, effects=(touch, rub), pairs=(BALL,)))  # friction is what the normal force enters by
     derive(scene(across, effects=(touch,), pairs=(BALL,)))
+
+
+def test_a_gap_that_is_zero_in_every_position_is_refused():
+    """A ball guided at its radius above the plane: nothing ever presses, and friction would have nothing to be a part of. A little nearer it does."""
+    touch = Contact("touch", power(Parameter("K", "N/m^1.5", 1e8), 1.5))
+    rub = Friction("rub", "touch", smooth_coulomb(mu=Parameter("mu", "1", 0.2), v_s=Parameter("slow", "m/s", 1e-3)))
+    deep = Parameter("deep", "m", 1e-5)
+
+    def guided(height):
+        return Prismatic("track", GROUND.at(0, height, 0), BODY, axis=X)
+
+    for effects in ((touch,), (touch, rub)):
+        (fault,) = refused(guided(BALL.radius), effects=effects, pairs=(BALL,)).values()
+        assert fault.where == "pair touch, gap"
+        assert "never changes" in fault.found
+        assert "along the normal" in fault.remedy
+    assert generate(scene(guided(BALL.radius - deep), effects=(touch, rub), pairs=(BALL,)))
 
 
 def test_a_force_on_a_driven_joint_moves_nothing_but_is_in_the_books():
