@@ -238,6 +238,8 @@ class _Walk:
     def alike(self, expr: Expr, arguments: Sequence[Expr], expected: Dimension | None = None) -> Dimension:
         """The one dimension of all arguments; of several the commonest is expected, not a plain number's in a tie."""
         dimensions = [self(argument) for argument in arguments]
+        if dimensions and all(dimension is dimensions[0] for dimension in dimensions):
+            return dimensions[0]
         distinct = {dimension: dimensions.count(dimension) for dimension in dimensions if not dimension.every}
         if len(distinct) <= 1:
             return next(iter(distinct), ZERO)

@@ -23,6 +23,7 @@ from hertzwerk.derive.vectors import Matrix, Vector
 PARAMETER = "p"
 CONSTANT = "c"
 _NO_GROUPS: frozenset[str] = frozenset()
+_STILL = frozenset((PARAMETER,))
 
 
 @dataclass(frozen=True)
@@ -120,7 +121,7 @@ class Tape:
 
     def is_constant(self, expression: Any) -> bool:
         """Whether it depends on parameters alone."""
-        return self._groups_of(expression) <= {PARAMETER}
+        return self._groups_of(expression) <= _STILL
 
     def written_out(self, expression: Any) -> Any:
         """An expression over inputs alone, its assignments put in: for constants, which are short."""
@@ -156,8 +157,10 @@ class Tape:
         if expression.is_Atom or self.is_constant(expression):
             return expression
         if expression.is_Mul or expression.is_Add:
-            still = [arg for arg in expression.args if self.is_constant(arg)]
-            others = [arg for arg in expression.args if not self.is_constant(arg)]
+            still: list[Any] = []
+            others: list[Any] = []
+            for arg in expression.args:
+                (still if self.is_constant(arg) else others).append(arg)
             moving = [self._hoist(arg) for arg in others]
             part = still[0] if len(still) == 1 else expression.func(*still)
             if not (part.is_Atom or _opposite(part).is_Symbol):
@@ -191,7 +194,7 @@ class Tape:
 
     def _rate_of(self, symbol: sp.Symbol) -> Any:
         if symbol not in self._rates:
-            if self._groups[symbol] <= {PARAMETER}:
+            if self._groups[symbol] <= _STILL:
                 self._rates[symbol] = sp.S.Zero
             elif symbol in self.assignments:
                 self._rates[symbol] = self.rate(self.assignments[symbol], f"{symbol.name}_rate")

@@ -71,6 +71,8 @@ def as_choice(value: Any) -> Any:
     if not is_number(value):
         return value
     expression = sp.sympify(value)
+    if expression.is_Atom:
+        return expression
     return expression.replace(lambda node: isinstance(node, sp.Piecewise), _choice)
 
 
