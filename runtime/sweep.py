@@ -24,14 +24,16 @@ from concurrent.futures import (
 )
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Literal, Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.binding import Value, read_state
+from hertzwerk.runtime.engine import prepare
 from hertzwerk.runtime.model import Model
-from hertzwerk.runtime.simulation import check_settings, prepare, simulate
+from hertzwerk.runtime.request import Compiled, Settings
+from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.solution import Solution, Statistics, write
 
 Output = Callable[[Solution], float]
@@ -141,7 +143,7 @@ def simulate_many(
     accuracy: float | None = None,
     tolerance: float | None = None,
     method: str = "dop853",
-    compiled: bool | Literal["auto"] = "auto",
+    compiled: Compiled = "auto",
     workers: int | None = None,
     outputs: Mapping[str, Output] | None = None,
     progress: Callable[[float], object] | None = None,
@@ -160,7 +162,7 @@ def simulate_many(
     """
     began = time.perf_counter()
     sets = [dict(values) for values in parameter_sets]
-    check_settings(model, duration, accuracy, method, compiled, tolerance=tolerance, **limits)
+    Settings(duration, accuracy, tolerance, method, compiled, **limits).check(model)
     _check(model, workers, outputs or {})
     settings = {"duration": duration, "accuracy": accuracy, "tolerance": tolerance, "method": method, **limits}
     job = _Job(model, sets, settings, dict(outputs or {}))
