@@ -15,7 +15,7 @@ from hertzwerk.runtime.caveats import unchecked
 from hertzwerk.runtime.draw import insets
 from hertzwerk.runtime.draw.drawing import Drawing
 from hertzwerk.runtime.draw.places import Array, Places
-from hertzwerk.runtime.plot import GREY, STYLE, VERMILLION
+from hertzwerk.runtime.plot_style import GREY, STYLE, VERMILLION
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.binding import Value
