@@ -11,7 +11,8 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.outcome import Outcome
     from hertzwerk.runtime.simulation import simulate
     from hertzwerk.runtime.solution import Impact, Solution, Statistics
-    from hertzwerk.runtime.sweep import Sweep, simulate_many
+    from hertzwerk.runtime.sweep import simulate_many
+    from hertzwerk.runtime.sweep_table import Sweep
 
 _PLACES = {
     "Bound": "model",
@@ -22,7 +23,7 @@ _PLACES = {
     "Outcome": "outcome",
     "Solution": "solution",
     "Statistics": "solution",
-    "Sweep": "sweep",
+    "Sweep": "sweep_table",
     "load": "model",
     "simulate": "simulation",
     "simulate_many": "sweep",

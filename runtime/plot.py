@@ -6,11 +6,9 @@ picture, an unchecked law or a law outside its range, stands on the picture.
 
 from __future__ import annotations
 
-import textwrap
-from collections.abc import Callable, Mapping, Sequence
-from itertools import cycle, product
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import matplotlib as mpl
 import numpy as np
@@ -20,39 +18,14 @@ from matplotlib.patches import Circle
 from numpy.typing import NDArray
 
 from hertzwerk.runtime.curves import Array, Curves, Scale, impact_curves, scale_of
+from hertzwerk.runtime.plot_panel import LEGEND_ROOM, caption, legend, lines, nothing, over_time
+from hertzwerk.runtime.plot_style import BLUE, GREY, STYLE, VERMILLION
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from hertzwerk.runtime.solution import Impact, Solution
 
-# Okabe & Ito's palette, distinguishable with every common colour vision.
-BLUE, VERMILLION, GREEN, ORANGE, PURPLE, SKY = "#0072B2", "#D55E00", "#009E73", "#E69F00", "#CC79A7", "#56B4E9"
-GREY = "#707070"
-CYCLE = (BLUE, VERMILLION, GREEN, PURPLE, SKY, ORANGE)
-
-STYLE: Any = {  # typed as 300 literal names by Matplotlib
-    "font.size": 9.5,
-    "axes.titlesize": 10.5,
-    "axes.titlelocation": "left",
-    "axes.titleweight": "bold",
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.grid": True,
-    "axes.axisbelow": True,
-    "grid.color": "#e4e4e4",
-    "grid.linewidth": 0.7,
-    "lines.linewidth": 1.0,
-    "lines.solid_joinstyle": "round",
-    "legend.frameon": False,
-    "legend.fontsize": 9,
-    "savefig.dpi": 160,
-    "svg.hashsalt": "hertzwerk",
-}
-
-LEGEND_ROOM = 22  # points between a panel and its title
-LEGEND_ROW = 13  # points that a further row of the legend takes
-LEGEND_WIDTH, LEGEND_HANDLE = 66, 6  # characters beside each other above a panel; what the line before a label takes
 UNRESOLVED = "the rows that were kept do not resolve the first impact"
 PEAKS_CUT = 2.5  # accelerations are shown up to this multiple of the ideal mechanism's
 
@@ -73,9 +46,9 @@ def histories(run: Solution, *names: str) -> Figure:
         figure = Figure(figsize=(9.5, 2.3 * len(names) + 0.8), layout="constrained")
         axes = figure.subplots(len(names), 1, squeeze=False).ravel()
         for axis, name in zip(axes, names, strict=True):
-            scale = _lines(axis, curves, run.history.units.get(name, "1"), {name: curves[name]})
-            _over_time(axis, curves, f"{name} [{scale.unit}]")
-        _caption(figure, run, run.model.module.SUMMARY)
+            scale = lines(axis, curves, run.history.units.get(name, "1"), {name: curves[name]})
+            over_time(axis, curves, f"{name} [{scale.unit}]")
+        caption(figure, run, run.model.module.SUMMARY)
     return figure
 
 
@@ -120,7 +93,7 @@ def _overview(curves: Curves) -> Figure:
             draw(axis, curves)
         for axis in axes[len(panels) :]:
             axis.set_visible(False)
-        _caption(figure, curves.run, curves.run.model.module.SUMMARY, curves.no_ideal)
+        caption(figure, curves.run, curves.run.model.module.SUMMARY, curves.no_ideal)
     return figure
 
 
@@ -144,7 +117,7 @@ def _pair(curves: Curves, name: str) -> Figure:
             _first_impact(figure.add_subplot(grid[1, 0]), run, impact)
             _loop(figure.add_subplot(grid[1, 1]), run, impact)
         laws = [text for effect, _, text in run.model.module.EFFECTS if effect == name]
-        _caption(figure, run, ", ".join([name, *laws]))
+        caption(figure, run, ", ".join([name, *laws]))
     return figure
 
 
@@ -169,7 +142,7 @@ def _accelerations(axis: Axes, curves: Curves) -> None:
         return
     axis.set_ylim(-limit, limit)
     axis.set_title(f"Acceleration [{scale.unit}], cut at the marks (largest peak {largest:.0f})")
-    _legend(axis)
+    legend(axis)
     for sign, marker in ((1, "^"), (-1, "v")):
         peaks = _peaks(np.max(sign * values, axis=0), limit)
         marks = np.full(len(peaks), sign * 0.97 * limit)
@@ -179,8 +152,8 @@ def _accelerations(axis: Axes, curves: Curves) -> None:
 def _motion(axis: Axes, curves: Curves, order: int, title: str) -> Scale:
     """Positions (order 0), speeds (1) or accelerations (2), over the ideal mechanism's."""
     values = {motion.joint: curves[motion.names[order]] for motion in curves.motions}
-    scale = _lines(axis, curves, curves.motions[0].units[order], values, _ideal(curves, order))
-    _over_time(axis, curves, f"{title} [{scale.unit}]")
+    scale = lines(axis, curves, curves.motions[0].units[order], values, _ideal(curves, order))
+    over_time(axis, curves, f"{title} [{scale.unit}]")
     return scale
 
 
@@ -196,39 +169,37 @@ def _ideal(curves: Curves, order: int) -> list[Array]:
 def _deviations(axis: Axes, curves: Curves) -> None:
     positions = zip(curves.motions, _ideal(curves, 0), strict=True)
     values = {motion.joint: curves[motion.names[0]] - ideal for motion, ideal in positions}
-    scale = _lines(axis, curves, curves.motions[0].units[0], values)
-    _over_time(axis, curves, f"Position minus that of the ideal mechanism [{scale.unit}]")
+    scale = lines(axis, curves, curves.motions[0].units[0], values)
+    over_time(axis, curves, f"Position minus that of the ideal mechanism [{scale.unit}]")
 
 
 def _forces(axis: Axes, curves: Curves) -> None:
-    scale = _lines(axis, curves, "N", {name: curves[f"{name}.normal_force"] for name in curves.run.model.pairs})
+    scale = lines(axis, curves, "N", {name: curves[f"{name}.normal_force"] for name in curves.run.model.pairs})
     axis.set_ylim(bottom=0)
-    _over_time(axis, curves, f"Contact force [{scale.unit}]")
+    over_time(axis, curves, f"Contact force [{scale.unit}]")
 
 
 def _normal_force(axis: Axes, curves: Curves, name: str) -> None:
-    scale = _lines(axis, curves, "N", {name: curves[f"{name}.normal_force"]})
+    scale = lines(axis, curves, "N", {name: curves[f"{name}.normal_force"]})
     axis.set_ylim(bottom=0)
-    _over_time(axis, curves, f"Normal force [{scale.unit}]")
+    over_time(axis, curves, f"Normal force [{scale.unit}]")
 
 
 def _energy(axis: Axes, curves: Curves) -> None:
-    lines = {"mechanical": curves["energy"] - curves["energy"][0]}
+    parts = {"mechanical": curves["energy"] - curves["energy"][0]}
     for name in curves.run.model.memory:
         owner, _, what = name.rpartition(".")
         label = {"dissipated": f"loss, {owner}", "input": "drives' work"}.get(what)
         if label is not None:
-            lines[label] = curves[name]
-    scale = _lines(axis, curves, "J", {label: values for label, values in lines.items() if np.any(values)})
-    _over_time(
-        axis, curves, f"Energy since the start [{scale.unit}], ledger closed to {curves.run.energy_residual:.1g}"
-    )
+            parts[label] = curves[name]
+    scale = lines(axis, curves, "J", {label: values for label, values in parts.items() if np.any(values)})
+    over_time(axis, curves, f"Energy since the start [{scale.unit}], ledger closed to {curves.run.energy_residual:.1g}")
 
 
 def _gap(axis: Axes, curves: Curves, name: str) -> None:
-    scale = _lines(axis, curves, "m", {name: curves[f"{name}.gap"]})
+    scale = lines(axis, curves, "m", {name: curves[f"{name}.gap"]})
     axis.axhline(0, color=GREY, linewidth=0.8)
-    _over_time(axis, curves, f"Gap [{scale.unit}]")
+    over_time(axis, curves, f"Gap [{scale.unit}]")
 
 
 def _journal_path(axis: Axes, curves: Curves, name: str, inside: Sequence[str], view: tuple[str, str]) -> None:
@@ -259,11 +230,11 @@ def _journal_path(axis: Axes, curves: Curves, name: str, inside: Sequence[str], 
 
 def _first_impact(axis: Axes, run: Solution, impact: Impact | None) -> None:
     if impact is None:
-        _nothing(axis, "no impact")
+        nothing(axis, "no impact")
         return
     t, force, _ = impact_curves(run, impact)
     if len(t) < 2:
-        _nothing(axis, UNRESOLVED)
+        nothing(axis, UNRESOLVED)
         return
     time, start, scale = scale_of("s", t[-1]), scale_of("s", impact.t), scale_of("N", force)
     axis.plot(time(t), scale(force), color=BLUE, linewidth=1.4)
@@ -276,11 +247,11 @@ def _first_impact(axis: Axes, run: Solution, impact: Impact | None) -> None:
 
 def _loop(axis: Axes, run: Solution, impact: Impact | None) -> None:
     if impact is None:
-        _nothing(axis, "")
+        nothing(axis, "")
         return
     t, force, penetration = impact_curves(run, impact)
     if len(t) < 2:
-        _nothing(axis, UNRESOLVED)
+        nothing(axis, UNRESOLVED)
         return
     scale, length = scale_of("N", force), scale_of("m", penetration)
     axis.plot(length(penetration), scale(force), color=BLUE, linewidth=1.4)
@@ -288,67 +259,6 @@ def _loop(axis: Axes, run: Solution, impact: Impact | None) -> None:
     axis.set_ylim(bottom=0)
     axis.set_title(f"First impact: force over penetration [{scale.unit}]")
     axis.set_xlabel(f"penetration [{length.unit}]; the area is the energy dissipated")
-
-
-# ---- furniture -------------------------------------------------------------------------------------------------------
-
-
-def _caption(figure: Figure, run: Solution, subtitle: str, note: str = "") -> None:
-    """Title, and below the panels what a reader must know to trust them."""
-    figure.suptitle(f"{run.model.name}: {subtitle}", x=0.01, ha="left", fontsize=12.5, fontweight="bold")
-    notes = [] if run.outcome.finished else [f"{run.outcome.name}: {run.outcome.message}"]
-    notes += run.warnings  # unchecked laws among them
-    notes += [note] if note else []
-    if notes:
-        text = "\n".join(line for note in notes for line in textwrap.wrap(note, 150))
-        figure.supxlabel(text, x=0.01, ha="left", fontsize=9, color=VERMILLION)
-
-
-def _lines(axis: Axes, curves: Curves, unit: str, values: Mapping[str, Array], ideal: Sequence[Array] = ()) -> Scale:
-    """Labelled histories in a unit that suits them all, over those of the ideal mechanism; returns that unit."""
-    time = curves.time(curves.t)
-    scale = scale_of(unit, list(ideal) or list(values.values()))
-    for history in ideal:
-        axis.plot(time, scale(history), color=ORANGE, linewidth=2.6, alpha=0.75, label="ideal mechanism")
-    looks = product(("-", "--", ":"), CYCLE)  # when the colours have run out, dashed
-    for (style, colour), (label, history) in zip(cycle(looks), values.items(), strict=False):
-        axis.plot(time, scale(history), color=colour, linestyle=style, label=label)
-    return scale
-
-
-def _over_time(axis: Axes, curves: Curves, title: str) -> None:
-    """Title, legend and time axis of a panel."""
-    axis.set_title(title)
-    axis.set_xlabel(f"time [{curves.time.unit}]")
-    axis.set_xlim(*curves.time(curves.t[[0, -1]]))
-    _legend(axis)
-
-
-def _legend(axis: Axes) -> None:
-    """A legend between title and panel, in as many rows as it takes, where it can cover nothing; none for a single curve."""
-    handles, labels = axis.get_legend_handles_labels()
-    unique = dict(zip(labels, handles, strict=True))
-    if len(unique) > 1:
-        widths = [len(label) + LEGEND_HANDLE for label in unique]
-        fitting = (n for n in range(len(widths), 1, -1) if _wide(widths, n) <= LEGEND_WIDTH)
-        columns = next(fitting, 1)
-        rows = -(-len(widths) // columns)
-        if rows > 1:
-            axis.set_title(axis.get_title("left"), pad=LEGEND_ROOM + (rows - 1) * LEGEND_ROW)
-        axis.legend(
-            unique.values(), unique.keys(), loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=columns,
-            borderaxespad=0.2, borderpad=0.1, handlelength=1.4, columnspacing=1.1, labelspacing=0.25,
-        )  # fmt: skip
-
-
-def _wide(widths: Sequence[int], columns: int) -> int:
-    """Characters across a legend in so many columns, which are filled one after the other."""
-    return sum(int(np.max(column)) for column in np.array_split(widths, columns))
-
-
-def _nothing(axis: Axes, text: str) -> None:
-    axis.set_axis_off()
-    axis.text(0.5, 0.5, text, transform=axis.transAxes, ha="center", color=GREY)
 
 
 def _peaks(values: Array, limit: float) -> NDArray[np.intp]:

@@ -16,7 +16,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from hertzwerk.runtime.accuracy_report import conclusions, length, seconds, warnings
 from hertzwerk.runtime.curves import scale_of
 from hertzwerk.runtime.horizon import LIMIT, crossing
-from hertzwerk.runtime.plot import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, STYLE, VERMILLION
+from hertzwerk.runtime.plot_style import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, STYLE, VERMILLION
 from hertzwerk.runtime.timed_runs import LATE
 
 if TYPE_CHECKING:

@@ -14,7 +14,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 from matplotlib.transforms import ScaledTranslation
 
 from hertzwerk.runtime.effects import study as texts
-from hertzwerk.runtime.plot import BLUE, GREY, ORANGE, SKY, STYLE, VERMILLION
+from hertzwerk.runtime.plot_style import BLUE, GREY, ORANGE, SKY, STYLE, VERMILLION
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -9,7 +9,7 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from hertzwerk.runtime.plot import BLUE, GREY, ORANGE, STYLE, VERMILLION
+from hertzwerk.runtime.plot_style import BLUE, GREY, ORANGE, STYLE, VERMILLION
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

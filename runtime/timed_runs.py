@@ -18,9 +18,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.derive.faults import InputError
+from hertzwerk.runtime.engine import prepare
 from hertzwerk.runtime.integrate.choose import IMPLICIT
 from hertzwerk.runtime.integrate.methods import METHODS
-from hertzwerk.runtime.simulation import prepare
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.outcome import Outcome

@@ -71,10 +71,11 @@ def draw(
 def _places(target: str, values: dict[str, str], duration: str | None, start: bool) -> tuple[Places, tuple[str, ...]]:
     """Where a mechanism is in its scenario, and what to say of that; raises InputError."""
     from hertzwerk.runtime import scenarios
+    from hertzwerk.runtime.caveats import unchecked
     from hertzwerk.runtime.draw.picture import notes_on
     from hertzwerk.runtime.draw.places import Places
     from hertzwerk.runtime.model import load
-    from hertzwerk.runtime.simulation import simulate, unchecked
+    from hertzwerk.runtime.simulation import simulate
 
     model = load(target)
     numbers = scenarios.read(target) if target in scenarios.names() else {}

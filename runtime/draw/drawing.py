@@ -16,7 +16,7 @@ from hertzwerk.runtime.draw.paper import INK, Paper, shade
 from hertzwerk.runtime.draw.parts import Parts
 from hertzwerk.runtime.draw.places import GROUND, Array, Landmark, Places
 from hertzwerk.runtime.draw.view import view_of
-from hertzwerk.runtime.plot import GREY, VERMILLION
+from hertzwerk.runtime.plot_style import GREY, VERMILLION
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -9,7 +9,7 @@ import numpy as np
 from hertzwerk.runtime.draw.paper import INK, Paper
 from hertzwerk.runtime.draw.parts import THIN, Parts, across
 from hertzwerk.runtime.draw.places import Array, Landmark
-from hertzwerk.runtime.plot import VERMILLION
+from hertzwerk.runtime.plot_style import VERMILLION
 
 REACH = 13.0  # of what turns around a joint, points
 ARROW = 30.0  # length, points

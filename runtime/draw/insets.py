@@ -12,7 +12,7 @@ from matplotlib.patches import ConnectionPatch, Polygon
 from hertzwerk.runtime.draw.paper import INK, ROUND, Paper
 from hertzwerk.runtime.draw.parts import INSIDE, Parts
 from hertzwerk.runtime.draw.places import Array, Landmark
-from hertzwerk.runtime.plot import GREY
+from hertzwerk.runtime.plot_style import GREY
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

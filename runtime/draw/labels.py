@@ -10,7 +10,7 @@ from matplotlib.textpath import TextPath
 
 from hertzwerk.runtime.draw.paper import Paper
 from hertzwerk.runtime.draw.places import Array
-from hertzwerk.runtime.plot import GREY
+from hertzwerk.runtime.plot_style import GREY
 
 RINGS = (9.0, 14.0, 20.0, 28.0, 38.0, 50.0, 66.0)  # distances of a name from what it names, points
 WAYS = 16  # directions

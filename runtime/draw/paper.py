@@ -16,7 +16,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Polygon, Wedge
 
 from hertzwerk.runtime.draw.places import Array
-from hertzwerk.runtime.plot import GREY, VERMILLION
+from hertzwerk.runtime.plot_style import GREY, VERMILLION
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -12,7 +12,7 @@ from hertzwerk.runtime.curves import Scale
 from hertzwerk.runtime.draw.paper import INK, ROUND, Paper, hull
 from hertzwerk.runtime.draw.places import GROUND, Array, Landmark, Places
 from hertzwerk.runtime.draw.view import View
-from hertzwerk.runtime.plot import CYCLE, GREY
+from hertzwerk.runtime.plot_style import CYCLE, GREY
 
 BAR = 3.6  # half the width of a bar, points
 BLOCK = (13.0, 8.5)  # half of what slides, along and across, points

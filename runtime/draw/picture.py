@@ -11,11 +11,11 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
+from hertzwerk.runtime.caveats import unchecked
 from hertzwerk.runtime.draw import insets
 from hertzwerk.runtime.draw.drawing import Drawing
 from hertzwerk.runtime.draw.places import Array, Places
-from hertzwerk.runtime.plot import GREY, STYLE, VERMILLION
-from hertzwerk.runtime.simulation import unchecked
+from hertzwerk.runtime.plot_style import GREY, STYLE, VERMILLION
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.binding import Value

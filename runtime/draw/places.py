@@ -54,7 +54,7 @@ class Places:
         cls, model: Model, parameters: Mapping[str, Value] | None, initial: Mapping[str, Value] | None
     ) -> Places:
         """At t = 0, loops closed; raises InputError."""
-        from hertzwerk.runtime.simulation import start_of
+        from hertzwerk.runtime.start import start_of
 
         if not hasattr(model.module, "landmarks"):
             raise _without_functions(model)

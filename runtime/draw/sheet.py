@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from hertzwerk.runtime.draw.drawing import Drawing
 from hertzwerk.runtime.draw.places import Places
-from hertzwerk.runtime.plot import STYLE
+from hertzwerk.runtime.plot_style import STYLE
 
 COLUMNS = 4
 CELL = (3.5, 2.9)  # inches, of which

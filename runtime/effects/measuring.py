@@ -24,7 +24,8 @@ from hertzwerk.runtime.effects.outputs import Output, Samples
 from hertzwerk.runtime.integrate.explicit import flow
 from hertzwerk.runtime.model import Model
 from hertzwerk.runtime.outcome import Outcome
-from hertzwerk.runtime.simulation import TOLERANCES, simulate
+from hertzwerk.runtime.request import TOLERANCES
+from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.solution import Solution
 
 FINER = 30.0  # the last tolerance is so many times finer than the first

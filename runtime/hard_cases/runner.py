@@ -11,13 +11,14 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import asdict, dataclass
 from functools import cache
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from hertzwerk.runtime.hard_cases.invariants import Measured, measure
 from hertzwerk.runtime.integrate.compiled import available
 from hertzwerk.runtime.integrate.methods import SUNDIALS
+from hertzwerk.runtime.request import Compiled
 from hertzwerk.runtime.simulation import simulate
 
 if TYPE_CHECKING:
@@ -61,7 +62,7 @@ def broken(case: HardCase, outcome: str, measured: Sequence[Measured]) -> tuple[
     return (*other, *(row.name for row in measured if not row.holds))
 
 
-def solve(case: HardCase, method: str, *, compiled: bool | Literal["auto"]) -> Solution:
+def solve(case: HardCase, method: str, *, compiled: Compiled) -> Solution:
     """One run of a case; of the independent references more accurately, for the tolerance they are asked for is that of less than a step."""
     return simulate(
         model_of(case.source),

@@ -160,7 +160,7 @@ def crank():
 
 @pytest.mark.parametrize("block", [5_000, 2**23])
 def test_a_run_on_a_grid_has_the_averages_of_its_steps(crank, block, monkeypatch):
-    monkeypatch.setattr("hertzwerk.runtime.simulation.BLOCK", block)
+    monkeypatch.setattr("hertzwerk.runtime.single_run.BLOCK", block)
     grid = simulate(load("slider_crank_frictionless"), **CRANK, output=7)
     kept = named(crank)
     assert {average.blocks for average in kept.values()} == {9}

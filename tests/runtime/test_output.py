@@ -41,7 +41,7 @@ def run(case, **options):
 @pytest.fixture
 def small_blocks(monkeypatch):
     """Blocks of a few rows, so that contacts and their peaks lie across them."""
-    monkeypatch.setattr("hertzwerk.runtime.simulation.BLOCK", 1)
+    monkeypatch.setattr("hertzwerk.runtime.single_run.BLOCK", 1)
     keep = recorder.Recorder.keep
 
     def one_by_one(self, rows):
@@ -84,7 +84,7 @@ def test_blocks_of_every_size_find_the_same(monkeypatch):
     steps = run("squeezed")
     size = steps.history.rows[0].nbytes
     for rows in (2, 3, 7, 50, 1000):
-        monkeypatch.setattr("hertzwerk.runtime.simulation.BLOCK", rows * size)
+        monkeypatch.setattr("hertzwerk.runtime.single_run.BLOCK", rows * size)
         monkeypatch.setattr("hertzwerk.runtime.integrate.chunk.SIZE", (3,))
         model = load("ball_between_walls")  # a chunk of its own
         grid = simulate(
@@ -224,7 +224,7 @@ def test_between_the_rows_of_a_grid_there_is_nothing_and_the_error_says_what_to_
 
 def test_ctrl_c_in_a_block_loses_no_observer_a_row(monkeypatch):
     """It comes while some of the observers have seen a block, with impacts in it, and others have not."""
-    monkeypatch.setattr("hertzwerk.runtime.simulation.BLOCK", 1)
+    monkeypatch.setattr("hertzwerk.runtime.single_run.BLOCK", 1)
     take, sent = findings.Findings.take, []
 
     def interrupted(self, block, fresh):

@@ -20,8 +20,9 @@ from hertzwerk.derive import (
     Y,
     Z,
 )
-from hertzwerk.runtime import load, simulate, simulation
+from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.integrate import redundant
+from hertzwerk.runtime.start import dependent, start_of
 
 model = cache(load)
 
@@ -61,11 +62,8 @@ def cranks() -> Scene:
 
 def implied(model, initial=None):
     """Groups of constraints and their rank, from a start."""
-    faults: list = []
-    bound = model.bind()
-    q, _ = simulation._start(model, bound, initial or {}, faults)
-    assert not faults
-    return simulation._dependent(model, bound, q)
+    bound, q, _ = start_of(model, {}, initial or {})
+    return dependent(model, bound, q)
 
 
 def test_the_groups_and_how_many_of_them_count():

@@ -1,0 +1,55 @@
+"""What is to be known of a run that goes on all the same: its warnings."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from hertzwerk.runtime.history import holding_force
+from hertzwerk.runtime.impacts import ApproachSpeeds, Track
+from hertzwerk.runtime.model import Bound, Model
+
+
+def unchecked(model: Model) -> tuple[str, ...]:
+    """What of a model runs although it is inconsistent."""
+    return tuple(
+        f"{effect} is dimensionally inconsistent and runs unchecked: {why}" for effect, why in model.module.UNCHECKED
+    )
+
+
+def open_forces(model: Model, bound: Bound, q: np.ndarray) -> Iterator[str]:
+    """Redundant constraints at a start: the motion does not say how they share what they hold."""
+    if not model.nl:
+        return
+    from hertzwerk.runtime.assembly import undetermined  # a tree needs none
+
+    names = [holding_force(name) for name in undetermined(model, bound, q)]
+    if names:
+        yield f"redundant constraints leave these forces open, of all that hold the least are given: {', '.join(names)}"
+
+
+def approach_speeds(model: Model, bound: Bound) -> Iterator[ApproachSpeeds]:
+    """Observers of the pairs whose compliant law holds up to a speed [m/s]: those whose material has a density."""
+    pairs = getattr(model.module, "SPEED_LIMITED", ())
+    limits = np.array(model.function("speed_limits")(bound.p)).ravel() if pairs else ()
+    for pair, limit in zip(pairs, limits, strict=True):
+        yield ApproachSpeeds(float(limit), Track(model.pairs.index(pair)))
+
+
+def too_fast(model: Model, speeds: Sequence[ApproachSpeeds]) -> Iterator[str]:
+    """Contacts faster than their compliant law allows."""
+    for seen in speeds:
+        if seen.over:
+            yield (
+                f"{seen.over} of {seen.count} impacts of {model.pairs[seen.track.pair]} exceed the law's limit "
+                f"v0 <= 1e-5*sqrt(E/rho) = {seen.limit:.3g} m/s (worst {seen.worst:.3g} m/s)"
+            )
+
+
+def floored(count: int, floor: float) -> Iterator[str]:
+    """Contacts that began slower than the least speed [m/s] that is latched."""
+    if not count:
+        return
+    contacts = "one contact began" if count == 1 else f"{count} contacts began"
+    yield f"{contacts} slower than approach_floor = {floor:g} m/s, which its damping took for the approach speed"

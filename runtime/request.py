@@ -1,0 +1,134 @@
+"""What runs are asked for, read completely: how they are made, for how long, from which numbers and which start."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+import numpy as np
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime import scales as scaling
+from hertzwerk.runtime.accuracy import LEAST
+from hertzwerk.runtime.binding import Value, read_time, unknown
+from hertzwerk.runtime.integrate.methods import METHODS
+from hertzwerk.runtime.model import Bound, Dependent, Model
+from hertzwerk.runtime.output import Output, times_of
+from hertzwerk.runtime.scales import Scales
+from hertzwerk.runtime.start import dependent, start_of
+
+ACCURACIES, TOLERANCES = (1e-12, 1e-1), (LEAST, 1e-1)
+MAX_STEPS, MAX_EVENTS = 1_000_000, 100_000
+REMEMBERED = 64  # inputs of a model that need not be read again
+
+Compiled: TypeAlias = bool | Literal["auto"]
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Where a run stops: steps, contacts begun, time on the clock [s]."""
+
+    max_steps: int
+    max_events: int
+    wall_time: float
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What `simulate` is asked for but for parameters and start, as the user gave it."""
+
+    duration: str | float | None
+    accuracy: float | None
+    tolerance: float | None
+    method: str
+    compiled: Compiled
+    output: Output = "steps"
+    max_steps: int = MAX_STEPS
+    max_events: int = MAX_EVENTS
+    wall_time: float | None = None
+
+    @property
+    def limits(self) -> Limits:
+        """Of all runs together, but for the contacts, which are of each."""
+        return Limits(self.max_steps, self.max_events, math.inf if self.wall_time is None else self.wall_time)
+
+    def check(self, model: Model) -> None:
+        """Raise InputError for what is bad input to a run whatever its parameters."""
+        faults = self.faults()
+        times_of(self.output, read_duration(self.duration, faults), faults)
+        if faults:
+            raise InputError(model.name, faults)
+
+    def faults(self) -> list[Fault]:
+        """Of everything but the duration, and the output, which depends on it."""
+        faults: list[Fault] = []
+        for name, value, (low, high) in (
+            ("accuracy", self.accuracy, ACCURACIES),
+            ("tolerance", self.tolerance, TOLERANCES),
+        ):
+            if value is not None and not (_real(value) and low <= value <= high):
+                way_out = "it is measured in the scene's scales"
+                faults.append(Fault(name, repr(value), f"a number in {low:g}..{high:g}", way_out))
+        if self.accuracy is not None and self.tolerance is not None:
+            way_out = "an accuracy is of the end of the run, a tolerance is local and without an estimate"
+            faults.append(
+                Fault("tolerance", f"{self.tolerance!r} beside accuracy={self.accuracy!r}", "one of the two", way_out)
+            )
+        if self.method not in METHODS:
+            faults.append(unknown("method", str(self.method), sorted(METHODS)))
+        for name, limit in vars(self.limits).items():
+            if not (_real(limit) and limit > 0):
+                faults.append(Fault(name, repr(limit), "a positive number"))
+        if not (isinstance(self.compiled, bool) or self.compiled == "auto"):
+            faults.append(Fault("compiled", repr(self.compiled), 'True, False or "auto"'))
+        return faults
+
+
+@dataclass(frozen=True)
+class Given:
+    """What a run starts from and how far it goes: the parameters' numbers, q (nq,) and u (nu,) with loops closed, the duration [s], the scales that
+    the scene states, and the constraints that follow from others."""
+
+    bound: Bound
+    q: np.ndarray
+    u: np.ndarray
+    seconds: float
+    scales: Scales
+    dependent: tuple[Dependent, ...]
+
+
+def read(
+    model: Model, settings: Settings, parameters: Mapping[str, Value], initial: Mapping[str, Value]
+) -> tuple[Given, np.ndarray | None]:
+    """Everything given, read, and the times [s] of a grid; raises InputError with every fault. Text that was read before is not read again."""
+    faults = settings.faults()
+    known: dict[str, Given] = model.once("given", dict)
+    key = repr((settings.duration, parameters, initial))  # tells 1 from True and from "1"
+    given = None if faults else known.get(key)
+    seconds = read_duration(settings.duration, faults) if given is None else given.seconds
+    times = times_of(settings.output, seconds, faults)
+    if given is not None and not faults:
+        return given, times
+    bound, q, u = start_of(model, parameters, initial, faults)
+    given = Given(bound, q, u, seconds, scaling.of_parameters(model, bound), dependent(model, bound, q))
+    if len(known) >= REMEMBERED:
+        known.clear()
+    known[key] = given
+    return given, times
+
+
+def read_duration(duration: str | float | None, faults: list[Fault]) -> float:
+    """Seconds of a duration; what is none becomes a fault."""
+    expected = 'a positive time, such as "24 ms" or a number of seconds'
+    if isinstance(duration, str):
+        return read_time("duration", duration, expected, faults)
+    if duration is not None and _real(duration) and math.isfinite(duration) and duration > 0:
+        return float(duration)
+    faults.append(Fault("duration", "none" if duration is None else repr(duration), expected))
+    return math.nan
+
+
+def _real(value: object) -> bool:
+    return isinstance(value, int | float | np.number) and not isinstance(value, bool)

@@ -1,0 +1,126 @@
+"""Numbered tasks on all cores: each is done although others die, and Ctrl-C ends them all."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import signal
+import sys
+import warnings
+from collections import deque
+from collections.abc import Callable, Iterator
+from concurrent.futures import (
+    FIRST_COMPLETED,
+    BrokenExecutor,
+    Executor,
+    Future,
+    ProcessPoolExecutor,
+    ThreadPoolExecutor,
+    wait,
+)
+from dataclasses import dataclass
+from typing import Any, Protocol, TypeVar
+
+AHEAD = 2  # tasks handed out per worker: none waits for the next, and few are under way where one dies
+
+Result = TypeVar("Result")
+Returned = TypeVar("Returned", covariant=True)
+
+
+class Flag(Protocol):
+    """Something shared by those who run; set to 1 it stops them."""
+
+    value: int
+
+
+@dataclass
+class Alone:
+    """A flag within one process."""
+
+    value: int = 0
+
+
+class Job(Protocol[Returned]):
+    """The tasks, and the flag `stop` that they heed; a forked process has all of it without being sent it."""
+
+    stop: Flag
+
+    def do(self, i: int) -> Returned:
+        """Do task i; raises KeyboardInterrupt where it was stopped."""
+
+    def lost(self, i: int) -> Returned:
+        """What stands for task i where its process died, and died again where it ran alone."""
+
+
+def results(job: Job[Result], left: list[int], workers: int) -> Iterator[Result]:
+    """Results as they are had; where a process died, those it may have died of are run again, each alone."""
+    waiting = deque(left)
+    while waiting and workers > 1:
+        suspects: list[int] = []
+        yield from _together(job, waiting, workers, suspects)
+        for i in suspects:
+            again: list[int] = []
+            yield from _together(job, deque([i]), 1, again)
+            if again:
+                yield job.lost(i)
+    for i in waiting:
+        yield job.do(i)
+
+
+def _together(job: Job[Result], waiting: deque[int], workers: int, suspects: list[int]) -> Iterator[Result]:
+    """Results of those waiting as they are had, until all are or a process dies: then `suspects` are those that were under way.
+
+    Stops the workers when it is left, however.
+    """
+    under_way: dict[Future[Result], int] = {}
+    executor, do = _executor(job, workers)
+    try:
+        while not suspects and (waiting or under_way):
+            while not suspects and waiting and len(under_way) < AHEAD * workers:
+                i = waiting.popleft()
+                try:
+                    # Python 3.12 and later warn of threads when forking: NumPy's see to themselves.
+                    with warnings.catch_warnings():
+                        warnings.simplefilter("ignore", DeprecationWarning)
+                        under_way[executor.submit(do, i)] = i
+                except BrokenExecutor:
+                    suspects.append(i)
+            for future in wait(under_way, return_when=FIRST_COMPLETED).done:
+                try:
+                    yield future.result()
+                except BrokenExecutor:
+                    suspects.append(under_way[future])
+                del under_way[future]
+        suspects += under_way.values()
+    finally:
+        job.stop.value = 1
+        executor.shutdown(wait=True, cancel_futures=True)
+
+
+def _executor(job: Job[Result], workers: int) -> tuple[Executor, Callable[[int], Result]]:
+    """Processes where they can be forked, as they then share the model's functions; CasADi holds Python's lock, so threads gain little."""
+    if not sys.platform.startswith("linux"):
+        return ThreadPoolExecutor(workers), job.do
+    context = multiprocessing.get_context("fork")
+    job.stop = context.Value("b", 0, lock=False)
+    return ProcessPoolExecutor(workers, context, _enter, (job,)), _do
+
+
+_job: Job[Any] | None = None  # of a worker process
+
+
+def _enter(job: Job[Any]) -> None:
+    global _job
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches every process; the first one tells the others
+    _job = job
+
+
+def _do(i: int) -> Any:
+    if _job is None:
+        raise TypeError("a worker without a job")
+    return _job.do(i)
+
+
+def cores() -> int:
+    """How many this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
