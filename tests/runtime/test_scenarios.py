@@ -57,6 +57,7 @@ FAULTS = {
     "flyball_governor": ("ball_mass = 2.02 kg", "max.right_hinge.angle", ""),
     "four_bar_clearance": ("rocker_inertia = 1.515e-4 kg m^2", "impacts.0.t", "2 ms"),
     "journal_in_bearing": ("load = 505 N", "final.bearing.penetration", ""),
+    "journal_lubricated": ("viscosity = 0.0505 Pa s", "final.shaft.x", ""),
     "n_four_bar": ("gravity = 9.9081 m/s^2", "final.foot_0.angle", ""),
     "newtons_cradle": ("length = 0.2525 m", "impacts.0.speed", "0.3 s"),
     "pendulum": ("length = 1.01 m", "final.hinge.speed", ""),
