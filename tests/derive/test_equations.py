@@ -15,6 +15,7 @@ from hertzwerk.derive import (
     EnergyLedger,
     Friction,
     Gravity,
+    InputError,
     Mechanism,
     Parameter,
     PinInBush,
@@ -124,7 +125,12 @@ def test_random_trees_equal_kanes_method(seed):
     )
     if rng.random() < 0.4:
         tree = driven(tree, int(rng.integers(n)), 1.7)
-    assert deviation(tree, Derived(tree.scene())) < 1e-10
+    try:
+        derived = Derived(tree.scene())
+    except InputError as error:  # gravity across every joint is refused: KanesMethod, which keeps it, must not notice
+        assert [fault.where for fault in error.faults] == ["effect gravity"]
+        derived = Derived(replace(tree, gravity=0.0).scene())
+    assert deviation(tree, derived) < 1e-10
 
 
 @pytest.mark.parametrize("parameter", ["m1", "J1z", "s1x", "b1y", "a2z", "w0", "g"])
