@@ -29,7 +29,6 @@ from hertzwerk.derive import (
     Y,
     Z,
 )  # fmt: skip
-from hertzwerk.derive.faults import InputError
 from hertzwerk.derive.laws import flores, power, smooth_coulomb
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 from hertzwerk.derive.scenes.slider_crank_frictionless import scene as slider_crank_frictionless
