@@ -38,9 +38,16 @@ class Integrator:
         vectors, h = self.layouts, ca.SX.sym("h")
         state, controls = vectors.state.symbol("state"), vectors.controls.symbol("controls")
         start, run = vectors.state.split(state), vectors.controls.split(controls)
-        trials = [vectors.trial.join(stepper(self.model, table, BY_MODE)(start, run, h)) for table in self.tables]
-        trial = ca.if_else(start["method"] == 0, trials[0], trials[-1]) if len(trials) > 1 else trials[0]
-        return ca.Function("step", [state, controls, h], [ca.cse(trial)], ["state", "controls", "h"], ["trial"])
+        names = ["state", "controls", "h"]
+        steps = []
+        for table in self.tables:
+            trial = vectors.trial.join(stepper(self.model, table, BY_MODE)(start, run, h))
+            steps.append(ca.Function("step", [state, controls, h], [ca.cse(trial)], names, ["trial"]))
+        if len(steps) == 1:
+            return steps[0]
+        given = steps[0].mx_in()  # with MX the step of the other method is not evaluated
+        chosen = ca.Function.if_else("chosen", steps[1], steps[0])(given[0][vectors.state["method"]], *given)
+        return ca.Function("step", given, [chosen], names, ["trial"])
 
 
 def integrator(model: Model, tables: tuple[Table, ...]) -> Integrator:
