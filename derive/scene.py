@@ -28,7 +28,7 @@ from hertzwerk.derive.parameter import (
     is_number,
     parameters_of,
 )
-from hertzwerk.derive.soundness import faults_of
+from hertzwerk.derive.soundness.scene import faults_of
 from hertzwerk.derive.units import parse_unit
 
 APPROACH_FLOOR = Parameter(

@@ -12,7 +12,8 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.audit import audit_laws, audit_program, refuse_inconsistent
-from hertzwerk.derive.derivation import derive, meanings_of, unsolved
+from hertzwerk.derive.derivation import derive, unsolved
+from hertzwerk.derive.module.tables import meanings_of
 from hertzwerk.derive.notation import latex_of, text_of, tidy
 from hertzwerk.derive.program import Program, symbols_in
 from hertzwerk.derive.readable.drafts import (

@@ -10,10 +10,11 @@ from derived import Derived
 
 from hertzwerk.derive import Contact, Parameter, audit_scene, derive, generate
 from hertzwerk.derive.audit import InconsistentUnits, audit_program
-from hertzwerk.derive.derivation import _Derivation, derivation_of
+from hertzwerk.derive.derivation import derivation_of
 from hertzwerk.derive.equations import Equations
 from hertzwerk.derive.kinematics import Kinematics
 from hertzwerk.derive.laws import LAWS, hunt_crossley, lankarani_nikravesh, power
+from hertzwerk.derive.module.system import System
 from hertzwerk.derive.scenes import NAMES
 from hertzwerk.derive.scenes.ball_between_walls import scene as walls
 from hertzwerk.derive.scenes.bouncing_ball import scene as ball
@@ -207,7 +208,7 @@ SEEDED = {
         "slider_pin_drag_on",
     ),
     "a result under the wrong unit": (
-        _Derivation, "_pairs", lambda f, self, name, unit, values: f(self, name, {"m/s": "rad/s"}.get(unit, unit), values),
+        System, "of_pairs", lambda f, self, name, unit, values: f(self, name, {"m/s": "rad/s"}.get(unit, unit), values),
         "output gaps.dG[slider_pin]",
     ),
 }  # fmt: skip

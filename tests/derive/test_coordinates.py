@@ -40,8 +40,9 @@ from hertzwerk.derive import (
     speed_of,
 )
 from hertzwerk.derive.coordinates import absolute
-from hertzwerk.derive.derivation import _Derivation, derivation_of
+from hertzwerk.derive.derivation import derivation_of
 from hertzwerk.derive.laws import smooth_coulomb
+from hertzwerk.derive.module.system import System
 from hertzwerk.derive.readable.equations import equations_of
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 
@@ -249,7 +250,7 @@ def test_cost_is_linear_without_inertias_too_and_nothing_is_lent_to_who_has_one(
 
 def lent(scene: Scene) -> list[str]:
     """Rows that a mass or an inertia is lent to."""
-    return list(_Derivation(absolute(scene)).equations.lent)
+    return list(System(absolute(scene)).equations.lent)
 
 
 # -- which coordinates -------------------------------------------------------------------------------------------------

@@ -87,7 +87,7 @@ def test_landmarks_cost_a_run_nothing(coordinates, monkeypatch):
     with_them = derive(scene)
     assert with_them.functions[-1].name == "landmarks"
     assert with_them.functions[-1].arguments == ("p",)
-    monkeypatch.setattr("hertzwerk.derive.derivation.landmarks_of", lambda scene: iter(()))
+    monkeypatch.setattr("hertzwerk.derive.module.system.landmarks_of", lambda scene: iter(()))
     without = derive(scene)
     assert without.functions[:-1] == with_them.functions[:-1]
     assert without.constants == with_them.constants

@@ -1,0 +1,1 @@
+"""What a generated module holds: its functions and tables, concept by concept."""

@@ -1,0 +1,26 @@
+"""A scene in absolute coordinates starts by those of its joints: their kinematics, beside that of the bodies."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+from hertzwerk.derive.coordinates import Absolute
+from hertzwerk.derive.kinematics import Kinematics
+from hertzwerk.derive.loops import Constraint, constraints_of
+from hertzwerk.derive.module.results import ports_of
+from hertzwerk.derive.program import Tape
+
+
+class Joints:
+    """Of the scene as declared, on the tape of the one in absolute coordinates: where the bodies are at the start."""
+
+    def __init__(self, tape: Tape, absolute: Absolute) -> None:
+        self.absolute = absolute
+        self.scene = absolute.declared
+        self.kin = Kinematics(tape, self.scene, ("joints", "joint_speeds", "joint_accelerations"))
+        self.coordinates, self.speeds = ports_of(self.scene, self.kin)
+
+    @cached_property
+    def loops(self) -> tuple[Constraint, ...]:
+        """The loops of the scene as declared."""
+        return constraints_of(self.kin)

@@ -1,0 +1,43 @@
+"""What closes the loops, and the way back to closed ones."""
+
+from __future__ import annotations
+
+from hertzwerk.derive.loops import Constraint
+from hertzwerk.derive.module.joints import Joints
+from hertzwerk.derive.module.results import RATE_UNITS, dimension_of, of_loops
+from hertzwerk.derive.module.system import System
+from hertzwerk.derive.program import Function
+
+
+def constraints(system: System) -> Function:
+    """What closes the loops."""
+    return _closed(system, "constraints", system.loops, "t q u c")
+
+
+def joint_constraints(system: System, joints: Joints) -> Function:
+    """The same of the scene as declared, by the joints' coordinates."""
+    return _closed(system, "joint_constraints", joints.loops, "t joints joint_speeds c")
+
+
+def _closed(system: System, name: str, loops: tuple[Constraint, ...], arguments: str) -> Function:
+    return system.function(
+        name,
+        "What must be zero for the loops to be closed, and its rate.",
+        arguments,
+        of_loops("phi", loops, [row.value for row in loops], {}),
+        of_loops("dphi", loops, [row.rate for row in loops], RATE_UNITS),
+    )
+
+
+def projection(system: System) -> Function:
+    """The way back to closed loops."""
+    wanted = [
+        system.tape.input(f"{row.name.replace('.', '_')}_wanted_rate", "wanted", dimension_of(RATE_UNITS[row.unit]))
+        for row in system.loops
+    ]
+    return system.function(
+        "projection",
+        "Speeds of least kinetic energy that change the constraints at the rates wanted.",
+        "t q wanted c",
+        system.of_speeds("v", system.equations.projection(wanted)),
+    )

@@ -1,0 +1,84 @@
+"""The equations of motion: kinematic equations, forces that are no contact's, accelerations."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from hertzwerk.derive.kinematics import acceleration_of
+from hertzwerk.derive.module.results import MULTIPLIER_UNITS, dimension_of, of_loops
+from hertzwerk.derive.module.system import System
+from hertzwerk.derive.program import Function, Result
+
+
+def coordinate_rates(system: System) -> Function:
+    """Kinematic equations."""
+    names = system.coordinates
+    labels, units = (
+        tuple(port.name for port in names),
+        tuple("1/s" if unit == "1" else f"{unit}/s" for _, unit in names),
+    )
+    return system.function(
+        "coordinate_rates",
+        "Rates of the coordinates.",
+        "t q u c",
+        Result("dq", labels, units, (*system.kin.rates, *(state.rate for state in system.kin.drive_states))),
+    )
+
+
+def applied(system: System) -> Function:
+    """Forces that are no contact's."""
+    weight = {row.key: system.equations.gravity(row) for row in system.rows}
+    for effect in system.scene.of_kind("gravity"):
+        system.enter(effect.name, weight)
+    for effect, e in system.elements.items():
+        system.enter(effect.name, e.forces)
+    f = [sp.Add(weight[row.key], *(e.forces.get(row.key, 0) for e in system.elements.values())) for row in system.rows]
+    return system.function(
+        "applied", "Generalised forces of everything that is no contact.", "t q u c", system.of_rows("f", f)
+    )
+
+
+def accelerations(system: System) -> Function:
+    """The equations of motion, solved."""
+    symbols = {
+        row.key: system.tape.input(f"{row.key.replace('.', '_')}_force", "f", dimension_of(row.unit))
+        for row in system.rows
+    }
+    a, multipliers = system.equations.accelerations(symbols)
+    reactions = system.equations.reactions(symbols, a, multipliers) if system.scene.ledger else []
+    labels, units = zip(*(acceleration_of(port) for port in system.speeds), strict=True)
+    return system.function(
+        "accelerations",
+        "Generalised accelerations a from M a = f - bias, and what each drive must supply.",
+        "t q u f c",
+        Result("a", labels, units, tuple(a)),
+        Result(
+            "reactions",
+            tuple(f"{row.key}.reaction" for row in system.driven),
+            tuple(row.unit for row in system.driven),
+            tuple(reactions),
+        ),
+        *((of_loops("multipliers", system.loops, multipliers, MULTIPLIER_UNITS),) if system.loops else ()),
+    )
+
+
+def motion(system: System) -> Function:
+    """What stands in the equations of motion, for people: they are solved in the program."""
+    free = [row.key for row in system.equations.free]
+    mass = system.equations.mass_matrix()
+    keys = [(row.key, column) for row in system.rows for column in free if (row.key, column) in mass]
+    entries = tuple(mass[key] for key in keys)
+    held = {
+        f"{row.key} {loop.name}": loop.column[row.key]
+        for row in system.rows
+        for loop in system.loops
+        if row.key in loop.column
+    }
+    return system.function(
+        "motion",
+        "Mass matrix M, bias and the columns of G^T, by row, of M a + bias = f + G^T multipliers.",
+        "t q u",
+        Result("M", tuple(map(" ".join, keys)), ("",) * len(keys), entries),
+        system.of_rows("bias", [system.equations.bias(row) for row in system.rows]),
+        Result("held", tuple(held), ("",) * len(held), tuple(held.values())),
+    )

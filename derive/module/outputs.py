@@ -1,0 +1,70 @@
+"""What a run is looked at by: poses, landmarks, named quantities."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from hertzwerk.derive.coordinates import MEASURED
+from hertzwerk.derive.module.system import System
+from hertzwerk.derive.program import Function, Result
+
+
+def poses(system: System) -> Function:
+    """Where the bodies are."""
+    positions: list[Any] = []
+    rotations: list[Any] = []
+    names = [body.name for body in system.scene.mechanism.bodies]
+    for body in system.scene.mechanism.bodies:
+        positions.extend(system.kin.frame_origin(body))
+        rotations.extend(entry for row in system.kin.rotation(body) for entry in row)
+    return system.function(
+        "poses",
+        "Origin of every body's frame (x, y, z after one another) and its rotation matrix (row by row), body by body.",
+        "t q c",
+        Result("positions", tuple(f"{n}.{k}" for n in names for k in "xyz"), ("m",) * len(positions), tuple(positions)),
+        Result(
+            "rotations",
+            tuple(f"{n}.R_{i}{j}" for n in names for i in "xyz" for j in "xyz"),
+            ("1",) * len(rotations),
+            tuple(rotations),
+        ),
+    )
+
+
+def landmarks(system: System) -> Function:
+    """What a picture shows."""
+    return system.function(
+        "landmarks",
+        "What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes of its body.",
+        "p",
+        *(landmark.result for landmark in system.landmarks),
+    )
+
+
+def outputs(system: System) -> Function:
+    """Named quantities of pairs, force elements and joints that close loops."""
+    rows = output_rows(system)
+    result = Result("y", tuple(n for n, _, _ in rows), tuple(u for _, u, _ in rows), tuple(e for _, _, e in rows))
+    return system.function("outputs", "Named quantities, see OUTPUTS.", "t q u c", result)
+
+
+def output_rows(system: System) -> list[tuple[str, str, Any]]:
+    """Name, unit and expression of every named quantity."""
+    of_pairs = [row for pair, _, _ in system.contacts for row in pair.touch.outputs()]
+    of_pairs += [row for e in system.elements.values() for row in e.outputs]
+    return of_pairs + ([] if system.joints is None else _joint_outputs(system))
+
+
+def _joint_outputs(system: System) -> list[tuple[str, str, Any]]:
+    """What the joints' coordinates and speeds are, where they can be measured."""
+    closures = [joint for joint in system.scene.mechanism.closures if type(joint).__name__ in MEASURED]
+    freedoms = [freedom for joint in closures for freedom in joint.freedoms]
+    rows = [
+        (port, value)
+        for freedom in freedoms
+        for port, value in (
+            (freedom.coordinates[0], system.kin.coordinate(freedom.key)),
+            (freedom.speeds[0], system.kin.speed(freedom.key)),
+        )
+    ]
+    return [(port.name, port.unit, value) for port, value in rows if value is not None]

@@ -1,0 +1,80 @@
+"""Gaps and forces of the pairs."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from hertzwerk.derive.contact import Forces, PairKinematics
+from hertzwerk.derive.module.system import System
+from hertzwerk.derive.program import Function, Result
+from hertzwerk.derive.scene import Contact, Friction
+
+
+def gaps(system: System) -> Function:
+    """Event functions and rates."""
+    return system.function(
+        "gaps",
+        "Gap of every pair, positive while open, and its rate; at an onset the rate is minus the approach speed.",
+        "t q u c",
+        system.of_pairs("G", "m", [pair.touch.gap for pair, _, _ in system.contacts]),
+        system.of_pairs("dG", "m/s", [pair.touch.gap_rate for pair, _, _ in system.contacts]),
+    )
+
+
+def gap_accelerations(system: System) -> Function:
+    """Second derivatives of the event functions."""
+    values = [pair.touch.gap_acceleration for pair, _, _ in system.contacts]
+    return system.function(
+        "gap_accelerations", "Second derivative of every gap.", "t q u a c", system.of_pairs("ddG", "m/s^2", values)
+    )
+
+
+def contact(system: System, pair: PairKinematics, contact: Contact, friction: Friction | None) -> Function:
+    """Forces of one pair."""
+    bristle = None if friction is None else system.bristles.get(friction.name)
+    forces = pair.forces(contact, friction, system.latches.get(contact.name), bristle)
+    name = contact.name
+    system.enter(name, forces.generalised)
+    if friction is not None:
+        system.enter(friction.name, forces.rubbing if forces.grip is None else forces.grip.along)
+    f = [forces.generalised.get(row.key, sp.S.Zero) for row in system.rows]
+    rates = {f"{name}.dissipated": forces.normal_power}
+    if friction is not None:
+        rates[f"{friction.name}.dissipated"] = forces.friction_power
+    if friction is not None and forces.bristle_rate is not None:
+        rates[f"{friction.name}.bristle"] = forces.bristle_rate
+    sliding = () if friction is None else (forces.sliding_velocity,)
+    grip = [] if friction is None or forces.grip is None else _grip(system, friction, forces)
+    return system.function(
+        f"contact_{name}",
+        f"Forces of {name}: {contact.text}{f', {friction.law.law.name}' if friction else ''}. "
+        "The normal force is the laws' own, not clamped: where it would pull, the contact ends."
+        + (" Friction comes on top: `along` times its force, which is that of slip or stick." if grip else ""),
+        "t q u z m c",
+        system.of_rows("f", f),
+        system.memory_rates([rates.get(entry, sp.S.Zero) for entry, _ in system.memory]),
+        Result("normal_force", (name,), ("N",), (forces.normal_force,)),
+        Result("sliding_velocity", (name,) * len(sliding), ("m/s",) * len(sliding), sliding),
+        Result("in_range", (name,), ("1",), (forces.in_range,)),
+        *grip,
+    )
+
+
+def _grip(system: System, friction: Friction, forces: Forces) -> list[Result]:
+    """Of friction with modes, per newton along the tangent: generalised force and dissipated power; the forces of slip and stick."""
+    grip, name = forces.grip, friction.pair
+    if grip is None:
+        raise ValueError(f"{friction.name} has no modes")
+    along = [grip.along.get(row.key, sp.S.Zero) for row in system.rows]
+    per_newton = {"N": "1", "N m": "m"}
+    units = tuple(per_newton[unit] for unit in system.row_units)
+    power = [
+        -forces.sliding_velocity if entry == f"{friction.name}.dissipated" else sp.S.Zero for entry, _ in system.memory
+    ]
+    rates = {"J": "W/N", "m": "m/(s N)"}
+    return [
+        Result("along", tuple(row.key for row in system.rows), units, tuple(along)),
+        Result("dz_along", tuple(n for n, _ in system.memory), tuple(rates[u] for _, u in system.memory), tuple(power)),
+        Result("sliding_force", (name,), ("N",), (grip.sliding,)),
+        Result("holding_force", (name,), ("N",), (grip.holding,)),
+    ]

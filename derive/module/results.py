@@ -1,0 +1,40 @@
+"""Results of functions, with a label and a unit for every entry."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from hertzwerk.derive.dimension import Dimension
+from hertzwerk.derive.joints import Port
+from hertzwerk.derive.kinematics import Kinematics
+from hertzwerk.derive.loops import Constraint
+from hertzwerk.derive.program import Result
+from hertzwerk.derive.scene import Scene
+from hertzwerk.derive.units import parse_unit
+
+RATE_UNITS = {"m": "m/s", "1": "1/s"}  # of a constraint, by its unit
+MULTIPLIER_UNITS = {"m": "N", "1": "N m"}  # of the force that holds it
+
+
+def ports_of(scene: Scene, kin: Kinematics) -> tuple[list[Port], list[Port]]:
+    """Coordinates, with what drives integrate, and speeds."""
+    coordinates = [port for freedom in scene.free for port in freedom.coordinates]
+    coordinates += [state.port for state in kin.drive_states]
+    return coordinates, [port for freedom in scene.free for port in freedom.speeds]
+
+
+def vector(name: str, ports: list[Port], values: list[Any]) -> Result:
+    """One entry per port."""
+    return Result(name, tuple(port.name for port in ports), tuple(port.unit for port in ports), tuple(values))
+
+
+def of_loops(name: str, loops: tuple[Constraint, ...], values: list[Any], units: Mapping[str, str]) -> Result:
+    """One entry per constraint, its unit as `units` has it for the constraint's, or else that one."""
+    labels, of = tuple(row.name for row in loops), tuple(units.get(row.unit, row.unit) for row in loops)
+    return Result(name, labels, of, tuple(values))
+
+
+def dimension_of(unit: str) -> Dimension:
+    """Of a unit's text."""
+    return Dimension.from_unit(parse_unit(unit), {})

@@ -1,0 +1,48 @@
+"""Where a run starts, and the way from the joints' coordinates to those of the bodies."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from hertzwerk.derive.coordinates import placed
+from hertzwerk.derive.module.joints import Joints
+from hertzwerk.derive.module.results import vector
+from hertzwerk.derive.module.scales import sizes_of
+from hertzwerk.derive.module.system import System
+from hertzwerk.derive.program import Function
+
+
+def start(system: System) -> Function:
+    """Initial state, in the joints' coordinates."""
+    of = system if system.joints is None else system.joints
+    given, free = of.scene.start, of.scene.free
+    q = [sp.sympify(value) for freedom in free for value in given.coordinates(freedom)]
+    q += [state.start for state in of.kin.drive_states]
+    u = [sp.sympify(value) for freedom in free for value in given.speeds(freedom)]
+    return system.function(
+        "start", "Coordinates and speeds at t = 0.", "p", vector("q", of.coordinates, q), vector("u", of.speeds, u)
+    )
+
+
+def joint_scales(system: System, joints: Joints) -> Function:
+    """Sizes by which the start is assembled, in the joints' coordinates."""
+    sizes = sizes_of(joints.scene)
+    return system.function(
+        "joint_scales",
+        "Sizes of the joints' coordinates and speeds.",
+        "p",
+        vector("sq", joints.coordinates, [sizes[unit] for _, unit in joints.coordinates]),
+        vector("su", joints.speeds, [sizes[unit] for _, unit in joints.speeds]),
+    )
+
+
+def placed_bodies(system: System, joints: Joints) -> Function:
+    """The way from the joints' coordinates, which say what is given and what follows, to those of the bodies."""
+    q, u = placed(joints.absolute, joints.kin, system.kin)
+    return system.function(
+        "placed",
+        "Coordinates and speeds of the bodies, from those of the joints.",
+        "t joints joint_speeds c",
+        system.of_coordinates("q", q),
+        system.of_speeds("u", u),
+    )

@@ -1,0 +1,143 @@
+"""What the functions of a module are made from: kinematics, equations, pairs and force elements of a scene, and the rows of its vectors."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cached_property
+from typing import Any
+
+from hertzwerk.derive.contact import PairKinematics
+from hertzwerk.derive.coordinates import Absolute
+from hertzwerk.derive.effects.element import DISSIPATED
+from hertzwerk.derive.elements import element
+from hertzwerk.derive.equations import Equations
+from hertzwerk.derive.faults import InputError
+from hertzwerk.derive.joints import Port
+from hertzwerk.derive.kinematics import Kinematics
+from hertzwerk.derive.landmarks import Landmark, landmarks_of
+from hertzwerk.derive.laws.law import speed_limit
+from hertzwerk.derive.module.joints import Joints
+from hertzwerk.derive.module.results import dimension_of, ports_of, vector
+from hertzwerk.derive.periods import period
+from hertzwerk.derive.program import Function, Result, Tape
+from hertzwerk.derive.resistance import resistance_faults
+from hertzwerk.derive.scene import Contact, Friction, Scene
+
+
+class System:
+    """Of one scene, on one tape; the functions of a module are written from it."""
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+        self.tape = Tape()
+        for parameter, dimension in scene.dimensions.items():
+            self.tape.input(parameter.name, "p", dimension, symbol=parameter)
+        self.kin = Kinematics(self.tape, scene)
+        self.equations = Equations(self.kin, scene)
+        self.contacts = [
+            (PairKinematics(self.kin, pair, scene.geometry(pair.name)), contact, friction)
+            for pair, contact, friction in scene.contacts
+        ]
+        found = {effect: element(effect, self.kin, scene) for effect in scene.effects}
+        self.elements = {effect: e for effect, e in found.items() if e is not None}
+        rows = list(self.equations.free)
+        if scene.ledger:
+            rows += self.equations.driven
+        self.driven = [*self.equations.driven, *self.equations.prescribed] if scene.ledger else []
+        self.rows = rows
+        self.row_units = tuple(row.unit for row in rows)
+        self.loops = self.equations.constraints
+        faults = [fault for pair, _, friction in self.contacts for fault in pair.faults(friction, scene.size)]
+        faults += resistance_faults(scene)
+        if faults:
+            raise InputError(f"scene {scene.name}", faults)
+        self.bristles = {
+            friction.name: self.tape.input(f"{friction.name}_bristle", "z", dimension_of("m"))
+            for _, _, friction in self.contacts
+            if friction is not None and friction.law.law.memory
+        }
+        self.memory = self._memory()
+        self.latches = {
+            contact.name: self.tape.input(f"{contact.name}_approach_speed", "m", dimension_of("m/s"))
+            for _, contact, _ in self.contacts
+            if contact.latches
+        }
+        # effects that have a term in an equation of motion, found as it is written; a drive takes a coordinate away, a ledger has its quadratures
+        self.entered = {effect.name for effect in scene.effects if effect.kind in ("drive", "ledger")}
+        self.joints = Joints(self.tape, scene) if isinstance(scene, Absolute) else None
+
+    def _memory(self) -> list[tuple[str, str]]:
+        """Entries of z: (name, unit); first, in the order of the inputs, those that functions read."""
+        bristles = [(f"{name}.bristle", "m") for name in self.bristles]
+        if not self.scene.ledger:
+            return bristles
+        ledger = self.scene.of_kind("ledger")[0].name
+        drives = [(f"{ledger}.input", "J")] if self.driven else []
+        rows = {effect.name: DISSIPATED for effect in self.scene.effects if isinstance(effect, Contact | Friction)}
+        rows |= {effect.name: e.booked for effect, e in self.elements.items() if e.power is not None}
+        booked = [(f"{e.name}.{rows[e.name]}", "J") for e in self.scene.effects if e.name in rows]
+        return bristles + drives + booked
+
+    @cached_property
+    def coordinates(self) -> list[Port]:
+        """Rows of q."""
+        return ports_of(self.scene, self.kin)[0]
+
+    @cached_property
+    def speeds(self) -> list[Port]:
+        """Rows of u."""
+        return ports_of(self.scene, self.kin)[1]
+
+    @cached_property
+    def limited(self) -> dict[str, Any]:
+        """Pair -> approach speed up to which its law holds, where a material's density says."""
+        limits = {contact.name: speed_limit(contact.laws) for _, contact, _ in self.contacts}
+        return {name: limit for name, limit in limits.items() if limit is not None}
+
+    @cached_property
+    def periodic(self) -> Any | None:
+        """After what time everything that depends on time repeats [s], where it does."""
+        return period(self.scene)
+
+    @cached_property
+    def landmarks(self) -> tuple[Landmark, ...]:
+        """Of the scene as declared: joints that only coordinates ask for are not there."""
+        return tuple(landmarks_of(self.scene if self.joints is None else self.joints.scene))
+
+    def enter(self, effect: str, forces: Mapping[str, Any]) -> None:
+        """Note an effect whose generalised forces are not zero in every row."""
+        if any(forces.get(row.key, 0) != 0 for row in self.rows):
+            self.entered.add(effect)
+
+    # -- functions and their results --------------------------------------------------------------------------------
+
+    def function(self, name: str, summary: str, arguments: str, *results: Result) -> Function:
+        """The slice of the tape that the results need; `arguments` are groups, one after another."""
+        return self.tape.function(name, summary, tuple(arguments.split()), results)
+
+    def of_coordinates(self, name: str, values: list[Any]) -> Result:
+        """One entry per coordinate."""
+        return vector(name, self.coordinates, values)
+
+    def of_speeds(self, name: str, values: list[Any]) -> Result:
+        """One entry per speed."""
+        return vector(name, self.speeds, values)
+
+    def of_rows(self, name: str, values: list[Any]) -> Result:
+        """One generalised force per row of the equations of motion."""
+        return Result(name, tuple(row.key for row in self.rows), self.row_units, tuple(values))
+
+    def of_pairs(self, name: str, unit: str, values: list[Any]) -> Result:
+        """One entry per pair, all of one unit."""
+        names = tuple(pair.pair.name for pair, _, _ in self.contacts)
+        return Result(name, names, (unit,) * len(names), tuple(values))
+
+    def of_memory(self, name: str, values: list[Any]) -> Result:
+        """One entry per entry of z."""
+        return Result(name, tuple(n for n, _ in self.memory), tuple(unit for _, unit in self.memory), tuple(values))
+
+    def memory_rates(self, values: list[Any]) -> Result:
+        """Rates of the entries of z."""
+        units = {"J": "W", "m": "m/s"}
+        names, rates = tuple(n for n, _ in self.memory), tuple(units[unit] for _, unit in self.memory)
+        return Result("dz", names, rates, tuple(values))

@@ -1,0 +1,130 @@
+"""Tables of a module: names, units and roles of what its vectors hold, and what the scene says of itself."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from hertzwerk.derive.effects.expression import tables_in
+from hertzwerk.derive.emit import table_name
+from hertzwerk.derive.joints import Port
+from hertzwerk.derive.kinematics import Kinematics
+from hertzwerk.derive.loops import Constraint
+from hertzwerk.derive.module.outputs import output_rows
+from hertzwerk.derive.module.system import System
+from hertzwerk.derive.parameter import Interval, Parameter
+from hertzwerk.derive.scene import Scene
+from hertzwerk.derive.tables import Table
+
+
+def tables(system: System) -> Mapping[str, tuple[Any, ...]]:
+    """Name of a table -> its rows, in the order of the module's text."""
+    scene = system.scene
+    pairs = [pair.pair.name for pair, _, _ in system.contacts]
+    entries = [name for name, _ in system.memory]
+    meanings = meanings_of(scene)
+    quaternions = _quaternions(system.coordinates)
+    return {
+        "EFFECTS": tuple((effect.name, effect.kind, effect.text) for effect in scene.effects),
+        "UNCHECKED": tuple((e.name, e.text) for e in scene.effects if getattr(e, "unchecked", False)),
+        "PARAMETERS": tuple(
+            (p.name, p.unit, p.default, p.meaning or meanings.get(p.name, "")) for p in scene.parameters.values()
+        ),
+        "LIMITS": tuple(_limits(scene)),
+        "COORDINATES": tuple((name, unit) for name, unit in system.coordinates),
+        **({"QUATERNIONS": quaternions} if quaternions else {}),
+        "SPEEDS": tuple((name, unit) for name, unit in system.speeds),
+        "MEMORY": tuple(system.memory),
+        "LATCHES": tuple((f"{name}.approach_speed", "m/s", pairs.index(name)) for name in system.latches),
+        "PAIRS": tuple((pair.pair.name, pair.pair.kind) for pair, _, _ in system.contacts),
+        **_slips(system),
+        "RELEASES": tuple("force" if c.damping is None else c.damping.law.release for _, c, _ in system.contacts),
+        "DISSIPATED": tuple(entries.index(f"{name}.dissipated") for name in pairs) if scene.ledger else (),
+        **_loop_tables(system),
+        **({"BRISTLES": tuple(_bristle_rows(system))} if system.bristles else {}),
+        "OUTPUTS": tuple((name, unit) for name, unit, _ in output_rows(system)),
+        **({"SPEED_LIMITED": tuple(system.limited)} if system.limited else {}),
+        "BODIES": tuple(body.name for body in scene.mechanism.bodies),
+        "LANDMARKS": tuple(landmark.row for landmark in system.landmarks),
+        **{table_name(table): table.pieces() for table in _tables_used(scene)},
+    }
+
+
+def _tables_used(scene: Scene) -> list[Table]:
+    """Tables that stand in some expression of the scene."""
+    return list(dict.fromkeys(table for slot in scene.slots() for table in tables_in(slot.value)))
+
+
+def _slips(system: System) -> dict[str, tuple[Any, ...]]:
+    """Table of the pairs whose friction has modes: entries of m behind LATCHES, with their pair; none without such a pair."""
+    rows = [
+        (f"{pair.pair.name}.slip", "1", j)
+        for j, (pair, _, friction) in enumerate(system.contacts)
+        if friction is not None and friction.law.law.modes
+    ]
+    return {"SLIPS": tuple(rows)} if rows else {}
+
+
+def _bristle_rows(system: System) -> Iterator[tuple[int, int]]:
+    """Of every bristle: its row of z, and its pair."""
+    entries = [name for name, _ in system.memory]
+    for j, (_, _, friction) in enumerate(system.contacts):
+        if friction is not None and friction.name in system.bristles:
+            yield entries.index(f"{friction.name}.bristle"), j
+
+
+def _loop_tables(system: System) -> dict[str, tuple[Any, ...]]:
+    """The constraints, and what of the start is stated and not to be found by assembly."""
+    loops = {"CONSTRAINTS": _names(system.loops)} if system.loops else {}
+    joints = system.joints
+    if joints is None:
+        return loops | {"GIVEN": _given(system.scene, system.kin)} if loops else {}
+    given = {"GIVEN": _given(joints.scene, joints.kin)} if joints.loops else {}
+    return (
+        loops
+        | given
+        | {
+            "JOINT_COORDINATES": tuple(map(tuple, joints.coordinates)),
+            "JOINT_SPEEDS": tuple(map(tuple, joints.speeds)),
+            "JOINT_QUATERNIONS": _quaternions(joints.coordinates),
+            "JOINT_CONSTRAINTS": _names(joints.loops),
+        }
+    )
+
+
+def _names(loops: tuple[Constraint, ...]) -> tuple[tuple[str, str], ...]:
+    return tuple((row.name, row.unit) for row in loops)
+
+
+def _quaternions(ports: list[Port]) -> tuple[int, ...]:
+    """Where quaternions begin."""
+    return tuple(i for i, port in enumerate(ports) if port.name.endswith(".q0"))
+
+
+def _given(scene: Scene, kin: Kinematics) -> tuple[str, ...]:
+    """What of the start is stated, and not to be found by assembly."""
+    stated = [name for freedom in scene.free for name in scene.start.stated(freedom)]
+    return (*stated, *(state.port.name for state in kin.drive_states))
+
+
+def _limits(scene: Scene) -> list[tuple[Any, ...]]:
+    """Ranges of parameters that fill a slot alone: (parameter, kind, lower, upper, lower open, upper open, why)."""
+    rows: dict[tuple[Any, ...], str] = {}
+    for slot in scene.slots():
+        if not isinstance(slot.value, Parameter):
+            continue
+        ranges: tuple[tuple[str, Interval | None], ...] = (("defined", slot.limit), ("recommended", slot.recommended))
+        for kind, interval in ranges:
+            if interval is not None and not (kind == "recommended" and interval == slot.limit):
+                bounds = (interval.lower, interval.upper, interval.open_left, interval.open_right)
+                rows.setdefault((slot.value.name, kind, *bounds), slot.where)
+    return [(*row, where) for row, where in rows.items()]
+
+
+def meanings_of(scene: Scene) -> dict[str, str]:
+    """What each parameter is: as declared, or else the slot it fills."""
+    meanings: dict[str, str] = {}
+    for slot in scene.slots():
+        if isinstance(slot.value, Parameter):
+            meanings.setdefault(slot.value.name, slot.value.meaning or slot.where)
+    return meanings

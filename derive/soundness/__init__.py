@@ -1,0 +1,1 @@
+"""What is wrong with a scene, before anything is derived from it."""

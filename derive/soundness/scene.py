@@ -1,0 +1,62 @@
+"""What is wrong with a scene: every fault of its declarations at once, found before anything is derived.
+
+In order: types, topology, effects, start, parameters, quantities. A stage that needs sound input from an earlier one looks only at what is sound.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from hertzwerk.derive.effects.expression import Varying, expression_faults, table_faults
+from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.pairs import Posed
+from hertzwerk.derive.parameter import dimensions_of, parameters_of
+from hertzwerk.derive.soundness.directions import length_faults
+from hertzwerk.derive.soundness.effects import effect_faults, start_faults
+from hertzwerk.derive.soundness.inertia import inertia_faults
+from hertzwerk.derive.soundness.quantities import declared, posed_faults, quantity_faults, sound_of
+from hertzwerk.derive.soundness.topology import topology_faults
+from hertzwerk.derive.soundness.types import scene_type_faults
+
+if TYPE_CHECKING:
+    from hertzwerk.derive.scene import Scene
+
+
+def faults_of(scene: Scene) -> tuple[Fault, ...]:
+    """Every fault of a scene, each once."""
+    wrong_types = tuple(scene_type_faults(scene))
+    if wrong_types:
+        return tuple(dict.fromkeys(wrong_types))
+    found: list[Fault] = [
+        *length_faults(scene),
+        *topology_faults(scene.mechanism),
+        *effect_faults(scene),
+        *start_faults(scene),
+    ]
+    if not scene.name.isidentifier():
+        found.append(Fault("scene", f"the name {scene.name!r}", "a Python identifier"))
+    parameters, broken = declared(scene)
+    found.extend(broken)
+    sound = sound_of(parameters, broken)
+    table = dimensions_of(sound)
+    freedoms = {freedom.key: freedom for freedom in scene.mechanism.freedoms if freedom.scalar}
+    for slot in scene.slots():
+        if not all(sound.get(parameter.name) == parameter for parameter in parameters_of(slot.value)):
+            continue
+        if isinstance(slot, Posed):
+            found.extend(posed_faults(slot, table))
+        elif isinstance(slot, Varying):
+            found.extend(expression_faults(slot, freedoms, table, partial(quantity_faults, table=table)))
+        else:
+            found.extend(quantity_faults(slot, table))
+    found.extend(inertia_faults(scene.mechanism, sound))
+    found.extend(table_faults(_expressions(scene)))
+    return tuple(dict.fromkeys(found))
+
+
+def _expressions(scene: Scene) -> Iterator[Any]:
+    """Of every quantity; of effects on joints that are not there too."""
+    yield from (slot.value for slot in scene.slots())
+    yield from (value for effect in scene.effects if hasattr(effect, "joint") for value in vars(effect).values())
