@@ -14,11 +14,12 @@ from pathlib import Path
 
 def main(name: str, steps: str, spacing: str, duration: str) -> None:
     from hertzwerk.runtime import load, simulate
+    from hertzwerk.runtime.integrate.compiled import available
 
     began = time.process_time()
-    run = simulate(
-        load(name), duration=duration, output=spacing, tolerance=1e-6, max_steps=int(steps), max_events=10**9
-    )
+    settings = {"duration": duration, "output": spacing, "tolerance": 1e-6, "max_events": 10**9}
+    # whether a run is compiled is not left to its length: compiling takes memory too
+    run = simulate(load(name), **settings, max_steps=int(steps), compiled=available())
     seconds = time.process_time() - began
     found = {
         "outcome": run.outcome.name,
