@@ -121,14 +121,21 @@ def _simulate(
     from hertzwerk.runtime import scenarios
     from hertzwerk.runtime.model import load
     from hertzwerk.runtime.record import destination_fault
+    from hertzwerk.runtime.request import Settings
     from hertzwerk.runtime.simulation import simulate
 
     faults: list[Fault] = []
     if out is not None and (fault := destination_fault(out)) is not None:
         faults.append(fault)
     values = assignments("--set", settings, faults)
-    model = load(target, without=without, laws=assignments("--law", laws, faults), coordinates=coordinates)
     numbers = scenarios.read(target) if target in scenarios.names() else {}
+    accurate = _number(accuracy) if accuracy is not None else numbers.get("accuracy")
+    by = method or numbers.get("method", "dop853")
+    try:
+        model = load(target, without=without, laws=assignments("--law", laws, faults), coordinates=coordinates)
+    except InputError as error:  # names of parameters and states cannot be checked then
+        of_the_rest = Settings(duration, accurate, None, by, "auto").faults()
+        raise InputError(error.subject, [*faults, *error.faults, *of_the_rest]) from error
     states = {*model.joints.coordinates, *model.joints.speeds}
     limits: dict[str, Any] = {"max_steps": 1} if faults else {}  # reads the rest of the input completely, and no more
     with Progress(model.name, shown=not quiet and sys.stderr.isatty()) as progress:
@@ -136,8 +143,8 @@ def _simulate(
             solution = simulate(
                 model,
                 duration=duration or numbers.get("duration"),
-                accuracy=_number(accuracy) if accuracy is not None else numbers.get("accuracy"),
-                method=method or numbers.get("method", "dop853"),
+                accuracy=accurate,
+                method=by,
                 parameters={name: value for name, value in values.items() if name not in states},
                 initial={name: value for name, value in values.items() if name in states},
                 output="steps" if grid is None else int(grid) if grid.isdecimal() and len(grid) < 16 else grid,

@@ -377,6 +377,14 @@ def test_bad_input_is_one_error_and_nothing_is_written(hertzwerk, arguments, wor
     assert written() == []
 
 
+def test_a_variation_that_cannot_be_made_hides_no_other_fault(hertzwerk):
+    line = "run slider_crank --coordinates polar --without nothing --accuracy 7 --method euler --set broken"
+    done = hertzwerk(*line.split())
+    assert done.exit_code == 2
+    for word in ("polar", "nothing", "accuracy", "euler", "broken"):
+        assert word in done.stderr
+
+
 def test_all_faults_come_at_once(hertzwerk):
     Path("full").mkdir()
     Path("full/other").touch()
