@@ -4,12 +4,22 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from typing import TypeVar
 
 import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.binding import Value, read_state, unknown
 from hertzwerk.runtime.model import Bound, Dependent, Model
+
+Given = TypeVar("Given", bound=Value)
+
+
+def sorted_out(model: Model, values: Mapping[str, Given]) -> tuple[dict[str, Given], dict[str, Given]]:
+    """Values given by name as parameters and initial states, which are of the joints; a name that is neither is left among the parameters."""
+    states = {*model.joints.coordinates, *model.joints.speeds}
+    parameters = {name: value for name, value in values.items() if name not in states}
+    return parameters, {name: value for name, value in values.items() if name in states}
 
 
 def start_of(

@@ -15,6 +15,7 @@ from hertzwerk.runtime.model import Model
 from hertzwerk.runtime.request import Compiled, Settings
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.solution import Solution
+from hertzwerk.runtime.start import sorted_out
 from hertzwerk.runtime.sweep_table import NUMBERS, TEXTS, Row, Sweep, ports
 from hertzwerk.runtime.workers import Alone, Flag, cores, results
 
@@ -118,9 +119,7 @@ class _Job:
 
     def _solve(self, i: int, **options: Any) -> Solution:
         """Raises InputError, and KeyboardInterrupt where the run was stopped."""
-        states = (*self.model.coordinates, *self.model.speeds)
-        parameters = {name: value for name, value in self.sets[i].items() if name not in states}
-        initial = {name: value for name, value in self.sets[i].items() if name in states}
+        parameters, initial = sorted_out(self.model, self.sets[i])
         solution = simulate(self.model, parameters=parameters, initial=initial, **{**self.settings, **options})
         if solution.outcome.name == "interrupted":
             raise KeyboardInterrupt
@@ -162,7 +161,7 @@ class _Job:
         model = self.model
         bound = model.bind({name: value for name, value in given.items() if name in model.parameters})
         return {
-            name: bound[name] if name in model.parameters else read_state(name, model.units[name], value)[0]
+            name: bound[name] if name in model.parameters else read_state(name, model.joints.units[name], value)[0]
             for name, value in given.items()
         }
 

@@ -112,4 +112,4 @@ class Sweep:
 
 def ports(model: Model) -> dict[str, str]:
     """Unit text of every parameter and state: what a set may name."""
-    return {**{name: port.unit for name, port in model.parameters.items()}, **model.units}
+    return {**{name: port.unit for name, port in model.parameters.items()}, **model.joints.units, **model.units}

@@ -86,6 +86,7 @@ def _problem(
     from hertzwerk.runtime.model import load
     from hertzwerk.runtime.record import destination_fault
     from hertzwerk.runtime.reference import Problem
+    from hertzwerk.runtime.start import sorted_out
 
     faults: list[Fault] = []
     if out is not None and (fault := destination_fault(out)) is not None:
@@ -93,13 +94,7 @@ def _problem(
     values = assignments("--set", settings, faults)
     model = load(target, without=without, laws=assignments("--law", laws, faults))
     numbers = scenarios.read(target) if target in scenarios.names() else {}
-    states = {*model.coordinates, *model.speeds}
-    problem = Problem(
-        model,
-        duration or numbers.get("duration"),
-        parameters={name: value for name, value in values.items() if name not in states},
-        initial={name: value for name, value in values.items() if name in states},
-    )
+    problem = Problem(model, duration or numbers.get("duration"), *sorted_out(model, values))
     try:
         problem(tolerance=1e-3, max_steps=1)  # reads the rest of the input completely, and no more
     except InputError as error:

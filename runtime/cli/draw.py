@@ -76,12 +76,11 @@ def _places(target: str, values: dict[str, str], duration: str | None, start: bo
     from hertzwerk.runtime.draw.places import Places
     from hertzwerk.runtime.model import load
     from hertzwerk.runtime.simulation import simulate
+    from hertzwerk.runtime.start import sorted_out
 
     model = load(target)
     numbers = scenarios.read(target) if target in scenarios.names() else {}
-    states = {*model.coordinates, *model.speeds, *model.joints.coordinates, *model.joints.speeds}
-    initial = {name: value for name, value in values.items() if name in states}
-    parameters = {name: value for name, value in values.items() if name not in states}
+    parameters, initial = sorted_out(model, values)
     until = duration or numbers.get("duration")
     if start or until is None:
         return Places.at_start(model, parameters, initial), unchecked(model)

@@ -123,6 +123,7 @@ def _simulate(
     from hertzwerk.runtime.record import destination_fault
     from hertzwerk.runtime.request import Settings
     from hertzwerk.runtime.simulation import simulate
+    from hertzwerk.runtime.start import sorted_out
 
     faults: list[Fault] = []
     if out is not None and (fault := destination_fault(out)) is not None:
@@ -136,7 +137,7 @@ def _simulate(
     except InputError as error:  # names of parameters and states cannot be checked then
         of_the_rest = Settings(duration, accurate, None, by, "auto").faults()
         raise InputError(error.subject, [*faults, *error.faults, *of_the_rest]) from error
-    states = {*model.joints.coordinates, *model.joints.speeds}
+    parameters, initial = sorted_out(model, values)
     limits: dict[str, Any] = {"max_steps": 1} if faults else {}  # reads the rest of the input completely, and no more
     with Progress(model.name, shown=not quiet and sys.stderr.isatty()) as progress:
         try:
@@ -145,8 +146,8 @@ def _simulate(
                 duration=duration or numbers.get("duration"),
                 accuracy=accurate,
                 method=by,
-                parameters={name: value for name, value in values.items() if name not in states},
-                initial={name: value for name, value in values.items() if name in states},
+                parameters=parameters,
+                initial=initial,
                 output="steps" if grid is None else int(grid) if grid.isdecimal() and len(grid) < 16 else grid,
                 progress=progress,
                 **limits,

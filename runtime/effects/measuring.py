@@ -27,6 +27,7 @@ from hertzwerk.runtime.outcome import Outcome
 from hertzwerk.runtime.request import TOLERANCES
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.solution import Solution
+from hertzwerk.runtime.start import sorted_out
 
 FINER = 30.0  # the last tolerance is so many times finer than the first
 ROUNDED = 1e-12  # finer tolerances show rounding
@@ -98,24 +99,25 @@ class Bench:
     def simulate(self, case: Case, eighths: int = 0, **options: Any) -> Solution:
         """One run of a case; raises InputError, and KeyboardInterrupt where it was stopped."""
         given = {**options, "duration": self.duration, "method": self.method, "tolerance": self.tolerance_of(eighths)}
-        initial = {**case.start, **self._initial(case.model)}
-        run = simulate(case.model, parameters=self.parameters(case.model), initial=initial, **given)
+        parameters, initial = self._known(case.model)
+        run = simulate(case.model, parameters=parameters, initial={**case.start, **initial}, **given)
         if run.outcome.name == "interrupted":
             raise KeyboardInterrupt
         return run
 
     def parameters(self, model: Model) -> dict[str, Value]:
         """The values of parameters that a scene has."""
-        return {name: value for name, value in self.values.items() if name in model.parameters}
+        return self._known(model)[0]
 
-    def _initial(self, model: Model) -> dict[str, Value]:
-        joints = model.joints
-        return {name: value for name, value in self.values.items() if name in (*joints.coordinates, *joints.speeds)}
+    def _known(self, model: Model) -> tuple[dict[str, Value], dict[str, Value]]:
+        """The values that a scene has: parameters, initial states."""
+        others, initial = sorted_out(model, self.values)
+        return {name: value for name, value in others.items() if name in model.parameters}, initial
 
     def unknown_of(self, model: Model) -> list[str]:
         """Names of values that a scene does not have."""
-        known = {**self.parameters(model), **self._initial(model)}
-        return [name for name in self.values if name not in known]
+        parameters, initial = self._known(model)
+        return [name for name in self.values if name not in parameters and name not in initial]
 
     def measure(self, case: Case, outputs: Sequence[Output]) -> Measurement:
         """The outputs of a case, from as many runs as it takes; raises InputError."""

@@ -187,3 +187,15 @@ def test_ctrl_c_returns_the_rows_that_are_done(workers):
     assert [row.index for row in sweep] == [0, 1]
     assert "interrupted" in str(sweep)
     assert time.perf_counter() - began < 20
+
+
+def test_sets_name_the_joints_states_in_absolute_coordinates_too():
+    angles = [0.2, 0.4]
+    sets = [{"shoulder.angle": f"{angle} rad", "length": "0.5 m"} for angle in angles]
+    tree, absolute = (
+        simulate_many(load("double_pendulum", coordinates=kind), sets, duration="0.1 s", tolerance=1e-9, workers=1)
+        for kind in (None, "absolute")
+    )
+    assert list(absolute["outcome"]) == ["finished"] * 2
+    assert list(absolute["shoulder.angle"]) == angles
+    assert absolute["final.upper.angle"] == pytest.approx(tree["final.shoulder.angle"], abs=1e-7)
