@@ -141,6 +141,7 @@ CLI = {
     "cli/laws.py",
     "cli/run.py",
     "cli/scenes.py",
+    "cli/target.py",
     "cli/terminal.py",
 }
 

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.runtime.cli.run import assignments
+from hertzwerk.derive.faults import InputError
+from hertzwerk.runtime.cli.target import DURATION, JSON, LAW, SET, WITHOUT, assignments, cannot_be_written, loaded
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
 
 if TYPE_CHECKING:
@@ -20,28 +20,14 @@ if TYPE_CHECKING:
 
 @click.command()
 @click.argument("target")
-@click.option(
-    "--set",
-    "settings",
-    metavar="NAME=VALUE",
-    multiple=True,
-    help='Parameter or initial state, with its unit: --set clearance="0.2 mm".',
-)
-@click.option("--without", metavar="EFFECT", multiple=True, help="Leave an effect out (derives the variation).")
-@click.option(
-    "--law",
-    "laws",
-    metavar="EFFECT=NAME",
-    multiple=True,
-    help="Another law for a contact or friction (derives the variation).",
-)
-@click.option("--duration", metavar="TIME", help='Such as "24 ms" (default: the scenario\'s).')
+@SET
+@WITHOUT
+@LAW
+@DURATION
 @click.option(
     "--out", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-accuracy-NNN)."
 )
-@click.option(
-    "--json", "as_json", is_flag=True, help="Print one JSON object, and write a folder only if --out is given."
-)
+@JSON
 @reports_bad_input
 def accuracy(target: str, out: Path | None, as_json: bool, **options: Any) -> int:
     """Measure what accuracy costs TARGET in time, with every method, in the virtual machine and as C.
@@ -83,16 +69,12 @@ def _problem(
 ) -> Problem:
     """What a command line asks for; raises InputError with the faults of all its parts."""
     from hertzwerk.runtime import scenarios
-    from hertzwerk.runtime.model import load
-    from hertzwerk.runtime.record import destination_fault
     from hertzwerk.runtime.reference import Problem
     from hertzwerk.runtime.start import sorted_out
 
-    faults: list[Fault] = []
-    if out is not None and (fault := destination_fault(out)) is not None:
-        faults.append(fault)
+    faults = cannot_be_written(out)
     values = assignments("--set", settings, faults)
-    model = load(target, without=without, laws=assignments("--law", laws, faults))
+    model = loaded(target, without, laws, faults)
     numbers = scenarios.read(target) if target in scenarios.names() else {}
     problem = Problem(model, duration or numbers.get("duration"), *sorted_out(model, values))
     try:

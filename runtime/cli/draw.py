@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import click
 
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.runtime.cli.run import assignments
+from hertzwerk.runtime.cli.target import SET, assignments
 from hertzwerk.runtime.cli.terminal import GOOD, line, reports_bad_input
 
 if TYPE_CHECKING:
@@ -21,10 +21,7 @@ TOLERANCE = 1e-6  # local; a picture shows no more
 
 @click.command()
 @click.argument("targets", metavar="[TARGET]...", nargs=-1)
-@click.option(
-    "--set", "settings", metavar="NAME=VALUE", multiple=True,
-    help='Parameter or initial state, with its unit: --set clearance="0.2 mm".',
-)  # fmt: skip
+@SET
 @click.option(
     "--duration", metavar="TIME", help='Such as "24 ms" (default: the scenario\'s; without one, the start alone).'
 )

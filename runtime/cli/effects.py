@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.runtime.cli.run import assignments
+from hertzwerk.runtime.cli.target import DURATION, JSON, LAW, SET, WITHOUT, assignments, cannot_be_written, number
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
 from hertzwerk.runtime.effects.study import percent
 
@@ -32,16 +32,10 @@ DEFAULT = 1e-9  # tolerance where the scenario's is finer: an error of so much h
     help="What is compared: peak_force, peak_acceleration, impact_rate, mean_peak_force, journal_path; max., min., mean. or amplitude. before "
     "the name of a history; an average, such as slider_pin.impact_rate (default: as the scene has them).",
 )
-@click.option(
-    "--set",
-    "settings",
-    metavar="NAME=VALUE",
-    multiple=True,
-    help='Parameter or initial state, with its unit: --set clearance="0.2 mm".',
-)
-@click.option("--without", metavar="EFFECT", multiple=True, help="Leave an effect out of the whole scene.")
-@click.option("--law", "laws", metavar="EFFECT=NAME", multiple=True, help="Another law, in the whole scene.")
-@click.option("--duration", metavar="TIME", help='Such as "24 ms" (default: the scenario\'s).')
+@SET
+@WITHOUT
+@LAW
+@DURATION
 @click.option(
     "--tolerance",
     metavar="NUMBER",
@@ -53,9 +47,7 @@ DEFAULT = 1e-9  # tolerance where the scenario's is finer: an error of so much h
     "--out", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-effects-NNN)."
 )
 @click.option("--no-plots", is_flag=True, help="Write the data only.")
-@click.option(
-    "--json", "as_json", is_flag=True, help="Print one JSON object, and write a folder only if --out is given."
-)
+@JSON
 @reports_bad_input
 def effects(target: str, out: Path | None, no_plots: bool, as_json: bool, **options: Any) -> int:
     """Leave out each effect of TARGET in turn: what it costs, and what it changes.
@@ -81,18 +73,15 @@ def _study(target: str, out: Path | None, *, quiet: bool, **options: Any) -> Stu
     """The study that a command line asks for; raises InputError."""
     from hertzwerk.runtime import scenarios
     from hertzwerk.runtime.effects.leaving_out import study_effects
-    from hertzwerk.runtime.record import destination_fault
 
-    faults: list[Fault] = []
-    if out is not None and (fault := destination_fault(out)) is not None:
-        faults.append(fault)
+    faults = cannot_be_written(out)
     values = assignments("--set", options["settings"], faults)
     laws = assignments("--law", options["laws"], faults)
     within = None if options["within"] is None else _fraction(options["within"], faults)
     numbers = scenarios.read(target) if target in scenarios.names() else {}
     tolerance = max(numbers.get("accuracy", 1e-6), DEFAULT)
     if options["tolerance"] is not None:
-        tolerance = _number(options["tolerance"])
+        tolerance = number(options["tolerance"])
         if not isinstance(tolerance, float):
             faults.append(Fault("--tolerance", repr(tolerance), "a number"))
     if faults:
@@ -113,18 +102,10 @@ def _study(target: str, out: Path | None, *, quiet: bool, **options: Any) -> Stu
         )
 
 
-def _number(text: str) -> float | str:
-    """The number a text is, or the text."""
-    try:
-        return float(text)
-    except ValueError:
-        return text
-
-
 def _fraction(text: str, faults: list[Fault]) -> float | None:
     """A part of one, as "2%", "2 %" or "0.02"; what is none becomes a fault."""
-    number = _number(text.strip().removesuffix("%"))
-    fraction = number / 100 if isinstance(number, float) and text.strip().endswith("%") else number
+    value = number(text.strip().removesuffix("%"))
+    fraction = value / 100 if isinstance(value, float) and text.strip().endswith("%") else value
     if isinstance(fraction, float) and 0 < fraction < 1:
         return fraction
     faults.append(Fault("--within", repr(text), "a change above 0 and below 100 %, such as 2%"))

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.cli.target import cannot_be_written
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
 
 if TYPE_CHECKING:
@@ -146,8 +147,7 @@ def _study(names: Sequence[str], out: Path | None, *, plots: bool, as_json: bool
         if names
         else []
     )
-    if out is not None and (fault := record.destination_fault(out)) is not None:
-        faults.append(fault)
+    faults += cannot_be_written(out)
     if faults:
         raise InputError("laws", faults)
     with Progress("restitution", shown=not as_json and sys.stderr.isatty()) as progress:

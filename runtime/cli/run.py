@@ -9,7 +9,18 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.faults import InputError
+from hertzwerk.runtime.cli.target import (
+    DURATION,
+    JSON,
+    LAW,
+    SET,
+    WITHOUT,
+    assignments,
+    cannot_be_written,
+    loaded,
+    number,
+)
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input
 
 if TYPE_CHECKING:
@@ -18,27 +29,15 @@ if TYPE_CHECKING:
 
 @click.command()
 @click.argument("target")
-@click.option(
-    "--set",
-    "settings",
-    metavar="NAME=VALUE",
-    multiple=True,
-    help='Parameter or initial state, with its unit: --set clearance="0.2 mm".',
-)
-@click.option("--without", metavar="EFFECT", multiple=True, help="Leave an effect out (derives the variation).")
-@click.option(
-    "--law",
-    "laws",
-    metavar="EFFECT=NAME",
-    multiple=True,
-    help="Another law for a contact or friction (derives the variation).",
-)
+@SET
+@WITHOUT
+@LAW
 @click.option(
     "--coordinates",
     metavar="NAME",
     help="tree (of the joints), absolute (of every body) or auto (what takes fewer operations); derives the variation.",
 )
-@click.option("--duration", metavar="TIME", help='Such as "24 ms" (default: the scenario\'s).')
+@DURATION
 @click.option(
     "--accuracy",
     metavar="NUMBER",
@@ -59,9 +58,7 @@ if TYPE_CHECKING:
     "--out", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-NNN)."
 )
 @click.option("--no-plots", is_flag=True, help="Write the data only.")
-@click.option(
-    "--json", "as_json", is_flag=True, help="Print one JSON object, and write a folder only if --out is given."
-)
+@JSON
 @reports_bad_input
 def run(target: str, out: Path | None, no_plots: bool, as_json: bool, averages: bool, **options: Any) -> int:
     """Simulate TARGET and write data and plots into one new folder."""
@@ -119,24 +116,17 @@ def _simulate(
 ) -> Solution:
     """The solution a command line asks for; raises InputError with the faults of all its parts."""
     from hertzwerk.runtime import scenarios
-    from hertzwerk.runtime.model import load
-    from hertzwerk.runtime.record import destination_fault
     from hertzwerk.runtime.request import Settings
     from hertzwerk.runtime.simulation import simulate
     from hertzwerk.runtime.start import sorted_out
 
-    faults: list[Fault] = []
-    if out is not None and (fault := destination_fault(out)) is not None:
-        faults.append(fault)
+    faults = cannot_be_written(out)
     values = assignments("--set", settings, faults)
     numbers = scenarios.read(target) if target in scenarios.names() else {}
-    accurate = _number(accuracy) if accuracy is not None else numbers.get("accuracy")
+    accurate = number(accuracy) if accuracy is not None else numbers.get("accuracy")
     by = method or numbers.get("method", "dop853")
-    try:
-        model = load(target, without=without, laws=assignments("--law", laws, faults), coordinates=coordinates)
-    except InputError as error:  # names of parameters and states cannot be checked then
-        of_the_rest = Settings(duration, accurate, None, by, "auto").faults()
-        raise InputError(error.subject, [*faults, *error.faults, *of_the_rest]) from error
+    settled = Settings(duration, accurate, None, by, "auto")
+    model = loaded(target, without, laws, faults, coordinates=coordinates, beside=settled.faults)
     parameters, initial = sorted_out(model, values)
     limits: dict[str, Any] = {"max_steps": 1} if faults else {}  # reads the rest of the input completely, and no more
     with Progress(model.name, shown=not quiet and sys.stderr.isatty()) as progress:
@@ -157,28 +147,6 @@ def _simulate(
     if faults:
         raise InputError(model.name, faults)
     return solution
-
-
-def assignments(option: str, texts: Sequence[str], faults: list[Fault]) -> dict[str, str]:
-    """NAME=VALUE texts as a dictionary; what is no assignment, or a second one of a name, becomes a fault."""
-    found: dict[str, str] = {}
-    for text in texts:
-        name, equals, value = (part.strip() for part in text.partition("="))
-        if not (name and equals and value):
-            faults.append(Fault(option, repr(text), "NAME=VALUE"))
-        elif name in found:
-            faults.append(Fault(option, f"{name} twice", "one value per name"))
-        else:
-            found[name] = value
-    return found
-
-
-def _number(text: str) -> Any:
-    """The number a text is, or the text, for `simulate` to refuse."""
-    try:
-        return float(text)
-    except ValueError:
-        return text
 
 
 def _report(solution: Solution) -> None:

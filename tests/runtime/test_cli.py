@@ -383,6 +383,9 @@ def test_a_variation_that_cannot_be_made_hides_no_other_fault(hertzwerk):
     assert done.exit_code == 2
     for word in ("polar", "nothing", "accuracy", "euler", "broken"):
         assert word in done.stderr
+    done = hertzwerk(*["accuracy", "slider_crank", "--without", "nothing", "--set", "broken"])
+    assert done.exit_code == 2
+    assert "nothing" in done.stderr and "broken" in done.stderr
 
 
 def test_all_faults_come_at_once(hertzwerk):

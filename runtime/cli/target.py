@@ -1,0 +1,87 @@
+"""What commands that run a TARGET are given alike: its options, and the model they name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from hertzwerk.derive.faults import Fault, InputError
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model import Model
+
+SET = click.option(
+    "--set",
+    "settings",
+    metavar="NAME=VALUE",
+    multiple=True,
+    help='Parameter or initial state, with its unit: --set clearance="0.2 mm".',
+)
+WITHOUT = click.option(
+    "--without", metavar="EFFECT", multiple=True, help="Leave an effect out (derives the variation)."
+)
+LAW = click.option(
+    "--law",
+    "laws",
+    metavar="EFFECT=NAME",
+    multiple=True,
+    help="Another law for a contact or friction (derives the variation).",
+)
+DURATION = click.option("--duration", metavar="TIME", help='Such as "24 ms" (default: the scenario\'s).')
+JSON = click.option(
+    "--json", "as_json", is_flag=True, help="Print one JSON object, and write a folder only if --out is given."
+)
+
+
+def loaded(
+    target: str,
+    without: Sequence[str],
+    laws: Sequence[str],
+    faults: list[Fault],
+    *,
+    coordinates: str | None = None,
+    beside: Callable[[], list[Fault]] = list,
+) -> Model:
+    """The model of a target's variation.
+
+    Raises InputError with the faults found before and, as names of parameters and states cannot be checked then, only those `beside`.
+    """
+    from hertzwerk.runtime.model import load
+
+    try:
+        return load(target, without=without, laws=assignments("--law", laws, faults), coordinates=coordinates)
+    except InputError as error:
+        raise InputError(error.subject, [*faults, *error.faults, *beside()]) from error
+
+
+def cannot_be_written(out: Path | None) -> list[Fault]:
+    """Why nothing can be written to the folder that --out names."""
+    from hertzwerk.runtime.record import destination_fault
+
+    fault = None if out is None else destination_fault(out)
+    return [] if fault is None else [fault]
+
+
+def assignments(option: str, texts: Sequence[str], faults: list[Fault]) -> dict[str, str]:
+    """NAME=VALUE texts as a dictionary; what is no assignment, or a second one of a name, becomes a fault."""
+    found: dict[str, str] = {}
+    for text in texts:
+        name, equals, value = (part.strip() for part in text.partition("="))
+        if not (name and equals and value):
+            faults.append(Fault(option, repr(text), "NAME=VALUE"))
+        elif name in found:
+            faults.append(Fault(option, f"{name} twice", "one value per name"))
+        else:
+            found[name] = value
+    return found
+
+
+def number(text: str) -> Any:
+    """The number a text is, or the text, to be refused by who reads it."""
+    try:
+        return float(text)
+    except ValueError:
+        return text
