@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from hertzwerk.runtime.horizon import LIMIT
+from hertzwerk.runtime.accuracy import VALID
 from hertzwerk.runtime.timed_runs import LATE
 from hertzwerk.runtime.work_precision import NOT_TRIED, Row, Study
 
@@ -126,7 +126,7 @@ def record(study: Study) -> dict[str, Any]:
             "deviation": grows.deviation,
             "exponent": grows.exponent,
             "intermittent": grows.intermittent,
-            "limit": LIMIT,
+            "limit": VALID,
             "edges": grows.edges,
             "factors": grows.factors,
             "gained": grows.gained,

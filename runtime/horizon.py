@@ -10,31 +10,21 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-if TYPE_CHECKING:
-    from hertzwerk.runtime.model import Model
-    from hertzwerk.runtime.scales import Scales
+from hertzwerk.runtime.accuracy import VALID
 
 Array = NDArray[np.float64]
 
-LIMIT = 1e-2  # of the scale of a length: a trajectory that is further off is another one
 INTERVALS = 12  # of a run
 FEWEST = 4  # intervals that show growth, or none
 ABOVE = 3.0  # times the floor: from there an error is a run's own
 SATURATED = 0.1  # in the scales: larger errors no longer grow as small ones do
 SURE = 2.0  # standard errors
 NOTICED = 2.0  # growth over the whole run by less than this factor is none
-
-
-def departure(model: Model, scales: Scales, y: Array, reference: Array) -> Array:
-    """Largest difference of a coordinate, each in its scale, of states y, reference (..., ny); returns (...,)."""
-    n = model.nq
-    found: Array = np.max(np.abs(y[..., :n] - reference[..., :n]) / scales.state[:n], axis=-1, initial=0.0)
-    return found
 
 
 @dataclass(frozen=True)
@@ -68,7 +58,7 @@ class Growth:
         most = known[: max(1, len(known) // 4)]
         return len(known) >= FEWEST and sum(most) > max(sum(known), math.log(NOTICED))
 
-    def reaches(self, error: float, limit: float = LIMIT) -> float:
+    def reaches(self, error: float, limit: float = VALID) -> float:
         """When an error that the run has at its end will be at the limit [s]; infinite where errors do not grow, nan where that is unknown."""
         if self.kind == "unknown":
             return math.nan
@@ -81,7 +71,7 @@ class Growth:
     @property
     def gained(self) -> float:
         """Time [s] that ten times more accuracy buys where the horizon is the end of the run; infinite where errors do not grow, else nan."""
-        return self.reaches(LIMIT / 10) - self.end
+        return self.reaches(VALID / 10) - self.end
 
 
 def growth(t: Array, errors: Sequence[Array], floors: Sequence[Array]) -> Growth:
@@ -116,7 +106,7 @@ def growth(t: Array, errors: Sequence[Array], floors: Sequence[Array]) -> Growth
     return Growth(kind, rate, deviation, exponent, edge, factors)  # type: ignore[arg-type]
 
 
-def crossing(t: Array, error: Array, limit: float = LIMIT) -> float:
+def crossing(t: Array, error: Array, limit: float = VALID) -> float:
     """Time [s] up to which an error (n,) over t stays within a limit, between samples by its logarithm; infinite if it does throughout."""
     over = np.flatnonzero(~(error <= limit))
     if not len(over):

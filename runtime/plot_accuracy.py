@@ -13,9 +13,10 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
+from hertzwerk.runtime.accuracy import VALID
 from hertzwerk.runtime.accuracy_report import conclusions, length, seconds, warnings
 from hertzwerk.runtime.curves import scale_of
-from hertzwerk.runtime.horizon import LIMIT, crossing
+from hertzwerk.runtime.horizon import crossing
 from hertzwerk.runtime.plot_style import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, STYLE, VERMILLION
 from hertzwerk.runtime.timed_runs import LATE
 
@@ -134,17 +135,17 @@ def _along(axis: Axes, study: Study) -> None:
         left = crossing(held.t, path)
         if np.isfinite(left):
             axis.plot(
-                scale(left), LIMIT, "o", color=colour, markersize=5, markeredgecolor="white", zorder=3, clip_on=False
+                scale(left), VALID, "o", color=colour, markersize=5, markeredgecolor="white", zorder=3, clip_on=False
             )
     axis.set(yscale="log", xlabel=f"time [{scale.unit}]", xlim=scale(held.t[[0, -1]]))
     floor = np.maximum(held.floor_of_departure, LEAST)
     low = float(np.median(floor)) / 30
     axis.set_ylim(bottom=low, top=max(0.1, axis.get_ylim()[1]))
     axis.fill_between(scale(held.t), low, np.maximum(floor, low), color=SHADE, zorder=0.6, linewidth=0)
-    axis.axhline(LIMIT, color=VERMILLION, linewidth=1, linestyle=(0, (5, 3)))
+    axis.axhline(VALID, color=VERMILLION, linewidth=1, linestyle=(0, (5, 3)))
     axis.annotate(
         length(study),
-        (0.01, LIMIT),
+        (0.01, VALID),
         (0, 3),
         xycoords=("axes fraction", "data"),
         textcoords="offset points",

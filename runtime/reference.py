@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.runtime import scales as scaling
-from hertzwerk.runtime.horizon import crossing, departure
+from hertzwerk.runtime.horizon import crossing
 from hertzwerk.runtime.simulation import simulate
 
 if TYPE_CHECKING:
@@ -77,7 +77,7 @@ class Reference:
 
     def departure(self, run: Solution) -> Array:
         """The same of the coordinates alone: where the trajectory is."""
-        return self._along(run, departure)
+        return self._along(run, scaling.departure)
 
     def _along(self, run: Solution, measure: Callable[..., Array]) -> Array:
         reached = self.t <= run.t_end
@@ -93,7 +93,7 @@ class Reference:
     @cached_property
     def floor_of_departure(self) -> Array:
         """The same of the coordinates alone."""
-        return departure(self.run.model, self.run.scales, self.other, self.y)
+        return scaling.departure(self.run.model, self.run.scales, self.other, self.y)
 
     @property
     def uncertainty(self) -> float:

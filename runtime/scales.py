@@ -47,7 +47,16 @@ def error(model: Model, scales: Scales, y: np.ndarray, reference: np.ndarray) ->
 
     y, reference (..., ny) as recorded, or their first nq + nu entries; returns (...,). Memory has no say: it is a means, or a balance.
     """
-    n = model.nq + model.nu
+    return _largest(model.nq + model.nu, scales, y, reference)
+
+
+def departure(model: Model, scales: Scales, y: np.ndarray, reference: np.ndarray) -> np.ndarray:
+    """The same of the coordinates alone: where the trajectory is."""
+    return _largest(model.nq, scales, y, reference)
+
+
+def _largest(n: int, scales: Scales, y: np.ndarray, reference: np.ndarray) -> np.ndarray:
+    """Of the first n entries."""
     found: np.ndarray = np.max(np.abs(y[..., :n] - reference[..., :n]) / scales.state[:n], axis=-1, initial=0.0)
     return found
 

@@ -5,7 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from hertzwerk.runtime.horizon import LIMIT, SATURATED, crossing, growth
+from hertzwerk.runtime.accuracy import VALID
+from hertzwerk.runtime.horizon import SATURATED, crossing, growth
 
 T = np.linspace(0.0, 6.0, 601)
 NO_FLOOR = np.zeros(len(T))
@@ -22,7 +23,7 @@ def test_an_exponential_has_its_rate_and_ten_times_more_accuracy_buys_ln_10_of_i
     assert found.rate == pytest.approx(rate, rel=5e-3)
     assert found.gained == pytest.approx(math.log(10) / rate, rel=5e-3)
     assert found.factors == pytest.approx([math.exp(rate / 2)] * 11, rel=2e-2)  # intervals of half a second
-    assert found.reaches(1e-5) == pytest.approx(6 + math.log(LIMIT / 1e-5) / rate, rel=5e-3)
+    assert found.reaches(1e-5) == pytest.approx(6 + math.log(VALID / 1e-5) / rate, rel=5e-3)
 
 
 def test_an_exponential_under_ripples_and_scatter_keeps_its_rate():
@@ -38,7 +39,7 @@ def test_a_power_of_time_is_told_from_an_exponential(exponent):
     found = of(1e-7 * T**exponent)
     assert found.kind == "power"
     assert found.exponent == pytest.approx(exponent, rel=0.02)
-    assert found.reaches(LIMIT / 10) == pytest.approx(6 * 10 ** (1 / exponent), rel=0.05)
+    assert found.reaches(VALID / 10) == pytest.approx(6 * 10 ** (1 / exponent), rel=0.05)
 
 
 @pytest.mark.parametrize("curve", [np.exp(-0.8 * T), np.ones(len(T)), 1 + 0.5 * np.sin(20 * T)])
@@ -79,6 +80,6 @@ def test_errors_that_sink_into_the_floor_shrink():
 def test_the_limit_is_crossed_between_two_samples_by_the_logarithm():
     coarse = T[::50]
     assert crossing(coarse, 1e-6 * np.exp(3 * coarse)) == pytest.approx(math.log(1e4) / 3, rel=1e-9)
-    assert crossing(T, np.full(len(T), LIMIT)) == math.inf
+    assert crossing(T, np.full(len(T), VALID)) == math.inf
     assert crossing(T, np.full(len(T), 1.0)) == 0.0
     assert crossing(T, np.where(T > 3.005, np.nan, 1e-9)) == pytest.approx(3.0)
