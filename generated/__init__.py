@@ -1,0 +1,1 @@
+"""One module per built-in scene, written by `hertzwerk derive`."""

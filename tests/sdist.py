@@ -1,0 +1,16 @@
+"""The source distribution holds every test and what they read, not the few that setuptools finds by name (`cmdclass` in pyproject.toml)."""
+
+from setuptools.command.sdist import sdist
+
+
+class WithTests(sdist):
+    """`sdist` with the folders beside the packages."""
+
+    def make_distribution(self) -> None:
+        """Add the folders, less what tools leave in them, and make the archive."""
+        for folder in ("tests", ".ci", ".readme"):
+            self.filelist.graft(folder)
+        self.filelist.append(".gitignore")
+        self.filelist.global_exclude("__pycache__/*")
+        self.filelist.global_exclude("*.py[co]")
+        super().make_distribution()
