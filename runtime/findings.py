@@ -164,7 +164,8 @@ class Findings:
         return self._looked(self._summing_up(None)).sums if self._summing is None else self._summing.sums
 
     def _summing_up(self, interval: float | None) -> Summing:
-        until = float(self._steps[-1].t[-1]) if self._steps else self._duration
+        until = float(self._steps[-1].t[-1]) if self._steps else 0.0
+        until = until or self._duration  # of a run without a step as well: its sums are of no interval
         if interval is None:
             periods = 0.0 if self.period is None else until / self.period
             interval = until / INTERVALS if self.period is None else self.period * math.ceil(periods / MOST_INTERVALS)

@@ -41,8 +41,9 @@ def lines(axis: Axes, curves: Curves, unit: str, values: Mapping[str, Array], id
     for history in ideal:
         axis.plot(time, scale(history), color=ORANGE, linewidth=2.6, alpha=0.75, label="ideal mechanism")
     looks = product(("-", "--", ":"), CYCLE)  # when the colours have run out, dashed
+    marker = "" if len(time) > 1 else "o"  # of a run without a step there is one point
     for (style, colour), (label, history) in zip(cycle(looks), values.items(), strict=False):
-        axis.plot(time, scale(history), color=colour, linestyle=style, label=label)
+        axis.plot(time, scale(history), color=colour, linestyle=style, marker=marker, label=label)
     return scale
 
 
@@ -50,7 +51,8 @@ def over_time(axis: Axes, curves: Curves, title: str) -> None:
     """Title, legend and time axis of a panel."""
     axis.set_title(title)
     axis.set_xlabel(f"time [{curves.time.unit}]")
-    axis.set_xlim(*curves.time(curves.t[[0, -1]]))
+    if curves.t[-1] > curves.t[0]:
+        axis.set_xlim(*curves.time(curves.t[[0, -1]]))
     legend(axis)
 
 
