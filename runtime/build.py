@@ -193,11 +193,11 @@ def build_hard_scene(name: str) -> ModuleType:
 
 def _remembered(variation: tuple[object, ...], scene: Callable[[], Scene], source: str) -> str:
     """Text of a module from the cache, or derived now and kept."""
-    file = f"generated-{_key(variation)}.py"
-    text = disk.read(file)
+    key = f"generated-{_key(variation)}"
+    text = disk.read(key, ".py")
     if text is None:
         text = derive_text(scene(), source)
-        disk.write(file, text)
+        disk.keep(key, ".py", text.encode())
     return text
 
 

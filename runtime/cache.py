@@ -1,12 +1,18 @@
-"""The user's cache folder: derived text and compiled code, both executed when found, so only a folder that nobody else can write is trusted."""
+"""The user's cache folder: derived text and compiled code, both executed when found, so only a folder that nobody else can write is trusted.
+
+An entry carries the digest of its content in its name, `<key>-<digest><suffix>`: one that was truncated or changed is found out, removed, and
+made again. Without a folder (none can be made, the disk is full) everything works, and is made each time.
+"""
 
 from __future__ import annotations
 
 import contextlib
+import hashlib
 import os
-import secrets
 import stat
 from pathlib import Path
+
+from hertzwerk.runtime.scratch import write_atomically
 
 
 def folder() -> Path | None:
@@ -17,43 +23,52 @@ def folder() -> Path | None:
     chosen = os.environ.get("HERTZWERK_CACHE")
     if chosen == "":
         return None
-    path = Path(chosen) if chosen else _default()
     try:
+        path = Path(chosen) if chosen else _default()
         path.mkdir(mode=0o700, parents=True, exist_ok=True)
         status = path.stat()
-    except OSError:
+    except (OSError, RuntimeError):  # RuntimeError: a user without a home
         return None
     if hasattr(os, "getuid") and (status.st_uid != os.getuid() or stat.S_IMODE(status.st_mode) & 0o022):
         return None
     return path if os.access(path, os.W_OK) else None
 
 
-def read(name: str) -> str | None:
-    """Text of a cached file, or None."""
+def entry(key: str, suffix: str) -> Path | None:
+    """File of a kept entry, its content as it was written; None where there is none. What does not match its digest is removed."""
     path = folder()
+    for file in path.glob(f"{key}-*{suffix}") if path is not None else ():
+        with contextlib.suppress(OSError):
+            if file.name == _name(key, suffix, file.read_bytes()):
+                return file
+            file.unlink()
+    return None
+
+
+def read(key: str, suffix: str) -> str | None:
+    """Text of a kept entry, or None."""
+    file = entry(key, suffix)
     try:
-        return (path / name).read_text(encoding="utf-8") if path else None
+        return file.read_text(encoding="utf-8") if file else None
     except (OSError, UnicodeDecodeError):
         return None
 
 
-def write(name: str, text: str) -> None:
-    """Keep text under a name; another process sees all of it or nothing. A full or vanished disk is no error: it is a cache."""
+def keep(key: str, suffix: str, content: bytes) -> Path | None:
+    """Keep content under a key; returns its file, None where it cannot be kept: a full or vanished disk is no error, it is a cache."""
     path = folder()
-    if path is not None:
-        with contextlib.suppress(OSError):
-            write_atomically(path / name, text.encode())
-
-
-def write_atomically(path: Path, content: bytes) -> None:
-    """Write a file so that a reader, or a crash, never meets half of it; raises OSError."""
-    temporary = path.with_name(f".{path.name}-{secrets.token_hex(4)}")
+    if path is None:
+        return None
+    file = path / _name(key, suffix, content)
     try:
-        with temporary.open("xb") as stream:
-            stream.write(content)
-        temporary.replace(path)
-    finally:
-        temporary.unlink(missing_ok=True)
+        write_atomically(file, content)
+    except OSError:
+        return None
+    return file
+
+
+def _name(key: str, suffix: str, content: bytes) -> str:
+    return f"{key}-{hashlib.sha256(content).hexdigest()[:32]}{suffix}"
 
 
 def _default() -> Path:

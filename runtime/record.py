@@ -5,8 +5,6 @@ from __future__ import annotations
 import json
 import math
 import platform
-import secrets
-import shutil
 from collections.abc import Callable
 from dataclasses import asdict
 from importlib import metadata
@@ -14,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.scratch import scratch_folder
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.solution import Solution
@@ -109,13 +108,9 @@ def new_folder(name: str, out: Path | None, fill: Callable[[Path], list[str]]) -
     """Fill the new folder `out`, or the next free runs/<name>-NNN; returns it and its files. All of it appears at once, or nothing."""
     parent = out.parent if out is not None else Path("runs")
     parent.mkdir(parents=True, exist_ok=True)
-    temporary = parent / f".{name}-{secrets.token_hex(4)}"
-    temporary.mkdir()
-    try:
+    with scratch_folder(parent) as temporary:
         files = fill(temporary)
         return _publish(temporary, out, parent / name), files
-    finally:
-        shutil.rmtree(temporary, ignore_errors=True)
 
 
 def _write_files(solution: Solution, folder: Path, *, plots: bool, averages: bool) -> list[str]:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.build import derive_digest, derive_text, equations, is_file, scene_from, source_of, vary
-from hertzwerk.runtime.cache import write_atomically
+from hertzwerk.runtime.scratch import write_atomically
 
 if TYPE_CHECKING:
     from hertzwerk.derive.readable.record import Readable

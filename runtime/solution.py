@@ -14,7 +14,6 @@ import numpy as np
 
 from hertzwerk.runtime.accuracy import ErrorEstimate
 from hertzwerk.runtime.averages import Average, averages
-from hertzwerk.runtime.cache import write_atomically
 from hertzwerk.runtime.findings import Findings
 from hertzwerk.runtime.history import History
 from hertzwerk.runtime.impacts import Impact
@@ -22,6 +21,7 @@ from hertzwerk.runtime.integrate.choose import Choice
 from hertzwerk.runtime.model import Model
 from hertzwerk.runtime.outcome import Outcome
 from hertzwerk.runtime.scales import Scales
+from hertzwerk.runtime.scratch import write_atomically
 from hertzwerk.runtime.sums import Sums
 
 __all__ = ["ErrorEstimate", "History", "Impact", "Solution", "Statistics"]

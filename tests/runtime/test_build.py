@@ -2,12 +2,14 @@
 
 import os
 import stat
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
 from hertzwerk.derive.faults import InputError
-from hertzwerk.runtime import build, cache
+from hertzwerk.runtime import build, cache, load, simulate
 
 
 @pytest.fixture(autouse=True)
@@ -26,12 +28,12 @@ def test_the_cache_is_made_for_its_user_alone(folder):
 @pytest.mark.parametrize("mode", [0o770, 0o707, 0o777])
 def test_a_folder_that_others_can_write_is_not_trusted(folder, mode):
     folder.mkdir(parents=True)
-    (folder / "x").write_text("evil")
+    kept = cache.keep("x", ".py", b"evil")
     folder.chmod(mode)
     assert cache.folder() is None
-    assert cache.read("x") is None
-    cache.write("y", "text")
-    assert not (folder / "y").exists()
+    assert cache.read("x", ".py") is None
+    assert cache.keep("y", ".py", b"text") is None
+    assert list(folder.iterdir()) == [kept]
 
 
 def test_the_cache_can_be_turned_off(monkeypatch):
@@ -40,24 +42,70 @@ def test_the_cache_can_be_turned_off(monkeypatch):
 
 
 def test_what_was_written_is_read_and_leaves_no_pieces(folder):
-    cache.write("a.py", "x = 1\n")
-    assert cache.read("a.py") == "x = 1\n"
-    assert cache.read("b.py") is None
-    assert [path.name for path in folder.iterdir()] == ["a.py"]
+    kept = cache.keep("a", ".py", b"x = 1\n")
+    assert cache.read("a", ".py") == "x = 1\n"
+    assert cache.read("b", ".py") is None
+    assert list(folder.iterdir()) == [kept]
 
 
-def test_a_write_that_fails_leaves_the_old_content_and_no_pieces(tmp_path, monkeypatch):
-    path = tmp_path / "a.txt"
-    cache.write_atomically(path, b"old")
+@pytest.mark.parametrize("content", [b"", b"x = 1", b"x = 2\n", b"x = 1\n\n", b"\xff"])
+def test_an_entry_that_is_not_as_it_was_written_is_removed(folder, content):
+    kept = cache.keep("a", ".py", b"x = 1\n")
+    kept.write_bytes(content)
+    assert cache.read("a", ".py") is None
+    assert list(folder.iterdir()) == []
 
-    def fails(self, target):
-        raise OSError("no")
 
-    monkeypatch.setattr(Path, "replace", fails)
-    with pytest.raises(OSError, match="no"):
-        cache.write_atomically(path, b"new")
-    assert path.read_bytes() == b"old"
-    assert [entry.name for entry in tmp_path.iterdir() if entry.is_file()] == ["a.txt"]
+def test_a_changed_module_is_derived_again(folder, monkeypatch):
+    monkeypatch.setattr(build, "derive_text", lambda *_: "NUMBER = 1.0\n")
+    build.build_built_in("two_spheres", ["energy_ledger"])
+    (kept,) = folder.iterdir()
+    kept.write_text("NUMBER = 2.0\n")
+    assert build.build_built_in("two_spheres", ["energy_ledger"]).NUMBER == 1
+
+
+def test_a_user_without_a_home_has_no_cache(monkeypatch):
+    def nowhere():
+        raise RuntimeError("Could not determine home directory.")
+
+    monkeypatch.delenv("HERTZWERK_CACHE")
+    monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
+    monkeypatch.setattr(Path, "home", nowhere)
+    assert cache.folder() is None
+    assert cache.keep("a", ".py", b"") is None
+
+
+def test_a_full_disk_ends_nothing_that_can_do_without_the_cache(folder, monkeypatch):
+    def full(path, content):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(cache, "write_atomically", full)
+    assert cache.keep("a", ".py", b"x") is None
+    assert build.build_built_in("two_spheres", ["energy_ledger"]).PARAMETERS
+    assert simulate(load("bouncing_ball"), duration="10 ms", tolerance=1e-6, compiled=True).compiled
+    assert list(folder.iterdir()) == []
+
+
+TRUNCATED = """
+from hertzwerk.runtime import load, simulate
+print(simulate(load("bouncing_ball"), duration="10 ms", tolerance=1e-6, compiled=True).final)
+"""
+
+
+@pytest.mark.slow
+def test_a_truncated_library_is_compiled_again(folder):
+    """In processes of their own: loaded, a truncated library is a bus error."""
+
+    def run():
+        done = subprocess.run([sys.executable, "-c", TRUNCATED], capture_output=True, text=True, check=True)
+        (library,) = folder.glob("compiled-*.so")
+        return done.stdout, library
+
+    before, library = run()
+    library.write_bytes(library.read_bytes()[: library.stat().st_size // 2])
+    after, again = run()
+    assert before == after
+    assert again == library
 
 
 def test_a_variation_is_derived_once_and_read_afterwards(folder, monkeypatch):
