@@ -22,6 +22,7 @@ from sympy.core.function import AppliedUndef
 from sympy.matrices import MatrixBase
 from sympy.solvers.solveset import NonlinearError
 
+from hertzwerk.derive.faults import PicklableError
 from hertzwerk.derive.functions import Where
 from hertzwerk.derive.tables import Spline
 from hertzwerk.derive.units import Exponent, Exponents, Unit, UnitError, parse_unit, rational, unit_text
@@ -176,7 +177,7 @@ class DimensionFault:
         return "\n".join(lines + ([f"{self.repair}."] if self.repair else []))
 
 
-class DimensionError(ValueError):
+class DimensionError(PicklableError):
     """An expression without a dimension; `fault` says where and why."""
 
     def __init__(self, fault: DimensionFault) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Any
 
 
 @dataclass(frozen=True)
@@ -20,7 +21,20 @@ class Fault:
         return f"{text}\n    {self.remedy}" if self.remedy else text
 
 
-class InputError(ValueError):
+class PicklableError(ValueError):
+    """An error that other processes receive whole, whatever its constructor takes: worker pools hang on those that cannot be unpickled."""
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _made_again, (type(self), self.args, self.__dict__)
+
+
+def _made_again(kind: type[PicklableError], args: tuple[Any, ...], attributes: dict[str, Any]) -> PicklableError:
+    error = kind.__new__(kind, *args)
+    error.__dict__.update(attributes)
+    return error
+
+
+class InputError(PicklableError):
     """Bad input: every fault of it at once (`faults`), nothing done, nothing written."""
 
     def __init__(self, subject: str, faults: Iterable[Fault]) -> None:

@@ -27,6 +27,7 @@ from typing import Any
 
 import sympy as sp
 
+from hertzwerk.derive.faults import PicklableError
 from hertzwerk.derive.functions import Where
 
 __all__ = ["FUNCTIONS", "Expression", "Node", "TextError", "read", "to_sympy"]
@@ -39,7 +40,7 @@ MAX_ORDER = 4  # of a derivative
 MAX_SIDE = 12  # rows or columns of a matrix
 
 
-class TextError(ValueError):
+class TextError(PicklableError):
     """Expression text that cannot be read: `position` (1 is the first character), found, expected, and the way out."""
 
     def __init__(self, text: str, start: int, found: str, expected: str, remedy: str = "") -> None:

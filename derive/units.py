@@ -21,7 +21,10 @@ from decimal import Context, Decimal
 from fractions import Fraction
 from functools import lru_cache
 
-__all__ = ["Exponent", "Exponents", "Unit", "UnitError", "parse_quantity", "parse_unit", "rational", "unit_text"]
+__all__ = [
+    *("Exponent", "Exponents", "Unit", "UnitError"),
+    *("parse_quantity", "parse_unit", "rational", "split_quantity", "unit_text"),
+]
 
 MAX_TEXT = 400  # characters of unit text
 MAX_DEPTH = 20  # nested parentheses
@@ -440,6 +443,12 @@ _QUANTITY = re.compile(r"\s*([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+
 
 def parse_quantity(text: str) -> tuple[float, Unit]:
     """A number and its unit: `0.2 mm` -> (0.2, mm), `-3e-4` -> (-3e-4, 1). `unit.to_si(value)` is the SI value."""
+    value, unit = split_quantity(text)
+    return value, parse_unit(unit)
+
+
+def split_quantity(text: str) -> tuple[float, str]:
+    """A number and the text of its unit, "1" where there is none: `0.2 mm` -> (0.2, "mm"), `-3 / s` -> (-3, "1/ s"). Raises UnitError."""
     if not isinstance(text, str):
         raise UnitError(f"found {text!r}, expected a quantity as text such as '0.2 mm'")
     if len(text) > MAX_TEXT:
@@ -456,7 +465,7 @@ def parse_quantity(text: str) -> tuple[float, Unit]:
         rest = rest[1:] or "*"
     elif rest.startswith("/"):
         rest = "1" + rest
-    return value, parse_unit(rest or "1")
+    return value, rest or "1"
 
 
 # --- printing ---------------------------------------------------------------------------------------------------------

@@ -10,7 +10,7 @@ from typing import TypeAlias
 import numpy as np
 
 from hertzwerk.derive.faults import Fault
-from hertzwerk.derive.units import Unit, UnitError, parse_quantity, parse_unit
+from hertzwerk.derive.units import Unit, UnitError, parse_unit, split_quantity
 
 Value: TypeAlias = str | float | tuple[float, str]  # "0.2 mm"; a bare number where dimensionless; (0.2, "mm")
 Limit: TypeAlias = tuple[str, str, float | None, float | None, bool, bool, str]  # a row of a module's LIMITS
@@ -137,10 +137,8 @@ def _exponents(ports: Mapping[str, Port]) -> dict[str, float]:
 def read(value: Value) -> tuple[float, Unit, str]:
     """A value as (number, unit, unit text); a bare number has the unit "1". Raises UnitError."""
     if isinstance(value, str):
-        text = value.strip()
-        number, unit = parse_quantity(text)
-        length = next(length for length in range(len(text), 0, -1) if _is_number(text[:length]))
-        return number, unit, text[length:].strip() or "1"
+        number, text = split_quantity(value)
+        return number, parse_unit(text), text
     number, text = value if isinstance(value, tuple) and len(value) == 2 else (value, "1")
     real = isinstance(number, int | float | np.number) and not isinstance(number, bool)
     if not real or not isinstance(text, str):
@@ -165,16 +163,10 @@ def _value_in(unit: str) -> str:
     return "a number" if unit == "1" else f"a value in {unit}"
 
 
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
-
-
-def unknown(kind: str, name: str, known: Mapping[str, object] | Sequence[str]) -> Fault:
+def unknown(kind: str, name: object, known: Mapping[str, object] | Sequence[str]) -> Fault:
     """The fault of a name that does not exist, with those that resemble it."""
+    if not isinstance(name, str):
+        return Fault(repr(name), f"a {kind} named by {type(name).__name__}", f"text, one of {', '.join(known)}")
     from difflib import get_close_matches
 
     near = get_close_matches(name, list(known), n=3)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,6 +10,7 @@ from numpy.typing import NDArray
 
 from hertzwerk.runtime.history import acceleration_of
 from hertzwerk.runtime.ideal import IdealMotion, has_clearance, ideal_motion, unknown_because
+from hertzwerk.runtime.lazy import cached_property
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.history import History

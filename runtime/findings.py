@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from functools import cached_property
 from typing import TYPE_CHECKING, Protocol, TypeVar
 
 import numpy as np
@@ -14,6 +13,7 @@ from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.averages import INTERVALS
 from hertzwerk.runtime.impacts import Contacts, Impact
 from hertzwerk.runtime.integrate.choose import Choice, choices
+from hertzwerk.runtime.lazy import cached_property
 from hertzwerk.runtime.sums import Summing, Sums
 
 if TYPE_CHECKING:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from difflib import get_close_matches
-from functools import cached_property
 
 import numpy as np
 
@@ -12,6 +11,7 @@ from hertzwerk.runtime.caller import Rowwise
 from hertzwerk.runtime.integrate.attempt import Integrator
 from hertzwerk.runtime.integrate.explicit import flow
 from hertzwerk.runtime.integrate.layout import CONTACT, FLIGHT
+from hertzwerk.runtime.lazy import cached_property
 from hertzwerk.runtime.model import Model
 
 _PAIR = {"mode": "1", "gap": "m", "gap_rate": "m/s", "penetration": "m", "normal_force": "N"}

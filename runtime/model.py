@@ -7,7 +7,6 @@ import importlib.util
 import math
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -17,6 +16,7 @@ import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.binding import Port, Value, read_parameters
+from hertzwerk.runtime.lazy import cached_property
 
 if TYPE_CHECKING:
     from hertzwerk.derive.readable.record import Readable

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,6 +11,7 @@ from numpy.typing import NDArray
 
 from hertzwerk.runtime import scales as scaling
 from hertzwerk.runtime.horizon import crossing
+from hertzwerk.runtime.lazy import cached_property
 from hertzwerk.runtime.simulation import simulate
 
 if TYPE_CHECKING:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable, Iterable, Mapping
+from contextlib import closing
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -20,7 +21,8 @@ from hertzwerk.runtime.sweep_table import NUMBERS, TEXTS, Row, Sweep, ports
 from hertzwerk.runtime.workers import Alone, Flag, cores, results
 
 Output = Callable[[Solution], float]
-BAD_INPUT, BAD_OUTPUT, LOST = "bad_input", "bad_output", "lost"  # outcomes of rows without a run or some of its numbers
+# outcomes of rows without a run or some of its numbers
+BAD_INPUT, BAD_OUTPUT, FAILED, LOST = "bad_input", "bad_output", "failed", "lost"
 PROBE = 0.3  # s that the first run may take alone, to foresee how long all of them take
 
 
@@ -46,7 +48,7 @@ def simulate_many(
     outputs    further columns, each a function of the Solution: {"stroke": lambda run: np.ptp(run["guide.travel"])}
     progress    called now and then with the fraction of runs done
 
-    A set with bad input, a run that does not finish, an output that raises are rows that say so. Raises InputError for what is
+    A set with bad input, a run that does not finish or fails, an output that raises or exits are rows that say so. Raises InputError for what is
     bad input to every run. Ctrl-C returns the rows that are done.
     """
     began = time.perf_counter()
@@ -62,10 +64,12 @@ def simulate_many(
         foreseen = job.probe(rows, most) if compiled == "auto" else 0.0
         job.settings["compiled"] = prepare(model, method, compiled, foreseen)
         left = [i for i in range(len(sets)) if i not in rows]
-        for row in results(job, left, min(most, max(len(left), 1))):
-            rows[row.index] = row
-            if progress is not None:
-                progress(len(rows) / len(sets))
+        at_once = min(most, max(len(left), 1))
+        with closing(results(job, left, at_once)) as done:  # its workers end here, whatever is raised
+            for row in done:
+                rows[row.index] = row
+                if progress is not None:
+                    progress(len(rows) / len(sets))
     except KeyboardInterrupt:
         interrupted = True
     return Sweep(
@@ -92,10 +96,9 @@ class _Job:
     def do(self, i: int) -> Row:
         """Run set i; raises KeyboardInterrupt where it was stopped."""
         try:
-            solution = self._solve(i, progress=self._heed)
-        except InputError as error:
-            return self._bad(i, error)
-        return self._row(i, solution)
+            return self._row(i, self._solve(i, progress=self._heed))
+        except Exception as error:  # a row says so: hours of other runs are not lost for it
+            return self._without_run(i, error)
 
     def lost(self, i: int) -> Row:
         """The row of a run that has none."""
@@ -106,8 +109,8 @@ class _Job:
         for i in range(len(self.sets)):
             try:
                 solution = self._solve(i, compiled=False, wall_time=min(PROBE, self.settings.get("wall_time") or PROBE))
-            except InputError as error:
-                rows[i] = self._bad(i, error)
+            except Exception as error:  # as in `do`
+                rows[i] = self._without_run(i, error)
                 continue
             if solution.outcome.name != "wall_time_limit":
                 rows[i] = self._row(i, solution)
@@ -125,8 +128,10 @@ class _Job:
             raise KeyboardInterrupt
         return solution
 
-    def _bad(self, i: int, error: InputError) -> Row:
-        return Row(i, self.sets[i], BAD_INPUT, "; ".join(str(fault) for fault in error.faults))
+    def _without_run(self, i: int, error: Exception) -> Row:
+        if isinstance(error, InputError):
+            return Row(i, self.sets[i], BAD_INPUT, "; ".join(str(fault) for fault in error.faults))
+        return Row(i, self.sets[i], FAILED, f"{type(error).__name__}: {error}")
 
     def _heed(self, _: float) -> None:
         if self.stop.value:
@@ -138,7 +143,7 @@ class _Job:
         for name, output in self.outputs.items():
             try:
                 outputs[name] = float(output(solution))
-            except Exception as error:  # a row says so: hours of other runs are not lost for it
+            except (Exception, SystemExit) as error:  # a row says so: hours of other runs are not lost for it
                 outcome, message = BAD_OUTPUT, f"output {name} raised {type(error).__name__}: {error}"
         return Row(
             index=i,

@@ -24,7 +24,7 @@ _UNITS = {"peak_force": "N", "wall_s": "s"}
 class Row:
     """One run: `given` as it was given, `values` the same in SI; `final` every state at the end.
 
-    Where there is no run, `outcome` is "bad_input" (or "lost", where its process died) and `message` holds the faults.
+    Where there is no run, `outcome` is "bad_input", "failed" (by an error of ours) or "lost" (its process died), and `message` says why.
     """
 
     index: int

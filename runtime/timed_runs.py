@@ -10,7 +10,6 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
 from statistics import median
 from typing import TYPE_CHECKING, Any
 
@@ -21,6 +20,7 @@ from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime.engine import prepare
 from hertzwerk.runtime.integrate.choose import IMPLICIT
 from hertzwerk.runtime.integrate.methods import METHODS
+from hertzwerk.runtime.lazy import cached_property
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.outcome import Outcome

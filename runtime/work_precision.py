@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from itertools import combinations
 from statistics import fmean, median
 
@@ -13,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.runtime.horizon import Growth, crossing, growth
+from hertzwerk.runtime.lazy import cached_property
 from hertzwerk.runtime.reference import Problem, Reference, reference
 from hertzwerk.runtime.timed_runs import Made, Try, make, ready, repeat
 

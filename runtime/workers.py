@@ -6,9 +6,10 @@ import multiprocessing
 import os
 import signal
 import sys
+import threading
 import warnings
 from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator, Iterator
 from concurrent.futures import (
     FIRST_COMPLETED,
     BrokenExecutor,
@@ -21,6 +22,8 @@ from concurrent.futures import (
 from dataclasses import dataclass
 from typing import Any, Protocol, TypeVar
 
+# One pool at a time: a process forked while another pool is used would share its pipes, and outlive it.
+_pool = threading.Lock()
 AHEAD = 2  # tasks handed out per worker: none waits for the next, and few are under way where one dies
 
 Result = TypeVar("Result")
@@ -52,15 +55,17 @@ class Job(Protocol[Returned]):
         """What stands for task i where its process died, and died again where it ran alone."""
 
 
-def results(job: Job[Result], left: list[int], workers: int) -> Iterator[Result]:
+def results(job: Job[Result], left: list[int], workers: int) -> Generator[Result, None, None]:
     """Results as they are had; where a process died, those it may have died of are run again, each alone."""
     waiting = deque(left)
     while waiting and workers > 1:
         suspects: list[int] = []
-        yield from _together(job, waiting, workers, suspects)
+        with _pool:
+            yield from _together(job, waiting, workers, suspects)
         for i in suspects:
             again: list[int] = []
-            yield from _together(job, deque([i]), 1, again)
+            with _pool:
+                yield from _together(job, deque([i]), 1, again)
             if again:
                 yield job.lost(i)
     for i in waiting:
@@ -110,9 +115,18 @@ _job: Job[Any] | None = None  # of a worker process
 
 
 def _enter(job: Job[Any]) -> None:
-    global _job
+    global _job, _pool
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches every process; the first one tells the others
-    _job = job
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+    _job, _pool = job, threading.Lock()  # the one that was forked is held
+
+
+def _end_with_parent() -> None:
+    """End a worker whose parent was killed: nobody would ever tell it to."""
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)
 
 
 def _do(i: int) -> Any:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,6 +15,7 @@ from hertzwerk.runtime.draw.paper import INK, Paper, shade
 from hertzwerk.runtime.draw.parts import Parts
 from hertzwerk.runtime.draw.places import GROUND, Array, Landmark, Places
 from hertzwerk.runtime.draw.view import view_of
+from hertzwerk.runtime.lazy import cached_property
 from hertzwerk.runtime.plot_style import GREY, VERMILLION
 
 if TYPE_CHECKING:

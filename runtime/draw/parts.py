@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
@@ -12,6 +11,7 @@ from hertzwerk.runtime.curves import Scale
 from hertzwerk.runtime.draw.paper import INK, ROUND, Paper, hull
 from hertzwerk.runtime.draw.places import GROUND, Array, Landmark, Places
 from hertzwerk.runtime.draw.view import View
+from hertzwerk.runtime.lazy import cached_property
 from hertzwerk.runtime.plot_style import CYCLE, GREY
 
 BAR = 3.6  # half the width of a bar, points

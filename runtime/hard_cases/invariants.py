@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
@@ -19,6 +18,7 @@ from scipy.optimize import brentq
 from hertzwerk.runtime.hard_cases.case import EXTRA, MARGIN
 from hertzwerk.runtime.history import History
 from hertzwerk.runtime.integrate.layout import CONTACT, PAIR_PARTS, RELEASED
+from hertzwerk.runtime.lazy import cached_property
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

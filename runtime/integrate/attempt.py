@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
@@ -16,6 +15,7 @@ from hertzwerk.runtime.integrate.layout import REJECTED, Layouts, layouts
 from hertzwerk.runtime.integrate.methods import Table, stepper
 from hertzwerk.runtime.integrate.modes import begin
 from hertzwerk.runtime.integrate.settle import reject, settle
+from hertzwerk.runtime.lazy import cached_property
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.explicit import Flow

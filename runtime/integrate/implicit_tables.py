@@ -7,12 +7,13 @@ with beta = alpha + Gamma. Hairer, Wanner, Solving Ordinary Differential Equatio
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cache
 from math import prod
 
 import numpy as np
 
 from hertzwerk.runtime.integrate.tables import ErrorEstimate, require, require_order
+from hertzwerk.runtime.lazy import cached_property
 
 ITERATIONS = 3  # of Newton's method per stage: fixed, the graph has no loops that end early
 FAR = 1e8  # |h lambda| that counts as infinite: there an L-stable method leaves about 1/FAR

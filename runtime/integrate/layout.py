@@ -7,11 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import accumulate
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
+
+from hertzwerk.runtime.lazy import cached_property
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model import Model

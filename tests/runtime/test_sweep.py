@@ -1,10 +1,15 @@
 """Batches: bitwise the single runs, in order, failures as rows; a running time measured, not asserted."""
 
 import csv
+import multiprocessing
 import os
+import pickle
 import signal
+import subprocess
+import sys
 import threading
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -102,6 +107,96 @@ def test_a_process_that_dies_is_a_row(ball):
     )
     assert set(sweep["outcome"]) == {"lost"}
     assert len(sweep) == 3
+
+
+def test_an_output_that_exits_is_a_row(ball):
+    for workers in (1, 2):
+        sweep = simulate_many(
+            ball, [{}, {}], duration="1 s", workers=workers, outputs={"x": lambda run: sys.exit(3)}, tolerance=1e-6
+        )
+        assert list(sweep["outcome"]) == ["bad_output"] * 2
+        assert "SystemExit" in sweep.rows[0].message
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_an_error_of_ours_is_a_row_and_takes_no_other_with_it(ball, workers, monkeypatch):
+    def fails(model, *, parameters, **settings):
+        if parameters.get("drop_height") == "2 m":
+            raise ArithmeticError("seeded")
+        return simulate(model, parameters=parameters, **settings)
+
+    monkeypatch.setattr("hertzwerk.runtime.sweep.simulate", fails)
+    sets = [{"drop_height": "2 m"}, {}, {"drop_height": "2 m"}, {}]
+    sweep = simulate_many(ball, sets, duration="1 s", tolerance=1e-6, workers=workers)
+    assert list(sweep["outcome"]) == ["failed", "finished"] * 2
+    assert sweep.rows[0].message == "ArithmeticError: seeded"
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_a_typographic_minus_is_a_minus_and_a_key_that_is_no_text_a_row(ball, workers):
+    sets = [{"vertical.speed": "\u22121 m/s"}, {7: "1 m"}, {None: 1.0}, {"drop_height": "1 m"}]
+    sweep = simulate_many(ball, sets, duration="1 s", tolerance=1e-6, workers=workers)
+    assert list(sweep["outcome"]) == ["finished", "bad_input", "bad_input", "finished"]
+    assert sweep["vertical.speed"][0] == -1
+    assert "a parameter named by int" in sweep.rows[1].message
+
+
+def _refused(height):
+    return simulate(load("bouncing_ball"), duration="1 s", parameters={"drop_height": height})
+
+
+def test_errors_come_whole_from_other_processes():
+    with multiprocessing.get_context("fork").Pool(1) as pool, pytest.raises(InputError) as caught:
+        pool.map(_refused, ["1 kg"])
+    assert [fault.where for fault in caught.value.faults] == ["drop_height"]
+    again = pickle.loads(pickle.dumps(caught.value))
+    assert (again.faults, str(again), again.subject) == (caught.value.faults, str(caught.value), caught.value.subject)
+
+
+def test_batches_in_threads_side_by_side(ball):
+    """With Python 3.11's cached properties, whose lock a fork inherits, 4 of 10 such programs hung."""
+    code = """
+import threading
+from hertzwerk.runtime import load, simulate, simulate_many
+ball, sets = load("bouncing_ball"), [{"drop_height": f"{0.5 + 0.01 * i} m"} for i in range(12)]
+def batch():
+    sweep = simulate_many(ball, sets, duration="2 s", tolerance=1e-8, workers=2, compiled=False)
+    print(len(sweep), *sorted(set(map(str, sweep["outcome"]))), flush=True)
+def alone():
+    for _ in range(10):
+        simulate(ball, duration="1 s", tolerance=1e-8, compiled=False).impacts
+threads = [threading.Thread(target=target) for target in (batch, alone, batch, alone, batch)]
+for thread in threads: thread.start()
+for thread in threads: thread.join()
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120, check=True)
+    assert done.stdout == "12 finished\n" * 3
+
+
+@pytest.mark.parametrize("ending", [signal.SIGKILL, signal.SIGTERM])
+def test_workers_end_with_a_parent_that_is_killed(ending):
+    code = """
+import os, time
+from hertzwerk.runtime import load, simulate_many
+def tell(run):
+    os.write(1, f"{os.getpid():10}\\n".encode())
+    time.sleep(600 if run.initial["vertical.speed"] else 0)
+    return 0.0
+sets = [{}] + [{"vertical.speed": "-1 m/s"}] * 3
+simulate_many(load("bouncing_ball"), sets, duration="1 s", tolerance=1e-6, workers=2, compiled=False, outputs={"x": tell})
+"""
+    parent = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
+    workers = {int(parent.stdout.readline()) for _ in range(3)} - {parent.pid}
+    assert len(workers) == 2
+    parent.send_signal(ending)
+    parent.wait(10)
+    parent.stdout.close()
+    deadline = time.monotonic() + 20
+    while (alive := [worker for worker in workers if Path(f"/proc/{worker}").exists()]) and time.monotonic() < deadline:
+        time.sleep(0.05)
+    for worker in alive:
+        os.kill(worker, signal.SIGKILL)
+    assert not alive
 
 
 def test_of_all_rows_only_the_guilty_ones_are_lost(ball):
