@@ -10,6 +10,7 @@ import sympy as sp
 
 from hertzwerk.derive.dimension import ONE, Dimension, DimensionError, DimensionFault, check, dimension_of
 from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.forms import advice
 from hertzwerk.derive.laws.law import STATE, BoundLaw, Law
 from hertzwerk.derive.program import Program
 from hertzwerk.derive.scene import Scene
@@ -20,8 +21,8 @@ from hertzwerk.derive.units import parse_unit
 class Finding:
     """What the audit says of one expression.
 
-    `verdict` is consistent, inconsistent, outside_si (inconsistent, but the law names the units it was fitted in), or unchecked (inconsistent,
-    run on purpose).
+    `verdict` is consistent, inconsistent, outside_si (inconsistent, but the law names the units it was fitted in), unchecked (inconsistent,
+    run on purpose), or advice: the units hold, and `reason` is what speaks against the law all the same.
     """
 
     effect: str
@@ -42,7 +43,12 @@ class Finding:
     grade: str = ""
     """How sure the law's formula is; R is a reconstruction."""
     kind: str = ""
-    """Kind of the law (stiffness, damping, friction), or expression."""
+    """Kind of the law (stiffness, damping, friction), or expression, program, form of contact."""
+
+    @property
+    def sound(self) -> bool:
+        """Whether the units hold."""
+        return self.verdict in ("consistent", "advice")
 
     @property
     def sentence(self) -> str:
@@ -108,15 +114,20 @@ def refuse_inconsistent(scene: Scene, findings: Iterable[Finding]) -> None:
 
 
 def audit_scene(scene: Scene) -> tuple[Finding, ...]:
-    """Every law of the scene, then, if they hold, every assignment and output of its program."""
+    """Every law of the scene, and advice on them; then, if they hold, every assignment and output of its program."""
     from hertzwerk.derive.derivation import (
         derivation_of,
     )  # the program is made by the derivation, which audits it in turn
 
-    laws = audit_laws(scene)
+    laws = (*audit_laws(scene), *(_advice_finding(scene, text) for text in advice(scene)))
     if any(finding.verdict == "inconsistent" for finding in laws):
         return laws
     return laws + audit_program(derivation_of(scene))[1]
+
+
+def _advice_finding(scene: Scene, text: str) -> Finding:
+    return Finding(effect=scene.name, what="form of contact", law="", title="", source="", verdict="advice", expression="", reason=text,
+                   kind="form of contact")  # fmt: skip
 
 
 def audit_laws(scene: Scene) -> tuple[Finding, ...]:

@@ -19,13 +19,17 @@ Triple = tuple[Any, Any, Any]
 
 @dataclass(frozen=True)
 class Slot:
-    """One quantity a record asks for: where it stands, what was given, its unit, and the ranges (SI) it must and should keep."""
+    """One quantity a record asks for: where it stands, what was given, its unit, and the ranges (SI) it must and should keep.
+
+    `asked_as` is `<pair>.<symbol>` of what a pair has for its laws alone: where none asks for it, nothing reads it.
+    """
 
     where: str
     value: Scalar
     unit: str
     limit: Interval | None = None
     recommended: Interval | None = None
+    asked_as: str = ""
 
 
 @dataclass(frozen=True)

@@ -5,6 +5,7 @@
     kind = "stiffness"                # stiffness: force, stored?, reach?, exponent?, relation?     damping: factor or term, exponent?, release?
     title = "Foam pad"                # friction: force, slope? (else its derivative at rest)     film: along, across, couple
     source = "measured, 2024"
+    form = "any"                      # of contact it is for: point, line, surface, any, or a list; a stiffness law must say
     force = "K*d**n*exp(d/h)"
     exponent = "n"
     reach = "h"
@@ -70,7 +71,7 @@ _RECORDS: dict[str, type[Any]] = {
     "film": FilmLaw,
 }
 _PLAIN = {"name", "kind", "title", "source", "grade", "verdict", "fitted_in", "repair", "note"}
-_KEYS = _PLAIN | {"symbols", "definitions", "ranges"}
+_KEYS = _PLAIN | {"form", "symbols", "definitions", "ranges"}
 _GRADES = ("A", "B", "C", "R")
 _VERDICTS = ("consistent", "inconsistent", "outside_si")
 _NOT_IN_LAWS = ("diff", "integrate", "matrix", "@", "transpose", "inv", "det", "trace", "and", "or", "not", "==", "!=")
@@ -168,7 +169,7 @@ class _Reader:
             return None
         self.kind = kind
         self.keys()
-        plain = self.plain()
+        plain, forms = self.plain(), self.forms()
         self.supplied = {symbol.name: symbol for symbol in (*_SUPPLIED[kind], *record.GEOMETRY)}
         parameters, defaults = self.symbols()
         constants = {symbol.name: symbol for symbol in parameters if symbol.unit.strip() == "1"}
@@ -180,7 +181,7 @@ class _Reader:
         ranges = self.ranges()
         if self.faults:
             return None
-        common = {**plain, "parameters": parameters, "definitions": definitions, "defaults": defaults}
+        common = {**plain, **forms, "parameters": parameters, "definitions": definitions, "defaults": defaults}
         try:
             law = _RECORDS[kind](**common, **self.of_kind(fields, ranges))
         except (ValueError, TypeError) as error:  # what the record itself refuses
@@ -197,14 +198,10 @@ class _Reader:
         known = _KEYS | set(_FIELDS[self.kind]) | ({"release"} if self.kind == "damping" else set())
         for key in self.table:
             if key not in known:
-                close = difflib.get_close_matches(key, sorted(known), n=2)
+                close = difflib.get_close_matches(key, sorted(known), n=1)
                 elsewhere = [kind for kind, fields in _FIELDS.items() if key in fields]
                 remedy = (
-                    f"did you mean {' or '.join(close)}?"
-                    if close
-                    else f"it belongs to a {elsewhere[0]} law"
-                    if elsewhere
-                    else ""
+                    f"it belongs to a {elsewhere[0]} law" if elsewhere else f"did you mean {close[0]}?" if close else ""
                 )
                 self.fault("", f"the key {key!r}", f"one of {', '.join(sorted(known))}", remedy)
 
@@ -230,6 +227,22 @@ class _Reader:
                 "fitted_in", repr(texts.get("fitted_in", "")), "the units of the fit, with verdict outside_si alone"
             )
         return texts
+
+    def forms(self) -> dict[str, tuple[str, ...]]:
+        """The forms of contact the law is for, where it says them; a stiffness law must."""
+        if "form" not in self.table and self.kind != "stiffness":
+            return {}
+        given = self.table.get("form")
+        words = given if isinstance(given, list) else [given]
+        if words == ["any"]:
+            return {"forms": record.FORMS}
+        if not words or not all(word in record.FORMS for word in words):
+            found = "none" if given is None else repr(given)[:60]
+            remedy = (
+                "The form of contact it is for; any says that it is for all, as a power law whose stiffness is given."
+            )
+            self.fault("form", found, f"one of {', '.join(record.FORMS)}, any, or a list of them", remedy)
+        return {"forms": tuple(words)}
 
     # -- symbols ------------------------------------------------------------------------------------------------------
 

@@ -1,6 +1,7 @@
 """Contact pairs: which surfaces of two bodies may touch. Declarations only, no equations.
 
-A pair pushes its first place along a unit vector out of the second's solid; `first_radius` lies between that place and the contact point.
+A pair pushes its first place along a unit vector out of the second's solid; `first_radius` lies between that place and the contact point. `form` is
+what the surfaces touch in, a point, a line or a surface: laws are made for one of them.
 """
 
 from __future__ import annotations
@@ -27,6 +28,7 @@ class SphereOnPlane:
     plane: Point
     normal: Direction
     kind: ClassVar[str] = "sphere_on_plane"
+    form: ClassVar[str] = "point"
 
     @property
     def first_radius(self) -> Any:
@@ -61,6 +63,7 @@ class SphereOnSphere:
     radius_first: Scalar
     radius_second: Scalar
     kind: ClassVar[str] = "sphere_on_sphere"
+    form: ClassVar[str] = "point"
     inside: ClassVar[bool] = False
 
     @property
@@ -91,7 +94,7 @@ class SphereOnSphere:
 class PinInBush:
     """A revolute joint with clearance: a pin of radius `bush_radius - clearance` free inside a bush, axes along `axis` of the bush's frame.
 
-    With a `length` it offers the line contact of parallel cylinders to laws that ask for one.
+    Only laws of line contact ask for its `length`: where none does, it is no parameter of the scene.
     """
 
     name: str
@@ -102,6 +105,7 @@ class PinInBush:
     clearance: Scalar
     length: Scalar | None = None
     kind: ClassVar[str] = "pin_in_bush"
+    form: ClassVar[str] = "line"
     inside: ClassVar[bool] = True
 
     @property
@@ -135,7 +139,7 @@ class PinInBush:
         if isinstance(self.bush_radius, sp.Expr) and isinstance(self.clearance, sp.Expr):
             yield Slot(f"pair {self.name}, pin radius (bush radius minus clearance)", self.pin_radius, "m", POSITIVE)
         if self.length is not None:
-            yield Slot(f"pair {self.name}, length", self.length, "m", POSITIVE)
+            yield Slot(f"pair {self.name}, length", self.length, "m", POSITIVE, asked_as=f"{self.name}.L")
         yield from self.axis.slots(f"pair {self.name}, axis")
         for point in self.places:
             yield from point.slots()
@@ -148,6 +152,7 @@ class ParallelCylinders(SphereOnSphere):
     axis: Direction
     length: Scalar
     kind: ClassVar[str] = "parallel_cylinders"
+    form: ClassVar[str] = "line"
 
     @property
     def geometry(self) -> dict[str, Any]:
@@ -171,6 +176,7 @@ class BallInSocket:
     socket_radius: Scalar
     clearance: Scalar
     kind: ClassVar[str] = "ball_in_socket"
+    form: ClassVar[str] = "point"
     inside: ClassVar[bool] = True
 
     @property
@@ -223,6 +229,7 @@ class CylinderOnPlane:
     plane: Point
     normal: Direction
     kind: ClassVar[str] = "cylinder_on_plane"
+    form: ClassVar[str] = "line"
 
     @property
     def places(self) -> tuple[Point, Point]:
@@ -264,6 +271,7 @@ class RimOnPlane:
     plane: Point
     normal: Direction
     kind: ClassVar[str] = "rim_on_plane"
+    form: ClassVar[str] = "point"
     first_radius: ClassVar[Any] = 0
 
     @property
@@ -300,6 +308,7 @@ class CornerOnFace:
     along: Direction | None = None
     length: Scalar | None = None
     kind: ClassVar[str] = "corner_on_face"
+    form: ClassVar[str] = "point"
     first_radius: ClassVar[Any] = 0
 
     @property
@@ -360,8 +369,9 @@ class CustomPair:
     normal         unit vector that pushes the first body, (x, y, z)
     contact_point  the point both bodies touch at, from the second place, (x, y, z) [m]
 
-    The rest is derived. `radius` [m] is that of relative curvature, for laws that ask. A gap whose rate is not the speed at which the bodies
-    approach along the normal at the contact point is refused: its forces would not keep the energy.
+    The rest is derived. `radius` [m] is that of relative curvature, for laws that ask; `length` [m] that of the line, where they touch along one:
+    else their contact is a point. A gap whose rate is not the speed at which the bodies approach along the normal at the contact point is refused:
+    its forces would not keep the energy.
     """
 
     name: str
@@ -371,8 +381,14 @@ class CustomPair:
     normal: Components
     contact_point: Components
     radius: Scalar | None = None
+    length: Scalar | None = None
     kind: ClassVar[str] = "custom"
     first_radius: ClassVar[Any] = 0
+
+    @property
+    def form(self) -> str:
+        """A line where it has a length."""
+        return "point" if self.length is None else "line"
 
     @property
     def places(self) -> tuple[Point, Point]:
@@ -381,8 +397,9 @@ class CustomPair:
 
     @property
     def geometry(self) -> dict[str, Any]:
-        """The radius, if given."""
-        return {} if self.radius is None else {"R_eff": self.radius, "R_min": self.radius}
+        """The radius and the length, if given."""
+        given = {"R_eff": self.radius, "R_min": self.radius, "L": self.length}
+        return {name: value for name, value in given.items() if value is not None}
 
     def slots(self) -> Iterator[Slot]:
         """The expressions and the places."""
@@ -392,6 +409,8 @@ class CustomPair:
                 yield Posed(f"pair {self.name}, {what}, {axis}", value, unit)
         if self.radius is not None:
             yield Slot(f"pair {self.name}, radius", self.radius, "m", POSITIVE)
+        if self.length is not None:
+            yield Slot(f"pair {self.name}, length", self.length, "m", POSITIVE, asked_as=f"{self.name}.L")
         for point in self.places:
             yield from point.slots()
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from difflib import get_close_matches
 from functools import cached_property
 from typing import Any, ClassVar, Literal, Protocol
 
@@ -266,18 +267,27 @@ class Scene:
         if law is None or law.kind not in fields:
             offer = [name for name, other in LAWS.items() if other.kind in fields]
             expected = f"one of {', '.join(offer)}" if offer else "an effect that has a law"
-            raise InputError(f"scene {self.name}", [Fault(f"effect {effect_name}", f"law {law_name!r}", expected)])
+            near = get_close_matches(law_name, offer, n=3)
+            remedy = f"did you mean {' or '.join(near)}?" if near else ""
+            raise InputError(
+                f"scene {self.name}", [Fault(f"effect {effect_name}", f"law {law_name!r}", expected, remedy)]
+            )
         slot = law.kind if takes is None else "law"
         bound: BoundLaw | None = getattr(effect, slot)
         given = {s.name: value for s, value in bound.binding.items()} if bound is not None else {}
+        given |= {s.name: value for s, value in law.defaults if s.name not in given}
         missing = [symbol for symbol in law.parameters if symbol.name not in given]
         if missing:
             wanted = ", ".join(f"{symbol.name} [{symbol.unit}], {symbol.meaning}" for symbol in missing)
             fault = Fault(f"effect {effect_name}", f"no value for {wanted}", f"all parameters of {law_name}",
                           "Declare the effect with this law in a scene file.")  # fmt: skip
             raise InputError(f"scene {self.name}", [fault])
-        changed = replace(effect, **{slot: law(**{symbol.name: given[symbol.name] for symbol in law.parameters})})
-        return self.replace(**{effect_name: changed})
+        other = law(**{symbol.name: given[symbol.name] for symbol in law.parameters})
+        materials = bound.materials if bound is not None else ()
+        kept = tuple(
+            m for m in materials if m.youngs_modulus in other.values
+        )  # whose density limits the speed of impacts
+        return self.replace(**{effect_name: replace(effect, **{slot: replace(other, materials=kept)})})
 
     def _must_exist(self, names: Any) -> None:
         known = [effect.name for effect in self.effects]
@@ -356,6 +366,16 @@ class Scene:
         return {**pair.geometry, **({} if mass is None else {"m_eff": mass})}
 
     def slots(self) -> Iterator[Slot]:
+        """Every quantity that something reads, in declared order: what a pair has for its laws alone, where one asks for it."""
+        asked = {
+            f"{getattr(effect, 'pair', '')}.{quantity.name}"
+            for effect in self.effects
+            for bound in getattr(effect, "laws", ())
+            for quantity in bound.law.geometry()
+        }
+        return (slot for slot in self.declarations() if not slot.asked_as or slot.asked_as in asked)
+
+    def declarations(self) -> Iterator[Slot]:
         """Every quantity of the scene, in declared order."""
         yield from self.mechanism.slots()
         freedoms = {freedom.key: freedom for freedom in self.mechanism.freedoms if freedom.scalar}
@@ -379,7 +399,7 @@ class Scene:
 
     @cached_property
     def parameters(self) -> dict[str, Parameter]:
-        """All parameters by name, in declared order."""
+        """All parameters that something reads by name, in declared order."""
         found: dict[str, Parameter] = {}
         for slot in self.slots():
             for parameter in parameters_of(slot.value):

@@ -21,7 +21,20 @@ from hertzwerk.derive.impact import (
     restitution_symbol,
 )
 from hertzwerk.derive.laws import LAWS
-from hertzwerk.derive.laws.law import GEOMETRY, STATE, DampingLaw, F, FrictionLaw, Law, Quantity, StiffnessLaw, d, v, v0
+from hertzwerk.derive.laws.law import (
+    FORMS,
+    GEOMETRY,
+    STATE,
+    DampingLaw,
+    F,
+    FrictionLaw,
+    Law,
+    Quantity,
+    StiffnessLaw,
+    d,
+    v,
+    v0,
+)
 from hertzwerk.derive.notation import latex_name, latex_of, text_of
 from hertzwerk.derive.parameter import Interval
 from hertzwerk.derive.program import PARAMETER, Function, Result, Tape, shared
@@ -98,7 +111,10 @@ class Restitution:
 
 @dataclass(frozen=True)
 class Sheet:
-    """Everything the catalogue knows of one law. `operations`: once per run, then per evaluation, of the text that is generated for it."""
+    """Everything the catalogue knows of one law.
+
+    `form`: of contact, point, line, surface or any. `operations`: once per run, then per evaluation, of the text that is generated for it.
+    """
 
     name: str
     kind: str
@@ -110,6 +126,7 @@ class Sheet:
     source: str
     note: str
     repair: str
+    form: str
     pairs: tuple[str, ...]
     formulas: tuple[Formula, ...]
     definitions: tuple[Formula, ...]
@@ -159,6 +176,7 @@ def sheet(law: Law) -> Sheet:
         source=law.source,
         note=law.note,
         repair=law.repair,
+        form="any" if set(law.forms) == set(FORMS) else " or ".join(law.forms),
         pairs=law.pairs,
         formulas=tuple(_formulas(law)),
         definitions=tuple(_formula(s.name, s.unit, s.meaning, e, latex_name(s)) for s, e in _definitions(law)),
@@ -203,11 +221,14 @@ def _formulas(law: Law) -> Iterator[Formula]:
     for what, expression, unit in law.expressions():
         if isinstance(law, DampingLaw):
             expression = _resistance(law)
+        kind, _, name = what.rpartition(" of ")
         if what in _RESULTS:
             yield _formula(_RESULTS[what], unit, what, expression)
-        else:
-            name = what.removeprefix("rate of ")
+        elif kind == "rate":
             yield _formula(f"d{name}/dt", unit, what, expression, rf"\dot{{{name}}}")
+        else:
+            meaning = f"{what}, by which its accuracy is measured"
+            yield _formula(f"{name}_size", unit, meaning, expression, rf"{name}_{{\mathrm{{size}}}}")
 
 
 def _definitions(law: Law) -> tuple[tuple[Quantity, sp.Expr], ...]:
@@ -301,7 +322,7 @@ def _example(law: Law) -> dict[sp.Symbol, Any]:
     """Numbers for every symbol of a stiffness law in the units it was fitted in: a steel pin in a bush, or rollers; {} where it asks for others."""
     if not isinstance(law, StiffnessLaw):
         return {}
-    numbers = {**(OUTSIDE if law.pairs == ("parallel_cylinders",) else INSIDE)}
+    numbers = {**(OUTSIDE if "parallel_cylinders" in law.pairs else INSIDE)}
     numbers |= {symbol.name: repr(parameter.si) for symbol, parameter in law.defaults}
     defined = {symbol for symbol, _ in law.definitions}
     asked = [symbol for symbol in law.symbols() if symbol not in defined and symbol not in STATE]
@@ -315,7 +336,7 @@ def _example(law: Law) -> dict[sp.Symbol, Any]:
 
 
 def _example_text(law: Law) -> str:
-    where = "rollers side by side" if law.pairs == ("parallel_cylinders",) else "pin in bush"
+    where = "rollers side by side" if "parallel_cylinders" in law.pairs else "pin in bush"
     c_b = ", c_b = 2/sqrt(pi)" if any(q.name == "c_b" for q in law.parameters) else ""
     return f"steel (207 GPa, 0.3), {where}, R1/R2 = 10/9.5 mm, L = 15 mm{c_b}"
 

@@ -7,7 +7,7 @@ Effects:
     rocker_pin: hertz_point x flores
     rocker_pin_friction: smooth_coulomb at rocker_pin
     energy_ledger: work put in, energy dissipated per effect
-Units: 112 assignments and 178 outputs checked, all consistent
+Units: 112 assignments and 179 outputs checked, all consistent
 Operations: flight 162 (equations of motion and gaps); in contact also contact_rocker_pin 113
 """
 
@@ -27,6 +27,10 @@ EFFECTS = (
 
 UNCHECKED = ()
 
+ADVICE = (
+    "rocker_pin: hertz_point is a law of point contact, and a pin in bush touches along a line; laws of line contact that fit: johnson, hertz_cylinder, radzimovsky, goldsmith_m3, dubowsky_freudenstein, esdu_78035, palmgren_si, pereira_internal_si, liu_with_length, bai_zhao_repaired, persson, popov_line, hertz_half_width, wang_liu_internal, wang_liu_half_width, wang_liu_johnson",
+)
+
 PARAMETERS = (
     ("crank_mass", "kg", 0.3, "body crank, mass"),
     ("crank_inertia", "kg m^2", 0.0001, "body crank, inertia"),
@@ -44,6 +48,7 @@ PARAMETERS = (
     ("gravity", "m/s^2", 9.81, "effect gravity, acceleration"),
     ("youngs_modulus", "GPa", 207, "effect rocker_pin, Young's modulus of the first body of hertz_point"),
     ("poissons_ratio", "1", 0.3, "effect rocker_pin, Poisson's ratio of the first body of hertz_point"),
+    ("density", "kg/m^3", 7800, "of the steel"),
     ("restitution", "1", 0.9, "effect rocker_pin, coefficient of restitution of flores"),
     ("approach_floor", "m/s", 0.001, "least approach speed a damping law is given; h/v0 is unbounded otherwise"),
     ("friction_coefficient", "1", 0.1, "effect rocker_pin_friction, coefficient of friction of smooth_coulomb"),
@@ -61,6 +66,7 @@ LIMITS = (
     ("clearance", "defined", 0, None, True, False, "pair rocker_pin, clearance"),
     ("youngs_modulus", "defined", 0, None, True, False, "effect rocker_pin, Young's modulus of the first body of hertz_point"),
     ("poissons_ratio", "defined", -1, 0.5, True, False, "effect rocker_pin, Poisson's ratio of the first body of hertz_point"),
+    ("density", "defined", 0, None, True, False, "effect rocker_pin, density"),
     ("restitution", "defined", 0, 1, True, False, "effect rocker_pin, coefficient of restitution of flores"),
     ("approach_floor", "defined", 0, None, True, False, "effect rocker_pin, approach floor"),
     ("friction_coefficient", "defined", 0, None, False, False, "effect rocker_pin_friction, coefficient of friction of smooth_coulomb"),
@@ -103,6 +109,10 @@ DISSIPATED = (
 OUTPUTS = (
     ("rocker_pin.eccentricity_x", "m"),
     ("rocker_pin.eccentricity_y", "m"),
+)
+
+SPEED_LIMITED = (
+    "rocker_pin",
 )
 
 BODIES = (
@@ -174,6 +184,7 @@ OPERATIONS = (
     ("energy", 59),
     ("poses", 13),
     ("outputs", 25),
+    ("speed_limits", 3),
     ("period", 3),
     ("landmarks", 3),
 )
@@ -204,9 +215,9 @@ def constants(p):
     gravity = p[13]
     youngs_modulus = p[14]
     poissons_ratio = p[15]
-    restitution = p[16]
-    friction_coefficient = p[18]
-    friction_speed = p[19]
+    restitution = p[17]
+    friction_coefficient = p[19]
+    friction_speed = p[20]
     k1 = clearance*clearance
     k2 = 1/(2*clearance)
     x1 = bush_radius - clearance
@@ -720,6 +731,18 @@ def outputs(t, q, u, c):
     rocker_pin_eccentricity_x = cos_rocker*rocker_pin_apart_x + rocker_pin_apart_y*sin_rocker
     rocker_pin_eccentricity_y = cos_rocker*rocker_pin_apart_y - rocker_pin_apart_x*sin_rocker
     return ca.vertcat(rocker_pin_eccentricity_x, rocker_pin_eccentricity_y)
+
+
+def speed_limits(p):
+    """Approach speed 1e-5 sqrt(E/rho) up to which each compliant law holds, see SPEED_LIMITED.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        limits (1,): rocker_pin [m/s]
+    """
+    youngs_modulus = p[14]
+    density = p[16]
+    return ca.vertcat(1e-05*ca.sqrt(youngs_modulus/density))
 
 
 def period(p):

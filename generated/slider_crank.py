@@ -7,7 +7,7 @@ Effects:
     slider_pin: hertz_point x lankarani_nikravesh
     slider_pin_friction: smooth_coulomb at slider_pin
     energy_ledger: work put in, energy dissipated per effect
-Units: 95 assignments and 173 outputs checked, all consistent
+Units: 95 assignments and 174 outputs checked, all consistent
 Operations: flight 131 (equations of motion and gaps); in contact also contact_slider_pin 90
 """
 
@@ -27,6 +27,10 @@ EFFECTS = (
 
 UNCHECKED = ()
 
+ADVICE = (
+    "slider_pin: hertz_point is a law of point contact, and a pin in bush touches along a line; laws of line contact that fit: johnson, hertz_cylinder, radzimovsky, goldsmith_m3, dubowsky_freudenstein, esdu_78035, palmgren_si, pereira_internal_si, liu_with_length, bai_zhao_repaired, persson, popov_line, hertz_half_width, wang_liu_internal, wang_liu_half_width, wang_liu_johnson",
+)
+
 PARAMETERS = (
     ("crank_mass", "kg", 0.3, "body crank, mass"),
     ("crank_inertia", "kg m^2", 0.0001, "body crank, inertia"),
@@ -42,6 +46,7 @@ PARAMETERS = (
     ("gravity", "m/s^2", 9.81, "effect gravity, acceleration"),
     ("youngs_modulus", "GPa", 207, "effect slider_pin, Young's modulus of the first body of hertz_point"),
     ("poissons_ratio", "1", 0.3, "effect slider_pin, Poisson's ratio of the first body of hertz_point"),
+    ("density", "kg/m^3", 7800, "of the steel"),
     ("restitution", "1", 0.9, "effect slider_pin, coefficient of restitution of lankarani_nikravesh"),
     ("approach_floor", "m/s", 0.001, "least approach speed a damping law is given; h/v0 is unbounded otherwise"),
     ("friction_coefficient", "1", 0.1, "effect slider_pin_friction, coefficient of friction of smooth_coulomb"),
@@ -58,6 +63,7 @@ LIMITS = (
     ("clearance", "defined", 0, None, True, False, "pair slider_pin, clearance"),
     ("youngs_modulus", "defined", 0, None, True, False, "effect slider_pin, Young's modulus of the first body of hertz_point"),
     ("poissons_ratio", "defined", -1, 0.5, True, False, "effect slider_pin, Poisson's ratio of the first body of hertz_point"),
+    ("density", "defined", 0, None, True, False, "effect slider_pin, density"),
     ("restitution", "defined", 0, 1, False, False, "effect slider_pin, coefficient of restitution of lankarani_nikravesh"),
     ("restitution", "recommended", 0.8, 1, True, False, "effect slider_pin, coefficient of restitution of lankarani_nikravesh"),
     ("approach_floor", "defined", 0, None, True, False, "effect slider_pin, approach floor"),
@@ -101,6 +107,10 @@ DISSIPATED = (
 OUTPUTS = (
     ("slider_pin.eccentricity_x", "m"),
     ("slider_pin.eccentricity_y", "m"),
+)
+
+SPEED_LIMITED = (
+    "slider_pin",
 )
 
 BODIES = (
@@ -167,6 +177,7 @@ OPERATIONS = (
     ("energy", 50),
     ("poses", 10),
     ("outputs", 13),
+    ("speed_limits", 3),
     ("period", 3),
     ("landmarks", 1),
 )
@@ -194,9 +205,9 @@ def constants(p):
     gravity = p[11]
     youngs_modulus = p[12]
     poissons_ratio = p[13]
-    restitution = p[14]
-    friction_coefficient = p[16]
-    friction_speed = p[17]
+    restitution = p[15]
+    friction_coefficient = p[17]
+    friction_speed = p[18]
     k1 = clearance*clearance
     k2 = 1/(2*clearance)
     x1 = bush_radius - clearance
@@ -631,6 +642,18 @@ def outputs(t, q, u, c):
     slider_pin_apart_x = rod_arm_x + slider_pin_pin_arm_x - guide_travel
     slider_pin_apart_y = rod_arm_y + slider_pin_pin_arm_y
     return ca.vertcat(slider_pin_apart_x, slider_pin_apart_y)
+
+
+def speed_limits(p):
+    """Approach speed 1e-5 sqrt(E/rho) up to which each compliant law holds, see SPEED_LIMITED.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        limits (1,): slider_pin [m/s]
+    """
+    youngs_modulus = p[12]
+    density = p[14]
+    return ca.vertcat(1e-05*ca.sqrt(youngs_modulus/density))
 
 
 def period(p):

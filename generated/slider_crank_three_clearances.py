@@ -11,7 +11,7 @@ Effects:
     crank_pin_friction: smooth_coulomb at crank_pin
     slider_pin_friction: smooth_coulomb at slider_pin
     energy_ledger: work put in, energy dissipated per effect
-Units: 159 assignments and 288 outputs checked, all consistent
+Units: 159 assignments and 291 outputs checked, all consistent
 Operations: flight 197 (equations of motion and gaps); in contact also contact_main_bearing 46, contact_crank_pin 95, contact_slider_pin 67
 """
 
@@ -35,6 +35,10 @@ EFFECTS = (
 
 UNCHECKED = ()
 
+ADVICE = (
+    "main_bearing, crank_pin, slider_pin: hertz_point is a law of point contact, and a pin in bush touches along a line; laws of line contact that fit: johnson, hertz_cylinder, radzimovsky, goldsmith_m3, dubowsky_freudenstein, esdu_78035, palmgren_si, pereira_internal_si, liu_with_length, bai_zhao_repaired, persson, popov_line, hertz_half_width, wang_liu_internal, wang_liu_half_width, wang_liu_johnson",
+)
+
 PARAMETERS = (
     ("crank_mass", "kg", 0.3, "body crank, mass"),
     ("crank_inertia", "kg m^2", 0.0001, "body crank, inertia"),
@@ -50,6 +54,7 @@ PARAMETERS = (
     ("gravity", "m/s^2", 9.81, "effect gravity, acceleration"),
     ("youngs_modulus", "GPa", 207, "effect main_bearing, Young's modulus of the first body of hertz_point"),
     ("poissons_ratio", "1", 0.3, "effect main_bearing, Poisson's ratio of the first body of hertz_point"),
+    ("density", "kg/m^3", 7800, "of the steel"),
     ("restitution", "1", 0.9, "effect main_bearing, coefficient of restitution of lankarani_nikravesh"),
     ("approach_floor", "m/s", 0.001, "least approach speed a damping law is given; h/v0 is unbounded otherwise"),
     ("friction_coefficient", "1", 0.1, "effect main_bearing_friction, coefficient of friction of smooth_coulomb"),
@@ -66,6 +71,7 @@ LIMITS = (
     ("clearance", "defined", 0, None, True, False, "pair main_bearing, clearance"),
     ("youngs_modulus", "defined", 0, None, True, False, "effect main_bearing, Young's modulus of the first body of hertz_point"),
     ("poissons_ratio", "defined", -1, 0.5, True, False, "effect main_bearing, Poisson's ratio of the first body of hertz_point"),
+    ("density", "defined", 0, None, True, False, "effect main_bearing, density"),
     ("restitution", "defined", 0, 1, False, False, "effect main_bearing, coefficient of restitution of lankarani_nikravesh"),
     ("restitution", "recommended", 0.8, 1, True, False, "effect main_bearing, coefficient of restitution of lankarani_nikravesh"),
     ("approach_floor", "defined", 0, None, True, False, "effect main_bearing, approach floor"),
@@ -133,6 +139,12 @@ OUTPUTS = (
     ("crank_pin.eccentricity_y", "m"),
     ("slider_pin.eccentricity_x", "m"),
     ("slider_pin.eccentricity_y", "m"),
+)
+
+SPEED_LIMITED = (
+    "main_bearing",
+    "crank_pin",
+    "slider_pin",
 )
 
 BODIES = (
@@ -208,6 +220,7 @@ OPERATIONS = (
     ("energy", 78),
     ("poses", 7),
     ("outputs", 22),
+    ("speed_limits", 3),
     ("period", 3),
     ("landmarks", 1),
 )
@@ -236,9 +249,9 @@ def constants(p):
     gravity = p[11]
     youngs_modulus = p[12]
     poissons_ratio = p[13]
-    restitution = p[14]
-    friction_coefficient = p[16]
-    friction_speed = p[17]
+    restitution = p[15]
+    friction_coefficient = p[17]
+    friction_speed = p[18]
     k1 = clearance*clearance
     k2 = 1/(2*clearance)
     x1 = bush_radius - clearance
@@ -892,6 +905,21 @@ def outputs(t, q, u, c):
     crank_pin_eccentricity_y = cos_rod*crank_pin_apart_y - crank_pin_apart_x*sin_rod
     return ca.vertcat(crank_plane_x, crank_plane_y, crank_pin_eccentricity_x, crank_pin_eccentricity_y,
         slider_pin_apart_x, slider_pin_apart_y)
+
+
+def speed_limits(p):
+    """Approach speed 1e-5 sqrt(E/rho) up to which each compliant law holds, see SPEED_LIMITED.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        limits (3,): main_bearing [m/s], crank_pin [m/s], slider_pin [m/s]
+    """
+    youngs_modulus = p[12]
+    density = p[14]
+    x1 = youngs_modulus/density
+    x2 = ca.sqrt(x1)
+    x3 = 1e-05*x2
+    return ca.vertcat(x3, x3, x3)
 
 
 def period(p):

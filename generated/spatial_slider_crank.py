@@ -6,7 +6,7 @@ Effects:
     gravity: uniform gravity
     crank_ball: hertz_point x flores
     energy_ledger: work put in, energy dissipated per effect
-Units: 130 assignments and 180 outputs checked, all consistent
+Units: 130 assignments and 181 outputs checked, all consistent
 Operations: flight 220 (equations of motion and gaps); in contact also contact_crank_ball 94
 """
 
@@ -45,6 +45,7 @@ PARAMETERS = (
     ("gravity", "m/s^2", 9.81, "effect gravity, acceleration"),
     ("youngs_modulus", "GPa", 207, "effect crank_ball, Young's modulus of the first body of hertz_point"),
     ("poissons_ratio", "1", 0.3, "effect crank_ball, Poisson's ratio of the first body of hertz_point"),
+    ("density", "kg/m^3", 7800, "of the steel"),
     ("restitution", "1", 0.9, "effect crank_ball, coefficient of restitution of flores"),
     ("approach_floor", "m/s", 0.001, "least approach speed a damping law is given; h/v0 is unbounded otherwise"),
 )
@@ -63,6 +64,7 @@ LIMITS = (
     ("clearance", "defined", 0, None, True, False, "pair crank_ball, clearance"),
     ("youngs_modulus", "defined", 0, None, True, False, "effect crank_ball, Young's modulus of the first body of hertz_point"),
     ("poissons_ratio", "defined", -1, 0.5, True, False, "effect crank_ball, Poisson's ratio of the first body of hertz_point"),
+    ("density", "defined", 0, None, True, False, "effect crank_ball, density"),
     ("restitution", "defined", 0, 1, True, False, "effect crank_ball, coefficient of restitution of flores"),
     ("approach_floor", "defined", 0, None, True, False, "effect crank_ball, approach floor"),
     ("rod_length", "defined", 0, None, True, False, "scales, arm"),
@@ -105,6 +107,10 @@ OUTPUTS = (
     ("crank_ball.eccentricity_x", "m"),
     ("crank_ball.eccentricity_y", "m"),
     ("crank_ball.eccentricity_z", "m"),
+)
+
+SPEED_LIMITED = (
+    "crank_ball",
 )
 
 BODIES = (
@@ -176,6 +182,7 @@ OPERATIONS = (
     ("energy", 72),
     ("poses", 14),
     ("outputs", 28),
+    ("speed_limits", 3),
     ("period", 3),
     ("landmarks", 4),
 )
@@ -207,7 +214,7 @@ def constants(p):
     gravity = p[16]
     youngs_modulus = p[17]
     poissons_ratio = p[18]
-    restitution = p[19]
+    restitution = p[20]
     k1 = clearance*clearance
     k2 = 1/(2*clearance)
     x1 = socket_radius - clearance
@@ -735,6 +742,18 @@ def outputs(t, q, u, c):
     crank_ball_eccentricity_y = cos_crank*crank_ball_apart_y + crank_ball_apart_z*sin_crank
     crank_ball_eccentricity_z = cos_crank*crank_ball_apart_z - crank_ball_apart_y*sin_crank
     return ca.vertcat(crank_ball_apart_x, crank_ball_eccentricity_y, crank_ball_eccentricity_z)
+
+
+def speed_limits(p):
+    """Approach speed 1e-5 sqrt(E/rho) up to which each compliant law holds, see SPEED_LIMITED.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        limits (1,): crank_ball [m/s]
+    """
+    youngs_modulus = p[17]
+    density = p[19]
+    return ca.vertcat(1e-05*ca.sqrt(youngs_modulus/density))
 
 
 def period(p):

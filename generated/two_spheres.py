@@ -4,7 +4,7 @@ Do not edit; regenerate with `hertzwerk derive two_spheres`.
 Effects:
     spheres: hertz_point x flores
     energy_ledger: work put in, energy dissipated per effect
-Units: 36 assignments and 103 outputs checked, all consistent
+Units: 36 assignments and 104 outputs checked, all consistent
 Operations: flight 19 (equations of motion and gaps); in contact also contact_spheres 22
 """
 
@@ -26,6 +26,7 @@ PARAMETERS = (
     ("radius", "m", 0.02, "of each sphere"),
     ("youngs_modulus", "GPa", 207, "effect spheres, Young's modulus of the first body of hertz_point"),
     ("poissons_ratio", "1", 0.3, "effect spheres, Poisson's ratio of the first body of hertz_point"),
+    ("density", "kg/m^3", 7800, "of the steel"),
     ("restitution", "1", 0.7, "effect spheres, coefficient of restitution of flores"),
     ("approach_floor", "m/s", 0.001, "least approach speed a damping law is given; h/v0 is unbounded otherwise"),
     ("speed", "m/s", 0.3, "of the striker at the start"),
@@ -37,6 +38,7 @@ LIMITS = (
     ("radius", "defined", 0, None, True, False, "pair spheres, first radius"),
     ("youngs_modulus", "defined", 0, None, True, False, "effect spheres, Young's modulus of the first body of hertz_point"),
     ("poissons_ratio", "defined", -1, 0.5, True, False, "effect spheres, Poisson's ratio of the first body of hertz_point"),
+    ("density", "defined", 0, None, True, False, "effect spheres, density"),
     ("restitution", "defined", 0, 1, True, False, "effect spheres, coefficient of restitution of flores"),
     ("approach_floor", "defined", 0, None, True, False, "effect spheres, approach floor"),
     ("speed", "defined", 0, None, True, False, "scales, speed"),
@@ -74,6 +76,10 @@ DISSIPATED = (
 
 OUTPUTS = (
     ("spheres.gap", "m"),
+)
+
+SPEED_LIMITED = (
+    "spheres",
 )
 
 BODIES = (
@@ -118,6 +124,7 @@ OPERATIONS = (
     ("energy", 15),
     ("poses", 0),
     ("outputs", 5),
+    ("speed_limits", 3),
     ("landmarks", 0),
 )
 
@@ -133,7 +140,7 @@ def constants(p):
     radius = p[1]
     youngs_modulus = p[2]
     poissons_ratio = p[3]
-    restitution = p[4]
+    restitution = p[5]
     spheres_reach = 2*radius
     k1 = -spheres_reach*spheres_reach
     k2 = 1/(2*spheres_reach)
@@ -156,8 +163,8 @@ def start(p):
         u (2,): striker_path.speed [m/s], target_path.speed [m/s]
     """
     radius = p[1]
-    speed = p[6]
-    gap = p[7]
+    speed = p[7]
+    gap = p[8]
     return ca.vertcat(0, 2*radius + gap), ca.vertcat(speed, 0)
 
 
@@ -175,7 +182,7 @@ def scales(p):
     radius = p[1]
     youngs_modulus = p[2]
     poissons_ratio = p[3]
-    speed = p[6]
+    speed = p[7]
     total_mass = 2*mass
     energy_scale = total_mass*speed*speed/2
     x1 = 1/ca.sqrt(radius)
@@ -393,6 +400,18 @@ def outputs(t, q, u, c):
     spheres_distance = ca.sqrt(spheres_apart_squared)
     spheres_penetration = spheres_reach - spheres_distance
     return ca.vertcat(-spheres_penetration)
+
+
+def speed_limits(p):
+    """Approach speed 1e-5 sqrt(E/rho) up to which each compliant law holds, see SPEED_LIMITED.
+
+    Arguments: p: PARAMETERS, in SI.
+    Returns, each a column vector:
+        limits (1,): spheres [m/s]
+    """
+    youngs_modulus = p[2]
+    density = p[4]
+    return ca.vertcat(1e-05*ca.sqrt(youngs_modulus/density))
 
 
 def landmarks(p):

@@ -38,13 +38,16 @@ def approach_speeds(model: Model, bound: Bound) -> Iterator[ApproachSpeeds]:
 
 
 def too_fast(model: Model, speeds: Sequence[ApproachSpeeds]) -> Iterator[str]:
-    """Contacts faster than their compliant law allows."""
-    for seen in speeds:
-        if seen.over:
-            yield (
-                f"{seen.over} of {seen.count} impacts of {model.pairs[seen.track.pair]} exceed the law's limit "
-                f"v0 <= 1e-5*sqrt(E/rho) = {seen.limit:.3g} m/s (worst {seen.worst:.3g} m/s)"
-            )
+    """Contacts faster than their compliant law allows, of all pairs together."""
+    over, count = sum(seen.over for seen in speeds), sum(seen.count for seen in speeds)
+    if not over:
+        return
+    pairs = [model.pairs[seen.track.pair] for seen in speeds if seen.over]
+    worst, limit = max(seen.worst for seen in speeds), min(seen.limit for seen in speeds if seen.over)
+    yield (
+        f"{over} of {count} impacts of {', '.join(pairs)} exceed the law's limit "
+        f"v0 <= 1e-5*sqrt(E/rho) = {limit:.3g} m/s (worst {worst:.3g} m/s)"
+    )
 
 
 def floored(count: int, floor: float) -> Iterator[str]:

@@ -45,6 +45,7 @@ def summary(solution: Solution, *, averages: bool = False) -> dict[str, Any]:
         "growth": error and error.growth,
         "decade_cost": error and error.decade_cost,
         "warnings": list(solution.warnings),
+        "advice": list(solution.advice),
         **({"averages": [asdict(average) for average in solution.averages()]} if averages else {}),
     }
 

@@ -70,6 +70,11 @@ class Solution:
         return self.history.model
 
     @property
+    def advice(self) -> tuple[str, ...]:
+        """What speaks against the scene's laws although their units hold, as a law of point contact where surfaces touch along a line."""
+        return tuple(getattr(self.model.module, "ADVICE", ()))
+
+    @property
     def t(self) -> np.ndarray:
         """Times of the accepted steps, or of the grid that was asked for [s], shape (rows,)."""
         return self.history.t
@@ -232,7 +237,7 @@ class Solution:
 _TABLES = (
     *("NAME", "SOURCE", "SUMMARY", "EFFECTS", "UNCHECKED", "PARAMETERS", "LIMITS", "COORDINATES", "SPEEDS", "MEMORY"),
     *("LATCHES", "SLIPS", "PAIRS", "DISSIPATED", "OUTPUTS", "CONSTANTS", "BODIES", "OPERATIONS", "QUATERNIONS"),
-    *("CONSTRAINTS",),
+    *("CONSTRAINTS", "ADVICE"),
 )
 
 

@@ -61,6 +61,9 @@ L = Quantity("L", "m", "axial length of the contact", POSITIVE)
 m_eff = Quantity("m_eff", "kg", "effective mass m1 m2/(m1 + m2)", POSITIVE)
 GEOMETRY = (R_eff, R_min, R_1, R_2, dR, L, m_eff)
 
+FORMS = ("point", "line", "surface")
+"""What two surfaces touch in: the forms of contact."""
+
 BRISTLE = z
 """Continuous memory: a law that names it has the deflection integrated while the contact lasts, and forgotten when it ends."""
 
@@ -83,8 +86,8 @@ class Law:
 
     `verdict` is what the catalogue states of the law as published, and the audit must find: consistent, inconsistent, or outside_si
     (inconsistent, but `fitted_in` names the units it was fitted in). `repair` names the honest repair, where there is one.
-    `defaults` are parameters with a value of the law's own, such as the reference length of a fit; `pairs` the kinds of pair the law was made
-    for, where it is not for all that have its geometry.
+    `defaults` are parameters with a value of the law's own, such as the reference length of a fit; `forms` the forms of contact it is for, `pairs`
+    the kinds of pair, where it is not for all that have its geometry.
     """
 
     name: str
@@ -99,8 +102,17 @@ class Law:
     repair: str = ""
     note: str = ""
     defaults: tuple[tuple[Quantity, Parameter], ...] = ()
+    forms: tuple[str, ...] = ()
     pairs: tuple[str, ...] = ()
     kind: ClassVar[str]
+
+    def __post_init__(self) -> None:
+        """Raises ValueError where the form of contact is not said."""
+        if not self.forms or not set(self.forms) <= set(FORMS):
+            found = f"the forms of contact {self.forms!r}" if self.forms else "no form of contact"
+            raise ValueError(
+                f"law {self.name}: found {found}, expected some of {FORMS}; FORMS itself where it is for all of them"
+            )
 
     def __call__(self, *values: Any, **named: Any) -> BoundLaw:
         """Bind the parameters; raises TypeError if their number or names do not fit."""
@@ -161,6 +173,7 @@ class StiffnessLaw(Law):
 
     def __post_init__(self) -> None:
         """Definitions are computed once, and `work` and the tangent stiffness differentiate the force alone."""
+        super().__post_init__()
         if any(expression.has(d) for _, expression in self.definitions):
             raise ValueError(f"law {self.name}: a definition depends on the penetration; write it out in the force")
 
@@ -206,6 +219,7 @@ class DampingLaw(Law):
     release: str = "force"
     at_one: sp.Expr | None = None
     at_zero: sp.Expr | None = None
+    forms: tuple[str, ...] = FORMS  # it stands beside an elastic law, whatever that is for
     kind = "damping"
 
     @property
@@ -237,10 +251,12 @@ class FrictionLaw(Law):
     modes: tuple[str, ...] = ()
     holding: sp.Expr | None = None
     memory: tuple[tuple[Quantity, sp.Expr, sp.Expr], ...] = ()
+    forms: tuple[str, ...] = FORMS  # it knows the normal force alone
     kind = "friction"
 
     def __post_init__(self) -> None:
         """Modes know the direction of sliding, not the speed."""
+        super().__post_init__()
         if self.modes and (self.holding is None or self.sliding.has(s) or self.holding.has(s)):
             raise ValueError(f"law {self.name}: with modes, force/sign(s) and holding are functions of N alone")
 
@@ -277,6 +293,7 @@ class FilmLaw(Law):
     along: sp.Expr = sp.S.Zero
     across: sp.Expr = sp.S.Zero
     couple: sp.Expr = sp.S.Zero
+    forms: tuple[str, ...] = ("line",)  # of a pin in its bush
     kind = "film"
 
     @property

@@ -12,7 +12,7 @@ import sympy as sp
 
 from hertzwerk.derive.laws.law import R_1, R_2, F, L, Quantity, R_eff, StiffnessLaw, d, dR
 from hertzwerk.derive.laws.stiffness import EFFECTIVE_MODULUS, MATERIALS, REVIEW, E_eff
-from hertzwerk.derive.parameter import POSITIVE
+from hertzwerk.derive.parameter import POSITIVE, Parameter
 
 alpha = Quantity("alpha", "m/N", "compliance in d = alpha F (ln(B/F) + c)")
 B = Quantity("B", "N", "force in d = alpha F (ln(B/F) + c)")
@@ -30,6 +30,7 @@ def logarithmic(compliance: sp.Expr, scale: sp.Expr, c: sp.Expr) -> dict[str, An
         "force": d / (alpha * depth),
         "stored": d**2 * (2 * depth - 1) / (4 * alpha * depth**2),
         "reach": alpha * B * sp.exp(c - 1),
+        "forms": ("line",),
     }
 
 
@@ -64,6 +65,7 @@ radzimovsky = StiffnessLaw(
     name="radzimovsky",
     title="Radzimovsky, two cylinders pressed together",
     parameters=(*MATERIALS, c_b),
+    defaults=((c_b, Parameter("half_width_constant", "1", 1.1283791670955126, "2/sqrt(pi), of Hertz's half-width")),),
     relation=F
     / (sp.pi * E_eff * L)
     * (

@@ -24,7 +24,7 @@ wang_liu_external = linear(
     source=_SOURCE,
     grade="R",
     note="K = (pi/4) E* L: 2.6 to 3.8 times Johnson's force at penetrations of micrometres.",
-    pairs=("parallel_cylinders",),
+    pairs=("parallel_cylinders", "cylinder_on_plane"),
 )
 
 wang_liu_internal = StiffnessLaw(
@@ -35,6 +35,7 @@ wang_liu_internal = StiffnessLaw(
     force=sp.pi / 2 * E_eff * L * sp.sqrt(d / (2 * (dR + d))) * d,
     exponent=sp.S.One,
     reach=R_min,
+    forms=("line",),
     source=_SOURCE,
     grade="R",
     note="K(d) = (pi/2) E* L sqrt(d/(2 (dR + d))), the secant of the law liu_with_length; its local exponent is 1.5 at small d.",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from hertzwerk.derive.laws.law import Quantity, R_eff, R_min, StiffnessLaw, d
+from hertzwerk.derive.laws.law import FORMS, Quantity, R_eff, R_min, StiffnessLaw, d
 from hertzwerk.derive.parameter import POSITIVE, Interval
 
 E_1 = Quantity("E_1", "Pa", "Young's modulus of the first body", POSITIVE)
@@ -35,6 +35,7 @@ hertz_point = StiffnessLaw(
     stored=sp.Rational(2, 5) * K_hertz * d ** sp.Rational(5, 2),
     exponent=sp.Rational(3, 2),
     reach=R_min,
+    forms=("point",),
     source="Hertz 1882; Johnson, Contact Mechanics (1985), section 4.2",
     grade="A",
 )
@@ -46,6 +47,7 @@ power = StiffnessLaw(
     force=K_n * d**n,
     stored=K_n * d ** (n + 1) / (n + 1),
     exponent=n,
+    forms=FORMS,
     source="Hertz's law with the exponent left open; K carries the unit N/m^n",
     grade="A",
 )
@@ -60,6 +62,7 @@ galin_sneddon = StiffnessLaw(
     force=2 * E_eff * k / (k + 1) * d * _RADIUS,
     stored=2 * E_eff * k**2 / ((k + 1) * (2 * k + 1)) * d**2 * _RADIUS,
     exponent=1 + 1 / k,
+    forms=("point",),
     source="Sneddon, Int. J. Eng. Sci. 3 (1965) 47",
     grade="A",
     note="A legitimate n other than 3/2: n = 1 + 1/k, the stiffness following from the profile. k = 2, C = 1/(2 R) is Hertz's law.",

@@ -7,6 +7,7 @@ from typing import Any
 
 from hertzwerk.derive.effects.expression import tables_in
 from hertzwerk.derive.emit import table_name
+from hertzwerk.derive.forms import advice
 from hertzwerk.derive.joints import Port
 from hertzwerk.derive.kinematics import Kinematics
 from hertzwerk.derive.loops import Constraint
@@ -27,6 +28,7 @@ def tables(system: System) -> Mapping[str, tuple[Any, ...]]:
     return {
         "EFFECTS": tuple((effect.name, effect.kind, effect.text) for effect in scene.effects),
         "UNCHECKED": tuple((e.name, e.text) for e in scene.effects if getattr(e, "unchecked", False)),
+        **_advice(scene),
         "PARAMETERS": tuple(
             (p.name, p.unit, p.default, p.meaning or meanings.get(p.name, "")) for p in scene.parameters.values()
         ),
@@ -48,6 +50,12 @@ def tables(system: System) -> Mapping[str, tuple[Any, ...]]:
         "LANDMARKS": tuple(landmark.row for landmark in system.landmarks),
         **{table_name(table): table.pieces() for table in _tables_used(scene)},
     }
+
+
+def _advice(scene: Scene) -> dict[str, tuple[str, ...]]:
+    """Table of what speaks against the scene's laws although their units hold; none where nothing does."""
+    said = advice(scene)
+    return {"ADVICE": said} if said else {}
 
 
 def _tables_used(scene: Scene) -> list[Table]:

@@ -1,7 +1,7 @@
 """A four-bar linkage, its crank at constant speed, whose coupler and rocker meet in a revolute joint with clearance.
 
-Data: crank and coupler those of the slider-crank with clearance (grade C); rocker and base of our choice, so that the crank goes round. It is none of
-the four-bars with clearance in print: their data could not be had.
+Data: crank and coupler those of the slider-crank with clearance (grade C); rocker and base of our choice, so that the crank goes round, as are the
+length of the bush and the density. It is none of the four-bars with clearance in print: their data could not be had.
 """
 
 import sympy as sp
@@ -33,7 +33,8 @@ k = Parameter("rocker_length", "m", 0.10)
 base = Parameter("base_length", "m", 0.13, "between the fixed pivots")
 w = Parameter("crank_speed", "rpm", 1000, "constant speed of the crank")
 c = Parameter("clearance", "mm", 0.5, "bush radius minus pin radius")
-steel = Material(Parameter("youngs_modulus", "GPa", 207), Parameter("poissons_ratio", "1", 0.3))
+steel = Material(Parameter("youngs_modulus", "GPa", 207), Parameter("poissons_ratio", "1", 0.3),
+                 Parameter("density", "kg/m^3", 7800, "of the steel"))  # fmt: skip
 
 crank = Body("crank", mass=Parameter("crank_mass", "kg", 0.30), inertia=Parameter("crank_inertia", "kg m^2", 1.0e-4))
 coupler = Body("coupler", mass=Parameter("coupler_mass", "kg", 0.21), inertia=Parameter("coupler_inertia", "kg m^2", 2.5e-4),
@@ -50,7 +51,7 @@ mechanism = Mechanism(
     ),
     pairs=(
         PinInBush("rocker_pin", pin=coupler.at(l, 0, 0), bush=rocker.at(k, 0, 0), axis=Z,
-                  bush_radius=Parameter("bush_radius", "mm", 10), clearance=c),
+                  bush_radius=Parameter("bush_radius", "mm", 10), clearance=c, length=Parameter("bush_length", "mm", 15)),
     ),
 )  # fmt: skip
 

@@ -29,13 +29,23 @@ c = Parameter("clearance", "mm", 0.5, "bush radius minus journal radius")
 n = Parameter("exponent", "1", 1.5, "exponent of the force law")
 K = Parameter("contact_stiffness", "N/m^exponent", 1e10)
 
-R = Parameter("bush_radius", "mm", 10)
+R, length = Parameter("bush_radius", "mm", 10), Parameter("bush_length", "mm", 15)
 journal = Body("journal", m, Parameter("inertia", "kg m^2", 1e-4))
 
 mechanism = Mechanism(
     "journal_in_bearing",
     joints=(Planar("shaft", GROUND, journal),),
-    pairs=(PinInBush("bearing", pin=journal.at(0, 0, 0), bush=GROUND.at(0, 0, 0), axis=Z, bush_radius=R, clearance=c),),
+    pairs=(
+        PinInBush(
+            "bearing",
+            pin=journal.at(0, 0, 0),
+            bush=GROUND.at(0, 0, 0),
+            axis=Z,
+            bush_radius=R,
+            clearance=c,
+            length=length,
+        ),
+    ),
 )
 
 scene = Scene(

@@ -1,7 +1,7 @@
 """Slider-crank whose rod and slider meet in a revolute joint with clearance (the example of Wang & Liu 2020, section 6).
 
 Data: the set ascribed to Ravn, Schwab and Flores, from general knowledge of the literature (grade C): none of their papers could be had to compare it
-with. Nor could the data of Wang & Liu.
+with. Nor could the data of Wang & Liu. The length of the bush and the density of the steel are our choice.
 """
 
 from hertzwerk.derive import (
@@ -31,7 +31,9 @@ r = Parameter("crank_radius", "m", 0.05, "main bearing to crank pin")
 l = Parameter("rod_length", "m", 0.12, "crank pin to slider pin")
 w = Parameter("crank_speed", "rpm", 5000, "constant speed of the crank")
 c = Parameter("clearance", "mm", 0.5, "bush radius minus pin radius")
-steel = Material(Parameter("youngs_modulus", "GPa", 207), Parameter("poissons_ratio", "1", 0.3))
+b = Parameter("bush_length", "mm", 15, "of the slider pin in its bush")
+steel = Material(Parameter("youngs_modulus", "GPa", 207), Parameter("poissons_ratio", "1", 0.3),
+                 Parameter("density", "kg/m^3", 7800, "of the steel"))  # fmt: skip
 
 crank = Body("crank", mass=Parameter("crank_mass", "kg", 0.30), inertia=Parameter("crank_inertia", "kg m^2", 1.0e-4))
 rod = Body("rod", mass=Parameter("rod_mass", "kg", 0.21), inertia=Parameter("rod_inertia", "kg m^2", 2.5e-4),
@@ -47,7 +49,7 @@ mechanism = Mechanism(
     ),
     pairs=(
         PinInBush("slider_pin", pin=rod.at(l, 0, 0), bush=slider.at(0, 0, 0), axis=Z,
-                  bush_radius=Parameter("bush_radius", "mm", 10), clearance=c),
+                  bush_radius=Parameter("bush_radius", "mm", 10), clearance=c, length=b),
     ),
 )  # fmt: skip
 

@@ -26,13 +26,13 @@ from hertzwerk.derive.laws import hertz_point, lankarani_nikravesh, smooth_coulo
 from hertzwerk.derive.scenes import slider_crank as one
 from hertzwerk.derive.scenes.slider_crank import c, crank, l, r, rod, slider, steel, w
 
-e, R = Parameter("restitution", "1", 0.9), Parameter("bush_radius", "mm", 10)
+e, R, b = Parameter("restitution", "1", 0.9), Parameter("bush_radius", "mm", 10), Parameter("bush_length", "mm", 15)
 rubbing = smooth_coulomb(Parameter("friction_coefficient", "1", 0.1), Parameter("friction_speed", "m/s", 0.1))
 
 
 def clearance(name: str, pin: Point, bush: Point) -> PinInBush:
     """A revolute joint with clearance; all have the same size."""
-    return PinInBush(name, pin=pin, bush=bush, axis=Z, bush_radius=R, clearance=c)
+    return PinInBush(name, pin=pin, bush=bush, axis=Z, bush_radius=R, clearance=c, length=b)
 
 
 def effects(*pins: str) -> tuple[Contact | Friction, ...]:

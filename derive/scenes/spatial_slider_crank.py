@@ -36,7 +36,8 @@ beside, above = Parameter("bearing_y", "m", 0.1), Parameter("bearing_z", "m", 0.
 w = Parameter("crank_speed", "rad/s", 60, "constant speed of the crank")
 R = Parameter("socket_radius", "mm", 10)
 c = Parameter("clearance", "mm", 0.2, "socket radius minus ball radius")
-steel = Material(Parameter("youngs_modulus", "GPa", 207), Parameter("poissons_ratio", "1", 0.3))
+steel = Material(Parameter("youngs_modulus", "GPa", 207), Parameter("poissons_ratio", "1", 0.3),
+                 Parameter("density", "kg/m^3", 7800, "of the steel"))  # fmt: skip
 
 crank = Body(
     "crank",

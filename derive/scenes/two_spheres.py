@@ -26,7 +26,7 @@ gap = Parameter("gap", "m", 0.01, "between the spheres at the start")
 E = Parameter("youngs_modulus", "GPa", 207)
 nu = Parameter("poissons_ratio", "1", 0.3)
 e = Parameter("restitution", "1", 0.7)
-steel = Material(E, nu)
+steel = Material(E, nu, Parameter("density", "kg/m^3", 7800, "of the steel"))
 
 striker = Body("striker", mass=m)
 target = Body("target", mass=m)

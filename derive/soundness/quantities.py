@@ -24,7 +24,7 @@ def declared(scene: Scene) -> tuple[dict[str, Parameter], list[Fault]]:
     """Parameters by name, and what is wrong with their declarations."""
     seen: dict[str, Parameter] = {}
     found: list[Fault] = []
-    for parameter in (p for slot in scene.slots() for p in parameters_of(slot.value)):
+    for parameter in (p for slot in scene.declarations() for p in parameters_of(slot.value)):
         where = f"parameter {parameter.name}"
         if seen.setdefault(parameter.name, parameter) != parameter:
             found.append(Fault(where, "two different parameters of this name", "names that are unique",

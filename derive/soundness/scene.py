@@ -42,7 +42,7 @@ def faults_of(scene: Scene) -> tuple[Fault, ...]:
     sound = sound_of(parameters, broken)
     table = dimensions_of(sound)
     freedoms = {freedom.key: freedom for freedom in scene.mechanism.freedoms if freedom.scalar}
-    for slot in scene.slots():
+    for slot in scene.declarations():
         if not all(sound.get(parameter.name) == parameter for parameter in parameters_of(slot.value)):
             continue
         if isinstance(slot, Posed):

@@ -57,7 +57,7 @@ def audit(
         if len(audited) > 1:
             click.echo(f"{target}:")
         _report(group)
-    return GOOD if all(finding.verdict == "consistent" for finding in findings) else OTHER_OUTCOME
+    return GOOD if all(finding.sound for finding in findings) else OTHER_OUTCOME
 
 
 def _must_name_one(targets: Sequence[str], laws: bool, expr: str | None, *, stray: bool) -> None:
@@ -105,7 +105,8 @@ def _audit_laws(as_json: bool) -> int:
     return GOOD
 
 
-def _report(findings: Sequence[Finding]) -> None:
+def _report(every: Sequence[Finding]) -> None:
+    findings = [finding for finding in every if finding.verdict != "advice"]
     table(
         ("verdict", "checked", "law", "unit"),
         [
@@ -123,6 +124,9 @@ def _report(findings: Sequence[Finding]) -> None:
     else:
         program = ", and every assignment and output of the program" if any(f.effect for f in findings) else ""
         line("consistent", f"{len(findings)} law expression{'s' if len(findings) != 1 else ''}{program}")
+    for finding in every:
+        if finding.verdict == "advice":
+            line("advice", finding.reason)
 
 
 def _print_json(records: list[dict[str, str | None]]) -> None:

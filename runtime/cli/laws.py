@@ -71,7 +71,8 @@ def laws(names: tuple[str, ...], restitution: bool, out: Path | None, no_plots: 
 
 def _print_sheet(sheet: Sheet) -> None:
     line(sheet.name, sheet.title)
-    line("kind", ", made for ".join(filter(None, (sheet.kind, ", ".join(sheet.pairs)))))
+    kind = f"{sheet.kind}, of {sheet.form} contact" if sheet.form != "any" else sheet.kind
+    line("kind", ", made for ".join(filter(None, (kind, ", ".join(sheet.pairs)))))
     line("grade", f"{sheet.grade}: {sheet.grade_meaning}")
     line("source", sheet.source)
     fitted = f"; its constants are of {sheet.fitted_in}" if sheet.fitted_in else ""

@@ -171,6 +171,8 @@ def _report(solution: Solution) -> None:
         line("remedy", outcome.remedy)
     for warning in solution.warnings:
         line("warning", warning)
+    for text in solution.advice:
+        line("advice", text)
 
 
 def _time(seconds: float) -> str:

@@ -24,6 +24,7 @@ COLOURS = {
     "different": "yellow",
     "known failure": "yellow",
     "warning": "yellow",
+    "advice": "yellow",
     "remedy": "yellow",
     "written": "cyan",
 }

@@ -362,6 +362,7 @@ GOOD_LAW = """
 [[law]]
 name = "my_foam"
 kind = "stiffness"
+form = "any"
 source = "measured"
 force = "K*d**n"
 symbols = { K = { unit = "N/m^n", meaning = "stiffness" }, n = { unit = "1", meaning = "exponent" } }
@@ -371,7 +372,7 @@ PYTHON_LAW = """
 from hertzwerk.derive.laws import hertz_point  # built in: not this file's
 from hertzwerk.derive.laws.law import Quantity, StiffnessLaw, d
 c = Quantity("c", "UNIT", "stiffness")
-mine = StiffnessLaw(name="mine", title="Mine", parameters=(c,), source="me", grade="C", force=c*d)
+mine = StiffnessLaw(name="mine", title="Mine", parameters=(c,), source="me", grade="C", forms=("point",), force=c*d)
 """
 
 

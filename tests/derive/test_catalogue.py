@@ -36,7 +36,7 @@ from hertzwerk.derive.audit import audit_law, audit_laws, verdict
 from hertzwerk.derive.dimension import ONE, Dimension, DimensionError, dimension_of
 from hertzwerk.derive.laws import LAWS, flores, johnson, pereira_internal_si, power
 from hertzwerk.derive.laws.damping import e
-from hertzwerk.derive.laws.law import DampingLaw, F, FrictionLaw, L, N, Quantity, StiffnessLaw, d, s, v, v0, z
+from hertzwerk.derive.laws.law import FORMS, DampingLaw, F, FrictionLaw, L, N, Quantity, StiffnessLaw, d, s, v, v0, z
 from hertzwerk.derive.laws.line import l_ref, p_ref
 from hertzwerk.derive.laws.stiffness import n
 from hertzwerk.derive.rescaling import ROUNDING, SCALINGS, STATES, rescale, rescale_law, states_of
@@ -139,6 +139,8 @@ def own(name="own", **given):
     if "friction" in given:
         given = {"force": body, **{k: x for k, x in given.items() if k != "friction"}}
     symbols = [q for q in sp.preorder_traversal(body) if isinstance(q, Quantity) and q not in state]
+    if kind is StiffnessLaw:
+        given["forms"] = FORMS
     return kind(name=name, title="own", parameters=tuple(dict.fromkeys(symbols)), source="test", grade="C", **given)
 
 

@@ -233,7 +233,7 @@ def test_reconstruction_for_internal_contact_has_local_exponent_three_halves():
 def test_definitions_may_not_depend_on_the_penetration():
     K = LAWS["power"].parameters[0]
     with pytest.raises(ValueError, match="depends on the penetration"):
-        StiffnessLaw("bad", "bad", (), "none", "C", definitions=((K, d * K),), force=K * d)
+        StiffnessLaw("bad", "bad", (), "none", "C", definitions=((K, d * K),), force=K * d, forms=("point",))
 
 
 # -- damping -----------------------------------------------------------------------------------------------------------

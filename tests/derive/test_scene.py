@@ -366,7 +366,7 @@ def test_parameters_are_symbols_that_differ_by_everything_declared():
 def test_parameters_of_a_scene_in_declared_order_each_once():
     names = list(slider_crank.parameters)
     assert names[:3] == ["crank_mass", "crank_inertia", "rod_mass"]
-    assert len(names) == len(set(names)) == 18
+    assert len(names) == len(set(names)) == 19
 
 
 @pytest.mark.parametrize("values", [(), (1, 2), (Parameter("e", "1", 0.5), 1)])

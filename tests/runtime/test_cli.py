@@ -212,6 +212,7 @@ def test_json_has_the_promised_fields_and_writes_nothing(hertzwerk):
         "growth",
         "decade_cost",
         "warnings",
+        "advice",
     ]
     assert content["impacts"][0].keys() == {"contact", "t", "speed", "peak_force", "duration"}
     assert content["t_end"] == content["duration"] == 1.3

@@ -11,6 +11,7 @@ FOAM = """
 [[law]]
 name = "foam"
 kind = "stiffness"
+form = "any"
 title = "Foam pad"
 source = "measured"
 force = "K*d**{exponent}"
