@@ -16,7 +16,9 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.audit import checked
+from hertzwerk.derive.faults import visible
 from hertzwerk.derive.functions import Where
+from hertzwerk.derive.parameter import TABLE
 from hertzwerk.derive.program import Function, Program, Result, shared
 from hertzwerk.derive.tables import Spline
 
@@ -161,7 +163,7 @@ def _spline(node: Any) -> tuple[str, int]:
 
 def table_name(table: Any) -> str:
     """Name of a table's polynomials in the module."""
-    return f"{table.name.upper()}_TABLE"
+    return f"{table.name.upper()}{TABLE}"
 
 
 _RULES: dict[type, Callable[[Any], tuple[str, int]]] = {
@@ -284,34 +286,40 @@ def _return(function: Function) -> list[str]:
     if len(line) <= _WIDTH:
         return [line]
     if len(columns) == 1:
-        return _wrapped_lines(f"    return {columns[0]}", 8)
-    lines = [line for column in columns for line in _wrapped_lines(f"        {column},", 12)]
+        return _wrapped_lines(columns[0], "    return ", " " * 8)
+    lines = [line for column in columns for line in _wrapped_lines(f"{column},", " " * 8, " " * 12)]
     return ["    return (", *lines, "    )"]
 
 
-def _wrapped_lines(line: str, indent: int) -> list[str]:
-    """A line over CasADi's brackets, broken at blanks where it is too long."""
+def _wrapped_lines(code: str, first: str, then: str) -> list[str]:
+    """Code over CasADi's brackets, broken at blanks where it is too long, however long its names are."""
     return textwrap.wrap(
-        line,
+        code,
         _WIDTH,
-        subsequent_indent=" " * indent,
+        initial_indent=first,
+        subsequent_indent=then,
         break_long_words=False,
         break_on_hyphens=False,
-        drop_whitespace=True,
     )
 
 
 def _docstring(function: Function) -> list[str]:
     arguments = "; ".join(_ARGUMENTS[name] for name in function.arguments)
-    lines = textwrap.wrap(f'"""{_prose(function.summary)}', _WIDTH, initial_indent="    ", subsequent_indent="    ")
+    lines = _prose_lines(function.summary, '    """', " " * 4)
     lines += ["", f"    Arguments: {arguments}.", "    Returns, each a column vector:"]
     for result in function.results:
         entries = ", ".join(
             f"{label} [{unit}]" if unit else label for label, unit in zip(result.labels, result.units, strict=True)
         )
         entry = f"{result.name} ({len(result.labels)},): {entries or 'empty'}"
-        lines += textwrap.wrap(entry, _WIDTH, initial_indent=" " * 8, subsequent_indent=" " * 12)
+        lines += _prose_lines(entry, " " * 8, " " * 12)
     return [*lines, '    """']
+
+
+def _prose_lines(text: str, first: str, then: str) -> list[str]:
+    """Text wrapped for a docstring, then made safe: the other way round a break could tear an escape apart."""
+    lines = textwrap.wrap(text, _WIDTH, initial_indent=" " * len(first), subsequent_indent=then)
+    return [indent + _prose(line) for indent, line in zip((first, *[then] * len(lines)), lines, strict=False)]
 
 
 def _unpacked(program: Program, function: Function) -> list[str]:
@@ -390,7 +398,7 @@ def emit(program: Program, source: str) -> str:
     parts = [
         _header(program, source, counts),
         "import casadi as ca",
-        "\n".join(f"{name} = {json.dumps(text)}" for name, text in
+        "\n".join(f"{name} = {_literal(text)}" for name, text in
                   (("NAME", scene.name), ("SOURCE", source), ("SUMMARY", scene.summary))),
         *(_table(name, rows) for name, rows in tables.items()),
     ]  # fmt: skip
@@ -419,7 +427,7 @@ def _header(program: Program, source: str, counts: dict[str, int]) -> str:
             "Effects:",
             *(f"    {effect.name}: {_prose(effect.text)}" for effect in scene.effects),
             f"Units: {verdict}",
-            *([f"Coordinates: {program.note}"] if program.note else []),
+            *([f"Coordinates: {_prose(program.note)}"] if program.note else []),
             f"Operations: flight {sum(counts[name] for name in FLIGHT)} (equations of motion and gaps){contact}",
             '"""',
         )
@@ -436,13 +444,13 @@ def _literal(value: Any) -> str:
     if isinstance(value, tuple):
         return f"({', '.join(map(_literal, value))}{',' if len(value) == 1 else ''})"
     if isinstance(value, str):
-        return json.dumps(value, ensure_ascii=False)
+        return visible(json.dumps(value, ensure_ascii=False))  # whose escapes are Python's
     return repr(float(value)) if isinstance(value, float) else repr(value)  # a NumPy float prints otherwise
 
 
 def _prose(text: str) -> str:
-    """Text of a scene, made safe for a docstring."""
-    return text.replace("\\", "\\\\").replace('"', "'")
+    """Text of a scene on one line, made safe for a docstring: nothing in it ends the string or is an escape."""
+    return visible(" ".join(text.split())).replace("\\", "\\\\").replace('"', "'")
 
 
 __all__ = ["FLIGHT", "EmitError", "emit", "expression_text", "function_text", "of_a_step", "operations"]

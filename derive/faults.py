@@ -7,6 +7,11 @@ from dataclasses import dataclass
 from typing import Any
 
 
+def visible(text: str) -> str:
+    """Text with an escape for every character that does not print, so that it can be shown and written anywhere; lines stay."""
+    return "".join(c if c.isprintable() or c == "\n" else c.encode("unicode_escape").decode() for c in text)
+
+
 @dataclass(frozen=True)
 class Fault:
     """One fault: where it is, what was found, what was expected, and the way out (each a short phrase)."""
@@ -18,7 +23,7 @@ class Fault:
 
     def __str__(self) -> str:
         text = f"{self.where}: found {self.found}; expected {self.expected}"
-        return f"{text}\n    {self.remedy}" if self.remedy else text
+        return visible(f"{text}\n    {self.remedy}" if self.remedy else text)
 
 
 class PicklableError(ValueError):
@@ -41,5 +46,5 @@ class InputError(PicklableError):
         self.subject = subject
         self.faults = tuple(faults)
         count = len(self.faults)
-        head = f"{subject}: {count} fault{'s' if count != 1 else ''}"
+        head = f"{visible(subject)}: {count} fault{'s' if count != 1 else ''}"
         super().__init__("\n".join([head, *(f"  {fault}".replace("\n", "\n  ") for fault in self.faults)]))

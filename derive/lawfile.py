@@ -41,6 +41,7 @@ from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws import law as record
 from hertzwerk.derive.laws.law import DampingLaw, FilmLaw, FrictionLaw, Law, Quantity, Range, StiffnessLaw
 from hertzwerk.derive.parameter import Interval, Parameter
+from hertzwerk.derive.soundness.names import name_faults
 from hertzwerk.derive.text import RESERVED, Expression, TextError, plain_name, read, to_sympy
 from hertzwerk.derive.text_dimension import Declared, dimension_of_unit
 from hertzwerk.derive.units import UnitError, parse_quantity, parse_unit
@@ -211,8 +212,8 @@ class _Reader:
         for key, text in texts.items():
             if not isinstance(text, str) or len(text) > 2000 or not text.isprintable():
                 self.fault(key, repr(text)[:60], "printable text")
-        if not self.name.isidentifier() or not self.name.isascii():
-            self.fault("name", repr(self.table.get("name")), "a name of letters, digits and _")
+        if not self.name.isascii() or any(name_faults("", self.name)):
+            self.fault("name", f"{self.table.get('name')!r:.80}", "a name of letters, digits and _, a letter first")
         elif self.name in LAWS:
             self.fault("name", f"{self.name!r}, the name of a built-in law", "a name of its own")
         for key, default in (("title", self.name), ("grade", "C"), ("verdict", "consistent")):
@@ -286,8 +287,8 @@ class _Reader:
             self.fault(where, f"the name {name!r}, which expressions use themselves", "another name")
         elif name in {symbol.name for symbol in _SUPPLIED[self.kind]}:
             self.fault(where, f"a declaration of {name}, which the contact supplies", "another name, or no declaration")
-        elif not name.isidentifier():
-            self.fault(where, repr(name), "a name of letters, digits and _")
+        elif wrong := tuple(name_faults(f"{self.where}, {where}", name)):
+            self.faults.extend(wrong)
         else:
             return Quantity(name, unit, meaning, limit)
         return None

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import keyword
 import math
 import sys
 from collections.abc import Iterator, Mapping
@@ -13,10 +12,14 @@ import sympy as sp
 
 from hertzwerk.derive.dimension import Dimension
 from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.soundness.names import name_faults, text_faults
 from hertzwerk.derive.units import Unit, UnitError, parse_unit
 
 RESERVED = ("ca", "t", "p", "q", "u", "a", "f", "z", "m", "c", "wanted", "reactions", "joints", "joint_speeds")
 """Names that generated functions use for their arguments and for CasADi."""
+
+TABLE = "_TABLE"
+"""What the names of tables in a module end with."""
 
 
 class Parameter(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
@@ -45,9 +48,9 @@ class Parameter(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
     def faults(self) -> Iterator[Fault]:
         """Faults of the declaration itself."""
         where = f"parameter {self.name}"
-        if not self.name.isidentifier() or keyword.iskeyword(self.name):
-            yield Fault(where, f"the name {self.name!r}", "a Python identifier that is no keyword")
-        elif self.name in RESERVED:
+        yield from name_faults(where, self.name)
+        yield from text_faults(f"{where}, meaning", self.meaning)
+        if self.name in RESERVED or self.name.endswith(TABLE):
             yield Fault(where, f"the name {self.name!r}", "a name the generated functions do not use themselves",
                         f"They use {', '.join(RESERVED)}; a longer name also reads better on the command line.")  # fmt: skip
         try:

@@ -17,7 +17,7 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.dimension import Dimension
-from hertzwerk.derive.parameter import RESERVED
+from hertzwerk.derive.parameter import RESERVED, TABLE
 from hertzwerk.derive.vectors import Matrix, Vector
 
 PARAMETER = "p"
@@ -146,7 +146,7 @@ class Tape:
     def _unique(self, name: str) -> str:
         name = f"{name}_" if keyword.iskeyword(name) else name
         base, count = (name[:-1], 1) if name[-1].isdigit() else (f"{name}_", 1)
-        while name in self._names:
+        while name in self._names or name.endswith(TABLE):
             count += 1
             name = f"{base}{count}"
         self._names.add(name)

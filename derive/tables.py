@@ -17,6 +17,7 @@ import sympy as sp
 
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.functions import NoText
+from hertzwerk.derive.soundness.names import name_faults
 from hertzwerk.derive.units import UnitError, parse_unit
 
 __all__ = ["Spline", "Table"]
@@ -66,8 +67,7 @@ class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
     def faults(self) -> Iterator[Fault]:
         """What is wrong with the declaration."""
         where = f"table {self.name}"
-        if not isinstance(self.name, str) or not self.name.isidentifier():
-            yield Fault("table", f"the name {self.name!r}", "a Python identifier")
+        yield from name_faults("table", self.name)
         if len(self.units) != 2:
             yield Fault(where, f"units {self.units!r}", "two, of an argument and of a value")
         for unit in self.units:

@@ -17,7 +17,7 @@ from hertzwerk.runtime.accuracy import VALID
 from hertzwerk.runtime.accuracy_report import conclusions, length, seconds, warnings
 from hertzwerk.runtime.curves import scale_of
 from hertzwerk.runtime.horizon import crossing
-from hertzwerk.runtime.plot_style import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, STYLE, VERMILLION
+from hertzwerk.runtime.plot_style import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, STYLE, VERMILLION, plain
 from hertzwerk.runtime.timed_runs import LATE
 
 if TYPE_CHECKING:
@@ -66,7 +66,7 @@ def figure(study: Study) -> Figure:
         )  # fmt: skip
         said = [*conclusions(study), *(f"Warning: {text}" for text in warnings(study))]
         text = "\n".join(line for part in said for line in textwrap.wrap(part, 170))
-        page.supxlabel(text, x=0.01, ha="left", fontsize=9, color="#404040")
+        page.supxlabel(plain(text), x=0.01, ha="left", fontsize=9, color="#404040")
     return page
 
 

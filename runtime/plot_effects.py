@@ -14,7 +14,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 from matplotlib.transforms import ScaledTranslation
 
 from hertzwerk.runtime.effects import study as texts
-from hertzwerk.runtime.plot_style import BLUE, GREY, ORANGE, SKY, STYLE, VERMILLION
+from hertzwerk.runtime.plot_style import BLUE, GREY, ORANGE, SKY, STYLE, VERMILLION, plain
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -65,7 +65,7 @@ def figure(study: Study) -> Figure:
             x=0.01, ha="left", fontsize=12.5, fontweight="bold",
         )  # fmt: skip
         caption = "\n".join(line for note in _captions(study) for line in textwrap.wrap(note, CHARACTERS * columns))
-        page.supxlabel(caption, x=0.01, ha="left", fontsize=9, color=GREY)
+        page.supxlabel(plain(caption), x=0.01, ha="left", fontsize=9, color=GREY)
     return page
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from hertzwerk.runtime.curves import Array, Curves, Scale, scale_of
-from hertzwerk.runtime.plot_style import CYCLE, GREY, ORANGE, VERMILLION
+from hertzwerk.runtime.plot_style import CYCLE, GREY, ORANGE, VERMILLION, plain
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -31,7 +31,7 @@ def caption(figure: Figure, run: Solution, subtitle: str, note: str = "") -> Non
     notes += [note] if note else []
     if notes:
         text = "\n".join(line for note in notes for line in textwrap.wrap(note, 150))
-        figure.supxlabel(text, x=0.01, ha="left", fontsize=9, color=VERMILLION)
+        figure.supxlabel(plain(text), x=0.01, ha="left", fontsize=9, color=VERMILLION)
 
 
 def lines(axis: Axes, curves: Curves, unit: str, values: Mapping[str, Array], ideal: Sequence[Array] = ()) -> Scale:
@@ -81,4 +81,4 @@ def _wide(widths: Sequence[int], columns: int) -> int:
 def nothing(axis: Axes, text: str) -> None:
     """A text in place of a panel."""
     axis.set_axis_off()
-    axis.text(0.5, 0.5, text, transform=axis.transAxes, ha="center", color=GREY)
+    axis.text(0.5, 0.5, plain(text), transform=axis.transAxes, ha="center", color=GREY)

@@ -27,3 +27,8 @@ STYLE: Any = {  # typed as 300 literal names by Matplotlib
     "savefig.dpi": 160,
     "svg.hashsalt": "hertzwerk",
 }
+
+
+def plain(text: str) -> str:
+    """Text of a scene or a message as it stands: its dollars begin no mathematics."""
+    return text.replace("$", r"\$")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -53,7 +54,7 @@ class Equation:
     def markdown(self) -> str:
         """A line that says what it is, and the equation."""
         unit = "" if self.unit in ("", "1") else f" [{self.unit}]"
-        return f"({self.number}) {self.meaning or self.name}{unit}\n\n$${self.latex}$$\n"
+        return f"({self.number}) {_escaped(self.meaning or self.name)}{unit}\n\n$${self.latex}$$\n"
 
     def record(self) -> dict[str, Any]:
         """Plain values."""
@@ -132,17 +133,17 @@ class Readable:
 
     def _lines(self) -> Iterator[str]:
         yield f"# {self.name}\n"
-        yield f"{self.summary[:1].upper()}{self.summary[1:]}.\n" if self.summary else ""
+        yield f"{_escaped(self.summary[:1].upper() + self.summary[1:])}.\n" if self.summary else ""
         yield "## Effects\n"
         yield from _table(
             ("effect", "what it is", "enters equations"),
-            [(f"`{e.name}`", e.text, _ranges(e.enters)) for e in self.effects],
+            [(f"`{e.name}`", _escaped(e.text), _ranges(e.enters)) for e in self.effects],
         )
         yield "## Coordinates, speeds, memory\n"
-        states = [(f"${s.latex}$", f"`{s.name}`", s.unit, s.meaning) for s in self.states]
+        states = [(f"${s.latex}$", f"`{s.name}`", s.unit, _escaped(s.meaning)) for s in self.states]
         yield from _table(("symbol", "name", "unit", "meaning"), states)
         yield "## Parameters\n"
-        rows = [(f"${s.latex}$", f"`{s.name}`", s.value, s.unit, s.meaning) for s in self.parameters]
+        rows = [(f"${s.latex}$", f"`{s.name}`", s.value, s.unit, _escaped(s.meaning)) for s in self.parameters]
         yield from _table(("symbol", "name", "default", "unit", "meaning"), rows)
         for section in self.sections:
             yield f"## {section.title}\n"
@@ -160,6 +161,12 @@ def _ranges(numbers: tuple[int, ...]) -> str:
         else:
             runs.append([number, number])
     return ", ".join(f"{first}" if first == last else f"{first}-{last}" for first, last in runs)
+
+
+def _escaped(text: str) -> str:
+    """Text as it stands in Markdown: no markup, mathematics or HTML begins in it; `_` within words is none."""
+    text = " ".join(text.split()).replace("&", "&amp;").replace("<", "&lt;")
+    return re.sub(r"([\\`$]|(?<=\S)\*(?=\S))", r"\\\1", text)
 
 
 def _plain(record: Any, *without: str) -> dict[str, Any]:

@@ -16,6 +16,7 @@ from hertzwerk.derive.parameter import dimensions_of, parameters_of
 from hertzwerk.derive.soundness.directions import length_faults
 from hertzwerk.derive.soundness.effects import effect_faults, start_faults
 from hertzwerk.derive.soundness.inertia import inertia_faults
+from hertzwerk.derive.soundness.names import name_faults, text_faults
 from hertzwerk.derive.soundness.quantities import declared, posed_faults, quantity_faults, sound_of
 from hertzwerk.derive.soundness.topology import topology_faults
 from hertzwerk.derive.soundness.types import scene_type_faults
@@ -27,6 +28,9 @@ if TYPE_CHECKING:
 def faults_of(scene: Scene) -> tuple[Fault, ...]:
     """Every fault of a scene, each once."""
     wrong_types = tuple(scene_type_faults(scene))
+    if not wrong_types:
+        named = ((scene.name, "scene"), *((part.name, kind) for kind, parts in _parts(scene) for part in parts))
+        wrong_types = tuple(f for name, kind in named if not isinstance(name, str) for f in name_faults(kind, name))
     if wrong_types:
         return tuple(dict.fromkeys(wrong_types))
     found: list[Fault] = [
@@ -34,9 +38,9 @@ def faults_of(scene: Scene) -> tuple[Fault, ...]:
         *topology_faults(scene.mechanism),
         *effect_faults(scene),
         *start_faults(scene),
+        *name_faults("scene", scene.name),
+        *_wording_faults(scene),
     ]
-    if not scene.name.isidentifier():
-        found.append(Fault("scene", f"the name {scene.name!r}", "a Python identifier"))
     parameters, broken = declared(scene)
     found.extend(broken)
     sound = sound_of(parameters, broken)
@@ -54,6 +58,31 @@ def faults_of(scene: Scene) -> tuple[Fault, ...]:
     found.extend(inertia_faults(scene.mechanism, sound))
     found.extend(table_faults(_expressions(scene)))
     return tuple(dict.fromkeys(found))
+
+
+def _parts(scene: Scene) -> Iterator[tuple[str, tuple[Any, ...]]]:
+    """What has a name, by its kind."""
+    mechanism = scene.mechanism
+    yield "mechanism", (mechanism,)
+    yield "body", mechanism.bodies
+    yield "joint", mechanism.joints
+    yield "pair", mechanism.pairs
+    yield "effect", scene.effects
+
+
+def _wording_faults(scene: Scene) -> Iterator[Fault]:
+    """What is shown to people and cannot be; names that laws bring along."""
+    yield from text_faults("scene, summary", scene.summary)
+    for effect in scene.effects:
+        yield from text_faults(f"effect {effect.name}, text", effect.text)
+        for law in (bound.law for bound in getattr(effect, "laws", ())):
+            where = f"law {law.name}"
+            yield from name_faults("law", law.name)
+            for what in ("title", "source", "note", "repair", "fitted_in"):
+                yield from text_faults(f"{where}, {what}", getattr(law, what))
+            for symbol in law.symbols():
+                yield from name_faults(where, symbol.name)
+                yield from text_faults(f"{where}, {symbol.name}", getattr(symbol, "meaning", ""))
 
 
 def _expressions(scene: Scene) -> Iterator[Any]:

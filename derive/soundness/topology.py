@@ -20,14 +20,17 @@ from hertzwerk.derive.mechanism import (
 )
 from hertzwerk.derive.parameter import default_value
 from hertzwerk.derive.soundness.directions import points
-from hertzwerk.derive.soundness.names import repeated
+from hertzwerk.derive.soundness.names import name_faults, repeated
 from hertzwerk.derive.vectors import along
 
 
 def topology_faults(mechanism: Mechanism) -> Iterator[Fault]:
     """Joints and pairs that cannot be, or connect nothing."""
-    if not mechanism.name.isidentifier():
-        yield Fault("mechanism", f"the name {mechanism.name!r}", "a Python identifier")
+    yield from name_faults("mechanism", mechanism.name)
+    for body in dict.fromkeys(body.name for body in mechanism.bodies):
+        yield from name_faults("body", body)
+        if body == GROUND.name:
+            yield Fault("body", f"the name {body!r}, which is that of the frame that does not move", "another name")
     yield from repeated("joint", [joint.name for joint in mechanism.joints])
     yield from repeated("pair", [pair.name for pair in mechanism.pairs])
     yield from connection_faults(mechanism)

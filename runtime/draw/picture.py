@@ -15,7 +15,7 @@ from hertzwerk.runtime.caveats import unchecked
 from hertzwerk.runtime.draw import insets
 from hertzwerk.runtime.draw.drawing import Drawing
 from hertzwerk.runtime.draw.places import Array, Places
-from hertzwerk.runtime.plot_style import GREY, STYLE, VERMILLION
+from hertzwerk.runtime.plot_style import GREY, STYLE, VERMILLION, plain
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.binding import Value
@@ -79,7 +79,7 @@ def figure(places: Places, warnings: Sequence[str]) -> Figure:
             (cautions, 0.07, {"va": "bottom", "fontsize": 8.5, "color": VERMILLION}),
         )
         for lines, y, look in texts:
-            page.text(0.1 / across, y / tall, "\n".join(lines), **look)
+            page.text(0.1 / across, y / tall, plain("\n".join(lines)), **look)
     return page
 
 

@@ -29,6 +29,16 @@ def texts(figure):
     return " ".join(artist.get_text() for artist in figure.findobj(lambda artist: hasattr(artist, "get_text")))
 
 
+def test_dollars_of_a_summary_are_no_mathematics(tmp_path):
+    """A run was lost when its picture was drawn: Matplotlib could not read `x^{`."""
+    model = load(scene_from("soft_ball").named("soft_ball", "a $x^{$ b & <i> \\ $"))
+    run = simulate(model, duration="0.5 s", tolerance=1e-6)
+    assert "a $x^{$ b & <i> \\ $" in texts(run.draw()).replace(r"\$", "$")
+    for number, picture in enumerate((run.draw(), run.plot(), run.plot("floor"))):
+        picture.savefig(tmp_path / f"{number}.png")
+    assert "A \\$x^{\\$ b &amp; &lt;i> \\\\ \\$." in str(model.equations())
+
+
 def test_journal_path_leaves_the_clearance_circle_by_the_penetration_only(crank):
     (axis,) = (axis for axis in crank.plot("slider_pin").axes if axis.get_aspect() == 1)
     (circle,) = axis.findobj(Circle)
