@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy as sp
 
+from hertzwerk.derive.behaviour import refuse_misbehaving
 from hertzwerk.derive.dimension import ONE, Dimension, DimensionError, DimensionFault, check, dimension_of
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.forms import advice
@@ -114,7 +115,10 @@ def refuse_inconsistent(scene: Scene, findings: Iterable[Finding]) -> None:
 
 
 def audit_scene(scene: Scene) -> tuple[Finding, ...]:
-    """Every law of the scene, and advice on them; then, if they hold, every assignment and output of its program."""
+    """Every law of the scene, and advice on them; then, if they hold, every assignment and output of its program.
+
+    Raises InputError where units hold, and a law does not do what every law owes (`behaviour`).
+    """
     from hertzwerk.derive.derivation import (
         derivation_of,
     )  # the program is made by the derivation, which audits it in turn
@@ -122,6 +126,7 @@ def audit_scene(scene: Scene) -> tuple[Finding, ...]:
     laws = (*audit_laws(scene), *(_advice_finding(scene, text) for text in advice(scene)))
     if any(finding.verdict == "inconsistent" for finding in laws):
         return laws
+    refuse_misbehaving(scene)
     return laws + audit_program(derivation_of(scene))[1]
 
 

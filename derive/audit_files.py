@@ -9,6 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from hertzwerk.derive.audit import Finding, audit_law, audit_scene, verdict
+from hertzwerk.derive.behaviour import faults_if_consistent
 from hertzwerk.derive.execute import names_defined_by
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.lawfile import audit_laws_as_written
@@ -84,6 +85,9 @@ def _audit_python(file: Path) -> tuple[Finding, ...]:
         expected = "a file that defines `scene = Scene(...)`, or laws"
         raise InputError(str(file), [Fault(str(file), "neither a scene nor a law", expected)])
     found = [finding for law in laws for finding in audit_law(law)]
+    faults = [fault for law in laws for fault in faults_if_consistent(law)]
+    if faults:
+        raise InputError(str(file), faults)
     return (*found, *(finding for scene in scenes for finding in audit_scene(scene)))
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from hertzwerk.derive.audit import audit_laws, audit_program, refuse_inconsistent
+from hertzwerk.derive.behaviour import refuse_misbehaving
 from hertzwerk.derive.coordinates import absolute
 from hertzwerk.derive.emit import emit, of_a_step
 from hertzwerk.derive.faults import InputError
@@ -16,8 +17,12 @@ from hertzwerk.derive.scene import Scene
 
 
 def derive(scene: Scene) -> Program:
-    """The program of a scene. Raises InputError, listing every unit error, unless each assignment and output is consistent."""
+    """The program of a scene.
+
+    Raises InputError, listing every fault, unless each assignment and output is consistent and its laws do what every law owes (`behaviour`).
+    """
     refuse_inconsistent(scene, audit_laws(scene))
+    refuse_misbehaving(scene)
     program = derivation_of(scene)
     units, findings = audit_program(program)
     refuse_inconsistent(scene, findings)

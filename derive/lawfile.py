@@ -17,7 +17,7 @@
 
 The parameters are the symbols, in the order written. What a contact supplies (d in a stiffness law; d, v, v0, F, k_t in a damping law; N, s in a
 friction law; epsilon_w, epsilon_c in a film law) and the geometry of its pair (R_eff, dR, L, m_eff, ...) need no declaration. All faults of a file
-come at once.
+come at once. A law whose units hold is tried over its ranges too (`behaviour`): a force that falls, a `stored` that is not its integral are faults.
 """
 
 from __future__ import annotations
@@ -35,6 +35,7 @@ import sympy as sp
 
 from hertzwerk.derive.audit import Finding
 from hertzwerk.derive.audit_text import finding, undeclared
+from hertzwerk.derive.behaviour import faults_if_consistent
 from hertzwerk.derive.dimension import Dimension
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.laws import LAWS
@@ -110,6 +111,7 @@ def read_laws(path: str | Path) -> tuple[WrittenLaw, ...]:
         names.append(reader.name)
         if law is not None:
             written.append(law)
+            faults.extend(faults_if_consistent(law.law))
     if faults:
         raise InputError(str(path), faults)
     return tuple(written)

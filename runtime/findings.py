@@ -34,6 +34,7 @@ class Observer(Protocol):
 Seen = TypeVar("Seen", bound=Observer)
 
 
+EPSILON = float(np.finfo(float).eps)
 SMALL = 1e-6  # part of the scene's energy scale that an error is measured by where a run moves less energy
 
 
@@ -46,7 +47,8 @@ class Balance:
 
     def __init__(self) -> None:
         self._start: np.ndarray | None = None
-        self._largest = self._error = 0.0
+        self._largest = self._error = self._scale = self._size = 0.0
+        self._rows = 0
         self._finite = True
 
     def take(self, block: History, fresh: int) -> None:
@@ -61,8 +63,11 @@ class Balance:
             return
         if self._start is None:
             self._start = parts[:, :1]
-            self._largest = SMALL * block.energy_scale
+            self._scale = block.energy_scale
+            self._largest = SMALL * self._scale
         kinetic, *_ = parts
+        self._rows += len(block.t) - fresh
+        self._size = max(self._size, float(np.max(np.abs(parts))))
         change = parts - self._start
         self._largest = max(self._largest, float(np.max(kinetic)), float(np.max(np.abs(change[1:]))))
         self._error = max(self._error, float(np.max(np.abs(change[0] + change[1] + change[2] - change[3]))))
@@ -71,6 +76,17 @@ class Balance:
     def residual(self) -> float | None:
         """Largest error over the largest energy moved; None where something was not finite."""
         return self._error / self._largest if self._finite and self._largest > 0 else None
+
+    @property
+    def unclosed(self) -> float:
+        """Largest error beyond rounding, over the largest energy moved or the scene's energy scale where that is more: a run's accuracy is of its
+        scales, however little moves. 0 where something was not finite, which ends a run by itself.
+        """
+        measure = max(self._largest, self._scale)
+        rounding = (
+            EPSILON * self._rows * self._size
+        )  # of energies that are large because their zero is far, and of sums over steps
+        return max(self._error - rounding, 0.0) / measure if self._finite and measure > 0 else 0.0
 
 
 class Choices:
@@ -134,9 +150,18 @@ class Findings:
         return self._looked(self._contacts).impacts()
 
     @cached_property
+    def _balanced(self) -> Balance | None:
+        return None if self._balance is None else self._looked(self._balance)
+
+    @cached_property
     def energy_residual(self) -> float | None:
         """See `Solution.energy_residual`."""
-        return self._looked(self._balance).residual if self._balance is not None else None
+        return None if self._balanced is None else self._balanced.residual
+
+    @cached_property
+    def energy_unclosed(self) -> float:
+        """See `Balance.unclosed`; 0 without a ledger."""
+        return 0.0 if self._balanced is None else self._balanced.unclosed
 
     @cached_property
     def choices(self) -> tuple[Choice, ...]:

@@ -85,6 +85,21 @@ def unreachable(asked: float, floor: float) -> Outcome:
     )
 
 
+CLOSES = 100  # times its accuracy the ledger of a run closes to at least; a run at a tolerance may leave one tolerance a step
+
+
+def not_closed(unclosed: float, asked: float, tolerance: float, steps: int) -> Outcome | None:
+    """The outcome of a complete run whose energy ledger is open by more than its accuracy explains; None where it closes."""
+    most = max(CLOSES * asked, (CLOSES + steps) * tolerance)
+    if unclosed <= most:
+        return None
+    return Outcome(
+        "energy_not_closed",
+        f"energy + dissipated - input changes by {unclosed:.2g} of the energy there is, {most:.2g} is what the accuracy leaves",
+        "find the law or force whose energy is not that of its force: `hertzwerk audit` on the scene or file of laws, then `hertzwerk effects`",
+    )
+
+
 def outcome(status: int, **facts: object) -> Outcome:
     """The outcome of a status of the engine."""
     name, message, remedy = _OUTCOMES[status]

@@ -26,7 +26,7 @@ from hertzwerk.runtime.integrate.automatic import Gear
 from hertzwerk.runtime.integrate.chunk import INTERRUPTED, WALL_TIME_LIMIT
 from hertzwerk.runtime.integrate.layout import FINISHED, TOO_MANY_STEPS
 from hertzwerk.runtime.model import Model
-from hertzwerk.runtime.outcome import Outcome, unreachable
+from hertzwerk.runtime.outcome import Outcome, not_closed, unreachable
 from hertzwerk.runtime.output import Output
 from hertzwerk.runtime.request import MAX_EVENTS, MAX_STEPS, Compiled, Limits, Settings, read
 from hertzwerk.runtime.scales import Scales
@@ -140,6 +140,9 @@ def _solution(
     result = run.outcome(trace)
     if climbed is not None and asked is not None:
         result, found = _verdict(run, climbed, asked, result)
+    if trace.ending.status == FINISHED:
+        open_by = trace.findings.energy_unclosed
+        result = not_closed(open_by, asked or trace.tolerance, trace.tolerance, counted["steps"]) or result
     return Solution(
         history=trace.kept.history,
         ends=trace.kept.ends,

@@ -1,11 +1,16 @@
 """The energy residual: an error over the energy that a run moves, which knows nothing of where the potential is zero."""
 
+from dataclasses import replace
+from functools import cache
+
 import pytest
+import sympy as sp
 
 from hertzwerk.derive import (
     GROUND,
     Body,
     ConstantSpeed,
+    Contact,
     EnergyLedger,
     Gravity,
     JointDamper,
@@ -20,6 +25,8 @@ from hertzwerk.derive import (
     Y,
     Z,
 )
+from hertzwerk.derive.laws import power
+from hertzwerk.derive.scenes import soft_ball
 from hertzwerk.runtime import load, simulate
 
 L, SPEED, MASS = Parameter("length", "m", 1.0), Parameter("pace", "m/s", 1.0), Parameter("mass", "kg", 2.0)
@@ -72,3 +79,47 @@ def test_what_a_drive_or_a_damper_moves_counts():
 def test_at_rest_rounding_is_no_error(pendulum):
     run = simulate(pendulum, duration="1 s", initial={"hinge.angle": "-90 deg"})
     assert run.energy_residual < 1e-9
+
+
+# -- a ledger that does not close --------------------------------------------------------------------------------------
+
+
+@cache
+def dropped(factor):
+    """A ball on a floor whose stored energy is so many times the integral of its force; unchecked, or the law would be refused."""
+    wrong = replace(power, name="own", stored=power.stored * sp.Float(factor))
+    others = [effect for effect in soft_ball.scene.effects if effect.kind != "contact"]
+    contact = Contact("floor", wrong(soft_ball.K, sp.Rational(3, 2)), unchecked=True)
+    return load(replace(soft_ball.scene, name="dropped", effects=(*others, contact)))
+
+
+@pytest.mark.parametrize("factor", [1.5, 0.5, 1.001])
+def test_energy_that_is_not_the_forces_ends_a_run_so(factor):
+    """`stored` is wrong in contact alone: before and after it the ledger closes."""
+    run = simulate(dropped(factor), duration="0.6 s", accuracy=1e-6)
+    assert run.outcome.name == "energy_not_closed"
+    assert "hertzwerk audit" in run.outcome.remedy
+    assert run.t_end == pytest.approx(0.6)
+    assert run.energy_residual > 1e-4
+    assert simulate(dropped(factor), duration="0.6 s", tolerance=1e-9, output=50).outcome.name == "energy_not_closed"
+
+
+def test_energy_that_is_the_forces_does_not():
+    for given in (
+        {"accuracy": 1e-2},
+        {"accuracy": 1e-6},
+        {"tolerance": 1e-2},
+        {"tolerance": 1e-12},
+        {"tolerance": 1e-9, "output": 50},
+    ):
+        assert simulate(dropped(1.0), duration="0.6 s", **given).outcome.finished
+    assert simulate(
+        dropped(1.001), duration="0.6 s", accuracy=1e-3
+    ).outcome.finished  # 1e-3 is within 100 times what was asked
+
+
+def test_rest_and_a_far_zero_of_the_potential_close(pendulum):
+    """Where nothing moves an error is measured by the scene's energy, and rounding of a large potential is none."""
+    for given in ({"initial": {"hinge.angle": "-90 deg"}}, {"parameters": {"height": "1e7 m"}}):
+        for accuracy in ({"tolerance": 1e-13}, {"tolerance": 1e-5}):
+            assert simulate(pendulum, duration="1 s", **given, **accuracy).outcome.finished
