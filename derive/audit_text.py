@@ -12,7 +12,7 @@ from typing import Any
 from hertzwerk.derive.audit import Finding
 from hertzwerk.derive.dimension import Dimension
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.derive.text import Expression, TextError, plain_name, read
+from hertzwerk.derive.text import NAMES_TOO, Expression, TextError, plain_name, read
 from hertzwerk.derive.text_dimension import Declared, dimension_of_unit, examine
 from hertzwerk.derive.units import Unit, UnitError, parse_unit
 
@@ -90,6 +90,19 @@ def undeclared(expression: Expression, names: Iterable[str]) -> list[Fault]:
             offer = f"Did you mean {' or '.join(close)}? " if close else ""
             remedy = f"{offer}Declare it: {name} with its unit, 1 for a number."
             faults.append(Fault(f"name {name}", "no unit for it", "a declared name", remedy))
+    for node in expression.root.walk():
+        if node.op in NAMES_TOO and node.op in known:
+            remedy = (
+                f"A product with {node.op} is written {node.op}*(...); for the function give the quantity another name."
+            )
+            faults.append(
+                Fault(
+                    f"name {node.op}",
+                    f"{expression.quote(node)!r}, where {node.op} is declared",
+                    "a function or a quantity",
+                    remedy,
+                )
+            )
     return faults
 
 

@@ -236,9 +236,20 @@ class _Walk:
         kind = type(expr).__name__
         raise self.fault(expr, (), "unknown", "a known operation", f"the audit has no rule for {kind}")
 
+    def dimensions(self, expr: Expr, arguments: Sequence[Expr]) -> list[Dimension]:
+        """One per argument; of a sum, logarithms that together are one of a number, log(a) - log(b) = log(a/b), have that of their factor."""
+        if type(expr) is not sympy.Add or not expr.has(sympy.log):
+            return [self(argument) for argument in arguments]
+        logarithms = {term: found for term in arguments if (found := _logarithm_in(term)) is not None}
+        inside: dict[Expr, Dimension] = {}
+        for factor, share, argument in logarithms.values():
+            inside[factor] = inside.get(factor, ONE) * _raise(self(argument), share)
+        whole = {term: factor for term, (factor, *_) in logarithms.items() if inside[factor].dimensionless}
+        return [self(whole.get(argument, argument)) for argument in arguments]
+
     def alike(self, expr: Expr, arguments: Sequence[Expr], expected: Dimension | None = None) -> Dimension:
         """The one dimension of all arguments; of several the commonest is expected, not a plain number's in a tie."""
-        dimensions = [self(argument) for argument in arguments]
+        dimensions = self.dimensions(expr, arguments)
         if dimensions and all(dimension is dimensions[0] for dimension in dimensions):
             return dimensions[0]
         distinct = {dimension: dimensions.count(dimension) for dimension in dimensions if not dimension.every}
@@ -275,11 +286,13 @@ class _Walk:
     def expect(self, expr: Expr, expected: Dimension) -> None:
         """Raise unless the expression has the dimension: at the wrong term of a sum or branch, where only some are."""
         terms = _branches(expr)
-        dimensions = [self(term) for term in terms]
+        dimensions = self.dimensions(expr, terms)
         wrong = [not dimension.matches(expected) for dimension in dimensions]
         if any(wrong) and not (all(wrong) and len(set(dimensions)) == 1):
             term = terms[wrong.index(True)]
-            if term.is_Atom:  # by itself a symbol is never wrong: quote what it stands in
+            if (
+                term.is_Atom or _logarithm_in(term) is not None
+            ):  # by itself a symbol is never wrong: quote what it stands in
                 self.alike(expr, terms, expected)
             self.expect(term, expected)
         found = self(expr)
@@ -291,6 +304,16 @@ class _Walk:
         bases = [f.base if f.is_Pow else f for f in sympy.Mul.make_args(expr)]
         operands = [(base, self(base)) for base in bases if not base.is_number]
         raise self.fault(expr, operands, found, expected, f"it is {found} where {expected} belongs", expr)
+
+
+def _logarithm_in(term: Expr) -> tuple[Expr, Expr, Expr] | None:
+    """Factor, rational share and argument of a product with one logarithm: 2*x*log(a) -> (x, 2, a); None for another term."""
+    number, rest = term.as_coeff_Mul(rational=True)
+    factors = sympy.Mul.make_args(rest)
+    logarithms = [factor for factor in factors if isinstance(factor, sympy.log) and len(factor.args) == 1]
+    if len(logarithms) != 1 or not number.is_Rational:
+        return None
+    return sympy.Mul(*(f for f in factors if f is not logarithms[0])), number, logarithms[0].args[0]
 
 
 def _branches(expr: Expr) -> tuple[Expr, ...]:

@@ -45,7 +45,7 @@ from hertzwerk.derive.parameter import Interval, Parameter
 from hertzwerk.derive.soundness.names import name_faults
 from hertzwerk.derive.text import RESERVED, Expression, TextError, plain_name, read, to_sympy
 from hertzwerk.derive.text_dimension import Declared, dimension_of_unit
-from hertzwerk.derive.units import UnitError, parse_quantity, parse_unit
+from hertzwerk.derive.units import UnitError, parse_quantity, parse_unit, rate_remedy
 
 __all__ = ["WrittenLaw", "audit_laws_as_written", "laws_from", "read_laws"]
 
@@ -353,6 +353,8 @@ class _Reader:
                     f"{node.op!r} in {expression.quote(node)[:40]!r}",
                     "operations on scalars, and comparisons < <= > >=",
                 )
+            if node.op == "LambertW" and len(node.args) == 1:
+                self.fault(where, f"{expression.quote(node)[:40]!r}", "the lower branch, LambertW(x, -1)")
         if expression.root.condition:
             self.fault(where, f"the comparison {text!r}", "a quantity")
         for fault in undeclared(expression, known):
@@ -507,5 +509,7 @@ def _bound(text: str, unit: str) -> float:
         own = parse_unit(unit)
     elif own.exponents != parse_unit(unit).exponents:
         raise UnitError(f"found {text!r}, expected a quantity in {unit}")
+    elif own.mistaken_for(parse_unit(unit)):
+        raise UnitError(f"found {text!r}, expected a quantity in {unit}; {rate_remedy(own, value)}")
     bound = own.to_si(value)
     return int(bound) if bound.is_integer() and abs(bound) < 1e9 else bound

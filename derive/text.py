@@ -26,6 +26,7 @@ from itertools import pairwise
 from typing import Any
 
 import sympy as sp
+from mpmath import lambertw  # SymPy brings it
 
 from hertzwerk.derive.faults import PicklableError
 from hertzwerk.derive.functions import Where
@@ -106,7 +107,8 @@ class Expression:
 # name -> (fewest, most arguments)
 FUNCTIONS: dict[str, tuple[int, int]] = {
     **dict.fromkeys(("sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan"), (1, 1)),
-    **dict.fromkeys(("sinh", "cosh", "tanh", "abs", "sign"), (1, 1)),
+    **dict.fromkeys(("sinh", "cosh", "tanh", "abs", "sign", "gamma"), (1, 1)),
+    "LambertW": (1, 2),
     **dict.fromkeys(("min", "max"), (2, MAX_ARGUMENTS)),
     "atan2": (2, 2),
     "where": (3, 3),
@@ -116,13 +118,15 @@ FUNCTIONS: dict[str, tuple[int, int]] = {
 }
 MATRIX_FUNCTIONS = ("transpose", "inv", "det", "trace")
 COMPARISONS = ("<", "<=", ">", ">=", "==", "!=")
-RESERVED = ("pi", "inf", *FUNCTIONS)
+NAMES_TOO = ("gamma", "LambertW")
+"""Functions whose names may be those of quantities as well: before a parenthesis they are the function."""
+RESERVED = ("pi", "inf", *(name for name in FUNCTIONS if name not in NAMES_TOO))
 """Words that stand for themselves and name no quantity."""
 
 _ALIASES = {
     "ln": "log", "arcsin": "asin", "arccos": "acos", "arctan": "atan", "arctan2": "atan2", "tg": "tan", "fabs": "abs", "sgn": "sign",
-    "heaviside": "where", "piecewise": "where", "derivative": "diff", "integral": "integrate", "pow": "**", "inverse": "inv",
-    "determinant": "det", "log10": "log", "log2": "log", "cbrt": "x**(1/3)", "square": "x**2", "norm": "sqrt",
+    "derivative": "diff", "integral": "integrate", "inverse": "inv", "determinant": "det", "lambert_w": "LambertW", "lambert": "LambertW",
+    "tgamma": "gamma", "if_else": "where", "fmax": "max", "fmin": "min", "absolute": "abs",
 }  # fmt: skip
 _SIGNS: dict[type, str] = {
     ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!=",
@@ -255,7 +259,7 @@ class _Reader:
             return Node("pi", start, end, number=math.pi)
         if node.id == "inf":
             raise self.refuse(node, "a finite quantity", "inf is a bound of integrate, as in integrate(f, x, 0, inf)")
-        if node.id in FUNCTIONS:
+        if node.id in RESERVED:
             raise self.refuse(node, f"the function with its argument, {node.id}(...)", "or another name")
         return Node("name", start, end, name=node.id)
 
@@ -402,6 +406,10 @@ class _Reader:
             return self.made("where", node, (condition, *branches))
         if name in MATRIX_FUNCTIONS:
             return self.of_matrix(name, node)
+        if name == "LambertW" and count == 2 and self.quantity(node.args[1]).number not in (0, -1):
+            raise self.refuse(
+                node.args[1], "the branch, 0 or -1", "LambertW(x) is the upper branch, LambertW(x, -1) the lower one"
+            )
         return self.made(name, node, tuple(self.quantity(arg, scalar=True) for arg in node.args))
 
     def variable(self, node: ast.expr) -> Node:
@@ -467,8 +475,28 @@ def _shape(node: Node) -> str:
     return "a scalar" if node.shape is None else f"a matrix of {node.shape[0]} x {node.shape[1]}"
 
 
+_INSTEAD = {
+    "piecewise": "a choice is written where(condition, a, b), of three cases where(condition, a, where(other, b, c))",
+    "heaviside": "a step is written where(x > 0, 1, 0)",
+    "log10": "write log(x)/log(10)",
+    "log2": "write log(x)/log(2)",
+    "cbrt": "write x**(1/3)",
+    "square": "write x**2",
+    "pow": "write x**n",
+    "norm": "write sqrt(x**2 + y**2)",
+    "hypot": "write sqrt(x**2 + y**2)",
+}
+"""What to write for functions of other systems, in whatever case."""
+
+
 def _offer(name: str) -> str:
     """What may have been meant by an unknown function."""
+    if (instead := _INSTEAD.get(name.lower())) is not None:
+        return instead
+    same = next((known for known in FUNCTIONS if known.lower() == name.lower()), None)
+    if same is not None:
+        arguments = ", ".join("abc"[: FUNCTIONS[same][0]]) if FUNCTIONS[same][0] > 1 else "x"
+        return f"write {same}({arguments}): names are told apart by their case"
     known = _ALIASES.get(name.lower())
     close = [known] if known else difflib.get_close_matches(name.lower(), FUNCTIONS, n=3, cutoff=0.6)
     if close:
@@ -485,6 +513,8 @@ _FOLD: dict[str, Callable[..., Any]] = {
     **{name: getattr(math, name) for name in ("sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan")},
     **{name: getattr(math, name) for name in ("sinh", "cosh", "tanh", "atan2")},
     "abs": abs,
+    "gamma": math.gamma,
+    "LambertW": lambda x, branch=0.0: float(lambertw(x, int(branch))),
     "sign": lambda x: (x > 0) - (x < 0),
     "min": min,
     "max": max,
@@ -549,7 +579,7 @@ SYMPY: dict[str, Callable[..., Any]] = {
     "sum": sp.Add, "product": sp.Mul, "neg": operator.neg, "inverse": lambda x: 1 / x, "**": sp.Pow, "sqrt": sp.sqrt,
     "exp": sp.exp, "log": sp.log, "sin": sp.sin, "cos": sp.cos, "tan": sp.tan, "asin": sp.asin, "acos": sp.acos,
     "atan": sp.atan, "atan2": sp.atan2, "sinh": sp.sinh, "cosh": sp.cosh, "tanh": sp.tanh, "abs": sp.Abs,
-    "min": sp.Min, "max": sp.Max, "sign": sp.sign, "where": Where, "diff": sp.Derivative,
+    "min": sp.Min, "max": sp.Max, "sign": sp.sign, "gamma": sp.gamma, "LambertW": sp.LambertW, "where": Where, "diff": sp.Derivative,
     "integrate": lambda f, x, *bounds: sp.Integral(f, (x, *bounds)),
     "<": sp.Lt, "<=": sp.Le, ">": sp.Gt, ">=": sp.Ge, "==": sp.Eq, "!=": sp.Ne, "and": sp.And, "or": sp.Or, "not": sp.Not,
     "det": sp.Determinant, "trace": sp.Trace,

@@ -185,9 +185,45 @@ class _Walk:
                 raise self.pure(node, arg, f"{node.op} takes a dimensionless argument")
         return ONE
 
+    def dimensions(self, node: Node, args: Sequence[Node]) -> list[Dimension]:
+        """One per argument; of a sum, logarithms that together are one of a number, log(a) - log(b) = log(a/b), have that of their factors."""
+        logarithms = (
+            {id(arg): found for arg in args if (found := self.logarithm_in(arg)) is not None}
+            if node.op == "sum"
+            else {}
+        )
+        inside: dict[tuple[str, ...], Dimension] = {}
+        for factors, share, argument in logarithms.values():
+            key = tuple(sorted(map(self.quote, factors)))
+            inside[key] = inside.get(key, ONE) * self(argument) ** share
+        dimensions = []
+        for arg in args:
+            factors = logarithms[id(arg)][0] if id(arg) in logarithms else ()
+            whole = id(arg) in logarithms and inside[tuple(sorted(map(self.quote, factors)))].dimensionless
+            total = ONE
+            for factor in factors if whole else (arg,):
+                total = total * self(factor)
+            dimensions.append(total)
+        return dimensions
+
+    def logarithm_in(self, node: Node) -> tuple[tuple[Node, ...], Fraction, Node] | None:
+        """Factors, rational share and argument of a product with one logarithm: 2*x*log(a) -> ((x,), 2, a); None for another node."""
+        if node.op == "neg":
+            found = self.logarithm_in(node.args[0])
+            return None if found is None else (found[0], -found[1], found[2])
+        factors = node.args if node.op == "product" else (node,)
+        logarithms = [factor for factor in factors if factor.op == "log"]
+        if len(logarithms) != 1:
+            return None
+        numbers = [factor.number for factor in factors if factor.number is not None]
+        if 0 in numbers:
+            return None
+        others = tuple(factor for factor in factors if factor is not logarithms[0] and factor.number is None)
+        return others, math.prod(map(rational, numbers), start=Fraction(1)), logarithms[0].args[0]
+
     def alike(self, node: Node, args: Sequence[Node], expected: Dimension | None = None) -> Dimension:
         """The one dimension of all arguments; of several the commonest is expected, not a plain number's in a tie."""
-        dimensions = [self(arg) for arg in args]
+        dimensions = self.dimensions(node, args)
         counts = {dimension: dimensions.count(dimension) for dimension in dimensions if not dimension.every}
         if len(counts) <= 1:
             return next(iter(counts), ZERO)
@@ -221,11 +257,13 @@ class _Walk:
         if node.op == "neg":
             return self.expect(node.args[0], expected)
         terms = _branches(node)
-        dimensions = [self(term) for term in terms]
+        dimensions = self.dimensions(node, terms)
         wrong = [not dimension.matches(expected) for dimension in dimensions]
         if any(wrong) and not (all(wrong) and len(set(dimensions)) == 1):
             term = terms[wrong.index(True)]
-            if not term.args:  # by itself a symbol is never wrong: quote what it stands in
+            if (
+                not term.args or self.logarithm_in(term) is not None
+            ):  # by itself a symbol is never wrong: quote what it stands in
                 self.alike(node, terms, expected)
             self.expect(term, expected)
         found = self(node)

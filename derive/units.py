@@ -2,7 +2,8 @@
 
 A dimension is four exponents over mass, length, time and temperature (M, L, T, Theta); each is a linear form
 `rational + sum of rational * name`, so that `N/m^n` with a named exponent is a value like any other.
-Angles are dimensionless.
+Angles are dimensionless: that a unit counts one (rad/s, rpm) or none (1/s) is its `angle`, which tells angular speeds from frequencies and decides
+no dimension.
 
 This module imports nothing but the standard library and evaluates no text: input is bounded in size, read by a
 recursive descent, and everything else raises `UnitError`, which says what was found, what was expected, the way out.
@@ -16,14 +17,14 @@ import difflib
 import math
 import re
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from decimal import Context, Decimal
 from fractions import Fraction
 from functools import lru_cache
 
 __all__ = [
     *("Exponent", "Exponents", "Unit", "UnitError"),
-    *("parse_quantity", "parse_unit", "rational", "split_quantity", "unit_text"),
+    *("parse_quantity", "parse_unit", "rate_remedy", "rational", "split_quantity", "unit_text"),
 ]
 
 MAX_TEXT = 400  # characters of unit text
@@ -132,6 +133,8 @@ class Unit:
 
     factor: float
     exponents: Exponents
+    angle: Fraction = field(default=Fraction(0), compare=False)
+    """Power of an angle (rad, deg, rev, the turns of rpm) in the unit as written."""
 
     @property
     def dimensionless(self) -> bool:
@@ -145,7 +148,13 @@ class Unit:
 
     def at(self, values: Mapping[str, int | float | Fraction]) -> Unit:
         """The unit with numbers for names: `N/m^n` at n = 1.5 is `N/m^1.5`."""
-        return Unit(self.factor, _four(exponent.at(values) for exponent in self.exponents))
+        return Unit(self.factor, _four(exponent.at(values) for exponent in self.exponents), self.angle)
+
+    def mistaken_for(self, declared: Unit) -> bool:
+        """Whether one counts an angle and the other none, both per power of time alone: an angular speed where a frequency stands, or the reverse."""
+        mass, length, time, temperature = self.exponents
+        per_time = not (mass or length or temperature or time.terms) and time.constant < 0
+        return per_time and self.exponents == declared.exponents and self.angle != declared.angle
 
     def to_si(self, value: float) -> float:
         """A value in this unit as SI: the decimal product rounded once, so that 0.3 mm is the double 0.0003."""
@@ -161,6 +170,22 @@ class Unit:
 def _four(exponents: Iterable[Exponent]) -> Exponents:
     mass, length, time, temperature = exponents
     return mass, length, time, temperature
+
+
+def rate_remedy(unit: Unit, value: float | None = None) -> str:
+    """What to write in place of a rate that was mistaken for another (see `Unit.mistaken_for`): of an angle where it counts none, or of none."""
+    if unit.exponents[2] != Exponent(Fraction(-1)):
+        return "name the angle, as in rad/s^2 or rev/s^2" if not unit.angle else "leave the angle out, as in 1/s^2"
+    if not unit.angle:
+        if value is None:
+            return "an angular speed is given in rpm or rad/s"
+        rate = unit.to_si(value)
+        return f'write "{60 * rate:.6g} rpm" where it counts turns, "{rate:.6g} rad/s" where it counts radians'
+    plain = "rpm, deg/s and rad/s are angular speeds, a frequency or a decay is given in 1/s"
+    if value is None:
+        return plain
+    rate = unit.to_si(value)
+    return f'{plain}: "{rate / (2 * math.pi):.6g} 1/s" of turns, "{rate:.6g} 1/s" of radians'
 
 
 # --- what is known: symbol -> (word, factor to SI, exponents of M, L, T, Theta, takes prefixes) -----------------------
@@ -189,14 +214,21 @@ _UNITS: dict[str, tuple[str, Decimal, tuple[int, int, int, int], bool]] = {
     "rpm": ("revolutions per minute", _DECIMAL.divide(_PI, Decimal(30)), (0, 0, -1, 0), False),
     "%": ("percent", Decimal("0.01"), (0, 0, 0, 0), False),
 }
+_ANGLES = ("rad", "deg", "°", "rev", "rpm")
 _PREFIXES = {"f": -15, "p": -12, "n": -9, "u": -6, "m": -3, "c": -2, "d": -1}
 _PREFIXES |= {"da": 1, "h": 2, "k": 3, "M": 6, "G": 9, "T": 12}
 
 _OUTSIDE = "expected a unit over mass, length, time and temperature"
 _REFUSED = {
-    "Hz": "hertz does not say whether it counts radians or turns: write rad/s, rpm, or 1/s",
-    "°C": "a Celsius scale has an offset: write the temperature, or the difference, in K",
-    "degC": "a Celsius scale has an offset: write the temperature, or the difference, in K",
+    "Hz": "hertz does not say whether it counts radians or turns: an angular speed is written in rpm (1 Hz of turns is 60 rpm) or rad/s, "
+    "another rate in 1/s",
+    **dict.fromkeys(
+        ("°C", "degC", "celsius"),
+        "a Celsius scale has an offset: write the temperature in K (20 degC is 293.15 K), and so a difference of temperatures",
+    ),
+    **dict.fromkeys(
+        ("°F", "degF"), "a Fahrenheit scale has an offset: write the temperature in K (68 degF is 293.15 K)"
+    ),
     "A": f"{_OUTSIDE}, not electric current",
     "V": f"{_OUTSIDE}, not electric potential",
     "C": f"{_OUTSIDE}; a temperature is written in K",
@@ -214,6 +246,7 @@ class _Product:
 
     factor: Decimal
     exponents: Exponents
+    angle: Fraction = Fraction(0)
 
     def __post_init__(self) -> None:
         if abs(self.factor.adjusted()) > 300:
@@ -226,7 +259,7 @@ class _Product:
     def times(self, other: _Product, sign: int) -> _Product:
         operate: Callable[[Decimal, Decimal], Decimal] = _DECIMAL.multiply if sign > 0 else _DECIMAL.divide
         exponents = _four(a + b * sign for a, b in zip(self.exponents, other.exponents, strict=True))
-        return _Product(operate(self.factor, other.factor), exponents)
+        return _Product(operate(self.factor, other.factor), exponents, self.angle + other.angle * sign)
 
     def power(self, exponent: Exponent) -> _Product:
         exponents = _Product(Decimal(1), _four(base * exponent for base in self.exponents)).exponents
@@ -236,11 +269,11 @@ class _Product:
                     f"found a prefix or a non-SI unit to the power {exponent}, whose factor would depend on "
                     f"{', '.join(exponent.names)}; expected SI there, as in N/m^n"
                 )
-            return _Product(self.factor, exponents)
+            return _Product(self.factor, exponents, self.angle * exponent.constant)
         power = _DECIMAL.divide(Decimal(exponent.constant.numerator), Decimal(exponent.constant.denominator))
         if abs(power) * (abs(self.factor.adjusted()) + 1) > 400:
             raise UnitError("found a unit beyond 1e300 of SI, expected one within the range of a double")
-        return _Product(_DECIMAL.power(self.factor, power), exponents)
+        return _Product(_DECIMAL.power(self.factor, power), exponents, self.angle * exponent.constant)
 
 
 _ONE = _Product(Decimal(1), (Exponent(), Exponent(), Exponent(), Exponent()))
@@ -254,7 +287,8 @@ def _lookup(name: str) -> _Product | None:
         if symbol in _UNITS and (not cut or (prefix in _PREFIXES and _UNITS[symbol][3])):
             _, factor, exponents, _ = _UNITS[symbol]
             power = Decimal(10) ** _PREFIXES[prefix] if cut else Decimal(1)
-            return _Product(_DECIMAL.multiply(power, factor), _four(Exponent(Fraction(e)) for e in exponents))
+            angle = Fraction(int(symbol in _ANGLES))
+            return _Product(_DECIMAL.multiply(power, factor), _four(Exponent(Fraction(e)) for e in exponents), angle)
     return None
 
 
@@ -435,7 +469,7 @@ def _read(text: str) -> Unit:
             raise reader.fail("the end, or * / ^ and another unit")
     except UnitError as error:
         raise UnitError(f"unit {text!r}: {error}") from None
-    return Unit(float(product.factor), product.exponents)
+    return Unit(float(product.factor), product.exponents, product.angle)
 
 
 _QUANTITY = re.compile(r"\s*([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)(.*)", re.DOTALL)

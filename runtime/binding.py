@@ -10,7 +10,7 @@ from typing import TypeAlias
 import numpy as np
 
 from hertzwerk.derive.faults import Fault
-from hertzwerk.derive.units import Unit, UnitError, parse_unit, split_quantity
+from hertzwerk.derive.units import Unit, UnitError, parse_unit, rate_remedy, split_quantity
 
 Value: TypeAlias = str | float | tuple[float, str]  # "0.2 mm"; a bare number where dimensionless; (0.2, "mm")
 Limit: TypeAlias = tuple[str, str, float | None, float | None, bool, bool, str]  # a row of a module's LIMITS
@@ -95,7 +95,7 @@ def _unit_fault(
         unit = unit.at(_exponents(ports))
     expected = declared.at(exponents)
     if unit.exponents == expected.exponents:
-        return None
+        return _mistaken(port.name, value, unit, text, port.unit)
     if not exponents or text == "1":
         return _wrong_unit(port.name, value, unit, text, port.unit)
     follows = ", ".join(f"{name} = {number:g}" for name, number in exponents.items())
@@ -111,6 +111,9 @@ def read_state(name: str, declared: str, value: Value) -> tuple[float, Fault | N
         return math.nan, Fault(name, repr(value), _value_in(declared), str(error))
     if unit.exponents != parse_unit(declared).exponents:
         return math.nan, _wrong_unit(name, number, unit, text, declared)
+    mistaken = _mistaken(name, number, unit, text, declared)
+    if mistaken is not None:
+        return math.nan, mistaken
     finite = math.isfinite(si := unit.to_si(number))
     return si, None if finite else Fault(name, _text(number, text), "a finite number")
 
@@ -157,6 +160,14 @@ def _wrong_unit(name: str, value: float, unit: Unit, text: str, declared: str) -
     else:
         found, remedy = f"{_text(value, text)}, which is {unit}", ""
     return Fault(name, found, _value_in(declared), remedy)
+
+
+def _mistaken(name: str, value: float, unit: Unit, text: str, declared: str) -> Fault | None:
+    """The fault of a frequency where an angular speed stands, or the reverse."""
+    if not unit.mistaken_for(parse_unit(declared)):
+        return None
+    what = "an angular speed" if unit.angle else "a frequency"
+    return Fault(name, f"{_text(value, text)}, {what}", _value_in(declared), rate_remedy(unit, value))
 
 
 def _value_in(unit: str) -> str:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.derive.units import parse_quantity, parse_unit
+from hertzwerk.derive.units import parse_quantity, parse_unit, rate_remedy
 from hertzwerk.runtime.scenario import FOUND_IN_HISTORIES, IMPACT_FIELDS, Check, Scenario, si
 
 if TYPE_CHECKING:
@@ -102,6 +102,8 @@ def _misfit(check: Check, solution: Solution) -> Fault | None:
     else:
         unit = IMPACT_FIELDS[name.partition(".")[2]] if name else "1"
     text = check.expected if check.expected is not None else check.at_most or ""
-    if parse_quantity(text)[1].exponents != parse_unit(unit).exponents:
-        return Fault(check.quantity, repr(text), f"a quantity in {unit}")
+    value, given = parse_quantity(text)
+    if given.exponents != parse_unit(unit).exponents or given.mistaken_for(parse_unit(unit)):
+        remedy = rate_remedy(given, value) if given.mistaken_for(parse_unit(unit)) else ""
+        return Fault(check.quantity, repr(text), f"a quantity in {unit}", remedy)
     return None

@@ -14,7 +14,8 @@ from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism import Slot
 from hertzwerk.derive.pairs import Posed, PoseSymbol
 from hertzwerk.derive.parameter import Parameter, default_value, is_number, parameters_of
-from hertzwerk.derive.units import parse_unit, unit_text
+from hertzwerk.derive.tables import Spline
+from hertzwerk.derive.units import parse_unit, rate_remedy, unit_text
 
 if TYPE_CHECKING:
     from hertzwerk.derive.scene import Scene
@@ -82,6 +83,23 @@ def quantity_faults(slot: Slot, table: dict[sp.Symbol, Dimension]) -> Iterator[F
     elif slot.limit is not None and not slot.limit.holds(number):
         shown = f"{number:g}" if unit.dimensionless else f"{number:g} {unit_text(unit.exponents)}"
         yield Fault(slot.where, shown, f"a value in {slot.limit}")
+
+
+def rate_faults(slot: Slot) -> Iterator[Fault]:
+    """A frequency where an angular speed stands, or the reverse: of a parameter, or the values of a table, alone or as a term of a sum."""
+    declared = parse_unit(slot.unit)
+    for term in sp.Add.make_args(sp.sympify(slot.value)) if is_number(slot.value) else ():
+        what = -term if term.could_extract_minus_sign() else term
+        if isinstance(what, Parameter):
+            name, text = what.name, what.unit
+        elif isinstance(what, Spline) and what.args[2] == 0:
+            name, text = str(what.args[0]), what.args[0].units[1]
+        else:
+            continue
+        unit = parse_unit(text)
+        if unit.mistaken_for(declared):
+            kind = "an angular speed" if unit.angle else "a frequency"
+            yield Fault(slot.where, f"{name} [{text}], {kind}", f"a quantity in {slot.unit}", rate_remedy(unit))
 
 
 def posed_faults(slot: Posed, table: dict[sp.Symbol, Dimension]) -> Iterator[Fault]:

@@ -17,7 +17,7 @@ from hertzwerk.derive.soundness.directions import length_faults
 from hertzwerk.derive.soundness.effects import effect_faults, start_faults
 from hertzwerk.derive.soundness.inertia import inertia_faults
 from hertzwerk.derive.soundness.names import name_faults, text_faults
-from hertzwerk.derive.soundness.quantities import declared, posed_faults, quantity_faults, sound_of
+from hertzwerk.derive.soundness.quantities import declared, posed_faults, quantity_faults, rate_faults, sound_of
 from hertzwerk.derive.soundness.topology import topology_faults
 from hertzwerk.derive.soundness.types import scene_type_faults
 
@@ -55,6 +55,7 @@ def faults_of(scene: Scene) -> tuple[Fault, ...]:
             found.extend(expression_faults(slot, freedoms, table, partial(quantity_faults, table=table)))
         else:
             found.extend(quantity_faults(slot, table))
+        found.extend(rate_faults(slot))
     found.extend(inertia_faults(scene.mechanism, sound))
     found.extend(table_faults(_expressions(scene)))
     return tuple(dict.fromkeys(found))

@@ -47,6 +47,14 @@ CONSISTENT = [
     ("(a_P*dR/l_ref + b_P)*L*E/dR*d**1.1*l_ref**0.9", "N"),
     ("1.51*log(1000*dR/l_ref)**-0.151", "1"),
     ("sqrt(4*F*R/(pi*E*L))", "m"),
+    ("log(x) - log(y)", "1"),  # log(x/y)
+    ("log(E) - log(p)", "1"),
+    ("F*log(x) - log(y)*F + F", "N"),
+    ("2*log(d) - log(R) - log(L) + eps", "1"),
+    ("v*(log(x*y) - 2*log(L)) + v", "m/s"),
+    ("-d/(s_c/L*LambertW(-exp(1)*d/(40*R), -1))", "N"),
+    ("LambertW(d/R)*R", "m"),
+    ("d/(kappa*R*sqrt(pi)*gamma(1 + k/2)/gamma((1 + k)/2))", "m"),
     ("where(d > 0, K*d**1.5, 0)", "N"),
     ("where(0 < d < R, K*d**1.5, K*R**1.5)", "N"),
     ("diff(K*d**1.5, d)", "N/m"),
@@ -144,6 +152,13 @@ _POWER = "a rational exponent, or one of constant parameters"
 
 # expression, expected unit or None, smallest sub-expression at fault, the two units in conflict
 INCONSISTENT = [
+    ("log(x) - log(t)", "1", "log(x)", "m", "1"),
+    ("2*log(x) - log(y)", "1", "log(x)", "m", "1"),
+    ("log(x) + log(y)", "1", "log(x)", "m", "1"),
+    ("F*log(x) - v*log(y)", None, "log(x)", "m", "1"),
+    ("log(x) - log(y) + sin(log(x))", "1", "log(x)", "m", "1"),  # one that stands elsewhere is not excused
+    ("LambertW(d, -1)", "1", "LambertW(d, -1)", "m", "1"),
+    ("gamma(R)", "1", "gamma(R)", "m", "1"),
     # the mistakes of published formulas and public code (contact-laws.md, section 5)
     ("pi/8*E*sqrt(2*d*(3*dR + 2*d)**2/(dR + d)**3)*d**1.5", "N", "pi/8*E*sqrt(2*d*(3*dR + 2*d)**2/(dR + d)**3)*d**1.5", "N/m^0.5", "N"),
     ("K*d**n", "N", "K*d**n", "N m^(n-1.5)", "N"),
@@ -213,7 +228,6 @@ INCONSISTENT = [
     ("exp(-t/wn)", None, "exp(-t/wn)", "s^2", "1"),
     ("eta*exp(p)", None, "exp(p)", "Pa", "1"),
     ("log(Th)", None, "log(Th)", "K", "1"),
-    ("log(E) - log(p)", None, "log(E)", "Pa", "1"),
     # powers
     ("F**d", None, "F**d", "m", "1"),
     ("2**t", None, "2**t", "s", "1"),

@@ -73,7 +73,11 @@ def bound(law, **changed):
     """A law with steel bodies and parameters of the values above."""
     given = {**GIVEN, **changed}
     steel = (STEEL, STEEL) if any(q.name == "E_1" for q in law.parameters) else ()
-    rest = [q for q in law.parameters if q.name not in ("E_1", "nu_1", "E_2", "nu_2") and q not in dict(law.defaults)]
+    rest = [
+        q
+        for q in law.parameters
+        if q.name not in ("E_1", "nu_1", "E_2", "nu_2") and (q not in dict(law.defaults) or q.name in given)
+    ]
     values = {
         q.name: given[q.name]
         if not isinstance(given[q.name], int | float) or (q.unit == "1" and q.name in ("n", "k"))

@@ -89,6 +89,10 @@ CONSISTENT = [
     (J * omega**2 / 2, "J"),
     (m * R**2 * omega, "J s"),
     (sqrt(c / m), "1/s"),
+    (log(x) - log(y), "1"),  # log(x/y)
+    (2 * log(x) - log(y) - log(L) + theta, "1"),
+    (F * log(x) - F * log(y) + F, "N"),
+    (v * (log(x * y) - 2 * log(L)) + v, "m/s"),
     (x * cos(wn * t) + v / wn * sin(wn * t), "m"),
     (exp(-xi * wn * t) * x * cos(wn * t * sqrt(1 - xi**2)), "m"),
     (atan2(y, x), "1"),
@@ -170,6 +174,11 @@ INCONSISTENT = [
     (sp.Matrix([x, theta]), "Matrix([[x], [theta]])", "1", "m"),
     (written(0, x + v), "v + x", "m", "m/s"),  # a zero factor excuses nothing inside the product
     # functions of dimensional arguments
+    (log(x) - log(t), "log(t)", "s", "1"),
+    (2 * log(x) - log(y), "log(y)", "m", "1"),
+    (log(x) + log(y), "log(x)", "m", "1"),
+    (F * log(x) - v * log(y), "log(x)", "m", "1"),
+    (log(x) - log(y) + sin(log(x)), "log(x)", "m", "1"),  # one that stands elsewhere is not excused
     (x * sin(omega), "sin(omega)", "1/s", "1"),
     (cos(x), "cos(x)", "m", "1"),
     (tan(L / v), "tan(L/v)", "s", "1"),

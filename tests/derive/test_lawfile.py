@@ -265,7 +265,7 @@ FAULTS = [  # text, parts of the message
     (FOAM.replace('grade = "C"', 'grade = "A+"'), ["'A+'", "A, B, C, R"]),
     (FOAM.replace("source", "note"), ["where the law comes from"]),
     (FOAM.replace("N/m^n", "newton/m"), ["newton/m", "a unit"]),
-    (FOAM.replace("N/m^n", "Hz"), ["rad/s, rpm, or 1/s"]),
+    (FOAM.replace("N/m^n", "Hz"), ["rpm (1 Hz of turns is 60 rpm) or rad/s"]),
     (FOAM.replace("N/m^n", "N/m^q"), ["the exponent q", "declare q"]),
     (FOAM.replace("[1, 3]", "1..3"), ["an interval such as"]),
     (FOAM.replace("[1, 3]", "[3, 1]"), ["a lower bound below"]),

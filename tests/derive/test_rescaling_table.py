@@ -66,7 +66,7 @@ def test_what_the_symbols_pass_the_numbers_pass(text, unit):
 BLIND = {
     # by the time there is a number, nothing is left of the fault
     "m - m + t", "0*(x + v)", "x + v*(1 - 1)", "(x + t)/(x + t)", "(x + v)**0", "log(exp(x))", "sin(omega)**2 + cos(omega)**2",
-    "diff(m*v**2/2 + x, v)", "log(E) - log(p)",
+    "diff(m*v**2/2 + x, v)",
     # a power like any other, only no unit has it; a bound that is no length; entries that are consistent one by one
     "x**pi", "d**sqrt(2)", "integrate(F, x, 0, t)", "[x, theta]", "[[c, 0], [0, c_v]] @ [x, y]",
 }  # fmt: skip

@@ -6,6 +6,7 @@ import sys
 import time
 
 import pytest
+import scipy.special
 import sympy as sp
 from expressions import CONSISTENT, INCONSISTENT, STATE, UNITS
 from hypothesis import given
@@ -63,6 +64,8 @@ PYTHON = {name: getattr(math, name) for name in ("sqrt", "exp", "log", "sin", "c
 PYTHON |= {name: getattr(math, name) for name in ("sinh", "cosh", "tanh", "atan2", "pi")}
 PYTHON |= {
     "abs": abs,
+    "gamma": math.gamma,
+    "LambertW": lambda x, branch=0: float(scipy.special.lambertw(x, branch).real),
     "min": min,
     "max": max,
     "sign": lambda x: (x > 0) - (x < 0),

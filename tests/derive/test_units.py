@@ -99,8 +99,8 @@ def test_reads_units_as_people_write_them(text, factor, m, l, t, theta, printed)
 
 # text, what the message must say (found ... and the way out)
 REFUSED = [
-    ("Hz", "rad/s, rpm, or 1/s"),
-    ("kHz", "rad/s, rpm, or 1/s"),
+    ("Hz", "rpm (1 Hz of turns is 60 rpm) or rad/s"),
+    ("kHz", "rpm (1 Hz of turns is 60 rpm) or rad/s"),
     ("", "found no unit"),
     ("  ", "found no unit"),
     ("Mpa", "did you mean MPa?"),

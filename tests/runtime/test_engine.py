@@ -469,7 +469,7 @@ def test_values_in_other_units_are_the_same_run(ball):
 def test_outside_the_recommended_range_is_a_warning(crank):
     run = simulate(crank, duration="1 ms", parameters={"restitution": 0.5}, tolerance=1e-6)
     assert any("restitution = 0.5" in warning and "recommended" in warning for warning in run.warnings)
-    assert not simulate(crank, duration="1 ms", tolerance=1e-6).warnings
+    assert not any("recommended" in warning for warning in simulate(crank, duration="1 ms", tolerance=1e-6).warnings)
 
 
 def test_a_derived_constant_without_a_value_is_bad_input(crank):
