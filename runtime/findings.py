@@ -4,7 +4,7 @@ sums for averages."""
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Protocol, TypeVar
 
 import numpy as np
@@ -167,6 +167,16 @@ class Findings:
     def choices(self) -> tuple[Choice, ...]:
         """See `Solution.choices`."""
         return tuple(self._looked(self._choices).made) if self._choices is not None else ()
+
+    def secured(self) -> Iterator[str]:
+        """Find everything now; what cannot be found is nothing from now on, and said to be so, that the rest is not lost for it."""
+        nothing = Sums(math.nan, *(np.zeros((0, n)) for n in (self._model.k, self._model.k, self._model.nz)))
+        for name, empty in (("impacts", ()), ("energy_residual", None), ("choices", ()), ("_sums", nothing)):
+            try:
+                getattr(self, name)
+            except Exception as error:  # whatever it is
+                self.__dict__[name] = empty
+                yield f"{name.strip('_').replace('_', ' ')} could not be found: {type(error).__name__}: {error}"
 
     def sums(self, interval: float | None = None) -> Sums:
         """Sums over intervals [s], by default of the period, or of a part of the run where there is none; over longer ones where there are many.

@@ -7,6 +7,7 @@ picture, an unchecked law or a law outside its range, stands on the picture.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -64,14 +65,21 @@ def pair(run: Solution, name: str) -> Figure:
     return _pair(Curves.of(run), name)
 
 
-def save_all(run: Solution, folder: Path) -> list[str]:
-    """Write overview.png and one PNG per pair; returns the file names."""
-    curves = Curves.of(run)
-    figures = {"overview.png": _overview(curves)} | {f"{name}.png": _pair(curves, name) for name in run.model.pairs}
-    with mpl.rc_context(STYLE):
-        for file, figure in figures.items():
-            figure.savefig(folder / file)
-    return list(figures)
+def pages(run: Solution) -> dict[str, Callable[[Path], None]]:
+    """What saves the overview and each pair's page as PNG, by name, each for itself; what they show is found once."""
+    curves = cache(lambda: Curves.of(run))
+
+    def saved(figure: Callable[[], Figure]) -> Callable[[Path], None]:
+        def save(path: Path) -> None:
+            page = figure()
+            with mpl.rc_context(STYLE):
+                page.savefig(path)
+
+        return save
+
+    return {"overview": saved(lambda: _overview(curves()))} | {
+        name: saved(partial(lambda pair: _pair(curves(), pair), name)) for name in run.model.pairs
+    }
 
 
 # ---- pages -----------------------------------------------------------------------------------------------------------

@@ -5,17 +5,22 @@ from __future__ import annotations
 import json
 import math
 import platform
-from collections.abc import Callable
-from dataclasses import asdict
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager, nullcontext
+from dataclasses import asdict, dataclass, field
+from functools import partial
 from importlib import metadata
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
-from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.runtime.scratch import scratch_folder
+from hertzwerk.runtime.folder import new_folder
+from hertzwerk.runtime.scratch import scratch_folder, write_atomically
 
 if TYPE_CHECKING:
+    from hertzwerk.runtime.averages import Average
     from hertzwerk.runtime.solution import Solution
+
+CSV_LIMIT = 50e6  # bytes that are written unasked
 
 
 def summary(solution: Solution, *, averages: bool = False) -> dict[str, Any]:
@@ -50,11 +55,11 @@ def summary(solution: Solution, *, averages: bool = False) -> dict[str, Any]:
     }
 
 
-def record(solution: Solution, *, averages: bool = False) -> dict[str, Any]:
+def record(solution: Solution) -> dict[str, Any]:
     """What `run.json` keeps: the summary, and everything needed to run the same again."""
     model = solution.model
     return {
-        **summary(solution, averages=averages),
+        **summary(solution),
         "outcome_message": solution.outcome.message,
         "remedy": solution.outcome.remedy,
         "source": model.module.SOURCE,
@@ -87,66 +92,154 @@ def json_text(content: dict[str, Any]) -> str:
     return json.dumps(_finite(content), indent=2, allow_nan=False)
 
 
-def destination_fault(out: Path) -> Fault | None:
-    """Why a run cannot be written to a folder, or None."""
-    if out.is_dir() and any(out.iterdir()):
-        return Fault(
-            "--out", f"{out}, which has other content", "a new or an empty folder", "a run never overwrites another"
-        )
-    if out.exists() and not out.is_dir():
-        return Fault("--out", f"{out}, which is a file", "a new or an empty folder")
-    return None
+@dataclass
+class Written:
+    """What was written of a run: its folder, the files in it, the averages asked for, what could not be had or made, and what is left out."""
+
+    folder: Path
+    files: list[str]
+    missing: list[str]
+    averages: tuple[Average, ...] = ()
+    left_out: list[str] = field(default_factory=list)
 
 
-def write(solution: Solution, out: Path | None, *, plots: bool, averages: bool = False) -> tuple[Path, list[str]]:
-    """Write a run to `out`, or to the next free runs/<scene>-NNN; returns the folder and its files. All of it appears at once, or nothing."""
-    return new_folder(
-        solution.model.name, out, lambda folder: _write_files(solution, folder, plots=plots, averages=averages)
-    )
+def write(
+    solution: Solution,
+    out: Path | None,
+    *,
+    plots: bool,
+    csv: bool = False,
+    averages: bool = False,
+    stopping: Stopping | None = None,
+) -> Written:
+    """Write a run to `out`, or to the next free runs/<scene>-NNN: the data first, then what can be made from them.
 
-
-def new_folder(name: str, out: Path | None, fill: Callable[[Path], list[str]]) -> tuple[Path, list[str]]:
-    """Fill the new folder `out`, or the next free runs/<name>-NNN; returns it and its files. All of it appears at once, or nothing."""
-    parent = out.parent if out is not None else Path("runs")
-    parent.mkdir(parents=True, exist_ok=True)
-    with scratch_folder(parent) as temporary:
-        files = fill(temporary)
-        return _publish(temporary, out, parent / name), files
-
-
-def _write_files(solution: Solution, folder: Path, *, plots: bool, averages: bool) -> list[str]:
-    solution.to_csv(folder / "states.csv")
-    solution.save(folder / "states.npz")
-    (folder / "run.json").write_text(json_text(record(solution, averages=averages)) + "\n", encoding="utf-8")
-    files = ["states.csv", "states.npz", "run.json"]
+    The data, states.npz and run.json, appear at once. Averages, states.csv and pictures follow, each for itself: what fails, or is stopped, is told
+    of in run.json and leaves no part of a file. `csv` writes states.csv however large it is. Raises OSError where no data can be written.
+    """
+    stop = stopping or _Never()
+    lost = list(solution.findings.secured())
+    stop.stage("writing states.npz")
+    folder, files = new_folder(solution.model.name, out, lambda at: _write_data(solution, at, lost))
+    written = Written(folder, files, lost)
+    extras = _Extras(solution, written, stop)
+    if averages:
+        extras.make("averages", lambda _: setattr(written, "averages", solution.averages()))
+    extras.make_csv(force=csv)
     if plots:
-        from hertzwerk.runtime import plot
-        from hertzwerk.runtime.draw import picture
+        extras.make_pictures()
+    told = [*lost, *written.left_out]
+    if told or averages:
+        extras.failing(
+            "run.json", lambda: write_atomically(folder / "run.json", _text(solution, told, written.averages))
+        )
+    return written
 
-        picture.of_run(solution).savefig(folder / "mechanism.png", dpi="figure")
-        files += ["mechanism.png", *plot.save_all(solution, folder)]
+
+class Stopping(Protocol):
+    """Whether it was asked to stop, where what is made can be stopped at once, and who is to know what is being made."""
+
+    @property
+    def asked(self) -> bool:
+        """Whether it was asked to stop."""
+
+    def at_once(self) -> AbstractContextManager[None]:
+        """Within, KeyboardInterrupt is raised where it is asked for."""
+
+    def stage(self, name: str) -> None:
+        """What is being made from now on."""
+
+
+class _Never:
+    asked = False
+
+    def at_once(self) -> AbstractContextManager[None]:
+        return nullcontext()
+
+    def stage(self, name: str) -> None:
+        pass
+
+
+@dataclass
+class _Extras:
+    """What is made from the data of a run that are written already."""
+
+    solution: Solution
+    written: Written
+    stop: Stopping
+
+    def make(self, name: str, make: Callable[[Path], object]) -> None:
+        """Make one file, or what has no file, in a folder of its own, and move what is there when it is complete."""
+        if self.stop.asked:
+            self.written.missing.append(f"{name} is not there: it was stopped before")
+            return
+        self.failing(name, lambda: self._made(name, make))
+
+    def _made(self, name: str, make: Callable[[Path], object]) -> None:
+        self.stop.stage(f"writing {name}")
+        with self.stop.at_once(), scratch_folder(self.written.folder.parent) as at:
+            make(at)
+            for file in sorted(at.iterdir()):
+                file.replace(self.written.folder / file.name)
+                self.written.files.append(file.name)
+
+    def failing(self, name: str, make: Callable[[], object]) -> None:
+        """What fails here fails for itself."""
+        try:
+            make()
+        except KeyboardInterrupt:
+            self.written.missing.append(f"{name} is not there: it was stopped while it was made")
+        except Exception as error:  # whatever it is: the data are there, and so is what else can be made from them
+            self.written.missing.append(f"{name} could not be made: {type(error).__name__}: {error}")
+
+    def make_csv(self, *, force: bool) -> None:
+        """states.csv, unless it would be large and nobody asked for it."""
+        size = self.solution.csv_size()
+        if size <= CSV_LIMIT or force:
+            self.make("states.csv", lambda at: self.solution.to_csv(at / "states.csv"))
+            return
+        self.written.left_out.append(
+            f"states.csv would have {size / 1e6:.0f} MB and is not written: states.npz has the same; --csv writes it, --grid 10000 keeps less, "
+            f'and Solution.load("states.npz").to_csv("states.csv") makes it later'
+        )
+
+    def make_pictures(self) -> None:
+        """The mechanism, the overview and one picture of each pair."""
+
+        def mechanism(at: Path) -> None:
+            from hertzwerk.runtime.draw import picture
+
+            picture.of_run(self.solution).savefig(at / "mechanism.png", dpi="figure")
+
+        self.make("mechanism.png", mechanism)
+        from hertzwerk.runtime import plot
+
+        for name, save in plot.pages(self.solution).items():
+            self.make(f"{name}.png", partial(lambda save, at, file: save(at / file), save, file=f"{name}.png"))
+
+
+def _write_data(solution: Solution, folder: Path, lost: list[str]) -> list[str]:
+    """states.npz and run.json, the other one where one cannot be written; raises OSError where none can."""
+    files: list[str] = []
+    errors: list[OSError] = []
+    for file, make in (
+        ("states.npz", lambda path: solution.save(path)),
+        ("run.json", lambda path: write_atomically(path, _text(solution, lost))),
+    ):
+        try:
+            make(folder / file)
+            files.append(file)
+        except OSError as error:
+            errors.append(error)
+            lost.append(f"{file} could not be written: {error}")
+    if not files:
+        raise errors[0]
     return files
 
 
-def _publish(temporary: Path, out: Path | None, stem: Path) -> Path:
-    """Give the finished folder its name; a rename onto a folder with content fails, so two runs never mix."""
-    if out is not None:
-        try:
-            return temporary.rename(out)
-        except OSError as error:
-            raise InputError("run", [Fault("--out", str(error), "a new or an empty folder")]) from error
-    number = 1
-    while True:
-        path = stem.with_name(f"{stem.name}-{number:03d}")
-        try:
-            if not path.exists():
-                return temporary.rename(path)
-        except FileExistsError:
-            pass  # another run took the number meanwhile
-        except OSError:
-            if not path.exists():
-                raise
-        number += 1
+def _text(solution: Solution, lost: Sequence[str], averages: Sequence[Average] = ()) -> bytes:
+    content = record(solution) | ({"averages": [asdict(average) for average in averages]} if averages else {})
+    return (json_text({**content, "warnings": [*content["warnings"], *lost]}) + "\n").encode()
 
 
 def _finite(value: Any) -> Any:

@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-import signal
-import threading
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
-from types import FrameType
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -38,8 +34,7 @@ class Recorder:
         self._new += len(rows)
         self._bytes += rows.nbytes
         if self._block is not None and self._bytes >= self._block:
-            with _whole():
-                self.flush()
+            self.flush()
 
     def flush(self) -> None:
         """Show what was gathered; to be called once more at the end."""
@@ -51,23 +46,6 @@ class Recorder:
             observer.take(block, self._known)
         self._parts = [rows[-OVERLAP:].copy()]
         self._known, self._new, self._bytes = len(self._parts[0]), 0, 0
-
-
-@contextmanager
-def _whole() -> Iterator[None]:
-    """Ctrl-C waits until it is left, so that all observers know of the same steps."""
-    before = signal.getsignal(signal.SIGINT)
-    if threading.current_thread() is not threading.main_thread() or not callable(before):
-        yield  # it is not raised here
-        return
-    received: list[tuple[int, FrameType | None]] = []
-    signal.signal(signal.SIGINT, lambda *arguments: received.append(arguments))
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGINT, before)
-    if received:
-        before(*received[0])
 
 
 class Steps:

@@ -11,7 +11,7 @@ import click
 
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime.cli.target import DURATION, JSON, LAW, SET, WITHOUT, assignments, cannot_be_written, loaded
-from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
+from hertzwerk.runtime.cli.terminal import OTHER_OUTCOME, Progress, kept, lacking, line, reports_bad_input, table
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.reference import NoReferenceError, Problem
@@ -35,33 +35,37 @@ def accuracy(target: str, out: Path | None, as_json: bool, **options: Any) -> in
     Each run asks for an error at its end; what it really has is measured against a reference of two independent methods. How errors go along
     the run says how long a trajectory stays the true one, and what ten times more accuracy buys.
     """
-    from hertzwerk.runtime import record
+    from hertzwerk.runtime.folder import new_folder
+    from hertzwerk.runtime.record import json_text
     from hertzwerk.runtime.reference import NoReferenceError
     from hertzwerk.runtime.work_precision import study
 
-    problem = _problem(target, out, **options)
+    wanted = out is not None or not as_json
+    problem = _problem(target, out, wanted=wanted, **options)
     name = problem.model.name
     try:
         with Progress(f"{name}: accuracy", shown=not as_json and sys.stderr.isatty()) as progress:
             found = study(problem, progress=progress)
     except NoReferenceError as error:
         return _without_reference(problem, error, as_json=as_json)
-    written: tuple[Path, list[str]] | None = None
-    if out is not None or not as_json:
-        written = record.new_folder(f"{name}-accuracy", out, lambda folder: _write(found, folder))
+    missing: list[str] = []
+    written = kept(
+        lambda: new_folder(f"{name}-accuracy", out, lambda at: _write(found, at, missing)), missing, wanted=wanted
+    )
     if as_json:
         from hertzwerk.runtime.accuracy_report import record as numbers
 
-        click.echo(record.json_text(numbers(found)))
+        click.echo(json_text(numbers(found)))
     else:
         _report(found, written)
-    return GOOD
+    return lacking(missing)
 
 
 def _problem(
     target: str,
     out: Path | None,
     *,
+    wanted: bool,
     settings: Sequence[str],
     without: Sequence[str],
     laws: Sequence[str],
@@ -70,15 +74,16 @@ def _problem(
     """What a command line asks for; raises InputError with the faults of all its parts."""
     from hertzwerk.runtime import scenarios
     from hertzwerk.runtime.reference import Problem
+    from hertzwerk.runtime.request import Settings, read
     from hertzwerk.runtime.start import sorted_out
 
-    faults = cannot_be_written(out)
+    faults = cannot_be_written(out, wanted=wanted)
     values = assignments("--set", settings, faults)
     model = loaded(target, without, laws, faults)
     numbers = scenarios.read(target) if target in scenarios.names() else {}
     problem = Problem(model, duration or numbers.get("duration"), *sorted_out(model, values))
     try:
-        problem(tolerance=1e-3, max_steps=1)  # reads the rest of the input completely, and no more
+        read(model, Settings(problem.duration, None, 1e-3, "dop853", False), problem.parameters, problem.initial)
     except InputError as error:
         raise InputError(error.subject, [*faults, *error.faults]) from error
     if faults:
@@ -86,18 +91,19 @@ def _problem(
     return problem
 
 
-def _write(found: Study, folder: Path) -> list[str]:
+def _write(found: Study, folder: Path, missing: list[str]) -> list[str]:
     """Data and picture of a study."""
     from hertzwerk.runtime.accuracy_report import csv_text
     from hertzwerk.runtime.accuracy_report import record as numbers
+    from hertzwerk.runtime.folder import attempted
     from hertzwerk.runtime.plot_accuracy import save
     from hertzwerk.runtime.record import json_text, versions
 
     (folder / "accuracy.csv").write_text(csv_text(found), encoding="utf-8")
     content = {**numbers(found), "versions": versions()}
     (folder / "accuracy.json").write_text(json_text(content) + "\n", encoding="utf-8")
-    save(found, folder / "accuracy.png")
-    return ["accuracy.csv", "accuracy.json", "accuracy.png"]
+    missing += attempted("accuracy.png", lambda: save(found, folder / "accuracy.png"))
+    return ["accuracy.csv", "accuracy.json", *([] if missing else ["accuracy.png"])]
 
 
 def _report(found: Study, written: tuple[Path, list[str]] | None) -> None:

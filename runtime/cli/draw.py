@@ -43,6 +43,7 @@ def draw(
     from hertzwerk.runtime.build import built_in_scenes
     from hertzwerk.runtime.draw import picture
     from hertzwerk.runtime.draw.sheet import sheet
+    from hertzwerk.runtime.folder import unwritable
     from hertzwerk.runtime.solution import write
 
     faults: list[Fault] = []
@@ -55,6 +56,9 @@ def draw(
     path = out or Path(f"{Path(names[0]).stem}.png" if len(names) == 1 else "mechanisms.png")
     if path.exists() and not overwrite:
         faults.append(Fault("--out", f"{path}, which exists", "a new file", "name another, or say --overwrite"))
+    hindrance = unwritable(path.absolute().parent)
+    if hindrance is not None:
+        faults.append(Fault("--out", hindrance, "a file in a folder that can be written to"))
     if faults:
         raise InputError("draw", faults)
     seen = [_places(name, values, duration, start) for name in names]

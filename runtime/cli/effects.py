@@ -10,7 +10,7 @@ import click
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.cli.target import DURATION, JSON, LAW, SET, WITHOUT, assignments, cannot_be_written, number
-from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
+from hertzwerk.runtime.cli.terminal import OTHER_OUTCOME, Progress, kept, lacking, line, reports_bad_input, table
 from hertzwerk.runtime.effects.study import percent
 
 if TYPE_CHECKING:
@@ -54,27 +54,32 @@ def effects(target: str, out: Path | None, no_plots: bool, as_json: bool, **opti
 
     A change is of the scene without the effect, relative to the whole scene. One that is smaller than the error of both is none seen.
     """
-    from hertzwerk.runtime import record
+    from hertzwerk.runtime.folder import new_folder
+    from hertzwerk.runtime.record import json_text
 
-    study = _study(target, out, quiet=as_json, **options)
-    folder: tuple[Path, list[str]] | None = None
-    if (out is not None or not as_json) and study.rows:
-        folder = record.new_folder(f"{study.scene}-effects", out, lambda at: _write(study, at, plots=not no_plots))
+    wanted = out is not None or not as_json
+    study = _study(target, out, quiet=as_json, wanted=wanted, **options)
+    missing: list[str] = []
+    folder = kept(
+        lambda: new_folder(f"{study.scene}-effects", out, lambda at: _write(study, at, missing, plots=not no_plots)),
+        missing,
+        wanted=wanted and bool(study.rows),
+    )
     if as_json:
-        click.echo(record.json_text(study.record()))
+        click.echo(json_text(study.record()))
     else:
         _report(study)
     if folder is not None and not as_json:
         line("written", f"{folder[0]}/ ({', '.join(folder[1])})")
-    return GOOD if study.outcome.finished else OTHER_OUTCOME
+    return lacking(missing) if study.outcome.finished else OTHER_OUTCOME
 
 
-def _study(target: str, out: Path | None, *, quiet: bool, **options: Any) -> Study:
+def _study(target: str, out: Path | None, *, quiet: bool, wanted: bool, **options: Any) -> Study:
     """The study that a command line asks for; raises InputError."""
     from hertzwerk.runtime import scenarios
     from hertzwerk.runtime.effects.leaving_out import study_effects
 
-    faults = cannot_be_written(out)
+    faults = cannot_be_written(out, wanted=wanted)
     values = assignments("--set", options["settings"], faults)
     laws = assignments("--law", options["laws"], faults)
     within = None if options["within"] is None else _fraction(options["within"], faults)
@@ -112,7 +117,8 @@ def _fraction(text: str, faults: list[Fault]) -> float | None:
     return None
 
 
-def _write(study: Study, folder: Path, *, plots: bool) -> list[str]:
+def _write(study: Study, folder: Path, missing: list[str], *, plots: bool) -> list[str]:
+    from hertzwerk.runtime.folder import attempted
     from hertzwerk.runtime.record import json_text
 
     (folder / "effects.json").write_text(json_text(study.record()) + "\n", encoding="utf-8")
@@ -120,8 +126,8 @@ def _write(study: Study, folder: Path, *, plots: bool) -> list[str]:
         return ["effects.json"]
     from hertzwerk.runtime.plot_effects import save
 
-    save(study, folder / "effects.png")
-    return ["effects.json", "effects.png"]
+    missing += attempted("effects.png", lambda: save(study, folder / "effects.png"))
+    return ["effects.json", *([] if missing else ["effects.png"])]
 
 
 # -- as people read it -------------------------------------------------------------------------------------------------

@@ -12,7 +12,7 @@ import click
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.cli.target import cannot_be_written
-from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
+from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, kept, lacking, line, reports_bad_input, table
 
 if TYPE_CHECKING:
     from hertzwerk.derive.sheet import Formula, Restitution, Sheet
@@ -140,32 +140,39 @@ def _print_restitution(found: Restitution) -> None:
 
 
 def _study(names: Sequence[str], out: Path | None, *, plots: bool, as_json: bool) -> int:
-    from hertzwerk.runtime import record
+    from hertzwerk.runtime.folder import new_folder
+    from hertzwerk.runtime.record import json_text
     from hertzwerk.runtime.restitution import study
+
+    wanted = out is not None or not as_json
 
     faults = (
         [Fault("laws", f"--restitution and {names[0]}", "one of them: the study is of every damping law")]
         if names
         else []
     )
-    faults += cannot_be_written(out)
+    faults += cannot_be_written(out, wanted=wanted)
     if faults:
         raise InputError("laws", faults)
     with Progress("restitution", shown=not as_json and sys.stderr.isatty()) as progress:
         found = study(progress)
-    written: tuple[Path, list[str]] | None = None
-    if out is not None or not as_json:
-        written = record.new_folder("restitution", out, lambda folder: _write(found, folder, plots=plots))
+    missing: list[str] = []
+    written = kept(
+        lambda: new_folder("restitution", out, lambda at: _write(found, at, missing, plots=plots)),
+        missing,
+        wanted=wanted,
+    )
     if as_json:
-        click.echo(record.json_text(found.record()))
+        click.echo(json_text(found.record()))
     else:
         _report(found)
     if written is not None and not as_json:
         line("written", f"{written[0]}/ ({', '.join(written[1])})")
-    return GOOD if found.agrees else OTHER_OUTCOME
+    return lacking(missing) if found.agrees else OTHER_OUTCOME
 
 
-def _write(found: Study, folder: Path, *, plots: bool) -> list[str]:
+def _write(found: Study, folder: Path, missing: list[str], *, plots: bool) -> list[str]:
+    from hertzwerk.runtime.folder import attempted
     from hertzwerk.runtime.record import json_text
 
     texts = {"restitution.csv": found.csv(), "restitution.json": json_text(found.record()) + "\n"}
@@ -175,8 +182,8 @@ def _write(found: Study, folder: Path, *, plots: bool) -> list[str]:
         return list(texts)
     from hertzwerk.runtime.plot_laws import save
 
-    save(found, folder / "restitution.png")
-    return [*texts, "restitution.png"]
+    missing += attempted("restitution.png", lambda: save(found, folder / "restitution.png"))
+    return [*texts, *([] if missing else ["restitution.png"])]
 
 
 def _report(found: Study) -> None:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from hertzwerk.derive.faults import InputError
+from hertzwerk.runtime.cli.stopping import Stopping
 from hertzwerk.runtime.cli.target import (
     DURATION,
     JSON,
@@ -21,7 +22,7 @@ from hertzwerk.runtime.cli.target import (
     loaded,
     number,
 )
-from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input
+from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, kept, lacking, line, reports_bad_input
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.solution import Solution
@@ -57,26 +58,45 @@ if TYPE_CHECKING:
 @click.option(
     "--out", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-NNN)."
 )
+@click.option("--csv", is_flag=True, help="Write states.csv however large it is (default: up to 50 MB).")
 @click.option("--no-plots", is_flag=True, help="Write the data only.")
 @JSON
 @reports_bad_input
-def run(target: str, out: Path | None, no_plots: bool, as_json: bool, averages: bool, **options: Any) -> int:
-    """Simulate TARGET and write data and plots into one new folder."""
+def run(target: str, out: Path | None, csv: bool, no_plots: bool, as_json: bool, averages: bool, **options: Any) -> int:
+    """Simulate TARGET and write data and plots into one new folder.
+
+    Ctrl-C, or SIGTERM, ends it at once before the first steps (exit code 130); from then on it ends the computing, and what there is is written.
+    """
     from hertzwerk.runtime import record
 
-    solution = _simulate(target, out, quiet=as_json, **options)
-    folder: tuple[Path, list[str]] | None = None
-    if out is not None or not as_json:
-        folder = record.write(solution, out, plots=not no_plots, averages=averages)
+    wanted = out is not None or not as_json
+    with (
+        Progress(target, shown=not as_json and sys.stderr.isatty()) as progress,
+        Stopping(progress) as stopping,
+    ):
+        solution = _simulate(target, out, wanted, stopping, **options)
+        if solution.outcome.name == "interrupted" and not solution.statistics.steps:
+            raise KeyboardInterrupt
+        missing: list[str] = []
+        written = kept(
+            lambda: record.write(solution, out, plots=not no_plots, csv=csv, averages=averages, stopping=stopping),
+            missing,
+            wanted=wanted,
+        )
+    if written is not None:
+        missing += written.missing
     if as_json:
         click.echo(record.json_text(record.summary(solution, averages=averages)))
-    else:
-        _report(solution)
-        for average in solution.averages() if averages else ():
+        return lacking(missing) if solution.outcome.finished else OTHER_OUTCOME
+    _report(solution)
+    if written is not None:
+        for average in written.averages:
             line("average", str(average))
-    if folder is not None and not as_json:
-        line("written", f"{folder[0]}/ ({', '.join(folder[1])})")
-    return GOOD if solution.outcome.finished else OTHER_OUTCOME
+        for text in written.left_out:
+            line("left out", text)
+        line("written", f"{written.folder}/ ({', '.join(written.files)})")
+    code = lacking(missing)
+    return code if solution.outcome.finished else OTHER_OUTCOME
 
 
 @click.command()
@@ -103,8 +123,9 @@ def validate(targets: tuple[str, ...]) -> int:
 def _simulate(
     target: str,
     out: Path | None,
+    wanted: bool,
+    stopping: Stopping,
     *,
-    quiet: bool,
     settings: Sequence[str],
     without: Sequence[str],
     laws: Sequence[str],
@@ -116,37 +137,36 @@ def _simulate(
 ) -> Solution:
     """The solution a command line asks for; raises InputError with the faults of all its parts."""
     from hertzwerk.runtime import scenarios
-    from hertzwerk.runtime.request import Settings
+    from hertzwerk.runtime.request import Settings, read
     from hertzwerk.runtime.simulation import simulate
     from hertzwerk.runtime.start import sorted_out
 
-    faults = cannot_be_written(out)
+    faults = cannot_be_written(out, wanted=wanted)
     values = assignments("--set", settings, faults)
     numbers = scenarios.read(target) if target in scenarios.names() else {}
     accurate = number(accuracy) if accuracy is not None else numbers.get("accuracy")
     by = method or numbers.get("method", "dop853")
-    settled = Settings(duration, accurate, None, by, "auto")
+    stopping.stage("building")
+    output = "steps" if grid is None else int(grid) if grid.isdecimal() and len(grid) < 16 else grid
+    settled = Settings(duration or numbers.get("duration"), accurate, None, by, "auto", output)
     model = loaded(target, without, laws, faults, coordinates=coordinates, beside=settled.faults)
     parameters, initial = sorted_out(model, values)
-    limits: dict[str, Any] = {"max_steps": 1} if faults else {}  # reads the rest of the input completely, and no more
-    with Progress(model.name, shown=not quiet and sys.stderr.isatty()) as progress:
-        try:
-            solution = simulate(
-                model,
-                duration=duration or numbers.get("duration"),
-                accuracy=accurate,
-                method=by,
-                parameters=parameters,
-                initial=initial,
-                output="steps" if grid is None else int(grid) if grid.isdecimal() and len(grid) < 16 else grid,
-                progress=progress,
-                **limits,
-            )
-        except InputError as error:
-            raise InputError(error.subject, [*faults, *error.faults]) from error
+    try:
+        read(model, settled, parameters, initial)
+    except InputError as error:
+        raise InputError(error.subject, [*faults, *error.faults]) from error
     if faults:
         raise InputError(model.name, faults)
-    return solution
+    return simulate(
+        model,
+        duration=settled.duration,
+        accuracy=accurate,
+        method=by,
+        parameters=parameters,
+        initial=initial,
+        output=output,
+        progress=stopping,
+    )
 
 
 def _report(solution: Solution) -> None:

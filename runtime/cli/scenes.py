@@ -53,6 +53,7 @@ def derive(
     """Derive the equations of TARGET, check every unit, and write the generated module."""
     from hertzwerk.runtime import regenerate
     from hertzwerk.runtime.build import built_in_scenes
+    from hertzwerk.runtime.folder import unwritable
 
     if show or as_json:
         _refuse_beside_show({"--check": check, "--out": out is not None, "--json without --show": not show})
@@ -69,6 +70,9 @@ def derive(
     if show:
         return _show(targets, coordinates, as_json=as_json)
     folder = out if out is not None else regenerate.repository_folder(targets)
+    hindrance = unwritable(folder)
+    if hindrance is not None:
+        raise InputError("derive", [Fault("--out", hindrance, "a folder that can be written to")])
     for path in regenerate.write(regenerate.derived(targets, coordinates), folder):
         line("written", str(path))
     return GOOD

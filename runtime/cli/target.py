@@ -57,11 +57,11 @@ def loaded(
         raise InputError(error.subject, [*faults, *error.faults, *beside()]) from error
 
 
-def cannot_be_written(out: Path | None) -> list[Fault]:
-    """Why nothing can be written to the folder that --out names."""
-    from hertzwerk.runtime.record import destination_fault
+def cannot_be_written(out: Path | None, *, wanted: bool = True) -> list[Fault]:
+    """Why nothing can be written to the folder that --out names, or to runs/ where a folder is wanted anyway."""
+    from hertzwerk.runtime.folder import destination_fault
 
-    fault = None if out is None else destination_fault(out)
+    fault = destination_fault(out) if wanted or out is not None else None
     return [] if fault is None else [fault]
 
 

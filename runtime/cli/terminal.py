@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import contextlib
+import shutil
 import sys
 import time
 from collections.abc import Callable, Sequence
 from types import TracebackType
-from typing import Any, Self
+from typing import Any, Self, TypeVar
 
 import click
 
 from hertzwerk.derive.faults import InputError
+
+Kept = TypeVar("Kept")
 
 GOOD, OTHER_OUTCOME, BAD_INPUT = 0, 1, 2
 COLOURS = {
@@ -28,11 +32,13 @@ COLOURS = {
     "remedy": "yellow",
     "written": "cyan",
 }
-BAR_AFTER = 0.5  # s; what is done sooner needs no bar
+BAR_AFTER, BETWEEN = 0.5, 0.1  # s: what is done sooner needs no bar; between two looks of it
+BAR, LONGEST = 30, 1e5  # characters; s: what is foreseen to take longer is not foreseen
+INTERRUPTED = 130  # exit code: as a shell says of what ended by SIGINT
 
 
 def reports_bad_input(command: Callable[..., int]) -> Callable[..., None]:
-    """A command whose InputError becomes one message and exit code 2, and so does a file that cannot be read or written."""
+    """A command whose InputError becomes one message and exit code 2, and so does a file that cannot be read or written; Ctrl-C is exit code 130."""
 
     def guarded(*args: Any, **options: Any) -> None:
         try:
@@ -45,11 +51,31 @@ def reports_bad_input(command: Callable[..., int]) -> Callable[..., None]:
                 raise
             click.echo(f"{click.style('error', fg='red')}  {error}", err=True)
             code = BAD_INPUT
+        except KeyboardInterrupt:
+            code = INTERRUPTED
         click.get_current_context().exit(code)
 
     guarded.__doc__ = command.__doc__
     guarded.__name__ = command.__name__
     return guarded
+
+
+def kept(write: Callable[[], Kept], missing: list[str], *, wanted: bool) -> Kept | None:
+    """What `write` returns, if it is wanted; results that cannot be written are shown all the same, and `missing` says why."""
+    if not wanted:
+        return None
+    try:
+        return write()
+    except (OSError, InputError) as error:
+        missing.append(str(error))
+        return None
+
+
+def lacking(missing: Sequence[str]) -> int:
+    """Say what is missing of what should have been written, and the exit code of that."""
+    for text in missing:
+        click.echo(f"{click.style('warning', fg='yellow')}  {text}", err=True)
+    return OTHER_OUTCOME if missing else GOOD
 
 
 def line(label: str, text: str) -> None:
@@ -81,13 +107,12 @@ def table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
 
 
 class Progress:
-    """Called with the fraction done; shows a bar on a terminal once the work proves long."""
+    """Called with the fraction done; on a terminal one line of standard error says what is being done, and how far it is."""
 
     def __init__(self, title: str, *, shown: bool) -> None:
-        self._title = title
-        self._shown = shown
-        self._start = time.perf_counter()
-        self._bar: Any = None
+        self._title, self._shown = title, shown
+        self._stage, self._width = "", 0
+        self._start = self._told = time.perf_counter()
 
     def __enter__(self) -> Self:
         return self
@@ -95,25 +120,36 @@ class Progress:
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        if self._bar is not None:
-            self._bar.stop()
+        self._tell("")
+
+    def stage(self, name: str) -> None:
+        """What is being done from now on; it is told at once, as it may keep this process from telling anything more for a while."""
+        self._stage, self._start = name, time.perf_counter()
+        self._tell(f"{self._title}: {name}")
 
     def __call__(self, fraction: float) -> None:
-        """Show the fraction done."""
-        if not self._shown or (self._bar is None and time.perf_counter() - self._start < BAR_AFTER):
+        """Show the fraction done, and how long the rest will take."""
+        now = time.perf_counter()
+        if now - self._told < BETWEEN or now - self._start < BAR_AFTER:
             return
-        if self._bar is None:
-            from rich.console import Console
-            from rich.progress import Progress as Bar
-
-            self._bar = Bar(console=Console(stderr=True), transient=True)
-            self._task = self._bar.add_task(self._title, total=1.0)
-            self._bar.start()
-        self._bar.update(self._task, completed=fraction)
+        left = (now - self._start) * (1 / max(fraction, 1e-9) - 1)
+        rest = f"{left // 60:.0f}:{left % 60:02.0f} to go" if left < LONGEST else ""
+        bar = "#" * round(BAR * min(fraction, 1))
+        stage = f"{self._title}: {self._stage}" if self._stage else self._title
+        self._tell(f"{stage}  [{bar:-<{BAR}}] {fraction:4.0%}  {rest}")
 
     def aside(self, report: Callable[[], object]) -> None:
-        """Let something print while a bar is up: the bar goes, and comes back with the next call."""
-        if self._bar is not None:
-            self._bar.stop()
-            self._bar = None
+        """Let something print while the line is there: it goes, and comes back with the next call."""
+        self._tell("")
         report()
+
+    def _tell(self, text: str) -> None:
+        """Put a text in place of the line; the cursor stays visible, so that a process which is killed leaves the terminal as it was."""
+        if not self._shown or (not text and not self._width):
+            return
+        self._told = time.perf_counter()
+        text = text.rstrip()[: shutil.get_terminal_size().columns - 1]
+        with contextlib.suppress(OSError):  # the terminal may be gone
+            sys.stderr.write(f"\r{text:<{self._width}}\r{text}")
+            sys.stderr.flush()
+        self._width = len(text)

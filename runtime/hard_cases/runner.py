@@ -18,6 +18,7 @@ import numpy as np
 from hertzwerk.runtime.hard_cases.invariants import Measured, measure
 from hertzwerk.runtime.integrate.compiled import available
 from hertzwerk.runtime.integrate.methods import SUNDIALS
+from hertzwerk.runtime.interrupt import raised
 from hertzwerk.runtime.request import Compiled
 from hertzwerk.runtime.simulation import simulate
 
@@ -128,15 +129,25 @@ def results(jobs: Sequence[tuple[HardCase, Sequence[str]]], workers: int | None 
         for method, cases in work:
             yield from (result(case, method) for case in cases)
         return
+    others = multiprocessing.active_children()
     executor = ProcessPoolExecutor(cores, multiprocessing.get_context("fork"), _enter, (work,))
     try:
-        with warnings.catch_warnings():  # Python 3.12 and later warn of threads when forking: NumPy's see to themselves
-            warnings.simplefilter("ignore", DeprecationWarning)
-            futures = [executor.submit(_results, i) for i in range(len(work))]
-        for future in as_completed(futures):
-            yield from future.result()
+        with raised():
+            yield from _as_done(executor, len(work))
+    except KeyboardInterrupt:
+        for process in set(multiprocessing.active_children()) - set(others):
+            process.terminate()  # a case takes minutes
+        raise
     finally:
         executor.shutdown(wait=True, cancel_futures=True)
+
+
+def _as_done(executor: ProcessPoolExecutor, count: int) -> Iterator[Result]:
+    with warnings.catch_warnings():  # Python 3.12 and later warn of threads when forking: NumPy's see to themselves
+        warnings.simplefilter("ignore", DeprecationWarning)
+        futures = [executor.submit(_results, i) for i in range(count)]
+    for future in as_completed(futures):
+        yield from future.result()
 
 
 _work: list[Work] = []  # of a worker process, which has it from being forked

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -29,13 +30,13 @@ class Code:
     def __post_init__(self) -> None:
         self.machine = Callers(self.function)
 
-    def compile(self) -> Callers:
-        """Callers of the C version; raises NoCompilerError."""
+    def compile(self, heed: Callable[[], object] = lambda: None) -> Callers:
+        """Callers of the C version; raises NoCompilerError, and what `heed` raises, which is called while it is compiled."""
         if self.native is None:
-            self.native = Callers(self._made().load())
+            self.native = Callers(self._made().load(heed))
         return self.native
 
-    def worthwhile(self, elapsed: float, ahead: float) -> Callers | None:
+    def worthwhile(self, elapsed: float, ahead: float, heed: Callable[[], object] = lambda: None) -> Callers | None:
         """Callers of the C version, compiled now, if that saves time for a run that took `elapsed` and has `ahead` [s] to go uncompiled."""
         if self.native is not None:
             return self.native
@@ -45,7 +46,7 @@ class Code:
 
         try:
             needed = self._made().seconds
-            return self.compile() if GAIN * ahead > needed and elapsed >= SURE * needed else None
+            return self.compile(heed) if GAIN * ahead > needed and elapsed >= SURE * needed else None
         except NoCompilerError:
             self._impossible = True
             return None
@@ -71,12 +72,12 @@ class Gear:
         """Whether it is C now."""
         return self.callers is not self._code.machine
 
-    def changed(self, elapsed: float, ahead: float) -> bool:
+    def changed(self, elapsed: float, ahead: float, heed: Callable[[], object]) -> bool:
         """Whether `callers` are others from now on."""
         if not self._changes or self.compiled or ahead < LOOK:
             return False
         began = time.perf_counter()
-        better = self._code.worthwhile(elapsed, ahead)
+        better = self._code.worthwhile(elapsed, ahead, heed)
         self.compile_s += time.perf_counter() - began
         if better is None:
             return False

@@ -13,6 +13,7 @@ import numpy as np
 from hertzwerk.runtime.caller import Callers
 from hertzwerk.runtime.integrate.attempt import Integrator
 from hertzwerk.runtime.integrate.layout import RUNNING, TOO_MANY_STEPS
+from hertzwerk.runtime.interrupt import deferred
 
 SIZE = (16, 16)  # attempts per call: so many calls of a function that makes so many attempts
 INTERRUPTED, WALL_TIME_LIMIT = TOO_MANY_STEPS + 1, TOO_MANY_STEPS + 2  # statuses that only the loop can give
@@ -50,8 +51,8 @@ class Shift(Protocol):
 
     callers: Callers
 
-    def changed(self, elapsed: float, ahead: float) -> bool:
-        """Whether `callers` are others from now on, after `elapsed` with about `ahead` [s] to go."""
+    def changed(self, elapsed: float, ahead: float, heed: Callable[[], object]) -> bool:
+        """Whether `callers` are others from now on, after `elapsed` with about `ahead` [s] to go; what takes long calls `heed` now and then."""
 
 
 def march(
@@ -64,7 +65,7 @@ def march(
     wall_time: float = np.inf,
     progress: Callable[[float], object] | None = None,
 ) -> Ending:
-    """Call a chunk until the run is over; KeyboardInterrupt ends it with what there is.
+    """Call a chunk until the run is over; KeyboardInterrupt, raised between two calls or by `progress`, ends it with what there is.
 
     keep    is given the accepted states in order, some at a time: rows (n, ns) of its own
     """
@@ -76,32 +77,38 @@ def march(
     callers = gear.callers
     call = callers.take()
     call.inputs[1][:] = controls
-    keep(state[None, :].copy())
-    start = time.perf_counter()
+    start, done = time.perf_counter(), 0.0
     outcome = int(state[status])
+
+    def heed() -> None:
+        interrupts()
+        if progress is not None:
+            progress(done)
+
     try:
-        while outcome == RUNNING:
-            call.inputs[0][:] = state
-            (states,) = call()
-            state = states[-1].copy()
-            outcome = int(state[status])
-            stop = len(states)
-            if outcome != RUNNING:
-                stop = int(np.argmax(states[:, status] != RUNNING)) + 1
-            part = states[:stop]
-            keep(part[part[:, accepted] == 1])
-            elapsed = time.perf_counter() - start
-            if outcome == RUNNING and elapsed > wall_time:
-                outcome = WALL_TIME_LIMIT
-            done = (float(state[t]) - t_start) / (t_end - t_start)
-            if progress is not None:
-                progress(done)
-            done = max(done, float(state[steps]) / max_steps, 1e-9)
-            if outcome == RUNNING and gear.changed(elapsed, min(elapsed / done, wall_time) - elapsed):
-                callers.give_back(call)
-                callers = gear.callers
-                call = callers.take()
-                call.inputs[1][:] = controls
+        with deferred() as interrupts:
+            keep(state[None, :].copy())
+            while outcome == RUNNING:
+                call.inputs[0][:] = state
+                (states,) = call()
+                state = states[-1].copy()
+                outcome = int(state[status])
+                stop = len(states)
+                if outcome != RUNNING:
+                    stop = int(np.argmax(states[:, status] != RUNNING)) + 1
+                part = states[:stop]
+                keep(part[part[:, accepted] == 1])
+                elapsed = time.perf_counter() - start
+                if outcome == RUNNING and elapsed > wall_time:
+                    outcome = WALL_TIME_LIMIT
+                done = (float(state[t]) - t_start) / (t_end - t_start)
+                heed()
+                pace = max(done, float(state[steps]) / max_steps, 1e-9)
+                if outcome == RUNNING and gear.changed(elapsed, min(elapsed / pace, wall_time) - elapsed, heed):
+                    callers.give_back(call)
+                    callers = gear.callers
+                    call = callers.take()
+                    call.inputs[1][:] = controls
     except KeyboardInterrupt:
         outcome = INTERRUPTED
     callers.give_back(call)

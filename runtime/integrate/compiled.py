@@ -10,8 +10,10 @@ import hashlib
 import os
 import platform
 import shutil
+import signal
 import subprocess
 import tempfile
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -19,6 +21,7 @@ from typing import Any
 import casadi as ca
 
 from hertzwerk.runtime import cache as disk
+from hertzwerk.runtime.interrupt import raised
 from hertzwerk.runtime.scratch import scratch_folder
 
 FLAGS = (
@@ -26,6 +29,7 @@ FLAGS = (
     *("-fno-semantic-interposition", "-fPIC", "-shared", "-w"),  # the first lets CasADi's small functions be inlined
 )
 LARGE = 1_500_000  # characters of C up to which -O3 is worth its compilation; 10 pairs: 1.1 million, 1.5 times as fast as with -O1
+PATIENCE = 0.1  # s between two looks at whether to stop
 COMPILE_S, COMPILE_S_PER_CHARACTER = 0.8, {"-O1": 5e-6, "-O3": 13e-6}  # within a fifth of what one and ten pairs take
 
 
@@ -52,13 +56,13 @@ class Program:
         ready = self._library is not None
         return 0.0 if ready else COMPILE_S + COMPILE_S_PER_CHARACTER[self._level] * len(self._text)
 
-    def load(self) -> Any:
-        """The compiled function, compiled now if need be; raises NoCompilerError."""
+    def load(self, heed: Callable[[], object] = lambda: None) -> Any:
+        """The compiled function, compiled now if need be; raises NoCompilerError, and what `heed` raises, which is called now and then."""
         if self._library is not None:
             return _load(self._function, self._library)
         try:
-            with scratch_folder(Path(tempfile.gettempdir())) as folder:
-                made = _compile(self._compiler, self._flags, self._text, folder)
+            with raised(), scratch_folder(Path(tempfile.gettempdir())) as folder:
+                made = _compile(self._compiler, self._flags, self._text, folder, heed)
                 self._library = disk.keep(self._key, ".so", made.read_bytes())
                 return _load(self._function, self._library or made)  # what is loaded needs no file any more
         except OSError as error:
@@ -88,15 +92,35 @@ def _c_text(function: Any) -> str:
     return text
 
 
-def _compile(compiler: str, flags: tuple[str, ...], text: str, folder: Path) -> Path:
-    """Compile C text to a library in a folder; raises NoCompilerError, OSError."""
+def _compile(
+    compiler: str, flags: tuple[str, ...], text: str, folder: Path, heed: Callable[[], object] = lambda: None
+) -> Path:
+    """Compile C text to a library in a folder; raises NoCompilerError, OSError, and what `heed` raises."""
     source, target = folder / "chunk.c", folder / "chunk.so"
     source.write_text(text, encoding="utf-8")
     command = [compiler, *flags, "-o", str(target), str(source), "-lm"]
-    run = subprocess.run(command, capture_output=True, text=True, check=False)
-    if run.returncode != 0:
-        raise NoCompilerError(f"{' '.join(command)} failed:\n{run.stderr.strip()[:2000]}")
+    said, returncode = _run(command, heed)
+    if returncode != 0:
+        raise NoCompilerError(f"{' '.join(command)} failed:\n{said.strip()[:2000]}")
     return target
+
+
+def _run(command: list[str], heed: Callable[[], object]) -> tuple[str, int]:
+    """What a command says on standard error, and its exit code; ended with all it has started where `heed`, called meanwhile, raises."""
+    group = 0 if os.name == "posix" else None  # a compiler has children
+    null, pipe = subprocess.DEVNULL, subprocess.PIPE
+    with subprocess.Popen(command, stdout=null, stderr=pipe, text=True, process_group=group) as run:
+        try:
+            while True:
+                try:
+                    return run.communicate(timeout=PATIENCE)[1], run.returncode
+                except subprocess.TimeoutExpired:
+                    heed()
+        except BaseException:
+            if group is not None:
+                os.killpg(run.pid, signal.SIGKILL)
+            run.kill()
+            raise
 
 
 @cache

@@ -34,6 +34,7 @@ from hertzwerk.runtime.integrate.layout import (
     TOO_MANY_STEPS,
     Layouts,
 )
+from hertzwerk.runtime.interrupt import deferred
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model import Model
@@ -100,17 +101,19 @@ def march(
     run = _Run(functions, state, controls)
     start, status = time.perf_counter(), RUNNING
     row = state
-    keep(row[None, :])
     try:
-        for row in run.rows():
+        with deferred() as interrupts:
             keep(row[None, :])
-            if progress is not None:
-                progress(run.t / run.t_end)
-            if time.perf_counter() - start > wall_time:
-                status = WALL_TIME_LIMIT
-                break
-        else:
-            status = run.status
+            for row in run.rows():
+                keep(row[None, :])
+                interrupts()
+                if progress is not None:
+                    progress(run.t / run.t_end)
+                if time.perf_counter() - start > wall_time:
+                    status = WALL_TIME_LIMIT
+                    break
+            else:
+                status = run.status
     except KeyboardInterrupt:
         status = INTERRUPTED
     return Ending(row, status, time.perf_counter() - start)

@@ -1,0 +1,81 @@
+"""Being stopped: from the first accepted step on, a signal ends the computing, and what there is is written."""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from types import FrameType, TracebackType
+from typing import TYPE_CHECKING, Any, Self
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.cli.terminal import Progress
+
+SIGNALS = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
+AGAIN = 1.0  # s after which a signal is another one, and no second stroke of an impatient hand
+
+
+class Stopping:
+    """Between entering and leaving, a signal that comes after the first call, which says that steps have been accepted, only asks to stop.
+
+    Calls pass the fraction done on to `progress`, and raise KeyboardInterrupt once it was asked for. A later signal raises where it strikes.
+    """
+
+    def __init__(self, progress: Progress) -> None:
+        self._progress = progress
+        self._before: dict[int, Any] = {}
+        self._asked: float | None = None  # when [s]
+        self._raises = False
+
+    def __enter__(self) -> Self:
+        if threading.current_thread() is threading.main_thread():
+            before = {number: signal.getsignal(number) for number in SIGNALS}
+            self._before = {number: handler for number, handler in before.items() if handler is not signal.SIG_IGN}
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        for number, before in self._before.items():
+            signal.signal(number, before)
+
+    @property
+    def asked(self) -> bool:
+        """Whether it was asked to stop."""
+        return self._asked is not None
+
+    def __call__(self, fraction: float) -> None:
+        """The fraction done of a run that has accepted steps."""
+        for number in self._before:
+            if signal.getsignal(number) != self._ask:
+                signal.signal(number, self._ask)
+        if self.asked:
+            raise KeyboardInterrupt
+        self._progress(fraction)
+
+    def stage(self, name: str) -> None:
+        """What is being done from now on."""
+        self._progress.stage(name)
+
+    @contextmanager
+    def at_once(self) -> Iterator[None]:
+        """Within, a signal raises KeyboardInterrupt where it strikes: nothing is lost by that."""
+        self._raises = True
+        try:
+            yield
+        finally:
+            self._raises = False
+
+    def _ask(self, number: int, frame: FrameType | None) -> None:
+        now = time.monotonic()
+        again = self._asked is not None and now - self._asked > AGAIN
+        if self._asked is None:
+            self._asked = now
+            if sys.stderr.isatty():  # not by print: the signal may have come while it was printing
+                os.write(2, b"\nstopping: what there is is written; once more, and it is not\n")
+        if self._raises or again:
+            raise KeyboardInterrupt
