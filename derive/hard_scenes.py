@@ -11,6 +11,7 @@ from itertools import pairwise
 
 import sympy as sp
 
+from hertzwerk.derive.effects.forces import JointForce
 from hertzwerk.derive.impact import impact_scene
 from hertzwerk.derive.laws import coulomb, exact, flores, kelvin_voigt, lugre, power, ristow, smooth_coulomb
 from hertzwerk.derive.laws.law import BoundLaw, DampingLaw
@@ -83,6 +84,41 @@ def row_of_spheres(count: int) -> Scene:
         ),
         scales=Scales(length=_depth(_MASS / 2), speed=_SPEED),
         summary=f"a sphere meets a row of {count - 1}",
+    )
+
+
+def touching_row(count: int) -> Scene:
+    """Equal spheres that touch, pressed together from both ends or not at all, struck at either end; each coordinate begins where its sphere touches.
+
+    So that a gap is a small difference of large lengths, though the coordinates are small.
+    """
+    preload = Parameter("preload", "N", 0, "that presses the row together from both ends")
+    last_speed = Parameter("last_speed", "m/s", 0, "of the last sphere at the start")
+    spheres = [Body(f"sphere_{i}", mass=_MASS) for i in range(1, count + 1)]
+    joints = [
+        Prismatic(f"path_{i}", GROUND.at(2 * (i - 1) * _RADIUS, 0, 0), sphere, axis=X)
+        for i, sphere in enumerate(spheres, 1)
+    ]
+    pairs = [
+        SphereOnSphere(f"pair_{i}", left.at(0, 0, 0), right.at(0, 0, 0), _RADIUS, _RADIUS)
+        for i, (left, right) in enumerate(pairwise(spheres), 1)
+    ]
+    law = power(_STIFFNESS, _EXPONENT), flores(_RESTITUTION)
+    depth = (preload / _STIFFNESS) ** (1 / _EXPONENT)
+    return Scene(
+        Mechanism(f"touching_row_of_{count}", joints=tuple(joints), pairs=tuple(pairs)),
+        effects=(
+            *(Contact(pair.name, *law) for pair in pairs),
+            JointForce("push_first", "path_1", preload),
+            JointForce("push_last", f"path_{count}", -preload),
+            EnergyLedger(),
+        ),
+        start=Start(
+            position={f"path_{i}": -(i - 1) * depth for i in range(2, count + 1)},
+            speed={"path_1": _SPEED, f"path_{count}": last_speed},
+        ),
+        scales=Scales(length=_depth(_MASS / 2), speed=_SPEED),
+        summary=f"a row of {count} spheres that touch, struck at its ends",
     )
 
 
@@ -184,6 +220,8 @@ HARD_SCENES: dict[str, Callable[[], Scene]] = {
     "grazing_ball": grazing_ball,
     "row_of_5": lambda: row_of_spheres(5),
     "row_of_50": lambda: row_of_spheres(50),
+    "touching_row_of_5": lambda: touching_row(5),
+    "touching_row_of_50": lambda: touching_row(50),
     "struck_from_both_sides": struck_from_both_sides,
     "unlike_masses": unlike_masses,
     "incline_coulomb": lambda: incline(coulomb(_FRICTION, _STATIC)),

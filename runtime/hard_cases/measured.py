@@ -97,6 +97,13 @@ TRIES: dict[str, dict[str, int]] = {
         "idas": 433,
     },
     "row_of_50": {"dopri5": 2163, "dop853": 893, "rodas": 2903, "esdirk": 2360, "auto": 893},
+    "touching_row_fine": {"dopri5": 629, "dop853": 169, "rodas": 782, "esdirk": 570, "auto": 169},
+    "touching_row_finest": {"dop853": 211, "auto": 211},
+    "touching_row_linear": {"dopri5": 480, "dop853": 68, "rodas": 365, "esdirk": 350, "auto": 68},
+    "touching_row_cubic": {"dopri5": 761, "dop853": 116, "rodas": 891, "esdirk": 649, "auto": 116},
+    "touching_row_pressed": {"dopri5": 601, "dop853": 163, "rodas": 736, "esdirk": 537, "auto": 163},
+    "two_waves_meet": {"dopri5": 582, "dop853": 128, "rodas": 707, "esdirk": 510, "auto": 128},
+    "touching_row_of_50": {"dopri5": 5916, "dop853": 1050},
     "centred_start": {
         "dopri5": 488,
         "dop853": 188,

@@ -68,7 +68,7 @@ def solve(case: HardCase, method: str, *, compiled: Compiled) -> Solution:
     return simulate(
         model_of(case.source),
         duration=case.duration,
-        tolerance=max(case.tolerance / (FINER if method in SUNDIALS else 1), FINEST),
+        tolerance=max(case.tolerance / FINER, FINEST) if method in SUNDIALS else case.tolerance,
         method=method,
         parameters=case.parameters,
         initial=case.initial,

@@ -12,14 +12,15 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
-from hertzwerk.runtime.integrate.explicit import EPS
 from hertzwerk.runtime.integrate.friction import margins, pairs_of, sized, steady
 from hertzwerk.runtime.integrate.layout import CONTACT, FLIGHT, RELEASED, Layouts
+from hertzwerk.runtime.integrate.rounding import EPS, of_gaps
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model import Model
 
 GAP = ("gap", "gap_rate", "gap_acceleration")
+ROUNDINGS = 4  # times the bound of a gap's rounding: an event is found by a few operations more
 LANDING = 1e-2  # a landing is met to this times the tolerance, in the scene's scales
 DOUBT = 0.1  # part of |quintic - cubic| that a graze must stay clear of
 NEAR = 1 / 64  # of a step: how far its end may be moved to land on a surface, by the classical method of order 4
@@ -30,18 +31,25 @@ NO_EVENT = 2.0  # theta beyond every step
 
 
 def tolerances(model: Model, run: Mapping[str, Any], t: Any, y: Any, gap_rate: Any) -> tuple[Any, Any, Any]:
-    """How closely a gap (k) [m], a gap rate [m/s] and a force [N] meet a landing: a hundredth of the tolerance, but not below rounding.
+    """How closely a gap (k) [m], a gap rate (k) [m/s] and a force (k) [N] meet a landing: a hundredth of the tolerance, but not below rounding.
 
-    A gap is rounded with the positions it is a difference of, and with the time it is landed at; a force with the gap, by the contact's stiffness.
+    A gap is rounded with the coordinates and lengths it is a difference of (`rounding`), and with the time it is landed at; a force with the gap, by
+    the contact's stiffness.
     """
     length, speed, force = (run["scales"][i] for i in range(3))
-    q, scale = y[: model.nq], run["scale"][: model.nq]
-    position = length * ca.mmax(ca.fabs(q) / scale)
-    gap = ca.fmax(
-        ca.fmax(LANDING * run["tolerance"] * length, 8 * EPS * position), 4 * EPS * ca.fabs(gap_rate) * ca.fabs(t)
-    )
+    q, u = y[: model.nq], y[model.nq : model.nq + model.nu]
+    gap_floor, rate_floor = (ROUNDINGS * bound for bound in of_gaps(model)(t, q, u, run["c"]))
     small = LANDING * run["tolerance"]
-    return gap, small * speed, ca.fmax(small, 8 * EPS * position / length) * force
+    return (
+        ca.fmax(_landing(run, t, gap_rate), gap_floor),
+        ca.fmax(small * speed, rate_floor),
+        ca.fmax(small, gap_floor / length) * force,
+    )
+
+
+def _landing(run: Mapping[str, Any], t: Any, gap_rate: Any) -> Any:
+    """The tolerance of gaps [m] without their rounding, which costs a part of an evaluation: enough to see whether a step has to be looked at."""
+    return ca.fmax(LANDING * run["tolerance"] * run["scales"][0], 4 * EPS * ca.fabs(gap_rate) * ca.fabs(t))
 
 
 def far(
@@ -51,10 +59,10 @@ def far(
     h = start["h"]
     gap0, rate0, a0 = (start[part][pairs] for part in GAP)
     gap1, rate1, a1 = (end[part][pairs] for part in GAP)
-    tol, _, _ = tolerances(model, run, end["t"], end["y"], ca.SX(0))
     rates, accelerations = ca.fabs(rate0) + ca.fabs(rate1), ca.fabs(a0) + ca.fabs(a1)
     way = (2 / 5 + DOUBT / 32) * h + 4 * EPS * ca.fabs(end["t"])
-    return ca.fmin(gap0, gap1) > tol + way * rates + (1 / 20 + DOUBT / 64) * h * h * accelerations
+    least = _landing(run, end["t"], 0) + way * rates + (1 / 20 + DOUBT / 64) * h * h * accelerations
+    return ca.fmin(gap0, gap1) > least
 
 
 def all_clear(
@@ -63,7 +71,7 @@ def all_clear(
     """1 for those of some pairs to which no event is possible in a step under modes flight or contact (k), nor just behind it: no gap near zero,
     no force that pulls."""
     h = start["h"]
-    tol, _, _ = tolerances(model, run, end["t"], end["y"], end["gap_rate"][pairs])
+    tol = _landing(run, end["t"], end["gap_rate"][pairs])
     before, after = ([x[pairs] for x in towards(mode, side)] for side in (start, end))
     b = _quintic(before, after, h)
     between = _between(before, after, h)

@@ -161,7 +161,7 @@ def directed(model: Model, t: Any, y: Any, mode: Any, m: Any, c: Any, asked: Any
     tolerance (of a speed [m/s], of a force [N]); else they stick if that takes no more than is held, else slip where they are driven to.
     broken (n): pairs that stick no longer. Those that stick are brought to rest.
     """
-    rate, force = tolerance
+    rate, force = (part[pairs_of(model)] for part in tolerance)
     now = grips(model, BY_MODE, t, y, mode, m, c)
     moving = ca.fabs(now.velocity) > rate
     slip = ca.if_else(asked, ca.if_else(moving, ca.sign(now.velocity), STICK), now.slip)
@@ -195,7 +195,8 @@ def _with_slips(model: Model, m: Any, slip: Any) -> Any:
 
 def sized(model: Model, m: Any, tol_rate: Any, tol_force: Any) -> Any:
     """Tolerance of each margin at a landing: of a speed where the pair slips, of a force where it sticks."""
-    return ca.if_else(m[slips_in(model)] == STICK, tol_force, tol_rate)
+    pairs = pairs_of(model)
+    return ca.if_else(m[slips_in(model)] == STICK, tol_force[pairs], tol_rate[pairs])
 
 
 def asked_and_broken(

@@ -84,7 +84,17 @@ def reference(model: Model, layouts: Layouts, method: str) -> Reference:
 def _directed(model: Model, p: dict[str, Any]) -> Any:
     y, asked, broken = (ca.SX.sym(name, n) for name, n in (("y", p["scale"].numel()), ("a", model.ns), ("b", model.ns)))
     given = [p["t"], y, p["mode"], p["m"], p["c"]]
-    results = directed(model, p["t"], y, p["mode"], p["m"], p["c"], asked, broken, (AT_REST, 0))
+    results = directed(
+        model,
+        p["t"],
+        y,
+        p["mode"],
+        p["m"],
+        p["c"],
+        asked,
+        broken,
+        (ca.SX(AT_REST) * ca.SX.ones(model.k), ca.SX.zeros(model.k)),
+    )
     return ca.Function("directed", [*given, asked, broken], ca.cse(list(results)))
 
 
