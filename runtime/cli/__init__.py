@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+
 import click
 
 from hertzwerk.runtime.cli.accuracy import accuracy
@@ -36,6 +38,8 @@ def main() -> None:
 
     TARGET is the name of a built-in scene (see `hertzwerk list`) or a Python file that defines `scene`; a named file is executed.
     """
+    if os.environ.get("NO_COLOR"):  # https://no-color.org
+        click.get_current_context().color = False
 
 
 for command in (list_scenes, laws, derive, audit, run, draw, effects, validate, accuracy, hardcases):

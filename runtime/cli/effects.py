@@ -10,7 +10,7 @@ import click
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.cli.target import DURATION, JSON, LAW, SET, WITHOUT, assignments, cannot_be_written, number
-from hertzwerk.runtime.cli.terminal import OTHER_OUTCOME, Progress, kept, lacking, line, reports_bad_input, table
+from hertzwerk.runtime.cli.terminal import OTHER_OUTCOME, Progress, kept, lacking, line, reports_bad_input, say, table
 from hertzwerk.runtime.effects.study import percent
 
 if TYPE_CHECKING:
@@ -153,9 +153,9 @@ def _report(study: Study) -> None:
     click.echo()
     columns = ("effect", "in flight", "in contact", "states", "events", "time")
     table((*columns, *(output.name for output in study.outputs)), [_cells(study, row) for row in study.rows])
-    click.echo(
-        "\nTo the left what an effect costs: operations of one evaluation, states, event functions, share of the time. Then what leaving it\n"
-        "out changes, relative to the whole scene; none seen: less than the error."
+    say(
+        "\nWhat an effect costs: operations of one evaluation, states, event functions, share of the time. "
+        "Then what leaving it out changes, relative to the whole scene; none seen: less than the error."
     )
     for row in study.rows:
         for note in _notes(row):
@@ -193,7 +193,7 @@ def _report_smallest(study: Study) -> None:
     found = study.smallest
     if found is None or study.within is None:
         return
-    click.echo(f"\nSmallest scene within {100 * study.within:g} %: {', '.join(found.kept) or 'no effect at all'}.")
+    say(f"\nSmallest scene within {100 * study.within:g} %: {', '.join(found.kept) or 'no effect at all'}.")
     if found.left_out:
         share = study.smallest_share
         saved = "" if share is None or not share.seen else f"; the time changes by {percent(-share.median)}"

@@ -12,13 +12,12 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.runtime.cli.terminal import COLOURS, GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input
+from hertzwerk.runtime.cli.layout import GAP, PROSE, columns, folded
+from hertzwerk.runtime.cli.terminal import COLOURS, GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.hard_cases.case import HardCase
     from hertzwerk.runtime.hard_cases.runner import Result
-
-WIDTH = 100  # columns
 
 
 @click.command()
@@ -96,7 +95,8 @@ def _list(cases: Sequence[HardCase], *, as_json: bool) -> int:
         click.echo(theme)
         for case in cases:
             if case.theme == theme:
-                click.echo(_wrapped(f"  {case.name:<28}", case.hard + (" (long)" if case.long else ""), 30))
+                long = " (long)" if case.long else ""
+                click.echo(folded(f"  {case.name:<28}{case.hard}{long}", columns() or PROSE, indent=28))
     return GOOD
 
 
@@ -117,44 +117,45 @@ def _print_json(cases: Sequence[HardCase], found: dict[str, dict[str, Result]], 
 
 
 def _print_case(case: HardCase, found: dict[str, dict[str, Result]]) -> None:
-    """What is hard, and a table: invariants down, methods across."""
+    """What is hard, and a table: invariants down, methods across; what does not hold begins with !."""
     methods = [method for method in case.methods if method in found[case.name]]
     results = [found[case.name][method] for method in methods]
     verdict = _worst(results)
-    start = f"{click.style(verdict, fg=COLOURS.get(verdict))}  {click.style(case.name, bold=True)}  "
-    click.echo(_wrapped(start, case.hard, indent=len(verdict) + 2))
-    rows: list[tuple[str, str, list[tuple[str, bool]]]] = [("", "limit", [(method, True) for method in methods])]
-    rows.append(("outcome", "", [(r.outcome.replace("_", " "), r.outcome == case.outcome) for r in results]))
+    _print_beside([(verdict, COLOURS.get(verdict)), (case.name, None)], case.hard, indent=len(verdict) + 2)
+    as_expected = [r.outcome == case.outcome for r in results]
+    rows = [("outcome", "", *map(_cell, [r.outcome.replace("_", " ") for r in results], as_expected))]
     for name in dict.fromkeys(row.name for r in results for row in r.measured):
         across = [
             next((row for row in r.measured if row.name == name), None) for r in results
         ]  # of SUNDIALS there is no C
         limits = {_number(row.limit) for row in across if row is not None}
         alike = len(limits) == 1
-        cells = [
-            ("", True) if row is None else (_number(row.value) + ("" if alike else f"/{_number(row.limit)}"), row.holds)
+        cells = (
+            "" if row is None else _cell(_number(row.value) + ("" if alike else f"/{_number(row.limit)}"), row.holds)
             for row in across
-        ]
-        rows.append((name, limits.pop() if alike else "", cells))
-    rows.append(("time [ms]", "", [(_milliseconds(r.wall_s), True) for r in results]))
+        )
+        rows.append((name, limits.pop() if alike else "", *cells))
+    rows.append(("time [ms]", "", *(_milliseconds(r.wall_s) for r in results)))
     if any(r.compiled_wall_s is not None for r in results):
-        rows.append(("time as C [ms]", "", [(_milliseconds(r.compiled_wall_s), True) for r in results]))
-    widths = [max(len(row[2][j][0]) + (not row[2][j][1]) for row in rows) for j in range(len(methods))]
-    name_width, limit_width = (max(len(row[k]) for row in rows) for k in (0, 1))
-    for name, limit, cells in rows:
-        text = f"  {name:<{name_width}}  {limit:>{limit_width}}"
-        for (cell, holds), width in zip(cells, widths, strict=True):
-            padded = f"{cell if holds else '!' + cell:>{width}}"
-            text += "  " + (padded if holds else click.style(padded, fg="red"))
-        click.echo(text.rstrip())
+        rows.append(("time as C [ms]", "", *(_milliseconds(r.compiled_wall_s) for r in results)))
+    table(("invariant", "limit", *methods), rows)
     for reason in dict.fromkeys(case.failures.values()):
-        of = [
-            (method, name) for (method, name), other in case.failures.items() if other == reason and method in methods
-        ]
+        of = [pair for pair, other in case.failures.items() if other == reason and pair[0] in methods]
         if of:
             who, what = (", ".join(dict.fromkeys(pair[k] for pair in of)) for k in (0, 1))
-            click.echo(_wrapped(f"  {click.style('known', fg='yellow')}  {who} ({what}): ", reason, indent=9))
+            _print_beside([("known", "yellow")], f"{who} ({what}): {reason}", indent=7)
     click.echo()
+
+
+def _cell(text: str, holds: bool) -> str:
+    return text if holds else f"!{text}"
+
+
+def _print_beside(heads: Sequence[tuple[str, str | None]], text: str, *, indent: int) -> None:
+    """Prose behind words of which each has a colour, or is bold."""
+    plain = GAP.join(head for head, _ in heads)
+    rest = folded(f"{plain}{GAP}{text}", columns() or PROSE, indent=indent).removeprefix(plain)
+    click.echo(GAP.join(click.style(head, fg=colour, bold=colour is None) for head, colour in heads) + rest)
 
 
 def _print_summary(cases: Sequence[HardCase], found: dict[str, dict[str, Result]], seconds: float) -> None:
@@ -167,12 +168,8 @@ def _print_summary(cases: Sequence[HardCase], found: dict[str, dict[str, Result]
         names = [name for name in verdicts if verdicts[name] == verdict]
         if names:
             count = f"{len(names)} of {len(verdicts)} cases{what}"
-            click.echo(
-                _wrapped(
-                    f"{click.style(f'{label:<12}', fg=COLOURS.get(verdict))}  ",
-                    count + (f": {', '.join(names)}" if what else ""),
-                    14,
-                )
+            _print_beside(
+                [(f"{label:<12}", COLOURS.get(verdict))], count + (f": {', '.join(names)}" if what else ""), indent=14
             )
     runs = sum(len(of) for of in found.values())
     line("", f"{runs} runs in both paths, {seconds:.0f} s")
@@ -195,13 +192,3 @@ def _milliseconds(seconds: float | None) -> str:
     if seconds is None:
         return ""
     return f"{seconds * 1e3:.3g}" if seconds < 1 else f"{seconds * 1e3:.0f}"
-
-
-def _wrapped(start: str, text: str, indent: int = 4) -> str:
-    """Text behind a start, broken at 100 columns."""
-    lines, room = [start], WIDTH
-    for word in text.split():
-        if len(click.unstyle(lines[-1])) + len(word) > room:
-            lines.append(" " * indent)
-        lines[-1] += word + " "
-    return "\n".join(line.rstrip() for line in lines)

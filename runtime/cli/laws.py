@@ -12,7 +12,17 @@ import click
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.cli.target import cannot_be_written
-from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, kept, lacking, line, reports_bad_input, table
+from hertzwerk.runtime.cli.terminal import (
+    GOOD,
+    OTHER_OUTCOME,
+    Progress,
+    kept,
+    lacking,
+    line,
+    reports_bad_input,
+    say,
+    table,
+)
 
 if TYPE_CHECKING:
     from hertzwerk.derive.sheet import Formula, Restitution, Sheet
@@ -62,7 +72,7 @@ def laws(names: tuple[str, ...], restitution: bool, out: Path | None, no_plots: 
     else:
         order = (1, 0, 3, 4, 2)
         table([columns[i] for i in order], [[row[i] for i in order] for row in rows])
-        click.echo("Grades: A checked here, B seen in a public source, C from general knowledge, R reconstruction.")
+        say("Grades: A checked here, B seen in a public source, C from general knowledge, R reconstruction.")
     return GOOD
 
 
@@ -101,7 +111,7 @@ def _print_sheet(sheet: Sheet) -> None:
         [(s.name, s.unit, s.origin, s.defined, s.recommended, s.meaning) for s in sheet.symbols],
     )
     if sheet.points:
-        click.echo(f"\n{sheet.example}:")
+        say(f"\n{sheet.example}:")
         forces = [point.force for point in sheet.points if point.force is not None]  # none where the units do not hold
         columns = ("penetration [m]", *(("force [N]",) if forces else ()), "dlnF/dlnd")
         rows = [
@@ -122,7 +132,7 @@ def _formula_texts(formulas: Sequence[Formula]) -> list[str]:
 def _print_restitution(found: Restitution) -> None:
     beside = f"beside K d^n with n = {found.beside}" if found.beside else "beside every elastic law"
     if found.points:
-        click.echo(f"One free impact, {beside}; no other force, whatever the masses and the speed:")
+        say(f"One free impact, {beside}; no other force, whatever the masses and the speed:")
         table(
             ("e in", found.coefficient, "e out", "e out - e in"),
             [(f"{e:.2f}", f"{c:.5g}", f"{out:.4f}", f"{out - e:+.4f}") for e, c, out in found.points],
@@ -187,12 +197,12 @@ def _write(found: Study, folder: Path, missing: list[str], *, plots: bool) -> li
 
 
 def _report(found: Study) -> None:
-    click.echo("Restitution out over restitution in, of one free impact; the best over all e first.\n")
+    say("Restitution out over restitution in, of one free impact; the best over all e first.\n")
     table(
         ("law", "grade", "recommended", *(f"e = {e:g}" for e in SHOWN), "worst there", "e -> 1", "e -> 0"),
         [_row(curve) for curve in found.curves],
     )
-    click.echo(
+    say(
         "\nworst there: the largest e_out - e of the recommended range, and where.  e -> 1: 1 is the elastic law.\n"
         "e -> 0: above 0 the law never returns less, however small the e it is given.\n"
     )

@@ -13,6 +13,7 @@ from typing import Any, Self, TypeVar
 import click
 
 from hertzwerk.derive.faults import InputError
+from hertzwerk.runtime.cli import layout
 
 Kept = TypeVar("Kept")
 
@@ -44,12 +45,12 @@ def reports_bad_input(command: Callable[..., int]) -> Callable[..., None]:
         try:
             code = command(*args, **options)
         except InputError as error:
-            click.echo(f"{click.style('error', fg='red')}  {error}", err=True)
+            _report_error(error)
             code = BAD_INPUT
         except OSError as error:
             if isinstance(error, BrokenPipeError):
                 raise
-            click.echo(f"{click.style('error', fg='red')}  {error}", err=True)
+            _report_error(error)
             code = BAD_INPUT
         except KeyboardInterrupt:
             code = INTERRUPTED
@@ -78,32 +79,40 @@ def lacking(missing: Sequence[str]) -> int:
     return OTHER_OUTCOME if missing else GOOD
 
 
+def _report_error(error: Exception) -> None:
+    width = shutil.get_terminal_size().columns if sys.stderr.isatty() else None
+    text = layout.folded(f"error  {error}", width, indent=4).removeprefix("error")
+    click.echo(click.style("error", fg="red") + text, err=True)
+
+
 def line(label: str, text: str) -> None:
-    """One line of a report, or several under one label."""
-    first, *rest = text.split("\n")
-    click.echo(f"{click.style(f'{label:<12}', fg=COLOURS.get(label))}  {first}")
+    """Print one line of a report, or several under one label."""
+    width = layout.columns()
+    first, *rest = layout.folded(text, None if width is None else width - 14).split("\n")
+    click.echo(f"{click.style(f'{label:<12}', fg=COLOURS.get(label))}  {first}".rstrip())
     for line in rest:
-        click.echo(f"{'':14}{line}")
+        click.echo(f"{'':14}{line}".rstrip())
+
+
+def say(text: str) -> None:
+    """Print prose, broken between words where a terminal ends."""
+    click.echo(layout.folded(text, layout.columns()))
 
 
 def table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
-    """A table on a terminal, aligned plain text in a pipe."""
-    if sys.stdout.isatty():
-        from rich.box import SIMPLE_HEAD
-        from rich.console import Console
-        from rich.table import Table
-        from rich.text import Text
+    """Print aligned columns, in panels where a terminal is too narrow for them."""
+    for panel, lines in enumerate(layout.tabulated(columns, rows, layout.columns())):
+        if panel:
+            click.echo()
+        for row in lines:
+            click.echo(layout.GAP.join(map(_coloured, row)).rstrip())
 
-        grid = Table(box=SIMPLE_HEAD)
-        for column in columns:
-            grid.add_column(column, no_wrap=column == columns[0], overflow="fold")
-        for row in rows:
-            grid.add_row(*(Text(cell, style=COLOURS.get(cell, "")) for cell in row))
-        Console().print(grid)
-        return
-    widths = [max(len(cell) for cell in column) for column in zip(columns, *rows, strict=True)]
-    for row in (columns, *rows):
-        click.echo("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip())
+
+def _coloured(cell: str) -> str:
+    """A cell in its colour; one that begins with ! says what is wrong."""
+    word = cell.rstrip()
+    colour = "red" if word.startswith("!") else COLOURS.get(word)
+    return click.style(word, fg=colour) + cell[len(word) :] if colour else cell
 
 
 class Progress:

@@ -1,0 +1,84 @@
+"""Text as wide as the terminal: lines broken between words, tables in panels where columns do not fit; in a pipe, as long as it is."""
+
+from __future__ import annotations
+
+import shutil
+import sys
+import textwrap
+from collections.abc import Iterator, Sequence
+from itertools import zip_longest
+
+GAP = "  "
+PROSE = 100  # columns of prose in a pipe
+WHOLE = 16  # characters up to which a cell is not broken
+
+
+def columns() -> int | None:
+    """Columns of the terminal that standard output is, None where it is none."""
+    return shutil.get_terminal_size().columns if sys.stdout.isatty() else None
+
+
+def folded(text: str, width: int | None, *, indent: int = 0) -> str:
+    """Break each line of a text between words, its further lines indented by as much as the line, and `indent` more."""
+    if width is None:
+        return text
+    return "\n".join(_folded_line(line, width, indent) for line in text.split("\n"))
+
+
+def _folded_line(line: str, width: int, indent: int) -> str:
+    margin = " " * (len(line) - len(line.lstrip()) + indent)
+    parts = textwrap.wrap(
+        line, width, drop_whitespace=True, subsequent_indent=margin, break_long_words=False, break_on_hyphens=False
+    )
+    return "\n".join(parts)
+
+
+def tabulated(header: Sequence[str], rows: Sequence[Sequence[str]], width: int | None) -> Iterator[list[list[str]]]:
+    """Cells of a table, padded to align, line by line of each panel; a cell with more words than its column holds goes on in the next line.
+
+    Panels are as many as it takes for no word to be broken, each beginning with the first column.
+    """
+    cells = list(zip(header, *rows, strict=True))
+    natural = [max(map(len, column)) for column in cells]
+    if width is None:
+        yield _lines(cells, natural)
+        return
+    least = [natural[0], *(_least(column) for column in cells[1:])]
+    panel: list[int] = [0]
+    for j in range(1, len(cells)):
+        if len(panel) > 1 and _wide([least[k] for k in (*panel, j)]) > width:
+            yield _lines([cells[k] for k in panel], _shared([(least[k], natural[k]) for k in panel], width))
+            panel = [0]
+        panel.append(j)
+    yield _lines([cells[k] for k in panel], _shared([(least[k], natural[k]) for k in panel], width))
+
+
+def _least(column: Sequence[str]) -> int:
+    """Width below which a column breaks a word, or a cell that is read as one."""
+    whole = max((len(cell) for cell in column if len(cell) <= WHOLE), default=0)
+    return max(whole, max(len(word) for cell in column for word in cell.split() or [""]))
+
+
+def _wide(widths: Sequence[int]) -> int:
+    return sum(widths) + len(GAP) * (len(widths) - 1)
+
+
+def _shared(bounds: Sequence[tuple[int, int]], width: int) -> list[int]:
+    """Widths of columns, from (least, natural): what is left beyond the least goes to those that want least of it first."""
+    widths = [least for least, _ in bounds]
+    left = max(width - _wide(widths), 0)
+    order = sorted(range(len(bounds)), key=lambda j: bounds[j][1] - bounds[j][0])
+    for done, j in enumerate(order):
+        more = min(bounds[j][1] - bounds[j][0], left // (len(order) - done))
+        widths[j] += more
+        left -= more
+    return widths
+
+
+def _lines(cells: Sequence[Sequence[str]], widths: Sequence[int]) -> list[list[str]]:
+    lines = []
+    for row in zip(*cells, strict=True):
+        parts = [folded(cell, width).split("\n") for cell, width in zip(row, widths, strict=True)]
+        for line in zip_longest(*parts, fillvalue=""):
+            lines.append([part.ljust(width) for part, width in zip(line, widths, strict=True)])  # noqa: PERF401
+    return lines
