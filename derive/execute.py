@@ -4,11 +4,20 @@ from __future__ import annotations
 
 import sys
 import traceback
+from contextvars import ContextVar
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.faults import Fault, InputError, unreadable
+
+_FOLDER: ContextVar[Path | None] = ContextVar("folder of the file that is executed", default=None)
+
+
+def beside(path: str | Path) -> Path:
+    """A path as a scene file means it, from its own folder; elsewhere as it is."""
+    folder = _FOLDER.get()
+    return Path(path) if folder is None else folder / path
 
 
 def names_defined_by(path: Path) -> dict[str, Any]:
@@ -16,9 +25,7 @@ def names_defined_by(path: Path) -> dict[str, Any]:
     try:
         code = compile(path.read_bytes(), str(path), "exec")
     except OSError as error:
-        raise InputError(
-            str(path), [Fault(str(path), error.strerror or str(error), "a readable Python file")]
-        ) from error
+        raise InputError(str(path), [unreadable(path, error, "a readable Python file")]) from error
     except (SyntaxError, ValueError) as error:
         where = f"{path}, line {getattr(error, 'lineno', None) or 1}"
         raise InputError(str(path), [Fault(where, f"{type(error).__name__}: {error}", "Python source")]) from error
@@ -27,11 +34,13 @@ def names_defined_by(path: Path) -> dict[str, Any]:
     folder = str(path.resolve().parent)
     sys.modules[module.__name__] = module  # dataclasses and pickling look their module up
     sys.path.insert(0, folder)
+    token = _FOLDER.set(path.resolve().parent)
     try:
         exec(code, module.__dict__)
     except (Exception, SystemExit) as error:  # whatever the file does wrong is the file's fault
         raise _raised(path, error) from error
     finally:
+        _FOLDER.reset(token)
         sys.path.remove(folder)
         del sys.modules[module.__name__]
     return module.__dict__

@@ -37,7 +37,8 @@ from hertzwerk.derive.audit import Finding
 from hertzwerk.derive.audit_text import finding, undeclared
 from hertzwerk.derive.behaviour import faults_if_consistent
 from hertzwerk.derive.dimension import Dimension
-from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.execute import beside
+from hertzwerk.derive.faults import Fault, InputError, unreadable
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws import law as record
 from hertzwerk.derive.laws.law import DampingLaw, FilmLaw, FrictionLaw, Law, Quantity, Range, StiffnessLaw
@@ -89,8 +90,11 @@ class WrittenLaw:
 
 
 def laws_from(path: str | Path) -> dict[str, Law]:
-    """The laws of a TOML file by name, used in a scene like the built-in ones. Raises InputError with every fault of the file."""
-    return {written.law.name: written.law for written in read_laws(path)}
+    """The laws of a TOML file by name, used in a scene like the built-in ones; a scene file names it from its own folder.
+
+    Raises InputError with every fault of the file.
+    """
+    return {written.law.name: written.law for written in read_laws(beside(path))}
 
 
 def read_laws(path: str | Path) -> tuple[WrittenLaw, ...]:
@@ -143,7 +147,7 @@ def _load(path: Path) -> dict[str, Any]:
             raise InputError(str(path), [Fault(str(path), "more than a megabyte", "a file of laws")])
         return tomllib.loads(path.read_text(encoding="utf-8"))
     except OSError as error:
-        raise InputError(str(path), [Fault(str(path), error.strerror or str(error), "a readable TOML file")]) from None
+        raise InputError(str(path), [unreadable(path, error, "a readable TOML file")]) from None
     except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
         raise InputError(str(path), [Fault(str(path), str(error), "a TOML file with tables [[law]]")]) from None
 

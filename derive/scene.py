@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from difflib import get_close_matches
 from functools import cached_property
 from typing import Any, ClassVar, Literal, Protocol
 
@@ -15,7 +14,7 @@ from hertzwerk.derive.effects.drives import AnyDrive, ConstantSpeed, Drive, Harm
 from hertzwerk.derive.effects.forces import BodyTorque, JointForce, PointForce, Potential
 from hertzwerk.derive.effects.lubrication import Lubrication
 from hertzwerk.derive.effects.springs import JointDamper, JointFriction, JointSpring, PointDamper, PointSpring
-from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.derive.joints import Freedom
 from hertzwerk.derive.laws.catalogue import LAWS
 from hertzwerk.derive.laws.law import APPROACH_SPEED, BoundLaw
@@ -266,20 +265,18 @@ class Scene:
         fields = ("stiffness", "damping") if effect.kind == "contact" else () if takes is None else (takes,)
         if law is None or law.kind not in fields:
             offer = [name for name, other in LAWS.items() if other.kind in fields]
-            expected = f"one of {', '.join(offer)}" if offer else "an effect that has a law"
-            near = get_close_matches(law_name, offer, n=3)
-            remedy = f"did you mean {' or '.join(near)}?" if near else ""
-            raise InputError(
-                f"scene {self.name}", [Fault(f"effect {effect_name}", f"law {law_name!r}", expected, remedy)]
-            )
+            wanted = unknown(f"{' or '.join(fields) or 'fitting'} law", law_name, offer)
+            expected = wanted.expected if offer else "an effect that has a law"
+            fault = Fault(f"effect {effect_name}", f"law {law_name!r}", expected, wanted.remedy)
+            raise InputError(f"scene {self.name}", [fault])
         slot = law.kind if takes is None else "law"
         bound: BoundLaw | None = getattr(effect, slot)
         given = {s.name: value for s, value in bound.binding.items()} if bound is not None else {}
         given |= {s.name: value for s, value in law.defaults if s.name not in given}
         missing = [symbol for symbol in law.parameters if symbol.name not in given]
         if missing:
-            wanted = ", ".join(f"{symbol.name} [{symbol.unit}], {symbol.meaning}" for symbol in missing)
-            fault = Fault(f"effect {effect_name}", f"no value for {wanted}", f"all parameters of {law_name}",
+            values = ", ".join(f"{symbol.name} [{symbol.unit}], {symbol.meaning}" for symbol in missing)
+            fault = Fault(f"effect {effect_name}", f"no value for {values}", f"all parameters of {law_name}",
                           "Declare the effect with this law in a scene file.")  # fmt: skip
             raise InputError(f"scene {self.name}", [fault])
         other = law(**{symbol.name: given[symbol.name] for symbol in law.parameters})
@@ -291,11 +288,9 @@ class Scene:
 
     def _must_exist(self, names: Any) -> None:
         known = [effect.name for effect in self.effects]
-        unknown = [name for name in names if name not in known]
-        if unknown:
-            raise InputError(
-                f"scene {self.name}", [Fault("effects", repr(name), f"one of {', '.join(known)}") for name in unknown]
-            )
+        faults = [unknown("effect", name, known) for name in names if name not in known]
+        if faults:
+            raise InputError(f"scene {self.name}", faults)
 
     # -- looking things up -----------------------------------------------------------------------------------------
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import asdict, dataclass
-from difflib import get_close_matches
 from typing import Any
 
 import sympy as sp
@@ -12,7 +11,7 @@ from mpmath import mp, mpf
 
 from hertzwerk.derive.dimension import ONE
 from hertzwerk.derive.emit import expression_text, operations
-from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.faults import InputError, unknown
 from hertzwerk.derive.impact import (
     coefficient_at,
     home_exponent,
@@ -148,12 +147,7 @@ class Sheet:
 
 def laws_named(names: Iterable[str]) -> tuple[Law, ...]:
     """The laws of these names; raises InputError with every name that is none and the names like it."""
-    faults = []
-    for name in names:
-        if name not in LAWS:
-            near = get_close_matches(name, LAWS, n=3)
-            remedy = f"did you mean {' or '.join(near)}?" if near else ""
-            faults.append(Fault("law", f"no law named {name!r}", "a name that `hertzwerk laws` lists", remedy))
+    faults = [unknown("law", name, LAWS, "as `hertzwerk laws` lists them") for name in names if name not in LAWS]
     if faults:
         raise InputError("laws", faults)
     return tuple(LAWS[name] for name in names)

@@ -9,7 +9,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.faults import Fault, unknown
 from hertzwerk.derive.units import Unit, UnitError, parse_unit, rate_remedy, split_quantity
 
 Value: TypeAlias = str | float | tuple[float, str]  # "0.2 mm"; a bare number where dimensionless; (0.2, "mm")
@@ -172,17 +172,6 @@ def _mistaken(name: str, value: float, unit: Unit, text: str, declared: str) -> 
 
 def _value_in(unit: str) -> str:
     return "a number" if unit == "1" else f"a value in {unit}"
-
-
-def unknown(kind: str, name: object, known: Mapping[str, object] | Sequence[str]) -> Fault:
-    """The fault of a name that does not exist, with those that resemble it."""
-    if not isinstance(name, str):
-        return Fault(repr(name), f"a {kind} named by {type(name).__name__}", f"text, one of {', '.join(known)}")
-    from difflib import get_close_matches
-
-    near = get_close_matches(name, list(known), n=3)
-    remedy = f"did you mean {' or '.join(near)}?" if near else ""
-    return Fault(name, f"no {kind} of this name", f"one of {', '.join(known)}", remedy)
 
 
 def _inside(value: float, limit: Limit) -> bool:

@@ -16,7 +16,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.runtime import cache as disk
 
 if TYPE_CHECKING:
@@ -54,7 +54,7 @@ def scene_from(target: str | Path) -> Scene:
             found = "no `scene`" if scene is None else f"`scene` of type {type(scene).__name__}"
             raise InputError(str(target), [Fault(str(target), found, "a file that defines `scene = Scene(...)`")])
         return scene
-    _require_built_in(str(target))
+    require_targets([str(target)])
     module = __import__(f"hertzwerk.derive.scenes.{target}", fromlist=["scene"])
     built_in: Scene = module.scene
     return built_in
@@ -122,7 +122,7 @@ def audit_targets(targets: Sequence[str]) -> dict[str, tuple[Finding, ...]]:
         elif is_file(target) or target.endswith(".toml") or Path(target).is_dir():
             audited.update((str(path), found) for path, found in audit_files(Path(target)).items())
         else:
-            _require_built_in(target)
+            require_targets([target])
     return audited
 
 
@@ -170,7 +170,7 @@ def build_built_in(
     coordinates: str | None = None,
 ) -> ModuleType:
     """Module of a variation of a built-in scene; from the cache where it can."""
-    _require_built_in(name)
+    require_targets([name])
     variation = name, tuple(without), tuple(sorted((laws or {}).items())), coordinates
     scene = partial(_varied, name, without, laws, coordinates)
     return _module(name, _remembered(variation, scene, source_of(name)))
@@ -201,11 +201,13 @@ def _remembered(variation: tuple[object, ...], scene: Callable[[], Scene], sourc
     return text
 
 
-def _require_built_in(name: str) -> None:
+def require_targets(targets: Sequence[str]) -> None:
+    """Raise InputError with every target that is neither a Python file nor a built-in scene."""
     known = built_in_scenes()
-    if name not in known:
-        expected = f"one of {', '.join(known)}, or a Python file (its name ends in .py)"
-        raise InputError(f"scene {name}", [Fault("scene", repr(name), expected)])
+    way_out = "or a Python file (its name ends in .py)"
+    faults = [unknown("scene", name, known, way_out) for name in targets if not is_file(name) and name not in known]
+    if faults:
+        raise InputError(f"scene {faults[0].where}" if len(faults) == 1 else "scenes", faults)
 
 
 def _module(name: str, text: str) -> ModuleType:

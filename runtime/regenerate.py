@@ -78,12 +78,10 @@ def _all_or_none(targets: Sequence[str], make: Callable[[str], _T]) -> tuple[_T,
 
 def repository_folder(targets: Sequence[str]) -> Path:
     """generated/ of the hertzwerk repository around the working folder; raises InputError where the targets want another."""
-    remedy = "name a folder: --out DIR"
+    subject = "derive: name a folder for the modules with --out DIR"
     files = [target for target in targets if is_file(target)]
     if files:
-        raise InputError(
-            "derive", [Fault("--out", "none", f"a folder for the module of {file}", remedy) for file in files]
-        )
+        raise InputError(subject, [Fault("--out", "none", f"a folder for the module of {file}") for file in files])
     for folder in (Path.cwd(), *Path.cwd().parents):
         if _project_name(folder / "pyproject.toml") == "hertzwerk":
             if derive_digest(folder / "derive") != derive_digest():
@@ -91,7 +89,7 @@ def repository_folder(targets: Sequence[str]) -> Path:
                 remedy = 'pip install -e ".[dev]" --config-settings editable_mode=strict'
                 raise InputError("derive", [Fault(str(folder), found, "the same sources", remedy)])
             return folder / "generated"
-    raise InputError("derive", [Fault("--out", "none", "a folder, outside the repository of hertzwerk", remedy)])
+    raise InputError(subject, [Fault("--out", "none", "a folder, as this is no clone of hertzwerk's repository")])
 
 
 def write(modules: Sequence[Derived], folder: Path) -> tuple[Path, ...]:

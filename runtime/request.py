@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -9,10 +10,10 @@ from typing import Literal, TypeAlias
 
 import numpy as np
 
-from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.runtime import scales as scaling
 from hertzwerk.runtime.accuracy import LEAST
-from hertzwerk.runtime.binding import Value, read_time, unknown
+from hertzwerk.runtime.binding import Value, read_time
 from hertzwerk.runtime.integrate.methods import METHODS
 from hertzwerk.runtime.model import Bound, Dependent, Model
 from hertzwerk.runtime.output import Output, times_of
@@ -122,6 +123,10 @@ def read(
 def read_duration(duration: str | float | None, faults: list[Fault]) -> float:
     """Seconds of a duration; what is none becomes a fault."""
     expected = 'a positive time, such as "24 ms" or a number of seconds'
+    with contextlib.suppress(ValueError, TypeError):
+        duration = (
+            float(duration) if isinstance(duration, str) else duration
+        )  # on a command line "24" is 24 s, as 24 is
     if isinstance(duration, str):
         return read_time("duration", duration, expected, faults)
     if duration is not None and _real(duration) and math.isfinite(duration) and duration > 0:

@@ -20,9 +20,10 @@ from typing import Annotated, Literal, Self
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError, model_validator
 
-from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.faults import Fault, InputError, unknown, unreadable
 from hertzwerk.derive.units import UnitError, parse_quantity
 from hertzwerk.runtime import scenarios
+from hertzwerk.runtime.build import is_file
 
 IMPACT_FIELDS = {"t": "s", "speed": "m/s", "peak_force": "N", "peak_penetration": "m", "duration": "s"}
 FOUND_IN_HISTORIES = ("final", "max", "min", "largest")
@@ -108,16 +109,19 @@ class Scenario(_Record):
 
 
 def load_scenario(target: str | Path) -> Scenario:
-    """A built-in scenario by name, or one from a TOML file; raises InputError with every fault of the file."""
+    """A built-in scenario by name, or one from a TOML file, which names a scene file from its own folder; raises InputError with every fault."""
     path = Path(target)
     if path.suffix != ".toml":
         if str(target) not in scenarios.names():
-            known = f"one of {', '.join(scenarios.names())}, or a TOML file"
-            raise InputError("scenario", [Fault("scenario", repr(str(target)), known)])
+            raise InputError("scenario", [unknown("scenario", str(target), scenarios.names(), "or a TOML file")])
         return _validated(f"scenario {target}", scenarios.read(str(target)))
     try:
-        return _validated(str(path), tomllib.loads(path.read_text(encoding="utf-8")))
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        scenario = _validated(str(path), tomllib.loads(path.read_text(encoding="utf-8")))
+        named_from_here = {"scene": str(path.parent / scenario.scene)} if is_file(scenario.scene) else {}
+        return scenario.model_copy(update=named_from_here)
+    except OSError as error:
+        raise InputError(str(path), [unreadable(path, error, "a readable TOML file")]) from error
+    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         raise InputError(str(path), [Fault("file", str(error), "a readable TOML file")]) from error
 
 

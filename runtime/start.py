@@ -8,8 +8,8 @@ from typing import TypeVar
 
 import numpy as np
 
-from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.runtime.binding import Value, read_state, unknown
+from hertzwerk.derive.faults import Fault, InputError, unknown
+from hertzwerk.runtime.binding import Value, read_state
 from hertzwerk.runtime.model import Bound, Dependent, Model
 
 Given = TypeVar("Given", bound=Value)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.derive.units import parse_quantity, parse_unit, rate_remedy
+from hertzwerk.derive.units import parse_quantity, parse_unit, rate_remedy, split_quantity
 from hertzwerk.runtime.scenario import FOUND_IN_HISTORIES, IMPACT_FIELDS, Check, Scenario, si
 
 if TYPE_CHECKING:
@@ -33,10 +33,9 @@ class Verdict:
         )
 
     def __str__(self) -> str:
-        unit = str(
-            parse_quantity(self.check.expected or self.check.at_most or "")[1]
-        )  # of the same dimension, as validated
-        measured = "not there" if self.measured is None else f"{self.measured:.9g}{'' if unit == '1' else ' ' + unit}"
+        _, unit = split_quantity(self.check.expected or self.check.at_most or "")  # of the same dimension, as validated
+        value = "not there" if self.measured is None else f"{self.measured / parse_unit(unit).factor:.9g}"
+        measured = value if unit == "1" or self.measured is None else f"{value} {unit}"
         return f"{self.check.quantity} = {measured}, expected {self.expectation}: {self.check.source}"
 
 

@@ -5,13 +5,12 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Sequence
-from difflib import get_close_matches
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.runtime.cli.layout import GAP, PROSE, columns, folded
 from hertzwerk.runtime.cli.terminal import COLOURS, GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
 
@@ -63,15 +62,9 @@ def _chosen(names: Sequence[str], methods: Sequence[str], *, everything: bool) -
     """The cases asked for; raises InputError with every name that is none, and every case that no method asked for claims."""
     from hertzwerk.runtime.hard_cases.table import BY_NAME, CASES
 
-    faults = []
     known = dict.fromkeys(method for case in CASES for method in case.methods)
-    for name in names:
-        if name not in BY_NAME:
-            near = get_close_matches(name, BY_NAME, n=3, cutoff=0.4)
-            expected = f"such as {', '.join(near)}" if near else "a case of `hertzwerk hardcases --list`"
-            faults.append(Fault("--case", repr(name), expected))
-    expected = f"one of {', '.join(known)}"
-    faults += [Fault("--method", repr(method), expected) for method in methods if method not in known]
+    faults = [unknown("case", name, BY_NAME) for name in names if name not in BY_NAME]
+    faults += [unknown("method", method, known) for method in methods if method not in known]
     cases = [BY_NAME[name] for name in dict.fromkeys(names) if name in BY_NAME]
     if not faults:
         faults += [

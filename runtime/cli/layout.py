@@ -26,6 +26,8 @@ def folded(text: str, width: int | None, *, indent: int = 0) -> str:
 
 
 def _folded_line(line: str, width: int, indent: int) -> str:
+    if len(line) <= width:
+        return line
     margin = " " * (len(line) - len(line.lstrip()) + indent)
     parts = textwrap.wrap(
         line, width, drop_whitespace=True, subsequent_indent=margin, break_long_words=False, break_on_hyphens=False

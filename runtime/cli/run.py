@@ -109,14 +109,18 @@ def validate(targets: tuple[str, ...]) -> int:
     from hertzwerk.runtime.validate import run_scenario
     from hertzwerk.runtime.validate import validate as verdicts_of
 
-    good = True
+    made = held = unfinished = 0
     for scenario in [load_scenario(target) for target in targets or scenarios.names()]:
         solution = run_scenario(scenario)
         line(scenario.scene, str(solution))
         verdicts = verdicts_of(scenario, solution)
         for verdict in verdicts:
             line("passed" if verdict.passed else "failed", str(verdict))
-        good = good and solution.outcome.finished and all(verdict.passed for verdict in verdicts)
+        made, held = made + len(verdicts), held + sum(verdict.passed for verdict in verdicts)
+        unfinished += not solution.outcome.finished
+    good = held == made and not unfinished
+    runs = f"; {unfinished} run{'s' if unfinished > 1 else ''} not finished" if unfinished else ""
+    line("passed" if good else "failed", f"{held} of {made} checks hold{runs}")
     return GOOD if good else OTHER_OUTCOME
 
 

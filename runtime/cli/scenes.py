@@ -52,7 +52,7 @@ def derive(
 ) -> int:
     """Derive the equations of TARGET, check every unit, and write the generated module."""
     from hertzwerk.runtime import regenerate
-    from hertzwerk.runtime.build import built_in_scenes
+    from hertzwerk.runtime.build import built_in_scenes, require_targets
     from hertzwerk.runtime.folder import unwritable
 
     if show or as_json:
@@ -69,6 +69,7 @@ def derive(
         raise InputError("derive", [Fault("TARGET", "none", f"scenes or files, such as {example}")])
     if show:
         return _show(targets, coordinates, as_json=as_json)
+    require_targets(targets)
     folder = out if out is not None else regenerate.repository_folder(targets)
     hindrance = unwritable(folder)
     if hindrance is not None:

@@ -8,9 +8,9 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.runtime import build
-from hertzwerk.runtime.binding import Value, unknown
+from hertzwerk.runtime.binding import Value
 from hertzwerk.runtime.effects.cost import cost_of, shares
 from hertzwerk.runtime.effects.measuring import EIGHTHS, LADDER, Bench, Case, Measurement
 from hertzwerk.runtime.effects.outputs import PAST_HORIZON, Output, automatic, chosen

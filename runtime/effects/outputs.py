@@ -14,8 +14,7 @@ from typing import TYPE_CHECKING
 import casadi as ca
 import numpy as np
 
-from hertzwerk.derive.faults import Fault
-from hertzwerk.runtime.binding import unknown
+from hertzwerk.derive.faults import Fault, unknown
 from hertzwerk.runtime.caller import Rowwise
 from hertzwerk.runtime.history import acceleration_of
 

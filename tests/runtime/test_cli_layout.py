@@ -1,0 +1,92 @@
+"""What is printed on a narrow terminal: no word broken, nothing beyond the last column, the words of a pipe; colours where they are wanted."""
+
+import os
+import pty
+import re
+import subprocess
+import sys
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from hertzwerk.runtime.cli.layout import folded, tabulated
+
+WORDS = st.text(st.characters(codec="ascii", categories=("L", "N", "P")), min_size=1, max_size=12)
+TEXTS = st.lists(WORDS, max_size=12).map(" ".join)
+HARDCASES = "hardcases --case exponent_1 --method dop853 --method esdirk --method auto --method rodas --method dopri5"
+
+
+@given(text=TEXTS, width=st.integers(12, 60), indent=st.integers(0, 4))
+def test_folding_keeps_the_words_and_the_width(text, width, indent):
+    lines = folded(text, width, indent=indent).split("\n")
+    assert " ".join(lines).split() == text.split()
+    assert all(len(line) <= width or len(line.split()) == 1 for line in lines)
+
+
+@given(
+    table=st.integers(1, 6).flatmap(
+        lambda n: st.lists(st.lists(TEXTS, min_size=n, max_size=n), min_size=1, max_size=5)
+    ),
+    width=st.integers(30, 90),
+)
+def test_a_table_in_panels_has_every_word_whole_and_begins_each_with_the_first_column(table, width):
+    header, *rows = table
+    panels = list(tabulated(header, rows, width))
+    words = sorted(word for row in table for cell in row for word in cell.split())
+    first = sorted(word for row in table for word in row[0].split())
+    shown = sorted(word for lines in panels for line in lines for cell in line for word in cell.split())
+    assert shown == sorted(words + first * (len(panels) - 1))
+    columns = list(zip(*table, strict=True))
+    whole = (
+        max([0, *(len(part) for cell in column for part in ([cell] if len(cell) <= 16 else cell.split()))])
+        for column in columns[1:]
+    )
+    unbroken = max(map(len, columns[0])) + max([0, *(2 + width for width in whole)])
+    for lines in panels:
+        assert len({len("  ".join(line)) for line in lines}) == 1
+        assert len("  ".join(lines[0])) <= max(width, unbroken)
+
+
+def test_what_fits_is_one_panel_as_in_a_pipe():
+    table = ("law", "grade"), [("flores", "A"), ("a law", "")]
+    assert list(tabulated(*table, 80)) == list(tabulated(*table, None)) == [
+        [["law   ", "grade"], ["flores", "A    "], ["a law ", "     "]]
+    ]  # fmt: skip
+
+
+def on_terminal(command, **environment):
+    """What a command prints on a terminal of 80 columns."""
+    code = "import os, sys; from hertzwerk.runtime.cli import main; main(sys.argv[1:], prog_name='hertzwerk')"
+    main, of_terminal = pty.openpty()
+    environment = {**os.environ, "COLUMNS": "80", "TERM": "xterm", **environment}
+    process = subprocess.Popen(
+        [sys.executable, "-c", code, *command.split()], stdout=of_terminal, stderr=subprocess.DEVNULL, env=environment
+    )
+    os.close(of_terminal)
+    read = b""
+    while True:
+        try:
+            chunk = os.read(main, 65536)
+        except OSError:  # its other end is closed
+            break
+        if not chunk:
+            break
+        read += chunk
+    os.close(main)
+    process.wait(60)
+    return read.decode().replace("\r\n", "\n")
+
+
+@pytest.mark.parametrize(
+    "command", ["list", "laws", "hardcases --list", "laws flores", pytest.param(HARDCASES, marks=pytest.mark.slow)]
+)
+def test_commands_fit_80_columns(command):
+    lines = re.sub(r"\x1b\[[0-9;]*m", "", on_terminal(command)).split("\n")
+    assert len(lines) > 10
+    assert max(map(len, lines)) <= 80
+
+
+def test_colours_are_for_terminals_that_want_them():
+    assert "\x1b[32mconsistent\x1b[0m" in on_terminal("laws")
+    assert "\x1b" not in on_terminal("laws", NO_COLOR="1")
