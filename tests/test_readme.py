@@ -36,6 +36,15 @@ def test_pictures_are_committed_png_files(picture):
     assert len(content) < 500_000
 
 
+def test_the_picture_of_all_mechanisms_has_them_all():
+    from PIL import Image
+
+    from hertzwerk.runtime.build import built_in_scenes
+
+    with Image.open(ROOT / ".readme" / "mechanisms.png") as picture:
+        assert picture.text["Description"].split() == list(built_in_scenes())
+
+
 @pytest.mark.parametrize("index", range(len(PYTHON)))
 def test_python_runs_as_written(index, tmp_path):
     """In a folder of its own, warnings as errors; what it says it writes, it writes."""

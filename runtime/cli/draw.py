@@ -64,7 +64,7 @@ def draw(
     seen = [_places(name, values, duration, start) for name in names]
     content = io.BytesIO()
     page = picture.figure(*seen[0]) if len(names) == 1 else sheet([places for places, _ in seen])
-    page.savefig(content, format="png", dpi="figure")
+    page.savefig(content, format="png", dpi="figure", metadata={"Description": " ".join(map(str, names))})
     line("written", str(write(path, content.getvalue(), overwrite=overwrite)))
     return GOOD
 
