@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import partial
+from functools import cache, partial
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.caller import Callers
@@ -59,7 +59,9 @@ def _engine(model: Model, method: str) -> Engine:
 
         reference = sundials.reference(model, made.layouts, method)
         return Engine(made, Callers(made.begin), counters, None, partial(sundials.march, reference))
-    return Engine(made, Callers(made.begin), counters, Code(chunk(made)), march)
+    whole = made.whole
+    chosen = None if whole is None else cache(lambda: Code(chunk(whole())))
+    return Engine(made, Callers(made.begin), counters, Code(chunk(made), chosen), march)
 
 
 def prepare(model: Model, method: str, compiled: Compiled, ahead: float = 0.0) -> bool:

@@ -228,28 +228,34 @@ class History:
 
     def later(self, rows: np.ndarray, h: np.ndarray) -> np.ndarray:
         """Rows (n, ns) a time h (n,) [s] after others, by a part of the step from each: of the method's order, under that row's modes."""
-        integrator = self._engine
-        key = ("dense output", *(table.name for table in integrator.tables))
-        step, to, of = self.model.once(key, lambda: _dense_output(integrator))
-        moving = np.flatnonzero(h)
-        (trial,) = step(self.controls, rows[moving], h[moving, None])
-        moved = rows[moving]
-        moved[:, to] = trial[:, of]
         later: np.ndarray = rows.copy()
-        later[moving] = moved
+        methods = rows[:, self.columns("method")][:, 0]
+        for method in np.unique(methods[h != 0]):
+            moving = np.flatnonzero((h != 0) & (methods == method))
+            step, to, of = self._dense_output(int(method))
+            (trial,) = step(self.controls, rows[moving], h[moving, None])
+            moved = rows[moving]
+            moved[:, to] = trial[:, of]
+            later[moving] = moved
         return later
+
+    def _dense_output(self, method: int) -> tuple[Rowwise, np.ndarray, np.ndarray]:
+        """The step of a method row by row, and the columns of a state that come from the columns of its trial."""
+        integrator = self._engine
+        key = ("dense output", integrator.tables[method].name)
+        made: tuple[Rowwise, np.ndarray, np.ndarray] = self.model.once(key, lambda: _dense_output(integrator, method))
+        return made
 
     def of(self, rows: np.ndarray) -> History:
         """Histories over other rows (n, ns) of the same run."""
         return History(self.model, rows, self.controls, self.integrator, steps=False)
 
 
-def _dense_output(integrator: Integrator) -> tuple[Rowwise, np.ndarray, np.ndarray]:
-    """The step row by row, and the columns of a state that come from the columns of its trial."""
+def _dense_output(integrator: Integrator, method: int) -> tuple[Rowwise, np.ndarray, np.ndarray]:
     state, trial = integrator.layouts.state, integrator.layouts.trial
     shared = [name for name in trial.sizes if name in state.sizes]
     to, of = (np.concatenate([np.r_[layout[name]] for name in shared]) for layout in (state, trial))
-    return Rowwise(integrator.step, constant=1), to, of
+    return Rowwise(integrator.step(method), constant=1), to, of
 
 
 def _friction_force(slip: str) -> str:

@@ -24,6 +24,7 @@ from hertzwerk.derive.faults import Fault, InputError, unknown, unreadable
 from hertzwerk.derive.units import UnitError, parse_quantity
 from hertzwerk.runtime import scenarios
 from hertzwerk.runtime.build import is_file
+from hertzwerk.runtime.request import METHOD
 
 IMPACT_FIELDS = {"t": "s", "speed": "m/s", "peak_force": "N", "peak_penetration": "m", "duration": "s"}
 FOUND_IN_HISTORIES = ("final", "max", "min", "largest")
@@ -102,7 +103,7 @@ class Scenario(_Record):
     scene: str
     duration: Annotated[str, AfterValidator(_duration_text)]
     accuracy: Annotated[float, Field(ge=1e-12, le=1e-1)] = 1e-6
-    method: Literal["auto", "dopri5", "dop853", "rodas", "esdirk", "cvodes", "idas"] = "dop853"
+    method: Literal["auto", "dopri5", "dop853", "rodas", "esdirk", "cvodes", "idas"] = METHOD
     parameters: dict[str, QuantityText] = {}
     initial: dict[str, QuantityText] = {}
     checks: tuple[Check, ...] = Field(default=(), strict=False)

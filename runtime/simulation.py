@@ -28,7 +28,7 @@ from hertzwerk.runtime.integrate.layout import FINISHED, TOO_MANY_STEPS
 from hertzwerk.runtime.model import Model
 from hertzwerk.runtime.outcome import Outcome, not_closed, unreachable
 from hertzwerk.runtime.output import Output
-from hertzwerk.runtime.request import MAX_EVENTS, MAX_STEPS, Compiled, Limits, Settings, read
+from hertzwerk.runtime.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, Limits, Settings, read
 from hertzwerk.runtime.scales import Scales
 from hertzwerk.runtime.single_run import SingleRun, Trace
 from hertzwerk.runtime.solution import Solution, Statistics
@@ -43,7 +43,7 @@ def simulate(
     duration: str | float | None = None,
     accuracy: float | None = None,
     tolerance: float | None = None,
-    method: str = "dop853",
+    method: str = METHOD,
     parameters: Mapping[str, Value] | None = None,
     initial: Mapping[str, Value] | None = None,
     output: Output = "steps",
@@ -59,7 +59,7 @@ def simulate(
                 error of one, by comparison with a tighter one, is known to be so small. `Solution.error` says what it is; where it is more
                 than was asked for, the outcome is "accuracy_unreachable", or a warning says that the run is longer than its horizon
     tolerance   in place of an accuracy the local tolerance, 1e-13..1e-1, of one run without an estimate
-    method      explicit "dop853", "dopri5"; for what is stiff "esdirk", "rodas"; "auto" chooses between dop853 and esdirk as it goes;
+    method      "auto": dop853, and esdirk where stability would hold that down; explicit "dop853", "dopri5"; for what is stiff "esdirk", "rodas";
                 "cvodes", "idas": SUNDIALS, slow, as an independent reference
     parameters, initial    values in place of the model's, each with its unit: {"clearance": "0.2 mm"}, {"guide.travel": "0.17 m"}
     output      what is kept: "steps", all that were accepted; or the states at a number of points, start and end included (1000), at a
@@ -160,8 +160,8 @@ def _solution(
             retaken=counted["retaken"],
             rhs_evaluations=counted["evaluations"],
             events=counted["events"],
-            wall_s=trace.ending.wall_s - trace.compile_s,
-            build_s=build_s,
+            wall_s=trace.ending.wall_s - trace.compile_s - trace.build_s,
+            build_s=build_s + trace.build_s,
             compile_s=trace.compile_s,
         ),
         warnings=(

@@ -76,8 +76,9 @@ class SingleRun:
         observers: list[Observer] = [kept] if alone else [kept, findings, *speeds]
         if other is not kept:
             observers.append(other)
-        before = self.gear.compile_s if self.gear else 0.0
+        before = (self.gear.compile_s, self.gear.build_s) if self.gear else (0.0, 0.0)
         ending = self._shown(tolerance, scales, observers, None if times is None else BLOCK, progress)
+        compile_s, build_s = (self.gear.compile_s, self.gear.build_s) if self.gear else (0.0, 0.0)
         return Trace(
             tolerance=tolerance,
             ending=ending,
@@ -87,7 +88,8 @@ class SingleRun:
             speeds=speeds,
             counted={name: int(ending.last[row]) for name, row in self.engine.counters.items()},
             compiled=self.gear is not None and self.gear.compiled,
-            compile_s=self.gear.compile_s - before if self.gear else 0.0,
+            compile_s=compile_s - before[0],
+            build_s=build_s - before[1],
         )
 
     def outcome(self, trace: Trace) -> Outcome:
@@ -151,6 +153,7 @@ class Trace:
     counted: Mapping[str, int]
     compiled: bool
     compile_s: float
+    build_s: float
 
 
 def _deepest(model: Model, history: History) -> str:

@@ -32,8 +32,8 @@ __all__ = ["ErrorEstimate", "History", "Impact", "Solution", "Statistics"]
 @dataclass(frozen=True)
 class Statistics:
     """What a run cost: accepted steps, steps rejected for their error, steps retaken to land on an event, evaluations of the right-hand side,
-    contacts begun (events); wall_s the integration, build_s everything before it (reading input, building the functions), compile_s what was
-    compiled on the way [s]."""
+    contacts begun (events); wall_s the integration, build_s what it takes (reading input, building the functions), compile_s what was compiled on
+    the way [s]."""
 
     steps: int
     rejected: int

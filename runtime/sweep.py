@@ -13,7 +13,7 @@ from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.binding import Value, read_state
 from hertzwerk.runtime.engine import prepare
 from hertzwerk.runtime.model import Model
-from hertzwerk.runtime.request import Compiled, Settings
+from hertzwerk.runtime.request import METHOD, Compiled, Settings
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.solution import Solution
 from hertzwerk.runtime.start import sorted_out
@@ -33,7 +33,7 @@ def simulate_many(
     duration: str | float | None = None,
     accuracy: float | None = None,
     tolerance: float | None = None,
-    method: str = "dop853",
+    method: str = METHOD,
     compiled: Compiled = "auto",
     workers: int | None = None,
     outputs: Mapping[str, Output] | None = None,

@@ -76,6 +76,7 @@ def _places(target: str, values: dict[str, str], duration: str | None, start: bo
     from hertzwerk.runtime.draw.picture import notes_on
     from hertzwerk.runtime.draw.places import Places
     from hertzwerk.runtime.model import load
+    from hertzwerk.runtime.request import METHOD
     from hertzwerk.runtime.simulation import simulate
     from hertzwerk.runtime.start import sorted_out
 
@@ -85,6 +86,6 @@ def _places(target: str, values: dict[str, str], duration: str | None, start: bo
     until = duration or numbers.get("duration")
     if start or until is None:
         return Places.at_start(model, parameters, initial), unchecked(model)
-    method = numbers.get("method", "dop853")
+    method = numbers.get("method", METHOD)
     run = simulate(model, duration=until, tolerance=TOLERANCE, method=method, parameters=parameters, initial=initial)
     return Places.over(run), notes_on(run)

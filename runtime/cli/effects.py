@@ -78,6 +78,7 @@ def _study(target: str, out: Path | None, *, quiet: bool, wanted: bool, **option
     """The study that a command line asks for; raises InputError."""
     from hertzwerk.runtime import scenarios
     from hertzwerk.runtime.effects.leaving_out import study_effects
+    from hertzwerk.runtime.request import METHOD
 
     faults = cannot_be_written(out, wanted=wanted)
     values = assignments("--set", options["settings"], faults)
@@ -96,7 +97,7 @@ def _study(target: str, out: Path | None, *, quiet: bool, wanted: bool, **option
             target,
             duration=options["duration"] or numbers.get("duration"),
             tolerance=tolerance,
-            method=options["method"] or numbers.get("method", "dop853"),
+            method=options["method"] or numbers.get("method", METHOD),
             values=values,
             outputs=options["outputs"],
             within=within,

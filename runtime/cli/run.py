@@ -141,7 +141,7 @@ def _simulate(
 ) -> Solution:
     """The solution a command line asks for; raises InputError with the faults of all its parts."""
     from hertzwerk.runtime import scenarios
-    from hertzwerk.runtime.request import Settings, read
+    from hertzwerk.runtime.request import METHOD, Settings, read
     from hertzwerk.runtime.simulation import simulate
     from hertzwerk.runtime.start import sorted_out
 
@@ -149,7 +149,7 @@ def _simulate(
     values = assignments("--set", settings, faults)
     numbers = scenarios.read(target) if target in scenarios.names() else {}
     accurate = number(accuracy) if accuracy is not None else numbers.get("accuracy")
-    by = method or numbers.get("method", "dop853")
+    by = method or numbers.get("method", METHOD)
     stopping.stage("building")
     output = "steps" if grid is None else int(grid) if grid.isdecimal() and len(grid) < 16 else grid
     settled = Settings(duration or numbers.get("duration"), accurate, None, by, "auto", output)

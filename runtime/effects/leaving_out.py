@@ -18,6 +18,7 @@ from hertzwerk.runtime.effects.smallest import smallest
 from hertzwerk.runtime.effects.starts import as_driven
 from hertzwerk.runtime.effects.study import GONE, NEW, NONE_SEEN, Change, Row, Study
 from hertzwerk.runtime.model import Model, load
+from hertzwerk.runtime.request import METHOD
 from hertzwerk.runtime.solution import Solution
 
 if TYPE_CHECKING:
@@ -31,7 +32,7 @@ def study_effects(
     *,
     duration: str | float | None = None,
     tolerance: float = 1e-6,
-    method: str = "dop853",
+    method: str = METHOD,
     values: Mapping[str, Value] | None = None,
     outputs: Sequence[str] = (),
     within: float | None = None,

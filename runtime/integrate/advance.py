@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
-from hertzwerk.runtime.integrate.choose import choice
+from hertzwerk.runtime.integrate.choose import Choosing, choice, suspicion
 from hertzwerk.runtime.integrate.classes import BY_MODE, modes
 from hertzwerk.runtime.integrate.control import factor, near_surfaces, remembered, roughness
 from hertzwerk.runtime.integrate.events import all_clear, far
@@ -46,11 +46,12 @@ def near(model: Model, vectors: Layouts) -> Any:
     return ca.Function("near", given, [ca.cse(clear)], ["state", "controls", "next"], ["clear"])
 
 
-def advance(model: Model, vectors: Layouts, table: Table, contacts: Contacts, *, chooses: bool = False) -> Any:
+def advance(
+    model: Model, vectors: Layouts, table: Table, contacts: Contacts, choosing: Choosing = Choosing.NONE
+) -> Any:
     """CasADi function (state, controls) -> (next, verdict) of the class of attempts with these contacts.
 
     next: the state after the step, if verdict says it is plain; otherwise its t, y, dy and pair parts are those of the end of the step.
-    chooses: whether the table is one of two to choose from.
     """
     contact = contacts != ()
     state, controls = vectors.state.symbol("state"), vectors.controls.symbol("controls")
@@ -60,7 +61,8 @@ def advance(model: Model, vectors: Layouts, table: Table, contacts: Contacts, *,
     else:  # the class says it, so that nothing is left to decide but whether a pair is released in flight
         mode, plain = modes(model, contacts), ca.SX(1) if contact else all_of(old["mode"] == FLIGHT)
     h, steps = old["h"], old["steps"] + 1
-    end = stepper(model, table, contacts)({**old, "mode": mode}, run, h)
+    seen: dict[str, Any] = {}
+    end = stepper(model, table, contacts, seen)({**old, "mode": mode}, run, h)
     if contact:
         end["error"] *= roughness(mode == CONTACT, old["gap"], end["gap"])
     error, in_range = end.pop("error"), end.pop("in_range")
@@ -93,8 +95,10 @@ def advance(model: Model, vectors: Layouts, table: Table, contacts: Contacts, *,
         "steps": steps,
         "evaluations": old["evaluations"] + table.stages,
     }
-    if chooses:
+    if choosing is Choosing.EVERY_STEP:
         new |= choice(model, contacts, {**old, "mode": mode}, run, end, kept)
+    elif choosing is Choosing.ON_SUSPICION:
+        new |= suspicion(model, old, run, end, seen)
     judged = REJECTED + passed * (SPECIAL - REJECTED + clear * (NEAR - SPECIAL + apart * (PLAIN - NEAR)))
     verdict = {"kind": judged, "error": error, "in_range": in_range}
     return ca.Function(

@@ -19,9 +19,10 @@ GAIN = 0.8  # part of the time ahead that C saves: it takes a fifth or less
 
 @dataclass
 class Code:
-    """The chunk of one model and method, in the virtual machine and, once somebody wanted it, as C."""
+    """The chunk of one model and method, in the virtual machine and, once somebody wanted it, as C; whole: made when a run goes on with another."""
 
     function: Any
+    whole: Callable[[], Code] | None = None
     machine: Callers = field(init=False)
     native: Callers | None = None
     _program: Program | None = None
@@ -60,12 +61,36 @@ class Code:
 
 
 class Gear:
-    """What one run is called with, chunk by chunk; with `changes` it changes to C by itself. `compile_s` is the time it took to compile."""
+    """What runs are called with, one after the other, chunk by chunk; with `changes` it changes to C by itself.
+
+    compile_s, build_s: the time it took to compile, and to build what chooses between methods [s].
+    """
 
     def __init__(self, code: Code, *, compiled: bool, changes: bool) -> None:
-        self._code, self._changes = code, changes
-        self.callers = code.native if code.native is not None and (compiled or changes) else code.machine
-        self.compile_s = 0.0
+        self._first, self._compiled, self._changes = code, compiled, changes
+        self.compile_s = self.build_s = 0.0
+        self.begin()
+
+    def begin(self) -> None:
+        """A run begins: `callers` are those of its first steps."""
+        self._use(self._first)
+
+    def whole(self, heed: Callable[[], object]) -> None:
+        """`callers` are those that choose between methods from now on."""
+        if self._first.whole is not None:
+            began = time.perf_counter()
+            code = self._first.whole()
+            self.build_s += time.perf_counter() - began
+            if self._compiled:
+                began = time.perf_counter()
+                code.compile(heed)
+                self.compile_s += time.perf_counter() - began
+            self._use(code)
+
+    def _use(self, code: Code) -> None:
+        self._code = code
+        either = self._compiled or self._changes
+        self.callers = code.native if code.native is not None and either else code.machine
 
     @property
     def compiled(self) -> bool:

@@ -10,9 +10,10 @@ from typing import Any, Protocol
 import casadi as ca
 import numpy as np
 
-from hertzwerk.runtime.caller import Callers
+from hertzwerk.runtime.caller import Caller, Callers
 from hertzwerk.runtime.integrate.attempt import Integrator
-from hertzwerk.runtime.integrate.layout import RUNNING, TOO_MANY_STEPS
+from hertzwerk.runtime.integrate.choose import PATIENCE
+from hertzwerk.runtime.integrate.layout import RUNNING, SUSPECT, TOO_MANY_STEPS
 from hertzwerk.runtime.interrupt import deferred
 
 SIZE = (16, 16)  # attempts per call: so many calls of a function that makes so many attempts
@@ -51,6 +52,12 @@ class Shift(Protocol):
 
     callers: Callers
 
+    def begin(self) -> None:
+        """A run begins: `callers` are those of its first steps."""
+
+    def whole(self, heed: Callable[[], object]) -> None:
+        """`callers` are those that choose between methods from now on."""
+
     def changed(self, elapsed: float, ahead: float, heed: Callable[[], object]) -> bool:
         """Whether `callers` are others from now on, after `elapsed` with about `ahead` [s] to go; what takes long calls `heed` now and then."""
 
@@ -69,14 +76,14 @@ def march(
 
     keep    is given the accepted states in order, some at a time: rows (n, ns) of its own
     """
+    gear.begin()
     layout = integrator.layouts.state
     t, status, accepted = layout["t"].start, layout["status"].start, layout["accepted"].start
+    pressure = layout["pressure"].start
     t_end = float(controls[integrator.layouts.controls["t_end"].start])
     t_start = float(state[t])
     max_steps, steps = float(controls[integrator.layouts.controls["max_steps"].start]), layout["steps"].start
-    callers = gear.callers
-    call = callers.take()
-    call.inputs[1][:] = controls
+    callers, call = _called(gear, controls)
     start, done = time.perf_counter(), 0.0
     outcome = int(state[status])
 
@@ -91,12 +98,14 @@ def march(
             while outcome == RUNNING:
                 call.inputs[0][:] = state
                 (states,) = call()
-                state = states[-1].copy()
-                outcome = int(state[status])
-                stop = len(states)
-                if outcome != RUNNING:
-                    stop = int(np.argmax(states[:, status] != RUNNING)) + 1
-                part = states[:stop]
+                ended = np.flatnonzero(states[:, status] != RUNNING)
+                part = states[: ended[0] + 1] if ended.size else states
+                outcome = int(part[-1, status])
+                suspect = outcome == SUSPECT
+                if suspect:
+                    outcome = part[-1, status] = RUNNING
+                    part[-1, pressure] = PATIENCE - 1  # the next step that is stiff indeed decides
+                state = part[-1].copy()
                 keep(part[part[:, accepted] == 1])
                 elapsed = time.perf_counter() - start
                 if outcome == RUNNING and elapsed > wall_time:
@@ -104,12 +113,21 @@ def march(
                 done = (float(state[t]) - t_start) / (t_end - t_start)
                 heed()
                 pace = max(done, float(state[steps]) / max_steps, 1e-9)
-                if outcome == RUNNING and gear.changed(elapsed, min(elapsed / pace, wall_time) - elapsed, heed):
+                if suspect:
+                    gear.whole(heed)
+                changed = outcome == RUNNING and gear.changed(elapsed, min(elapsed / pace, wall_time) - elapsed, heed)
+                if suspect or changed:
                     callers.give_back(call)
-                    callers = gear.callers
-                    call = callers.take()
-                    call.inputs[1][:] = controls
+                    callers, call = _called(gear, controls)
     except KeyboardInterrupt:
         outcome = INTERRUPTED
     callers.give_back(call)
     return Ending(state, outcome, time.perf_counter() - start)
+
+
+def _called(gear: Shift, controls: np.ndarray) -> tuple[Callers, Caller]:
+    """What a run is called with, and a call of it with the numbers of the run."""
+    callers = gear.callers
+    call = callers.take()
+    call.inputs[1][:] = controls
+    return callers, call

@@ -113,18 +113,31 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
     )
 
 
-def stepped(table: RungeKutta, right: Flow, start: Mapping[str, Any], run: Mapping[str, Any], h: Any) -> dict[str, Any]:
-    """One step of h [s] from the parts of a state, under its modes and latches: the parts of a trial."""
+def stepped(
+    table: RungeKutta,
+    right: Flow,
+    start: Mapping[str, Any],
+    run: Mapping[str, Any],
+    h: Any,
+    seen: dict[str, Any] | None = None,
+) -> dict[str, Any]:
+    """One step of h [s] from the parts of a state, under its modes and latches: the parts of a trial.
+
+    seen: is told of the last stage, an estimate of the step's end, with its slope, and of the weights of errors (`choose.suspicion`).
+    """
     given = (start["mode"], start["m"], run["c"])
     t, y = start["t"], start["y"]
     slopes = [start["dy"]]
     for row, node in zip(table.A[1:], table.c[1:], strict=True):
-        slopes.append(right.rates(t + node * h, _moved(y, h, row, slopes), *given))
+        stage = _moved(y, h, row, slopes)
+        slopes.append(right.rates(t + node * h, stage, *given))
     t1 = t + h
     y1, is_closed = right.closed(t1, _moved(y, h, table.b, slopes), run)
     end = right.at(t1, y1, *given)
-    slopes.append(end["dy"])
     weights = 1 / (run["tolerance"] * run["scale"] + 4 * EPS * ca.fabs(y1))
+    if seen is not None:
+        seen |= {"stage": stage, "slope": slopes[-1], "weights": weights}
+    slopes.append(end["dy"])
     error = _norm([_weighted(estimate.weights, slopes) * weights for estimate in table.errors], h)
     return {"t": t1, "y": y1, **end, "error": right.error(error, is_closed)}
 

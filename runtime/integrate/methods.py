@@ -29,10 +29,10 @@ METHODS: dict[str, tuple[Callable[[], Table], ...]] = {
 }
 
 
-def stepper(model: Model, table: Table, contacts: Contacts) -> Take:
-    """(start, run, h) -> trial: one step of h [s] from the parts of a state, with the forces of these contacts."""
+def stepper(model: Model, table: Table, contacts: Contacts, seen: dict[str, Any] | None = None) -> Take:
+    """(start, run, h) -> trial: one step of h [s] from the parts of a state, with the forces of these contacts; `seen` as in `explicit.stepped`."""
     right, within = explicit.flow(model, contacts), reduced(model)
     if isinstance(table, RungeKutta):
-        return lambda start, run, h: explicit.stepped(table, right, start, within(start, run), h)
+        return lambda start, run, h: explicit.stepped(table, right, start, within(start, run), h, seen)
     take = implicit.stepper(model, table, right, contacts)
     return lambda start, run, h: take(start, within(start, run), h)

@@ -182,7 +182,7 @@ def by_steps(model, method, start, time, count, **parameters):
     layouts = made.layouts
     state = np.array(made.begin(0.0, *start, controls)).ravel()
     for _ in range(count):
-        trial = np.array(made.step(state, controls, time / count)).ravel()
+        trial = np.array(made.step()(state, controls, time / count)).ravel()
         for name in ("t", "y", "dy"):
             state[layouts.state[name]] = trial[layouts.trial[name]]
     return state[layouts.state["y"]] / scales.state
