@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from hertzwerk.runtime.accuracy import brief
 from hertzwerk.runtime.integrate.chunk import INTERRUPTED, WALL_TIME_LIMIT
@@ -15,6 +16,12 @@ from hertzwerk.runtime.integrate.layout import (
     STEP_TOO_SMALL,
     TOO_MANY_STEPS,
 )
+from hertzwerk.runtime.remedies import of_accuracy, of_steps
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.history import History
+
+STEPS = (STEP_TOO_SMALL, TOO_MANY_STEPS, WALL_TIME_LIMIT)  # statuses of runs whose steps were many or too small
 
 
 @dataclass(frozen=True)
@@ -76,12 +83,14 @@ _OUTCOMES = {
 }
 
 
-def unreachable(asked: float, floor: float) -> Outcome:
+def unreachable(asked: float, floor: float, method: str) -> Outcome:
     """The outcome of a complete run whose error no tolerance makes as small as was asked."""
+    better = of_accuracy(method)
+    by, why = (f" of {method}", "") if better else ("", ": the motion amplifies what rounding leaves")
     return Outcome(
         "accuracy_unreachable",
-        f"no tolerance gives an error at the end below {brief(floor)}, {brief(asked, 3)} was asked for: the motion amplifies what rounding leaves",
-        f"ask for an accuracy above {brief(floor)}, or simulate a shorter time",
+        f"no tolerance{by} gives an error at the end below {brief(floor)}, {brief(asked, 3)} was asked for{why}",
+        _first(better, f"ask for an accuracy above {brief(floor)}, or simulate a shorter time"),
     )
 
 
@@ -100,7 +109,12 @@ def not_closed(unclosed: float, asked: float, tolerance: float, steps: int) -> O
     )
 
 
-def outcome(status: int, **facts: object) -> Outcome:
-    """The outcome of a status of the engine."""
+def outcome(status: int, method: str, history: History, **facts: object) -> Outcome:
+    """The outcome of a status of the engine, after the last of the rows that were kept."""
     name, message, remedy = _OUTCOMES[status]
-    return Outcome(name, message.format(**facts), remedy)
+    better = of_steps(method, history) if status in STEPS else ""
+    return Outcome(name, message.format(**facts), _first(better, remedy))
+
+
+def _first(better: str, remedy: str) -> str:
+    return f"{better}; else {remedy}" if better else remedy

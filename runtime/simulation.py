@@ -193,5 +193,5 @@ def _verdict(run: SingleRun, climbed: Climbed[Trace], asked: float, result: Outc
         elif result.finished:
             warnings.append(f"the error is {error}: runs with a smaller tolerance end otherwise, {other.message}")
     if error is not None and error.floor is not None:
-        result = unreachable(asked, error.floor)
+        result = unreachable(asked, error.floor, run.method)
     return result, tuple(warnings)

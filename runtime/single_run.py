@@ -97,6 +97,8 @@ class SingleRun:
         limits, ends = self.limits, trace.kept.ends
         return outcome(
             trace.ending.status,
+            self.method,
+            trace.kept.history,
             t=float(ends.t[-1]),
             where=_deepest(self.model, ends) if trace.ending.status == OUTSIDE_LAW_RANGE else "",
             tolerance=trace.tolerance,

@@ -21,7 +21,7 @@ import casadi as ca
 import numpy as np
 
 from hertzwerk.runtime.integrate.implicit import linearised, part_to_rest, sliding
-from hertzwerk.runtime.integrate.layout import SUSPECT
+from hertzwerk.runtime.integrate.layout import SUSPECT, layouts
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.history import History
@@ -84,6 +84,18 @@ def suspicion(
     vibration = h2 * h2 * acceleration * (pace * pace) > STIFF**4 * position * (length * length)
     pressure = ca.fmax(old["pressure"] + ca.if_else(damping * vibration, 1, -1), 0)
     return {"pressure": pressure, "status": ca.if_else(pressure >= SUSPICIOUS, SUSPECT, old["status"])}
+
+
+def fastest(model: Model) -> Any:
+    """CasADi function (state, controls) -> (1 + n): the step to try next times the fastest rate, and the sliding velocities [m/s]."""
+    vectors = layouts(model)
+    given = [part.symbol(name) for part, name in ((vectors.state, "state"), (vectors.controls, "controls"))]
+    old, run = (part.split(x) for part, x in zip((vectors.state, vectors.controls), given, strict=True))
+    at = (old["mode"], old["m"], run["c"])
+    J, _ = linearised(model)(old["t"], old["y"], *at)
+    v, *_ = sliding(model)(old["t"], old["y"], old["dy"], *at)
+    found = ca.densify(ca.vertcat(old["h"] * _rate(J, model.nq, model.nu), v))
+    return ca.Function("fastest", given, [ca.cse(found)], ["state", "controls"], ["found"])
 
 
 def _rate(J: Any, nq: int, nu: int) -> Any:

@@ -1,0 +1,54 @@
+"""The woodpecker toy: stick, slip and impact in turn, which stability forbids explicit steps; and what is advised where a method does not suit."""
+
+import pytest
+
+from hertzwerk.runtime import load, simulate
+from reference.woodpecker import woodpecker
+
+
+@pytest.fixture(scope="module")
+def toy():
+    return load(woodpecker())
+
+
+def test_the_default_method_runs_the_woodpecker(toy):
+    """It comes down as by another method, though sticking and slipping all the way; dop853 takes 200,000 steps to half of it."""
+    run = simulate(toy, duration="0.5 s", tolerance=1e-6, max_steps=20_000)
+    assert run.outcome.finished
+    assert run.method == "auto"
+    assert {choice.method for choice in run.choices} == {"explicit", "implicit"}
+    assert run.energy_residual < 1e-5
+    other = simulate(toy, duration="0.5 s", tolerance=1e-8, method="rodas")
+    assert run.final["fall.travel"] == pytest.approx(other.final["fall.travel"], rel=1e-3)
+
+
+@pytest.mark.parametrize("method", ["dop853", "dopri5"])
+def test_an_explicit_method_is_told_what_suits_it(toy, method):
+    run = simulate(toy, duration="0.5 s", tolerance=1e-6, method=method, max_steps=5_000)
+    assert run.outcome.name == "too_many_steps"
+    assert f"stability holds the steps of {method} down" in run.outcome.remedy
+    assert 'method="auto"' in run.outcome.remedy
+
+
+def test_an_implicit_method_where_nothing_is_stiff_is_told_so():
+    model, options = load("double_pendulum"), {"duration": "1 s", "tolerance": 1e-11, "max_steps": 300}
+    run = simulate(model, method="esdirk", **options)
+    assert run.outcome.name == "too_many_steps"
+    assert "nothing is stiff" in run.outcome.remedy
+    assert simulate(model, **options).outcome.finished  # as it was told to
+
+
+def test_a_method_that_rounds_too_often_is_told_which_does_not():
+    model, options = load("double_pendulum"), {"duration": "5 s", "accuracy": 1e-12}
+    for method in ("dopri5", "esdirk"):
+        run = simulate(model, method=method, **options)
+        assert run.outcome.name == "accuracy_unreachable"
+        assert f"no tolerance of {method}" in run.outcome.message
+        assert 'method="auto"' in run.outcome.remedy
+    assert simulate(model, **options).outcome.finished
+
+
+def test_where_the_method_is_not_the_cause_none_is_named():
+    run = simulate(load("slider_crank"), duration="1 s", tolerance=1e-6, method="dop853", max_steps=500)
+    assert run.outcome.name == "too_many_steps"
+    assert "method" not in run.outcome.remedy
