@@ -17,6 +17,7 @@ from typing import Any
 import sympy as sp
 from mpmath import mp, mpf
 
+from hertzwerk.derive.dimension import Dimension
 from hertzwerk.derive.functions import Where
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import DampingLaw, F, Quantity, d, m_eff, v
@@ -25,6 +26,7 @@ from hertzwerk.derive.mechanism import GROUND, Body, Mechanism, Prismatic, Spher
 from hertzwerk.derive.parameter import Parameter
 from hertzwerk.derive.rescaling import evaluate
 from hertzwerk.derive.scene import Contact, Scales, Scene, Start
+from hertzwerk.derive.units import parse_unit
 
 DIGITS = 30
 POINT_CONTACT = sp.Rational(3, 2)
@@ -71,17 +73,25 @@ def trials() -> Iterator[Trial]:
                 if range_of_e is None or e is None
                 else (float(range_of_e.lower or 0), float(range_of_e.upper or 1))
             )
-            (taken,) = law.parameters
+            taken, *_ = law.parameters
             text = "" if bounds is None else str(range_of_e)
-            yield Trial(law, impact_scene(law), taken.name, taken.unit, float(home_exponent(law)), bounds, text)
+            yield Trial(
+                law, impact_scene(law), taken.name, _unit_of(law, taken), float(home_exponent(law)), bounds, text
+            )
 
 
 def impact_scene(law: DampingLaw) -> Scene:
-    """A ball meets a wall at t = 0, beside K d^n, without gravity; each parameter of the law is one of the scene, of the same name."""
+    """A ball meets a wall at t = 0, beside K d^n, without gravity; each parameter of the law is one of the scene, of the same name.
+
+    A free exponent of the penetration is that of Hertz's point contact.
+    """
     ball = Body("ball", mass=_MASS)
     wall = GROUND.at(0, -_RADIUS, 0)  # so that the gap is the coordinate itself, and rounds with nothing else
     size = ((_EXPONENT + 1) * _MASS * _SPEED**2 / (2 * _STIFFNESS)) ** (1 / (_EXPONENT + 1))
-    given = {q.name: Parameter(q.name, q.unit, 0.5, q.meaning) for q in law.parameters}
+    given = {
+        q.name: POINT_CONTACT if q == law.exponent else Parameter(q.name, _unit_of(law, q), 0.5, q.meaning)
+        for q in law.parameters
+    }
     return Scene(
         Mechanism(
             "free_impact",
@@ -93,6 +103,13 @@ def impact_scene(law: DampingLaw) -> Scene:
         scales=Scales(length=size, speed=_SPEED),
         summary="one impact of a free ball",
     )
+
+
+def _unit_of(law: DampingLaw, symbol: Quantity) -> str:
+    """Unit of a parameter, a free exponent of the penetration in it being that of Hertz's point contact."""
+    if law.exponent not in law.parameters or law.exponent == symbol:
+        return symbol.unit
+    return str(Dimension.from_unit(parse_unit(symbol.unit), {str(law.exponent): POINT_CONTACT}))
 
 
 def restitution_symbol(law: DampingLaw) -> Quantity | None:

@@ -24,6 +24,7 @@ LABELS = 0.062  # between two of them
 EXACT = 5e-5  # a smaller deviation is none
 OWN = {  # what a law's own parameter is multiplied by, and what follows
     "ristow": (r"$\gamma\,(m^2/K^2v_0)^{1/5}$", "returns more at higher speed"),
+    "power_damping": (r"$\chi\,v_0/K$, $m = n$", "returns less at higher speed"),
     "kuwabara_kono": (r"$A\,(K^2v_0/m^2)^{1/5}$", "returns less at higher speed"),
 }
 
@@ -112,7 +113,7 @@ def _together(axis: Axes, study: Study) -> None:
 
 def _own(axis: Axes, study: Study) -> None:
     """The laws that take a parameter of their own, over what makes it a number."""
-    for curve, colour in zip(study.others, (BLUE, ORANGE), strict=False):
+    for curve, colour in zip(study.others, (BLUE, ORANGE, VERMILLION), strict=True):
         scaled, follows = OWN.get(curve.law, (curve.parameter, ""))
         label = f"{curve.law}, over {scaled}\n{follows}"
         axis.semilogx(curve.given, curve.simulated, "o-", color=colour, markersize=3.2, linewidth=1.4, label=label)

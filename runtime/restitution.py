@@ -220,12 +220,15 @@ def simulated(model: Model, trial: Trial, value: float, impact: Impact) -> float
 
 
 def own_unit(trial: Trial, impact: Impact) -> float:
-    """What a law's own parameter is measured in, SI: the impact's time to the power the parameter's unit has it in."""
+    """What a law's own parameter is measured in, SI: the impact's mass, length and time to the powers the parameter's unit has them in."""
     n = trial.exponent
     time = (impact.mass * impact.speed ** (1 - n) / impact.stiffness) ** (1 / (n + 1))
-    return float(time ** float(parse_unit(trial.unit).exponents[2].constant))
+    mass, length, seconds, _ = (float(exponent.constant) for exponent in parse_unit(trial.unit).exponents)
+    return float(impact.mass**mass * (impact.speed * time) ** length * time**seconds)
+
+
+_OWN = {"1/s": "{}*(m^2/(K^2 v0))^(1/5)", "s": "{}/(m^2/(K^2 v0))^(1/5)", "N s/m^2.5": "{}*v0/K"}
 
 
 def _own_text(trial: Trial) -> str:
-    sign = "*" if parse_unit(trial.unit).exponents[2].constant < 0 else "/"
-    return f"{trial.parameter}{sign}(m^2/(K^2 v0))^(1/5)"
+    return _OWN[trial.unit].format(trial.parameter)

@@ -15,6 +15,7 @@ from hertzwerk.derive.laws.damping import (
     kuwabara_kono,
     lankarani_nikravesh,
     lee_wang,
+    power_damping,
     ristow,
     safaeifar_farshidianfar,
     tsuji,
@@ -61,6 +62,7 @@ from hertzwerk.derive.laws.reconstruction import (
     wang_liu_half_width,
     wang_liu_internal,
     wang_liu_johnson,
+    wang_liu_secant,
 )
 from hertzwerk.derive.laws.stiffness import (
     galin_sneddon,
@@ -112,6 +114,7 @@ __all__ = [
     "persson",
     "popov_line",
     "power",
+    "power_damping",
     "radzimovsky",
     "ristow",
     "safaeifar_farshidianfar",
@@ -124,5 +127,6 @@ __all__ = [
     "wang_liu_half_width",
     "wang_liu_internal",
     "wang_liu_johnson",
+    "wang_liu_secant",
     "zhiying_qishao",
 ]

@@ -17,7 +17,7 @@ import sympy as sp
 
 from hertzwerk.derive.functions import Where
 from hertzwerk.derive.laws.law import APPROACH_SPEED, DampingLaw, F, Quantity, d, k_t, m_eff, v
-from hertzwerk.derive.parameter import NOT_NEGATIVE, Interval
+from hertzwerk.derive.parameter import NOT_NEGATIVE, POSITIVE, Interval
 
 e = Quantity("e", "1", "coefficient of restitution")
 
@@ -55,7 +55,7 @@ herbert_mcwhannell = _hysteresis(
     title="Herbert and McWhannell",
     recommended=_HIGH,
     source="Herbert, McWhannell, J. Eng. Ind. 99 (1977) 513",
-    grade="A",
+    grade="B",
 )
 
 lee_wang = _hysteresis(
@@ -65,7 +65,7 @@ lee_wang = _hysteresis(
     title="Lee and Wang",
     recommended=_HIGH,
     source="Lee, Wang, J. Mech. Transm. Autom. Des. 105 (1983) 534",
-    grade="A",
+    grade="B",
 )
 
 lankarani_nikravesh = _hysteresis(
@@ -85,7 +85,7 @@ gonthier = _hysteresis(
     name="gonthier",
     title="Gonthier, McPhee, Lange and Piedboeuf",
     source="Gonthier, McPhee, Lange, Piedboeuf, Multibody Syst. Dyn. 11 (2004) 209",
-    grade="A",
+    grade="B",
 )
 
 zhiying_qishao = _hysteresis(
@@ -134,7 +134,7 @@ carvalho_martins = _hysteresis(
     sp.Rational(33, 2),
     name="carvalho_martins",
     title="Carvalho and Martins",
-    source="Carvalho, Martins, Mech. Mach. Theory 134 (2019) 580",
+    source="Carvalho, Martins, Mech. Mach. Theory 139 (2019) 174",
     grade="A",
     note="At e = 0 the factor is 33/2: large, not infinite.",
 )
@@ -204,6 +204,8 @@ exact = _hysteresis(
 # -- another power of the penetration ----------------------------------------------------------------------------------
 
 A = Quantity("A", "s", "material time of the viscous stress", NOT_NEGATIVE)
+chi = Quantity("chi", "N s/m^(m+1)", "coefficient of the damping", POSITIVE)
+m = Quantity("m", "1", "exponent of the penetration", Interval(lower=0, upper=10))
 gamma = Quantity("gamma", "1/s", "damping rate", NOT_NEGATIVE)
 xi = Quantity("xi", "1", "damping ratio")
 _SECANT = F / d
@@ -224,6 +226,17 @@ kelvin_voigt = DampingLaw(
     source="Anagnostopoulos, Earthq. Eng. Struct. Dyn. 16 (1988) 443",
     grade="A",
     note="Published for K d, where the secant F/d is K: exact e when the contact ends at d = 0. Jumps at the onset, pulls before release.",
+)
+
+power_damping = DampingLaw(
+    name="power_damping",
+    title="Power damping, coefficient and exponent given: beside K d^n the general law K d^n + chi d^m v",
+    parameters=(chi, m),
+    term=chi * d**m * v,
+    exponent=m,
+    source="Wang, Liu, Mech. Mach. Theory 153 (2020) 103986, section 2: the form that the laws of its survey share",
+    grade="A",
+    note="chi carries the unit N s/m^(m+1). With m = n and chi = h K/v0 a hysteresis law of one approach speed; m = 0 jumps at the onset.",
 )
 
 ristow = DampingLaw(
@@ -261,7 +274,7 @@ kuwabara_kono = DampingLaw(
     term=A * k_t * v,
     exponent=sp.Rational(1, 2),
     source="Kuwabara, Kono, Jpn. J. Appl. Phys. 26 (1987) 1230",
-    grade="B",
+    grade="A",
     note="Published for K d^1.5, where A k_t v is (3/2) A K d^(1/2) v: e = 1 - 1.15345 (3/2) A (K/m_eff)^(2/5) v0^(1/5) + ...",
 )
 

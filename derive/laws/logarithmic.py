@@ -57,7 +57,7 @@ hertz_cylinder = StiffnessLaw(
     relation=2 * F / (sp.pi * E_eff * L) * (sp.log(sp.pi * E_eff * dR * L / F) - 1),
     **_with(EFFECTIVE_MODULUS, law=logarithmic(2 / (sp.pi * E_eff * L), sp.pi * E_eff * L * dR, -1)),
     source=f"quoted in {REVIEW}",
-    grade="A",
+    grade="B",
     note="Hertz's theory of line contact leaves the approach open; this is a law of the literature under his name.",
 )
 
@@ -90,7 +90,6 @@ def _goldsmith(m: int, **fields: Any) -> StiffnessLaw:
         relation=F * sigma / L * (sp.log(L**m / (F * R_eff * sigma)) + 1),
         **_with(EFFECTIVE_MODULUS, _COMPLIANCE_SUM, law=logarithmic(sigma / L, L**m / (R_eff * sigma), 1)),
         source=f"Goldsmith, Impact (1960); {REVIEW}",
-        grade="B",
         **fields,
     )
 
@@ -99,6 +98,7 @@ goldsmith = _goldsmith(
     1,
     name="goldsmith",
     title="Goldsmith, line contact of cylinders, m = 1 as quoted",
+    grade="B",
     verdict="inconsistent",
     repair="goldsmith_m3",
 )
@@ -106,6 +106,7 @@ goldsmith = _goldsmith(
 goldsmith_m3 = _goldsmith(
     3,
     name="goldsmith_m3",
+    grade="A",
     title="Goldsmith, line contact of cylinders, repaired with m = 3",
     note="Then it is the law of Dubowsky and Freudenstein, since 1/R = dR/(R1 R2).",
 )
@@ -121,7 +122,7 @@ dubowsky_freudenstein = StiffnessLaw(
         law=logarithmic(sigma / L, L**3 * dR / (R_1 * R_2 * sigma), 1),
     ),
     source=f"Dubowsky, Freudenstein, J. Eng. Ind. 93 (1971) 305; {REVIEW}",
-    grade="B",
+    grade="A",
 )
 
 esdu_78035 = StiffnessLaw(

@@ -1,7 +1,8 @@
 """Reconstructions (grade R) of the two stiffness laws of Wang and Liu 2020, whose expressions could not be had.
 
 Known of them: one for external, one for internal contact of cylinders, both with the joint's length L and the exponent n = 1, so K is N/m. Here
-stand all dimensionally admissible candidates; the two named after the paper are the defaults. Whoever has the paper replaces one expression each.
+stand all dimensionally admissible candidates, each a force that the catalogue has under another name; the two named after the paper are the
+defaults: of them n = 1 is the local exponent too. The sheet of each shows them as a band. Whoever has the paper replaces one expression each.
 """
 
 from __future__ import annotations
@@ -23,13 +24,23 @@ wang_liu_external = linear(
     title="Wang and Liu, external contact of cylinders (reconstruction)",
     source=_SOURCE,
     grade="R",
-    note="K = (pi/4) E* L: 2.6 to 3.8 times Johnson's force at penetrations of micrometres.",
+    note="K = (pi/4) E* L, the same force as popov_line: 2.6 to 3.8 times Johnson's at penetrations of micrometres.",
     pairs=("parallel_cylinders", "cylinder_on_plane"),
 )
 
-wang_liu_internal = StiffnessLaw(
+wang_liu_internal = linear(
+    sp.pi / 2,
     name="wang_liu_internal",
     title="Wang and Liu, internal contact of cylinders (reconstruction)",
+    source=_SOURCE,
+    grade="R",
+    note="K = (pi/2) E* L, n = 1 as the paper says: the slope of Persson's law of pin and bush at the onset, the same force as hertz_half_width.",
+    pairs=("pin_in_bush",),
+)
+
+wang_liu_secant = StiffnessLaw(
+    name="wang_liu_secant",
+    title="Wang and Liu, internal contact, the secant of Liu's law (reconstruction, further candidate)",
     parameters=MATERIALS,
     definitions=(EFFECTIVE_MODULUS,),
     force=sp.pi / 2 * E_eff * L * sp.sqrt(d / (2 * (dR + d))) * d,
@@ -38,7 +49,8 @@ wang_liu_internal = StiffnessLaw(
     forms=("line",),
     source=_SOURCE,
     grade="R",
-    note="K(d) = (pi/2) E* L sqrt(d/(2 (dR + d))), the secant of the law liu_with_length; its local exponent is 1.5 at small d.",
+    note="K(d) = (pi/2) E* L sqrt(d/(2 (dR + d))), the same force as liu_with_length. Written as K(d) d it has n = 1; its local exponent is 1.5 at "
+    "small d, so it is not the default.",
     pairs=("pin_in_bush",),
 )
 
@@ -48,6 +60,7 @@ wang_liu_half_width = linear(
     title="Wang and Liu, external or internal contact, K = (pi/2) E* L (reconstruction, further candidate)",
     source=_SOURCE,
     grade="R",
+    note="The same force as hertz_half_width; inside it is that of wang_liu_internal.",
 )
 
 wang_liu_johnson = replace(

@@ -47,9 +47,9 @@ CONTACT_LAWS_MD = {
     "stiffness": """hertz_point power galin_sneddon johnson hertz_cylinder radzimovsky goldsmith goldsmith_m3 dubowsky_freudenstein esdu_78035
         palmgren palmgren_si pereira_internal pereira_internal_si pereira_external pereira_external_si lankarani_nikravesh_cylinders liu
         liu_with_length bai_zhao bai_zhao_repaired persson popov_line hertz_half_width wang_liu_external wang_liu_internal
-        wang_liu_half_width wang_liu_johnson""",
+        wang_liu_half_width wang_liu_johnson wang_liu_secant""",
     "damping": """hunt_crossley herbert_mcwhannell lee_wang lankarani_nikravesh gonthier zhiying_qishao flores gharib_hurmuzlu hu_guo
-        carvalho_martins safaeifar_farshidianfar exact kelvin_voigt ristow tsuji kuwabara_kono jankowski""",
+        carvalho_martins safaeifar_farshidianfar exact kelvin_voigt ristow tsuji kuwabara_kono jankowski power_damping""",
     "film": "short_bearing long_bearing",
     "friction": "coulomb smooth_coulomb ambrosio threlfall stribeck brown_mcphee bengisu_akay lugre",
 }

@@ -37,7 +37,7 @@ SCENES = {name: import_module(f"hertzwerk.derive.scenes.{name}").scene for name 
 OF_PINS = (
     *("johnson", "hertz_cylinder", "radzimovsky", "goldsmith_m3", "dubowsky_freudenstein", "esdu_78035", "palmgren_si"),
     *("pereira_internal_si", "liu_with_length", "bai_zhao_repaired", "persson", "popov_line", "hertz_half_width"),
-    *("wang_liu_internal", "wang_liu_half_width", "wang_liu_johnson"),
+    *("wang_liu_internal", "wang_liu_half_width", "wang_liu_johnson", "wang_liu_secant"),
 )
 ADVISED = (
     *("slider_crank", "slider_crank_frictionless", "slider_crank_two_clearances", "slider_crank_three_clearances"),

@@ -224,8 +224,8 @@ def test_stated_exponent_is_the_local_one(name):
     assert local == near(stated + (mpf("0.5") if name == "bai_zhao" else 0), rel=1e-2 if name == "bai_zhao" else 1e-20)
 
 
-def test_reconstruction_for_internal_contact_has_local_exponent_three_halves():
-    law = LAWS["wang_liu_internal"]
+def test_the_secant_of_liu_has_local_exponent_three_halves():
+    law = LAWS["wang_liu_secant"]
     local = evaluate(sp.diff(law.force, d) * d / law.force, numbers(law) | {d: mpf("1e-12")})
     assert local == near(1.5, rel=1e-6)
 

@@ -10,7 +10,7 @@ the loading branch being 1 > w > 0 and the unloading one 0 > w > -e_out, where I
 and time (dt = -m dv/F) are readings of this one curve.
 
 Sources: the hysteresis form and its energy balance, Hunt & Crossley, J. Appl. Mech. 42 (1975) 440; the implicit
-relation between h and the restitution, e.g. Carvalho & Martins, Mech. Mach. Theory 134 (2019) 580; the elastic impact,
+relation between h and the restitution, e.g. Carvalho & Martins, Mech. Mach. Theory 139 (2019) 174; the elastic impact,
 Johnson, Contact Mechanics (1985), section 11.4 (duration 2.94 dmax/v0 for n = 3/2). The numbers of
 `shared/reference/contact-laws.md` sections 1 and 2 and of `scenarios.md` are compared in test_reference.py.
 """

@@ -42,18 +42,26 @@ def expected(name, e):
 
 def test_the_study_covers_every_damping_law(study):
     assert {c.law for c in (*study.curves, *study.others)} == set(TRIALS)
-    assert {c.law for c in study.others} == {"ristow", "kuwabara_kono"}
+    assert {c.law for c in study.others} == {"ristow", "kuwabara_kono", "power_damping"}
     assert GRID[0] == 0.05
     assert GRID[-1] == 0.99
     assert all(np.isfinite(c.simulated).all() for c in (*study.curves, *study.others))
 
 
-@pytest.mark.parametrize("name", [name for name in TRIALS if name not in ("ristow", "kuwabara_kono")])
+@pytest.mark.parametrize("name", [name for name in TRIALS if name not in ("ristow", "kuwabara_kono", "power_damping")])
 def test_the_engine_returns_the_closed_form(study, name):
     found = next(c for c in study.curves if c.law == name)
     known = [expected(name, e) for e in found.given]
     assert np.max(np.abs(found.simulated - known)) < 1e-9
     assert np.max(np.abs(found.closed - known)) < 1e-12
+
+
+def test_power_damping_of_m_equal_n_is_hysteresis(study):
+    """chi = h K/v0 returns what the exact relation has for h."""
+    found = next(c for c in study.others if c.law == "power_damping")
+    assert found.parameter == "chi*v0/K"
+    known = [restitution(float(h)) for h in found.given]
+    assert np.max(np.abs(found.simulated - known)) < 1e-9
 
 
 def test_agreement_is_that_of_the_worst(study):
@@ -78,7 +86,11 @@ def test_kuwabara_and_kono_s_expansion(study):
 
 @pytest.mark.parametrize(
     ("name", "drag"),
-    [("ristow", lambda d, v, x: x * v), ("kuwabara_kono", lambda d, v, x: 1.5 * x * math.sqrt(d) * v)],
+    [
+        ("ristow", lambda d, v, x: x * v),
+        ("kuwabara_kono", lambda d, v, x: 1.5 * x * math.sqrt(d) * v),
+        ("power_damping", lambda d, v, x: x * d**1.5 * v),
+    ],
 )
 def test_laws_without_e_against_another_integrator(study, name, drag):
     """d'' = -(d^1.5 + drag), with m = K = v0 = 1, from d = 0 until the force vanishes, by SciPy."""
@@ -106,7 +118,15 @@ def test_laws_without_e_against_another_integrator(study, name, drag):
 
 
 @pytest.mark.parametrize(
-    ("name", "value"), [("flores", 0.3), ("tsuji", 0.6), ("jankowski", 0.2), ("kuwabara_kono", 0.3), ("ristow", 0.5)]
+    ("name", "value"),
+    [
+        ("flores", 0.3),
+        ("tsuji", 0.6),
+        ("jankowski", 0.2),
+        ("kuwabara_kono", 0.3),
+        ("ristow", 0.5),
+        ("power_damping", 0.4),
+    ],
 )
 def test_mass_speed_and_stiffness_do_not_matter(name, value):
     """Five decades of stiffness, three of mass, one of speed: the same comes out, for the same e or the same number of the law's own."""

@@ -1,0 +1,117 @@
+"""Of friction laws: curves typed again, their slopes, steady sliding; of films Reynolds' equation by quadrature."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from bench import evaluate, numbers
+from film import ETA, LENGTH, PIN, C, by_quadrature
+from known import SHARP, TYPED, Evidence, same
+from mpmath import mp, mpf
+
+from hertzwerk.derive.laws.law import N, s, z
+
+# -- friction ----------------------------------------------------------------------------------------------------------
+
+SLIDING = ("1e-5", "3e-4", "0.003", "0.009", "0.019", "0.049", "0.051", "0.08", "2")
+
+
+def drags(formula: Callable[..., Any], slope: Callable[..., Any] | None = None) -> Evidence:
+    """The force at many speeds, odd, and its slope at rest, by a formula of N and the law's own numbers."""
+
+    def check(law: Any) -> None:
+        values = numbers(law)
+        named = {q.name: x for q, x in values.items()}
+        for speed, load in ((sign * mpf(text), mpf(load)) for text in SLIDING for sign in (1, -1) for load in (700, 3)):
+            expected = mp.sign(speed) * formula(abs(speed), load, named)
+            same(evaluate(law.force, values | {s: speed, N: load}), expected)
+        if slope is not None:
+            found, expected = evaluate(law.slope, values | {N: mpf(700)}), slope(mpf(700), named)
+            assert abs(found - expected) <= SHARP * abs(expected)
+
+    return Evidence(TYPED, "the force as published", check)
+
+
+def slope_at_rest(law: Any) -> None:
+    tiny = mpf("1e-25")
+    for load in (700, 3):
+        values = numbers(law) | {N: mpf(load)}
+        found = evaluate(law.force, values | {s: tiny}) / tiny
+        assert abs(evaluate(law.slope, values) - found) <= mpf("1e-12") * abs(found)
+
+
+def curve(x: Any, p: Any) -> Any:
+    """Stribeck's."""
+    return p["mu_k"] + (p["mu_s"] - p["mu_k"]) * mp.exp(-((x / p["v_S"]) ** 2))
+
+
+def creep(law: Any) -> None:
+    """On an incline of slope tan(theta) the smoothed law holds at a creep of v_s atanh(tan(theta)/mu)."""
+    speed = mpf("1e-3") * mp.atanh(mpf("0.13") / mpf("0.2"))
+    same(evaluate(law.force, numbers(law) | {s: speed, N: mpf(1)}), mpf("0.13"))
+
+
+def coulomb_cone(law: Any) -> None:
+    values = numbers(law) | {N: mpf(700)}
+    same(evaluate(law.force, values | {s: mpf("0.3")}), mpf("0.15") * 700)
+    same(evaluate(law.force, values | {s: mpf("-3")}), -mpf("0.15") * 700)
+    same(evaluate(law.holding, values), mpf("0.25") * 700)
+
+
+def threlfall_published(law: Any) -> None:
+    """0.95 of mu N from the transition speed on, as printed."""
+    for speed in ("0.02", "0.5"):
+        found = evaluate(law.force, numbers(law) | {s: mpf(speed), N: mpf(1)}) / mpf("0.2")
+        assert mp.nstr(found, 2) == "0.95"
+
+
+def brown_published(law: Any) -> None:
+    """At v_S the bump is 1: mu_k tanh 4 + mu_s - mu_k, and its top."""
+    dry = numbers(law, c_v="0") | {N: mpf(1)}
+    same(evaluate(law.force, dry | {s: mpf("0.05")}), mpf("0.15") * mp.tanh(4) + mpf("0.1"))
+    level = {**dry, **{q: mpf(0) for q in dry if q.name == "mu_k"}}
+    slope = mp.diff(lambda x: evaluate(law.force, level | {s: x}), mpf("0.05"))
+    assert abs(slope) < mpf("1e-12")
+
+
+def lugre_bristle(law: Any) -> None:
+    ((symbol, rate, size),) = law.memory
+    for speed in ("0.01", "0.3", "-0.1"):
+        x = mpf(speed)
+        values = numbers(law) | {s: x, N: mpf(700)}
+        g = curve(x, {q.name: value for q, value in values.items()})
+        settled = mp.sign(x) * g / mpf("1e5")
+        for z_now in (mpf(0), mpf("1e-6"), settled):
+            zdot = x - mpf("1e5") * abs(x) * z_now / g
+            found = evaluate(rate, values | {symbol: z_now})
+            assert abs(found - zdot) <= mpf("1e-20") + SHARP * abs(zdot)
+            expected = 700 * (mpf("1e5") * z_now + 3 * zdot) + 3 * x
+            same(evaluate(law.force, values | {z: z_now}), expected)
+        same(evaluate(law.force, values | {z: settled}), mp.sign(x) * 700 * g + 3 * x)
+    same(evaluate(size, numbers(law)), mpf("0.25") / mpf("1e5"))
+    same(evaluate(law.slope, numbers(law)), mpf(700) * 3 + 3)
+
+
+# -- films -------------------------------------------------------------------------------------------------------------
+
+
+def reynolds(law: Any) -> None:
+    """Drag along and across the squeeze velocity against Reynolds' equation by quadrature, and Petroff's couple."""
+    rate = (mpf("0.02"), mpf("0.03"))
+    speed = mp.hypot(*rate)
+    w = (rate[0] / speed, rate[1] / speed)
+    for e in ((3e-5, -4e-5), (-5e-5, 4e-5), (6e-5, 2e-5), (1e-5, 7e-5)):
+        along = (e[0] * w[0] + e[1] * w[1]) / C
+        across = (-e[0] * w[1] + e[1] * w[0]) / C
+        given = {"eta": ETA, "R_2": PIN, "L": LENGTH, "dR": C, "epsilon_w": along, "epsilon_c": across}
+        values = {q: mpf(given[q.name]) for q in law.symbols() if q.name in given}
+        for symbol, expression in law.definitions:
+            values[symbol] = evaluate(expression, values)
+        force = by_quadrature(law.name, e, tuple(float(x) for x in rate))
+        size = mp.hypot(force[0], force[1])
+        found = (-evaluate(law.along, values) * speed, -evaluate(law.across, values) * speed)
+        expected = (force[0] * w[0] + force[1] * w[1], -force[0] * w[1] + force[1] * w[0])
+        assert all(abs(x - y) <= mpf("1e-9") * size for x, y in zip(found, expected, strict=True)), (found, expected)
+        spin = by_quadrature(law.name, e, (1e-9, 0.0), 200.0, -200.0)
+        same(evaluate(law.couple, values) * 400, mpf(-(spin[2] - spin[5]) / 2), mpf("1e-9"))
