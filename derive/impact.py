@@ -108,7 +108,7 @@ def impact_scene(law: DampingLaw) -> Scene:
 def _unit_of(law: DampingLaw, symbol: Quantity) -> str:
     """Unit of a parameter, a free exponent of the penetration in it being that of Hertz's point contact."""
     if law.exponent not in law.parameters or law.exponent == symbol:
-        return symbol.unit
+        return str(symbol.unit)
     return str(Dimension.from_unit(parse_unit(symbol.unit), {str(law.exponent): POINT_CONTACT}))
 
 
