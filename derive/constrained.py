@@ -38,6 +38,7 @@ class Loops:
                 value = tape.let(_seen(constraint, through), f"W_{name}_{other}")
                 if value != 0:
                     matrix[name, other] = matrix[other, name] = value
+        self._sizes: dict[str, Any] = {}
         order = least_fill(self._names, matrix)
         groups: dict[str, list[Any]] = {}
         for constraint, name in each:
@@ -46,7 +47,13 @@ class Loops:
             size = tape.let(sp.Add(*groups[constraint.group]), f"{constraint.group.replace('.', '_')}_size")
             softness = tape.input(f"{name}_softness", CONSTANT, ONE)
             matrix[name, name] = tape.let(matrix.get((name, name), sp.S.Zero) + softness * size, f"W_{name}_raised")
+            self._sizes[name] = size
         self._factor = Factor(tape, order, matrix)
+
+    def independence(self) -> list[Any]:
+        """What the constraints eliminated before leave of each one, over the size of its group: near a singular position a square."""
+        left = self._factor.diagonal
+        return [self._tape.let(left[name] / self._sizes[name], f"{name}_independence") for name in self._names]
 
     def corrected(
         self,

@@ -17,7 +17,7 @@ class Factor:
         self.names, self._tape = order, tape
         self._label = label = {name: name.replace(".", "_") for name in order}
         self._lower: dict[tuple[str, str], Any] = {}
-        self._diagonal: dict[str, Any] = {}
+        self.diagonal: dict[str, Any] = {}
         work: dict[tuple[str, str], Any] = {}
         for i, row in enumerate(order):
             known: list[str] = []
@@ -27,9 +27,9 @@ class Factor:
                 if value != 0:
                     known.append(k)
                     work[row, k] = value
-                    self._lower[row, k] = tape.let(value / self._diagonal[k], f"l_{label[row]}_{label[k]}")
+                    self._lower[row, k] = tape.let(value / self.diagonal[k], f"l_{label[row]}_{label[k]}")
             terms = [product(self._lower[row, j], work[row, j]) for j in known]
-            self._diagonal[row] = tape.let(less(matrix[row, row], *terms), f"D_{label[row]}")
+            self.diagonal[row] = tape.let(less(matrix[row, row], *terms), f"D_{label[row]}")
 
     def solve(self, right: dict[str, Any], label: str) -> dict[str, Any]:
         """The solution for one right-hand side, in the reverse of the order of elimination."""
@@ -42,7 +42,7 @@ class Factor:
         for i in reversed(range(len(order))):
             row = order[i]
             terms = [product(lower[k, row], result[k]) for k in order[i + 1 :] if (k, row) in lower]
-            result[row] = tape.let(less(solved[row] / self._diagonal[row], *terms), f"{self._label[row]}_{label}")
+            result[row] = tape.let(less(solved[row] / self.diagonal[row], *terms), f"{self._label[row]}_{label}")
         return result
 
 

@@ -145,6 +145,10 @@ class Equations:
         speeds, _ = self._loops.corrected(still, wanted, "push", 1)
         return [speeds[row.key] for row in self.free]
 
+    def independence(self) -> list[Any]:
+        """Of each constraint, 0 where it says what others say: see `constrained`."""
+        return self._loops.independence()
+
     @cached_property
     def _factor(self) -> Factor:
         """Of the mass matrix of the free rows; leaves first: eliminating a chain from its end keeps the branches' zeros."""

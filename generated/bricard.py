@@ -4,7 +4,7 @@ Do not edit; regenerate with `hertzwerk derive bricard`.
 Effects:
     gravity: uniform gravity
     energy_ledger: work put in, energy dissipated per effect
-Units: 571 assignments and 238 outputs checked, all consistent
+Units: 576 assignments and 243 outputs checked, all consistent
 Operations: flight 1818 (equations of motion and gaps)
 """
 
@@ -138,7 +138,7 @@ OPERATIONS = (
     ("applied", 44),
     ("accelerations", 1774),
     ("constraints", 176),
-    ("projection", 1044),
+    ("projection", 1049),
     ("ledger", 0),
     ("energy", 188),
     ("poses", 94),
@@ -1009,12 +1009,15 @@ def constraints(t, q, u, c):
 
 
 def projection(t, q, wanted, c):
-    """Speeds of least kinetic energy that change the constraints at the rates wanted.
+    """Speeds of least kinetic energy that change the constraints at the rates wanted, and what no other constraint
+    says of each.
 
     Arguments: t [s]; q: COORDINATES; wanted: rates of CONSTRAINTS; c: CONSTANTS.
     Returns, each a column vector:
         v (5,): hinge_a.speed [rad/s], hinge_b.speed [rad/s], hinge_c.speed [rad/s], hinge_d.speed [rad/s],
             hinge_e.speed [rad/s]
+        independence (5,): hinge_f.apart_x [1], hinge_f.apart_y [1], hinge_f.apart_z [1], hinge_f.turned_y [1],
+            hinge_f.turned_z [1]
     """
     length = c[0]
     rod_e_h_y = c[2]
@@ -1347,7 +1350,16 @@ def projection(t, q, wanted, c):
     hinge_c_push_2 = hinge_c_push + hinge_c_by_hinge_f_apart_x*hinge_f_apart_x_push_2 + hinge_c_by_hinge_f_apart_y*hinge_f_apart_y_push_2 + hinge_c_by_hinge_f_apart_z*hinge_f_apart_z_push_2 + hinge_c_by_hinge_f_turned_y*hinge_f_turned_y_push_2 + hinge_c_by_hinge_f_turned_z*hinge_f_turned_z_push_2
     hinge_b_push_2 = hinge_b_push + hinge_b_by_hinge_f_apart_x*hinge_f_apart_x_push_2 + hinge_b_by_hinge_f_apart_y*hinge_f_apart_y_push_2 + hinge_b_by_hinge_f_apart_z*hinge_f_apart_z_push_2 + hinge_b_by_hinge_f_turned_y*hinge_f_turned_y_push_2 + hinge_b_by_hinge_f_turned_z*hinge_f_turned_z_push_2
     hinge_a_push_2 = hinge_a_push + hinge_a_by_hinge_f_apart_x*hinge_f_apart_x_push_2 + hinge_a_by_hinge_f_apart_y*hinge_f_apart_y_push_2 + hinge_a_by_hinge_f_apart_z*hinge_f_apart_z_push_2 + hinge_a_by_hinge_f_turned_y*hinge_f_turned_y_push_2 + hinge_a_by_hinge_f_turned_z*hinge_f_turned_z_push_2
-    return ca.vertcat(hinge_a_push_2, hinge_b_push_2, hinge_c_push_2, hinge_d_push_2, hinge_e_push_2)
+    hinge_f_apart_x_independence = W_hinge_f_apart_x_raised/hinge_f_apart_size
+    hinge_f_apart_y_independence = D_hinge_f_apart_y/hinge_f_apart_size
+    hinge_f_apart_z_independence = D_hinge_f_apart_z/hinge_f_apart_size
+    hinge_f_turned_y_independence = D_hinge_f_turned_y/hinge_f_turned_size
+    hinge_f_turned_z_independence = D_hinge_f_turned_z/hinge_f_turned_size
+    return (
+        ca.vertcat(hinge_a_push_2, hinge_b_push_2, hinge_c_push_2, hinge_d_push_2, hinge_e_push_2),
+        ca.vertcat(hinge_f_apart_x_independence, hinge_f_apart_y_independence, hinge_f_apart_z_independence,
+            hinge_f_turned_y_independence, hinge_f_turned_z_independence),
+    )
 
 
 def ledger(t, q, u, reactions, c):

@@ -5,7 +5,7 @@ Effects:
     gravity: uniform gravity
     spring: linear spring of guide
     energy_ledger: work put in, energy dissipated per effect
-Units: 561 assignments and 311 outputs checked, all consistent
+Units: 567 assignments and 317 outputs checked, all consistent
 Operations: flight 1519 (equations of motion and gaps)
 """
 
@@ -188,7 +188,7 @@ OPERATIONS = (
     ("applied", 42),
     ("accelerations", 1477),
     ("constraints", 141),
-    ("projection", 816),
+    ("projection", 822),
     ("ledger", 0),
     ("energy", 224),
     ("poses", 61),
@@ -1050,12 +1050,15 @@ def constraints(t, q, u, c):
 
 
 def projection(t, q, wanted, c):
-    """Speeds of least kinetic energy that change the constraints at the rates wanted.
+    """Speeds of least kinetic energy that change the constraints at the rates wanted, and what no other constraint
+    says of each.
 
     Arguments: t [s]; q: COORDINATES; wanted: rates of CONSTRAINTS; c: CONSTANTS.
     Returns, each a column vector:
         v (6,): spindle.speed [rad/s], right_hinge.speed [rad/s], right_knee.speed [rad/s], left_hinge.speed
             [rad/s], left_knee.speed [rad/s], guide.speed [m/s]
+        independence (6,): right_foot.apart_x [1], right_foot.apart_y [1], right_foot.apart_z [1], left_foot.apart_x
+            [1], left_foot.apart_y [1], left_foot.apart_z [1]
     """
     rod_length = c[1]
     offset = c[3]
@@ -1361,8 +1364,19 @@ def projection(t, q, wanted, c):
     right_knee_push_2 = right_knee_push + left_foot_apart_x_push_2*right_knee_by_left_foot_apart_x + left_foot_apart_y_push_2*right_knee_by_left_foot_apart_y + left_foot_apart_z_push_2*right_knee_by_left_foot_apart_z + right_foot_apart_x_push_2*right_knee_by_right_foot_apart_x + right_foot_apart_y_push_2*right_knee_by_right_foot_apart_y + right_foot_apart_z_push_2*right_knee_by_right_foot_apart_z
     right_hinge_push_2 = right_hinge_push + left_foot_apart_x_push_2*right_hinge_by_left_foot_apart_x + left_foot_apart_y_push_2*right_hinge_by_left_foot_apart_y + left_foot_apart_z_push_2*right_hinge_by_left_foot_apart_z + right_foot_apart_x_push_2*right_hinge_by_right_foot_apart_x + right_foot_apart_y_push_2*right_hinge_by_right_foot_apart_y + right_foot_apart_z_push_2*right_hinge_by_right_foot_apart_z
     spindle_push_2 = spindle_push + left_foot_apart_x_push_2*spindle_by_left_foot_apart_x + left_foot_apart_y_push_2*spindle_by_left_foot_apart_y + left_foot_apart_z_push_2*spindle_by_left_foot_apart_z + right_foot_apart_x_push_2*spindle_by_right_foot_apart_x + right_foot_apart_y_push_2*spindle_by_right_foot_apart_y + right_foot_apart_z_push_2*spindle_by_right_foot_apart_z
-    return ca.vertcat(spindle_push_2, right_hinge_push_2, right_knee_push_2, left_hinge_push_2, left_knee_push_2,
-        guide_push_2)
+    right_foot_apart_x_independence = W_right_foot_apart_x_raised/right_foot_apart_size
+    right_foot_apart_y_independence = D_right_foot_apart_y/right_foot_apart_size
+    right_foot_apart_z_independence = D_right_foot_apart_z/right_foot_apart_size
+    left_foot_apart_x_independence = D_left_foot_apart_x/left_foot_apart_size
+    left_foot_apart_y_independence = D_left_foot_apart_y/left_foot_apart_size
+    left_foot_apart_z_independence = D_left_foot_apart_z/left_foot_apart_size
+    return (
+        ca.vertcat(spindle_push_2, right_hinge_push_2, right_knee_push_2, left_hinge_push_2, left_knee_push_2,
+            guide_push_2),
+        ca.vertcat(right_foot_apart_x_independence, right_foot_apart_y_independence,
+            right_foot_apart_z_independence, left_foot_apart_x_independence, left_foot_apart_y_independence,
+            left_foot_apart_z_independence),
+    )
 
 
 def ledger(t, q, u, reactions, c):

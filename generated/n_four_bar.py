@@ -4,7 +4,7 @@ Do not edit; regenerate with `hertzwerk derive n_four_bar`.
 Effects:
     gravity: uniform gravity
     energy_ledger: work put in, energy dissipated per effect
-Units: 254 assignments and 239 outputs checked, all consistent
+Units: 258 assignments and 243 outputs checked, all consistent
 Operations: flight 552 (equations of motion and gaps)
 """
 
@@ -133,7 +133,7 @@ OPERATIONS = (
     ("applied", 27),
     ("accelerations", 525),
     ("constraints", 61),
-    ("projection", 307),
+    ("projection", 311),
     ("ledger", 0),
     ("energy", 81),
     ("poses", 24),
@@ -583,12 +583,14 @@ def constraints(t, q, u, c):
 
 
 def projection(t, q, wanted, c):
-    """Speeds of least kinetic energy that change the constraints at the rates wanted.
+    """Speeds of least kinetic energy that change the constraints at the rates wanted, and what no other constraint
+    says of each.
 
     Arguments: t [s]; q: COORDINATES; wanted: rates of CONSTRAINTS; c: CONSTANTS.
     Returns, each a column vector:
         v (5,): foot_0.speed [rad/s], foot_1.speed [rad/s], foot_2.speed [rad/s], left_0.speed [rad/s], left_1.speed
             [rad/s]
+        independence (4,): right_0.apart_x [1], right_0.apart_y [1], right_1.apart_x [1], right_1.apart_y [1]
     """
     length = c[0]
     post_2_arm_x = c[2]
@@ -721,7 +723,15 @@ def projection(t, q, wanted, c):
     foot_2_push_2 = foot_2_push + foot_2_by_right_1_apart_x*right_1_apart_x_push_2 + foot_2_by_right_1_apart_y*right_1_apart_y_push_2
     foot_1_push_2 = foot_1_push + foot_1_by_right_0_apart_x*right_0_apart_x_push_2 + foot_1_by_right_0_apart_y*right_0_apart_y_push_2 + foot_1_by_right_1_apart_x*right_1_apart_x_push_2 + foot_1_by_right_1_apart_y*right_1_apart_y_push_2
     foot_0_push_2 = foot_0_push + foot_0_by_right_0_apart_x*right_0_apart_x_push_2 + foot_0_by_right_0_apart_y*right_0_apart_y_push_2
-    return ca.vertcat(foot_0_push_2, foot_1_push_2, foot_2_push_2, left_0_push_2, left_1_push_2)
+    right_0_apart_x_independence = W_right_0_apart_x_raised/right_0_apart_size
+    right_0_apart_y_independence = D_right_0_apart_y/right_0_apart_size
+    right_1_apart_x_independence = D_right_1_apart_x/right_1_apart_size
+    right_1_apart_y_independence = D_right_1_apart_y/right_1_apart_size
+    return (
+        ca.vertcat(foot_0_push_2, foot_1_push_2, foot_2_push_2, left_0_push_2, left_1_push_2),
+        ca.vertcat(right_0_apart_x_independence, right_0_apart_y_independence, right_1_apart_x_independence,
+            right_1_apart_y_independence),
+    )
 
 
 def ledger(t, q, u, reactions, c):

@@ -37,7 +37,8 @@ def projection(system: System) -> Function:
     ]
     return system.function(
         "projection",
-        "Speeds of least kinetic energy that change the constraints at the rates wanted.",
+        "Speeds of least kinetic energy that change the constraints at the rates wanted, and what no other constraint says of each.",
         "t q wanted c",
         system.of_speeds("v", system.equations.projection(wanted)),
+        of_loops("independence", system.loops, system.equations.independence(), {"m": "1", "1": "1"}),
     )

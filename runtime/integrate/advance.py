@@ -25,6 +25,7 @@ from hertzwerk.runtime.integrate.layout import (
 )
 from hertzwerk.runtime.integrate.methods import stepper
 from hertzwerk.runtime.integrate.modes import all_of, is_finite
+from hertzwerk.runtime.integrate.singular import clear_of_singular
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.classes import Contacts
@@ -84,6 +85,7 @@ def advance(
     free = ca.fmin(kept, run["h_max"]) if contact else kept
     if model.k:
         free = near_surfaces(free, old["h_onset"], mode, end)
+    free = clear_of_singular(table, free, end["ahead"])
     new = {
         **old,
         **end,

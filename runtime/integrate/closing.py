@@ -23,6 +23,8 @@ class Closing:
     """The projection of a mechanism with loops."""
 
     function: Any
+    along: Any
+    """(t, y, error (ny), c) -> what closing leaves of an error: what is along the constraints."""
     lengths: tuple[bool, ...]
     """Of each constraint: whether it is a length [m], not an angle's sine [1]."""
     speeds: slice
@@ -46,7 +48,8 @@ def closing(model: Model) -> Closing | None:
     if not model.nl:
         return None
     speeds = slice(model.nq, model.nq + model.nu)
-    return Closing(model.once("closed", lambda: _closed(model)), model.is_length, speeds)
+    along = model.once("along", lambda: _along(model))
+    return Closing(model.once("closed", lambda: _closed(model)), along, model.is_length, speeds)
 
 
 def _closed(model: Model) -> Any:
@@ -57,8 +60,24 @@ def _closed(model: Model) -> Any:
     rates, still = model.function("coordinate_rates"), ca.SX.zeros(model.nu)
     phi, _ = constraints(t, q, u, c)
     for _ in range(ITERATIONS):
-        q = q + rates(t, q, project(t, q, -phi, c), c) - rates(t, q, still, c)
+        q = q + rates(t, q, project(t, q, -phi, c)[0], c) - rates(t, q, still, c)
         phi, phi_rate = constraints(t, q, u, c)
-    u = u - project(t, q, phi_rate, c)
+    u = u - project(t, q, phi_rate, c)[0]
     _, rate = constraints(t, q, u, c)
     return ca.Function("closed", [t, y, c], ca.cse([ca.vertcat(q, u, z), phi, rate]))
+
+
+def _along(model: Model) -> Any:
+    """CasADi function (t, y, error (ny), c) -> the error without what leads off the constraints, to first order."""
+    ny = model.nq + model.nu + model.nz
+    t, y, error, c = ca.SX.sym("t"), ca.SX.sym("y", ny), ca.SX.sym("error", ny), ca.SX.sym("c", model.nc)
+    parts = [0, model.nq, model.nq + model.nu, ny]
+    q, u, _ = ca.vertsplit(y, parts)
+    dq, du, dz = ca.vertsplit(error, parts)
+    constraints, project = model.function("constraints"), model.function("projection")
+    rates, still = model.function("coordinate_rates"), ca.SX.zeros(model.nu)
+    phi, rate = constraints(t, q, u, c)
+    back = project(t, q, ca.jtimes(phi, q, dq), c)[0]
+    dq = dq - (rates(t, q, back, c) - rates(t, q, still, c))
+    du = du - project(t, q, ca.jtimes(rate, u, du), c)[0]
+    return ca.Function("along", [t, y, error, c], ca.cse([ca.vertcat(dq, du, dz)]))

@@ -13,6 +13,7 @@ from hertzwerk.runtime.integrate.closing import LOST, Closing, closing
 from hertzwerk.runtime.integrate.friction import forces as friction_forces
 from hertzwerk.runtime.integrate.friction import grips, may_slip, pairs_of
 from hertzwerk.runtime.integrate.layout import GRIP_PARTS, PAIR_PARTS
+from hertzwerk.runtime.integrate.singular import time_to_singular
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.tables import RungeKutta
@@ -28,7 +29,8 @@ class Flow:
 
     rates:  dy/dt (ny)
     ends:   dy/dt; gap, gap rate, gap acceleration (k each); raw normal force and its rate along the flow (k each, 0 unless in contact); in_range (k);
-            of the pairs with set-valued friction (ns each, 0 unless in contact): its force along the tangent, margin, rate of that
+            of the pairs with set-valued friction (ns each, 0 unless in contact): its force along the tangent, margin, rate of that;
+            time to a singular position (1, none in a tree)
     holding: what holds the loops closed (nl) [N or N m]; none in a tree
     """
 
@@ -42,6 +44,10 @@ class Flow:
         """The state with its loops closed and its quaternions of norm 1, and whether the loops are; without any the state as it is, and 1."""
         y, is_closed = (y, ca.SX(1)) if self.closing is None else self.closing(t, y, run)
         return unit_quaternions(y, self.quaternions), is_closed
+
+    def lasting(self, t: Any, y: Any, error: Any, run: Mapping[str, Any]) -> Any:
+        """Of an error (ny) of a step that ends at t, y what remains once the loops are closed: along a singular position much is off them."""
+        return error if self.closing is None else self.closing.along(t, y, error, run["c"])
 
     def error(self, error: Any, is_closed: Any) -> Any:
         """The error norm of a step, LOST where its end does not close the loops."""
@@ -104,9 +110,16 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
         ends=ca.Function(
             "ends",
             arguments,
-            ca.cse([dy, gap, gap_rate, gap_acceleration, forces, force_rate, in_range, friction, margin, margin_rate]),
+            ca.cse(
+                [
+                    dy,
+                    *(gap, gap_rate, gap_acceleration, forces, force_rate, in_range),
+                    *(friction, margin, margin_rate),
+                    time_to_singular(model, t, q, dq, c),
+                ]
+            ),
             names,
-            ["dy", *PAIR_PARTS, "in_range", *GRIP_PARTS],
+            ["dy", *PAIR_PARTS, "in_range", *GRIP_PARTS, "ahead"],
         ),
         holding=ca.Function("holding", arguments, multipliers, names, ["multipliers"]) if model.nl else None,
         closing=closing(model),
@@ -138,7 +151,8 @@ def stepped(
     if seen is not None:
         seen |= {"stage": stage, "slope": slopes[-1], "weights": weights}
     slopes.append(end["dy"])
-    error = _norm([_weighted(estimate.weights, slopes) * weights for estimate in table.errors], h)
+    errors = (right.lasting(t1, y1, _weighted(estimate.weights, slopes), run) for estimate in table.errors)
+    error = _norm([error * weights for error in errors], h)
     return {"t": t1, "y": y1, **end, "error": right.error(error, is_closed)}
 
 

@@ -88,12 +88,13 @@ def layouts(model: Model) -> Layouts:
     """Layouts for a model.
 
     State: t [s]; y = q, u, z; dy = dy/dt under the modes; mode and m (latches, slips); gap, gap_rate, gap_acceleration and force, force_rate
-    of each pair, friction, margin and margin_rate of those with set-valued friction (see `friction`) [SI]; h [s] the step to try next;
+    of each pair, friction, margin and margin_rate of those with set-valued friction (see `friction`) [SI]; where loops are closed, ahead [s] a
+    singular position (see `singular`); h [s] the step to try next;
     h_flight, h_contact, h_onset [s] remembered; class (see `classes`), status; method, pressure, stiffness (see `choose`); accepted,
     fresh_contact (a contact has just begun), after_rejection; then counters.
     """
     ny, k, nm = model.nq + model.nu + model.nz, model.k, model.nm
-    pairs = dict.fromkeys(PAIR_PARTS, k) | dict.fromkeys(GRIP_PARTS, model.ns)
+    pairs = dict.fromkeys(PAIR_PARTS, k) | dict.fromkeys(GRIP_PARTS, model.ns) | {"ahead": min(model.nl, 1)}
     steps = ("h", "h_flight", "h_contact", "h_onset", "class", "status")
     choice = ("method", "pressure", "stiffness")
     flags = ("accepted", "fresh_contact", "after_rejection")

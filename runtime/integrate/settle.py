@@ -36,6 +36,7 @@ from hertzwerk.runtime.integrate.layout import (
     Layouts,
 )
 from hertzwerk.runtime.integrate.modes import FINITE, Parts, any_of, is_finite, latch, next_modes, switch
+from hertzwerk.runtime.integrate.singular import clear_of_singular
 from hertzwerk.runtime.integrate.tables import RungeKutta
 
 if TYPE_CHECKING:
@@ -44,7 +45,7 @@ if TYPE_CHECKING:
 
 NUDGE_EVALUATIONS = 4
 MAX_RETAKES = 60  # of one step; a landing needs 1 to 3
-MOVED = ("t", "y", "dy", *PAIR_PARTS, *GRIP_PARTS)  # the parts of a state that a step moves
+MOVED = ("t", "y", "dy", *PAIR_PARTS, *GRIP_PARTS, "ahead")  # the parts of a state that a step moves
 
 
 def settle(model: Model, vectors: Layouts, table: Table, right: Flow) -> Any:
@@ -87,14 +88,15 @@ def reject(vectors: Layouts, table: Table) -> Any:
     in_contact = old["class"] >= IN_CONTACT
     shrunk = ca.if_else(in_contact * old["fresh_contact"], onset_factor(error), factor(table, error))
     h = h * ca.if_else(finite, ca.fmin(shrunk, SAFETY), 0.1)
+    kept, h = h, clear_of_singular(table, h, old["ahead"])
     stuck = (h < 4 * EPS * ca.fabs(old["t"])) + (old["t"] + h <= old["t"]) > 0
     why = ca.if_else(finite, ca.if_else(error >= LOST, CONSTRAINT_LOST, STEP_TOO_SMALL), NOT_FINITE)
     status = ca.if_else(stuck, why, RUNNING)
     new = {
         **old,
         "h": h,
-        "h_flight": ca.if_else(in_contact, old["h_flight"], h),
-        "h_contact": ca.if_else(in_contact, h, old["h_contact"]),
+        "h_flight": ca.if_else(in_contact, old["h_flight"], kept),
+        "h_contact": ca.if_else(in_contact, kept, old["h_contact"]),
         "accepted": ca.SX(0),
         "after_rejection": ca.SX(1),
         "retakes": ca.SX(0),
@@ -192,6 +194,7 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
     free = ca.if_else(now_contact, ca.fmin(new["h_contact"], run["h_max"]), new["h_flight"])
     if model.k:
         free = near_surfaces(free, new["h_onset"], mode, end, resting=ca.fabs(end["gap"]) <= tol)
+    free = clear_of_singular(table, free, ca.if_else(accepted, end["ahead"], old["ahead"]))
     left = run["t_end"] - t
     h = ca.if_else(retake, aimed, ca.if_else(1.01 * free >= left, left, free))
     new |= {part: ca.if_else(accepted, end[part], old[part]) for part in MOVED}

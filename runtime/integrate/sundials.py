@@ -326,7 +326,7 @@ class _Run:
         """The state of the engine that this is."""
         end = self.at(self.t, self.y)
         values: dict[str, Any] = {"t": self.t, "y": self.y, "dy": end["dy"], "mode": self.mode, "m": self.m}
-        values |= {name: end[name] for name in (*PAIR_PARTS, *GRIP_PARTS)}
+        values |= {name: end[name] for name in (*PAIR_PARTS, *GRIP_PARTS, "ahead")}
         values |= {
             "accepted": 1,
             "status": self.status,

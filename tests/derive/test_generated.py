@@ -194,7 +194,7 @@ def test_functions_return_what_the_tables_say(name):
     }  # fmt: skip
     nl = len(derived.names.get("CONSTRAINTS", ()))
     if nl:
-        sizes |= {"accelerations": [nu, nr, nl], "constraints": [nl, nl], "projection": [nu]}
+        sizes |= {"accelerations": [nu, nr, nl], "constraints": [nl, nl], "projection": [nu, nl]}
     q, u = derived.start()
     given = {
         "q": q, "u": u, "a": np.ones(nu), "f": np.ones(nf), "reactions": np.ones(nr), "z": np.zeros(nz), "m": np.ones(nm), "t": 1e-3,

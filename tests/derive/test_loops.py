@@ -131,7 +131,7 @@ def test_constraints_their_rates_and_the_projection(name, kind):
     assert rate == pytest.approx(np.zeros(2), abs=1e-13)
     shifted = case.q + np.where(np.isin(np.arange(len(case.q)), free), 0.01, 0.0)
     assert found.call("constraints", t=t, q=shifted[free], u=u)[0] == pytest.approx(case.phi(shifted), abs=1e-13)
-    pushed = found.call("projection", t=t, q=q, wanted=[0.3, -0.2])
+    pushed, independence = found.call("projection", t=t, q=q, wanted=[0.3, -0.2])
     G = case.jacobian(case.q)[:, free]
     assert G @ pushed == pytest.approx([0.3, -0.2], rel=1e-9)
     mass, _ = case.tree.mass_and_forcing(case.q, case.u)
@@ -140,6 +140,10 @@ def test_constraints_their_rates_and_the_projection(name, kind):
         inverse @ G.T @ np.linalg.solve(G @ inverse @ G.T, [0.3, -0.2])
     )  # of all with that effect, least in kinetic energy
     assert pushed == pytest.approx(least, rel=1e-7, abs=1e-9)
+    seen = (
+        G @ inverse @ G.T
+    )  # what elimination leaves, multiplied, is the determinant; the size of the group is the trace
+    assert np.prod(independence) == pytest.approx(np.linalg.det(seen) / np.trace(seen) ** 2, rel=1e-6)
 
 
 def test_a_tree_has_no_trace_of_loops():
