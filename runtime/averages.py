@@ -130,10 +130,11 @@ def averages(
     asked, skipped = (_seconds(name, value, faults) for name, value in (("interval", interval), ("skip", skip)))
     if skip == 0:
         skipped = 0.0
-    if not faults and asked is not None and asked > run.t_end:
-        faults.append(Fault("interval", f"{asked:g} s", f"at most the run's {run.t_end:g} s"))
-    if not faults and skipped is not None and skipped >= run.t_end:
-        faults.append(Fault("skip", f"{skipped:g} s", f"less than the run's {run.t_end:g} s"))
+    span = run.t_end - run.t_start
+    if not faults and asked is not None and asked > span:
+        faults.append(Fault("interval", f"{asked:g} s", f"at most the run's {span:g} s"))
+    if not faults and skipped is not None and skipped >= span:
+        faults.append(Fault("skip", f"{skipped:g} s", f"less than the run's {span:g} s"))
     if faults:
         raise InputError(f"averages of {run.model.name}", faults)
     sums = run.findings.sums(asked)
@@ -174,7 +175,7 @@ def _averages(run: Solution, sums: Sums, first: int, *, shows_largest: bool) -> 
 
     for j, pair in enumerate(model.pairs):
         impacts = [impact for impact in run.impacts if impact.contact == pair]
-        places = np.floor(np.array([impact.t for impact in impacts]) / dt * (1 + 1e-12)).astype(int)
+        places = np.floor((np.array([impact.t for impact in impacts]) - run.t_start) / dt * (1 + 1e-12)).astype(int)
         within = places < sums.count
         peaks = np.array([impact.peak_force for impact in impacts])
         hits, forces = (

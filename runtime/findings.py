@@ -103,11 +103,14 @@ class Choices:
 class Findings:
     """Impacts, energy residual, choices and sums of a run: found as it goes, or, of steps that are kept, when asked for (`later`).
 
+    duration, begin    where the run is to end, and where it begins [s]
     period    after which everything that depends on time repeats [s], None where nothing does
     """
 
-    def __init__(self, model: Model, method: str, *, later: bool, duration: float, period: float | None) -> None:
-        self._model, self._later, self._duration, self.period = model, later, duration, period
+    def __init__(
+        self, model: Model, method: str, *, later: bool, duration: float, period: float | None, begin: float = 0.0
+    ) -> None:
+        self._model, self._later, self._duration, self._begin, self.period = model, later, duration, begin, period
         self._steps: list[History] = []
         self._contacts = Contacts(model)
         self._balance = Balance() if model.has_ledger else None
@@ -199,9 +202,11 @@ class Findings:
         return self._looked(self._summing_up(None)).sums if self._summing is None else self._summing.sums
 
     def _summing_up(self, interval: float | None) -> Summing:
-        until = float(self._steps[-1].t[-1]) if self._steps else 0.0
-        until = until or self._duration  # of a run without a step as well: its sums are of no interval
+        begin, until = self._begin, float(self._steps[-1].t[-1]) if self._steps else 0.0
+        if until <= begin:
+            until = self._duration  # of a run without a step as well: its sums are of no interval
         if interval is None:
-            periods = 0.0 if self.period is None else until / self.period
-            interval = until / INTERVALS if self.period is None else self.period * math.ceil(periods / MOST_INTERVALS)
-        return Summing(self._model, interval, until)
+            span = until - begin
+            periods = 0.0 if self.period is None else span / self.period
+            interval = span / INTERVALS if self.period is None else self.period * math.ceil(periods / MOST_INTERVALS)
+        return Summing(self._model, interval, until, begin)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 import platform
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import asdict, dataclass, field
 from functools import partial
@@ -29,6 +29,7 @@ def summary(solution: Solution, *, averages: bool = False) -> dict[str, Any]:
     return {
         "scene": solution.model.name,
         "outcome": solution.outcome.name,
+        "t_start": solution.t_start,
         "t_end": solution.t_end,
         "duration": solution.duration,
         "accuracy": solution.accuracy,
@@ -111,16 +112,18 @@ def write(
     csv: bool = False,
     averages: bool = False,
     stopping: Stopping | None = None,
+    request: Mapping[str, Any] | None = None,
 ) -> Written:
     """Write a run to `out`, or to the next free runs/<scene>-NNN: the data first, then what can be made from them.
 
-    The data, states.npz and run.json, appear at once. Averages, states.csv and pictures follow, each for itself: what fails, or is stopped, is told
-    of in run.json and leaves no part of a file. `csv` writes states.csv however large it is. Raises OSError where no data can be written.
+    `request` is what was asked for, to be kept with it. The data, states.npz and run.json, appear at once. Averages, states.csv and pictures follow,
+    each for itself: what fails, or is stopped, is told of in run.json and leaves no part of a file. `csv` writes states.csv however large it is.
+    Raises OSError where no data can be written.
     """
     stop = stopping or _Never()
     lost = list(solution.findings.secured())
     stop.stage("writing states.npz")
-    folder, files = new_folder(solution.model.name, out, lambda at: _write_data(solution, at, lost))
+    folder, files = new_folder(solution.model.name, out, lambda at: _write_data(solution, at, lost, request))
     written = Written(folder, files, lost)
     extras = _Extras(solution, written, stop)
     if averages:
@@ -131,7 +134,7 @@ def write(
     told = [*lost, *written.left_out]
     if told or averages:
         extras.failing(
-            "run.json", lambda: write_atomically(folder / "run.json", _text(solution, told, written.averages))
+            "run.json", lambda: write_atomically(folder / "run.json", _text(solution, told, request, written.averages))
         )
     return written
 
@@ -218,13 +221,13 @@ class _Extras:
             self.make(f"{name}.png", partial(lambda save, at, file: save(at / file), save, file=f"{name}.png"))
 
 
-def _write_data(solution: Solution, folder: Path, lost: list[str]) -> list[str]:
+def _write_data(solution: Solution, folder: Path, lost: list[str], request: Mapping[str, Any] | None) -> list[str]:
     """states.npz and run.json, the other one where one cannot be written; raises OSError where none can."""
     files: list[str] = []
     errors: list[OSError] = []
     for file, make in (
         ("states.npz", lambda path: solution.save(path)),
-        ("run.json", lambda path: write_atomically(path, _text(solution, lost))),
+        ("run.json", lambda path: write_atomically(path, _text(solution, lost, request))),
     ):
         try:
             make(folder / file)
@@ -237,8 +240,12 @@ def _write_data(solution: Solution, folder: Path, lost: list[str]) -> list[str]:
     return files
 
 
-def _text(solution: Solution, lost: Sequence[str], averages: Sequence[Average] = ()) -> bytes:
-    content = record(solution) | ({"averages": [asdict(average) for average in averages]} if averages else {})
+def _text(
+    solution: Solution, lost: Sequence[str], request: Mapping[str, Any] | None, averages: Sequence[Average] = ()
+) -> bytes:
+    content = record(solution)
+    content |= {"averages": [asdict(average) for average in averages]} if averages else {}
+    content |= {"request": dict(request)} if request is not None else {}
     return (json_text({**content, "warnings": [*content["warnings"], *lost]}) + "\n").encode()
 
 

@@ -91,7 +91,7 @@ class Settings:
 @dataclass(frozen=True)
 class Given:
     """What a run starts from and how far it goes: the parameters' numbers, q (nq,) and u (nu,) with loops closed, the duration [s], the scales that
-    the scene states, and the constraints that follow from others."""
+    the scene states, the constraints that follow from others, and the initial states that were given."""
 
     bound: Bound
     q: np.ndarray
@@ -99,6 +99,7 @@ class Given:
     seconds: float
     scales: Scales
     dependent: tuple[Dependent, ...]
+    initial: Mapping[str, Value]
 
 
 def read(
@@ -114,7 +115,7 @@ def read(
     if given is not None and not faults:
         return given, times
     bound, q, u = start_of(model, parameters, initial, faults)
-    given = Given(bound, q, u, seconds, scaling.of_parameters(model, bound), dependent(model, bound, q))
+    given = Given(bound, q, u, seconds, scaling.of_parameters(model, bound), dependent(model, bound, q), dict(initial))
     if len(known) >= REMEMBERED:
         known.clear()
     known[key] = given

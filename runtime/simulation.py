@@ -21,6 +21,7 @@ from hertzwerk.runtime.accuracy import (
 )
 from hertzwerk.runtime.binding import Value
 from hertzwerk.runtime.caveats import floored, open_forces, too_fast, unchecked
+from hertzwerk.runtime.checkpoint import checkpoint_of
 from hertzwerk.runtime.engine import engine_for
 from hertzwerk.runtime.integrate.automatic import Gear
 from hertzwerk.runtime.integrate.chunk import INTERRUPTED, WALL_TIME_LIMIT
@@ -89,7 +90,7 @@ def simulate(
     scales = run.scales(tolerance)
     build_s = time.perf_counter() - began
     if tolerance is not None:
-        return _solution(run, run.trace(tolerance, scales, times, progress=progress), scales, build_s)
+        return solution_of(run, run.trace(tolerance, scales, times, progress=progress), scales, build_s)
     return _as_accurate(run, scales, times, accuracy or ACCURACY, build_s, progress)
 
 
@@ -119,7 +120,7 @@ def _as_accurate(
 
     ladder = Ladder(one, lambda y, reference: scaling.error(model, scales, y, reference), grid, asked)
     climbed = ladder.climb(first_tolerance(asked, seconds, *scales.scene[:2]))
-    return _solution(run, climbed.run.kept, scales, build_s, asked, climbed)
+    return solution_of(run, climbed.run.kept, scales, build_s, asked, climbed)
 
 
 def _part(progress: Callable[[float], object], before: int) -> Callable[[float], object]:
@@ -127,7 +128,7 @@ def _part(progress: Callable[[float], object], before: int) -> Callable[[float],
     return lambda done: progress((before + done) / (2 * (before // 2) + 2))
 
 
-def _solution(
+def solution_of(
     run: SingleRun,
     trace: Trace,
     scales: Scales,
@@ -135,6 +136,7 @@ def _solution(
     asked: float | None = None,
     climbed: Climbed[Trace] | None = None,
 ) -> Solution:
+    """What a run returns that was kept, for an accuracy beside those that checked it."""
     model, bound, counted = run.model, run.given.bound, trace.counted
     found: tuple[str, ...] = ()
     result = run.outcome(trace)
@@ -174,6 +176,7 @@ def _solution(
         ),
         scales=scales,
         error=None if climbed is None else climbed.error,
+        checkpoint=checkpoint_of(model, trace.ending, run.given.initial),
     )
 
 

@@ -17,7 +17,7 @@ from hertzwerk.runtime.findings import Findings, Observer
 from hertzwerk.runtime.history import History
 from hertzwerk.runtime.impacts import ApproachSpeeds
 from hertzwerk.runtime.integrate.automatic import Gear
-from hertzwerk.runtime.integrate.chunk import Ending
+from hertzwerk.runtime.integrate.chunk import Ending, Resume
 from hertzwerk.runtime.integrate.layout import OUTSIDE_LAW_RANGE
 from hertzwerk.runtime.model import Model
 from hertzwerk.runtime.outcome import Outcome, outcome
@@ -40,6 +40,16 @@ class SingleRun:
     given: Given
     limits: Limits
     gear: Gear | None
+    start: Resume | None = None  # what it goes on from; None: the start of the motion
+
+    @property
+    def begin(self) -> float:
+        """Time [s] that the run begins at."""
+        return 0.0 if self.start is None else float(self.start.state[self.engine.integrator.layouts.state["t"]][0])
+
+    def before(self, counter: str) -> int:
+        """What a counter was when the run began."""
+        return 0 if self.start is None else int(self.start.state[self.engine.counters[counter]])
 
     @property
     def floor(self) -> float:
@@ -70,7 +80,9 @@ class SingleRun:
         kept = Steps() if times is None else Grid(times)
         given = self.given
         period = self.model.period(given.bound)
-        findings = Findings(self.model, self.method, later=times is None, duration=given.seconds, period=period)
+        findings = Findings(
+            self.model, self.method, later=times is None, duration=given.seconds, period=period, begin=self.begin
+        )
         speeds = tuple(approach_speeds(self.model, given.bound))
         other = kept if beside is None or alone else Grid(beside)
         observers: list[Observer] = [kept] if alone else [kept, findings, *speeds]
@@ -86,7 +98,7 @@ class SingleRun:
             beside=other,
             findings=findings,
             speeds=speeds,
-            counted={name: int(ending.last[row]) for name, row in self.engine.counters.items()},
+            counted={name: int(ending.last[row]) - self.before(name) for name, row in self.engine.counters.items()},
             compiled=self.gear is not None and self.gear.compiled,
             compile_s=compile_s - before[0],
             build_s=build_s - before[1],
@@ -125,21 +137,28 @@ class SingleRun:
             "t_end": self.given.seconds,
             "h_max": self.given.seconds / LEAST_STEPS,
             "floor": self.floor,
-            "max_events": self.limits.max_events,
-            "max_steps": self.limits.max_steps,
+            "max_events": self.limits.max_events + self.before("events"),
+            "max_steps": self.limits.max_steps + self.before("steps"),
         }
         for name, value in numbers.items():
             controls[layout[name]] = value
-        begin = self.engine.begin.take()
-        for place, values in zip(begin.inputs, (0.0, self.given.q, self.given.u, controls), strict=True):
-            place[:] = values
-        state = begin()[0][0].copy()
-        self.engine.begin.give_back(begin)
+        state = self._first(controls) if self.start is None else self.start.state.copy()
         loop = self.engine.march if self.gear is None else partial(self.engine.march, self.gear, integrator)
+        if self.start is not None:
+            loop = partial(loop, whole=self.start.whole)
         recorder = Recorder(lambda rows: History(self.model, rows, controls, integrator), observers, block)
         ending = loop(state, controls, recorder.keep, wall_time=self.limits.wall_time, progress=progress)
         recorder.flush()
         return ending
+
+    def _first(self, controls: np.ndarray) -> np.ndarray:
+        """The state of the engine at the start of the motion."""
+        begin = self.engine.begin.take()
+        for place, values in zip(begin.inputs, (0.0, self.given.q, self.given.u, controls), strict=True):
+            place[:] = values
+        state: np.ndarray = begin()[0][0].copy()
+        self.engine.begin.give_back(begin)
+        return state
 
 
 @dataclass(frozen=True)

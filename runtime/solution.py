@@ -14,6 +14,7 @@ import numpy as np
 
 from hertzwerk.runtime.accuracy import ErrorEstimate
 from hertzwerk.runtime.averages import Average, averages
+from hertzwerk.runtime.checkpoint import Checkpoint
 from hertzwerk.runtime.findings import Findings
 from hertzwerk.runtime.history import History
 from hertzwerk.runtime.impacts import Impact
@@ -24,6 +25,7 @@ from hertzwerk.runtime.scales import Scales
 from hertzwerk.runtime.scratch import write_atomically
 from hertzwerk.runtime.sums import Sums
 
+CHECKPOINT = "checkpoint"  # in a file, beside the histories
 SAMPLE = 1000  # rows that the size of a CSV is told by
 
 __all__ = ["ErrorEstimate", "History", "Impact", "Solution", "Statistics"]
@@ -65,6 +67,7 @@ class Solution:
     error: ErrorEstimate | None = field(
         default=None, repr=False
     )  # None for a run at a tolerance, and where nothing could be compared
+    checkpoint: Checkpoint | None = field(default=None, repr=False)  # what a longer run goes on from
 
     @property
     def model(self) -> Model:
@@ -80,6 +83,11 @@ class Solution:
     def t(self) -> np.ndarray:
         """Times of the accepted steps, or of the grid that was asked for [s], shape (rows,)."""
         return self.history.t
+
+    @property
+    def t_start(self) -> float:
+        """Time [s] that the run began at: 0, or where it went on from."""
+        return float(self.ends.t[0])
 
     @property
     def t_end(self) -> float:
@@ -152,6 +160,12 @@ class Solution:
         text = f"{self.outcome.name}: {', '.join([*parts, f'{statistics.wall_s * 1e3:.3g} ms'])}"
         return text if self.outcome.finished else f"{text}\n{self.outcome.message}; {self.outcome.remedy}"
 
+    def continued(self, duration: str | float | None = None, **options: Any) -> Solution:
+        """Go on from the end of this run; see `hertzwerk.runtime.checkpoint.continued`."""
+        from hertzwerk.runtime.checkpoint import continued
+
+        return continued(self, duration, **options)
+
     def plot(self, *names: str, **options: Any) -> Any:
         """A figure of this run; see `hertzwerk.runtime.plot.plot`."""
         from hertzwerk.runtime import plot
@@ -199,10 +213,13 @@ class Solution:
             "choices": [asdict(choice) for choice in self.choices],
             "sums": self.findings.sums().about(),
             "period": self.findings.period,
+            "checkpoint": self.checkpoint and self.checkpoint.about(),
             "ends": {name: self.ends[name][[0, -1]].tolist() for name in ("t", *self.states)},
         }
         content = io.BytesIO()
         histories: dict[str, Any] = {name: self[name] for name in ("t", *self.names)}
+        if self.checkpoint is not None:
+            histories[CHECKPOINT] = self.checkpoint.resume.state
         np.savez(
             content, about=json.dumps(about), **histories
         )  # compressed it takes 20 times as long, for a fifth of the size
@@ -213,7 +230,8 @@ class Solution:
         """A saved run: its histories, impacts and numbers. It holds no functions: `at` asks for a new run."""
         with np.load(Path(path), allow_pickle=False) as file:
             about = json.loads(str(file["about"]))
-            histories = {name: file[name] for name in file.files if name != "about"}
+            histories = {name: file[name] for name in file.files if name not in ("about", CHECKPOINT)}
+            state = file[CHECKPOINT] if CHECKPOINT in file.files else None
         module = ModuleType(f"saved_{about['scene']['NAME']}")
         for name, table in about["scene"].items():
             setattr(module, name, _tuples(table))
@@ -242,6 +260,7 @@ class Solution:
             warnings=tuple(about["warnings"]),
             scales=Scales(**{name: np.array(values) for name, values in about["scales"].items()}),
             error=about["error"] and ErrorEstimate.of(about["error"]),
+            checkpoint=None if state is None else Checkpoint.saved(about["checkpoint"], state),
         )
 
 

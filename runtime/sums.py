@@ -63,15 +63,15 @@ class Sums:
 
 
 class Summing:
-    """Sums up over intervals [s] from the start on, up to a time [s]; an `Observer`.
+    """Sums up over intervals [s] from a time [s] on, up to another; an `Observer`.
 
     Within most steps a force is the cubic that its values and rates at both ends give, which costs no evaluation; where that is curved, it is
     evaluated at two points between them.
     """
 
-    def __init__(self, model: Model, interval: float, until: float) -> None:
-        count = int(until / interval * (1 + 1e-12))
-        self._model, self._interval, self._marks = model, interval, interval * np.arange(count + 1)
+    def __init__(self, model: Model, interval: float, until: float, begin: float = 0.0) -> None:
+        count = int((until - begin) / interval * (1 + 1e-12))
+        self._model, self._interval, self._marks = model, interval, begin + interval * np.arange(count + 1)
         self._impulse, self._largest = np.zeros((count + 1, model.k)), np.zeros((count + 1, model.k))
         self._memory: list[np.ndarray] = []
         self._known = 0  # marks

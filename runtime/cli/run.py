@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from hertzwerk.derive.faults import InputError
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.cli.going_on import going_on, limits_of, output_of
 from hertzwerk.runtime.cli.stopping import Stopping
 from hertzwerk.runtime.cli.target import (
     DURATION,
@@ -27,9 +28,11 @@ from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, kept, 
 if TYPE_CHECKING:
     from hertzwerk.runtime.solution import Solution
 
+STOPPED = ("interrupted", "wall_time_limit", "too_many_steps")  # by a limit or the user, not by the motion
+
 
 @click.command()
-@click.argument("target")
+@click.argument("target", required=False)
 @SET
 @WITHOUT
 @LAW
@@ -58,12 +61,30 @@ if TYPE_CHECKING:
 @click.option(
     "--out", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-NNN)."
 )
+@click.option("--max-steps", metavar="NUMBER", help="Stop after so many accepted steps (default: 1000000).")
+@click.option("--wall-time", metavar="TIME", help='Stop after so long on the clock, such as "10 min".')
+@click.option(
+    "--continue",
+    "folder",
+    metavar="FOLDER",
+    type=click.Path(path_type=Path),
+    help="Go on from the end of the run there, as if it had not ended; with --duration, of the whole, until then.",
+)
 @click.option("--csv", is_flag=True, help="Write states.csv however large it is (default: up to 50 MB).")
 @click.option("--no-plots", is_flag=True, help="Write the data only.")
 @JSON
 @reports_bad_input
-def run(target: str, out: Path | None, csv: bool, no_plots: bool, as_json: bool, averages: bool, **options: Any) -> int:
-    """Simulate TARGET and write data and plots into one new folder.
+def run(
+    target: str | None,
+    folder: Path | None,
+    out: Path | None,
+    csv: bool,
+    no_plots: bool,
+    as_json: bool,
+    averages: bool,
+    **options: Any,
+) -> int:
+    """Simulate TARGET, or go on with a run, and write data and plots into one new folder.
 
     Ctrl-C, or SIGTERM, ends it at once before the first steps (exit code 130); from then on it ends the computing, and what there is is written.
     """
@@ -71,15 +92,21 @@ def run(target: str, out: Path | None, csv: bool, no_plots: bool, as_json: bool,
 
     wanted = out is not None or not as_json
     with (
-        Progress(target, shown=not as_json and sys.stderr.isatty()) as progress,
+        Progress(target or str(folder), shown=not as_json and sys.stderr.isatty()) as progress,
         Stopping(progress) as stopping,
     ):
-        solution = _simulate(target, out, wanted, stopping, **options)
+        if folder is not None:
+            solution, request = going_on(folder, target, out, wanted, stopping, **options)
+        else:
+            request = _request(target, options)
+            solution = _simulate(out, wanted, stopping, **{**options, "target": target})
         if solution.outcome.name == "interrupted" and not solution.statistics.steps:
             raise KeyboardInterrupt
         missing: list[str] = []
         written = kept(
-            lambda: record.write(solution, out, plots=not no_plots, csv=csv, averages=averages, stopping=stopping),
+            lambda: record.write(
+                solution, out, plots=not no_plots, csv=csv, averages=averages, stopping=stopping, request=request
+            ),
             missing,
             wanted=wanted,
         )
@@ -95,6 +122,8 @@ def run(target: str, out: Path | None, csv: bool, no_plots: bool, as_json: bool,
         for text in written.left_out:
             line("left out", text)
         line("written", f"{written.folder}/ ({', '.join(written.files)})")
+        if solution.outcome.name in STOPPED and solution.t_end < solution.duration and "states.npz" in written.files:
+            line("go on", f"hertzwerk run --continue {written.folder}")
     code = lacking(missing)
     return code if solution.outcome.finished else OTHER_OUTCOME
 
@@ -124,12 +153,23 @@ def validate(targets: tuple[str, ...]) -> int:
     return GOOD if good else OTHER_OUTCOME
 
 
+def _request(target: str | None, options: Mapping[str, Any]) -> dict[str, Any]:
+    """What --continue needs to know of a command line; raises InputError where there is no target."""
+    if target is None:
+        expected = "a scene or a file, or --continue FOLDER"
+        raise InputError("run", [Fault("TARGET", "none", expected, "`hertzwerk list` names the scenes")])
+    from hertzwerk.runtime.build import is_file
+
+    place = str(Path(target).resolve()) if is_file(target) else target
+    return {"target": place, **{name: options[name] for name in ("without", "laws", "coordinates", "grid")}}
+
+
 def _simulate(
-    target: str,
     out: Path | None,
     wanted: bool,
     stopping: Stopping,
     *,
+    target: str,
     settings: Sequence[str],
     without: Sequence[str],
     laws: Sequence[str],
@@ -138,6 +178,8 @@ def _simulate(
     accuracy: str | None,
     method: str | None,
     grid: str | None,
+    max_steps: str | None,
+    wall_time: str | None,
 ) -> Solution:
     """The solution a command line asks for; raises InputError with the faults of all its parts."""
     from hertzwerk.runtime import scenarios
@@ -151,8 +193,8 @@ def _simulate(
     accurate = number(accuracy) if accuracy is not None else numbers.get("accuracy")
     by = method or numbers.get("method", METHOD)
     stopping.stage("building")
-    output = "steps" if grid is None else int(grid) if grid.isdecimal() and len(grid) < 16 else grid
-    settled = Settings(duration or numbers.get("duration"), accurate, None, by, "auto", output)
+    limits, output = limits_of(max_steps, wall_time, faults), output_of(grid)
+    settled = Settings(duration or numbers.get("duration"), accurate, None, by, "auto", output, **limits)
     model = loaded(target, without, laws, faults, coordinates=coordinates, beside=settled.faults)
     parameters, initial = sorted_out(model, values)
     try:
@@ -170,6 +212,7 @@ def _simulate(
         initial=initial,
         output=output,
         progress=stopping,
+        **limits,
     )
 
 

@@ -16,6 +16,7 @@ from hertzwerk.runtime.integrate.choose import PATIENCE
 from hertzwerk.runtime.integrate.layout import RUNNING, SUSPECT, TOO_MANY_STEPS
 from hertzwerk.runtime.interrupt import deferred
 
+ROOM = 1.05  # of a step: with less to the end than that it may have been cut to end there
 SIZE = (16, 16)  # attempts per call: so many calls of a function that makes so many attempts
 INTERRUPTED, WALL_TIME_LIMIT = TOO_MANY_STEPS + 1, TOO_MANY_STEPS + 2  # statuses that only the loop can give
 
@@ -39,12 +40,21 @@ def chunk(integrator: Integrator, sizes: tuple[int, ...] = SIZE) -> Any:
 
 
 @dataclass(frozen=True)
+class Resume:
+    """The last state of a run that does not depend on where it was to end: a longer one goes on from it; whole: with what chooses between methods."""
+
+    state: np.ndarray
+    whole: bool
+
+
+@dataclass(frozen=True)
 class Ending:
-    """The last state of all, accepted or not, how the loop ended, and the time it took [s]."""
+    """The last state of all, accepted or not, how the loop ended, the time it took [s], and what goes on from it; None where that is not known."""
 
     last: np.ndarray
     status: int
     wall_s: float
+    resume: Resume | None = None
 
 
 class Shift(Protocol):
@@ -71,20 +81,23 @@ def march(
     *,
     wall_time: float = np.inf,
     progress: Callable[[float], object] | None = None,
+    whole: bool = False,
 ) -> Ending:
     """Call a chunk until the run is over; KeyboardInterrupt, raised between two calls or by `progress`, ends it with what there is.
 
     keep    is given the accepted states in order, some at a time: rows (n, ns) of its own
+    whole   begin with what chooses between methods
     """
     gear.begin()
     layout = integrator.layouts.state
-    t, status, accepted = layout["t"].start, layout["status"].start, layout["accepted"].start
+    t, h, status, accepted = (layout[name].start for name in ("t", "h", "status", "accepted"))
     pressure = layout["pressure"].start
     t_end = float(controls[integrator.layouts.controls["t_end"].start])
     t_start = float(state[t])
     max_steps, steps = float(controls[integrator.layouts.controls["max_steps"].start]), layout["steps"].start
     callers, call = _called(gear, controls)
-    start, done = time.perf_counter(), 0.0
+    start, done, resume = time.perf_counter(), 0.0, Resume(state, whole)
+    free = True  # of where the run is to end
     outcome = int(state[status])
 
     def heed() -> None:
@@ -95,6 +108,10 @@ def march(
     try:
         with deferred() as interrupts:
             keep(state[None, :].copy())
+            if whole:
+                gear.whole(heed)
+                callers.give_back(call)
+                callers, call = _called(gear, controls)
             while outcome == RUNNING:
                 call.inputs[0][:] = state
                 (states,) = call()
@@ -106,6 +123,12 @@ def march(
                     outcome = part[-1, status] = RUNNING
                     part[-1, pressure] = PATIENCE - 1  # the next step that is stiff indeed decides
                 state = part[-1].copy()
+                if free:
+                    bound = (part[:, status] != RUNNING) | (ROOM * part[:, h] >= t_end - part[:, t])
+                    free = not bound.any()
+                    last = len(part) if free else int(bound.argmax())
+                    if last:
+                        resume = Resume(part[last - 1].copy(), whole or (suspect and free))
                 keep(part[part[:, accepted] == 1])
                 elapsed = time.perf_counter() - start
                 if outcome == RUNNING and elapsed > wall_time:
@@ -114,6 +137,7 @@ def march(
                 heed()
                 pace = max(done, float(state[steps]) / max_steps, 1e-9)
                 if suspect:
+                    whole = True
                     gear.whole(heed)
                 changed = outcome == RUNNING and gear.changed(elapsed, min(elapsed / pace, wall_time) - elapsed, heed)
                 if suspect or changed:
@@ -122,7 +146,7 @@ def march(
     except KeyboardInterrupt:
         outcome = INTERRUPTED
     callers.give_back(call)
-    return Ending(state, outcome, time.perf_counter() - start)
+    return Ending(state, outcome, time.perf_counter() - start, resume)
 
 
 def _called(gear: Shift, controls: np.ndarray) -> tuple[Callers, Caller]:

@@ -154,6 +154,8 @@ def test_a_signal_at_any_moment(tmp_path, seed):
             patch.setenv(name, value)
         ended = signalled(tmp_path, arguments, chance.uniform(0, span), signal.SIGINT)
     assert ended.cpu_s < CPU_S, (arguments, ended)
+    if "hertzwerk.runtime.cli" not in ended.said:
+        return  # it was Python itself that had not begun yet
     assert "Traceback" not in ended.said, ended.said
     if arguments[0] == "run":
         told = whole(tmp_path)

@@ -1,0 +1,157 @@
+"""`hertzwerk run --continue FOLDER`: go on from the end of a run that was written."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.cli.target import assignments, cannot_be_written
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.cli.stopping import Stopping
+    from hertzwerk.runtime.model import Model
+    from hertzwerk.runtime.solution import Solution
+
+KEPT = "leave it out: a run goes on as it began"
+
+
+def going_on(
+    folder: Path,
+    target: str | None,
+    out: Path | None,
+    wanted: bool,
+    stopping: Stopping,
+    *,
+    duration: str | None,
+    grid: str | None,
+    max_steps: str | None,
+    wall_time: str | None,
+    **others: Any,
+) -> tuple[Solution, dict[str, Any]]:
+    """The run that goes on, and the request to be kept of it; raises InputError, with what of the command line is not as the run there."""
+    from hertzwerk.runtime.model import load
+
+    before, request = _read(folder)
+    faults = cannot_be_written(out, wanted=wanted)
+    limits = limits_of(max_steps, wall_time, faults)
+    stopping.stage("building")
+    model = load(
+        request["target"],
+        without=tuple(request["without"]),
+        laws=_laws(request["laws"], []),
+        coordinates=request["coordinates"],
+    )
+    faults += _differences(before, model, request, target, **others)
+    spacing = grid if grid is not None else request["grid"]
+    if grid is None and spacing is not None and spacing.isdecimal() and duration is not None:
+        found = f"{spacing} points over {before.duration:g} s, of the run before"
+        faults.append(Fault("--grid", found, "points or a spacing for the longer motion", 'such as --grid "0.1 ms"'))
+    if faults:
+        raise InputError(f"--continue {folder}", faults)
+    solution = before.continued(duration, model=model, output=output_of(spacing), progress=stopping, **limits)
+    return solution, {**request, "grid": spacing, "continues": str(folder)}
+
+
+def limits_of(max_steps: str | None, wall_time: str | None, faults: list[Fault]) -> dict[str, Any]:
+    """The limits that are given; what is none becomes a fault."""
+    from hertzwerk.runtime.binding import read_time
+
+    limits: dict[str, Any] = {}
+    if max_steps is not None:
+        if max_steps.isdecimal() and 0 < len(max_steps) < 16 and int(max_steps) > 0:
+            limits["max_steps"] = int(max_steps)
+        else:
+            faults.append(Fault("--max-steps", repr(max_steps), "a positive whole number"))
+    if wall_time is not None:
+        limits["wall_time"] = read_time("--wall-time", wall_time, 'a positive time, such as "10 min"', faults)
+    return limits
+
+
+def output_of(grid: str | None) -> str | int:
+    """What --grid asks for."""
+    return "steps" if grid is None else int(grid) if grid.isdecimal() and len(grid) < 16 else grid
+
+
+def _read(folder: Path) -> tuple[Solution, dict[str, Any]]:
+    """The run in a folder, and what it was asked by; raises InputError."""
+    from hertzwerk.runtime.solution import Solution
+
+    try:
+        told = json.loads((folder / "run.json").read_text(encoding="utf-8"))
+        request = told["request"]
+        request = {name: request[name] for name in ("target", "without", "laws", "coordinates", "grid")}
+        return Solution.load(folder / "states.npz"), request
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        found = f"{folder}: {type(error).__name__}: {error}"
+        raise InputError("--continue", [Fault("--continue", found, "a folder that `hertzwerk run` wrote")]) from error
+
+
+def _laws(texts: Sequence[str], faults: list[Fault]) -> dict[str, str]:
+    return assignments("--law", texts, faults)
+
+
+def _differences(
+    before: Solution,
+    model: Model,
+    request: Mapping[str, Any],
+    target: str | None,
+    *,
+    settings: Sequence[str],
+    without: Sequence[str],
+    laws: Sequence[str],
+    coordinates: str | None,
+    accuracy: str | None,
+    method: str | None,
+) -> list[Fault]:
+    """What of a command line is not as the run was made."""
+    from hertzwerk.runtime.build import is_file
+
+    faults: list[Fault] = []
+    if target is not None and is_file(target):
+        target = str(Path(target).resolve())
+    asked = {
+        "TARGET": (target, request["target"]),
+        "--without": (sorted(without) or None, sorted(request["without"])),
+        "--law": (_laws(laws, faults) or None, _laws(request["laws"], faults)),
+        "--coordinates": (coordinates, request["coordinates"]),
+        "--method": (method, before.method),
+    }
+    faults += [
+        Fault(option, str(given), f"{had or 'none'}, as of the run there", KEPT)
+        for option, (given, had) in asked.items()
+        if given is not None and given != had
+    ]
+    if accuracy is not None:
+        expected = f"none: a run goes on at its tolerance, {before.tolerance:.2g}, without an estimate"
+        faults.append(Fault("--accuracy", accuracy, expected, "leave it out"))
+    return faults + _other_values(before, model, assignments("--set", settings, faults))
+
+
+def _other_values(before: Solution, model: Model, values: Mapping[str, str]) -> list[Fault]:
+    """The parameters and initial states that are not those of the run."""
+    from hertzwerk.runtime.checkpoint import parameters_of
+    from hertzwerk.runtime.start import sorted_out
+
+    faults: list[Fault] = []
+    had = parameters_of(before, model)
+    parameters, initial = sorted_out(model, values)
+    bound = model.bind(had)
+    for name, text in parameters.items():
+        try:
+            other = model.bind({**had, name: text})[name] != bound[name]
+        except InputError as error:
+            faults += error.faults
+            continue
+        if other:
+            value, unit = before.parameters[name]
+            faults.append(Fault(f"--set {name}", text, f"{value:g} {unit}, as of the run there", KEPT))
+    given = before.checkpoint.initial if before.checkpoint is not None else {}
+    faults += [
+        Fault(f"--set {name}", text, f"{given.get(name, 'the start of the model')}, as of the run there", KEPT)
+        for name, text in initial.items()
+        if given.get(name) != text
+    ]
+    return faults
