@@ -16,6 +16,7 @@ from hertzwerk.derive.lawfile import audit_laws_as_written
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import Law
 from hertzwerk.derive.scene import Scene
+from hertzwerk.derive.tomlfile import MAX_BYTES
 
 __all__ = ["audit_catalogue", "audit_files", "audit_path", "differing"]
 
@@ -103,6 +104,8 @@ def _files(folder: Path) -> Iterator[Path]:
 
 def _has_laws(file: Path) -> bool:
     try:
+        if file.stat().st_size > MAX_BYTES:
+            return b"[[law]]" in file.read_bytes()  # to be refused, and said why
         content = tomllib.loads(file.read_text(encoding="utf-8"))
     except (OSError, ValueError, RecursionError):  # another tool's to complain of, unless it says it has laws
         return False

@@ -14,6 +14,15 @@ def visible(text: str) -> str:
     return "".join(c if c.isprintable() or c == "\n" else c.encode("unicode_escape").decode() for c in text)
 
 
+def shown(value: object, most: int = 80) -> str:
+    """A value of the user's as a message quotes it, whatever it is: its repr, cut where it is long."""
+    try:
+        text = repr(value)
+    except Exception:  # an integer of too many digits, an object whose own repr fails
+        text = f"a {type(value).__name__} that cannot be shown"
+    return text if len(text) <= most else f"{text[: most - 4]} ..."
+
+
 @dataclass(frozen=True)
 class Fault:
     """One fault: where it is, what was found, what was expected, and the way out (each a short phrase)."""
@@ -31,7 +40,7 @@ class Fault:
 def unknown(kind: str, name: object, known: Iterable[str], otherwise: str = "") -> Fault:
     """The fault of a name that does not exist: the names like it, or all there are; `otherwise` is what may stand in place of one."""
     names = list(known)
-    where = name if isinstance(name, str) and name else repr(name)
+    where = name if isinstance(name, str) and name else shown(name)
     more = f", {otherwise}" if otherwise else ""
     if not isinstance(name, str):
         return Fault(where, f"a {kind} named by {type(name).__name__}", f"text{more}")

@@ -23,9 +23,8 @@ come at once. A law whose units hold is tried over its ranges too (`behaviour`):
 from __future__ import annotations
 
 import difflib
-import math
 import re
-import tomllib
+import sys
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -38,7 +37,7 @@ from hertzwerk.derive.audit_text import finding, undeclared
 from hertzwerk.derive.behaviour import faults_if_consistent
 from hertzwerk.derive.dimension import Dimension
 from hertzwerk.derive.execute import beside
-from hertzwerk.derive.faults import Fault, InputError, unreadable
+from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws import law as record
 from hertzwerk.derive.laws.law import DampingLaw, FilmLaw, FrictionLaw, Law, Quantity, Range, StiffnessLaw
@@ -46,11 +45,10 @@ from hertzwerk.derive.parameter import Interval, Parameter
 from hertzwerk.derive.soundness.names import name_faults
 from hertzwerk.derive.text import RESERVED, Expression, TextError, plain_name, read, to_sympy
 from hertzwerk.derive.text_dimension import Declared, dimension_of_unit
+from hertzwerk.derive.tomlfile import read_toml
 from hertzwerk.derive.units import UnitError, parse_quantity, parse_unit, rate_remedy
 
 __all__ = ["WrittenLaw", "audit_laws_as_written", "laws_from", "read_laws"]
-
-MAX_BYTES = 1_000_000  # of a file
 
 # kind -> expression field -> (what it is, its unit); the first is required (a damping law: factor or term; a film: all)
 _FIELDS: dict[str, dict[str, tuple[str, str]]] = {
@@ -99,7 +97,7 @@ def laws_from(path: str | Path) -> dict[str, Law]:
 
 def read_laws(path: str | Path) -> tuple[WrittenLaw, ...]:
     """The laws of a TOML file with their texts. Raises InputError with every fault of the file."""
-    content = _load(Path(path))
+    content = read_toml(path, "tables [[law]]")
     tables = content.get("law")
     faults = [Fault(str(path), f"the key {key!r}", "tables [[law]] alone") for key in content if key != "law"]
     if not isinstance(tables, list) or not tables or not all(isinstance(table, dict) for table in tables):
@@ -139,17 +137,6 @@ def audit_laws_as_written(path: str | Path) -> tuple[Finding, ...]:
             outside = law.fitted_in and found.verdict == "inconsistent"
             findings.append(replace(found, verdict="outside_si") if outside else found)
     return tuple(findings)
-
-
-def _load(path: Path) -> dict[str, Any]:
-    try:
-        if path.stat().st_size > MAX_BYTES:
-            raise InputError(str(path), [Fault(str(path), "more than a megabyte", "a file of laws")])
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(str(path), [unreadable(path, error, "a readable TOML file")]) from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
-        raise InputError(str(path), [Fault(str(path), str(error), "a TOML file with tables [[law]]")]) from None
 
 
 class _Reader:
@@ -266,10 +253,17 @@ class _Reader:
                 continue
             parameters.append(symbol)
             default = entry.get("default")
-            if isinstance(default, (int, float)) and not isinstance(default, bool) and math.isfinite(default):
+            if (
+                isinstance(default, (int, float))
+                and not isinstance(default, bool)
+                and abs(default) <= sys.float_info.max
+            ):
+                default = default if abs(default) < 2**53 else float(default)
                 defaults.append((symbol, Parameter(symbol.name, symbol.unit, default, symbol.meaning)))
             elif default is not None:
-                self.fault(f"symbols.{name}", f"the default {default!r}", "a finite number, in the unit of the symbol")
+                self.fault(
+                    f"symbols.{name}", f"the default {shown(default)}", "a finite number, in the unit of the symbol"
+                )
         return tuple(parameters), tuple(defaults)
 
     def symbol(self, where: str, name: str, entry: Any, more: tuple[str, ...]) -> Quantity | None:
@@ -378,7 +372,10 @@ class _Reader:
                 )
         if len(self.faults) > count:
             return None
-        self.texts.append((where, expression, dimension_of_unit(unit, self.constants)))
+        try:
+            self.texts.append((where, expression, dimension_of_unit(unit, self.constants)))
+        except UnitError:
+            return None  # a fault of the symbol that has this unit
         try:
             return to_sympy(expression, known)
         except TextError as error:

@@ -9,13 +9,14 @@ derivatives of that curve vanish at the ends (a sine over half periods), of 2nd 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+import sys
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.faults import Fault, shown
 from hertzwerk.derive.functions import NoText
 from hertzwerk.derive.soundness.names import name_faults
 from hertzwerk.derive.units import UnitError, parse_unit
@@ -44,10 +45,10 @@ class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
         """What is wrong with a table its scene says: see `faults`."""
         self = super().__new__(cls)
         self.name = name
-        self.arguments = tuple(arguments)
-        self.values = tuple(values)
-        self.units = tuple(units)
-        self.slopes = None if slopes is None else tuple(slopes)
+        self.arguments = _listed(arguments)
+        self.values = _listed(values)
+        self.units = _listed(units)
+        self.slopes = None if slopes is None else _listed(slopes)
         return self  # type: ignore[no-any-return]
 
     def _hashable_content(self) -> tuple[Any, ...]:
@@ -66,6 +67,13 @@ class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
 
     def faults(self) -> Iterator[Fault]:
         """What is wrong with the declaration."""
+        found = tuple(self._declared_faults())
+        yield from found
+        if not found and not self._finite():
+            yield Fault(f"table {self.name}", "points whose spline leaves the range of a double",
+                        "arguments, values and slopes less far apart in size")  # fmt: skip
+
+    def _declared_faults(self) -> Iterator[Fault]:
         where = f"table {self.name}"
         yield from name_faults("table", self.name)
         if len(self.units) != 2:
@@ -81,8 +89,9 @@ class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
             yield Fault(where, found, "as many values as arguments, at least two")
         for kind, numbers in (("argument", self.arguments), ("value", self.values), ("slope", self.slopes or ())):
             for k, number in enumerate(numbers):
-                if isinstance(number, bool) or not isinstance(number, int | float) or not math.isfinite(number):
-                    yield Fault(where, f"{kind} {number!r} in place {k + 1}", "a finite number")
+                real = isinstance(number, int | float) and not isinstance(number, bool)
+                if not (real and abs(number) <= sys.float_info.max):
+                    yield Fault(where, f"{kind} {shown(number)} in place {k + 1}", "a finite number")
                     return
         if self.slopes is not None and len(self.slopes) != 2:
             yield Fault(where, f"{len(self.slopes)} slopes", "two, at the first and at the last argument, or None")
@@ -91,6 +100,12 @@ class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
                 yield Fault(where, f"argument {b!r} after {a!r} in place {k + 2}", "arguments that increase",
                             "Sort the rows by argument; of two rows with one argument leave one out.")  # fmt: skip
                 return
+
+    def _finite(self) -> bool:
+        try:
+            return all(math.isfinite(number) for row in self.pieces() for number in row)
+        except ArithmeticError:
+            return False
 
     def pieces(self) -> tuple[tuple[float, ...], ...]:
         """Rows (x, c0, ..., c5), SI: the polynomials sum c_k (s - x)^k from each point to the next; of the last row only x counts."""
@@ -141,6 +156,11 @@ class Spline(NoText):
         name = str(table.name).replace("_", r"\_")
         primes = "'" * int(order)
         return rf"\mathrm{{{name}}}{primes}\left({printer.doprint(argument)}\right)"
+
+
+def _listed(values: Any) -> tuple[Any, ...]:
+    """A sequence's entries; what is none is a fault, which `faults` tells."""
+    return tuple(values) if isinstance(values, Iterable) else (values,)
 
 
 def _nodes(x: list[float], y: list[float], slopes: Pair | None) -> list[Pair]:

@@ -37,6 +37,8 @@ MAX_TEXT = 2000  # characters
 MAX_DEPTH = 40  # nested operations; the terms of a sum and the factors of a product count once
 MAX_POWER = 100  # size of an exponent that is a number; of exponents of exponents, their product
 MAX_ARGUMENTS = 8  # of min and max
+MAX_BRANCHES = 32  # arguments of all min and max in an expression: SymPy compares each with each
+MAX_NESTED = 2  # functions in each other's arguments that SymPy evaluates exactly, where they are of numbers
 MAX_ORDER = 4  # of a derivative
 MAX_SIDE = 12  # rows or columns of a matrix
 
@@ -71,6 +73,8 @@ class Node:
     shape: tuple[int, int] | None = None  # of a matrix
     spans: tuple[tuple[int, int], ...] = ()
     power: float = 1.0  # bound on the total of nested exponents that are numbers
+    branches: int = 0  # arguments of min and max in it
+    nested: int = 0  # functions in each other's arguments, itself included
 
     @property
     def condition(self) -> bool:
@@ -224,7 +228,11 @@ class _Reader:
         """A node, with the number it is if all its arguments are numbers."""
         start, end = self.place(node)
         more.setdefault("power", max((arg.power for arg in args), default=1.0))
+        more["nested"] = max((arg.nested for arg in args), default=0) + (op in FUNCTIONS)
+        more["branches"] = sum(arg.branches for arg in args) + (len(args) if op in ("min", "max") else 0)
         result = Node(op, start, end, args, **more)
+        if more["branches"] > MAX_BRANCHES:
+            raise self.refuse(result, f"at most {MAX_BRANCHES}", found=f"{more['branches']} arguments of min and max")
         if args and all(arg.number is not None for arg in args) and op in _FOLD:
             try:
                 number = float(_FOLD[op](*(float(arg.number or 0.0) for arg in args)))
@@ -551,6 +559,8 @@ def _converted(node: Node, symbols: Mapping[str, Any]) -> Any:
         return symbols[node.name]
     if node.op in ("pi", "inf"):
         return sp.pi if node.op == "pi" else -sp.oo if node.name else sp.oo
+    if node.number is not None and not node.condition and node.nested > MAX_NESTED:
+        return sp.Float(node.number, 17)  # to evaluate cos(cos(...)) exactly takes SymPy time without bound
     args = [_converted(arg, symbols) for arg in node.args]
     if node.op == "matrix":
         if node.shape is None:

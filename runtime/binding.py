@@ -9,7 +9,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from hertzwerk.derive.faults import Fault, unknown
+from hertzwerk.derive.faults import Fault, shown, unknown
 from hertzwerk.derive.units import Unit, UnitError, parse_unit, rate_remedy, split_quantity
 
 Value: TypeAlias = str | float | tuple[float, str]  # "0.2 mm"; a bare number where dimensionless; (0.2, "mm")
@@ -40,14 +40,14 @@ def read_parameters(ports: Mapping[str, Port], limits: Sequence[Limit], paramete
     """Defaults with `parameters` in their place."""
     faults: list[Fault] = []
     given: dict[str, tuple[float, Unit, str]] = {}
-    for name, value in parameters.items():
+    for name, value in named_values("parameters", parameters, faults).items():
         if name not in ports:
             faults.append(unknown("parameter", name, ports))
             continue
         try:
             given[name] = read(value)
         except UnitError as error:
-            faults.append(Fault(name, repr(value), _value_in(ports[name].unit), str(error)))
+            faults.append(Fault(name, shown(value), _value_in(ports[name].unit), str(error)))
     si, texts = {}, {}
     for name, port in ports.items():
         value, unit, text = given.get(name, (port.default, parse_unit(port.unit), port.unit))
@@ -103,12 +103,20 @@ def _unit_fault(
     return Fault(port.name, f"{_text(value, text)}, which is {unit}", f"a value in {expected}", remedy)
 
 
+def named_values(where: str, values: object, faults: list[Fault]) -> Mapping[str, Value]:
+    """Values by name; what is no mapping becomes a fault."""
+    if isinstance(values, Mapping):
+        return values
+    faults.append(Fault(where, shown(values), 'values by name, such as {"clearance": "0.2 mm"}'))
+    return {}
+
+
 def read_state(name: str, declared: str, value: Value) -> tuple[float, Fault | None]:
     """SI value of a state declared in some unit, and what is wrong with it."""
     try:
         number, unit, text = read(value)
     except UnitError as error:
-        return math.nan, Fault(name, repr(value), _value_in(declared), str(error))
+        return math.nan, Fault(name, shown(value), _value_in(declared), str(error))
     if unit.exponents != parse_unit(declared).exponents:
         return math.nan, _wrong_unit(name, number, unit, text, declared)
     mistaken = _mistaken(name, number, unit, text, declared)
@@ -123,7 +131,7 @@ def read_time(where: str, text: str, expected: str, faults: list[Fault]) -> floa
     try:
         value, unit, _ = read(text)
     except UnitError as error:
-        faults.append(Fault(where, repr(text), expected, str(error)))
+        faults.append(Fault(where, shown(text), expected, str(error)))
         return math.nan
     seconds = unit.to_si(value) if unit.exponents == parse_unit("s").exponents else math.nan
     if math.isfinite(seconds) and seconds > 0:
@@ -146,7 +154,7 @@ def read(value: Value) -> tuple[float, Unit, str]:
     real = isinstance(number, int | float | np.number) and not isinstance(number, bool)
     if not real or not isinstance(text, str):
         expected = "text with a unit such as '0.2 mm', (0.2, 'mm'), or a number where dimensionless"
-        raise UnitError(f"found {value!r}, expected {expected}")
+        raise UnitError(f"found {shown(value)}, expected {expected}")
     try:
         return float(number), parse_unit(text), text
     except OverflowError as error:

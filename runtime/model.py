@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import casadi as ca
 import numpy as np
 
-from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.runtime.binding import Port, Value, read_parameters
 from hertzwerk.runtime.lazy import cached_property
 
@@ -190,7 +190,7 @@ class Model:
 
     def bind(self, parameters: Mapping[str, Value] | None = None) -> Bound:
         """Defaults with `parameters` in their place, in SI; raises InputError with every fault."""
-        bound, faults = self.check(parameters or {})
+        bound, faults = self.check({} if parameters is None else parameters)
         if bound is None:
             raise InputError(self.name, faults)
         return bound
@@ -234,6 +234,21 @@ _INPUTS = {
 }
 
 
+def _type_faults(target: Any, without: Any, laws: Any, coordinates: Any) -> list[Fault]:
+    """What is of a type that nothing can be loaded or varied by."""
+    faults: list[Fault] = []
+    if not isinstance(target, str | Path) and not hasattr(target, "mechanism"):
+        faults.append(Fault("target", shown(target), "the name of a built-in scene, a Python file, or a Scene"))
+    if not isinstance(without, list | tuple) or not all(isinstance(name, str) for name in without):
+        faults.append(Fault("without", shown(without), "a list of names of effects"))
+    given = () if laws is None else laws.items() if isinstance(laws, Mapping) else ((laws, None),)
+    if not all(isinstance(name, str) and isinstance(law, str) for name, law in given):
+        faults.append(Fault("laws", shown(laws), 'laws by the names of effects, such as {"floor": "flores"}'))
+    if not isinstance(coordinates, str | None):
+        faults.append(Fault("coordinates", shown(coordinates), '"tree", "absolute" or "auto"'))
+    return faults
+
+
 def load(
     target: str | Path | Scene,
     *,
@@ -246,6 +261,9 @@ def load(
     `without` names effects to leave out, `laws` gives an effect another law by name, `coordinates` are "tree", "absolute" or "auto" in place of
     the scene's own. Raises InputError.
     """
+    faults = _type_faults(target, without, laws, coordinates)
+    if faults:
+        raise InputError("load", faults)
     varied = bool(without or laws or coordinates is not None)
     if isinstance(target, str) and not varied and target.isidentifier():
         name = f"hertzwerk.generated.{target}"

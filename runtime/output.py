@@ -8,7 +8,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.faults import Fault, shown
 from hertzwerk.runtime.binding import read_time
 
 Output: TypeAlias = str | int | Sequence[float] | np.ndarray  # "steps"; points; spacing such as "0.1 ms"; times [s]
@@ -24,7 +24,7 @@ def times_of(output: Output, seconds: float, faults: list[Fault]) -> np.ndarray 
     if isinstance(output, int | np.integer) and not isinstance(output, bool):
         if 2 <= output <= MOST:
             return None if math.isnan(seconds) else np.linspace(0.0, seconds, int(output))
-        faults.append(Fault("output", f"{output} points", f"2 to {MOST:,} points, start and end included"))
+        faults.append(Fault("output", f"{shown(output)} points", f"2 to {MOST:,} points, start and end included"))
         return None
     return _given(output, seconds, faults)
 
@@ -50,11 +50,11 @@ def _given(output: object, seconds: float, faults: list[Fault]) -> np.ndarray | 
     expected = 'a number of points, increasing times [s], a spacing such as "0.1 ms", or "steps"'
     try:
         times = np.array(output, dtype=float)
-    except (TypeError, ValueError):
-        faults.append(Fault("output", repr(output), expected))
+    except (TypeError, ValueError, OverflowError):
+        faults.append(Fault("output", shown(output), expected))
         return None
     if times.ndim != 1 or not len(times):
-        faults.append(Fault("output", f"numbers of shape {times.shape}" if times.ndim else repr(output), expected))
+        faults.append(Fault("output", f"numbers of shape {times.shape}" if times.ndim else shown(output), expected))
         return None
     if len(times) > MOST:
         faults.append(Fault("output", f"{len(times):,} times", f"at most {MOST:,}"))

@@ -10,7 +10,7 @@ from typing import Final, Literal, TypeAlias
 
 import numpy as np
 
-from hertzwerk.derive.faults import Fault, InputError, unknown
+from hertzwerk.derive.faults import Fault, InputError, shown, unknown
 from hertzwerk.runtime import scales as scaling
 from hertzwerk.runtime.accuracy import LEAST
 from hertzwerk.runtime.binding import Value, read_time
@@ -72,19 +72,21 @@ class Settings:
         ):
             if value is not None and not (_real(value) and low <= value <= high):
                 way_out = "it is measured in the scene's scales"
-                faults.append(Fault(name, repr(value), f"a number in {low:g}..{high:g}", way_out))
+                faults.append(Fault(name, shown(value), f"a number in {low:g}..{high:g}", way_out))
         if self.accuracy is not None and self.tolerance is not None:
             way_out = "an accuracy is of the end of the run, a tolerance is local and without an estimate"
             faults.append(
                 Fault("tolerance", f"{self.tolerance!r} beside accuracy={self.accuracy!r}", "one of the two", way_out)
             )
-        if self.method not in METHODS:
-            faults.append(unknown("method", str(self.method), sorted(METHODS)))
+        if not isinstance(self.method, str):
+            faults.append(Fault("method", shown(self.method), f"one of {', '.join(sorted(METHODS))}"))
+        elif self.method not in METHODS:
+            faults.append(unknown("method", self.method, sorted(METHODS)))
         for name, limit in vars(self.limits).items():
             if not (_real(limit) and limit > 0):
-                faults.append(Fault(name, repr(limit), "a positive number"))
-        if not (isinstance(self.compiled, bool) or self.compiled == "auto"):
-            faults.append(Fault("compiled", repr(self.compiled), 'True, False or "auto"'))
+                faults.append(Fault(name, shown(limit), "a positive number"))
+        if not (isinstance(self.compiled, bool) or (isinstance(self.compiled, str) and self.compiled == "auto")):
+            faults.append(Fault("compiled", shown(self.compiled), 'True, False or "auto"'))
         return faults
 
 
@@ -108,7 +110,7 @@ def read(
     """Everything given, read, and the times [s] of a grid; raises InputError with every fault. Text that was read before is not read again."""
     faults = settings.faults()
     known: dict[str, Given] = model.once("given", dict)
-    key = repr((settings.duration, parameters, initial))  # tells 1 from True and from "1"
+    key = _key(settings.duration, parameters, initial)
     given = None if faults else known.get(key)
     seconds = read_duration(settings.duration, faults) if given is None else given.seconds
     times = times_of(settings.output, seconds, faults)
@@ -122,6 +124,14 @@ def read(
     return given, times
 
 
+def _key(*given: object) -> str:
+    """Tells what is given apart, 1 from True and from "1" too."""
+    try:
+        return repr(given)
+    except Exception:  # an integer of thousands of digits, which is a fault
+        return ""
+
+
 def read_duration(duration: str | float | None, faults: list[Fault]) -> float:
     """Seconds of a duration; what is none becomes a fault."""
     expected = 'a positive time, such as "24 ms" or a number of seconds'
@@ -131,11 +141,17 @@ def read_duration(duration: str | float | None, faults: list[Fault]) -> float:
         )  # on a command line "24" is 24 s, as 24 is
     if isinstance(duration, str):
         return read_time("duration", duration, expected, faults)
-    if duration is not None and _real(duration) and math.isfinite(duration) and duration > 0:
+    if duration is not None and _real(duration) and 0 < duration < math.inf:
         return float(duration)
-    faults.append(Fault("duration", "none" if duration is None else repr(duration), expected))
+    faults.append(Fault("duration", "none" if duration is None else shown(duration), expected))
     return math.nan
 
 
 def _real(value: object) -> bool:
-    return isinstance(value, int | float | np.number) and not isinstance(value, bool)
+    """Whether it is a number that a double can hold."""
+    if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
+        return False
+    try:
+        return not math.isnan(float(value))
+    except OverflowError:
+        return False

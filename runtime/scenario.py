@@ -14,13 +14,14 @@ source = "sqrt(2 g h)"
 from __future__ import annotations
 
 import math
-import tomllib
+import re
 from pathlib import Path
 from typing import Annotated, Literal, Self
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError, model_validator
 
-from hertzwerk.derive.faults import Fault, InputError, unknown, unreadable
+from hertzwerk.derive.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.tomlfile import read_toml
 from hertzwerk.derive.units import UnitError, parse_quantity
 from hertzwerk.runtime import scenarios
 from hertzwerk.runtime.build import is_file
@@ -51,7 +52,7 @@ def _measurable(text: str) -> str:
     index, _, field = rest.partition(".")
     known = (
         text in ("energy_residual", "impacts")
-        or (head == "impacts" and index.isdigit() and field in IMPACT_FIELDS)
+        or (head == "impacts" and re.fullmatch("[0-9]{1,9}", index) and field in IMPACT_FIELDS)
         or (head in FOUND_IN_HISTORIES and rest)
     )
     if not known:
@@ -116,14 +117,9 @@ def load_scenario(target: str | Path) -> Scenario:
         if str(target) not in scenarios.names():
             raise InputError("scenario", [unknown("scenario", str(target), scenarios.names(), "or a TOML file")])
         return _validated(f"scenario {target}", scenarios.read(str(target)))
-    try:
-        scenario = _validated(str(path), tomllib.loads(path.read_text(encoding="utf-8")))
-        named_from_here = {"scene": str(path.parent / scenario.scene)} if is_file(scenario.scene) else {}
-        return scenario.model_copy(update=named_from_here)
-    except OSError as error:
-        raise InputError(str(path), [unreadable(path, error, "a readable TOML file")]) from error
-    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise InputError(str(path), [Fault("file", str(error), "a readable TOML file")]) from error
+    scenario = _validated(str(path), read_toml(path, "scene, duration, parameters and checks"))
+    named_from_here = {"scene": str(path.parent / scenario.scene)} if is_file(scenario.scene) else {}
+    return scenario.model_copy(update=named_from_here)
 
 
 def _validated(subject: str, content: dict[str, object]) -> Scenario:
@@ -133,7 +129,7 @@ def _validated(subject: str, content: dict[str, object]) -> Scenario:
         faults = [
             Fault(
                 ".".join(map(str, fault["loc"])) or "scenario",
-                f"{fault['input']!r}",
+                shown(fault["input"]),
                 fault["msg"].removeprefix("Value error, "),
             )
             for fault in error.errors(include_url=False)

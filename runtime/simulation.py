@@ -83,7 +83,7 @@ def simulate(
         max_events=max_events,
         wall_time=wall_time,
     )
-    given, times = read(model, settings, parameters or {}, initial or {})
+    given, times = read(model, settings, {} if parameters is None else parameters, {} if initial is None else initial)
     engine = engine_for(model.without_redundancy(given.dependent), method, compiled)
     gear = Gear(engine.code, compiled=compiled is True, changes=compiled == "auto") if engine.code else None
     run = SingleRun(model, method, engine, given, settings.limits, gear)
@@ -172,12 +172,19 @@ def solution_of(
             *bound.warnings,
             *floored(counted["floored"], run.floor),
             *too_fast(model, trace.speeds),
+            *_uncompiled(run),
             *found,
         ),
         scales=scales,
         error=None if climbed is None else climbed.error,
         checkpoint=checkpoint_of(model, trace.ending, run.given.initial),
     )
+
+
+def _uncompiled(run: SingleRun) -> tuple[str, ...]:
+    """A warning where C would have saved time and the compiler was of no use."""
+    complaint = run.engine.code.complaint if run.engine.code is not None else ""
+    return (f"not compiled, which costs time and no accuracy: {complaint}",) if complaint else ()
 
 
 def _verdict(run: SingleRun, climbed: Climbed[Trace], asked: float, result: Outcome) -> tuple[Outcome, tuple[str, ...]]:

@@ -9,7 +9,7 @@ from typing import TypeVar
 import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError, unknown
-from hertzwerk.runtime.binding import Value, read_state
+from hertzwerk.runtime.binding import Value, named_values, read_state
 from hertzwerk.runtime.model import Bound, Dependent, Model
 
 Given = TypeVar("Given", bound=Value)
@@ -52,7 +52,7 @@ def _assembled(
     """The start in joint coordinates, loops closed."""
     values: dict[str, float] = {}
     names = (*model.coordinates, *model.speeds)
-    for name, value in initial.items():
+    for name, value in named_values("initial", initial, faults).items():
         if name not in names:
             faults.append(unknown("state", name, names))
             continue

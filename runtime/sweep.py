@@ -9,7 +9,7 @@ from contextlib import closing
 from dataclasses import dataclass, field
 from typing import Any
 
-from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.runtime.binding import Value, read_state
 from hertzwerk.runtime.engine import prepare
 from hertzwerk.runtime.model import Model
@@ -24,6 +24,22 @@ Output = Callable[[Solution], float]
 # outcomes of rows without a run or some of its numbers
 BAD_INPUT, BAD_OUTPUT, FAILED, LOST = "bad_input", "bad_output", "failed", "lost"
 PROBE = 0.3  # s that the first run may take alone, to foresee how long all of them take
+
+
+def _sets(given: object) -> list[dict[str, Value]]:
+    """The sets of values; raises InputError for what are none."""
+    expected = 'mappings of values by name, such as [{"clearance": "0.2 mm"}, {"clearance": "0.4 mm"}]'
+    if isinstance(given, str | Mapping) or not isinstance(given, Iterable):
+        raise InputError("simulate_many", [Fault("parameter_sets", shown(given), expected)])
+    rows = list(given)
+    faults = [
+        Fault(f"parameter_sets, row {i}", shown(row), expected)
+        for i, row in enumerate(rows)
+        if not isinstance(row, Mapping)
+    ]
+    if faults:
+        raise InputError("simulate_many", faults)
+    return [dict(row) for row in rows]
 
 
 def simulate_many(
@@ -52,7 +68,7 @@ def simulate_many(
     bad input to every run. Ctrl-C returns the rows that are done.
     """
     began = time.perf_counter()
-    sets = [dict(values) for values in parameter_sets]
+    sets = _sets(parameter_sets)
     Settings(duration, accuracy, tolerance, method, compiled, **limits).check(model)
     _check(model, workers, outputs or {})
     settings = {"duration": duration, "accuracy": accuracy, "tolerance": tolerance, "method": method, **limits}

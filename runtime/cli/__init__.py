@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import sys
+from pathlib import Path
 
 import click
 
@@ -14,6 +16,16 @@ from hertzwerk.runtime.cli.hardcases import hardcases
 from hertzwerk.runtime.cli.laws import laws
 from hertzwerk.runtime.cli.run import run, validate
 from hertzwerk.runtime.cli.scenes import derive, list_scenes
+
+
+def _open_streams() -> None:
+    """What a shell closed (`>&-`) leads nowhere: the next file that is opened would get its number, and what is printed."""
+    while (number := os.open(os.devnull, os.O_RDWR)) <= 2:
+        pass
+    os.close(number)
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:
+            setattr(sys, name, Path(os.devnull).open("w", encoding="utf-8"))  # noqa: SIM115 - for as long as the process lives
 
 
 def _print_version(context: click.Context, _: click.Parameter, wanted: bool) -> None:
@@ -38,6 +50,7 @@ def main() -> None:
 
     TARGET is the name of a built-in scene (see `hertzwerk list`) or a Python file that defines `scene`; a named file is executed.
     """
+    _open_streams()
     if os.environ.get("NO_COLOR"):  # https://no-color.org
         click.get_current_context().color = False
 

@@ -58,7 +58,7 @@ class Places:
 
         if not hasattr(model.module, "landmarks"):
             raise _without_functions(model)
-        bound, q, _ = start_of(model, parameters or {}, initial or {})
+        bound, q, _ = start_of(model, {} if parameters is None else parameters, {} if initial is None else initial)
         positions, rotations = (np.array(x).reshape(1, -1) for x in model.function("poses")(0.0, q, bound.c))
         return cls._of(model, bound.p, np.zeros(1), positions, rotations)
 

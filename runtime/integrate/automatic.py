@@ -27,6 +27,8 @@ class Code:
     native: Callers | None = None
     _program: Program | None = None
     _impossible: bool = False
+    complaint: str = ""
+    """Why a compiler that is there was of no use."""
 
     def __post_init__(self) -> None:
         self.machine = Callers(self.function)
@@ -43,13 +45,14 @@ class Code:
             return self.native
         if ahead < LOOK or self._impossible:
             return None
-        from hertzwerk.runtime.integrate.compiled import NoCompilerError
+        from hertzwerk.runtime.integrate.compiled import BrokenCompilerError, NoCompilerError
 
         try:
             needed = self._made().seconds
             return self.compile(heed) if GAIN * ahead > needed and elapsed >= SURE * needed else None
-        except NoCompilerError:
+        except NoCompilerError as error:
             self._impossible = True
+            self.complaint = str(error) if isinstance(error, BrokenCompilerError) else ""
             return None
 
     def _made(self) -> Program:

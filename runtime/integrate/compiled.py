@@ -9,6 +9,7 @@ from __future__ import annotations
 import hashlib
 import os
 import platform
+import shlex
 import shutil
 import signal
 import subprocess
@@ -37,6 +38,10 @@ class NoCompilerError(RuntimeError):
     """There is no working C compiler."""
 
 
+class BrokenCompilerError(NoCompilerError):
+    """There is a C compiler, or $CC names one, and it does not do what one does."""
+
+
 class Program:
     """A CasADi function as C text, and the library it is or would be compiled to; raises NoCompilerError."""
 
@@ -45,7 +50,7 @@ class Program:
         self._text = _c_text(function)
         self._level = "-O1" if len(self._text) > LARGE else "-O3"
         self._flags = (self._level, *FLAGS)
-        parts = (self._text, _version(self._compiler), *self._flags, _processor())
+        parts = (self._text, *self._compiler, _version(self._compiler), *self._flags, _processor())
         digest = hashlib.sha256("\0".join(parts).encode()).hexdigest()
         self._key = f"compiled-{digest[:32]}"
         self._library = disk.entry(self._key, ".so")
@@ -93,15 +98,21 @@ def _c_text(function: Any) -> str:
 
 
 def _compile(
-    compiler: str, flags: tuple[str, ...], text: str, folder: Path, heed: Callable[[], object] = lambda: None
+    compiler: tuple[str, ...],
+    flags: tuple[str, ...],
+    text: str,
+    folder: Path,
+    heed: Callable[[], object] = lambda: None,
 ) -> Path:
     """Compile C text to a library in a folder; raises NoCompilerError, OSError, and what `heed` raises."""
     source, target = folder / "chunk.c", folder / "chunk.so"
     source.write_text(text, encoding="utf-8")
-    command = [compiler, *flags, "-o", str(target), str(source), "-lm"]
+    command = [*compiler, *flags, "-o", str(target), str(source), "-lm"]
     said, returncode = _run(command, heed)
     if returncode != 0:
-        raise NoCompilerError(f"{' '.join(command)} failed:\n{said.strip()[:2000]}")
+        raise BrokenCompilerError(f"{' '.join(command)} failed:\n{said.strip()[:2000]}")
+    if not target.is_file():
+        raise BrokenCompilerError(f"{' '.join(command)} makes no library")
     return target
 
 
@@ -124,20 +135,32 @@ def _run(command: list[str], heed: Callable[[], object]) -> tuple[str, int]:
 
 
 @cache
-def _compiler() -> str:
-    """Path of the C compiler: $CC, or cc, gcc, clang."""
-    for name in (os.environ.get("CC", ""), "cc", "gcc", "clang"):
-        path = shutil.which(name) if name else None
+def _compiler() -> tuple[str, ...]:
+    """Command of the C compiler: $CC, with options as a shell reads them, or cc, gcc, clang. Raises NoCompilerError."""
+    asked = os.environ.get("CC", "").strip()
+    if asked:
+        try:
+            name, *options = shlex.split(asked)
+        except ValueError as error:
+            raise BrokenCompilerError(f"CC={asked!r} is no command: {error}") from error
+        path = shutil.which(name)
+        if path is None:
+            raise BrokenCompilerError(f"CC={asked!r} names no program that can be run")
+        return (path, *options)
+    for name in ("cc", "gcc", "clang"):
+        path = shutil.which(name)
         if path:
-            return path
+            return (path,)
     raise NoCompilerError(
         "found no C compiler (CC, cc, gcc, clang); install one, or run with compiled=False: the results are the same, slower"
     )
 
 
 @cache
-def _version(compiler: str) -> str:
-    return subprocess.run([compiler, "--version"], capture_output=True, text=True, check=False).stdout
+def _version(compiler: tuple[str, ...]) -> str:
+    return subprocess.run(
+        [*compiler, "--version"], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
+    ).stdout
 
 
 @cache

@@ -1,0 +1,65 @@
+"""The file of a saved run: numbers as arrays, the rest as JSON, and the digest of both, so that a file that was altered or cut is refused."""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import json
+import zipfile
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any, NoReturn, TypeVar
+
+import numpy as np
+
+from hertzwerk.derive.faults import Fault, InputError
+
+FORMAT = "hertzwerk run 1"
+_OWN = ("about", "digest")
+
+Content = TypeVar("Content")
+
+
+def packed(about: Mapping[str, Any], histories: Mapping[str, np.ndarray]) -> bytes:
+    """A run as npz."""
+    text = json.dumps(about)
+    content = io.BytesIO()
+    arrays: dict[str, Any] = {name: np.asarray(values) for name, values in histories.items()}
+    np.savez(
+        content, about=text, digest=_digest(text, arrays), **arrays
+    )  # to compress takes 20 times as long, for a fifth of the size
+    return content.getvalue()
+
+
+def unpacked(path: Path, read: Callable[[dict[str, Any], dict[str, np.ndarray]], Content]) -> Content:
+    """What `read` makes of the parts of a file that is as it was written. Raises InputError for any other file."""
+    try:
+        with path.open("rb") as raw, np.load(raw, allow_pickle=False) as file:
+            text, digest = str(file["about"]), str(file["digest"])
+            histories = {name: file[name] for name in file.files if name not in _OWN}
+    except OSError as error:
+        _refuse(path, error.strerror or str(error), "a readable file")
+    except (KeyError, ValueError, TypeError, AttributeError, EOFError, MemoryError, zipfile.BadZipFile) as error:
+        _refuse(path, f"no saved run ({type(error).__name__})", "a file that Solution.save wrote")
+    except Exception as error:  # zlib, struct and others, of a damaged archive
+        _refuse(path, f"a damaged file ({type(error).__name__}: {error})", "the file as Solution.save wrote it")
+    if digest != _digest(text, histories):
+        _refuse(path, "another content than was saved", "the file as Solution.save wrote it, by this version")
+    try:
+        return read(json.loads(text), histories)
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        _refuse(path, f"entries that cannot be read ({error})", "a run saved by this version")
+
+
+def _digest(text: str, histories: Mapping[str, np.ndarray]) -> str:
+    digest = hashlib.sha256(f"{FORMAT}\0{text}".encode("utf-8", "surrogatepass"))
+    for name, values in sorted(histories.items()):
+        digest.update(f"\0{name}\0{values.dtype.str}\0{values.shape}\0".encode("utf-8", "surrogatepass"))
+        digest.update(np.ascontiguousarray(values).tobytes())
+    return digest.hexdigest()
+
+
+def _refuse(path: Path, found: str, expected: str) -> NoReturn:
+    raise InputError(
+        str(path), [Fault("saved run", found, expected, "Run it again; states.csv holds the histories alone.")]
+    )
