@@ -92,7 +92,7 @@ def rate_faults(slot: Slot) -> Iterator[Fault]:
         what = -term if term.could_extract_minus_sign() else term
         if isinstance(what, Parameter):
             name, text = what.name, what.unit
-        elif isinstance(what, Spline) and what.args[2] == 0:
+        elif isinstance(what, Spline) and what.args[2] == 0 and not any(what.args[0].faults()):
             name, text = str(what.args[0]), what.args[0].units[1]
         else:
             continue

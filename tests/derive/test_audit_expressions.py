@@ -434,8 +434,8 @@ def test_files_that_are_no_input(tmp_path):
         (tmp_path / "laws.toml", "kind"),
         (tmp_path / "e" / "pyproject.toml", "no laws"),
         (tmp_path / "e", "a folder without either"),
-        (tmp_path / "missing.py", "No such file"),
-        (tmp_path / "missing.toml", "No such file"),
+        (tmp_path / "missing.py", "no such file"),
+        (tmp_path / "missing.toml", "no such file"),
     ):
         with pytest.raises(InputError, match=part):
             audit_path(target)
