@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import signal
 import sys
@@ -30,6 +31,7 @@ class Stopping:
         self._before: dict[int, Any] = {}
         self._asked: float | None = None  # when [s]
         self._raises = False
+        self._done, self._tries = math.inf, 0
 
     def __enter__(self) -> Self:
         if threading.current_thread() is threading.main_thread():
@@ -50,6 +52,10 @@ class Stopping:
 
     def __call__(self, fraction: float) -> None:
         """The fraction done of a run that has accepted steps."""
+        if fraction < self._done:  # an accuracy is missed, and there are more runs to make than were foreseen
+            self._tries += 1
+            self._progress.stage("running" if self._tries == 1 else f"running, tolerance {self._tries}", fraction)
+        self._done = fraction
         for number in self._before:
             if signal.getsignal(number) != self._ask:
                 signal.signal(number, self._ask)

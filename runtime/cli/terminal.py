@@ -120,7 +120,7 @@ class Progress:
 
     def __init__(self, title: str, *, shown: bool) -> None:
         self._title, self._shown = title, shown
-        self._stage, self._width = "", 0
+        self._stage, self._width, self._from = "", 0, 0.0
         self._start = self._told = time.perf_counter()
 
     def __enter__(self) -> Self:
@@ -131,9 +131,9 @@ class Progress:
     ) -> None:
         self._tell("")
 
-    def stage(self, name: str) -> None:
-        """What is being done from now on; it is told at once, as it may keep this process from telling anything more for a while."""
-        self._stage, self._start = name, time.perf_counter()
+    def stage(self, name: str, done: float = 0.0) -> None:
+        """What is being done from now on, a part of it done; it is told at once, as it may keep this process from telling more for a while."""
+        self._stage, self._start, self._from = name, time.perf_counter(), done
         self._tell(f"{self._title}: {name}")
 
     def __call__(self, fraction: float) -> None:
@@ -141,7 +141,7 @@ class Progress:
         now = time.perf_counter()
         if now - self._told < BETWEEN or now - self._start < BAR_AFTER:
             return
-        left = (now - self._start) * (1 / max(fraction, 1e-9) - 1)
+        left = (now - self._start) * (1 - fraction) / max(fraction - self._from, 1e-9)
         rest = f"{left // 60:.0f}:{left % 60:02.0f} to go" if left < LONGEST else ""
         bar = "#" * round(BAR * min(fraction, 1))
         stage = f"{self._title}: {self._stage}" if self._stage else self._title

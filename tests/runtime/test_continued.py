@@ -34,8 +34,12 @@ def assert_bitwise(whole, *parts):
 
 
 RUNS = [
-    *(("slider_crank", method, "6 ms", {}) for method in ("dop853", "dopri5", "esdirk", "rodas", "auto")),
-    ("incline_lugre", "dop853", "5 ms", {}),
+    *(("slider_crank", method, "6 ms", {}) for method in ("dop853", "auto")),
+    *(
+        pytest.param("slider_crank", method, "6 ms", {}, marks=pytest.mark.exhaustive)
+        for method in ("dopri5", "esdirk", "rodas")
+    ),
+    pytest.param("incline_lugre", "dop853", "5 ms", {}, marks=pytest.mark.exhaustive),
     ("incline_lugre", "auto", "0.1 s", {}),
     ("incline_coulomb", "dop853", "0.2 s", {}),
     ("spatial_slider_crank", "dop853", "20 ms", {}),
@@ -141,6 +145,10 @@ def test_what_cannot_go_on_says_why():
         short.continued("2 ms", model=load("bouncing_ball"))
     with pytest.raises(InputError, match="it would end so again"):
         replace(short, outcome=replace(short.outcome, name="not_finite")).continued("2 ms")
+
+
+@pytest.mark.exhaustive
+def test_sundials_keeps_its_state_to_itself():
     with pytest.raises(InputError, match="dop853, dopri5"):
         simulate(load("bouncing_ball"), duration="1 ms", tolerance=1e-6, method="cvodes").continued("0.2 s")
 

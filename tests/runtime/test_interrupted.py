@@ -100,7 +100,7 @@ def whole(folder: Path) -> dict | None:
 
 RUN = ["run", "slider_crank"]
 LONG = [*RUN, "--duration", "3600 s"]
-BAR = r"\[[#-]{30}\] +[1-9]?\d%|\[[#-]{30}\]"
+BAR = r"slider_crank: running  \[[#-]{30}\] +\d+%"
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
@@ -112,7 +112,7 @@ BAR = r"\[[#-]{30}\] +[1-9]?\d%|\[[#-]{30}\]"
         (LONG, BAR, signal.SIGTERM, 1, "interrupted"),
         pytest.param(LONG, BAR, signal.SIGINT, 1, "interrupted", marks=pytest.mark.exhaustive),
         pytest.param(RUN, r"states\.csv", signal.SIGINT, 1, "finished", marks=pytest.mark.exhaustive),
-        (RUN, r"writing overview\.png", signal.SIGINT, 1, "finished"),
+        pytest.param(RUN, r"writing overview\.png", signal.SIGINT, 1, "finished", marks=pytest.mark.exhaustive),
     ],
 )
 def test_a_signal_ends_it_at_once_and_what_there_is_is_kept(tmp_path, arguments, moment, number, code, outcome):
@@ -202,7 +202,7 @@ def fails(*_, **__):
         (Solution, "to_csv", {"states.csv"}),
         (Solution, "averages", set()),
         ("hertzwerk.runtime.plot", "_overview", {"overview.png"}),
-        ("hertzwerk.runtime.draw.picture", "of_run", {"mechanism.png"}),
+        pytest.param("hertzwerk.runtime.draw.picture", "of_run", {"mechanism.png"}, marks=pytest.mark.exhaustive),
     ],
 )
 def test_what_fails_is_missing_alone_and_said_to_be(run, monkeypatch, place, name, lost):
