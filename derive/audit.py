@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy as sp
 
 from hertzwerk.derive.behaviour import refuse_misbehaving
+from hertzwerk.derive.culprit import Culprit, Row, culprits, likeliest, powers_in, sentence
 from hertzwerk.derive.dimension import ONE, Dimension, DimensionError, DimensionFault, check, dimension_of
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.forms import advice
-from hertzwerk.derive.laws.law import STATE, BoundLaw, Law
+from hertzwerk.derive.laws.law import GEOMETRY, STATE, BoundLaw, Law
 from hertzwerk.derive.program import Program
 from hertzwerk.derive.scene import Scene
 from hertzwerk.derive.units import parse_unit
@@ -86,7 +87,7 @@ class Finding:
             return "\n".join([*lines, f"    {self.found}, consistent"])
         lines.append(f"    found {self.found}, expected {self.expected}")
         lines.append(f"{self.repair}." if self.repair else f"{self.reason}.")
-        if self.consistent_exponent is not None:
+        if self.consistent_exponent is not None and self.what == "normal force":
             lines.append(
                 f"Either keep n = {self.consistent_exponent}, or give a stiffness with its own unit: power(K [N/m^n], n), "
                 "or take a line-contact law\nwith the joint's length: johnson, popov_line, wang_liu_internal."
@@ -150,8 +151,56 @@ def audit_law(law: Law) -> tuple[Finding, ...]:
     table = {symbol: _dimension(symbol.unit, names) for symbol in law.symbols()}
     wrong = "outside_si" if law.fitted_in else "inconsistent"
     rows = [*_definitions(law), *law.expressions()]
-    found = (_law_finding(law, row, table, {}, [*names.values(), *_numbers(law)], names) for row in rows)
-    return tuple(replace(f, verdict=wrong) if f.verdict != "consistent" else f for f in found)
+    found = [_law_finding(law, row, table, {}, [*names.values(), *_numbers(law)], names) for row in rows]
+    return tuple(replace(f, verdict=wrong) if f.verdict != "consistent" else f for f in _with_culprit(law, found))
+
+
+def _with_culprit(law: Law, findings: list[Finding]) -> list[Finding]:
+    """The findings on a law that states to be consistent, each with the symbol whose unit is wrong, where there is one, as its repair."""
+    faulty = [finding for finding in findings if finding.verdict != "consistent"]
+    if not faulty or law.verdict != "consistent":
+        return findings
+    names = {symbol.name: symbol for symbol in law.parameters if symbol.unit == "1"}
+    table = {symbol: _dimension(symbol.unit, names) for symbol in law.symbols()}
+    own = [symbol for symbol in table if symbol not in (*STATE, *GEOMETRY) or symbol in law.parameters]
+    defined = {f"definition of {symbol.name}": symbol for symbol, _ in law.definitions}
+
+    def row(what: str, expression: sp.Expr, unit: str) -> Row:
+        def fault(dimensions: Mapping[sp.Symbol, Dimension]) -> DimensionFault | None:
+            expected = dimensions[defined[what]] if what in defined else _dimension(unit, names)
+            return check(expression, dimensions, expected, [s for s in own if dimensions[s] == ONE])
+
+        return Row(fault, lambda symbol: powers_in(expression, symbol))
+
+    rows = [row(*entry) for entry in (*_definitions(law), *law.expressions())]
+    return mended(findings, culprits(rows, table, {symbol: symbol.unit for symbol in own}))
+
+
+def mended(findings: list[Finding], found: Sequence[Culprit]) -> list[Finding]:
+    """The findings on all that symbols stand in, with the likeliest culprits as their repair; beside another exponent, where one would do as well.
+
+    Where there is no culprit and only one expression is wrong, that is said.
+    """
+    faulty = [finding for finding in findings if finding.verdict != "consistent"]
+    alone = len(findings) == 1
+    best = likeliest(found, alone)
+
+    def repaired(finding: Finding) -> Finding:
+        if finding.verdict == "consistent":
+            return finding
+        if best and alone:
+            told = "; or ".join(filter(None, (sentence(best, "it"), finding.repair)))
+            hidden = (
+                finding.consistent_exponent is None and not finding.law
+            )  # all symbols are the user's: a number may hide what is missing
+            return finding if hidden else replace(finding, repair=told)
+        if best:
+            return replace(finding, repair=sentence(best, "every expression of the law"), consistent_exponent=None)
+        only = f"every other expression of the law holds, so that it is the {finding.what} that is wrong"
+        one = len(faulty) == 1 and not alone
+        return replace(finding, repair="; ".join(filter(None, (only if one else "", finding.repair))) or None)
+
+    return [repaired(finding) for finding in findings]
 
 
 def verdict(findings: Iterable[Finding]) -> str:

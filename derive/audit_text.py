@@ -6,15 +6,20 @@ audit_expression("K*d**n", {"K": "N/m^1.5", "d": "m"}, {"n": 1.1}, "N") -> Findi
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from itertools import product
 from typing import Any
 
-from hertzwerk.derive.audit import Finding
-from hertzwerk.derive.dimension import Dimension
+import sympy as sp
+
+from hertzwerk.derive.audit import Finding, mended
+from hertzwerk.derive.culprit import Row, culprits
+from hertzwerk.derive.dimension import ONE, Dimension, DimensionFault
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.derive.text import NAMES_TOO, Expression, TextError, plain_name, read
+from hertzwerk.derive.text import NAMES_TOO, Expression, Node, TextError, plain_name, read
 from hertzwerk.derive.text_dimension import Declared, dimension_of_unit, examine
-from hertzwerk.derive.units import Unit, UnitError, parse_unit
+from hertzwerk.derive.units import Unit, UnitError, parse_unit, rational
 
 __all__ = ["audit_expression", "declarations", "finding", "undeclared"]
 
@@ -77,7 +82,8 @@ def audit_expression(
         faults.append(Fault("expected unit", repr(expect), "a unit", str(error)))
     if faults or expression is None or declared is None or isinstance(expected, Unit):
         raise InputError(f"expression {text!r}" if len(str(text)) <= 60 else "expression", faults)
-    return finding(expression, declared, expected, effect="", what="expression", kind="expression")
+    said = finding(expression, declared, expected, effect="", what="expression", kind="expression")
+    return with_culprit([said], [("expression", expression, expected)], declared, expression.names)[0]
 
 
 def undeclared(expression: Expression, names: Iterable[str]) -> list[Fault]:
@@ -104,6 +110,56 @@ def undeclared(expression: Expression, names: Iterable[str]) -> list[Fault]:
                 )
             )
     return faults
+
+
+Text = tuple[str, Expression, Dimension | None]
+"""What an expression is, its text, the dimension it must have; a "definition of NAME" must have that of the name."""
+
+
+def with_culprit(
+    findings: list[Finding], texts: Sequence[Text], declared: Declared, candidates: Iterable[str]
+) -> list[Finding]:
+    """The findings on texts of the same names, each with the symbol whose unit is wrong, where there is one, as its repair."""
+    if all(finding.verdict == "consistent" for finding in findings):
+        return findings
+
+    def row(place: str, expression: Expression, expected: Dimension | None) -> Row:
+        name = place.removeprefix("definition of ")
+
+        def fault(dimensions: Mapping[str, Dimension]) -> DimensionFault | None:
+            numbers = {n: declared.constants.get(n, sp.Symbol(n, real=True)) for n, d in dimensions.items() if d == ONE}
+            known = replace(declared, dimensions=dimensions, constants=numbers, symbols=numbers)
+            try:
+                return examine(expression, known, dimensions[name] if name != place else expected)[1]
+            except TextError:
+                return DimensionFault(str(expression), (), "unknown", "", "an exponent that cannot be compared")
+
+        return Row(fault, lambda symbol: powers_in_text(expression.root, symbol))
+
+    return mended(
+        findings,
+        culprits(
+            [row(*text) for text in texts],
+            declared.dimensions,
+            {name: declared.units.get(name, "1") for name in candidates},
+        ),
+    )
+
+
+def powers_in_text(node: Node, name: str) -> set[Any]:
+    """The powers that a name stands with in a tree and its parts, as far as exponents are numbers."""
+    if node.op == "name":
+        return {sp.S.One} if node.name == name else set()
+    inside = [powers for arg in node.args if (powers := powers_in_text(arg, name))]
+    found = set().union(*inside)
+    if node.op == "product" and len(inside) > 1:
+        found |= {sp.Add(*powers) for powers in product(*inside)}
+    exponent = {"inverse": sp.S.NegativeOne, "sqrt": sp.Rational(1, 2)}.get(node.op)
+    if node.op == "**" and node.args[1].number is not None:
+        exponent = sp.Rational(rational(node.args[1].number))
+    if exponent is not None:
+        found |= {power * exponent for power in found}
+    return found - {sp.S.Zero}
 
 
 def finding(expression: Expression, declared: Declared, expected: Dimension | None, **place: Any) -> Finding:

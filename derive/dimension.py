@@ -12,7 +12,7 @@ one made of constant parameters. Expressions are checked as constructed: nothing
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any, Literal
@@ -169,6 +169,9 @@ class DimensionFault:
     reason: str
     consistent_exponent: Expr | None = None  # SymPy number: of the symbolic exponent, or of the power named in `repair`
     repair: str | None = None
+    missing: Dimension | None = field(
+        default=None, compare=False, repr=False
+    )  # expected over found, where these are dimensions
 
     def __str__(self) -> str:
         lines = [f"{self.subexpression}: {self.reason}"]
@@ -277,11 +280,14 @@ class _Walk:
         reason: str,
         culprit: Expr | None = None,
     ) -> DimensionError:
-        exponent, repair = None, None
+        exponent, repair, missing = None, None, None
         if culprit is not None and isinstance(found, Dimension) and isinstance(expected, Dimension):
             exponent, repair = _repair(self, culprit, found, expected)
+            missing = expected / found
         texts = tuple(dict.fromkeys((str(operand), str(dimension)) for operand, dimension in operands))
-        return DimensionError(DimensionFault(str(expr), texts, str(found), str(expected), reason, exponent, repair))
+        return DimensionError(
+            DimensionFault(str(expr), texts, str(found), str(expected), reason, exponent, repair, missing)
+        )
 
     def expect(self, expr: Expr, expected: Dimension) -> None:
         """Raise unless the expression has the dimension: at the wrong term of a sum or branch, where only some are."""

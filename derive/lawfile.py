@@ -33,7 +33,7 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.audit import Finding
-from hertzwerk.derive.audit_text import finding, undeclared
+from hertzwerk.derive.audit_text import finding, undeclared, with_culprit
 from hertzwerk.derive.behaviour import faults_if_consistent
 from hertzwerk.derive.dimension import Dimension
 from hertzwerk.derive.execute import beside
@@ -124,6 +124,7 @@ def audit_laws_as_written(path: str | Path) -> tuple[Finding, ...]:
     findings: list[Finding] = []
     for written in read_laws(path):
         law = written.law
+        own = []
         for what, expression, unit in written.texts:
             place = {
                 "effect": law.name,
@@ -135,7 +136,13 @@ def audit_laws_as_written(path: str | Path) -> tuple[Finding, ...]:
             }
             found = finding(expression, written.declared, unit, **place)
             outside = law.fitted_in and found.verdict == "inconsistent"
-            findings.append(replace(found, verdict="outside_si") if outside else found)
+            own.append(replace(found, verdict="outside_si") if outside else found)
+        if law.verdict == "consistent":
+            names = dict.fromkeys(
+                symbol.name for symbol in (*law.parameters, *(symbol for symbol, _ in law.definitions))
+            )
+            own = with_culprit(own, written.texts, written.declared, names)
+        findings.extend(own)
     return tuple(findings)
 
 

@@ -247,10 +247,11 @@ class _Walk:
     def fault(
         self, quoted: str, found: Dimension | str, expected: Dimension | str, reason: str, culprit: Node | None = None
     ) -> DimensionError:
-        exponent, repair = None, None
+        exponent, repair, missing = None, None, None
         if culprit is not None and isinstance(found, Dimension) and isinstance(expected, Dimension):
             exponent, repair = _Repair(self, culprit, found, expected).offer()
-        return DimensionError(DimensionFault(quoted, (), str(found), str(expected), reason, exponent, repair))
+            missing = expected / found
+        return DimensionError(DimensionFault(quoted, (), str(found), str(expected), reason, exponent, repair, missing))
 
     def expect(self, node: Node, expected: Dimension) -> None:
         """Raise unless the node has the dimension: at the wrong term of a sum or branch, where only some are."""

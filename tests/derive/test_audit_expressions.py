@@ -365,7 +365,7 @@ kind = "stiffness"
 form = "any"
 source = "measured"
 force = "K*d**n"
-symbols = { K = { unit = "N/m^n", meaning = "stiffness" }, n = { unit = "1", meaning = "exponent" } }
+symbols = { K = { unit = "N/m^n", meaning = "stiffness" }, n = { unit = "1", meaning = "exponent", limits = "[1, 3]" } }
 """
 BAD_LAW = GOOD_LAW.replace("my_foam", "bad_foam").replace("N/m^n", "N/m^1.5").replace("K*d**n", "K*d**n*(1 + 0*d)")
 PYTHON_LAW = """
