@@ -16,6 +16,7 @@ from hertzwerk.derive.effects.lubrication import Lubrication
 from hertzwerk.derive.effects.springs import JointDamper, JointFriction, JointSpring, PointDamper, PointSpring
 from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.derive.joints import Freedom
+from hertzwerk.derive.law_call import split_call, values_of
 from hertzwerk.derive.laws.catalogue import LAWS
 from hertzwerk.derive.laws.law import APPROACH_SPEED, BoundLaw
 from hertzwerk.derive.mechanism import Body, Direction, Mechanism, Pair, Slot
@@ -257,9 +258,13 @@ class Scene:
         return replace(self, coordinates=coordinates)  # type: ignore[arg-type]  # which the new scene checks
 
     def with_law(self, effect_name: str, law_name: str) -> Scene:
-        """The scene with one law of one effect exchanged for the law `law_name`, given the same parameters by name."""
+        """The scene with one law of one effect exchanged for the law `law_name`, given the same parameters by name.
+
+        What the effect does not have stands with the name: `power_damping(chi=1e5 N s/m^2.5, m=1.5)`.
+        """
         self._must_exist((effect_name,))
         effect = self.effect(effect_name)
+        law_name, texts = split_call(law_name)
         law = LAWS.get(law_name)
         takes = getattr(effect, "takes", None)  # of an effect with one law, its kind
         fields = ("stiffness", "damping") if effect.kind == "contact" else () if takes is None else (takes,)
@@ -273,11 +278,13 @@ class Scene:
         bound: BoundLaw | None = getattr(effect, slot)
         given = {s.name: value for s, value in bound.binding.items()} if bound is not None else {}
         given |= {s.name: value for s, value in law.defaults if s.name not in given}
+        given |= values_of(law, texts, effect_name)
         missing = [symbol for symbol in law.parameters if symbol.name not in given]
         if missing:
             values = ", ".join(f"{symbol.name} [{symbol.unit}], {symbol.meaning}" for symbol in missing)
             fault = Fault(f"effect {effect_name}", f"no value for {values}", f"all parameters of {law_name}",
-                          "Declare the effect with this law in a scene file.")  # fmt: skip
+                          f"Give them with the law, {law_name}({', '.join(f'{s.name}=...' for s in missing)}), "
+                          "or declare it in a scene file.")  # fmt: skip
             raise InputError(f"scene {self.name}", [fault])
         other = law(**{symbol.name: given[symbol.name] for symbol in law.parameters})
         materials = bound.materials if bound is not None else ()

@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 from mpmath import mp, mpf
 
+from hertzwerk.derive.band import Band, band_of
 from hertzwerk.derive.dimension import ONE
 from hertzwerk.derive.emit import expression_text, operations
 from hertzwerk.derive.faults import InputError, unknown
@@ -112,7 +113,8 @@ class Restitution:
 class Sheet:
     """Everything the catalogue knows of one law.
 
-    `form`: of contact, point, line, surface or any. `operations`: once per run, then per evaluation, of the text that is generated for it.
+    `form`: of contact, point, line, surface or any. `band`: of a reconstruction, what its candidates say. `operations`: once per run, then per
+    evaluation, of the text that is generated for it.
     """
 
     name: str
@@ -137,6 +139,7 @@ class Sheet:
     local_exponent: str
     example: str
     points: tuple[Point, ...]
+    band: Band | None
     restitution: Restitution | None
     operations: tuple[int, int]
 
@@ -182,6 +185,7 @@ def sheet(law: Law) -> Sheet:
         local_exponent=_constant_exponent(law) if isinstance(law, StiffnessLaw) else "",
         example=_example_text(law) if example else "",
         points=tuple(_points(law, example)) if isinstance(law, StiffnessLaw) and example else (),
+        band=band_of(law, lambda other: _example(other, law.pairs)) if isinstance(law, StiffnessLaw) else None,
         restitution=_restitution(law) if isinstance(law, DampingLaw) and restitution_symbol(law) else None,
         operations=operations_of(law),
     )
@@ -312,11 +316,14 @@ def _constant_exponent(law: StiffnessLaw) -> str:
     return "" if exponent.has(d) else str(exponent)
 
 
-def _example(law: Law) -> dict[sp.Symbol, Any]:
-    """Numbers for every symbol of a stiffness law in the units it was fitted in: a steel pin in a bush, or rollers; {} where it asks for others."""
+def _example(law: Law, pairs: tuple[str, ...] | None = None) -> dict[sp.Symbol, Any]:
+    """Numbers for every symbol of a stiffness law in the units it was fitted in: a steel pin in a bush, or rollers; {} where it asks for others.
+
+    `pairs` are those of another law, whose example it is; None for its own.
+    """
     if not isinstance(law, StiffnessLaw):
         return {}
-    numbers = {**(OUTSIDE if "parallel_cylinders" in law.pairs else INSIDE)}
+    numbers = {**(OUTSIDE if "parallel_cylinders" in (law.pairs if pairs is None else pairs) else INSIDE)}
     numbers |= {symbol.name: repr(parameter.si) for symbol, parameter in law.defaults}
     defined = {symbol for symbol, _ in law.definitions}
     asked = [symbol for symbol in law.symbols() if symbol not in defined and symbol not in STATE]

@@ -149,6 +149,7 @@ DRAWING = ("drawing", "insets", "labels", "paper", "picture", "sheet")
 PICTURES = {
     "plot.py",
     "plot_accuracy.py",
+    "plot_band.py",
     "plot_effects.py",
     "plot_laws.py",
     *(f"draw/{name}.py" for name in DRAWING),

@@ -42,10 +42,18 @@ SHOWN_OWN = (0.01, 0.1, 0.3, 1.0, 3.0)
 )
 @click.option("--no-plots", is_flag=True, help="Of --restitution, write the data only.")
 @click.option(
+    "--picture",
+    type=click.Path(path_type=Path),
+    metavar="FILE.png",
+    help="Of one reconstruction (grade R), draw the band of its candidates.",
+)
+@click.option(
     "--json", "as_json", is_flag=True, help="Print one JSON object, and write a folder only if --out is given."
 )
 @reports_bad_input
-def laws(names: tuple[str, ...], restitution: bool, out: Path | None, no_plots: bool, as_json: bool) -> int:
+def laws(
+    names: tuple[str, ...], restitution: bool, out: Path | None, no_plots: bool, picture: Path | None, as_json: bool
+) -> int:
     """List the contact laws, or print the sheet of each NAME: formula, units, ranges, source, behaviour, cost.
 
     --restitution: exit code 1 where a simulation and its closed form differ by more than 1e-9.
@@ -56,14 +64,18 @@ def laws(names: tuple[str, ...], restitution: bool, out: Path | None, no_plots: 
         raise InputError("laws", [Fault("laws", "--out or --no-plots alone", "--restitution beside it")])
     from hertzwerk.runtime import build
 
-    if names:
+    if names or picture is not None:
         sheets = build.law_sheets(names)
+        if picture is not None:
+            _draw(sheets, picture)
         if as_json:
             click.echo(json.dumps({"laws": [sheet.record() for sheet in sheets]}, indent=2, ensure_ascii=False))
         else:
             for i, sheet in enumerate(sheets):
                 click.echo("\n" if i else "", nl=False)
                 _print_sheet(sheet)
+            if picture is not None:
+                line("written", str(picture))
         return GOOD
     rows, columns = build.law_summaries(), ("kind", "law", "title", "grade", "verdict")
     if as_json:
@@ -74,6 +86,24 @@ def laws(names: tuple[str, ...], restitution: bool, out: Path | None, no_plots: 
         table([columns[i] for i in order], [[row[i] for i in order] for row in rows])
         say("Grades: A checked here, B seen in a public source, C from general knowledge, R reconstruction.")
     return GOOD
+
+
+def _draw(sheets: Sequence[Sheet], picture: Path) -> None:
+    """Write the picture of the one reconstruction; raises InputError where there is none, or a file already."""
+    faults = []
+    if len(sheets) != 1 or sheets[0].band is None:
+        found = ", ".join(f"{sheet.name} of grade {sheet.grade}" for sheet in sheets) or "no law"
+        faults.append(Fault("--picture", found, "one reconstruction, such as wang_liu_internal"))
+    if picture.exists():
+        faults.append(Fault("--picture", f"{picture}, which is there already", "a new file"))
+    if picture.suffix != ".png" or not picture.absolute().parent.is_dir():
+        faults.append(Fault("--picture", str(picture), "a file FILE.png in a folder that is there"))
+    if faults:
+        raise InputError("laws", faults)
+    from hertzwerk.runtime.plot_band import png
+    from hertzwerk.runtime.scratch import write_atomically
+
+    write_atomically(picture, png(sheets[0]))
 
 
 # -- one law -----------------------------------------------------------------------------------------------------------
@@ -118,11 +148,31 @@ def _print_sheet(sheet: Sheet) -> None:
             (f"{p.penetration:g}", *([f"{p.force:.6g}"] if forces else []), f"{p.exponent:.4f}") for p in sheet.points
         ]
         table(columns, rows)
+    if sheet.band is not None:
+        _print_band(sheet)
     if sheet.restitution is not None:
         click.echo()
         _print_restitution(sheet.restitution)
     elif sheet.kind == "damping":
         line("restitution", "takes no e; `hertzwerk laws --restitution` shows what it returns")
+
+
+def _print_band(sheet: Sheet) -> None:
+    """Forces of all candidates of a reconstruction, at the penetrations of the example."""
+    band = sheet.band
+    if band is None:
+        return
+    shown = {point.penetration for point in sheet.points}
+    rows = [
+        (f"{depth:g}", *(f"{candidate.forces[k]:.6g}" for candidate in band.candidates), f"{band.spread[k]:.2f}")
+        for k, depth in enumerate(band.penetrations)
+        if any(abs(depth - other) < 1e-6 * other for other in shown)
+    ]
+    say(
+        "\nThe paper's own expression could not be had. The band of its candidates, forces in N, largest over smallest:"
+    )
+    table(("penetration [m]", *(candidate.law for candidate in band.candidates), "band"), rows)
+    say(f"As a picture: hertzwerk laws {sheet.name} --picture {sheet.name}.png")
 
 
 def _formula_texts(formulas: Sequence[Formula]) -> list[str]:

@@ -246,3 +246,26 @@ def test_trials_take_one_parameter_each():
         assert isinstance(trial.scene.parameters[trial.parameter], Parameter)
         assert (trial.recommended is None) == (trial.parameter != "e")
     assert np.isfinite([t.exponent for t in trials()]).all()
+
+
+def test_reconstructions_show_the_band_of_their_candidates(sheets):
+    """Every candidate that may stand at the pair, the law first; forces are those of the laws they equal under another name."""
+    inside, outside = sheets["wang_liu_internal"].band, sheets["wang_liu_external"].band
+    assert {c.law for c in inside.candidates} == {
+        "wang_liu_internal",
+        "wang_liu_secant",
+        "wang_liu_half_width",
+        "wang_liu_johnson",
+    }
+    assert outside.candidates[0].law == "wang_liu_external"
+    assert {c.law for c in outside.candidates} == {"wang_liu_external", "wang_liu_half_width", "wang_liu_johnson"}
+    for band in (inside, outside):
+        assert band.penetrations[0] == pytest.approx(1e-8) and band.penetrations[-1] == pytest.approx(1e-4)
+        assert set(band.candidates[0].exponents) == {1.0}
+    micrometre = next(k for k, depth in enumerate(inside.penetrations) if depth == pytest.approx(1e-6))
+    at = {c.law: c.forces[micrometre] for c in inside.candidates}
+    assert at["wang_liu_johnson"] == pytest.approx(610.964, abs=5e-4)
+    assert at["wang_liu_secant"] == pytest.approx(84.660, abs=5e-4)
+    assert at["wang_liu_internal"] == pytest.approx(2 * 1339.92, abs=0.01)
+    assert inside.spread[micrometre] == pytest.approx(2 * 1339.92 / 84.660, rel=1e-5)
+    assert sheets["johnson"].band is None

@@ -46,7 +46,7 @@ def test_the_list(hertzwerk):
 
 
 def test_a_sheet(hertzwerk):
-    done = hertzwerk("laws", "wang_liu_internal", "lankarani_nikravesh", "goldsmith")
+    done = hertzwerk("laws", "wang_liu_secant", "lankarani_nikravesh", "goldsmith")
     assert done.exit_code == 0
     for said in (
         "R: reconstruction: the paper's own expression could not be had",
@@ -137,3 +137,20 @@ def test_the_picture_shows_every_law_and_range(study, tmp_path):
             box = text.get_window_extent()
             assert frame.x0 <= box.x0
             assert box.x1 <= frame.x1
+
+
+def test_the_picture_of_a_band(hertzwerk, tmp_path):
+    picture = tmp_path / "band.png"
+    done = hertzwerk("laws", "wang_liu_internal", "--picture", str(picture))
+    assert done.exit_code == 0, done.output
+    assert "wang_liu_secant" in done.output and str(picture) in done.output.replace("\n", "")
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    for arguments, said in (
+        (("wang_liu_internal", "--picture", str(picture)), "there already"),
+        (("johnson", "--picture", str(tmp_path / "other.png")), "of grade A"),
+        (("--picture", str(tmp_path / "other.png")), "no law"),
+        (("wang_liu_internal", "--picture", str(tmp_path / "other.pdf")), "FILE.png"),
+    ):
+        refused = hertzwerk("laws", *arguments)
+        assert refused.exit_code == 2 and said in " ".join(refused.output.split())
+    assert [path.name for path in tmp_path.iterdir()] == ["band.png"]
