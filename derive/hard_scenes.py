@@ -1,6 +1,6 @@
 """Scenes of the hard cases that no built-in scene has: declared here, derived when one is run, never committed.
 
-Free impacts (see `impact.impact_scene`), a ball that grazes, rows of spheres, two bodies of unlike mass, a block on an incline.
+Free impacts (see `impact.impact_scene`), a ball that grazes, rows of spheres, two bodies of unlike mass, a block on an incline, a chain.
 """
 
 from __future__ import annotations
@@ -20,11 +20,14 @@ from hertzwerk.derive.mechanism import (
     Body,
     Direction,
     Mechanism,
+    Planar,
     Prismatic,
+    Revolute,
     SphereOnPlane,
     SphereOnSphere,
     X,
     Y,
+    Z,
 )
 from hertzwerk.derive.parameter import Parameter
 from hertzwerk.derive.scene import Contact, EnergyLedger, Friction, Gravity, Scales, Scene, Start
@@ -35,6 +38,9 @@ _SPEED = Parameter("speed", "m/s", 1, "at the start")
 _EXPONENT = Parameter("exponent", "1", 1.5, "n of K d^n")
 _STIFFNESS = Parameter("stiffness", "N/m^exponent", 1e8, "K of K d^n")
 _RESTITUTION = Parameter("restitution", "1", 1)
+
+_FRICTION = Parameter("friction_coefficient", "1", 0.5)
+_STATIC = Parameter("static_coefficient", "1", 0.5)
 
 FORCE_RELEASED = replace(kelvin_voigt, name="kelvin_voigt_without_pull", release="force")
 """Kelvin and Voigt's law whose contact ends where its force falls to zero, before it would pull."""
@@ -195,13 +201,48 @@ def incline(friction: BoundLaw) -> Scene:
     )
 
 
+def falling_chain(count: int) -> Scene:
+    """Links that fall on a floor, every joint and both ends with set-valued friction, and come to rest nearly in line."""
+    mass, length, bend = Parameter("mass", "kg", 0.1), Parameter("link_length", "m", 0.1), Parameter("bend", "rad", 0.1)
+    inertia, height = (
+        Parameter("inertia", "kg m^2", 8e-5),
+        Parameter("height", "m", 0.1, "of the first end at the start"),
+    )
+    radius, tilt = (
+        Parameter("corner_radius", "m", 0.01),
+        Parameter("tilt", "rad", 0.1, "of the first link at the start"),
+    )
+    links = [Body(f"link_{i}", mass=mass, inertia=inertia, centre=(length / 2, 0, 0)) for i in range(1, count + 1)]
+    joints = [
+        Planar("path", GROUND, links[0], normal=Z),
+        *(Revolute(f"pin_{i}", a.at(length, 0, 0), b, axis=Z) for i, (a, b) in enumerate(pairwise(links), 1)),
+    ]
+    ends = [links[0].at(0, 0, 0), *(link.at(length, 0, 0) for link in links)]
+    pairs = [
+        SphereOnPlane(f"corner_{i}", end, radius, plane=GROUND.at(0, 0, 0), normal=Y) for i, end in enumerate(ends)
+    ]
+    law = power(_STIFFNESS, _EXPONENT), flores(_RESTITUTION)
+    return Scene(
+        Mechanism(f"falling_chain_of_{count}", joints=tuple(joints), pairs=tuple(pairs)),
+        effects=(
+            Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), direction=-Y),
+            *(Contact(pair.name, *law) for pair in pairs),
+            *(Friction(f"{pair.name}_friction", pair.name, coulomb(_FRICTION, _STATIC)) for pair in pairs),
+            EnergyLedger(),
+        ),
+        start=Start(
+            position={"path.y": height, "path.angle": tilt, **{f"pin_{i}": (-1) ** i * bend for i in range(1, count)}}
+        ),
+        scales=Scales(length=Parameter("depth", "mm", 1), speed=Parameter("speed", "m/s", 1), arm=length),
+        summary=f"a chain of {count} links falls on a floor, with dry friction at {count + 1} corners",
+    )
+
+
 def _depth(mass: sp.Expr) -> sp.Expr:
     """Of an elastic impact at the start's speed [m]."""
     return ((_EXPONENT + 1) * mass * _SPEED**2 / (2 * _STIFFNESS)) ** (1 / (_EXPONENT + 1))
 
 
-_FRICTION = Parameter("friction_coefficient", "1", 0.5)
-_STATIC = Parameter("static_coefficient", "1", 0.5)
 _BRISTLES = lugre(
     _FRICTION,
     _STATIC,
@@ -223,6 +264,8 @@ HARD_SCENES: dict[str, Callable[[], Scene]] = {
     "touching_row_of_5": lambda: touching_row(5),
     "touching_row_of_50": lambda: touching_row(50),
     "struck_from_both_sides": struck_from_both_sides,
+    "falling_chain_of_3": lambda: falling_chain(3),
+    "falling_chain_of_8": lambda: falling_chain(8),
     "unlike_masses": unlike_masses,
     "incline_coulomb": lambda: incline(coulomb(_FRICTION, _STATIC)),
     "incline_lugre": lambda: incline(_BRISTLES),

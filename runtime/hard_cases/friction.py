@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from hertzwerk.runtime.hard_cases.case import IMPLICIT, HardCase, Known, Source, final
+import numpy as np
+
+from hertzwerk.runtime.hard_cases.case import EXPLICIT, IMPLICIT, METHODS, HardCase, Known, Source, final
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.binding import Value
+    from hertzwerk.runtime.solution import Solution
 
 G, START, LAYER = 9.81, 0.01, 1e-7
 DRIVE = 0.6 * 1.001 * G  # N: of the block of 1 kg and its carriage of 1 g, down an incline of 3 in 4
@@ -55,6 +59,63 @@ def _way(mu: float) -> float:
     return START**2 * MASS / (2 * (mu * LOAD - DRIVE))
 
 
+def _of_corners(
+    count: int, what: str, of: Callable[[Solution, str, np.ndarray], np.ndarray], within: float, unit: str
+) -> Known:
+    """Largest value over the rows in which a corner touches, of what the law of dry friction says is never above zero."""
+
+    def largest(run: Solution) -> float:
+        values = (of(run, f"corner_{i}", run[f"corner_{i}.slip"] == 0) for i in range(count + 1))
+        modes = (run[f"corner_{i}.mode"] == 1 for i in range(count + 1))
+        return max(float(np.max(value, where=mode, initial=0.0)) for value, mode in zip(values, modes, strict=True))
+
+    return Known(what, largest, 0.0, within, unit, "Coulomb's law")
+
+
+def _falling_chain(count: int, *, long: bool) -> HardCase:
+    mu = 0.3
+    return HardCase(
+        name=f"falling_chain_of_{count}",
+        theme="friction",
+        hard=f"{count} links fall on a floor and rest nearly in line, {count + 1} corners set-valued: what each holds is all but undetermined",
+        source=Source(f"falling_chain_of_{count}", hard=True),
+        duration=1.0,
+        tolerance=1e-6,
+        methods=EXPLICIT if long else METHODS,
+        parameters={
+            "friction_coefficient": mu,
+            "static_coefficient": mu,
+            "stiffness": (1e7, "N/m^1.5"),
+            "restitution": 0.5,
+        },
+        known=(
+            _of_corners(
+                count,
+                "friction beyond what is held",
+                lambda run, corner, _: np.abs(run[f"{corner}.friction_force"]) - mu * run[f"{corner}.normal_force"],
+                BEYOND,
+                "N",
+            ),
+            _of_corners(
+                count,
+                "sliding of what sticks",
+                lambda run, corner, sticks: np.abs(run[f"{corner}.sliding_velocity"]) * sticks,
+                1e-6,
+                "m/s",
+            ),
+            _of_corners(
+                count,
+                "power of friction",
+                lambda run, corner, _: run[f"{corner}.friction_force"] * run[f"{corner}.sliding_velocity"],
+                1e-7,
+                "W",
+            ),
+        ),
+        long=long,
+    )
+
+
+BEYOND = 0.05  # N, of a weight of a link of 1 N: what nearly straight links need jumps by that with the errors of contact forces
 BRISTLE = 1e7  # 1/m, stiffness of the bristles per normal force
 LUGRE_SPEED = 0.0388918036404  # m/s, of a block that slides on them from START, after 0.5 s
 
@@ -121,4 +182,6 @@ CASES = (
         ),
         0.5,
     ),
+    _falling_chain(3, long=False),
+    _falling_chain(8, long=True),
 )

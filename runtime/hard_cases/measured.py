@@ -124,6 +124,8 @@ TRIES: dict[str, dict[str, int]] = {
     "incline_slides_coulomb": {"dopri5": 10899, "dop853": 2052, "rodas": 19, "esdirk": 19, "auto": 33},
     "incline_holds_lugre": {"dopri5": 4258, "dop853": 2153, "rodas": 1099, "esdirk": 1118, "auto": 678},
     "incline_slides_lugre": {"dopri5": 55486, "dop853": 25452, "rodas": 45, "esdirk": 37, "auto": 41},
+    "falling_chain_of_3": {"dopri5": 1138, "dop853": 798, "rodas": 1086, "esdirk": 878, "auto": 729},
+    "falling_chain_of_8": {"dopri5": 2013, "dop853": 1622},
     "change_points": {"dopri5": 1993, "dop853": 329, "rodas": 1818, "esdirk": 4374, "auto": 312},
     "redundant_constraints": {"dopri5": 410, "dop853": 88, "rodas": 606, "esdirk": 390, "auto": 88},
     "three_clearances": {"dop853": 210681, "esdirk": 294412, "auto": 211870},

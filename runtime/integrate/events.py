@@ -26,6 +26,7 @@ DOUBT = 0.1  # part of |quintic - cubic| that a graze must stay clear of
 NEAR = 1 / 64  # of a step: how far its end may be moved to land on a surface, by the classical method of order 4
 PARTS = 8  # sub-intervals searched
 BELIEVED = 4  # retakes of one step; where a cubic fits, 1 to 3 land
+LOCATED = 16  # retakes that find a margin's root, or there is none: what nearly redundant friction needs jumps with a step's error
 NEWTON_STEPS = 12  # within one of them, bisecting where Newton would leave the bracket
 NO_EVENT = 2.0  # theta beyond every step
 
@@ -170,6 +171,7 @@ def _slipping(
     cubic = margins(start, end)
     lowest = ca.fmin(ca.fmin(cubic[1], cubic[2]), cubic[3])
     falls = (start["mode"][pairs_of(model)] == CONTACT) * (cubic[0] > -small / 2) * (lowest < -small)
+    falls *= start["retakes"] < LOCATED
     return falls, cubic, small
 
 

@@ -13,13 +13,13 @@ from hertzwerk.runtime.integrate.closing import LOST, Closing, closing
 from hertzwerk.runtime.integrate.friction import forces as friction_forces
 from hertzwerk.runtime.integrate.friction import grips, may_slip, pairs_of
 from hertzwerk.runtime.integrate.layout import GRIP_PARTS, PAIR_PARTS
+from hertzwerk.runtime.integrate.rounding import EPS
 from hertzwerk.runtime.integrate.singular import time_to_singular
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.tables import RungeKutta
     from hertzwerk.runtime.model import Model
 
-EPS = 2.0**-52
 MEAN_OF = 8  # most entries that an error is averaged over: of many bodies most err nothing, and must not excuse the two that collide
 
 

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
-from hertzwerk.runtime.integrate.classes import BY_MODE, Contacts, pushing, where
+from hertzwerk.runtime.integrate.classes import BY_MODE, Contacts, where
 from hertzwerk.runtime.integrate.layout import CONTACT
 from hertzwerk.runtime.integrate.linear import eliminated
 
@@ -24,9 +24,8 @@ if TYPE_CHECKING:
 Parts = Mapping[str, Any]
 
 STICK = 0.0  # slip of a pair that sticks
-REDUNDANT = 1e-8  # part of its diagonal that makes W regular: contacts of one body may share one force
+REDUNDANT = 1e-6  # part of its diagonal that makes W regular: contacts of one body may share one force
 REFINEMENTS = 2  # steps after which that part is gone from what is not redundant
-ROUNDS = 3  # of asking who sticks still, once one has let go; later ones do so at the next step
 BREAKS = 0.25  # of the tolerance of a landing: by which lambda exceeds what is held when a pair lets go; a landing aims at half
 
 
@@ -110,19 +109,10 @@ def _forces(model: Model, n: int) -> Any:
     slipping, sticks, c = ca.SX.sym("slipping", n), ca.SX.sym("sticks", n), ca.SX.sym("c", model.nc)
     slides = ca.if_else(sticks, 0, slipping)
     a = model.function("accelerations").call([t, q, u, f + ca.mtimes(along, slides), c])[0]
-    found = _solve(model, t, q, u, along, sticks, c, -(drift + ca.mtimes(along[: model.nu, :].T, a)))
+    W = ca.mtimes(along[: model.nu, :].T, mobility(model, t, q, u, along, c))
+    found = solve_sticking(W, sticks, -(drift + ca.mtimes(along[: model.nu, :].T, a)))
     arguments = [t, q, u, f, along, drift, slipping, sticks, c]
     return ca.Function("friction", arguments, [ca.cse(ca.if_else(sticks, found, slides))])
-
-
-def at_rest(model: Model, t: Any, y: Any, mode: Any, m: Any, c: Any) -> Any:
-    """The state, its speeds changed by the impulses along the tangents after which the pairs that stick do not slide at all."""
-    nq, nu = model.nq, model.nu
-    q, u = y[:nq], y[nq : nq + nu]
-    now = grips(model, BY_MODE, t, y, mode, m, c)
-    impulses = _solve(model, t, q, u, now.along, now.sticks, c, -now.velocity)
-    change = ca.mtimes(mobility(model, t, q, u, now.along, c), impulses)
-    return ca.vertcat(q, u + ca.if_else(ca.mmax(now.sticks), change, 0), y[nq + nu :])
 
 
 def mobility(model: Model, t: Any, q: Any, u: Any, along: Any, c: Any) -> Any:
@@ -132,13 +122,12 @@ def mobility(model: Model, t: Any, q: Any, u: Any, along: Any, c: Any) -> Any:
     return ca.substitute(ca.jtimes(a, f, along), f, ca.SX.zeros(f.numel()))
 
 
-def _solve(model: Model, t: Any, q: Any, u: Any, along: Any, sticks: Any, c: Any, right: Any) -> Any:
-    """Lambda (n) of the pairs that stick with W lambda = right; 0 of the others."""
-    n = along.shape[1]
-    whole = ca.mtimes(along[: model.nu, :].T, mobility(model, t, q, u, along, c))
+def solve_sticking(W: Any, sticks: Any, right: Any) -> Any:
+    """Lambda (n) of the pairs that stick with W lambda = right, of the least norm where that says too little; 0 of the others."""
+    n = W.shape[0]
     right = ca.if_else(sticks, right, 0)
     both = [[sticks[i] * sticks[j] for j in range(n)] for i in range(n)]
-    coupled = [[ca.if_else(both[i][j], whole[i, j], 0) for j in range(n)] for i in range(n)]
+    coupled = [[ca.if_else(both[i][j], W[i, j], 0) for j in range(n)] for i in range(n)]
     share = REDUNDANT if n > 1 else 0.0
     # friction without effect on any motion, and a pair that does not stick, have a zero diagonal and a zero right-hand side
     diagonal = [ca.if_else(coupled[i][i] > 0, (1 + share) * coupled[i][i], 1) for i in range(n)]
@@ -152,45 +141,6 @@ def _solve(model: Model, t: Any, q: Any, u: Any, along: Any, sticks: Any, c: Any
 
 
 # -- modes and events --------------------------------------------------------------------------------------------------
-
-
-def directed(model: Model, t: Any, y: Any, mode: Any, m: Any, c: Any, asked: Any, broken: Any, tolerance: Any) -> Any:
-    """Slips and state of a moment at which some pairs have to be asked anew: (m, y).
-
-    asked (n): pairs whose direction is not known, at an onset or where sliding has come to rest: they go on sliding if they do, by more than the
-    tolerance (of a speed [m/s], of a force [N]); else they stick if that takes no more than is held, else slip where they are driven to.
-    broken (n): pairs that stick no longer. Those that stick are brought to rest.
-    """
-    rate, force = (part[pairs_of(model)] for part in tolerance)
-    now = grips(model, BY_MODE, t, y, mode, m, c)
-    moving = ca.fabs(now.velocity) > rate
-    slip = ca.if_else(asked, ca.if_else(moving, ca.sign(now.velocity), STICK), now.slip)
-    slip = ca.if_else(now.touching, slip, STICK)
-    allowed = ca.if_else(asked, 0, BREAKS * force)
-    for i in range(min(ROUNDS, model.ns)):
-        needed, holding = _needed(model, t, y, mode, _with_slips(model, m, slip), c)
-        lets_go = holding - ca.fabs(needed) < -allowed
-        if i == 0:
-            lets_go = lets_go + broken > 0
-        slip = ca.if_else(now.touching * (slip == STICK) * lets_go, -ca.sign(needed), slip)
-    m = _with_slips(model, m, slip)
-    return m, at_rest(model, t, y, mode, m, c)
-
-
-def _needed(model: Model, t: Any, y: Any, mode: Any, m: Any, c: Any) -> tuple[Any, Any]:
-    """Friction forces under slips, and what each pair holds [N]."""
-    q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
-    f = model.function("applied")(t, q, u, c)
-    for _, contact, active in pushing(model, BY_MODE, mode):
-        f += where(active, contact(t, q, u, z, m, c)[0])
-    now = grips(model, BY_MODE, t, y, mode, m, c)
-    found = forces(model, model.ns)(t, q, u, f, now.along, now.drift, -now.slip * now.sliding, now.sticks, c)
-    return found, now.holding
-
-
-def _with_slips(model: Model, m: Any, slip: Any) -> Any:
-    latches, _ = ca.vertsplit(m, [0, model.nm - model.ns, model.nm])
-    return ca.vertcat(latches, slip)
 
 
 def sized(model: Model, m: Any, tol_rate: Any, tol_force: Any) -> Any:

@@ -14,10 +14,11 @@ import casadi as ca
 
 from hertzwerk.runtime.integrate.classes import BY_MODE, Contacts, pushing, where
 from hertzwerk.runtime.integrate.control import SAFETY
-from hertzwerk.runtime.integrate.explicit import EPS, MEAN_OF, Flow
+from hertzwerk.runtime.integrate.explicit import MEAN_OF, Flow
 from hertzwerk.runtime.integrate.friction import forces, grips, may_slip, pairs_of
 from hertzwerk.runtime.integrate.implicit_tables import ITERATIONS, DiagonallyImplicit, Rosenbrock
 from hertzwerk.runtime.integrate.linear import solver
+from hertzwerk.runtime.integrate.rounding import EPS
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model import Model

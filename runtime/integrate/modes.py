@@ -15,7 +15,7 @@ import casadi as ca
 
 from hertzwerk.runtime.integrate.classes import IDLE, classified
 from hertzwerk.runtime.integrate.events import ends_with_force, pulls, tolerances
-from hertzwerk.runtime.integrate.friction import asked_and_broken, directed, sized
+from hertzwerk.runtime.integrate.friction import asked_and_broken, pairs_of, sized
 from hertzwerk.runtime.integrate.layout import (
     CONTACT,
     FLIGHT,
@@ -25,6 +25,7 @@ from hertzwerk.runtime.integrate.layout import (
     RUNNING,
     Layouts,
 )
+from hertzwerk.runtime.integrate.slips import directed
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.explicit import Flow
@@ -65,25 +66,35 @@ def latch(model: Model, run: Parts, m: Any, onset: Any, gap_rate: Any) -> tuple[
 
 
 def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
-    """CasADi function (before, after, controls) -> state: the right-hand side under the modes of `after`, the ledger of what changed, bristles."""
+    """CasADi function (before, after, controls) -> state: the flow under the modes of `after`, the ledger of what changed, bristles, slips."""
     layouts = (vectors.state, vectors.state, vectors.controls)
-    arguments = [layout.symbol(name) for layout, name in zip(layouts, ("before", "after", "controls"), strict=True)]
+    names = ("before", "after", "controls")
+    arguments = [layout.symbol(name) for layout, name in zip(layouts, names, strict=True)]
     before, after, run = (layout.split(vector) for layout, vector in zip(layouts, arguments, strict=True))
     y = after["y"]
     if model.has_ledger:
         y = _book(model, after["t"], y, run["c"], before["mode"], after["mode"])
     y, m = _forget(model, y, after["mode"]), after["m"]
+    _, *tolerance = tolerances(model, run, after["t"], y, after["gap_rate"])
+    asked = ca.SX(0, 1)
     if model.ns:
-        _, *tolerance = tolerances(model, run, after["t"], y, after["gap_rate"])
         small = sized(model, m, *tolerance)
-        turns = asked_and_broken(model, after["mode"], m, after["margin"], after["margin_rate"], small, before["mode"])
-        m, y = directed(model, after["t"], y, after["mode"], m, run["c"], *turns, tolerance)
+        asked, _ = asked_and_broken(
+            model, after["mode"], m, after["margin"], after["margin_rate"], small, before["mode"]
+        )
+    booked = ca.Function(
+        "booked", arguments, [after["t"], y, after["mode"], m, run["c"], asked, *_of_slips(model, tolerance)]
+    )
+    y, m = ca.SX.sym("y", y.numel()), ca.SX.sym("m", model.nm)
     end = right.at(after["t"], y, after["mode"], m, run["c"])
     end.pop("in_range")
     finite = is_finite(end)
     status = ca.if_else(finite, after["status"], NOT_FINITE)
     new = {**after, **end, "y": y, "m": m, "status": status, "class": ca.if_else(finite, after["class"], IDLE)}
-    return ca.Function("switch", arguments, [vectors.state.join(new)], ["before", "after", "controls"], ["next"])
+    resumed = ca.Function("resumed", [*arguments[1:], m, y], [vectors.state.join(new)])
+    given = booked.mx_in()
+    slips = directed(model).call(booked.call(given))
+    return ca.Function("switch", given, [resumed(*given[1:], *slips)], [*names], ["next"])
 
 
 def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
@@ -95,19 +106,29 @@ def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
     mode, floored = ca.SX.zeros(model.k), ca.SX(0)
     m = ca.vertcat(ca.SX.ones(model.nm - model.ns), ca.SX.zeros(model.ns))
     end = right.at(t, y, mode, m, run["c"])
+    gap, rate = end["gap"], end["gap_rate"]
+    tol, *tolerance = tolerances(model, run, t, y, rate)
     if model.k:
-        gap, rate = end["gap"], end["gap_rate"]
-        tol, _, _ = tolerances(model, run, t, y, rate)
         touching = (gap < -tol) + (gap <= tol) * _closing(rate, end["gap_acceleration"]) > 0
         m, floored = latch(model, run, m, touching, rate)
         end = right.at(t, y, touching, m, run["c"])
         spent = pulls(model, end["force"]) * (gap < -tol)
         mode = ca.if_else(touching, ca.if_else(spent, RELEASED, CONTACT), FLIGHT)
-        if model.ns:
-            _, *tolerance = tolerances(model, run, t, y, rate)
-            everyone = ca.SX.ones(model.ns)
-            m, y = directed(model, t, y, mode, m, run["c"], everyone, 0 * everyone, tolerance)
-        end = right.at(t, y, mode, m, run["c"])
+    asking = [t, y, mode, m, run["c"], ca.SX.ones(model.ns), *_of_slips(model, tolerance)]
+    touched = ca.Function("touched", [t, q, u, controls], [*asking, floored])
+    given = touched.mx_in()
+    *asked, booked = touched.call(given)
+    slips = directed(model).call(asked)
+    state = _first(model, vectors, right)(given[0], given[3], asked[2], *slips, booked)
+    return ca.Function("begin", given, [state], ["t", "q", "u", "controls"], ["state"])
+
+
+def _first(model: Model, vectors: Layouts, right: Flow) -> Any:
+    """CasADi function (t, controls, mode, m, y, floored) -> the first state from its modes on."""
+    t, controls, floored = ca.SX.sym("t"), vectors.controls.symbol("controls"), ca.SX.sym("floored")
+    mode, m, y = (ca.SX.sym(name, vectors.state.sizes[name]) for name in ("mode", "m", "y"))
+    run = vectors.controls.split(controls)
+    end = right.at(t, y, mode, m, run["c"])
     in_range = end.pop("in_range")
     in_contact = any_of(mode == CONTACT)
     finite = is_finite(end)
@@ -133,8 +154,12 @@ def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
         "evaluations": ca.SX(3 if model.k else 1),
         "floored": floored,
     }
-    arguments = [t, q, u, controls]
-    return ca.Function("begin", arguments, [vectors.state.join(start)], ["t", "q", "u", "controls"], ["state"])
+    return ca.Function("first", [t, controls, mode, m, y, floored], [vectors.state.join(start)])
+
+
+def _of_slips(model: Model, tolerance: list[Any]) -> list[Any]:
+    """Tolerances of the pairs with set-valued friction."""
+    return [part[pairs_of(model)] if model.ns else ca.SX(0, 1) for part in tolerance]
 
 
 def is_finite(end: Parts) -> Any:

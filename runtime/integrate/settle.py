@@ -18,7 +18,7 @@ from hertzwerk.runtime.integrate.control import (
     time_to_root,
 )
 from hertzwerk.runtime.integrate.events import NEAR, NO_EVENT, endings, polynomials, search, tolerances, towards
-from hertzwerk.runtime.integrate.explicit import EPS, Flow, nudged
+from hertzwerk.runtime.integrate.explicit import Flow, nudged
 from hertzwerk.runtime.integrate.friction import asked_and_broken, sized
 from hertzwerk.runtime.integrate.layout import (
     CONSTRAINT_LOST,
@@ -36,6 +36,7 @@ from hertzwerk.runtime.integrate.layout import (
     Layouts,
 )
 from hertzwerk.runtime.integrate.modes import FINITE, Parts, any_of, is_finite, latch, next_modes, switch
+from hertzwerk.runtime.integrate.rounding import EPS
 from hertzwerk.runtime.integrate.singular import clear_of_singular
 from hertzwerk.runtime.integrate.tables import RungeKutta
 

@@ -18,8 +18,8 @@ from scipy.optimize import brentq
 
 from hertzwerk.runtime.integrate.chunk import INTERRUPTED, WALL_TIME_LIMIT, Ending
 from hertzwerk.runtime.integrate.events import ends_with_force
-from hertzwerk.runtime.integrate.explicit import EPS, flow
-from hertzwerk.runtime.integrate.friction import STICK, directed, pairs_of, slips_in
+from hertzwerk.runtime.integrate.explicit import flow
+from hertzwerk.runtime.integrate.friction import STICK, pairs_of, slips_in
 from hertzwerk.runtime.integrate.layout import (
     CONTACT,
     EVENT_LIMIT,
@@ -34,6 +34,8 @@ from hertzwerk.runtime.integrate.layout import (
     TOO_MANY_STEPS,
     Layouts,
 )
+from hertzwerk.runtime.integrate.rounding import EPS
+from hertzwerk.runtime.integrate.slips import directed
 from hertzwerk.runtime.interrupt import deferred
 
 if TYPE_CHECKING:
@@ -45,6 +47,7 @@ WINDOWS = 20  # of a run at least
 SHORTEST = 1e-9  # window, of the first: below it the integration has failed
 MAX_STEPS = 1_000_000  # inside SUNDIALS, per window
 GRIP = 3.0  # beside the modes of a pair, see _Event
+LETS_GO = -1e300  # N: what is held by a pair whose force has reached it
 AT_REST = 1e-9  # m/s: a sliding velocity that counts as none at an event
 RELATIVE = 1e-14  # the absolute tolerance, in the scene's scales, is the one asked for
 
@@ -57,9 +60,7 @@ class Reference:
     layouts: Layouts
     window: Callable[[float], tuple[Any, Any]]
     ends: Any
-    directed: (
-        Any  # (t, y, mode, m, c, asked, broken) -> (m, y), see `friction.directed`; None without set-valued friction
-    )
+    directed: Any  # see `slips.directed`; None without set-valued friction
 
 
 def reference(model: Model, layouts: Layouts, method: str) -> Reference:
@@ -78,24 +79,7 @@ def reference(model: Model, layouts: Layouts, method: str) -> Reference:
         many, one = (ca.integrator("window", method, problem, 0, grid, given) for grid in (points, [1.0]))
         return many, one
 
-    return Reference(model, layouts, window, right.ends, _directed(model, p) if model.ns else None)
-
-
-def _directed(model: Model, p: dict[str, Any]) -> Any:
-    y, asked, broken = (ca.SX.sym(name, n) for name, n in (("y", p["scale"].numel()), ("a", model.ns), ("b", model.ns)))
-    given = [p["t"], y, p["mode"], p["m"], p["c"]]
-    results = directed(
-        model,
-        p["t"],
-        y,
-        p["mode"],
-        p["m"],
-        p["c"],
-        asked,
-        broken,
-        (ca.SX(AT_REST) * ca.SX.ones(model.k), ca.SX.zeros(model.k)),
-    )
-    return ca.Function("directed", [*given, asked, broken], ca.cse(list(results)))
+    return Reference(model, layouts, window, right.ends, directed(model) if model.ns else None)
 
 
 def march(
@@ -303,7 +287,8 @@ class _Run:
         """Let pair j slip or stick: its margin has run out, or its contact has begun or ended."""
         mine = np.array([pair == j for pair in pairs_of(self.model)])
         breaks = mine & ran_out & (self.m[slips_in(self.model)] == STICK)
-        results = self.functions.directed(self.t, self.y, self.mode, self.m, self.c, mine & ~breaks, breaks)
+        tolerances = np.full(mine.size, AT_REST), np.where(breaks, LETS_GO, 0.0)
+        results = self.functions.directed(self.t, self.y, self.mode, self.m, self.c, mine & ~breaks, *tolerances)
         self.m, self.y = (np.array(result).ravel() for result in results)
 
     def parts(self) -> tuple[np.ndarray, np.ndarray]:
