@@ -1,8 +1,11 @@
 """Every reader refuses what it cannot read by its one documented error, in bounded time: mutated and random texts, odd values, altered files."""
 
 import random
+import shutil
 import signal
 import string
+import subprocess
+import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -19,6 +22,7 @@ from hertzwerk.derive.units import UnitError, parse_quantity, parse_unit
 from hertzwerk.runtime import Solution, load, simulate, simulate_many
 from hertzwerk.runtime.binding import read_time
 from hertzwerk.runtime.cli.target import assignments
+from hertzwerk.runtime.integrate import automatic
 from hertzwerk.runtime.output import times_of
 from hertzwerk.runtime.scenario import load_scenario
 
@@ -366,3 +370,53 @@ def test_rows_of_a_batch_that_are_nothing_are_refused(tmp_path):
         with pytest.raises(InputError) as caught:
             simulate_many(load("soft_ball"), rows, duration=0.01, tolerance=1e-4)  # type: ignore[arg-type]
         str(caught.value).encode()
+
+
+@pytest.mark.parametrize(
+    "cc",
+    [
+        pytest.param("gcc -m64 -g0", marks=pytest.mark.slow),
+        "true",
+        "cat",
+        'gcc "',
+        "no-such-compiler",
+        "gcc -fno-such-option",
+    ],
+)
+def test_cc_is_a_command_as_a_shell_reads_it_and_one_that_makes_nothing_is_told_of(cc, monkeypatch, tmp_path):
+    """`CC=true` compiled nothing without a word, `CC="gcc -m64"` was passed over."""
+    from hertzwerk.runtime.integrate import compiled
+
+    if cc.startswith("gcc") and not shutil.which("gcc"):
+        pytest.skip("no gcc")
+    monkeypatch.setenv("CC", cc)
+    monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path))
+    compiled._compiler.cache_clear()
+    try:
+        model = load("soft_ball")
+        if cc.startswith("gcc -m64"):
+            assert compiled._compiler()[1:] == ("-m64", "-g0")
+            assert simulate(model, duration=0.1, tolerance=1e-4, compiled=True, method="dopri5").compiled
+            return
+        with pytest.raises(InputError, match="C compiler"):
+            simulate(model, duration=0.1, tolerance=1e-4, compiled=True, method="dopri5")
+        monkeypatch.setattr(automatic, "LOOK", 0.0)
+        monkeypatch.setattr(automatic, "SURE", 0.0)
+        monkeypatch.setattr(compiled, "COMPILE_S", 0.0)
+        monkeypatch.setattr(compiled, "COMPILE_S_PER_CHARACTER", {"-O1": 0.0, "-O3": 0.0})
+        run = simulate(model, duration=3.0, tolerance=1e-10, method="dopri5")
+        assert run.outcome.finished
+        assert not run.compiled
+        assert [text for text in run.warnings if text.startswith("not compiled")]
+    finally:
+        compiled._compiler.cache_clear()
+
+
+@pytest.mark.parametrize("closed", ["sys.stdout = None; os.close(1)", "sys.stderr = None; os.close(2)"])
+def test_a_command_runs_with_a_stream_closed(closed):
+    """`hertzwerk list >&-` was a traceback; a file that is opened next must not get what is printed."""
+    code = f"import os, sys; {closed}\nfrom hertzwerk.runtime.cli import main\nmain(['list'])"
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert ended.returncode == 0
+    assert ("bouncing_ball" in ended.stdout) == ("stderr" in closed)
+    assert not ended.stderr
