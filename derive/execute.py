@@ -26,7 +26,7 @@ def names_defined_by(path: Path) -> dict[str, Any]:
         code = compile(path.read_bytes(), str(path), "exec")
     except OSError as error:
         raise InputError(str(path), [unreadable(path, error, "a readable Python file")]) from error
-    except (SyntaxError, ValueError) as error:
+    except (SyntaxError, ValueError, MemoryError, RecursionError) as error:
         where = f"{path}, line {getattr(error, 'lineno', None) or 1}"
         raise InputError(str(path), [Fault(where, f"{type(error).__name__}: {error}", "Python source")]) from error
     module = ModuleType("hertzwerk_scene_file")

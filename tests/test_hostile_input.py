@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 from hertzwerk.derive.audit_text import audit_expression, declarations
+from hertzwerk.derive.execute import names_defined_by
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.lawfile import audit_laws_as_written, laws_from
 from hertzwerk.derive.tables import Table
@@ -253,6 +254,15 @@ def test_small_files_take_no_long_time_and_end_in_one_error(file, text, tmp_path
 )  # fmt: skip
 def test_a_table_says_what_is_wrong_with_it(table):
     assert [fault for fault in Table(*table).faults() if str(fault)]
+
+
+@pytest.mark.parametrize(
+    "text", ["(" * 5000, "x = " + "[" * 90_000, "\x00", "x = " + "-" * 200_000 + "1", "x = " + "9" * 5000]
+)
+def test_a_scene_file_that_python_cannot_compile_is_refused(text, tmp_path):
+    path = tmp_path / "scene.py"
+    path.write_text(text)
+    assert refuses(lambda _: names_defined_by(path), text, InputError)
 
 
 class Unspeakable:
