@@ -81,6 +81,12 @@ def _made_again(kind: type[PicklableError], args: tuple[Any, ...], attributes: d
     return error
 
 
+def one_of(names: Iterable[str], otherwise: str) -> str:
+    """What was expected where a name was: one of those there are, or, where there are none, what to say of that."""
+    listed = ", ".join(names)
+    return f"one of {listed}" if listed else otherwise
+
+
 class InputError(PicklableError):
     """Bad input: every fault of it at once (`faults`), nothing done, nothing written."""
 

@@ -11,6 +11,7 @@ from typing import Any, ClassVar
 
 import sympy as sp
 
+from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.parameter import NOT_NEGATIVE, POSITIVE, Interval, Scalar, is_number, parameters_of
 from hertzwerk.derive.vectors import IDENTITY, Matrix, Vector, about, dot, multiply, scale
 
@@ -136,7 +137,11 @@ class Point:
     turns: tuple[tuple[Direction, Scalar], ...] = ()
 
     def turned(self, axis: Direction, angle: Scalar) -> Point:
-        """The same point, its axes turned by a constant angle [rad] about `axis` of those it has."""
+        """The same point, its axes turned by a constant angle [rad] about `axis` of those it has; raises InputError for what is no Direction."""
+        if not isinstance(axis, Direction):
+            raise InputError(
+                "a turned point", [Fault("axis", repr(axis), "a Direction, such as X, -Y or Direction((1, 0, 1))")]
+            )
         return replace(self, turns=(*self.turns, (axis, angle)))
 
     @property

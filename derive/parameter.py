@@ -11,7 +11,7 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.dimension import Dimension
-from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.soundness.names import name_faults, text_faults
 from hertzwerk.derive.units import Unit, UnitError, parse_unit
 
@@ -32,7 +32,13 @@ class Parameter(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
     __slots__ = ("default", "meaning", "unit")
 
     def __new__(cls, name: str, unit: str, default: float, meaning: str = "") -> Parameter:
-        """A symbol of its own: never taken from SymPy's cache, so that equal names with other units stay apart."""
+        """A symbol of its own: never taken from SymPy's cache, so that equal names with other units stay apart; raises InputError."""
+        texts = {"name": name, "unit": unit, "meaning": meaning}
+        wrong = [
+            Fault(f"parameter, {what}", repr(text), "text") for what, text in texts.items() if not isinstance(text, str)
+        ]
+        if wrong:
+            raise InputError(f"parameter {name!r:.40}", wrong)
         self = sp.Symbol.__xnew__(cls, name, real=True)
         self.unit = unit
         self.default = default

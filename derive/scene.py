@@ -163,15 +163,20 @@ class Effect(Protocol):
 
 @dataclass(frozen=True)
 class Start:
-    """Coordinates and speeds at t = 0 by name, `<joint>.<name>`; of a joint with one coordinate its own name will do. What is not named is zero, and
-    an orientation that is not named that of the parent."""
+    """Coordinates and speeds at t = 0 by name, `<joint>.<name>`; of a joint with one coordinate its own name will do.
+
+    What is named is kept. What is not is found where loops are to be closed and journals to be centred: positions and speeds of the ideal mechanism.
+    Beyond that it is zero, and an orientation that of the parent. `near` has coordinates that are looked for near a value: one way of assembly
+    of two.
+    """
 
     position: Mapping[str, Scalar] = field(default_factory=dict)
     speed: Mapping[str, Scalar] = field(default_factory=dict)
+    near: Mapping[str, Scalar] = field(default_factory=dict)
 
     def coordinates(self, freedom: Freedom) -> list[Any]:
         """Values of a freedom's coordinates; a quaternion's are divided by its norm."""
-        given = [_given(self.position, port.name, freedom) for port in freedom.coordinates]
+        given = [_given({**self.near, **self.position}, port.name, freedom) for port in freedom.coordinates]
         if freedom.scalar:
             return [value or 0 for value in given]
         if all(value is None for value in given):
@@ -231,8 +236,8 @@ class Scene:
     coordinates: Literal["tree", "absolute", "auto"] = "tree"
 
     def __post_init__(self) -> None:
-        if not self.name:
-            object.__setattr__(self, "name", self.mechanism.name)
+        if isinstance(self.name, str) and not self.name:
+            object.__setattr__(self, "name", getattr(self.mechanism, "name", "scene"))
         faults = faults_of(self)
         if faults:
             raise InputError(f"scene {self.name}", faults)
@@ -264,6 +269,10 @@ class Scene:
         """
         self._must_exist((effect_name,))
         effect = self.effect(effect_name)
+        if not isinstance(law_name, str):
+            raise InputError(
+                f"scene {self.name}", [Fault(f"effect {effect_name}", f"law {law_name!r:.80}", "the name of a law")]
+            )
         law_name, texts = split_call(law_name)
         law = LAWS.get(law_name)
         takes = getattr(effect, "takes", None)  # of an effect with one law, its kind
@@ -295,7 +304,7 @@ class Scene:
 
     def _must_exist(self, names: Any) -> None:
         known = [effect.name for effect in self.effects]
-        faults = [unknown("effect", name, known) for name in names if name not in known]
+        faults = [unknown("effect", name, known) for name in names if not (isinstance(name, str) and name in known)]
         if faults:
             raise InputError(f"scene {self.name}", faults)
 
@@ -359,7 +368,7 @@ class Scene:
             if hasattr(part, "slots")
             for slot in part.slots()
         ]
-        if not all(is_number(slot.value) for slot in given):
+        if not all(is_number(slot.value) and sp.sympify(slot.value) is not sp.nan for slot in given):
             return {}  # a fault, which the scene reports
         own = next((e.effective_mass for e in self.of_kind("contact") if e.pair == pair_name), None)
         masses = [place.body.mass for place in pair.places if isinstance(place.body, Body)]
@@ -391,6 +400,7 @@ class Scene:
         for freedom in self.mechanism.freedoms:
             for values, ports, what in (
                 (self.start.position, freedom.coordinates, "position"),
+                (self.start.near, freedom.coordinates, "position near"),
                 (self.start.speed, freedom.speeds, "speed"),
             ):
                 for port in ports:

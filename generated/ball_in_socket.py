@@ -80,6 +80,11 @@ DISSIPATED = (
     0,
 )
 
+GIVEN = (
+    "float.x",
+    "float.z",
+)
+
 OUTPUTS = (
     ("ball_joint.eccentricity_x", "m"),
     ("ball_joint.eccentricity_y", "m"),

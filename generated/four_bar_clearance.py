@@ -106,6 +106,13 @@ DISSIPATED = (
     1,
 )
 
+GIVEN = (
+    "crank_pin.angle",
+    "crank_pin.speed",
+    "rocker_bearing.angle",
+    "rocker_bearing.speed",
+)
+
 OUTPUTS = (
     ("rocker_pin.eccentricity_x", "m"),
     ("rocker_pin.eccentricity_y", "m"),

@@ -88,6 +88,8 @@ DISSIPATED = (
     2,
 )
 
+GIVEN = ()
+
 OUTPUTS = (
     ("bearing.eccentricity_x", "m"),
     ("bearing.eccentricity_y", "m"),

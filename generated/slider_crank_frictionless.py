@@ -97,6 +97,11 @@ DISSIPATED = (
     1,
 )
 
+GIVEN = (
+    "crank_pin.speed",
+    "guide.travel",
+)
+
 OUTPUTS = (
     ("slider_pin.eccentricity_x", "m"),
     ("slider_pin.eccentricity_y", "m"),

@@ -132,6 +132,13 @@ DISSIPATED = (
     3,
 )
 
+GIVEN = (
+    "rod_plane.x",
+    "rod_plane.y_speed",
+    "rod_plane.angle_speed",
+    "guide.travel",
+)
+
 OUTPUTS = (
     ("main_bearing.eccentricity_x", "m"),
     ("main_bearing.eccentricity_y", "m"),

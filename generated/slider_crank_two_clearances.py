@@ -118,6 +118,13 @@ DISSIPATED = (
     2,
 )
 
+GIVEN = (
+    "rod_plane.x",
+    "rod_plane.y_speed",
+    "rod_plane.angle_speed",
+    "guide.travel",
+)
+
 OUTPUTS = (
     ("crank_pin.eccentricity_x", "m"),
     ("crank_pin.eccentricity_y", "m"),

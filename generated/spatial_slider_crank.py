@@ -103,6 +103,14 @@ DISSIPATED = (
     1,
 )
 
+GIVEN = (
+    "guide.travel",
+    "guide.speed",
+    "slider_joint.angle_1",
+    "slider_joint.angle_1_speed",
+    "slider_joint.angle_2",
+)
+
 OUTPUTS = (
     ("crank_ball.eccentricity_x", "m"),
     ("crank_ball.eccentricity_y", "m"),

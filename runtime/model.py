@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import casadi as ca
 import numpy as np
 
-from hertzwerk.derive.faults import Fault, InputError, shown
+from hertzwerk.derive.faults import Fault, InputError, shown, unknown
 from hertzwerk.runtime.binding import Port, Value, read_parameters
 from hertzwerk.runtime.lazy import cached_property
 
@@ -126,7 +126,13 @@ class Model:
         return made
 
     def function(self, name: str) -> Any:
-        """CasADi function of one of the module's builders, e.g. "gaps" or "contact_slider_pin"; inputs and outputs as the module documents them."""
+        """CasADi function of one of the module's builders, e.g. "gaps" or "contact_slider_pin"; inputs and outputs as the module documents them.
+
+        Raises InputError for a name that is none.
+        """
+        if not isinstance(name, str) or not self._has(name):
+            known = [*filter(self._has, _INPUTS), *(f"contact_{pair}" for pair in self.pairs)]
+            raise InputError(self.name, [unknown("function", name, known)])
         return self.once(name, lambda: self._build(name))
 
     def once(self, key: Hashable, make: Callable[[], Any]) -> Any:
@@ -134,6 +140,11 @@ class Model:
         if key not in self._made:
             self._made[key] = make()
         return self._made[key]
+
+    def _has(self, name: str) -> bool:
+        """Whether the module has a builder of this name."""
+        listed = name in _INPUTS or name.removeprefix("contact_") in self.pairs
+        return listed and callable(getattr(self.module, name, None))
 
     def _build(self, name: str) -> Any:
         sizes = {
@@ -202,13 +213,24 @@ class Model:
             return None, list(reading.faults)
         p = np.array(list(reading.si.values()))
         c = np.array(self.function("constants")(p)).ravel()
-        cause = "it follows from the parameters alone; look for values far from each other in size"
-        faults = [
-            Fault(name, f"{float(value)!r} {unit}", "a finite constant", cause)
+        faults = list(dict.fromkeys(
+            self._undefined(name, unit, float(value))
             for (name, unit), value in zip(self.module.CONSTANTS, c, strict=True)
             if not math.isfinite(value)
-        ]
+        ))  # fmt: skip
         return (None, faults) if faults else (Bound(p, c, reading.texts, reading.warnings), [])
+
+    def _undefined(self, constant: str, unit: str, value: float) -> Fault:
+        """The fault of a constant that is no number; of a law that is unchecked one for all of them."""
+        for effect, text in self.module.UNCHECKED:
+            if constant.startswith(f"{effect}_"):
+                remedy = ("an unchecked law takes SI values as they are, and its formula has no value for them: take its consistent form, "
+                          "whose hidden units are named (`hertzwerk laws NAME` says which)")  # fmt: skip
+                return Fault(
+                    f"effect {effect}", f"{text} without a value at these parameters", "a law that has one", remedy
+                )
+        cause = "it follows from the parameters alone; look for values far from each other in size"
+        return Fault(constant, f"{value!r} {unit}", "a finite constant", cause)
 
 
 _INPUTS = {

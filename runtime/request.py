@@ -18,7 +18,7 @@ from hertzwerk.runtime.integrate.methods import METHODS
 from hertzwerk.runtime.model import Bound, Dependent, Model
 from hertzwerk.runtime.output import Output, times_of
 from hertzwerk.runtime.scales import Scales
-from hertzwerk.runtime.start import dependent, start_of
+from hertzwerk.runtime.start import dependent, misplaced, start_of
 
 ACCURACIES, TOLERANCES = (1e-12, 1e-1), (LEAST, 1e-1)
 METHOD: Final = "auto"  # where none is named: bitwise dop853 where nothing is stiff, within 5 % of its time
@@ -117,6 +117,9 @@ def read(
     if given is not None and not faults:
         return given, times
     bound, q, u = start_of(model, parameters, initial, faults)
+    inside = misplaced(model, bound, initial, q, u)
+    if inside:
+        raise InputError(model.name, inside)
     given = Given(bound, q, u, seconds, scaling.of_parameters(model, bound), dependent(model, bound, q), dict(initial))
     if len(known) >= REMEMBERED:
         known.clear()

@@ -9,6 +9,8 @@ from contextlib import closing
 from dataclasses import dataclass, field
 from typing import Any
 
+import numpy as np
+
 from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.runtime.binding import Value, read_state
 from hertzwerk.runtime.engine import prepare
@@ -22,7 +24,7 @@ from hertzwerk.runtime.workers import Alone, Flag, cores, results
 
 Output = Callable[[Solution], float]
 # outcomes of rows without a run or some of its numbers
-BAD_INPUT, BAD_OUTPUT, FAILED, LOST = "bad_input", "bad_output", "failed", "lost"
+BAD_INPUT, BAD_OUTPUT, NO_NUMBER, FAILED, LOST = "bad_input", "bad_output", "output_no_number", "failed", "lost"
 PROBE = 0.3  # s that the first run may take alone, to foresee how long all of them take
 
 
@@ -65,10 +67,12 @@ def simulate_many(
     progress    called now and then with the fraction of runs done
 
     A set with bad input, a run that does not finish or fails, an output that raises or exits are rows that say so. Raises InputError for what is
-    bad input to every run. Ctrl-C returns the rows that are done.
+    bad input to every run, an output that is no number among it, as the first row shows. Ctrl-C returns the rows that are done.
     """
     began = time.perf_counter()
     sets = _sets(parameter_sets)
+    if not (outputs is None or isinstance(outputs, Mapping)):
+        raise InputError(model.name, [Fault("outputs", shown(outputs), "a dictionary of functions of the Solution")])
     Settings(duration, accuracy, tolerance, method, compiled, **limits).check(model)
     _check(model, workers, outputs or {})
     settings = {"duration": duration, "accuracy": accuracy, "tolerance": tolerance, "method": method, **limits}
@@ -78,12 +82,14 @@ def simulate_many(
     interrupted = False
     try:
         foreseen = job.probe(rows, most) if compiled == "auto" else 0.0
+        _refuse_arrays(model, rows)
         job.settings["compiled"] = prepare(model, method, compiled, foreseen)
         left = [i for i in range(len(sets)) if i not in rows]
         at_once = min(most, max(len(left), 1))
         with closing(results(job, left, at_once)) as done:  # its workers end here, whatever is raised
             for row in done:
                 rows[row.index] = row
+                _refuse_arrays(model, rows)
                 if progress is not None:
                     progress(len(rows) / len(sets))
     except KeyboardInterrupt:
@@ -158,7 +164,11 @@ class _Job:
         outputs: dict[str, float] = {}
         for name, output in self.outputs.items():
             try:
-                outputs[name] = float(output(solution))
+                found = output(solution)
+                if np.ndim(found):
+                    outcome, message = NO_NUMBER, f"output {name} returned an array of shape {np.shape(found)}"
+                else:
+                    outputs[name] = float(found)
             except (Exception, SystemExit) as error:  # a row says so: hours of other runs are not lost for it
                 outcome, message = BAD_OUTPUT, f"output {name} raised {type(error).__name__}: {error}"
         return Row(
@@ -187,8 +197,22 @@ class _Job:
         }
 
 
+def _refuse_arrays(model: Model, rows: Mapping[int, Row]) -> None:
+    """Raise InputError where the first row shows that an output is no number: it would be none in any."""
+    first = next(iter(rows.values()), None)
+    if len(rows) == 1 and first is not None and first.outcome == NO_NUMBER:
+        remedy = 'one number of a history: lambda run: np.ptp(run["guide.travel"]); several are several outputs'
+        raise InputError(model.name, [Fault("outputs", first.message, "a number", remedy)])
+
+
 def _check(model: Model, workers: object, outputs: Mapping[str, Output]) -> None:
-    faults = []
+    faults = [
+        Fault(f"outputs[{name!r}]", repr(output), "a name, and a function of the Solution")
+        for name, output in outputs.items()
+        if not (isinstance(name, str) and callable(output))
+    ]
+    if faults:
+        raise InputError(model.name, faults)
     if workers is not None and not (isinstance(workers, int) and not isinstance(workers, bool) and workers > 0):
         faults.append(Fault("workers", repr(workers), "a positive whole number", "None takes every core"))
     taken = {*NUMBERS, *TEXTS, *ports(model)}

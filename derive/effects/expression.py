@@ -14,7 +14,7 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.dimension import Dimension, check
-from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.faults import Fault, InputError, one_of
 from hertzwerk.derive.functions import Where
 from hertzwerk.derive.mechanism import Freedom, Slot
 from hertzwerk.derive.notation import text_of
@@ -48,13 +48,22 @@ T = StateSymbol("t", TIME, "")
 
 
 def coordinate_of(joint: str) -> StateSymbol:
-    """The coordinate of the joint of this name [rad or m]."""
+    """The coordinate of the joint of this name [rad or m]; raises InputError for what is no text."""
+    _must_be_text("coordinate_of", joint)
     return StateSymbol(f"{joint}.coordinate", COORDINATE, joint)
 
 
 def speed_of(joint: str) -> StateSymbol:
-    """The rate of the coordinate of the joint of this name [rad/s or m/s]."""
+    """The rate of the coordinate of the joint of this name [rad/s or m/s]; raises InputError for what is no text."""
+    _must_be_text("speed_of", joint)
     return StateSymbol(f"{joint}.speed", SPEED, joint)
+
+
+def _must_be_text(function: str, joint: object) -> None:
+    if not isinstance(joint, str):
+        raise InputError(
+            function, [Fault("joint", repr(joint), 'the name of a joint, or of one of its coordinates: "column.angle"')]
+        )
 
 
 @dataclass(frozen=True)
@@ -130,7 +139,13 @@ def expression_faults(
             yield Fault(where, f"{value}, which depends on {symbol}", f"an expression of {of}")
             return
         if symbol.what != TIME and symbol.joint not in freedoms:
-            strange.append(Fault(where, f"joint {symbol.joint!r}", f"one of {', '.join(freedoms)}"))
+            strange.append(
+                Fault(
+                    where,
+                    f"joint {symbol.joint!r}",
+                    one_of(freedoms, "a joint with one coordinate, of which the mechanism has none"),
+                )
+            )
             yield strange[-1]
     others = [symbol for symbol in value.free_symbols if not isinstance(symbol, Parameter | StateSymbol)]
     if others:

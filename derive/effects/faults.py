@@ -8,7 +8,7 @@ from typing import Any
 from hertzwerk.derive.effects.drives import Drive, Ramp
 from hertzwerk.derive.effects.forces import BodyTorque, PointForce
 from hertzwerk.derive.effects.springs import JointFriction, PointDamper, PointSpring
-from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.faults import Fault, one_of
 from hertzwerk.derive.laws.law import FrictionLaw
 from hertzwerk.derive.mechanism import GROUND, Body, Freedom, Ground, Mechanism, Point
 
@@ -49,11 +49,18 @@ def element_faults(effect: Any, mechanism: Mechanism) -> Iterator[Fault]:
             if closing
             else ""
         )
-        yield Fault(where, f"joint {effect.joint!r}{why}", f"one of {', '.join(freedoms)}", way_out)
+        yield Fault(
+            where,
+            f"joint {effect.joint!r}{why}",
+            one_of(freedoms, "a joint with one coordinate, of which the mechanism has none"),
+            way_out,
+        )
     for body in _bodies(effect):
         if body != GROUND and body not in mechanism.bodies:
             yield Fault(
-                where, f"body {body.name}", f"one of {', '.join(b.name for b in mechanism.bodies)}, or the ground"
+                where,
+                f"body {body.name}",
+                f"{one_of([b.name for b in mechanism.bodies], 'a body of the mechanism')}, or the ground",
             )
     if isinstance(effect, PointForce) and effect.point.body == GROUND:
         yield Fault(where, "a force on the ground", "a force on a body")

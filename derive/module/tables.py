@@ -17,6 +17,8 @@ from hertzwerk.derive.parameter import Interval, Parameter
 from hertzwerk.derive.scene import Scene
 from hertzwerk.derive.tables import Table
 
+JOURNALS = ("pin_in_bush", "ball_in_socket")  # pairs that stand for a joint, which a start closes
+
 
 def tables(system: System) -> Mapping[str, tuple[Any, ...]]:
     """Name of a table -> its rows, in the order of the module's text."""
@@ -84,10 +86,10 @@ def _bristle_rows(system: System) -> Iterator[tuple[int, int]]:
 def _loop_tables(system: System) -> dict[str, tuple[Any, ...]]:
     """The constraints, and what of the start is stated and not to be found by assembly."""
     loops = {"CONSTRAINTS": _names(system.loops)} if system.loops else {}
-    joints = system.joints
+    joints, journals = system.joints, any(pair.pair.kind in JOURNALS for pair, _, _ in system.contacts)
     if joints is None:
-        return loops | {"GIVEN": _given(system.scene, system.kin)} if loops else {}
-    given = {"GIVEN": _given(joints.scene, joints.kin)} if joints.loops else {}
+        return loops | {"GIVEN": _given(system.scene, system.kin)} if loops or journals else {}
+    given = {"GIVEN": _given(joints.scene, joints.kin)} if joints.loops or journals else {}
     return (
         loops
         | given

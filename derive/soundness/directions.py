@@ -40,8 +40,9 @@ def directions(scene: Scene) -> Iterator[tuple[str, Any]]:
                 yield from ((f"joint {joint.name}, turned point, axis", direction) for direction, _ in point.turns)
     for pair in scene.mechanism.pairs:
         if not isinstance(pair, CustomPair):
-            named = ((name, getattr(pair, name, None)) for name in ("normal", "axis", "along"))
-            yield from ((f"pair {pair.name}, {name}", direction) for name, direction in named if direction is not None)
+            named = [(name, getattr(pair, name)) for name in ("normal", "axis", "along") if hasattr(pair, name)]
+            named = [(name, direction) for name, direction in named if (name, direction) != ("along", None)]
+            yield from ((f"pair {pair.name}, {name}", direction) for name, direction in named)
     yield from ((f"effect {effect.name}, direction", effect.direction) for effect in scene.of_kind("gravity"))
 
 

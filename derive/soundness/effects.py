@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.effects.drives import Drive
 from hertzwerk.derive.effects.faults import element_faults
-from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.faults import Fault, one_of
 from hertzwerk.derive.soundness.names import repeated, twice
 
 if TYPE_CHECKING:
@@ -24,11 +24,14 @@ def effect_faults(scene: Scene) -> Iterator[Fault]:
     paired: list[Any] = [effect for effect in scene.effects if hasattr(effect, "pair")]
     for effect in paired:
         if effect.kind != "friction" and effect.pair not in pairs:
-            offer = ", ".join(pairs) or "no pair is declared"
-            yield Fault(f"effect {effect.name}", f"pair {effect.pair!r}", f"one of {offer}")
+            yield Fault(
+                f"effect {effect.name}",
+                f"pair {effect.pair!r}",
+                one_of(pairs, "a pair of the mechanism, which has none"),
+            )
     for effect in scene.of_kind("friction"):
         if effect.pair not in contacts:
-            yield Fault(f"effect {effect.name}", f"pair {effect.pair!r} without a contact", f"one of {', '.join(contacts) or 'none'}",
+            yield Fault(f"effect {effect.name}", f"pair {effect.pair!r} without a contact", one_of(contacts, "a pair with a Contact"),
                         "Friction needs a normal force: leave it out too, or add the pair's Contact.")  # fmt: skip
     for effect in paired:
         yield from _geometry_faults(effect, scene.geometry(effect.pair))
@@ -68,7 +71,7 @@ def _demand_faults(effect: Any, kind: str | None) -> Iterator[Fault]:
 def start_faults(scene: Scene) -> Iterator[Fault]:
     """Positions and speeds given to what is not free, and the size that angles need."""
     of_joints = [freedom.key for freedom in scene.free if freedom.scalar]
-    for given, ports in (("position", "coordinates"), ("speed", "speeds")):
+    for given, ports in (("position", "coordinates"), ("near", "coordinates"), ("speed", "speeds")):
         full = [port.name for freedom in scene.free for port in getattr(freedom, ports)]
         short = [name for name in full if name.rsplit(".", 1)[0] not in of_joints]
         for name in getattr(scene.start, given):
@@ -76,7 +79,11 @@ def start_faults(scene: Scene) -> Iterator[Fault]:
                 closing = name.split(".")[0] in [joint.name for joint in scene.mechanism.closures]
                 driven = "driven, its motion is the drive's" if name in scene.driven else "unknown"
                 why = "closes a loop, its motion follows" if closing else driven
-                yield Fault("start", f"{given} of joint {name!r} ({why})", f"one of {', '.join((*of_joints, *short))}")
+                yield Fault(
+                    "start",
+                    f"{given} of joint {name!r} ({why})",
+                    one_of((*of_joints, *short), "nothing, because no joint is free"),
+                )
     # a drive that is integrated keeps a coordinate of its own
     moving = [
         freedom

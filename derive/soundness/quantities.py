@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from hertzwerk.derive.dimension import Dimension, check
-from hertzwerk.derive.effects.expression import as_choice, smoothness_faults
+from hertzwerk.derive.effects.expression import as_choice, smoothness_faults, tables_in
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism import Slot
 from hertzwerk.derive.pairs import Posed, PoseSymbol
@@ -108,6 +108,12 @@ def posed_faults(slot: Posed, table: dict[sp.Symbol, Dimension]) -> Iterator[Fau
         yield Fault(slot.where, repr(slot.value), "a number, or an expression of APART, TURN and parameters")
         return
     value = as_choice(slot.value)
+    splines = tables_in(value)
+    if splines:
+        yield Fault(slot.where, f"the table {splines[0].name}", "an expression of APART, TURN and Parameters without tables",
+                    "A gap that is a distance has the slope of its surface in it, whose second rate is a third derivative: a spline has two. "
+                    "Give the surface in closed form.")  # fmt: skip
+        return
     pose = {
         node: Dimension.from_unit(node.unit) for node in sp.preorder_traversal(value) if isinstance(node, PoseSymbol)
     }

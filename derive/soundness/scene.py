@@ -18,6 +18,7 @@ from hertzwerk.derive.soundness.effects import effect_faults, start_faults
 from hertzwerk.derive.soundness.inertia import inertia_faults
 from hertzwerk.derive.soundness.names import name_faults, text_faults
 from hertzwerk.derive.soundness.quantities import declared, posed_faults, quantity_faults, rate_faults, sound_of
+from hertzwerk.derive.soundness.shapes import shape_faults
 from hertzwerk.derive.soundness.topology import topology_faults
 from hertzwerk.derive.soundness.types import scene_type_faults
 
@@ -27,10 +28,7 @@ if TYPE_CHECKING:
 
 def faults_of(scene: Scene) -> tuple[Fault, ...]:
     """Every fault of a scene, each once."""
-    wrong_types = tuple(scene_type_faults(scene))
-    if not wrong_types:
-        named = ((scene.name, "scene"), *((part.name, kind) for kind, parts in _parts(scene) for part in parts))
-        wrong_types = tuple(f for name, kind in named if not isinstance(name, str) for f in name_faults(kind, name))
+    wrong_types = tuple(shape_faults(scene)) or tuple(scene_type_faults(scene))
     if wrong_types:
         return tuple(dict.fromkeys(wrong_types))
     found: list[Fault] = [

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from hertzwerk.derive.effects.faults import type_faults
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.laws.law import BoundLaw, Law
-from hertzwerk.derive.mechanism import Body, CustomPair, Ground, Point
+from hertzwerk.derive.mechanism import Body, CustomPair, Direction, Ground, Point
 from hertzwerk.derive.soundness.directions import direction_faults, directions
 
 if TYPE_CHECKING:
@@ -20,22 +20,13 @@ def scene_type_faults(scene: Scene) -> Iterator[Fault]:
     if scene.coordinates not in ("tree", "absolute", "auto"):
         yield Fault("coordinates", repr(scene.coordinates), "'tree', 'absolute' or 'auto'")
     for effect in scene.effects:
-        if not hasattr(effect, "kind") or not hasattr(effect, "name"):
-            yield Fault(
-                "effects",
-                repr(effect),
-                "an effect, such as Gravity(...), Contact(...), JointSpring(...), Drive(...), EnergyLedger()",
-            )
-        else:
-            yield from type_faults(effect)
-    if not hasattr(scene.scales, "length"):
-        yield Fault("scales", repr(scene.scales), "Scales(length=..., speed=...)")
+        yield from type_faults(effect)
     for joint in scene.mechanism.joints:
         where = f"joint {joint.name}"
         yield from _is(where, "parent", joint.parent.body, Body | Ground, "a Body, GROUND, or a point of one")
         yield from _is(where, "child", joint.child.body, Body | Ground, "a Body or a point of one")
         for point in (joint.parent, joint.child):
-            yield from _three(f"{where}, point", point.position)
+            yield from _point(where, point)
     for body in scene.mechanism.bodies:
         yield from _three(f"body {body.name}, mass centre", body.centre)
         if isinstance(body.inertia, tuple):
@@ -45,7 +36,8 @@ def scene_type_faults(scene: Scene) -> Iterator[Fault]:
         for place in pair.places:
             yield from _is(where, "place", place, Point, "a point of a body: body.at(x, y, z)")
             if isinstance(place, Point):
-                yield from _three(f"{where}, point", place.position)
+                yield from _is(where, "body", place.body, Body | Ground, "a Body or GROUND")
+                yield from _point(where, place)
         if isinstance(pair, CustomPair):
             yield from _three(f"{where}, normal", pair.normal)
             yield from _three(f"{where}, contact point", pair.contact_point)
@@ -63,6 +55,15 @@ def scene_type_faults(scene: Scene) -> Iterator[Fault]:
 def _is(where: str, what: str, value: Any, kind: Any, expected: str) -> Iterator[Fault]:
     if not isinstance(value, kind):
         yield Fault(f"{where}, {what}", repr(value), expected)
+
+
+def _point(where: str, point: Point) -> Iterator[Fault]:
+    yield from _three(f"{where}, point", point.position)
+    pairs = isinstance(point.turns, tuple) and all(isinstance(turn, tuple) and len(turn) == 2 for turn in point.turns)
+    if not (pairs and all(isinstance(axis, Direction) for axis, _ in point.turns)):
+        yield Fault(
+            f"{where}, turns of a point", repr(point.turns), "none, or what `turned` gives: point.turned(axis, angle)"
+        )
 
 
 def _three(where: str, values: Any) -> Iterator[Fault]:
