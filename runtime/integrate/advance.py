@@ -13,6 +13,7 @@ from hertzwerk.runtime.integrate.choose import Choosing, choice, suspicion
 from hertzwerk.runtime.integrate.classes import BY_MODE, modes
 from hertzwerk.runtime.integrate.control import factor, near_surfaces, remembered, roughness
 from hertzwerk.runtime.integrate.events import all_clear, far
+from hertzwerk.runtime.integrate.implicit import composed, linearised
 from hertzwerk.runtime.integrate.layout import (
     CONTACT,
     FLIGHT,
@@ -26,6 +27,7 @@ from hertzwerk.runtime.integrate.layout import (
 from hertzwerk.runtime.integrate.methods import stepper
 from hertzwerk.runtime.integrate.modes import all_of, is_finite
 from hertzwerk.runtime.integrate.singular import clear_of_singular
+from hertzwerk.runtime.integrate.tables import RungeKutta
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.classes import Contacts
@@ -54,16 +56,52 @@ def advance(
 
     next: the state after the step, if verdict says it is plain; otherwise its t, y, dy and pair parts are those of the end of the step.
     """
-    contact = contacts != ()
     state, controls = vectors.state.symbol("state"), vectors.controls.symbol("controls")
     old, run = vectors.state.split(state), vectors.controls.split(controls)
+    given, seen = [state, controls], dict[str, Any]()
+    mode = old["mode"] if contacts is BY_MODE else modes(model, contacts)
+    by_calls = composed(model) and not isinstance(table, RungeKutta)
+    if by_calls:
+        trial = vectors.trial.symbol("trial")
+        end = vectors.trial.split(trial)
+        jacobian = ca.SX.sym("J", linearised(model, contacts).sparsity_out(0))
+        given, seen = [*given, trial, jacobian], {"J": jacobian}
+    else:
+        end = stepper(model, table, contacts, seen)({**old, "mode": mode}, run, old["h"])
+    results = _judged(model, vectors, table, contacts, choosing, old, run, end, seen)
+    name = "advance_in_contact" if contacts != () else "advance_in_flight"
+    names = ["state", "controls"], ["next", "verdict"]
+    made = ca.Function("judged" if by_calls else name, given, ca.cse(results), *(() if by_calls else names))
+    if not by_calls:
+        return made
+    state, controls = made.mx_in()[:2]
+    old, run = vectors.state.split(state), vectors.controls.split(controls)
+    told: dict[str, Any] = {}
+    start = old if contacts is BY_MODE else {**old, "mode": ca.MX(ca.DM(mode))}
+    end = stepper(model, table, contacts, told)(start, run, old["h"])
+    trial = ca.vertcat(*(ca.densify(ca.MX(end[part])) for part in vectors.trial.sizes))
+    results = list(made.call([state, controls, trial, told["J"]]))
+    return ca.Function(name, [state, controls], results, *names)
+
+
+def _judged(
+    model: Model,
+    vectors: Layouts,
+    table: Table,
+    contacts: Contacts,
+    choosing: Choosing,
+    old: dict[str, Any],
+    run: dict[str, Any],
+    end: dict[str, Any],
+    seen: dict[str, Any],
+) -> list[Any]:
+    """[next, verdict] of a step from `old` that ends in the trial `end`."""
+    contact = contacts != ()
     if contacts is BY_MODE:
         mode, plain = old["mode"], all_of(old["mode"] != RELEASED)
     else:  # the class says it, so that nothing is left to decide but whether a pair is released in flight
         mode, plain = modes(model, contacts), ca.SX(1) if contact else all_of(old["mode"] == FLIGHT)
     h, steps = old["h"], old["steps"] + 1
-    seen: dict[str, Any] = {}
-    end = stepper(model, table, contacts, seen)({**old, "mode": mode}, run, h)
     if contact:
         end["error"] *= roughness(mode == CONTACT, old["gap"], end["gap"])
     error, in_range = end.pop("error"), end.pop("in_range")
@@ -98,15 +136,9 @@ def advance(
         "evaluations": old["evaluations"] + table.stages,
     }
     if choosing is Choosing.EVERY_STEP:
-        new |= choice(model, contacts, {**old, "mode": mode}, run, end, kept)
+        new |= choice(model, contacts, {**old, "mode": mode}, run, end, kept, seen.get("J"))
     elif choosing is Choosing.ON_SUSPICION:
         new |= suspicion(model, old, run, end, seen)
     judged = REJECTED + passed * (SPECIAL - REJECTED + clear * (NEAR - SPECIAL + apart * (PLAIN - NEAR)))
     verdict = {"kind": judged, "error": error, "in_range": in_range}
-    return ca.Function(
-        "advance_in_contact" if contact else "advance_in_flight",
-        [state, controls],
-        ca.cse([vectors.state.join(new), vectors.verdict.join(verdict)]),
-        ["state", "controls"],
-        ["next", "verdict"],
-    )
+    return [vectors.state.join(new), vectors.verdict.join(verdict)]

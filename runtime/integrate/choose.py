@@ -46,11 +46,18 @@ class Choosing(Enum):
 
 
 def choice(
-    model: Model, contacts: Contacts, old: Mapping[str, Any], run: Mapping[str, Any], end: Mapping[str, Any], h: Any
+    model: Model,
+    contacts: Contacts,
+    old: Mapping[str, Any],
+    run: Mapping[str, Any],
+    end: Mapping[str, Any],
+    h: Any,
+    J: Any = None,
 ) -> dict[str, Any]:
     """The state's `method`, `pressure` and `stiffness` after a plain step from `old` to `end` under its modes; h [s]: the step to go on with."""
     given = (old["mode"], old["m"], run["c"])
-    J, _ = linearised(model, contacts)(old["t"], old["y"], *given)
+    if J is None:
+        J, _ = linearised(model, contacts)(old["t"], old["y"], *given)
     stiffness = h * _rate(J, model.nq, model.nu)
     slides = sliding(model, contacts)
     v, rate, gradient = slides(old["t"], old["y"], old["dy"], *given)

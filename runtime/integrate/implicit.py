@@ -8,16 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
 from hertzwerk.runtime.integrate.classes import BY_MODE, Contacts, pushing, where
 from hertzwerk.runtime.integrate.control import SAFETY
-from hertzwerk.runtime.integrate.explicit import MEAN_OF, Flow
+from hertzwerk.runtime.integrate.explicit import MEAN_OF, Flow, flow
 from hertzwerk.runtime.integrate.friction import forces, grips, may_slip, pairs_of
 from hertzwerk.runtime.integrate.implicit_tables import ITERATIONS, DiagonallyImplicit, Rosenbrock
-from hertzwerk.runtime.integrate.linear import solver
+from hertzwerk.runtime.integrate.layout import CONTACT
+from hertzwerk.runtime.integrate.linear import Elimination, composed_solver, solver
 from hertzwerk.runtime.integrate.rounding import EPS
 
 if TYPE_CHECKING:
@@ -33,13 +35,74 @@ SINGULAR = 1e300  # a derivative beyond it, or none at all, counts as zero
 Parts = Mapping[str, Any]
 
 
+LARGE = 2000  # instructions of the right-hand side beyond which a step calls it: written out for every stage it takes long to build and to compile
+
+
+def composed(model: Model) -> bool:
+    """Whether steps are made of calls, not written out: of large models the calls cost little beside what they do."""
+    made: bool = model.once("composed", lambda: flow(model, ()).rates.n_instructions() > LARGE)
+    return made
+
+
 def linearised(model: Model, contacts: Contacts = BY_MODE) -> Any:
     """CasADi function (t, y, mode, m, c) -> (J (ny, ny), dt (ny)): the derivatives of the right-hand side `explicit.flow` of the same contacts.
 
     By the chain rule through what the contacts give, so that what is singular stays where it arises: at zero penetration, or without contact, the
     derivative of a root in a contact's force is not a number; there the force and its true derivative vanish.
     """
-    return model.once(("linearised", contacts), lambda: _linearised(model, contacts))
+    whole = may_slip(model, contacts) or not composed(model)
+    return model.once(
+        ("linearised", contacts), lambda: (_linearised if whole else _linearised_by_calls)(model, contacts)
+    )
+
+
+def _linearised_by_calls(model: Model, contacts: Contacts) -> Any:
+    """The same of functions that all classes of attempts share; MX."""
+    t, y = ca.MX.sym("t"), ca.MX.sym("y", model.nq + model.nu + model.nz)
+    mode, m, c = ca.MX.sym("mode", model.k), ca.MX.sym("m", model.nm), ca.MX.sym("c", model.nc)
+    f, df = model.once("of applied", lambda: _of_applied(model))(t, y, c)
+    dz = ca.DM(model.nz, y.numel() + 1)
+    for j, pair in enumerate(model.pairs):
+        if contacts is BY_MODE or j in contacts:
+            active = mode[j] == CONTACT if contacts is BY_MODE else 1
+            of_pair = model.once(("of contact", pair), partial(_of_contact, model, pair))
+            f_j, df_j, dz_j = of_pair(t, y, m, c, active)
+            f, df, dz = f + f_j, df + df_j, dz + dz_j
+    direct, mobility = model.once("of motion", lambda: _of_motion(model))(t, y, f, c)
+    J = direct + ca.mtimes(mobility, df) + ca.vertcat(ca.DM(model.nq + model.nu, y.numel() + 1), dz)
+    n = y.numel()
+    names = ["t", "y", "mode", "m", "c"]
+    return ca.Function("linearised", [t, y, mode, m, c], [J[:, :n], ca.densify(J[:, n])], names, ["J", "dt"])
+
+
+def _of_applied(model: Model) -> Any:
+    """CasADi function (t, y, c) -> the applied forces, and their derivatives by (y, t)."""
+    t, y, c = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz), ca.SX.sym("c", model.nc)
+    q, u, _ = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
+    f = model.function("applied")(t, q, u, c)
+    return ca.Function("of_applied", [t, y, c], ca.cse([f, ca.jacobian(f, ca.vertcat(y, t))]))
+
+
+def _of_contact(model: Model, pair: str) -> Any:
+    """CasADi function (t, y, m, c, active) -> force and, by (y, t), derivatives of force and memory's rates of a pair while active."""
+    t, y = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz)
+    q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
+    m, c, active = ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc), ca.SX.sym("active")
+    f, dz, *_ = model.function(f"contact_{pair}")(t, q, u, z, m, c)
+    x = ca.vertcat(y, t)
+    found = [where(active, f), _each(ca.jacobian(f, x), active), _each(ca.jacobian(dz, x), active)]
+    return ca.Function("of_contact", [t, y, m, c, active], ca.cse(found))
+
+
+def _of_motion(model: Model) -> Any:
+    """CasADi function (t, y, f, c) -> derivatives of the right-hand side by (y, t) and by the generalised forces f."""
+    t, y = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz)
+    q, u, _ = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
+    f, c = ca.SX.sym("f", model.function("applied").size1_out(0)), ca.SX.sym("c", model.nc)
+    a, reactions, *_ = model.function("accelerations").call([t, q, u, f, c])
+    power = model.function("ledger")(t, q, u, reactions, c) if model.has_ledger else ca.SX(model.nz, 1)
+    dy = ca.vertcat(model.function("coordinate_rates")(t, q, u, c), a, power)
+    return ca.Function("of_motion", [t, y, f, c], ca.cse([ca.jacobian(dy, ca.vertcat(y, t)), ca.jacobian(dy, f)]))
 
 
 def _linearised(model: Model, contacts: Contacts) -> Any:
@@ -118,18 +181,17 @@ class Stepper:
     sliding: Any
     nq: int
 
-    def __call__(self, start: Parts, run: Parts, h: Any) -> dict[str, Any]:
-        """One step of h [s] from the parts of a state, under its modes and latches: the parts of a trial."""
+    def __call__(self, start: Parts, run: Parts, h: Any, seen: dict[str, Any] | None = None) -> dict[str, Any]:
+        """One step of h [s] from the parts of a state, under its modes and latches: the parts of a trial; `seen` is told the Jacobian J."""
         table, given = self.table, (start["mode"], start["m"], run["c"])
         t, y = start["t"], start["y"]
         J, dt = self.linear(t, y, *given)
-        if isinstance(table, DiagonallyImplicit):
-            over = ca.sum1(
-                start["ahead"] < h
-            )  # a singular position: beyond it J has the opposite sign, and is no guess at all
-            solve = solver(J, h * table.gamma * (1 - over), self.nq)
-        else:
-            solve = solver(J, h * table.gamma, self.nq)
+        if seen is not None:
+            seen["J"] = J
+        step = h * table.gamma
+        if isinstance(table, DiagonallyImplicit):  # beyond a singular position J has the opposite sign, and is no guess
+            step = step * (1 - ca.sum1(start["ahead"] < h))
+        solve = (composed_solver if isinstance(J, ca.MX) else solver)(J, step, self.nq)
         least = run["tolerance"] * run["scale"]
         if isinstance(table, Rosenbrock):
             y1, slope, error, converged = _rosenbrock(table, self.right, solve, J, dt, start, given, h)
@@ -204,7 +266,8 @@ def _diagonally_implicit(
     """
     t, y, slope, gamma = start["t"], start["y"], start["dy"], table.gamma
     slopes = [h * slope]  # h k
-    converged = ca.SX(1)
+    converged: Any = 1
+    iterate = _iteration(right, solve, given, h * gamma, least, y)
     for row, node, predictor in zip(table.A[1:], table.c[1:], table.predictors[1:], strict=True):
         known = y + _sum(row[:-1], slopes)
         if len(slopes) > 1:
@@ -214,9 +277,8 @@ def _diagonally_implicit(
             w = w + solve(h * gamma * (slope + node * h * dt) - w)
         sizes = []
         for _ in range(ITERATIONS):
-            change = solve(h * gamma * right.rates(t + node * h, known + w, *given) - w)
-            w = w + change
-            sizes.append(_norm(change, least, y))
+            w, size = iterate(t + node * h, known, w)
+            sizes.append(size)
         # what is left is a geometric series, unless the changes are but rounding
         left = sizes[-1] * sizes[-1] / (sizes[-2] - sizes[-1])
         converged *= (left >= 0) * (left <= CONVERGED) + (sizes[-1] <= ROUNDING * CONVERGED) > 0
@@ -225,13 +287,30 @@ def _diagonally_implicit(
     return y1, w / (h * gamma), _sum(table.error.weights, slopes), converged
 
 
+def _iteration(right: Flow, solve: Any, given: Any, step: Any, least: Any, y: Any) -> Any:
+    """(t, known, w) -> w after one of Newton's iterations, and the size of its change; of MX one call."""
+
+    def improved(solve: Any, given: Any, step: Any, least: Any, y: Any, t: Any, known: Any, w: Any) -> tuple[Any, Any]:
+        change = solve(step * right.rates(t, known + w, *given) - w)
+        return w + change, _norm(change, least, y)
+
+    if not isinstance(solve, Elimination):
+        return partial(improved, solve, given, step, least, y)
+    parts = [solve.known, *given, step, least, y]
+    symbols = [ca.SX.sym("x", part.size1()) for part in (*parts, step, y, y)]
+    entries, mode, m, c, *others = symbols
+    results = improved(partial(solve.solve, entries), (mode, m, c), *others)
+    function = ca.Function("iteration", symbols, list(results))
+    return partial(function, *parts)
+
+
 def _norm(error: Any, least: Any, y: Any) -> Any:
     """Root mean square of an error in the tolerances, as of explicit steps."""
     return ca.sqrt(ca.sumsqr(error / (least + 4 * EPS * ca.fabs(y))) / min(error.numel(), MEAN_OF))
 
 
 def _sum(weights: tuple[float, ...], terms: list[Any]) -> Any:
-    return sum((weight * term for weight, term in zip(weights, terms, strict=False) if weight), start=ca.SX(0))
+    return sum((weight * term for weight, term in zip(weights, terms, strict=False) if weight), start=0.0)
 
 
 def _entries(matrix: Any) -> Any:

@@ -10,6 +10,8 @@ Without exchanging rows a pivot may be small by chance; whoever uses the solutio
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import casadi as ca
@@ -17,8 +19,49 @@ import casadi as ca
 PIVOTED = 4  # unknowns up to which rows are exchanged by size; beyond, by structure alone: I - h gamma J is then sparse and near M + h C + h^2 K
 
 
-def solver(jacobian: Any, step: Any, nq: int) -> Callable[[Any], Any]:
-    """r (n) -> x (n) with (I - step J) x = r, for an SX matrix J (n, n) whose first nq rows are those of the coordinates."""
+@dataclass(frozen=True)
+class Elimination:
+    """What `solver` gives, for MX: `known` is what elimination leaves, `solve` the function (known, r) -> x."""
+
+    known: Any
+    solve: Any
+
+    def __call__(self, r: Any) -> Any:
+        """x (n)."""
+        return self.solve(self.known, r)
+
+
+def composed_solver(jacobian: Any, step: Any, nq: int) -> Elimination:
+    """The solver of an MX matrix J: two functions, one of which eliminates, once, and one of which solves."""
+    shape = jacobian.sparsity()
+    eliminate, solve = _elimination(shape.size1(), tuple(shape.colind()), tuple(shape.row()), nq)
+    return Elimination(eliminate(jacobian, step), solve)
+
+
+@lru_cache(maxsize=8)
+def _elimination(n: int, colind: tuple[int, ...], row: tuple[int, ...], nq: int) -> tuple[Any, Any]:
+    """CasADi functions (J, step) -> known, (known, r) -> x of matrices of one structure: those of all classes of attempts."""
+    J, h, r = ca.SX.sym("J", ca.Sparsity(n, n, colind, row)), ca.SX.sym("h"), ca.SX.sym("r", n)
+    entries: list[Any] = []
+    symbols: list[Any] = []
+
+    def keep(entry: Any) -> Any:
+        if entry.is_constant():
+            return entry
+        entries.append(entry)
+        symbols.append(ca.SX.sym("entry"))
+        return symbols[-1]
+
+    solved = solver(J, h, nq, keep)(r)
+    eliminate = ca.Function("eliminate", [J, h], [ca.vertcat(ca.SX(0, 1), *entries)])
+    return eliminate, ca.Function("solve", [ca.vertcat(ca.SX(0, 1), *symbols), r], [solved])
+
+
+def solver(jacobian: Any, step: Any, nq: int, keep: Callable[[Any], Any] = lambda entry: entry) -> Callable[[Any], Any]:
+    """r (n) -> x (n) with (I - step J) x = r, for an SX matrix J (n, n) whose first nq rows are those of the coordinates.
+
+    keep: gives what stands for an entry that does not depend on r.
+    """
     n = jacobian.size1()
     matrix = {(i, j): -step * jacobian[i, j] for i, j in zip(*jacobian.sparsity().get_triplet(), strict=True)}
     columns = {j for _, j in matrix}
@@ -37,9 +80,9 @@ def solver(jacobian: Any, step: Any, nq: int) -> Callable[[Any], Any]:
         ]
         for i in core
     ]
-    solve_core = eliminated(reduced, pivoting=len(core) <= PIVOTED)
+    solve_core = eliminated(reduced, pivoting=len(core) <= PIVOTED, keep=keep)
     of_core, of_first, of_last = (
-        [_row(matrix, i, columns) for i in rows]
+        [{j: keep(entry) for j, entry in _row(matrix, i, columns).items()} for i in rows]
         for rows, columns in ((core, first), (first, core), (last, first + core))
     )
 
@@ -53,7 +96,9 @@ def solver(jacobian: Any, step: Any, nq: int) -> Callable[[Any], Any]:
     return solve
 
 
-def eliminated(a: list[list[Any]], *, pivoting: bool) -> Callable[[list[Any]], list[Any]]:
+def eliminated(
+    a: list[list[Any]], *, pivoting: bool, keep: Callable[[Any], Any] = lambda entry: entry
+) -> Callable[[list[Any]], list[Any]]:
     """Solver of a system of equations by Gauss' elimination, skipping zeros; partial pivoting without branches where asked for."""
     n = len(a)
     a = [list(row) for row in a]
@@ -75,6 +120,11 @@ def eliminated(a: list[list[Any]], *, pivoting: bool) -> Callable[[list[Any]], l
                         a[i][j] = a[i][j] - a[i][k] * a[k][j]
     below = [[i for i in range(k + 1, n) if not a[i][k].is_zero()] for k in range(n)]
     right = [[j for j in range(k + 1, n) if not a[k][j].is_zero()] for k in range(n)]
+    a = [
+        [entry if i == j or entry.is_zero() else keep(entry) for j, entry in enumerate(row)] for i, row in enumerate(a)
+    ]
+    inverse = [keep(entry) for entry in inverse]
+    exchanges = [(k, i, keep(larger)) for k, i, larger in exchanges]
 
     def solve(r: list[Any]) -> list[Any]:
         x = list(r)

@@ -35,4 +35,4 @@ def stepper(model: Model, table: Table, contacts: Contacts, seen: dict[str, Any]
     if isinstance(table, RungeKutta):
         return lambda start, run, h: explicit.stepped(table, right, start, within(start, run), h, seen)
     take = implicit.stepper(model, table, right, contacts)
-    return lambda start, run, h: take(start, within(start, run), h)
+    return lambda start, run, h: take(start, within(start, run), h, seen)
