@@ -60,6 +60,7 @@ class Flow:
 
 def flow(model: Model, contacts: Contacts = BY_MODE) -> Flow:
     """Right-hand side of a model with the forces of these contacts."""
+    contacts = contacts if model.k else ()  # without pairs all classes are one
     made: Flow = model.once(("flow", contacts), lambda: _flow(model, contacts))
     return made
 

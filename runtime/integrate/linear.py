@@ -112,12 +112,14 @@ def eliminated(
                 pairs = [_exchanged(larger, x, y) for x, y in zip(a[k], a[i], strict=True)]
                 a[k], a[i] = [x for x, _ in pairs], [y for _, y in pairs]
         inverse.append(1 / a[k][k])
+        ahead = [j for j in range(k + 1, n) if not a[k][j].is_zero()]
+        entries = ca.vertcat(ca.SX(0, 1), *(a[k][j] for j in ahead))
         for i in range(k + 1, n):
             if not a[i][k].is_zero():
                 a[i][k] = a[i][k] * inverse[k]
-                for j in range(k + 1, n):
-                    if not a[k][j].is_zero():
-                        a[i][j] = a[i][j] - a[i][k] * a[k][j]
+                changed = ca.vertcat(ca.SX(0, 1), *(a[i][j] for j in ahead)) - a[i][k] * entries
+                for j, entry in zip(ahead, ca.vertsplit(changed), strict=True):
+                    a[i][j] = entry
     below = [[i for i in range(k + 1, n) if not a[i][k].is_zero()] for k in range(n)]
     right = [[j for j in range(k + 1, n) if not a[k][j].is_zero()] for k in range(n)]
     a = [
