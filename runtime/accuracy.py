@@ -25,6 +25,8 @@ CARRIED = (10.0, 1000.0)  # limits of the factor from the tolerance to the end e
 MARGIN = 6.0  # how far below the request the next run aims: as errors scatter, 90 % of such runs meet it
 STUCK = 100.0  # where the tolerance fell by this factor and the error not even by 2, it is rounding that is seen
 SLACK = 3.0  # errors grow intermittently: how much farther than the fitted growth says a tighter run may get
+PER_STEP = 4.0  # roundings of the state that a step errs by: the motion amplifies them as it does the tolerance
+UNSEEN = 4.0  # where all is rounding, as much of two runs that agree by chance is not seen: how far the error may lie above what they differ by
 HEARD = 1e-3  # of the tolerance: a smaller difference of two runs is rounding, before anything happened
 
 
@@ -38,7 +40,7 @@ class ErrorEstimate:
                   there one run has had an impact that the other is about to have.
     growth        rate [1/s] of the error up to the horizon: the slope of its logarithm
     decade_cost   factor of evaluations for a tolerance, and so on average an error, ten times smaller
-    floor         least error at the end that was found at any tolerance, where that does not meet the request
+    floor         least error at the end that was found at any tolerance, where that does not meet the request and no tolerance seems to
     runs          runs made, this one included; pilot_s the time [s] that the others took
     """
 
@@ -78,12 +80,11 @@ def brief(error: float, digits: int = 1) -> str:
     return f"{error:.{digits}g}".replace("e-0", "e-")
 
 
-def beyond_horizon(error: ErrorEstimate, asked: float) -> str:
-    """Warning of a run that is longer than its horizon."""
+def beyond_horizon(error: ErrorEstimate) -> str:
+    """What a run that is longer than its horizon is still good for."""
     grow = "" if error.growth is None else f"; errors grow at {error.growth:.3g}/s"
-    missed = f"an error of {brief(asked, 3)} at the end seems out of reach: " if error.end > asked else ""
     return (
-        f"{missed}the run is longer than its horizon: the trajectory is valid, with an error below {VALID:.0%} of the scales, until "
+        f"the run is longer than its horizon: the trajectory is valid, with an error below {VALID:.0%} of the scales, until "
         f"t = {error.horizon:.4g} s{grow}; beyond it only statistics are, run.averages()"
     )
 
@@ -157,6 +158,7 @@ class Ladder(Generic[Kept]):
 
     run       makes one, given its tolerance and whether it may be returned: otherwise its states on the grid are all that is wanted
     differ    error (n,) of states (n, ny) against others
+    rounding  one rounding of states (n, ny), as an error
     times     (m,) of the grid [s], from the start to the end
     asked     error at the end
     """
@@ -165,10 +167,11 @@ class Ladder(Generic[Kept]):
         self,
         run: Callable[[float, bool], Rung[Kept]],
         differ: Callable[[np.ndarray, np.ndarray], np.ndarray],
+        rounding: Callable[[np.ndarray], float],
         times: np.ndarray,
         asked: float,
     ) -> None:
-        self._run, self._differ, self._times, self._asked = run, differ, times, asked
+        self._run, self._differ, self._rounding, self._times, self._asked = run, differ, rounding, times, asked
         self._costs: list[tuple[float, int]] = []  # tolerances and evaluations of the runs that reached the end
         self._runs, self._wall_s = 0, 0.0
         self._found: list[tuple[float, float]] = []  # tolerances and errors at the end
@@ -188,6 +191,9 @@ class Ladder(Generic[Kept]):
             check = self._make(run.tolerance / CHECK, keep=False)
             if check.end is End.FAILED:
                 check = self._make(check.tolerance / CHECK, keep=False)
+            if check.end is End.FAILED:
+                failed, check = check, self._make(run.tolerance * CHECK, keep=False)
+                check = failed if check.end is End.FAILED else check
             checked = self._checked(run, check)
             if not math.isfinite(checked.end):
                 verdict = Verdict.STOPPED if check.end is End.STOPPED else Verdict.UNKNOWN
@@ -210,8 +216,11 @@ class Ladder(Generic[Kept]):
     def _checked(self, run: Rung[Kept], other: Rung[Kept]) -> _Checked[Kept]:
         n = min(len(run.states), len(other.states))
         whole = run.end is End.REACHED and other.end is End.REACHED
-        part = abs(1 - other.tolerance / run.tolerance)  # of a run's error that shows, if errors are as tolerances
-        return _Checked(run, self._differ(run.states[:n], other.states[:n]) / part, whole)
+        # of a run's error that shows, if errors are as tolerances; beside a looser run all of it does, and more
+        part = min(abs(1 - other.tolerance / run.tolerance), 1.0)
+        rounding = PER_STEP * self._rounding(run.states)
+        unseen = 1 + UNSEEN * rounding / (rounding + run.tolerance)
+        return _Checked(run, self._differ(run.states[:n], other.states[:n]) / part * unseen, whole)
 
     def _verdict(self, checked: _Checked[Kept]) -> Verdict | None:
         """What came of the request; None where a smaller tolerance may meet it."""
@@ -233,6 +242,7 @@ class Ladder(Generic[Kept]):
 
     def _told(self, checked: _Checked[Kept], verdict: Verdict, broken: Rung[Kept] | None = None) -> Climbed[Kept]:
         times = self._times[: len(checked.values)]
+        in_vain = verdict is Verdict.UNREACHABLE or (verdict is Verdict.UNKNOWN and self._found)
         error = ErrorEstimate(
             end=checked.end,
             times=times,
@@ -240,19 +250,19 @@ class Ladder(Generic[Kept]):
             horizon=horizon(times, checked.values),
             growth=growth(times, checked.values, checked.run.tolerance),
             decade_cost=decade_cost(self._costs),
-            floor=min(found for _, found in self._found) if verdict is Verdict.UNREACHABLE else None,
+            floor=min(found for _, found in self._found) if in_vain else None,
             runs=self._runs,
             pilot_s=self._wall_s - checked.run.wall_s,
         )
         return Climbed(checked.run, error, verdict, broken)
 
 
-def horizon(times: np.ndarray, values: np.ndarray) -> float | None:
-    """Last time [s] before the error leaves VALID for more than one time of the grid, or at its end; None where it does not."""
+def horizon(times: np.ndarray, values: np.ndarray, limit: float = VALID) -> float | None:
+    """Last time [s] before the error leaves a limit for more than one time of the grid, or at its end; None where it does not."""
     if len(values) < 2:
         return None
     beside = np.maximum(np.append(values[1:], np.inf), np.insert(values[:-1], 0, np.inf))
-    lost = np.minimum(values, beside) > VALID
+    lost = np.minimum(values, beside) > limit
     return float(times[max(int(np.argmax(lost)) - 1, 0)]) if np.any(lost) else None
 
 

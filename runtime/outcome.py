@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from hertzwerk.runtime.accuracy import brief
+from hertzwerk.runtime.accuracy import ErrorEstimate, beyond_horizon, brief, horizon
 from hertzwerk.runtime.integrate.chunk import INTERRUPTED, WALL_TIME_LIMIT
 from hertzwerk.runtime.integrate.layout import (
     CONSTRAINT_LOST,
@@ -83,14 +83,37 @@ _OUTCOMES = {
 }
 
 
-def unreachable(asked: float, floor: float, method: str) -> Outcome:
-    """The outcome of a complete run whose error no tolerance makes as small as was asked."""
+def unreachable(asked: float, floor: float, method: str, tighter: Outcome | None = None) -> Outcome:
+    """The outcome of a complete run whose error no tolerance makes as small as was asked; `tighter`: how a run with a smaller one ends."""
     better = of_accuracy(method)
     by, why = (f" of {method}", "") if better else ("", ": the motion amplifies what rounding leaves")
+    if tighter is not None:
+        why = f": runs with a smaller tolerance end as {tighter.name}, {tighter.message}"
     return Outcome(
         "accuracy_unreachable",
-        f"no tolerance{by} gives an error at the end below {brief(floor)}, {brief(asked, 3)} was asked for{why}",
-        _first(better, f"ask for an accuracy above {brief(floor)}, or simulate a shorter time"),
+        f"no tolerance{by} gives an error at the end below {brief(floor, 2)}, {brief(asked, 3)} was asked for{why}",
+        _first(better, f"ask for an accuracy above {brief(floor, 2)}, or simulate a shorter time"),
+    )
+
+
+def unknown(asked: float, tighter: Outcome) -> Outcome:
+    """The outcome of a complete run whose error cannot be told, for no other run reaches the end."""
+    return Outcome(
+        "accuracy_unknown",
+        f"the run is complete, but whether its error is below {brief(asked, 3)} is not known: the runs that would tell end as {tighter.name}, "
+        f"{tighter.message}",
+        "take another method, or ask for less accuracy; tolerance= in place of accuracy= makes one run without an estimate",
+    )
+
+
+def too_long(asked: float, error: ErrorEstimate) -> Outcome:
+    """The outcome of a complete run that is longer than its trajectory can be known."""
+    known = horizon(error.times, error.values, asked)
+    return Outcome(
+        "beyond_horizon",
+        f"an error of {brief(asked, 3)} at the end is out of reach: {beyond_horizon(error)}",
+        f"simulate no longer than {known:.4g} s, up to which this run is so accurate; for statistics take this run, or tolerance= in place of "
+        "accuracy=",
     )
 
 

@@ -56,6 +56,12 @@ def departure(model: Model, scales: Scales, y: np.ndarray, reference: np.ndarray
     return _largest(model.nq, scales, y, reference)
 
 
+def rounding(model: Model, scales: Scales, y: np.ndarray) -> float:
+    """What one rounding of the largest of the states y (n, ny) counts as an error."""
+    n = model.nq + model.nu
+    return float(np.finfo(float).eps * np.max(np.abs(y[:, :n]) / scales.state[:n], initial=0.0))
+
+
 def _largest(n: int, scales: Scales, y: np.ndarray, reference: np.ndarray) -> np.ndarray:
     """Of the first n entries."""
     found: np.ndarray = np.max(np.abs(y[..., :n] - reference[..., :n]) / scales.state[:n], axis=-1, initial=0.0)

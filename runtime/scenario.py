@@ -107,6 +107,7 @@ class Scenario(_Record):
     method: Literal["auto", "dopri5", "dop853", "rodas", "esdirk", "cvodes", "idas"] = METHOD
     parameters: dict[str, QuantityText] = {}
     initial: dict[str, QuantityText] = {}
+    outcome: Literal["finished", "beyond_horizon", "accuracy_unreachable"] = "finished"  # that must come out
     checks: tuple[Check, ...] = Field(default=(), strict=False)
 
 

@@ -27,7 +27,7 @@ from hertzwerk.runtime.integrate.automatic import Gear
 from hertzwerk.runtime.integrate.chunk import INTERRUPTED, WALL_TIME_LIMIT
 from hertzwerk.runtime.integrate.layout import FINISHED, TOO_MANY_STEPS
 from hertzwerk.runtime.model import Model
-from hertzwerk.runtime.outcome import Outcome, not_closed, unreachable
+from hertzwerk.runtime.outcome import Outcome, not_closed, too_long, unknown, unreachable
 from hertzwerk.runtime.output import Output
 from hertzwerk.runtime.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, Limits, Settings, read
 from hertzwerk.runtime.scales import Scales
@@ -58,7 +58,7 @@ def simulate(
 
     accuracy    the error asked for at the end, in the scene's scales, 1e-12..1e-1, by default 1e-6: runs at falling tolerance are made until the
                 error of one, by comparison with a tighter one, is known to be so small. `Solution.error` says what it is; where it is more
-                than was asked for, the outcome is "accuracy_unreachable", or a warning says that the run is longer than its horizon
+                than was asked for, the outcome is "accuracy_unreachable", or "beyond_horizon"; where it is not known, "accuracy_unknown"
     tolerance   in place of an accuracy the local tolerance, 1e-13..1e-1, of one run without an estimate
     method      "auto": dop853, and esdirk where stability would hold that down; explicit "dop853", "dopri5"; for what is stiff "esdirk", "rodas";
                 "cvodes", "idas": SUNDIALS, slow, as an independent reference
@@ -118,7 +118,10 @@ def _as_accurate(
         states = here.beside.history.part("y")
         return Rung(tolerance, end, states, here.counted["evaluations"], here.ending.wall_s, here)
 
-    ladder = Ladder(one, lambda y, reference: scaling.error(model, scales, y, reference), grid, asked)
+    def differ(y: np.ndarray, reference: np.ndarray) -> np.ndarray:
+        return scaling.error(model, scales, y, reference)
+
+    ladder = Ladder(one, differ, lambda y: scaling.rounding(model, scales, y), grid, asked)
     climbed = ladder.climb(first_tolerance(asked, seconds, *scales.scene[:2]))
     return solution_of(run, climbed.run.kept, scales, build_s, asked, climbed)
 
@@ -188,20 +191,18 @@ def _uncompiled(run: SingleRun) -> tuple[str, ...]:
 
 
 def _verdict(run: SingleRun, climbed: Climbed[Trace], asked: float, result: Outcome) -> tuple[Outcome, tuple[str, ...]]:
-    """Outcome and warnings of a run for an accuracy."""
-    error, broken = climbed.error, climbed.broken
-    warnings: list[str] = []
-    if error is not None and error.horizon is not None:
-        warnings.append(beyond_horizon(error, asked))
-    if broken is not None:
-        other = run.outcome(broken.kept)
-        if climbed.verdict is Verdict.STOPPED and result.finished:
-            message = (
-                f"the run is complete, a run with a smaller tolerance to know its error by is not: {other.message}"
-            )
-            result = Outcome(other.name, message, other.remedy)
-        elif result.finished:
-            warnings.append(f"the error is {error}: runs with a smaller tolerance end otherwise, {other.message}")
-    if error is not None and error.floor is not None:
-        result = unreachable(asked, error.floor, run.method)
-    return result, tuple(warnings)
+    """Outcome and warnings of a run for an accuracy: what was asked for and is missed, or is not known, is never finished."""
+    error, verdict = climbed.error, climbed.verdict
+    other = None if climbed.broken is None else run.outcome(climbed.broken.kept)
+    lost = error is not None and error.horizon is not None
+    if result.finished and verdict is Verdict.STOPPED and other is not None:
+        message = f"the run is complete, a run with a smaller tolerance to know its error by is not: {other.message}"
+        result = Outcome(other.name, message, other.remedy)
+    elif result.finished and error is not None and verdict is not Verdict.MET:
+        if verdict is Verdict.BEYOND:
+            return too_long(asked, error), ()
+        if error.floor is not None:
+            result = unreachable(asked, error.floor, run.method, other)
+        elif other is not None:
+            result = unknown(asked, other)
+    return result, (beyond_horizon(error),) if lost and error is not None else ()

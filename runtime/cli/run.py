@@ -146,9 +146,9 @@ def validate(targets: tuple[str, ...]) -> int:
         for verdict in verdicts:
             line("passed" if verdict.passed else "failed", str(verdict))
         made, held = made + len(verdicts), held + sum(verdict.passed for verdict in verdicts)
-        unfinished += not solution.outcome.finished
+        unfinished += solution.outcome.name != scenario.outcome
     good = held == made and not unfinished
-    runs = f"; {unfinished} run{'s' if unfinished > 1 else ''} not finished" if unfinished else ""
+    runs = f"; {unfinished} run{'s' if unfinished > 1 else ''} with another outcome" if unfinished else ""
     line("passed" if good else "failed", f"{held} of {made} checks hold{runs}")
     return GOOD if good else OTHER_OUTCOME
 

@@ -4,14 +4,29 @@ Oracles: quadruple-precision digits of tests/reference/slider_crank.py, the clos
 are known. tests/benchmarks/honesty.py does the same over scenes, methods and accuracies.
 """
 
+from dataclasses import replace
 from functools import cache, partial
 
 import numpy as np
 import pytest
 
 from hertzwerk.derive.faults import InputError
-from hertzwerk.runtime import load, simulate, simulate_many
-from hertzwerk.runtime.accuracy import CHECK, LEAST, POINTS, End, Ladder, Rung, Verdict, decade_cost, growth, horizon
+from hertzwerk.runtime import load, simulate, simulate_many, simulation
+from hertzwerk.runtime.accuracy import (
+    CHECK,
+    LEAST,
+    POINTS,
+    UNSEEN,
+    End,
+    Ladder,
+    Rung,
+    Verdict,
+    decade_cost,
+    growth,
+    horizon,
+)
+from hertzwerk.runtime.integrate.layout import CONSTRAINT_LOST
+from hertzwerk.runtime.single_run import SingleRun
 from hertzwerk.runtime.solution import Solution
 from reference.slider_crank import SliderCrank, reference
 
@@ -77,6 +92,7 @@ def test_runs_beside_cost_about_as_much_again(judged):
 # ---- of runs made up -------------------------------------------------------------------------------------------------
 
 TIMES = np.linspace(0, 1, POINTS)
+ROUNDING = 1e-16  # of the made-up states
 
 
 def made_up(tolerance, keep, *, rate=0.0, factor=10.0, rounding=0.0, fails=(), stops=(), log=None):
@@ -94,7 +110,7 @@ def made_up(tolerance, keep, *, rate=0.0, factor=10.0, rounding=0.0, fails=(), s
 def climb(asked, first, **options):
     log = []
     run = partial(made_up, log=log, **options)
-    climbed = Ladder(run, lambda y, other: np.abs(y - other)[:, 0], TIMES, asked).climb(first)
+    climbed = Ladder(run, lambda y, other: np.abs(y - other)[:, 0], lambda y: ROUNDING, TIMES, asked).climb(first)
     return climbed, log
 
 
@@ -153,10 +169,33 @@ def test_what_fails_at_every_tolerance_is_returned_as_far_as_it_got():
     assert len(climbed.run.states) == 102
     assert len(climbed.error.times) == 101
     assert not climbed.error.known
-    climbed, _ = climb(1e-6, 1e-8, fails=(2, 3))
+    climbed, _ = climb(1e-6, 1e-8, fails=(2, 3, 4))
     assert climbed.verdict is Verdict.UNKNOWN
     assert climbed.run.kept == (1e-8, True)
     assert len(climbed.error.values) == 103
+
+
+def test_where_tighter_runs_fail_a_looser_one_bounds_the_error():
+    climbed, log = climb(1e-6, 1e-8, fails=(2, 3))
+    assert (climbed.verdict, climbed.run.kept) == (Verdict.MET, (1e-8, True))
+    assert log == pytest.approx([1e-8, 1e-8 / CHECK, 1e-8 / CHECK**2, 1e-8 * CHECK])
+    assert 1e-7 <= climbed.error.end <= CHECK * 1e-7  # the true one is 1e-7
+    climbed, _ = climb(1e-7, 1e-8, fails=(2, 3, 5, 6))  # missed, and no smaller tolerance runs through
+    assert climbed.verdict is Verdict.UNKNOWN
+    assert climbed.error.floor == climbed.error.end > 1e-7
+
+
+def test_near_the_tolerance_of_rounding_the_estimate_counts_it():
+    """Two runs that happen to agree say nothing of the rounding that both have."""
+    asked, first = 2e-11, 1e-12
+    assert climb(asked, first)[0].error.end == pytest.approx(10 * first, rel=1e-2)
+    ladder = Ladder(made_up, lambda y, other: np.abs(y - other)[:, 0], lambda y: first, TIMES, asked)
+    climbed = ladder.climb(first)
+    assert climbed.run.kept == (
+        LEAST,
+        True,
+    )  # at the first tolerance the half of it could be rounding: 3 times as much as is seen
+    assert climbed.error.end == pytest.approx((1 + UNSEEN * 0.976) * 10 * LEAST, rel=1e-3)
 
 
 def test_a_stop_returns_what_there_is():
@@ -220,12 +259,16 @@ def test_a_request_below_the_floor_is_unreachable_with_the_best_run():
 
 def test_a_run_longer_than_its_horizon_says_so():
     run = simulate(model("slider_crank_three_clearances"), duration="24 ms", accuracy=1e-6, output=2)
-    assert run.outcome.finished
+    assert run.outcome.name == "beyond_horizon"
     assert 1e-3 < run.error.horizon < 20e-3
     assert run.error.growth > 100
-    (warning,) = [text for text in run.warnings if "exceed" not in text]  # the law's limit
-    assert "averages()" in warning
-    assert f"{run.error.horizon:.4g} s" in warning
+    assert "averages()" in run.outcome.message
+    far = horizon(run.error.times, run.error.values, 1e-6)
+    assert 0 < far < run.error.horizon
+    assert f"no longer than {far:.4g} s" in run.outcome.remedy
+    assert all("exceed" in text for text in run.warnings)  # the law's limit
+    shorter = simulate(run.model, duration=far, accuracy=1e-6, output=2)  # the remedy helps
+    assert shorter.outcome.finished
 
 
 def test_limits_and_the_user_end_it_with_what_there_is():
@@ -254,3 +297,32 @@ def test_limits_and_the_user_end_it_with_what_there_is():
 def test_accuracy_and_tolerance_exclude_each_other():
     with pytest.raises(InputError, match="one of the two"):
         simulate(model("soft_ball"), duration="1 s", accuracy=1e-6, tolerance=1e-6)
+
+
+def test_a_request_whose_error_is_missed_or_unknown_is_never_finished(monkeypatch):
+    """Every run but the first fails, as below the tolerance of rounding: the error is not known. Or all that are tighter: it is known, and missed."""
+    honest = SingleRun.trace
+
+    def failing(which):
+        def trace(run, tolerance, *given, **options):
+            found = honest(run, tolerance, *given, **options)
+            return replace(found, ending=replace(found.ending, status=CONSTRAINT_LOST)) if which(tolerance) else found
+
+        return trace
+
+    first = simulate(model("soft_ball"), duration="1 s", accuracy=1e-8)
+    assert first.outcome.finished
+    cases = (
+        (lambda tolerance: tolerance != first.tolerance, 1e-8, "accuracy_unknown"),
+        (lambda tolerance: tolerance < first.tolerance, first.error.end / 3, "accuracy_unreachable"),
+    )
+    for which, asked, name in cases:
+        monkeypatch.setattr(SingleRun, "trace", failing(which))
+        monkeypatch.setattr(simulation, "first_tolerance", lambda *_: first.tolerance)
+        run = simulate(model("soft_ball"), duration="1 s", accuracy=asked)
+        assert run.outcome.name == name
+        assert run.t_end == 1.0
+        assert run.error.known == (name == "accuracy_unreachable")
+        assert "constraint_lost" in run.outcome.message
+    assert first.error.end / 10 < run.error.floor < 10 * first.error.end
+    assert simulate(model("soft_ball"), duration="1 s", accuracy=1.1 * run.error.floor).outcome.finished  # the remedy

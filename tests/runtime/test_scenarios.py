@@ -40,7 +40,7 @@ def test_every_built_in_scene_has_a_scenario():
 def test_built_in_scenarios_come_out(name):
     scenario = load_scenario(name)
     solution = run_scenario(scenario)
-    assert solution.outcome.name == "finished"
+    assert solution.outcome.name == scenario.outcome
     failed = [str(verdict) for verdict in validate(scenario, solution) if not verdict.passed]
     assert failed == []
     assert solution.model.has_ledger
