@@ -27,6 +27,12 @@ STUCK = 100.0  # where the tolerance fell by this factor and the error not even 
 SLACK = 3.0  # errors grow intermittently: how much farther than the fitted growth says a tighter run may get
 PER_STEP = 4.0  # roundings of the state that a step errs by: the motion amplifies them as it does the tolerance
 UNSEEN = 4.0  # where all is rounding, as much of two runs that agree by chance is not seen: how far the error may lie above what they differ by
+NEAR = 1.5  # times the tolerance of a run: another whose rounding is its own, and whose error else tells half of it
+ROUNDED = 1 + UNSEEN / 2  # where rounding counts for as much as the tolerance
+MORE, MORE_ROUNDED = (
+    5.0,
+    2.0,
+)  # times the steps of a run that a tighter one beside it may take: it is made of 1.2 to 1.4 times, where it can be made
 HEARD = 1e-3  # of the tolerance: a smaller difference of two runs is rounding, before anything happened
 
 
@@ -107,6 +113,7 @@ class Rung(Generic[Kept]):
     tolerance: float
     end: End
     states: np.ndarray
+    steps: int
     evaluations: int
     wall_s: float
     kept: Kept
@@ -140,11 +147,12 @@ def first_tolerance(asked: float, seconds: float, length: float, speed: float) -
 
 @dataclass(frozen=True)
 class _Checked(Generic[Kept]):
-    """A run and its error (n,) along the grid, as far as the run beside it got as well."""
+    """A run and its error (n,) along the grid, as far as the runs beside it got as well; `last`: tighter ones fail."""
 
     run: Rung[Kept]
     values: np.ndarray
     whole: bool
+    last: bool
 
     @property
     def end(self) -> float:
@@ -156,7 +164,8 @@ class _Checked(Generic[Kept]):
 class Ladder(Generic[Kept]):
     """Runs at falling tolerance until one is known to meet a request.
 
-    run       makes one, given its tolerance and whether it may be returned: otherwise its states on the grid are all that is wanted
+    run       makes one, given its tolerance, whether it may be returned (otherwise its states on the grid are all that is wanted), and the steps
+              after which it is given up as failed
     differ    error (n,) of states (n, ny) against others
     rounding  one rounding of states (n, ny), as an error
     times     (m,) of the grid [s], from the start to the end
@@ -165,7 +174,7 @@ class Ladder(Generic[Kept]):
 
     def __init__(
         self,
-        run: Callable[[float, bool], Rung[Kept]],
+        run: Callable[[float, bool, float], Rung[Kept]],
         differ: Callable[[np.ndarray, np.ndarray], np.ndarray],
         rounding: Callable[[np.ndarray], float],
         times: np.ndarray,
@@ -188,16 +197,11 @@ class Ladder(Generic[Kept]):
                     return self._told(best or self._checked(farther, other), Verdict.UNKNOWN, run)
             if run.end is End.STOPPED:
                 return Climbed(run, None, Verdict.STOPPED) if best is None else self._told(best, Verdict.STOPPED, run)
-            check = self._make(run.tolerance / CHECK, keep=False)
-            if check.end is End.FAILED:
-                check = self._make(check.tolerance / CHECK, keep=False)
-            if check.end is End.FAILED:
-                failed, check = check, self._make(run.tolerance * CHECK, keep=False)
-                check = failed if check.end is End.FAILED else check
-            checked = self._checked(run, check)
+            beside = self._beside(run)
+            checked = self._checked(run, *beside)
             if not math.isfinite(checked.end):
-                verdict = Verdict.STOPPED if check.end is End.STOPPED else Verdict.UNKNOWN
-                return self._told(best or checked, verdict, check)
+                verdict = Verdict.STOPPED if beside[-1].end is End.STOPPED else Verdict.UNKNOWN
+                return self._told(best or checked, verdict, beside[-1])
             self._found.append((run.tolerance, checked.end))
             if best is None or checked.end < best.end or best.end > VALID:  # above VALID its size is chance
                 best = checked
@@ -206,21 +210,45 @@ class Ladder(Generic[Kept]):
                 return self._told(best, found)
             tolerance = max(run.tolerance * self._asked / (MARGIN * checked.end), LEAST)
 
-    def _make(self, tolerance: float, *, keep: bool) -> Rung[Kept]:
-        run = self._run(tolerance, keep)
+    def _beside(self, run: Rung[Kept]) -> list[Rung[Kept]]:
+        """Runs that tell the error of one: a tighter one, and where that fails, or all is rounding, one of nearly the same tolerance.
+
+        There two runs may agree by chance, and tighter ones are paid for with steps that rounding rejects.
+        """
+        rounded = self._unseen(run) > ROUNDED
+        check = run
+        for _ in range(1 if rounded else 2):
+            check = self._make(check.tolerance / CHECK, most=(MORE_ROUNDED if rounded else MORE) * run.steps)
+            if check.end is not End.FAILED:
+                break
+        if check.end is End.STOPPED or (check.end is End.REACHED and not rounded):
+            return [check]
+        near = self._make(run.tolerance * NEAR)
+        if near.end is not End.REACHED:
+            return [check]
+        return [check, near] if check.end is End.REACHED else [near]
+
+    def _make(self, tolerance: float, *, keep: bool = False, most: float = math.inf) -> Rung[Kept]:
+        run = self._run(tolerance, keep, most)
         self._runs, self._wall_s = self._runs + 1, self._wall_s + run.wall_s
         if run.end is End.REACHED and run.evaluations:  # SUNDIALS' are not counted
             self._costs.append((tolerance, run.evaluations))
         return run
 
-    def _checked(self, run: Rung[Kept], other: Rung[Kept]) -> _Checked[Kept]:
-        n = min(len(run.states), len(other.states))
-        whole = run.end is End.REACHED and other.end is End.REACHED
-        # of a run's error that shows, if errors are as tolerances; beside a looser run all of it does, and more
-        part = min(abs(1 - other.tolerance / run.tolerance), 1.0)
+    def _checked(self, run: Rung[Kept], *others: Rung[Kept]) -> _Checked[Kept]:
+        n = min(len(each.states) for each in (run, *others))
+        values = np.zeros(n)
+        for other in others:
+            part = abs(1 - other.tolerance / run.tolerance)  # of the error that shows, if errors are as tolerances
+            unseen = self._unseen(run) if other.tolerance < run.tolerance else 1.0
+            values = np.maximum(values, self._differ(run.states[:n], other.states[:n]) / part * unseen)
+        whole = all(each.end is End.REACHED for each in (run, *others))
+        return _Checked(run, values, whole, whole and all(other.tolerance > run.tolerance for other in others))
+
+    def _unseen(self, run: Rung[Kept]) -> float:
+        """How far the error of a run may lie above what it and a tighter one differ by: 1, but more the more of it is rounding."""
         rounding = PER_STEP * self._rounding(run.states)
-        unseen = 1 + UNSEEN * rounding / (rounding + run.tolerance)
-        return _Checked(run, self._differ(run.states[:n], other.states[:n]) / part * unseen, whole)
+        return 1 + UNSEEN * rounding / (rounding + run.tolerance)
 
     def _verdict(self, checked: _Checked[Kept]) -> Verdict | None:
         """What came of the request; None where a smaller tolerance may meet it."""
@@ -231,7 +259,7 @@ class Ladder(Generic[Kept]):
         valid = horizon(times, checked.values)
         lost = valid is not None and error > VALID  # its size then says nothing about smaller tolerances
         stuck = any(before >= STUCK * tolerance and error > found / 2 for before, found in self._found)
-        if stuck or tolerance <= LEAST:
+        if stuck or tolerance <= LEAST or (checked.last and self._unseen(checked.run) > ROUNDED):
             return Verdict.BEYOND if lost else Verdict.UNREACHABLE
         if valid is None or not lost:
             return None

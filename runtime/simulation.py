@@ -107,16 +107,19 @@ def _as_accurate(
     grid = np.linspace(0.0, seconds, POINTS)
     made: list[tuple[float, int]] = []  # times [s] and steps spent
 
-    def one(tolerance: float, keep: bool) -> Rung[Trace]:
+    def one(tolerance: float, keep: bool, most: float) -> Rung[Trace]:
         spent_s, steps = (sum(each) for each in zip(*made, strict=True)) if made else (0.0, 0)
-        left = Limits(max(limits.max_steps - int(steps), 1), limits.max_events, max(limits.wall_time - spent_s, 0.0))
+        of_all = max(limits.max_steps - int(steps), 1)
+        left = Limits(int(min(of_all, most)), limits.max_events, max(limits.wall_time - spent_s, 0.0))
         beside = None if progress is None else _part(progress, len(made))
         here = replace(run, limits=left).trace(tolerance, scales, times, progress=beside, beside=grid, alone=not keep)
         made.append((here.ending.wall_s, here.counted["steps"]))
         status = here.ending.status
-        end = End.REACHED if status == FINISHED else End.STOPPED if status in STOPS else End.FAILED
+        given_up = status == TOO_MANY_STEPS and most < of_all
+        end = End.REACHED if status == FINISHED else End.STOPPED if status in STOPS and not given_up else End.FAILED
         states = here.beside.history.part("y")
-        return Rung(tolerance, end, states, here.counted["evaluations"], here.ending.wall_s, here)
+        counted = here.counted
+        return Rung(tolerance, end, states, counted["steps"], counted["evaluations"], here.ending.wall_s, here)
 
     def differ(y: np.ndarray, reference: np.ndarray) -> np.ndarray:
         return scaling.error(model, scales, y, reference)

@@ -12,9 +12,11 @@ import pytest
 
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import load, simulate, simulate_many, simulation
+from hertzwerk.runtime import scales as scaling
 from hertzwerk.runtime.accuracy import (
     CHECK,
     LEAST,
+    NEAR,
     POINTS,
     UNSEEN,
     End,
@@ -95,7 +97,7 @@ TIMES = np.linspace(0, 1, POINTS)
 ROUNDING = 1e-16  # of the made-up states
 
 
-def made_up(tolerance, keep, *, rate=0.0, factor=10.0, rounding=0.0, fails=(), stops=(), log=None):
+def made_up(tolerance, keep, most, *, rate=0.0, factor=10.0, rounding=0.0, fails=(), stops=(), log=None):
     """A run whose true states are zero: one state, off by (factor * tolerance + rounding) exp(rate t), and where that exceeds 1 anywhere."""
     if log is not None:
         log.append(tolerance)
@@ -104,7 +106,8 @@ def made_up(tolerance, keep, *, rate=0.0, factor=10.0, rounding=0.0, fails=(), s
     count = len([] if log is None else log)
     end = End.FAILED if count in fails else End.STOPPED if count in stops else End.REACHED
     n = POINTS if end is End.REACHED else 100 + count
-    return Rung(tolerance, end, off[:n, None], round(1000 * tolerance**-0.125), 1.0, (tolerance, keep))
+    work = round(1000 * tolerance**-0.125)
+    return Rung(tolerance, end, off[:n, None], work, work, 1.0, (tolerance, keep))
 
 
 def climb(asked, first, **options):
@@ -175,11 +178,11 @@ def test_what_fails_at_every_tolerance_is_returned_as_far_as_it_got():
     assert len(climbed.error.values) == 103
 
 
-def test_where_tighter_runs_fail_a_looser_one_bounds_the_error():
+def test_where_tighter_runs_fail_one_of_nearly_the_same_tolerance_tells_the_error():
     climbed, log = climb(1e-6, 1e-8, fails=(2, 3))
     assert (climbed.verdict, climbed.run.kept) == (Verdict.MET, (1e-8, True))
-    assert log == pytest.approx([1e-8, 1e-8 / CHECK, 1e-8 / CHECK**2, 1e-8 * CHECK])
-    assert 1e-7 <= climbed.error.end <= CHECK * 1e-7  # the true one is 1e-7
+    assert log == pytest.approx([1e-8, 1e-8 / CHECK, 1e-8 / CHECK**2, 1e-8 * NEAR])
+    assert climbed.error.end == pytest.approx(1e-7)
     climbed, _ = climb(1e-7, 1e-8, fails=(2, 3, 5, 6))  # missed, and no smaller tolerance runs through
     assert climbed.verdict is Verdict.UNKNOWN
     assert climbed.error.floor == climbed.error.end > 1e-7
@@ -196,6 +199,36 @@ def test_near_the_tolerance_of_rounding_the_estimate_counts_it():
         True,
     )  # at the first tolerance the half of it could be rounding: 3 times as much as is seen
     assert climbed.error.end == pytest.approx((1 + UNSEEN * 0.976) * 10 * LEAST, rel=1e-3)
+
+
+def test_two_runs_that_agree_by_chance_are_found_out_by_a_third():
+    """Where all is rounding: the tighter run has the very error of the run, the third its own."""
+    off = {1e-13: 1e-9, 1e-13 / CHECK: 1e-9, 1e-13 * NEAR: -1e-9}
+
+    def run(tolerance, keep, most):
+        nearest = min(off, key=lambda other: abs(other / tolerance - 1))
+        return Rung(tolerance, End.REACHED, np.full((POINTS, 1), off[nearest]), 100, 100, 1.0, None)
+
+    climbed = Ladder(run, lambda y, other: np.abs(y - other)[:, 0], lambda y: 1e-12, TIMES, 1e-10).climb(1e-13)
+    assert climbed.verdict is Verdict.UNREACHABLE
+    assert 1e-9 <= climbed.error.end <= 5e-9
+
+
+def test_a_tighter_run_that_needs_many_more_steps_is_given_up():
+    """Below rounding steps are rejected without end: what the request costs stays bounded, and the floor is told."""
+    asked = []
+
+    def run(tolerance, keep, most):
+        asked.append((tolerance, most))
+        work = 100 if tolerance > 2e-13 else 100_000
+        end = End.REACHED if work <= most else End.FAILED
+        return Rung(tolerance, end, np.full((POINTS, 1), 1e4 * tolerance), min(work, most), 100, 1.0, None)
+
+    climbed = Ladder(run, lambda y, other: np.abs(y - other)[:, 0], lambda y: 1e-12, TIMES, 1e-10).climb(5e-13)
+    assert climbed.verdict is Verdict.UNREACHABLE
+    assert climbed.run.tolerance == 5e-13
+    assert climbed.error.end == pytest.approx(5e-9)
+    assert max(min(most, 100_000) for tolerance, most in asked if tolerance < 2e-13) <= 500
 
 
 def test_a_stop_returns_what_there_is():
@@ -326,3 +359,13 @@ def test_a_request_whose_error_is_missed_or_unknown_is_never_finished(monkeypatc
         assert "constraint_lost" in run.outcome.message
     assert first.error.end / 10 < run.error.floor < 10 * first.error.end
     assert simulate(model("soft_ball"), duration="1 s", accuracy=1.1 * run.error.floor).outcome.finished  # the remedy
+
+
+def test_the_ball_that_bounced_nine_times_is_not_known_better_than_its_rounding():
+    """Two runs agree to 3e-12 by chance; runs at other small tolerances differ by 6e-10."""
+    ball = load("bouncing_ball")
+    run = simulate(ball, duration="5 s", accuracy=1e-9, method="dop853", compiled=False)
+    others = [simulate(ball, duration="5 s", tolerance=t, method="dop853", compiled=False) for t in (1e-12, 3e-13)]
+    off = max(scaling.error(ball, run.scales, run.history.part("y")[-1], o.history.part("y")[-1]) for o in others)
+    assert off > 1e-10
+    assert off / 2 < run.error.end < 100 * off
