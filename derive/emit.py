@@ -264,6 +264,7 @@ _ARGUMENTS = {
     "f": "f: generalised forces",
     "reactions": "reactions of the drives",
     "wanted": "wanted: rates of CONSTRAINTS",
+    "multipliers": "multipliers: forces that hold CONSTRAINTS",
     "joints": "joints: JOINT_COORDINATES",
     "joint_speeds": "joint_speeds: JOINT_SPEEDS",
 }

@@ -15,7 +15,8 @@ from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.soundness.names import name_faults, text_faults
 from hertzwerk.derive.units import Unit, UnitError, parse_unit
 
-RESERVED = ("ca", "t", "p", "q", "u", "a", "f", "z", "m", "c", "wanted", "reactions", "joints", "joint_speeds")
+_READ = ("t", "p", "q", "u", "a", "f", "z", "m", "c", "wanted", "multipliers", "reactions", "joints", "joint_speeds")
+RESERVED = ("ca", *_READ)
 """Names that generated functions use for their arguments and for CasADi."""
 
 TABLE = "_TABLE"

@@ -130,8 +130,8 @@ class Model:
 
         Raises InputError for a name that is none.
         """
-        if not isinstance(name, str) or not self._has(name):
-            known = [*filter(self._has, _INPUTS), *(f"contact_{pair}" for pair in self.pairs)]
+        if not isinstance(name, str) or not self.has(name):
+            known = [*filter(self.has, _INPUTS), *(f"contact_{pair}" for pair in self.pairs)]
             raise InputError(self.name, [unknown("function", name, known)])
         return self.once(name, lambda: self._build(name))
 
@@ -141,7 +141,7 @@ class Model:
             self._made[key] = make()
         return self._made[key]
 
-    def _has(self, name: str) -> bool:
+    def has(self, name: str) -> bool:
         """Whether the module has a builder of this name."""
         listed = name in _INPUTS or name.removeprefix("contact_") in self.pairs
         return listed and callable(getattr(self.module, name, None))
@@ -157,6 +157,7 @@ class Model:
             "p": len(self.parameters),
             "a": self.nu,
             "wanted": self.nl,
+            "multipliers": self.nl,
             "joints": self.joints.nq,
             "joint_speeds": self.joints.nu,
         }
@@ -245,6 +246,7 @@ _INPUTS = {
     "applied": "t q u c",
     "accelerations": "t q u f c",
     "constraints": "t q u c",
+    "balance": "t q u a multipliers c",
     "projection": "t q wanted c",
     "ledger": "t q u reactions c",
     "energy": "t q u c",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from hertzwerk.derive.kinematics import acceleration_of
-from hertzwerk.derive.module.results import MULTIPLIER_UNITS, dimension_of, of_loops
+from hertzwerk.derive.module.results import MULTIPLIER_UNITS, SECOND_UNITS, dimension_of, of_loops
 from hertzwerk.derive.module.system import System
 from hertzwerk.derive.program import Function, Result
 
@@ -59,6 +59,39 @@ def accelerations(system: System) -> Function:
             tuple(reactions),
         ),
         *((of_loops("multipliers", system.loops, multipliers, MULTIPLIER_UNITS),) if system.loops else ()),
+    )
+
+
+def balance(system: System) -> Function:
+    """What the solved equations of motion leave over: zero by any accelerations and multipliers that solve them."""
+    equations, loops = system.equations, system.loops
+    mass = equations.mass_matrix()
+    held = [
+        system.tape.input(
+            f"{row.name.replace('.', '_')}_multiplier", "multipliers", dimension_of(MULTIPLIER_UNITS[row.unit])
+        )
+        for row in loops
+    ]
+    inertia = []
+    for row in equations.free:
+        terms = [mass[row.key, f.key] * f.acceleration for f in equations.free if (row.key, f.key) in mass]
+        ties = [loop.column[row.key] * force for loop, force in zip(loops, held, strict=True) if row.key in loop.column]
+        inertia.append(sp.Add(*terms, equations.bias(row)) - sp.Add(*ties))
+    second = [
+        sp.Add(*(loop.column[f.key] * f.acceleration for f in equations.free if f.key in loop.column), loop.bias)
+        for loop in loops
+    ]
+    return system.function(
+        "balance",
+        "M a + bias - G^T multipliers, the forces that accelerations need, and G a + bias, the loops' second derivatives.",
+        "t q u a multipliers c",
+        Result(
+            "needed",
+            tuple(row.key for row in equations.free),
+            tuple(row.unit for row in equations.free),
+            tuple(inertia),
+        ),
+        of_loops("ddphi", loops, second, SECOND_UNITS),
     )
 
 

@@ -24,6 +24,7 @@ def program_of(system: System) -> Program:
         *(pairs.contact(system, *entry) for entry in system.contacts),
         motion.applied(system),
         motion.accelerations(system),
+        *([motion.balance(system)] if system.loops and system.joints is not None and not system.driven else []),
         *([loops.constraints(system), loops.projection(system)] if system.loops else []),
         *([energy.ledger(system), energy.energy(system)] if system.scene.ledger else []),
         outputs.poses(system),

@@ -14,6 +14,7 @@ from hertzwerk.derive.scene import Scene
 from hertzwerk.derive.units import parse_unit
 
 RATE_UNITS = {"m": "m/s", "1": "1/s"}  # of a constraint, by its unit
+SECOND_UNITS = {"m": "m/s^2", "1": "1/s^2"}  # of its second derivative
 MULTIPLIER_UNITS = {"m": "N", "1": "N m"}  # of the force that holds it
 
 

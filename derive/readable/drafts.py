@@ -12,7 +12,7 @@ from hertzwerk.derive.functions import Where
 from hertzwerk.derive.program import Function, Program, symbols_in
 from hertzwerk.derive.readable.symbols import Names, contact_title, words
 
-UNSHOWN = ("constants", "scales", "gap_accelerations", "accelerations", "projection", "poses", "motion", "applied",
+UNSHOWN = ("constants", "scales", "gap_accelerations", "accelerations", "balance", "projection", "poses", "motion", "applied",
            "joint_scales", "placed", "joint_constraints")  # fmt: skip
 KINEMATICS, MOTION, LEDGER, ENERGY = "Kinematics", "Equations of motion", "Energy ledger", "Energy"
 LOOPS, OUTPUTS, START = "Closed loops", "Outputs", "Start"

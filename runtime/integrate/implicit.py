@@ -99,11 +99,34 @@ def _of_motion(model: Model) -> Any:
     t, y = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz)
     q, u, _ = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
     f, c = ca.SX.sym("f", model.function("applied").size1_out(0)), ca.SX.sym("c", model.nc)
-    a, reactions, *_ = model.function("accelerations").call([t, q, u, f, c])
+    a, reactions, *multipliers = model.function("accelerations").call([t, q, u, f, c])
     power = model.function("ledger")(t, q, u, reactions, c) if model.has_ledger else ca.SX(model.nz, 1)
-    dy = ca.vertcat(model.function("coordinate_rates")(t, q, u, c), a, power)
+    dq, x = model.function("coordinate_rates")(t, q, u, c), ca.vertcat(y, t)
+    if model.has("balance"):  # nothing is driven: no reactions
+        by_x, by_f = _through_balance(model, t, q, u, c, x, f, a, *multipliers)
+        by_x = ca.vertcat(ca.jacobian(dq, x), by_x, ca.jacobian(power, x))
+        by_f = ca.vertcat(ca.SX(model.nq, f.numel()), by_f, ca.SX(model.nz, f.numel()))
+        return ca.Function("of_motion", [t, y, f, c], [by_x, by_f])
+    dy = ca.vertcat(dq, a, power)
     # without a search for common parts: it finds one in sixty and takes five times as long as the derivatives
-    return ca.Function("of_motion", [t, y, f, c], [ca.jacobian(dy, ca.vertcat(y, t)), ca.jacobian(dy, f)])
+    return ca.Function("of_motion", [t, y, f, c], [ca.jacobian(dy, x), ca.jacobian(dy, f)])
+
+
+def _through_balance(
+    model: Model, t: Any, q: Any, u: Any, c: Any, x: Any, f: Any, a: Any, multipliers: Any
+) -> tuple[Any, Any]:
+    """Derivatives of accelerations by x and by f, not of how they were solved for but of the equations that they solve.
+
+    With K = [[M, G^T], [G, 0]], K (a, -multipliers) = (f - bias, -bias of G); the inverse of K is symmetric, so that what multipliers are by f,
+    accelerations are by the loops' second derivatives, but for the sign.
+    """
+    solved = ca.vertcat(a, multipliers)
+    known = ca.SX.sym("known", solved.numel())
+    left = ca.vertcat(*model.function("balance").call([t, q, u, *ca.vertsplit(known, [0, model.nu, known.numel()]), c]))
+    of_left = ca.Function("of_left", [x, known, c], [ca.jacobian(left, x)])(x, solved, c)
+    by_f = ca.jacobian(solved, f)
+    mobility, held = by_f[: model.nu, :], by_f[model.nu :, :]
+    return ca.mtimes(ca.horzcat(-mobility, held.T), of_left), mobility
 
 
 def _linearised(model: Model, contacts: Contacts) -> Any:

@@ -8,6 +8,21 @@ import numpy as np
 import pytest
 from handmade import point
 
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    EnergyLedger,
+    Gravity,
+    Mechanism,
+    Parameter,
+    Revolute,
+    Scales,
+    Scene,
+    Start,
+    X,
+    Y,
+    Z,
+)
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.integrate import implicit
 from hertzwerk.runtime.integrate.attempt import integrator
@@ -376,6 +391,69 @@ def test_steps_made_of_calls_are_those_written_out(method, monkeypatch):
     assert called.statistics.steps == pytest.approx(written.statistics.steps, abs=2)
     for name in ("guide.travel", "guide.speed"):
         assert called.final[name] == pytest.approx(written.final[name], rel=1e-7)
+
+
+@pytest.fixture(scope="module")
+def swung():
+    """Two arms that swing about different axes, by the positions and rotations of their bodies: ten constraints."""
+    mass, inertia, reach, lift, pace = (
+        Parameter(*row)
+        for row in (
+            ("mass", "kg", 1.0),
+            ("inertia", "kg m^2", 0.02),
+            ("reach", "m", 0.5),
+            ("lift", "rad", 0.4),
+            ("pace", "rad/s", 3.0),
+        )
+    )
+    upper, lower = (Body(name, mass, (inertia, 2 * inertia, inertia), centre=(0, -reach, 0)) for name in "ab")
+    joints = (Revolute("hip", GROUND, upper, Z), Revolute("knee", upper.at(0, -reach, 0), lower, X))
+    start = Start(position={"hip": lift, "knee": lift}, speed={"hip": pace, "knee": pace})
+    scales = Scales(reach, Parameter("typical_speed", "m/s", 1.0), reach)
+    effects = (Gravity("gravity", Parameter("g", "m/s^2", 9.81), -Y), EnergyLedger())
+    return load(Scene(Mechanism("swung", joints), effects, scales, start).with_coordinates("absolute"))
+
+
+def test_derivatives_of_a_constrained_motion_are_those_of_how_it_is_solved_for(swung):
+    """Of the equations that accelerations solve it takes a fraction of the operations."""
+    run = simulate(swung, duration="0.3 s", tolerance=1e-10, method="dop853")
+    y, c = run.history.part("y")[-1], run.history.controls[: swung.nc]
+    q, u = y[: swung.nq], y[swung.nq : swung.nq + swung.nu]
+    f = np.array(swung.function("applied")(0, q, u, c)).ravel() + np.linspace(-1, 1, swung.nu)
+    found = implicit._of_motion(swung)
+    t, *symbols = (ca.SX.sym(name, found.numel_in(i)) for i, name in enumerate("tyfc"))
+    q, u, _ = ca.vertsplit(symbols[0], [0, swung.nq, swung.nq + swung.nu, y.size])
+    a, _, multipliers = swung.function("accelerations").call([t, q, u, *symbols[1:]])
+    straight = [ca.jacobian(a, ca.vertcat(symbols[0], t)), ca.jacobian(a, symbols[1])]
+    solving = ca.Function("solving", [t, *symbols], [*straight, a, multipliers])
+    direct, mobility, a, multipliers = solving(0, y, f, c)
+    rows = slice(swung.nq, swung.nq + swung.nu)
+    for one, two in zip(found(0, y, f, c), (direct, mobility), strict=True):
+        one, two = np.array(one)[rows], np.array(two)
+        assert np.abs(one - two).max() < 1e-9 * np.abs(two).max() > 0
+    assert found.n_instructions() < 0.6 * solving.n_instructions()
+    needed, second = swung.function("balance")(0, y[: swung.nq], y[rows], a, multipliers, c)
+    assert np.abs(np.array(needed).ravel() - f).max() < 1e-9 > np.abs(np.array(second)).max()
+
+
+@pytest.mark.parametrize("method", IMPLICIT)
+def test_a_constrained_motion_is_the_same_by_calls(swung, method, monkeypatch):
+    options = {"duration": "0.3 s", "tolerance": 1e-8, "method": method, "compiled": False}
+    written = simulate(swung, **options)
+    monkeypatch.setattr(implicit, "LARGE", 0)
+    called = simulate(Model(swung.module, swung.declaration), **options)
+    assert called.statistics.steps == pytest.approx(written.statistics.steps, abs=2)
+    ends = [run.history.part("y")[-1, : swung.nq] for run in (called, written)]
+    assert ends[0] == pytest.approx(ends[1], abs=1e-7)
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("method", IMPLICIT)
+def test_a_constrained_motion_by_calls_is_bitwise_the_same_as_c(swung, method, monkeypatch):
+    monkeypatch.setattr(implicit, "LARGE", 0)
+    model, options = Model(swung.module, swung.declaration), {"duration": "0.3 s", "tolerance": 1e-8, "method": method}
+    called, as_c = (simulate(model, compiled=kind, **options) for kind in (False, True))
+    assert np.array_equal(called.history.rows.view(np.uint64), as_c.history.rows.view(np.uint64))
 
 
 # ---- the choice ------------------------------------------------------------------------------------------------------
