@@ -194,6 +194,7 @@ def test_json_has_the_promised_fields_and_writes_nothing(hertzwerk):
     assert list(content) == [
         "scene",
         "outcome",
+        "t_start",
         "t_end",
         "duration",
         "accuracy",
