@@ -49,6 +49,11 @@ class Mechanism:
     joints: tuple[Joint, ...]
     pairs: tuple[Pair, ...] = ()
 
+    def __post_init__(self) -> None:
+        for listed in ("joints", "pairs"):
+            if isinstance(getattr(self, listed), list):
+                object.__setattr__(self, listed, tuple(getattr(self, listed)))
+
     @property
     def bodies(self) -> tuple[Body, ...]:
         """The children of the tree's joints, in their order."""

@@ -236,6 +236,8 @@ class Scene:
     coordinates: Literal["tree", "absolute", "auto"] = "tree"
 
     def __post_init__(self) -> None:
+        if isinstance(self.effects, list):
+            object.__setattr__(self, "effects", tuple(self.effects))
         if isinstance(self.name, str) and not self.name:
             object.__setattr__(self, "name", getattr(self.mechanism, "name", "scene"))
         faults = faults_of(self)

@@ -116,7 +116,7 @@ TRIES: dict[str, dict[str, int]] = {
     "dead_centre": {"dopri5": 881, "dop853": 411, "rodas": 1294, "esdirk": 1009, "auto": 411},
     "clearance_1um": {"dopri5": 8306, "dop853": 4520, "rodas": 10228, "esdirk": 6053, "auto": 4520},
     "clearance_5mm": {"dopri5": 13777, "dop853": 5119, "rodas": 7912, "esdirk": 8860, "auto": 5119},
-    "thin_friction_layer": {"dopri5": 3370, "dop853": 5653, "rodas": 51719, "esdirk": 4043, "auto": 2684},
+    "thin_friction_layer": {"dopri5": 3370, "dop853": 5653, "rodas": 51719, "esdirk": 4043, "auto": 5554},
     "thousand_revolutions": {"dopri5": 872685, "dop853": 454146, "rodas": 1040850, "esdirk": 672637, "auto": 453394},
     "incline_holds_smooth": {"rodas": 72, "esdirk": 73, "auto": 62},
     "incline_slides_smooth": {"dopri5": 10899, "dop853": 2052, "rodas": 19, "esdirk": 19, "auto": 33},

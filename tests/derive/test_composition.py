@@ -55,10 +55,10 @@ PAIRS = {
 }
 GIVEN = {
     "n": 1.5, "K": 2.4e9, "k": 2, "C": Parameter("profile", "1/m", 50), "c_b": 2.257,
-    "e": 0.7, "gamma": 1e4, "A": 2e-6,
+    "e": 0.7, "gamma": 1e4, "A": 2e-6, "chi": 1e9, "m": 1.5,
     "mu": 0.2, "mu_k": 0.15, "mu_s": 0.25, "v_s": 1e-3, "v_S": 0.05, "v_a": 1e-3, "v_b": 1e-2, "v_r": 0.02, "c_v": 3, "N_t": 10, "xi": 20,
 }  # fmt: skip
-UNITS = {"K": "N/m^1.5"}
+UNITS = {"K": "N/m^1.5", "chi": "N s/m^2.5"}
 
 STIFFNESS = {name: law for name, law in LAWS.items() if isinstance(law, StiffnessLaw) and law.verdict == "consistent"}
 DAMPING = {name: law for name, law in LAWS.items() if isinstance(law, DampingLaw)}
@@ -80,7 +80,7 @@ def bound(law, **changed):
     ]
     values = {
         q.name: given[q.name]
-        if not isinstance(given[q.name], int | float) or (q.unit == "1" and q.name in ("n", "k"))
+        if not isinstance(given[q.name], int | float) or (q.unit == "1" and q.name in ("n", "k", "m"))
         else Parameter(f"{law.kind}_{q.name}", UNITS.get(q.name, q.unit), given[q.name])
         for q in rest
     }

@@ -246,7 +246,7 @@ def test_a_hookes_joint_transmits_as_the_textbook_says():
     The fork's angle about its bent shaft is read off a universal joint whose two angles the geometry gives."""
     bend, angle = 0.6, 0.8
     shaft, fork = Body("shaft", MASS, TRIPLE), Body("fork", MASS, TRIPLE)
-    joints = (Revolute("in", GROUND, shaft, Z), Universal("cross", shaft, fork, X, Y))
+    joints = (Revolute("inlet", GROUND, shaft, Z), Universal("cross", shaft, fork, X, Y))
     found = Derived(Scene(Mechanism("hooke", joints), (EnergyLedger(),), SIZES))
     # the fork's axis z must lie along the bent shaft, which is turned about the ground's x
     out = np.array([0, -np.sin(bend), np.cos(bend)])

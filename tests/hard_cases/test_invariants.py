@@ -70,7 +70,9 @@ def test_a_ledger_that_is_wrong_by_a_thousandth():
 
         return function
 
-    assert broken(run_of(changed(contact_floor=wrong))) == (invariants.ENERGY,)
+    run = run_of(changed(contact_floor=wrong))
+    assert run.outcome.name == "energy_not_closed"
+    assert broken(run) == ("outcome", invariants.ENERGY)
 
 
 def test_damping_of_the_wrong_sign():
