@@ -8,6 +8,14 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from types import FrameType
 
+_waiting: list[Callable[[], None]] = []
+
+
+def heed() -> None:
+    """Heed a SIGINT that `deferred` put off, if there is one: for what takes long and is not told of it."""
+    if _waiting and threading.current_thread() is threading.main_thread():
+        _waiting[-1]()
+
 
 @contextmanager
 def deferred() -> Iterator[Callable[[], None]]:
@@ -31,9 +39,11 @@ def deferred() -> Iterator[Callable[[], None]]:
             before(*first)
 
     signal.signal(signal.SIGINT, wait)
+    _waiting.append(heed)
     try:
         yield heed
     finally:
+        _waiting.remove(heed)
         if signal.getsignal(signal.SIGINT) is wait:  # whoever has put another in its place wants that
             signal.signal(signal.SIGINT, before)
     heed()

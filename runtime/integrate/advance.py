@@ -28,6 +28,7 @@ from hertzwerk.runtime.integrate.methods import stepper
 from hertzwerk.runtime.integrate.modes import all_of, is_finite
 from hertzwerk.runtime.integrate.singular import clear_of_singular
 from hertzwerk.runtime.integrate.tables import RungeKutta
+from hertzwerk.runtime.interrupt import heed
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.classes import Contacts
@@ -58,17 +59,22 @@ def advance(
     """
     state, controls = vectors.state.symbol("state"), vectors.controls.symbol("controls")
     old, run = vectors.state.split(state), vectors.controls.split(controls)
+    heed()  # each part takes up to a second of a large model
     given, seen = [state, controls], dict[str, Any]()
     mode = old["mode"] if contacts is BY_MODE else modes(model, contacts)
-    by_calls = composed(model) and not isinstance(table, RungeKutta)
+    implicit = not isinstance(table, RungeKutta)
+    by_calls = composed(model) and (implicit or choosing is Choosing.EVERY_STEP)
     if by_calls:
-        trial = vectors.trial.symbol("trial")
-        end = vectors.trial.split(trial)
         jacobian = ca.SX.sym("J", linearised(model, contacts).sparsity_out(0))
-        given, seen = [*given, trial, jacobian], {"J": jacobian}
+        given, seen = [*given, jacobian], {"J": jacobian}
+    if by_calls and implicit:
+        trial = vectors.trial.symbol("trial")
+        end, given = vectors.trial.split(trial), [*given, trial]
     else:
         end = stepper(model, table, contacts, seen)({**old, "mode": mode}, run, old["h"])
+    heed()
     results = _judged(model, vectors, table, contacts, choosing, old, run, end, seen)
+    heed()
     name = "advance_in_contact" if contacts != () else "advance_in_flight"
     names = ["state", "controls"], ["next", "verdict"]
     made = ca.Function("judged" if by_calls else name, given, ca.cse(results), *(() if by_calls else names))
@@ -76,12 +82,14 @@ def advance(
         return made
     state, controls = made.mx_in()[:2]
     old, run = vectors.state.split(state), vectors.controls.split(controls)
-    told: dict[str, Any] = {}
     start = old if contacts is BY_MODE else {**old, "mode": ca.MX(ca.DM(mode))}
-    end = stepper(model, table, contacts, told)(start, run, old["h"])
-    trial = ca.vertcat(*(ca.densify(ca.MX(end[part])) for part in vectors.trial.sizes))
-    results = list(made.call([state, controls, trial, told["J"]]))
-    return ca.Function(name, [state, controls], results, *names)
+    if implicit:
+        told: dict[str, Any] = {}
+        end = stepper(model, table, contacts, told)(start, run, old["h"])
+        known = [told["J"], ca.vertcat(*(ca.densify(ca.MX(end[part])) for part in vectors.trial.sizes))]
+    else:
+        known = [linearised(model, contacts)(start["t"], start["y"], start["mode"], start["m"], run["c"])[0]]
+    return ca.Function(name, [state, controls], list(made.call([state, controls, *known])), *names)
 
 
 def _judged(

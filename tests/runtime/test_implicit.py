@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+import signal
 
 import casadi as ca
 import numpy as np
@@ -32,6 +33,7 @@ from hertzwerk.runtime.integrate.implicit_tables import DiagonallyImplicit, Rose
 from hertzwerk.runtime.integrate.linear import solver
 from hertzwerk.runtime.integrate.methods import METHODS
 from hertzwerk.runtime.integrate.tables import ErrorEstimate
+from hertzwerk.runtime.interrupt import deferred
 from hertzwerk.runtime.model import Model
 from hertzwerk.runtime.scales import of_parameters
 from reference import closed_forms
@@ -457,6 +459,36 @@ def test_a_constrained_motion_by_calls_is_bitwise_the_same_as_c(swung, method, m
 
 
 # ---- the choice ------------------------------------------------------------------------------------------------------
+
+
+def test_building_what_chooses_is_interrupted(crank):
+    """A signal that waits is heeded between the classes of attempts, and what was being built can be built afterwards."""
+    made = integrator(crank, tuple(table() for table in METHODS["auto"]))
+    with pytest.raises(KeyboardInterrupt, match="waited"), deferred():
+        signal.raise_signal(signal.SIGINT)
+        try:
+            made.whole()
+        except KeyboardInterrupt:
+            raise KeyboardInterrupt("waited") from None
+    assert made.whole() is made.whole()
+
+
+def test_auto_by_calls_is_auto_written_out(swung, monkeypatch):
+    """What chooses is given the Jacobian by a call in explicit steps too."""
+    options = {"duration": "0.3 s", "tolerance": 1e-6, "method": "auto", "compiled": False}
+    ends = []
+    for large in (implicit.LARGE, 0):
+        monkeypatch.setattr(implicit, "LARGE", large)
+        model = Model(swung.module, swung.declaration)
+        made = integrator(model, tuple(table() for table in METHODS["auto"])).whole()
+        start = simulate(model, **options).history
+        state, controls = start.rows[0], start.controls
+        for _ in range(20):
+            state = made.attempt(state, controls)
+        ends.append(np.array(state).ravel())
+    y = made.layouts.state["y"]
+    assert ends[1][y] == pytest.approx(ends[0][y], rel=1e-9, abs=1e-9)
+    assert ends[0][made.layouts.state["steps"]] == ends[1][made.layouts.state["steps"]] > 3
 
 
 def test_auto_stays_explicit_on_impacts(crank):
