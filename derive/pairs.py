@@ -16,6 +16,7 @@ from hertzwerk.derive.frames import Direction, Point, Slot
 from hertzwerk.derive.parameter import POSITIVE, Scalar
 
 Components = tuple[Any, Any, Any]
+JOURNALS = ("pin_in_bush", "ball_in_socket")  # kinds that stand for a joint, which a start closes
 
 
 @dataclass(frozen=True)

@@ -168,11 +168,16 @@ class Start:
     What is named is kept. What is not is found where loops are to be closed and journals to be centred: positions and speeds of the ideal mechanism.
     Beyond that it is zero, and an orientation that of the parent. `near` has coordinates that are looked for near a value: one way of assembly
     of two.
+
+    With `seated` journals do not start in the middle of their bushes or sockets, but rest in them, held by their contact alone: each lies where the
+    force that its clearance would transmit as a closed joint at that instant presses it, so deep that its elastic normal force is that force, and
+    moves with its bush. A journal that nothing presses is centred. Friction of the contact does not count. What the start names must let them.
     """
 
     position: Mapping[str, Scalar] = field(default_factory=dict)
     speed: Mapping[str, Scalar] = field(default_factory=dict)
     near: Mapping[str, Scalar] = field(default_factory=dict)
+    seated: bool = False
 
     def coordinates(self, freedom: Freedom) -> list[Any]:
         """Values of a freedom's coordinates; a quaternion's are divided by its norm."""

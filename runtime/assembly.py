@@ -68,6 +68,22 @@ def assemble(
     return q, moving, under
 
 
+def assembled_at(
+    model: Model, bound: Bound, q: Array, u: Array, given: Collection[str], seats: Array
+) -> tuple[Array, Array, tuple[Fault, ...]]:
+    """Coordinates and speeds of the joints with closed loops and journals at rest at the eccentricities `seats` [m], near the ones passed.
+
+    Faults where what is given does not let them.
+    """
+    loops = _Loops(model.joints, bound, whole=model, seats=seats)
+    unknown = [i for i, name in enumerate(loops.model.coordinates) if name not in given]
+    _, _, jacobian, _ = loops.at(q, np.zeros(loops.model.nu))
+    q = _closed(loops, q, unknown, _sizes(loops, jacobian, q))
+    q, faults = _position(loops, q, given)
+    u, more = _speed(loops, q, u, given)
+    return q, u, tuple(fault for fault in faults or more if not fault.found.startswith(UNDER))
+
+
 def journals(model: Model) -> list[int]:
     """Outputs of a model that are zero where its clearances are closed: the eccentricities of pins in bushes and balls in sockets."""
     return [i for i, name in enumerate(model.outputs) if ".eccentricity_" in name]
@@ -187,12 +203,16 @@ def _implied(loops: _Loops, q: Array, rank: float = RANK) -> Array:
 
 @dataclass(frozen=True)
 class _Loops:
-    """The constraints of a model by its joints' coordinates at its start, as numbers; of a `whole` model those of closed clearances too."""
+    """The constraints of a model by its joints' coordinates at its start, as numbers; of a `whole` model those of closed clearances too.
+
+    These are closed where the eccentricities are `seats` [m], None for zero.
+    """
 
     model: Model
     bound: Bound
     t: float = 0.0
     whole: Model | None = None
+    seats: Array | None = None
 
     @property
     def rows(self) -> tuple[tuple[str, str], ...]:
@@ -203,6 +223,8 @@ class _Loops:
     @property
     def wanted(self) -> str:
         """What assembly is for, in words."""
+        if self.seats is not None:
+            return "closed loops, journals that rest in their bushes"
         return "closed loops" if self.whole is None else "closed loops, pins in their bushes and balls in their sockets"
 
     def closed(self, q: Array) -> bool:
@@ -232,7 +254,7 @@ class _Loops:
         """Constraints (nl,), their rates (nl,), and the derivatives by coordinates (nl, nq) and of the rates by speeds (nl, nu)."""
         model, count = self.model, len(self.rows)
         owner, key = (model, "loops at the start") if self.whole is None else (self.whole, "journals at the start")
-        return tuple(  # type: ignore[return-value]
+        phi, *rest = (
             np.array(x).reshape(shape)
             for x, shape in zip(
                 owner.once(key, self._function)(self.t, q, u, self.bound.c),
@@ -240,6 +262,9 @@ class _Loops:
                 strict=True,
             )
         )
+        if self.seats is not None:
+            phi[count - len(self.seats) :] -= self.seats
+        return phi, *rest  # type: ignore[return-value]
 
     def _function(self) -> Any:
         model = self.model

@@ -55,7 +55,7 @@ def _placed(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray) -> tuple[n
 def _assembled(
     whole: Model, bound: Bound | None, initial: Mapping[str, Value], faults: list[Fault]
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The start in joint coordinates, loops closed, journals centred where what is given lets them."""
+    """The start in joint coordinates, loops closed, journals centred where what is given lets them, or seated."""
     model = whole.joints
     values: dict[str, float] = {}
     names = (*model.coordinates, *model.speeds)
@@ -94,6 +94,11 @@ def _assembled(
 
         q, u, open_ones = assemble(whole, bound, q, u, {*whole.module.GIVEN, *values})
         faults.extend(open_ones)
+        if hasattr(whole.module, "SEATED") and not faults:
+            from hertzwerk.runtime.seating import seat
+
+            q, u, open_ones = seat(whole, bound, q, u, {*whole.module.GIVEN, *values})
+            faults.extend(open_ones)
     return q, u
 
 

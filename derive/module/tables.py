@@ -13,11 +13,10 @@ from hertzwerk.derive.kinematics import Kinematics
 from hertzwerk.derive.loops import Constraint
 from hertzwerk.derive.module.outputs import output_rows
 from hertzwerk.derive.module.system import System
+from hertzwerk.derive.pairs import JOURNALS
 from hertzwerk.derive.parameter import Interval, Parameter
 from hertzwerk.derive.scene import Scene
 from hertzwerk.derive.tables import Table
-
-JOURNALS = ("pin_in_bush", "ball_in_socket")  # pairs that stand for a joint, which a start closes
 
 
 def tables(system: System) -> Mapping[str, tuple[Any, ...]]:
@@ -88,11 +87,13 @@ def _loop_tables(system: System) -> dict[str, tuple[Any, ...]]:
     loops = {"CONSTRAINTS": _names(system.loops)} if system.loops else {}
     joints, journals = system.joints, any(pair.pair.kind in JOURNALS for pair, _, _ in system.contacts)
     if joints is None:
-        return loops | {"GIVEN": _given(system.scene, system.kin)} if loops or journals else {}
+        given = {"GIVEN": _given(system.scene, system.kin)} if loops or journals else {}
+        return loops | given | _seated(system.scene)
     given = {"GIVEN": _given(joints.scene, joints.kin)} if joints.loops or journals else {}
     return (
         loops
         | given
+        | _seated(joints.scene)
         | {
             "JOINT_COORDINATES": tuple(map(tuple, joints.coordinates)),
             "JOINT_SPEEDS": tuple(map(tuple, joints.speeds)),
@@ -100,6 +101,11 @@ def _loop_tables(system: System) -> dict[str, tuple[Any, ...]]:
             "JOINT_CONSTRAINTS": _names(joints.loops),
         }
     )
+
+
+def _seated(scene: Scene) -> dict[str, tuple[Any, ...]]:
+    """The pairs whose journals rest in their bushes at the start; none where they are centred."""
+    return {"SEATED": tuple(pair.name for pair in scene.mechanism.pairs)} if scene.start.seated else {}
 
 
 def _names(loops: tuple[Constraint, ...]) -> tuple[tuple[str, str], ...]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from hertzwerk.derive.effects.drives import Drive
 from hertzwerk.derive.effects.faults import element_faults
 from hertzwerk.derive.faults import Fault, one_of
+from hertzwerk.derive.pairs import JOURNALS
 from hertzwerk.derive.soundness.names import repeated, twice
 
 if TYPE_CHECKING:
@@ -84,6 +85,7 @@ def start_faults(scene: Scene) -> Iterator[Fault]:
                     f"{given} of joint {name!r} ({why})",
                     one_of((*of_joints, *short), "nothing, because no joint is free"),
                 )
+    yield from _seat_faults(scene)
     # a drive that is integrated keeps a coordinate of its own
     moving = [
         freedom
@@ -93,6 +95,21 @@ def start_faults(scene: Scene) -> Iterator[Fault]:
     if scene.scales.arm is None and any(freedom.kind != "slide" for freedom in moving):
         yield Fault("scales", "no arm", "an arm [m], because the scene has angles",
                     "Scales(length=..., speed=..., arm=...): an angle is measured as length/arm.")  # fmt: skip
+
+
+def _seat_faults(scene: Scene) -> Iterator[Fault]:
+    """A start with seated journals where there is none, or where what a pair would be as a closed joint is not known."""
+    if not scene.start.seated:
+        return
+    expected = f"pairs that stand for a joint, {' or '.join(JOURNALS)}, each with a contact"
+    pairs, touching = scene.mechanism.pairs, [contact.pair for contact in scene.of_kind("contact")]
+    wrong = [f"{pair.name} ({pair.kind})" for pair in pairs if pair.kind not in JOURNALS]
+    wrong += [f"{pair.name} (no contact)" for pair in pairs if pair.kind in JOURNALS and pair.name not in touching]
+    if wrong or not pairs:
+        found = f"seated with {', '.join(wrong)}" if wrong else "seated without a pair that has clearance"
+        yield Fault(
+            "start", found, expected, "Without seated=True journals start centred, other pairs as the start says."
+        )
 
 
 def _integrates(drive: Any) -> bool:

@@ -41,6 +41,8 @@ def shape_faults(scene: Scene) -> Iterator[Fault]:
     if not all(hasattr(start, what) for what in ("position", "near", "speed")):
         yield Fault("start", shown(start), "Start(position={...}, speed={...})")
         return
+    if not isinstance(getattr(start, "seated", False), bool):
+        yield Fault("start, seated", shown(start.seated), "True or False")
     for what in ("position", "near", "speed"):
         values = getattr(start, what)
         if not isinstance(values, Mapping) or not all(isinstance(name, str) for name in values):
