@@ -142,15 +142,25 @@ def trees(draw):
     return Tree(tuple(links), down=draw(st.sampled_from(["-Y", "+X"] if plane else SIGNED)))
 
 
+def of_random_trees(count):
+    return settings(max_examples=count, derandomize=True, database=None, suppress_health_check=[HealthCheck.too_slow])
+
+
 @pytest.mark.slow
-@settings(
-    max_examples=50,
-    derandomize=True,
-    database=None,
-    suppress_health_check=[HealthCheck.too_slow],
-)
+@of_random_trees(10)
 @given(trees())
 def test_random_trees_equal_kanes_method(tree):
+    check_random_tree(tree)
+
+
+@pytest.mark.exhaustive
+@of_random_trees(50)
+@given(trees())
+def test_fifty_random_trees_equal_kanes_method(tree):
+    check_random_tree(tree)
+
+
+def check_random_tree(tree):
     try:
         found = Derived(tree.scene())
     except InputError as error:  # gravity along the only axis that something turns about

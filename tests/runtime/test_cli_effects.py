@@ -67,7 +67,7 @@ def test_json_is_plain_and_writes_nothing(hertzwerk, tmp_path):
         (("--output", "peak_forces"), "one of peak_acceleration, or max.NAME"),
         (("--output", "max.hinge.angel"), "did you mean hinge.angle"),
         (("--set", "bob_mess=2 kg"), "bob_mess"),
-        (("--set", "bob_mess=2 kg", "--duration", "1"), "2 faults"),
+        (("--set", "bob_mess=2 kg", "--duration", "1 kg"), "2 faults"),
         (("--without", "spring"), "one of gravity"),
         (("--duration", "-1 s"), "a positive time"),
         (("--method", "euler"), "euler"),

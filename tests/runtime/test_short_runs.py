@@ -24,7 +24,7 @@ def stuck():
 def everything(run, folder):
     """Averages, files, pictures of every pair, the saved run."""
     shown = run.averages()
-    files = record.write(run, folder / "run", plots=True, averages=True)[1]
+    files = record.write(run, folder / "run", plots=True, averages=True).files
     again = Solution.load(folder / "run" / "states.npz")
     assert again.final == run.final
     assert again.averages() == shown

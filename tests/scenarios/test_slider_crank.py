@@ -22,7 +22,7 @@ FLUCTUATION = {"0.5 mm": 0.25, "0.05 mm": 0.05, "0.005 mm": 0.005}  # of DEAD_CE
 PARAMETERS = {
     *("crank_radius", "rod_length", "crank_mass", "crank_inertia", "rod_mass", "rod_inertia", "rod_mass_centre"),
     *("slider_mass", "crank_speed", "gravity", "bush_radius", "clearance", "youngs_modulus", "poissons_ratio"),
-    *("restitution", "approach_floor"),
+    *("density", "restitution", "approach_floor"),
 }
 OF_FRICTION = {"friction_coefficient", "friction_speed"}
 EFFECTS = {"crank_drive", "gravity", "slider_pin", "energy_ledger"}
