@@ -29,10 +29,8 @@ PER_STEP = 4.0  # roundings of the state that a step errs by: the motion amplifi
 UNSEEN = 4.0  # where all is rounding, as much of two runs that agree by chance is not seen: how far the error may lie above what they differ by
 NEAR = 1.5  # times the tolerance of a run: another whose rounding is its own, and whose error else tells half of it
 ROUNDED = 1 + UNSEEN / 2  # where rounding counts for as much as the tolerance
-MORE, MORE_ROUNDED = (
-    5.0,
-    2.0,
-)  # times the steps of a run that a tighter one beside it may take: it is made of 1.2 to 1.4 times, where it can be made
+MORE = 5.0  # times the steps of a run that a tighter one beside it may take: where it can be made it takes 1.2 to 1.4 times
+MORE_ROUNDED = 2.0  # the same where all is rounding
 HEARD = 1e-3  # of the tolerance: a smaller difference of two runs is rounding, before anything happened
 
 
