@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
+from hertzwerk.runtime.integrate.rounding import STATE, bounds
+
 if TYPE_CHECKING:
     from hertzwerk.runtime.model import Model
 
@@ -31,10 +33,12 @@ class Closing:
     """Rows of the state."""
 
     def __call__(self, t: Any, y: Any, run: Any) -> tuple[Any, Any]:
-        """The state (ny) with its loops closed, and whether they are, to the tolerance."""
-        y, phi, rate = self.function(t, y, run["c"])
+        """The state (ny) with its loops closed, and whether they are: to the tolerance, but not below the rounding of its coordinates."""
+        y, phi, rounding, rate = self.function(t, y, run["c"])
         length, speed = run["scales"][0], run["scales"][1]
-        small = run["tolerance"] * ca.vertcat(*(length if is_length else 1 for is_length in self.lengths))
+        small = ca.fmax(
+            rounding, run["tolerance"] * ca.vertcat(*(length if is_length else 1 for is_length in self.lengths))
+        )
         # a singular position leaves a part of the rates undetermined
         slow = ca.sqrt(run["tolerance"]) * ca.vertcat(
             *(speed if is_length else speed / length for is_length in self.lengths)
@@ -53,7 +57,7 @@ def closing(model: Model) -> Closing | None:
 
 
 def _closed(model: Model) -> Any:
-    """CasADi function (t, y, c) -> (y with the loops closed (ny), how far they still are open (nl) [m or 1], and their rate (nl))."""
+    """CasADi function (t, y, c) -> (y with the loops closed (ny), how far they still are open (nl) [m or 1], the rounding of that, its rate (nl))."""
     t, y, c = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz), ca.SX.sym("c", model.nc)
     q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
     constraints, project = model.function("constraints"), model.function("projection")
@@ -64,7 +68,8 @@ def _closed(model: Model) -> Any:
         phi, phi_rate = constraints(t, q, u, c)
     u = u - project(t, q, phi_rate, c)[0]
     _, rate = constraints(t, q, u, c)
-    return ca.Function("closed", [t, y, c], ca.cse([ca.vertcat(q, u, z), phi, rate]))
+    rounding, _ = bounds(constraints, STATE)(t, q, u, c)  # an angle after many turns is known to fewer digits
+    return ca.Function("closed", [t, y, c], ca.cse([ca.vertcat(q, u, z), phi, rounding, rate]))
 
 
 def _along(model: Model) -> Any:

@@ -150,6 +150,20 @@ def test_a_mechanism_that_locks_ends_as_constraint_lost():
     assert run.t[-1] == pytest.approx(locked, abs=1e-5)
 
 
+def test_after_a_thousand_turns_loops_are_closed_as_far_as_the_angles_are_known():
+    """The last digit of the crank's angle moves its end by more than the tolerance: the motion is that of the first turn all the same."""
+    first, late = (
+        simulate(load(four_bar(0.5, 1.5, 1.2, 1.6, position={"main": rad(angle)})), duration=1.0, tolerance=1e-13)
+        for angle in (0.4, 0.4 + 2000 * np.pi)
+    )
+    assert first.outcome.finished
+    assert late.outcome.finished
+    turned = np.spacing(2000 * np.pi)
+    assert 0.5 * turned / 2 > 1e-13 * 0.5  # half a digit times the crank, against the tolerance of closing
+    assert late["foot.angle"][-1] == pytest.approx(first["foot.angle"][-1], abs=100 * turned)
+    assert max(np.max(np.abs(late[name])) for name in late.model.constraints) < 4 * turned
+
+
 # -- assembly ----------------------------------------------------------------------------------------------------------
 
 
