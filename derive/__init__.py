@@ -6,31 +6,34 @@ from importlib import import_module
 from typing import Any
 
 _HOME = {
-    "Parameter": "parameter",
-    "Interval": "parameter",
-    **dict.fromkeys(
-        ("GROUND", "X", "Y", "Z", "BallInSocket", "Body", "CornerOnFace", "CustomPair", "CylinderOnPlane", "Cylindrical", "Direction",
-         "Free", "Material", "Mechanism", "ParallelCylinders", "PinInBush", "Planar", "Point", "Prismatic", "Revolute", "RimOnPlane",
-         "SphereOnPlane", "SphereOnSphere", "Spherical", "Universal", "Weld"), "mechanism"),
-    **dict.fromkeys(
-        ("BodyTorque", "ConstantSpeed", "Contact", "Drive", "EnergyLedger", "Friction", "Gravity", "Harmonic", "JointDamper", "JointForce",
-         "JointFriction", "JointSpring", "Lubrication", "PointDamper", "PointForce", "PointSpring", "Potential", "Ramp", "Scales", "Scene",
-         "Start"), "scene"),
-    "Element": "effects.element",
-    "element": "elements",
-    **dict.fromkeys(("APART", "TURN"), "pairs"),
-    **dict.fromkeys(("T", "coordinate_of", "speed_of"), "effects.expression"),
-    "Table": "tables",
-    "Where": "functions",
-    "InputError": "faults",
-    "Fault": "faults",
-    **dict.fromkeys(("audit_scene", "Finding", "InconsistentUnits"), "audit"),
-    **dict.fromkeys(("derive", "generate"), "derivation"),
-    "LAWS": "laws",
-    "laws_from": "lawfile",
-    "audit_expression": "audit_text",
-    **dict.fromkeys(("audit_catalogue", "audit_path"), "audit_files"),
-}  # fmt: skip
+    name: module
+    for module, names in {
+        "mechanism.parameter": "Interval Parameter",
+        "mechanism.bodies": "GROUND Body Direction Material Point X Y Z",
+        "mechanism.joints": "Cylindrical Free Planar Prismatic Revolute Spherical Universal Weld",
+        "mechanism.pairs": "APART BallInSocket CornerOnFace CustomPair CylinderOnPlane ParallelCylinders PinInBush RimOnPlane SphereOnPlane "
+        "SphereOnSphere TURN",
+        "mechanism.mechanism": "Mechanism",
+        "effects.drives": "ConstantSpeed Drive Harmonic Ramp",
+        "effects.element": "Element",
+        "effects.elements": "element",
+        "effects.expression": "T coordinate_of speed_of",
+        "effects.forces": "BodyTorque JointForce PointForce Potential",
+        "effects.lubrication": "Lubrication",
+        "effects.springs": "JointDamper JointFriction JointSpring PointDamper PointSpring",
+        "declare.scene": "Contact EnergyLedger Friction Gravity Scales Scene Start",
+        "algebra.functions": "Where",
+        "algebra.splines": "Table",
+        "laws": "LAWS",
+        "faults": "Fault InputError",
+        "audit.audit": "Finding InconsistentUnits audit_scene",
+        "files.audit_files": "audit_catalogue audit_path",
+        "files.audit_text": "audit_expression",
+        "files.lawfile": "laws_from",
+        "derivation": "derive generate",
+    }.items()
+    for name in names.split()
+}
 
 __all__ = sorted(_HOME)
 
@@ -39,3 +42,7 @@ def __getattr__(name: str) -> Any:
     if name not in _HOME:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(import_module(f"{__name__}.{_HOME[name]}"), name)
+
+
+def __dir__() -> list[str]:
+    return __all__

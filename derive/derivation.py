@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from hertzwerk.derive.audit import audit_laws, audit_program, refuse_inconsistent
-from hertzwerk.derive.behaviour import refuse_misbehaving
-from hertzwerk.derive.coordinates import absolute
-from hertzwerk.derive.emit import emit, of_a_step
+from hertzwerk.derive.audit.audit import audit_laws, audit_program, refuse_inconsistent
+from hertzwerk.derive.audit.behaviour import refuse_misbehaving
+from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.emit.printer import emit, of_a_step
 from hertzwerk.derive.faults import InputError
+from hertzwerk.derive.module.contents import program_of
 from hertzwerk.derive.module.motion import motion
-from hertzwerk.derive.module.program import program_of
 from hertzwerk.derive.module.system import System
-from hertzwerk.derive.program import Program
-from hertzwerk.derive.scene import Scene
+from hertzwerk.derive.motion.absolute import absolute
+from hertzwerk.derive.program.program import Program
 
 
 def derive(scene: Scene) -> Program:

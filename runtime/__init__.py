@@ -7,26 +7,27 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from hertzwerk.derive.faults import Fault, InputError
     from hertzwerk.runtime.effects.leaving_out import study_effects
-    from hertzwerk.runtime.model import Bound, Model, load
-    from hertzwerk.runtime.outcome import Outcome
+    from hertzwerk.runtime.model.model import Bound, Model, load
     from hertzwerk.runtime.simulation import simulate
-    from hertzwerk.runtime.solution import Impact, Solution, Statistics
-    from hertzwerk.runtime.sweep import simulate_many
-    from hertzwerk.runtime.sweep_table import Sweep
+    from hertzwerk.runtime.solution.impacts import Impact
+    from hertzwerk.runtime.solution.outcome import Outcome
+    from hertzwerk.runtime.solution.solution import Solution, Statistics
+    from hertzwerk.runtime.sweep.sweep import simulate_many
+    from hertzwerk.runtime.sweep.sweep_table import Sweep
 
 _PLACES = {
-    "Bound": "model",
+    "Bound": "model.model",
     "Fault": "hertzwerk.derive.faults",
-    "Impact": "solution",
+    "Impact": "solution.impacts",
     "InputError": "hertzwerk.derive.faults",
-    "Model": "model",
-    "Outcome": "outcome",
-    "Solution": "solution",
-    "Statistics": "solution",
-    "Sweep": "sweep_table",
-    "load": "model",
+    "Model": "model.model",
+    "Outcome": "solution.outcome",
+    "Solution": "solution.solution",
+    "Statistics": "solution.solution",
+    "Sweep": "sweep.sweep_table",
+    "load": "model.model",
     "simulate": "simulation",
-    "simulate_many": "sweep",
+    "simulate_many": "sweep.sweep",
     "study_effects": "effects.leaving_out",
 }
 

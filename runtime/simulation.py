@@ -8,8 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from hertzwerk.runtime import scales as scaling
-from hertzwerk.runtime.accuracy import (
+from hertzwerk.runtime.accuracy.ladder import (
     POINTS,
     Climbed,
     End,
@@ -19,20 +18,21 @@ from hertzwerk.runtime.accuracy import (
     beyond_horizon,
     first_tolerance,
 )
-from hertzwerk.runtime.binding import Value
-from hertzwerk.runtime.caveats import floored, open_forces, too_fast, unchecked
-from hertzwerk.runtime.checkpoint import checkpoint_of
-from hertzwerk.runtime.engine import engine_for
-from hertzwerk.runtime.integrate.automatic import Gear
-from hertzwerk.runtime.integrate.chunk import INTERRUPTED, WALL_TIME_LIMIT
-from hertzwerk.runtime.integrate.layout import FINISHED, TOO_MANY_STEPS
-from hertzwerk.runtime.model import Model
-from hertzwerk.runtime.outcome import Outcome, not_closed, too_long, unknown, unreachable
-from hertzwerk.runtime.output import Output
-from hertzwerk.runtime.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, Limits, Settings, read
-from hertzwerk.runtime.scales import Scales
-from hertzwerk.runtime.single_run import SingleRun, Trace
-from hertzwerk.runtime.solution import Solution, Statistics
+from hertzwerk.runtime.integrate.loop.automatic import Gear
+from hertzwerk.runtime.integrate.loop.chunk import INTERRUPTED, WALL_TIME_LIMIT
+from hertzwerk.runtime.integrate.step.layout import FINISHED, TOO_MANY_STEPS
+from hertzwerk.runtime.model.binding import Value
+from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.run import scales as scaling
+from hertzwerk.runtime.run.checkpoint import checkpoint_of
+from hertzwerk.runtime.run.engine import engine_for
+from hertzwerk.runtime.run.output_times import Output
+from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, Limits, Settings, read
+from hertzwerk.runtime.run.scales import Scales
+from hertzwerk.runtime.run.single_run import SingleRun, Trace
+from hertzwerk.runtime.solution.caveats import floored, open_forces, too_fast, unchecked
+from hertzwerk.runtime.solution.outcome import Outcome, not_closed, too_long, unknown, unreachable
+from hertzwerk.runtime.solution.solution import Solution, Statistics
 
 ACCURACY = 1e-6  # where none is asked for
 STOPS = (INTERRUPTED, WALL_TIME_LIMIT, TOO_MANY_STEPS)  # what ends all runs

@@ -1,17 +1,105 @@
-"""The arrows of the design, read from the imports themselves: declaration -> text -> functions -> solution -> pictures."""
+"""The arrows of the design, read from the imports themselves: every room, and the rooms it may import.
+
+`python tests/test_architecture.py` prints the graph of rooms as Graphviz reads it.
+"""
 
 import ast
+import sys
 from collections.abc import Iterator
+from functools import cache
+from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 import pytest
 
 ROOT = Path(__file__).parents[1]
-PACKAGES = ("derive", "generated", "runtime")
+SIDES = ("derive", "runtime")
+
+# Rooms are folders, and the loose files beside them; "." is the folder's own __init__. The arrows are all there are, in functions and under
+# TYPE_CHECKING too. Rooms of the same side go by their name alone.
+ROOMS = {
+    "derive": {
+        ".": "",
+        "algebra": "faults identifiers units",
+        "audit": "algebra declare derivation dimension faults laws mechanism program units",
+        "contact": "algebra declare dimension effects faults laws mechanism motion units",
+        "declare": "algebra dimension effects faults identifiers laws mechanism units",
+        "derivation": "audit declare emit faults module motion program",
+        "dimension": "algebra faults units",
+        "effects": "algebra contact declare dimension emit faults laws mechanism motion units",
+        "emit": "algebra audit faults mechanism program",
+        "faults": "",
+        "files": "audit declare dimension faults identifiers laws mechanism units",
+        "identifiers": "faults",
+        "laws": "algebra faults mechanism units",
+        "mechanism": "algebra dimension faults identifiers units",
+        "module": "algebra audit contact declare dimension effects emit faults laws mechanism motion program units",
+        "motion": "algebra audit declare dimension effects faults mechanism program units",
+        "program": "algebra dimension mechanism",
+        "readable": "algebra audit declare derivation laws mechanism module program",
+        "scenes": ". declare effects laws mechanism sheets",
+        "sheets": "algebra audit declare dimension emit faults laws mechanism program units",
+        "units": "",
+    },
+    "runtime": {
+        ".": "derive/faults effects model simulation solution sweep",
+        "accuracy": "",
+        "cli": "accuracy derive/audit derive/faults derive/sheets effects hard_cases host model pictures run "
+        "simulation solution start validate work_precision",
+        "command_line": "cli",
+        "effects": "accuracy derive/declare derive/faults integrate/step model run simulation solution start",
+        "hard_cases": "host integrate/loop integrate/step model run simulation solution",
+        "host": "derive/faults",
+        "integrate": "host integrate/events integrate/loop integrate/step model",
+        "integrate/events": "integrate/step integrate/tableaux model",
+        "integrate/loop": "host integrate/events integrate/step integrate/tableaux model solution",
+        "integrate/step": "host integrate/tableaux model",
+        "integrate/tableaux": "host",
+        "model": "derive/audit derive/declare derive/derivation derive/faults derive/files derive/laws "
+        "derive/readable derive/scenes derive/sheets derive/units host pictures",
+        "package": "derive/declare derive/faults model simulation",
+        "pictures": "accuracy derive/faults derive/sheets effects host model solution start validate work_precision",
+        "run": "accuracy derive/faults host integrate integrate/loop integrate/step model simulation solution start",
+        "simulation": "accuracy integrate/loop integrate/step model run solution",
+        "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model pictures run "
+        "start",
+        "start": "derive/faults integrate/step integrate/tableaux model",
+        "sweep": "derive/faults host model run simulation solution start",
+        "validate": "derive/faults derive/files derive/sheets derive/units model run simulation solution",
+        "work_precision": "accuracy derive/faults host integrate/loop integrate/step model run simulation solution",
+    },
+}
 
 
-def sources(package: str) -> list[Path]:
-    return sorted((ROOT / package).rglob("*.py"))
+def arrows() -> dict[str, set[str]]:
+    """ROOMS, every room by its full name."""
+
+    def full(side: str, room: str) -> str:
+        return side if room == "." else room if room.partition("/")[0] in SIDES else f"{side}/{room}"
+
+    return {
+        full(side, room): {full(side, other) for other in others.split()}
+        for side, rooms in ROOMS.items()
+        for room, others in rooms.items()
+    }
+
+
+RINGS = {  # arrows that still close a ring: to be cut, never to grow
+    ("derive/effects", "derive/emit"),
+    ("derive/audit", "derive/derivation"),
+    ("derive/effects", "derive/contact"),
+    ("derive/effects", "derive/motion"),
+    ("derive/effects", "derive/declare"),
+    ("runtime/model", "runtime/pictures"),
+    ("runtime/solution", "runtime/pictures"),
+    ("runtime/solution", "runtime/run"),
+    ("runtime/run", "runtime/simulation"),
+    ("runtime/integrate/loop", "runtime/solution"),
+}
+
+
+def sources(folder: str) -> list[Path]:
+    return sorted((ROOT / folder).rglob("*.py"))
 
 
 def absolute(node: ast.ImportFrom, file: Path) -> str:
@@ -23,31 +111,26 @@ def absolute(node: ast.ImportFrom, file: Path) -> str:
     return ".".join([*base, *([node.module] if node.module else [])])
 
 
-def imports(file: Path) -> Iterator[str]:
-    """Every module that a file imports when it runs, wherever in it; `from a import b` counts as a.b too, for b may be a module."""
-    tree = ast.parse(file.read_text(encoding="utf-8"))
-    typing_only = {
-        id(node)
-        for block in ast.walk(tree)
-        if isinstance(block, ast.If) and ast.unparse(block.test) == "TYPE_CHECKING"
-        for statement in block.body
-        for node in ast.walk(statement)
-    }
-    for node in ast.walk(tree):
-        if id(node) in typing_only:
-            continue
+@cache
+def tree_of(file: Path) -> ast.Module:
+    return ast.parse(file.read_text(encoding="utf-8"))
+
+
+def imports(file: Path) -> Iterator[tuple[ast.AST, str]]:
+    """Every module that a file imports, wherever in it; `from a import b` counts as a.b too, for b may be a module."""
+    for node in ast.walk(tree_of(file)):
         if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
+            yield from ((node, alias.name) for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
             module = absolute(node, file)
-            yield module
-            yield from (f"{module}.{alias.name}" for alias in node.names)
+            yield node, module
+            yield from ((node, f"{module}.{alias.name}") for alias in node.names)
         elif (
             isinstance(node, ast.Call)
             and ast.unparse(node.func) in {"import_module", "importlib.import_module", "__import__"}
             and node.args
         ):
-            yield literal_start(node.args[0])
+            yield node, literal_start(node.args[0])
 
 
 def literal_start(node: ast.expr) -> str:
@@ -59,21 +142,81 @@ def literal_start(node: ast.expr) -> str:
     return ""
 
 
+def modules(file: Path) -> Iterator[str]:
+    return (module for _, module in imports(file))
+
+
 def reaches(module: str, *targets: str) -> bool:
     return any(module == target or module.startswith(target + ".") for target in targets)
 
 
-def offenders(files: list[Path], *targets: str, allowed: tuple[str, ...] = ()) -> list[str]:
+def offenders(files: list[Path], *targets: str) -> list[str]:
     return [
         f"{file.relative_to(ROOT)} imports {module}"
         for file in files
-        for module in imports(file)
-        if reaches(module, *targets) and not reaches(module, *allowed)
+        for module in modules(file)
+        if reaches(module, *targets)
     ]
 
 
-def test_every_package_has_sources():
-    assert all(sources(package) for package in PACKAGES)
+def files() -> list[Path]:
+    return [file for side in SIDES for file in sources(side)]
+
+
+def room_of(path: Path) -> str:
+    """Room of a file or folder: its side alone for a top-level __init__, the folder below it, or the loose file's name."""
+    parts = path.with_suffix("").parts
+    if parts[-1] == "__init__":
+        parts = parts[:-1]
+    depth = 3 if parts[:2] == ("runtime", "integrate") and len(parts) > 3 else 2
+    return "/".join(parts[:depth])
+
+
+def room_named(module: str) -> str | None:
+    """Room of the module that a dotted name is, or lies in; None where it is none of ours."""
+    parts = module.split(".")
+    if parts[0] != "hertzwerk" or len(parts) < 2 or parts[1] not in SIDES:
+        return None
+    path = Path(*parts[1:])
+    if (ROOT / path).is_dir():
+        return room_of(path / "__init__")
+    return room_of(path) if (ROOT / path).with_suffix(".py").is_file() else None
+
+
+@cache
+def graph() -> dict[str, set[str]]:
+    """Rooms and the rooms that their files import."""
+    found: dict[str, set[str]] = {}
+    for file in files():
+        room = room_of(file.relative_to(ROOT))
+        named: dict[int, list[str]] = {}
+        for node, module in imports(file):
+            if (other := room_named(module)) is not None:
+                named.setdefault(id(node), []).append(other)
+        # of `from a import b` the last name found is the nearest: a.b where b is a module, else a
+        others = {other for rooms in named.values() for other in (rooms[1:] or rooms)}
+        found.setdefault(room, set()).update(others - {room})
+    return found
+
+
+def test_every_arrow_between_rooms_is_listed():
+    assert graph() == arrows()
+
+
+def test_the_arrows_have_no_ring():
+    rooms = {room: {other for other in others if (room, other) not in RINGS} for room, others in arrows().items()}
+    list(TopologicalSorter(rooms).static_order())
+
+
+@pytest.mark.skipif(not RINGS, reason="no ring is left")
+def test_rings_that_are_listed_are_rings():
+    with pytest.raises(CycleError):
+        list(TopologicalSorter(arrows()).static_order())
+
+
+def test_the_fronts_are_imported_by_nobody_but_what_is_written_as_users_write():
+    fronts = {"derive", "runtime"}
+    assert {room for room, others in graph().items() if fronts & others} <= {"derive/scenes", "runtime/model"}
 
 
 def test_derive_imports_sympy_and_nothing_of_the_other_side():
@@ -93,89 +236,116 @@ def test_derive_imports_sympy_and_nothing_of_the_other_side():
     assert offenders(sources("derive"), "sympy") != []
 
 
-@pytest.mark.parametrize("name", ["units.py", "faults.py", "tomlfile.py"])
+@pytest.mark.parametrize("name", ["units.py", "faults.py", "identifiers.py", "files/tomlfile.py"])
 def test_what_both_sides_share_imports_only_the_standard_library(name):
-    import sys
-
-    for module in imports(ROOT / "derive" / name):
+    for module in modules(ROOT / "derive" / name):
         assert module.split(".")[0] in sys.stdlib_module_names or reaches(module, "hertzwerk.derive.faults"), module
 
 
 def test_generated_modules_import_casadi_only():
     for file in sources("generated"):
-        assert set(imports(file)) <= {"casadi"}, file
+        assert set(modules(file)) <= {"casadi"}, file
 
 
 def test_runtime_never_imports_sympy():
     assert offenders(sources("runtime"), "sympy") == []
 
 
-def test_only_build_opens_the_door_to_derive():
-    others = [file for file in sources("runtime") if file.name != "build.py"]
-    shared = ("hertzwerk.derive.units", "hertzwerk.derive.faults", "hertzwerk.derive.tomlfile")
-    bare = [
-        found
-        for found in offenders(others, "hertzwerk.derive", allowed=shared)
-        if not found.endswith("imports hertzwerk.derive")
-    ]
-    assert bare == []
-
-
-def test_build_opens_it_lazily():
-    tree = ast.parse((ROOT / "runtime" / "build.py").read_text(encoding="utf-8"))
-    at_import = [
-        node
-        for node in tree.body
-        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("hertzwerk.derive")
-    ]
-    assert {node.module for node in at_import} <= {"hertzwerk.derive.units", "hertzwerk.derive.faults"}
+def test_only_build_opens_the_door_to_derive_and_lazily():
+    """Names for type checkers aside, of derive the other side sees what both share, and imports build's door when it is opened."""
+    shared = (
+        "hertzwerk.derive.units",
+        "hertzwerk.derive.faults",
+        "hertzwerk.derive.identifiers",
+        "hertzwerk.derive.files.tomlfile",
+    )
+    for file in sources("runtime"):
+        tree = tree_of(file)
+        typing_only = {
+            id(node)
+            for block in ast.walk(tree)
+            if isinstance(block, ast.If) and ast.unparse(block.test) == "TYPE_CHECKING"
+            for node in ast.walk(block)
+        }
+        at_import = {id(node) for node in tree.body}
+        for node in ast.walk(tree):
+            module = node.module or "" if isinstance(node, ast.ImportFrom) else ""
+            if reaches(module, "hertzwerk.derive") and not reaches(module, *shared) and id(node) not in typing_only:
+                names = {alias.name for alias in node.names}
+                if module == "hertzwerk.derive" and names <= {"units", "faults", "identifiers"}:
+                    continue
+                assert file.name == "build.py", f"{file} imports {module}"
+                assert id(node) not in at_import, f"{file} imports {module} when it is imported"
 
 
 CLI = {
-    "cli/__init__.py",
-    "cli/accuracy.py",
-    "cli/audit.py",
-    "cli/draw.py",
-    "cli/effects.py",
-    "cli/hardcases.py",
-    "cli/laws.py",
-    "cli/run.py",
-    "cli/scenes.py",
-    "cli/target.py",
-    "cli/terminal.py",
+    f"cli/{name}.py"
+    for name in [
+        "__init__",
+        "accuracy",
+        "audit",
+        "draw",
+        "effects",
+        "hardcases",
+        "laws",
+        "run",
+        "scenes",
+        "target",
+        "terminal",
+    ]
 }
-
-DRAWING = ("drawing", "insets", "labels", "paper", "picture", "sheet")
 PICTURES = {
-    "plot.py",
-    "plot_accuracy.py",
-    "plot_band.py",
-    "plot_effects.py",
-    "plot_laws.py",
-    *(f"draw/{name}.py" for name in DRAWING),
+    *(f"pictures/{name}.py" for name in ["plot", "plot_accuracy", "plot_band", "plot_effects", "plot_laws"]),
+    *(f"pictures/draw/{name}.py" for name in ["drawing", "insets", "labels", "paper", "picture", "sheet"]),
 }
 
 
 @pytest.mark.parametrize(
     ("libraries", "home"),
-    [(("matplotlib",), PICTURES), (("click", "rich"), CLI), (("pydantic",), {"scenario.py"})],
+    [(("matplotlib",), PICTURES), (("click", "rich"), CLI), (("pydantic",), {"validate/scenario.py"})],
 )
 def test_heavy_libraries_have_one_importer(libraries, home):
     importers = {
         file.relative_to(ROOT / "runtime").as_posix()
         for file in sources("runtime")
-        if any(reaches(module, *libraries) for module in imports(file))
+        if any(reaches(module, *libraries) for module in runs(file))
     }
     assert importers == home
 
 
+def runs(file: Path) -> set[str]:
+    """Modules that a file imports when it runs: without those under TYPE_CHECKING."""
+    tree = tree_of(file)
+    typing_only = {
+        ast.unparse(node)
+        for block in ast.walk(tree)
+        if isinstance(block, ast.If) and ast.unparse(block.test) == "TYPE_CHECKING"
+        for node in block.body
+    }
+    return {module for node, module in imports(file) if ast.unparse(node) not in typing_only}
+
+
 def test_a_forbidden_import_would_be_found(tmp_path, monkeypatch):
-    """The net has no hole where imports hide: in functions, relative, by name, as `from package import module`."""
+    """The net has no hole where imports hide: in functions, relative, by name, under TYPE_CHECKING, as `from package import module`."""
     monkeypatch.setattr("test_architecture.ROOT" if __name__ == "test_architecture" else f"{__name__}.ROOT", tmp_path)
     file = tmp_path / "runtime" / "inner" / "x.py"
-    file.parent.mkdir(parents=True)
+    for folder in ("runtime/inner", "runtime/pictures", "derive/scenes"):
+        (tmp_path / folder).mkdir(parents=True)
     file.write_text(
-        "import importlib\nfrom .. import plot\ndef f():\n    from hertzwerk import derive\n    importlib.import_module('sympy.core')\n"
+        "import importlib\nfrom .. import pictures\ndef f():\n    from hertzwerk import derive\n    importlib.import_module('sympy.core')\n"
         "    importlib.import_module(f'hertzwerk.derive.scenes.{1}')\n"
+        "if TYPE_CHECKING:\n    from hertzwerk.runtime.simulation import simulate\n"
     )
-    assert {"hertzwerk.runtime.plot", "hertzwerk.derive", "sympy.core", "hertzwerk.derive.scenes"} <= set(imports(file))
+    (tmp_path / "runtime" / "simulation.py").touch()
+    assert {"hertzwerk.runtime.pictures", "hertzwerk.derive", "sympy.core", "hertzwerk.derive.scenes"} <= set(
+        modules(file)
+    )
+    assert graph.__wrapped__()["runtime/inner"] == {"runtime/pictures", "derive", "derive/scenes", "runtime/simulation"}
+
+
+if __name__ == "__main__":
+    print("digraph hertzwerk {")
+    for room, others in sorted(graph().items()):
+        for other in sorted(others):
+            print(f'    "{room}" -> "{other}";')
+    print("}")

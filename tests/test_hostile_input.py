@@ -14,18 +14,18 @@ from typing import Any
 import numpy as np
 import pytest
 
-from hertzwerk.derive.audit_text import audit_expression, declarations
-from hertzwerk.derive.execute import names_defined_by
+from hertzwerk.derive.algebra.splines import Table
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.derive.lawfile import audit_laws_as_written, laws_from
-from hertzwerk.derive.tables import Table
+from hertzwerk.derive.files.audit_text import audit_expression, declarations
+from hertzwerk.derive.files.execute import names_defined_by
+from hertzwerk.derive.files.lawfile import audit_laws_as_written, laws_from
 from hertzwerk.derive.units import UnitError, parse_quantity, parse_unit
 from hertzwerk.runtime import Solution, load, simulate, simulate_many
-from hertzwerk.runtime.binding import read_time
 from hertzwerk.runtime.cli.target import assignments
-from hertzwerk.runtime.integrate import automatic
-from hertzwerk.runtime.output import times_of
-from hertzwerk.runtime.scenario import load_scenario
+from hertzwerk.runtime.integrate.loop import automatic
+from hertzwerk.runtime.model.binding import read_time
+from hertzwerk.runtime.run.output_times import times_of
+from hertzwerk.runtime.validate.scenario import load_scenario
 
 PATIENCE = 30  # s of processor time for one text: no measurement, an end to what has none
 
@@ -395,7 +395,7 @@ def test_rows_of_a_batch_that_are_nothing_are_refused(tmp_path):
 )
 def test_cc_is_a_command_as_a_shell_reads_it_and_one_that_makes_nothing_is_told_of(cc, monkeypatch, tmp_path):
     """`CC=true` compiled nothing without a word, `CC="gcc -m64"` was passed over."""
-    from hertzwerk.runtime.integrate import compiled
+    from hertzwerk.runtime.integrate.loop import compiled
 
     if cc.startswith("gcc") and not shutil.which("gcc"):
         pytest.skip("no gcc")

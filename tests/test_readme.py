@@ -39,7 +39,7 @@ def test_pictures_are_committed_png_files(picture):
 def test_the_picture_of_all_mechanisms_has_them_all():
     from PIL import Image
 
-    from hertzwerk.runtime.build import built_in_scenes
+    from hertzwerk.runtime.model.build import built_in_scenes
 
     with Image.open(ROOT / ".readme" / "mechanisms.png") as picture:
         assert picture.text["Description"].split() == list(built_in_scenes())

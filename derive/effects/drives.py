@@ -12,11 +12,12 @@ from typing import Any, ClassVar
 
 import sympy as sp
 
+from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.effects.expression import TIME, T, Varying, as_choice, shown
 from hertzwerk.derive.faults import Fault
-from hertzwerk.derive.functions import Where
-from hertzwerk.derive.mechanism import Freedom, Slot
-from hertzwerk.derive.parameter import POSITIVE, Scalar
+from hertzwerk.derive.mechanism.bodies import Slot
+from hertzwerk.derive.mechanism.joints import Freedom
+from hertzwerk.derive.mechanism.parameter import POSITIVE, Scalar
 
 
 @dataclass(frozen=True)

@@ -13,13 +13,14 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.dimension import Dimension, check
+from hertzwerk.derive.algebra.functions import Where
+from hertzwerk.derive.algebra.notation import text_of
+from hertzwerk.derive.algebra.splines import Table
+from hertzwerk.derive.dimension.dimension import Dimension, check
 from hertzwerk.derive.faults import Fault, InputError, one_of
-from hertzwerk.derive.functions import Where
-from hertzwerk.derive.mechanism import Freedom, Slot
-from hertzwerk.derive.notation import text_of
-from hertzwerk.derive.parameter import Parameter, is_number
-from hertzwerk.derive.tables import Table
+from hertzwerk.derive.mechanism.bodies import Slot
+from hertzwerk.derive.mechanism.joints import Freedom
+from hertzwerk.derive.mechanism.parameter import Parameter, is_number
 from hertzwerk.derive.units import parse_unit, unit_text
 
 TIME, COORDINATE, SPEED = "time", "coordinate", "speed"
@@ -180,7 +181,7 @@ def table_faults(expressions: Iterable[Any]) -> Iterator[Fault]:
 
 def smoothness_faults(slot: Slot, value: Any) -> Iterator[Fault]:
     """An operation no module can hold, in the expression or in a derivative by time that is asked for."""
-    from hertzwerk.derive.emit import EmitError, expression_text  # which imports the scene's audit
+    from hertzwerk.derive.emit.printer import EmitError, expression_text  # which imports the scene's audit
 
     derivatives = getattr(slot, "derivatives", 0)
     for order in range(derivatives + 1):

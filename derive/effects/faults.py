@@ -10,7 +10,9 @@ from hertzwerk.derive.effects.forces import BodyTorque, PointForce
 from hertzwerk.derive.effects.springs import JointFriction, PointDamper, PointSpring
 from hertzwerk.derive.faults import Fault, one_of
 from hertzwerk.derive.laws.law import FrictionLaw
-from hertzwerk.derive.mechanism import GROUND, Body, Freedom, Ground, Mechanism, Point
+from hertzwerk.derive.mechanism.bodies import GROUND, Body, Ground, Point
+from hertzwerk.derive.mechanism.joints import Freedom
+from hertzwerk.derive.mechanism.mechanism import Mechanism
 
 
 def type_faults(effect: Any) -> Iterator[Fault]:

@@ -6,17 +6,17 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.dimension import Dimension
+from hertzwerk.derive.algebra.functions import Where
+from hertzwerk.derive.algebra.vectors import Vector, add, cross, dot, scale, sub
+from hertzwerk.derive.contact.touch import Round, touch
+from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.effects.element import Element
 from hertzwerk.derive.effects.lubrication import Lubrication
-from hertzwerk.derive.functions import Where
-from hertzwerk.derive.kinematics import Kinematics
 from hertzwerk.derive.laws.law import eps_c, eps_w
-from hertzwerk.derive.pairs import PinInBush
-from hertzwerk.derive.scene import Scene
-from hertzwerk.derive.touch import Round, touch
+from hertzwerk.derive.mechanism.pairs import PinInBush
+from hertzwerk.derive.motion.kinematics import Kinematics
 from hertzwerk.derive.units import parse_unit
-from hertzwerk.derive.vectors import Vector, add, cross, dot, scale, sub
 
 
 def film(effect: Lubrication, kin: Kinematics, scene: Scene) -> Element:

@@ -10,8 +10,9 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from hertzwerk.derive.effects.expression import COORDINATE, Varying, shown
-from hertzwerk.derive.mechanism import GROUND, Body, Frame, Freedom, Point, Slot
-from hertzwerk.derive.parameter import Scalar
+from hertzwerk.derive.mechanism.bodies import GROUND, Body, Frame, Point, Slot
+from hertzwerk.derive.mechanism.joints import Freedom
+from hertzwerk.derive.mechanism.parameter import Scalar
 
 Components = tuple[Any, Any, Any]
 

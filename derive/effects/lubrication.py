@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from hertzwerk.derive.laws.law import BoundLaw
-from hertzwerk.derive.mechanism import Slot
-from hertzwerk.derive.parameter import POSITIVE, Interval, Scalar, is_number
+from hertzwerk.derive.mechanism.bodies import Slot
+from hertzwerk.derive.mechanism.parameter import POSITIVE, Interval, Scalar, is_number
 
 
 @dataclass(frozen=True)

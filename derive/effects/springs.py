@@ -8,8 +8,9 @@ from typing import ClassVar
 
 from hertzwerk.derive.effects.expression import Varying
 from hertzwerk.derive.laws.law import BoundLaw
-from hertzwerk.derive.mechanism import Freedom, Point, Slot
-from hertzwerk.derive.parameter import NOT_NEGATIVE, POSITIVE, Scalar
+from hertzwerk.derive.mechanism.bodies import Point, Slot
+from hertzwerk.derive.mechanism.joints import Freedom
+from hertzwerk.derive.mechanism.parameter import NOT_NEGATIVE, POSITIVE, Scalar
 
 
 @dataclass(frozen=True)

@@ -64,11 +64,7 @@ from hertzwerk.derive.laws.reconstruction import (
     wang_liu_johnson,
     wang_liu_secant,
 )
-from hertzwerk.derive.laws.stiffness import (
-    galin_sneddon,
-    hertz_point,
-    power,
-)
+from hertzwerk.derive.laws.stiffness import galin_sneddon, hertz_point, power
 
 __all__ = [
     "LAWS",

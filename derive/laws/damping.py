@@ -15,9 +15,9 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.functions import Where
+from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.laws.law import APPROACH_SPEED, DampingLaw, F, Quantity, d, k_t, m_eff, v
-from hertzwerk.derive.parameter import NOT_NEGATIVE, POSITIVE, Interval
+from hertzwerk.derive.mechanism.parameter import NOT_NEGATIVE, POSITIVE, Interval
 
 e = Quantity("e", "1", "coefficient of restitution")
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import sympy as sp
 
-from hertzwerk.derive.functions import Where
+from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.laws.law import FrictionLaw, N, Quantity, s, z
-from hertzwerk.derive.parameter import NOT_NEGATIVE, POSITIVE
+from hertzwerk.derive.mechanism.parameter import NOT_NEGATIVE, POSITIVE
 
 mu = Quantity("mu", "1", "coefficient of friction", NOT_NEGATIVE)
 mu_k = Quantity("mu_k", "1", "coefficient of kinetic friction", NOT_NEGATIVE)

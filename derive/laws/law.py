@@ -14,8 +14,8 @@ from typing import Any, ClassVar
 
 import sympy as sp
 
-from hertzwerk.derive.mechanism import Material, Slot
-from hertzwerk.derive.parameter import POSITIVE, Interval, Parameter
+from hertzwerk.derive.mechanism.bodies import Material, Slot
+from hertzwerk.derive.mechanism.parameter import POSITIVE, Interval, Parameter
 
 
 class Quantity(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped

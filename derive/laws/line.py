@@ -6,10 +6,10 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.functions import Where
+from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.laws.law import F, L, Quantity, R_min, Range, StiffnessLaw, d, dR
 from hertzwerk.derive.laws.stiffness import EFFECTIVE_MODULUS, HERTZ_STIFFNESS, MATERIALS, REVIEW, E_eff, K_hertz, n
-from hertzwerk.derive.parameter import Interval, Parameter
+from hertzwerk.derive.mechanism.parameter import Interval, Parameter
 
 # -- fits with a hidden unit, and their repairs ------------------------------------------------------------------------
 

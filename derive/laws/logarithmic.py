@@ -12,7 +12,7 @@ import sympy as sp
 
 from hertzwerk.derive.laws.law import R_1, R_2, F, L, Quantity, R_eff, StiffnessLaw, d, dR
 from hertzwerk.derive.laws.stiffness import EFFECTIVE_MODULUS, MATERIALS, REVIEW, E_eff
-from hertzwerk.derive.parameter import POSITIVE, Parameter
+from hertzwerk.derive.mechanism.parameter import POSITIVE, Parameter
 
 alpha = Quantity("alpha", "m/N", "compliance in d = alpha F (ln(B/F) + c)")
 B = Quantity("B", "N", "force in d = alpha F (ln(B/F) + c)")

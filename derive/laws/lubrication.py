@@ -15,7 +15,7 @@ from __future__ import annotations
 import sympy as sp
 
 from hertzwerk.derive.laws.law import R_2, FilmLaw, L, Quantity, dR, eps_c, eps_w
-from hertzwerk.derive.parameter import POSITIVE
+from hertzwerk.derive.mechanism.parameter import POSITIVE
 
 eta = Quantity("eta", "Pa s", "dynamic viscosity", POSITIVE)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from hertzwerk.derive.laws.law import FORMS, Quantity, R_eff, R_min, StiffnessLaw, d
-from hertzwerk.derive.parameter import POSITIVE, Interval
+from hertzwerk.derive.mechanism.parameter import POSITIVE, Interval
 
 E_1 = Quantity("E_1", "Pa", "Young's modulus of the first body", POSITIVE)
 nu_1 = Quantity("nu_1", "1", "Poisson's ratio of the first body", Interval(-1, 0.5, open_left=True))

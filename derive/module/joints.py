@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from functools import cached_property
 
-from hertzwerk.derive.coordinates import Absolute
-from hertzwerk.derive.kinematics import Kinematics
-from hertzwerk.derive.loops import Constraint, constraints_of
 from hertzwerk.derive.module.results import ports_of
-from hertzwerk.derive.program import Tape
+from hertzwerk.derive.motion.absolute import Absolute
+from hertzwerk.derive.motion.kinematics import Kinematics
+from hertzwerk.derive.motion.loops import Constraint, constraints_of
+from hertzwerk.derive.program.program import Tape
 
 
 class Joints:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from hertzwerk.derive.loops import Constraint
 from hertzwerk.derive.module.joints import Joints
 from hertzwerk.derive.module.results import RATE_UNITS, dimension_of, of_loops
 from hertzwerk.derive.module.system import System
-from hertzwerk.derive.program import Function
+from hertzwerk.derive.motion.loops import Constraint
+from hertzwerk.derive.program.program import Function
 
 
 def constraints(system: System) -> Function:

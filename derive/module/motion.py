@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from hertzwerk.derive.kinematics import acceleration_of
 from hertzwerk.derive.module.results import MULTIPLIER_UNITS, SECOND_UNITS, dimension_of, of_loops
 from hertzwerk.derive.module.system import System
-from hertzwerk.derive.program import Function, Result
+from hertzwerk.derive.motion.kinematics import acceleration_of
+from hertzwerk.derive.program.program import Function, Result
 
 
 def coordinate_rates(system: System) -> Function:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from hertzwerk.derive.coordinates import MEASURED
 from hertzwerk.derive.module.system import System
-from hertzwerk.derive.program import Function, Result
+from hertzwerk.derive.motion.absolute import MEASURED
+from hertzwerk.derive.program.program import Function, Result
 
 
 def poses(system: System) -> Function:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from hertzwerk.derive.contact import Forces, PairKinematics
+from hertzwerk.derive.contact.contact_forces import Forces, PairKinematics
+from hertzwerk.derive.declare.scene import Contact, Friction
 from hertzwerk.derive.module.system import System
-from hertzwerk.derive.program import Function, Result
-from hertzwerk.derive.scene import Contact, Friction
+from hertzwerk.derive.program.program import Function, Result
 
 
 def gaps(system: System) -> Function:

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from hertzwerk.derive.dimension import Dimension
-from hertzwerk.derive.joints import Port
-from hertzwerk.derive.kinematics import Kinematics
-from hertzwerk.derive.loops import Constraint
-from hertzwerk.derive.program import Result
-from hertzwerk.derive.scene import Scene
+from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.dimension.dimension import Dimension
+from hertzwerk.derive.mechanism.joints import Port
+from hertzwerk.derive.motion.kinematics import Kinematics
+from hertzwerk.derive.motion.loops import Constraint
+from hertzwerk.derive.program.program import Result
 from hertzwerk.derive.units import parse_unit
 
 RATE_UNITS = {"m": "m/s", "1": "1/s"}  # of a constraint, by its unit

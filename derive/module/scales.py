@@ -6,9 +6,9 @@ from typing import Any
 
 import sympy as sp
 
+from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.module.system import System
-from hertzwerk.derive.program import Function, Result
-from hertzwerk.derive.scene import Scene
+from hertzwerk.derive.program.program import Function, Result
 
 
 def scales(system: System) -> Function:

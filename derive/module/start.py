@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import sympy as sp
 
-from hertzwerk.derive.coordinates import placed
 from hertzwerk.derive.module.joints import Joints
 from hertzwerk.derive.module.results import vector
 from hertzwerk.derive.module.scales import sizes_of
 from hertzwerk.derive.module.system import System
-from hertzwerk.derive.program import Function
+from hertzwerk.derive.motion.absolute import placed
+from hertzwerk.derive.program.program import Function
 
 
 def start(system: System) -> Function:

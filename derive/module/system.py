@@ -6,22 +6,22 @@ from collections.abc import Mapping
 from functools import cached_property
 from typing import Any
 
-from hertzwerk.derive.contact import PairKinematics
-from hertzwerk.derive.coordinates import Absolute
+from hertzwerk.derive.contact.contact_forces import PairKinematics
+from hertzwerk.derive.declare.scene import Contact, Friction, Scene
 from hertzwerk.derive.effects.element import DISSIPATED
-from hertzwerk.derive.elements import element
-from hertzwerk.derive.equations import Equations
+from hertzwerk.derive.effects.elements import element
 from hertzwerk.derive.faults import InputError
-from hertzwerk.derive.joints import Port
-from hertzwerk.derive.kinematics import Kinematics
-from hertzwerk.derive.landmarks import Landmark, landmarks_of
 from hertzwerk.derive.laws.law import speed_limit
+from hertzwerk.derive.mechanism.joints import Port
 from hertzwerk.derive.module.joints import Joints
+from hertzwerk.derive.module.landmarks import Landmark, landmarks_of
 from hertzwerk.derive.module.results import dimension_of, ports_of, vector
-from hertzwerk.derive.periods import period
-from hertzwerk.derive.program import Function, Result, Tape
-from hertzwerk.derive.resistance import resistance_faults
-from hertzwerk.derive.scene import Contact, Friction, Scene
+from hertzwerk.derive.motion.absolute import Absolute
+from hertzwerk.derive.motion.equations import Equations
+from hertzwerk.derive.motion.kinematics import Kinematics
+from hertzwerk.derive.motion.periods import period
+from hertzwerk.derive.motion.resistance import resistance_faults
+from hertzwerk.derive.program.program import Function, Result, Tape
 
 
 class System:

@@ -5,18 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from hertzwerk.derive.algebra.splines import Table
+from hertzwerk.derive.audit.forms import advice
+from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.effects.expression import tables_in
-from hertzwerk.derive.emit import table_name
-from hertzwerk.derive.forms import advice
-from hertzwerk.derive.joints import Port
-from hertzwerk.derive.kinematics import Kinematics
-from hertzwerk.derive.loops import Constraint
+from hertzwerk.derive.emit.printer import table_name
+from hertzwerk.derive.mechanism.joints import Port
+from hertzwerk.derive.mechanism.pairs import JOURNALS
+from hertzwerk.derive.mechanism.parameter import Interval, Parameter
 from hertzwerk.derive.module.outputs import output_rows
 from hertzwerk.derive.module.system import System
-from hertzwerk.derive.pairs import JOURNALS
-from hertzwerk.derive.parameter import Interval, Parameter
-from hertzwerk.derive.scene import Scene
-from hertzwerk.derive.tables import Table
+from hertzwerk.derive.motion.kinematics import Kinematics
+from hertzwerk.derive.motion.loops import Constraint
 
 
 def tables(system: System) -> Mapping[str, tuple[Any, ...]]:

@@ -8,8 +8,8 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.functions import Where
-from hertzwerk.derive.program import Function, Program, symbols_in
+from hertzwerk.derive.algebra.functions import Where
+from hertzwerk.derive.program.program import Function, Program, symbols_in
 from hertzwerk.derive.readable.symbols import Names, contact_title, words
 
 UNSHOWN = ("constants", "scales", "gap_accelerations", "accelerations", "balance", "projection", "poses", "motion", "applied",

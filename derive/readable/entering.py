@@ -8,11 +8,11 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.program import symbols_in
+from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.program.program import symbols_in
 from hertzwerk.derive.readable.drafts import ENERGY, LEDGER, Draft, Part, pair_of
 from hertzwerk.derive.readable.marks import Marked
 from hertzwerk.derive.readable.symbols import contact_title
-from hertzwerk.derive.scene import Scene
 
 _ELSEWHERE = ("contact", "friction", "drive", "ledger")  # kinds that are no term of `applied`
 

@@ -11,11 +11,12 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.audit import audit_laws, audit_program, refuse_inconsistent
+from hertzwerk.derive.algebra.notation import latex_of, text_of, tidy
+from hertzwerk.derive.audit.audit import audit_laws, audit_program, refuse_inconsistent
+from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.derivation import derive, unsolved
 from hertzwerk.derive.module.tables import meanings_of
-from hertzwerk.derive.notation import latex_of, text_of, tidy
-from hertzwerk.derive.program import Program, symbols_in
+from hertzwerk.derive.program.program import Program, symbols_in
 from hertzwerk.derive.readable.drafts import (
     ENERGY,
     KINEMATICS,
@@ -33,7 +34,6 @@ from hertzwerk.derive.readable.forms import Forms
 from hertzwerk.derive.readable.marks import Marked, marked
 from hertzwerk.derive.readable.record import Effect, Equation, Readable, Section, Symbol, Term
 from hertzwerk.derive.readable.symbols import Names, contact_title, film_title
-from hertzwerk.derive.scene import Scene
 
 LINE = 19  # symbols of a sum that stands on one line
 INTEGRAL = 40  # symbols from which a stored energy is shown as the integral it is

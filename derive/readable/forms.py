@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.program import Tape, symbols_in
+from hertzwerk.derive.program.program import Tape, symbols_in
 from hertzwerk.derive.readable.drafts import KINEMATICS, Draft
 from hertzwerk.derive.readable.symbols import Names
 from hertzwerk.derive.readable.trigonometry import contracted

@@ -8,10 +8,10 @@ from typing import Any
 
 import sympy as sp
 
+from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.laws.law import BoundLaw
-from hertzwerk.derive.mechanism import Material
-from hertzwerk.derive.parameter import Parameter
-from hertzwerk.derive.scene import Scene
+from hertzwerk.derive.mechanism.bodies import Material
+from hertzwerk.derive.mechanism.parameter import Parameter
 
 
 @dataclass(frozen=True)

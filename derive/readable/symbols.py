@@ -8,10 +8,10 @@ from typing import Any
 
 import sympy as sp
 
+from hertzwerk.derive.algebra.notation import latex_name
 from hertzwerk.derive.laws.law import GEOMETRY, Quantity
-from hertzwerk.derive.notation import latex_name
-from hertzwerk.derive.parameter import Parameter
-from hertzwerk.derive.program import Program
+from hertzwerk.derive.mechanism.parameter import Parameter
+from hertzwerk.derive.program.program import Program
 from hertzwerk.derive.readable.films import FILM, FILM_LANDMARKS
 
 AXES = ("x", "y", "z")

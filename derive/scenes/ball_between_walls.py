@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from hertzwerk.derive import (
+from hertzwerk.derive import (  # fmt: skip
     GROUND,
     Body,
     Contact,
@@ -15,7 +15,7 @@ from hertzwerk.derive import (
     SphereOnPlane,
     Start,
     X,
-)  # fmt: skip
+)
 from hertzwerk.derive.laws import hunt_crossley, power
 
 m = Parameter("mass", "kg", 1.6)

@@ -5,7 +5,7 @@ Closed forms: penetration at rest (m g/K)^(2/3); small oscillation with the peri
 
 import sympy as sp
 
-from hertzwerk.derive import (
+from hertzwerk.derive import (  # fmt: skip
     GROUND,
     BallInSocket,
     Body,
@@ -19,7 +19,7 @@ from hertzwerk.derive import (
     Scene,
     Start,
     Z,
-)  # fmt: skip
+)
 from hertzwerk.derive.laws import power
 
 m = Parameter("mass", "kg", 0.5)

@@ -5,20 +5,7 @@ the benchmark have them (grade B); the rods are slender as in one of them, the o
 Source: https://www.iftomm-multibody.org/benchmark, A04; Gonzalez, Dopico, Lugris, Cuadrado, Multibody Syst. Dyn. 16 (2006) 263.
 """
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    EnergyLedger,
-    Gravity,
-    Mechanism,
-    Parameter,
-    Revolute,
-    Scales,
-    Scene,
-    X,
-    Y,
-    Z,
-)
+from hertzwerk.derive import GROUND, Body, EnergyLedger, Gravity, Mechanism, Parameter, Revolute, Scales, Scene, X, Y, Z
 
 L = Parameter("length", "m", 1.0, "of each rod")
 m = Parameter("mass", "kg", 1.0, "of each rod")

@@ -11,7 +11,7 @@ Source: https://www.iftomm-multibody.org/benchmark, A05.
 
 import sympy as sp
 
-from hertzwerk.derive import (
+from hertzwerk.derive import (  # fmt: skip
     GROUND,
     Body,
     EnergyLedger,
@@ -26,7 +26,7 @@ from hertzwerk.derive import (
     Start,
     Y,
     Z,
-)  # fmt: skip
+)
 
 l = Parameter("arm_length", "m", 0.3, "hinge to ball")
 h = Parameter("rod_length", "m", 0.2, "hinge to hinge")

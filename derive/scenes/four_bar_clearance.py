@@ -6,7 +6,7 @@ length of the bush and the density. It is none of the four-bars with clearance i
 
 import sympy as sp
 
-from hertzwerk.derive import (
+from hertzwerk.derive import (  # fmt: skip
     GROUND,
     Body,
     ConstantSpeed,
@@ -24,7 +24,7 @@ from hertzwerk.derive import (
     Start,
     Y,
     Z,
-)  # fmt: skip
+)
 from hertzwerk.derive.laws import flores, hertz_point, smooth_coulomb
 
 r = Parameter("crank_length", "m", 0.05)

@@ -4,7 +4,7 @@ its rotation, and settles where the contact force, normal and friction together,
 The load stands for all forces on the journal, its weight included.
 """
 
-from hertzwerk.derive import (
+from hertzwerk.derive import (  # fmt: skip
     GROUND,
     Body,
     ConstantSpeed,
@@ -19,7 +19,7 @@ from hertzwerk.derive import (
     Scales,
     Scene,
     Z,
-)  # fmt: skip
+)
 from hertzwerk.derive.laws import flores, power, smooth_coulomb
 
 m = Parameter("mass", "kg", 1.0, "of the journal and what it carries")

@@ -4,7 +4,7 @@ Ocvirk's short-bearing film holds the load: eccentric, and ahead of the load by 
 The load stands for all forces on the journal, its weight included.
 """
 
-from hertzwerk.derive import (
+from hertzwerk.derive import (  # fmt: skip
     GROUND,
     Body,
     ConstantSpeed,
@@ -19,7 +19,7 @@ from hertzwerk.derive import (
     Scales,
     Scene,
     Z,
-)  # fmt: skip
+)
 from hertzwerk.derive.laws import flores, power, short_bearing
 
 m = Parameter("mass", "kg", 2.0, "of the journal and what it carries")

@@ -5,7 +5,7 @@ Linear stiffness and the damping factor that returns the coefficient of restitut
 
 import sympy as sp
 
-from hertzwerk.derive import (
+from hertzwerk.derive import (  # fmt: skip
     GROUND,
     Body,
     Contact,
@@ -20,7 +20,7 @@ from hertzwerk.derive import (
     Start,
     Y,
     Z,
-)  # fmt: skip
+)
 from hertzwerk.derive.laws import exact, power
 
 SPHERES = 5

@@ -4,7 +4,7 @@ Data: the set ascribed to Ravn, Schwab and Flores, from general knowledge of the
 with. Nor could the data of Wang & Liu. The length of the bush and the density of the steel are our choice.
 """
 
-from hertzwerk.derive import (
+from hertzwerk.derive import (  # fmt: skip
     GROUND,
     Body,
     ConstantSpeed,
@@ -24,7 +24,7 @@ from hertzwerk.derive import (
     X,
     Y,
     Z,
-)  # fmt: skip
+)
 from hertzwerk.derive.laws import hertz_point, lankarani_nikravesh, smooth_coulomb
 
 r = Parameter("crank_radius", "m", 0.05, "main bearing to crank pin")

@@ -4,18 +4,7 @@ A motor turns the crank at constant speed through a coupling that lets its shaft
 Data as with one clearance.
 """
 
-from hertzwerk.derive import (
-    GROUND,
-    ConstantSpeed,
-    EnergyLedger,
-    Mechanism,
-    Planar,
-    Prismatic,
-    Scales,
-    Scene,
-    Start,
-    X,
-)
+from hertzwerk.derive import GROUND, ConstantSpeed, EnergyLedger, Mechanism, Planar, Prismatic, Scales, Scene, Start, X
 from hertzwerk.derive.scenes import slider_crank as one
 from hertzwerk.derive.scenes.slider_crank import c, crank, l, r, rod, slider, w
 from hertzwerk.derive.scenes.slider_crank_two_clearances import (

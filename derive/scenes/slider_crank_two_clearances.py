@@ -3,7 +3,7 @@
 Source: two clearance joints at once, Flores, Lankarani, J. Comput. Nonlinear Dyn. 7 (2012) 031003; data as with one.
 """
 
-from hertzwerk.derive import (
+from hertzwerk.derive import (  # fmt: skip
     GROUND,
     ConstantSpeed,
     Contact,
@@ -21,7 +21,7 @@ from hertzwerk.derive import (
     Start,
     X,
     Z,
-)  # fmt: skip
+)
 from hertzwerk.derive.laws import hertz_point, lankarani_nikravesh, smooth_coulomb
 from hertzwerk.derive.scenes import slider_crank as one
 from hertzwerk.derive.scenes.slider_crank import c, crank, l, r, rod, slider, steel, w

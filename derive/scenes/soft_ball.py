@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from hertzwerk.derive import (
+from hertzwerk.derive import (  # fmt: skip
     GROUND,
     Body,
     Contact,
@@ -16,7 +16,7 @@ from hertzwerk.derive import (
     SphereOnPlane,
     Start,
     Y,
-)  # fmt: skip
+)
 from hertzwerk.derive.laws import power
 
 m = Parameter("mass", "kg", 1)

@@ -7,7 +7,7 @@ material are our choice.
 
 import sympy as sp
 
-from hertzwerk.derive import (
+from hertzwerk.derive import (  # fmt: skip
     GROUND,
     BallInSocket,
     Body,
@@ -27,7 +27,7 @@ from hertzwerk.derive import (
     X,
     Y,
     Z,
-)  # fmt: skip
+)
 from hertzwerk.derive.laws import flores, hertz_point
 
 r = Parameter("crank_length", "m", 0.08)

@@ -6,7 +6,7 @@ those are rigid. The stiffness, the speed over which friction builds up and the 
 
 import sympy as sp
 
-from hertzwerk.derive import (
+from hertzwerk.derive import (  # fmt: skip
     GROUND,
     Body,
     Contact,
@@ -23,7 +23,7 @@ from hertzwerk.derive import (
     X,
     Y,
     Z,
-)  # fmt: skip
+)
 from hertzwerk.derive.laws import flores, power, smooth_coulomb
 
 r = Parameter("crank_length", "m", 0.153)

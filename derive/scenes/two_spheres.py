@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from hertzwerk.derive import (
+from hertzwerk.derive import (  # fmt: skip
     GROUND,
     Body,
     Contact,
@@ -16,7 +16,7 @@ from hertzwerk.derive import (
     SphereOnSphere,
     Start,
     X,
-)  # fmt: skip
+)
 from hertzwerk.derive.laws import flores, hertz_point
 
 m = Parameter("mass", "kg", 0.092, "of each sphere")

@@ -14,8 +14,8 @@ from hertzwerk.runtime.cli.target import DURATION, JSON, LAW, SET, WITHOUT, assi
 from hertzwerk.runtime.cli.terminal import OTHER_OUTCOME, Progress, kept, lacking, line, reports_bad_input, table
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.reference import NoReferenceError, Problem
-    from hertzwerk.runtime.work_precision import Study
+    from hertzwerk.runtime.work_precision.reference import NoReferenceError, Problem
+    from hertzwerk.runtime.work_precision.study import Study
 
 
 @click.command()
@@ -35,10 +35,10 @@ def accuracy(target: str, out: Path | None, as_json: bool, **options: Any) -> in
     Each run asks for an error at its end; what it really has is measured against a reference of two independent methods. How errors go along
     the run says how long a trajectory stays the true one, and what ten times more accuracy buys.
     """
-    from hertzwerk.runtime.folder import new_folder
-    from hertzwerk.runtime.record import json_text
-    from hertzwerk.runtime.reference import NoReferenceError
-    from hertzwerk.runtime.work_precision import study
+    from hertzwerk.runtime.host.folder import new_folder
+    from hertzwerk.runtime.solution.record import json_text
+    from hertzwerk.runtime.work_precision.reference import NoReferenceError
+    from hertzwerk.runtime.work_precision.study import study
 
     wanted = out is not None or not as_json
     problem = _problem(target, out, wanted=wanted, **options)
@@ -53,7 +53,7 @@ def accuracy(target: str, out: Path | None, as_json: bool, **options: Any) -> in
         lambda: new_folder(f"{name}-accuracy", out, lambda at: _write(found, at, missing)), missing, wanted=wanted
     )
     if as_json:
-        from hertzwerk.runtime.accuracy_report import record as numbers
+        from hertzwerk.runtime.work_precision.report import record as numbers
 
         click.echo(json_text(numbers(found)))
     else:
@@ -72,10 +72,10 @@ def _problem(
     duration: str | None,
 ) -> Problem:
     """What a command line asks for; raises InputError with the faults of all its parts."""
-    from hertzwerk.runtime import scenarios
-    from hertzwerk.runtime.reference import Problem
-    from hertzwerk.runtime.request import Settings, read
-    from hertzwerk.runtime.start import sorted_out
+    from hertzwerk.runtime.run.request import Settings, read
+    from hertzwerk.runtime.start.start_values import sorted_out
+    from hertzwerk.runtime.validate import scenarios
+    from hertzwerk.runtime.work_precision.reference import Problem
 
     faults = cannot_be_written(out, wanted=wanted)
     values = assignments("--set", settings, faults)
@@ -93,11 +93,11 @@ def _problem(
 
 def _write(found: Study, folder: Path, missing: list[str]) -> list[str]:
     """Data and picture of a study."""
-    from hertzwerk.runtime.accuracy_report import csv_text
-    from hertzwerk.runtime.accuracy_report import record as numbers
-    from hertzwerk.runtime.folder import attempted
-    from hertzwerk.runtime.plot_accuracy import save
-    from hertzwerk.runtime.record import json_text, versions
+    from hertzwerk.runtime.host.folder import attempted
+    from hertzwerk.runtime.pictures.plot_accuracy import save
+    from hertzwerk.runtime.solution.record import json_text, versions
+    from hertzwerk.runtime.work_precision.report import csv_text
+    from hertzwerk.runtime.work_precision.report import record as numbers
 
     (folder / "accuracy.csv").write_text(csv_text(found), encoding="utf-8")
     content = {**numbers(found), "versions": versions()}
@@ -107,7 +107,7 @@ def _write(found: Study, folder: Path, missing: list[str]) -> list[str]:
 
 
 def _report(found: Study, written: tuple[Path, list[str]] | None) -> None:
-    from hertzwerk.runtime import accuracy_report as report
+    from hertzwerk.runtime.work_precision import report
 
     held = found.reference
     line(found.problem.model.name, f"{report.seconds(float(held.t[-1]))}, errors in the scene's scales at the end")
@@ -126,7 +126,7 @@ def _report(found: Study, written: tuple[Path, list[str]] | None) -> None:
 
 def _without_reference(problem: Problem, error: NoReferenceError, *, as_json: bool) -> int:
     """No two methods reach the end: there is nothing to measure errors by."""
-    from hertzwerk.runtime.record import json_text
+    from hertzwerk.runtime.solution.record import json_text
 
     failed = {method: (run.outcome, run.t_end) for method, run in error.runs.items()}
     if as_json:

@@ -12,7 +12,7 @@ from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, line, reports_bad_input, table
 
 if TYPE_CHECKING:
-    from hertzwerk.derive.audit import Finding
+    from hertzwerk.derive.audit.audit import Finding
 
 
 @click.command()
@@ -47,7 +47,7 @@ def audit(
         return _audit_expression(expr, units, values, expect, as_json)
     if laws:
         return _audit_laws(as_json)
-    from hertzwerk.runtime.build import audit_targets
+    from hertzwerk.runtime.model.build import audit_targets
 
     audited = audit_targets(targets)
     findings = [finding for group in audited.values() for finding in group]
@@ -73,7 +73,7 @@ def _must_name_one(targets: Sequence[str], laws: bool, expr: str | None, *, stra
 
 
 def _audit_expression(text: str, units: Sequence[str], values: Sequence[str], expect: str | None, as_json: bool) -> int:
-    from hertzwerk.runtime.build import audit_text
+    from hertzwerk.runtime.model.build import audit_text
 
     finding = audit_text(text, units, values, expect)
     if as_json:
@@ -84,7 +84,7 @@ def _audit_expression(text: str, units: Sequence[str], values: Sequence[str], ex
 
 
 def _audit_laws(as_json: bool) -> int:
-    from hertzwerk.runtime.build import audit_catalogue
+    from hertzwerk.runtime.model.build import audit_catalogue
 
     findings, differing = audit_catalogue()
     if as_json:

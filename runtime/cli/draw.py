@@ -14,7 +14,7 @@ from hertzwerk.runtime.cli.target import SET, assignments
 from hertzwerk.runtime.cli.terminal import GOOD, line, reports_bad_input
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.draw.places import Places
+    from hertzwerk.runtime.pictures.draw.places import Places
 
 TOLERANCE = 1e-6  # local; a picture shows no more
 
@@ -40,11 +40,11 @@ def draw(
     overwrite: bool,
 ) -> int:
     """Draw the mechanism of TARGET at its start and later, clearances enlarged; of several (default: all built-in scenes) one sheet."""
-    from hertzwerk.runtime.build import built_in_scenes
-    from hertzwerk.runtime.draw import picture
-    from hertzwerk.runtime.draw.sheet import sheet
-    from hertzwerk.runtime.folder import unwritable
-    from hertzwerk.runtime.solution import write
+    from hertzwerk.runtime.host.folder import unwritable
+    from hertzwerk.runtime.model.build import built_in_scenes
+    from hertzwerk.runtime.pictures.draw import picture
+    from hertzwerk.runtime.pictures.draw.sheet import sheet
+    from hertzwerk.runtime.solution.solution import write
 
     faults: list[Fault] = []
     values = assignments("--set", settings, faults)
@@ -71,14 +71,14 @@ def draw(
 
 def _places(target: str, values: dict[str, str], duration: str | None, start: bool) -> tuple[Places, tuple[str, ...]]:
     """Where a mechanism is in its scenario, and what to say of that; raises InputError."""
-    from hertzwerk.runtime import scenarios
-    from hertzwerk.runtime.caveats import unchecked
-    from hertzwerk.runtime.draw.picture import notes_on
-    from hertzwerk.runtime.draw.places import Places
-    from hertzwerk.runtime.model import load
-    from hertzwerk.runtime.request import METHOD
+    from hertzwerk.runtime.model.model import load
+    from hertzwerk.runtime.pictures.draw.picture import notes_on
+    from hertzwerk.runtime.pictures.draw.places import Places
+    from hertzwerk.runtime.run.request import METHOD
     from hertzwerk.runtime.simulation import simulate
-    from hertzwerk.runtime.start import sorted_out
+    from hertzwerk.runtime.solution.caveats import unchecked
+    from hertzwerk.runtime.start.start_values import sorted_out
+    from hertzwerk.runtime.validate import scenarios
 
     model = load(target)
     numbers = scenarios.read(target) if target in scenarios.names() else {}

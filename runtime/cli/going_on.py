@@ -12,8 +12,8 @@ from hertzwerk.runtime.cli.target import assignments, cannot_be_written
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.cli.stopping import Stopping
-    from hertzwerk.runtime.model import Model
-    from hertzwerk.runtime.solution import Solution
+    from hertzwerk.runtime.model.model import Model
+    from hertzwerk.runtime.solution.solution import Solution
 
 KEPT = "leave it out: a run goes on as it began"
 
@@ -32,7 +32,7 @@ def going_on(
     **others: Any,
 ) -> tuple[Solution, dict[str, Any]]:
     """The run that goes on, and the request to be kept of it; raises InputError, with what of the command line is not as the run there."""
-    from hertzwerk.runtime.model import load
+    from hertzwerk.runtime.model.model import load
 
     before, request = _read(folder)
     faults = cannot_be_written(out, wanted=wanted)
@@ -57,7 +57,7 @@ def going_on(
 
 def limits_of(max_steps: str | None, wall_time: str | None, faults: list[Fault]) -> dict[str, Any]:
     """The limits that are given; what is none becomes a fault."""
-    from hertzwerk.runtime.binding import read_time
+    from hertzwerk.runtime.model.binding import read_time
 
     limits: dict[str, Any] = {}
     if max_steps is not None:
@@ -77,7 +77,7 @@ def output_of(grid: str | None) -> str | int:
 
 def _read(folder: Path) -> tuple[Solution, dict[str, Any]]:
     """The run in a folder, and what it was asked by; raises InputError."""
-    from hertzwerk.runtime.solution import Solution
+    from hertzwerk.runtime.solution.solution import Solution
 
     try:
         told = json.loads((folder / "run.json").read_text(encoding="utf-8"))
@@ -107,7 +107,7 @@ def _differences(
     method: str | None,
 ) -> list[Fault]:
     """What of a command line is not as the run was made."""
-    from hertzwerk.runtime.build import is_file
+    from hertzwerk.runtime.model.build import is_file
 
     faults: list[Fault] = []
     if target is not None and is_file(target):
@@ -132,8 +132,8 @@ def _differences(
 
 def _other_values(before: Solution, model: Model, values: Mapping[str, str]) -> list[Fault]:
     """The parameters and initial states that are not those of the run."""
-    from hertzwerk.runtime.checkpoint import parameters_of
-    from hertzwerk.runtime.start import sorted_out
+    from hertzwerk.runtime.run.checkpoint import parameters_of
+    from hertzwerk.runtime.start.start_values import sorted_out
 
     faults: list[Fault] = []
     had = parameters_of(before, model)

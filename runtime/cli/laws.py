@@ -25,8 +25,8 @@ from hertzwerk.runtime.cli.terminal import (
 )
 
 if TYPE_CHECKING:
-    from hertzwerk.derive.sheet import Formula, Restitution, Sheet
-    from hertzwerk.runtime.restitution import Curve, Study
+    from hertzwerk.derive.sheets.sheet import Formula, Restitution, Sheet
+    from hertzwerk.runtime.validate.restitution import Curve, Study
 
 SHOWN = (0.1, 0.3, 0.5, 0.7, 0.9)  # restitutions in the table; the files have all
 SHOWN_OWN = (0.01, 0.1, 0.3, 1.0, 3.0)
@@ -62,7 +62,7 @@ def laws(
         return _study(names, out, plots=not no_plots, as_json=as_json)
     if out is not None or no_plots:
         raise InputError("laws", [Fault("laws", "--out or --no-plots alone", "--restitution beside it")])
-    from hertzwerk.runtime import build
+    from hertzwerk.runtime.model import build
 
     if names or picture is not None:
         sheets = build.law_sheets(names)
@@ -100,8 +100,8 @@ def _draw(sheets: Sequence[Sheet], picture: Path) -> None:
         faults.append(Fault("--picture", str(picture), "a file FILE.png in a folder that is there"))
     if faults:
         raise InputError("laws", faults)
-    from hertzwerk.runtime.plot_band import png
-    from hertzwerk.runtime.scratch import write_atomically
+    from hertzwerk.runtime.host.scratch import write_atomically
+    from hertzwerk.runtime.pictures.plot_band import png
 
     write_atomically(picture, png(sheets[0]))
 
@@ -200,9 +200,9 @@ def _print_restitution(found: Restitution) -> None:
 
 
 def _study(names: Sequence[str], out: Path | None, *, plots: bool, as_json: bool) -> int:
-    from hertzwerk.runtime.folder import new_folder
-    from hertzwerk.runtime.record import json_text
-    from hertzwerk.runtime.restitution import study
+    from hertzwerk.runtime.host.folder import new_folder
+    from hertzwerk.runtime.solution.record import json_text
+    from hertzwerk.runtime.validate.restitution import study
 
     wanted = out is not None or not as_json
 
@@ -232,15 +232,15 @@ def _study(names: Sequence[str], out: Path | None, *, plots: bool, as_json: bool
 
 
 def _write(found: Study, folder: Path, missing: list[str], *, plots: bool) -> list[str]:
-    from hertzwerk.runtime.folder import attempted
-    from hertzwerk.runtime.record import json_text
+    from hertzwerk.runtime.host.folder import attempted
+    from hertzwerk.runtime.solution.record import json_text
 
     texts = {"restitution.csv": found.csv(), "restitution.json": json_text(found.record()) + "\n"}
     for name, text in texts.items():
         (folder / name).write_text(text, encoding="utf-8")
     if not plots:
         return list(texts)
-    from hertzwerk.runtime.plot_laws import save
+    from hertzwerk.runtime.pictures.plot_laws import save
 
     missing += attempted("restitution.png", lambda: save(found, folder / "restitution.png"))
     return [*texts, *([] if missing else ["restitution.png"])]

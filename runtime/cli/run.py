@@ -26,7 +26,7 @@ from hertzwerk.runtime.cli.target import (
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, kept, lacking, line, reports_bad_input
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.solution import Solution
+    from hertzwerk.runtime.solution.solution import Solution
 
 STOPPED = ("interrupted", "wall_time_limit", "too_many_steps")  # by a limit or the user, not by the motion
 
@@ -88,7 +88,7 @@ def run(
 
     Ctrl-C, or SIGTERM, ends it at once before the first steps (exit code 130); from then on it ends the computing, and what there is is written.
     """
-    from hertzwerk.runtime import record
+    from hertzwerk.runtime.solution import record
 
     wanted = out is not None or not as_json
     with (
@@ -133,10 +133,10 @@ def run(
 @reports_bad_input
 def validate(targets: tuple[str, ...]) -> int:
     """Run scenarios (built-in names or TOML files; default: all built-in) and check what must come out."""
-    from hertzwerk.runtime import scenarios
-    from hertzwerk.runtime.scenario import load_scenario
-    from hertzwerk.runtime.validate import run_scenario
-    from hertzwerk.runtime.validate import validate as verdicts_of
+    from hertzwerk.runtime.validate import scenarios
+    from hertzwerk.runtime.validate.scenario import load_scenario
+    from hertzwerk.runtime.validate.validate import run_scenario
+    from hertzwerk.runtime.validate.validate import validate as verdicts_of
 
     made = held = unfinished = 0
     for scenario in [load_scenario(target) for target in targets or scenarios.names()]:
@@ -158,7 +158,7 @@ def _request(target: str | None, options: Mapping[str, Any]) -> dict[str, Any]:
     if target is None:
         expected = "a scene or a file, or --continue FOLDER"
         raise InputError("run", [Fault("TARGET", "none", expected, "`hertzwerk list` names the scenes")])
-    from hertzwerk.runtime.build import is_file
+    from hertzwerk.runtime.model.build import is_file
 
     place = str(Path(target).resolve()) if is_file(target) else target
     return {"target": place, **{name: options[name] for name in ("without", "laws", "coordinates", "grid")}}
@@ -182,10 +182,10 @@ def _simulate(
     wall_time: str | None,
 ) -> Solution:
     """The solution a command line asks for; raises InputError with the faults of all its parts."""
-    from hertzwerk.runtime import scenarios
-    from hertzwerk.runtime.request import METHOD, Settings, read
+    from hertzwerk.runtime.run.request import METHOD, Settings, read
     from hertzwerk.runtime.simulation import simulate
-    from hertzwerk.runtime.start import sorted_out
+    from hertzwerk.runtime.start.start_values import sorted_out
+    from hertzwerk.runtime.validate import scenarios
 
     faults = cannot_be_written(out, wanted=wanted)
     values = assignments("--set", settings, faults)
@@ -228,7 +228,7 @@ def _report(solution: Solution) -> None:
         f"{statistics.steps:,} steps, {count:,} impact{'s' if count != 1 else ''}{closed}, computed in {_time(statistics.wall_s)}{beside}",
     )
     if solution.error is not None and solution.accuracy is not None:
-        from hertzwerk.runtime.accuracy import brief
+        from hertzwerk.runtime.accuracy.ladder import brief
 
         cost = solution.error.decade_cost
         more = "" if cost is None else f"; ten times more would cost about {cost:.1f} x the time"

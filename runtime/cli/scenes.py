@@ -14,14 +14,14 @@ from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, line, reports_bad_input, table
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.regenerate import Derived
+    from hertzwerk.runtime.model.regenerate import Derived
 
 
 @click.command("list")
 @reports_bad_input
 def list_scenes() -> int:
     """The built-in scenes, with their effects."""
-    from hertzwerk.runtime.regenerate import generated_names
+    from hertzwerk.runtime.model.regenerate import generated_names
 
     rows = []
     for name in generated_names():
@@ -51,9 +51,9 @@ def derive(
     targets: tuple[str, ...], check: bool, out: Path | None, coordinates: str | None, show: bool, as_json: bool
 ) -> int:
     """Derive the equations of TARGET, check every unit, and write the generated module."""
-    from hertzwerk.runtime import regenerate
-    from hertzwerk.runtime.build import built_in_scenes, require_targets
-    from hertzwerk.runtime.folder import unwritable
+    from hertzwerk.runtime.host.folder import unwritable
+    from hertzwerk.runtime.model import regenerate
+    from hertzwerk.runtime.model.build import built_in_scenes, require_targets
 
     if show or as_json:
         _refuse_beside_show({"--check": check, "--out": out is not None, "--json without --show": not show})
@@ -87,7 +87,7 @@ def _refuse_beside_show(given: dict[str, bool]) -> None:
 
 def _show(targets: Sequence[str], coordinates: str | None, *, as_json: bool) -> int:
     """Print the equations of all targets or of none."""
-    from hertzwerk.runtime import regenerate
+    from hertzwerk.runtime.model import regenerate
 
     shown = regenerate.shown(targets, coordinates)
     if as_json:
@@ -99,7 +99,7 @@ def _show(targets: Sequence[str], coordinates: str | None, *, as_json: bool) -> 
 
 def _compare(modules: Sequence[Derived], folder: Path | None, *, everything: bool) -> int:
     """Report on each module whether the one in place is what its scene derives to."""
-    from hertzwerk.runtime import regenerate
+    from hertzwerk.runtime.model import regenerate
 
     good = True
     for module in modules:

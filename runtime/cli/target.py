@@ -11,7 +11,7 @@ import click
 from hertzwerk.derive.faults import Fault, InputError
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.model import Model
+    from hertzwerk.runtime.model.model import Model
 
 SET = click.option(
     "--set",
@@ -49,7 +49,7 @@ def loaded(
 
     Raises InputError with the faults found before and, as names of parameters and states cannot be checked then, only those `beside`.
     """
-    from hertzwerk.runtime.model import load
+    from hertzwerk.runtime.model.model import load
 
     try:
         return load(target, without=without, laws=assignments("--law", laws, faults), coordinates=coordinates)
@@ -59,7 +59,7 @@ def loaded(
 
 def cannot_be_written(out: Path | None, *, wanted: bool = True) -> list[Fault]:
     """Why nothing can be written to the folder that --out names, or to runs/ where a folder is wanted anyway."""
-    from hertzwerk.runtime.folder import destination_fault
+    from hertzwerk.runtime.host.folder import destination_fault
 
     fault = destination_fault(out) if wanted or out is not None else None
     return [] if fault is None else [fault]

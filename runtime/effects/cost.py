@@ -11,7 +11,7 @@ import numpy as np
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.effects.measuring import Bench, Case
-    from hertzwerk.runtime.model import Model
+    from hertzwerk.runtime.model.model import Model
 
 FLIGHT = ("applied", "accelerations", "gaps", "gap_accelerations")  # as the header of a generated module counts them
 TRIES = 3  # runs of one round

@@ -9,20 +9,20 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from hertzwerk.derive.faults import Fault, InputError, unknown
-from hertzwerk.runtime import build
-from hertzwerk.runtime.binding import Value
 from hertzwerk.runtime.effects.cost import cost_of, shares
 from hertzwerk.runtime.effects.measuring import EIGHTHS, LADDER, Bench, Case, Measurement
 from hertzwerk.runtime.effects.outputs import PAST_HORIZON, Output, automatic, chosen
 from hertzwerk.runtime.effects.smallest import smallest
 from hertzwerk.runtime.effects.starts import as_driven
 from hertzwerk.runtime.effects.study import GONE, NEW, NONE_SEEN, Change, Row, Study
-from hertzwerk.runtime.model import Model, load
-from hertzwerk.runtime.request import METHOD
-from hertzwerk.runtime.solution import Solution
+from hertzwerk.runtime.model import build
+from hertzwerk.runtime.model.binding import Value
+from hertzwerk.runtime.model.model import Model, load
+from hertzwerk.runtime.run.request import METHOD
+from hertzwerk.runtime.solution.solution import Solution
 
 if TYPE_CHECKING:
-    from hertzwerk.derive.scene import Scene
+    from hertzwerk.derive.declare.scene import Scene
 
 HOPELESS = 6.0
 

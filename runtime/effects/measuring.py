@@ -16,18 +16,18 @@ from typing import Any
 import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.runtime import scales
-from hertzwerk.runtime.accuracy import VALID
-from hertzwerk.runtime.binding import Value
-from hertzwerk.runtime.caller import Rowwise
+from hertzwerk.runtime.accuracy.ladder import VALID
 from hertzwerk.runtime.effects.outputs import Output, Samples
-from hertzwerk.runtime.integrate.explicit import flow
-from hertzwerk.runtime.model import Model
-from hertzwerk.runtime.outcome import Outcome
-from hertzwerk.runtime.request import TOLERANCES
+from hertzwerk.runtime.integrate.step.explicit import flow
+from hertzwerk.runtime.model.binding import Value
+from hertzwerk.runtime.model.caller import Rowwise
+from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.run import scales
+from hertzwerk.runtime.run.request import TOLERANCES
 from hertzwerk.runtime.simulation import simulate
-from hertzwerk.runtime.solution import Solution
-from hertzwerk.runtime.start import sorted_out
+from hertzwerk.runtime.solution.outcome import Outcome
+from hertzwerk.runtime.solution.solution import Solution
+from hertzwerk.runtime.start.start_values import sorted_out
 
 FINER = 30.0  # the last tolerance is so many times finer than the first
 ROUNDED = 1e-12  # finer tolerances show rounding

@@ -15,14 +15,14 @@ import casadi as ca
 import numpy as np
 
 from hertzwerk.derive.faults import Fault, unknown
-from hertzwerk.runtime.caller import Rowwise
-from hertzwerk.runtime.history import acceleration_of
+from hertzwerk.runtime.model.caller import Rowwise
+from hertzwerk.runtime.solution.history import acceleration_of
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.averages import Average
-    from hertzwerk.runtime.history import History
-    from hertzwerk.runtime.model import Model
-    from hertzwerk.runtime.solution import Solution
+    from hertzwerk.runtime.model.model import Model
+    from hertzwerk.runtime.solution.averages import Average
+    from hertzwerk.runtime.solution.history import History
+    from hertzwerk.runtime.solution.solution import Solution
 
 SAMPLES, HALVES = 4_000, (1, 16)  # wanted of a run; half the least and the most parts of one step
 WAY_SAMPLES = 10_000  # for the length of a path, which has cusps

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 import numpy as np
 
-from hertzwerk.runtime.binding import Value
+from hertzwerk.runtime.model.binding import Value
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.model import Model
-    from hertzwerk.runtime.solution import Solution
+    from hertzwerk.runtime.model.model import Model
+    from hertzwerk.runtime.solution.solution import Solution
 
 CORRECTIONS = 20  # of the positions, by Gauss and Newton
 AGREE = 1e-9  # relative: the poses of all bodies and their rates, where they are the same

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.effects.measuring import Number
     from hertzwerk.runtime.effects.outputs import Output
     from hertzwerk.runtime.effects.smallest import Smallest
-    from hertzwerk.runtime.outcome import Outcome
+    from hertzwerk.runtime.solution.outcome import Outcome
 
 NONE_SEEN = "none seen"
 GONE = "gone"  # there is no such output without the effect

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 from hertzwerk.runtime.hard_cases.measured import TRIES
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.binding import Value
-    from hertzwerk.runtime.model import Model
-    from hertzwerk.runtime.solution import Solution
+    from hertzwerk.runtime.model.binding import Value
+    from hertzwerk.runtime.model.model import Model
+    from hertzwerk.runtime.solution.solution import Solution
 
 EXPLICIT, IMPLICIT = ("dopri5", "dop853"), ("rodas", "esdirk")
 METHODS = (*EXPLICIT, *IMPLICIT, "auto")
@@ -30,11 +30,11 @@ class Source:
 
     def load(self) -> Model:
         """The model; derived, or from the cache, where it is not committed."""
-        from hertzwerk.runtime.model import Model, load
+        from hertzwerk.runtime.model.model import Model, load
 
         if not self.hard:
             return load(self.scene, without=self.without, laws=dict(self.laws))
-        from hertzwerk.runtime.build import build_hard_scene
+        from hertzwerk.runtime.model.build import build_hard_scene
 
         return Model(build_hard_scene(self.scene))
 

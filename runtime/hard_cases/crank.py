@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from hertzwerk.runtime.hard_cases.case import REFERENCED, HardCase, Known, Source, final
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.binding import Value
+    from hertzwerk.runtime.model.binding import Value
 
 SMOOTH, ROUGH = Source("slider_crank_frictionless"), Source("slider_crank")
 QUAD = "quadruple precision, tests/reference/slider_crank_quad.cpp"

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from hertzwerk.runtime.hard_cases.case import HardCase, Source, at, contacts, final, impact, on_grid
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.binding import Value
+    from hertzwerk.runtime.model.binding import Value
 
 BALL, GRAZING = Source("bouncing_ball"), Source("grazing_ball", hard=True)
 FALLING: dict[str, Value] = {

@@ -11,8 +11,8 @@ import numpy as np
 from hertzwerk.runtime.hard_cases.case import EXPLICIT, IMPLICIT, METHODS, HardCase, Known, Source, final
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.binding import Value
-    from hertzwerk.runtime.solution import Solution
+    from hertzwerk.runtime.model.binding import Value
+    from hertzwerk.runtime.solution.solution import Solution
 
 G, START, LAYER = 9.81, 0.01, 1e-7
 DRIVE = 0.6 * 1.001 * G  # N: of the block of 1 kg and its carriage of 1 g, down an incline of 3 in 4

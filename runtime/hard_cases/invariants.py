@@ -16,16 +16,16 @@ import numpy as np
 from scipy.optimize import brentq
 
 from hertzwerk.runtime.hard_cases.case import EXTRA, MARGIN
-from hertzwerk.runtime.history import History
-from hertzwerk.runtime.integrate.layout import CONTACT, PAIR_PARTS, RELEASED
-from hertzwerk.runtime.lazy import cached_property
+from hertzwerk.runtime.host.lazy import cached_property
+from hertzwerk.runtime.integrate.step.layout import CONTACT, PAIR_PARTS, RELEASED
+from hertzwerk.runtime.solution.history import History
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from hertzwerk.runtime.hard_cases.case import HardCase, Known
-    from hertzwerk.runtime.model import Model
-    from hertzwerk.runtime.solution import Solution
+    from hertzwerk.runtime.model.model import Model
+    from hertzwerk.runtime.solution.solution import Solution
 
     Array = NDArray[np.float64]
 

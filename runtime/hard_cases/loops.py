@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from hertzwerk.runtime.hard_cases.case import METHODS, HardCase, Known, Source, final
-from hertzwerk.runtime.solution import Solution
+from hertzwerk.runtime.solution.solution import Solution
 
 TURNED = -31.750597186986102  # rad, of two windows after 10 s
 

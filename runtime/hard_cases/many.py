@@ -21,7 +21,7 @@ from hertzwerk.runtime.hard_cases.case import (
 )
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.binding import Value
+    from hertzwerk.runtime.model.binding import Value
 
 TOLERANCE = 1e-8
 PART = 100 * TOLERANCE  # of a speed after a few impacts

@@ -9,7 +9,7 @@ from hertzwerk.runtime.hard_cases import closed
 from hertzwerk.runtime.hard_cases.case import IMPLICIT, METHODS, HardCase, Known, Source, contacts, final, largest
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.binding import Value
+    from hertzwerk.runtime.model.binding import Value
 
 BALL, BALL_EXACT = Source("bouncing_ball"), Source("bouncing_ball", laws=(("floor", "exact"),))
 BALL_PULLED = Source("bouncing_ball", laws=(("floor", "kelvin_voigt"),))

@@ -16,16 +16,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from hertzwerk.runtime.hard_cases.invariants import Measured, measure
-from hertzwerk.runtime.integrate.compiled import available
-from hertzwerk.runtime.integrate.methods import SUNDIALS
-from hertzwerk.runtime.interrupt import raised
-from hertzwerk.runtime.request import Compiled
+from hertzwerk.runtime.host.interrupt import raised
+from hertzwerk.runtime.integrate.loop.compiled import available
+from hertzwerk.runtime.integrate.step.methods import SUNDIALS
+from hertzwerk.runtime.run.request import Compiled
 from hertzwerk.runtime.simulation import simulate
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.hard_cases.case import HardCase, Source
-    from hertzwerk.runtime.model import Model
-    from hertzwerk.runtime.solution import Solution
+    from hertzwerk.runtime.model.model import Model
+    from hertzwerk.runtime.solution.solution import Solution
 
 FINER = 100  # than its case is a reference run
 FINEST = 1e-12  # that a reference run is asked for

@@ -16,11 +16,12 @@ import casadi as ca
 import numpy as np
 from scipy.optimize import brentq
 
-from hertzwerk.runtime.integrate.chunk import INTERRUPTED, WALL_TIME_LIMIT, Ending
-from hertzwerk.runtime.integrate.events import ends_with_force
-from hertzwerk.runtime.integrate.explicit import flow
-from hertzwerk.runtime.integrate.friction import STICK, pairs_of, slips_in
-from hertzwerk.runtime.integrate.layout import (
+from hertzwerk.runtime.host.interrupt import deferred
+from hertzwerk.runtime.integrate.events.events import ends_with_force
+from hertzwerk.runtime.integrate.loop.chunk import INTERRUPTED, WALL_TIME_LIMIT, Ending
+from hertzwerk.runtime.integrate.step.explicit import flow
+from hertzwerk.runtime.integrate.step.friction import STICK, pairs_of, slips_in
+from hertzwerk.runtime.integrate.step.layout import (
     CONTACT,
     EVENT_LIMIT,
     FINISHED,
@@ -34,12 +35,11 @@ from hertzwerk.runtime.integrate.layout import (
     TOO_MANY_STEPS,
     Layouts,
 )
-from hertzwerk.runtime.integrate.rounding import EPS
-from hertzwerk.runtime.integrate.slips import directed
-from hertzwerk.runtime.interrupt import deferred
+from hertzwerk.runtime.integrate.step.rounding import EPS
+from hertzwerk.runtime.integrate.step.slips import directed
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.model import Model
+    from hertzwerk.runtime.model.model import Model
 
 GRID = 16  # points of a window
 FIRST_WINDOW = 0.5  # after an event, of length/speed of the scene

@@ -8,17 +8,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from hertzwerk.derive.declare.scene import Scene
     from hertzwerk.derive.faults import InputError
-    from hertzwerk.derive.scene import Scene
-    from hertzwerk.runtime.model import load
+    from hertzwerk.runtime.model.model import load
     from hertzwerk.runtime.simulation import simulate
 
     __version__: str
 
 _PLACES = {
     "InputError": "hertzwerk.derive.faults",
-    "Scene": "hertzwerk.derive.scene",
-    "load": "hertzwerk.runtime.model",
+    "Scene": "hertzwerk.derive.declare.scene",
+    "load": "hertzwerk.runtime.model.model",
     "simulate": "hertzwerk.runtime.simulation",
 }
 

@@ -10,9 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from hertzwerk.runtime import load, scenarios, simulate
-from hertzwerk.runtime.accuracy import LEAST
-from hertzwerk.runtime.scales import error
+from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime.accuracy.ladder import LEAST
+from hertzwerk.runtime.run.scales import error
+from hertzwerk.runtime.validate import scenarios
 
 METHODS = ("dopri5", "dop853", "rodas", "esdirk", "auto")
 ACCURACIES = tuple(10.0**-k for k in range(3, 11))

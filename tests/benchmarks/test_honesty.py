@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from benchmarks.honesty import METHODS, Case, honesty, measured
 
-from hertzwerk.runtime import accuracy
+from hertzwerk.runtime.accuracy import ladder as accuracy
 
 
 def within(cases):

@@ -15,7 +15,7 @@ from mpmath import mp, mpf
 from scipy.integrate import solve_ivp
 from scipy.special import lambertw
 
-from hertzwerk.derive import emit
+from hertzwerk.derive.emit import printer as emit
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import F, StiffnessLaw, d, k_t, m_eff, v, v0
 from reference.laws import STEEL

@@ -15,7 +15,7 @@ import numpy as np
 import sympy as sp
 import sympy.physics.mechanics as me
 
-from hertzwerk.derive import (
+from hertzwerk.derive import (  # fmt: skip
     GROUND,
     Body,
     ConstantSpeed,
@@ -39,7 +39,7 @@ from hertzwerk.derive import (
     X,
     Y,
     Z,
-)  # fmt: skip
+)
 
 DIRECTIONS = {"+X": X, "+Y": Y, "+Z": Z, "-X": -X, "-Y": -Y, "-Z": -Z}
 

@@ -23,7 +23,7 @@ from known import INDEPENDENT, TYPED
 from mpmath import mp
 
 from hertzwerk.derive.laws import LAWS
-from hertzwerk.derive.parameter import Interval, Parameter
+from hertzwerk.derive.mechanism.parameter import Interval, Parameter
 
 BY = sp.Rational(101, 100)
 KINDS = (*INDEPENDENT, TYPED)

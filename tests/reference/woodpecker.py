@@ -4,7 +4,7 @@ Data: Ch. Glocker, Dynamik von Starrkoerpersystemen mit Reibung und Stoessen, th
 states them (grade B). There contacts are rigid and friction is Coulomb's; the compliance, and the layer that smooths friction, are of our choice.
 """
 
-from hertzwerk.derive import (
+from hertzwerk.derive import (  # fmt: skip
     GROUND,
     Body,
     Contact,
@@ -23,7 +23,7 @@ from hertzwerk.derive import (
     X,
     Y,
     Z,
-)  # fmt: skip
+)
 from hertzwerk.derive.laws import hunt_crossley, power, smooth_coulomb
 
 BAR, SLEEVE = Parameter("bar_radius", "mm", 2.5), Parameter("sleeve_radius", "mm", 3.1)

@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from hertzwerk.derive import (
+from hertzwerk.derive import (  # fmt: skip
     APART,
     GROUND,
     Body,
@@ -32,7 +32,7 @@ from hertzwerk.derive import (
     X,
     Y,
     Z,
-)  # fmt: skip
+)
 from hertzwerk.derive.laws import power
 
 SIDE, RADIUS, TILT = Parameter("side", "m", 0.2), Parameter("radius", "mm", 50), Parameter("tilt", "deg", 30)

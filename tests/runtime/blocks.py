@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from hertzwerk.derive import (
+from hertzwerk.derive import (  # fmt: skip
     GROUND,
     Body,
     ConstantSpeed,
@@ -21,7 +21,7 @@ from hertzwerk.derive import (
     X,
     Y,
     Z,
-)  # fmt: skip
+)
 from hertzwerk.derive.laws import kelvin_voigt, power
 
 MASS, CARRIAGE, GRAVITY, STIFFNESS = 1.0, 0.25, 9.81, 1e5  # kg, kg, m/s^2, N/m

@@ -5,7 +5,7 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
-from hertzwerk.derive import (
+from hertzwerk.derive import (  # fmt: skip
     APART,
     GROUND,
     Body,
@@ -32,10 +32,10 @@ from hertzwerk.derive import (
     X,
     Y,
     Z,
-)  # fmt: skip
+)
 from hertzwerk.derive.laws import flores, power, smooth_coulomb
 from hertzwerk.runtime import load, simulate
-from hertzwerk.runtime.curves import Curves
+from hertzwerk.runtime.pictures.curves import Curves
 
 TIGHT = {"rtol": 1e-13, "atol": 1e-15, "method": "DOP853"}
 

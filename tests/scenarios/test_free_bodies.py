@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from hertzwerk.derive import (
+from hertzwerk.derive import (  # fmt: skip
     GROUND,
     Body,
     Contact,
@@ -21,7 +21,7 @@ from hertzwerk.derive import (
     Spherical,
     Y,
     Z,
-)  # fmt: skip
+)
 from hertzwerk.derive.laws import hunt_crossley, power, smooth_coulomb
 from hertzwerk.runtime import load, simulate
 
@@ -208,8 +208,8 @@ def test_friction_turns_a_free_ball_by_what_it_takes_from_its_flight(method):
 
 
 def test_a_run_on_quaternions_is_saved_read_and_drawn(tmp_path):
-    from hertzwerk.runtime.curves import Curves
-    from hertzwerk.runtime.solution import Solution
+    from hertzwerk.runtime.pictures.curves import Curves
+    from hertzwerk.runtime.solution.solution import Solution
 
     run = simulate(
         pendulum(lambda bob: Spherical("pin", GROUND, bob)), duration=0.5, initial={"pin.q3": 0.2}, tolerance=1e-6

@@ -1,0 +1,1 @@
+"""What SymPy lacks for the equations of mechanisms: branches, vectors, splines, notation."""

@@ -1,0 +1,216 @@
+"""Tables: values at increasing arguments, and the quintic spline through them, a SymPy function that can be differentiated twice.
+
+The spline is the curve through all points with the least integral of its squared third derivative among those without curvature at both ends
+(Schoenberg, Proc. Nat. Acad. Sci. 52 (1964) 947): within the table four derivatives are continuous. Beyond the ends it goes on along its tangent,
+with two continuous derivatives. Between the points of a smooth curve the error is of 6th order in their distance if the second and fourth
+derivatives of that curve vanish at the ends (a sine over half periods), of 2nd order near an end that is curved.
+"""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.algebra.functions import NoText
+from hertzwerk.derive.faults import Fault, shown
+from hertzwerk.derive.identifiers import name_faults
+from hertzwerk.derive.units import UnitError, parse_unit
+
+__all__ = ["Spline", "Table"]
+
+Pair = tuple[float, float]
+
+
+class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
+    """Arguments and values with their units; `table(x)` is the spline through them at x, a SymPy expression.
+
+    `slopes` are those at both ends, in the unit of a value over that of an argument; None leaves them to the spline.
+    """
+
+    __slots__ = ("arguments", "name", "slopes", "units", "values")
+
+    def __new__(
+        cls,
+        name: str,
+        arguments: Sequence[float],
+        values: Sequence[float],
+        units: tuple[str, str],
+        slopes: Pair | None = None,
+    ) -> Table:
+        """What is wrong with a table its scene says: see `faults`."""
+        self = super().__new__(cls)
+        self.name = name
+        self.arguments = _listed(arguments)
+        self.values = _listed(values)
+        self.units = _listed(units)
+        self.slopes = None if slopes is None else _listed(slopes)
+        return self  # type: ignore[no-any-return]
+
+    def _hashable_content(self) -> tuple[Any, ...]:
+        return (self.name, repr(self.arguments), repr(self.values), self.units, repr(self.slopes))
+
+    def __getnewargs__(self) -> tuple[Any, ...]:
+        return (self.name, self.arguments, self.values, self.units, self.slopes)
+
+    def _sympystr(self, _: Any) -> str:
+        return str(self.name)
+
+    def __call__(self, argument: Any) -> Spline:
+        """The spline at an argument; raises TypeError for text."""
+        spline: Spline = Spline(self, argument, 0)
+        return spline
+
+    def faults(self) -> Iterator[Fault]:
+        """What is wrong with the declaration."""
+        found = tuple(self._declared_faults())
+        yield from found
+        if not found and not self._finite():
+            yield Fault(f"table {self.name}", "points whose spline leaves the range of a double",
+                        "arguments, values and slopes less far apart in size")  # fmt: skip
+
+    def _declared_faults(self) -> Iterator[Fault]:
+        where = f"table {self.name}"
+        yield from name_faults("table", self.name)
+        if len(self.units) != 2:
+            yield Fault(where, f"units {self.units!r}", "two, of an argument and of a value")
+        for unit in self.units:
+            try:
+                if parse_unit(unit).free_names:
+                    yield Fault(where, f"unit {unit!r}", "a unit without a symbolic exponent")
+            except UnitError as error:
+                yield Fault(where, f"unit {unit!r}", "a unit", str(error))
+        if len(self.arguments) != len(self.values) or len(self.arguments) < 2:
+            found = f"{len(self.arguments)} arguments and {len(self.values)} values"
+            yield Fault(where, found, "as many values as arguments, at least two")
+        for kind, numbers in (("argument", self.arguments), ("value", self.values), ("slope", self.slopes or ())):
+            for k, number in enumerate(numbers):
+                real = isinstance(number, int | float) and not isinstance(number, bool)
+                if not (real and abs(number) <= sys.float_info.max):
+                    yield Fault(where, f"{kind} {shown(number)} in place {k + 1}", "a finite number")
+                    return
+        if self.slopes is not None and len(self.slopes) != 2:
+            yield Fault(where, f"{len(self.slopes)} slopes", "two, at the first and at the last argument, or None")
+        for k, (a, b) in enumerate(pairwise(self.arguments)):
+            if not a < b:
+                yield Fault(where, f"argument {b!r} after {a!r} in place {k + 2}", "arguments that increase",
+                            "Sort the rows by argument; of two rows with one argument leave one out.")  # fmt: skip
+                return
+
+    def _finite(self) -> bool:
+        try:
+            return all(math.isfinite(number) for row in self.pieces() for number in row)
+        except ArithmeticError:
+            return False
+
+    def pieces(self) -> tuple[tuple[float, ...], ...]:
+        """Rows (x, c0, ..., c5), SI: the polynomials sum c_k (s - x)^k from each point to the next; of the last row only x counts."""
+        argument, value = (parse_unit(unit) for unit in self.units)
+        x, y = [argument.to_si(a) for a in self.arguments], [value.to_si(v) for v in self.values]
+        per = value.to_si(1.0) / argument.to_si(1.0)
+        slopes = None if self.slopes is None else (self.slopes[0] * per, self.slopes[1] * per)
+        nodes = _nodes(x, y, slopes)
+        rows = []
+        for k in range(len(x) - 1):
+            (v0, a0), (v1, a1), h = nodes[k], nodes[k + 1], x[k + 1] - x[k]
+            rise = (y[k + 1] - y[k] - h * (v0 + h * a0 / 2)) / h**3
+            turn = (v1 - v0 - h * a0) / h**2
+            bend = (a1 - a0) / h
+            higher = (10 * rise - 4 * turn + bend / 2, -15 * rise + 7 * turn - bend, 6 * rise - 3 * turn + bend / 2)
+            rows.append((x[k], y[k], v0, a0 / 2, *(c / h**power for power, c in enumerate(higher))))
+        return (*rows, (x[-1], y[-1], nodes[-1][0], 0.0, 0.0, 0.0, 0.0))
+
+
+class Spline(NoText):
+    """`Spline(table, x, k)`: the k-th derivative, k = 0, 1, 2, of a table's spline at x. Never evaluated."""
+
+    nargs = 3
+
+    @classmethod
+    def eval(cls, table: Any, argument: Any, order: Any) -> None:
+        """Never evaluate; raises ValueError for a derivative that is not continuous."""
+        if order not in (0, 1, 2):
+            raise ValueError(f"the spline of {table} has two derivatives everywhere; found the {order}th asked for")
+
+    def fdiff(self, argindex: int = 2) -> Any:
+        """The next derivative."""
+        if argindex != 2:
+            raise sp.ArgumentIndexError(self, argindex)
+        table, argument, order = self.args
+        return Spline(table, argument, order + 1)
+
+    def _eval_is_real(self) -> bool:
+        return True
+
+    def _sympystr(self, printer: Any) -> str:
+        table, argument, order = self.args
+        primes = "'" * int(order)
+        return f"{table.name}{primes}({printer.doprint(argument)})"
+
+    def _latex(self, printer: Any) -> str:
+        table, argument, order = self.args
+        name = str(table.name).replace("_", r"\_")
+        primes = "'" * int(order)
+        return rf"\mathrm{{{name}}}{primes}\left({printer.doprint(argument)}\right)"
+
+
+def _listed(values: Any) -> tuple[Any, ...]:
+    """A sequence's entries; what is none is a fault, which `faults` tells."""
+    return tuple(values) if isinstance(values, Iterable) else (values,)
+
+
+def _nodes(x: list[float], y: list[float], slopes: Pair | None) -> list[Pair]:
+    """First and second derivative of the spline at every point.
+
+    Where two pieces meet their third and fourth derivatives agree; at both ends the second vanishes, and the slope is given or the fourth
+    vanishes too. One pair of unknowns per point, each tied to its neighbours: block elimination, forwards and back.
+    """
+    count = len(x)
+    rows: list[list[list[float]]] = []  # per point: before, here, after (2 x 2, row by row), right-hand side
+    for k in range(count):
+        before, here, after, right = [0.0] * 4, [0.0] * 4, [0.0] * 4, [0.0] * 2
+        if 0 < k < count - 1 or slopes is None:  # fourth derivative, then third
+            if k > 0:
+                h, rise = x[k] - x[k - 1], y[k] - y[k - 1]
+                before = [168 / h**3, 24 / h**2, 24 / h**2, 3 / h]
+                here = [192 / h**3, -36 / h**2, 36 / h**2, -9 / h]
+                right = [360 * rise / h**4, 60 * rise / h**3]
+            if k < count - 1:
+                h, rise = x[k + 1] - x[k], y[k + 1] - y[k]
+                after = [168 / h**3, -24 / h**2, -24 / h**2, 3 / h]
+                here = [a + b for a, b in zip(here, [192 / h**3, 36 / h**2, -36 / h**2, -9 / h], strict=True)]
+                right = [right[0] + 360 * rise / h**4, right[1] - 60 * rise / h**3]
+        else:
+            here[:2], right[0] = [1.0, 0.0], slopes[0 if k == 0 else 1]
+        if k in (0, count - 1):
+            before[2:], here[2:], after[2:], right[1] = [0.0, 0.0], [0.0, 1.0], [0.0, 0.0], 0.0
+        rows.append([before, here, after, right])
+    for k in range(1, count):
+        (before, here, _, right), (_, pivot, after, known) = rows[k], rows[k - 1]
+        factor = _times(before, _inverse(pivot))
+        rows[k][1] = [a - b for a, b in zip(here, _times(factor, after), strict=True)]
+        rows[k][3] = [a - b for a, b in zip(right, _applied(factor, known), strict=True)]
+    found: list[list[float]] = [[0.0, 0.0]] * count
+    for k in reversed(range(count)):
+        _, here, after, right = rows[k]
+        ahead = _applied(after, found[k + 1]) if k < count - 1 else [0.0, 0.0]
+        found[k] = _applied(_inverse(here), [a - b for a, b in zip(right, ahead, strict=True)])
+    return [(v, a) for v, a in found]
+
+
+def _inverse(m: list[float]) -> list[float]:
+    a, b, c, d = m
+    determinant = a * d - b * c
+    return [d / determinant, -b / determinant, -c / determinant, a / determinant]
+
+
+def _times(m: list[float], n: list[float]) -> list[float]:
+    return [m[0] * n[0] + m[1] * n[2], m[0] * n[1] + m[1] * n[3], m[2] * n[0] + m[3] * n[2], m[2] * n[1] + m[3] * n[3]]
+
+
+def _applied(m: list[float], x: list[float]) -> list[float]:
+    return [m[0] * x[0] + m[1] * x[1], m[2] * x[0] + m[3] * x[1]]

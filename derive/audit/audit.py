@@ -1,0 +1,354 @@
+"""The unit audit of a scene: first its laws, as written, with what they are bound to; then every assignment and output of its program."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.audit.behaviour import refuse_misbehaving
+from hertzwerk.derive.audit.forms import advice
+from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.dimension.culprit import Culprit, Row, culprits, likeliest, powers_in, sentence
+from hertzwerk.derive.dimension.dimension import ONE, Dimension, DimensionError, DimensionFault, check, dimension_of
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.laws.law import GEOMETRY, STATE, BoundLaw, Law
+from hertzwerk.derive.program.program import Program
+from hertzwerk.derive.units import parse_unit
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What the audit says of one expression.
+
+    `verdict` is consistent, inconsistent, outside_si (inconsistent, but the law names the units it was fitted in), unchecked (inconsistent,
+    run on purpose), or advice: the units hold, and `reason` is what speaks against the law all the same.
+    """
+
+    effect: str
+    what: str
+    law: str
+    title: str
+    source: str
+    verdict: str
+    expression: str
+    symbols: tuple[tuple[str, str, str], ...] = ()
+    """(name, unit, meaning) of the symbols of the expression."""
+    found: str = ""
+    expected: str = ""
+    subexpression: str = ""
+    reason: str = ""
+    consistent_exponent: str | None = None
+    repair: str | None = None
+    grade: str = ""
+    """How sure the law's formula is; R is a reconstruction."""
+    kind: str = ""
+    """Kind of the law (stiffness, damping, friction), or expression, program, form of contact."""
+
+    @property
+    def sound(self) -> bool:
+        """Whether the units hold."""
+        return self.verdict in ("consistent", "advice")
+
+    @property
+    def sentence(self) -> str:
+        """The finding in one sentence."""
+        if self.verdict == "consistent":
+            return f"{self.expression} is {self.found}"
+        return f"{self.reason}; {self.repair}" if self.repair else self.reason
+
+    def record(self) -> dict[str, str | None]:
+        """The finding as JSON has it, None for what it has not; a law run unchecked is inconsistent."""
+        verdict = "inconsistent" if self.verdict == "unchecked" else self.verdict
+        first = {
+            "law": self.law or None,
+            "kind": self.kind or None,
+            "source": self.source or None,
+            "grade": self.grade or None,
+        }
+        names = ("found", "expected", "subexpression", "reason", "consistent_exponent", "repair")
+        return {**first, "verdict": verdict, **{name: getattr(self, name) or None for name in names}}
+
+    def __str__(self) -> str:
+        """The finding as it is shown to people; an inconsistent one teaches."""
+        if not self.effect:
+            return self.sentence
+        lines = [f"{self.effect}, {self.what}: {self.title}"]
+        width = max(14, len(self.expression))
+        for k, (name, unit, meaning) in enumerate(self.symbols):
+            lines.append(
+                f"    {self.expression if k == 0 else '':<{width}}  {f'{name} [{unit}]':<12} {meaning}".rstrip()
+            )
+        if not self.symbols:
+            lines.append(f"    {self.subexpression or self.expression}")
+        if self.verdict == "consistent":
+            return "\n".join([*lines, f"    {self.found}, consistent"])
+        lines.append(f"    found {self.found}, expected {self.expected}")
+        lines.append(f"{self.repair}." if self.repair else f"{self.reason}.")
+        if self.consistent_exponent is not None and self.what == "normal force":
+            lines.append(
+                f"Either keep n = {self.consistent_exponent}, or give a stiffness with its own unit: power(K [N/m^n], n), "
+                "or take a line-contact law\nwith the joint's length: johnson, popov_line, wang_liu_internal."
+            )
+        if self.law:
+            lines.append("To see what the inconsistent law does, mark it: Contact(..., unchecked=True).")
+        return "\n".join(lines)
+
+
+class InconsistentUnits(InputError):
+    """A scene whose units do not hold; `findings` are all of them."""
+
+    def __init__(self, scene: Scene, findings: Iterable[Finding]) -> None:
+        self.findings = tuple(findings)
+        faults = [Fault(f"{f.effect}, {f.what}", f.found, f.expected, f.repair or f.reason) for f in self.findings]
+        super().__init__(f"scene {scene.name}", faults)
+        count = f"{len(faults)} unit error" + ("s" if len(faults) != 1 else "")
+        self.args = (f"derive {scene.name}: {count}, nothing written\n\n" + "\n\n".join(map(str, self.findings)),)
+
+
+def refuse_inconsistent(scene: Scene, findings: Iterable[Finding]) -> None:
+    """Raise InconsistentUnits if any finding is inconsistent."""
+    wrong = [finding for finding in findings if finding.verdict == "inconsistent"]
+    if wrong:
+        raise InconsistentUnits(scene, wrong)
+
+
+def audit_scene(scene: Scene) -> tuple[Finding, ...]:
+    """Every law of the scene, and advice on them; then, if they hold, every assignment and output of its program.
+
+    Raises InputError where units hold, and a law does not do what every law owes (`behaviour`).
+    """
+    from hertzwerk.derive.derivation import (
+        derivation_of,  # the program is made by the derivation, which audits it in turn
+    )
+
+    laws = (*audit_laws(scene), *(_advice_finding(scene, text) for text in advice(scene)))
+    if any(finding.verdict == "inconsistent" for finding in laws):
+        return laws
+    refuse_misbehaving(scene)
+    return laws + audit_program(derivation_of(scene))[1]
+
+
+def _advice_finding(scene: Scene, text: str) -> Finding:
+    return Finding(effect=scene.name, what="form of contact", law="", title="", source="", verdict="advice", expression="", reason=text,
+                   kind="form of contact")  # fmt: skip
+
+
+def audit_laws(scene: Scene) -> tuple[Finding, ...]:
+    """One finding per expression of every law the scene calls for."""
+    findings: list[Finding] = []
+    for effect in scene.effects:
+        for bound in getattr(effect, "laws", ()):
+            findings.extend(_law_findings(scene, effect.name, bound, getattr(effect, "unchecked", False)))
+    return tuple(findings)
+
+
+def audit_law(law: Law) -> tuple[Finding, ...]:
+    """One finding per definition and expression of a law by itself, every symbol with the unit the law declares for it."""
+    names = {symbol.name: symbol for symbol in law.parameters if symbol.unit == "1"}
+    table = {symbol: _dimension(symbol.unit, names) for symbol in law.symbols()}
+    wrong = "outside_si" if law.fitted_in else "inconsistent"
+    rows = [*_definitions(law), *law.expressions()]
+    found = [_law_finding(law, row, table, {}, [*names.values(), *_numbers(law)], names) for row in rows]
+    return tuple(replace(f, verdict=wrong) if f.verdict != "consistent" else f for f in _with_culprit(law, found))
+
+
+def _with_culprit(law: Law, findings: list[Finding]) -> list[Finding]:
+    """The findings on a law that states to be consistent, each with the symbol whose unit is wrong, where there is one, as its repair."""
+    faulty = [finding for finding in findings if finding.verdict != "consistent"]
+    if not faulty or law.verdict != "consistent":
+        return findings
+    names = {symbol.name: symbol for symbol in law.parameters if symbol.unit == "1"}
+    table = {symbol: _dimension(symbol.unit, names) for symbol in law.symbols()}
+    own = [symbol for symbol in table if symbol not in (*STATE, *GEOMETRY) or symbol in law.parameters]
+    defined = {f"definition of {symbol.name}": symbol for symbol, _ in law.definitions}
+
+    def row(what: str, expression: sp.Expr, unit: str) -> Row:
+        def fault(dimensions: Mapping[sp.Symbol, Dimension]) -> DimensionFault | None:
+            expected = dimensions[defined[what]] if what in defined else _dimension(unit, names)
+            return check(expression, dimensions, expected, [s for s in own if dimensions[s] == ONE])
+
+        return Row(fault, lambda symbol: powers_in(expression, symbol))
+
+    rows = [row(*entry) for entry in (*_definitions(law), *law.expressions())]
+    return mended(findings, culprits(rows, table, {symbol: symbol.unit for symbol in own}))
+
+
+def mended(findings: list[Finding], found: Sequence[Culprit]) -> list[Finding]:
+    """The findings on all that symbols stand in, with the likeliest culprits as their repair; beside another exponent, where one would do as well.
+
+    Where there is no culprit and only one expression is wrong, that is said.
+    """
+    faulty = [finding for finding in findings if finding.verdict != "consistent"]
+    alone = len(findings) == 1
+    best = likeliest(found, alone)
+
+    def repaired(finding: Finding) -> Finding:
+        if finding.verdict == "consistent":
+            return finding
+        if best and alone:
+            told = "; or ".join(filter(None, (sentence(best, "it"), finding.repair)))
+            hidden = (
+                finding.consistent_exponent is None and not finding.law
+            )  # all symbols are the user's: a number may hide what is missing
+            return finding if hidden else replace(finding, repair=told)
+        if best:
+            return replace(finding, repair=sentence(best, "every expression of the law"), consistent_exponent=None)
+        only = f"every other expression of the law holds, so that it is the {finding.what} that is wrong"
+        one = len(faulty) == 1 and not alone
+        return replace(finding, repair="; ".join(filter(None, (only if one else "", finding.repair))) or None)
+
+    return [repaired(finding) for finding in findings]
+
+
+def verdict(findings: Iterable[Finding]) -> str:
+    """The verdict of a law: that of its first finding that is not consistent."""
+    return next((finding.verdict for finding in findings if finding.verdict != "consistent"), "consistent")
+
+
+def _numbers(law: Law) -> list[sp.Symbol]:
+    """What a law defines as a number: computed once, so allowed in an exponent."""
+    return [symbol for symbol, _ in law.definitions if symbol.unit == "1"]
+
+
+def _definitions(law: Law) -> Iterable[tuple[str, sp.Expr, str]]:
+    return ((f"definition of {s.name}", e, s.unit) for s, e in law.definitions)
+
+
+def _law_findings(scene: Scene, effect: str, bound: BoundLaw, unchecked: bool) -> Iterable[Finding]:
+    law = bound.law
+    table = _law_table(scene, bound)
+    exponents = {s: sp.sympify(value) for s, value in bound.binding.items() if s.unit == "1"}
+    numbers = ", ".join(f"{s.name} = {value}" for s, value in exponents.items() if value.is_number)
+    constants = [*scene.parameters.values(), *exponents, *_numbers(law)]
+    force_is_wrong = False
+    for row in (*(row for row in _definitions(law) if "^n" not in row[2]), *law.expressions()):
+        finding = _law_finding(law, row, table, exponents, constants, {})
+        if force_is_wrong and row[0] == "stored energy":
+            continue  # the integral of a wrong force says nothing new
+        force_is_wrong = force_is_wrong or (row[0] == "normal force" and finding.verdict != "consistent")
+        yield replace(
+            finding,
+            effect=effect,
+            title=f"{law.title}{f', {numbers}' if numbers else ''}",
+            verdict="unchecked" if unchecked and finding.verdict == "inconsistent" else finding.verdict,
+        )
+
+
+def _law_finding(
+    law: Law,
+    row: tuple[str, sp.Expr, str],
+    table: Mapping[sp.Symbol, Dimension],
+    exponents: Mapping[sp.Symbol, sp.Expr],
+    constants: list[sp.Symbol],
+    names: Mapping[str, sp.Symbol],
+) -> Finding:
+    """What the audit says of one (what, expression, unit) of a law, its `exponents` given and the `names` in units left open."""
+    what, expression, unit = row
+    expected = _dimension(unit, names)
+    fault = check(expression.xreplace(exponents), table, expected, constants)
+    lesson = check(expression, table, expected, constants) or fault  # with the exponent left open: what would do
+    symbols = tuple(
+        (s.name, str(table[s]), s.meaning)
+        for s in sorted(_named(_smallest(expression, lesson), table), key=lambda symbol: symbol in STATE)
+        if s.unit != "1"
+    )
+    return Finding(
+        effect=law.name,
+        what=what,
+        law=law.name,
+        kind=law.kind,
+        title=law.title,
+        source=law.source,
+        grade=law.grade,
+        verdict="consistent" if fault is None else "inconsistent",
+        expression=str(expression),
+        symbols=symbols,
+        found=str(expected) if fault is None else fault.found,
+        expected=str(expected) if fault is None else fault.expected,
+        subexpression="" if fault is None else fault.subexpression,
+        reason="" if fault is None else fault.reason,
+        consistent_exponent=_exponent(lesson) if fault is not None else None,
+        repair=None if fault is None or lesson is None else lesson.repair,
+    )
+
+
+def _law_table(scene: Scene, bound: BoundLaw) -> dict[sp.Symbol, Dimension]:
+    """Dimension of every symbol of a bound law: parameters by what is bound to them, the rest as the law declares it."""
+    parameters = scene.dimensions
+    table = dict(parameters)
+    for symbol, value in bound.binding.items():
+        number = sp.sympify(value)
+        table[symbol] = ONE if number.is_number else dimension_of(number, parameters, list(parameters))
+    return table | {symbol: _dimension(symbol.unit, {}) for symbol in bound.law.symbols() if symbol not in table}
+
+
+def _dimension(unit: str, names: Mapping[str, sp.Symbol]) -> Dimension:
+    return Dimension.from_unit(parse_unit(unit), names)
+
+
+def _named(expression: Any, table: Mapping[sp.Symbol, Dimension]) -> list[Any]:
+    """The symbols with a unit in an expression, in the order they stand in it."""
+    return list(dict.fromkeys(node for node in sp.preorder_traversal(expression) if node in table))
+
+
+def _smallest(expression: Any, fault: DimensionFault | None) -> Any:
+    """The sub-expression a fault names; the whole where there is none."""
+    if fault is None:
+        return expression
+    return next((node for node in sp.preorder_traversal(expression) if str(node) == fault.subexpression), expression)
+
+
+def _exponent(fault: DimensionFault | None) -> str | None:
+    return None if fault is None or fault.consistent_exponent is None else str(fault.consistent_exponent)
+
+
+def audit_program(program: Program) -> tuple[dict[sp.Symbol, str], tuple[Finding, ...]]:
+    """Unit of every symbol of a program, and one finding per assignment or output that is not consistent.
+
+    The first finding of a chain is the cause: what depends on it is taken as unknown and passed over.
+    """
+    table: dict[sp.Symbol, Dimension] = dict(program.tape.declared)
+    constants = [
+        symbol for symbol in (*program.tape.inputs, *program.tape.assignments) if program.tape.is_constant(symbol)
+    ]
+    findings: list[Finding] = []
+    for symbol, expression in program.assignments():
+        if symbol in table:
+            continue
+        try:
+            table[symbol] = dimension_of(expression, table, constants)
+        except DimensionError as error:
+            if error.fault.found != "unknown":
+                findings.append(_finding(program, f"assignment {symbol}", expression, error.fault))
+    findings.extend(_output_findings(program, table, constants))
+    texts = {dimension: str(dimension) for dimension in dict.fromkeys(table.values())}
+    return {symbol: texts[dimension] for symbol, dimension in table.items()}, tuple(findings)
+
+
+def _output_findings(
+    program: Program, table: Mapping[sp.Symbol, Dimension], constants: list[sp.Symbol]
+) -> Iterable[Finding]:
+    for function in program.functions:
+        for result in function.results:
+            for label, unit, expression in zip(result.labels, result.units, result.expressions, strict=True):
+                if unit:
+                    fault = check(sp.sympify(expression), table, Dimension.from_unit(parse_unit(unit), {}), constants)
+                    if fault is not None and fault.found != "unknown":
+                        yield _finding(program, f"output {function.name}.{result.name}[{label}]", expression, fault)
+
+
+def _finding(program: Program, what: str, expression: Any, fault: DimensionFault) -> Finding:
+    return Finding(
+        effect=program.scene.name, what=what, law="", title=fault.reason, source="", verdict="inconsistent",
+        expression=str(expression), found=fault.found, expected=fault.expected, subexpression=fault.subexpression,
+        reason=fault.reason, consistent_exponent=_exponent(fault), repair=fault.repair, kind="program",
+    )  # fmt: skip
+
+
+def checked(program: Program) -> tuple[int, int]:
+    """How many assignments and outputs the audit of a program covers."""
+    outputs = sum(len(result.expressions) for function in program.functions for result in function.results)
+    return sum(1 for _ in program.assignments()), outputs

@@ -1,0 +1,76 @@
+"""Forms of contact: what a pair touches in (a point, a line, a surface), and the laws that are for it.
+
+A stiffness goes with the form of its contact as it goes with its exponent: Hertz's sphere in a pin's bush is a force like another, of a joint that
+is not there. That is no fault of units, so it is advice: the scene runs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+from hertzwerk.derive.laws import LAWS
+from hertzwerk.derive.laws.law import FORMS, Law
+from hertzwerk.derive.mechanism.pairs import Pair
+
+if TYPE_CHECKING:
+    from hertzwerk.derive.declare.scene import Scene
+
+
+_TOUCHES = {"point": "at a point", "line": "along a line", "surface": "over a surface"}
+
+
+def form_of(pair: Pair) -> str:
+    """What a pair touches in: "point", "line" or "surface". Raises TypeError for a kind that does not say."""
+    form = getattr(pair, "form", None)
+    if form not in FORMS:
+        raise TypeError(f"pair {pair.name}: found the form of contact {form!r}, expected one of {FORMS}")
+    return str(form)
+
+
+def fitting(kind: str, pair: Pair, offered: Mapping[str, Any]) -> tuple[str, ...]:
+    """Names of the consistent laws of a kind made for the form of a pair and for what it offers, in the catalogue's order."""
+    form = form_of(pair)
+    found = [
+        law
+        for law in LAWS.values()
+        if law.kind == kind
+        and law.verdict == "consistent"
+        and form in law.forms
+        and law.forms != FORMS
+        and (not law.pairs or pair.kind in law.pairs)
+        and all(quantity.name in offered for quantity in law.geometry())
+    ]
+    return tuple(law.name for law in found)
+
+
+def advice(scene: Scene) -> tuple[str, ...]:
+    """One sentence for each law that stands at pairs of another form of contact than its own."""
+    places: dict[tuple[str, str, bool], list[str]] = {}
+    for effect, law, pair in _laws_at_pairs(scene):
+        if form_of(pair) not in law.forms:
+            places.setdefault((law.name, pair.kind, "L" in scene.geometry(pair.name)), []).append(effect)
+    return tuple(_sentence(scene, *key, effects) for key, effects in places.items())
+
+
+def _laws_at_pairs(scene: Scene) -> Iterator[tuple[str, Law, Pair]]:
+    """Effect, law and pair, in declared order."""
+    pairs = {pair.name: pair for pair in scene.mechanism.pairs}
+    for effect in scene.effects:
+        for bound in getattr(effect, "laws", ()):
+            if (pair := pairs.get(getattr(effect, "pair", ""))) is not None:
+                yield effect.name, bound.law, pair
+
+
+def _sentence(scene: Scene, name: str, kind: str, long: bool, effects: list[str]) -> str:
+    effect = scene.effect(effects[0])
+    law = next(bound.law for bound in effect.laws if bound.law.name == name)
+    pair = next(pair for pair in scene.mechanism.pairs if pair.name == effect.pair)
+    form, own = form_of(pair), " or ".join(law.forms)
+    offered = scene.geometry(pair.name) | ({} if long else {"L": None})
+    names = ", ".join(fitting(law.kind, pair, offered)) or "none of the catalogue"
+    given = "" if long or form != "line" else ", once the pair has a length"
+    return (
+        f"{', '.join(effects)}: {name} is a law of {own} contact, and a {kind.replace('_', ' ')} touches {_TOUCHES[form]}; "
+        f"laws of {form} contact that fit{given}: {names}"
+    )

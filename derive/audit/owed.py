@@ -1,0 +1,347 @@
+"""What each kind of contact law owes, at numbers: see `behaviour`, which has the numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import sympy as sp
+from mpmath import mp, mpf
+
+from hertzwerk.derive.algebra.functions import Where
+from hertzwerk.derive.audit.rescaling import evaluate
+from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.laws.law import (
+    STATE,
+    DampingLaw,
+    F,
+    FilmLaw,
+    FrictionLaw,
+    Law,
+    N,
+    StiffnessLaw,
+    d,
+    eps_c,
+    eps_w,
+    k_t,
+    s,
+    v,
+    v0,
+)
+from hertzwerk.derive.units import parse_unit
+
+AGREES = mpf("1e-9")  # relative: numbers of an expression and of a derivative taken by differences
+DIFFERENCE = mpf("1e-12")  # relative, far below the distance of the last point from a turning point
+NOTHING = mpf("1e-6")  # part of the force at the end of the range that may be left in the limit of no penetration
+ONSET = mpf("1e-60")  # of the range, that limit
+PARTS = tuple(map(mpf, ("1e-9", "1e-6", "1e-4", "1e-2", *(f"{k / 8}" for k in range(1, 8)), ".999999")))  # of the range
+SPEEDS = tuple(mpf(10) ** p for p in (-12, -6, -4, -3, -2, -1, 0, 1))  # m/s
+SLOWEST = mpf("1e-15")  # m/s, where the slope at rest is taken by differences
+CURVED = mpf("1e-6")  # relative, what the curvature of friction may leave there
+LOADS = (mpf(1), mpf(10_000))  # N
+
+Values = dict[Any, Any]
+
+
+@dataclass(frozen=True)
+class Trial:
+    """A law with a number for all it is given: `values` by symbol, in the units it is stated in, and the penetration `most` it is tried up to.
+
+    `beside` is a stiffness law with its numbers, which a damping law is tried beside.
+    """
+
+    law: Any
+    values: Values
+    most: Any
+    beside: Trial | None = None
+
+    def at(self, state: Mapping[Any, Any]) -> str:
+        """A point in words: the state, then the parameters."""
+        shown = [*state.items(), *((q, self.values[q]) for q in self.law.parameters if q in self.values)]
+        if self.law.fitted_in:
+            return ", ".join(f"{q.name} = {mp.nstr(x, 4)}" for q, x in shown) + f", in {self.law.fitted_in}"
+        return ", ".join(f"{q.name} = {_with_unit(x, q.unit)}" for q, x in shown)
+
+    def fault(self, what: str, state: Mapping[Any, Any], found: str, expected: str, remedy: str) -> Fault:
+        """A fault at a point."""
+        return Fault(f"law {self.law.name}, {what} at {self.at(state)}", found, expected, remedy)
+
+
+def completed(law: Law, values: Values) -> Values:
+    """With the definitions that need no more than these."""
+    for symbol, expression in law.definitions:
+        if all(q in values for q in expression.free_symbols):
+            value = number(expression, values)
+            values[symbol] = mp.nan if value is None else value
+    return values
+
+
+def number(expression: Any, values: Mapping[Any, Any]) -> Any:
+    """A real, finite value, else None."""
+    try:
+        value = evaluate(sp.sympify(expression), values)
+    except (ZeroDivisionError, ValueError, OverflowError, TypeError):
+        return None
+    value = mp.mpmathify(value)
+    if isinstance(value, mp.mpc):
+        value = value.real if abs(value.imag) <= AGREES * abs(value.real) else mp.nan
+    return value if mp.isfinite(value) else None
+
+
+@lru_cache(maxsize=512)
+def _derivative(expression: Any, symbol: Any) -> Any:
+    """Away from jumps and kinks, as the branches of a generated text are differentiated."""
+    slope = sp.diff(expression, symbol).replace(sp.DiracDelta, lambda *_: sp.S.Zero)
+    return slope.replace(sp.Heaviside, lambda x, *_: Where(x > 0, 1, 0))
+
+
+def _with_unit(value: Any, unit: str) -> str:
+    number = mp.nstr(value / mpf(repr(parse_unit(unit).factor)), 4)
+    return number if unit == "1" else f"{number} {unit}"
+
+
+# -- what each kind owes -----------------------------------------------------------------------------------------------
+
+
+def faults_of(trial: Trial) -> Iterator[Fault]:
+    """What a law fails of what its kind owes; raises TypeError for a kind that nothing is stated of."""
+    for kind, owed in _OWED.items():
+        if isinstance(trial.law, kind):
+            yield from owed(trial)
+            return
+    raise TypeError(f"{type(trial.law).__name__} is no kind of law that is known")
+
+
+def _undefined(trial: Trial, what: str, state: Mapping[Any, Any]) -> Fault:
+    return trial.fault(what, state, "no finite real number", "one everywhere in the law's range",
+                       "State the range it holds in: a `reach`, or limits of the symbols.")  # fmt: skip
+
+
+def _elastic(trial: Trial) -> Iterator[Fault]:
+    law, slope = trial.law, _derivative(trial.law.force, d)
+    limit = trial.most if law.reach is None else number(law.reach, trial.values)
+    if limit is None or limit <= 0:
+        yield trial.fault("reach", {}, "no length above 0" if limit is None else f"{mp.nstr(limit, 4)} m", "a penetration above 0",
+                          "The reach is the penetration up to which the law is defined.")  # fmt: skip
+        return
+    points = [(depth, trial.values | {d: depth}) for depth in (limit * part for part in PARTS)]
+    forces = [number(law.force, values) for _, values in points]
+    undefined = [k for k, (_, values) in enumerate(points) if forces[k] is None or number(slope, values) is None]
+    if undefined:
+        what = "force" if forces[undefined[0]] is None else "slope of the force"
+        yield _undefined(trial, what, {d: points[undefined[0]][0]})
+        return
+    left = number(law.force, trial.values | {d: limit * ONSET})
+    if left is None or abs(left) > NOTHING * abs(forces[-1]):
+        found = "no finite real number" if left is None else f"{mp.nstr(left, 4)} N"
+        yield trial.fault("force", {d: mpf(0)}, found, "0 N, and no jump at the onset",
+                          "A contact begins without a force: leave out what does not vanish with d.")  # fmt: skip
+        return
+    falling = _falling(law.force, slope, trial.values, [mpf(0), *(depth for depth, _ in points)], [mpf(0), *forces])
+    if falling is not None:
+        force = number(law.force, trial.values | {d: falling})
+        found = f"{mp.nstr(force, 4)} N, no longer rising with the penetration"
+        yield trial.fault("force", {d: falling}, found, "a force above 0 that rises with the penetration",
+                          f"A sign is wrong, or the law ends there: state a `reach` below {mp.nstr(falling, 3)} m.")  # fmt: skip
+        return
+    yield from _stored(trial, points, forces, limit)
+    if law.relation is not None:
+        for (depth, values), force in zip(points, forces, strict=True):
+            back = number(law.relation, values | {F: force})
+            if back is None or abs(back - depth) > AGREES * depth:
+                found = "no finite real number" if back is None else f"{mp.nstr(back, 6)} m"
+                yield trial.fault("relation", {d: depth, F: force}, found, f"{mp.nstr(depth, 6)} m, of which `force` is the force",
+                                  "`relation` is d(F) as published, `force` its inverse: one of them is not.")  # fmt: skip
+                return
+
+
+def _falling(force: Any, slope: Any, values: Mapping[Any, Any], depths: list[Any], forces: list[Any]) -> Any:
+    """Least depth known where the force does not rise, by bisection to four digits; None where it rises."""
+    for k in range(1, len(depths)):
+        steep = number(slope, {**values, d: depths[k]})
+        if forces[k] > forces[k - 1] and steep is not None and steep > 0:
+            continue
+        low, high = depths[k - 1], depths[k]
+        for _ in range(20):
+            middle = (low + high) / 2
+            rising = number(slope, {**values, d: middle})
+            value = number(force, {**values, d: middle})
+            fine = None not in (rising, value) and rising > 0 and value > 0
+            low, high = (middle, high) if fine else (low, middle)
+        return high
+    return None
+
+
+def _stored(trial: Trial, points: list[tuple[Any, Values]], forces: list[Any], limit: Any) -> Iterator[Fault]:
+    """The stored energy against the force: its derivative by differences, and its value at the onset."""
+    stored = trial.law.stored
+    if stored is None:
+        return
+    remedy = "Leave `stored` out: it is then the integral, by Gauss's rule."
+    left = number(stored, trial.values | {d: limit * ONSET})
+    if left is None or abs(left) > NOTHING * forces[-1] * limit:
+        found = "no finite real number" if left is None else f"{mp.nstr(left, 4)} J"
+        yield trial.fault("stored energy", {d: mpf(0)}, found, "0 J before anything is pressed in", remedy)
+        return
+    ratios = []
+    for (depth, values), force in zip(points, forces, strict=True):
+        step = depth * DIFFERENCE
+        above, below = (number(stored, {**values, d: depth + sign * step}) for sign in (1, -1))
+        if above is None or below is None:
+            yield _undefined(trial, "stored energy", {d: depth})
+            return
+        ratios.append((above - below) / (2 * step) / force)
+    worst = max(range(len(points)), key=lambda k: abs(ratios[k] - 1))
+    if abs(ratios[worst] - 1) > AGREES:
+        alike = all(abs(ratio - ratios[0]) <= AGREES * abs(ratios[0]) for ratio in ratios)
+        everywhere = f", as everywhere: {mp.nstr(ratios[0], 6)} of it, so a factor is wrong" if alike else ""
+        found = f"a derivative of {mp.nstr(ratios[worst] * forces[worst], 6)} N{everywhere}"
+        yield trial.fault(
+            "stored energy", {d: points[worst][0]}, found, f"the force, {mp.nstr(forces[worst], 6)} N", remedy
+        )
+        return
+
+
+def _damping(trial: Trial) -> Iterator[Fault]:
+    """The resistance beside an elastic law: against the rate, in and out."""
+    law, partner = trial.law, trial.beside
+    if partner is None:
+        return
+    limit = partner.most if partner.law.reach is None else number(partner.law.reach, partner.values)
+    slopes = [_derivative(law.resistance, q) for q in (v, d, F) if law.resistance.has(q)]
+    tangent = _derivative(partner.law.force, d)
+    for part in (PARTS[2], PARTS[3], PARTS[7]):
+        depth = (limit or partner.most) * part
+        inside = {**partner.values, d: depth}
+        pressed = {d: depth, F: number(partner.law.force, inside), k_t: number(tangent, inside)}
+        if None in pressed.values():
+            return  # of the stiffness law, and told there
+        for onset in (SPEEDS[3], SPEEDS[6]):
+            for rate in (sign * speed for speed in SPEEDS for sign in (1, -1)):
+                state = {v: rate, d: depth} | ({v0: onset} if law.resistance.has(v0) else {})
+                values = {**trial.values, **pressed, v0: onset, v: rate}
+                resistance = number(law.resistance, values)
+                if resistance is None or any(number(slope, values) is None for slope in slopes):
+                    what = "damping force" if resistance is None else "slope of the damping force"
+                    yield _undefined(trial, what, state)
+                    return
+                if resistance * rate < 0:
+                    yield _gives(trial, "damping force", state, resistance, rate)
+                    return
+
+
+def _gives(trial: Trial, what: str, state: Mapping[Any, Any], force: Any, speed: Any) -> Fault:
+    found = f"{mp.nstr(force, 4)} N at {mp.nstr(speed, 4)} m/s, a power of {mp.nstr(-force * speed, 4)} W put into the motion"
+    return trial.fault(what, state, found, "a force of the sign of the speed: it takes energy, and gives none",
+                       "A sign is wrong, or a function that is even in the speed stands where an odd one does: tanh, not cos.")  # fmt: skip
+
+
+def _friction(trial: Trial) -> Iterator[Fault]:
+    law = trial.law
+    if law.memory:
+        yield from _bristle(trial)
+        return
+    for load in LOADS:
+        pressed = {**trial.values, N: load}
+        rest = number(law.force, pressed | {s: mpf(0)})
+        if rest is None or rest != 0:
+            found = "no finite real number" if rest is None else f"{mp.nstr(rest, 4)} N"
+            yield trial.fault("friction force", {s: mpf(0), N: load}, found, "0 N at rest",
+                              "Friction is odd in s, tanh(s/v_s) for instance: it changes its sign with the direction of sliding.")  # fmt: skip
+            return
+        for speed in SPEEDS:
+            state = {s: speed, N: load}
+            there, back, slope = (
+                number(expression, pressed | {s: at})
+                for expression, at in ((law.force, speed), (law.force, -speed), (_derivative(law.force, s), speed))
+            )
+            if there is None or back is None or slope is None:
+                yield _undefined(trial, "slope of the friction force" if slope is None else "friction force", state)
+                return
+            if there * speed < 0:
+                yield _gives(trial, "friction force", state, there, speed)
+                return
+            if abs(there + back) > AGREES * abs(there):
+                yield trial.fault("friction force", state, f"{mp.nstr(there, 6)} N, and {mp.nstr(back, 6)} N at -s",
+                                  "an odd function of s: the same against either direction",
+                                  "Use s or sign(s) times a function of abs(s).")  # fmt: skip
+                return
+        if not law.modes:
+            yield from _slope_at_rest(trial, pressed, load)
+    if law.holding is not None:
+        held = number(law.holding, {**trial.values, N: LOADS[0]})
+        if held is None or held < 0:
+            found = "no finite real number" if held is None else f"{mp.nstr(held, 4)} N"
+            yield trial.fault("force held at rest", {N: LOADS[0]}, found, "a force, not below 0", "A sign is wrong.")
+
+
+def _slope_at_rest(trial: Trial, pressed: Values, load: Any) -> Iterator[Fault]:
+    law, tiny = trial.law, SLOWEST
+    stated, there = number(law.slope, pressed | {s: mpf(0)}), number(law.force, pressed | {s: tiny})
+    if stated is None or there is None or abs(there / tiny - stated) > CURVED * abs(there / tiny):
+        found = "no finite real number" if stated is None else f"{mp.nstr(stated, 6)} N s/m"
+        expected = "its derivative there" + ("" if there is None else f", {mp.nstr(there / tiny, 6)} N s/m")
+        yield trial.fault(
+            "slope of the friction force", {s: mpf(0), N: load}, found, expected, "Correct `slope`, or leave it out."
+        )
+
+
+def _bristle(trial: Trial) -> Iterator[Fault]:
+    """Friction with memory: odd in speed and memory together, and against the motion where the memory has settled."""
+    law = trial.law
+    ((symbol, rate, size),) = law.memory
+    scale = number(size, trial.values)
+    for load in LOADS:
+        for speed in SPEEDS:
+            at = {**trial.values, N: load, s: speed}
+            state = {s: speed, N: load}
+            ends: list[Any] = (
+                [number(rate, at | {symbol: deflected}) for deflected in (mpf(0), scale)] if scale else [None]
+            )
+            if None in ends or ends[0] == ends[-1]:
+                yield _undefined(trial, f"rate of {symbol.name}", state)
+                return
+            settled = scale * ends[0] / (ends[0] - ends[1])  # rates of bristles are linear in the deflection
+            there = number(law.force, at | {symbol: settled})
+            back = number(law.force, {**at, s: -speed, symbol: -settled})
+            if there is None or back is None:
+                yield _undefined(trial, "friction force", state)
+            elif there * speed < 0:
+                yield _gives(trial, "friction force of steady sliding", state, there, speed)
+            elif abs(there + back) > AGREES * abs(there):
+                yield trial.fault("friction force of steady sliding", state, f"{mp.nstr(there, 6)} N, and {mp.nstr(back, 6)} N back",
+                                  "the same against either direction", "Use s or sign(s) times a function of abs(s).")  # fmt: skip
+            else:
+                continue
+            return
+
+
+def _film(trial: Trial) -> Iterator[Fault]:
+    law = trial.law
+    for along, across in ((0, 0), (0.3, 0.2), (-0.6, 0.4), (0.1, -0.85), (0.85, 0)):
+        state = {eps_w: mpf(along), eps_c: mpf(across)}
+        values = completed(law, {q: x for q, x in trial.values.items() if q not in STATE} | state)
+        for what, expression in (("along", law.along), ("across", law.across), ("couple", law.couple)):
+            value = number(expression, values)
+            if value is None:
+                yield _undefined(trial, what, state)
+                return
+            if value < 0 and what != "across":  # a force across the velocity does no work
+                yield trial.fault(
+                    what,
+                    state,
+                    mp.nstr(value, 4),
+                    "a drag not below 0: a film takes energy, and gives none",
+                    "A sign is wrong.",
+                )
+                return
+
+
+_OWED: dict[type[Any], Callable[[Trial], Iterator[Fault]]] = {
+    StiffnessLaw: _elastic,
+    DampingLaw: _damping,
+    FrictionLaw: _friction,
+    FilmLaw: _film,
+}

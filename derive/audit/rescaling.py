@@ -1,0 +1,242 @@
+"""The rescaling audit: an equation between physical quantities holds in every system of units, so numbers tell what symbols must.
+
+An expression is evaluated at states that span the range of each of its arguments; then mass, length, time and temperature are scaled by 2, 3, 5
+and 7, together and one at a time, every argument following its declared unit. A consistent result follows its own unit to rounding. A wrong power of
+a unit leaves one factor for all states; a logarithm of a length, a sum of unlike terms or a constant that hides a unit leaves a factor that
+depends on the state. Nothing here looks at the form of an expression: it is the independent check of `dimension`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+from typing import Any
+
+import sympy as sp
+from mpmath import mp, mpf  # SymPy brings it
+
+from hertzwerk.derive.dimension.dimension import Dimension
+from hertzwerk.derive.laws.law import (
+    R_1,
+    R_2,
+    F,
+    L,
+    Law,
+    Quantity,
+    R_eff,
+    R_min,
+    StiffnessLaw,
+    d,
+    dR,
+    eps_c,
+    eps_w,
+    s,
+    v,
+)
+from hertzwerk.derive.mechanism.parameter import Interval
+from hertzwerk.derive.units import parse_unit
+
+DIGITS = 40
+ROUNDING = mpf(10) ** -25  # what is left of 40 digits after any law's cancellation
+STATES = 11  # prime: each argument meets every one of its eleven values, in an order of its own
+
+FACTORS = (2, 3, 5, 7)
+SCALINGS: dict[str, tuple[int, int, int, int]] = {
+    "all": FACTORS,
+    "mass": (2, 1, 1, 1),
+    "length": (1, 3, 1, 1),
+    "time": (1, 1, 5, 1),
+    "temperature": (1, 1, 1, 7),
+}
+
+SPANS_OF_SYMBOLS: dict[str, tuple[float, float]] = {
+    "d": (1e-9, 1e-3),
+    "dR": (1e-5, 2e-3),
+    "R_2": (5e-3, 2e-2),
+    "L": (5e-3, 5e-2),
+    "z": (1e-7, 1e-4),
+    "e": (0.05, 0.99),
+    "nu_1": (0.05, 0.45),
+    "nu_2": (0.05, 0.45),
+    "c_b": (1.1, 2.3),
+    "v_a": (1e-3, 1e-2),
+    "v_b": (0.1, 1),
+    "epsilon_w": (0.05, 0.65),
+    "epsilon_c": (0.05, 0.65),
+}
+SPANS_OF_UNITS: dict[str, tuple[float, float]] = {
+    "1": (0.05, 0.9),
+    "Pa": (1e9, 4e11),
+    "N": (1, 1e5),
+    "N/m": (1e5, 1e9),
+    "m/s": (1e-3, 10),
+    "kg": (1e-2, 10),
+    "s": (1e-8, 1e-3),
+    "1/s": (1, 1e4),
+    "1/m": (1e2, 1e6),
+    "N/m^n": (1e6, 1e10),
+    "m^(1-k)": (1, 1e2),
+}
+"""Where states are taken, SI, evenly in the logarithm: by its range where that is bounded, by its name, by its unit, else (1/10, 10)."""
+
+_SIGNED = (v, s, eps_w, eps_c)
+
+State = Mapping[sp.Symbol, Any]
+
+
+@dataclass(frozen=True)
+class Rescaling:
+    """What scaling does to one expression: per scaling, and per state, the result over what its unit predicts."""
+
+    what: str
+    states: tuple[State, ...]
+    ratios: Mapping[str, tuple[Any, ...]]
+
+    @property
+    def deviation(self) -> float:
+        """Largest departure of a ratio from 1."""
+        return float(max(abs(ratio - 1) for row in self.ratios.values() for ratio in row))
+
+    @property
+    def consistent(self) -> bool:
+        """Whether every ratio is 1 to rounding."""
+        return all(abs(ratio - 1) <= ROUNDING for row in self.ratios.values() for ratio in row)
+
+    @property
+    def excess(self) -> tuple[Fraction, ...] | None:
+        """Powers of mass, length, time, temperature found beyond those expected; None where no power explains all states."""
+        powers = []
+        for base, name in zip(FACTORS, ("mass", "length", "time", "temperature"), strict=True):
+            row = self.ratios[name]
+            if any(abs(ratio - row[0]) > ROUNDING * abs(row[0]) for ratio in row) or mp.im(row[0]) or row[0] <= 0:
+                return None
+            with mp.workdps(DIGITS):
+                powers.append(Fraction(str(mp.nstr(mp.log(row[0]) / mp.log(base), 20))).limit_denominator(1000))
+        return tuple(powers)
+
+
+def rescale(
+    what: str,
+    expression: sp.Expr,
+    expected: Dimension,
+    dimensions: Mapping[sp.Symbol, Dimension],
+    states: Sequence[State],
+) -> Rescaling:
+    """Scale one expression at `states`, which give a number for every symbol of `dimensions` and of their exponents."""
+    with mp.workdps(DIGITS):
+        symbols, value = _numeric(expression)
+        before = [value(*(state[symbol] for symbol in symbols)) for state in states]
+        ratios = {}
+        for name, factors in SCALINGS.items():
+            row = []
+            for state, old in zip(states, before, strict=True):
+                new = value(*(state[symbol] * _factor(dimensions[symbol], factors, state) for symbol in symbols))
+                row.append(_ratio(new, old * _factor(expected, factors, state)))
+            ratios[name] = tuple(row)
+    return Rescaling(what, tuple(states), ratios)
+
+
+def rescale_law(law: Law) -> tuple[Rescaling, ...]:
+    """Scale every definition and expression of a law, at states in the units it is stated or fitted in."""
+    names = {symbol.name: symbol for symbol in law.parameters if symbol.unit == "1"}
+    dimensions = {symbol: Dimension.from_unit(parse_unit(symbol.unit), names) for symbol in law.symbols()}
+    states = list(states_of(law, dimensions))
+    rows = [*((f"definition of {q.name}", e, q.unit) for q, e in law.definitions), *law.expressions()]
+    return tuple(
+        rescale(what, e, Dimension.from_unit(parse_unit(unit), names), dimensions, states) for what, e, unit in rows
+    )
+
+
+def states_of(law: Law, dimensions: Mapping[sp.Symbol, Dimension]) -> Iterator[State]:
+    """Numbers for every symbol of a law: a lattice over the spans, a pair's geometry in proportion, the penetration within reach."""
+    with mp.workdps(DIGITS):
+        system = _system(law.fitted_in)
+        defined = {row.quantity: row.interval for row in law.ranges if row.kind == "defined"}
+        for j in range(STATES):
+            state: dict[sp.Symbol, Any] = {}
+            for i, q in enumerate(dict.fromkeys((*law.symbols(), dR, R_2, L))):
+                at = mpf(((1 + i % (STATES - 1)) * j + i**2) % STATES) / (STATES - 1)
+                low, high = _span(q, defined.get(q, q.limit))
+                sign = -1 if q in _SIGNED and j % 2 else 1
+                state[q] = sign * mpf(low) * (mpf(high) / mpf(low)) ** at
+            state |= {R_1: state[R_2] + state[dR], R_min: state[R_2]}
+            state[R_eff] = state[R_1] * state[R_2] / state[dR]
+            yield _completed(law, _in_units(state, dimensions, system))
+
+
+def _span(q: Quantity, interval: Interval | None) -> tuple[float, float]:
+    """Where a symbol is sampled: over its whole range if that is bounded and positive, else as listed."""
+    if interval is not None and interval.lower and interval.lower > 0 and interval.upper:
+        return interval.lower, interval.upper
+    return SPANS_OF_SYMBOLS.get(q.name) or SPANS_OF_UNITS.get(q.unit, (0.1, 10.0))
+
+
+def _completed(law: Law, state: dict[sp.Symbol, Any]) -> State:
+    """The state with the law's definitions; a stiffness law's penetration within its reach, and its force."""
+    for symbol, expression in law.definitions:
+        state[symbol] = evaluate(expression, state)
+    if isinstance(law, StiffnessLaw):
+        if law.reach is not None:
+            state[d] = min(state[d], evaluate(law.reach, state) * mpf("0.99"))
+        state[F] = evaluate(law.force, state)
+    return state
+
+
+def _in_units(state: State, dimensions: Mapping[sp.Symbol, Dimension], system: Sequence[Any]) -> dict[sp.Symbol, Any]:
+    """Numbers of the same quantities where the units of mass, length, time and temperature are `system` in SI."""
+    if all(unit == 1 for unit in system):
+        return dict(state)
+    return {
+        q: value / _factor(dimensions[q], system, state) if q in dimensions else value for q, value in state.items()
+    }
+
+
+def _system(fitted_in: str) -> list[Any]:
+    """Units of mass, length, time, temperature [SI] of a list such as "mm, N, MPa"; the second and the kelvin unless it says otherwise."""
+    texts = [text.strip() for text in fitted_in.split(",") if text.strip()]
+    if not texts:
+        return [mpf(1)] * 4
+    units = [parse_unit(text) for text in (*texts, "s", "K")]
+    rows = [
+        [mpf(exponent.constant.numerator) / exponent.constant.denominator for exponent in u.exponents] for u in units
+    ]
+    solution = mp.lu_solve(mp.matrix(rows), mp.matrix([mp.log(mpf(repr(u.factor))) for u in units]))
+    return [mp.exp(x) for x in solution]
+
+
+def evaluate(expression: sp.Expr, state: State) -> Any:
+    """Value of an expression by mpmath, at the working precision."""
+    symbols, value = _numeric(expression)
+    return value(*(state[symbol] for symbol in symbols))
+
+
+@lru_cache(maxsize=1024)
+def _numeric(expression: sp.Expr) -> tuple[list[sp.Symbol], Callable[..., Any]]:
+    """The expression as a function of mpmath numbers, and its arguments."""
+    symbols = sorted(expression.free_symbols, key=str)
+    return symbols, sp.lambdify(symbols, expression, [{"Where": _choose}, "mpmath"])
+
+
+def _choose(condition: Any, a: Any, b: Any) -> Any:
+    return a if condition else b
+
+
+def _ratio(new: Any, predicted: Any) -> Any:
+    """new/predicted; nothing left of nothing is 1."""
+    if predicted == 0:
+        return mpf(1) if new == 0 else mp.inf
+    return new / predicted
+
+
+def _factor(dimension: Dimension, factors: Sequence[Any], state: State) -> Any:
+    """What a quantity of this dimension is multiplied by; names in its exponents have the state's values."""
+    total = mpf(1)
+    if dimension.every:
+        return total
+    for factor, exponent in zip(factors, dimension.exponents, strict=True):
+        if exponent != 0 and factor != 1:
+            power = mpf(exponent.p) / exponent.q if exponent.is_Rational else evaluate(exponent, state)
+            total *= mpf(factor) ** power
+    return total

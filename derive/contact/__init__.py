@@ -1,0 +1,1 @@
+"""Where surfaces touch, and the forces there."""

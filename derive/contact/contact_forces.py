@@ -1,0 +1,234 @@
+"""Contact pairs: the forces that their laws give where their surfaces touch."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.algebra.functions import Where
+from hertzwerk.derive.algebra.vectors import Vector, cross, dot, scale, sub
+from hertzwerk.derive.contact.touch import touch
+from hertzwerk.derive.declare.scene import Contact, Friction
+from hertzwerk.derive.dimension.dimension import Dimension
+from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.laws.law import BRISTLE, GEOMETRY, BoundLaw, F, N, Quantity, d, k_t, s, v, v0
+from hertzwerk.derive.mechanism.pairs import Pair
+from hertzwerk.derive.motion.kinematics import Kinematics
+from hertzwerk.derive.units import parse_unit
+
+NEWTON = Dimension.from_unit(parse_unit("N"), {})
+JOULE = Dimension.from_unit(parse_unit("J"), {})
+STIFFNESS = Dimension.from_unit(parse_unit("N/m"), {})
+DRAG = Dimension.from_unit(parse_unit("N s/m"), {})
+PACE = Dimension.from_unit(parse_unit("m/s"), {})
+METRE = Dimension.from_unit(parse_unit("m"), {})
+PURE = Dimension.from_unit(parse_unit("1"), {})
+
+
+@dataclass(frozen=True)
+class Grip:
+    """Friction whose force depends on slip and stick: generalised force by joint per newton on the first body along the tangent, along which the
+    sliding velocity counts; and the forces [N] while sliding and that are held at rest.
+    """
+
+    along: dict[str, Any]
+    sliding: Any
+    holding: Any
+
+
+@dataclass(frozen=True)
+class Forces:
+    """What a contact does: generalised forces by joint, dissipated powers [W], normal force [N], sliding velocity [m/s] or None, range.
+
+    bristle_rate [m/s]: of friction with a bristle, else None. grip: of friction with modes, which `generalised` and `friction_power` then lack.
+    rubbing: what of `generalised` is friction's.
+    """
+
+    generalised: dict[str, Any]
+    normal_power: Any
+    friction_power: Any
+    normal_force: Any
+    sliding_velocity: Any
+    in_range: Any
+    bristle_rate: Any = None
+    grip: Grip | None = None
+    rubbing: Mapping[str, Any] = field(default_factory=dict)
+
+
+class PairKinematics:
+    """One pair of a scene on its kinematics' tape."""
+
+    def __init__(self, kinematics: Kinematics, pair: Pair, geometry: dict[str, Any]) -> None:
+        self.kin = kinematics
+        self.pair = pair
+        self.touch = touch(kinematics, pair)
+        self._geometry = {quantity: geometry[quantity.name] for quantity in GEOMETRY if quantity.name in geometry}
+
+    def _named(self, vector: Vector, what: str) -> Vector:
+        return self.touch.named(vector, what)
+
+    def let(self, expression: Any, what: str, dimension: Dimension | None = None) -> Any:
+        """Name a result of this pair on the tape."""
+        return self.touch.let(expression, what, dimension)
+
+    def _law(self, bound: BoundLaw, known: dict[sp.Symbol, Any], unchecked: bool = False) -> dict[sp.Symbol, Any]:
+        """Law symbol -> tape: what the contact knows, bound parameters, geometry, definitions. Unchecked ones have the unit they claim."""
+        values: dict[sp.Symbol, Any] = {**known, **bound.binding}
+        for quantity in bound.law.geometry():
+            values[quantity] = self.let(self._geometry[quantity], quantity.name)
+        for symbol, expression in bound.law.definitions:
+            stated = self._stated(symbol, values) if unchecked else None
+            values[symbol] = self.let(expression.xreplace(values), symbol.name, stated)
+        return values
+
+    def _stated(self, symbol: Quantity, values: dict[sp.Symbol, Any]) -> Dimension:
+        return Dimension.from_unit(parse_unit(symbol.unit), {s.name: value for s, value in values.items()})
+
+    def elastic(self, contact: Contact) -> tuple[Any, Any]:
+        """Elastic force [N] and stored energy [J], zero while open."""
+        law = contact.stiffness.law
+        values = self._law(contact.stiffness, {d: self.touch.penetration}, contact.unchecked)
+        stated = (NEWTON, JOULE) if contact.unchecked else (None, None)
+        force = self.let(self._closed(law.force.xreplace(values)), "elastic_force", stated[0])
+        return force, self.let(self._closed(law.work.xreplace(values)), "stored_energy", stated[1])
+
+    def _closed(self, expression: Any) -> Any:
+        """The expression while the pair penetrates, else 0."""
+        return Where(self.touch.penetration > 0, expression, 0)
+
+    def _resistance(self, contact: Contact, damping: BoundLaw, elastic: Any, approach_speed: Any) -> Any:
+        law, stated = damping.law, NEWTON if contact.unchecked else None
+        known = {F: elastic, v: self.touch.penetration_rate, d: self.touch.penetration}
+        if approach_speed is not None:
+            known[v0] = approach_speed
+        if k_t in law.quantities():
+            stiffness = self._law(contact.stiffness, {d: self.touch.penetration}, contact.unchecked)
+            tangent = sp.diff(contact.stiffness.law.force, d).xreplace(stiffness)
+            known[k_t] = self.let(self._closed(tangent), "tangent_stiffness", STIFFNESS if contact.unchecked else None)
+        values = self._law(damping, known, contact.unchecked)
+        if law.factor is not None:
+            factor = self.let(law.factor.xreplace(values), "hysteresis_factor", PURE if contact.unchecked else None)
+            return self.let(elastic * factor * self.touch.penetration_rate / approach_speed, "resistance")
+        return self.let(self._closed(law.resistance.xreplace(values)), "resistance", stated)
+
+    def forces(self, contact: Contact, friction: Friction | None, approach_speed: Any, bristle: Any = None) -> Forces:
+        """Everything the pair's effects do, from the latched approach speed [m/s] and the bristle's deflection [m] where there are such."""
+        elastic, _ = self.elastic(contact)
+        normal_force, normal_power = elastic, sp.S.Zero
+        if contact.damping is not None:
+            resistance = self._resistance(contact, contact.damping, elastic, approach_speed)
+            normal_force = self.let(elastic + resistance, "normal_force")
+            normal_power = self.let(resistance * self.touch.penetration_rate, "normal_power")
+        # The line of action passes through the first place's centre: the shorter arm does.
+        push = self._named(scale(normal_force, self.touch.normal), "push")
+        generalised = self._on_joints(push, self.touch.position, "push")
+        if friction is None:
+            return Forces(generalised, normal_power, sp.S.Zero, normal_force, None, self._in_range(contact))
+        modes = bool(friction.law.law.modes)
+        pulls = contact.damping is not None and contact.damping.law.release == "gap"
+        pressing = normal_force
+        if pulls or modes:
+            pressing = self.let(Where(normal_force > 0, normal_force, 0), "pressing_force")
+        if modes:
+            grip, sliding = self._grip(friction, pressing)
+            in_range = self._in_range(contact)
+            return Forces(generalised, normal_power, sp.S.Zero, normal_force, sliding, in_range, grip=grip)
+        drag, sliding, friction_power, bristle_rate = self._drag(friction, pressing, bristle)
+        drag = self._named(drag, "drag")
+        rubbing = self._on_joints(drag, self.touch.contact_point, "drag")
+        for joint, force in rubbing.items():
+            generalised[joint] = generalised.get(joint, sp.S.Zero) + force
+        in_range = self._in_range(contact)
+        return Forces(
+            generalised, normal_power, friction_power, normal_force, sliding, in_range, bristle_rate, rubbing=rubbing
+        )
+
+    def _on_joints(self, force: Vector, position: Vector, name: str) -> dict[str, Any]:
+        return self.kin.generalised(
+            force, position, self.touch.first.body, self.touch.second.body, f"{self.pair.name}_{name}"
+        )
+
+    def _in_range(self, contact: Contact) -> Any:
+        reach = contact.stiffness.law.reach
+        if reach is None:
+            return sp.S.One
+        values = self._law(contact.stiffness, {}, contact.unchecked)
+        limit = self.let(reach.xreplace(values), "penetration_limit", METRE if contact.unchecked else None)
+        return self.let(Where(self.touch.penetration <= limit, 1, 0), "in_range")
+
+    def faults(self, friction: Friction | None, length: float) -> Iterator[Fault]:
+        """Of the pair; a gap that is zero by structure, as that of a cylinder guided at its radius above the plane; and a law with modes or memory
+        needs a direction of sliding that is known: one along a line, as in plane motion."""
+        yield from self.touch.faults(length)
+        if self.touch.gap == 0:
+            yield Fault(f"pair {self.pair.name}, gap", "0 m in every position: it never changes",
+                        "surfaces that the joints let come nearer or part, or press into each other",
+                        "Add a joint along the normal, guide the body nearer, or leave the pair out.")  # fmt: skip
+        law = None if friction is None else friction.law.law
+        if friction is not None and law is not None and (law.modes or law.memory) and self._plane_of_motion() is None:
+            found = f"law {law.name} at {self.pair.name}, whose bodies may slide in more than one direction"
+            yield Fault(f"effect {friction.name}", found, "a contact in plane motion: one direction of sliding",
+                        "smooth_coulomb, stribeck and brown_mcphee take sliding in any direction.")  # fmt: skip
+
+    def _drag(self, friction: Friction, normal_force: Any, bristle: Any) -> tuple[Vector, Any, Any, Any]:
+        """Friction force on the first body, sliding velocity, dissipated power, rate of the bristle or None."""
+        law = friction.law.law
+        plane = self._plane_of_motion()
+        if plane is None:
+            rate = self._named(self.touch.rate_at(self.touch.contact_point), "sliding_rate")
+            slip = self._named(
+                sub(rate, scale(self.let(dot(rate, self.touch.normal), "along_rate"), self.touch.normal)), "slip"
+            )
+            sliding = self.let(sp.sqrt(self.let(dot(slip, slip), "slip_squared")), "sliding_velocity")
+        else:
+            tangent, sliding = self._sliding(plane)
+        known = {N: normal_force, s: sliding} | ({} if bristle is None else {BRISTLE: bristle})
+        values = self._law(friction.law, known, friction.unchecked)
+        stated = (NEWTON, DRAG, PACE) if friction.unchecked else (None, None, None)
+        force = self.let(law.force.xreplace(values), "friction_force", stated[0])
+        power = self.let(force * sliding, "friction_power")
+        if plane is None:
+            slope = self.let(law.slope.xreplace(values), "friction_slope", stated[1])
+            per_speed = self.let(Where(sliding > 0, force / sliding, slope), "friction_per_speed")
+            return scale(-per_speed, slip), sliding, power, None
+        rates = [self.let(rate.xreplace(values), "bristle_rate", stated[2]) for _, rate, _ in law.memory]
+        return scale(-force, tangent), sliding, power, rates[0] if rates else None
+
+    def bristle_size(self, friction: Friction) -> Any:
+        """What the accuracy of the bristle is measured by [m]."""
+        ((_, _, size),) = friction.law.law.memory
+        return self.let(size.xreplace(friction.law.binding), "bristle_size", METRE if friction.unchecked else None)
+
+    def _sliding(self, plane: Vector) -> tuple[Vector, Any]:
+        """Tangent and sliding velocity along it: in the plane the surface speed of each body is its radius times its rate of turn."""
+        tangent = self._named(cross(plane, self.touch.normal), "tangent")
+        spins = [self.kin.motion(place.body).angular_velocity for place in (self.touch.first, self.touch.second)]
+        turn = dot(plane, sub(spins[0], spins[1]))
+        sliding = dot(self.touch.relative_rate, tangent) - sp.sympify(self.pair.first_radius) * turn
+        return tangent, self.let(sliding, "sliding_velocity")
+
+    def _grip(self, friction: Friction, pressing: Any) -> tuple[Grip, Any]:
+        """What a law with modes needs, and the sliding velocity."""
+        plane = self._plane_of_motion()
+        if plane is None:
+            raise ValueError(f"{self.pair.name}: no line of sliding, see faults")
+        tangent, sliding = self._sliding(plane)
+        values = self._law(friction.law, {N: pressing}, friction.unchecked)
+        law, stated = friction.law.law, NEWTON if friction.unchecked else None
+        forces = [
+            self.let(law.sliding.xreplace(values), "sliding_force", stated),
+            self.let(law.holding.xreplace(values), "holding_force", stated),
+        ]
+        return Grip(self._on_joints(tangent, self.touch.contact_point, "grip"), *forces), sliding
+
+    def _plane_of_motion(self) -> Vector | None:
+        """The coordinate axis across a plane contact, if normal and velocities show it structurally."""
+        rate = self.touch.rate_at(self.touch.contact_point)
+        for k in (2, 1, 0):
+            if self.touch.normal[k] == 0 and rate[k] == 0:
+                x, y, z = (sp.Integer(int(i == k)) for i in range(3))
+                return (x, y, z)
+        return None

@@ -1,0 +1,459 @@
+"""A scene: a mechanism, the effects it is simulated with, each with its law, and its start. What is not called for does not exist downstream."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any, ClassVar, Literal, Protocol
+
+import sympy as sp
+
+from hertzwerk.derive.declare.soundness.check import faults_of
+from hertzwerk.derive.dimension.dimension import Dimension
+from hertzwerk.derive.effects.drives import AnyDrive, ConstantSpeed, Drive, Harmonic, Ramp
+from hertzwerk.derive.effects.forces import BodyTorque, JointForce, PointForce, Potential
+from hertzwerk.derive.effects.lubrication import Lubrication
+from hertzwerk.derive.effects.springs import JointDamper, JointFriction, JointSpring, PointDamper, PointSpring
+from hertzwerk.derive.faults import Fault, InputError, unknown
+from hertzwerk.derive.laws.catalogue import LAWS
+from hertzwerk.derive.laws.law import APPROACH_SPEED, BoundLaw
+from hertzwerk.derive.laws.law_call import split_call, values_of
+from hertzwerk.derive.mechanism.bodies import Body, Direction, Slot
+from hertzwerk.derive.mechanism.joints import Freedom
+from hertzwerk.derive.mechanism.mechanism import Mechanism
+from hertzwerk.derive.mechanism.pairs import Pair
+from hertzwerk.derive.mechanism.parameter import (
+    POSITIVE,
+    Parameter,
+    Scalar,
+    default_value,
+    dimensions_of,
+    is_number,
+    parameters_of,
+)
+from hertzwerk.derive.units import parse_unit
+
+APPROACH_FLOOR = Parameter(
+    "approach_floor", "m/s", 1e-3, "least approach speed a damping law is given; h/v0 is unbounded otherwise"
+)
+
+
+@dataclass(frozen=True)
+class Gravity:
+    """Uniform gravity [m/s^2] along `direction` of the ground frame."""
+
+    name: str
+    acceleration: Scalar
+    direction: Direction
+    kind: ClassVar[str] = "gravity"
+    text: ClassVar[str] = "uniform gravity"
+
+    def slots(self) -> Iterator[Slot]:
+        """The acceleration and the direction."""
+        yield from self.direction.slots(f"effect {self.name}, direction")
+        yield Slot(f"effect {self.name}, acceleration", self.acceleration, "m/s^2")
+
+
+@dataclass(frozen=True)
+class Contact:
+    """Normal force of one pair: a stiffness law and, if called for, a damping law. The effect is named after its pair.
+
+    `effective_mass` is what a damping law that asks for one is given, by default m1 m2/(m1 + m2) of the two bodies.
+    `unchecked=True` lets an inconsistent law run in SI values; module, solution and plots then say so.
+    """
+
+    pair: str
+    stiffness: BoundLaw
+    damping: BoundLaw | None = None
+    approach_floor: Scalar = APPROACH_FLOOR
+    effective_mass: Scalar | None = None
+    unchecked: bool = False
+    kind: ClassVar[str] = "contact"
+
+    @property
+    def name(self) -> str:
+        """The pair's name."""
+        return self.pair
+
+    @property
+    def laws(self) -> tuple[BoundLaw, ...]:
+        """Stiffness, then damping."""
+        return (self.stiffness,) if self.damping is None else (self.stiffness, self.damping)
+
+    @property
+    def latches(self) -> bool:
+        """Whether the approach speed is latched."""
+        return self.damping is not None and APPROACH_SPEED in self.damping.law.memory
+
+    @property
+    def text(self) -> str:
+        """What the effect is, for people."""
+        rebuilt = [bound.law.name for bound in self.laws if bound.law.grade == "R"]
+        label = f", {' and '.join(rebuilt)} a reconstruction (grade R)" if rebuilt else ""
+        return " x ".join(bound.law.name for bound in self.laws) + label + (", UNCHECKED" if self.unchecked else "")
+
+    def slots(self, geometry: dict[str, Any] | None = None) -> Iterator[Slot]:
+        """The parameters of both laws, and what of the pair's geometry they limit."""
+        for bound in self.laws:
+            yield from bound.slots(f"effect {self.name}", geometry or {})
+        if self.effective_mass is not None:
+            yield Slot(f"effect {self.name}, effective mass", self.effective_mass, "kg", POSITIVE)
+        if self.latches:
+            yield Slot(f"effect {self.name}, approach floor", self.approach_floor, "m/s", POSITIVE)
+
+
+@dataclass(frozen=True)
+class Friction:
+    """Friction of one pair, beside its normal force."""
+
+    name: str
+    pair: str
+    law: BoundLaw
+    unchecked: bool = False
+    kind: ClassVar[str] = "friction"
+    takes: ClassVar[str] = "friction"
+
+    @property
+    def text(self) -> str:
+        """What the effect is, for people."""
+        return f"{self.law.law.name} at {self.pair}" + (", UNCHECKED" if self.unchecked else "")
+
+    @property
+    def laws(self) -> tuple[BoundLaw, ...]:
+        """The one law."""
+        return (self.law,)
+
+    def slots(self, geometry: dict[str, Any] | None = None) -> Iterator[Slot]:
+        """The parameters of the law."""
+        yield from self.law.slots(f"effect {self.name}", geometry or {})
+
+
+@dataclass(frozen=True)
+class EnergyLedger:
+    """Quadratures of the energy put in and dissipated, so that energy + dissipated - input must stay constant."""
+
+    name: str = "energy_ledger"
+    kind: ClassVar[str] = "ledger"
+    text: ClassVar[str] = "work put in, energy dissipated per effect"
+
+    def slots(self) -> Iterator[Slot]:
+        """None."""
+        return iter(())
+
+
+class Effect(Protocol):
+    """Anything a scene may call for: a frozen record. What it does is its `element`, see `elements`; a contact, gravity, a drive are built in.
+
+    What else it has says what it is about: a `joint`, whose freedom its slots are given, or a `pair`, whose geometry; `laws`, which are audited; one
+    `law`, of the kind that it `takes`; `unchecked`, where an inconsistent law may run.
+    """
+
+    kind: ClassVar[str]
+
+    @property
+    def name(self) -> str:
+        """Unique in its scene."""
+
+    @property
+    def text(self) -> str:
+        """What the effect is, for people."""
+
+    def slots(self, *about: Any) -> Iterator[Slot]:
+        """The quantities of the effect, in declared order."""
+
+
+@dataclass(frozen=True)
+class Start:
+    """Coordinates and speeds at t = 0 by name, `<joint>.<name>`; of a joint with one coordinate its own name will do.
+
+    What is named is kept. What is not is found where loops are to be closed and journals to be centred: positions and speeds of the ideal mechanism.
+    Beyond that it is zero, and an orientation that of the parent. `near` has coordinates that are looked for near a value: one way of assembly
+    of two.
+
+    With `seated` journals do not start in the middle of their bushes or sockets, but rest in them, held by their contact alone: each lies where the
+    force that its clearance would transmit as a closed joint at that instant presses it, so deep that its elastic normal force is that force, and
+    moves with its bush. A journal that nothing presses is centred. Friction of the contact does not count. What the start names must let them.
+    """
+
+    position: Mapping[str, Scalar] = field(default_factory=dict)
+    speed: Mapping[str, Scalar] = field(default_factory=dict)
+    near: Mapping[str, Scalar] = field(default_factory=dict)
+    seated: bool = False
+
+    def coordinates(self, freedom: Freedom) -> list[Any]:
+        """Values of a freedom's coordinates; a quaternion's are divided by its norm."""
+        given = [_given({**self.near, **self.position}, port.name, freedom) for port in freedom.coordinates]
+        if freedom.scalar:
+            return [value or 0 for value in given]
+        if all(value is None for value in given):
+            return [1, 0, 0, 0]
+        values = [sp.sympify(value or 0) for value in given]
+        norm = sp.sqrt(sp.Add(*(value**2 for value in values)))
+        return [value / norm for value in values]
+
+    def speeds(self, freedom: Freedom) -> list[Any]:
+        """Values of a freedom's speeds."""
+        return [_given(self.speed, port.name, freedom) or 0 for port in freedom.speeds]
+
+    def stated(self, freedom: Freedom) -> list[str]:
+        """Names of a freedom's coordinates and speeds that have a value here."""
+        sides = (self.position, freedom.coordinates), (self.speed, freedom.speeds)
+        return [
+            port.name for values, ports in sides for port in ports if _given(values, port.name, freedom) is not None
+        ]
+
+
+def _given(values: Mapping[str, Scalar], name: str, freedom: Freedom) -> Any:
+    return values.get(name, values.get(freedom.key) if freedom.scalar else None)
+
+
+@dataclass(frozen=True)
+class Scales:
+    """Sizes that accuracy is measured by: a length [m], a speed [m/s], and the arm [m] that turns a length into an angle."""
+
+    length: Scalar
+    speed: Scalar
+    arm: Scalar | None = None
+
+    def slots(self) -> Iterator[Slot]:
+        """The sizes."""
+        yield Slot("scales, length", self.length, "m", POSITIVE)
+        yield Slot("scales, speed", self.speed, "m/s", POSITIVE)
+        if self.arm is not None:
+            yield Slot("scales, arm", self.arm, "m", POSITIVE)
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A mechanism plus the effects it calls for. Raises InputError, listing every fault, if it is not sound.
+
+    coordinates  "tree": those of the joints that carry a body; "absolute": of every body, all joints are constraints; "auto": of both what
+                 takes fewer operations
+
+    `without`, `replace`, `with_law`, `named` and `with_coordinates` give new scenes; nothing is mutated.
+    """
+
+    mechanism: Mechanism
+    effects: tuple[Effect, ...]
+    scales: Scales
+    start: Start = field(default_factory=Start)
+    name: str = ""
+    summary: str = ""
+    coordinates: Literal["tree", "absolute", "auto"] = "tree"
+
+    def __post_init__(self) -> None:
+        if isinstance(self.effects, list):
+            object.__setattr__(self, "effects", tuple(self.effects))
+        if isinstance(self.name, str) and not self.name:
+            object.__setattr__(self, "name", getattr(self.mechanism, "name", "scene"))
+        faults = faults_of(self)
+        if faults:
+            raise InputError(f"scene {self.name}", faults)
+
+    # -- variations ------------------------------------------------------------------------------------------------
+
+    def without(self, *names: str) -> Scene:
+        """The scene without these effects; raises InputError for a name that is none."""
+        self._must_exist(names)
+        return replace(self, effects=tuple(effect for effect in self.effects if effect.name not in names))
+
+    def replace(self, **effects: Effect) -> Scene:
+        """The scene with these effects exchanged, by name."""
+        self._must_exist(effects)
+        return replace(self, effects=tuple(effects.get(effect.name, effect) for effect in self.effects))
+
+    def named(self, name: str, summary: str = "") -> Scene:
+        """The same scene under another name."""
+        return replace(self, name=name, summary=summary or self.summary)
+
+    def with_coordinates(self, coordinates: str) -> Scene:
+        """The same scene in other coordinates; raises InputError for a word that is none of the three."""
+        return replace(self, coordinates=coordinates)  # type: ignore[arg-type]  # which the new scene checks
+
+    def with_law(self, effect_name: str, law_name: str) -> Scene:
+        """The scene with one law of one effect exchanged for the law `law_name`, given the same parameters by name.
+
+        What the effect does not have stands with the name: `power_damping(chi=1e5 N s/m^2.5, m=1.5)`.
+        """
+        self._must_exist((effect_name,))
+        effect = self.effect(effect_name)
+        if not isinstance(law_name, str):
+            raise InputError(
+                f"scene {self.name}", [Fault(f"effect {effect_name}", f"law {law_name!r:.80}", "the name of a law")]
+            )
+        law_name, texts = split_call(law_name)
+        law = LAWS.get(law_name)
+        takes = getattr(effect, "takes", None)  # of an effect with one law, its kind
+        fields = ("stiffness", "damping") if effect.kind == "contact" else () if takes is None else (takes,)
+        if law is None or law.kind not in fields:
+            offer = [name for name, other in LAWS.items() if other.kind in fields]
+            wanted = unknown(f"{' or '.join(fields) or 'fitting'} law", law_name, offer)
+            expected = wanted.expected if offer else "an effect that has a law"
+            fault = Fault(f"effect {effect_name}", f"law {law_name!r}", expected, wanted.remedy)
+            raise InputError(f"scene {self.name}", [fault])
+        slot = law.kind if takes is None else "law"
+        bound: BoundLaw | None = getattr(effect, slot)
+        given = {s.name: value for s, value in bound.binding.items()} if bound is not None else {}
+        given |= {s.name: value for s, value in law.defaults if s.name not in given}
+        given |= values_of(law, texts, effect_name)
+        missing = [symbol for symbol in law.parameters if symbol.name not in given]
+        if missing:
+            values = ", ".join(f"{symbol.name} [{symbol.unit}], {symbol.meaning}" for symbol in missing)
+            fault = Fault(f"effect {effect_name}", f"no value for {values}", f"all parameters of {law_name}",
+                          f"Give them with the law, {law_name}({', '.join(f'{s.name}=...' for s in missing)}), "
+                          "or declare it in a scene file.")  # fmt: skip
+            raise InputError(f"scene {self.name}", [fault])
+        other = law(**{symbol.name: given[symbol.name] for symbol in law.parameters})
+        materials = bound.materials if bound is not None else ()
+        kept = tuple(
+            m for m in materials if m.youngs_modulus in other.values
+        )  # whose density limits the speed of impacts
+        return self.replace(**{effect_name: replace(effect, **{slot: replace(other, materials=kept)})})
+
+    def _must_exist(self, names: Any) -> None:
+        known = [effect.name for effect in self.effects]
+        faults = [unknown("effect", name, known) for name in names if not (isinstance(name, str) and name in known)]
+        if faults:
+            raise InputError(f"scene {self.name}", faults)
+
+    # -- looking things up -----------------------------------------------------------------------------------------
+
+    def effect(self, name: str) -> Any:
+        """The effect of this name."""
+        return next(effect for effect in self.effects if effect.name == name)
+
+    def of_kind(self, kind: str) -> list[Any]:
+        """The effects of one kind, in declared order."""
+        return [effect for effect in self.effects if effect.kind == kind]
+
+    @property
+    def ledger(self) -> bool:
+        """Whether an energy ledger is called for."""
+        return bool(self.of_kind("ledger"))
+
+    @property
+    def driven(self) -> dict[str, AnyDrive]:
+        """Drives by the key of the freedom they drive."""
+        return {effect.joint: effect for effect in self.of_kind("drive")}
+
+    @property
+    def free(self) -> tuple[Freedom, ...]:
+        """The freedoms that keep their coordinates."""
+        return tuple(freedom for freedom in self.mechanism.freedoms if freedom.key not in self.driven)
+
+    @property
+    def prescribed(self) -> tuple[Freedom, ...]:
+        """Driven freedoms of joints that close a loop; in joint coordinates there are none."""
+        freedoms = (freedom for joint in self.mechanism.closures for freedom in joint.freedoms)
+        return tuple(freedom for freedom in freedoms if freedom.key in self.driven)
+
+    @cached_property
+    def size(self) -> float:
+        """The greatest length among the parameters at their defaults [m], or that of the scales."""
+        metre = parse_unit("m").exponents
+        lengths = [abs(p.si) for p in self.parameters.values() if p.parsed_unit.exponents == metre]
+        return max(lengths) or abs(default_value(self.scales.length)) if lengths else default_value(self.scales.length)
+
+    @cached_property
+    def contacts(self) -> list[tuple[Pair, Contact, Friction | None]]:
+        """The pairs whose contact is called for, in the order of the mechanism's pairs, with their effects."""
+        contacts = {effect.pair: effect for effect in self.of_kind("contact")}
+        frictions = {effect.pair: effect for effect in self.of_kind("friction")}
+        return [
+            (pair, contacts[pair.name], frictions.get(pair.name))
+            for pair in self.mechanism.pairs
+            if pair.name in contacts
+        ]
+
+    def geometry(self, pair_name: str) -> dict[str, Any]:
+        """What a pair offers its laws by name (`R_eff`, `L`, ...), and the effective mass `m_eff` of its bodies; empty for no pair."""
+        pair = next((pair for pair in self.mechanism.pairs if pair.name == pair_name), None)
+        if pair is None:
+            return {}
+        given = [
+            slot
+            for part in (pair, *(place.body for place in pair.places))
+            if hasattr(part, "slots")
+            for slot in part.slots()
+        ]
+        if not all(is_number(slot.value) and sp.sympify(slot.value) is not sp.nan for slot in given):
+            return {}  # a fault, which the scene reports
+        own = next((e.effective_mass for e in self.of_kind("contact") if e.pair == pair_name), None)
+        masses = [place.body.mass for place in pair.places if isinstance(place.body, Body)]
+        both = masses[0] if len(masses) == 1 else masses[0] * masses[1] / (masses[0] + masses[1]) if masses else None
+        mass = both if own is None else own
+        return {**pair.geometry, **({} if mass is None else {"m_eff": mass})}
+
+    def slots(self) -> Iterator[Slot]:
+        """Every quantity that something reads, in declared order: what a pair has for its laws alone, where one asks for it."""
+        asked = {
+            f"{getattr(effect, 'pair', '')}.{quantity.name}"
+            for effect in self.effects
+            for bound in getattr(effect, "laws", ())
+            for quantity in bound.law.geometry()
+        }
+        return (slot for slot in self.declarations() if not slot.asked_as or slot.asked_as in asked)
+
+    def declarations(self) -> Iterator[Slot]:
+        """Every quantity of the scene, in declared order."""
+        yield from self.mechanism.slots()
+        freedoms = {freedom.key: freedom for freedom in self.mechanism.freedoms if freedom.scalar}
+        for effect in self.effects:
+            if hasattr(effect, "pair"):
+                yield from effect.slots(self.geometry(effect.pair))
+            elif not hasattr(effect, "joint"):
+                yield from effect.slots()
+            elif effect.joint in freedoms:  # else a fault, which the scene reports
+                yield from effect.slots(freedoms[effect.joint])
+        for freedom in self.mechanism.freedoms:
+            for values, ports, what in (
+                (self.start.position, freedom.coordinates, "position"),
+                (self.start.near, freedom.coordinates, "position near"),
+                (self.start.speed, freedom.speeds, "speed"),
+            ):
+                for port in ports:
+                    value = _given(values, port.name, freedom)
+                    if value is not None:
+                        yield Slot(f"start, {what} of {freedom.key if freedom.scalar else port.name}", value, port.unit)
+        yield from self.scales.slots()
+
+    @cached_property
+    def parameters(self) -> dict[str, Parameter]:
+        """All parameters that something reads by name, in declared order."""
+        found: dict[str, Parameter] = {}
+        for slot in self.slots():
+            for parameter in parameters_of(slot.value):
+                found.setdefault(parameter.name, parameter)
+        return found
+
+    @cached_property
+    def dimensions(self) -> dict[sp.Symbol, Dimension]:
+        """Dimension of every parameter."""
+        return dimensions_of(self.parameters)
+
+
+__all__ = [
+    "APPROACH_FLOOR",
+    "BodyTorque",
+    "ConstantSpeed",
+    "Contact",
+    "Drive",
+    "EnergyLedger",
+    "Friction",
+    "Gravity",
+    "Harmonic",
+    "JointDamper",
+    "JointForce",
+    "JointFriction",
+    "JointSpring",
+    "Lubrication",
+    "PointDamper",
+    "PointForce",
+    "PointSpring",
+    "Potential",
+    "Ramp",
+    "Scales",
+    "Scene",
+    "Start",
+]

@@ -1,0 +1,90 @@
+"""What is wrong with a scene: every fault of its declarations at once, found before anything is derived.
+
+In order: types, topology, effects, start, parameters, quantities. A stage that needs sound input from an earlier one looks only at what is sound.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from hertzwerk.derive.declare.soundness.actions import effect_faults, start_faults
+from hertzwerk.derive.declare.soundness.directions import length_faults
+from hertzwerk.derive.declare.soundness.inertia import inertia_faults
+from hertzwerk.derive.declare.soundness.quantities import declared, posed_faults, quantity_faults, rate_faults, sound_of
+from hertzwerk.derive.declare.soundness.shapes import shape_faults
+from hertzwerk.derive.declare.soundness.topology import topology_faults
+from hertzwerk.derive.declare.soundness.types import scene_type_faults
+from hertzwerk.derive.effects.expression import Varying, expression_faults, table_faults
+from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.identifiers import name_faults, text_faults
+from hertzwerk.derive.mechanism.pairs import Posed
+from hertzwerk.derive.mechanism.parameter import dimensions_of, parameters_of
+
+if TYPE_CHECKING:
+    from hertzwerk.derive.declare.scene import Scene
+
+
+def faults_of(scene: Scene) -> tuple[Fault, ...]:
+    """Every fault of a scene, each once."""
+    wrong_types = tuple(shape_faults(scene)) or tuple(scene_type_faults(scene))
+    if wrong_types:
+        return tuple(dict.fromkeys(wrong_types))
+    found: list[Fault] = [
+        *length_faults(scene),
+        *topology_faults(scene.mechanism),
+        *effect_faults(scene),
+        *start_faults(scene),
+        *name_faults("scene", scene.name),
+        *_wording_faults(scene),
+    ]
+    parameters, broken = declared(scene)
+    found.extend(broken)
+    sound = sound_of(parameters, broken)
+    table = dimensions_of(sound)
+    freedoms = {freedom.key: freedom for freedom in scene.mechanism.freedoms if freedom.scalar}
+    for slot in scene.declarations():
+        if not all(sound.get(parameter.name) == parameter for parameter in parameters_of(slot.value)):
+            continue
+        if isinstance(slot, Posed):
+            found.extend(posed_faults(slot, table))
+        elif isinstance(slot, Varying):
+            found.extend(expression_faults(slot, freedoms, table, partial(quantity_faults, table=table)))
+        else:
+            found.extend(quantity_faults(slot, table))
+        found.extend(rate_faults(slot))
+    found.extend(inertia_faults(scene.mechanism, sound))
+    found.extend(table_faults(_expressions(scene)))
+    return tuple(dict.fromkeys(found))
+
+
+def _parts(scene: Scene) -> Iterator[tuple[str, tuple[Any, ...]]]:
+    """What has a name, by its kind."""
+    mechanism = scene.mechanism
+    yield "mechanism", (mechanism,)
+    yield "body", mechanism.bodies
+    yield "joint", mechanism.joints
+    yield "pair", mechanism.pairs
+    yield "effect", scene.effects
+
+
+def _wording_faults(scene: Scene) -> Iterator[Fault]:
+    """What is shown to people and cannot be; names that laws bring along."""
+    yield from text_faults("scene, summary", scene.summary)
+    for effect in scene.effects:
+        yield from text_faults(f"effect {effect.name}, text", effect.text)
+        for law in (bound.law for bound in getattr(effect, "laws", ())):
+            where = f"law {law.name}"
+            yield from name_faults("law", law.name)
+            for what in ("title", "source", "note", "repair", "fitted_in"):
+                yield from text_faults(f"{where}, {what}", getattr(law, what))
+            for symbol in law.symbols():
+                yield from name_faults(where, symbol.name)
+                yield from text_faults(f"{where}, {symbol.name}", getattr(symbol, "meaning", ""))
+
+
+def _expressions(scene: Scene) -> Iterator[Any]:
+    """Of every quantity; of effects on joints that are not there too."""
+    yield from (slot.value for slot in scene.slots())
+    yield from (value for effect in scene.effects if hasattr(effect, "joint") for value in vars(effect).values())

@@ -1,0 +1,52 @@
+"""Directions that are none, or point nowhere."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.mechanism.bodies import Direction, Point
+from hertzwerk.derive.mechanism.pairs import CustomPair
+from hertzwerk.derive.mechanism.parameter import default_value, is_number
+
+if TYPE_CHECKING:
+    from hertzwerk.derive.declare.scene import Scene
+
+
+def direction_faults(where: str, value: Any) -> Iterator[Fault]:
+    """What is no direction."""
+    if not isinstance(value, Direction):
+        yield Fault(where, repr(value), "a Direction, such as X, -Y or Direction((1, 0, 1))")
+    elif not (
+        isinstance(value.components, tuple) and len(value.components) == 3 and all(map(is_number, value.components))
+    ):
+        yield Fault(where, repr(value.components), "three numbers or expressions of parameters of one unit")
+
+
+def length_faults(scene: Scene) -> Iterator[Fault]:
+    """Directions that point nowhere."""
+    for where, direction in directions(scene):
+        if not points(direction):
+            yield Fault(where, "a direction of length 0", "one that points somewhere",
+                        "Its components are ratios: Direction((1, 0, 1)) lies between X and Z.")  # fmt: skip
+
+
+def directions(scene: Scene) -> Iterator[tuple[str, Any]]:
+    """Every direction that is declared, and where."""
+    for joint in scene.mechanism.joints:
+        yield from ((f"joint {joint.name}, {name}", direction) for name, direction in joint.directions.items())
+        for point in (joint.parent, joint.child):
+            if isinstance(point, Point):
+                yield from ((f"joint {joint.name}, turned point, axis", direction) for direction, _ in point.turns)
+    for pair in scene.mechanism.pairs:
+        if not isinstance(pair, CustomPair):
+            named = [(name, getattr(pair, name)) for name in ("normal", "axis", "along") if hasattr(pair, name)]
+            named = [(name, direction) for name, direction in named if (name, direction) != ("along", None)]
+            yield from ((f"pair {pair.name}, {name}", direction) for name, direction in named)
+    yield from ((f"effect {effect.name}, direction", effect.direction) for effect in scene.of_kind("gravity"))
+
+
+def points(direction: Direction) -> bool:
+    """Whether a direction has a length, at the defaults."""
+    return any(default_value(component) != 0 for component in direction.components)

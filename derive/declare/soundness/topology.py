@@ -1,0 +1,111 @@
+"""Joints and pairs that cannot be, connect nothing, or connect what is one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from hertzwerk.derive.algebra.vectors import along
+from hertzwerk.derive.declare.soundness.directions import points
+from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.identifiers import name_faults, repeated
+from hertzwerk.derive.mechanism.bodies import GROUND, Body, Frame
+from hertzwerk.derive.mechanism.joints import Free, Joint, Planar, Universal, Weld
+from hertzwerk.derive.mechanism.mechanism import Mechanism
+from hertzwerk.derive.mechanism.pairs import CornerOnFace, PinInBush
+from hertzwerk.derive.mechanism.parameter import default_value
+
+
+def topology_faults(mechanism: Mechanism) -> Iterator[Fault]:
+    """Joints and pairs that cannot be, or connect nothing."""
+    yield from name_faults("mechanism", mechanism.name)
+    for body in dict.fromkeys(body.name for body in mechanism.bodies):
+        yield from name_faults("body", body)
+        if body == GROUND.name:
+            yield Fault("body", f"the name {body!r}, which is that of the frame that does not move", "another name")
+    yield from repeated("joint", [joint.name for joint in mechanism.joints])
+    yield from repeated("pair", [pair.name for pair in mechanism.pairs])
+    yield from connection_faults(mechanism)
+    for joint in mechanism.joints:
+        yield from _axis_faults(joint)
+    for joint in mechanism.closures:
+        if isinstance(joint, Free):
+            yield Fault(f"joint {joint.name}", f"a free joint to {joint.child.body.name}, which another joint carries", "one that closes the loop",
+                        "A free joint forbids nothing: leave it out, or declare it first.")  # fmt: skip
+    for pair in mechanism.pairs:
+        for point in pair.places:
+            if point.body != GROUND and mechanism.joint_of(point.body) is None:
+                yield Fault(f"pair {pair.name}", f"body {point.body.name}", "a body that a joint connects")
+        if isinstance(pair, PinInBush) and points(pair.axis) and along(pair.axis.unit) is None:
+            yield Fault(f"pair {pair.name}", f"the axis {pair.axis.components}", "X, Y, Z or the opposite of one",
+                        "Turn the bush: body.at(...).turned(axis, angle).")  # fmt: skip
+        if isinstance(pair, CornerOnFace):
+            yield from _face_faults(pair)
+        first, second = (place.body for place in pair.places)
+        if first == second:
+            yield Fault(f"pair {pair.name}", f"both sides on {first.name}", "two different bodies")
+        elif rigid_root(mechanism, first) == rigid_root(mechanism, second):
+            yield Fault(
+                f"pair {pair.name}",
+                f"{first.name} and {second.name}, which are welded",
+                "bodies that can move against each other",
+            )
+
+
+def _face_faults(pair: CornerOnFace) -> Iterator[Fault]:
+    """A face that ends needs a direction in it, and a length."""
+    if (pair.along is None) != (pair.length is None):
+        found = "a length without a direction along the face" if pair.along is None else "a direction without a length"
+        yield Fault(f"pair {pair.name}", found, "both, for a face that ends, or neither")
+    if pair.along is not None:
+        normal, along_face = ([default_value(part) for part in axis.unit] for axis in (pair.normal, pair.along))
+        cosine = sum(a * b for a, b in zip(normal, along_face, strict=True))
+        if abs(cosine) > 1e-9:
+            yield Fault(
+                f"pair {pair.name}, along", f"a direction at a cosine of {cosine:.3g} to the normal", "one square to it"
+            )
+
+
+def _axis_faults(joint: Joint) -> Iterator[Fault]:
+    """Axes that leave a joint fewer freedoms than it claims, or that it cannot take."""
+    where = f"joint {joint.name}"
+    if isinstance(joint, Universal):
+        first, second = ([default_value(component) for component in axis.unit] for axis in (joint.first, joint.second))
+        cosine = sum(a * b for a, b in zip(first, second, strict=True))
+        if abs(cosine) > 1 - 1e-9:
+            yield Fault(where, "two parallel axes", "axes that are not parallel",
+                        "One rotation about one axis is a Revolute.")  # fmt: skip
+    if isinstance(joint, Planar) and points(joint.normal) and along(joint.normal.unit) is None:
+        yield Fault(where, f"the normal {joint.normal.components}", "X, Y, Z or the opposite of one",
+                    "Turn the joint's points: parent.at(...).turned(axis, angle).")  # fmt: skip
+
+
+def connection_faults(mechanism: Mechanism) -> Iterator[Fault]:
+    """Joints that are not in order from the ground outwards."""
+    reached: list[Frame] = [GROUND]
+    names: dict[str, Body] = {}
+    for joint in mechanism.joints:
+        where, child, parent = f"joint {joint.name}", joint.child.body, joint.parent.body
+        if not isinstance(child, Body):
+            yield Fault(where, "the ground as child", "a body", "Give the ground as the parent.")
+            continue
+        if child not in reached and names.setdefault(child.name, child) != child:
+            yield Fault(where, f"a second body named {child.name}", "names that are unique", "Rename one of them.")
+        if parent == child:
+            yield Fault(where, f"{child.name} as parent and child", "two different bodies")
+        elif parent not in reached:
+            declared = any(parent == other.child.body for other in mechanism.joints)
+            yield Fault(
+                where,
+                f"parent {parent.name}, " + ("declared later" if declared else "which is not in the mechanism"),
+                "the ground or a body of an earlier joint",
+                "Put the joints in order from the ground outwards."
+                if declared
+                else f"Connect {parent.name} to the ground by a joint of its own.",
+            )
+        reached.append(child)
+
+
+def rigid_root(mechanism: Mechanism, body: Frame) -> Frame:
+    """The first of the bodies that are welded to each other, from the ground outwards."""
+    joint = mechanism.joint_of(body)
+    return rigid_root(mechanism, joint.parent.body) if isinstance(joint, Weld) else body

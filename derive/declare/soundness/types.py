@@ -1,0 +1,83 @@
+"""Declarations of the wrong type: nothing else can be asked of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from hertzwerk.derive.declare.soundness.directions import direction_faults, directions
+from hertzwerk.derive.effects.faults import type_faults
+from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.laws.law import BoundLaw, Law
+from hertzwerk.derive.mechanism.bodies import Body, Direction, Ground, Point
+from hertzwerk.derive.mechanism.pairs import CustomPair
+
+if TYPE_CHECKING:
+    from hertzwerk.derive.declare.scene import Scene
+
+
+def scene_type_faults(scene: Scene) -> Iterator[Fault]:
+    """What is not of the type that everything else relies on."""
+    if scene.coordinates not in ("tree", "absolute", "auto"):
+        yield Fault("coordinates", repr(scene.coordinates), "'tree', 'absolute' or 'auto'")
+    for effect in scene.effects:
+        yield from type_faults(effect)
+    for joint in scene.mechanism.joints:
+        where = f"joint {joint.name}"
+        yield from _is(where, "parent", joint.parent.body, Body | Ground, "a Body, GROUND, or a point of one")
+        yield from _is(where, "child", joint.child.body, Body | Ground, "a Body or a point of one")
+        for point in (joint.parent, joint.child):
+            yield from _point(where, point)
+    for body in scene.mechanism.bodies:
+        yield from _three(f"body {body.name}, mass centre", body.centre)
+        if isinstance(body.inertia, tuple):
+            yield from _three(f"body {body.name}, inertia", body.inertia)
+    for pair in scene.mechanism.pairs:
+        where = f"pair {pair.name}"
+        for place in pair.places:
+            yield from _is(where, "place", place, Point, "a point of a body: body.at(x, y, z)")
+            if isinstance(place, Point):
+                yield from _is(where, "body", place.body, Body | Ground, "a Body or GROUND")
+                yield from _point(where, place)
+        if isinstance(pair, CustomPair):
+            yield from _three(f"{where}, normal", pair.normal)
+            yield from _three(f"{where}, contact point", pair.contact_point)
+    for where, direction in directions(scene):
+        yield from direction_faults(where, direction)
+    for effect in scene.of_kind("contact"):
+        yield from _law_faults(effect.name, "stiffness", effect.stiffness)
+        if effect.damping is not None:
+            yield from _law_faults(effect.name, "damping", effect.damping)
+    lawful: list[Any] = [effect for effect in scene.effects if hasattr(effect, "takes")]
+    for effect in lawful:
+        yield from _law_faults(effect.name, effect.takes, effect.law)
+
+
+def _is(where: str, what: str, value: Any, kind: Any, expected: str) -> Iterator[Fault]:
+    if not isinstance(value, kind):
+        yield Fault(f"{where}, {what}", repr(value), expected)
+
+
+def _point(where: str, point: Point) -> Iterator[Fault]:
+    yield from _three(f"{where}, point", point.position)
+    pairs = isinstance(point.turns, tuple) and all(isinstance(turn, tuple) and len(turn) == 2 for turn in point.turns)
+    if not (pairs and all(isinstance(axis, Direction) for axis, _ in point.turns)):
+        yield Fault(
+            f"{where}, turns of a point", repr(point.turns), "none, or what `turned` gives: point.turned(axis, angle)"
+        )
+
+
+def _three(where: str, values: Any) -> Iterator[Fault]:
+    if not isinstance(values, tuple) or len(values) != 3:
+        yield Fault(where, repr(values), "three values, (x, y, z)")
+
+
+def _law_faults(effect: str, kind: str, bound: Any) -> Iterator[Fault]:
+    where = f"effect {effect}, {kind}"
+    if isinstance(bound, Law):
+        names = ", ".join(parameter.name for parameter in bound.parameters)
+        yield Fault(where, f"law {bound.name} without its parameters", f"{bound.name}({names})")
+    elif not isinstance(bound, BoundLaw):
+        yield Fault(where, repr(bound), f"a {kind} law with its parameters")
+    elif bound.law.kind != kind:
+        yield Fault(where, f"{bound.law.name}, a {bound.law.kind} law", f"a {kind} law")

@@ -1,0 +1,110 @@
+"""Whose unit is wrong: of all symbols the one that, in another unit, would make every expression consistent at once.
+
+A fault says where two dimensions meet that differ, not which is wrong: `K3*d**3` beside `K1*d` may lack a power of d as well as have its K3 in the
+wrong unit. What is tried is each symbol in the unit that would mend the fault, on every expression that it stands in, the definitions and the stored
+energy of a law included: few symbols remain, mostly one.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import product
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.dimension.dimension import ONE, Dimension, DimensionFault
+
+SHOWN = 2  # of equally likely culprits
+
+
+@dataclass(frozen=True)
+class Row:
+    """One expression: its fault under dimensions of the symbols, None where it holds; and the powers that a symbol stands in it with."""
+
+    fault: Callable[[Mapping[Any, Dimension]], DimensionFault | None]
+    powers: Callable[[Any], Iterable[Any]]
+
+
+@dataclass(frozen=True)
+class Culprit:
+    """A symbol, its unit as declared, its dimension, and the one in which all would be consistent."""
+
+    name: str
+    text: str
+    unit: Dimension
+    needed: Dimension
+
+    @property
+    def gain(self) -> int:
+        """How much stranger its unit is than the one needed."""
+        return _strangeness(self.unit) - _strangeness(self.needed)
+
+    @property
+    def plausible(self) -> bool:
+        """Whether somebody would declare the unit needed: whole or half powers, or those of named exponents."""
+        return all(not e.is_number or (e.is_Rational and e.q <= 2 and abs(e) <= 6) for e in self.needed.exponents)
+
+    def __str__(self) -> str:
+        other = "as a number" if self.needed == ONE else f"in {self.needed}"
+        return f"{self.name} {other}, not {'a number' if self.unit == ONE else f'in {self.text}'}"
+
+
+def culprits(
+    rows: Sequence[Row], dimensions: Mapping[Any, Dimension], candidates: Mapping[Any, str]
+) -> tuple[Culprit, ...]:
+    """The symbols, of the candidates with their units as declared, of which one other unit would make all rows hold.
+
+    The likeliest first: that whose unit becomes the plainer by it.
+    """
+    missing = list(
+        dict.fromkeys(f.missing for row in rows if (f := row.fault(dimensions)) is not None if f.missing is not None)
+    )
+    found = []
+    for symbol, text in candidates.items():
+        powers = dict.fromkeys(power for row in rows for power in row.powers(symbol))
+        steps = (
+            step ** (sign / power) for step in missing for power in powers for sign in (sp.S.One, sp.S.NegativeOne)
+        )
+        for needed in dict.fromkeys(dimensions[symbol] * step for step in steps):
+            if all(row.fault({**dimensions, symbol: needed}) is None for row in rows):
+                found.append(Culprit(str(symbol), text, dimensions[symbol], needed))
+                break
+    return tuple(sorted(found, key=lambda culprit: -culprit.gain))
+
+
+def likeliest(found: Sequence[Culprit], alone: bool) -> tuple[Culprit, ...]:
+    """Those that nothing tells apart; none where they are too many to name. An expression `alone` tells nothing but where it leaves one symbol."""
+    if alone:
+        numeric = all(exponent.is_number for culprit in found for exponent in culprit.needed.exponents)
+        return tuple(found) if len(found) == 1 and found[0].plausible and numeric else ()
+    found = [culprit for culprit in found if culprit.plausible]
+    best = tuple(culprit for culprit in found if culprit.gain == found[0].gain)
+    return best if len(best) <= SHOWN else ()
+
+
+def sentence(found: Sequence[Culprit], what: str) -> str:
+    """What to change for `what` to be consistent."""
+    return f"{', or '.join(map(str, found))}, makes {what} consistent"
+
+
+def powers_in(expression: Any, symbol: Any) -> set[Any]:
+    """The powers that a symbol stands with in a SymPy expression and its parts: of d in sqrt(R*d**3) 3 and 3/2."""
+    if expression == symbol:
+        return {sp.S.One}
+    inside = [powers for arg in expression.args if (powers := powers_in(arg, symbol))]
+    found = set().union(*inside)
+    if expression.is_Mul and len(inside) > 1:
+        found |= {sp.Add(*powers) for powers in product(*inside)}
+    if expression.is_Pow and symbol not in expression.exp.free_symbols:
+        found |= {power * expression.exp for power in powers_in(expression.base, symbol)}
+    return found - {sp.S.Zero}
+
+
+def _strangeness(dimension: Dimension) -> int:
+    """Units in the text of a dimension, powers counted again, broken ones twice."""
+    text = str(dimension)
+    powers = re.findall(r"\^\(?[^\s/)]+\)?", text)
+    return len(re.findall(r"[A-Za-z]+(?![^(]*n)", text)) + len(powers) + sum("." in power for power in powers)

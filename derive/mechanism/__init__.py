@@ -1,0 +1,1 @@
+"""A mechanism's declaration: parameters, bodies, joints, contact pairs."""

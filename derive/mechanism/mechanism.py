@@ -1,0 +1,141 @@
+"""What a mechanism is made of: bodies, joints, contact pairs. Declarations only, no equations.
+
+Every record is frozen and knows its own faults; the scene that uses them gathers all faults and refuses to exist while there is one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from hertzwerk.derive.algebra.vectors import along
+from hertzwerk.derive.mechanism.bodies import GROUND, Body, Direction, Frame, Ground, Material, Point, Slot, X, Y, Z
+from hertzwerk.derive.mechanism.joints import (
+    Cylindrical,
+    Free,
+    Freedom,
+    Joint,
+    Planar,
+    Prismatic,
+    Revolute,
+    Spherical,
+    Universal,
+    Weld,
+)
+from hertzwerk.derive.mechanism.pairs import (
+    BallInSocket,
+    CornerOnFace,
+    CustomPair,
+    CylinderOnPlane,
+    Pair,
+    ParallelCylinders,
+    PinInBush,
+    RimOnPlane,
+    SphereOnPlane,
+    SphereOnSphere,
+)
+
+
+@dataclass(frozen=True)
+class Mechanism:
+    """Bodies joined by joints, and the pairs that may touch.
+
+    The first joint to reach a body carries it: these joints are the tree, whose coordinates are the mechanism's. Any later joint to a body
+    closes a loop, and is a constraint.
+    """
+
+    name: str
+    joints: tuple[Joint, ...]
+    pairs: tuple[Pair, ...] = ()
+
+    def __post_init__(self) -> None:
+        for listed in ("joints", "pairs"):
+            if isinstance(getattr(self, listed), list):
+                object.__setattr__(self, listed, tuple(getattr(self, listed)))
+
+    @property
+    def bodies(self) -> tuple[Body, ...]:
+        """The children of the tree's joints, in their order."""
+        return tuple(joint.child.body for joint in self.tree if isinstance(joint.child.body, Body))
+
+    @cached_property
+    def tree(self) -> tuple[Joint, ...]:
+        """The joints that carry a body, from the ground outwards."""
+        found: dict[Frame, Joint] = {}
+        for joint in self.joints:
+            found.setdefault(joint.child.body, joint)
+        return tuple(found.values())
+
+    @cached_property
+    def closures(self) -> tuple[Joint, ...]:
+        """The joints that close a loop."""
+        tree = {id(joint) for joint in self.tree}
+        return tuple(joint for joint in self.joints if id(joint) not in tree)
+
+    def joint_of(self, body: Frame) -> Joint | None:
+        """The joint that carries `body`; None for the ground."""
+        return next((joint for joint in self.joints if joint.child.body == body), None)
+
+    @property
+    def freedoms(self) -> tuple[Freedom, ...]:
+        """Those of the tree's joints, in order."""
+        return tuple(freedom for joint in self.tree for freedom in joint.freedoms)
+
+    @cached_property
+    def plane(self) -> int | None:
+        """Coordinate axis across the plane all bodies move in, by structure: all turns are about it, all slides across it. None in space."""
+        return next((k for k in (2, 1, 0) if all(_stays_across(joint, k) for joint in self.joints)), None)
+
+    def slots(self) -> Iterator[Slot]:
+        """Every quantity of the mechanism, in declared order."""
+        for body in self.bodies:
+            yield from body.slots()
+        for part in (*self.joints, *self.pairs):
+            yield from part.slots()
+
+
+def _stays_across(joint: Joint, k: int) -> bool:
+    """Whether a joint turns about a coordinate axis and slides across it, its points' axes included."""
+    turned = (axis for point in (joint.parent, joint.child) for axis, _ in point.turns)
+    turns = (freedom.axis for freedom in joint.freedoms if freedom.kind != "slide")
+    slides = (freedom.axis for freedom in joint.freedoms if freedom.kind == "slide")
+    return all(axis is not None and along(axis.unit) == k for axis in (*turned, *turns)) and all(
+        axis is not None and axis.unit[k] == 0 for axis in slides
+    )
+
+
+__all__ = [
+    "GROUND",
+    "BallInSocket",
+    "Body",
+    "CornerOnFace",
+    "CustomPair",
+    "CylinderOnPlane",
+    "Cylindrical",
+    "Direction",
+    "Frame",
+    "Free",
+    "Freedom",
+    "Ground",
+    "Joint",
+    "Material",
+    "Mechanism",
+    "Pair",
+    "ParallelCylinders",
+    "PinInBush",
+    "Planar",
+    "Point",
+    "Prismatic",
+    "Revolute",
+    "RimOnPlane",
+    "Slot",
+    "SphereOnPlane",
+    "SphereOnSphere",
+    "Spherical",
+    "Universal",
+    "Weld",
+    "X",
+    "Y",
+    "Z",
+]

@@ -1,0 +1,136 @@
+"""Parameters: symbols with a unit, a default and a meaning, and the ranges their values must keep."""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.dimension.dimension import Dimension
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.identifiers import name_faults, text_faults
+from hertzwerk.derive.units import Unit, UnitError, parse_unit
+
+_READ = ("t", "p", "q", "u", "a", "f", "z", "m", "c", "wanted", "multipliers", "reactions", "joints", "joint_speeds")
+RESERVED = ("ca", *_READ)
+"""Names that generated functions use for their arguments and for CasADi."""
+
+TABLE = "_TABLE"
+"""What the names of tables in a module end with."""
+
+
+class Parameter(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
+    """A named constant of a scene; a SymPy symbol, so it is used in expressions as it is.
+
+    `unit` is text (`"mm"`, `"N/m^1.5"`, `"N/m^exponent"` with another parameter's name), `default` a number in that unit.
+    Parameters that differ in anything are different symbols; a scene refuses two of one name.
+    """
+
+    __slots__ = ("default", "meaning", "unit")
+
+    def __new__(cls, name: str, unit: str, default: float, meaning: str = "") -> Parameter:
+        """A symbol of its own: never taken from SymPy's cache, so that equal names with other units stay apart; raises InputError."""
+        texts = {"name": name, "unit": unit, "meaning": meaning}
+        wrong = [
+            Fault(f"parameter, {what}", repr(text), "text") for what, text in texts.items() if not isinstance(text, str)
+        ]
+        if wrong:
+            raise InputError(f"parameter {name!r:.40}", wrong)
+        self = sp.Symbol.__xnew__(cls, name, real=True)
+        self.unit = unit
+        self.default = default
+        self.meaning = meaning
+        return self  # type: ignore[no-any-return]
+
+    def _hashable_content(self) -> tuple[Any, ...]:
+        return (self.name, self.unit, repr(self.default), self.meaning)
+
+    def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
+        return (self.name, self.unit, self.default, self.meaning), {}
+
+    def faults(self) -> Iterator[Fault]:
+        """Faults of the declaration itself."""
+        where = f"parameter {self.name}"
+        yield from name_faults(where, self.name)
+        yield from text_faults(f"{where}, meaning", self.meaning)
+        if self.name in RESERVED or self.name.endswith(TABLE):
+            yield Fault(where, f"the name {self.name!r}", "a name the generated functions do not use themselves",
+                        f"They use {', '.join(RESERVED)}; a longer name also reads better on the command line.")  # fmt: skip
+        try:
+            parse_unit(self.unit)
+        except UnitError as error:
+            yield Fault(where, f"unit {self.unit!r}", "a unit", str(error))
+        if isinstance(self.default, bool) or not isinstance(self.default, (int, float)):
+            yield Fault(where, f"default {self.default!r}", "a number")
+        elif not abs(self.default) <= sys.float_info.max:
+            yield Fault(where, f"default {self.default!r:.30}", "a finite number")
+
+    @property
+    def parsed_unit(self) -> Unit:
+        """The unit, read; raises UnitError."""
+        return parse_unit(self.unit)
+
+    @property
+    def si(self) -> float:
+        """Default in SI."""
+        return self.parsed_unit.to_si(self.default)
+
+
+@dataclass(frozen=True)
+class Interval:
+    """Range of a quantity in SI; None is unbounded."""
+
+    lower: float | None = None
+    upper: float | None = None
+    open_left: bool = False
+    open_right: bool = False
+
+    def holds(self, value: float) -> bool:
+        """Whether `value` lies inside."""
+        above = self.lower is None or (value > self.lower if self.open_left else value >= self.lower)
+        below = self.upper is None or (value < self.upper if self.open_right else value <= self.upper)
+        return above and below
+
+    def __str__(self) -> str:
+        left = "(" if self.open_left or self.lower is None else "["
+        right = ")" if self.open_right or self.upper is None else "]"
+        lower = "-inf" if self.lower is None else f"{self.lower:g}"
+        upper = "inf" if self.upper is None else f"{self.upper:g}"
+        return f"{left}{lower}, {upper}{right}"
+
+
+POSITIVE = Interval(lower=0, open_left=True)
+NOT_NEGATIVE = Interval(lower=0)
+
+Scalar = sp.Expr | float
+"""A parameter, an expression of parameters, or a number (dimensionless, or 0)."""
+
+
+def is_number(value: Any) -> bool:
+    """Whether it is a number or an expression: what a quantity may be. Text is neither, and SymPy would execute it."""
+    return isinstance(value, int | float | sp.Expr) and not isinstance(value, bool)
+
+
+def parameters_of(expression: Any) -> list[Parameter]:
+    """Parameters in `expression`, in the order they stand in it (never in hash order); none in what is no expression."""
+    if not isinstance(expression, sp.Basic):
+        return []  # numbers, and text, which SymPy would execute
+    found = (node for node in sp.preorder_traversal(expression) if isinstance(node, Parameter))
+    return list(dict.fromkeys(found))
+
+
+def dimensions_of(parameters: Mapping[str, Parameter]) -> dict[sp.Symbol, Dimension]:
+    """Dimension of every parameter; names in unit exponents (`N/m^exponent`) become the parameters of that name."""
+    symbols: dict[str, sp.Symbol] = dict(parameters)
+    return {p: Dimension.from_unit(p.parsed_unit, symbols) for p in parameters.values()}
+
+
+def default_value(expression: Any) -> float:
+    """Value of an expression of parameters at their defaults, SI; NaN where it is no real number there."""
+    expression = sp.sympify(expression)
+    value = expression.xreplace({p: sp.Float(p.si, 17) for p in parameters_of(expression)})
+    return float(value) if value.is_number and value.is_real else math.nan

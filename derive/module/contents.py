@@ -1,0 +1,70 @@
+"""The program of a system. Reads as the list of what a generated module holds."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.module import ledger as energy
+from hertzwerk.derive.module import loops, motion, outputs, pairs, scales, start
+from hertzwerk.derive.module.system import System
+from hertzwerk.derive.module.tables import tables
+from hertzwerk.derive.motion.constrained import REGULAR
+from hertzwerk.derive.program.program import CONSTANT, Function, Program, Result
+
+
+def program_of(system: System) -> Program:
+    """Every function of the module, and its tables; raises InputError if an effect changes no motion."""
+    functions = [
+        start.start(system),
+        *_placement(system),
+        scales.scales(system),
+        motion.coordinate_rates(system),
+        pairs.gaps(system),
+        pairs.gap_accelerations(system),
+        *(pairs.contact(system, *entry) for entry in system.contacts),
+        motion.applied(system),
+        motion.accelerations(system),
+        *([motion.balance(system)] if system.loops and system.joints is not None and not system.driven else []),
+        *([loops.constraints(system), loops.projection(system)] if system.loops else []),
+        *([energy.ledger(system), energy.energy(system)] if system.scene.ledger else []),
+        outputs.poses(system),
+        outputs.outputs(system),
+        *([scales.speed_limits(system)] if system.limited else []),
+        *([scales.period(system)] if system.periodic is not None else []),
+        outputs.landmarks(system),
+    ]
+    idle = [effect.name for effect in system.scene.effects if effect.name not in system.entered]
+    if idle:
+        raise InputError(f"scene {system.scene.name}", (_idle_fault(system, name) for name in idle))
+    constants = system.tape.constants(functions)
+    softness = [symbol for symbol, group in system.tape.inputs.items() if group == CONSTANT]
+    values = (*constants, *(sp.Float(REGULAR) for _ in softness))
+    constants = [*constants, *softness]
+    names = tuple(symbol.name for symbol in constants)
+    result = Result("c", names, ("",) * len(names), values)  # of any unit: see CONSTANTS
+    functions.insert(
+        0, system.function("constants", "What depends on the parameters alone, once per run.", "p", result)
+    )
+    note = "" if system.joints is None else "absolute"
+    return Program(system.scene, system.tape, tuple(functions), tuple(constants), tables(system), note)
+
+
+def _placement(system: System) -> list[Function]:
+    """From the joints' coordinates to those of the bodies, where these are the module's."""
+    joints = system.joints
+    if joints is None:
+        return []
+    functions = [start.joint_scales(system, joints), start.placed_bodies(system, joints)]
+    return [*functions, loops.joint_constraints(system, joints)] if joints.loops else functions
+
+
+def _idle_fault(system: System, name: str) -> Fault:
+    driven = getattr(system.scene.effect(name), "joint", "") in system.scene.driven
+    why = "its joint is driven, whatever acts on it" if driven else "what it acts on cannot move that way"
+    return Fault(
+        f"effect {name}",
+        "no equation that it enters",
+        f"an effect that changes the motion; {why}",
+        f"Turn it, or leave it out: scene.without({name!r}).",
+    )

@@ -1,0 +1,42 @@
+"""The ledger's powers, and energies."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from hertzwerk.derive.module.results import dimension_of
+from hertzwerk.derive.module.system import System
+from hertzwerk.derive.program.program import Function, Result
+
+
+def ledger(system: System) -> Function:
+    """Power put in."""
+    power = [
+        system.tape.input(f"{row.key.replace('.', '_')}_reaction_in", "reactions", dimension_of(row.unit)) * row.speed
+        for row in system.driven
+    ]
+    drives = f"{system.scene.of_kind('ledger')[0].name}.input"
+    rows = {f"{effect.name}.{e.booked}": e.power for effect, e in system.elements.items() if e.power is not None}
+    rows[drives] = sp.Add(*power)
+    values = [rows.get(name, sp.S.Zero) for name, _ in system.memory]
+    return system.function(
+        "ledger",
+        f"Power the drives put in, in its row of z{'; put in and dissipated by force elements, in theirs' if len(rows) > 1 else ''}.",
+        "t q u reactions c",
+        system.memory_rates(values),
+    )
+
+
+def energy(system: System) -> Function:
+    """Energies."""
+    stored = [pair.elastic(contact)[1] for pair, contact, _ in system.contacts]
+    kinetic = system.equations.kinetic()
+    potential = sp.Add(system.equations.potential(), *(e.stored for e in system.elements.values()))
+    return system.function(
+        "energy",
+        "Kinetic and potential energy, and what each pair's stiffness stores.",
+        "t q u c",
+        Result("kinetic", ("kinetic",), ("J",), (kinetic,)),
+        Result("potential", ("potential",), ("J",), (potential,)),
+        system.of_pairs("stored", "J", stored),
+    )

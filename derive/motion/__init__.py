@@ -1,0 +1,1 @@
+"""Kinematics of trees, closed loops, equations of motion."""

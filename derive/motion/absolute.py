@@ -1,0 +1,294 @@
+"""Absolute coordinates: every body rides on a joint of its own to the ground, and every joint closes a loop.
+
+Same derivation, other tree: the mass matrix is then diagonal in blocks, one per body, and what a chain costs grows with its length. A body that no
+joint turns is not turned, and one whose whole motion is prescribed keeps its driven joint; what is plane by structure stays so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, fields, replace
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.algebra.vectors import Vector, apply, transpose
+from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.effects.expression import COORDINATE, states_in
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.mechanism.bodies import AXES, GROUND, Body, Frame, Point, Slot, Triple
+from hertzwerk.derive.mechanism.joints import Free, Freedom, Joint, Planar, Weld
+from hertzwerk.derive.mechanism.mechanism import Mechanism
+from hertzwerk.derive.mechanism.parameter import default_value
+from hertzwerk.derive.motion.kinematics import Kinematics
+
+MEASURED = (
+    "Revolute",
+    "Prismatic",
+    "Cylindrical",
+    "Planar",
+)  # joints whose freedoms can be measured where they close a loop
+
+
+@dataclass(frozen=True, init=False)
+class Base(Joint):
+    """Where a body is: translations of its mass centre along axes of the ground, `x`, `y`, `z`; then, where it turns, an `angle` about
+    `normal` or, without one, a quaternion."""
+
+    slides: tuple[int, ...]
+    turns: bool
+    normal: int | None
+
+    def __init__(self, name: str, parent: Point, child: Point, turns: bool, normal: int | None) -> None:
+        super().__init__(name, parent, child)
+        object.__setattr__(self, "slides", tuple(k for k in range(3) if k != normal))
+        object.__setattr__(self, "turns", turns)
+        object.__setattr__(self, "normal", normal)
+
+    @property
+    def freedoms(self) -> tuple[Freedom, ...]:
+        """Translations, then the turn."""
+        slides = tuple(self._of_several("slide", AXES[k], "xyz"[k]) for k in self.slides)
+        if not self.turns:
+            return slides
+        return (*slides, self._ball() if self.normal is None else self._of_several("turn", AXES[self.normal], "angle"))
+
+
+@dataclass(frozen=True)
+class Absolute(Scene):
+    """A sound scene in absolute coordinates; `declared` is the scene it was made from, whose start and quantities are its own."""
+
+    declared: Scene = field(kw_only=True)
+
+    def __post_init__(self) -> None:
+        """Sound, since what it was made from is."""
+
+    def slots(self) -> Iterator[Slot]:
+        """Every quantity of the scene, in declared order."""
+        return self.declared.slots()
+
+
+def absolute(scene: Scene) -> Absolute:
+    """The scene in absolute coordinates; raises InputError, with every fault, where a body or an effect cannot do with them."""
+    mechanism, driven = scene.mechanism, scene.driven
+    carried: list[Joint] = []
+    closing = list(mechanism.closures)
+    still: list[Frame] = [GROUND]
+    for joint in mechanism.tree:
+        keys = [freedom.key for freedom in joint.freedoms]
+        prescribed = joint.parent.body in still and all(key in driven for key in keys)
+        at_ground = joint.parent.body == GROUND and not any(key in driven for key in keys)
+        if prescribed:
+            still.append(joint.child.body)
+        if prescribed or isinstance(joint, Weld) or (at_ground and isinstance(joint, Free | Planar)):
+            carried.append(joint)
+            continue
+        carried.append(_base(mechanism, joint))
+        if not isinstance(joint, Free):  # which forbids nothing
+            closing.append(joint)
+    order = {joint.name: i for i, joint in enumerate(mechanism.joints)}
+    closing.sort(key=lambda joint: order[joint.name])
+    faults = [*_body_faults(scene, carried), *_effect_faults(scene, carried)]
+    if faults:
+        raise InputError(f"scene {scene.name} in absolute coordinates", dict.fromkeys(faults))
+    given = {entry.name: getattr(scene, entry.name) for entry in fields(Scene)}
+    given["mechanism"] = replace(mechanism, joints=(*carried, *closing))
+    return Absolute(**given, declared=scene)
+
+
+def _base(mechanism: Mechanism, joint: Joint) -> Base:
+    body = joint.child.body
+    if not isinstance(body, Body):
+        raise TypeError(f"joint {joint.name} moves the ground")
+    taken = [other.name for other in mechanism.joints]
+    name = body.name if body.name not in taken else f"{body.name}_base"
+    turns, k = _turns(mechanism, body), mechanism.plane
+    if k is None:
+        return Base(name, Point(GROUND), Point(body, body.centre), turns, None)
+    centre = _with(body.centre, k, 0)
+    return Base(name, Point(GROUND, _with((0, 0, 0), k, _height(mechanism, body, k))), Point(body, centre), turns, k)
+
+
+def _with(triple: Triple, k: int, value: Any) -> Triple:
+    """The triple with another component k."""
+    x, y, z = (value if i == k else component for i, component in enumerate(triple))
+    return (x, y, z)
+
+
+def _turns(mechanism: Mechanism, body: Frame) -> bool:
+    """Whether some joint on the way to a body turns it."""
+    joint = mechanism.joint_of(body)
+    if joint is None:
+        return False
+    return any(freedom.kind != "slide" for freedom in joint.freedoms) or _turns(mechanism, joint.parent.body)
+
+
+def _height(mechanism: Mechanism, body: Frame, k: int) -> Any:
+    """Of a body's origin across the plane of motion [m]."""
+    joint = mechanism.joint_of(body)
+    if joint is None:
+        return sp.S.Zero
+    return (
+        _height(mechanism, joint.parent.body, k)
+        + sp.sympify(joint.parent.position[k])
+        - sp.sympify(joint.child.position[k])
+    )
+
+
+# -- faults ------------------------------------------------------------------------------------------------------------
+
+
+def _body_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:
+    """Inertias that are zero without being the number 0 of a body alone (`Equations.lent`) or are about one axis, and the size that angles need."""
+    remedy = "Give it one, or keep the joints' coordinates: coordinates='tree'."
+    for joint in carried:
+        body = joint.child.body
+        if not isinstance(joint, Base) or not isinstance(body, Body) or not joint.turns:
+            continue
+        rigid = [body, *_welded_to(body, carried)]
+        used = [_turning_inertias(each, joint.normal) for each in rigid]
+        zero = any(value != 0 and default_value(value) == 0 for value in used[0])
+        if zero or (len(rigid) > 1 and not any(all(default_value(value) != 0 for value in each) for each in used)):
+            why = (
+                ", zero at the defaults"
+                if zero
+                else f", and welded to it {', '.join(each.name for each in rigid[1:])}, without one about every axis"
+            )
+            yield Fault(f"body {body.name}, inertia", f"{body.inertia}{why}", "positive inertias, or of a body by itself the number 0, because the "
+                        "body turns by coordinates of its own", remedy)  # fmt: skip
+        elif (
+            len(used[0]) == 3
+            and not isinstance(body.inertia, tuple)
+            and body.inertia != 0
+            and _about_one_axis(scene.mechanism, body)
+        ):
+            yield Fault(f"body {body.name}, inertia", f"{body.inertia}, about the joint's axis alone", "three principal inertias, because the "
+                        "body turns by coordinates of its own", remedy)  # fmt: skip
+        if scene.scales.arm is None:
+            yield Fault("scales", "no arm", "an arm [m], because the bodies' coordinates have angles",
+                        "Scales(length=..., speed=..., arm=...): an angle is measured as length/arm.")  # fmt: skip
+
+
+def _turning_inertias(body: Body, normal: int | None) -> tuple[Any, ...]:
+    """Principal inertias about the axes that a body turns about: one in the plane."""
+    given = body.inertia if isinstance(body.inertia, tuple) else (body.inertia,) * 3
+    return given if normal is None else (given[normal],)
+
+
+def _welded_to(body: Frame, carried: list[Joint]) -> list[Body]:
+    """Bodies that are one with a body, seen outwards."""
+    tips = [joint.child.body for joint in carried if isinstance(joint, Weld) and joint.parent.body == body]
+    return [each for tip in tips if isinstance(tip, Body) for each in (tip, *_welded_to(tip, carried))]
+
+
+def _about_one_axis(mechanism: Mechanism, body: Frame) -> bool:
+    """Whether the nearest joint that turns a body does so about one axis."""
+    joint = mechanism.joint_of(body)
+    if joint is None:
+        return False
+    turning = [freedom.kind for freedom in joint.freedoms if freedom.kind != "slide"]
+    return turning == ["turn"] if turning else _about_one_axis(mechanism, joint.parent.body)
+
+
+def _effect_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:
+    """Effects that ask for the coordinate of a joint that has none, and cannot have it measured."""
+    kept = [freedom.key for joint in carried for freedom in joint.freedoms]
+    closing = {freedom.key: (joint, freedom) for joint in scene.mechanism.tree for freedom in joint.freedoms}
+    remedy = "Keep the joints' coordinates: coordinates='tree'."
+    for effect in scene.effects:
+        symbols = [symbol for slot in _slots_of(effect, closing) for symbol in states_in(slot.value) if symbol.joint]
+        asked = [(symbol.joint, symbol.what == COORDINATE) for symbol in symbols]
+        if hasattr(effect, "joint"):
+            asked.append((effect.joint, effect.kind == "spring"))
+        for key, coordinate in asked:
+            if key in kept:
+                continue
+            joint, freedom = closing[key]
+            where, name = f"effect {effect.name}", type(joint).__name__
+            if name not in MEASURED:
+                yield Fault(
+                    where,
+                    f"{key}, of a {name.lower()} joint",
+                    f"a freedom of a joint that can be measured: {', '.join(MEASURED)}",
+                    remedy,
+                )
+            elif coordinate and freedom.kind == "turn" and scene.mechanism.plane is None:
+                yield Fault(where, f"the angle of {key}, which in space is known up to whole turns alone", "its speed, or a mechanism that is plane",
+                            remedy)  # fmt: skip
+
+
+def _slots_of(effect: Any, closing: dict[str, tuple[Joint, Freedom]]) -> Iterator[Slot]:
+    if hasattr(effect, "joint"):
+        return iter(effect.slots(closing[effect.joint][1]))
+    return iter(() if hasattr(effect, "pair") else effect.slots())
+
+
+# -- from the joints' coordinates --------------------------------------------------------------------------------------
+
+
+def placed(scene: Absolute, joints: Kinematics, bodies: Kinematics) -> tuple[list[Any], list[Any]]:
+    """Coordinates and speeds of the bodies where those of the joints are known: `joints` is the kinematics of the scene as declared."""
+    q: list[Any] = []
+    u: list[Any] = []
+    links = {link.freedom.key: link for link in joints.tree.links if link.freedom is not None}
+    for joint in scene.mechanism.tree:
+        if isinstance(joint, Base):
+            position, velocity, _ = joints.point(joint.child, f"{joint.name}_centre")
+            q.extend(position[k] for k in joint.slides)
+            u.extend(velocity[k] for k in joint.slides)
+            if joint.turns:
+                turned, spin = _turned(joint, joints)
+                q.extend(turned)
+                u.extend(spin)
+            continue
+        for freedom in joint.freedoms:
+            if freedom.key not in scene.driven:
+                q.extend(links[freedom.key].coordinates)
+                u.extend(row.speed for row in links[freedom.key].rows)
+    integrated = {state.port: state.symbol for state in joints.drive_states}
+    q.extend(integrated[state.port] for state in bodies.drive_states)
+    return q, u
+
+
+def _turned(joint: Base, joints: Kinematics) -> tuple[list[Any], list[Any]]:
+    """Orientation of a body, and its angular velocity in its own axes."""
+    body = joint.child.body
+    rate = joints.motion(body).angular_velocity
+    if joint.normal is not None:
+        return [joints.turned(body, joint.normal)], [rate[joint.normal]]
+    return list(_quaternion(joints, body)), list(apply(transpose(joints.rotation(body)), rate))
+
+
+Quaternion = tuple[Any, ...]
+"""q0 + q1 i + q2 j + q3 k."""
+
+
+def _quaternion(kin: Kinematics, body: Frame) -> Quaternion:
+    """From a body's axes to the ground's, along the joints that carry it: no branch has to be chosen."""
+    joint = kin.mechanism.joint_of(body)
+    if joint is None:
+        return (sp.S.One, sp.S.Zero, sp.S.Zero, sp.S.Zero)
+    total = _quaternion(kin, joint.parent.body)
+    steps = [_of_turn(axis.unit, angle) for axis, angle in joint.parent.turns]
+    for link in kin.tree.links:
+        if link.joint is joint and link.freedom is not None and link.kind != "slide":
+            axis = link.freedom.axis
+            steps.append(link.coordinates if axis is None else _of_turn(axis.unit, link.coordinates[0]))
+    steps += [_of_turn(axis.unit, -sp.sympify(angle)) for axis, angle in reversed(joint.child.turns)]
+    for step in steps:
+        total = tuple(kin.tape.let(part, f"{body.name}_q{i}") for i, part in enumerate(_times(total, step)))
+    return total
+
+
+def _of_turn(axis: Vector, angle: Any) -> Quaternion:
+    half = sp.sympify(angle) / 2
+    return (sp.cos(half), axis[0] * sp.sin(half), axis[1] * sp.sin(half), axis[2] * sp.sin(half))
+
+
+def _times(a: Quaternion, b: Quaternion) -> Quaternion:
+    return (
+        a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
+        a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+        a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1],
+        a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0],
+    )

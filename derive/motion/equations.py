@@ -1,0 +1,225 @@
+"""Equations of motion: mass matrix, bias, gravity, accelerations, multipliers of closed loops, drive reactions, energy.
+
+Kane's equations by composite bodies: one column of the mass matrix is the momentum of what hangs on a joint under the joint's unit speed, seen by
+the joints below it (Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 6).
+"""
+
+from __future__ import annotations
+
+from functools import cache, cached_property
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.algebra.vectors import ZERO, Vector, add, cross, dot, is_zero, scale
+from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.motion.axes import of_matrix
+from hertzwerk.derive.motion.constrained import Loops
+from hertzwerk.derive.motion.kinematics import Kinematics
+from hertzwerk.derive.motion.links import UNIT, Link, Row
+from hertzwerk.derive.motion.loops import constraints_of
+from hertzwerk.derive.motion.recursion import Recursion
+from hertzwerk.derive.program.elimination import Factor
+
+REFINEMENTS = (
+    2  # of the multipliers: with constrained.REGULAR, what a singular position and rounding cost together is least
+)
+
+LENT = sp.Rational(
+    1, 10_000
+)  # of the inertia about other axes, or of the mean body: what is lent to a row that has none
+RETURNS = 2  # refinements more where something is lent: each leaves about that part of it
+
+
+class Equations:
+    """Equations of one scene on its kinematics' tape."""
+
+    def __init__(self, kinematics: Kinematics, scene: Scene) -> None:
+        self.kin = kinematics
+        self.tape = kinematics.tape
+        self.scene = scene
+        self.links = kinematics.tree.links
+        self.recursion = Recursion(kinematics.tree, scene.mechanism.bodies)
+        self.link_of = {row: link for link in self.links for row in link.rows}
+        self.rows = list(self.link_of)
+        self.free = [row for row in self.rows if row.free]
+        self.driven = [row for row in self.rows if not row.free]
+        self.constraints = constraints_of(kinematics)
+        self.prescribed = [row for _, (row,) in kinematics.prescribed.values()]
+        self._pull = cache(self._pull_in)  # keyed by links, which live as long as this does
+        self.mass_matrix = cache(self._mass_matrix)
+
+    # -- mass matrix and bias --------------------------------------------------------------------------------------
+
+    def _axes(self, link: Link) -> tuple[Vector, ...]:
+        """Axis of each row of a link, in the axes of its run."""
+        return UNIT if link.kind == "ball" else (self.recursion.axis(link),)
+
+    def _columns(self, link: Link) -> dict[tuple[str, str], Any]:
+        """Mass matrix entries of the rows of one link with themselves and those of the links below, by keys."""
+        found: dict[tuple[str, str], Any] = {}
+        parts = self.recursion
+        for i, (row, axis) in enumerate(zip(link.rows, self._axes(link), strict=True)):
+            name = row.key.replace(".", "_")
+            slides = link.kind == "slide"
+            force = scale(parts.mass(link), axis) if slides else cross(axis, parts.moment(link))
+            # seen from the link's own rows first: of an inertia only what somebody asks for is worked out
+            for other, along in zip(link.rows[: i + 1], self._axes(link), strict=False):
+                value = dot(force, along) if slides else dot(parts.inertia(link).apply(axis), along)
+                found[row.key, other.key] = self.tape.let(value, f"M_{name}_{other.key.replace('.', '_')}")
+            if any(below.kind != "slide" for below in link.path[:-1]):
+                torque = cross(parts.moment(link), axis) if slides else parts.inertia(link).apply(axis)
+            else:
+                torque = ZERO
+            here = link
+            while here.parent is not None and here.parent.parent is not None:
+                # what is handed on, in the axes of the parent's run
+                arm = parts.arm(here)
+                force = self.tape.vector(here.change.out(force), f"{name}_{here.name}_force")
+                torque = self.tape.vector(add(here.change.out(torque), cross(arm, force)), f"{name}_{here.name}_torque")
+                here = here.parent
+                for other, along in zip(here.rows, self._axes(here), strict=True):
+                    value = dot(along, force if here.kind == "slide" else torque)
+                    found[row.key, other.key] = self.tape.let(value, f"M_{name}_{other.key.replace('.', '_')}")
+        return found
+
+    def _mass_matrix(self) -> dict[tuple[str, str], Any]:
+        """Entries by pair of row keys, free and driven, structural zeros left out."""
+        entries: dict[tuple[str, str], Any] = {}
+        for link in self.links:
+            for (row, other), value in self._columns(link).items():
+                if value != 0:
+                    entries[row, other] = entries[other, row] = value
+        return entries
+
+    def bias(self, row: Row) -> Any:
+        """Generalised inertia force at zero generalised accelerations [N m or N]."""
+        link, parts = self.link_of[row], self.recursion
+        axis = self._axis_of(row)
+        if link.kind != "slide":
+            return dot(axis, parts.torque(link))
+        return dot(axis, add(scale(parts.mass(link), parts.bias(link)), parts.force(link)))
+
+    def _axis_of(self, row: Row) -> Vector:
+        link = self.link_of[row]
+        return self._axes(link)[link.rows.index(row)]
+
+    # -- forces and accelerations ----------------------------------------------------------------------------------
+
+    def gravity(self, row: Row) -> Any:
+        """Generalised force of gravity; 0 where the scene has none [N m or N]."""
+        link, axis = self.link_of[row], self._axis_of(row)
+        if link.kind == "slide":
+            return dot(self._pull(link), scale(self.recursion.mass(link), axis))
+        return dot(self._pull(link), cross(axis, self.recursion.moment(link)))
+
+    def _pull_in(self, link: Link) -> Vector:
+        """Gravity in the axes of a link's run."""
+        if link.parent is None:
+            return self._gravity_vector()
+        return self.tape.vector(link.change.back(self._pull(link.parent)), f"{link.name}_gravity")
+
+    def _gravity_vector(self) -> Vector:
+        effects = self.scene.of_kind("gravity")
+        if not effects:
+            return ZERO
+        return scale(sp.sympify(effects[0].acceleration), effects[0].direction.unit)
+
+    def accelerations(self, forces: dict[str, Any]) -> tuple[list[Any], list[Any]]:
+        """Of the free rows, from M a = f - bias + G^T multipliers and G a + bias of G = 0; and the multipliers, none in a tree."""
+        right = {
+            row.key: self.tape.let(forces[row.key] - self.bias(row), f"{row.key.replace('.', '_')}_net")
+            for row in self.free
+        }
+        found = self._factor.solve(right, "acc")
+        multipliers: list[Any] = []
+        if self.constraints:
+            wanted = [-constraint.bias for constraint in self.constraints]
+            refinements = REFINEMENTS + (RETURNS if self.lent else 0)
+            found, multipliers = self._loops.corrected(found, wanted, "acc", refinements, self.lent)
+        return [found[row.key] for row in self.free], multipliers
+
+    def projection(self, wanted: list[Any]) -> list[Any]:
+        """Speeds v of the free rows, least in kinetic energy, with G v = wanted."""
+        still = dict.fromkeys(self._factor.names, sp.S.Zero)
+        speeds, _ = self._loops.corrected(still, wanted, "push", 1)
+        return [speeds[row.key] for row in self.free]
+
+    def independence(self) -> list[Any]:
+        """Of each constraint, 0 where it says what others say: see `constrained`."""
+        return self._loops.independence()
+
+    @cached_property
+    def _factor(self) -> Factor:
+        """Of the mass matrix of the free rows; leaves first: eliminating a chain from its end keeps the branches' zeros."""
+        lent = {(key, key): value for key, value in self.lent.items()}
+        return Factor(self.tape, [row.key for row in self.free][::-1], {**self.mass_matrix(), **lent})
+
+    @cached_property
+    def lent(self) -> dict[str, Any]:
+        """Mass or inertia lent to rows that have none, where the bodies that constraints tie them to have it: a slender rod's about its own axis.
+
+        What is lent is given back while the multipliers are refined (`constrained`). That is quick where little is lent.
+        """
+        if not self.constraints:
+            return {}
+        mass, bodies, scales = self.mass_matrix(), self.scene.mechanism.bodies, self.scene.scales
+        mean = sp.Add(*(sp.sympify(body.mass) for body in bodies)) / len(bodies)
+        found = {}
+        for row in self.free:
+            if (row.key, row.key) in mass:
+                continue
+            link = self.link_of[row]
+            own = [mass[other.key, other.key] for other in link.rows if (other.key, other.key) in mass]
+            size = mean if link.kind == "slide" else sp.Add(*own) or mean * sp.sympify(scales.arm) ** 2
+            found[row.key] = self.tape.let(LENT * size, f"{row.key.replace('.', '_')}_lent")
+        return found
+
+    @cached_property
+    def _loops(self) -> Loops:
+        return Loops(self.tape, self.constraints, self._factor)
+
+    def reactions(self, forces: dict[str, Any], accelerations: list[Any], multipliers: list[Any]) -> list[Any]:
+        """What each drive must supply [N m or N]: its row of M a + bias - f - G^T multipliers; of a joint that closes a loop its multiplier."""
+        mass = self.mass_matrix()
+        out = []
+        for row in self.driven:
+            terms = [
+                mass[row.key, f.key] * a
+                for f, a in zip(self.free, accelerations, strict=True)
+                if (row.key, f.key) in mass
+            ]
+            held = [
+                constraint.column[row.key] * force
+                for constraint, force in zip(self.constraints, multipliers, strict=True)
+                if row.key in constraint.column
+            ]
+            needed = sp.Add(*terms) + self.bias(row) - forces[row.key] - sp.Add(*held)
+            out.append(self.tape.let(needed, f"{row.key.replace('.', '_')}_reaction"))
+        held_by = {constraint.drives: force for constraint, force in zip(self.constraints, multipliers, strict=True)}
+        return [*out, *(held_by[row.key] for row in self.prescribed)]
+
+    # -- energy ----------------------------------------------------------------------------------------------------
+
+    def kinetic(self) -> Any:
+        """[J]."""
+        half, parts, tape = sp.Rational(1, 2), self.recursion, self.tape
+        total = []
+        for link in self.links:
+            mass, moment, inertia = parts.own(link)
+            within = link.orientation.within
+            v, w = parts.velocity(link), parts.spin(link).w
+            total.append(half * mass * dot(v, v))
+            if not is_zero(moment):
+                first = tape.vector(within.out(tape.vector(moment, f"{link.name}_h")), f"{link.name}_moment")
+                total.append(dot(v, cross(w, first)))
+            turned = within.symmetric(of_matrix(inertia).named(tape, f"{link.name}_I"), tape, f"{link.name}_J")
+            total.append(half * dot(w, turned.apply(w)))
+        return tape.let(sp.Add(*total), "kinetic")
+
+    def potential(self) -> Any:
+        """Of gravity, zero at the ground's origin [J]."""
+        pull = self._gravity_vector()
+        bodies = self.scene.mechanism.bodies
+        total = [-sp.sympify(body.mass) * dot(self.kin.centre(body), pull) for body in bodies]
+        return self.tape.let(sp.Add(*total), "potential")

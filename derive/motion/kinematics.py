@@ -1,0 +1,376 @@
+"""Poses, velocities, accelerations and partial velocities of the bodies of a tree, in ground axes: for points, contacts and pictures.
+
+Everything of a body refers to O, the point of its link on its joint, which is fixed in the body: the vector from O to any other point of the body is
+short, so nothing large cancels. Consecutive rotations about parallel axes merge into one angle; structural zeros make plane mechanisms plane. What
+nobody asks for is not worked out. Kane, Levinson, Dynamics: Theory and Applications (1985), chapter 2.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from hertzwerk.derive.algebra.vectors import (
+    IDENTITY,
+    ZERO,
+    Matrix,
+    Vector,
+    add,
+    apply,
+    cross,
+    dot,
+    multiply,
+    scale,
+    sub,
+    transpose,
+)
+from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.dimension.dimension import Dimension
+from hertzwerk.derive.effects.expression import COORDINATE, TIME, StateSymbol, T, as_choice, states_in
+from hertzwerk.derive.mechanism.bodies import Body, Direction, Frame, Point
+from hertzwerk.derive.mechanism.joints import Freedom, Port
+from hertzwerk.derive.mechanism.mechanism import Mechanism
+from hertzwerk.derive.motion.links import Link, Orientation, Row, Tree
+from hertzwerk.derive.program.program import Tape
+from hertzwerk.derive.units import parse_unit
+
+if TYPE_CHECKING:
+    from hertzwerk.derive.motion.loops import Measured
+
+
+@dataclass(frozen=True)
+class Motion:
+    """Of a link: rotation to ground axes, position of O, angular velocity, velocity of O, and their rates (with the generalised accelerations)."""
+
+    rotation: Matrix
+    origin: Vector
+    angular_velocity: Vector
+    velocity: Vector
+    angular_acceleration: Vector
+    acceleration: Vector
+
+
+@dataclass(frozen=True)
+class DriveState:
+    """What a drive integrates, an entry of q without a speed in u: its port, symbol, rate, and value at t = 0."""
+
+    port: Port
+    symbol: sp.Symbol
+    rate: Any
+    start: Any
+
+
+class Kinematics:
+    """Motions of all bodies of a scene, recorded on a tape.
+
+    `q`, `u`, `a` are the free coordinates, speeds, accelerations, and `rates` the rates of `q`; `t` is time.
+    """
+
+    def __init__(self, tape: Tape, scene: Scene, groups: tuple[str, str, str] = ("q", "u", "a")) -> None:
+        self.tape = tape
+        self.mechanism: Mechanism = scene.mechanism
+        self.t = tape.input("t", "t", Dimension.from_unit(parse_unit("s"), {}))
+        tape.set_rate(self.t, sp.S.One)
+        free = scene.free
+        inputs = [[self._input(port, groups[0]) for port in freedom.coordinates] for freedom in free]
+        speeds = [[self._input(port, groups[1]) for port in freedom.speeds] for freedom in free]
+        seconds = [[self._input(acceleration_of(port), groups[2]) for port in freedom.speeds] for freedom in free]
+        self.q, self.u, self.a = ([symbol for part in parts for symbol in part] for parts in (inputs, speeds, seconds))
+        self.rates: list[Any] = []
+        self.drive_states: list[DriveState] = []
+        motion: dict[str, tuple[tuple[Any, ...], tuple[Row, ...]]] = {}
+        for freedom, q, u, a in zip(free, inputs, speeds, seconds, strict=True):
+            rates = u if freedom.scalar else _quaternion_rates(q, [tape.let(w / 2, f"half_{w.name}") for w in u])
+            self.rates.extend(rates)
+            for symbol, rate in (*zip(q, rates, strict=True), *zip(u, a, strict=True)):
+                tape.set_rate(symbol, rate)
+            of_rows = zip(freedom.forces, u, a, strict=True)
+            motion[freedom.key] = tuple(q), tuple(Row(*port, speed, rate, True) for port, speed, rate in of_rows)
+        for freedom in scene.mechanism.freedoms:
+            if freedom.key not in motion:
+                motion[freedom.key] = self._driven(freedom, scene, groups[0])
+        self.prescribed = {freedom.key: self._driven(freedom, scene, groups[0]) for freedom in scene.prescribed}
+        self._states = {key: (q[0], rows[0].speed) for key, (q, rows) in motion.items()}
+        self._motions = motion
+        self.tree = Tree(tape, scene.mechanism, motion)
+        # keyed by links and bodies, which live as long as this does
+        self.motion_of = cache(self._motion)
+        self.bias_of = cache(self._bias)
+        self._rotations: dict[Orientation, Matrix] = {}
+        self.origin_of = cache(self._origin)
+        self.direction_of = cache(self._direction)
+        self.turned = cache(self._turned_about)
+        self._measured = cache(self._measure)
+
+    def _driven(self, freedom: Freedom, scene: Scene, group: str) -> tuple[tuple[Any, ...], tuple[Row, ...]]:
+        """Coordinate, speed and acceleration of a driven freedom: the drive's law and its derivatives, and below it the states that integrate it."""
+        motion = scene.driven[freedom.key].motion
+        ports = (*freedom.coordinates, *freedom.speeds, *map(acceleration_of, freedom.speeds))
+        names = [port.name.replace(".", "_") for port in ports]
+        chain: list[Any] = [self._input(port, group) for port in ports[: motion.order]]
+        law = motion.law.xreplace({T: self.t})
+        uniform = motion.order == 0 and sp.diff(law, self.t, 2) == 0  # one product, named where it is used
+        chain.append(law if uniform else self.tape.let(law, names[motion.order]))
+        while len(chain) < 3:
+            law = sp.diff(law, self.t)
+            chain.append(self.tape.let(law, names[len(chain)]))
+        for low, high in pairwise(chain):
+            self.tape.set_rate(low, high)
+        for order, start in enumerate(motion.start):
+            self.drive_states.append(DriveState(ports[order], chain[order], chain[order + 1], sp.sympify(start)))
+        (force,) = freedom.forces
+        return (chain[0],), (Row(*force, chain[1], chain[2], False),)
+
+    def motion_of_freedom(self, freedom: Freedom) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
+        """Coordinates and speeds of a freedom, free or driven."""
+        coordinates, rows = self._motions[freedom.key]
+        return coordinates, tuple(row.speed for row in rows)
+
+    def coordinate(self, key: str) -> Any:
+        """Coordinate of a scalar freedom, free, driven or measured on a closing joint [rad or m]."""
+        return self._states[key][0] if key in self._states else self._measured(key).value
+
+    def speed(self, key: str) -> Any:
+        """Its rate [rad/s or m/s]."""
+        return self._states[key][1] if key in self._states else self._measured(key).rate
+
+    def on_joint(self, key: str, force: Any, name: str) -> dict[str, Any]:
+        """Generalised forces, by row, of a force along a slide or a torque about a turn, on its child; the parent feels the opposite."""
+        if key in self._states:
+            return {key: force}
+        return {
+            row: self.tape.let(force * share, f"{name}_on_{row.replace('.', '_')}")
+            for row, share in self._measured(key).column.items()
+        }
+
+    def _measure(self, key: str) -> Measured:
+        from hertzwerk.derive.motion.loops import measured  # which is written on this
+
+        return measured(self, key)
+
+    def _turned_about(self, body: Frame, k: int) -> Any:
+        """Angle of a body against the ground about a coordinate axis that all turns on the way to it are about [rad]."""
+        joint = self.mechanism.joint_of(body)
+        if joint is None:
+            return sp.S.Zero
+        turns = ((freedom.key, freedom.axis) for freedom in joint.freedoms if freedom.kind == "turn")
+        total = self.turned(joint.parent.body, k) + joint.parent.turned_about(k) - joint.child.turned_about(k)
+        total += sp.Add(*(axis.unit[k] * self.coordinate(key) for key, axis in turns if axis is not None))
+        return self.tape.let(total, f"{body.name}_turned")
+
+    def expression(self, value: Any) -> Any:
+        """An expression of a scene over the tape: time, and the coordinates and speeds of free and driven freedoms."""
+        value = as_choice(value)
+        return value.xreplace({symbol: self._state(symbol) for symbol in states_in(value)})
+
+    def _state(self, symbol: StateSymbol) -> Any:
+        if symbol.what == TIME:
+            return self.t
+        return self.coordinate(symbol.joint) if symbol.what == COORDINATE else self.speed(symbol.joint)
+
+    def _input(self, port: Port, group: str) -> sp.Symbol:
+        return self.tape.input(port.name.replace(".", "_"), group, Dimension.from_unit(parse_unit(port.unit), {}))
+
+    # -- links in ground axes --------------------------------------------------------------------------------------
+
+    def rotation_of(self, orientation: Orientation, name: str) -> Matrix:
+        """From a link's axes to the ground's; `name` it, where it is new."""
+        if orientation not in self._rotations:
+            run, matrix = orientation.run, IDENTITY
+            if run.outer is not None:
+                matrix = multiply(self.rotation_of(run.outer, f"{name}_base"), run.constant)
+            for step in orientation.whole.steps:
+                matrix = multiply(matrix, step.matrix)
+            self._rotations[orientation] = self.tape.matrix(matrix, f"{name}_R")
+        return self._rotations[orientation]
+
+    def _turned(self, link: Link) -> Matrix:
+        return self.rotation_of(link.orientation, link.name)
+
+    def _arm(self, link: Link) -> Vector:
+        """From the parent's O to the link's, ground axes [m]."""
+        if link.parent is None:
+            return ZERO
+        return self.tape.vector(apply(self._turned(link.parent), link.offset), f"{link.name}_arm")
+
+    def _direction(self, link: Link) -> Vector:
+        """Axis of a turn or slide, ground axes."""
+        # an axis of turn stands still in the turn, and a slide keeps its parent's axes
+        outer = link.parent if link.parent is not None else link
+        local = link.axis
+        if link.kind == "turn" and link.orientation.run is not outer.orientation.run:
+            local = apply(link.orientation.run.constant, local)
+        name = link.joint.name if link.joint is not None else link.name
+        return self.tape.vector(apply(self._turned(outer), local), f"{name}_axis")
+
+    def _origin(self, link: Link) -> Vector:
+        """Position of O [m]."""
+        if link.parent is None:
+            return ZERO
+        return self.tape.vector(add(self.origin_of(link.parent), self._arm(link)), link.name)
+
+    def _motion(self, link: Link) -> Motion:
+        tape, name = self.tape, link.name
+        if link.parent is None:
+            return Motion(IDENTITY, ZERO, ZERO, ZERO, ZERO, ZERO)
+        before = self.motion_of(link.parent)
+        w, alpha, arm = before.angular_velocity, before.angular_acceleration, self._arm(link)
+        spin = tape.vector(cross(w, arm), f"{name}_arm_rate")
+        velocity = add(before.velocity, spin)
+        acceleration = add(before.acceleration, cross(alpha, arm), cross(w, spin))
+        relative = [(row.speed, row.acceleration) for row in link.rows]
+        if link.kind == "slide":
+            axis, (u, a) = self.direction_of(link), relative[0]
+            velocity = add(velocity, scale(u, axis))
+            acceleration = add(acceleration, scale(2 * u, cross(w, axis)), scale(a, axis))
+        else:
+            axes = (self.direction_of(link),) if link.kind == "turn" else transpose(self._turned(link))
+            turn = tape.vector(
+                add(*(scale(u, axis) for (u, _), axis in zip(relative, axes, strict=True))), f"{name}_turning"
+            )
+            alpha = add(alpha, cross(w, turn), *(scale(a, axis) for (_, a), axis in zip(relative, axes, strict=True)))
+            w = tape.vector(add(w, turn), f"{name}_rate")
+            alpha = tape.vector(alpha, f"{name}_angular_acceleration")
+        origin = self.origin_of(link)
+        velocity = tape.vector(velocity, f"{name}_velocity")
+        acceleration = tape.vector(acceleration, f"{name}_acceleration")
+        for position, rate, second in zip(origin, velocity, acceleration, strict=True):
+            tape.set_rate(position, rate)
+            tape.set_rate(rate, second)
+        return Motion(self._turned(link), origin, w, velocity, alpha, acceleration)
+
+    def _bias(self, link: Link) -> tuple[Vector, Vector]:
+        """Angular acceleration, and acceleration of O, at zero generalised accelerations; those of the drives count."""
+        if link.parent is None:
+            return ZERO, ZERO
+        tape, name, w = self.tape, link.name, self.motion_of(link.parent).angular_velocity
+        (alpha, bias), arm = self.bias_of(link.parent), self._arm(link)
+        bias = add(bias, cross(alpha, arm), cross(w, tape.vector(cross(w, arm), f"{name}_arm_rate")))
+        relative = [(row.speed, sp.S.Zero if row.free else row.acceleration) for row in link.rows]
+        if link.kind == "slide":
+            axis, (u, a) = self.direction_of(link), relative[0]
+            bias = add(bias, scale(2 * u, cross(w, axis)), scale(a, axis))
+        else:
+            axes = self.partial_turns(link)
+            turn = tape.vector(
+                add(*(scale(u, axis) for (u, _), axis in zip(relative, axes, strict=True))), f"{name}_turning"
+            )
+            alpha = add(alpha, cross(w, turn), *(scale(a, axis) for (_, a), axis in zip(relative, axes, strict=True)))
+        return tape.vector(alpha, f"{name}_angular_bias"), tape.vector(bias, f"{name}_bias")
+
+    # -- bodies, points and paths ----------------------------------------------------------------------------------
+
+    def link_of(self, body: Frame) -> Link:
+        """The link that carries a body."""
+        return self.tree.places[body].link
+
+    def motion(self, body: Frame) -> Motion:
+        """Of the link that carries a body."""
+        return self.motion_of(self.link_of(body))
+
+    def rotation(self, body: Frame) -> Matrix:
+        """From a body's axes to the ground's."""
+        place = self.tree.places[body]
+        matrix = self._turned(place.link)
+        return matrix if place.axes == IDENTITY else self.tape.matrix(multiply(matrix, place.axes), f"{body.name}_R")
+
+    def axes_of(self, point: Point) -> Matrix:
+        """From a point's axes to the ground's."""
+        body = self.rotation(point.body)
+        return multiply(body, point.axes) if point.turns else body
+
+    def direction(self, point: Point, direction: Direction) -> Vector:
+        """A direction given in a point's axes, in ground axes."""
+        return apply(self.axes_of(point), direction.unit)
+
+    def arm(self, point: Point, name: str) -> Vector:
+        """From its body's O to the point, ground axes [m]."""
+        place = self.tree.places[point.body]
+        return self.tape.vector(apply(self._turned(place.link), place.point(point)), f"{name}_arm")
+
+    def frame_origin(self, body: Body) -> Vector:
+        """Origin of the body's frame [m]."""
+        return add(self.origin_of(self.link_of(body)), self.arm(Point(body), f"{body.name}_frame"))
+
+    def centre(self, body: Body) -> Vector:
+        """Mass centre of a body [m]."""
+        return add(self.origin_of(self.link_of(body)), self.arm(Point(body, body.centre), f"{body.name}_centre"))
+
+    def point(self, point: Point, name: str) -> tuple[Vector, Vector, Vector]:
+        """Position, velocity, acceleration (with the generalised accelerations) of a point [m, m/s, m/s^2]."""
+        motion, arm = self.motion(point.body), self.arm(point, name)
+        spin = self.tape.vector(cross(motion.angular_velocity, arm), f"{name}_arm_rate")
+        return (
+            add(motion.origin, arm),
+            add(motion.velocity, spin),
+            add(motion.acceleration, cross(motion.angular_acceleration, arm), cross(motion.angular_velocity, spin)),
+        )
+
+    def point_bias(self, point: Point, name: str) -> Vector:
+        """Acceleration of a point at zero generalised accelerations [m/s^2]."""
+        motion, arm = self.motion(point.body), self.arm(point, name)
+        alpha, bias = self.bias_of(self.link_of(point.body))
+        spin = self.tape.vector(cross(motion.angular_velocity, arm), f"{name}_arm_rate")
+        return add(bias, cross(alpha, arm), cross(motion.angular_velocity, spin))
+
+    def velocity_at(self, body: Frame, position: Vector) -> Vector:
+        """Velocity of the point of `body` that is at `position` [m/s]."""
+        motion = self.motion(body)
+        return add(motion.velocity, cross(motion.angular_velocity, sub(position, motion.origin)))
+
+    def of_force(self, link: Link, force: Vector, position: Vector) -> list[Any]:
+        """What a force at `position`, on a link or beyond it, does in each row of the link [N or N m]."""
+        if link.kind == "slide":
+            return [dot(force, self.direction_of(link))]
+        arm = sub(position, self.origin_of(link))
+        if link.kind == "turn":
+            return [dot(force, cross(self.direction_of(link), arm))]
+        moment = self.tape.vector(cross(arm, force), f"{link.name}_moment")
+        return [dot(axis, moment) for axis in transpose(self._turned(link))]
+
+    def partial_turns(self, link: Link) -> list[Vector]:
+        """Partial angular velocities, by each speed of a link, of what is on it or beyond [1]."""
+        if link.kind == "slide":
+            return [ZERO]
+        return [self.direction_of(link)] if link.kind == "turn" else list(transpose(self._turned(link)))
+
+    def generalised(self, force: Vector, position: Vector, on: Frame, against: Frame, name: str) -> dict[str, Any]:
+        """Generalised forces, by row, of a force on one body and its reaction on another at the same point; common links cancel."""
+        return self._between(on, against, lambda link: self.of_force(link, force, position), name)
+
+    def generalised_moment(self, moment: Vector, on: Frame, against: Frame, name: str) -> dict[str, Any]:
+        """The same of a moment on one body and its reaction on another."""
+        return self._between(on, against, lambda link: [dot(moment, axis) for axis in self.partial_turns(link)], name)
+
+    def _between(self, on: Frame, against: Frame, effect: Callable[[Link], list[Any]], name: str) -> dict[str, Any]:
+        first, second = self.link_of(on).path, self.link_of(against).path
+        out: dict[str, Any] = {}
+        for sign, path, other in ((1, first, second), (-1, second, first)):
+            for link in path:
+                if link in other:
+                    continue
+                for row, value in zip(link.rows, effect(link), strict=True):
+                    out[row.key] = self.tape.let(sign * value, f"{name}_on_{row.key.replace('.', '_')}")
+        return out
+
+
+def acceleration_of(speed: Port) -> Port:
+    """The port of a speed's rate: `<joint>.speed` -> `<joint>.acceleration`."""
+    joint, name = speed.name.rsplit(".", 1)
+    return Port(f"{joint}.{name.replace('speed', 'acceleration')}", f"{speed.unit}^2")
+
+
+def _quaternion_rates(q: Sequence[Any], half: Sequence[Any]) -> tuple[Any, ...]:
+    """q' = q (0, w/2), the half of w given in the turned axes."""
+    (q0, q1, q2, q3), (x, y, z) = q, half
+    return (
+        -q1 * x - q2 * y - q3 * z,
+        q0 * x + q2 * z - q3 * y,
+        q0 * y + q3 * x - q1 * z,
+        q0 * z + q1 * y - q2 * x,
+    )

@@ -1,0 +1,247 @@
+"""Joints that close loops: constraints on the coordinates of the tree, with their rates and their forces.
+
+A joint whose child another joint carries already closes a loop. What it forbids is written one by one: a point of the child may not leave the
+parent's (along a direction), a direction of the child may not turn towards one of the parent's. What a plane mechanism fulfils by itself vanishes.
+Forces by the same partial velocities as every other force; Kane, Levinson, Dynamics: Theory and Applications (1985), 2.13 and 4.5.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.algebra.vectors import Vector, add, along, cross, dot, sub
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.mechanism.bodies import AXES, Direction
+from hertzwerk.derive.mechanism.joints import (
+    Cylindrical,
+    Freedom,
+    Joint,
+    Planar,
+    Prismatic,
+    Revolute,
+    Spherical,
+    Universal,
+    Weld,
+)
+from hertzwerk.derive.mechanism.parameter import default_value
+from hertzwerk.derive.motion.kinematics import Kinematics
+
+CLOSING = (Revolute, Prismatic, Cylindrical, Planar, Universal, Spherical, Weld)  # joints that can close a loop
+
+
+@dataclass(frozen=True)
+class Constraint:
+    """`value` must be zero, as must its rate; its acceleration is `column` . a + `bias`.
+
+    `column` holds, by row of the equations of motion, the generalised force of a unit multiplier. The constraints of a `group` are components of
+    one vector, or of one unit. Where a drive prescribes it, `drives` is the freedom driven, and the multiplier what the drive supplies.
+    """
+
+    name: str
+    unit: str
+    group: str
+    value: Any
+    rate: Any
+    bias: Any
+    column: dict[str, Any]
+    drives: str = ""
+
+
+def constraints_of(kinematics: Kinematics) -> tuple[Constraint, ...]:
+    """The constraints of a mechanism's closing joints, in declared order; raises InputError where one can never be met."""
+    mechanism = kinematics.mechanism
+    found = [constraint for joint in mechanism.closures for constraint in _Closure(kinematics, joint).constraints()]
+    found += [
+        _Closure(kinematics, joint).driven(freedom)
+        for joint in mechanism.closures
+        for freedom in joint.freedoms
+        if freedom.key in kinematics.prescribed
+    ]
+    still = [constraint for constraint in found if constraint.rate == 0]
+    never = [constraint for constraint in still if sp.expand(kinematics.tape.written_out(constraint.value)) != 0]
+    if never:
+        faults = [
+            Fault(f"joint {constraint.group.split('.')[0]}", f"{constraint.name} = {constraint.value}, whatever the motion",
+                  "0, or the loop stays open", "Give both points the same place across the plane of motion.")
+            for constraint in never
+        ]  # fmt: skip
+        raise InputError(f"mechanism {mechanism.name}", faults)
+    return tuple(constraint for constraint in found if constraint.rate != 0 and constraint.value != 0)
+
+
+@dataclass(frozen=True)
+class Measured:
+    """The coordinate of a freedom of a closing joint (None for an angle in space, which is known up to whole turns alone) and its rate; its
+    acceleration is `column` . a + `bias`, and `column` holds the generalised forces of a unit force on it."""
+
+    value: Any
+    rate: Any
+    bias: Any
+    column: dict[str, Any]
+
+
+def measured(kinematics: Kinematics, key: str) -> Measured:
+    """Of the freedom of this key."""
+    freedoms = ((joint, freedom) for joint in kinematics.mechanism.closures for freedom in joint.freedoms)
+    joint, freedom = next(entry for entry in freedoms if entry[1].key == key)
+    return _Closure(kinematics, joint).measured(freedom)
+
+
+class _Closure:
+    """One closing joint on its kinematics' tape."""
+
+    def __init__(self, kinematics: Kinematics, joint: Joint) -> None:
+        self.kin, self.tape, self.joint = kinematics, kinematics.tape, joint
+        self.bodies = joint.child.body, joint.parent.body
+        self.motions = [kinematics.motion(body) for body in self.bodies]
+        self.biases = [kinematics.bias_of(kinematics.link_of(body))[0] for body in self.bodies]
+        name = joint.name
+        sides = (joint.child, f"{name}_child"), (joint.parent, f"{name}_parent")
+        one, two = (kinematics.point(place, side) for place, side in sides)
+        self.place = one[0]
+        self.apart = self.tape.vector(sub(one[0], two[0]), f"{name}_apart")
+        self.apart_rate = self.tape.vector(sub(one[1], two[1]), f"{name}_apart_rate")
+        bias = (kinematics.point_bias(place, side) for place, side in sides)
+        self.apart_bias = self.tape.vector(sub(*bias), f"{name}_apart_bias")
+
+    def constraints(self) -> Iterator[Constraint]:
+        """What the joint forbids."""
+        joint = self.joint
+        if isinstance(joint, Prismatic | Cylindrical):
+            yield from (self._slide(direction, label) for direction, label in _across(joint.axis))
+        elif isinstance(joint, Planar):
+            yield self._slide(joint.normal, "normal")
+        else:
+            yield from (self._meet(k) for k in range(3))
+        if isinstance(joint, Revolute | Cylindrical):
+            yield from (self._turn(joint.axis, direction, label) for direction, label in _across(joint.axis))
+        elif isinstance(joint, Planar):
+            yield from (self._turn(joint.normal, direction, label) for direction, label in _across(joint.normal))
+        elif isinstance(joint, Universal):
+            yield self._turn(joint.second, joint.first, "axes")
+        elif isinstance(joint, Prismatic | Weld):
+            yield from (self._turn(AXES[k], AXES[(k + 1) % 3], "xyz"[k] + "yzx"[k]) for k in range(3))
+
+    def _meet(self, k: int) -> Constraint:
+        """The two points coincide, along an axis of the ground."""
+        label = "xyz"[k]
+        return Constraint(
+            f"{self.joint.name}.apart_{label}", "m", f"{self.joint.name}.apart",
+            self.apart[k], self.apart_rate[k], self.apart_bias[k], self._force(AXES[k].unit, label),
+        )  # fmt: skip
+
+    def _slide(self, direction: Direction, label: str) -> Constraint:
+        """The child's point stays where it is along a direction of the parent."""
+        across = self.kin.direction(self.joint.parent, direction)
+        w, alpha = self.motions[1].angular_velocity, self.biases[1]
+        turned = self.tape.vector(cross(w, across), f"{self.joint.name}_{label}_rate")
+        bent = add(cross(alpha, across), cross(w, turned))
+        bias = dot(self.apart_bias, across) + 2 * dot(self.apart_rate, turned) + dot(self.apart, bent)
+        return Constraint(
+            f"{self.joint.name}.off_{label}", "m", f"{self.joint.name}.off",
+            self._let(dot(self.apart, across), f"off_{label}"),
+            self._let(dot(self.apart_rate, across) + dot(self.apart, turned), f"off_{label}_rate"),
+            self._let(bias, f"off_{label}_bias"),
+            self._force(across, label),
+        )  # fmt: skip
+
+    def _turn(self, on_child: Direction, on_parent: Direction, label: str) -> Constraint:
+        """A direction of the child keeps its angle to one of the parent: where all coordinates are zero, both are in the same axes."""
+        a, b = self.kin.direction(self.joint.child, on_child), self.kin.direction(self.joint.parent, on_parent)
+        (w, v), (alpha, beta) = (motion.angular_velocity for motion in self.motions), self.biases
+        about = self.tape.vector(cross(a, b), f"{self.joint.name}_turned_{label}_about")
+        turning = self.tape.vector(sub(w, v), f"{self.joint.name}_turning")
+        moving = add(cross(cross(w, a), b), cross(a, cross(v, b)))
+        kept = dot(on_child.unit, on_parent.unit)
+        return Constraint(
+            f"{self.joint.name}.turned_{label}", "1", f"{self.joint.name}.turned",
+            self._let(dot(a, b) - kept, f"turned_{label}"),
+            self._let(dot(turning, about), f"turned_{label}_rate"),
+            self._let(dot(sub(alpha, beta), about) + dot(turning, moving), f"turned_{label}_bias"),
+            _without_zeros(self.kin.generalised_moment(about, *self.bodies, f"{self.joint.name}_turned_{label}")),
+        )  # fmt: skip
+
+    def measured(self, freedom: Freedom) -> Measured:
+        """How far the child has gone in a freedom of the joint: a travel along the parent's axis, or an angle about the axis of both."""
+        axis, label = _axis_of(freedom), freedom.coordinates[0].name.rsplit(".", 1)[1]
+        if freedom.kind == "slide":
+            travel = self._slide(axis, label)
+            return Measured(travel.value, travel.rate, travel.bias, travel.column)
+        (w, v), (alpha, beta) = (motion.angular_velocity for motion in self.motions), self.biases
+        about = self.kin.direction(self.joint.child, axis)
+        turning = self.tape.vector(sub(w, v), f"{self.joint.name}_turning")
+        return Measured(
+            self._angle(axis, label),
+            self._let(dot(turning, about), f"{label}_rate"),
+            self._let(dot(sub(alpha, beta), about) + dot(turning, cross(w, about)), f"{label}_bias"),
+            _without_zeros(self.kin.generalised_moment(about, *self.bodies, f"{self.joint.name}_{label}")),
+        )
+
+    def _angle(self, axis: Direction, label: str) -> Any:
+        """Of the child against the parent about an axis across the plane of motion; it counts turns. None in space."""
+        k = self.kin.mechanism.plane
+        if k is None:
+            return None
+        one, two = (self.kin.turned(body, k) for body in self.bodies)
+        turned = one + self.joint.child.turned_about(k) - two - self.joint.parent.turned_about(k)
+        return self._let(axis.unit[k] * turned, label)
+
+    def driven(self, freedom: Freedom) -> Constraint:
+        """The freedom goes as its drive says; of an angle in space the sine of what is left must vanish."""
+        (wanted,), (row,) = self.kin.prescribed[freedom.key]
+        found, joint, slides = self.measured(freedom), self.joint, freedom.kind == "slide"
+        label = freedom.coordinates[0].name.rsplit(".", 1)[1]
+        if found.value is None:
+            axis = _axis_of(freedom)
+            (first, _), _ = _across(axis)
+            second = Direction(cross(axis.unit, first.unit))
+            child = self.kin.direction(joint.child, first)
+            cosine, sine = (dot(child, self.kin.direction(joint.parent, direction)) for direction in (first, second))
+            left = sine * self._let(sp.cos(wanted), f"{label}_cosine") - cosine * self._let(
+                sp.sin(wanted), f"{label}_sine"
+            )
+        else:
+            left = found.value - wanted
+        return Constraint(
+            f"{joint.name}.{'off' if slides else 'turned'}_{label}",
+            "m" if slides else "1",
+            f"{joint.name}.{label}",
+            self._let(left, f"{label}_left"),
+            self._let(found.rate - row.speed, f"{label}_left_rate"),
+            self._let(found.bias - row.acceleration, f"{label}_left_bias"),
+            found.column,
+            freedom.key,
+        )
+
+    def _let(self, expression: Any, what: str) -> Any:
+        return self.tape.let(expression, f"{self.joint.name}_{what}")
+
+    def _force(self, direction: Vector, label: str) -> dict[str, Any]:
+        name = f"{self.joint.name}_{label}"
+        return _without_zeros(self.kin.generalised(direction, self.place, *self.bodies, name))
+
+
+def _axis_of(freedom: Freedom) -> Direction:
+    """Of a turn or a slide; a ball has none."""
+    if freedom.axis is None:
+        raise TypeError(f"{freedom.key} turns about every axis: how far it has turned is no number")
+    return freedom.axis
+
+
+def _across(direction: Direction) -> list[tuple[Direction, str]]:
+    """Two directions across one and each other, and what to call them."""
+    k = along(direction.unit)
+    if k is not None:
+        return [(AXES[i], "xyz"[i]) for i in range(3) if i != k]
+    unit = direction.unit
+    least = min(range(3), key=lambda i: abs(default_value(unit[i])))
+    first = Direction(cross(unit, AXES[least].unit))
+    return [(first, "1"), (Direction(cross(unit, first.unit)), "2")]
+
+
+def _without_zeros(column: dict[str, Any]) -> dict[str, Any]:
+    return {key: value for key, value in column.items() if value != 0}

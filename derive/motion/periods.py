@@ -1,0 +1,107 @@
+"""After what time everything that depends on time in a scene repeats: drives and forces whose time stands in sines and cosines, or turns an angle."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.algebra.functions import Where
+from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.effects.expression import T, as_choice, states_in
+
+_CIRCULAR = (sp.sin, sp.cos, sp.tan)
+
+
+def period(scene: Scene) -> Any | None:
+    """The common period [s], over parameters; None where nothing varies with time, or not everything does so periodically.
+
+    What a drive does before its last choice of a time does not count: a speed that rises and stays is periodic from then on. A drive of constant
+    speed is periodic if it turns an angle.
+    """
+    angles = {freedom.key for freedom in scene.mechanism.freedoms if freedom.units[0] == "rad"}
+    frequencies: list[Any] = []
+    try:
+        for effect in scene.of_kind("drive"):
+            frequencies += _of_drive(effect.motion, effect.joint in angles)
+        for slot in scene.slots():
+            value = as_choice(slot.value)
+            if T in states_in(value) and not any(slot.where.startswith(f"effect {name},") for name in _drives(scene)):
+                frequencies += _of(value)
+        common = _common(frequencies)
+    except _Aperiodic:
+        return None
+    return None if common is None else 2 * sp.pi / sp.Abs(common)
+
+
+class _Aperiodic(Exception):
+    """Something goes on differently for ever, or in periods that have none in common."""
+
+
+def _drives(scene: Scene) -> list[str]:
+    return [effect.name for effect in scene.of_kind("drive")]
+
+
+def _of_drive(motion: Any, turns: bool) -> list[Any]:
+    """Frequencies [rad/s] of a motion, which may go round where it turns an angle."""
+    if motion.order == 0:
+        steady, others = _split(_later(motion.law))
+    elif motion.order == 1 and not motion.law.has(T):
+        steady, others = motion.law, []
+    else:
+        raise _Aperiodic
+    if steady == 0:
+        return others
+    if not turns:
+        raise _Aperiodic
+    return [steady, *others]
+
+
+def _split(expression: Any) -> tuple[Any, list[Any]]:
+    """The factor of time in a sum, and the frequencies of its other terms."""
+    steady, others = sp.S.Zero, []
+    for term in sp.Add.make_args(sp.expand(expression)):
+        rate = sp.diff(term, T)
+        if rate.has(T):
+            others += _of(term)
+        else:
+            steady += rate
+    return steady, others
+
+
+def _of(expression: Any) -> list[Any]:
+    """Frequencies [rad/s] of what an expression is made of; raises _Aperiodic for time outside sines and cosines."""
+    if not expression.has(T):
+        return []
+    if isinstance(expression, _CIRCULAR):
+        steady, others = _split(expression.args[0])
+        return [*([steady] if steady != 0 else []), *others]
+    if not expression.args:
+        raise _Aperiodic
+    return [frequency for part in expression.args for frequency in _of(part)]
+
+
+def _later(expression: Any) -> Any:
+    """What is left of choices between before and after a time."""
+
+    def chosen(node: Any) -> Any:
+        condition, holds, fails = node.args
+        if isinstance(condition, sp.Gt | sp.Ge | sp.Lt | sp.Le):
+            less, greater = condition.lts, condition.gts
+            if less == T and not greater.has(T):
+                return fails
+            if greater == T and not less.has(T):
+                return holds
+        return node
+
+    return sp.sympify(expression).replace(lambda node: isinstance(node, Where), chosen)
+
+
+def _common(frequencies: list[Any]) -> Any | None:
+    """The frequency that all of them are whole multiples of; None without any, raises _Aperiodic where there is none."""
+    if not frequencies:
+        return None
+    ratios = [sp.simplify(frequency / frequencies[0]) for frequency in frequencies]
+    if not all(ratio.is_Rational for ratio in ratios):
+        raise _Aperiodic
+    return frequencies[0] * sp.gcd_list([abs(ratio) for ratio in ratios])

@@ -1,0 +1,1 @@
+"""The straight-line program that a module's functions are slices of."""

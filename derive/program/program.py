@@ -1,0 +1,341 @@
+"""The straight-line program: inputs with dimensions, assignments in order, functions as slices of them.
+
+One `Tape` records the derivation of a whole scene. `let` names an intermediate result once (equal expressions share a symbol), pulls what
+depends on parameters alone out into constants, and never lets an expression swell. A `Function` is the backward slice of the tape that its
+results need; slices that read `c` stop at the constants, so nothing that could be computed once is computed twice.
+"""
+
+from __future__ import annotations
+
+import keyword
+import operator
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.algebra.vectors import Matrix, Vector
+from hertzwerk.derive.dimension.dimension import Dimension
+from hertzwerk.derive.mechanism.parameter import RESERVED, TABLE
+
+PARAMETER = "p"
+CONSTANT = "c"
+_NO_GROUPS: frozenset[str] = frozenset()
+_STILL = frozenset((PARAMETER,))
+
+
+@dataclass(frozen=True)
+class Result:
+    """One column vector a function returns: its name, its entries' labels and unit texts, their expressions."""
+
+    name: str
+    labels: tuple[str, ...]
+    units: tuple[str, ...]
+    expressions: tuple[Any, ...]
+
+
+@dataclass(frozen=True)
+class Function:
+    """A function of the contract: arguments by group (`t`, `q`, `u`, ...), assignments in order, results."""
+
+    name: str
+    summary: str
+    arguments: tuple[str, ...]
+    body: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    results: tuple[Result, ...]
+
+    @cached_property
+    def reads(self) -> tuple[sp.Symbol, ...]:
+        """The symbols it takes from outside, in order of first use."""
+        expressions = [e for _, e in self.body] + [e for result in self.results for e in result.expressions]
+        made = {symbol for symbol, _ in self.body}  # each before it is used
+        return tuple(s for s in symbols_in(*expressions) if s not in made)
+
+
+@dataclass
+class Tape:
+    """Inputs and assignments of one derivation."""
+
+    inputs: dict[sp.Symbol, str] = field(default_factory=dict)
+    """Input symbol -> group."""
+    assignments: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    declared: dict[sp.Symbol, Dimension] = field(default_factory=dict)
+    """Dimensions of the inputs, and of assignments whose dimension is stated instead of inferred (unchecked laws)."""
+    _groups: dict[Any, frozenset[str]] = field(default_factory=dict)
+    _known: dict[Any, sp.Symbol] = field(default_factory=dict)
+    _unsigned: set[Any] = field(default_factory=set)
+    """Of what is known: see `_unsigned`."""
+    _rates: dict[sp.Symbol, Any] = field(default_factory=dict)
+    _names: set[str] = field(default_factory=lambda: set(RESERVED))
+
+    # -- recording -------------------------------------------------------------------------------------------------
+
+    def input(self, name: str, group: str, dimension: Dimension, symbol: sp.Symbol | None = None) -> sp.Symbol:
+        """Declare an input of a group; `symbol` uses an existing one (a Parameter) as it is."""
+        if symbol is None:
+            symbol = sp.Symbol(name if group == "t" else self._unique(name), real=True)
+        else:
+            self._names.add(name)
+        self.inputs[symbol] = group
+        self.declared[symbol] = dimension
+        self._groups[symbol] = frozenset((group,))
+        return symbol
+
+    def let(self, expression: Any, name: str, dimension: Dimension | None = None) -> Any:
+        """Name an intermediate result; numbers and symbols (also negated) pass through. `dimension` states it unchecked."""
+        expression = sp.sympify(expression)
+        if dimension is not None:
+            symbol = self._assign(expression, name)
+            self.declared[symbol] = dimension
+            return symbol
+        if expression.is_Atom:
+            return expression
+        expression = self._hoist(expression)
+        if expression.is_Atom or _opposite(expression).is_Symbol:
+            return expression
+        unsigned = _unsigned(expression)
+        if unsigned in self._unsigned:
+            if -expression in self._known and expression.could_extract_minus_sign():
+                return -self._known[-expression]
+            if expression in self._known:
+                return self._known[expression]
+        self._unsigned.add(unsigned)
+        self._known[expression] = symbol = self._assign(expression, name)
+        return symbol
+
+    def _assign(self, expression: Any, name: str) -> sp.Symbol:
+        symbol = sp.Symbol(self._unique(name), real=True)
+        self.assignments[symbol] = expression
+        self._groups[symbol] = self._groups_of(expression)
+        return symbol
+
+    def vector(self, vector: Vector, name: str) -> Vector:
+        """Name the three components."""
+        return tuple(self.let(v, f"{name}_{axis}") for v, axis in zip(vector, "xyz", strict=True))
+
+    def matrix(self, matrix: Matrix, name: str) -> Matrix:
+        """Name the nine entries."""
+        return tuple(self.vector(row, f"{name}_{axis}") for row, axis in zip(matrix, "xyz", strict=True))  # type: ignore[return-value]
+
+    def is_constant(self, expression: Any) -> bool:
+        """Whether it depends on parameters alone."""
+        return self._groups_of(expression) <= _STILL
+
+    def written_out(self, expression: Any) -> Any:
+        """An expression over inputs alone, its assignments put in: for constants, which are short."""
+        expression = sp.sympify(expression)
+        known = {
+            symbol: self.written_out(self.assignments[symbol])
+            for symbol in symbols_in(expression)
+            if symbol in self.assignments
+        }
+        return expression.xreplace(known)
+
+    def _groups_of(self, expression: Any) -> frozenset[str]:
+        """Groups of the inputs that an expression depends on; known parts are not looked through again."""
+        found = self._groups.get(expression)
+        if found is None:
+            if expression.is_Symbol:
+                raise KeyError(expression)
+            found = _NO_GROUPS.union(*map(self._groups_of, expression.args))
+            self._groups[expression] = found
+        return found
+
+    def _unique(self, name: str) -> str:
+        name = f"{name}_" if keyword.iskeyword(name) else name
+        base, count = (name[:-1], 1) if name[-1].isdigit() else (f"{name}_", 1)
+        while name in self._names or name.endswith(TABLE):
+            count += 1
+            name = f"{base}{count}"
+        self._names.add(name)
+        return name
+
+    def _hoist(self, expression: Any) -> Any:
+        """Give parameter-only parts of an expression names of their own, so that they are computed once per run."""
+        if expression.is_Atom or self.is_constant(expression):
+            return expression
+        if expression.is_Mul or expression.is_Add:
+            still: list[Any] = []
+            others: list[Any] = []
+            for arg in expression.args:
+                (still if self.is_constant(arg) else others).append(arg)
+            moving = [self._hoist(arg) for arg in others]
+            part = still[0] if len(still) == 1 else expression.func(*still)
+            if not (part.is_Atom or _opposite(part).is_Symbol):
+                sign = -1 if expression.is_Mul and part.could_extract_minus_sign() else 1
+                part = sign * self.let(sign * part, "k1")
+            elif all(map(operator.is_, moving, others)):
+                return expression  # there is nothing to take out
+            return expression.func(part, *moving)
+        if expression.is_Pow:  # an exponent stays as written: the audit compares it with the exponent in a unit
+            base = self._hoist(expression.base)
+            return sp.Pow(base if expression.exp == -1 else self.let(base, "base"), expression.exp)
+        return expression.func(*(arg if arg.is_Relational else self._hoist_argument(arg) for arg in expression.args))
+
+    def _hoist_argument(self, argument: Any) -> Any:
+        """Of a function: a whole argument that depends on parameters alone is computed once too."""
+        if self.is_constant(argument) and not argument.is_number:
+            return self.let(argument, "k1")
+        return self._hoist(argument)
+
+    # -- rates of change -------------------------------------------------------------------------------------------
+
+    def set_rate(self, symbol: Any, rate: Any) -> None:
+        """State d(symbol)/dt where it is known better than by the chain rule; numbers and expressions are left alone."""
+        if isinstance(symbol, sp.Symbol) and symbol not in self._rates:
+            self._rates[symbol] = rate
+
+    def rate(self, expression: Any, name: str) -> Any:
+        """D(expression)/dt along the motion, by the chain rule over the tape."""
+        terms = (sp.diff(expression, symbol) * self._rate_of(symbol) for symbol in symbols_in(expression))
+        return self.let(sp.Add(*terms), name)
+
+    def _rate_of(self, symbol: sp.Symbol) -> Any:
+        if symbol not in self._rates:
+            if self._groups[symbol] <= _STILL:
+                self._rates[symbol] = sp.S.Zero
+            elif symbol in self.assignments:
+                self._rates[symbol] = self.rate(self.assignments[symbol], f"{symbol.name}_rate")
+            else:
+                raise KeyError(f"no rate of change is known for the input {symbol}")
+        return self._rates[symbol]
+
+    # -- slicing ---------------------------------------------------------------------------------------------------
+
+    def function(self, name: str, summary: str, arguments: tuple[str, ...], results: Iterable[Result]) -> Function:
+        """The slice of the tape that `results` need; with `c` among the arguments it stops at the constants."""
+        results = tuple(results)
+        stop = CONSTANT in arguments
+        needed: set[sp.Symbol] = set()
+        pending = [symbol for result in results for e in result.expressions for symbol in symbols_in(e)]
+        while pending:
+            symbol = pending.pop()
+            if symbol in needed or symbol not in self.assignments or (stop and self.is_constant(symbol)):
+                continue
+            needed.add(symbol)
+            pending.extend(symbols_in(self.assignments[symbol]))
+        body = tuple((symbol, e) for symbol, e in self.assignments.items() if symbol in needed)
+        function = Function(name, summary, arguments, body, results)
+        foreign = [s for s in function.reads if self.inputs.get(s, PARAMETER) not in (*arguments, PARAMETER)]
+        if foreign:
+            raise ValueError(f"{name}({', '.join(arguments)}) would read {', '.join(map(str, foreign))}")
+        return function
+
+    def constants(self, functions: Iterable[Function]) -> list[sp.Symbol]:
+        """What `functions` read of parameters and parameter-only results: the entries of c, parameters first, in declared order."""
+        wanted = {s for f in functions if CONSTANT in f.arguments for s in f.reads if self.is_constant(s)}
+        return [symbol for symbol in (*self.inputs, *self.assignments) if symbol in wanted]
+
+
+def _opposite(expression: Any) -> Any:
+    """The atom that an expression is minus of, or zero; to make the opposite and look takes a hundred times longer."""
+    negated = expression.is_Mul and len(expression.args) == 2 and expression.args[0] is sp.S.NegativeOne
+    return expression.args[1] if negated and expression.args[1].is_Atom else sp.S.Zero
+
+
+def _unsigned(expression: Any) -> Any:
+    """What an expression has in common with its opposite and hardly any other; to look this up first spares making most of the opposites."""
+    if expression.is_Add:
+        return frozenset(map(_unsigned, expression.args))
+    if expression.is_Mul and expression.args[0].is_Number:
+        number, *factors = expression.args
+        return (*factors,) if number is sp.S.NegativeOne else (*factors, abs(number))
+    return expression.args if expression.is_Mul else (expression,)
+
+
+def symbols_in(*expressions: Any) -> list[sp.Symbol]:
+    """The symbols of expressions in the order they stand there (never in hash order)."""
+    found: dict[sp.Symbol, None] = {}
+    pending = [sp.sympify(expression) for expression in reversed(expressions)]
+    while pending:
+        node = pending.pop()
+        if node.is_Symbol:
+            found[node] = None
+        else:
+            pending.extend(reversed(node.args))
+    return list(found)
+
+
+def shared(function: Function) -> Function:
+    """The function with sub-expressions that occur twice named once (`x1`, `x2`, ...)."""
+    count: dict[Any, int] = {}
+    for expression in _expressions(function):
+        for node in _compound_parts(expression):
+            count[node] = count.get(node, 0) + 1
+    names: dict[Any, sp.Symbol] = {}
+    body: list[tuple[sp.Symbol, sp.Expr]] = []
+    taken = {symbol.name for symbol in (*function.reads, *(symbol for symbol, _ in function.body))}
+    count_names = 0
+
+    def visit(expression: Any, whole: bool = False) -> Any:
+        """Rewrite over the names given so far; a `whole` right-hand side is about to be named by its assignment."""
+        nonlocal count_names
+        if expression in names:
+            return names[expression]
+        if expression.is_Atom:
+            return expression
+        parts = [visit(arg) for arg in expression.args]
+        changed = any(a is not b for a, b in zip(parts, expression.args, strict=True))
+        rebuilt = expression.func(*parts) if changed else expression
+        if whole or count.get(expression, 0) < 2:
+            return rebuilt
+        count_names += 1
+        while f"x{count_names}" in taken:
+            count_names += 1
+        names[expression] = sp.Symbol(f"x{count_names}", real=True)
+        body.append((names[expression], rebuilt))
+        return names[expression]
+
+    for symbol, expression in function.body:
+        rebuilt = visit(expression, whole=True)
+        if rebuilt.is_Symbol:
+            names[symbol] = rebuilt  # the same result has a name already
+        else:
+            names[expression] = symbol
+            body.append((symbol, rebuilt))
+    results = tuple(
+        Result(r.name, r.labels, r.units, tuple(visit(sp.sympify(e)) for e in r.expressions)) for r in function.results
+    )
+    return Function(function.name, function.summary, function.arguments, tuple(body), results)
+
+
+def _expressions(function: Function) -> Iterator[Any]:
+    for _, expression in function.body:
+        yield expression
+    for result in function.results:
+        yield from map(sp.sympify, result.expressions)
+
+
+def _compound_parts(expression: Any) -> Iterator[Any]:
+    """Nodes worth a name: no atoms, no plain negations or numbers times a symbol, no reciprocals."""
+    pending = [expression]
+    while pending:
+        node = pending.pop()
+        if node.is_Atom:
+            continue
+        pending.extend(node.args)
+        if not (node.is_Relational or (node.is_Pow and node.exp == -1) or _opposite(node) != 0):
+            yield node
+
+
+@dataclass(frozen=True)
+class Program:
+    """What derivation yields: the tape, the ports, and the functions of the contract."""
+
+    scene: Any
+    tape: Tape
+    functions: tuple[Function, ...]
+    constants: tuple[sp.Symbol, ...]
+    tables: Mapping[str, tuple[Any, ...]]
+    """Name of a module-level table (COORDINATES, PAIRS, ...) -> its rows."""
+    note: str = ""
+    """Which coordinates these are, and why, where they are not simply those of the joints."""
+    units: Mapping[sp.Symbol, str] = field(default_factory=dict)
+    """Unit of every input and assignment, once the audit has passed."""
+
+    def assignments(self) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
+        """What some function computes, in order, each once."""
+        used = {symbol for function in self.functions for symbol, _ in function.body}
+        return ((symbol, e) for symbol, e in self.tape.assignments.items() if symbol in used)

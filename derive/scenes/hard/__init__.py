@@ -1,0 +1,1 @@
+"""Scenes of the hard cases that no built-in scene has."""

@@ -1,0 +1,263 @@
+"""Scenes of the hard cases that no built-in scene has: declared here, derived when one is run, never committed.
+
+Free impacts (see `impact.impact_scene`), a ball that grazes, rows of spheres, two bodies of unlike mass, a block on an incline, a chain.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from itertools import pairwise
+
+import sympy as sp
+
+from hertzwerk.derive.declare.scene import Contact, EnergyLedger, Friction, Gravity, Scales, Scene, Start
+from hertzwerk.derive.effects.forces import JointForce
+from hertzwerk.derive.laws import coulomb, exact, flores, kelvin_voigt, lugre, power, ristow, smooth_coulomb
+from hertzwerk.derive.laws.law import BoundLaw, DampingLaw
+from hertzwerk.derive.mechanism.bodies import GROUND, Body, Direction, X, Y, Z
+from hertzwerk.derive.mechanism.joints import Planar, Prismatic, Revolute
+from hertzwerk.derive.mechanism.mechanism import Mechanism
+from hertzwerk.derive.mechanism.pairs import SphereOnPlane, SphereOnSphere
+from hertzwerk.derive.mechanism.parameter import Parameter
+from hertzwerk.derive.sheets.impact import impact_scene
+
+_MASS = Parameter("mass", "kg", 1)
+_RADIUS = Parameter("radius", "m", 0.02)
+_SPEED = Parameter("speed", "m/s", 1, "at the start")
+_EXPONENT = Parameter("exponent", "1", 1.5, "n of K d^n")
+_STIFFNESS = Parameter("stiffness", "N/m^exponent", 1e8, "K of K d^n")
+_RESTITUTION = Parameter("restitution", "1", 1)
+
+_FRICTION = Parameter("friction_coefficient", "1", 0.5)
+_STATIC = Parameter("static_coefficient", "1", 0.5)
+
+FORCE_RELEASED = replace(kelvin_voigt, name="kelvin_voigt_without_pull", release="force")
+"""Kelvin and Voigt's law whose contact ends where its force falls to zero, before it would pull."""
+
+
+def free_impact(law: DampingLaw) -> Scene:
+    """One impact of a free ball, from gap 0, with its ledger."""
+    scene = impact_scene(law)
+    return replace(scene, effects=(*scene.effects, EnergyLedger()), name=f"free_impact_{law.name}")
+
+
+def grazing_ball() -> Scene:
+    """A ball drawn away from the floor it flies towards: it turns round at a gap of its start's choice. The gap is the coordinate itself."""
+    pull = Parameter("pull", "m/s^2", 8, "acceleration away from the floor")
+    ball = Body("ball", mass=_MASS)
+    depth = ((_EXPONENT + 1) * _MASS * _SPEED**2 / (2 * _STIFFNESS)) ** (1 / (_EXPONENT + 1))
+    floor = SphereOnPlane("floor", ball.at(0, 0, 0), _RADIUS, plane=GROUND.at(0, -_RADIUS, 0), normal=Y)
+    return Scene(
+        Mechanism("grazing_ball", joints=(Prismatic("ball", GROUND, ball, axis=Y),), pairs=(floor,)),
+        effects=(
+            Gravity("pull_away", pull, direction=Y),
+            Contact("floor", power(_STIFFNESS, _EXPONENT), flores(_RESTITUTION)),
+            EnergyLedger(),
+        ),
+        start=Start(position={"ball": _SPEED**2 / (2 * pull)}, speed={"ball": -_SPEED}),
+        scales=Scales(length=depth, speed=_SPEED),
+        summary="a ball that comes near the floor",
+    )
+
+
+def row_of_spheres(count: int) -> Scene:
+    """Equal spheres on one line, `gap` apart; the first moves towards the others."""
+    gap = Parameter("gap", "m", 0.001, "between neighbours at the start")
+    spheres = [Body(f"sphere_{i}", mass=_MASS) for i in range(1, count + 1)]
+    joints = [Prismatic(f"path_{i}", GROUND, sphere, axis=X) for i, sphere in enumerate(spheres, 1)]
+    pairs = [
+        SphereOnSphere(f"pair_{i}", left.at(0, 0, 0), right.at(0, 0, 0), _RADIUS, _RADIUS)
+        for i, (left, right) in enumerate(pairwise(spheres), 1)
+    ]
+    law = power(_STIFFNESS, _EXPONENT), flores(_RESTITUTION)
+    return Scene(
+        Mechanism(f"row_of_{count}", joints=tuple(joints), pairs=tuple(pairs)),
+        effects=(*(Contact(pair.name, *law) for pair in pairs), EnergyLedger()),
+        start=Start(
+            position={f"path_{i}": (i - 1) * (2 * _RADIUS + gap) for i in range(2, count + 1)},
+            speed={"path_1": _SPEED},
+        ),
+        scales=Scales(length=_depth(_MASS / 2), speed=_SPEED),
+        summary=f"a sphere meets a row of {count - 1}",
+    )
+
+
+def touching_row(count: int) -> Scene:
+    """Equal spheres that touch, pressed together from both ends or not at all, struck at either end; each coordinate begins where its sphere touches.
+
+    So that a gap is a small difference of large lengths, though the coordinates are small.
+    """
+    preload = Parameter("preload", "N", 0, "that presses the row together from both ends")
+    last_speed = Parameter("last_speed", "m/s", 0, "of the last sphere at the start")
+    spheres = [Body(f"sphere_{i}", mass=_MASS) for i in range(1, count + 1)]
+    joints = [
+        Prismatic(f"path_{i}", GROUND.at(2 * (i - 1) * _RADIUS, 0, 0), sphere, axis=X)
+        for i, sphere in enumerate(spheres, 1)
+    ]
+    pairs = [
+        SphereOnSphere(f"pair_{i}", left.at(0, 0, 0), right.at(0, 0, 0), _RADIUS, _RADIUS)
+        for i, (left, right) in enumerate(pairwise(spheres), 1)
+    ]
+    law = power(_STIFFNESS, _EXPONENT), flores(_RESTITUTION)
+    depth = (preload / _STIFFNESS) ** (1 / _EXPONENT)
+    return Scene(
+        Mechanism(f"touching_row_of_{count}", joints=tuple(joints), pairs=tuple(pairs)),
+        effects=(
+            *(Contact(pair.name, *law) for pair in pairs),
+            JointForce("push_first", "path_1", preload),
+            JointForce("push_last", f"path_{count}", -preload),
+            EnergyLedger(),
+        ),
+        start=Start(
+            position={f"path_{i}": -(i - 1) * depth for i in range(2, count + 1)},
+            speed={"path_1": _SPEED, f"path_{count}": last_speed},
+        ),
+        scales=Scales(length=_depth(_MASS / 2), speed=_SPEED),
+        summary=f"a row of {count} spheres that touch, struck at its ends",
+    )
+
+
+def struck_from_both_sides() -> Scene:
+    """A sphere at rest, and two that meet it at the same instant from both sides."""
+    gap = Parameter("gap", "m", 0.001, "to either side of the sphere in the middle")
+    left, middle, right = (Body(name, mass=_MASS) for name in ("left", "middle", "right"))
+    law = power(_STIFFNESS, _EXPONENT), flores(_RESTITUTION)
+    return Scene(
+        Mechanism(
+            "struck_from_both_sides",
+            joints=tuple(Prismatic(body.name, GROUND, body, axis=X) for body in (left, middle, right)),
+            pairs=(
+                SphereOnSphere("left_pair", left.at(0, 0, 0), middle.at(0, 0, 0), _RADIUS, _RADIUS),
+                SphereOnSphere("right_pair", middle.at(0, 0, 0), right.at(0, 0, 0), _RADIUS, _RADIUS),
+            ),
+        ),
+        effects=(Contact("left_pair", *law), Contact("right_pair", *law), EnergyLedger()),
+        start=Start(
+            position={"left": -2 * _RADIUS - gap, "right": 2 * _RADIUS + gap},
+            speed={"left": _SPEED, "right": -_SPEED},
+        ),
+        scales=Scales(length=_depth(_MASS), speed=_SPEED),
+        summary="a sphere struck from both sides at once",
+    )
+
+
+def unlike_masses() -> Scene:
+    """A sphere meets another of quite another mass at rest; the restitution is returned exactly."""
+    striker, target = (
+        Body(name, mass=Parameter(f"{name}_mass", "kg", 1, "of equal radius")) for name in ("striker", "target")
+    )
+    gap = Parameter("gap", "m", 0.001, "between the spheres at the start")
+    reduced = striker.mass * target.mass / (striker.mass + target.mass)
+    return Scene(
+        Mechanism(
+            "unlike_masses",
+            joints=tuple(Prismatic(f"{body.name}_path", GROUND, body, axis=X) for body in (striker, target)),
+            pairs=(SphereOnSphere("spheres", striker.at(0, 0, 0), target.at(0, 0, 0), _RADIUS, _RADIUS),),
+        ),
+        effects=(Contact("spheres", power(_STIFFNESS, _EXPONENT), exact(_RESTITUTION)), EnergyLedger()),
+        start=Start(position={"target_path": 2 * _RADIUS + gap}, speed={"striker_path": _SPEED}),
+        scales=Scales(length=_depth(reduced), speed=_SPEED),
+        summary="a sphere meets one of another mass at rest",
+    )
+
+
+def incline(friction: BoundLaw) -> Scene:
+    """A block on an incline of 3 in 4, in the incline's axes; it rests in its static penetration, and slides, or not, downhill.
+
+    A light carriage takes it along, without friction of its own.
+    """
+    gravity = Parameter("gravity", "m/s^2", 9.81)
+    carriage = Body("carriage", mass=_MASS / 1000)
+    block = Body("block", mass=_MASS)
+    normal_load = sp.Rational(4, 5) * gravity * _MASS
+    depth = (normal_load / _STIFFNESS) ** (1 / _EXPONENT)
+    return Scene(
+        Mechanism(
+            "incline",
+            joints=(Prismatic("downhill", GROUND, carriage, axis=X), Prismatic("normal", carriage, block, axis=Y)),
+            pairs=(SphereOnPlane("surface", block.at(0, 0, 0), _RADIUS, plane=GROUND.at(0, -_RADIUS, 0), normal=Y),),
+        ),
+        effects=(
+            Gravity("gravity", gravity, direction=Direction((sp.Rational(3, 5), sp.Rational(-4, 5), 0))),
+            Contact("surface", power(_STIFFNESS, _EXPONENT), flores(_RESTITUTION)),
+            Friction("friction", "surface", friction),
+            EnergyLedger(),
+        ),
+        start=Start(position={"normal": -depth}, speed={"downhill": _SPEED}),
+        scales=Scales(length=depth, speed=_SPEED),
+        name=f"incline_{friction.law.name}",
+        summary=f"a block on an incline, {friction.law.title}",
+    )
+
+
+def falling_chain(count: int) -> Scene:
+    """Links that fall on a floor, every joint and both ends with set-valued friction, and come to rest nearly in line."""
+    mass, length, bend = Parameter("mass", "kg", 0.1), Parameter("link_length", "m", 0.1), Parameter("bend", "rad", 0.1)
+    inertia, height = (
+        Parameter("inertia", "kg m^2", 8e-5),
+        Parameter("height", "m", 0.1, "of the first end at the start"),
+    )
+    radius, tilt = (
+        Parameter("corner_radius", "m", 0.01),
+        Parameter("tilt", "rad", 0.1, "of the first link at the start"),
+    )
+    links = [Body(f"link_{i}", mass=mass, inertia=inertia, centre=(length / 2, 0, 0)) for i in range(1, count + 1)]
+    joints = [
+        Planar("path", GROUND, links[0], normal=Z),
+        *(Revolute(f"pin_{i}", a.at(length, 0, 0), b, axis=Z) for i, (a, b) in enumerate(pairwise(links), 1)),
+    ]
+    ends = [links[0].at(0, 0, 0), *(link.at(length, 0, 0) for link in links)]
+    pairs = [
+        SphereOnPlane(f"corner_{i}", end, radius, plane=GROUND.at(0, 0, 0), normal=Y) for i, end in enumerate(ends)
+    ]
+    law = power(_STIFFNESS, _EXPONENT), flores(_RESTITUTION)
+    return Scene(
+        Mechanism(f"falling_chain_of_{count}", joints=tuple(joints), pairs=tuple(pairs)),
+        effects=(
+            Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), direction=-Y),
+            *(Contact(pair.name, *law) for pair in pairs),
+            *(Friction(f"{pair.name}_friction", pair.name, coulomb(_FRICTION, _STATIC)) for pair in pairs),
+            EnergyLedger(),
+        ),
+        start=Start(
+            position={"path.y": height, "path.angle": tilt, **{f"pin_{i}": (-1) ** i * bend for i in range(1, count)}}
+        ),
+        scales=Scales(length=Parameter("depth", "mm", 1), speed=Parameter("speed", "m/s", 1), arm=length),
+        summary=f"a chain of {count} links falls on a floor, with dry friction at {count + 1} corners",
+    )
+
+
+def _depth(mass: sp.Expr) -> sp.Expr:
+    """Of an elastic impact at the start's speed [m]."""
+    return ((_EXPONENT + 1) * mass * _SPEED**2 / (2 * _STIFFNESS)) ** (1 / (_EXPONENT + 1))
+
+
+_BRISTLES = lugre(
+    _FRICTION,
+    _STATIC,
+    v_S=Parameter("stribeck_speed", "m/s", 0.01),
+    s_0=Parameter("bristle_stiffness", "1/m", 1e7, "per normal force"),
+    s_1=Parameter("bristle_damping", "s/m", 1000, "per normal force"),
+    c_v=Parameter("viscous_coefficient", "N s/m", 0),
+)
+_LAYER = Parameter("friction_speed", "m/s", 1e-7, "over which friction builds up")
+
+HARD_SCENES: dict[str, Callable[[], Scene]] = {
+    **{
+        f"free_impact_{law.name}": lambda law=law: free_impact(law)  # type: ignore[misc]
+        for law in (flores, exact, kelvin_voigt, FORCE_RELEASED, ristow)
+    },
+    "grazing_ball": grazing_ball,
+    "row_of_5": lambda: row_of_spheres(5),
+    "row_of_50": lambda: row_of_spheres(50),
+    "touching_row_of_5": lambda: touching_row(5),
+    "touching_row_of_50": lambda: touching_row(50),
+    "struck_from_both_sides": struck_from_both_sides,
+    "falling_chain_of_3": lambda: falling_chain(3),
+    "falling_chain_of_8": lambda: falling_chain(8),
+    "unlike_masses": unlike_masses,
+    "incline_coulomb": lambda: incline(coulomb(_FRICTION, _STATIC)),
+    "incline_lugre": lambda: incline(_BRISTLES),
+    "incline_smooth_coulomb": lambda: incline(smooth_coulomb(_FRICTION, _LAYER)),
+}

@@ -1,0 +1,1 @@
+"""The sheets of laws: formulas, symbols, restitution, cost, for people and for JSON."""

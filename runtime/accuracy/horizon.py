@@ -1,0 +1,152 @@
+"""How errors grow along a run, and how long a trajectory therefore stays with the true one.
+
+Errors of a few runs against a reference are a system's answer to small disturbances: while they are small they all grow by the same factors, which
+the runs tell together. A factor per interval says where: at impacts, at unstable positions. What is left of it over the whole run is a rate (errors
+double in a fixed time), a power (they double when the time does), or nothing: friction can take errors away as well.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hertzwerk.runtime.accuracy.ladder import VALID
+
+Array = NDArray[np.float64]
+
+INTERVALS = 12  # of a run
+FEWEST = 4  # intervals that show growth, or none
+ABOVE = 3.0  # times the floor: from there an error is a run's own
+SATURATED = 0.1  # in the scales: larger errors no longer grow as small ones do
+SURE = 2.0  # standard errors
+NOTICED = 2.0  # growth over the whole run by less than this factor is none
+
+
+@dataclass(frozen=True)
+class Growth:
+    """How errors go on.
+
+    kind        "exponential": e^(rate t); "power": t^exponent; "none": they do not grow, or shrink; "unknown": all lie at the floor
+    rate        [1/s], of the best exponential; negative where errors shrink
+    deviation   its standard error [1/s]
+    exponent    of the best power of time
+    edges       of the intervals [s], shape (intervals + 1,)
+    factors     from each interval to the next; nan where no run tells
+    """
+
+    kind: Literal["exponential", "power", "none", "unknown"]
+    rate: float
+    deviation: float
+    exponent: float
+    edges: tuple[float, ...]
+    factors: tuple[float, ...]
+
+    @property
+    def end(self) -> float:
+        """Where the intervals end [s]."""
+        return self.edges[-1]
+
+    @property
+    def intermittent(self) -> bool:
+        """Whether a quarter of the intervals makes more than the whole growth, and others take it back or add nothing."""
+        known = sorted((math.log(f) for f in self.factors if math.isfinite(f) and f > 0), reverse=True)
+        most = known[: max(1, len(known) // 4)]
+        return len(known) >= FEWEST and sum(most) > max(sum(known), math.log(NOTICED))
+
+    def reaches(self, error: float, limit: float = VALID) -> float:
+        """When an error that the run has at its end will be at the limit [s]; infinite where errors do not grow, nan where that is unknown."""
+        if self.kind == "unknown":
+            return math.nan
+        if self.kind == "none" or error <= 0:
+            return math.inf
+        if self.kind == "exponential":
+            return self.end + math.log(limit / error) / self.rate
+        return float(np.exp(min(math.log(self.end) + math.log(limit / error) / self.exponent, 700.0)))
+
+    @property
+    def gained(self) -> float:
+        """Time [s] that ten times more accuracy buys where the horizon is the end of the run; infinite where errors do not grow, else nan."""
+        return self.reaches(VALID / 10) - self.end
+
+
+def growth(t: Array, errors: Sequence[Array], floors: Sequence[Array]) -> Growth:
+    """Growth from errors of runs over t [s], each (n,), and the floor (n,) of each below which it says nothing. t begins with the run.
+
+    An interval counts for a run from where its error first stands above its floor: later ones that sank into it count as the floor. Errors from
+    where they are saturated on do not count.
+    """
+    edges = np.linspace(t[0], t[-1], INTERVALS + 1)
+    index = np.clip(np.searchsorted(edges, t, side="right") - 1, 0, INTERVALS - 1)
+    pairs = zip(errors, floors, strict=True)
+    levels = np.array([_levels(error, floor, index) for error, floor in pairs]).reshape(len(errors), INTERVALS)
+    steps = np.diff(levels, axis=1)
+    known = np.any(np.isfinite(steps), axis=0)
+    steps = np.array([np.median(s[np.isfinite(s)]) if k else np.nan for s, k in zip(steps.T, known, strict=True)])
+    edge = tuple(float(x) for x in edges)
+    factors = tuple(float(x) for x in np.exp(steps))
+    first, last = _longest(known)
+    if last - first + 1 < FEWEST:
+        return Growth("unknown", math.nan, math.nan, math.nan, edge, factors)
+    level = np.concatenate([[0.0], np.cumsum(steps[first:last])])
+    middle = (edges[:-1] + edges[1:])[first : last + 1] / 2 - edges[0]
+    rate, deviation, miss = _line(middle, level)
+    exponent, spread, miss_of_power = _line(np.log(middle), level)
+    span = float(middle[-1] - middle[0])
+    if miss <= miss_of_power:
+        grows, kind = rate > SURE * deviation, "exponential"
+    else:
+        grows, kind = exponent > SURE * spread, "power"
+    if not (grows and rate * span > math.log(NOTICED)):
+        kind = "none"
+    return Growth(kind, rate, deviation, exponent, edge, factors)  # type: ignore[arg-type]
+
+
+def crossing(t: Array, error: Array, limit: float = VALID) -> float:
+    """Time [s] up to which an error (n,) over t stays within a limit, between samples by its logarithm; infinite if it does throughout."""
+    over = np.flatnonzero(~(error <= limit))
+    if not len(over):
+        return math.inf
+    i = int(over[0])
+    if i == 0:
+        return float(t[0])
+    before, after = float(error[i - 1]), float(error[i])
+    part = math.log(limit / before) / math.log(after / before) if before > 0 and math.isfinite(after) else 0.0
+    return float(t[i - 1] + part * (t[i] - t[i - 1]))
+
+
+def _levels(error: Array, floor: Array, index: NDArray[np.intp]) -> Array:
+    """Logarithm of the typical error of each interval; nan before the error rises above the floor, and from where it is saturated."""
+    levels = np.full(INTERVALS, np.nan)
+    risen = False
+    for k in range(INTERVALS):
+        here = index == k
+        if not np.any(here):
+            continue
+        typical, least = float(np.median(error[here])), ABOVE * float(np.median(floor[here]))
+        if not typical <= SATURATED:
+            break
+        risen = risen or typical > least
+        if risen and max(typical, least) > 0:
+            levels[k] = math.log(max(typical, least))
+    return levels
+
+
+def _longest(known: NDArray[np.bool_]) -> tuple[int, int]:
+    """The longest stretch of what is known: from, to (not included)."""
+    ends = np.flatnonzero(np.diff(np.concatenate([[False], known, [False]])))
+    stretches = [(int(a), int(b)) for a, b in zip(ends[::2], ends[1::2], strict=True)]
+    return max(stretches, key=lambda s: s[1] - s[0], default=(0, 0))
+
+
+def _line(x: Array, y: Array) -> tuple[float, float, float]:
+    """Slope of the straight line through points, its standard error, and the sum of squares that it misses them by."""
+    dx, dy = x - np.mean(x), y - np.mean(y)
+    square = float(dx @ dx)
+    slope = float(dx @ dy) / square
+    miss = float(np.sum((dy - slope * dx) ** 2))
+    return slope, math.sqrt(miss / (len(x) - 2) / square), miss

@@ -1,0 +1,100 @@
+"""New folders for results: refused before anything is computed where they cannot be made, and never half of one."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.host.scratch import scratch_folder
+
+RUNS = Path("runs")  # where results go that no folder is named for
+
+
+def destination_fault(out: Path | None) -> Fault | None:
+    """Why nothing can be written to the folder `out`, or below runs/ where there is none; None if it can."""
+    where, expected = (
+        ("runs/", "a folder that can be written to") if out is None else ("--out", "a new or an empty folder")
+    )
+    remedy = "name another: --out FOLDER" if out is None else ""
+    try:
+        found = _hindrance(out)
+    except OSError as error:  # a name too long, a loop of links
+        found = f"{str(out)[:60]}: {error.strerror}"
+    except ValueError as error:  # a zero byte
+        found = f"{str(out)!r}: {error}"
+    if found is None:
+        return None
+    overwrites = found.endswith("other content")
+    return Fault(where, found, expected, "a run never overwrites another" if overwrites else remedy)
+
+
+def _hindrance(out: Path | None) -> str | None:
+    if out is None:
+        return unwritable(RUNS)
+    try:
+        out.lstat()
+    except (FileNotFoundError, NotADirectoryError):
+        return unwritable(out.absolute().parent)
+    if out.is_symlink():
+        return f"{out}, which is a link"
+    if not out.is_dir():
+        return f"{out}, which is a file"
+    if any(out.iterdir()):
+        return f"{out}, which has other content"
+    if out.samefile(Path.cwd()):
+        return f"{out}, the folder that this works in"
+    return f"{out}, a whole file system" if out.is_mount() else unwritable(out.absolute().parent)
+
+
+def unwritable(folder: Path) -> str | None:
+    """Why nothing can be written into a folder, which is made where there is none; None if it can. Raises OSError where that cannot be told."""
+    while not os.path.lexists(folder) and folder != folder.parent:
+        folder = folder.parent
+    if not folder.is_dir():
+        return f"{folder}, which is a file"
+    try:
+        with scratch_folder(folder):  # permissions do not tell: of the superuser, of a full or a strange file system
+            return None
+    except OSError as error:
+        return f"{folder}, which cannot be written to ({error.strerror})"
+
+
+def new_folder(name: str, out: Path | None, fill: Callable[[Path], list[str]]) -> tuple[Path, list[str]]:
+    """Fill the new folder `out`, or the next free runs/<name>-NNN; returns it and its files. All of it appears at once, or nothing."""
+    parent = out.parent if out is not None else RUNS
+    parent.mkdir(parents=True, exist_ok=True)
+    with scratch_folder(parent) as temporary:
+        files = fill(temporary)
+        return _publish(temporary, out, parent / name), files
+
+
+def attempted(name: str, make: Callable[[], object]) -> list[str]:
+    """Make something of data that are not to be lost for it; what is to be said where that fails."""
+    try:
+        make()
+    except Exception as error:  # whatever it is
+        return [f"{name} could not be made: {type(error).__name__}: {error}"]
+    return []
+
+
+def _publish(temporary: Path, out: Path | None, stem: Path) -> Path:
+    """Give the finished folder its name; a rename onto a folder with content fails, so two runs never mix."""
+    if out is not None:
+        try:
+            return temporary.rename(out)
+        except OSError as error:
+            raise InputError("run", [Fault("--out", str(error), "a new or an empty folder")]) from error
+    number = 1
+    while True:
+        path = stem.with_name(f"{stem.name}-{number:03d}")
+        try:
+            if not path.exists():
+                return temporary.rename(path)
+        except FileExistsError:
+            pass  # another run took the number meanwhile
+        except OSError:
+            if not path.exists():
+                raise
+        number += 1

@@ -1,0 +1,1 @@
+"""Events: where they are in a step, and what follows."""

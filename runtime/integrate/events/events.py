@@ -1,0 +1,289 @@
+"""Where in a step a gap closes or opens, or a force runs out: polynomials in theta = (t - t0)/h, their Bernstein form, and their first root.
+
+A gap is a quintic from its value, rate and acceleration at both ends of the step, a force a cubic from value and rate. A polynomial whose
+Bernstein coefficients are all positive has no root in the step; only otherwise is one searched for. Farin, Curves and Surfaces for CAGD, ch. 5.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import comb
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+
+from hertzwerk.runtime.integrate.step.friction import margins, pairs_of, sized, steady
+from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, RELEASED, Layouts
+from hertzwerk.runtime.integrate.step.rounding import EPS, of_gaps
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model.model import Model
+
+GAP = ("gap", "gap_rate", "gap_acceleration")
+ROUNDINGS = 4  # times the bound of a gap's rounding: an event is found by a few operations more
+LANDING = 1e-2  # a landing is met to this times the tolerance, in the scene's scales
+DOUBT = 0.1  # part of |quintic - cubic| that a graze must stay clear of
+NEAR = 1 / 64  # of a step: how far its end may be moved to land on a surface, by the classical method of order 4
+PARTS = 8  # sub-intervals searched
+BELIEVED = 4  # retakes of one step; where a cubic fits, 1 to 3 land
+LOCATED = 16  # retakes that find a margin's root, or there is none: what nearly redundant friction needs jumps with a step's error
+NEWTON_STEPS = 12  # within one of them, bisecting where Newton would leave the bracket
+NO_EVENT = 2.0  # theta beyond every step
+
+
+def tolerances(model: Model, run: Mapping[str, Any], t: Any, y: Any, gap_rate: Any) -> tuple[Any, Any, Any]:
+    """How closely a gap (k) [m], a gap rate (k) [m/s] and a force (k) [N] meet a landing: a hundredth of the tolerance, but not below rounding.
+
+    A gap is rounded with the coordinates and lengths it is a difference of (`rounding`), and with the time it is landed at; a force with the gap, by
+    the contact's stiffness.
+    """
+    length, speed, force = (run["scales"][i] for i in range(3))
+    q, u = y[: model.nq], y[model.nq : model.nq + model.nu]
+    gap_floor, rate_floor = (ROUNDINGS * bound for bound in of_gaps(model)(t, q, u, run["c"]))
+    small = LANDING * run["tolerance"]
+    return (
+        ca.fmax(_landing(run, t, gap_rate), gap_floor),
+        ca.fmax(small * speed, rate_floor),
+        ca.fmax(small, gap_floor / length) * force,
+    )
+
+
+def _landing(run: Mapping[str, Any], t: Any, gap_rate: Any) -> Any:
+    """The tolerance of gaps [m] without their rounding, which costs a part of an evaluation: enough to see whether a step has to be looked at."""
+    return ca.fmax(LANDING * run["tolerance"] * run["scales"][0], 4 * EPS * ca.fabs(gap_rate) * ca.fabs(t))
+
+
+def far(
+    model: Model, run: Mapping[str, Any], start: Mapping[str, Any], end: Mapping[str, Any], pairs: list[int]
+) -> Any:
+    """1 for those of some pairs in flight that are so far apart at both ends of a step that they are clear (`all_clear`), without a polynomial."""
+    h = start["h"]
+    gap0, rate0, a0 = (start[part][pairs] for part in GAP)
+    gap1, rate1, a1 = (end[part][pairs] for part in GAP)
+    rates, accelerations = ca.fabs(rate0) + ca.fabs(rate1), ca.fabs(a0) + ca.fabs(a1)
+    way = (2 / 5 + DOUBT / 32) * h + 4 * EPS * ca.fabs(end["t"])
+    least = _landing(run, end["t"], 0) + way * rates + (1 / 20 + DOUBT / 64) * h * h * accelerations
+    return ca.fmin(gap0, gap1) > least
+
+
+def all_clear(
+    model: Model, run: Mapping[str, Any], mode: Any, start: Mapping[str, Any], end: Mapping[str, Any], pairs: list[int]
+) -> Any:
+    """1 for those of some pairs to which no event is possible in a step under modes flight or contact (k), nor just behind it: no gap near zero,
+    no force that pulls."""
+    h = start["h"]
+    tol = _landing(run, end["t"], end["gap_rate"][pairs])
+    before, after = ([x[pairs] for x in towards(mode, side)] for side in (start, end))
+    b = _quintic(before, after, h)
+    between = _between(before, after, h)
+    soon = b[5] + NEAR * h * after[1]
+    clear = (b[0] > tol) * (b[5] > tol) * (soon > tol) * (1 - pulls(model, end["force"])[pairs])
+    for coefficient in b[1:5]:
+        clear *= coefficient > between
+    return clear * (steady(model, mode, start, end) if model.ns else 1)
+
+
+def pulls(model: Model, force: Any) -> Any:
+    """1 (k) where a force is below zero and the law ends its contact there; a law that ends with the gap may pull."""
+    return ends_with_force(model) * (force < 0)
+
+
+def ends_with_force(model: Model) -> Any:
+    """1 (k) for the pairs whose law ends a contact where its force falls to zero, 0 where it ends with the gap."""
+    releases = getattr(model.module, "RELEASES", model.k * ("force",))
+    return ca.DM([float(rule == "force") for rule in releases])
+
+
+def polynomials(model: Model, layouts: Layouts) -> Any:
+    """CasADi function (state, controls, next) -> (bernstein (6, k), margin (k), doubt (k), suspect (k), ending (n)): the gaps over a step.
+
+    An event is the first theta where a polynomial, falling from above, has a root and goes on to -margin; a graze whose minimum is below doubt is
+    resolved by a shorter step. suspect: 1 where any of it is possible; ending: 1 where `endings` has an event.
+    """
+    arguments, (start, run, end) = _step(layouts)
+    h = start["h"]
+    tol, tol_rate, tol_force = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
+    before, after = towards(start["mode"], start), towards(start["mode"], end)
+    g, rate, _ = before
+    b = _quintic(before, after, h)
+    # On the surface and leaving it: the root at 0 is no event, the return is. (g(theta) - g)/theta is a quartic, here raised to degree 5.
+    leaving, resting = (g <= tol) * (rate >= 0), (g <= tol) * (rate < 0)
+    deflated = _raise([5 * (b[i] - b[0]) / i for i in range(1, 6)])
+    # At rest within the tolerance the end of the step decides, not the polynomial.
+    b = [ca.if_else(leaving, d, ca.if_else(resting, 1, x)) for d, x in zip(deflated, b, strict=True)]
+    between = _between(before, after, h)
+    bernstein, margin = ca.vertcat(*(x.T for x in b)), ca.if_else(leaving, 2, 1) * tol
+    doubt = ca.if_else((between > tol) * (1 - leaving), between, 0)
+    suspect = _row_minimum(bernstein.T) <= doubt
+    ending = sum(falls for falls, *_ in _endings(model, start, end, tol, tol_rate, tol_force)) > 0
+    if model.ns:
+        ending = ca.vertcat(ending, _slipping(model, start, end, tol_rate, tol_force)[0])
+    outputs = ca.cse([*map(ca.densify, (bernstein, margin, doubt, suspect, ending))])
+    return ca.Function("polynomials", arguments, outputs)
+
+
+def endings(model: Model, layouts: Layouts) -> Any:
+    """CasADi function (state, controls, next) -> (bernstein (6, n), margin (n), doubt (n)) of what ends a contact or a release before the gap opens.
+
+    Cubics that fall from above zero, of each pair: in contact the force, which would pull from there on; released, the opening speed, after which
+    the bodies close again. Then, of the ns pairs that slip or stick, the margin of that. Aimed half the tolerance below zero, so that the landing
+    is beyond. Where stiff damping makes the force, its rate is that of what a step's error leaves in the velocity, and says nothing of the way
+    there: once such cubics have been believed in vain, the chord is.
+    """
+    arguments, (start, run, end) = _step(layouts)
+    h = start["h"]
+    tolerance = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
+    rows, aim = [ca.SX(1)] * 6, ca.SX(0)
+    for falls, f, f1, rate, rate1, small in _endings(model, start, end, *tolerance):
+        rise, rise1 = (ca.if_else(start["retakes"] < BELIEVED, h * slope, f1 - f) for slope in (rate, rate1))
+        cubic = _raise(_raise([f, f + rise / 3, f1 - rise1 / 3, f1]))
+        rows = [ca.if_else(falls, x + small / 2, row) for x, row in zip(cubic, rows, strict=True)]
+        aim = ca.if_else(falls, small / 2, aim)
+    if model.ns:
+        falls, cubic, small = _slipping(model, start, end, *tolerance[1:])
+        cubic = _raise(_raise(cubic))
+        rows = [ca.vertcat(row, ca.if_else(falls, x + small / 2, 1)) for x, row in zip(cubic, rows, strict=True)]
+        aim = ca.vertcat(aim, small / 2)
+    bernstein = ca.densify(ca.vertcat(*(row.T for row in rows)))
+    return ca.Function("endings", arguments, ca.cse([bernstein, ca.densify(aim), ca.DM.zeros(model.k + model.ns)]))
+
+
+def _endings(
+    model: Model, start: Mapping[str, Any], end: Mapping[str, Any], tol: Any, tol_rate: Any, tol_force: Any
+) -> list[Any]:
+    """Of the force and of the opening speed: whether it falls below zero, its values and rates at both ends, its tolerance."""
+    kinds = (
+        (CONTACT, "force", "force_rate", tol_force, ends_with_force(model)),
+        (RELEASED, "gap_rate", "gap_acceleration", tol_rate, 1),
+    )
+    found = []
+    for mode, value, rate, small, counts in kinds:
+        falls = counts * (start["mode"] == mode) * (start[value] >= 0) * (end[value] < -small) * (end["gap"] < -tol)
+        found.append((falls, start[value], end[value], start[rate], end[rate], small))
+    return found
+
+
+def _slipping(
+    model: Model, start: Mapping[str, Any], end: Mapping[str, Any], tol_rate: Any, tol_force: Any
+) -> tuple[Any, list[Any], Any]:
+    """Of the margins (ns) of slip and stick: whether one falls below zero in the step, its cubic's Bernstein coefficients, its tolerance."""
+    small = sized(model, start["m"], tol_rate, tol_force)
+    cubic = margins(start, end)
+    lowest = ca.fmin(ca.fmin(cubic[1], cubic[2]), cubic[3])
+    falls = (start["mode"][pairs_of(model)] == CONTACT) * (cubic[0] > -small / 2) * (lowest < -small)
+    falls *= start["retakes"] < LOCATED
+    return falls, cubic, small
+
+
+def _step(layouts: Layouts) -> tuple[list[Any], list[dict[str, Any]]]:
+    """Symbols of (state, controls, next), and their parts."""
+    parts = (layouts.state, layouts.controls, layouts.state)
+    arguments = [layout.symbol(name) for layout, name in zip(parts, ("state", "controls", "next"), strict=True)]
+    return arguments, [layout.split(vector) for layout, vector in zip(parts, arguments, strict=True)]
+
+
+def search(k: int) -> Any:
+    """CasADi function (wanted (k), bernstein (6, k), margin (k), doubt (k)) -> theta (k) of the first event of each pair that is wanted, or NO_EVENT.
+
+    MX, lazy: the pairs that are not wanted cost nothing.
+    """
+    wanted, margin, doubt = (ca.MX.sym(name, k) for name in ("wanted", "margin", "doubt"))
+    bernstein = ca.MX.sym("bernstein", 6, k)
+    found = locate()
+    none = ca.Function("none", found.mx_in(), [ca.MX(NO_EVENT)])
+    lazy = ca.Function.if_else("lazy", found, none)
+    theta = [lazy(wanted[j], bernstein[:, j], margin[j], doubt[j]) for j in range(k)]
+    return ca.Function("search", [wanted, bernstein, margin, doubt], [ca.vertcat(*theta)])
+
+
+def locate() -> Any:
+    """CasADi function (bernstein (6), margin, doubt) -> theta in (0, 1] of the first event, or NO_EVENT.
+
+    Half the step where a graze is in doubt, doubt being positive.
+    The polynomial is evaluated at the ends of equal parts; the first part with a change of sign, or with a minimum that reaches -margin, brackets
+    the root, which bisection-safeguarded Newton steps find. Branch-free.
+    """
+    bernstein, margin, doubt = ca.SX.sym("bernstein", 6), ca.SX.sym("margin"), ca.SX.sym("doubt")
+    a = ca.mtimes(ca.DM(_POWERS), bernstein)
+    value = [a[j] for j in range(6)]
+    slope = [j * value[j] for j in range(1, 6)]
+    curvature = [j * slope[j] for j in range(1, 5)]
+    nodes = [i / PARTS for i in range(PARTS + 1)]
+    values = ca.horzcat(*(_horner(value, x) for x in nodes)) + margin
+    slopes = ca.horzcat(*(_horner(slope, x) for x in nodes))
+    above, falls = values > 0, slopes < 0
+    index = ca.DM(range(PARTS)).T
+    crosses = above[:, :-1] * (1 - above[:, 1:])
+    dips = above[:, :-1] * above[:, 1:] * falls[:, :-1] * (1 - falls[:, 1:])
+    crossing, dip = (_row_minimum(ca.if_else(kind, index, PARTS)) for kind in (crosses, dips))  # PARTS: none
+
+    bottom = (dip + 0.5) / PARTS
+    for _ in range(3):
+        bend = _horner(curvature, bottom)
+        step = ca.if_else(bend > 0, _horner(slope, bottom) / bend, 0)
+        bottom = ca.fmin(ca.fmax(bottom - step, dip / PARTS), (dip + 1) / PARTS)
+    lowest = _horner(value, bottom)
+    in_dip = (dip < crossing) * (lowest <= -margin)
+    in_doubt = (
+        (dip < crossing) * (lowest > -margin) * (lowest < doubt) * (doubt > 0)
+    )  # no doubt: within the margin it is none
+    part = ca.if_else(in_dip, dip, crossing)
+    first = low = part / PARTS
+    high = ca.if_else(in_dip, bottom, (part + 1) / PARTS)
+    at_bottom = bottom - ca.sqrt(ca.fmax(-2 * lowest / _horner(curvature, bottom), 0))
+    x = ca.if_else(in_dip, ca.fmax(at_bottom, low), (low + high) / 2)
+    for _ in range(NEWTON_STEPS):
+        at_x, rate = _horner(value, x), _horner(slope, x)
+        positive = at_x > 0
+        low, high = ca.if_else(positive, x, low), ca.if_else(positive, high, x)
+        newton = x - at_x / rate
+        x = ca.if_else((newton >= low) * (newton <= high), newton, (low + high) / 2)
+    # within the margin of zero already at the part's left end: that end will do
+    x = ca.if_else(_horner(value, first) > 0, x, ca.fmax(first, high / PARTS))
+    theta = ca.if_else(part < PARTS, x, ca.if_else(in_doubt, 0.5, NO_EVENT))
+    return ca.Function("locate", [bernstein, margin, doubt], [theta], ["bernstein", "margin", "doubt"], ["theta"])
+
+
+_POWERS = [
+    [comb(5, j) * (-1) ** (i + j) * comb(j, i) if i <= j else 0 for i in range(6)] for j in range(6)
+]  # of 1, theta, ..., theta^5
+
+
+def towards(mode: Any, parts: Mapping[str, Any]) -> list[Any]:
+    """Gaps, rates and accelerations, turned so that an event is a fall through zero."""
+    sign = ca.if_else(mode == FLIGHT, 1, -1)
+    return [sign * parts[part] for part in GAP]
+
+
+def _between(start: list[Any], end: list[Any], h: Any) -> Any:
+    """What a graze must stay clear of: a part of |quintic - cubic| in the middle of the step."""
+    return ca.fabs(DOUBT * h / 32 * (start[1] - end[1]) + DOUBT * h * h / 64 * (start[2] + end[2]))
+
+
+def _quintic(start: list[Any], end: list[Any], h: Any) -> list[Any]:
+    """Bernstein coefficients of the quintic with value, rate and acceleration at both ends of a step h."""
+    fifth, twentieth = h / 5, h * h / 20
+    (g0, rate0, a0), (g1, rate1, a1) = start, end
+    left = [g0, g0 + fifth * rate0, g0 + 2 * fifth * rate0 + twentieth * a0]
+    right = [g1, g1 - fifth * rate1, g1 - 2 * fifth * rate1 + twentieth * a1]
+    return [*left, *reversed(right)]
+
+
+def _raise(b: list[Any]) -> list[Any]:
+    """The same polynomial in Bernstein form, one degree higher."""
+    n = len(b)
+    return [b[0], *(i / n * b[i - 1] + (1 - i / n) * b[i] for i in range(1, n)), b[-1]]
+
+
+def _horner(a: list[Any], x: Any) -> Any:
+    total = a[-1]
+    for coefficient in reversed(a[:-1]):
+        total = total * x + coefficient
+    return total
+
+
+def _row_minimum(matrix: Any) -> Any:
+    smallest = matrix[:, 0]
+    for j in range(1, matrix.shape[1]):
+        smallest = ca.fmin(smallest, matrix[:, j])
+    return smallest

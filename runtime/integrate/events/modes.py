@@ -1,0 +1,201 @@
+"""When a pair changes its mode, what is latched and booked then, and the modes at the start.
+
+Modes: flight; contact; released (overlapping, after its force ran out: no force before the gap has opened). They change on accepted steps only,
+for all pairs at once, and by what the state is, whether or not an event was aimed at: without that rule a contact that ends at a gap of 1e-14
+is never left.
+"""
+
+from __future__ import annotations
+
+from functools import reduce
+from operator import mul
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+
+from hertzwerk.runtime.integrate.events.events import ends_with_force, pulls, tolerances
+from hertzwerk.runtime.integrate.step.classes import IDLE, classified
+from hertzwerk.runtime.integrate.step.friction import asked_and_broken, pairs_of, sized
+from hertzwerk.runtime.integrate.step.layout import (
+    CONTACT,
+    FLIGHT,
+    NOT_FINITE,
+    OUTSIDE_LAW_RANGE,
+    RELEASED,
+    RUNNING,
+    Layouts,
+)
+from hertzwerk.runtime.integrate.step.slips import directed
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.integrate.step.explicit import Flow
+    from hertzwerk.runtime.model.model import Model
+
+Parts = dict[str, Any]  # of a vector, by name
+
+HERTZ = 2.94  # duration of a Hertz impact in depth/speed
+ONSET_STEP, ONSET_POWER = 1.6 * HERTZ, 2 / 7  # of length/speed * tolerance^power: the very first contact's first step
+FINITE = 1e300  # a sum of magnitudes is below it, or something is infinite or undefined
+
+
+def next_modes(model: Model, run: Parts, mode: Any, end: Parts, landed: Any) -> Any:
+    """Modes (k) after a step that ended in `end` under `mode`; `landed`: it was cut to end on an event."""
+    gap, rate, acceleration = end["gap"], end["gap_rate"], end["gap_acceleration"]
+    tol, _, tol_force = tolerances(model, run, end["t"], end["y"], rate)
+    # an opening that would end within the tolerance is none: a body at rest stays in contact
+    leaves = (rate > 0) * ((acceleration >= 0) + (rate * rate > -2 * acceleration * tol) > 0)
+    opened = (gap > tol) + (gap >= -tol) * leaves > 0
+    # landed a little short of where the force runs out: it has run out
+    fading = landed * ends_with_force(model) * (end["force"] <= tol_force) * (end["force_rate"] < 0)
+    spent = (pulls(model, end["force"]) + fading > 0) * (gap < -tol)
+    apart = (gap > tol) + (gap >= -tol) * (rate >= 0) > 0
+    from_flight = ca.if_else((gap <= tol) * _closing(rate, acceleration), CONTACT, FLIGHT)
+    from_contact = ca.if_else(opened, FLIGHT, ca.if_else(spent, RELEASED, CONTACT))
+    # pressed together again before the gap has opened: the contact goes on, with its old approach speed
+    from_released = ca.if_else(apart, FLIGHT, ca.if_else(rate < 0, CONTACT, RELEASED))
+    return ca.if_else(mode == FLIGHT, from_flight, ca.if_else(mode == CONTACT, from_contact, from_released))
+
+
+def latch(model: Model, run: Parts, m: Any, onset: Any, gap_rate: Any) -> tuple[Any, Any]:
+    """Latches after the onsets (k): approach speeds [m/s], at least the floor, of the pairs whose contact begins; and how many met the floor."""
+    latched, pairs = ca.SX(m), sorted({pair for _, _, pair in model.module.LATCHES})
+    for i, (_, _, j) in enumerate(model.module.LATCHES):
+        latched[i] = ca.if_else(onset[j], ca.fmax(-gap_rate[j], run["floor"]), latched[i])
+    floored = sum((onset[j] * (-gap_rate[j] < run["floor"]) for j in pairs), start=ca.SX(0))
+    return latched, floored
+
+
+def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
+    """CasADi function (before, after, controls) -> state: the flow under the modes of `after`, the ledger of what changed, bristles, slips."""
+    layouts = (vectors.state, vectors.state, vectors.controls)
+    names = ("before", "after", "controls")
+    arguments = [layout.symbol(name) for layout, name in zip(layouts, names, strict=True)]
+    before, after, run = (layout.split(vector) for layout, vector in zip(layouts, arguments, strict=True))
+    y = after["y"]
+    if model.has_ledger:
+        y = _book(model, after["t"], y, run["c"], before["mode"], after["mode"])
+    y, m = _forget(model, y, after["mode"]), after["m"]
+    _, *tolerance = tolerances(model, run, after["t"], y, after["gap_rate"])
+    asked = ca.SX(0, 1)
+    if model.ns:
+        small = sized(model, m, *tolerance)
+        asked, _ = asked_and_broken(
+            model, after["mode"], m, after["margin"], after["margin_rate"], small, before["mode"]
+        )
+    booked = ca.Function(
+        "booked", arguments, [after["t"], y, after["mode"], m, run["c"], asked, *_of_slips(model, tolerance)]
+    )
+    y, m = ca.SX.sym("y", y.numel()), ca.SX.sym("m", model.nm)
+    end = right.at(after["t"], y, after["mode"], m, run["c"])
+    end.pop("in_range")
+    finite = is_finite(end)
+    status = ca.if_else(finite, after["status"], NOT_FINITE)
+    new = {**after, **end, "y": y, "m": m, "status": status, "class": ca.if_else(finite, after["class"], IDLE)}
+    resumed = ca.Function("resumed", [*arguments[1:], m, y], [vectors.state.join(new)])
+    given = booked.mx_in()
+    slips = directed(model).call(booked.call(given))
+    return ca.Function("switch", given, [resumed(*given[1:], *slips)], [*names], ["next"])
+
+
+def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
+    """CasADi function (t, q, u, controls) -> first state. What overlaps is in contact, or released where its law would pull."""
+    t, q, u = ca.SX.sym("t"), ca.SX.sym("q", model.nq), ca.SX.sym("u", model.nu)
+    controls = vectors.controls.symbol("controls")
+    run = vectors.controls.split(controls)
+    y = ca.vertcat(q, u, ca.SX.zeros(model.nz))
+    mode, floored = ca.SX.zeros(model.k), ca.SX(0)
+    m = ca.vertcat(ca.SX.ones(model.nm - model.ns), ca.SX.zeros(model.ns))
+    end = right.at(t, y, mode, m, run["c"])
+    gap, rate = end["gap"], end["gap_rate"]
+    tol, *tolerance = tolerances(model, run, t, y, rate)
+    if model.k:
+        touching = (gap < -tol) + (gap <= tol) * _closing(rate, end["gap_acceleration"]) > 0
+        m, floored = latch(model, run, m, touching, rate)
+        end = right.at(t, y, touching, m, run["c"])
+        spent = pulls(model, end["force"]) * (gap < -tol)
+        mode = ca.if_else(touching, ca.if_else(spent, RELEASED, CONTACT), FLIGHT)
+    asking = [t, y, mode, m, run["c"], ca.SX.ones(model.ns), *_of_slips(model, tolerance)]
+    touched = ca.Function("touched", [t, q, u, controls], [*asking, floored])
+    given = touched.mx_in()
+    *asked, booked = touched.call(given)
+    slips = directed(model).call(asked)
+    state = _first(model, vectors, right)(given[0], given[3], asked[2], *slips, booked)
+    return ca.Function("begin", given, [state], ["t", "q", "u", "controls"], ["state"])
+
+
+def _first(model: Model, vectors: Layouts, right: Flow) -> Any:
+    """CasADi function (t, controls, mode, m, y, floored) -> the first state from its modes on."""
+    t, controls, floored = ca.SX.sym("t"), vectors.controls.symbol("controls"), ca.SX.sym("floored")
+    mode, m, y = (ca.SX.sym(name, vectors.state.sizes[name]) for name in ("mode", "m", "y"))
+    run = vectors.controls.split(controls)
+    end = right.at(t, y, mode, m, run["c"])
+    in_range = end.pop("in_range")
+    in_contact = any_of(mode == CONTACT)
+    finite = is_finite(end)
+    status = ca.if_else(finite, ca.if_else(any_of(in_range < 0.5), OUTSIDE_LAW_RANGE, RUNNING), NOT_FINITE)
+    fastest = ca.mmax(ca.fabs(end["dy"]) / run["scale"])  # [1/s]
+    h = ca.fmin(0.1 / ca.fmax(fastest, 1 / FINITE), run["h_max"])
+    h_onset = ONSET_STEP * run["tolerance"] ** ONSET_POWER * run["scales"][0] / run["scales"][1]
+    start = {
+        **dict.fromkeys(vectors.state.sizes, ca.SX(0)),
+        **end,
+        "t": t,
+        "y": y,
+        "mode": mode,
+        "m": m,
+        "h": ca.if_else(in_contact, ca.fmin(h, h_onset), h),
+        "h_flight": h,
+        "h_contact": ca.fmin(h, h_onset),
+        "h_onset": h_onset,
+        "class": ca.if_else(status == RUNNING, classified(model, mode), IDLE),
+        "status": status,
+        "accepted": ca.SX(1),
+        "fresh_contact": in_contact,
+        "evaluations": ca.SX(3 if model.k else 1),
+        "floored": floored,
+    }
+    return ca.Function("first", [t, controls, mode, m, y, floored], [vectors.state.join(start)])
+
+
+def _of_slips(model: Model, tolerance: list[Any]) -> list[Any]:
+    """Tolerances of the pairs with set-valued friction."""
+    return [part[pairs_of(model)] if model.ns else ca.SX(0, 1) for part in tolerance]
+
+
+def is_finite(end: Parts) -> Any:
+    """1 if the derivatives where a step ends are numbers."""
+    return ca.sum1(ca.fabs(end["dy"])) + ca.sum1(ca.fabs(end["gap_acceleration"])) < FINITE  # false for NaN
+
+
+def all_of(conditions: Any) -> Any:
+    """1 if every one of a column of conditions holds; 1 for an empty one."""
+    return reduce(mul, ca.vertsplit(conditions), ca.SX(1))
+
+
+def any_of(conditions: Any) -> Any:
+    """1 if any of a column of conditions holds; 0 for an empty one."""
+    return ca.mmax(conditions) if conditions.numel() else ca.SX(0)
+
+
+def _closing(rate: Any, acceleration: Any) -> Any:
+    return (rate < 0) + (rate == 0) * (acceleration < 0) > 0
+
+
+def _forget(model: Model, y: Any, mode: Any) -> Any:
+    """State with the bristles of contacts that have ended undeflected."""
+    y = ca.SX(y)
+    for row, j in getattr(model.module, "BRISTLES", ()):
+        i = model.nq + model.nu + row
+        y[i] = ca.if_else(mode[j] == CONTACT, y[i], 0)
+    return y
+
+
+def _book(model: Model, t: Any, y: Any, c: Any, before: Any, after: Any) -> Any:
+    """State with what a contact still stores when it ends booked as dissipated, and booked back where a released one goes on."""
+    q, u = y[: model.nq], y[model.nq : model.nq + model.nu]
+    _, _, stored = model.function("energy")(t, q, u, c)
+    y = ca.SX(y)
+    for j, row in enumerate(model.module.DISSIPATED):
+        leaving = (before[j] == CONTACT) * (after[j] != CONTACT) - (before[j] == RELEASED) * (after[j] == CONTACT)
+        y[model.nq + model.nu + row] += leaving * stored[j]
+    return y

@@ -1,0 +1,254 @@
+"""What follows from a step that is not plain: it is rejected for its error, retaken or moved to land on an event, or ends the run; modes change."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+
+from hertzwerk.runtime.integrate.events.events import NEAR, NO_EVENT, endings, polynomials, search, tolerances, towards
+from hertzwerk.runtime.integrate.events.modes import FINITE, Parts, any_of, is_finite, latch, next_modes, switch
+from hertzwerk.runtime.integrate.step.classes import IDLE, IN_CONTACT, classified
+from hertzwerk.runtime.integrate.step.closing import LOST
+from hertzwerk.runtime.integrate.step.control import (
+    ONSET_GROW,
+    SAFETY,
+    factor,
+    near_surfaces,
+    onset_factor,
+    remembered,
+    time_to_root,
+)
+from hertzwerk.runtime.integrate.step.explicit import Flow, nudged
+from hertzwerk.runtime.integrate.step.friction import asked_and_broken, sized
+from hertzwerk.runtime.integrate.step.layout import (
+    CONSTRAINT_LOST,
+    CONTACT,
+    EVENT_LIMIT,
+    FINISHED,
+    FLIGHT,
+    GRIP_PARTS,
+    NOT_FINITE,
+    OUTSIDE_LAW_RANGE,
+    PAIR_PARTS,
+    RUNNING,
+    STEP_TOO_SMALL,
+    TOO_MANY_STEPS,
+    Layouts,
+)
+from hertzwerk.runtime.integrate.step.rounding import EPS
+from hertzwerk.runtime.integrate.step.singular import clear_of_singular
+from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.integrate.step.methods import Table
+    from hertzwerk.runtime.model.model import Model
+
+NUDGE_EVALUATIONS = 4
+MAX_RETAKES = 60  # of one step; a landing needs 1 to 3
+MOVED = ("t", "y", "dy", *PAIR_PARTS, *GRIP_PARTS, "ahead")  # the parts of a state that a step moves
+
+
+def settle(model: Model, vectors: Layouts, table: Table, right: Flow) -> Any:
+    """CasADi function (state, controls, next, verdict) -> state of a step whose error is small enough; MX, lazy where most need nothing.
+
+    `right` goes by the modes.
+    """
+    names = ("state", "controls", "next", "verdict")
+    parts = (vectors.state, vectors.controls, vectors.state, vectors.verdict)
+    given = [ca.MX.sym(name, part.size) for name, part in zip(names, parts, strict=True)]
+    state, controls, end, verdict = given
+    decide = _decide(model, vectors, table)
+    if not model.k:
+        decided, _ = decide(*given, NO_EVENT, 0)
+        return ca.Function("settle", given, [decided], names, ["new"])
+    *gaps, suspect, ending = polynomials(model, vectors)(state, controls, end)
+    find, forces, count = search(model.k), endings(model, vectors), model.k + model.ns
+    at_gap = _if(any_of(suspect), find, [NO_EVENT] * model.k, suspect, *gaps)
+    wanted, three = ca.MX.sym("wanted", count), forces.mx_in()
+    searched = ca.Function("searched", [wanted, *three], [search(count)(wanted, *forces(*three))])
+    at_force = _if(any_of(ending), searched, [NO_EVENT] * count, ending, state, controls, end)
+    theta, delta = _aim(model, vectors, table)(*given, at_gap, at_force)
+    moved = _nudge(model, vectors, right)
+    still = moved.mx_in()
+    rest = ca.Function("rest", still, still[2:4])
+    end, verdict = ca.Function.if_else("nudge", moved, rest)(delta != 0, *given, delta)
+    decided, switched = decide(state, controls, end, verdict, theta, delta)
+    changed = switch(model, vectors, right)
+    before, after, run = changed.mx_in()
+    keep = ca.Function("keep", [before, after, run], [after])
+    decided = ca.Function.if_else("change", changed, keep)(switched, state, decided, controls)
+    return ca.Function("settle", given, [decided], names, ["new"])
+
+
+def reject(vectors: Layouts, table: Table) -> Any:
+    """CasADi function (state, controls, next, verdict) -> state: the same one with a shorter step to try."""
+    arguments, (old, _, end, judged) = _arguments(vectors)
+    h, error = old["h"], judged["error"]
+    finite = is_finite(end) * (error < FINITE)  # false for NaN
+    in_contact = old["class"] >= IN_CONTACT
+    shrunk = ca.if_else(in_contact * old["fresh_contact"], onset_factor(error), factor(table, error))
+    h = h * ca.if_else(finite, ca.fmin(shrunk, SAFETY), 0.1)
+    kept, h = h, clear_of_singular(table, h, old["ahead"])
+    stuck = (h < 4 * EPS * ca.fabs(old["t"])) + (old["t"] + h <= old["t"]) > 0
+    why = ca.if_else(finite, ca.if_else(error >= LOST, CONSTRAINT_LOST, STEP_TOO_SMALL), NOT_FINITE)
+    status = ca.if_else(stuck, why, RUNNING)
+    new = {
+        **old,
+        "h": h,
+        "h_flight": ca.if_else(in_contact, old["h_flight"], kept),
+        "h_contact": ca.if_else(in_contact, kept, old["h_contact"]),
+        "accepted": ca.SX(0),
+        "after_rejection": ca.SX(1),
+        "retakes": ca.SX(0),
+        "rejected": old["rejected"] + 1,
+        "evaluations": old["evaluations"] + table.stages,
+        "status": status,
+        "class": ca.if_else(stuck, IDLE, old["class"]),
+    }
+    return ca.Function("reject", arguments, ca.cse([vectors.state.join(new)]))
+
+
+def _if(condition: Any, function: Any, otherwise: list[float], *arguments: Any) -> Any:
+    """The function's only result if the condition holds; it is not evaluated if not."""
+    constant = ca.Function("otherwise", function.mx_in(), [ca.MX(ca.DM(otherwise))])
+    return ca.Function.if_else("branch", function, constant)(condition, *arguments)
+
+
+def _arguments(vectors: Layouts) -> tuple[list[Any], list[Parts]]:
+    """Symbols of (state, controls, next, verdict), and their parts."""
+    names = ("state", "controls", "next", "verdict")
+    parts = (vectors.state, vectors.controls, vectors.state, vectors.verdict)
+    arguments = [part.symbol(name) for part, name in zip(parts, names, strict=True)]
+    return arguments, [part.split(vector) for part, vector in zip(parts, arguments, strict=True)]
+
+
+def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
+    """CasADi function (state, controls, next, verdict, theta of the gaps (k), theta of what else ends a mode (k + ns)) -> (theta, delta).
+
+    theta: of the step, its first event; delta [s]: from the end of the step to a surface close by, or 0.
+    """
+    arguments, (old, run, end, _) = _arguments(vectors)
+    at_gap, at_force = ca.SX.sym("at_gap", model.k), ca.SX.sym("at_force", model.k + model.ns)
+    tol, _, _ = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
+    times = time_to_root(*towards(old["mode"], end))
+    near = (
+        ca.fmin(NEAR, run["tolerance"] ** 0.2) * old["h"]
+    )  # its fifth power, the nudge's error, is below the tolerance
+    # Whoever is on its surface already would be led past it by a move on to another's close by, and back by the retake: the step ends there.
+    away = ca.if_else(ca.fabs(end["gap"]) > tol, times, 0)
+    delta = ca.mmin(ca.if_else(ca.fabs(times) <= near, away, 2 * near))
+    theta, force = ca.mmin(at_gap), ca.mmin(at_force)
+    alone = (theta >= 1 - 2 * NEAR) * (force >= NO_EVENT)  # a force that runs out is no surface
+    within = (delta <= near) * (old["h"] + delta <= run["t_end"] - old["t"])
+    within *= isinstance(table, RungeKutta)  # what is stiff is not moved by an explicit step
+    return ca.Function(
+        "aim", [*arguments, at_gap, at_force], ca.cse([ca.fmin(theta, force), ca.if_else(alone * within, delta, 0)])
+    )
+
+
+def _nudge(model: Model, vectors: Layouts, right: Flow) -> Any:
+    """CasADi function (state, controls, next, verdict, delta) -> (next, verdict) of the step that ends delta [s] later."""
+    arguments, (old, run, end, verdict) = _arguments(vectors)
+    delta = ca.SX.sym("delta")
+    moved = nudged(right, old, end, run, delta)
+    in_range = moved.pop("in_range")
+    outputs = [vectors.state.join({**end, **moved}), vectors.verdict.join({**verdict, "in_range": in_range})]
+    return ca.Function("moved", [*arguments, delta], ca.cse(outputs))
+
+
+def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
+    """CasADi function (state, controls, next, verdict, theta, delta) -> (state, switched): what follows from a step and its first event, if any.
+
+    switched: 1 if a pair changes its mode, so that the right-hand side has to be evaluated again.
+    """
+    arguments, (old, run, end, judged) = _arguments(vectors)
+    theta, delta = ca.SX.sym("theta"), ca.SX.sym("delta")
+    moved, finite = delta != 0, is_finite(end)
+    aimed, retake = old["h"] * theta, theta < 1
+    mode, m, floored, begun = old["mode"], old["m"], ca.SX(0), ca.SX(0)
+    if model.k:  # moved, but too far: the step is retaken to the root as it appears from there
+        tol, _, _ = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
+        g, *rates = towards(mode, end)
+        beyond = ca.mmin(ca.if_else(g < -tol, time_to_root(g, *rates), 0))
+        retake = ca.if_else(moved, beyond < 0, retake)
+        aimed = ca.if_else(moved, old["h"] + delta + beyond, aimed)
+    aimed = ca.if_else(finite, aimed, old["h"] / 2)  # a nudge can lead out of the equations' domain
+    retake = ca.if_else(finite, retake, 1)
+    accepted = 1 - retake
+    if model.k:
+        mode = ca.if_else(accepted, next_modes(model, run, mode, end, old["retakes"] > 0), mode)
+        onset = (mode == CONTACT) * (old["mode"] == FLIGHT)
+        m, floored = latch(model, run, m, onset, end["gap_rate"])
+        begun = ca.sum1(onset)
+    switched = any_of(mode != old["mode"])
+    if model.ns:
+        _, *tolerance = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
+        small = sized(model, old["m"], *tolerance)
+        turns = asked_and_broken(model, mode, old["m"], end["margin"], end["margin_rate"], small, old["mode"])
+        switched = switched + accepted * any_of(sum(turns)) > 0
+    now_contact = any_of(mode == CONTACT)
+
+    new = old | _remembered(table, old, judged["error"], accepted, begun > 0)
+    arrived = accepted * ((1 - moved) * (old["h"] >= run["t_end"] - old["t"]) + (end["t"] >= run["t_end"]) > 0)
+    t = ca.if_else(accepted, ca.if_else(arrived, run["t_end"], end["t"]), old["t"])
+    free = ca.if_else(now_contact, ca.fmin(new["h_contact"], run["h_max"]), new["h_flight"])
+    if model.k:
+        free = near_surfaces(free, new["h_onset"], mode, end, resting=ca.fabs(end["gap"]) <= tol)
+    free = clear_of_singular(table, free, ca.if_else(accepted, end["ahead"], old["ahead"]))
+    left = run["t_end"] - t
+    h = ca.if_else(retake, aimed, ca.if_else(1.01 * free >= left, left, free))
+    new |= {part: ca.if_else(accepted, end[part], old[part]) for part in MOVED}
+    new |= {
+        "t": t,
+        "mode": mode,
+        "m": m,
+        "h": h,
+        "accepted": accepted,
+        "fresh_contact": ca.if_else(accepted, begun > 0, old["fresh_contact"]),
+        "after_rejection": ca.SX(0),
+        "retakes": ca.if_else(retake, old["retakes"] + 1, 0),
+        "steps": old["steps"] + accepted,
+        "rejected": old["rejected"],
+        "retaken": old["retaken"] + retake,
+        "evaluations": old["evaluations"] + table.stages + NUDGE_EVALUATIONS * moved + switched,
+        "events": old["events"] + begun,
+        "floored": old["floored"] + floored,
+    }
+    new["status"] = _first(
+        (retake * ((t + h <= t) + (new["retakes"] > MAX_RETAKES) > 0), STEP_TOO_SMALL),
+        (accepted * any_of(judged["in_range"] < 0.5), OUTSIDE_LAW_RANGE),
+        (arrived, FINISHED),
+        (new["events"] > run["max_events"], EVENT_LIMIT),
+        (new["steps"] >= run["max_steps"], TOO_MANY_STEPS),
+        otherwise=RUNNING,
+    )
+    new["class"] = ca.if_else(new["status"] == RUNNING, classified(model, mode), IDLE)
+    return ca.Function("decide", [*arguments, theta, delta], ca.cse([vectors.state.join(new), switched]))
+
+
+def _remembered(table: Table, old: Parts, error: Any, accepted: Any, begun: Any) -> Parts:
+    """The steps that flight and contact go on with, and that a contact begins with: h_flight, h_contact, h_onset [s]; a retake changes none."""
+    h, in_contact = old["h"], old["class"] >= IN_CONTACT
+    first = in_contact * old["fresh_contact"]
+    change = ca.if_else(first, onset_factor(error), factor(table, error))
+    kept = ca.if_else(in_contact, old["h_contact"], old["h_flight"])
+    grown = h * ca.if_else(old["after_rejection"], ca.fmin(change, 1), ca.if_else(first, ONSET_GROW, change))
+    full = h >= kept * (1 - 1e-9)
+    kept = ca.if_else(accepted, remembered(h, kept, grown), kept)
+    h_onset = ca.if_else(accepted * first * full, h * change, old["h_onset"])
+    h_contact = ca.if_else(in_contact, kept, old["h_contact"])
+    at_onset = ca.if_else(in_contact, ca.fmin(h_contact, h_onset), h_onset)  # another pair may be in contact already
+    return {
+        "h_flight": ca.if_else(in_contact, old["h_flight"], kept),
+        "h_contact": ca.if_else(begun, at_onset, h_contact),
+        "h_onset": h_onset,
+    }
+
+
+def _first(*cases: tuple[Any, int], otherwise: int) -> Any:
+    """Value of the first condition that holds."""
+    value = ca.SX(otherwise)
+    for condition, result in reversed(cases):
+        value = ca.if_else(condition, result, value)
+    return value

@@ -1,0 +1,1 @@
+"""Attempts, many in one call, and the choice of method and compiler on the way."""

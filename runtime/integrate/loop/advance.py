@@ -1,0 +1,143 @@
+"""The plain attempt, by far the most frequent: one step that nothing speaks against and that changes nobody's mode.
+
+It is one function without branches. Whatever is not plain is left to `settle` and `reject`.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+
+from hertzwerk.runtime.host.interrupt import heed
+from hertzwerk.runtime.integrate.events.events import all_clear, far
+from hertzwerk.runtime.integrate.events.modes import all_of, is_finite
+from hertzwerk.runtime.integrate.loop.choose import Choosing, choice, suspicion
+from hertzwerk.runtime.integrate.step.classes import BY_MODE, modes
+from hertzwerk.runtime.integrate.step.control import factor, near_surfaces, remembered, roughness
+from hertzwerk.runtime.integrate.step.implicit import composed, linearised
+from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, NEAR, PLAIN, REJECTED, RELEASED, SPECIAL, Layouts
+from hertzwerk.runtime.integrate.step.methods import stepper
+from hertzwerk.runtime.integrate.step.singular import clear_of_singular
+from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.integrate.step.classes import Contacts
+    from hertzwerk.runtime.integrate.step.methods import Table
+    from hertzwerk.runtime.model.model import Model
+
+
+def polynomial_of(model: Model, contacts: Contacts) -> list[int]:
+    """The pairs whose gaps are looked at by their polynomials in every step of a class: those in contact; and all where one is all there is."""
+    return list(range(model.k)) if contacts is BY_MODE or model.k == 1 else list(contacts)
+
+
+def near(model: Model, vectors: Layouts) -> Any:
+    """CasADi function (state, controls, next) -> 1 if no event is possible in a step that passed but for pairs that were not asked."""
+    vector = (vectors.state, vectors.controls, vectors.state)
+    given = [part.symbol(name) for part, name in zip(vector, ("state", "controls", "next"), strict=True)]
+    old, run, end = (part.split(x) for part, x in zip(vector, given, strict=True))
+    clear = all_of(all_clear(model, run, old["mode"], old, end, list(range(model.k))))
+    return ca.Function("near", given, [ca.cse(clear)], ["state", "controls", "next"], ["clear"])
+
+
+def advance(
+    model: Model, vectors: Layouts, table: Table, contacts: Contacts, choosing: Choosing = Choosing.NONE
+) -> Any:
+    """CasADi function (state, controls) -> (next, verdict) of the class of attempts with these contacts.
+
+    next: the state after the step, if verdict says it is plain; otherwise its t, y, dy and pair parts are those of the end of the step.
+    """
+    state, controls = vectors.state.symbol("state"), vectors.controls.symbol("controls")
+    old, run = vectors.state.split(state), vectors.controls.split(controls)
+    heed()  # each part takes up to a second of a large model
+    given, seen = [state, controls], dict[str, Any]()
+    mode = old["mode"] if contacts is BY_MODE else modes(model, contacts)
+    implicit = not isinstance(table, RungeKutta)
+    by_calls = composed(model) and (implicit or choosing is Choosing.EVERY_STEP)
+    if by_calls:
+        jacobian = ca.SX.sym("J", linearised(model, contacts).sparsity_out(0))
+        given, seen = [*given, jacobian], {"J": jacobian}
+    if by_calls and implicit:
+        trial = vectors.trial.symbol("trial")
+        end, given = vectors.trial.split(trial), [*given, trial]
+    else:
+        end = stepper(model, table, contacts, seen)({**old, "mode": mode}, run, old["h"])
+    heed()
+    results = _judged(model, vectors, table, contacts, choosing, old, run, end, seen)
+    heed()
+    name = "advance_in_contact" if contacts != () else "advance_in_flight"
+    names = ["state", "controls"], ["next", "verdict"]
+    made = ca.Function("judged" if by_calls else name, given, ca.cse(results), *(() if by_calls else names))
+    if not by_calls:
+        return made
+    state, controls = made.mx_in()[:2]
+    old, run = vectors.state.split(state), vectors.controls.split(controls)
+    start = old if contacts is BY_MODE else {**old, "mode": ca.MX(ca.DM(mode))}
+    if implicit:
+        told: dict[str, Any] = {}
+        end = stepper(model, table, contacts, told)(start, run, old["h"])
+        known = [told["J"], ca.vertcat(*(ca.densify(ca.MX(end[part])) for part in vectors.trial.sizes))]
+    else:
+        known = [linearised(model, contacts)(start["t"], start["y"], start["mode"], start["m"], run["c"])[0]]
+    return ca.Function(name, [state, controls], list(made.call([state, controls, *known])), *names)
+
+
+def _judged(
+    model: Model,
+    vectors: Layouts,
+    table: Table,
+    contacts: Contacts,
+    choosing: Choosing,
+    old: dict[str, Any],
+    run: dict[str, Any],
+    end: dict[str, Any],
+    seen: dict[str, Any],
+) -> list[Any]:
+    """[next, verdict] of a step from `old` that ends in the trial `end`."""
+    contact = contacts != ()
+    if contacts is BY_MODE:
+        mode, plain = old["mode"], all_of(old["mode"] != RELEASED)
+    else:  # the class says it, so that nothing is left to decide but whether a pair is released in flight
+        mode, plain = modes(model, contacts), ca.SX(1) if contact else all_of(old["mode"] == FLIGHT)
+    h, steps = old["h"], old["steps"] + 1
+    if contact:
+        end["error"] *= roughness(mode == CONTACT, old["gap"], end["gap"])
+    error, in_range = end.pop("error"), end.pop("in_range")
+    left = run["t_end"] - end["t"]
+    passed = (error <= 1) * is_finite(end)
+    clear = plain * (1 - old["fresh_contact"]) * (left > 0) * (steps < run["max_steps"])
+    asked = polynomial_of(model, contacts)
+    others = [j for j in range(model.k) if j not in asked]
+    if asked:
+        clear *= all_of(all_clear(model, run, mode, old, end, asked))
+    apart = all_of(far(model, run, old, end, others)) if others else ca.SX(1)
+    if contact:
+        clear *= all_of(in_range > 0.5)
+
+    grown = factor(table, error)
+    grown = h * ca.if_else(old["after_rejection"], ca.fmin(grown, 1), grown)
+    own = "h_contact" if contact else "h_flight"
+    kept = remembered(h, old[own], grown)
+    free = ca.fmin(kept, run["h_max"]) if contact else kept
+    if model.k:
+        free = near_surfaces(free, old["h_onset"], mode, end)
+    free = clear_of_singular(table, free, end["ahead"])
+    new = {
+        **old,
+        **end,
+        own: kept,
+        "h": ca.if_else(1.01 * free >= left, left, free),
+        "accepted": ca.SX(1),
+        "after_rejection": ca.SX(0),
+        "retakes": ca.SX(0),
+        "steps": steps,
+        "evaluations": old["evaluations"] + table.stages,
+    }
+    if choosing is Choosing.EVERY_STEP:
+        new |= choice(model, contacts, {**old, "mode": mode}, run, end, kept, seen.get("J"))
+    elif choosing is Choosing.ON_SUSPICION:
+        new |= suspicion(model, old, run, end, seen)
+    judged = REJECTED + passed * (SPECIAL - REJECTED + clear * (NEAR - SPECIAL + apart * (PLAIN - NEAR)))
+    verdict = {"kind": judged, "error": error, "in_range": in_range}
+    return [vectors.state.join(new), vectors.verdict.join(verdict)]

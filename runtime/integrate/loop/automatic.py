@@ -1,0 +1,115 @@
+"""Compile when it pays: a run begins in CasADi's virtual machine and goes on as C, bitwise the same, once the time ahead exceeds the compilation."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from hertzwerk.runtime.model.caller import Callers
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.integrate.loop.compiled import Program
+
+LOOK = 0.15  # s ahead from which it pays to write the C text and look for its library: 0.01 to 0.06 s
+SURE = 0.1  # part of the compilation's time that must have been run before the pace is believed
+GAIN = 0.8  # part of the time ahead that C saves: it takes a fifth or less
+
+
+@dataclass
+class Code:
+    """The chunk of one model and method, in the virtual machine and, once somebody wanted it, as C; whole: made when a run goes on with another."""
+
+    function: Any
+    whole: Callable[[], Code] | None = None
+    machine: Callers = field(init=False)
+    native: Callers | None = None
+    _program: Program | None = None
+    _impossible: bool = False
+    complaint: str = ""
+    """Why a compiler that is there was of no use."""
+
+    def __post_init__(self) -> None:
+        self.machine = Callers(self.function)
+
+    def compile(self, heed: Callable[[], object] = lambda: None) -> Callers:
+        """Callers of the C version; raises NoCompilerError, and what `heed` raises, which is called while it is compiled."""
+        if self.native is None:
+            self.native = Callers(self._made().load(heed))
+        return self.native
+
+    def worthwhile(self, elapsed: float, ahead: float, heed: Callable[[], object] = lambda: None) -> Callers | None:
+        """Callers of the C version, compiled now, if that saves time for a run that took `elapsed` and has `ahead` [s] to go uncompiled."""
+        if self.native is not None:
+            return self.native
+        if ahead < LOOK or self._impossible:
+            return None
+        from hertzwerk.runtime.integrate.loop.compiled import BrokenCompilerError, NoCompilerError
+
+        try:
+            needed = self._made().seconds
+            return self.compile(heed) if GAIN * ahead > needed and elapsed >= SURE * needed else None
+        except NoCompilerError as error:
+            self._impossible = True
+            self.complaint = str(error) if isinstance(error, BrokenCompilerError) else ""
+            return None
+
+    def _made(self) -> Program:
+        """The program; raises NoCompilerError."""
+        from hertzwerk.runtime.integrate.loop.compiled import (
+            Program,  # only now: a short run needs none of what it imports
+        )
+
+        self._program = self._program or Program(self.function)
+        return self._program
+
+
+class Gear:
+    """What runs are called with, one after the other, chunk by chunk; with `changes` it changes to C by itself.
+
+    compile_s, build_s: the time it took to compile, and to build what chooses between methods [s].
+    """
+
+    def __init__(self, code: Code, *, compiled: bool, changes: bool) -> None:
+        self._first, self._compiled, self._changes = code, compiled, changes
+        self.compile_s = self.build_s = 0.0
+        self.begin()
+
+    def begin(self) -> None:
+        """A run begins: `callers` are those of its first steps."""
+        self._use(self._first)
+
+    def whole(self, heed: Callable[[], object]) -> None:
+        """`callers` are those that choose between methods from now on."""
+        if self._first.whole is not None:
+            began = time.perf_counter()
+            code = self._first.whole()
+            self.build_s += time.perf_counter() - began
+            if self._compiled:
+                began = time.perf_counter()
+                code.compile(heed)
+                self.compile_s += time.perf_counter() - began
+            self._use(code)
+
+    def _use(self, code: Code) -> None:
+        self._code = code
+        either = self._compiled or self._changes
+        self.callers = code.native if code.native is not None and either else code.machine
+
+    @property
+    def compiled(self) -> bool:
+        """Whether it is C now."""
+        return self.callers is not self._code.machine
+
+    def changed(self, elapsed: float, ahead: float, heed: Callable[[], object]) -> bool:
+        """Whether `callers` are others from now on."""
+        if not self._changes or self.compiled or ahead < LOOK:
+            return False
+        began = time.perf_counter()
+        better = self._code.worthwhile(elapsed, ahead, heed)
+        self.compile_s += time.perf_counter() - began
+        if better is None:
+            return False
+        self.callers = better
+        return True

@@ -1,0 +1,138 @@
+"""`method="auto"`: explicit steps, and implicit ones where stability, not accuracy, would hold an explicit step down.
+
+What counts is the step that the controller would like times the fastest rate of the motion, a sum over eigenvalues that the traces of the
+Jacobian give without computing any: damping -tr J, vibration sqrt(-tr(df/dq dq'/du)). An explicit step is stable up to a few times 1; a motion it
+has to follow anyway gives less. A velocity that jumps to and fro over the layer in which smoothed friction turns is stiff too, though no Jacobian
+shows it: the layer is thinner than the tolerance.
+
+A run begins with explicit steps alone, which cost what those of the explicit method do: no Jacobian, and nothing implicit is built. What two
+stages at the end of a step differ by shows the fastest rates for a few operations. Where that looks stiff, step after step, the run goes on
+with steps that choose.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import Enum
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+import numpy as np
+
+from hertzwerk.runtime.integrate.step.implicit import linearised, part_to_rest, sliding
+from hertzwerk.runtime.integrate.step.layout import SUSPECT, layouts
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.integrate.step.classes import Contacts
+    from hertzwerk.runtime.model.model import Model
+    from hertzwerk.runtime.solution.history import History
+
+EXPLICIT, IMPLICIT = 0.0, 1.0  # the state's `method`
+STIFF = 3.0  # step x rate: an explicit method of order 5 is stable up to 3.3, of order 8 up to 6
+EASY = 1.0  # and what an explicit step could do as well
+REVERSAL = 2.0  # what a step over the turning of friction counts, in stiff steps
+PATIENCE = 10.0  # stiff steps, less the others, before the method changes; easy ones before it changes back
+# The same by what stages differ by: of 21 scenes at 1e-5 and 1e-8 those with nothing stiff get to 18 at most, the others to more than 250.
+SUSPICIOUS = 20.0
+
+
+class Choosing(Enum):
+    """What a step does about its method: nothing, look whether there may be something to choose, choose."""
+
+    NONE = "none"
+    ON_SUSPICION = "on suspicion"
+    EVERY_STEP = "every step"
+
+
+def choice(
+    model: Model,
+    contacts: Contacts,
+    old: Mapping[str, Any],
+    run: Mapping[str, Any],
+    end: Mapping[str, Any],
+    h: Any,
+    J: Any = None,
+) -> dict[str, Any]:
+    """The state's `method`, `pressure` and `stiffness` after a plain step from `old` to `end` under its modes; h [s]: the step to go on with."""
+    given = (old["mode"], old["m"], run["c"])
+    if J is None:
+        J, _ = linearised(model, contacts)(old["t"], old["y"], *given)
+    stiffness = h * _rate(J, model.nq, model.nu)
+    slides = sliding(model, contacts)
+    v, rate, gradient = slides(old["t"], old["y"], old["dy"], *given)
+    v1, rate1, _ = slides(end["t"], end["y"], end["dy"], *given)
+    foreseen = old["h"] * ca.mtimes(gradient, ca.mtimes(J, old["dy"]))
+    turned = ca.mmin(part_to_rest(v, rate, foreseen, v1, rate1, old["h"])) < 1 if v.numel() else ca.SX(0)
+    implicit = old["method"] == IMPLICIT
+    stiff, easy = stiffness > STIFF, (stiffness < EASY) * (1 - turned)
+    explicit_change = ca.if_else(turned, REVERSAL, ca.if_else(stiff, 1, -1))
+    change = ca.if_else(implicit, ca.if_else(easy, -1, 1), explicit_change)
+    pressure = ca.fmin(ca.fmax(old["pressure"] + change, 0), PATIENCE)
+    stays = ca.if_else(implicit, pressure > 0, pressure >= PATIENCE)
+    return {"method": ca.if_else(stays, IMPLICIT, EXPLICIT), "pressure": pressure, "stiffness": stiffness}
+
+
+def suspicion(
+    model: Model, old: Mapping[str, Any], run: Mapping[str, Any], end: Mapping[str, Any], seen: Mapping[str, Any]
+) -> dict[str, Any]:
+    """The state's `pressure` and `status` after an explicit step whose last two stages, both at its end, were seen.
+
+    Their accelerations differ by what stiff forces make of the difference in speed (damping) or position (vibration). In a motion that an explicit
+    step has to follow the smaller of the two rates is seldom large; after Hairer, Wanner, Solving Ordinary Differential Equations II (1996), IV.2.
+    """
+    positions, speeds = slice(0, model.nq), slice(model.nq, model.nq + model.nu)
+    position, speed, acceleration = (
+        ca.sumsqr((end[name][part] - seen[of][part]) * seen["weights"][part])
+        for name, of, part in (("y", "stage", positions), ("y", "stage", speeds), ("dy", "slope", speeds))
+    )
+    h2, (length, pace) = old["h"] * old["h"], ca.vertsplit(run["scales"][:2])
+    damping = h2 * acceleration > STIFF**2 * speed
+    vibration = h2 * h2 * acceleration * (pace * pace) > STIFF**4 * position * (length * length)
+    pressure = ca.fmax(old["pressure"] + ca.if_else(damping * vibration, 1, -1), 0)
+    return {"pressure": pressure, "status": ca.if_else(pressure >= SUSPICIOUS, SUSPECT, old["status"])}
+
+
+def fastest(model: Model) -> Any:
+    """CasADi function (state, controls) -> (1 + n): the step to try next times the fastest rate, and the sliding velocities [m/s]."""
+    vectors = layouts(model)
+    given = [part.symbol(name) for part, name in ((vectors.state, "state"), (vectors.controls, "controls"))]
+    old, run = (part.split(x) for part, x in zip((vectors.state, vectors.controls), given, strict=True))
+    at = (old["mode"], old["m"], run["c"])
+    J, _ = linearised(model)(old["t"], old["y"], *at)
+    v, *_ = sliding(model)(old["t"], old["y"], old["dy"], *at)
+    found = ca.densify(ca.vertcat(old["h"] * _rate(J, model.nq, model.nu), v))
+    return ca.Function("fastest", given, [ca.cse(found)], ["state", "controls"], ["found"])
+
+
+def _rate(J: Any, nq: int, nu: int) -> Any:
+    """Sum of the damping rates, or root of the sum of the squared frequencies, whichever is larger [1/s]; 0 where nothing is damped or vibrates."""
+    others = [i for i in range(J.size1()) if not nq <= i < nq + nu]  # coordinates, and bristles
+    vibration = ca.trace(ca.mtimes(J[nq : nq + nu, others], J[others, nq : nq + nu]))
+    # of two zeros of unlike sign a compiler may choose either
+    return ca.fabs(ca.fmax(-ca.trace(J), ca.sqrt(ca.fmax(-vibration, 0))))
+
+
+@dataclass(frozen=True)
+class Choice:
+    """From t [s] on the steps were "explicit" or "implicit", and why."""
+
+    t: float
+    method: str
+    reason: str
+
+
+def choices(history: History, fresh: int) -> tuple[Choice, ...]:
+    """What a run with `method="auto"` chose at the rows from `fresh` on: the first method and every change."""
+    method, stiffness = history.part("method")[:, 0], history.part("stiffness")[:, 0]
+    found = [] if fresh else [Choice(float(history.t[0]), "explicit", "a run begins so")]
+    first = max(fresh, 1)
+    for i in first + np.flatnonzero(method[first:] != method[first - 1 : -1]):
+        if method[i] == EXPLICIT:
+            reason = f"step x fastest rate fell to {stiffness[i]:.2g}: explicit steps are as long, and cheaper"
+        elif stiffness[i] > STIFF:
+            reason = f"step x fastest rate = {stiffness[i]:.2g}: stability holds explicit steps down, not accuracy"
+        else:
+            reason = "step after step went over the layer in which friction turns: it sticks"
+        found.append(Choice(float(history.t[i]), "implicit" if method[i] == IMPLICIT else "explicit", reason))
+    return tuple(found)

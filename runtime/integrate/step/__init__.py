@@ -1,0 +1,1 @@
+"""One step: right-hand side, methods, friction, closed loops, step control."""

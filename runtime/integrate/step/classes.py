@@ -1,0 +1,58 @@
+"""Classes of attempts: which pairs' contact forces a step evaluates, so that a pair that is not in contact costs none.
+
+Class 0 is idle. Then come the step without contact, a step for each pair alone in contact, and the step that asks each pair's mode: with every
+force evaluated and masked, for whatever else there is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, Final, TypeAlias
+
+import casadi as ca
+
+from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, RELEASED
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model.model import Model
+
+Contacts: TypeAlias = tuple[int, ...] | None  # the pairs in contact; BY_MODE: those whose mode says so
+BY_MODE: Final = None
+IDLE, IN_FLIGHT, IN_CONTACT = range(3)  # IN_FLIGHT: no pair in contact; IN_CONTACT and above: some pair is
+ALONE = 10  # pairs up to which each has a class of its own: every class is built, and compiled, which with 16 takes three times as long
+
+
+def kinds(model: Model) -> tuple[Contacts, ...]:
+    """The contacts of the classes IN_FLIGHT, IN_CONTACT, ... in order."""
+    alone = tuple((j,) for j in range(model.k if model.k <= ALONE else 0))
+    several = () if model.k == len(alone) <= 1 else (BY_MODE,)
+    return ((), *alone, *several)
+
+
+def classified(model: Model, mode: Any) -> Any:
+    """Class of the next attempt under modes (k). A pair is alone in contact if none is released either."""
+    if not model.k:
+        return ca.SX(IN_FLIGHT)
+    touching = mode == CONTACT
+    in_contact = ca.SX(IN_CONTACT)
+    if model.k <= ALONE:
+        single = (ca.sum1(touching) == 1) * ca.mmin(mode != RELEASED)
+        in_contact = IN_CONTACT + ca.if_else(single, ca.dot(touching, ca.DM(range(model.k))), model.k)
+    return ca.if_else(ca.mmax(touching), in_contact, IN_FLIGHT)
+
+
+def modes(model: Model, contacts: tuple[int, ...]) -> Any:
+    """The modes (k), constants, of a class whose contacts are known, with no pair released."""
+    return ca.SX([CONTACT if j in contacts else FLIGHT for j in range(model.k)])
+
+
+def pushing(model: Model, contacts: Contacts, mode: Any) -> Iterator[tuple[int, Any, Any]]:
+    """(number, function, condition) of every pair that may be in contact under modes (k); the condition is 1 where it is for certain."""
+    for j, pair in enumerate(model.pairs):
+        if contacts is BY_MODE or j in contacts:
+            yield j, model.function(f"contact_{pair}"), mode[j] == CONTACT if contacts is BY_MODE else ca.SX(1)
+
+
+def where(active: Any, value: Any, otherwise: float = 0.0) -> Any:
+    """The value while active, without a choice where that is certain."""
+    return value if active.is_one() else ca.if_else(active, value, otherwise)

@@ -1,0 +1,88 @@
+"""Closed loops stay closed: the end of a step is projected onto the constraints, positions first, then speeds.
+
+Least in kinetic energy, so that no unit has to be weighed against another; Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), IV.4.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+
+from hertzwerk.runtime.integrate.rounding import STATE, bounds
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model.model import Model
+
+ITERATIONS = 2  # Newton's: what a step leaves open is small, its square is below rounding
+RUNAWAY = 1e3  # speeds over their scales: near a position in which a driven mechanism locks they grow without bound
+LOST = 1e200  # error norm of a step whose end does not close the loops; no other is as large
+
+
+@dataclass(frozen=True)
+class Closing:
+    """The projection of a mechanism with loops."""
+
+    function: Any
+    along: Any
+    """(t, y, error (ny), c) -> what closing leaves of an error: what is along the constraints."""
+    lengths: tuple[bool, ...]
+    """Of each constraint: whether it is a length [m], not an angle's sine [1]."""
+    speeds: slice
+    """Rows of the state."""
+
+    def __call__(self, t: Any, y: Any, run: Any) -> tuple[Any, Any]:
+        """The state (ny) with its loops closed, and whether they are: to the tolerance, but not below the rounding of its coordinates."""
+        y, phi, rounding, rate = self.function(t, y, run["c"])
+        length, speed = run["scales"][0], run["scales"][1]
+        small = ca.fmax(
+            rounding, run["tolerance"] * ca.vertcat(*(length if is_length else 1 for is_length in self.lengths))
+        )
+        # a singular position leaves a part of the rates undetermined
+        slow = ca.sqrt(run["tolerance"]) * ca.vertcat(
+            *(speed if is_length else speed / length for is_length in self.lengths)
+        )
+        closed = ca.mmax(ca.vertcat(ca.fabs(phi) - small, ca.fabs(rate) - slow)) <= 0  # false for NaN
+        return y, closed * (ca.mmax(ca.fabs(y[self.speeds]) / run["scale"][self.speeds]) < RUNAWAY)
+
+
+def closing(model: Model) -> Closing | None:
+    """The projection of a model; None for a tree."""
+    if not model.nl:
+        return None
+    speeds = slice(model.nq, model.nq + model.nu)
+    along = model.once("along", lambda: _along(model))
+    return Closing(model.once("closed", lambda: _closed(model)), along, model.is_length, speeds)
+
+
+def _closed(model: Model) -> Any:
+    """CasADi function (t, y, c) -> (y with the loops closed (ny), how far they still are open (nl) [m or 1], the rounding of that, its rate (nl))."""
+    t, y, c = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz), ca.SX.sym("c", model.nc)
+    q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
+    constraints, project = model.function("constraints"), model.function("projection")
+    rates, still = model.function("coordinate_rates"), ca.SX.zeros(model.nu)
+    phi, _ = constraints(t, q, u, c)
+    for _ in range(ITERATIONS):
+        q = q + rates(t, q, project(t, q, -phi, c)[0], c) - rates(t, q, still, c)
+        phi, phi_rate = constraints(t, q, u, c)
+    u = u - project(t, q, phi_rate, c)[0]
+    _, rate = constraints(t, q, u, c)
+    rounding, _ = bounds(constraints, STATE)(t, q, u, c)  # an angle after many turns is known to fewer digits
+    return ca.Function("closed", [t, y, c], ca.cse([ca.vertcat(q, u, z), phi, rounding, rate]))
+
+
+def _along(model: Model) -> Any:
+    """CasADi function (t, y, error (ny), c) -> the error without what leads off the constraints, to first order."""
+    ny = model.nq + model.nu + model.nz
+    t, y, error, c = ca.SX.sym("t"), ca.SX.sym("y", ny), ca.SX.sym("error", ny), ca.SX.sym("c", model.nc)
+    parts = [0, model.nq, model.nq + model.nu, ny]
+    q, u, _ = ca.vertsplit(y, parts)
+    dq, du, dz = ca.vertsplit(error, parts)
+    constraints, project = model.function("constraints"), model.function("projection")
+    rates, still = model.function("coordinate_rates"), ca.SX.zeros(model.nu)
+    phi, rate = constraints(t, q, u, c)
+    back = project(t, q, ca.jtimes(phi, q, dq), c)[0]
+    dq = dq - (rates(t, q, back, c) - rates(t, q, still, c))
+    du = du - project(t, q, ca.jtimes(rate, u, du), c)[0]
+    return ca.Function("along", [t, y, error, c], ca.cse([ca.vertcat(dq, du, dz)]))

@@ -1,0 +1,91 @@
+"""How long the next step is: by the error of the last one, by how far a contact's force is from being smooth, by the way to the next surface."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+
+from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.integrate.step.methods import Table
+
+SAFETY = 0.85
+SHRINK, GROW = 0.2, 3.0  # limits of the factor between steps
+ONSET_ORDER = 2.5  # a force like d^1.5 from zero: the first step's speed error falls with h^2.5 whatever the method
+ONSET_GROW = 3.0  # from a contact's first step to its second
+ROUGHEST = 16.0  # largest factor of `roughness`; 8 to 64 cost the same within a tenth at equal error
+LANDING_PART = 0.7  # of the way back to the surface that a step in contact takes at most, unless it lands
+LANDING_STEP = 1.1  # of the onset's step: the longest step that lands
+FAR = 1e300
+
+
+def roughness(touching: Any, gap: Any, end_gap: Any) -> Any:
+    """Factor of the error estimate for what a contact's force lacks in smoothness: of the gaps (k) at both ends of a step, 1..ROUGHEST.
+
+    An estimate is built for smooth functions. A force d^n is singular at d = 0, so what counts is how much of the way to zero a step covers.
+    On d'' = -d^1.5 the true error of a step over its estimate is, for dop853 | dopri5, at d_big/d_small = 1.3: 0.1 | 0.1, 2: 0.4 | 0.6,
+    4: 0.9 | 2, 8: 1.4 | 4, 30: 2.3 | 7.5, from or to the surface: 3.4 | 11. Smooth steps' estimates are pessimistic by that tenth;
+    only the relation matters, and (d_big/d_small)^2, limited, is an upper bound of it.
+    """
+    a, b = ca.fabs(gap), ca.fabs(end_gap)
+    ratio = ca.fmax(a, b) / ca.fmax(ca.fmin(a, b), 1 / FAR)
+    factor = ca.fmin(ratio * ratio, ROUGHEST)
+    return ca.mmax(ca.if_else(touching, factor, 1))
+
+
+def factor(table: Table, error: Any) -> Any:
+    """New step over old one by the error norm: the elementary controller of Hairer, Norsett, Wanner II.4."""
+    return _within(SAFETY / _root(ca.fmax(error, 1e-30), table.error_order))
+
+
+def onset_factor(error: Any) -> Any:
+    """The same for the first step of a contact."""
+    return _within(SAFETY / ca.fmax(error, 1e-30) ** (1 / ONSET_ORDER))
+
+
+def remembered(h: Any, kept: Any, grown: Any) -> Any:
+    """The step [s] to go on with after an accepted one; a step that an event or the end had shortened says nothing against a longer one."""
+    return ca.if_else(h < kept * (1 - 1e-9), ca.fmax(kept, grown), grown)
+
+
+def near_surfaces(free: Any, h_onset: Any, mode: Any, end: dict[str, Any], resting: Any = 0) -> Any:
+    """The step [s] no longer than `free` that heeds the surfaces: it lands on the next one or, in contact, nears it as gently as it left.
+
+    A step over the kink of the force would be rejected; a step to just before it is followed by a tiny one.
+    resting: 1 for the pairs (k) that stay in contact though on their surface: it is not ahead of them, the way to it 0 or backwards.
+    """
+    sign = ca.if_else(mode == FLIGHT, 1, -1)
+    g, rate, acceleration = (sign * end[part] for part in ("gap", "gap_rate", "gap_acceleration"))
+    opening = time_to_root(g, rate, acceleration)
+    opening = ca.if_else(opening <= LANDING_STEP * h_onset, opening, LANDING_PART * opening)
+    landing = time_to_landing(g, rate, acceleration)
+    leaving = (mode == CONTACT) * (1 - resting)
+    return ca.fmin(free, ca.mmin(ca.if_else(leaving, opening, ca.if_else(mode == FLIGHT, landing, FAR))))
+
+
+def time_to_root(g: Any, rate: Any, acceleration: Any) -> Any:
+    """Time [s] until g, constantly accelerated, falls through zero (negative: since it has); FAR where it does not fall."""
+    root = ca.sqrt(ca.fmax(rate * rate - 2 * acceleration * g, 0))
+    return ca.if_else(rate < 0, 2 * g / (root - rate), FAR)  # of the two roots the first, without cancellation
+
+
+def time_to_landing(g: Any, rate: Any, acceleration: Any) -> Any:
+    """Time [s] until g, constantly accelerated, falls through zero, now or, where it does not fall now, on its return; FAR where it never does."""
+    falls = rate < 0
+    reach = ca.sqrt(ca.fmax(rate * rate - 2 * acceleration * g, 0)) + ca.fabs(rate)
+    # of the two roots the one wanted, without cancellation, by one division
+    time = ca.if_else(falls, 2 * g, reach) / ca.if_else(falls, reach, -acceleration)
+    return ca.if_else(falls + (acceleration < 0) > 0, time, FAR)
+
+
+def _within(value: Any) -> Any:
+    return ca.fmin(ca.fmax(value, SHRINK), GROW)
+
+
+def _root(x: Any, order: int) -> Any:
+    """x^(1/order), by square roots where they do: a power costs more than all of them."""
+    while order % 2 == 0:
+        x, order = ca.sqrt(x), order // 2
+    return x if order == 1 else x ** (1 / order)

@@ -1,0 +1,212 @@
+"""The right-hand side under given modes, and one explicit Runge-Kutta step of it, as CasADi functions."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+
+from hertzwerk.runtime.integrate.step.classes import BY_MODE, Contacts, pushing, where
+from hertzwerk.runtime.integrate.step.closing import LOST, Closing, closing
+from hertzwerk.runtime.integrate.step.friction import forces as friction_forces
+from hertzwerk.runtime.integrate.step.friction import grips, may_slip, pairs_of
+from hertzwerk.runtime.integrate.step.layout import GRIP_PARTS, PAIR_PARTS
+from hertzwerk.runtime.integrate.step.rounding import EPS
+from hertzwerk.runtime.integrate.step.singular import time_to_singular
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
+    from hertzwerk.runtime.model.model import Model
+
+MEAN_OF = 8  # most entries that an error is averaged over: of many bodies most err nothing, and must not excuse the two that collide
+
+
+@dataclass(frozen=True)
+class Flow:
+    """CasADi functions of (t, y, mode (k), m, c).
+
+    rates:  dy/dt (ny)
+    ends:   dy/dt; gap, gap rate, gap acceleration (k each); raw normal force and its rate along the flow (k each, 0 unless in contact); in_range (k);
+            of the pairs with set-valued friction (ns each, 0 unless in contact): its force along the tangent, margin, rate of that;
+            time to a singular position (1, none in a tree)
+    holding: what holds the loops closed (nl) [N or N m]; none in a tree
+    """
+
+    rates: Any
+    ends: Any
+    holding: Any | None = None
+    closing: Closing | None = None
+    quaternions: tuple[int, ...] = ()
+
+    def closed(self, t: Any, y: Any, run: Mapping[str, Any]) -> tuple[Any, Any]:
+        """The state with its loops closed and its quaternions of norm 1, and whether the loops are; without any the state as it is, and 1."""
+        y, is_closed = (y, ca.SX(1)) if self.closing is None else self.closing(t, y, run)
+        return unit_quaternions(y, self.quaternions), is_closed
+
+    def lasting(self, t: Any, y: Any, error: Any, run: Mapping[str, Any]) -> Any:
+        """Of an error (ny) of a step that ends at t, y what remains once the loops are closed: along a singular position much is off them."""
+        return error if self.closing is None else self.closing.along(t, y, error, run["c"])
+
+    def error(self, error: Any, is_closed: Any) -> Any:
+        """The error norm of a step, LOST where its end does not close the loops."""
+        return error if self.closing is None else ca.if_else(is_closed, error, LOST)
+
+    def at(self, t: Any, y: Any, mode: Any, m: Any, c: Any) -> dict[str, Any]:
+        """Results of `ends` by name."""
+        return dict(zip(self.ends.name_out(), self.ends.call([t, y, mode, m, c]), strict=True))
+
+
+def flow(model: Model, contacts: Contacts = BY_MODE) -> Flow:
+    """Right-hand side of a model with the forces of these contacts."""
+    contacts = contacts if model.k else ()  # without pairs all classes are one
+    made: Flow = model.once(("flow", contacts), lambda: _flow(model, contacts))
+    return made
+
+
+def _flow(model: Model, contacts: Contacts) -> Flow:
+    t, q, u, z = ca.SX.sym("t"), ca.SX.sym("q", model.nq), ca.SX.sym("u", model.nu), ca.SX.sym("z", model.nz)
+    mode, m, c = ca.SX.sym("mode", model.k), ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc)
+    y = ca.vertcat(q, u, z)
+    f = model.function("applied")(t, q, u, c)
+    dz = ca.SX.zeros(model.nz)
+    forces, in_range = ca.SX.zeros(model.k), ca.SX.ones(model.k)
+    for j, contact, active in pushing(model, contacts, mode):
+        f_j, dz_j, normal, _, valid, *_ = contact(t, q, u, z, m, c)
+        f += where(active, f_j)
+        dz += where(active, dz_j)
+        forces[j] = where(active, normal)
+        in_range[j] = where(active, valid, 1)
+    friction, margin, margin_rate = (ca.SX.zeros(model.ns) for _ in range(3))
+    grip = grips(model, contacts, t, y, mode, m, c) if may_slip(model, contacts) else None
+    if grip is not None:
+        slipping = -grip.slip * grip.sliding
+        n = len(grip.places)
+        found = friction_forces(model, n)(t, q, u, f, grip.along, grip.drift, slipping, grip.sticks, c)
+        f += ca.mtimes(grip.along, found)
+        dz += ca.mtimes(grip.power, found)
+    dq = model.function("coordinate_rates")(t, q, u, c)
+    a, reactions, *multipliers = model.function("accelerations").call([t, q, u, f, c])
+    if model.has_ledger:
+        dz += model.function("ledger")(t, q, u, reactions, c)
+    dy = ca.vertcat(dq, a, dz)
+    gap, gap_rate = model.function("gaps")(t, q, u, c)
+    gap_acceleration = model.function("gap_accelerations")(t, q, u, a, c)
+    along = ca.jtimes(forces, ca.vertcat(t, y), ca.vertcat(1, dy)) if contacts != () else ca.SX.zeros(model.k)
+    force_rate = ca.if_else(gap < 0, along, 0)  # at zero penetration the derivative of a root is not a number
+    if grip is not None:
+        held = ca.if_else(grip.touching, grip.holding - ca.fabs(found), 0)
+        gaps = gap[[pairs_of(model)[i] for i in grip.places]]
+        of_held = ca.if_else(gaps < 0, ca.jtimes(held, ca.vertcat(t, y), ca.vertcat(1, dy)), 0)
+        sliding = grip.slip * (grip.drift + ca.mtimes(grip.along[: model.nu, :].T, a))
+        friction[grip.places] = found
+        margin[grip.places] = ca.if_else(grip.sticks, held, grip.slip * grip.velocity)
+        margin_rate[grip.places] = ca.if_else(grip.sticks, of_held, sliding)
+    arguments = [t, y, mode, m, c]
+    names = ["t", "y", "mode", "m", "c"]
+    return Flow(
+        quaternions=model.quaternions,
+        rates=ca.Function("rates", arguments, [ca.cse(dy)], names, ["dy"]),
+        ends=ca.Function(
+            "ends",
+            arguments,
+            ca.cse(
+                [
+                    dy,
+                    *(gap, gap_rate, gap_acceleration, forces, force_rate, in_range),
+                    *(friction, margin, margin_rate),
+                    time_to_singular(model, t, q, dq, c),
+                ]
+            ),
+            names,
+            ["dy", *PAIR_PARTS, "in_range", *GRIP_PARTS, "ahead"],
+        ),
+        holding=ca.Function("holding", arguments, multipliers, names, ["multipliers"]) if model.nl else None,
+        closing=closing(model),
+    )
+
+
+def stepped(
+    table: RungeKutta,
+    right: Flow,
+    start: Mapping[str, Any],
+    run: Mapping[str, Any],
+    h: Any,
+    seen: dict[str, Any] | None = None,
+) -> dict[str, Any]:
+    """One step of h [s] from the parts of a state, under its modes and latches: the parts of a trial.
+
+    seen: is told of the last stage, an estimate of the step's end, with its slope, and of the weights of errors (`choose.suspicion`).
+    """
+    given = (start["mode"], start["m"], run["c"])
+    t, y = start["t"], start["y"]
+    slopes = [start["dy"]]
+    for row, node in zip(table.A[1:], table.c[1:], strict=True):
+        stage = _moved(y, h, row, slopes)
+        slopes.append(right.rates(t + node * h, stage, *given))
+    t1 = t + h
+    y1, is_closed = right.closed(t1, _moved(y, h, table.b, slopes), run)
+    end = right.at(t1, y1, *given)
+    weights = 1 / (run["tolerance"] * run["scale"] + 4 * EPS * ca.fabs(y1))
+    if seen is not None:
+        seen |= {"stage": stage, "slope": slopes[-1], "weights": weights}
+    slopes.append(end["dy"])
+    errors = (right.lasting(t1, y1, _weighted(estimate.weights, slopes), run) for estimate in table.errors)
+    error = _norm([error * weights for error in errors], h)
+    return {"t": t1, "y": y1, **end, "error": right.error(error, is_closed)}
+
+
+def nudged(
+    right: Flow, start: Mapping[str, Any], end: Mapping[str, Any], run: Mapping[str, Any], delta: Any
+) -> dict[str, Any]:
+    """From the end of a step on by delta [s], so short that the classical method of order 4 is exact enough; the parts of a trial but its error."""
+    given = (start["mode"], start["m"], run["c"])
+    t, y, k1 = end["t"], end["y"], end["dy"]
+    k2 = right.rates(t + delta / 2, y + delta / 2 * k1, *given)
+    k3 = right.rates(t + delta / 2, y + delta / 2 * k2, *given)
+    k4 = right.rates(t + delta, y + delta * k3, *given)
+    y1, _ = right.closed(t + delta, y + delta / 6 * (k1 + 2 * (k2 + k3) + k4), run)
+    return {"t": t + delta, "y": y1, **right.at(t + delta, y1, *given)}
+
+
+def unit_quaternions(y: Any, first: tuple[int, ...]) -> Any:
+    """SX column with the four entries from each of the rows `first` divided by their norm.
+
+    Done once per step: the derived rotation matrices need the norm 1, and what a step departs from it is of the order of its error.
+    """
+    if not first:
+        return y
+    parts = ca.vertsplit(y)
+    for i in first:
+        four = ca.vertcat(*parts[i : i + 4])
+        parts[i : i + 4] = ca.vertsplit(four / ca.sqrt(ca.sumsqr(four)))
+    return ca.vertcat(*parts)
+
+
+def _moved(y: Any, h: Any, weights: tuple[float, ...], slopes: list[Any]) -> Any:
+    """y + h sum(weights * slopes), so that little is left to do once the last slope is known: a step is one long chain of such sums."""
+    *older, last = (i for i, weight in enumerate(weights) if weight)
+    if older:
+        y = y + h * _sum([weights[i] * slopes[i] for i in older])
+    return y + h * weights[last] * slopes[last]
+
+
+def _weighted(weights: tuple[float, ...], slopes: list[Any]) -> Any:
+    return _sum([weight * slope for weight, slope in zip(weights, slopes, strict=False) if weight])
+
+
+def _sum(terms: list[Any]) -> Any:
+    """Sum in pairs: a processor adds them side by side, and rounding grows with the logarithm of their number."""
+    while len(terms) > 1:
+        pairs = [a + b for a, b in zip(terms[::2], terms[1::2], strict=False)]
+        terms = pairs + terms[2 * len(pairs) :]
+    return terms[0]
+
+
+def _norm(errors: list[Any], h: Any) -> Any:
+    """Root mean square of an error estimate; of two, Hairer's combination e5^2/sqrt(e5^2 + 0.01 e3^2), which behaves as h^8."""
+    squares = [ca.sumsqr(error) / min(error.numel(), MEAN_OF) for error in errors]
+    if len(squares) == 1:
+        return h * ca.sqrt(squares[0])
+    return h * squares[0] / ca.sqrt(squares[0] + 0.01 * squares[1] + 1e-300)

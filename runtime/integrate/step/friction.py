@@ -1,0 +1,179 @@
+"""Set-valued friction: slip and stick are modes of a pair, its force while sticking follows from "the sliding does not accelerate".
+
+A pair with such friction has a slip sigma in m: the sign of its sliding velocity s along its tangent, 0 while it sticks. The friction force along
+the tangent is -sigma times the sliding force, or, of the pairs that stick, all together, the lambda of W lambda = -b: W = D^T M^-1 D with D the
+generalised forces per newton, b the sliding accelerations without lambda. A pair sticks as long as the margin, the force it holds less |lambda|, is
+positive; it slips as long as sigma s is. Pfeiffer, Glocker, Multibody Dynamics with Unilateral Contacts (1996), chapters 5 and 8.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+
+from hertzwerk.runtime.integrate.step.classes import BY_MODE, Contacts, where
+from hertzwerk.runtime.integrate.step.layout import CONTACT
+from hertzwerk.runtime.integrate.step.linear import eliminated
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model.model import Model
+
+Parts = Mapping[str, Any]
+
+STICK = 0.0  # slip of a pair that sticks
+REDUNDANT = 1e-6  # part of its diagonal that makes W regular: contacts of one body may share one force
+REFINEMENTS = 2  # steps after which that part is gone from what is not redundant
+BREAKS = 0.25  # of the tolerance of a landing: by which lambda exceeds what is held when a pair lets go; a landing aims at half
+
+
+@dataclass(frozen=True)
+class Grips:
+    """What n of the pairs with such friction have at a state; what is not a number where there is no contact is 0.
+
+    places (n): theirs among the slips; along (nf, n): generalised force per newton of friction; power (nz, n): rates of z per newton; sliding,
+    holding (n): forces [N]; velocity (n): of sliding [m/s]; drift (n): its rate without any generalised acceleration [m/s^2]; touching,
+    sticks (n): 1 or 0; slip (n).
+    """
+
+    places: list[int]
+    along: Any
+    power: Any
+    sliding: Any
+    holding: Any
+    velocity: Any
+    drift: Any
+    touching: Any
+    sticks: Any
+    slip: Any
+
+
+def pairs_of(model: Model) -> list[int]:
+    """The pairs with set-valued friction, in the order of their slips in m."""
+    return [pair for _, _, pair in model.slips]
+
+
+def slips_in(model: Model) -> slice:
+    """Where in m the slips are."""
+    return slice(model.nm - model.ns, model.nm)
+
+
+def may_slip(model: Model, contacts: Contacts) -> bool:
+    """Whether a pair with such friction is among the contacts of a class."""
+    return bool(model.ns) and (contacts is BY_MODE or any(j in contacts for j in pairs_of(model)))
+
+
+def grips(model: Model, contacts: Contacts, t: Any, y: Any, mode: Any, m: Any, c: Any) -> Grips:
+    """What the pairs have at a state, SX, with the contacts of a class."""
+    columns, slips = [], m[slips_in(model)]
+    places = [i for i, j in enumerate(pairs_of(model)) if contacts is BY_MODE or j in contacts]
+    for i in places:
+        j = pairs_of(model)[i]
+        active = mode[j] == CONTACT if contacts is BY_MODE else ca.SX(1)
+        values = [where(active, value) for value in of_pair(model, j).call([t, y, m, c])]
+        columns.append([*values, active, where(active, slips[i] == STICK), slips[i]])
+    joined = list(zip(*columns, strict=True))
+    return Grips(places, *(ca.horzcat(*part) for part in joined[:2]), *(ca.vertcat(*part) for part in joined[2:]))
+
+
+def of_pair(model: Model, j: int) -> Any:
+    """CasADi function (t, y, m, c) -> (along, power, sliding, holding, velocity, drift) of one pair, see `Grips`."""
+    return model.once(("grip", j), lambda: _of_pair(model, j))
+
+
+def _of_pair(model: Model, j: int) -> Any:
+    t, y = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz)
+    m, c = ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc)
+    q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
+    _, _, _, velocity, _, along, power, sliding, holding = model.function(f"contact_{model.pairs[j]}")(t, q, u, z, m, c)
+    dq = model.function("coordinate_rates")(t, q, u, c)
+    drift = ca.jtimes(velocity, ca.vertcat(t, y), ca.vertcat(1, dq, ca.SX.zeros(model.nu + model.nz)))
+    results = [ca.sparsify(along), ca.sparsify(power), *map(ca.densify, (sliding, holding, velocity, drift))]
+    return ca.Function("grip", [t, y, m, c], ca.cse(results))
+
+
+def forces(model: Model, n: int) -> Any:
+    """CasADi function (t, q, u, f, along, drift, slipping (n), sticks (n), c) -> lambda (n) [N]: friction forces along the tangents.
+
+    f: all other generalised forces; slipping: the forces of those that slip, along the tangents.
+    """
+    return model.once(("friction", n), lambda: _forces(model, n))
+
+
+def _forces(model: Model, n: int) -> Any:
+    t, q, u = ca.SX.sym("t"), ca.SX.sym("q", model.nq), ca.SX.sym("u", model.nu)
+    nf = model.function("applied").size1_out(0)
+    f, along, drift = ca.SX.sym("f", nf), ca.SX.sym("along", nf, n), ca.SX.sym("drift", n)
+    slipping, sticks, c = ca.SX.sym("slipping", n), ca.SX.sym("sticks", n), ca.SX.sym("c", model.nc)
+    slides = ca.if_else(sticks, 0, slipping)
+    a = model.function("accelerations").call([t, q, u, f + ca.mtimes(along, slides), c])[0]
+    W = ca.mtimes(along[: model.nu, :].T, mobility(model, t, q, u, along, c))
+    found = solve_sticking(W, sticks, -(drift + ca.mtimes(along[: model.nu, :].T, a)))
+    arguments = [t, q, u, f, along, drift, slipping, sticks, c]
+    return ca.Function("friction", arguments, [ca.cse(ca.if_else(sticks, found, slides))])
+
+
+def mobility(model: Model, t: Any, q: Any, u: Any, along: Any, c: Any) -> Any:
+    """Changes (nu, n) of the speeds by a unit impulse along each tangent."""
+    f = ca.SX.sym("f", along.shape[0])
+    a = model.function("accelerations").call([t, q, u, f, c])[0]
+    return ca.substitute(ca.jtimes(a, f, along), f, ca.SX.zeros(f.numel()))
+
+
+def solve_sticking(W: Any, sticks: Any, right: Any) -> Any:
+    """Lambda (n) of the pairs that stick with W lambda = right, of the least norm where that says too little; 0 of the others."""
+    n = W.shape[0]
+    right = ca.if_else(sticks, right, 0)
+    both = [[sticks[i] * sticks[j] for j in range(n)] for i in range(n)]
+    coupled = [[ca.if_else(both[i][j], W[i, j], 0) for j in range(n)] for i in range(n)]
+    share = REDUNDANT if n > 1 else 0.0
+    # friction without effect on any motion, and a pair that does not stick, have a zero diagonal and a zero right-hand side
+    diagonal = [ca.if_else(coupled[i][i] > 0, (1 + share) * coupled[i][i], 1) for i in range(n)]
+    regular = [[diagonal[i] if i == j else coupled[i][j] for j in range(n)] for i in range(n)]
+    solve = eliminated(regular, pivoting=False)
+    found = ca.vertcat(*solve([right[i] for i in range(n)]))
+    for _ in range(REFINEMENTS if n > 1 else 0):
+        left = [right[i] - sum((coupled[i][j] * found[j] for j in range(n)), start=ca.SX(0)) for i in range(n)]
+        found = found + ca.vertcat(*solve(left))
+    return found
+
+
+# -- modes and events --------------------------------------------------------------------------------------------------
+
+
+def sized(model: Model, m: Any, tol_rate: Any, tol_force: Any) -> Any:
+    """Tolerance of each margin at a landing: of a speed where the pair slips, of a force where it sticks."""
+    pairs = pairs_of(model)
+    return ca.if_else(m[slips_in(model)] == STICK, tol_force[pairs], tol_rate[pairs])
+
+
+def asked_and_broken(
+    model: Model, mode: Any, m: Any, margin: Any, margin_rate: Any, small: Any, was: Any
+) -> tuple[Any, Any]:
+    """Pairs (n) in contact whose sliding has come to rest, or whose contact has begun (they `was` in another mode), and those that let go.
+
+    By what the state is: margins and rates as they were reached, with their tolerances.
+    """
+    pairs = pairs_of(model)
+    touching, fresh = mode[pairs] == CONTACT, was[pairs] != CONTACT
+    sticks = m[slips_in(model)] == STICK
+    rests = (margin < -small) + (margin <= small) * (margin_rate < 0) > 0
+    asked = touching * (fresh + (1 - sticks) * rests > 0)
+    return asked, touching * (1 - fresh) * sticks * (margin < -BREAKS * small)
+
+
+def steady(model: Model, mode: Any, start: Parts, end: Parts) -> Any:
+    """1 if no margin comes near zero in a step."""
+    touching = mode[pairs_of(model)] == CONTACT
+    clear = ca.SX(1)
+    for coefficient in margins(start, end):
+        clear *= ca.mmin(ca.if_else(touching, coefficient > 0, 1))
+    return clear
+
+
+def margins(start: Parts, end: Parts) -> list[Any]:
+    """Bernstein coefficients of the cubics through the margins over a step."""
+    h, f, f1 = start["h"], start["margin"], end["margin"]
+    return [f, f + h * start["margin_rate"] / 3, f1 - h * end["margin_rate"] / 3, f1]

@@ -1,0 +1,348 @@
+"""One step of an implicit method, in the graph: Rosenbrock methods, and diagonally implicit Runge-Kutta methods with simplified Newton iterations.
+
+Both solve with I - h gamma J only, J the exact Jacobian of the right-hand side at the start of the step. They take the same state and give the
+same trial as an explicit step; Hairer, Wanner, Solving Ordinary Differential Equations II, 2nd ed. (1996), IV.7 and IV.8.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+
+from hertzwerk.runtime.integrate.step.classes import BY_MODE, Contacts, pushing, where
+from hertzwerk.runtime.integrate.step.control import SAFETY
+from hertzwerk.runtime.integrate.step.explicit import MEAN_OF, Flow, flow
+from hertzwerk.runtime.integrate.step.friction import forces, grips, may_slip, pairs_of
+from hertzwerk.runtime.integrate.step.layout import CONTACT
+from hertzwerk.runtime.integrate.step.linear import Elimination, composed_solver, solver
+from hertzwerk.runtime.integrate.step.rounding import EPS
+from hertzwerk.runtime.integrate.tableaux.implicit_tableaux import ITERATIONS, DiagonallyImplicit, Rosenbrock
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model.model import Model
+
+CONVERGED = 0.05  # of the tolerance: what the iterations may leave in a stage
+ROUNDING = 1e-3  # of that: changes below it are not asked to get smaller
+BACKWARD = 1e-9  # relative residual, row by row, beyond which elimination has amplified rounding: with 5 to 40 unknowns at random it is below 1e-12
+DIVERGED = 1e4  # error norm of a step whose iterations did not converge: it is tried again with the shortest allowed
+FORESEEN = 0.1  # of a sliding velocity's rate: a change beyond it is one
+SINGULAR = 1e300  # a derivative beyond it, or none at all, counts as zero
+
+Parts = Mapping[str, Any]
+
+
+LARGE = 2000  # instructions of the right-hand side beyond which a step calls it: written out for every stage it takes long to build and to compile
+
+
+def composed(model: Model) -> bool:
+    """Whether steps are made of calls, not written out: of large models the calls cost little beside what they do."""
+    made: bool = model.once("composed", lambda: flow(model, ()).rates.n_instructions() > LARGE)
+    return made
+
+
+def linearised(model: Model, contacts: Contacts = BY_MODE) -> Any:
+    """CasADi function (t, y, mode, m, c) -> (J (ny, ny), dt (ny)): the derivatives of the right-hand side `explicit.flow` of the same contacts.
+
+    By the chain rule through what the contacts give, so that what is singular stays where it arises: at zero penetration, or without contact, the
+    derivative of a root in a contact's force is not a number; there the force and its true derivative vanish.
+    """
+    whole = may_slip(model, contacts) or not composed(model)
+    return model.once(
+        ("linearised", contacts), lambda: (_linearised if whole else _linearised_by_calls)(model, contacts)
+    )
+
+
+def _linearised_by_calls(model: Model, contacts: Contacts) -> Any:
+    """The same of functions that all classes of attempts share; MX."""
+    t, y = ca.MX.sym("t"), ca.MX.sym("y", model.nq + model.nu + model.nz)
+    mode, m, c = ca.MX.sym("mode", model.k), ca.MX.sym("m", model.nm), ca.MX.sym("c", model.nc)
+    f, df = model.once("of applied", lambda: _of_applied(model))(t, y, c)
+    dz = ca.DM(model.nz, y.numel() + 1)
+    for j, pair in enumerate(model.pairs):
+        if contacts is BY_MODE or j in contacts:
+            active = mode[j] == CONTACT if contacts is BY_MODE else 1
+            of_pair = model.once(("of contact", pair), partial(_of_contact, model, pair))
+            f_j, df_j, dz_j = of_pair(t, y, m, c, active)
+            f, df, dz = f + f_j, df + df_j, dz + dz_j
+    direct, mobility = model.once("of motion", lambda: _of_motion(model))(t, y, f, c)
+    J = direct + ca.mtimes(mobility, df) + ca.vertcat(ca.DM(model.nq + model.nu, y.numel() + 1), dz)
+    n = y.numel()
+    names = ["t", "y", "mode", "m", "c"]
+    return ca.Function("linearised", [t, y, mode, m, c], [J[:, :n], ca.densify(J[:, n])], names, ["J", "dt"])
+
+
+def _of_applied(model: Model) -> Any:
+    """CasADi function (t, y, c) -> the applied forces, and their derivatives by (y, t)."""
+    t, y, c = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz), ca.SX.sym("c", model.nc)
+    q, u, _ = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
+    f = model.function("applied")(t, q, u, c)
+    return ca.Function("of_applied", [t, y, c], ca.cse([f, ca.jacobian(f, ca.vertcat(y, t))]))
+
+
+def _of_contact(model: Model, pair: str) -> Any:
+    """CasADi function (t, y, m, c, active) -> force and, by (y, t), derivatives of force and memory's rates of a pair while active."""
+    t, y = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz)
+    q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
+    m, c, active = ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc), ca.SX.sym("active")
+    f, dz, *_ = model.function(f"contact_{pair}")(t, q, u, z, m, c)
+    x = ca.vertcat(y, t)
+    found = [where(active, f), _each(ca.jacobian(f, x), active), _each(ca.jacobian(dz, x), active)]
+    return ca.Function("of_contact", [t, y, m, c, active], ca.cse(found))
+
+
+def _of_motion(model: Model) -> Any:
+    """CasADi function (t, y, f, c) -> derivatives of the right-hand side by (y, t) and by the generalised forces f."""
+    t, y = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz)
+    q, u, _ = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
+    f, c = ca.SX.sym("f", model.function("applied").size1_out(0)), ca.SX.sym("c", model.nc)
+    a, reactions, *multipliers = model.function("accelerations").call([t, q, u, f, c])
+    power = model.function("ledger")(t, q, u, reactions, c) if model.has_ledger else ca.SX(model.nz, 1)
+    dq, x = model.function("coordinate_rates")(t, q, u, c), ca.vertcat(y, t)
+    if model.has("balance"):  # nothing is driven: no reactions
+        by_x, by_f = _through_balance(model, t, q, u, c, x, f, a, *multipliers)
+        by_x = ca.vertcat(ca.jacobian(dq, x), by_x, ca.jacobian(power, x))
+        by_f = ca.vertcat(ca.SX(model.nq, f.numel()), by_f, ca.SX(model.nz, f.numel()))
+        return ca.Function("of_motion", [t, y, f, c], [by_x, by_f])
+    dy = ca.vertcat(dq, a, power)
+    # without a search for common parts: it finds one in sixty and takes five times as long as the derivatives
+    return ca.Function("of_motion", [t, y, f, c], [ca.jacobian(dy, x), ca.jacobian(dy, f)])
+
+
+def _through_balance(
+    model: Model, t: Any, q: Any, u: Any, c: Any, x: Any, f: Any, a: Any, multipliers: Any
+) -> tuple[Any, Any]:
+    """Derivatives of accelerations by x and by f, not of how they were solved for but of the equations that they solve.
+
+    With K = [[M, G^T], [G, 0]], K (a, -multipliers) = (f - bias, -bias of G); the inverse of K is symmetric, so that what multipliers are by f,
+    accelerations are by the loops' second derivatives, but for the sign.
+    """
+    solved = ca.vertcat(a, multipliers)
+    known = ca.SX.sym("known", solved.numel())
+    left = ca.vertcat(*model.function("balance").call([t, q, u, *ca.vertsplit(known, [0, model.nu, known.numel()]), c]))
+    of_left = ca.Function("of_left", [x, known, c], [ca.jacobian(left, x)])(x, solved, c)
+    by_f = ca.jacobian(solved, f)
+    mobility, held = by_f[: model.nu, :], by_f[model.nu :, :]
+    return ca.mtimes(ca.horzcat(-mobility, held.T), of_left), mobility
+
+
+def _linearised(model: Model, contacts: Contacts) -> Any:
+    t, y = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz)
+    q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
+    mode, m, c = ca.SX.sym("mode", model.k), ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc)
+    x = ca.vertcat(y, t)
+    f = model.function("applied")(t, q, u, c)
+    df, dz = ca.jacobian(f, x), ca.SX(model.nz, x.numel())
+    for _, contact, active in pushing(model, contacts, mode):
+        f_j, dz_j, *_ = contact(t, q, u, z, m, c)
+        f += where(active, f_j)
+        df += _each(ca.jacobian(f_j, x), active)
+        dz += _each(ca.jacobian(dz_j, x), active)
+    given, of_given, sticks, n = [f], [df], ca.SX(0, 1), 0
+    if may_slip(model, contacts):
+        grip = grips(model, contacts, t, y, mode, m, c)
+        shapes = [grip.along.sparsity(), grip.power.sparsity()]
+        given += [_entries(grip.along), _entries(grip.power), grip.drift, -grip.slip * grip.sliding]
+        of_given += [_each(ca.jacobian(value, x), ca.SX(1)) for value in given[1:]]
+        sticks, n = grip.sticks, len(grip.places)
+    known = [ca.SX.sym("known", value.numel()) for value in given]
+    symbols = ca.SX.sym("sticks", sticks.numel())
+    force, *grip_symbols = known
+    dq = model.function("coordinate_rates")(t, q, u, c)
+    power = ca.SX(model.nz, 1)
+    if grip_symbols:
+        along, rates, drift, slipping = grip_symbols
+        along, rates = (ca.SX(shape, part) for shape, part in zip(shapes, (along, rates), strict=True))
+        friction = forces(model, n)(t, q, u, force, along, drift, slipping, symbols, c)
+        force, power = force + ca.mtimes(along, friction), ca.mtimes(rates, friction)
+    a, reactions, *_ = model.function("accelerations").call([t, q, u, force, c])
+    if model.has_ledger:
+        power += model.function("ledger")(t, q, u, reactions, c)
+    dy, inner = ca.vertcat(dq, a, power), ca.vertcat(*known)
+    of_inner = ca.Function("of_inner", [x, inner, symbols, c], [ca.jacobian(dy, x), ca.jacobian(dy, inner)])
+    direct, mobility = of_inner(x, ca.vertcat(*given), sticks, c)
+    J = direct + ca.mtimes(mobility, ca.vertcat(*of_given)) + ca.vertcat(ca.SX(model.nq + model.nu, x.numel()), dz)
+    J = ca.sparsify(J)
+    n = y.numel()
+    names = ["t", "y", "mode", "m", "c"]
+    results = ca.cse([J[:, :n], ca.densify(J[:, n])])
+    return ca.Function("linearised", [t, y, mode, m, c], results, names, ["J", "dt"])
+
+
+def sliding(model: Model, contacts: Contacts = BY_MODE) -> Any:
+    """CasADi function (t, y, dy, mode, m, c) -> (v (n), dv/dt (n), dv/dy (n, ny)): the sliding velocities [m/s] of pairs in contact; 0 of others.
+
+    Not of pairs whose sliding ends with an event.
+    """
+    return model.once(("sliding", contacts), lambda: _sliding(model, contacts))
+
+
+def _sliding(model: Model, contacts: Contacts) -> Any:
+    t, y, dy = ca.SX.sym("t"), *(ca.SX.sym(name, model.nq + model.nu + model.nz) for name in ("y", "dy"))
+    q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
+    mode, m, c = ca.SX.sym("mode", model.k), ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc)
+    velocities = [ca.SX(0, 1)]
+    for j, contact, active in pushing(model, contacts, mode):
+        if j not in pairs_of(model):
+            _, _, _, v, _ = contact(t, q, u, z, m, c)
+            velocities.append(where(active, v))
+    v = ca.vertcat(*velocities)
+    names = ["t", "y", "dy", "mode", "m", "c"]
+    results = ca.cse([v, ca.jtimes(v, ca.vertcat(t, y), ca.vertcat(1, dy)), ca.jacobian(v, y)])
+    return ca.Function("sliding", [t, y, dy, mode, m, c], results, names, ["v", "dv", "dv_dy"])
+
+
+@dataclass(frozen=True)
+class Stepper:
+    """One step of an implicit method with the contacts of one class of attempts."""
+
+    table: Rosenbrock | DiagonallyImplicit
+    right: Flow
+    linear: Any
+    sliding: Any
+    nq: int
+
+    def __call__(self, start: Parts, run: Parts, h: Any, seen: dict[str, Any] | None = None) -> dict[str, Any]:
+        """One step of h [s] from the parts of a state, under its modes and latches: the parts of a trial; `seen` is told the Jacobian J."""
+        table, given = self.table, (start["mode"], start["m"], run["c"])
+        t, y = start["t"], start["y"]
+        J, dt = self.linear(t, y, *given)
+        if seen is not None:
+            seen["J"] = J
+        step = h * table.gamma
+        if isinstance(table, DiagonallyImplicit):  # beyond a singular position J has the opposite sign, and is no guess
+            step = step * (1 - ca.sum1(start["ahead"] < h))
+        solve = (composed_solver if isinstance(J, ca.MX) else solver)(J, step, self.nq)
+        least = run["tolerance"] * run["scale"]
+        if isinstance(table, Rosenbrock):
+            y1, slope, error, converged = _rosenbrock(table, self.right, solve, J, dt, start, given, h)
+        else:
+            y1, slope, error, converged = _diagonally_implicit(table, self.right, solve, dt, start, given, h, least)
+        y1, is_closed = self.right.closed(t + h, y1, run)
+        end = self.right.at(t + h, y1, *given)
+        if slope is not None:
+            end["dy"] = slope
+        error = self.right.lasting(t + h, y1, error, run)
+        norm = self.right.error(ca.if_else(converged, _norm(error, least, y1), DIVERGED), is_closed)
+        v, rate, gradient = self.sliding(t, y, start["dy"], *given)
+        v1, rate1, _ = self.sliding(t + h, y1, end["dy"], *given)
+        if v.numel():
+            foreseen = h * ca.mtimes(gradient, ca.mtimes(J, start["dy"]))
+            part = ca.mmin(part_to_rest(v, rate, foreseen, v1, rate1, h))
+            norm = ca.if_else(part < 1, ca.fmax(norm, (SAFETY / part) ** table.error_order), norm)
+        return {"t": t + h, "y": y1, **end, "error": norm}
+
+
+def stepper(model: Model, table: Rosenbrock | DiagonallyImplicit, right: Flow, contacts: Contacts) -> Stepper:
+    """The step of a method with the contacts of `right`."""
+    return Stepper(table, right, linearised(model, contacts), sliding(model, contacts), model.nq)
+
+
+def part_to_rest(v: Any, rate: Any, foreseen: Any, v1: Any, rate1: Any, h: Any) -> Any:
+    """Part of a step h after which sliding velocities (n) come to rest, if the step went over that without noticing; else 1.
+
+    A smoothed friction law turns over, or makes the velocity stick, in a layer that may be too narrow for a step to see: outside of it the
+    Jacobian foresees no change of the rate. The step has met it if its end fits no smooth motion. Once a step ends in the layer, the Jacobian
+    shows it, and steps are long again: without this the velocity would jump to and fro over the layer, by as much as the tolerance allows.
+    """
+    meets = (v * rate < 0) * (v * (v + h * rate) < 0)
+    unseen = ca.fabs(foreseen) < FORESEEN * ca.fabs(rate)
+    smooth = (ca.fabs(v1 - v - h * (rate + rate1) / 2) < FORESEEN * h * ca.fabs(rate)) * (
+        ca.fabs(rate1 - rate) < ca.fabs(rate) / 2
+    )
+    return ca.if_else(meets * unseen * (1 - smooth), -v / (h * rate), 1)
+
+
+def _rosenbrock(
+    table: Rosenbrock, right: Flow, solve: Any, J: Any, dt: Any, start: Parts, given: Any, h: Any
+) -> tuple[Any, Any, Any, Any]:
+    """y1, no slope but the right-hand side's, the error, and whether the linear equations were solved; iterations would notice by themselves."""
+    t, y = start["t"], start["y"]
+    U: list[Any] = []
+    first: Any = None
+    for a, c, alpha, gamma in zip(table.a, table.c, table.alpha, table.gammas, strict=True):
+        slope = right.rates(t + alpha * h, y + _sum(a, U), *given) if U else start["dy"]
+        known = h * slope + _sum(c, U)
+        r = table.gamma * (known + gamma * h * h * dt if gamma else known)
+        first = r if first is None else first
+        U.append(solve(r))
+    solved = _solves(J, h * table.gamma, U[0], first)
+    return y + _sum(table.m, U), None, _sum(table.error.weights, U), solved
+
+
+def _solves(J: Any, step: Any, x: Any, r: Any) -> Any:
+    """1 if x solves (I - step J) x = r but for rounding: the residual of every row is small beside the row's terms, whatever its unit."""
+    residual = x - step * ca.mtimes(J, x) - r
+    terms = ca.fabs(x) + step * ca.mtimes(ca.fabs(J), ca.fabs(x)) + ca.fabs(r)
+    return ca.mmin(ca.fabs(residual) <= BACKWARD * terms)
+
+
+def _diagonally_implicit(
+    table: DiagonallyImplicit, right: Flow, solve: Any, dt: Any, start: Parts, given: Any, h: Any, least: Any
+) -> tuple[Any, Any, Any, Any]:
+    """y1, the slope there, the error, and whether all iterations converged.
+
+    Unknown in stage i is w = h gamma k_i; its slope is taken from w, not from the right-hand side, which would amplify what the iteration left.
+    So is the slope that the next step begins with: that of the last stage. (Where friction sticks it is the force that the sticking needs.)
+    """
+    t, y, slope, gamma = start["t"], start["y"], start["dy"], table.gamma
+    slopes = [h * slope]  # h k
+    converged: Any = 1
+    iterate = _iteration(right, solve, given, h * gamma, least, y)
+    for row, node, predictor in zip(table.A[1:], table.c[1:], table.predictors[1:], strict=True):
+        known = y + _sum(row[:-1], slopes)
+        if len(slopes) > 1:
+            w = gamma * _sum(predictor, slopes)
+        else:  # the right-hand side linearised at the start
+            w = y - known
+            w = w + solve(h * gamma * (slope + node * h * dt) - w)
+        sizes = []
+        for _ in range(ITERATIONS):
+            w, size = iterate(t + node * h, known, w)
+            sizes.append(size)
+        # what is left is a geometric series, unless the changes are but rounding
+        left = sizes[-1] * sizes[-1] / (sizes[-2] - sizes[-1])
+        converged *= (left >= 0) * (left <= CONVERGED) + (sizes[-1] <= ROUNDING * CONVERGED) > 0
+        slopes.append(w / gamma)
+    y1 = known + w  # stiffly accurate: the last stage is the solution
+    return y1, w / (h * gamma), _sum(table.error.weights, slopes), converged
+
+
+def _iteration(right: Flow, solve: Any, given: Any, step: Any, least: Any, y: Any) -> Any:
+    """(t, known, w) -> w after one of Newton's iterations, and the size of its change; of MX one call."""
+
+    def improved(solve: Any, given: Any, step: Any, least: Any, y: Any, t: Any, known: Any, w: Any) -> tuple[Any, Any]:
+        change = solve(step * right.rates(t, known + w, *given) - w)
+        return w + change, _norm(change, least, y)
+
+    if not isinstance(solve, Elimination):
+        return partial(improved, solve, given, step, least, y)
+    parts = [solve.known, *given, step, least, y]
+    symbols = [ca.SX.sym("x", part.size1()) for part in (*parts, step, y, y)]
+    entries, mode, m, c, *others = symbols
+    results = improved(partial(solve.solve, entries), (mode, m, c), *others)
+    function = ca.Function("iteration", symbols, list(results))
+    return partial(function, *parts)
+
+
+def _norm(error: Any, least: Any, y: Any) -> Any:
+    """Root mean square of an error in the tolerances, as of explicit steps."""
+    return ca.sqrt(ca.sumsqr(error / (least + 4 * EPS * ca.fabs(y))) / min(error.numel(), MEAN_OF))
+
+
+def _sum(weights: tuple[float, ...], terms: list[Any]) -> Any:
+    return sum((weight * term for weight, term in zip(weights, terms, strict=False) if weight), start=0.0)
+
+
+def _entries(matrix: Any) -> Any:
+    """What is not zero by structure, as a column."""
+    return ca.vertcat(ca.SX(0, 1), *matrix.nonzeros())
+
+
+def _each(matrix: Any, active: Any) -> Any:
+    """The entries of an SX matrix that are numbers, while active; its structure is kept."""
+    entries = [ca.if_else(active * (ca.fabs(x) < SINGULAR), x, 0) for x in matrix.nonzeros()]
+    return ca.SX(matrix.sparsity(), ca.vertcat(*entries)) if entries else matrix

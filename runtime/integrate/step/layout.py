@@ -1,0 +1,112 @@
+"""Which row of a vector holds what: the state of an attempt, the numbers of a run, the result of a trial step.
+
+CasADi functions pass plain vectors; these records give their parts names, in the graph (SX) and in the recorded rows (NumPy).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from itertools import accumulate
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+
+from hertzwerk.runtime.host.lazy import cached_property
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model.model import Model
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Names and sizes of the consecutive parts of a vector."""
+
+    sizes: Mapping[str, int]
+
+    @cached_property
+    def size(self) -> int:
+        """Length of the whole vector."""
+        return sum(self.sizes.values())
+
+    @cached_property
+    def _slices(self) -> dict[str, slice]:
+        ends = accumulate(self.sizes.values())
+        return {name: slice(end - size, end) for (name, size), end in zip(self.sizes.items(), ends, strict=True)}
+
+    def __getitem__(self, name: str) -> slice:
+        return self._slices[name]
+
+    def symbol(self, name: str) -> Any:
+        """A symbolic vector of this layout."""
+        return ca.SX.sym(name, self.size)
+
+    def split(self, vector: Any) -> dict[str, Any]:
+        """Parts of a vector by name; each a column."""
+        bounds = [0]
+        for size in self.sizes.values():
+            bounds.append(bounds[-1] + size)
+        return {name: vector[bounds[i] : bounds[i + 1]] for i, name in enumerate(self.sizes)}
+
+    def join(self, parts: Mapping[str, Any]) -> Any:
+        """The vector of exactly these parts, SX; raises ValueError if a part is missing, unknown or of another size."""
+        columns = {name: ca.SX(part) for name, part in parts.items()}
+        found = {name: columns[name].numel() for name in columns}
+        if found != dict(self.sizes):
+            raise ValueError(f"found parts {found}, expected {dict(self.sizes)}")
+        return ca.vertcat(*(ca.densify(columns[name]) for name in self.sizes))
+
+
+@dataclass(frozen=True)
+class Layouts:
+    """The vectors of a model's integration; k pairs, ny = nq + nu + nz.
+
+    state     what one attempt hands to the next; the recorded row
+    controls  the numbers of one run, constant over its attempts
+    trial     what one step yields
+    verdict   what a step yields beside the state it would lead to: its kind, the error norm, whether each law is in its range
+    """
+
+    state: Layout
+    controls: Layout
+    trial: Layout
+    verdict: Layout
+
+
+FLIGHT, CONTACT, RELEASED = 0.0, 1.0, 2.0  # modes of a pair
+RUNNING, FINISHED, STEP_TOO_SMALL, NOT_FINITE, CONSTRAINT_LOST, OUTSIDE_LAW_RANGE, EVENT_LIMIT, TOO_MANY_STEPS = range(
+    8
+)  # status
+SUSPECT = -1.0  # status of explicit steps that look stiff: the run goes on with steps that choose their method
+# kind of a step: nothing speaks against it; a pair that was not asked may be near; something may happen in it; it failed
+PLAIN, NEAR, SPECIAL, REJECTED = range(4)
+PAIR_PARTS = ("gap", "gap_rate", "gap_acceleration", "force", "force_rate")  # in the state and in the trial
+GRIP_PARTS = ("friction", "margin", "margin_rate")  # likewise, of the pairs with set-valued friction
+
+
+def layouts(model: Model) -> Layouts:
+    """Layouts for a model.
+
+    State: t [s]; y = q, u, z; dy = dy/dt under the modes; mode and m (latches, slips); gap, gap_rate, gap_acceleration and force, force_rate
+    of each pair, friction, margin and margin_rate of those with set-valued friction (see `friction`) [SI]; where loops are closed, ahead [s] a
+    singular position (see `singular`); h [s] the step to try next;
+    h_flight, h_contact, h_onset [s] remembered; class (see `classes`), status; method, pressure, stiffness (see `choose`); accepted,
+    fresh_contact (a contact has just begun), after_rejection; then counters.
+    """
+    ny, k, nm = model.nq + model.nu + model.nz, model.k, model.nm
+    pairs = dict.fromkeys(PAIR_PARTS, k) | dict.fromkeys(GRIP_PARTS, model.ns) | {"ahead": min(model.nl, 1)}
+    steps = ("h", "h_flight", "h_contact", "h_onset", "class", "status")
+    choice = ("method", "pressure", "stiffness")
+    flags = ("accepted", "fresh_contact", "after_rejection")
+    counters = ("retakes", "steps", "rejected", "retaken", "evaluations", "events", "floored")
+    limits = ("tolerance", "t_end", "h_max", "floor", "max_events", "max_steps")
+    return Layouts(
+        state=Layout(
+            {"t": 1, "y": ny, "dy": ny, "mode": k, "m": nm}
+            | pairs
+            | dict.fromkeys((*steps, *choice, *flags, *counters), 1)
+        ),
+        controls=Layout({"c": model.nc, "scale": ny, "scales": 4} | dict.fromkeys(limits, 1)),
+        trial=Layout({"t": 1, "y": ny, "dy": ny} | pairs | {"in_range": k, "error": 1}),
+        verdict=Layout({"kind": 1, "error": 1, "in_range": k}),
+    )

@@ -1,0 +1,67 @@
+"""Constraints that say what others say, taken out for the length of a step.
+
+The stages of a step lie off the constraints, by far more than its error, and there a redundant constraint contradicts the others: by no more than
+they are off, but what it asks for is divided by as little. So each step goes by as many constraints as are independent, the same in all its stages,
+those that are least alike where it starts; which they are changes on the way. A step's end is closed by them too, and must close all (`closing`).
+
+Businger, Golub, Linear least squares solutions by Householder transformations, Numer. Math. 7 (1965) 269: the choice, by Gram and Schmidt.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model.model import Model
+
+OUT = 1e20  # softness of a constraint that is taken out
+
+
+def reduced(model: Model) -> Callable[[Mapping[str, Any], Mapping[str, Any]], Mapping[str, Any]]:
+    """(start, run) -> run: the controls of the step from a state, its constants c without the constraints that the others imply there."""
+    if not model.dependent:
+        return lambda start, run: run
+    function = model.once("softness", lambda: _softness(model))
+    speeds = slice(model.nq, model.nq + model.nu)
+
+    def without(start: Mapping[str, Any], run: Mapping[str, Any]) -> Mapping[str, Any]:
+        c = run["c"]
+        softness = function(start["t"], start["y"][: model.nq], c, run["scale"][speeds], run["scales"][0])
+        return {**run, "c": ca.vertcat(c[: model.nc - model.nl], softness)}
+
+    return without
+
+
+def _softness(model: Model) -> Any:
+    """CasADi function (t, q, c, sizes of the speeds (nu), length) -> softness of each constraint (nl)."""
+    t, q, c = ca.SX.sym("t"), ca.SX.sym("q", model.nq), ca.SX.sym("c", model.nc)
+    u, size, length = ca.SX.sym("u", model.nu), ca.SX.sym("size", model.nu), ca.SX.sym("length")
+    _, rate = model.function("constraints")(t, q, u, c)
+    rows = ca.mtimes(ca.jacobian(rate, u), ca.diag(size))
+    softness = c[model.nc - model.nl :]
+    for members, rank in model.dependent:
+        kept = _independent([ca.densify(rows[i, :]) / (length if model.is_length[i] else 1) for i in members], rank)
+        for i, stays in zip(members, kept, strict=True):
+            softness[i] = ca.if_else(stays, softness[i], OUT)
+    return ca.Function("softness", [t, q, c, size, length], [ca.cse(softness)])
+
+
+def _independent(rows: list[Any], rank: int) -> list[Any]:
+    """1 for `rank` of the rows, one after the other that which has most left beside those before; 0 for the rest."""
+    kept = [ca.SX(0)] * len(rows)
+    left = [ca.sumsqr(row) for row in rows]
+    for k in range(rank):
+        most = ca.mmax(ca.vertcat(*left))
+        chosen, taken = [], ca.SX(0)
+        for square in left:  # of equals the first
+            chosen.append((square >= most) * (1 - taken))
+            taken += chosen[-1]
+        kept = [a + b for a, b in zip(kept, chosen, strict=True)]
+        if k + 1 < rank:
+            unit = sum((row * one for row, one in zip(rows, chosen, strict=True)), start=ca.SX(0)) / ca.sqrt(most)
+            rows = [row - ca.dot(row, unit) * unit for row in rows]
+            left = [ca.if_else(stays, -1, ca.sumsqr(row)) for row, stays in zip(rows, kept, strict=True)]
+    return kept

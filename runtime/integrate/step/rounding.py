@@ -1,0 +1,64 @@
+"""How well gaps and gap rates are known: a running analysis of the rounding errors of the derived function that gives them.
+
+A gap is a difference of coordinates and lengths, so no better known than their last digits, however small it is: spheres that touch 1 m from the
+origin do so within 1e-16 m. Nothing that is decided on a gap may ask for more. Every operation adds the rounding of its result to what its
+arguments' errors make of it, to first order; Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed. (2002), section 3.3.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model.model import Model
+
+EPS = 2.0**-52
+EXACT = {ca.OP_NEG, ca.OP_FABS, ca.OP_TWICE, ca.OP_CONST, ca.OP_ASSIGN}  # operations that round nothing
+STATE = (
+    1,
+    2,
+)  # inputs of `gaps` that are rounded themselves, being integrated: q, u; time and constants are what they are
+
+
+def of_gaps(model: Model) -> Any:
+    """CasADi function (t, q, u, c) -> (gap (k) [m], gap_rate (k) [m/s]): bounds of the rounding errors of both, wherever a state is."""
+    return model.once("rounding", lambda: bounds(model.function("gaps"), STATE))
+
+
+def bounds(function: Any, rounded: tuple[int, ...]) -> Any:
+    """CasADi function of the same arguments -> bounds of the rounding errors of an SX function's results; `rounded`: inputs known to a last digit."""
+    given = [ca.SX.sym(f"x{i}", function.sparsity_in(i)) for i in range(function.n_in())]
+    errors = [ca.SX.zeros(function.sparsity_out(i)) for i in range(function.n_out())]
+    work: dict[int, tuple[Any, Any]] = {}
+    for k in range(function.n_instructions()):
+        operation, places, target = (
+            function.instruction_id(k),
+            function.instruction_input(k),
+            function.instruction_output(k),
+        )
+        if operation == ca.OP_INPUT:
+            value = given[places[0]].nz[places[1]]
+            work[target[0]] = value, EPS * ca.fabs(value) if places[0] in rounded else ca.SX(0)
+        elif operation == ca.OP_OUTPUT:
+            errors[target[0]].nz[target[1]] = work[places[0]][1]
+        elif operation == ca.OP_CONST:
+            work[target[0]] = ca.SX(function.instruction_constant(k)), ca.SX(0)
+        else:
+            work[target[0]] = _result(operation, [work[place] for place in places])
+    return ca.Function("rounding", given, ca.cse(errors))
+
+
+def _result(operation: int, arguments: list[tuple[Any, Any]]) -> tuple[Any, Any]:
+    """Value of one operation and the bound of its error."""
+    x = [ca.SX.sym(f"x{i}") for i in range(len(arguments))]
+    apply = ca.SX.unary if len(x) == 1 else ca.SX.binary
+    values = ca.vertcat(*(value for value, _ in arguments))
+    slopes = ca.substitute(ca.gradient(apply(operation, *x), ca.vertcat(*x)), ca.vertcat(*x), values)
+    result = apply(operation, *(value for value, _ in arguments))
+    error = ca.SX(0) if operation in EXACT else EPS * ca.fabs(result)
+    for slope, (_, of_argument) in zip(ca.vertsplit(slopes), arguments, strict=True):
+        if not of_argument.is_zero():
+            error = error + ca.fabs(slope) * of_argument
+    return result, error

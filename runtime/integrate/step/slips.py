@@ -1,0 +1,132 @@
+"""Who sticks and who slips from an instant on, and which way: a linear complementarity problem with bounds.
+
+Of the pairs that do not slide, all together: the friction forces lambda and the sliding accelerations a = W lambda + b that they leave, with
+|lambda| within what is held where a = 0, and the sliding force against a elsewhere. Friction of corners on one rigid body, or on links nearly in
+line, is all but redundant, W nearly singular: lambda is then not unique, but a is, and the bounds of lambda hold whatever the elimination says.
+Solved by changing the set of those that stick: first all pairs at once that are not as they should, then, so that it ends, the first of them.
+
+Judice, Pires, A block principal pivoting algorithm for large-scale strictly monotone linear complementarity problems, Computers and Operations
+Research 21 (1994) 587.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+
+from hertzwerk.runtime.integrate.step.classes import BY_MODE, pushing, where
+from hertzwerk.runtime.integrate.step.friction import BREAKS, STICK, grips, mobility, slips_in, solve_sticking
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model.model import Model
+
+TOGETHER = 5  # rounds in which all change that have to; nearly always enough
+ONE_BY_ONE = 3  # rounds for each pair in which one does
+ROUNDING = 1e-10  # of the terms of an acceleration, below which it has no sign
+
+
+def directed(model: Model) -> Any:
+    """CasADi function (t, y, mode, m, c, asked (n), tolerances of speeds [m/s] and forces [N] (n)) -> (m, y) from a change of slips on.
+
+    asked: pairs whose direction is not known, at an onset or where sliding has come to rest. Who slides by more than the tolerance goes on so; of
+    the others together it is found who sticks, which those that did may until the force exceeds what is held by a part of the tolerance. Those
+    that stick are brought to rest, by impulses whose work is booked as that of friction.
+    """
+    return model.once("directed", lambda: _directed(model))
+
+
+def _directed(model: Model) -> Any:
+    n = model.ns
+    sizes = (1, model.nq + model.nu + model.nz, model.k, model.nm, model.nc, n, n, n)
+    given = [
+        ca.MX.sym(name, size)
+        for name, size in zip(("t", "y", "mode", "m", "c", "asked", "rate", "force"), sizes, strict=True)
+    ]
+    if not n:
+        return ca.Function("directed", given, [given[3], given[1]])
+    slip, _ = settled(n)(*_problem(model)(*given))
+    m, y = _at_rest(model)(*given[:5], slip)
+    return ca.Function("directed", given, [m, y])
+
+
+def settled(n: int) -> Any:
+    """CasADi function (W, b, open, sliding, slip, bound) -> (slip, busy): slips as they have to be, from first ones on; busy: none were found."""
+    together, single = (_round(n, one=one) for one in (False, True))
+    arguments = together.mx_in()
+    *constants, slip, bound, _ = arguments
+    unchanged = ca.Function("unchanged", arguments, [slip, bound, ca.MX(0)])
+    now: list[Any] = [slip, bound, ca.MX(1)]
+    for i in range(TOGETHER + ONE_BY_ONE * n):
+        lazy = ca.Function.if_else("round", single if i >= TOGETHER else together, unchanged)
+        now = lazy.call([now[2], *constants, *now])
+    return ca.Function("settled", arguments[:-1], [now[0], now[2]])
+
+
+def _problem(model: Model) -> Any:
+    """CasADi function (as of `directed`) -> W (n, n), b (n), open (n), sliding (n), and the first slips and bounds (n) to try.
+
+    open: pairs in contact that do not slide; of the others b has the friction.
+    """
+    n = model.ns
+    t, y, mode = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz), ca.SX.sym("mode", model.k)
+    m, c = ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc)
+    asked, rate, force = (ca.SX.sym(name, n) for name in ("asked", "rate", "force"))
+    q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
+    now = grips(model, BY_MODE, t, y, mode, m, c)
+    f = model.function("applied")(t, q, u, c)
+    for _, contact, active in pushing(model, BY_MODE, mode):
+        f += where(active, contact(t, q, u, z, m, c)[0])
+    stays = now.sticks * (1 - asked)  # whatever errors have left it of speed
+    still = now.touching * ((ca.fabs(now.velocity) <= rate) + stays > 0)
+    slides = now.touching * (1 - still) * ca.if_else(asked, ca.sign(now.velocity), now.slip)
+    a = model.function("accelerations").call([t, q, u, f - ca.mtimes(now.along, slides * now.sliding), c])[0]
+    b = now.drift + ca.mtimes(now.along[: model.nu, :].T, a)
+    W = ca.mtimes(now.along[: model.nu, :].T, mobility(model, t, q, u, now.along, c))
+    held = now.holding + ca.if_else(asked, 0, BREAKS * force)
+    first = ca.if_else(still, ca.if_else(asked, STICK, now.slip), slides)
+    given = [t, y, mode, m, c, asked, rate, force]
+    return ca.Function("problem", given, ca.cse([*map(ca.densify, (W, b, still, now.sliding, first, held))]))
+
+
+def _round(n: int, *, one: bool) -> Any:
+    """CasADi function (W, b, open, sliding, slip, bound, busy) -> (slip, bound, busy): who is not as it should changes, all or the first `one`.
+
+    Who comes back to rest may not hold more than it slides with: so the bounds end by being those of a problem that has a solution.
+    """
+    W, b, still, sliding, slip, bound = (
+        ca.SX.sym(name, n, n if name == "W" else 1) for name in ("W", "b", "still", "sliding", "slip", "bound")
+    )
+    sticks = still * (slip == STICK)
+    driven = -still * slip * sliding
+    force = driven + solve_sticking(W, sticks, -(b + ca.mtimes(W, driven)))
+    a = b + ca.mtimes(W, force)
+    terms = ca.fabs(b) + ca.mtimes(ca.fabs(W), ca.fabs(force))
+    lets_go = sticks * (ca.fabs(force) > bound)
+    returns = still * (1 - sticks) * (slip * a < -ROUNDING * terms)
+    changes = lets_go + returns
+    if one:
+        earlier, only = ca.SX(0), []
+        for change in ca.vertsplit(changes):
+            only.append(change * (earlier == 0))
+            earlier += change
+        lets_go, returns = (part * ca.vertcat(*only) for part in (lets_go, returns))
+    new = ca.if_else(lets_go, -ca.sign(force), ca.if_else(returns, STICK, slip))
+    arguments = [W, b, still, sliding, slip, bound, ca.SX.sym("busy")]
+    return ca.Function("round", arguments, ca.cse([new, ca.if_else(lets_go, sliding, bound), ca.mmax(changes) > 0]))
+
+
+def _at_rest(model: Model) -> Any:
+    """CasADi function (t, y, mode, m, c, slip (n)) -> (m, y): the slips, and by impulses along the tangents no sliding where pairs stick."""
+    t, y, mode = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz), ca.SX.sym("mode", model.k)
+    m, c, slip = ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc), ca.SX.sym("slip", model.ns)
+    q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
+    latches, _ = ca.vertsplit(m, [0, slips_in(model).start, model.nm])
+    new = ca.vertcat(latches, slip)
+    now = grips(model, BY_MODE, t, y, mode, new, c)
+    change = mobility(model, t, q, u, now.along, c)
+    W = ca.mtimes(now.along[: model.nu, :].T, change)
+    impulse = solve_sticking(W, now.sticks, -now.velocity)
+    # the speed at which an impulse works is the mean of those before and after, and after it is none
+    moved = ca.vertcat(q, u + ca.mtimes(change, impulse), z + ca.mtimes(now.power, impulse) / 2)
+    return ca.Function("at_rest", [t, y, mode, m, c, slip], [new, ca.if_else(ca.mmax(now.sticks), moved, y)])

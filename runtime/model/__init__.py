@@ -1,0 +1,1 @@
+"""Generated modules as models: built, loaded, bound to numbers, called."""

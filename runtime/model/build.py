@@ -1,0 +1,236 @@
+"""The only door to derive: from a scene to a loaded module.
+
+Derivation imports SymPy, so every import of derive stands inside a function: a run of a committed scene never comes here.
+Variations of the built-in scenes are remembered on disk under the hash of everything their text depends on, and found again without SymPy.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import linecache
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache, partial
+from importlib import metadata, resources
+from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+from hertzwerk.derive.faults import Fault, InputError, unknown
+from hertzwerk.runtime.host import cache as disk
+
+if TYPE_CHECKING:
+    from hertzwerk.derive.audit.audit import Finding
+    from hertzwerk.derive.declare.scene import Scene
+    from hertzwerk.derive.readable.record import Readable
+    from hertzwerk.derive.sheets.impact import Trial
+    from hertzwerk.derive.sheets.sheet import Sheet
+
+
+def built_in_scenes() -> tuple[str, ...]:
+    """Names of the scenes that `hertzwerk.derive.scenes` declares, sorted; imports nothing."""
+    folder = resources.files("hertzwerk.derive") / "scenes"
+    files = (entry.name for entry in folder.iterdir())
+    return tuple(sorted(name[:-3] for name in files if name.endswith(".py") and not name.startswith("_")))
+
+
+def is_file(target: str | Path) -> bool:
+    """Whether a target names a Python file rather than a built-in scene."""
+    return isinstance(target, Path) or target.endswith(".py") or "/" in target or "\\" in target
+
+
+def scene_from(target: str | Path) -> Scene:
+    """The scene of a built-in name, or of a Python file that defines `scene`; raises InputError.
+
+    The file is executed, as `python file.py` would.
+    """
+    from hertzwerk.derive.declare.scene import Scene
+    from hertzwerk.derive.files.execute import names_defined_by
+
+    if is_file(target):
+        content = names_defined_by(Path(target))
+        scene = content.get("scene")
+        if not isinstance(scene, Scene):
+            found = "no `scene`" if scene is None else f"`scene` of type {type(scene).__name__}"
+            raise InputError(str(target), [Fault(str(target), found, "a file that defines `scene = Scene(...)`")])
+        return scene
+    require_targets([str(target)])
+    module = __import__(f"hertzwerk.derive.scenes.{target}", fromlist=["scene"])
+    built_in: Scene = module.scene
+    return built_in
+
+
+def source_of(target: str | Path) -> str:
+    """What a generated module's header calls its origin: no folder of this machine."""
+    return Path(target).name if is_file(target) else f"derive/scenes/{target}.py"
+
+
+def vary(
+    scene: Scene,
+    without: Sequence[str] = (),
+    laws: Mapping[str, str] | None = None,
+    coordinates: str | None = None,
+) -> Scene:
+    """The scene without some effects, with other laws (effect -> name of a law), in other coordinates; raises InputError with all faults."""
+    faults: list[Fault] = []
+    for effect, law in (laws or {}).items():
+        try:
+            scene = scene.with_law(effect, law)
+        except InputError as error:
+            faults.extend(error.faults)
+    try:
+        scene = scene.without(*without) if without else scene
+    except InputError as error:
+        faults.extend(error.faults)
+    try:
+        scene = scene.with_coordinates(coordinates) if coordinates is not None else scene
+    except InputError as error:
+        faults.extend(error.faults)
+    if faults:
+        raise InputError(scene.name, faults)
+    return scene
+
+
+def build(scene: Scene, source: str = "a scene") -> ModuleType:
+    """Derive, check and generate a scene, and execute the generated text; raises InputError where the scene is inconsistent."""
+    return _module(scene.name, derive_text(scene, source))
+
+
+def derive_text(scene: Scene, source: str) -> str:
+    """Text of the generated module of a scene; raises InputError."""
+    from hertzwerk.derive.derivation import generate
+
+    return generate(scene, source)
+
+
+def equations(scene: Scene) -> Readable:
+    """The equations of a scene for people; raises InputError where a unit does not hold or an effect enters no equation."""
+    from hertzwerk.derive.readable.equations import equations_of
+
+    return equations_of(scene)
+
+
+def audit_targets(targets: Sequence[str]) -> dict[str, tuple[Finding, ...]]:
+    """Findings on built-in scenes, files and folders, by target or file; raises InputError where one is unsound."""
+    from hertzwerk.derive.audit.audit import audit_scene
+    from hertzwerk.derive.files.audit_files import audit_files
+
+    audited: dict[str, tuple[Finding, ...]] = {}
+    for target in targets:
+        if target in built_in_scenes():
+            audited[target] = audit_scene(scene_from(target))
+        elif is_file(target) or target.endswith(".toml") or Path(target).is_dir():
+            audited.update((str(path), found) for path, found in audit_files(Path(target)).items())
+        else:
+            require_targets([target])
+    return audited
+
+
+def audit_text(text: str, units: Sequence[str], values: Sequence[str], expect: str | None) -> Finding:
+    """Finding on one expression, its names declared as "NAME=UNIT" and "NAME=NUMBER"; raises InputError."""
+    from hertzwerk.derive.files import audit_text as of_text
+
+    return of_text.audit_expression(text, *of_text.declarations(units, values), expect)
+
+
+def audit_catalogue() -> tuple[tuple[Finding, ...], tuple[str, ...]]:
+    """Findings on every law of the catalogue, and the laws whose verdict is not the one their record states."""
+    from hertzwerk.derive.files.audit_files import audit_catalogue as audited
+    from hertzwerk.derive.files.audit_files import differing
+
+    findings = audited()
+    return findings, differing(findings)
+
+
+def law_summaries() -> tuple[tuple[str, str, str, str, str], ...]:
+    """(kind, name, title, grade, verdict) of every law of the catalogue."""
+    from hertzwerk.derive.laws import LAWS
+
+    return tuple((law.kind, law.name, law.title, law.grade, law.verdict) for law in LAWS.values())
+
+
+def law_sheets(names: Sequence[str]) -> tuple[Sheet, ...]:
+    """The sheets of the laws of these names; raises InputError with every name that is none."""
+    from hertzwerk.derive.sheets.sheet import laws_named, sheet
+
+    return tuple(sheet(law) for law in laws_named(names))
+
+
+def impact_trials() -> tuple[Trial, ...]:
+    """The free impact of every damping law: its scene, and what is known of it in closed form."""
+    from hertzwerk.derive.sheets.impact import trials
+
+    return tuple(trials())
+
+
+def build_built_in(
+    name: str,
+    without: Sequence[str] = (),
+    laws: Mapping[str, str] | None = None,
+    coordinates: str | None = None,
+) -> ModuleType:
+    """Module of a variation of a built-in scene; from the cache where it can."""
+    require_targets([name])
+    variation = name, tuple(without), tuple(sorted((laws or {}).items())), coordinates
+    scene = partial(_varied, name, without, laws, coordinates)
+    return _module(name, _remembered(variation, scene, source_of(name)))
+
+
+def _varied(name: str, *variation: Any) -> Scene:
+    return vary(scene_from(name), *variation)
+
+
+def build_hard_scene(name: str) -> ModuleType:
+    """Module of a scene that only a hard case has (`derive.hard_scenes`), from the cache where it can; raises KeyError for another name."""
+
+    def scene() -> Scene:
+        from hertzwerk.derive.scenes.hard.scenes import HARD_SCENES
+
+        return HARD_SCENES[name]()
+
+    return _module(name, _remembered(("hard", name), scene, "derive/scenes/hard/scenes.py"))
+
+
+def _remembered(variation: tuple[object, ...], scene: Callable[[], Scene], source: str) -> str:
+    """Text of a module from the cache, or derived now and kept."""
+    key = f"generated-{_key(variation)}"
+    text = disk.read(key, ".py")
+    if text is None:
+        text = derive_text(scene(), source)
+        disk.keep(key, ".py", text.encode())
+    return text
+
+
+def require_targets(targets: Sequence[str]) -> None:
+    """Raise InputError with every target that is neither a Python file nor a built-in scene."""
+    known = built_in_scenes()
+    way_out = "or a Python file (its name ends in .py)"
+    faults = [unknown("scene", name, known, way_out) for name in targets if not is_file(name) and name not in known]
+    if faults:
+        raise InputError(f"scene {faults[0].where}" if len(faults) == 1 else "scenes", faults)
+
+
+def _module(name: str, text: str) -> ModuleType:
+    module = ModuleType(f"hertzwerk_generated_{name}")
+    module.__file__ = f"<generated {name} {hashlib.sha256(text.encode()).hexdigest()[:12]}>"
+    linecache.cache[module.__file__] = (len(text), None, text.splitlines(keepends=True), module.__file__)
+    exec(compile(text, module.__file__, "exec"), module.__dict__)  # text of our own emitter
+    return module
+
+
+def _key(variation: tuple[object, ...]) -> str:
+    """Hash of everything the text of a variation depends on: derive's own source, SymPy, and the variation."""
+    parts = repr((derive_digest(), metadata.version("sympy"), sys.version_info[:2], *variation))
+    return hashlib.sha256(parts.encode()).hexdigest()[:32]
+
+
+@cache
+def derive_digest(folder: Path | None = None) -> str:
+    """Hash of derive's sources: of those in use, or of those in a folder."""
+    if folder is None:
+        with resources.as_file(resources.files("hertzwerk.derive")) as installed:
+            return derive_digest(installed)
+    digest = hashlib.sha256()
+    for file in sorted(folder.rglob("*.py")):
+        digest.update(file.relative_to(folder).as_posix().encode() + b"\0" + file.read_bytes() + b"\0")
+    return digest.hexdigest()

@@ -1,0 +1,303 @@
+"""A generated module, loaded: names, units and defaults of its ports, its CasADi functions, and numbers bound to its parameters."""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import math
+from collections.abc import Callable, Hashable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from types import ModuleType, SimpleNamespace
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import casadi as ca
+import numpy as np
+
+from hertzwerk.derive.faults import Fault, InputError, shown, unknown
+from hertzwerk.runtime.host.lazy import cached_property
+from hertzwerk.runtime.model.binding import Port, Value, read_parameters
+
+if TYPE_CHECKING:
+    from hertzwerk.derive.declare.scene import Scene
+    from hertzwerk.derive.readable.record import Readable
+
+
+@dataclass(frozen=True)
+class Bound:
+    """Numbers for one run: p (np,) and c (nc,) in SI, and each parameter's value in the unit it was given in."""
+
+    p: np.ndarray
+    c: np.ndarray
+    values: Mapping[str, tuple[float, str]]
+    warnings: tuple[str, ...]
+
+    def __getitem__(self, name: str) -> float:
+        """SI value of a parameter."""
+        return float(self.p[list(self.values).index(name)])
+
+
+Dependent: TypeAlias = tuple[tuple[int, ...], int]
+"""Constraints that imply each other, and how many of them are independent."""
+
+SOLVING = ("accelerations", "projection")  # functions that solve for what holds the loops
+
+
+@dataclass(frozen=True)
+class Declaration:
+    """What a model was loaded from: a built-in scene's name or a scene, without some effects, with other laws, in other coordinates."""
+
+    target: str | Scene
+    without: tuple[str, ...] = ()
+    laws: tuple[tuple[str, str], ...] = ()
+    coordinates: str | None = None
+
+    def scene(self) -> Scene:
+        """The scene of the model; raises InputError."""
+        from hertzwerk.runtime.model import build
+
+        scene = build.scene_from(self.target) if isinstance(self.target, str) else self.target
+        return build.vary(scene, self.without, dict(self.laws), self.coordinates)
+
+
+class Model:
+    """A scene that can be simulated. `declaration` is where it comes from; a saved run has none."""
+
+    def __init__(
+        self,
+        module: ModuleType | SimpleNamespace,
+        declaration: Declaration | None = None,
+        dependent: tuple[Dependent, ...] = (),
+    ) -> None:
+        self.module = module
+        self.declaration = declaration
+        self.dependent = dependent
+        self.name: str = module.NAME
+        self.parameters: dict[str, Port] = {row[0]: Port(*row) for row in module.PARAMETERS}
+        self.coordinates, self.speeds, self.memory, self.latches, self.pairs, self.outputs = (
+            tuple(row[0] for row in rows)
+            for rows in (module.COORDINATES, module.SPEEDS, module.MEMORY, module.LATCHES, module.PAIRS, module.OUTPUTS)
+        )
+        self.nq, self.nu, self.nz = len(self.coordinates), len(self.speeds), len(self.memory)
+        self.slips: tuple[tuple[str, str, int], ...] = getattr(module, "SLIPS", ())
+        self.ns, self.k, self.nc = len(self.slips), len(self.pairs), len(module.CONSTANTS)
+        self.nm = len(self.latches) + self.ns
+        self.quaternions: tuple[int, ...] = getattr(module, "QUATERNIONS", ())
+        """Rows of q where one begins."""
+        self.constraints: tuple[str, ...] = tuple(row[0] for row in getattr(module, "CONSTRAINTS", ()))
+        self.nl = len(self.constraints)
+        self.is_length = tuple(row[1] == "m" for row in getattr(module, "CONSTRAINTS", ()))
+        """Of each constraint: whether it is a length [m], not an angle's sine [1]."""
+        self.has_ledger = hasattr(module, "ledger")
+        self._made: dict[Hashable, Any] = {}
+
+    def __repr__(self) -> str:
+        return f"Model({self.name}: {self.nq} coordinates, {self.k} contact pairs, {len(self.parameters)} parameters)"
+
+    @cached_property
+    def units(self) -> dict[str, str]:
+        """Unit text of every state by name, in the order q, u, z."""
+        module = self.module
+        return {row[0]: row[1] for rows in (module.COORDINATES, module.SPEEDS, module.MEMORY) for row in rows}
+
+    @cached_property
+    def joints(self) -> Model:
+        """The mechanism by its joints' coordinates, in which starts are given: itself, or what a model in absolute coordinates has of it."""
+        module = self.module
+        if not hasattr(module, "JOINT_COORDINATES"):
+            return self
+        given = {
+            name: getattr(module, name) for name in ("NAME", "EFFECTS", "PARAMETERS", "CONSTANTS", "LIMITS", "start")
+        }
+        given |= {
+            name: getattr(module, f"JOINT_{name}") for name in ("COORDINATES", "SPEEDS", "QUATERNIONS", "CONSTRAINTS")
+        }
+        given |= dict.fromkeys(("MEMORY", "LATCHES", "PAIRS", "OUTPUTS"), ())
+        given |= {"scales": module.joint_scales, "GIVEN": getattr(module, "GIVEN", ())}
+        if module.JOINT_CONSTRAINTS:
+            given["constraints"] = module.joint_constraints
+        return Model(SimpleNamespace(**given))
+
+    def without_redundancy(self, dependent: tuple[Dependent, ...]) -> Model:
+        """The model whose steps leave out what others of these constraints imply; itself where there are none."""
+        if not dependent:
+            return self
+        made: Model = self.once(("dependent", dependent), lambda: Model(self.module, self.declaration, dependent))
+        return made
+
+    def function(self, name: str) -> Any:
+        """CasADi function of one of the module's builders, e.g. "gaps" or "contact_slider_pin"; inputs and outputs as the module documents them.
+
+        Raises InputError for a name that is none.
+        """
+        if not isinstance(name, str) or not self.has(name):
+            known = [*filter(self.has, _INPUTS), *(f"contact_{pair}" for pair in self.pairs)]
+            raise InputError(self.name, [unknown("function", name, known)])
+        return self.once(name, lambda: self._build(name))
+
+    def once(self, key: Hashable, make: Callable[[], Any]) -> Any:
+        """What `make` returned when this key was first asked for: CasADi functions are built once per model."""
+        if key not in self._made:
+            self._made[key] = make()
+        return self._made[key]
+
+    def has(self, name: str) -> bool:
+        """Whether the module has a builder of this name."""
+        listed = name in _INPUTS or name.removeprefix("contact_") in self.pairs
+        return listed and callable(getattr(self.module, name, None))
+
+    def _build(self, name: str) -> Any:
+        sizes = {
+            "t": 1,
+            "q": self.nq,
+            "u": self.nu,
+            "z": self.nz,
+            "m": self.nm,
+            "c": self.nc,
+            "p": len(self.parameters),
+            "a": self.nu,
+            "wanted": self.nl,
+            "multipliers": self.nl,
+            "joints": self.joints.nq,
+            "joint_speeds": self.joints.nu,
+        }
+        inputs = _INPUTS["contact" if name.startswith("contact_") else name].split()
+        if "f" in inputs:
+            sizes["f"] = self.function("applied").size1_out(0)
+        if "reactions" in inputs:
+            sizes["reactions"] = self.function("accelerations").size1_out(1)
+        symbols = [ca.SX.sym(symbol, sizes[symbol]) for symbol in inputs]
+        given = dict(zip(inputs, symbols, strict=True))
+        if name in SOLVING and self.nl and not self.dependent:
+            # a softness that never changes is a number, and what it multiplies is made once
+            softness = self.module.constants(ca.SX.sym("p", sizes["p"]))[self.nc - self.nl :]
+            given["c"] = ca.vertcat(given["c"][: self.nc - self.nl], softness)
+        results = getattr(self.module, name)(*given.values())
+        columns = [ca.densify(ca.vec(ca.SX(x))) for x in (results if isinstance(results, tuple) else (results,))]
+        return ca.Function(name, symbols, ca.cse(columns), inputs, [f"o{i}" for i in range(len(columns))])
+
+    def period(self, bound: Bound) -> float | None:
+        """After what time everything that depends on time repeats [s]; None where nothing does."""
+        found = float(self.function("period")(bound.p)) if hasattr(self.module, "period") else math.inf
+        return found if math.isfinite(found) else None  # a drive that stands still has none
+
+    def equations(self) -> Readable:
+        """The equations of the model for people, derived from its scene anew: Markdown with LaTeX, typeset in a notebook.
+
+        Raises InputError for a model without its scene, as a saved run has it.
+        """
+        if self.declaration is None:
+            fault = Fault("equations", "a model without its scene", "a model that `load` returned",
+                          f"load({self.name!r}).equations(), or hertzwerk derive {self.name} --show")  # fmt: skip
+            raise InputError(self.name, [fault])
+        from hertzwerk.runtime.model import build
+
+        return build.equations(self.declaration.scene())
+
+    def draw(self, *, parameters: Mapping[str, Value] | None = None, initial: Mapping[str, Value] | None = None) -> Any:
+        """A figure of the mechanism at its start, with its clearances enlarged; raises InputError. `Solution.draw` shows how it moves."""
+        from hertzwerk.runtime.pictures.draw import picture
+
+        return picture.of_start(self, parameters, initial)
+
+    def bind(self, parameters: Mapping[str, Value] | None = None) -> Bound:
+        """Defaults with `parameters` in their place, in SI; raises InputError with every fault."""
+        bound, faults = self.check({} if parameters is None else parameters)
+        if bound is None:
+            raise InputError(self.name, faults)
+        return bound
+
+    def check(self, parameters: Mapping[str, Value]) -> tuple[Bound | None, list[Fault]]:
+        """What `bind` does, with the faults as a value: no Bound where there is one."""
+        reading = read_parameters(self.parameters, self.module.LIMITS, parameters)
+        if reading.faults:
+            return None, list(reading.faults)
+        p = np.array(list(reading.si.values()))
+        c = np.array(self.function("constants")(p)).ravel()
+        faults = list(dict.fromkeys(
+            self._undefined(name, unit, float(value))
+            for (name, unit), value in zip(self.module.CONSTANTS, c, strict=True)
+            if not math.isfinite(value)
+        ))  # fmt: skip
+        return (None, faults) if faults else (Bound(p, c, reading.texts, reading.warnings), [])
+
+    def _undefined(self, constant: str, unit: str, value: float) -> Fault:
+        """The fault of a constant that is no number; of a law that is unchecked one for all of them."""
+        for effect, text in self.module.UNCHECKED:
+            if constant.startswith(f"{effect}_"):
+                remedy = ("an unchecked law takes SI values as they are, and its formula has no value for them: take its consistent form, "
+                          "whose hidden units are named (`hertzwerk laws NAME` says which)")  # fmt: skip
+                return Fault(
+                    f"effect {effect}", f"{text} without a value at these parameters", "a law that has one", remedy
+                )
+        cause = "it follows from the parameters alone; look for values far from each other in size"
+        return Fault(constant, f"{value!r} {unit}", "a finite constant", cause)
+
+
+_INPUTS = {
+    "constants": "p",
+    "start": "p",
+    "placed": "t joints joint_speeds c",
+    "scales": "p",
+    "coordinate_rates": "t q u c",
+    "gaps": "t q u c",
+    "gap_accelerations": "t q u a c",
+    "contact": "t q u z m c",
+    "applied": "t q u c",
+    "accelerations": "t q u f c",
+    "constraints": "t q u c",
+    "balance": "t q u a multipliers c",
+    "projection": "t q wanted c",
+    "ledger": "t q u reactions c",
+    "energy": "t q u c",
+    "poses": "t q c",
+    "outputs": "t q u c",
+    "speed_limits": "p",
+    "period": "p",
+    "landmarks": "p",
+}
+
+
+def _type_faults(target: Any, without: Any, laws: Any, coordinates: Any) -> list[Fault]:
+    """What is of a type that nothing can be loaded or varied by."""
+    faults: list[Fault] = []
+    if not isinstance(target, str | Path) and not hasattr(target, "mechanism"):
+        faults.append(Fault("target", shown(target), "the name of a built-in scene, a Python file, or a Scene"))
+    if not isinstance(without, list | tuple) or not all(isinstance(name, str) for name in without):
+        faults.append(Fault("without", shown(without), "a list of names of effects"))
+    given = () if laws is None else laws.items() if isinstance(laws, Mapping) else ((laws, None),)
+    if not all(isinstance(name, str) and isinstance(law, str) for name, law in given):
+        faults.append(Fault("laws", shown(laws), 'laws by the names of effects, such as {"floor": "flores"}'))
+    if not isinstance(coordinates, str | None):
+        faults.append(Fault("coordinates", shown(coordinates), '"tree", "absolute" or "auto"'))
+    return faults
+
+
+def load(
+    target: str | Path | Scene,
+    *,
+    without: Sequence[str] = (),
+    laws: Mapping[str, str] | None = None,
+    coordinates: str | None = None,
+) -> Model:
+    """The model of a built-in scene (never imports SymPy), of a variation of one, of a Python file that defines `scene`, or of a Scene.
+
+    `without` names effects to leave out, `laws` gives an effect another law by name, `coordinates` are "tree", "absolute" or "auto" in place of
+    the scene's own. Raises InputError.
+    """
+    faults = _type_faults(target, without, laws, coordinates)
+    if faults:
+        raise InputError("load", faults)
+    varied = bool(without or laws or coordinates is not None)
+    if isinstance(target, str) and not varied and target.isidentifier():
+        name = f"hertzwerk.generated.{target}"
+        if importlib.util.find_spec(name) is not None:
+            return Model(importlib.import_module(name), Declaration(target))
+    from hertzwerk.runtime.model import build
+
+    how = tuple(without), tuple((laws or {}).items()), coordinates
+    if isinstance(target, str) and not build.is_file(target):
+        return Model(build.build_built_in(target, without, laws, coordinates), Declaration(target, *how))
+    source = build.source_of(target) if isinstance(target, str | Path) else "a scene"
+    scene = build.scene_from(target) if isinstance(target, str | Path) else target
+    return Model(build.build(build.vary(scene, without, laws, coordinates), source), Declaration(scene, *how))

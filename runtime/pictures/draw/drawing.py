@@ -1,0 +1,227 @@
+"""A mechanism on an axis: at its start, faintly later, with the paths of its points, names, and scales."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.ticker import MaxNLocator
+
+from hertzwerk.runtime.host.lazy import cached_property
+from hertzwerk.runtime.pictures.curves import Scale, scale_of
+from hertzwerk.runtime.pictures.draw import elements, labels
+from hertzwerk.runtime.pictures.draw.paper import INK, Paper, shade
+from hertzwerk.runtime.pictures.draw.parts import Parts
+from hertzwerk.runtime.pictures.draw.places import GROUND, Array, Landmark, Places
+from hertzwerk.runtime.pictures.draw.view import view_of
+from hertzwerk.runtime.pictures.plot_style import GREY, VERMILLION
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+LEAST = (3.0, 1.9)  # inches of an axis
+MARGIN = 30.0  # points around what has to be seen
+MORE = 22.0  # where the ground of a spring stands behind what slides
+CROWDED, LEAST_SYMBOL = 28.0, 0.3  # bodies shorter than this, in points, get smaller symbols, down to this part
+GHOSTS = 5
+DISTINCT = 0.07  # of the size of the mechanism: ghosts nearer to each other than this, or than half a body, say nothing
+PATHS = 3
+ROUNDS = 4.0  # of the size of a path: as long as it is shown, once around a circle and on
+MANY = 16  # names that still find a place
+UNITS = (("m", 1.0), ("cm", 1e-2), ("mm", 1e-3), ("µm", 1e-6))
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A mechanism ready to be drawn: what is seen of it, `size` of the axis [inch], its limits (left, right, bottom, top), instants of the ghosts."""
+
+    parts: Parts
+    size: tuple[float, float]
+    frame: tuple[float, float, float, float]
+    ghosts: tuple[int, ...]
+
+    @classmethod
+    def of(
+        cls, places: Places, panel: tuple[float, float], least: tuple[float, float] = LEAST, margin: float = MARGIN
+    ) -> Drawing:
+        """Everything fits into a panel [inch]."""
+        view = view_of(places)
+        rough = float(np.max(np.ptp(Parts(places, view, Scale("m", 1.0)).extents(), axis=0)))
+        parts = Parts(places, view, _unit(rough or 1.0))
+        seen = parts.extents()
+        low, high = np.min(seen, axis=0), np.max(seen, axis=0)
+        around = margin + (MORE if _stands_behind(parts, float(np.max(high - low))) else 0.0)
+        room = [inches - 2 * around / 72 for inches in panel]
+        per_inch = float(np.max((high - low) / room)) or 0.25 / parts.unit.factor  # of a point mass: a metre
+        size = np.maximum((high - low) / per_inch + 2 * around / 72, least)
+        middle, half = (low + high) / 2, size * per_inch / 2
+        (left, bottom), (right, top) = middle - half, middle + half
+        inches = float(size[0]), float(size[1])
+        return cls(parts, inches, (left, right, bottom, top), _distinct(parts, float(np.max(high - low))))
+
+    @property
+    def point(self) -> float:
+        """1/72 inch in the unit of the picture."""
+        return (self.frame[1] - self.frame[0]) / self.size[0] / 72
+
+    def on(self, axis: Axes, size: float = 9.0, symbols: float = 1.0) -> None:
+        """Draw it, with names of a size [points], and symbols of so much their usual one."""
+        parts = self.parts
+        length = parts.length(0) or CROWDED * self.point
+        paper = Paper(axis, self.point * symbols * float(np.clip(length / (CROWDED * self.point), LEAST_SYMBOL, 1.0)))
+        axis.set(xlim=self.frame[:2], ylim=self.frame[2:], aspect="equal")
+        for i in self.ghosts:
+            parts.draw(paper.faint(), i)
+        self._paths(paper)
+        parts.draw(paper, 0)
+        elements.draw(parts, paper, 0)
+        self._gravity(paper, self.point * symbols)
+        if parts.view.names is None:
+            self._triad(paper, self.point * symbols)
+        else:
+            self._scales(axis)
+        labels.place(paper, list(self._names(paper, size)), self.frame, self.point)
+
+    def caption(self) -> str:
+        """What is seen."""
+        t = self.parts.places.t
+        if len(t) == 1:
+            return "At the start."
+        time = scale_of("s", t[-1])
+        later = ", ".join(f"{value:.3g}" for value in time(t[list(self.ghosts)]))
+        faint = f"; faint at {later} {time.unit}" if self.ghosts else "; how it moves is too little to be seen"
+        paths = [mark.part if mark.place in ("pin", "ball", "child") else mark.body for mark, _ in self.paths]
+        if not paths:
+            return f"At t = 0{faint}."
+        return (
+            f"At t = 0{faint}. "
+            + ("Thin lines: paths of " if len(paths) > 1 else "Thin line: path of ")
+            + f"{', '.join(dict.fromkeys(paths))}."
+        )
+
+    # -- paths ---------------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def paths(self) -> list[tuple[Landmark, Array]]:
+        """Landmarks that move and their ways (n, 2), each way once: of pairs, then the longest of joints and mass centres."""
+        parts, reach = self.parts, 8 * self.point
+        chosen: list[tuple[Landmark, Array]] = []
+        for mark in sorted(parts.places.landmarks, key=self._rank):
+            way = parts.flat(parts.positions[id(mark)])
+            moves = len(way) > 1 and mark.body != GROUND and np.max(np.ptp(way, axis=0)) > reach
+            if moves and self._rank(mark)[0] < 2 and all(np.max(np.abs(way - other)) > reach for _, other in chosen):
+                chosen.append((mark, way))
+        return [(mark, _cut(way)) for mark, way in chosen[:PATHS]]
+
+    def _rank(self, mark: Landmark) -> tuple[int, float]:
+        """Which paths are shown first: of pins, balls and spheres, of joints and mass centres by their size; none of the rest."""
+        if mark.place in ("pin", "ball", "sphere", "cylinder", "disc") or mark.kind == "sphere_on_sphere":
+            return 0, 0.0
+        if mark.kind == "body" or (mark.place == "child" and not mark.kind.startswith(("slide_", "turn_", "planar"))):
+            return 1, -round(
+                float(np.max(np.ptp(self.parts.flat(self.parts.positions[id(mark)]), axis=0))) / (4 * self.point)
+            )
+        return 2, 0.0
+
+    def _paths(self, paper: Paper) -> None:
+        for mark, way in self.paths:
+            paper.path(way, self.parts.colours[mark.body])
+
+    # -- furniture -----------------------------------------------------------------------------------------------------
+
+    def _names(self, paper: Paper, size: float) -> Iterator[labels.Label]:
+        parts = self.parts
+        bodies = parts.places.bodies[1:]
+        if len(bodies) <= MANY:
+            for body in bodies:
+                yield labels.Label(body, parts.beside(paper, body, 0), shade(parts.colours[body]), size)
+        for (name, kind), marks in parts.of.items():
+            if kind in ("spring", "damper", "slide_spring", "slide_damper"):
+                a, b = parts.at(marks[0], 0), parts.at(marks[1], 0)
+                yield labels.Label(name, np.array([(a + b) / 2, a + 0.3 * (b - a), a + 0.7 * (b - a)]), INK, size - 1)
+            elif kind in ("force", "moment", "turn_drive", "slide_drive", "turn_force", "slide_force"):
+                yield labels.Label(name, parts.at(marks[0], 0)[None], VERMILLION, size - 1)
+
+    def _gravity(self, paper: Paper, p: float) -> None:
+        """An arrow in the corner where there is least ink."""
+        parts, (left, right, bottom, top) = self.parts, self.frame
+        marks = [mark for mark in parts.places.landmarks if mark.kind == "gravity"]
+        if not marks:
+            return
+        way, seen = parts.way(marks[0], "axis", 0)
+        if seen < 0.5:
+            return
+        corners = [np.array([x, y]) for y in (top - 22 * p, bottom + 22 * p) for x in (right - 16 * p, left + 16 * p)]
+        at = min(corners, key=lambda corner: paper.inked(corner, 20 * p))
+        paper.arrow(np.array([at - 12 * p * way, at + 12 * p * way]), GREY, 1.2)
+        side = np.array([-way[1], way[0]])
+        paper.text(at + 7 * p * side, "g", GREY, 9, style="italic")
+        paper.ink.append(at + 7 * p * side + p * np.array([[0, 0], [3, 0], [-3, 0], [0, 3], [0, -3]]))
+
+    def _scales(self, axis: Axes) -> None:
+        names = self.parts.view.names or ("", "")
+        axis.set(xlabel=f"{names[0]} [{self.parts.unit.unit}]", ylabel=f"{names[1]} [{self.parts.unit.unit}]")
+        for side in (axis.xaxis, axis.yaxis):
+            side.set_major_locator(MaxNLocator(nbins=6, steps=[1, 2, 2.5, 5, 10], min_n_ticks=3))
+        axis.tick_params(labelsize=8.5)
+
+    def _triad(self, paper: Paper, p: float) -> None:
+        """The ground's axes as they are seen, and a scale."""
+        axis, (left, right, bottom, top) = paper.axis, self.frame
+        axis.set_axis_off()
+        corners = [np.array([x, y]) for y in (bottom + 30 * p, top - 38 * p) for x in (left + 30 * p, right - 32 * p)]
+        at = min(corners, key=lambda corner: paper.inked(corner, 28 * p))
+        for name, way in zip("xyz", self.parts.view(np.eye(3)), strict=True):
+            paper.arrow(np.array([at, at + 20 * p * way]), INK, 0.9, head=4)
+            paper.text(at + 26 * p * way, name)
+        length = _nice(60 * p)
+        middles = [
+            np.array([x, y])
+            for y in (bottom + 12 * p, top - 12 * p)
+            for x in (right - 44 * p, left + 44 * p, (left + right) / 2)
+        ]
+        x, y = min(
+            middles, key=lambda middle: paper.inked(middle, 34 * p) if np.linalg.norm(middle - at) > 60 * p else 1000
+        )
+        paper.line(np.array([[x - length / 2, y], [x + length / 2, y]]), INK, 1.6, 8)
+        paper.text(np.array([x, y + 3 * p]), f"{length:g} {self.parts.unit.unit}", va="bottom")
+
+
+def _cut(way: Array) -> Array:
+    """The beginning of a path (n, 2), as long as it stays readable."""
+    length = np.cumsum(np.linalg.norm(np.diff(way, axis=0), axis=1))
+    return way[: 2 + int(np.searchsorted(length, ROUNDS * float(np.max(np.ptp(way, axis=0)))))]
+
+
+def _stands_behind(parts: Parts, size: float) -> bool:
+    """Whether a spring or damper on a slide is too short to be drawn between its points."""
+    ends = [marks for (_, kind), marks in parts.of.items() if kind in ("slide_spring", "slide_damper")]
+    return any(np.linalg.norm(parts.at(a, 0) - parts.at(b, 0)) < 0.15 * size for a, b in ends)
+
+
+def _distinct(parts: Parts, size: float) -> tuple[int, ...]:
+    """Instants that show most of the motion: each in turn the furthest from those before, the start first (farthest-point sampling)."""
+    marks = [m for m in parts.places.landmarks if m.body != GROUND]
+    if not marks or len(parts.places.t) < 2:
+        return ()
+    shape = np.concatenate([parts.flat(parts.positions[id(mark)]) for mark in marks], axis=1)
+    nearest = np.max(np.abs(shape - shape[0]), axis=1)
+    apart = min(DISTINCT * size, parts.length(0) / 2 or size)
+    found: list[int] = []
+    while len(found) < GHOSTS and np.max(nearest) > apart:
+        found.append(int(np.argmax(nearest)))
+        nearest = np.minimum(nearest, np.max(np.abs(shape - shape[found[-1]]), axis=1))
+    return tuple(sorted(found))
+
+
+def _unit(size: float) -> Scale:
+    """Metres, centimetres or less, for numbers of one to three digits."""
+    return Scale(*next((unit for unit in UNITS if size >= 1.2 * unit[1] * (8 if unit[0] == "cm" else 1)), UNITS[-1]))
+
+
+def _nice(length: float) -> float:
+    """The nearest of 1, 2, 5, 10, ... below a length."""
+    power = 10.0 ** np.floor(np.log10(length))
+    return float(max(step * power for step in (1, 2, 5) if step * power <= length))

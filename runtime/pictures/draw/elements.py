@@ -1,0 +1,115 @@
+"""Force elements on paper: springs, dampers, drives, forces and moments, as symbols."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from hertzwerk.runtime.pictures.draw.paper import INK, Paper
+from hertzwerk.runtime.pictures.draw.parts import THIN, Parts, across
+from hertzwerk.runtime.pictures.draw.places import Array, Landmark
+from hertzwerk.runtime.pictures.plot_style import VERMILLION
+
+REACH = 13.0  # of what turns around a joint, points
+ARROW = 30.0  # length, points
+
+
+def draw(parts: Parts, paper: Paper, i: int) -> None:
+    """All of them at an instant."""
+    for (_, kind), marks in parts.of.items():
+        if kind in _SYMBOLS:
+            _SYMBOLS[kind](parts, paper, marks, i)
+
+
+def _between(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> None:
+    a, b = (parts.at(mark, i) for mark in marks[:2])
+    if float(np.linalg.norm(b - a)) > 2 * paper.point:
+        (paper.zigzag if marks[0].kind.endswith("spring") else paper.dashpot)(a, b)
+
+
+def _on_slide(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> None:
+    """Between both points of a joint; where they are close, from the ground behind what slides. A damper stands beside a spring."""
+    way, _ = parts.way(marks[0], "axis", i)
+    side = np.array([-way[1], way[0]]) * paper.point * (0.0 if marks[0].kind.endswith("spring") else 9.0)
+    a, b = (parts.at(mark, i) + side for mark in marks[:2])
+    along, _ = parts.half_block(paper, marks[1])
+    away = way if (b - a) @ way >= 0 else -way
+    b = b - along * away
+    if (b - a) @ away < ARROW * paper.point:
+        a = b - 1.4 * ARROW * paper.point * away
+        edge = np.array([-way[1], way[0]]) * 9 * paper.point
+        paper.ground(a - edge, a + edge, -away)
+    (paper.zigzag if marks[0].kind.endswith("spring") else paper.dashpot)(a, b)
+
+
+def _arc(parts: Parts, mark: Landmark, i: int, radius: float, start: float, end: float) -> Array:
+    """Of a turn about the axis of a landmark, on the paper, angles in degrees."""
+    name = "axis" if "axis" in mark.beside else "moment"
+    first, second = across(parts.places.direction(mark, name)[i])
+    angles = np.radians(np.linspace(start, end, 40))
+    size = radius * parts.unit.factor
+    around = np.cos(angles)[:, None] * first * size + np.sin(angles)[:, None] * second * size
+    return parts.flat(parts.positions[id(mark)][i] + around)
+
+
+def _turn_arrow(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> None:
+    paper.turning(_arc(parts, marks[0], i, REACH * paper.point, -30, 200))
+
+
+def _spiral(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> None:
+    sizes = np.linspace(0.35, 0.9, 80) * REACH * paper.point
+    turns = [
+        _arc(parts, marks[0], i, size, angle, angle)[0]
+        for size, angle in zip(sizes, np.linspace(0, 900, 80), strict=True)
+    ]
+    paper.line(np.array(turns), INK, 0.9, 6.5)
+
+
+def _turn_damper(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> None:
+    for start in (20, 200):
+        paper.line(_arc(parts, marks[0], i, 0.7 * REACH * paper.point, start, start + 140), INK, 1.8, 6.5)
+
+
+def _slide_arrow(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> None:
+    way, seen = parts.way(marks[0], "axis", i)
+    if seen > THIN:
+        along, _ = parts.half_block(paper, marks[1])
+        start = parts.at(marks[1], i) + (along + 2 * paper.point) * way
+        paper.arrow(np.array([start, start + 0.8 * ARROW * paper.point * way]), VERMILLION)
+
+
+def _force(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> None:
+    """An arrow along a force that depends on parameters alone; of any other the point."""
+    at = parts.at(marks[0], i)
+    if len(marks) > 1 and np.any(marks[1].beside["force"]):
+        way, seen = parts.way(marks[1], "force", i)
+        if seen > THIN:
+            paper.arrow(np.array([at, at + ARROW * paper.point * way]), VERMILLION, 1.8)
+            return
+    paper.pin(at, 3.2, VERMILLION)
+
+
+def _moment(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> None:
+    at = parts.at(marks[0], i)
+    if len(marks) > 1 and np.any(marks[1].beside["moment"]):
+        outline = _arc(parts, marks[1], i, REACH * paper.point, -30, 200)
+        paper.turning(outline - parts.at(marks[1], i) + at)
+    else:
+        paper.pin(at, 3.2, VERMILLION)
+
+
+_SYMBOLS: dict[str, Callable[[Parts, Paper, Sequence[Landmark], int], None]] = {
+    "spring": _between,
+    "damper": _between,
+    "slide_spring": _on_slide,
+    "slide_damper": _on_slide,
+    "turn_spring": _spiral,
+    "turn_damper": _turn_damper,
+    "turn_drive": _turn_arrow,
+    "turn_force": _turn_arrow,
+    "slide_drive": _slide_arrow,
+    "slide_force": _slide_arrow,
+    "force": _force,
+    "moment": _moment,
+}

@@ -1,0 +1,358 @@
+"""The parts of a mechanism on paper: bodies between their points, surfaces to scale, joints and force elements as symbols."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from hertzwerk.runtime.host.lazy import cached_property
+from hertzwerk.runtime.pictures.curves import Scale
+from hertzwerk.runtime.pictures.draw.paper import INK, ROUND, Paper, hull
+from hertzwerk.runtime.pictures.draw.places import GROUND, Array, Landmark, Places
+from hertzwerk.runtime.pictures.draw.view import View
+from hertzwerk.runtime.pictures.plot_style import CYCLE, GREY
+
+BAR = 3.6  # half the width of a bar, points
+BLOCK = (13.0, 8.5)  # half of what slides, along and across, points
+STUB = 17.0  # half of what is seen of the axis of a joint in space, points
+FOOT = 13.0  # where the ground of a joint stands
+SLIDING = ("prismatic", "cylindrical")
+HOLDING = ("revolute", "universal", "spherical", "weld")
+INSIDE = ("pin_in_bush", "ball_in_socket")
+ROUNDS = ("sphere_on_plane", "sphere_on_sphere", "parallel_cylinders", "cylinder_on_plane", "rim_on_plane")
+RIM = 0.25  # of a bush or socket around its hole, in its radius
+APART = ("gravity", "force", "moment", "planar")  # kinds that shape no body
+THIN = 0.2  # sine of the angle to the view below which a direction is not seen
+
+
+@dataclass(frozen=True)
+class Parts:
+    """A mechanism that is looked at in a view, in a unit."""
+
+    places: Places
+    view: View
+    unit: Scale
+
+    @cached_property
+    def of(self) -> dict[tuple[str, str], list[Landmark]]:
+        """Landmarks by part and kind."""
+        return self.places.parts()
+
+    @cached_property
+    def colours(self) -> dict[str, str]:
+        """Of the bodies."""
+        bodies = self.places.bodies[1:]
+        return {GROUND: GREY} | {body: CYCLE[i % len(CYCLE)] for i, body in enumerate(bodies)}
+
+    # -- on the paper --------------------------------------------------------------------------------------------------
+
+    def flat(self, points: Array) -> Array:
+        """Points in space [m] on the paper, in its unit."""
+        return np.asarray(self.unit(self.view(points)))
+
+    @cached_property
+    def positions(self) -> dict[int, Array]:
+        """Of every landmark, by its id, over time [m]: (n, 3)."""
+        return {id(mark): self.places.point(mark) for mark in self.places.landmarks}
+
+    def at(self, mark: Landmark, i: int) -> Array:
+        """A landmark on the paper at an instant."""
+        return self.flat(self.positions[id(mark)][i])
+
+    def way(self, mark: Landmark, name: str, i: int) -> tuple[Array, float]:
+        """A direction on the paper, as a unit vector, and its length there."""
+        vector = self.places.direction(mark, name)[i]
+        seen = self.view(vector / max(float(np.linalg.norm(vector)), 1e-300))
+        length = float(np.linalg.norm(seen))
+        return (seen / length if length > 1e-6 else np.array([1.0, 0.0])), length
+
+    def ring(self, centre: Array, axis: Array | None, radius: float) -> Array:
+        """Outline of a circle about an axis, or of a sphere, at a point in space [m]."""
+        first, second = (self.view.right, self.view.up) if axis is None else across(axis)
+        around = np.cos(ROUND)[:, None] * first + np.sin(ROUND)[:, None] * second
+        return self.flat(centre + radius * around)
+
+    # -- everything at an instant --------------------------------------------------------------------------------------
+
+    def draw(self, paper: Paper, i: int) -> None:
+        """Bodies, surfaces, joints, mass centres; of a ghost the bodies."""
+        bodies = self.places.bodies[1:]
+        order = sorted(bodies, key=lambda body: self._depth(body, i)) if self.view.names is None else bodies
+        for rank, body in enumerate(order):
+            self._body(paper, body, i, 3 + rank / len(bodies))
+        if not paper.ghost:
+            self._joints(paper, i)
+        self._pairs(paper, i)
+        if not paper.ghost:
+            for mark in self.places.landmarks:
+                if mark.kind == "body":
+                    paper.centre(self.at(mark, i))
+
+    def _depth(self, body: str, i: int) -> float:
+        marks = self.places.of_body(body)
+        return float(np.mean([self.view.depth(self.positions[id(mark)][i]) for mark in marks])) if marks else 0.0
+
+    # -- bodies --------------------------------------------------------------------------------------------------------
+
+    def _shaping(self, body: str) -> list[Landmark]:
+        """Landmarks that a body extends between."""
+        marks = [
+            m for m in self.places.of_body(body) if m.kind not in APART and not m.kind.startswith(("slide_", "turn_"))
+        ]
+        return marks or [m for m in self.places.of_body(body) if m.kind == "planar"]
+
+    def corners(self, body: str, i: int) -> Array:
+        """Points on the paper that a body extends between."""
+        marks = self._shaping(body)
+        sliding = [
+            self._other(mark) for mark in marks if mark.kind in SLIDING and mark.place == "parent"
+        ]  # stays on it
+        points = [self.at(mark, i) for mark in (*marks, *sliding)]
+        return np.unique(np.round(np.array(points), 12), axis=0) if points else np.zeros((0, 2))
+
+    def _other(self, mark: Landmark) -> Landmark:
+        return next(other for other in self.of[mark.part, mark.kind] if other.place != mark.place)
+
+    def _body(self, paper: Paper, body: str, i: int, z: float) -> None:
+        colour, marks, p = self.colours[body], self._shaping(body), paper.point
+        solid = any(mark.place == "corner" for mark in marks)
+        rails = [mark for mark in marks if mark.kind in SLIDING and mark.place == "parent"]
+        still = np.array([self.at(mark, i) for mark in marks])
+        if len(still):
+            spread = float(np.max(np.ptp(still, axis=0)))
+            blocked = [
+                mark
+                for mark in marks
+                if mark.kind in SLIDING and mark.place == "child" and not self._is_round(mark) and not solid
+            ]
+            for mark in blocked:
+                self._block(paper, mark, i, z)
+            if spread > 0.5 * p or not (blocked or any(map(self._is_round, marks)) or rails):
+                paper.plate(still, 0.0 if solid else BAR * p, colour, z)
+        for mark in rails:
+            a, b = self.at(mark, i), self.at(self._other(mark), i)
+            way, _ = self.way(mark, "axis", i)
+            low, high = np.sort([0.0, (b - a) @ way])
+            paper.plate(np.array([a + (low - 4 * p) * way, a + (high + 24 * p) * way]), 0.6 * BAR * p, colour, z - 0.2)
+
+    def _is_round(self, mark: Landmark) -> bool:
+        """Whether a surface of its body is centred in a landmark."""
+        return any(
+            other.body == mark.body
+            and "radius" in other.beside
+            and other.place != "bush"
+            and np.allclose(other.point, mark.point)
+            for other in self.places.landmarks
+        )
+
+    def half_block(self, paper: Paper, mark: Landmark) -> tuple[float, float]:
+        """Half of what slides in a joint, along and across: large enough for a bush in it."""
+        along, across = (size * paper.point for size in BLOCK)
+        for other in self.places.of_body(mark.body):
+            if "radius" in other.beside and np.linalg.norm(other.point - mark.point) < other.size("radius"):
+                reach = other.size("radius") / self.unit.factor * 1.3 + 4 * paper.point
+                along, across = max(along, 1.35 * reach), max(across, reach)
+        return along, across
+
+    def _block(self, paper: Paper, mark: Landmark, i: int, z: float) -> None:
+        way, seen = self.way(mark, "axis", i)
+        at, (along, across) = self.at(mark, i), self.half_block(paper, mark)
+        if seen < THIN:
+            along = across
+        side = np.array([-way[1], way[0]])
+        outline = [at + a * along * way + b * across * side for a, b in ((1, 1), (-1, 1), (-1, -1), (1, -1))]
+        paper.area(np.array(outline), self.colours[mark.body], z + 0.05)
+
+    # -- joints --------------------------------------------------------------------------------------------------------
+
+    def _joints(self, paper: Paper, i: int) -> None:
+        for (_, kind), marks in self.of.items():
+            parent = marks[0]
+            if kind in SLIDING and parent.body == GROUND:
+                self._rails(paper, parent, marks[1], i)
+            if kind not in HOLDING:
+                continue
+            at = self.at(parent, i)
+            if self.view.names is None and kind == "revolute":
+                way, seen = self.way(parent, "axis", i)
+                reach = STUB * paper.point * seen * way
+                paper.line(np.array([at - reach, at + reach]), INK, 0.7, 6.9, (0, (6, 2, 1.5, 2)))
+            if parent.body == GROUND:
+                paper.footing(at, self._free_side(paper, at))
+            if kind == "weld":
+                paper.square(at)
+            elif kind == "spherical":
+                paper.pin(at, 3.8, INK)
+            elif kind == "universal":
+                paper.pin(at, 4.2)
+                for mark in marks:
+                    way, seen = self.way(mark, "axis", i)
+                    paper.line(
+                        np.array([at - 4.2 * paper.point * seen * way, at + 4.2 * paper.point * seen * way]),
+                        INK,
+                        1.1,
+                        7.2,
+                    )
+            else:
+                paper.pin(at)
+
+    def _free_side(self, paper: Paper, at: Array) -> Array:
+        """Down, or where there is much less ink."""
+        reach = FOOT * paper.point
+        sides = np.array([[0.0, -1.0], [0.0, 1.0], [-1.0, 0.0], [1.0, 0.0]])
+        covered = [paper.inked(at + 0.8 * reach * side, 0.5 * reach) + 1.5 * k for k, side in enumerate(sides)]
+        return np.asarray(sides[int(np.argmin(covered))])
+
+    def _rails(self, paper: Paper, parent: Landmark, child: Landmark, i: int) -> None:
+        """The ground on both sides of what slides, as far as it slides; only the line it slides on where it is no block."""
+        way, seen = self.way(parent, "axis", i)
+        if seen < THIN:
+            return
+        at = self.at(parent, i)
+        travel = (self.flat(self.positions[id(child)]) - at) @ way
+        along, across = self.half_block(paper, child)
+        low, high = float(np.min(travel)) - along, float(np.max(travel)) + along
+        body = self._shaping(child.body)
+        if self._is_round(child) or any(mark.place == "corner" for mark in body):
+            more = 16 * paper.point
+            paper.line(
+                np.array([at + (low - more) * way, at + (high + more) * way]),
+                GREY,
+                0.7,
+                2.0,
+                (0, (8, 3, 1.5, 3)),
+                ink=False,
+            )
+            return
+        side, more = np.array([-way[1], way[0]]), 6 * paper.point
+        for sign in (1, -1):
+            edge = sign * (across + 1.5 * paper.point) * side
+            paper.ground(at + edge + (low - more) * way, at + edge + (high + more) * way, sign * side, z=2.0)
+
+    # -- surfaces ------------------------------------------------------------------------------------------------------
+
+    def _pairs(self, paper: Paper, i: int) -> None:
+        drawn: set[tuple[object, ...]] = set()
+        for (_, kind), marks in self.of.items():
+            if kind in INSIDE and not paper.ghost:
+                self._inside(paper, marks[0], marks[1], i)
+            for mark in marks if kind in ROUNDS or kind == "corner_on_face" else ():
+                key = (
+                    mark.body,
+                    mark.place,
+                    *np.round(mark.point, 12),
+                    *(round(float(x), 12) for v in mark.beside.values() for x in v),
+                )
+                if key not in drawn:
+                    drawn.add(key)
+                    self._surface(paper, mark, marks[0], i)
+            if kind == "custom" and not paper.ghost:
+                ends = np.array([self.at(mark, i) for mark in marks])
+                paper.line(ends, GREY, 0.8, 6.0, (0, (2, 2)))
+                for end in ends:
+                    paper.pin(end, 2.2, GREY)
+
+    def axis_of(self, marks: Sequence[Landmark], i: int) -> Array | None:
+        """Of a round pair in space, None of spheres."""
+        return next((self.places.direction(mark, "axis")[i] for mark in marks if "axis" in mark.beside), None)
+
+    def _inside(self, paper: Paper, inner: Landmark, outer: Landmark, i: int) -> None:
+        axis, radius = self.axis_of((inner, outer), i), outer.size("radius")
+        rim = max(3 * paper.point * self.unit.factor, RIM * radius)
+        hole, pin = self.positions[id(outer)][i], self.positions[id(inner)][i]
+        paper.area(self.ring(hole, axis, radius + rim), self.colours[outer.body], 5.0)
+        paper.hole(self.ring(hole, axis, radius), 5.1)
+        paper.area(self.ring(pin, axis, inner.size("radius")), self.colours[inner.body], 5.2)
+
+    def _surface(self, paper: Paper, mark: Landmark, first: Landmark, i: int) -> None:
+        where = self.positions[id(mark)][i]
+        if mark.place in ("plane", "face"):
+            if not paper.ghost:
+                self._face(paper, mark, self.positions[id(first)][i], i)
+        elif "radius" in mark.beside:
+            axis = self.axis_of(self.of[mark.part, mark.kind], i)
+            outline = self.ring(where, axis, mark.size("radius"))
+            if "length" in mark.beside and axis is not None and self.view.names is None:
+                half = self.flat(mark.size("length") / 2 * axis)
+                outline = hull(np.concatenate([outline - half, outline + half]))
+            paper.area(outline, self.colours[mark.body], 4.5)
+
+    def _face(self, paper: Paper, mark: Landmark, seen_from: Array, i: int) -> None:
+        """A plane or a face under a point of the body that may touch it."""
+        normal, middle = self.places.direction(mark, "normal")[i], self.positions[id(mark)][i]
+        if "along" in mark.beside:
+            half = mark.size("length") / 2 * self.places.direction(mark, "along")[i]
+        else:
+            middle = seen_from - ((seen_from - middle) @ normal) * normal
+            reach = self._reach(paper) * (1.0 if mark.body == GROUND and self.view.names else 0.3)
+            across = np.cross(normal, self.view.towards)
+            half = reach * across / max(float(np.linalg.norm(across)), 1e-9)
+        down, length = self.way(mark, "normal", i)
+        if self.view.names is None and "along" not in mark.beside:
+            other = np.cross(normal, half)
+            outline = self.flat(middle + np.array([half + other, other - half, -half - other, half - other]))
+            paper.area(outline, self.colours[mark.body], 1.0, alpha=0.35)
+        elif length > THIN:
+            paper.ground(self.flat(middle - half), self.flat(middle + half), -down, z=2.4)
+
+    def _reach(self, paper: Paper) -> float:
+        """Across the whole paper [m]."""
+        (left, right), (low, high) = paper.axis.get_xlim(), paper.axis.get_ylim()
+        return float(np.hypot(right - left, high - low)) * self.unit.factor
+
+    # -- for labels and extents ----------------------------------------------------------------------------------------
+
+    def beside(self, paper: Paper, body: str, i: int) -> Array:
+        """Points on the paper a body's name may stand beside: of what slides its edges, else its middle and towards its points."""
+        corners = self.corners(body, i)
+        if not len(corners):
+            return self.flat(self.places.origins[i, self.places.bodies.index(body)])[None]
+        middle = np.mean(corners, axis=0)
+        anchors = [middle[None], middle + 0.5 * (corners - middle)]
+        for mark in self._shaping(body):
+            if mark.kind in SLIDING and mark.place == "child":
+                way, _ = self.way(mark, "axis", i)
+                along, across = self.half_block(paper, mark)
+                side = np.array([-way[1], way[0]])
+                anchors.append(self.at(mark, i) + np.array([across * side, -across * side, along * way, -along * way]))
+        return np.concatenate(anchors)
+
+    def length(self, i: int) -> float:
+        """Of a body between its points on the paper, the median; 0 where all are points."""
+        spans = [
+            float(np.max(np.ptp(corners, axis=0)))
+            for body in self.places.bodies[1:]
+            if len(corners := self.corners(body, i)) > 1
+        ]
+        return float(np.median(spans)) if spans else 0.0
+
+    def extents(self) -> Array:
+        """Points on the paper that have to be seen, over all instants: (k, 2)."""
+        return np.concatenate(list(self._extents()))
+
+    def _extents(self) -> Iterator[Array]:
+        for mark in self.places.landmarks:
+            if mark.kind == "gravity" or mark.place in ("plane", "axes"):
+                continue
+            seen = self.flat(self.positions[id(mark)])
+            reach = mark.size("radius") / self.unit.factor if "radius" in mark.beside else 0.0
+            reach *= 1 + RIM * (mark.place in ("bush", "socket"))
+            yield from (seen + reach * np.array(corner) for corner in ((1, 1), (-1, -1)))
+            if "along" in mark.beside:
+                half = self.flat(mark.size("length") / 2 * self.places.direction(mark, "along"))
+                yield from (seen - half, seen + half)
+        for first, second in (marks[:2] for marks in self.of.values() if marks[-1].place == "plane"):
+            points, normal = self.positions[id(first)], self.places.direction(second, "normal")
+            height = np.sum((points - self.positions[id(second)]) * normal, axis=1, keepdims=True)
+            yield self.flat(points - height * normal)
+
+
+def across(axis: Array) -> tuple[Array, Array]:
+    """Two unit vectors across an axis, the second a quarter turn about it after the first."""
+    axis = axis / np.linalg.norm(axis)
+    least = np.eye(3)[int(np.argmin(np.abs(axis)))]
+    first = least - (least @ axis) * axis
+    first /= np.linalg.norm(first)
+    return first, np.cross(axis, first)

@@ -1,0 +1,140 @@
+"""Where the landmarks of a mechanism are, over time or at its start alone."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hertzwerk.derive.faults import Fault, InputError
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model.binding import Value
+    from hertzwerk.runtime.model.model import Model
+    from hertzwerk.runtime.solution.solution import Solution
+
+Array = NDArray[np.float64]
+
+GROUND = "ground"
+SAMPLES = 1200  # between the steps of a run, and of these
+
+
+@dataclass(frozen=True)
+class Landmark:
+    """A row of LANDMARKS with its numbers: `point` (3,) [m] and the directions (3,) and sizes beside it, along the axes of its body."""
+
+    part: str
+    kind: str
+    place: str
+    body: str
+    point: Array
+    beside: Mapping[str, Array]
+
+    def size(self, name: str) -> float:
+        """A radius or length [m]."""
+        return float(self.beside[name][0])
+
+
+@dataclass(frozen=True)
+class Places:
+    """Bodies and landmarks at the times t (n,) [s]: origins (n, bodies, 3) [m] and rotations (n, bodies, 3, 3), the ground first of the bodies."""
+
+    model: Model
+    t: Array
+    bodies: tuple[str, ...]
+    landmarks: tuple[Landmark, ...]
+    origins: Array
+    rotations: Array
+
+    @classmethod
+    def at_start(
+        cls, model: Model, parameters: Mapping[str, Value] | None, initial: Mapping[str, Value] | None
+    ) -> Places:
+        """At t = 0, loops closed; raises InputError."""
+        from hertzwerk.runtime.start.start_values import start_of
+
+        if not hasattr(model.module, "landmarks"):
+            raise _without_functions(model)
+        bound, q, _ = start_of(model, {} if parameters is None else parameters, {} if initial is None else initial)
+        positions, rotations = (np.array(x).reshape(1, -1) for x in model.function("poses")(0.0, q, bound.c))
+        return cls._of(model, bound.p, np.zeros(1), positions, rotations)
+
+    @classmethod
+    def over(cls, run: Solution) -> Places:
+        """Over a run, between its accepted steps; of one that kept a grid at its rows. Raises InputError for a saved run."""
+        if run.history.integrator is None:
+            raise _without_functions(run.model)
+        if run.history.steps and len(run.t) > 1:
+            rows = run.t[:: 1 + len(run.t) // SAMPLES]
+            times = np.unique(np.concatenate([rows, np.linspace(run.t[0], run.t[-1], SAMPLES), run.t[-1:]]))
+        else:
+            times = run.t[np.unique(np.linspace(0, len(run.t) - 1, min(len(run.t), SAMPLES)).astype(int))]
+        positions, rotations = run.at(times).map("poses", "t q")
+        good = np.isfinite(positions).all(axis=1) & np.isfinite(rotations).all(
+            axis=1
+        )  # to where a run came to no good end
+        defaults = {name: (port.default, port.unit) for name, port in run.model.parameters.items()}
+        given = {name: value for name, value in run.parameters.items() if value != defaults[name]}
+        return cls._of(run.model, run.model.bind(given).p, times[good], positions[good], rotations[good])
+
+    @classmethod
+    def _of(cls, model: Model, p: Array, t: Array, positions: Array, rotations: Array) -> Places:
+        n, bodies = len(t), model.module.BODIES
+        ground = np.zeros((n, 1, 3)), np.broadcast_to(np.eye(3), (n, 1, 3, 3))
+        return cls(
+            model,
+            np.asarray(t, dtype=float),
+            (GROUND, *bodies),
+            landmarks_of(model, p),
+            np.concatenate([ground[0], positions.reshape(n, -1, 3)], axis=1),
+            np.concatenate([ground[1], rotations.reshape(n, -1, 3, 3)], axis=1),
+        )
+
+    def turned(self, body: str, vector: Array) -> Array:
+        """A vector (3,) along a body's axes, along the ground's: (n, 3)."""
+        return self.rotations[:, self.bodies.index(body)] @ vector
+
+    def point(self, mark: Landmark) -> Array:
+        """Of a landmark [m]: (n, 3)."""
+        return self.origins[:, self.bodies.index(mark.body)] + self.turned(mark.body, mark.point)
+
+    def direction(self, mark: Landmark, name: str) -> Array:
+        """Of what is beside a landmark: (n, 3)."""
+        return self.turned(mark.body, mark.beside[name])
+
+    def parts(self) -> dict[tuple[str, str], list[Landmark]]:
+        """The landmarks by part and kind."""
+        found: dict[tuple[str, str], list[Landmark]] = {}
+        for mark in self.landmarks:
+            found.setdefault((mark.part, mark.kind), []).append(mark)
+        return found
+
+    def of_body(self, body: str) -> list[Landmark]:
+        """Those fixed in a body."""
+        return [mark for mark in self.landmarks if mark.body == body]
+
+
+def landmarks_of(model: Model, p: Array) -> tuple[Landmark, ...]:
+    """The landmarks of a model with its parameters p (np,), SI."""
+    results: Any = model.function("landmarks")(p)
+    columns = results if isinstance(results, tuple) else (results,)
+    return tuple(
+        _landmark(row, np.array(column).ravel()) for row, column in zip(model.module.LANDMARKS, columns, strict=True)
+    )
+
+
+def _without_functions(model: Model) -> InputError:
+    found, remedy = "a saved run, which holds no functions", f"simulate again, or load({model.name!r}).draw()"
+    return InputError(
+        model.name, [Fault("draw", found, "a model that `load` returned, a run that `simulate` did", remedy)]
+    )
+
+
+def _landmark(row: tuple[Any, ...], numbers: Array) -> Landmark:
+    part, kind, place, body, beside = row
+    sizes = [3, *(1 if name in ("radius", "length") else 3 for name in beside)]
+    point, *values = np.split(numbers, np.cumsum(sizes)[:-1])
+    return Landmark(part, kind, place, body, point, dict(zip(beside, values, strict=True)))

@@ -1,0 +1,1 @@
+"""One run: what is asked for, the engine, its accepted steps."""

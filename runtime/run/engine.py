@@ -1,0 +1,78 @@
+"""The engine: the functions that run one model by one method, built once and compiled where that is asked for."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache, partial
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.integrate.loop.attempt import Integrator, integrator
+from hertzwerk.runtime.integrate.loop.automatic import Code
+from hertzwerk.runtime.integrate.loop.chunk import Ending, chunk, march
+from hertzwerk.runtime.integrate.step.methods import METHODS, SUNDIALS
+from hertzwerk.runtime.model.caller import Callers
+from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.run.request import Compiled
+from hertzwerk.runtime.start.start_values import dependent, read_start
+
+COUNTERS = ("steps", "rejected", "retaken", "evaluations", "events", "floored")  # parts of a state
+
+
+@dataclass(frozen=True)
+class Engine:
+    """The functions of one model and method: a chunk, or a loop of its own.
+
+    counters    rows of the state
+    code        of the chunk
+    march       ([gear, integrator where there is code,] state, controls, keep, *, wall_time, progress)
+    """
+
+    integrator: Integrator
+    begin: Callers
+    counters: Mapping[str, int]
+    code: Code | None
+    march: Callable[..., Ending]
+
+
+def engine_for(model: Model, method: str, compiled: Compiled) -> Engine:
+    """The engine, and its C version where that is asked for."""
+    engine: Engine = model.once(("engine", method), lambda: _engine(model, method))
+    if compiled is True and engine.code is not None:
+        from hertzwerk.runtime.integrate.loop.compiled import NoCompilerError
+
+        try:
+            engine.code.compile()
+        except NoCompilerError as error:
+            way_out = "compiled=False runs the same functions, slower"
+            raise InputError(model.name, [Fault("compiled", str(error), "a working C compiler", way_out)]) from error
+    return engine
+
+
+def _engine(model: Model, method: str) -> Engine:
+    made = model.once(("integrator", method), lambda: integrator(model, tuple(table() for table in METHODS[method])))
+    rows = made.layouts.state
+    counters = {name: rows[name].start for name in COUNTERS}
+    if method in SUNDIALS:  # never in the graph
+        from hertzwerk.runtime.integrate import sundials
+
+        reference = sundials.reference(model, made.layouts, method)
+        return Engine(made, Callers(made.begin), counters, None, partial(sundials.march, reference))
+    whole = made.whole
+    chosen = None if whole is None else cache(lambda: Code(chunk(whole())))
+    return Engine(made, Callers(made.begin), counters, Code(chunk(made), chosen), march)
+
+
+def prepare(model: Model, method: str, compiled: Compiled, ahead: float = 0.0) -> bool:
+    """Build what runs of a model need, before they are made side by side; returns whether they are to be compiled.
+
+    That is as `compiled` says, or with "auto" if it saves time for runs that take `ahead` [s] uncompiled. Raises InputError without a compiler.
+    """
+    bound, _ = model.check({})
+    q, _ = read_start(model, bound, {}, [])
+    typical = model if bound is None else model.without_redundancy(dependent(model, bound, q))
+    code = engine_for(typical, method, compiled).code
+    if compiled == "auto":
+        return code is not None and code.worthwhile(math.inf, ahead) is not None
+    return compiled and code is not None

@@ -1,0 +1,94 @@
+"""Where the accepted steps of a run go: to observers, block by block, so that a run needs the memory of a block and of what they keep."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.solution.findings import Observer
+    from hertzwerk.runtime.solution.history import History
+
+BLOCK = 2**23  # bytes: enough rows that what is done once for a block does not count
+OVERLAP = 2  # rows that a block begins with although they are known: what happens in a step shows between its rows
+
+
+class Recorder:
+    """Gathers rows into blocks of about so many bytes and shows these to observers; with `block` None there is one, of all rows.
+
+    view    makes a History of rows
+    """
+
+    def __init__(
+        self, view: Callable[[np.ndarray], History], observers: Sequence[Observer], block: int | None = BLOCK
+    ) -> None:
+        self._view, self._observers, self._block = view, observers, block
+        self._parts: list[np.ndarray] = []
+        self._known = self._new = self._bytes = 0
+
+    def keep(self, rows: np.ndarray) -> None:
+        """The next accepted rows (n, ns)."""
+        self._parts.append(rows)
+        self._new += len(rows)
+        self._bytes += rows.nbytes
+        if self._block is not None and self._bytes >= self._block:
+            self.flush()
+
+    def flush(self) -> None:
+        """Show what was gathered; to be called once more at the end."""
+        if not self._new:
+            return
+        rows = np.concatenate(self._parts)
+        block = self._view(rows)
+        for observer in self._observers:
+            observer.take(block, self._known)
+        self._parts = [rows[-OVERLAP:].copy()]
+        self._known, self._new, self._bytes = len(self._parts[0]), 0, 0
+
+
+class Steps:
+    """Keeps every step."""
+
+    history: History
+
+    def take(self, block: History, fresh: int) -> None:
+        """All steps of a run, in one block; see `Observer`."""
+        self.history = block
+
+    @property
+    def ends(self) -> History:
+        """Histories whose first and last row are those of the run."""
+        return self.history
+
+
+class Grid:
+    """Keeps the states at given times [s], increasing, by dense output; at a time of an event the state just after it."""
+
+    def __init__(self, times: np.ndarray) -> None:
+        self._times, self._count = times, 0
+        self._kept: list[np.ndarray] = []
+        self._first: np.ndarray
+        self._last: History  # of one row
+
+    def take(self, block: History, fresh: int) -> None:
+        """The next accepted steps; see `Observer`."""
+        if not fresh:
+            self._first = block.rows[:1].copy()
+        self._last = block.of(block.rows[-1:].copy())
+        stop = int(np.searchsorted(self._times, block.t[-1]))  # the last row has to wait: an event may change it yet
+        if stop > self._count:
+            self._kept.append(block.at(self._times[self._count : stop]).rows)
+            self._count = stop
+
+    @property
+    def history(self) -> History:
+        """Histories at the times that the run reached."""
+        arrived = self._times[self._count : self._count + 1] == self._last.t
+        return self._last.of(np.concatenate([*self._kept, self._last.rows[arrived]]))
+
+    @property
+    def ends(self) -> History:
+        """Histories whose first and last row are those of the run."""
+        return self._last.of(np.concatenate([self._first, self._last.rows]))

@@ -1,0 +1,160 @@
+"""What runs are asked for, read completely: how they are made, for how long, from which numbers and which start."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final, Literal, TypeAlias
+
+import numpy as np
+
+from hertzwerk.derive.faults import Fault, InputError, shown, unknown
+from hertzwerk.runtime.accuracy.ladder import LEAST
+from hertzwerk.runtime.integrate.step.methods import METHODS
+from hertzwerk.runtime.model.binding import Value, read_time
+from hertzwerk.runtime.model.model import Bound, Dependent, Model
+from hertzwerk.runtime.run import scales as scaling
+from hertzwerk.runtime.run.output_times import Output, times_of
+from hertzwerk.runtime.run.scales import Scales
+from hertzwerk.runtime.start.start_values import dependent, misplaced, start_of
+
+ACCURACIES, TOLERANCES = (1e-12, 1e-1), (LEAST, 1e-1)
+METHOD: Final = "auto"  # where none is named: bitwise dop853 where nothing is stiff, within 5 % of its time
+MAX_STEPS, MAX_EVENTS = 1_000_000, 100_000
+REMEMBERED = 64  # inputs of a model that need not be read again
+
+Compiled: TypeAlias = bool | Literal["auto"]
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Where a run stops: steps, contacts begun, time on the clock [s]."""
+
+    max_steps: int
+    max_events: int
+    wall_time: float
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What `simulate` is asked for but for parameters and start, as the user gave it."""
+
+    duration: str | float | None
+    accuracy: float | None
+    tolerance: float | None
+    method: str
+    compiled: Compiled
+    output: Output = "steps"
+    max_steps: int = MAX_STEPS
+    max_events: int = MAX_EVENTS
+    wall_time: float | None = None
+
+    @property
+    def limits(self) -> Limits:
+        """Of all runs together, but for the contacts, which are of each."""
+        return Limits(self.max_steps, self.max_events, math.inf if self.wall_time is None else self.wall_time)
+
+    def check(self, model: Model) -> None:
+        """Raise InputError for what is bad input to a run whatever its parameters."""
+        faults = self.faults()
+        times_of(self.output, read_duration(self.duration, faults), faults)
+        if faults:
+            raise InputError(model.name, faults)
+
+    def faults(self) -> list[Fault]:
+        """Of everything but the duration, and the output, which depends on it."""
+        faults: list[Fault] = []
+        for name, value, (low, high) in (
+            ("accuracy", self.accuracy, ACCURACIES),
+            ("tolerance", self.tolerance, TOLERANCES),
+        ):
+            if value is not None and not (_real(value) and low <= value <= high):
+                way_out = "it is measured in the scene's scales"
+                faults.append(Fault(name, shown(value), f"a number in {low:g}..{high:g}", way_out))
+        if self.accuracy is not None and self.tolerance is not None:
+            way_out = "an accuracy is of the end of the run, a tolerance is local and without an estimate"
+            faults.append(
+                Fault("tolerance", f"{self.tolerance!r} beside accuracy={self.accuracy!r}", "one of the two", way_out)
+            )
+        if not isinstance(self.method, str):
+            faults.append(Fault("method", shown(self.method), f"one of {', '.join(sorted(METHODS))}"))
+        elif self.method not in METHODS:
+            faults.append(unknown("method", self.method, sorted(METHODS)))
+        for name, limit in vars(self.limits).items():
+            if not (_real(limit) and limit > 0):
+                faults.append(Fault(name, shown(limit), "a positive number"))
+        if not (isinstance(self.compiled, bool) or (isinstance(self.compiled, str) and self.compiled == "auto")):
+            faults.append(Fault("compiled", shown(self.compiled), 'True, False or "auto"'))
+        return faults
+
+
+@dataclass(frozen=True)
+class Given:
+    """What a run starts from and how far it goes: the parameters' numbers, q (nq,) and u (nu,) with loops closed, the duration [s], the scales that
+    the scene states, the constraints that follow from others, and the initial states that were given."""
+
+    bound: Bound
+    q: np.ndarray
+    u: np.ndarray
+    seconds: float
+    scales: Scales
+    dependent: tuple[Dependent, ...]
+    initial: Mapping[str, Value]
+
+
+def read(
+    model: Model, settings: Settings, parameters: Mapping[str, Value], initial: Mapping[str, Value]
+) -> tuple[Given, np.ndarray | None]:
+    """Everything given, read, and the times [s] of a grid; raises InputError with every fault. Text that was read before is not read again."""
+    faults = settings.faults()
+    known: dict[str, Given] = model.once("given", dict)
+    key = _key(settings.duration, parameters, initial)
+    given = None if faults else known.get(key)
+    seconds = read_duration(settings.duration, faults) if given is None else given.seconds
+    times = times_of(settings.output, seconds, faults)
+    if given is not None and not faults:
+        return given, times
+    bound, q, u = start_of(model, parameters, initial, faults)
+    inside = misplaced(model, bound, initial, q, u)
+    if inside:
+        raise InputError(model.name, inside)
+    given = Given(bound, q, u, seconds, scaling.of_parameters(model, bound), dependent(model, bound, q), dict(initial))
+    if len(known) >= REMEMBERED:
+        known.clear()
+    known[key] = given
+    return given, times
+
+
+def _key(*given: object) -> str:
+    """Tells what is given apart, 1 from True and from "1" too."""
+    try:
+        return repr(given)
+    except Exception:  # an integer of thousands of digits, which is a fault
+        return ""
+
+
+def read_duration(duration: str | float | None, faults: list[Fault]) -> float:
+    """Seconds of a duration; what is none becomes a fault."""
+    expected = 'a positive time, such as "24 ms" or a number of seconds'
+    with contextlib.suppress(ValueError, TypeError):
+        duration = (
+            float(duration) if isinstance(duration, str) else duration
+        )  # on a command line "24" is 24 s, as 24 is
+    if isinstance(duration, str):
+        return read_time("duration", duration, expected, faults)
+    if duration is not None and _real(duration) and 0 < duration < math.inf:
+        return float(duration)
+    faults.append(Fault("duration", "none" if duration is None else shown(duration), expected))
+    return math.nan
+
+
+def _real(value: object) -> bool:
+    """Whether it is a number that a double can hold."""
+    if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
+        return False
+    try:
+        return not math.isnan(float(value))
+    except OverflowError:
+        return False

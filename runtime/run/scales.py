@@ -1,0 +1,133 @@
+"""What accuracy is measured by: sizes of coordinates, speeds and energies, of a scene's parameters or, where they give none, of the run itself.
+
+A scene derives its scales from its parameters: the ball's speed from gravity and drop height. Where a run departs from that so far that a
+scale is zero or undefined (no gravity, a start of one's own), a rough run finds the sizes that occur.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from hertzwerk.runtime.host.lazy import cached_property
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model.model import Bound, Model
+    from hertzwerk.runtime.solution.history import History
+
+GUESS = {
+    "m": 1e-4,
+    "rad": 1e-3,
+    "1": 1e-3,
+    "m/s": 1.0,
+    "rad/s": 10.0,
+    "J": 1.0,
+    "N": 1.0,
+}  # of the first rough run, in SI
+ROUNDS = 2
+
+
+@dataclass(frozen=True)
+class Scales:
+    """state (ny,): of q, u, z; scene (4,): length [m], speed [m/s], force [N], energy [J]."""
+
+    state: np.ndarray
+    scene: np.ndarray
+
+    @cached_property
+    def sound(self) -> bool:
+        """Whether every scale is a positive number."""
+        return bool(np.all(_sound(self.state)) and np.all(_sound(self.scene)))
+
+
+def error(model: Model, scales: Scales, y: np.ndarray, reference: np.ndarray) -> np.ndarray:
+    """What a state departs from another by, as accuracy counts it: the largest difference of a coordinate or speed, each in its scale.
+
+    y, reference (..., ny) as recorded, or their first nq + nu entries; returns (...,). Memory has no say: it is a means, or a balance.
+    """
+    return _largest(model.nq + model.nu, scales, y, reference)
+
+
+def departure(model: Model, scales: Scales, y: np.ndarray, reference: np.ndarray) -> np.ndarray:
+    """The same of the coordinates alone: where the trajectory is."""
+    return _largest(model.nq, scales, y, reference)
+
+
+def rounding(model: Model, scales: Scales, y: np.ndarray) -> float:
+    """What one rounding of the largest of the states y (n, ny) counts as an error."""
+    n = model.nq + model.nu
+    return float(np.finfo(float).eps * np.max(np.abs(y[:, :n]) / scales.state[:n], initial=0.0))
+
+
+def _largest(n: int, scales: Scales, y: np.ndarray, reference: np.ndarray) -> np.ndarray:
+    """Of the first n entries."""
+    found: np.ndarray = np.max(np.abs(y[..., :n] - reference[..., :n]) / scales.state[:n], axis=-1, initial=0.0)
+    return found
+
+
+def of_parameters(model: Model, bound: Bound) -> Scales:
+    """The scales that the scene states."""
+    *parts, scene = (np.array(x).ravel() for x in model.function("scales")(bound.p))
+    return Scales(np.concatenate(parts), scene)
+
+
+def of_run(model: Model, stated: Scales, rough: Callable[[Scales, Sizes], object]) -> Scales:
+    """The stated scales where they are sound, elsewhere the sizes that occur in a rough run, in units alike.
+
+    rough    makes a run with some scales and shows it to a `Sizes`
+    """
+    units = list(model.units.values())
+    scales = _completed(stated, units, GUESS)
+    for _ in range(ROUNDS):
+        seen = Sizes(units)
+        rough(scales, seen)
+        scales = _completed(stated, units, GUESS | seen.found())
+    return scales
+
+
+class Sizes:
+    """Largest sizes in a run, block by block: of the ways of coordinates, the values of speeds and memory, penetrations and forces."""
+
+    def __init__(self, units: list[str]) -> None:
+        self._units = units
+        self._from: np.ndarray | None = None
+        self._largest = np.zeros(len(units))
+        self._depth = self._force = 0.0
+
+    def take(self, block: History, fresh: int) -> None:
+        """The next accepted steps; see `findings.Observer`."""
+        y = block.part("y")
+        if self._from is None:
+            self._from = y[0].copy()
+            self._from[block.model.nq :] = 0
+        self._largest = np.maximum(self._largest, np.max(np.abs(y - self._from), axis=0))
+        touching = block.part("mode") != 0
+        self._depth = float(np.max(-block.part("gap"), where=touching, initial=self._depth))
+        self._force = float(np.max(block.part("force"), initial=self._force))
+
+    def found(self) -> dict[str, float]:
+        """Largest size of each unit: of lengths the penetration, or the way where nothing is touched."""
+        found: dict[str, float] = {}
+        for unit, size in zip(self._units, self._largest, strict=True):
+            found[unit] = max(found.get(unit, 0.0), float(size))
+        if self._depth > 0:
+            found["m"] = self._depth
+        found["N"] = max(found.get("N", 0.0), self._force)
+        found["J"] = max(found.get("J", 0.0), found["N"] * found.get("m", 0.0))
+        return {unit: size for unit, size in found.items() if _sound(np.array(size))}
+
+
+def _completed(stated: Scales, units: list[str], sizes: dict[str, float]) -> Scales:
+    state = np.array([sizes.get(unit, 1.0) for unit in units])
+    scene = np.array([sizes[unit] for unit in ("m", "m/s", "N", "J")])
+    return Scales(
+        np.where(_sound(stated.state), stated.state, state), np.where(_sound(stated.scene), stated.scene, scene)
+    )
+
+
+def _sound(values: np.ndarray) -> np.ndarray:
+    sound: np.ndarray = np.isfinite(values) & (values > 0)
+    return sound

@@ -1,0 +1,181 @@
+"""One run at one tolerance: the engine started, its accepted steps shown to whoever keeps or finds something of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from hertzwerk.runtime.accuracy.ladder import LOOSEST
+from hertzwerk.runtime.integrate.loop.automatic import Gear
+from hertzwerk.runtime.integrate.loop.chunk import Ending, Resume
+from hertzwerk.runtime.integrate.step.layout import OUTSIDE_LAW_RANGE
+from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.run import scales as scaling
+from hertzwerk.runtime.run.engine import Engine
+from hertzwerk.runtime.run.recorder import BLOCK, Grid, Recorder, Steps
+from hertzwerk.runtime.run.request import Given, Limits
+from hertzwerk.runtime.run.scales import Scales
+from hertzwerk.runtime.solution.caveats import approach_speeds
+from hertzwerk.runtime.solution.findings import Findings, Observer
+from hertzwerk.runtime.solution.history import History
+from hertzwerk.runtime.solution.impacts import ApproachSpeeds
+from hertzwerk.runtime.solution.outcome import Outcome, outcome
+
+APPROACH_FLOOR = 1e-3  # m/s, where a model has latches but no parameter of this name
+LEAST_STEPS = 10  # of a run in contact: where all is at rest, steps grow until a short push would go unnoticed
+ROUGH = LOOSEST  # tolerance of a run that only looks for scales
+
+
+@dataclass(frozen=True)
+class SingleRun:
+    """Everything of a run but its tolerance and scales."""
+
+    model: Model
+    method: str
+    engine: Engine
+    given: Given
+    limits: Limits
+    gear: Gear | None
+    start: Resume | None = None  # what it goes on from; None: the start of the motion
+
+    @property
+    def begin(self) -> float:
+        """Time [s] that the run begins at."""
+        return 0.0 if self.start is None else float(self.start.state[self.engine.integrator.layouts.state["t"]][0])
+
+    def before(self, counter: str) -> int:
+        """What a counter was when the run began."""
+        return 0 if self.start is None else int(self.start.state[self.engine.counters[counter]])
+
+    @property
+    def floor(self) -> float:
+        """Least approach speed [m/s] that is latched."""
+        return self.given.bound["approach_floor"] if "approach_floor" in self.model.parameters else APPROACH_FLOOR
+
+    def scales(self, tolerance: float | None) -> Scales:
+        """The scales that the scene states; where they do not suffice, completed by what a run no tighter than a tolerance shows."""
+        stated = self.given.scales
+        if stated.sound:
+            return stated
+        rough = max(tolerance or 0.0, ROUGH)  # of no run for an accuracy is the tolerance larger
+        return scaling.of_run(self.model, stated, lambda scales, seen: self._shown(rough, scales, [seen], BLOCK))
+
+    def trace(
+        self,
+        tolerance: float,
+        scales: Scales,
+        times: np.ndarray | None,
+        *,
+        progress: Callable[[float], object] | None = None,
+        beside: np.ndarray | None = None,
+        alone: bool = False,
+    ) -> Trace:
+        """Run and keep every step or the states at some times [s], what is found, and the states at times `beside`, or these `alone`."""
+        if alone:
+            times = beside
+        kept = Steps() if times is None else Grid(times)
+        given = self.given
+        period = self.model.period(given.bound)
+        findings = Findings(
+            self.model, self.method, later=times is None, duration=given.seconds, period=period, begin=self.begin
+        )
+        speeds = tuple(approach_speeds(self.model, given.bound))
+        other = kept if beside is None or alone else Grid(beside)
+        observers: list[Observer] = [kept] if alone else [kept, findings, *speeds]
+        if other is not kept:
+            observers.append(other)
+        before = (self.gear.compile_s, self.gear.build_s) if self.gear else (0.0, 0.0)
+        ending = self._shown(tolerance, scales, observers, None if times is None else BLOCK, progress)
+        compile_s, build_s = (self.gear.compile_s, self.gear.build_s) if self.gear else (0.0, 0.0)
+        return Trace(
+            tolerance=tolerance,
+            ending=ending,
+            kept=kept,
+            beside=other,
+            findings=findings,
+            speeds=speeds,
+            counted={name: int(ending.last[row]) - self.before(name) for name, row in self.engine.counters.items()},
+            compiled=self.gear is not None and self.gear.compiled,
+            compile_s=compile_s - before[0],
+            build_s=build_s - before[1],
+        )
+
+    def outcome(self, trace: Trace) -> Outcome:
+        """How a run ended."""
+        limits, ends = self.limits, trace.kept.ends
+        return outcome(
+            trace.ending.status,
+            self.method,
+            trace.kept.history,
+            t=float(ends.t[-1]),
+            where=_deepest(self.model, ends) if trace.ending.status == OUTSIDE_LAW_RANGE else "",
+            tolerance=trace.tolerance,
+            **vars(limits),
+        )
+
+    def _shown(
+        self,
+        tolerance: float,
+        scales: Scales,
+        observers: Sequence[Observer],
+        block: int | None,
+        progress: Callable[[float], object] | None = None,
+    ) -> Ending:
+        """Run, and show the accepted steps to observers, in blocks (see `Recorder`)."""
+        integrator = self.engine.integrator
+        layout = integrator.layouts.controls
+        controls = np.zeros(layout.size)
+        numbers: dict[str, Any] = {
+            "c": self.given.bound.c,
+            "scale": scales.state,
+            "scales": scales.scene,
+            "tolerance": tolerance,
+            "t_end": self.given.seconds,
+            "h_max": self.given.seconds / LEAST_STEPS,
+            "floor": self.floor,
+            "max_events": self.limits.max_events + self.before("events"),
+            "max_steps": self.limits.max_steps + self.before("steps"),
+        }
+        for name, value in numbers.items():
+            controls[layout[name]] = value
+        state = self._first(controls) if self.start is None else self.start.state.copy()
+        loop = self.engine.march if self.gear is None else partial(self.engine.march, self.gear, integrator)
+        if self.start is not None:
+            loop = partial(loop, whole=self.start.whole)
+        recorder = Recorder(lambda rows: History(self.model, rows, controls, integrator), observers, block)
+        ending = loop(state, controls, recorder.keep, wall_time=self.limits.wall_time, progress=progress)
+        recorder.flush()
+        return ending
+
+    def _first(self, controls: np.ndarray) -> np.ndarray:
+        """The state of the engine at the start of the motion."""
+        begin = self.engine.begin.take()
+        for place, values in zip(begin.inputs, (0.0, self.given.q, self.given.u, controls), strict=True):
+            place[:] = values
+        state: np.ndarray = begin()[0][0].copy()
+        self.engine.begin.give_back(begin)
+        return state
+
+
+@dataclass(frozen=True)
+class Trace:
+    """One run, and what was kept of it."""
+
+    tolerance: float
+    ending: Ending
+    kept: Steps | Grid
+    beside: Steps | Grid
+    findings: Findings
+    speeds: tuple[ApproachSpeeds, ...]
+    counted: Mapping[str, int]
+    compiled: bool
+    compile_s: float
+    build_s: float
+
+
+def _deepest(model: Model, history: History) -> str:
+    return ", ".join(f"{pair} at penetration {history[f'{pair}.penetration'][-1]:.4g} m" for pair in model.pairs)

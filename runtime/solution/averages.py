@@ -1,0 +1,193 @@
+"""Averages of a run with 95 % confidence: what is left to say of a motion that is longer than the time over which it can be predicted.
+
+A run is cut into intervals, whole periods of what drives it; those of the transient are left out. Intervals are joined to blocks until the
+means of one block and the next are no longer correlated, and Student's t gives the confidence of their mean (Law, Simulation Modeling and Analysis,
+ch. 9.5; that more than 30 blocks gain little: Schmeiser, Operations Research 30 (1982) 556).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.model.binding import read_time
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.solution.solution import Solution
+    from hertzwerk.runtime.solution.sums import Sums
+
+CONFIDENCE = 0.95
+FEWEST, MOST = 8, 30  # blocks
+INTERVALS = 240  # of a run that has no period
+TRANSIENT = 0.1  # part of a run that is left out, in whole intervals
+STEADY = 1e-5  # of a mean: blocks that differ by less are the same, in whatever order
+DOUBT = 1.645  # standard deviations: a correlation above that much is one, on the one-sided level of 5 %
+POWERS = {".dissipated": ".dissipated_power", ".input": ".input_power"}  # of what a ledger holds
+
+
+@dataclass(frozen=True)
+class Average:
+    """A mean over time or over impacts, with its 95 % confidence interval mean +- half_width, both in `unit`.
+
+    blocks, block    how many blocks it comes from, and their length [s]
+    reason           why there is no half_width, or no mean either; else empty
+    """
+
+    name: str
+    unit: str
+    mean: float | None
+    half_width: float | None
+    blocks: int
+    block: float
+    reason: str = ""
+
+    def __str__(self) -> str:
+        if self.mean is None:
+            return f"{self.name}: {self.reason}"
+        if self.half_width is None:
+            return f"{self.name} = {self.mean:.4g} {self.unit}; no confidence interval: {self.reason}"
+        return f"{self.name} = {self.mean:.4g} +- {self.half_width:.2g} {self.unit} ({self.blocks} blocks of {self.block:.3g} s)"
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """Mean of a series and half width of its confidence interval; from so many blocks of so many intervals each."""
+
+    mean: float
+    half_width: float | None
+    blocks: int
+    intervals: int
+    reason: str = ""
+
+
+def estimate(values: np.ndarray, weights: np.ndarray | None = None, *, floor: float = 0.0) -> Estimate:
+    """Mean of a series (n,), or the ratio of the sums of values and weights (n,), with its confidence interval.
+
+    Blocks are equally long, at most MOST, and longer until the correlation of neighbours is within DOUBT of none; what is left of it widens the
+    interval as in a series whose correlations fall geometrically. Blocks whose means differ by no more than `floor`, or STEADY, are steady: how
+    much they differ is the half width, and nobody asks for correlation.
+    """
+    if weights is None:
+        weights = np.ones(len(values))
+    count, size, correlation = len(values), max(1, math.ceil(len(values) / MOST)), math.nan
+    while (n := count // size) >= FEWEST:
+        above, below = (x[count - n * size :].reshape(n, size).sum(axis=1) for x in (values, weights))
+        mean = float(above.sum() / below.sum())
+        means = (above - mean * below) / below.mean()  # less the mean
+        spread = float(np.ptp(means))
+        if spread <= max(floor, STEADY * abs(mean)):
+            return Estimate(mean, spread, n, size)
+        correlation = (
+            float(means[1:] @ means[:-1] / (means @ means)) + 1 / n
+        )  # of independent ones it is -1/n on average
+        if correlation <= DOUBT / math.sqrt(n):
+            left = max(correlation, 0.0)
+            return Estimate(mean, _student(n) * _spread(means) * math.sqrt((1 + left) / (1 - left)), n, size)
+        size = max(size + 1, math.ceil(1.25 * size))
+    reason = (
+        f"the means of {FEWEST} blocks are still correlated ({correlation:.2f}): the motion changes slowly, or the run is too short"
+        if count >= FEWEST
+        else f"{count} of the at least {FEWEST} intervals needed after the transient: a longer run"
+    )
+    return Estimate(float(values.sum() / weights.sum()), None, count // size, size, reason)
+
+
+def _student(n: int) -> float:
+    """Quantile of Student's t for the mean of n values."""
+    from scipy.special import stdtrit  # slow to import
+
+    return float(stdtrit(n - 1, (1 + CONFIDENCE) / 2))
+
+
+def _spread(means: np.ndarray) -> float:
+    """Standard deviation of the mean of these."""
+    return float(np.std(means, ddof=1)) / math.sqrt(len(means))
+
+
+def averages(
+    run: Solution, *, interval: str | float | None = None, skip: str | float | None = None
+) -> tuple[Average, ...]:
+    """What a run does on average, in this order: of every pair its impacts and forces, of every effect in the ledger its power.
+
+    <pair>.impact_rate      impacts per time [1/s], by their onsets
+    <pair>.normal_force     normal force over time [N], flights included
+    <pair>.peak_force       largest normal force of an impact [N], over the impacts
+    <pair>.largest_force    largest normal force in an interval [N], over the intervals; where the scene has a period, or an interval is given
+    <effect>.dissipated_power, <effect>.input_power    [W]
+
+    interval    shortest time looked at, "12 ms" or seconds: by default the period of all drives and forces, or 1/240 of the run where
+                there is none. A run that kept a grid, or was saved, has sums over the default interval: only multiples of it can be asked for
+    skip        the transient at the start, that is left out: by default a tenth of the run, in whole intervals
+
+    Raises InputError.
+    """
+    faults: list[Fault] = []
+    asked, skipped = (_seconds(name, value, faults) for name, value in (("interval", interval), ("skip", skip)))
+    if skip == 0:
+        skipped = 0.0
+    span = run.t_end - run.t_start
+    if not faults and asked is not None and asked > span:
+        faults.append(Fault("interval", f"{asked:g} s", f"at most the run's {span:g} s"))
+    if not faults and skipped is not None and skipped >= span:
+        faults.append(Fault("skip", f"{skipped:g} s", f"less than the run's {span:g} s"))
+    if faults:
+        raise InputError(f"averages of {run.model.name}", faults)
+    sums = run.findings.sums(asked)
+    first = math.ceil((TRANSIENT * sums.count if skipped is None else skipped / sums.interval) - 1e-9)
+    return tuple(_averages(run, sums, first, shows_largest=asked is not None or run.findings.period is not None))
+
+
+def _seconds(name: str, value: str | float | None, faults: list[Fault]) -> float | None:
+    expected = 'a positive time, such as "12 ms" or a number of seconds'
+    if value is None or (name == "skip" and value == 0):
+        return None
+    if isinstance(value, str):
+        return read_time(name, value, expected, faults)
+    if isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value) and value > 0:
+        return float(value)
+    faults.append(Fault(name, repr(value), expected))
+    return None
+
+
+def _averages(run: Solution, sums: Sums, first: int, *, shows_largest: bool) -> Iterator[Average]:
+    """The averages of the intervals from `first` on."""
+    model, dt, tolerance = run.model, sums.interval, run.tolerance
+    force, energy = float(run.scales.scene[2]), float(run.scales.scene[3])
+
+    def average(
+        name: str, unit: str, values: np.ndarray, weights: np.ndarray | None = None, scale: float = 0.0
+    ) -> Average:
+        x, w = values[first:], None if weights is None else weights[first:]
+        if not len(x):
+            reason = f"the run is not longer than its transient and one interval, {(first + 1) * dt:.3g} s"
+            return Average(name, unit, None, None, 0, dt, reason)
+        if not np.all(np.isfinite(x)):
+            return Average(name, unit, None, None, 0, dt, "the run holds what is not finite")
+        if w is not None and not np.any(w):
+            return Average(name, unit, None, None, 0, dt, "no impact after the transient")
+        found = estimate(x, w, floor=tolerance * scale)
+        return Average(name, unit, found.mean, found.half_width, found.blocks, found.intervals * dt, found.reason)
+
+    for j, pair in enumerate(model.pairs):
+        impacts = [impact for impact in run.impacts if impact.contact == pair]
+        places = np.floor((np.array([impact.t for impact in impacts]) - run.t_start) / dt * (1 + 1e-12)).astype(int)
+        within = places < sums.count
+        peaks = np.array([impact.peak_force for impact in impacts])
+        hits, forces = (
+            np.bincount(places[within], weights, sums.count) for weights in (np.ones(int(within.sum())), peaks[within])
+        )
+        yield average(f"{pair}.impact_rate", "1/s", hits / dt)
+        yield average(f"{pair}.normal_force", "N", sums.impulse[:, j] / dt, scale=force)
+        yield average(f"{pair}.peak_force", "N", forces, hits, scale=force)
+        if shows_largest:
+            yield average(f"{pair}.largest_force", "N", sums.largest[:, j], scale=force)
+    power = np.diff(sums.memory, axis=0) / dt
+    for i, name in enumerate(model.memory):
+        for end, title in POWERS.items():
+            if name.endswith(end):
+                yield average(name.removesuffix(end) + title, "W", power[:, i], scale=energy / dt)

@@ -1,0 +1,58 @@
+"""What is to be known of a run that goes on all the same: its warnings."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from hertzwerk.runtime.model.model import Bound, Model
+from hertzwerk.runtime.solution.history import holding_force
+from hertzwerk.runtime.solution.impacts import ApproachSpeeds, Track
+
+
+def unchecked(model: Model) -> tuple[str, ...]:
+    """What of a model runs although it is inconsistent."""
+    return tuple(
+        f"{effect} is dimensionally inconsistent and runs unchecked: {why}" for effect, why in model.module.UNCHECKED
+    )
+
+
+def open_forces(model: Model, bound: Bound, q: np.ndarray) -> Iterator[str]:
+    """Redundant constraints at a start: the motion does not say how they share what they hold."""
+    if not model.nl:
+        return
+    from hertzwerk.runtime.start.assembly import undetermined  # a tree needs none
+
+    names = [holding_force(name) for name in undetermined(model, bound, q)]
+    if names:
+        yield f"redundant constraints leave these forces open, of all that hold the least are given: {', '.join(names)}"
+
+
+def approach_speeds(model: Model, bound: Bound) -> Iterator[ApproachSpeeds]:
+    """Observers of the pairs whose compliant law holds up to a speed [m/s]: those whose material has a density."""
+    pairs = getattr(model.module, "SPEED_LIMITED", ())
+    limits = np.array(model.function("speed_limits")(bound.p)).ravel() if pairs else ()
+    for pair, limit in zip(pairs, limits, strict=True):
+        yield ApproachSpeeds(float(limit), Track(model.pairs.index(pair)))
+
+
+def too_fast(model: Model, speeds: Sequence[ApproachSpeeds]) -> Iterator[str]:
+    """Contacts faster than their compliant law allows, of all pairs together."""
+    over, count = sum(seen.over for seen in speeds), sum(seen.count for seen in speeds)
+    if not over:
+        return
+    pairs = [model.pairs[seen.track.pair] for seen in speeds if seen.over]
+    worst, limit = max(seen.worst for seen in speeds), min(seen.limit for seen in speeds if seen.over)
+    yield (
+        f"{over} of {count} impacts of {', '.join(pairs)} exceed the law's limit "
+        f"v0 <= 1e-5*sqrt(E/rho) = {limit:.3g} m/s (worst {worst:.3g} m/s)"
+    )
+
+
+def floored(count: int, floor: float) -> Iterator[str]:
+    """Contacts that began slower than the least speed [m/s] that is latched."""
+    if not count:
+        return
+    contacts = "one contact began" if count == 1 else f"{count} contacts began"
+    yield f"{contacts} slower than approach_floor = {floor:g} m/s, which its damping took for the approach speed"

@@ -1,0 +1,212 @@
+"""What is found of all accepted steps of a run as it goes, block by block, whether or not they are kept: contacts, energy balance, choices,
+sums for averages."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Protocol, TypeVar
+
+import numpy as np
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.host.lazy import cached_property
+from hertzwerk.runtime.integrate.loop.choose import Choice, choices
+from hertzwerk.runtime.solution.averages import INTERVALS
+from hertzwerk.runtime.solution.impacts import Contacts, Impact
+from hertzwerk.runtime.solution.sums import Summing, Sums
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model.model import Model
+    from hertzwerk.runtime.solution.history import History
+
+
+MOST_INTERVALS = 10_000  # that sums are kept of
+
+
+class Observer(Protocol):
+    """Sees every accepted step of a run, in order."""
+
+    def take(self, block: History, fresh: int) -> None:
+        """The next rows, those of `block` from `fresh` on; before them stand the last two rows of the block before, if there was one."""
+
+
+Seen = TypeVar("Seen", bound=Observer)
+
+
+EPSILON = float(np.finfo(float).eps)
+SMALL = 1e-6  # part of the scene's energy scale that an error is measured by where a run moves less energy
+
+
+class Balance:
+    """Whether energy - initial energy + dissipated - input stays zero.
+
+    Measured by the energy that the run moves: the largest kinetic energy, energy dissipated or put in, or change of potential energy. The total
+    energy is no measure, since where the potential is zero is a matter of choice.
+    """
+
+    def __init__(self) -> None:
+        self._start: np.ndarray | None = None
+        self._largest = self._error = self._scale = self._size = 0.0
+        self._rows = 0
+        self._finite = True
+
+    def take(self, block: History, fresh: int) -> None:
+        """The next accepted steps; see `Observer`."""
+        booked = (
+            np.sum([block[name] for name in block.model.memory if name.endswith(end)], axis=0) + np.zeros(len(block.t))
+            for end in (".dissipated", ".input")
+        )
+        parts = np.array([*block.energies, *booked])
+        self._finite = self._finite and bool(np.all(np.isfinite(parts)))
+        if not self._finite:
+            return
+        if self._start is None:
+            self._start = parts[:, :1]
+            self._scale = block.energy_scale
+            self._largest = SMALL * self._scale
+        kinetic, *_ = parts
+        self._rows += len(block.t) - fresh
+        self._size = max(self._size, float(np.max(np.abs(parts))))
+        change = parts - self._start
+        self._largest = max(self._largest, float(np.max(kinetic)), float(np.max(np.abs(change[1:]))))
+        self._error = max(self._error, float(np.max(np.abs(change[0] + change[1] + change[2] - change[3]))))
+
+    @property
+    def residual(self) -> float | None:
+        """Largest error over the largest energy moved; None where something was not finite."""
+        return self._error / self._largest if self._finite and self._largest > 0 else None
+
+    @property
+    def unclosed(self) -> float:
+        """Largest error beyond rounding, over the largest energy moved or the scene's energy scale where that is more: a run's accuracy is of its
+        scales, however little moves. 0 where something was not finite, which ends a run by itself.
+        """
+        measure = max(self._largest, self._scale)
+        rounding = (
+            EPSILON * self._rows * self._size
+        )  # of energies that are large because their zero is far, and of sums over steps
+        return max(self._error - rounding, 0.0) / measure if self._finite and measure > 0 else 0.0
+
+
+class Choices:
+    """What `method="auto"` chose."""
+
+    def __init__(self) -> None:
+        self.made: list[Choice] = []
+
+    def take(self, block: History, fresh: int) -> None:
+        """The next accepted steps; see `Observer`."""
+        self.made += choices(block, fresh)
+
+
+class Findings:
+    """Impacts, energy residual, choices and sums of a run: found as it goes, or, of steps that are kept, when asked for (`later`).
+
+    duration, begin    where the run is to end, and where it begins [s]
+    period    after which everything that depends on time repeats [s], None where nothing does
+    """
+
+    def __init__(
+        self, model: Model, method: str, *, later: bool, duration: float, period: float | None, begin: float = 0.0
+    ) -> None:
+        self._model, self._later, self._duration, self._begin, self.period = model, later, duration, begin, period
+        self._steps: list[History] = []
+        self._contacts = Contacts(model)
+        self._balance = Balance() if model.has_ledger else None
+        self._choices = Choices() if method == "auto" else None
+        self._summing = None if later else self._summing_up(None)
+
+    @classmethod
+    def saved(
+        cls,
+        model: Model,
+        impacts: Sequence[Impact],
+        energy_residual: float | None,
+        chosen: Sequence[Choice],
+        sums: Sums,
+        period: float | None,
+    ) -> Findings:
+        """Those of a run that was saved."""
+        findings = cls(model, "", later=True, duration=math.nan, period=period)
+        known = {"impacts": tuple(impacts), "energy_residual": energy_residual, "choices": tuple(chosen)}
+        findings.__dict__.update(known, _sums=sums)
+        return findings
+
+    def take(self, block: History, fresh: int) -> None:
+        """The next accepted steps; see `Observer`."""
+        if self._later:
+            self._steps.append(block)
+            return
+        for observer in (self._contacts, self._balance, self._choices, self._summing):
+            if observer is not None:
+                observer.take(block, fresh)
+
+    def _looked(self, observer: Seen) -> Seen:
+        for block in self._steps:
+            observer.take(block, 0)
+        return observer
+
+    @cached_property
+    def impacts(self) -> tuple[Impact, ...]:
+        """Every contact in the order of its onset."""
+        return self._looked(self._contacts).impacts()
+
+    @cached_property
+    def _balanced(self) -> Balance | None:
+        return None if self._balance is None else self._looked(self._balance)
+
+    @cached_property
+    def energy_residual(self) -> float | None:
+        """See `Solution.energy_residual`."""
+        return None if self._balanced is None else self._balanced.residual
+
+    @cached_property
+    def energy_unclosed(self) -> float:
+        """See `Balance.unclosed`; 0 without a ledger."""
+        return 0.0 if self._balanced is None else self._balanced.unclosed
+
+    @cached_property
+    def choices(self) -> tuple[Choice, ...]:
+        """See `Solution.choices`."""
+        return tuple(self._looked(self._choices).made) if self._choices is not None else ()
+
+    def secured(self) -> Iterator[str]:
+        """Find everything now; what cannot be found is nothing from now on, and said to be so, that the rest is not lost for it."""
+        nothing = Sums(math.nan, *(np.zeros((0, n)) for n in (self._model.k, self._model.k, self._model.nz)))
+        for name, empty in (("impacts", ()), ("energy_residual", None), ("choices", ()), ("_sums", nothing)):
+            try:
+                getattr(self, name)
+            except Exception as error:  # whatever it is
+                self.__dict__[name] = empty
+                yield f"{name.strip('_').replace('_', ' ')} could not be found: {type(error).__name__}: {error}"
+
+    def sums(self, interval: float | None = None) -> Sums:
+        """Sums over intervals [s], by default of the period, or of a part of the run where there is none; over longer ones where there are many.
+
+        Raises InputError for what is no multiple of the intervals that are known, where steps are not kept.
+        """
+        if interval is not None and self._steps:
+            return self._looked(self._summing_up(interval)).sums
+        known = self._sums
+        if interval is None:
+            return known
+        many = round(interval / known.interval)
+        if many < 1 or abs(many * known.interval - interval) > 1e-6 * interval:
+            expected = f"a multiple of {known.interval:g} s, over which a run without its steps has its sums"
+            raise InputError(f"averages of {self._model.name}", [Fault("interval", f"{interval:g} s", expected)])
+        return known.joined(many)
+
+    @cached_property
+    def _sums(self) -> Sums:
+        return self._looked(self._summing_up(None)).sums if self._summing is None else self._summing.sums
+
+    def _summing_up(self, interval: float | None) -> Summing:
+        begin, until = self._begin, float(self._steps[-1].t[-1]) if self._steps else 0.0
+        if until <= begin:
+            until = self._duration  # of a run without a step as well: its sums are of no interval
+        if interval is None:
+            span = until - begin
+            periods = 0.0 if self.period is None else span / self.period
+            interval = span / INTERVALS if self.period is None else self.period * math.ceil(periods / MOST_INTERVALS)
+        return Summing(self._model, interval, until, begin)

@@ -1,0 +1,275 @@
+"""Rows of a run by name: states, accelerations, outputs, contacts, energies; and between the rows, by parts of steps."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from difflib import get_close_matches
+
+import numpy as np
+
+from hertzwerk.runtime.host.lazy import cached_property
+from hertzwerk.runtime.integrate.loop.attempt import Integrator
+from hertzwerk.runtime.integrate.step.explicit import flow
+from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT
+from hertzwerk.runtime.model.caller import Rowwise
+from hertzwerk.runtime.model.model import Model
+
+_PAIR = {"mode": "1", "gap": "m", "gap_rate": "m/s", "penetration": "m", "normal_force": "N"}
+
+
+class History:
+    """Histories over `t`, in SI. `history[name]` has shape (rows,).
+
+    rows: states of the engine, shape (rows, ns), as `layout` names them.
+    steps: whether each row is one accepted step after the row before, so that there is something between them.
+    """
+
+    def __init__(
+        self,
+        model: Model,
+        rows: np.ndarray,
+        controls: np.ndarray,
+        integrator: Integrator | None,
+        *,
+        steps: bool = True,
+    ) -> None:
+        self.model = model
+        self.rows, self.controls, self.integrator = rows, controls, integrator
+        self.steps = steps and integrator is not None
+        self._found: dict[str, np.ndarray] = {}
+
+    @classmethod
+    def stored(cls, model: Model, histories: Mapping[str, np.ndarray]) -> History:
+        """Histories that were saved; there are no rows behind them."""
+        history = cls(model, np.zeros((0, 0)), np.zeros(0), None)
+        history._found = dict(histories)
+        return history
+
+    @cached_property
+    def units(self) -> dict[str, str]:
+        """SI unit text of "t" and of every name, in the order of `names`."""
+        if self.integrator is None:
+            return self._units()
+        units: dict[str, str] = self.model.once("units of histories", self._units)
+        return units
+
+    def _units(self) -> dict[str, str]:
+        model = self.model
+        units = {"t": "s", **model.units}
+        for name in model.speeds:
+            units[acceleration_of(name)] = f"{model.units[name]}^2"  # m/s^2, rad/s^2
+        units |= {row[0]: row[1] for row in (*model.module.OUTPUTS, *model.module.LATCHES, *model.slips)}
+        units |= {_friction_force(name): "N" for name, *_ in model.slips}
+        for pair in model.pairs:
+            units |= {f"{pair}.{part}": unit for part, unit in _PAIR.items()}
+            slides = f"{pair}.sliding_velocity"  # there is one only where something depends on it
+            if slides in self._found or (
+                self.integrator is not None and model.function(f"contact_{pair}").size1_out(3)
+            ):
+                units[slides] = "m/s"
+        if model.has_ledger:
+            units["energy"] = "J"
+        for name, unit in getattr(model.module, "CONSTRAINTS", ()):
+            units |= {name: unit, holding_force(name): "N" if unit == "m" else "N m"}
+        return units
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Every name except "t"."""
+        return tuple(name for name in self.units if name != "t")
+
+    @property
+    def t(self) -> np.ndarray:
+        """Times [s], shape (rows,)."""
+        times: np.ndarray = self["t"] if self.integrator is None else self.part("t")[:, 0]
+        return times
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        if name not in self.units:
+            near = get_close_matches(name, self.units, n=3)
+            hint = f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(self.units)}"
+            raise KeyError(f"no history {name!r}; {hint}")
+        if name not in self._found:
+            self._found |= self._evaluate(name)
+        return self._found[name]
+
+    def part(self, name: str) -> np.ndarray:
+        """Columns of a part of the rows, shape (rows, size)."""
+        part: np.ndarray = self.rows[:, self.columns(name)]
+        return part
+
+    def columns(self, name: str) -> slice:
+        """Where a part is in a row."""
+        return self._engine.layouts.state[name]
+
+    @property
+    def _engine(self) -> Integrator:
+        if self.integrator is None:
+            raise ValueError("a saved run has histories but not the rows and functions they came from; simulate again")
+        return self.integrator
+
+    def _evaluate(self, name: str) -> dict[str, np.ndarray]:
+        """The history of a name, and those that come with it."""
+        model = self.model
+        ny = [*model.coordinates, *model.speeds, *model.memory]
+        if name == "t":
+            return {name: self.part("t")[:, 0]}
+        if name in ny:
+            return {name: self.part("y")[:, ny.index(name)]}
+        if name in model.outputs:
+            return dict(zip(model.outputs, self.map("outputs", "t q u")[0].T, strict=True))
+        if name in model.latches:
+            return {name: self.part("m")[:, model.latches.index(name)]}
+        for i, (slip, *_) in enumerate(model.slips):
+            if name == slip:
+                return {name: self.part("m")[:, len(model.latches) + i]}
+            if name == _friction_force(slip):
+                return {name: self.part("friction")[:, i]}
+        if name in model.constraints:
+            return dict(zip(model.constraints, self.map("constraints", "t q u")[0].T, strict=True))
+        held = [holding_force(constraint) for constraint in model.constraints]
+        if name in held:
+            (forces,) = self._holding(*(self.part(part) for part in ("t", "y", "mode", "m")))
+            return dict(zip(held, forces.T, strict=True))
+        if name == "energy":
+            return {name: np.sum(self.energies, axis=0)}
+        for speed in model.speeds:
+            if name == acceleration_of(speed):
+                return {name: self.part("dy")[:, ny.index(speed)]}
+        pair, _, part = name.rpartition(".")
+        return {name: self._of_pair(pair, part, model.pairs.index(pair))}
+
+    @cached_property
+    def energies(self) -> np.ndarray:
+        """Kinetic and potential energy [J], with what springs and touching surfaces store, shape (2, rows)."""
+        kinetic, potential, stored = self.map("energy", "t q u")
+        touching = np.where(self.part("mode") == CONTACT, stored, 0)
+        return np.array([kinetic[:, 0], potential[:, 0] + np.sum(touching, axis=1)])
+
+    @property
+    def energy_scale(self) -> float:
+        """The scene's [J]."""
+        return float(self.controls[self._engine.layouts.controls["scales"]][3])
+
+    def _of_pair(self, pair: str, part: str, j: int) -> np.ndarray:
+        mode = self.part("mode")[:, j]
+        if part == "gap":
+            return self._gap(pair, self.part("gap")[:, j])
+        if part == "penetration":
+            return np.where(mode != FLIGHT, np.maximum(-self[f"{pair}.gap"], 0), 0)
+        if part == "sliding_velocity":
+            velocity = self.map(f"contact_{pair}", "t q u z m")[3][:, 0]
+            return np.where(mode == CONTACT, velocity, 0)  # apart, the direction of contact may not exist
+        columns: np.ndarray = self.part({"normal_force": "force"}.get(part, part))[:, j]
+        return columns
+
+    def _gap(self, pair: str, event: np.ndarray) -> np.ndarray:
+        """Distance [m] of the surfaces from the event function G.
+
+        They are the same but for a pin in a bush: there G = (c^2 - e^2)/(2 c), the distance c - e to first order only; c follows from G and e.
+        """
+        eccentricity = [self[name] for name in self.model.outputs if name.startswith(f"{pair}.eccentricity_")]
+        if not eccentricity:
+            return event
+        e = np.sqrt(sum(part * part for part in eccentricity))
+        distance: np.ndarray = event + np.sqrt(event * event + e * e) - e
+        return distance
+
+    def map(self, function: str, arguments: str) -> list[np.ndarray]:
+        """A model's function over all rows, its last argument c constant; each result has shape (rows, size)."""
+        model = self.model
+        y, nq, nu = self.part("y"), model.nq, model.nu
+        known = {
+            "t": self.part("t"),
+            "q": y[:, :nq],
+            "u": y[:, nq : nq + nu],
+            "z": y[:, nq + nu :],
+            "m": self.part("m"),
+        }
+        names = arguments.split()
+        rowwise: Rowwise = model.once(
+            ("rowwise", function), lambda: Rowwise(model.function(function), constant=len(names))
+        )
+        return rowwise(self.controls[: model.nc], *(known[name] for name in names))  # c comes first
+
+    def _holding(self, *parts: np.ndarray) -> list[np.ndarray]:
+        rowwise: Rowwise = self.model.once(
+            ("rowwise", "holding"), lambda: Rowwise(flow(self.model).holding, constant=len(parts))
+        )
+        return rowwise(self.controls[: self.model.nc], *parts)
+
+    def at(self, times: np.ndarray) -> History:
+        """Histories at other times [s] within the run; at a time of an event, the state just after it."""
+        t = self.part("t")[:, 0]
+        if not self.steps:
+            return self._kept(times)
+        if times.ndim != 1 or not np.all((times >= t[0]) & (times <= t[-1])):
+            raise ValueError(
+                f"found times outside the run, or not in one row; expected them within {t[0]:g}..{t[-1]:g} s"
+            )
+        index = np.searchsorted(t, times, side="right") - 1
+        found = self.between(index, times - t[index])
+        found.part("t")[:, 0] = times  # not t + (time - t), which may differ in the last digit
+        return found
+
+    def _kept(self, times: np.ndarray) -> History:
+        """Rows at times [s] that are among them."""
+        index = np.searchsorted(self.t, times)
+        if times.ndim != 1 or np.any(index == len(self.t)) or np.any(self.t[index] != times):
+            raise ValueError(
+                "found times between the rows of a run that did not keep its steps; expected times among run.t, "
+                'or name them before: simulate(..., output=times), or output="steps", after which any time can be asked for'
+            )
+        return self.of(self.rows[index])
+
+    def between(self, index: np.ndarray, h: np.ndarray) -> History:
+        """Histories a time h (n,) [s] after the rows `index` (n,), under those rows' modes; with h = 0 the rows themselves."""
+        return self.of(self.later(self.rows[index], h))
+
+    def later(self, rows: np.ndarray, h: np.ndarray) -> np.ndarray:
+        """Rows (n, ns) a time h (n,) [s] after others, by a part of the step from each: of the method's order, under that row's modes."""
+        later: np.ndarray = rows.copy()
+        methods = rows[:, self.columns("method")][:, 0]
+        for method in np.unique(methods[h != 0]):
+            moving = np.flatnonzero((h != 0) & (methods == method))
+            step, to, of = self._dense_output(int(method))
+            (trial,) = step(self.controls, rows[moving], h[moving, None])
+            moved = rows[moving]
+            moved[:, to] = trial[:, of]
+            later[moving] = moved
+        return later
+
+    def _dense_output(self, method: int) -> tuple[Rowwise, np.ndarray, np.ndarray]:
+        """The step of a method row by row, and the columns of a state that come from the columns of its trial."""
+        integrator = self._engine
+        key = ("dense output", integrator.tables[method].name)
+        made: tuple[Rowwise, np.ndarray, np.ndarray] = self.model.once(key, lambda: _dense_output(integrator, method))
+        return made
+
+    def of(self, rows: np.ndarray) -> History:
+        """Histories over other rows (n, ns) of the same run."""
+        return History(self.model, rows, self.controls, self.integrator, steps=False)
+
+
+def _dense_output(integrator: Integrator, method: int) -> tuple[Rowwise, np.ndarray, np.ndarray]:
+    state, trial = integrator.layouts.state, integrator.layouts.trial
+    shared = [name for name in trial.sizes if name in state.sizes]
+    to, of = (np.concatenate([np.r_[layout[name]] for name in shared]) for layout in (state, trial))
+    return Rowwise(integrator.step(method), constant=1), to, of
+
+
+def _friction_force(slip: str) -> str:
+    return f"{slip.removesuffix('.slip')}.friction_force"
+
+
+def holding_force(constraint: str) -> str:
+    """Name of what holds a constraint: `pin.apart_x` -> `pin.force_x`, `pin.off_y` -> `pin.force_y`, `pin.turned_x` -> `pin.moment_x`."""
+    joint, _, name = constraint.rpartition(".")
+    kind, _, label = name.partition("_")
+    return f"{joint}.{'moment' if kind == 'turned' else 'force'}_{label}"
+
+
+def acceleration_of(speed: str) -> str:
+    """Name of the rate of a speed: `pin.speed` -> `pin.acceleration`."""
+    joint, _, name = speed.rpartition(".")
+    return f"{joint}.{name.replace('speed', 'acceleration')}"

@@ -1,0 +1,143 @@
+"""How a run ends, as a value: a name, what happened, and what to do about it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from hertzwerk.runtime.accuracy.ladder import ErrorEstimate, beyond_horizon, brief, horizon
+from hertzwerk.runtime.integrate.loop.chunk import INTERRUPTED, WALL_TIME_LIMIT
+from hertzwerk.runtime.integrate.step.layout import (
+    CONSTRAINT_LOST,
+    EVENT_LIMIT,
+    FINISHED,
+    NOT_FINITE,
+    OUTSIDE_LAW_RANGE,
+    STEP_TOO_SMALL,
+    TOO_MANY_STEPS,
+)
+from hertzwerk.runtime.solution.remedies import of_accuracy, of_steps
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.solution.history import History
+
+STEPS = (STEP_TOO_SMALL, TOO_MANY_STEPS, WALL_TIME_LIMIT)  # statuses of runs whose steps were many or too small
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """`finished`, or the name of what stopped the run, with a sentence on what happened and one on the way out."""
+
+    name: str
+    message: str
+    remedy: str
+
+    @property
+    def finished(self) -> bool:
+        """Whether the run reached its end."""
+        return self.name == "finished"
+
+
+_OUTCOMES = {
+    FINISHED: ("finished", "reached the end at t = {t:.6g} s", ""),
+    STEP_TOO_SMALL: (
+        "step_too_small",
+        "at t = {t:.9g} s no step above rounding meets the local tolerance {tolerance:g}",
+        "ask for less accuracy; if that does not help, the model is discontinuous or singular there: look at the last states",
+    ),
+    NOT_FINITE: (
+        "not_finite",
+        "at t = {t:.9g} s the equations give infinite or undefined values for every step",
+        "look at the last states: a parameter far out of proportion, or a configuration where the mechanism is singular",
+    ),
+    CONSTRAINT_LOST: (
+        "constraint_lost",
+        "at t = {t:.9g} s no step leads to a position in which the loops are closed",
+        "the mechanism locks or cannot reach what a drive asks for: check lengths and drives at the last states",
+    ),
+    OUTSIDE_LAW_RANGE: (
+        "outside_law_range",
+        "at t = {t:.9g} s a contact law was left where it is not defined: {where}",
+        "choose a law that is defined at such a penetration, or check load and stiffness",
+    ),
+    EVENT_LIMIT: (
+        "event_limit",
+        "more than {max_events:,} contacts began by t = {t:.9g} s",
+        "raise max_events, or ask for more accuracy if the contacts chatter",
+    ),
+    TOO_MANY_STEPS: (
+        "too_many_steps",
+        "{max_steps:,} steps were taken by t = {t:.9g} s",
+        "raise max_steps, ask for less accuracy, or simulate a shorter time",
+    ),
+    INTERRUPTED: (
+        "interrupted",
+        "stopped by the user at t = {t:.9g} s",
+        "what was computed until then is in the solution",
+    ),
+    WALL_TIME_LIMIT: (
+        "wall_time_limit",
+        "the run took longer than {wall_time:g} s and stopped at t = {t:.9g} s",
+        "raise wall_time, ask for less accuracy, or use compiled=True",
+    ),
+}
+
+
+def unreachable(asked: float, floor: float, method: str, tighter: Outcome | None = None) -> Outcome:
+    """The outcome of a complete run whose error no tolerance makes as small as was asked; `tighter`: how a run with a smaller one ends."""
+    better = of_accuracy(method)
+    by, why = (f" of {method}", "") if better else ("", ": the motion amplifies what rounding leaves")
+    if tighter is not None:
+        why = f": runs with a smaller tolerance end as {tighter.name}, {tighter.message}"
+    return Outcome(
+        "accuracy_unreachable",
+        f"no tolerance{by} gives an error at the end below {brief(floor, 2)}, {brief(asked, 3)} was asked for{why}",
+        _first(better, f"ask for an accuracy above {brief(floor, 2)}, or simulate a shorter time"),
+    )
+
+
+def unknown(asked: float, tighter: Outcome) -> Outcome:
+    """The outcome of a complete run whose error cannot be told, for no other run reaches the end."""
+    return Outcome(
+        "accuracy_unknown",
+        f"the run is complete, but whether its error is below {brief(asked, 3)} is not known: the runs that would tell end as {tighter.name}, "
+        f"{tighter.message}",
+        "take another method, or ask for less accuracy; tolerance= in place of accuracy= makes one run without an estimate",
+    )
+
+
+def too_long(asked: float, error: ErrorEstimate) -> Outcome:
+    """The outcome of a complete run that is longer than its trajectory can be known."""
+    known = horizon(error.times, error.values, asked)
+    return Outcome(
+        "beyond_horizon",
+        f"an error of {brief(asked, 3)} at the end is out of reach: {beyond_horizon(error)}",
+        f"simulate no longer than {known:.4g} s, up to which this run is so accurate; for statistics take this run, or tolerance= in place of "
+        "accuracy=",
+    )
+
+
+CLOSES = 100  # times its accuracy the ledger of a run closes to at least; a run at a tolerance may leave one tolerance a step
+
+
+def not_closed(unclosed: float, asked: float, tolerance: float, steps: int) -> Outcome | None:
+    """The outcome of a complete run whose energy ledger is open by more than its accuracy explains; None where it closes."""
+    most = max(CLOSES * asked, (CLOSES + steps) * tolerance)
+    if unclosed <= most:
+        return None
+    return Outcome(
+        "energy_not_closed",
+        f"energy + dissipated - input changes by {unclosed:.2g} of the energy there is, {most:.2g} is what the accuracy leaves",
+        "find the law or force whose energy is not that of its force: `hertzwerk audit` on the scene or file of laws, then `hertzwerk effects`",
+    )
+
+
+def outcome(status: int, method: str, history: History, **facts: object) -> Outcome:
+    """The outcome of a status of the engine, after the last of the rows that were kept."""
+    name, message, remedy = _OUTCOMES[status]
+    better = of_steps(method, history) if status in STEPS else ""
+    return Outcome(name, message.format(**facts), _first(better, remedy))
+
+
+def _first(better: str, remedy: str) -> str:
+    return f"{better}; else {remedy}" if better else remedy

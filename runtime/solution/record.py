@@ -1,0 +1,257 @@
+"""A run on disk and as JSON: one new folder with the data, what produced it, and the plots."""
+
+from __future__ import annotations
+
+import json
+import math
+import platform
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager, nullcontext
+from dataclasses import asdict, dataclass, field
+from functools import partial
+from importlib import metadata
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Protocol
+
+from hertzwerk.runtime.host.folder import new_folder
+from hertzwerk.runtime.host.scratch import scratch_folder, write_atomically
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.solution.averages import Average
+    from hertzwerk.runtime.solution.solution import Solution
+
+CSV_LIMIT = 50e6  # bytes that are written unasked
+
+
+def summary(solution: Solution, *, averages: bool = False) -> dict[str, Any]:
+    """What `run --json` prints: plain numbers in SI, null for what does not exist; averages where they are asked for."""
+    statistics, error = solution.statistics, solution.error
+    return {
+        "scene": solution.model.name,
+        "outcome": solution.outcome.name,
+        "t_start": solution.t_start,
+        "t_end": solution.t_end,
+        "duration": solution.duration,
+        "accuracy": solution.accuracy,
+        "tolerance": solution.tolerance,
+        "method": solution.method,
+        "compiled": solution.compiled,
+        "steps": statistics.steps,
+        "rejected": statistics.rejected,
+        "rhs_evaluations": statistics.rhs_evaluations,
+        "wall_s": statistics.wall_s,
+        "impacts": [
+            {"contact": i.contact, "t": i.t, "speed": i.speed, "peak_force": i.peak_force, "duration": i.duration}
+            for i in solution.impacts
+        ],
+        "final": solution.final,
+        "energy_residual": solution.energy_residual,
+        "error_estimate": error and error.end,
+        "horizon": error and error.horizon,
+        "growth": error and error.growth,
+        "decade_cost": error and error.decade_cost,
+        "warnings": list(solution.warnings),
+        "advice": list(solution.advice),
+        **({"averages": [asdict(average) for average in solution.averages()]} if averages else {}),
+    }
+
+
+def record(solution: Solution) -> dict[str, Any]:
+    """What `run.json` keeps: the summary, and everything needed to run the same again."""
+    model = solution.model
+    return {
+        **summary(solution),
+        "outcome_message": solution.outcome.message,
+        "remedy": solution.outcome.remedy,
+        "source": model.module.SOURCE,
+        "effects": [{"name": name, "kind": kind, "text": text} for name, kind, text in model.module.EFFECTS],
+        "unchecked": [{"effect": effect, "reason": reason} for effect, reason in model.module.UNCHECKED],
+        "parameters": {name: {"value": value, "unit": unit} for name, (value, unit) in solution.parameters.items()},
+        "initial": solution.initial,
+        "rows": len(solution.t),
+        "statistics": asdict(solution.statistics),
+        "error": solution.error and solution.error.numbers,
+        "choices": [asdict(choice) for choice in solution.choices],
+        "versions": versions(),
+    }
+
+
+def versions() -> dict[str, str]:
+    """Versions of what computed a run."""
+    return {**{name: _version(name) for name in ("hertzwerk", "casadi", "numpy")}, "python": platform.python_version()}
+
+
+def _version(name: str) -> str:
+    try:
+        return metadata.version(name)
+    except metadata.PackageNotFoundError:  # run from the source tree
+        return "not installed"
+
+
+def json_text(content: dict[str, Any]) -> str:
+    """JSON by the standard: what is not finite is null."""
+    return json.dumps(_finite(content), indent=2, allow_nan=False)
+
+
+@dataclass
+class Written:
+    """What was written of a run: its folder, the files in it, the averages asked for, what could not be had or made, and what is left out."""
+
+    folder: Path
+    files: list[str]
+    missing: list[str]
+    averages: tuple[Average, ...] = ()
+    left_out: list[str] = field(default_factory=list)
+
+
+def write(
+    solution: Solution,
+    out: Path | None,
+    *,
+    plots: bool,
+    csv: bool = False,
+    averages: bool = False,
+    stopping: Stopping | None = None,
+    request: Mapping[str, Any] | None = None,
+) -> Written:
+    """Write a run to `out`, or to the next free runs/<scene>-NNN: the data first, then what can be made from them.
+
+    `request` is what was asked for, to be kept with it. The data, states.npz and run.json, appear at once. Averages, states.csv and pictures follow,
+    each for itself: what fails, or is stopped, is told of in run.json and leaves no part of a file. `csv` writes states.csv however large it is.
+    Raises OSError where no data can be written.
+    """
+    stop = stopping or _Never()
+    lost = list(solution.findings.secured())
+    stop.stage("writing states.npz")
+    folder, files = new_folder(solution.model.name, out, lambda at: _write_data(solution, at, lost, request))
+    written = Written(folder, files, lost)
+    extras = _Extras(solution, written, stop)
+    if averages:
+        extras.make("averages", lambda _: setattr(written, "averages", solution.averages()))
+    extras.make_csv(force=csv)
+    if plots:
+        extras.make_pictures()
+    told = [*lost, *written.left_out]
+    if told or averages:
+        extras.failing(
+            "run.json", lambda: write_atomically(folder / "run.json", _text(solution, told, request, written.averages))
+        )
+    return written
+
+
+class Stopping(Protocol):
+    """Whether it was asked to stop, where what is made can be stopped at once, and who is to know what is being made."""
+
+    @property
+    def asked(self) -> bool:
+        """Whether it was asked to stop."""
+
+    def at_once(self) -> AbstractContextManager[None]:
+        """Within, KeyboardInterrupt is raised where it is asked for."""
+
+    def stage(self, name: str) -> None:
+        """What is being made from now on."""
+
+
+class _Never:
+    asked = False
+
+    def at_once(self) -> AbstractContextManager[None]:
+        return nullcontext()
+
+    def stage(self, name: str) -> None:
+        pass
+
+
+@dataclass
+class _Extras:
+    """What is made from the data of a run that are written already."""
+
+    solution: Solution
+    written: Written
+    stop: Stopping
+
+    def make(self, name: str, make: Callable[[Path], object]) -> None:
+        """Make one file, or what has no file, in a folder of its own, and move what is there when it is complete."""
+        if self.stop.asked:
+            self.written.missing.append(f"{name} is not there: it was stopped before")
+            return
+        self.failing(name, lambda: self._made(name, make))
+
+    def _made(self, name: str, make: Callable[[Path], object]) -> None:
+        self.stop.stage(f"writing {name}")
+        with self.stop.at_once(), scratch_folder(self.written.folder.parent) as at:
+            make(at)
+            for file in sorted(at.iterdir()):
+                file.replace(self.written.folder / file.name)
+                self.written.files.append(file.name)
+
+    def failing(self, name: str, make: Callable[[], object]) -> None:
+        """What fails here fails for itself."""
+        try:
+            make()
+        except KeyboardInterrupt:
+            self.written.missing.append(f"{name} is not there: it was stopped while it was made")
+        except Exception as error:  # whatever it is: the data are there, and so is what else can be made from them
+            self.written.missing.append(f"{name} could not be made: {type(error).__name__}: {error}")
+
+    def make_csv(self, *, force: bool) -> None:
+        """states.csv, unless it would be large and nobody asked for it."""
+        size = self.solution.csv_size()
+        if size <= CSV_LIMIT or force:
+            self.make("states.csv", lambda at: self.solution.to_csv(at / "states.csv"))
+            return
+        self.written.left_out.append(
+            f"states.csv would have {size / 1e6:.0f} MB and is not written: states.npz has the same; --csv writes it, --grid 10000 keeps less, "
+            f'and Solution.load("states.npz").to_csv("states.csv") makes it later'
+        )
+
+    def make_pictures(self) -> None:
+        """The mechanism, the overview and one picture of each pair."""
+
+        def mechanism(at: Path) -> None:
+            from hertzwerk.runtime.pictures.draw import picture
+
+            picture.of_run(self.solution).savefig(at / "mechanism.png", dpi="figure")
+
+        self.make("mechanism.png", mechanism)
+        from hertzwerk.runtime.pictures import plot
+
+        for name, save in plot.pages(self.solution).items():
+            self.make(f"{name}.png", partial(lambda save, at, file: save(at / file), save, file=f"{name}.png"))
+
+
+def _write_data(solution: Solution, folder: Path, lost: list[str], request: Mapping[str, Any] | None) -> list[str]:
+    """states.npz and run.json, the other one where one cannot be written; raises OSError where none can."""
+    files: list[str] = []
+    errors: list[OSError] = []
+    for file, make in (
+        ("states.npz", lambda path: solution.save(path)),
+        ("run.json", lambda path: write_atomically(path, _text(solution, lost, request))),
+    ):
+        try:
+            make(folder / file)
+            files.append(file)
+        except OSError as error:
+            errors.append(error)
+            lost.append(f"{file} could not be written: {error}")
+    if not files:
+        raise errors[0]
+    return files
+
+
+def _text(
+    solution: Solution, lost: Sequence[str], request: Mapping[str, Any] | None, averages: Sequence[Average] = ()
+) -> bytes:
+    content = record(solution)
+    content |= {"averages": [asdict(average) for average in averages]} if averages else {}
+    content |= {"request": dict(request)} if request is not None else {}
+    return (json_text({**content, "warnings": [*content["warnings"], *lost]}) + "\n").encode()
+
+
+def _finite(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _finite(entry) for key, entry in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_finite(entry) for entry in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value

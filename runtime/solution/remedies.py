@@ -1,0 +1,51 @@
+"""Which method suits a run that one method could not bring to its end, or to its accuracy, by what held its last steps down."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from hertzwerk.runtime.integrate.loop import choose
+from hertzwerk.runtime.integrate.step.methods import METHODS, SUNDIALS
+from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
+from hertzwerk.runtime.model.caller import Rowwise
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.solution.history import History
+
+LAST = 200  # rows that are looked at
+MOST = 0.5  # of these, for something to be the cause
+AUTO = 'take method="auto"'
+
+
+def of_steps(method: str, history: History) -> str:
+    """What to take in place of a method whose steps were many or too small; "" where another need not be better."""
+    (table, *others) = (table() for table in METHODS[method])
+    if others or method in SUNDIALS or not len(history.rows):
+        return ""
+    rows = history.rows[-LAST:]
+    rates = history.model.once("rates of stiffness", lambda: Rowwise(choose.fastest(history.model), constant=1))
+    (found,) = rates(history.controls, rows)
+    stiff = bool(np.mean(found[:, 0] > choose.STIFF / 2) > MOST)
+    explicit = isinstance(table, RungeKutta)
+    if explicit and stiff:
+        return f"stability holds the steps of {method} down, not accuracy: {AUTO}, or esdirk or rodas"
+    if explicit and _turns(found[:, 1:]):
+        return f"step after step of {method} goes over the layer in which friction turns: {AUTO}, or esdirk or rodas"
+    if not explicit and not stiff:
+        return f"nothing is stiff there, and steps of {method} are shorter than those of dop853: {AUTO}"
+    return ""
+
+
+def of_accuracy(method: str) -> str:
+    """What to take in place of a method that does not get below some error."""
+    if method in ("auto", "dop853"):
+        return ""
+    return f"many steps of {method} leave more rounding than the few of dop853, of higher order: {AUTO}"
+
+
+def _turns(sliding: np.ndarray) -> bool:
+    """Whether a sliding velocity (rows, n) changes its sign about every other step."""
+    turned = np.diff(np.sign(sliding), axis=0) != 0
+    return bool(turned.size and np.max(np.mean(turned, axis=0)) > MOST / 2)

@@ -1,0 +1,283 @@
+"""What a run returns: outcome, histories by name, impacts, statistics, energy ledger; to CSV, to and from npz, and between its rows."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from hertzwerk.runtime.accuracy.ladder import ErrorEstimate
+from hertzwerk.runtime.host.scratch import write_atomically
+from hertzwerk.runtime.integrate.loop.choose import Choice
+from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.run.checkpoint import Checkpoint
+from hertzwerk.runtime.run.scales import Scales
+from hertzwerk.runtime.solution import saved
+from hertzwerk.runtime.solution.averages import Average, averages
+from hertzwerk.runtime.solution.findings import Findings
+from hertzwerk.runtime.solution.history import History
+from hertzwerk.runtime.solution.impacts import Impact
+from hertzwerk.runtime.solution.outcome import Outcome
+from hertzwerk.runtime.solution.sums import Sums
+
+CHECKPOINT = "checkpoint"  # in a file, beside the histories
+SAMPLE = 1000  # rows that the size of a CSV is told by
+
+__all__ = ["ErrorEstimate", "History", "Impact", "Solution", "Statistics"]
+
+
+@dataclass(frozen=True)
+class Statistics:
+    """What a run cost: accepted steps, steps rejected for their error, steps retaken to land on an event, evaluations of the right-hand side,
+    contacts begun (events); wall_s the integration, build_s what it takes (reading input, building the functions), compile_s what was compiled on
+    the way [s]."""
+
+    steps: int
+    rejected: int
+    retaken: int
+    rhs_evaluations: int
+    events: int
+    wall_s: float
+    build_s: float
+    compile_s: float = 0.0
+
+
+@dataclass(frozen=True)
+class Solution:
+    """A run. `run["guide.travel"]` is a history over `run.t`, in SI; `run.names` lists what there is."""
+
+    history: History = field(repr=False)
+    ends: History = field(repr=False)  # the first and the last of its rows are the run's
+    findings: Findings = field(repr=False)
+    outcome: Outcome
+    duration: float
+    accuracy: float | None  # asked for at the end; None for a run at a tolerance
+    tolerance: float  # local, of this run
+    method: str
+    compiled: bool
+    parameters: Mapping[str, tuple[float, str]] = field(repr=False)
+    statistics: Statistics
+    warnings: tuple[str, ...]
+    scales: Scales = field(repr=False)
+    error: ErrorEstimate | None = field(
+        default=None, repr=False
+    )  # None for a run at a tolerance, and where nothing could be compared
+    checkpoint: Checkpoint | None = field(default=None, repr=False)  # what a longer run goes on from
+
+    @property
+    def model(self) -> Model:
+        """The model that was run."""
+        return self.history.model
+
+    @property
+    def advice(self) -> tuple[str, ...]:
+        """What speaks against the scene's laws although their units hold, as a law of point contact where surfaces touch along a line."""
+        return tuple(getattr(self.model.module, "ADVICE", ()))
+
+    @property
+    def t(self) -> np.ndarray:
+        """Times of the accepted steps, or of the grid that was asked for [s], shape (rows,)."""
+        return self.history.t
+
+    @property
+    def t_start(self) -> float:
+        """Time [s] that the run began at: 0, or where it went on from."""
+        return float(self.ends.t[0])
+
+    @property
+    def t_end(self) -> float:
+        """Time [s] that the run reached."""
+        return float(self.ends.t[-1])
+
+    @property
+    def states(self) -> tuple[str, ...]:
+        """Names of the integrated states: coordinates, speeds, memory."""
+        return (*self.model.coordinates, *self.model.speeds, *self.model.memory)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Every name that `run[name]` has."""
+        return self.history.names
+
+    @property
+    def choices(self) -> tuple[Choice, ...]:
+        """What `method="auto"` chose, when and why: the first method and every change; of any other method nothing."""
+        return self.findings.choices
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        return self.history[name]
+
+    def at(self, times: Sequence[float] | np.ndarray) -> History:
+        """Histories at any times [s] of the run, by a part of the step that covers each: of the method's order, under that step's modes.
+
+        Raises ValueError for times outside the run, and between the rows of a run that kept a grid or was saved.
+        """
+        return self.history.at(np.asarray(times, dtype=float))
+
+    @property
+    def initial(self) -> dict[str, float]:
+        """Every state at the start, SI."""
+        return {name: float(self.ends[name][0]) for name in self.states}
+
+    @property
+    def final(self) -> dict[str, float]:
+        """Every state at the end, SI."""
+        return {name: float(self.ends[name][-1]) for name in self.states}
+
+    @property
+    def impacts(self) -> tuple[Impact, ...]:
+        """Every contact in the order of its onset."""
+        return self.findings.impacts
+
+    @property
+    def energy_residual(self) -> float | None:
+        """Largest |energy - initial energy + dissipated - input| of all accepted steps over the largest energy that the run moves: kinetic,
+        dissipated, put in, or change of potential, whatever its zero; over a millionth of the scene's energy scale where that is more.
+
+        None without a ledger, and where a run that came to no good end holds an energy that is not finite.
+        """
+        return self.findings.energy_residual
+
+    def averages(self, *, interval: str | float | None = None, skip: str | float | None = None) -> tuple[Average, ...]:
+        """What the run does on average, with 95 % confidence: impact rates, forces, powers; see `hertzwerk.runtime.solution.averages.averages`."""
+        return averages(self, interval=interval, skip=skip)
+
+    def __str__(self) -> str:
+        statistics, count = self.statistics, len(self.impacts)
+        parts = [
+            f"{self.t_end * 1e3:g} ms in {statistics.steps:,} steps",
+            f"{count:,} impact{'s' if count != 1 else ''}",
+        ]
+        if self.error is not None:
+            parts.append(f"error {self.error}")
+        if self.energy_residual is not None:
+            parts.append(f"energy closed to {self.energy_residual:.1g}")
+        text = f"{self.outcome.name}: {', '.join([*parts, f'{statistics.wall_s * 1e3:.3g} ms'])}"
+        return text if self.outcome.finished else f"{text}\n{self.outcome.message}; {self.outcome.remedy}"
+
+    def continued(self, duration: str | float | None = None, **options: Any) -> Solution:
+        """Go on from the end of this run; see `hertzwerk.runtime.run.checkpoint.continued`."""
+        from hertzwerk.runtime.run.checkpoint import continued
+
+        return continued(self, duration, **options)
+
+    def plot(self, *names: str, **options: Any) -> Any:
+        """A figure of this run; see `hertzwerk.runtime.pictures.plot.plot`."""
+        from hertzwerk.runtime.pictures import plot
+
+        return plot.plot(self, *names, **options)
+
+    def draw(self) -> Any:
+        """A figure of the mechanism at its start and later, with its clearances enlarged; raises InputError for a saved run."""
+        from hertzwerk.runtime.pictures.draw import picture
+
+        return picture.of_run(self)
+
+    def to_csv(self, path: str | Path, *, overwrite: bool = False) -> Path:
+        """Write every history as a column, headed `name [unit]`, rows at `run.t`, SI; raises FileExistsError."""
+        return write(Path(path), self._csv(slice(None)), overwrite=overwrite)
+
+    def csv_size(self) -> float:
+        """About how many bytes `to_csv` would write, from a few of the rows."""
+        some = slice(None, None, max(len(self.t) // SAMPLE, 1))
+        return len(self._csv(some)) * len(self.t) / len(self.t[some])
+
+    def _csv(self, rows: slice) -> bytes:
+        units = self.history.units
+        table = np.column_stack([self.t[rows], *(self[name][rows] for name in self.names)])
+        text = io.StringIO()
+        text.write(",".join(f"{name} [{units[name]}]" for name in ("t", *self.names)) + "\n")
+        np.savetxt(text, table, delimiter=",", fmt="%.17g")
+        return text.getvalue().encode()
+
+    def save(self, path: str | Path, *, overwrite: bool = False) -> Path:
+        """Write the whole run as npz, to be read by `Solution.load` or NumPy; raises FileExistsError."""
+        module = self.model.module
+        about = {
+            "scene": {name: getattr(module, name) for name in _TABLES if hasattr(module, name)},
+            "ledger": self.model.has_ledger,
+            "outcome": asdict(self.outcome),
+            "statistics": asdict(self.statistics),
+            "parameters": dict(self.parameters),
+            "warnings": self.warnings,
+            **{name: getattr(self, name) for name in ("duration", "accuracy", "tolerance", "method", "compiled")},
+            "energy_residual": self.energy_residual,
+            "scales": {"state": self.scales.state.tolist(), "scene": self.scales.scene.tolist()},
+            "error": self.error and self.error.numbers,
+            "impacts": [asdict(impact) for impact in self.impacts],
+            "choices": [asdict(choice) for choice in self.choices],
+            "sums": self.findings.sums().about(),
+            "period": self.findings.period,
+            "checkpoint": self.checkpoint and self.checkpoint.about(),
+            "ends": {name: self.ends[name][[0, -1]].tolist() for name in ("t", *self.states)},
+        }
+        histories: dict[str, Any] = {name: self[name] for name in ("t", *self.names)}
+        if self.checkpoint is not None:
+            histories[CHECKPOINT] = self.checkpoint.resume.state
+        return write(Path(path), saved.packed(about, histories), overwrite=overwrite)
+
+    @classmethod
+    def load(cls, path: str | Path) -> Solution:
+        """A saved run: its histories, impacts and numbers. It holds no functions: `at` asks for a new run.
+
+        Raises InputError for a file that is not as `save` wrote it.
+        """
+        return saved.unpacked(Path(path), cls._of)
+
+    @classmethod
+    def _of(cls, about: dict[str, Any], histories: dict[str, np.ndarray]) -> Solution:
+        state = histories.pop(CHECKPOINT, None)
+        module = ModuleType(f"saved_{about['scene']['NAME']}")
+        for name, table in about["scene"].items():
+            setattr(module, name, _tuples(table))
+        if about["ledger"]:
+            module.ledger = None  # type: ignore[attr-defined]
+        model = Model(module)
+        return cls(
+            history=History.stored(model, histories),
+            ends=History.stored(model, {name: np.array(values) for name, values in about["ends"].items()}),
+            findings=Findings.saved(
+                model,
+                [Impact(**impact) for impact in about["impacts"]],
+                about["energy_residual"],
+                [Choice(**choice) for choice in about["choices"]],
+                Sums.saved(about["sums"], model),
+                about["period"],
+            ),
+            outcome=Outcome(**about["outcome"]),
+            duration=about["duration"],
+            accuracy=about["accuracy"],
+            tolerance=about["tolerance"],
+            method=about["method"],
+            compiled=about["compiled"],
+            parameters={name: (value, unit) for name, (value, unit) in about["parameters"].items()},
+            statistics=Statistics(**about["statistics"]),
+            warnings=tuple(about["warnings"]),
+            scales=Scales(**{name: np.array(values) for name, values in about["scales"].items()}),
+            error=about["error"] and ErrorEstimate.of(about["error"]),
+            checkpoint=None if state is None else Checkpoint.saved(about["checkpoint"], state),
+        )
+
+
+_TABLES = (
+    *("NAME", "SOURCE", "SUMMARY", "EFFECTS", "UNCHECKED", "PARAMETERS", "LIMITS", "COORDINATES", "SPEEDS", "MEMORY"),
+    *("LATCHES", "SLIPS", "PAIRS", "DISSIPATED", "OUTPUTS", "CONSTANTS", "BODIES", "OPERATIONS", "QUATERNIONS"),
+    *("CONSTRAINTS", "ADVICE"),
+)
+
+
+def _tuples(value: Any) -> Any:
+    return tuple(map(_tuples, value)) if isinstance(value, list) else value
+
+
+def write(path: Path, content: bytes, *, overwrite: bool) -> Path:
+    """Write a file whole; raises FileExistsError where there is one already and `overwrite` is not said."""
+    if path.exists() and not overwrite:
+        raise FileExistsError(f"{path} exists; name another file, or say overwrite=True")
+    write_atomically(path, content)
+    return path

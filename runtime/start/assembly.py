@@ -1,0 +1,442 @@
+"""Assembly: a start in which every loop is closed and every journal centred, from the coordinates and speeds that are given; the rest follows.
+
+What is given stays. The rest begins at the scene's value, or zero, and is moved as little as closing takes (Gauss-Newton in the scene's scales, rank
+by singular values). A start that is closed as it stands is taken as it is. Loops must close; a pin in its bush, or a ball in its socket, is a joint
+that is closed where what is given lets it: at the start the mechanism moves as the ideal one does, whose clearances are closed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from hertzwerk.derive.faults import Fault
+from hertzwerk.runtime.start.intrusion import too_deep
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model.model import Bound, Dependent, Model
+
+Array = NDArray[np.float64]
+
+CLOSED = 1e-11  # open by no more than this part of the sizes that meet in a loop
+ITERATIONS, HALVINGS = 60, 30
+STALLED = 1e-3  # a step that closes by no more of what was open is the last
+UNDER = "under-determined"
+TRIES = 20  # other places to begin at
+RANK = 1e-9  # singular values below this part of the largest count as zero
+AWAY = 1e-6  # and away from a singular position, which nothing there is near to
+AROUND = 8  # positions near the start that are looked at
+NEAR = 0.3  # rad, or of the size: how far off they are at most
+TOGETHER = 40  # constraints that imply each other, at most: with more, choosing among them at every step costs more than the steps
+
+
+def assemble(
+    model: Model, bound: Bound, q: Array, u: Array, given: Collection[str]
+) -> tuple[Array, Array, tuple[Fault, ...]]:
+    """Coordinates (nq,) and speeds (nu,) of the joints with closed loops and journals, near the ones passed; those named in `given` are kept.
+
+    Faults where there are none. Where a journal cannot be centred it may be anywhere in its bush: what is not given then stands as it was passed,
+    or, where that is outside, is where the journals are nearest to their middles.
+    """
+    loops, ideal = _Loops(model.joints, bound), _Loops(model.joints, bound, whole=model)
+    stated = q
+    q, faults = _position(loops, stated, given)
+    if journals(model) and (faults or not ideal.closed(q)):
+        centred, open_ones = _position(ideal, stated, given)
+        if not open_ones:
+            q, faults = centred, ()
+        elif not faults and not ideal.inside(q):
+            if any(fault.found.startswith(UNDER) for fault in open_ones):
+                return q, u, open_ones
+            nearest = _nearest(ideal, stated, given)
+            if nearest is None:
+                return q, u, _with_change(ideal, stated, given, open_ones)
+            q = nearest
+    if faults:
+        return q, u, faults
+    if not journals(model):
+        return q, *_speed(loops, q, u, given)
+    moving, open_ones = _speed(ideal, q, u, given)
+    if open_ones and loops.rows:  # the journals move in their bushes, the loops stay closed
+        return q, *_speed(loops, q, u, given)
+    under = tuple(fault for fault in open_ones if fault.found.startswith(UNDER))
+    return q, moving, under
+
+
+def assembled_at(
+    model: Model, bound: Bound, q: Array, u: Array, given: Collection[str], seats: Array
+) -> tuple[Array, Array, tuple[Fault, ...]]:
+    """Coordinates and speeds of the joints with closed loops and journals at rest at the eccentricities `seats` [m], near the ones passed.
+
+    Faults where what is given does not let them.
+    """
+    loops = _Loops(model.joints, bound, whole=model, seats=seats)
+    unknown = [i for i, name in enumerate(loops.model.coordinates) if name not in given]
+    _, _, jacobian, _ = loops.at(q, np.zeros(loops.model.nu))
+    q = _closed(loops, q, unknown, _sizes(loops, jacobian, q))
+    q, faults = _position(loops, q, given)
+    u, more = _speed(loops, q, u, given)
+    return q, u, tuple(fault for fault in faults or more if not fault.found.startswith(UNDER))
+
+
+def journals(model: Model) -> list[int]:
+    """Outputs of a model that are zero where its clearances are closed: the eccentricities of pins in bushes and balls in sockets."""
+    return [i for i, name in enumerate(model.outputs) if ".eccentricity_" in name]
+
+
+def eccentricities(model: Model) -> Any:
+    """CasADi function (t, q, u, c) -> eccentricities of all journals, and their rates."""
+
+    def made() -> Any:
+        sizes = {"t": 1, "q": model.nq, "u": model.nu, "c": model.nc}
+        t, q, *_ = at = [ca.SX.sym(name, size) for name, size in sizes.items()]
+        e = model.function("outputs")(*at)[journals(model)]
+        rates = ca.vertcat(1, model.function("coordinate_rates")(*at))
+        return ca.Function("eccentricities", at, [e, ca.jtimes(e, ca.vertcat(t, q), rates)])
+
+    return model.once("eccentricities", made)
+
+
+def placed(model: Model, bound: Bound, q: Array, u: Array) -> tuple[Array, Array]:
+    """Coordinates and speeds of a model, where those of its joints are known at the start."""
+    if model.joints is model:
+        return q, u
+    q, u = (np.array(x).ravel() for x in model.function("placed")(0.0, q, u, bound.c))
+    return q, u
+
+
+def _nearest(ideal: _Loops, q: Array, given: Collection[str]) -> Array | None:
+    """A position in which loops are closed and journals in their bushes, as near to their middles as what is given lets them; None without one."""
+    unknown = [i for i, name in enumerate(ideal.model.coordinates) if name not in given]
+    _, _, jacobian, _ = ideal.at(q, np.zeros(ideal.model.nu))
+    loops, tries = replace(ideal, whole=None), _tries(ideal, q, unknown, _sizes(ideal, jacobian, q))
+    return next((found for found in tries if loops.closed(found) and ideal.inside(found)), None)
+
+
+def _with_change(ideal: _Loops, q: Array, given: Collection[str], faults: tuple[Fault, ...]) -> tuple[Fault, ...]:
+    """Faults of a start that is given too much, with the least change of one coordinate that is given at which it closes."""
+    ways = []
+    for i, name in enumerate(ideal.model.coordinates):
+        if name in given and ideal.model.units[name] != "1":
+            found, open_ones = _position(ideal, q, [other for other in given if other != name])
+            if not open_ones:
+                ways.append((abs(found[i] - q[i]) / ideal.scales[0][i], i, found[i]))
+    if not ways:
+        return faults
+    _, i, there = min(ways)
+    name, unit = ideal.model.coordinates[i], ideal.model.units[ideal.model.coordinates[i]]
+    way = f"{name} at {there:.6g} {unit} in place of {q[i]:.6g} {unit} closes it, a change of {there - q[i]:.3g} {unit}"
+    return tuple(replace(fault, remedy=f"{way}; {fault.remedy}") for fault in faults)
+
+
+def undetermined(model: Model, bound: Bound, q: Array) -> tuple[str, ...]:
+    """Constraints whose forces the motion leaves open at a position, because others say the same; none where all are independent."""
+    open_ones = np.max(np.abs(_implied(_Loops(model, bound), q)), axis=0, initial=0.0) > RANK**0.5
+    return tuple(name for name, is_open in zip(model.constraints, open_ones, strict=True) if is_open)
+
+
+def dependent(model: Model, bound: Bound, q: Array) -> tuple[Dependent, ...]:
+    """Groups of constraints of which some follow from the others wherever the mechanism goes from a position, not just there.
+
+    Where it can go is tried: at a singular position, such as a change point, constraints are alike that are not elsewhere.
+    """
+    if not model.nl or not len(_implied(_Loops(model, bound), q)):
+        return ()
+    ways = [_implied(_Loops(model, bound, time), place, AWAY) for time, place in _nearby(model, bound, q)]
+    least = min(map(len, ways), default=0)
+    if not least:
+        return ()
+    shares = [way.T @ way for way in ways if len(way) == least]
+    tied = np.max(np.abs(shares), axis=0) > RANK**0.5
+    groups, rest = [], {int(i) for i in np.flatnonzero(np.diag(tied))}
+    while rest:
+        group, fresh = set(), {min(rest)}
+        while fresh:
+            group |= fresh
+            fresh = {int(j) for i in fresh for j in np.flatnonzero(tied[i])} - group
+        rest -= group
+        members = tuple(sorted(group))
+        implied = round(float(np.trace(shares[0][np.ix_(members, members)])))
+        if len(members) <= TOGETHER:
+            groups.append((members, len(members) - implied))
+    return tuple(groups)
+
+
+def _nearby(model: Model, bound: Bound, q: Array) -> Iterator[tuple[float, Array]]:
+    """Times and positions around a start to which the mechanism can go."""
+    loops = _Loops(model, bound)
+    still = np.zeros(model.nu)
+    _, _, jacobian, _ = loops.at(q, still)
+    size, reach = _sizes(loops, jacobian, q), _reach(model, jacobian)
+    _, values, vectors = np.linalg.svd(jacobian * reach / size[:, None])
+    free = vectors[int(np.sum(values > RANK * values[0])) :]
+    *_, scene = (np.array(x).ravel() for x in model.function("scales")(bound.p))
+    rng, every = np.random.default_rng(0), list(range(model.nq))
+    for _ in range(AROUND):
+        later = _Loops(model, bound, float(NEAR * rng.uniform(0.5, 1) * scene[0] / scene[1]))
+        way = free.T @ rng.uniform(-1, 1, len(free))
+        way *= NEAR / max(float(np.max(np.abs(way), initial=0.0)), NEAR)
+        furthest = int(np.argmax(np.abs(way)))  # stays, or closing the loops would lead back to a singular position
+        for unknown in ([i for i in every if i != furthest], every):
+            place = _closed(later, q + reach * way, unknown, size)
+            away = np.max(np.abs(place - q) / reach) > NEAR / 10
+            if away and np.all(np.abs(later.at(place, still)[0]) <= size):
+                yield later.t, place
+                break
+
+
+def _implied(loops: _Loops, q: Array, rank: float = RANK) -> Array:
+    """Ways to add up constraints, each unit in the size of its largest, so that they forbid nothing at a position; orthonormal rows (n, nl)."""
+    _, _, _, jacobian = loops.at(q, np.zeros(loops.model.nu))
+    matrix = jacobian * loops.scales[1]
+    norms, lengths = np.linalg.norm(matrix, axis=1), np.array(loops.model.is_length)
+    sizes = np.where(lengths, *(np.max(norms, where=which, initial=1e-300) for which in (lengths, ~lengths)))
+    left, values, _ = np.linalg.svd(matrix / sizes[:, None])
+    ways: Array = left[:, int(np.sum(values > rank * values[0])) :].T
+    return ways
+
+
+@dataclass(frozen=True)
+class _Loops:
+    """The constraints of a model by its joints' coordinates at its start, as numbers; of a `whole` model those of closed clearances too.
+
+    These are closed where the eccentricities are `seats` [m], None for zero.
+    """
+
+    model: Model
+    bound: Bound
+    t: float = 0.0
+    whole: Model | None = None
+    seats: Array | None = None
+
+    @property
+    def rows(self) -> tuple[tuple[str, str], ...]:
+        """Name and unit of every constraint."""
+        closed = () if self.whole is None else tuple(self.whole.module.OUTPUTS[i] for i in journals(self.whole))
+        return (*getattr(self.model.module, "CONSTRAINTS", ()), *closed)
+
+    @property
+    def wanted(self) -> str:
+        """What assembly is for, in words."""
+        if self.seats is not None:
+            return "closed loops, journals that rest in their bushes"
+        return "closed loops" if self.whole is None else "closed loops, pins in their bushes and balls in their sockets"
+
+    def closed(self, q: Array) -> bool:
+        """Whether a position is closed as it stands."""
+        phi, _, jacobian, _ = self.at(q, np.zeros(self.model.nu))
+        return bool(np.all(np.abs(phi) <= _sizes(self, jacobian, q)))
+
+    def inside(self, q: Array) -> bool:
+        """Whether every journal of the whole model is in its bush, or in it by no more than it was passed."""
+        if self.whole is None:
+            return True
+        q, u = placed(self.whole, self.bound, q, np.zeros(self.model.nu))
+        return not too_deep(self.whole, self.bound, q, u)
+
+    @property
+    def scales(self) -> tuple[Array, Array]:
+        """Of coordinates and speeds."""
+        sq, su, *_ = (np.array(x).ravel() for x in self.model.function("scales")(self.bound.p))
+        return sq, su
+
+    @property
+    def drives(self) -> list[str]:
+        """Names of the drives, which fix coordinates."""
+        return [name for name, kind, _ in self.model.module.EFFECTS if kind == "drive"]
+
+    def at(self, q: Array, u: Array) -> tuple[Array, Array, Array, Array]:
+        """Constraints (nl,), their rates (nl,), and the derivatives by coordinates (nl, nq) and of the rates by speeds (nl, nu)."""
+        model, count = self.model, len(self.rows)
+        owner, key = (model, "loops at the start") if self.whole is None else (self.whole, "journals at the start")
+        phi, *rest = (
+            np.array(x).reshape(shape)
+            for x, shape in zip(
+                owner.once(key, self._function)(self.t, q, u, self.bound.c),
+                ((count,), (count,), (count, model.nq), (count, model.nu)),
+                strict=True,
+            )
+        )
+        if self.seats is not None:
+            phi[count - len(self.seats) :] -= self.seats
+        return phi, *rest  # type: ignore[return-value]
+
+    def _function(self) -> Any:
+        model = self.model
+        t, q, u, c = ca.SX.sym("t"), ca.SX.sym("q", model.nq), ca.SX.sym("u", model.nu), ca.SX.sym("c", model.nc)
+        sides = [model.function("constraints")(t, q, u, c)] if model.nl else []
+        if self.whole is not None and journals(self.whole):
+            joints = (q, u) if self.whole.joints is self.whole else self.whole.function("placed")(t, q, u, c)
+            sides.append(eccentricities(self.whole)(t, *joints, c))
+        phi, rate = (ca.vertcat(*(side[k] for side in sides)) for k in (0, 1))
+        return ca.Function("loops", [t, q, u, c], [phi, rate, ca.jacobian(phi, q), ca.jacobian(rate, u)])
+
+    def open_ones(self, residual: Array, size: Array) -> list[str]:
+        """What is open, in words, by joint: the worst of each."""
+        worst: dict[str, tuple[float, str]] = {}
+        for (name, unit), value, least in zip(self.rows, np.abs(residual), size, strict=True):
+            joint = name.rsplit(".", 1)[0]
+            if not value <= least and value >= worst.get(joint, (0.0, ""))[0]:
+                worst[joint] = (value, f"{joint} open by {value:.3g}{'' if unit == '1' else f' {unit}'}")
+        return [text for _, text in worst.values()]
+
+
+def _position(loops: _Loops, q: Array, given: Collection[str]) -> tuple[Array, tuple[Fault, ...]]:
+    model = loops.model
+    if not loops.rows:
+        return q, ()
+    names = model.coordinates
+    unknown = [i for i, name in enumerate(names) if name not in given]
+    still = np.zeros(model.nu)
+    phi, _, jacobian, _ = loops.at(q, still)
+    size = _sizes(loops, jacobian, q)
+    if np.all(np.abs(phi) <= size):
+        return q, ()
+    found, *others = _tries(loops, q, unknown, size)
+    if others:
+        reach = _reach(model, jacobian)
+        closed = [x for x in others if np.all(np.abs(loops.at(x, still)[0]) <= size)]
+        found = min(closed, key=lambda x: float(np.linalg.norm((x - q) / reach)), default=found)
+    phi, _, jacobian, _ = loops.at(found, still)
+    open_ones = loops.open_ones(phi, size)
+    closing = jacobian * loops.scales[0] / size[:, None]
+    closing = np.vstack([closing, np.max(np.abs(closing)) * _norms(model, found)])
+    free = _undetermined(closing[:, unknown], [names[i] for i in unknown])
+    if open_ones:
+        remedy = _ways_out(
+            [name for name in names if name in given],
+            loops.drives if not free[0] else [],
+            "no place that was tried closes it: check the lengths between its joints, or state positions nearer to one in the scene's Start",
+        )
+        fault = Fault(
+            "start, positions", f"over-determined or out of reach: {', '.join(open_ones)}", loops.wanted, remedy
+        )
+        return q, (fault,)
+    return found, _under("positions", *free)
+
+
+def _tries(loops: _Loops, q: Array, unknown: list[int], size: Array) -> Iterator[Array]:
+    """Where Gauss-Newton steps get to from q; where that is not closed, stretched out or on the way to nowhere, from places around it too."""
+    still = np.zeros(loops.model.nu)
+    found = _closed(loops, q, unknown, size)
+    yield found
+    if np.all(np.abs(loops.at(found, still)[0]) <= size):
+        return
+    reach = _reach(loops.model, loops.at(q, still)[2])
+    for shift in np.random.default_rng(0).uniform(-0.7, 0.7, (TRIES, len(q))) * reach:
+        yield _closed(loops, q + np.where(np.isin(np.arange(len(q)), unknown), shift, 0.0), unknown, size)
+
+
+def _norms(model: Model, q: Array) -> Array:
+    """What quaternions must not do, their lengths being 1: one row each (n, nq)."""
+    rows = np.zeros((len(model.quaternions), model.nq))
+    for row, i in zip(rows, model.quaternions, strict=True):
+        row[i : i + 4] = q[i : i + 4]
+    return rows
+
+
+def _ways_out(given: list[str], drives: list[str], otherwise: str) -> str:
+    """Of loops that stay open: what fixes coordinates and could be left out."""
+    ways = [f"given: {', '.join(given)}; leave some of it to be found"] if given else []
+    if drives:
+        ways.append(
+            f"driven by {', '.join(drives)}: more than the loop has freedoms for, or past where it can go; leave one out"
+        )
+    return "; or ".join(ways) or otherwise
+
+
+def _closed(loops: _Loops, q: Array, unknown: list[int], size: Array) -> Array:
+    """Coordinates that close the loops as far as Gauss-Newton steps, halved until they help, get from q."""
+    q, scale, still = q.copy(), loops.scales[0], np.zeros(loops.model.nu)
+    phi, _, jacobian, _ = loops.at(q, still)
+    for _ in range(ITERATIONS):
+        norms = _norms(loops.model, q)
+        across = jacobian - jacobian @ norms.T @ norms  # what a quaternion grew by would be taken back
+        weighted = across[:, unknown] * scale[unknown] / size[:, None]
+        step = scale[unknown] * np.linalg.lstsq(weighted, -phi / size, rcond=RANK)[0]
+        before, start = np.linalg.norm(phi / size), q.copy()
+        for halving in range(HALVINGS):
+            q[unknown] = start[unknown] + step / 2**halving
+            for i in loops.model.quaternions:
+                q[i : i + 4] /= np.linalg.norm(q[i : i + 4])
+            phi, _, jacobian, _ = loops.at(q, still)
+            after = np.linalg.norm(phi / size)
+            if after < before:
+                break
+        else:
+            return start
+        if after > (1 - STALLED) * before:
+            return q
+    return q
+
+
+def _speed(loops: _Loops, q: Array, u: Array, given: Collection[str]) -> tuple[Array, tuple[Fault, ...]]:
+    model = loops.model
+    if not loops.rows:
+        return u, ()
+    unknown = [i for i, name in enumerate(model.speeds) if name not in given]
+    scale = loops.scales[1]
+    _, rate, _, jacobian = loops.at(q, u)
+    size = _sizes(loops, jacobian, np.maximum(np.abs(u), scale))
+    if np.all(np.abs(rate) <= size):
+        return u, ()
+    weighted = jacobian[:, unknown] * scale[unknown] / size[:, None]
+    u = u.copy()
+    u[unknown] += scale[unknown] * np.linalg.lstsq(weighted, -rate / size, rcond=RANK)[0]
+    found = loops.open_ones(loops.at(q, u)[1], size)
+    kept = [name for name in model.speeds if name in given]
+    if found:
+        remedy = _ways_out(kept, loops.drives, "the mechanism is locked here")
+        return u, (
+            Fault(
+                "start, speeds",
+                f"over-determined: {', '.join(f'{f}/s' for f in found)}",
+                "speeds at which the loops stay closed",
+                remedy,
+            ),
+        )
+    free = _undetermined(weighted, [model.speeds[i] for i in unknown])
+    return u, _under("speeds", *free)
+
+
+def _sizes(loops: _Loops, jacobian: Array, values: Array) -> Array:
+    """Of each constraint, how far open counts as closed: CLOSED times what a coordinate moves at most, an angle counting as 1 at least.
+
+    The most among all constraints of its unit: one row alone may vanish where a mechanism is stretched out.
+    """
+    if not loops.rows:
+        return np.zeros(0)
+    units = np.array([unit for _, unit in loops.rows])
+    reach = np.max(np.abs(jacobian) * np.maximum(np.abs(values), 1.0), axis=1, initial=1e-9)
+    size: Array = CLOSED * np.array([np.max(reach[units == unit]) for unit in units])
+    return size
+
+
+def _reach(model: Model, jacobian: Array) -> Array:
+    """How far coordinates go in a mechanism: a radian, or what a radian moves."""
+    return np.array([1.0 if model.units[name] == "rad" else np.max(np.abs(jacobian)) for name in model.coordinates])
+
+
+def _undetermined(matrix: Array, names: list[str]) -> tuple[int, list[str]]:
+    """How many freedoms the constraints leave the unknowns, and which of them share in one."""
+    reached = np.linalg.norm(matrix, axis=0)
+    bound_up = [i for i, length in enumerate(reached) if length > RANK * np.max(reached)]  # what no loop moves is free
+    matrix, names = matrix[:, bound_up], [names[i] for i in bound_up]
+    if not names:
+        return 0, []
+    _, values, vectors = np.linalg.svd(matrix)
+    rank = int(np.sum(values > RANK * values[0])) if len(values) else 0
+    moves = np.max(np.abs(vectors[rank:]), axis=0, initial=0.0)
+    return len(names) - rank, [name for name, part in zip(names, moves, strict=True) if part > np.sqrt(RANK)]
+
+
+def _under(what: str, count: int, names: list[str]) -> tuple[Fault, ...]:
+    if not count:
+        return ()
+    more = f"{count} more value{'s' if count > 1 else ''} among them"
+    return (Fault(f"start, {what}", f"{UNDER}: {', '.join(names)}", more, "in the scene's Start, or `initial`"),)

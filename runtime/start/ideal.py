@@ -1,0 +1,210 @@
+"""The ideal mechanism: every clearance closed, the motion that a run with clearance is compared with.
+
+A pin in a bush, or a ball in a socket, reports its eccentricity in the outputs of the model. Where these eccentricities and the constraints of closed
+loops are together as many as the speeds, the ideal motion is their common zero e(t, q) = 0, found by Newton's method and followed in time; its speeds
+and accelerations solve the first and second time derivative of the same equations, which are linear in them. Where they are fewer, the mechanism
+without clearance still moves by its masses and forces, and has no motion to compare with that geometry alone would tell. A corner on a face is not a
+joint that could be closed. A coordinate that a drive integrates has no speed to be solved for: it is integrated
+here too. Nothing else of the model enters: no mass, no force.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from hertzwerk.runtime.integrate.step.explicit import unit_quaternions
+from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import dop853
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model.model import Model
+
+Array = NDArray[np.float64]
+
+_CLEARANCES = ("pin_in_bush", "ball_in_socket", "corner_on_face")  # pairs that stand for a joint
+_CORRECTIONS = 4  # Newton's, in one step in time
+_CONTRACTION = 0.25  # of the second correction over the first (Deuflhard's test): a step that stays on its branch
+_ROUNDING = 1e-12  # the last correction, relative to 1 + |q|
+_SHORTEST = 2.0**-30  # step, over the interval between two wanted times
+_SINGULAR = 1e-10  # reciprocal condition number below which the eccentricities do not determine the coordinates
+
+
+@dataclass(frozen=True)
+class IdealMotion:
+    """Coordinates q (times, nq), speeds u (times, nu) and accelerations (times, nu) of the ideal mechanism, SI."""
+
+    t: Array
+    q: Array
+    u: Array
+    acceleration: Array
+    coordinates: tuple[str, ...]
+    speeds: tuple[str, ...]
+
+    def __getitem__(self, name: str) -> Array:
+        """History of one coordinate or speed, SI; KeyError for another name."""
+        if name in self.coordinates:
+            return self.q[:, self.coordinates.index(name)]
+        if name in self.speeds:
+            return self.u[:, self.speeds.index(name)]
+        raise KeyError(f"{name!r}: the ideal mechanism has {', '.join(self.coordinates + self.speeds)}")
+
+    def acceleration_of(self, speed: str) -> Array:
+        """Time derivative of one speed, SI."""
+        return self.acceleration[:, self.speeds.index(speed)]
+
+
+def ideal_motion(model: Model, times: Sequence[float] | Array, q: Array, c: Array) -> IdealMotion | None:
+    """Follow the ideal mechanism through increasing times, from coordinates q (nq,) near the assembled position at the first.
+
+    c (nc,) are the model's constants for the run's parameters. None where eccentricities and constraints do not determine the coordinates: no pin
+    in a bush, fewer or more of them than the coordinates need (see `unknown_because`), a mechanism that cannot be assembled, or one that locks on
+    the way.
+    """
+    closure = None if unknown_because(model) else _Closure.of(model)
+    wanted = np.asarray(times, dtype=float)
+    if closure is None or not len(wanted):
+        return None
+    here = closure.assemble(float(wanted[0]), np.asarray(q, dtype=float).ravel(), c)
+    rows: list[_Position] = []
+    for time in wanted:
+        here = None if here is None else closure.follow(here, float(time), c)
+        if here is None:
+            return None
+        rows.append(here)
+    q_rows, u_rows, a_rows = (np.array(column) for column in zip(*((row.q, row.u, row.a) for row in rows), strict=True))
+    return IdealMotion(wanted, q_rows, u_rows, a_rows, tuple(model.coordinates), tuple(model.speeds))
+
+
+def has_clearance(model: Model) -> bool:
+    """Whether some pair stands for a joint."""
+    return any(kind in _CLEARANCES for _, kind in model.module.PAIRS)
+
+
+def unknown_because(model: Model) -> str:
+    """Why geometry alone does not tell the motion of the ideal mechanism, for people; empty where it may."""
+    if not has_clearance(model):
+        return "it has no joint with clearance"
+    if any(kind == "corner_on_face" for _, kind in model.module.PAIRS):
+        return "a corner on a face is no joint that could be closed"
+    found = len(_eccentricities(model)) + model.nl
+    if found != model.nu:
+        return f"closed clearances and loops make {found} equations for {model.nu} freedoms, so it moves by its masses and forces"
+    return ""
+
+
+def _eccentricities(model: Model) -> list[int]:
+    return [i for i, name in enumerate(model.outputs) if ".eccentricity_" in name]
+
+
+@dataclass(frozen=True)
+class _Position:
+    t: float
+    q: Array
+    u: Array
+    a: Array
+
+
+@dataclass(frozen=True)
+class _Closure:
+    """The closure equations e(t, q) = 0 and what Newton's method makes of them, as functions."""
+
+    jacobian: Any  # (t, q, c) -> de/dt by the speeds
+    step: Any  # (t, q, u, dt, c) -> q, u, a at t + dt, the corrections in columns, the last with the error of what drives integrate
+    nu: int
+
+    @classmethod
+    def of(cls, model: Model) -> _Closure:
+        """Closure equations of a model that has as many of them as speeds."""
+        outputs, rates = model.function("outputs"), model.function("coordinate_rates")
+        t, q, u, c = (ca.SX.sym(name, outputs.sparsity_in(i)) for i, name in enumerate("tquc"))
+        a, dt = ca.SX.sym("a", u.sparsity()), ca.SX.sym("dt")
+        dq = rates(t, q, u, c)
+        e = outputs(t, q, u, c)[_eccentricities(model)]
+        if model.nl:
+            e = ca.vertcat(e, model.function("constraints")(t, q, u, c)[0])
+        e_dot = ca.jtimes(e, ca.vertcat(t, q), ca.vertcat(1, dq))
+        e_ddot = ca.jtimes(e_dot, ca.vertcat(t, q, u), ca.vertcat(1, dq, a))
+        jacobian = ca.substitute(ca.jacobian(e_dot, u), u, ca.SX.zeros(model.nu))
+        # along what the speeds can do, so that a quaternion keeps its norm to first order
+        along, none = -ca.solve(jacobian, e), ca.SX.zeros(model.nu)
+        correction = ca.Function("correction", [t, q, c], [rates(t, q, along, c) - rates(t, q, none, c)])
+        speeds = ca.Function("speeds", [t, q, c], [_zero(e_dot, u)])
+        accelerations = ca.Function("accelerations", [t, q, u, c], [_zero(e_ddot, a)])
+        there, corrections = unit_quaternions(q + dt * dq, model.quaternions), []
+        moved = set(ca.jacobian(dq, u).sparsity().row())
+        driven = [i for i in range(model.nq) if i not in moved]
+        there[driven], error = _integrated(ca.Function("driven", [t, q, c], [dq[driven]]), t, q, driven, dt, c)
+        for _ in range(_CORRECTIONS):
+            corrections.append(correction(t + dt, there, c))
+            there = unit_quaternions(there + corrections[-1], model.quaternions)
+        corrections[-1][driven] = error
+        velocity = speeds(t + dt, there, c)
+        results = [there, velocity, accelerations(t + dt, there, velocity, c), ca.horzcat(*corrections)]
+        return cls(
+            ca.Function("jacobian", [t, q, c], [jacobian]),
+            ca.Function("step", [t, q, u, dt, c], ca.cse(results)),
+            model.nu,
+        )
+
+    def assemble(self, t: float, q: Array, c: Array) -> _Position | None:
+        """The closed mechanism nearest to q, or None."""
+        still = np.zeros(self.nu)
+        for _ in range(10):
+            here, corrections = self._step(_Position(t, q, still, still), t, c)
+            if not np.all(np.isfinite(here.a)) or np.linalg.cond(np.array(self.jacobian(t, here.q, c))) > 1 / _SINGULAR:
+                return None
+            if _negligible(corrections[:, -1], here.q):
+                return here
+            q = here.q
+        return None
+
+    def follow(self, here: _Position, end: float, c: Array) -> _Position | None:
+        """The closed mechanism at the time `end`, continued from `here`; None past a position where it locks."""
+        shortest, target = _SHORTEST * (end - here.t), end
+        while here.t < end:
+            there, corrections = self._step(here, target, c)
+            first, second = np.linalg.norm(corrections[:, :2], axis=0)
+            contracts = second <= max(_CONTRACTION * first, _ROUNDING * (1 + float(np.linalg.norm(here.q))))
+            if contracts and _negligible(corrections[:, -1], there.q) and np.all(np.isfinite(there.a)):
+                here, target = there, end
+            elif target - here.t > shortest:
+                target = (here.t + target) / 2
+            else:
+                return None
+        return here
+
+    def _step(self, here: _Position, t: float, c: Array) -> tuple[_Position, Array]:
+        q, u, a, corrections = (np.array(result) for result in self.step(here.t, here.q, here.u, t - here.t, c))
+        return _Position(t, q.ravel(), u.ravel(), a.ravel()), corrections
+
+
+def _integrated(rate: Any, t: Any, q: Any, driven: list[int], dt: Any, c: Any) -> tuple[Any, Any]:
+    """What drives integrate at t + dt by two steps of the method of order 8, and how far one step is off."""
+    table = dop853()
+
+    def step(time: Any, start: Any, h: Any) -> Any:
+        slopes: list[Any] = []
+        for node, row in zip(table.c, table.A, strict=True):
+            at = ca.SX(q)
+            at[driven] = start + h * sum((weight * slope for weight, slope in zip(row, slopes, strict=False)), ca.SX(0))
+            slopes.append(rate(time + node * h, at, c))
+        return start + h * sum(weight * slope for weight, slope in zip(table.b, slopes, strict=True))
+
+    end = step(t + dt / 2, step(t, q[driven], dt / 2), dt / 2)
+    return end, end - step(t, q[driven], dt)
+
+
+def _zero(residual: Any, unknown: Any) -> Any:
+    """The zero of a residual that is linear in the unknown; a called function's derivative may name the unknown where it does not depend on it."""
+    nothing = ca.SX.zeros(*unknown.shape)
+    slope, rest = ca.substitute([ca.jacobian(residual, unknown), residual], [unknown], [nothing])
+    return ca.solve(slope, -rest)
+
+
+def _negligible(correction: Array, q: Array) -> bool:
+    return bool(np.all(np.abs(correction) <= _ROUNDING * (1 + np.abs(q))))

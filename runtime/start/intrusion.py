@@ -1,0 +1,103 @@
+"""Surfaces deeper in each other at the start than the scene could press them: a pin outside its bush, a ball in the floor, a slip of the pen.
+
+What is deep is told by the speed at which the contacts, all at once, would throw their surfaces apart: from a depth d, driven out with the
+acceleration a, v = sqrt(d a), the work of a force that falls linearly; a stiffer law than linear gives less. Preload that is in balance, such as a
+ball between two walls or a static load, throws nothing. More than LIMIT times the scene's speed is LIMIT^2 times its energy, which nothing in it
+can do. What is also deeper than its clearance, or than half its smaller radius, where it has them, is a mistake; a shallow start that is fast may
+be meant.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model.model import Bound, Model
+
+LIMIT = 5.0  # of the scene's speed: impacts in mechanisms are up to 2 or 3 times as fast as what drives them
+JOURNALS = ("pin_in_bush", "ball_in_socket")
+UNDAMPED = 1e12  # m/s, approach speed at which no damping law resists: what is asked is what the stiffness holds
+STEEPEST = 2.5  # power of the depth that the energy grows with, of Hertz's law
+
+
+@dataclass(frozen=True)
+class Intrusion:
+    """A pair and how deep it is [m]; `allowed` [m] is about what LIMIT lets it be, None where its law is not defined so deep; `speed` [m/s]."""
+
+    pair: str
+    depth: float
+    allowed: float | None
+    speed: float
+
+
+def too_deep(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray) -> tuple[Intrusion, ...]:
+    """The pairs of a model in coordinates q (nq,) and speeds u (nu,) at t = 0 whose surfaces are in each other beyond reason."""
+    if not model.k:
+        return ()
+    gap, rate = (np.array(x).ravel() for x in model.function("gaps")(0.0, q, u, bound.c))
+    inside = [j for j in range(model.k) if gap[j] < 0]
+    if not inside:
+        return ()
+    applied = np.array(model.function("applied")(0.0, q, u, bound.c)).ravel()
+    pressed, found = applied.copy(), []
+    for j in inside:
+        z, m = np.zeros(model.nz), np.full(model.nm, UNDAMPED)
+        forces, _, _, _, in_range, *_ = model.function(f"contact_{model.pairs[j]}")(0.0, q, u, z, m, bound.c)
+        pressed += np.array(forces).ravel()
+        found.append((j, float(in_range) >= 0.5))
+    own = _accelerations(model, bound, q, u, applied)
+    out = _accelerations(model, bound, q, u, pressed) - own
+    intrusions = []
+    for j, in_range in found:
+        depth, slope = _depth(model, bound, q, u, j, float(gap[j]))
+        speed = math.sqrt(max(depth * float(out[j]) / slope, 0.0))
+        scene = _scene_speed(model, bound, float(rate[j]), float(own[j]), depth)
+        if not in_range:
+            intrusions.append(Intrusion(model.pairs[j], depth, None, speed))
+        elif 0 < LIMIT * scene < speed and depth > _size(model, bound, j):
+            allowed = depth * (LIMIT * scene / speed) ** (2 / STEEPEST)
+            intrusions.append(Intrusion(model.pairs[j], depth, allowed, speed))
+    return tuple(intrusions)
+
+
+def _accelerations(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray, forces: np.ndarray) -> np.ndarray:
+    """Second derivatives of all gaps under generalised forces [m/s^2]."""
+    a = np.array(model.function("accelerations")(0.0, q, u, forces, bound.c)[0]).ravel()
+    return np.array(model.function("gap_accelerations")(0.0, q, u, a, bound.c)).ravel()
+
+
+def _depth(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray, j: int, gap: float) -> tuple[float, float]:
+    """How deep a pair is [m], and what its gap changes by per depth: a journal's event function is quadratic."""
+    names = [i for i, name in enumerate(model.outputs) if name.startswith(f"{model.pairs[j]}.eccentricity_")]
+    if not names:
+        return -gap, 1.0
+    y = np.array(model.function("outputs")(0.0, q, u, bound.c)).ravel()
+    eccentricity = float(np.linalg.norm(y[names]))
+    reach = gap + math.hypot(gap, eccentricity)
+    return eccentricity - reach, eccentricity / reach
+
+
+def _size(model: Model, bound: Bound, j: int) -> float:
+    """Penetration that a pair's surfaces could have by their sizes [m]: the clearance, or half the smaller radius; 0 where it has no such size."""
+    places = model.function("landmarks")(bound.p) if hasattr(model.module, "LANDMARKS") else ()
+    name, kind = model.module.PAIRS[j]
+    radii = [
+        float(place[3])  # behind the point
+        for row, place in zip(getattr(model.module, "LANDMARKS", ()), places, strict=True)
+        if row[0] == name and row[4][:1] == ("radius",)
+    ]
+    if kind in JOURNALS and len(radii) == 2:
+        return abs(radii[0] - radii[1])
+    return min(radii, default=0.0) / 2
+
+
+def _scene_speed(model: Model, bound: Bound, rate: float, acceleration: float, depth: float) -> float:
+    """What is fast in a scene [m/s]: its scale, what the surfaces do to each other, what loads do over the way; 0 where it says nothing of that."""
+    *_, scene = (np.array(x).ravel() for x in model.function("scales")(bound.p))
+    length, speed = (float(x) if math.isfinite(x) else 0.0 for x in scene[:2])
+    loads = math.sqrt(abs(acceleration) * (depth + max(length, 0.0))) if math.isfinite(acceleration) else 0.0
+    return max(speed, abs(rate) if math.isfinite(rate) else 0.0, loads)

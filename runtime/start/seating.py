@@ -1,0 +1,158 @@
+"""Seated starts: journals that rest in their bushes, pressed by the forces that their clearances, closed as joints, would transmit at the start.
+
+With the eccentricities e held where they are, e'' = J a + ... = 0 with a from M a = f + J^T lambda gives the multipliers lambda: the force of the
+closed joint on its journal. The contact gives it where e lies against lambda, so deep that the elastic force is its size. Both change with the
+position that they lead to by about the clearance over the lengths of the mechanism: a fixed point, found by repetition.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection
+from dataclasses import dataclass
+from itertools import groupby
+from typing import TYPE_CHECKING, Any
+
+import casadi as ca
+import numpy as np
+
+from hertzwerk.derive.faults import Fault
+from hertzwerk.runtime.start.assembly import RANK, Array, assembled_at, eccentricities, journals, placed
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model.model import Bound, Model
+
+REPETITIONS = 100
+SETTLED = 1e-8  # of the clearance, change of a seat; the next would be far smaller
+NOTHING = 1e-12  # of the scene's force: what is less presses nothing
+SHALLOW = 1e-3  # of the clearance: where the depth is looked for first
+POWER = 1.5  # of the depth, that the force of a law grows with about; later what two depths tell
+UNDAMPED = 1e12  # m/s, approach speed at which no damping law resists
+
+
+@dataclass
+class _Seat:
+    """Where a journal is pressed, and how deep: what is found so far."""
+
+    pair: str
+    rows: list[int]  # among the eccentricities
+    clearance: float
+    depth: float
+    power: float = POWER
+    before: tuple[float, float] | None = None  # logarithms of a depth and its force
+
+    def deepen(self, wanted: float, force: float) -> None:
+        """Take the depth at which the force should be as wanted."""
+        here = math.log(self.depth), math.log(force)
+        if self.before is not None and abs(here[0] - self.before[0]) > 1e-6:
+            self.power = min(max((here[1] - self.before[1]) / (here[0] - self.before[0]), 0.5), 5.0)
+        self.before = here
+        change = min(max((math.log(wanted) - here[1]) / self.power, -7.0), 7.0)
+        self.depth *= math.exp(change)
+
+
+def seat(
+    model: Model, bound: Bound, q: Array, u: Array, given: Collection[str]
+) -> tuple[Array, Array, tuple[Fault, ...]]:
+    """Coordinates (nq,) and speeds (nu,) of the joints with journals seated, from ones with journals centred; faults where there are none."""
+    seats, scale = _unsettled(model, bound, q, u), float(np.array(model.function("scales")(bound.p)[3]).ravel()[2])
+    at: Array | None = None
+    for _ in range(REPETITIONS):
+        forces, loose = closed_forces(model, bound, q, u)
+        if loose:
+            return q, u, (_no_seat("their forces as closed joints are not determined: others say the same"),)
+        wanted = np.zeros(len(forces))
+        for each in seats:
+            force = float(np.linalg.norm(forces[each.rows]))
+            if force <= NOTHING * scale:
+                continue
+            if at is not None and np.any(at[each.rows]):
+                held = _elastic_force(model, bound, q, u, each.pair)
+                if not (math.isfinite(held) and held > 0):
+                    text = f"{each.pair} holds {held:.3g} N at a depth of {each.depth:.3g} m, pressed by {force:.3g} N"
+                    return q, u, (_no_seat(text),)
+                each.deepen(force, held)
+            wanted[each.rows] = -forces[each.rows] / force * (each.clearance + each.depth)
+        settled = at is not None and all(
+            np.linalg.norm(wanted[each.rows] - at[each.rows]) <= SETTLED * each.clearance for each in seats
+        )
+        at = wanted
+        q, u, faults = assembled_at(model, bound, q, u, given, at)
+        if settled or faults:
+            return q, u, faults
+    return q, u, (_no_seat("where they are pressed changes with where they are"),)
+
+
+def closed_forces(model: Model, bound: Bound, q: Array, u: Array) -> tuple[Array, bool]:
+    """Forces on journals along their eccentricities [N] as if they were held where they are, and whether these are left open.
+
+    Of loads, gravity, inertia and drives at t = 0, in coordinates and speeds of the joints; no contact acts.
+    """
+    at = placed(model, bound, q, u)
+    jacobian, applied = (np.array(x) for x in _moves(model)(0.0, *at, bound.c))
+
+    def second(forces: Array) -> Array:
+        a = model.function("accelerations")(0.0, *at, forces, bound.c)[0]
+        rates: Array = np.array(_second_rates(model)(0.0, *at, a, bound.c)).ravel()
+        return rates
+
+    own = second(applied.ravel())
+    columns = []
+    for row in jacobian:
+        pushed = applied.ravel().copy()
+        pushed[: model.nu] += row
+        columns.append(second(pushed) - own)
+    yielding = np.array(columns).T
+    sizes = np.sqrt(np.maximum(np.diag(yielding), 1e-300))
+    multipliers, _, rank, _ = np.linalg.lstsq(yielding / np.outer(sizes, sizes), -own / sizes, rcond=RANK)
+    return multipliers / sizes, bool(rank < len(own))
+
+
+def _unsettled(model: Model, bound: Bound, q: Array, u: Array) -> list[_Seat]:
+    """The journals, each to be seated at a depth to begin with."""
+    there = 0.0, *placed(model, bound, q, u), bound.c
+    e = np.array(eccentricities(model)(*there)[0]).ravel()
+    gaps = dict(zip(model.pairs, np.array(model.function("gaps")(*there)[0]).ravel(), strict=True))
+    names, seats = [model.outputs[i].rsplit(".", 1)[0] for i in journals(model)], []
+    for pair, group in groupby(range(len(names)), names.__getitem__):
+        rows = list(group)
+        clearance = gaps[pair] + math.hypot(gaps[pair], float(np.linalg.norm(e[rows])))  # of (c^2 - e^2)/2c
+        seats.append(_Seat(pair, rows, clearance, SHALLOW * clearance))
+    return seats
+
+
+def _elastic_force(model: Model, bound: Bound, q: Array, u: Array, pair: str) -> float:
+    """Normal force of a pair whose gap does not change [N]."""
+    z, m = np.zeros(model.nz), np.full(model.nm, UNDAMPED)
+    return float(model.function(f"contact_{pair}")(0.0, *placed(model, bound, q, u), z, m, bound.c)[2])
+
+
+def _moves(model: Model) -> Any:
+    """CasADi function (t, q, u, c) -> derivatives of the eccentricities' rates by the speeds, and the generalised forces without contact."""
+
+    def made() -> Any:
+        sizes = {"t": 1, "q": model.nq, "u": model.nu, "c": model.nc}
+        _, _, u, _ = at = [ca.SX.sym(name, size) for name, size in sizes.items()]
+        return ca.Function("moves", at, [ca.jacobian(eccentricities(model)(*at)[1], u), model.function("applied")(*at)])
+
+    return model.once("moves of journals", made)
+
+
+def _second_rates(model: Model) -> Any:
+    """CasADi function (t, q, u, a, c) -> second derivatives of the eccentricities."""
+
+    def made() -> Any:
+        sizes = {"t": 1, "q": model.nq, "u": model.nu, "c": model.nc}
+        t, q, u, c = at = [ca.SX.sym(name, size) for name, size in sizes.items()]
+        a = ca.SX.sym("a", model.nu)
+        way = ca.vertcat(1, model.function("coordinate_rates")(*at), a)
+        second = ca.jtimes(eccentricities(model)(*at)[1], ca.vertcat(t, q, u), way)
+        return ca.Function("second_rates", [t, q, u, a, c], [second])
+
+    return model.once("second rates of journals", made)
+
+
+def _no_seat(found: str) -> Fault:
+    return Fault(
+        "start, seated journals", found, "journals that rest in their bushes", "Without seated=True they start centred."
+    )

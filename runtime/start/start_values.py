@@ -1,0 +1,169 @@
+"""The start of a motion: the model's, with given values in their place, quaternions of norm 1, loops closed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from itertools import pairwise
+from typing import TypeVar
+
+import numpy as np
+
+from hertzwerk.derive.faults import Fault, InputError, unknown
+from hertzwerk.runtime.model.binding import Value, named_values, read_state
+from hertzwerk.runtime.model.model import Bound, Dependent, Model
+
+Given = TypeVar("Given", bound=Value)
+
+
+def sorted_out(model: Model, values: Mapping[str, Given]) -> tuple[dict[str, Given], dict[str, Given]]:
+    """Values given by name as parameters and initial states, which are of the joints; a name that is neither is left among the parameters."""
+    states = {*model.joints.coordinates, *model.joints.speeds}
+    parameters = {name: value for name, value in values.items() if name not in states}
+    return parameters, {name: value for name, value in values.items() if name in states}
+
+
+def start_of(
+    model: Model, parameters: Mapping[str, Value], initial: Mapping[str, Value], faults: Sequence[Fault] = ()
+) -> tuple[Bound, np.ndarray, np.ndarray]:
+    """What a run would start from: the numbers bound, q (nq,) and u (nu,); raises InputError with every fault, those found before included."""
+    found = list(faults)
+    bound, wrong = model.check(parameters)
+    q, u = read_start(model, bound, initial, found)
+    if bound is None or found:
+        raise InputError(model.name, wrong + found)
+    return bound, q, u
+
+
+def read_start(
+    model: Model, bound: Bound | None, initial: Mapping[str, Value], faults: list[Fault]
+) -> tuple[np.ndarray, np.ndarray]:
+    """q and u at the start; in absolute coordinates both are given of the joints, and are placed. What is bad becomes faults."""
+    q, u = _assembled(model, bound, initial, faults)
+    return (q, u) if bound is None or faults else _placed(model, bound, q, u)
+
+
+def _placed(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Coordinates and speeds of a model, where those of its joints are known."""
+    if model.joints is model:
+        return q, u
+    q, u = (np.array(x).ravel() for x in model.function("placed")(0.0, q, u, bound.c))
+    return q, u
+
+
+def _assembled(
+    whole: Model, bound: Bound | None, initial: Mapping[str, Value], faults: list[Fault]
+) -> tuple[np.ndarray, np.ndarray]:
+    """The start in joint coordinates, loops closed, journals centred where what is given lets them, or seated."""
+    model = whole.joints
+    values: dict[str, float] = {}
+    names = (*model.coordinates, *model.speeds)
+    for name, value in named_values("initial", initial, faults).items():
+        if name not in names:
+            faults.append(unknown("state", name, names))
+            continue
+        si, fault = read_state(name, model.units[name], value)
+        values[name] = si
+        if fault is not None:
+            faults.append(fault)
+    if bound is None:
+        return np.zeros(model.nq), np.zeros(model.nu)
+    start = np.concatenate([np.array(x).ravel() for x in model.function("start")(bound.p)])
+    for i, name in enumerate(names):
+        start[i] = values.get(name, start[i])
+        if not math.isfinite(start[i]) and name not in values:
+            faults.append(
+                Fault(name, f"{float(start[i])!r} at the start", "a finite value", "it follows from the parameters")
+            )
+    for i in model.quaternions:
+        norm = float(np.linalg.norm(start[i : i + 4]))
+        if math.isfinite(norm):
+            if norm == 0:
+                faults.append(
+                    Fault(
+                        names[i].removesuffix("0"),
+                        "a quaternion of norm 0 at the start",
+                        "one that can be divided by its norm",
+                    )
+                )
+            start[i : i + 4] /= norm or 1
+    q, u = start[: model.nq], start[model.nq :]
+    if hasattr(whole.module, "GIVEN") and not faults:
+        from hertzwerk.runtime.start.assembly import assemble  # a tree without journals needs none
+
+        q, u, open_ones = assemble(whole, bound, q, u, {*whole.module.GIVEN, *values})
+        faults.extend(open_ones)
+        if hasattr(whole.module, "SEATED") and not faults:
+            from hertzwerk.runtime.start.seating import seat
+
+            q, u, open_ones = seat(whole, bound, q, u, {*whole.module.GIVEN, *values})
+            faults.extend(open_ones)
+    return q, u
+
+
+def misplaced(model: Model, bound: Bound, initial: Mapping[str, Value], q: np.ndarray, u: np.ndarray) -> list[Fault]:
+    """Pairs whose surfaces are in each other at a start beyond reason, with what brings them apart."""
+    from hertzwerk.runtime.start.intrusion import LIMIT, too_deep
+
+    faults = []
+    for found in too_deep(model, bound, q, u):
+        if found.allowed is None:
+            why = f"a penetration of {found.depth:.3g} m, so deep that its law is not defined there"
+            expected = "surfaces that are apart, or touch"
+        else:
+            why = f"a penetration of {found.depth:.3g} m, which would throw the surfaces apart at {found.speed:.3g} m/s"
+            expected = f"at most about {found.allowed:.2g} m, where that is {LIMIT:g} times as fast as the scene"
+        faults.append(Fault(f"start, {found.pair}", why, expected, _way_apart(model, bound, initial, found.pair)))
+    return faults
+
+
+def _way_apart(model: Model, bound: Bound, initial: Mapping[str, Value], pair: str) -> str:
+    """The coordinate whose least change, in the scene's scales, brings a pair's surfaces apart at the start, the others being what they are."""
+    joints, j = model.joints, model.pairs.index(pair)
+    stated, still = _assembled(model, bound, initial, [])
+    sizes = np.array(joints.function("scales")(bound.p)[0]).ravel()
+
+    def gap(i: int, change: float) -> float:
+        q = stated.copy()
+        q[i] += change
+        return float(model.function("gaps")(0.0, *_placed(model, bound, q, still), bound.c)[0][j])
+
+    ways = []
+    for i, name in enumerate(joints.coordinates) if not joints.nl else ():  # in a loop nothing changes alone
+        size = sizes[i] if math.isfinite(sizes[i]) and sizes[i] > 0 else 1e-3
+        change = None if joints.units[name] == "1" else _least_change(partial(gap, i), size)
+        if change is not None:
+            ways.append((abs(change) / size, i, change))
+    if not ways:
+        return "no coordinate alone brings them apart: check the lengths of the mechanism, and what the start states"
+    _, i, change = min(ways)
+    name, at, unit = joints.coordinates[i], stated[i], joints.units[joints.coordinates[i]]
+    return f"they touch with {name} at {at + change:.6g} {unit} in place of {at:.6g} {unit}, a change of {change:.3g} {unit}"
+
+
+def _least_change(gap: Callable[[float], float], size: float) -> float | None:
+    """The least change of a coordinate, to either side, at which a gap opens; None where none up to 1e6 sizes does."""
+    steps = [size * 2.0**k for k in range(-6, 21)]
+    opening = (
+        (sign * before, sign * step)
+        for before, step in pairwise([0.0, *steps])
+        for sign in (1, -1)
+        if gap(sign * step) >= 0
+    )
+    closed, opened = next(opening, (0.0, math.nan))
+    if math.isnan(opened):
+        return None
+    for _ in range(60):
+        middle = (closed + opened) / 2
+        closed, opened = (closed, middle) if gap(middle) >= 0 else (middle, opened)
+    return opened
+
+
+def dependent(model: Model, bound: Bound, q: np.ndarray) -> tuple[Dependent, ...]:
+    """Constraints that follow from others, from a start on."""
+    if not model.nl:
+        return ()
+    from hertzwerk.runtime.start import assembly  # a tree needs none
+
+    return assembly.dependent(model, bound, q)

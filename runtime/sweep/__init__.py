@@ -1,0 +1,1 @@
+"""Many runs of one model, and their table."""

@@ -1,0 +1,1 @@
+"""Scenarios, their checks, and the restitution study."""

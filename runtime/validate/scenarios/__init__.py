@@ -1,0 +1,23 @@
+"""Numbers and checks of the built-in scenarios, one TOML file each.
+
+`read` is all that a run needs: it parses, and does not validate. The files here are validated by the tests, others by `validate.scenario`.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from importlib import resources
+from typing import Any
+
+
+def names() -> tuple[str, ...]:
+    """Names of the built-in scenarios, sorted."""
+    return tuple(
+        sorted(entry.name[:-5] for entry in resources.files(__name__).iterdir() if entry.name.endswith(".toml"))
+    )
+
+
+def read(name: str) -> dict[str, Any]:
+    """Contents of a built-in scenario; empty where there is none of that name."""
+    file = resources.files(__name__) / f"{name}.toml"
+    return tomllib.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}

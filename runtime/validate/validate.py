@@ -1,0 +1,108 @@
+"""Validation: runs a scenario and measures what its checks say must come out."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from difflib import get_close_matches
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.units import parse_quantity, parse_unit, rate_remedy, split_quantity
+from hertzwerk.runtime.validate.scenario import FOUND_IN_HISTORIES, IMPACT_FIELDS, Check, Scenario, si
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.solution.solution import Solution
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """One check on one solution: what was measured (SI; None where it does not exist), what was expected, and whether they agree."""
+
+    check: Check
+    measured: float | None
+    passed: bool
+
+    @property
+    def expectation(self) -> str:
+        """What the check asks for, in its own words."""
+        check = self.check
+        return (
+            f"at most {check.at_most}" if check.at_most is not None else f"{check.expected} within {check.tolerance:g}"
+        )
+
+    def __str__(self) -> str:
+        _, unit = split_quantity(self.check.expected or self.check.at_most or "")  # of the same dimension, as validated
+        value = "not there" if self.measured is None else f"{self.measured / parse_unit(unit).factor:.9g}"
+        measured = value if unit == "1" or self.measured is None else f"{value} {unit}"
+        return f"{self.check.quantity} = {measured}, expected {self.expectation}: {self.check.source}"
+
+
+def run_scenario(scenario: Scenario) -> Solution:
+    """Simulate a scenario with its own numbers; raises InputError."""
+    from hertzwerk.runtime.model.model import load
+    from hertzwerk.runtime.simulation import simulate
+
+    return simulate(
+        load(scenario.scene),
+        duration=scenario.duration,
+        accuracy=scenario.accuracy,
+        method=scenario.method,
+        parameters=scenario.parameters,
+        initial=scenario.initial,
+    )
+
+
+def validate(scenario: Scenario, solution: Solution) -> tuple[Verdict, ...]:
+    """Verdict of every check, in their order; raises InputError for checks of unknown names or in units that do not fit."""
+    faults = [fault for check in scenario.checks if (fault := _misfit(check, solution)) is not None]
+    if faults:
+        raise InputError(f"checks of scenario {scenario.scene}", faults)
+    return tuple(_verdict(check, measure(solution, check.quantity)) for check in scenario.checks)
+
+
+def measure(solution: Solution, quantity: str) -> float | None:
+    """Value of a check's quantity, SI; None where it does not exist (an impact that did not happen, a duration still open, no ledger)."""
+    if quantity == "energy_residual":
+        return solution.energy_residual
+    if quantity == "impacts":
+        return float(len(solution.impacts))
+    head, _, name = quantity.partition(".")
+    if head == "impacts":
+        index, _, field = name.partition(".")
+        if int(index) >= len(solution.impacts):
+            return None
+        value: float | None = getattr(solution.impacts[int(index)], field)
+        return value
+    history = solution[name]
+    found = {"final": history[-1], "max": np.max(history), "min": np.min(history), "largest": np.max(np.abs(history))}
+    return float(found[head])
+
+
+def _verdict(check: Check, measured: float | None) -> Verdict:
+    if measured is None or not np.isfinite(measured):
+        return Verdict(check, measured, passed=False)
+    if check.at_most is not None:
+        return Verdict(check, measured, passed=measured <= si(check.at_most))
+    expected, tolerance = si(check.expected or ""), check.tolerance or 0.0
+    return Verdict(check, measured, passed=abs(measured - expected) <= tolerance * abs(expected))
+
+
+def _misfit(check: Check, solution: Solution) -> Fault | None:
+    """Why a check cannot be made on a solution: a name it does not have, or a unit that is not the quantity's."""
+    head, _, name = check.quantity.partition(".")
+    if head in FOUND_IN_HISTORIES:
+        if name not in solution.names:
+            near = get_close_matches(name, solution.names, n=1)
+            known = f"such as {near[0]}" if near else f"one of {', '.join(solution.names)}"
+            return Fault(check.quantity, f"no history {name!r}", f"a history of the solution, {known}")
+        unit = solution.history.units[name]
+    else:
+        unit = IMPACT_FIELDS[name.partition(".")[2]] if name else "1"
+    text = check.expected if check.expected is not None else check.at_most or ""
+    value, given = parse_quantity(text)
+    if given.exponents != parse_unit(unit).exponents or given.mistaken_for(parse_unit(unit)):
+        remedy = rate_remedy(given, value) if given.mistaken_for(parse_unit(unit)) else ""
+        return Fault(check.quantity, repr(text), f"a quantity in {unit}", remedy)
+    return None

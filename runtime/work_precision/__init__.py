@@ -1,0 +1,1 @@
+"""What accuracy costs: runs timed fairly against a reference."""

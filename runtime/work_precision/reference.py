@@ -1,0 +1,178 @@
+"""The reference of a study: two independent methods, tightened until they agree, and how far they still differ along the run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hertzwerk.runtime.accuracy.horizon import crossing
+from hertzwerk.runtime.host.lazy import cached_property
+from hertzwerk.runtime.run import scales as scaling
+from hertzwerk.runtime.simulation import simulate
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model.binding import Value
+    from hertzwerk.runtime.model.model import Model
+    from hertzwerk.runtime.solution.solution import Solution
+
+Array = NDArray[np.float64]
+
+METHODS = ("dop853", "rodas", "esdirk", "dopri5")  # the first two that can: as unlike each other as there are
+TOLERANCES = (1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13)
+AGREED = 1e-12  # at the end: no closer agreement is asked for
+LIMITS = {"max_steps": 300_000, "wall_time": 20.0}  # of each run
+SAMPLES = 400  # equally spaced, and at most so many of the reference's own steps, which lie close where much happens
+KNOWN = 1e-6  # where a reference does not hold up to the end, runs are as long as it is known to this
+
+
+@dataclass(frozen=True)
+class Problem:
+    """What is run, but for how: a model, how long, and its numbers. Called with the other arguments of `simulate`."""
+
+    model: Model
+    duration: str | float | None
+    parameters: Mapping[str, Value] = field(default_factory=dict)
+    initial: Mapping[str, Value] = field(default_factory=dict)
+    solve: Callable[..., Solution] = simulate
+
+    def __call__(self, **options: Any) -> Solution:
+        """One run; raises InputError, and KeyboardInterrupt where the user stopped it: that ends what it was a part of."""
+        given = {"duration": self.duration, "parameters": self.parameters, "initial": self.initial}
+        run = self.solve(self.model, **{**given, **options})
+        if run.outcome.name == "interrupted":
+            raise KeyboardInterrupt
+        return run
+
+
+class NoReferenceError(Exception):
+    """Fewer than two methods reach the end; `runs` are those that did not, by method."""
+
+    def __init__(self, runs: Mapping[str, Solution]) -> None:
+        super().__init__("; ".join(f"{method}: {run.outcome.message}" for method, run in runs.items()))
+        self.runs = runs
+
+
+@dataclass(frozen=True)
+class Reference:
+    """The run that is taken for the true one, and the one that it is held against, at times t (n,) [s] from start to end.
+
+    y, other       their states, shape (n, ny)
+    levels         tolerance and difference at the end, as the two were tightened
+    """
+
+    run: Solution
+    partner: Solution
+    t: Array
+    y: Array
+    other: Array
+    levels: tuple[tuple[float, float], ...]
+
+    def error(self, run: Solution) -> Array:
+        """Error of a run at the times of the reference, shape (n,); of one that stopped, nan after its end."""
+        return self._along(run, scaling.error)
+
+    def departure(self, run: Solution) -> Array:
+        """The same of the coordinates alone: where the trajectory is."""
+        return self._along(run, scaling.departure)
+
+    def _along(self, run: Solution, measure: Callable[..., Array]) -> Array:
+        reached = self.t <= run.t_end
+        found = np.full(len(self.t), np.nan)
+        found[reached] = measure(run.model, self.run.scales, states(run, self.t[reached]), self.y[reached])
+        return found
+
+    @cached_property
+    def floor(self) -> Array:
+        """How far the two differ, shape (n,): smaller errors cannot be told."""
+        return scaling.error(self.run.model, self.run.scales, self.other, self.y)
+
+    @cached_property
+    def floor_of_departure(self) -> Array:
+        """The same of the coordinates alone."""
+        return scaling.departure(self.run.model, self.run.scales, self.other, self.y)
+
+    @property
+    def uncertainty(self) -> float:
+        """Of the state at the end: no less than rounding."""
+        return max(at_end(self.floor), float(np.finfo(float).eps))
+
+    @property
+    def horizon(self) -> float:
+        """Time [s] up to which the reference itself is known to 1 %; infinite where that is to the end."""
+        return crossing(self.t, self.floor_of_departure)
+
+    @property
+    def known(self) -> float:
+        """Time [s] up to which it is known well enough to measure errors by."""
+        if self.horizon == np.inf:
+            return float(self.t[-1])
+        over = np.flatnonzero(self.floor > KNOWN)
+        return float(self.t[over[0] - 1]) if over[0] > 1 else min(self.horizon, float(self.t[-1]))
+
+
+def at_end(difference: Array) -> float:
+    """Size of a difference (n,) of two runs at the end: no less than is typical just before, so that no crossing is taken for agreement."""
+    return max(float(difference[-1]), float(np.median(difference[-max(1, len(difference) // 10) :])))
+
+
+def states(run: Solution, t: Array) -> Array:
+    """States (n, ny) at times [s] (n,) within a run."""
+    found: Array = run.at(t).part("y")
+    return found
+
+
+def reference(problem: Problem, progress: Callable[[float], object] = lambda _: None) -> Reference:
+    """The reference of a problem: of two methods at the tolerance where they agree best, the one that changed less when it was tightened.
+
+    Raises NoReferenceError where no two methods reach the end, InputError.
+    """
+    able, failed = list(METHODS), dict[str, "Solution"]()
+    t: Array | None = None
+    best: Reference | None = None
+    before: dict[str, Array] = {}
+    levels: list[tuple[float, float]] = []
+    for i, tolerance in enumerate(TOLERANCES):
+        progress(i / len(TOLERANCES))
+        runs: dict[str, Solution] = {}
+        for method in tuple(able):
+            run = problem(tolerance=tolerance, method=method, **LIMITS)
+            if run.outcome.finished:
+                runs[method] = run
+            else:
+                failed[method] = run
+                able.remove(method)
+            if len(runs) == 2:
+                break
+        if len(runs) < 2:
+            break
+        t = _times(next(iter(runs.values()))) if t is None else t
+        found = {method: states(run, t) for method, run in runs.items()}
+        (one, a), (two, b) = found.items()
+        change = {
+            method: at_end(scaling.error(problem.model, runs[one].scales, y, before[method]))
+            if method in before
+            else 0.0
+            for method, y in found.items()
+        }
+        if change[one] > change[two]:
+            (one, a), (two, b) = (two, b), (one, a)
+        difference = at_end(scaling.error(problem.model, runs[one].scales, b, a))
+        levels.append((tolerance, difference))
+        if best is None or difference <= best.uncertainty:
+            best = Reference(runs[one], runs[two], t, a, b, tuple(levels))
+        if difference <= AGREED:
+            break
+        before = found
+    if best is None:
+        raise NoReferenceError(failed)
+    return Reference(best.run, best.partner, best.t, best.y, best.other, tuple(levels))
+
+
+def _times(run: Solution) -> Array:
+    """Where runs are compared [s]."""
+    steps = run.t[:: 1 + len(run.t) // SAMPLES]
+    return np.unique(np.concatenate([np.linspace(0.0, run.t_end, SAMPLES + 1), steps]))

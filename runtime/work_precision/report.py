@@ -1,0 +1,250 @@
+"""What a work-precision study says: sentences computed from its data, a table, and plain numbers for JSON and CSV."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from hertzwerk.runtime.accuracy.ladder import VALID
+from hertzwerk.runtime.work_precision.study import NOT_TRIED, Row, Study
+from hertzwerk.runtime.work_precision.timed_runs import LATE
+
+COLUMNS = (
+    "method",
+    "asked",
+    "error",
+    "estimate",
+    "steps",
+    "evaluations",
+    "time as C",
+    "time in VM",
+    "valid for",
+    "outcome",
+)
+CLEARANCES = ("pin_in_bush", "ball_in_socket")  # pairs whose clearance is the scale of lengths
+FAR = 10
+FIELDS = ("method", "compiled", "accuracy", "error", "estimate", "steps", "rhs_evaluations", "time", "horizon")
+
+
+def conclusions(study: Study) -> list[str]:
+    """What ten times more accuracy costs here and which method to take; what it buys in time."""
+    return [_cost(study), _growth(study)]
+
+
+def warnings(study: Study) -> list[str]:
+    """What to know before believing the numbers."""
+    held = study.reference
+    found = []
+    if study.shortened:
+        known = "" if math.isinf(held.horizon) else f"; even to 1 % only until {seconds(held.horizon)}"
+        found.append(
+            f"after {seconds(float(held.t[-1]))} of {seconds(study.asked)} no method here knows the true trajectory well enough to measure "
+            f"errors by{known}: errors are those at that time. Of longer runs statistics survive, single trajectories do not: run.averages()"
+        )
+    if not study.compiled:
+        found.append("there is no working C compiler: every time is that of CasADi's virtual machine")
+    found += [f"{method}: {message}" for method, message in _failures(study.rows).items()]
+    return [*found, *held.run.warnings]
+
+
+def rows(study: Study) -> list[tuple[str, ...]]:
+    """The table: both times in one row, for the numbers are the same."""
+    table: list[tuple[str, ...]] = []
+    for method in study.methods:
+        machine = study.of(method, compiled=False)
+        native: list[Row | None] = [*study.of(method, compiled=True)] or [None] * len(machine)
+        for a, c in zip(machine, native, strict=True):
+            row = c if c is not None and (c.error is not None or a.error is None) else a
+            ended = "" if row.outcome == "finished" else row.outcome.replace("_", " ")
+            ended += "" if row.floor is None else f", floor {row.floor:.1e}"
+            table.append((
+                method, f"{row.accuracy:.0e}", error(study, row), _number(row.estimate), _count(row.steps),
+                _count(row.rhs_evaluations), "" if c is None else _time(c), _time(a), valid_for(study, row), ended,
+            ))  # fmt: skip
+    return table
+
+
+def error(study: Study, row: Row) -> str:
+    """Error of a row as people read it: below what the reference can tell, only that."""
+    if row.error is None:
+        return ""
+    if row.error < study.least:
+        return f"< {study.least:.1e}"
+    return f"{row.error:.1e}"
+
+
+def valid_for(study: Study, row: Row) -> str:
+    """How long a row's trajectory is the true one; a growth that was seen for so long is not believed for more than FAR times as long."""
+    if row.horizon is None:
+        return "" if row.error is None else f"> {seconds(float(study.reference.t[-1]))}"
+    far = FAR * float(study.reference.t[-1])
+    return (
+        "unbounded" if math.isinf(row.horizon) else f"> {seconds(far)}" if row.horizon > far else seconds(row.horizon)
+    )
+
+
+def seconds(value: float) -> str:
+    """A time in the unit that suits it, three digits."""
+    for unit, factor in (("s", 1.0), ("ms", 1e-3)):
+        if value >= factor or (unit == "ms" and value >= 1e-4):
+            return f"{value / factor:.3g} {unit}"
+    return f"{value * 1e6:.3g} µs"
+
+
+def record(study: Study) -> dict[str, Any]:
+    """Plain numbers in SI, null for what does not exist; a horizon that is null is unbounded where the row says so, else unknown."""
+    held, grows = study.reference, study.growth
+    return {
+        "scene": study.problem.model.name,
+        "duration": float(held.t[-1]),
+        "asked_duration": study.asked,
+        "rows": [
+            {
+                **{name: getattr(row, name) for name in FIELDS},
+                "unbounded": row.horizon is not None and math.isinf(row.horizon),
+                "outcome": row.outcome,
+                "floor": row.floor,
+                "message": row.message,
+            }
+            for row in study.rows
+        ],
+        "reference": {
+            "methods": [held.run.method, held.partner.method],
+            "tolerance": held.run.tolerance,
+            "uncertainty": held.uncertainty,
+            "horizon": held.horizon,
+            "levels": [{"tolerance": tolerance, "difference": difference} for tolerance, difference in held.levels],
+        },
+        "decade_cost": study.decade_cost,
+        "recommended": study.recommended,
+        "growth": {
+            "kind": grows.kind,
+            "rate": grows.rate,
+            "deviation": grows.deviation,
+            "exponent": grows.exponent,
+            "intermittent": grows.intermittent,
+            "limit": VALID,
+            "edges": grows.edges,
+            "factors": grows.factors,
+            "gained": grows.gained,
+        },
+        "methods": {
+            method: {
+                "decade_cost": study.decade_costs[method],
+                "order": study.orders[method],
+                "relative_time": study.relative_times[method],
+            }
+            for method in study.methods
+        },
+        "auto": [{"accuracy": accuracy, "share_of_time": dict(share)} for accuracy, share in study.taken.items()],
+        "gain_of_compilation": study.gain_of_compilation,
+        "conclusions": conclusions(study),
+        "warnings": warnings(study),
+    }
+
+
+def csv_text(study: Study) -> str:
+    """The rows as CSV, SI."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    units = {"time": "s", "horizon": "s"}
+    writer.writerow([f"{name} [{units[name]}]" if name in units else name for name in (*FIELDS, "outcome")])
+    for row in study.rows:
+        writer.writerow(["" if (x := getattr(row, name)) is None else x for name in (*FIELDS, "outcome")])
+    return text.getvalue()
+
+
+def length(study: Study) -> str:
+    """What a trajectory stays within."""
+    kinds = {kind for _, kind in study.problem.model.module.PAIRS}
+    return "1 % of the clearance" if kinds & set(CLEARANCES) else "1 % of the scene's length"
+
+
+def _cost(study: Study) -> str:
+    best = study.recommended
+    if best is None:
+        return "No run got to an error that the reference can tell: there is nothing to choose by."
+    cost = study.decade_cost
+    said = (
+        "What ten times more accuracy costs cannot be told"
+        if cost is None
+        else f"Ten times more accuracy costs {plain(cost)} x the time here"
+    )
+    others: dict[str, list[float]] = {}
+    for level, method in study.cheapest.items():
+        if method != best:
+            others.setdefault(method, []).append(level)
+    count = len(study.cheapest)
+    places = [f"{m} at {_listed(f'{x:.0e}' for x in at)}" for m, at in others.items()]
+    exceptions = f" (but {_listed(places)})" if places else ""
+    where = "at every accuracy" if not others else "on the whole"
+    said += f"; take {best}, the cheapest {where}{exceptions}" if count > 1 else f"; take {best}"
+    times = {m: t for m, t in study.relative_times.items() if m != best and t is not None}
+    if times:
+        said += ". For the same error " + _listed(
+            f"{m} takes {plain(t)} x its time" for m, t in sorted(times.items(), key=lambda x: x[1])
+        )
+    gain = study.gain_of_compilation
+    return said + ("" if gain is None else f"; compiled, it is {plain(gain)} x as fast as in the virtual machine") + "."
+
+
+def _growth(study: Study) -> str:
+    grows, within = study.growth, length(study)
+    span = seconds(float(study.reference.t[-1]))
+    if grows.kind == "unknown":
+        return f"How errors grow cannot be told: too few of them stand above the floor for long enough in these {span}."
+    known = [f for f in grows.factors if math.isfinite(f)]
+    step = seconds(grows.edges[1] - grows.edges[0])
+    pace = f"by factors of {plain(min(known))} to {plain(max(known))} from one {step} to the next"
+    if grows.kind == "none":
+        return (
+            f"Errors do not grow over these {span} ({pace}): ten times more accuracy means ten times less error, not more time; how long a "
+            f"trajectory that is within {within} stays there is unbounded."
+        )
+    how = "intermittently, " if grows.intermittent else ""
+    if grows.kind == "exponential":
+        return (
+            f"Errors grow at {plain(grows.rate)}/s ({how}{pace}): ten times more accuracy keeps the trajectory within {within} for "
+            f"{seconds(grows.gained)} more."
+        )
+    return (
+        f"Errors grow like t^{plain(grows.exponent)} ({how}{pace}): ten times more accuracy keeps the trajectory within {within} for "
+        f"{plain(10 ** (1 / grows.exponent))} x the time."
+    )
+
+
+def _failures(found: Iterable[Row]) -> dict[str, str]:
+    """Why runs did not get there, one message for each method."""
+    failed: dict[str, str] = {}
+    for row in found:
+        if row.error is None and row.outcome not in (NOT_TRIED, *LATE):
+            failed.setdefault(row.method, f"asked for {row.accuracy:.0e}, {row.message}")
+    return failed
+
+
+def plain(value: float) -> str:
+    """A number of two digits, without an exponent where that is short."""
+    return f"{float(f'{value:.2g}'):g}"
+
+
+def _time(row: Row) -> str:
+    if row.time is None:
+        return ""
+    return f"more than {seconds(row.time)}" if row.outcome in LATE else seconds(row.time)
+
+
+def _number(value: float | None) -> str:
+    return "" if value is None else f"{value:.1e}"
+
+
+def _count(value: int | None) -> str:
+    return "" if value is None else f"{value:,}"
+
+
+def _listed(parts: Iterable[str]) -> str:
+    """a; a and b; a, b and c."""
+    words: Sequence[str] = list(parts)
+    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"

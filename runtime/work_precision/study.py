@@ -1,0 +1,273 @@
+"""What accuracy costs: methods and accuracies, compiled and not, each run's true error against a reference and the time its user waits for it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+from statistics import fmean, median
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hertzwerk.runtime.accuracy.horizon import Growth, crossing, growth
+from hertzwerk.runtime.host.lazy import cached_property
+from hertzwerk.runtime.work_precision.reference import Problem, Reference, reference
+from hertzwerk.runtime.work_precision.timed_runs import Made, Try, make, ready, repeat
+
+Array = NDArray[np.float64]
+
+METHODS = ("dop853", "dopri5", "esdirk", "rodas", "auto")
+ACCURACIES = tuple(10.0**-k for k in range(3, 10))
+WALL_TIME = 5.0  # s, of a run
+STARTED = 0.01  # of its local tolerance: from such an error on a run tells growth; before, it may be a free flight without any error
+APART = 0.3  # decades between two errors that a cost is taken from
+TOLD = 3.0  # times the reference's uncertainty: a smaller error cannot be told from none
+FIRST = (0.3, 0.6)  # parts of the work up to the reference, and up to the first of every run
+NOT_TRIED = "not_tried"
+
+
+@dataclass(frozen=True)
+class Row:
+    """One run: asked, got, and paid.
+
+    error       true error at the end, in the scene's scales; None where the run did not get there
+    estimate    what the run itself says of it
+    time        [s] the whole call takes its user, median of several; None where it was not tried
+    floor       least error that the run found to be possible, where that is more than was asked for
+    horizon     time [s] up to which the trajectory stays within 1 %, beyond the end of the run as errors grow; infinite where they do not;
+                None where that is unknown
+    """
+
+    method: str
+    compiled: bool
+    accuracy: float
+    outcome: str
+    message: str
+    error: float | None = None
+    estimate: float | None = None
+    steps: int | None = None
+    rhs_evaluations: int | None = None
+    time: float | None = None
+    floor: float | None = None
+    horizon: float | None = None
+
+
+@dataclass(frozen=True)
+class Study:
+    """Rows by method, in the virtual machine and as C, each from loose to tight.
+
+    asked       duration that was asked for [s]; longer than the runs where the reference does not hold so long
+    along       error and departure (n,) at the times of the reference, of the runs of each method and accuracy
+    taken       of the time simulated by `auto`, the share of each of its methods, by accuracy
+    """
+
+    problem: Problem
+    reference: Reference
+    asked: float
+    rows: tuple[Row, ...]
+    growth: Growth
+    along: Mapping[tuple[str, float], tuple[Array, Array]]
+    taken: Mapping[float, Mapping[str, float]]
+
+    @property
+    def shortened(self) -> bool:
+        """Whether runs end where the reference is no longer known, not where was asked."""
+        return float(self.reference.t[-1]) < self.asked
+
+    @property
+    def compiled(self) -> bool:
+        """Whether there are compiled rows; methods are then compared by these."""
+        return any(row.compiled for row in self.rows)
+
+    @cached_property
+    def methods(self) -> tuple[str, ...]:
+        """Methods in the order of their rows."""
+        return tuple(dict.fromkeys(row.method for row in self.rows))
+
+    def of(self, method: str, *, compiled: bool | None = None) -> list[Row]:
+        """Rows of a method, those that it is compared by unless told."""
+        compiled = self.compiled if compiled is None else compiled
+        return [row for row in self.rows if row.method == method and row.compiled == compiled]
+
+    @property
+    def least(self) -> float:
+        """The least error that can be told from none."""
+        return TOLD * self.reference.uncertainty
+
+    @cached_property
+    def levels(self) -> tuple[float, ...]:
+        """The accuracies asked for that can be told."""
+        return tuple(a for a in dict.fromkeys(row.accuracy for row in self.rows) if a >= self.least)
+
+    @cached_property
+    def times(self) -> dict[str, dict[float, float]]:
+        """For each method and level the least time [s] of its runs whose error is no larger; where it has none, there is no entry."""
+        found: dict[str, dict[float, float]] = {}
+        for method in self.methods:
+            rows = [(row.error, row.time) for row in self.of(method) if row.error is not None and row.time is not None]
+            by_level = {level: [time for error, time in rows if error <= level] for level in self.levels}
+            found[method] = {level: min(times) for level, times in by_level.items() if times}
+        return found
+
+    @cached_property
+    def cheapest(self) -> dict[float, str]:
+        """At each level that some method gets to, the one that does so in the least time."""
+        found = {}
+        for level in self.levels:
+            able = [method for method in self.methods if level in self.times[method]]
+            if able:
+                found[level] = min(able, key=lambda method: self.times[method][level])
+        return found
+
+    @cached_property
+    def recommended(self) -> str | None:
+        """The method that gets to most levels, and to them in the least time on average; None where no run gets to any."""
+
+        def score(method: str) -> tuple[int, float]:
+            over = [math.log(t / self.times[self.cheapest[x]][x]) for x, t in self.times[method].items()]
+            return len(over), -fmean(over) if over else 0.0
+
+        return max(self.methods, key=score) if self.cheapest else None
+
+    @cached_property
+    def decade_costs(self) -> dict[str, float | None]:
+        """Factor of time for ten times less error, of each method; where no error can be told, for ten times less asked for."""
+        found = {}
+        for method in self.methods:
+            told = self._told(method)
+            cost = decade_cost([error for error, _, _ in told], [time for _, time, _ in told])
+            rows = [row for row in self.of(method) if row.time and row.error is not None and row.error <= row.accuracy]
+            asked = decade_cost([row.accuracy for row in rows], [row.time or math.nan for row in rows])
+            found[method] = asked if cost is None else cost
+        return found
+
+    @property
+    def decade_cost(self) -> float | None:
+        """Of the recommended method."""
+        return None if self.recommended is None else self.decade_costs[self.recommended]
+
+    @cached_property
+    def orders(self) -> dict[str, float | None]:
+        """Order that each method shows here."""
+        rows = {method: self._told(method) for method in self.methods}
+        return {m: order([e for e, _, _ in told], [n for _, _, n in told]) for m, told in rows.items()}
+
+    @cached_property
+    def relative_times(self) -> dict[str, float | None]:
+        """Time of each method over that of the recommended one, at the same levels on average."""
+        best = self.times[self.recommended] if self.recommended else {}
+        found: dict[str, float | None] = {}
+        for method in self.methods:
+            logs = [math.log(t / best[x]) for x, t in self.times[method].items() if x in best]
+            found[method] = math.exp(fmean(logs)) if logs else None
+        return found
+
+    @property
+    def gain_of_compilation(self) -> float | None:
+        """Time in the virtual machine over time as C, of the recommended method."""
+        both = (self.of(self.recommended or "", compiled=compiled) for compiled in (False, True))
+        ratios = [a.time / b.time for a, b in zip(*both, strict=False) if a.time and b.time]
+        return median(ratios) if ratios else None
+
+    def _told(self, method: str) -> list[tuple[float, float, float]]:
+        """Error, time [s] and evaluations of the runs whose error can be told."""
+        return [
+            (row.error, row.time, float(row.rhs_evaluations))
+            for row in self.of(method)
+            if row.error is not None and row.error >= self.least and row.time and row.rhs_evaluations
+        ]
+
+
+def study(
+    problem: Problem,
+    *,
+    methods: Sequence[str] = METHODS,
+    accuracies: Sequence[float] = ACCURACIES,
+    wall_time: float = WALL_TIME,
+    progress: Callable[[float], object] = lambda _: None,
+) -> Study:
+    """Make the reference, then every run, one after the other: two that are timed at once would be in each other's way.
+
+    accuracies    from loose to tight; where a run takes longer than wall_time [s], the tighter ones of its method are not tried
+
+    Raises InputError for bad input, NoReferenceError where there is nothing to measure by.
+    """
+    held = reference(problem, lambda part: progress(FIRST[0] * part))
+    asked = held.run.duration
+    if held.known < asked:
+        problem = replace(problem, duration=held.known)
+        held = reference(problem)
+    paths = (False, True) if ready(problem, methods) else (False,)
+    series = [(method, compiled) for method in methods for compiled in paths]
+    made: list[Made] = []
+    rows: list[Row] = []  # of what is not tried
+    for i, (method, compiled) in enumerate(series):
+        progress(FIRST[0] + (FIRST[1] - FIRST[0]) * i / len(series))
+        late: Made | None = None
+        for accuracy in accuracies:
+            if late is None:
+                made.append(make(Try(problem, method, compiled, accuracy, wall_time), held))
+                late = made[-1] if made[-1].late else None
+            else:
+                message = f"with {late.by.accuracy:.0e} {late.outcome.message}"
+                rows.append(Row(method, compiled, accuracy, NOT_TRIED, message))
+    repeat(made, lambda part: progress(FIRST[1] + (1 - FIRST[1]) * part))
+    reached = [this for this in made if this.reached]
+    floors = [np.maximum(held.floor_of_departure, STARTED * this.tolerance) for this in reached]
+    grows = growth(held.t, [this.departure for this in reached], floors)
+    rows += [_row(this, held, grows) for this in made]
+    places = {key: i for i, key in enumerate((m, c, a) for m, c in series for a in accuracies)}
+    return Study(
+        problem=problem,
+        reference=held,
+        asked=asked,
+        rows=tuple(sorted(rows, key=lambda row: places[row.method, row.compiled, row.accuracy])),
+        growth=grows,
+        along={(this.by.method, this.by.accuracy): (this.error, this.departure) for this in reached},
+        taken={this.by.accuracy: this.taken for this in made if this.taken},
+    )
+
+
+def decade_cost(errors: Sequence[float], times: Sequence[float]) -> float | None:
+    """Factor of time for ten times less error: 10^(1/p) where the time is proportional to error^(-1/p). None where errors do not tell."""
+    slope = _slope(np.log10(errors), np.log10(times))
+    return None if slope is None else float(10.0**-slope)
+
+
+def order(errors: Sequence[float], evaluations: Sequence[float]) -> float | None:
+    """p, where the error is proportional to evaluations^-p. None where errors do not tell."""
+    slope = _slope(np.log10(errors), np.log10(evaluations))  # of errors, which are further apart than the evaluations
+    return None if slope is None or slope >= 0 else -1 / slope
+
+
+def _slope(x: Array, y: Array) -> float | None:
+    """Median of the slopes between points that stand apart (Theil and Sen): single lucky errors do not turn it."""
+    apart = [(i, j) for i, j in combinations(range(len(x)), 2) if abs(x[j] - x[i]) >= APART]
+    return median(float((y[j] - y[i]) / (x[j] - x[i])) for i, j in apart) if len(apart) > 1 else None
+
+
+def _row(this: Made, held: Reference, grows: Growth) -> Row:
+    horizon: float | None = None
+    if this.reached:
+        left = crossing(held.t, this.departure)
+        if math.isinf(left):
+            last = slice(-max(1, len(held.t) // 10), None)
+            left = grows.reaches(float(np.median(np.maximum(this.departure, held.floor_of_departure)[last])))
+        horizon = None if math.isnan(left) else left
+    by = this.by
+    return Row(
+        method=by.method,
+        compiled=by.compiled,
+        accuracy=by.accuracy,
+        outcome=this.outcome.name,
+        message=this.outcome.message,
+        error=float(this.error[-1]) if this.reached else None,
+        estimate=this.estimate,
+        steps=this.steps,
+        rhs_evaluations=this.rhs_evaluations,
+        time=this.time,
+        floor=this.floor,
+        horizon=horizon,
+    )

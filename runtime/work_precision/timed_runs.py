@@ -1,0 +1,146 @@
+"""Runs of one problem, measured against its reference and timed fairly: what is built is built before, and the runs take turns.
+
+Runs are timed one after the other in one process, round after round: whatever else the machine does at a time then hits all of them alike, and the
+median of the rounds leaves it out. The time is the processor's, which a run, being one thread that waits for nothing, has all to itself on an idle
+machine; on a busy one the clock on the wall also shows the turns of others.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from statistics import median
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hertzwerk.derive.faults import InputError
+from hertzwerk.runtime.host.lazy import cached_property
+from hertzwerk.runtime.integrate.loop.choose import IMPLICIT
+from hertzwerk.runtime.integrate.step.methods import METHODS
+from hertzwerk.runtime.run.engine import prepare
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.solution.outcome import Outcome
+    from hertzwerk.runtime.solution.solution import Solution
+    from hertzwerk.runtime.work_precision.reference import Problem, Reference
+
+Array = NDArray[np.float64]
+
+MAX_STEPS = 1_000_000
+LATE = ("wall_time_limit", "too_many_steps")  # outcomes after which tighter accuracies would take too long, too
+ROUNDS, BUDGET = (
+    (3, 9),
+    15.0,
+)  # least and most rounds; after the least, no more that would go beyond so many seconds in all
+ONCE = 1.0  # s: what takes longer is not repeated, and neither is what asks for too much
+SHORT, IN_A_ROW = 0.02, 3  # s: what takes less runs so often in a round
+
+
+@dataclass(frozen=True)
+class Try:
+    """One way to run the problem. Called, it returns the time [s] that the whole call takes its user, and the run."""
+
+    problem: Problem
+    method: str
+    compiled: bool
+    accuracy: float
+    wall_time: float
+
+    def __call__(self) -> tuple[float, Solution]:
+        """Run once."""
+        began = time.process_time()
+        run = self.problem(accuracy=self.accuracy, **self.options)
+        return time.process_time() - began, run
+
+    @property
+    def options(self) -> dict[str, Any]:
+        """Arguments of `simulate` but for the accuracy."""
+        limits = {"wall_time": self.wall_time, "max_steps": MAX_STEPS}
+        return {"method": self.method, "compiled": self.compiled, **limits}
+
+
+@dataclass
+class Made:
+    """What came of a try: what is kept of its run, and its times [s].
+
+    error, departure    (n,) at the times of the reference (see `Reference`), nan after the end of the run
+    taken               of the time simulated by `auto`, the share of each of its methods
+    """
+
+    by: Try
+    outcome: Outcome
+    reached: bool  # the end
+    error: Array
+    departure: Array
+    estimate: float | None
+    floor: float | None
+    tolerance: float
+    steps: int
+    rhs_evaluations: int
+    taken: dict[str, float]
+    times: list[float] = field(default_factory=list)
+
+    @property
+    def time(self) -> float:
+        """Median [s]."""
+        return median(self.times)
+
+    @cached_property
+    def late(self) -> bool:
+        """Whether it took too long."""
+        return self.outcome.name in LATE
+
+
+def ready(problem: Problem, methods: Sequence[str]) -> bool:
+    """Build, and where there is a compiler compile, what the methods run with; returns whether there is one."""
+    try:
+        for method in methods:
+            prepare(problem.model, method, True)
+    except InputError:
+        return False
+    return True
+
+
+def make(by: Try, held: Reference) -> Made:
+    """Run once, and measure."""
+    by.problem(tolerance=by.accuracy, **{**by.options, "max_steps": 1})  # what is built once is built now
+    seconds, run = by()
+    return Made(
+        by=by,
+        outcome=run.outcome,
+        reached=run.t_end == held.t[-1],
+        error=held.error(run),
+        departure=held.departure(run),
+        estimate=run.error.end if run.error is not None and run.error.known else None,
+        floor=None if run.error is None else run.error.floor,
+        tolerance=run.tolerance,
+        steps=run.statistics.steps,
+        rhs_evaluations=run.statistics.rhs_evaluations,
+        taken=_shares(run) if by.method == "auto" else {},
+        times=[seconds],
+    )
+
+
+def repeat(made: Sequence[Made], progress: Callable[[float], object]) -> None:
+    """Add to the times of what is short enough, in rounds."""
+    least, most = ROUNDS
+    short = [this for this in made if this.times[0] < ONCE and this.outcome.finished]
+    began = time.perf_counter()
+    for done in range(most):
+        spent = time.perf_counter() - began
+        if done >= least and spent * (done + 1) / done > BUDGET:
+            break
+        for this in short:
+            for _ in range(IN_A_ROW if this.times[0] < SHORT else 1):
+                this.times.append(this.by()[0])
+            progress(min(1.0, (time.perf_counter() - began) / BUDGET))
+
+
+def _shares(run: Solution) -> dict[str, float]:
+    """Share of the time simulated that `auto` went with each of its two methods."""
+    implicit = np.diff(run.t) @ (run.history.part("method")[1:, 0] == IMPLICIT) / run.t[-1]
+    explicit, other = (table().name for table in METHODS["auto"])
+    return {explicit: float(1 - implicit), other: float(implicit)}

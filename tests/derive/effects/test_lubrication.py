@@ -1,0 +1,415 @@
+"""Hydrodynamic lubrication: the film in the generated module against a quadrature of Reynolds' equation and against published closed forms.
+
+The oracle starts from the textbook's equation, d/ds(h^3 dp/ds) + d/dz(h^3 dp/dz) = 6 eta (U_1 + U_2) dh/ds + 12 eta dh/dt with both surfaces turning;
+the derivation starts from the velocity midway between the centres. Neither sees the other's algebra.
+"""
+
+import re
+from dataclasses import dataclass, replace
+from functools import cache
+from typing import ClassVar
+
+import numpy as np
+import pytest
+import sympy as sp
+from derived import Derived
+from film import ETA, LENGTH, PIN, C, by_quadrature
+
+from hertzwerk.derive import (
+    GROUND,
+    BallInSocket,
+    Body,
+    Contact,
+    Element,
+    EnergyLedger,
+    Free,
+    Friction,
+    InputError,
+    Lubrication,
+    Mechanism,
+    Parameter,
+    PinInBush,
+    Planar,
+    Scales,
+    Scene,
+    X,
+    Z,
+    audit_path,
+    element,
+    generate,
+    laws_from,
+)
+from hertzwerk.derive.audit.audit import InconsistentUnits
+from hertzwerk.derive.audit.rescaling import evaluate
+from hertzwerk.derive.effects.expression import Varying
+from hertzwerk.derive.laws import LAWS, flores, long_bearing, power, short_bearing
+from hertzwerk.derive.readable.equations import equations_of
+from hertzwerk.derive.scenes.journal_lubricated import scene as journal
+from hertzwerk.runtime import load, simulate
+
+LAYER = 2e-6  # m
+
+pin, bush = (
+    Body("pin", Parameter("pin_mass", "kg", 0.7), Parameter("pin_inertia", "kg m^2", 3e-4)),
+    Body("bush", Parameter("bush_mass", "kg", 1.1), Parameter("bush_inertia", "kg m^2", 5e-4)),
+)
+viscosity, layer = Parameter("viscosity", "Pa s", ETA), Parameter("layer", "um", LAYER * 1e6)
+clearance, radius = Parameter("clearance", "um", C * 1e6), Parameter("bush_radius", "mm", (PIN + C) * 1e3)
+JOINT = PinInBush(
+    "joint", pin.at(0, 0, 0), bush.at(0, 0, 0), Z, radius, clearance, length=Parameter("length", "mm", LENGTH * 1e3)
+)
+BOTH_FREE = (Planar("of_pin", GROUND, pin), Planar("of_bush", GROUND, bush))
+TOUCHING = Contact(
+    "joint", power(Parameter("stiffness", "N/m^1.5", 1e9), 1.5), flores(Parameter("restitution", "1", 0.6))
+)
+
+
+def film(law=short_bearing, *, thin=layer, name="oil"):
+    return Lubrication(name, "joint", law(viscosity), thin)
+
+
+def scene(*effects, pair=JOINT):
+    """Pin and bush, both free in the plane."""
+    return Scene(
+        Mechanism("oiled", BOTH_FREE, (pair,)),
+        effects,
+        Scales(length=clearance, speed=Parameter("pace", "m/s", 1), arm=radius),
+    )
+
+
+@cache
+def derived(law):
+    return Derived(scene(film(LAWS[law]), TOUCHING, EnergyLedger()))
+
+
+def state(e, rate, spin_pin=0.0, spin_bush=0.0, *, away=0.0):
+    """Coordinates and speeds where the pin is at e in the bush and moves at `rate` against it, the bush `away` and on its way."""
+    q = np.array([3 * away + e[0], -2 * away + e[1], 0.4, 3 * away, -2 * away, 1.1])
+    return q, np.array([7 * away + rate[0], -9 * away + rate[1], spin_pin, 7 * away, -9 * away, spin_bush])
+
+
+def resultants(law, e, rate, spin_pin=0.0, spin_bush=0.0):
+    """Generalised forces of the module: force on the pin and moment on it, force on the bush and moment on it."""
+    q, u = state(e, rate, spin_pin, spin_bush)
+    return derived(law).call("applied", t=0.0, q=q, u=u)
+
+
+# -- the oracle is `film` ---------------------------------------------------------------------------------------------
+
+MOTIONS = {
+    "wedge": ((3e-5, 4e-5), (0, 0), 100, 0),
+    "squeeze": ((3e-5, -4e-5), (0.02, -0.03), 0, 0),
+    "opening": ((-5e-5, 4e-5), (0.03, -0.01), 0, 0),
+    "whirl at the mean spin, all but": ((2e-5, 5e-5), (-5e-5 * 70, 2e-5 * 70), 100, 40.1),
+    "all at once": ((6e-5, 2e-5), (-0.02, 0.05), -300, 700),
+    "bush alone": ((-1e-5, -7e-5), (0.01, 0.002), 0, 250),
+    "nearly touching": ((8e-5, 3e-5), (0.03, 0.04), 500, 0),
+    "from the centre": ((0, 0), (0.01, 0.07), 300, -100),
+}
+
+
+@pytest.mark.parametrize("motion", MOTIONS)
+@pytest.mark.parametrize("law", ["short_bearing", "long_bearing"])
+def test_the_film_is_that_of_reynolds_equation(law, motion):
+    got, expected = resultants(law, *MOTIONS[motion]), by_quadrature(law, *MOTIONS[motion])
+    sizes = np.array([np.hypot(*expected[:2])] * 2 + [abs(expected[2]) + abs(expected[5])])
+    assert np.all(np.abs(got - expected) <= 1e-10 * np.tile(sizes, 2)), (got - expected) / np.tile(sizes, 2)
+
+
+# -- published closed forms --------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("eps", [1e-9, 0.1, 0.5, 0.9])
+def test_half_sommerfeld_and_ocvirk(eps):
+    """Journal alone turns: radial and tangential force, and Petroff's couple beside what the force's arm gives."""
+    w, q = 130.0, np.sqrt(1 - eps**2)
+    for law, unit, radial, tangential in (
+        ("short_bearing", ETA * w * PIN * LENGTH**3 / C**2, eps**2 / q**4, np.pi * eps / (4 * q**3)),
+        (
+            "long_bearing",
+            ETA * w * PIN**3 * LENGTH / C**2,
+            12 * eps**2 / ((2 + eps**2) * q**2),
+            6 * np.pi * eps / ((2 + eps**2) * q),
+        ),
+    ):
+        for turned in (0.0, 2.0, 4.0):
+            n, t = np.array([np.cos(turned), np.sin(turned)]), np.array([-np.sin(turned), np.cos(turned)])
+            got = resultants(law, eps * C * n, (0, 0), w, 0.0)
+            force = got[:2]
+            assert -force @ n == pytest.approx(unit * radial, rel=1e-10)  # back to the centre
+            assert force @ t == pytest.approx(unit * tangential, rel=1e-10)  # onwards
+            petroff = 2 * np.pi * ETA * PIN**3 * LENGTH * w / (C * q)
+            assert got[2] == pytest.approx(-petroff - eps * C / 2 * unit * tangential, rel=1e-10)
+            assert got[5] == pytest.approx(petroff - eps * C / 2 * unit * tangential, rel=1e-10)
+
+
+@pytest.mark.parametrize("eps", [0.0, 0.3, 0.8])
+def test_the_two_halves_of_a_squeeze_make_the_full_film(eps):
+    """Closing and opening together are the full film: pi (1 + 2 eps^2)/(1 - eps^2)^5/2, and 12 pi/(1 - eps^2)^3/2."""
+    full = {
+        "short_bearing": ETA * PIN * LENGTH**3 / C**3 * np.pi * (1 + 2 * eps**2) / (1 - eps**2) ** 2.5,
+        "long_bearing": ETA * PIN**3 * LENGTH / C**3 * 12 * np.pi / (1 - eps**2) ** 1.5,
+    }
+    for law, expected in full.items():
+        closing, opening = (resultants(law, (eps * C, 0), (rate, 0))[0] for rate in (0.01, -0.01))
+        assert opening - closing == pytest.approx(0.01 * expected, rel=1e-10)
+        assert -closing > 0 < opening
+
+
+def test_a_whirl_at_half_the_speed_is_not_resisted():
+    """At half the sum of the spins the pin rolls with the film: no wedge, no squeeze, no force."""
+    e = np.array([3e-5, 5e-5])
+    for law in ("short_bearing", "long_bearing"):
+        got = resultants(law, e, (-e[1] * 80, e[0] * 80), 100.0, 60.0)
+        assert np.abs(got[:2]).max() < 1e-12 * np.abs(resultants(law, e, (0, 0), 100.0, 60.0)[:2]).max()
+
+
+# -- regular everywhere ------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("law", ["short_bearing", "long_bearing"])
+def test_nothing_is_undefined_at_the_centre_or_at_rest(law):
+    for e, rate in (
+        ((0, 0), (0, 0)),
+        ((0, 0), (0.02, 0)),
+        ((5e-5, 0), (0, 0)),
+        ((C, 0), (0, 0)),
+        ((1.1 * C, 0), (0.1, 0)),
+    ):
+        q, u = state(e, rate)
+        u[:] = [*rate, 0, 0, 0, 0]
+        for which in ("q", "u"):
+            assert np.all(np.isfinite(derived(law).jacobian("applied", which, q=q, u=u, t=0.0)))
+    at_centre = resultants(law, (0, 0), (0.02, 0.01))
+    for turned in np.linspace(0, 6, 5):
+        near = resultants(law, (1e-9 * C * np.cos(turned), 1e-9 * C * np.sin(turned)), (0.02, 0.01))
+        assert near == pytest.approx(at_centre, rel=1e-8, abs=1e-8 * np.abs(at_centre).max())
+
+
+@pytest.mark.parametrize("law", ["short_bearing", "long_bearing"])
+def test_the_film_gives_way_to_dry_contact(law):
+    """Its law's up to two layers, finite up to contact, gone one layer deep; force and slope without a jump on the way."""
+    drag = derived(law)
+
+    def force(e):
+        q, u = state((e, 0), (0.01, 0))
+        return drag.call("applied", t=0.0, q=q, u=u)[0], drag.jacobian("applied", "q", t=0.0, q=q, u=u)[0, 0]
+
+    given = {"eta": ETA, "R_2": PIN, "L": LENGTH, "dR": C, "epsilon_w": 1 - LAYER / C, "epsilon_c": 0.0}
+    values = {q: given[q.name] for q in LAWS[law].symbols() if q.name in given}
+    for symbol, expression in LAWS[law].definitions:
+        values[symbol] = evaluate(expression, values)
+    least = float(evaluate(LAWS[law].along, values))  # of a film of one layer
+    assert force(C - 2.5 * LAYER)[0] == pytest.approx(by_quadrature(law, (C - 2.5 * LAYER, 0), (0.01, 0))[0], rel=1e-8)
+    assert force(C)[0] == pytest.approx(-0.01 * least, rel=1e-9)
+    assert np.all(resultants(law, (C + LAYER, 0), (0.01, 0.02), 50.0) == 0)
+    for seam in (C - 2 * LAYER, C, C + LAYER):
+        (f, slope), (g, other) = force(seam - 1e-8 * LAYER), force(seam + 1e-8 * LAYER)
+        assert f == pytest.approx(g, rel=1e-6, abs=1e-6 * 0.01 * least)
+        assert slope == pytest.approx(other, rel=1e-4, abs=1e-5 * 0.01 * least / LAYER)
+    before, at, after = (force(C - 2 * LAYER + way)[1] for way in (-1e-3 * LAYER, 0, 1e-3 * LAYER))
+    assert at - before == pytest.approx(after - at, rel=0.02)  # not even the curvature jumps
+
+
+# -- action and reaction, energy ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("law", ["short_bearing", "long_bearing"])
+def test_action_is_reaction_and_the_film_dissipates(law):
+    """In any frame: the bush itself is away from the origin, and moves."""
+    rng = np.random.default_rng(7)
+    model, power = derived(law), []
+    row = [name for name, _ in model.MEMORY].index("oil.dissipated")
+    for _ in range(40):
+        e = C * rng.uniform(0, 1.01) * np.array([np.cos(a := rng.uniform(0, 7)), np.sin(a)])
+        q, u = state(e, rng.normal(0, 0.1, 2), *rng.normal(0, 200, 2), away=0.1)
+        f = model.call("applied", t=0.0, q=q, u=u)
+        assert f[:2] == pytest.approx(-f[3:5], rel=1e-12)
+        about_origin = f[2] + f[5] + q[0] * f[1] - q[1] * f[0] + q[3] * f[4] - q[4] * f[3]
+        assert abs(about_origin) <= 1e-12 * (abs(f[2]) + abs(f[5]) + np.hypot(*f[:2]))
+        dissipated = model.call("ledger", t=0.0, q=q, u=u, reactions=np.zeros(0))[row]
+        assert dissipated == pytest.approx(-f @ u, rel=1e-9, abs=1e-9 * np.abs(f * u).max())
+        power.append(dissipated)
+    assert min(power) > 0
+
+
+def test_a_film_in_space_is_the_one_in_the_plane():
+    """About another axis, the pin off along it: what is along the axis, and the turn of the frame, do nothing."""
+    bodies = [Body(b.name, b.mass, (b.inertia,) * 3) for b in (pin, bush)]
+    joint = replace(JOINT, pin=bodies[0].at(0, 0, 0), bush=bodies[1].at(0, 0, 0), axis=X)
+    joints = (Free("of_pin", GROUND, bodies[0]), Free("of_bush", GROUND, bodies[1]))
+    sizes = Scales(length=clearance, speed=Parameter("pace", "m/s", 1), arm=radius)
+    model = Derived(Scene(Mechanism("spatial", joints, (joint,)), (film(long_bearing),), sizes))
+    e, rate, spin_pin, spin_bush = MOTIONS["all at once"]
+    q, u = np.array([1e-3, *e, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0]), np.zeros(12)
+    u[:4], u[9] = (0.3, *rate, spin_pin), spin_bush
+    got, plane = model.call("applied", t=0.0, q=q, u=u), resultants("long_bearing", e, rate, spin_pin, spin_bush)
+    assert got[[1, 2, 3, 7, 8, 9]] == pytest.approx(plane, rel=1e-12)
+    assert got[[0, 6]] == pytest.approx(0, abs=1e-12 * np.abs(plane).max())
+
+
+# -- a scene with a film -----------------------------------------------------------------------------------------------
+
+
+def test_without_the_film_the_scene_never_had_it():
+    bare = tuple(effect for effect in journal.effects if effect.name != "oil")
+    assert generate(journal.without("oil")) == generate(replace(journal, effects=bare))
+    assert not re.search(r"\boil_|\boil\.|viscosity|boundary_layer", generate(journal.without("oil")))
+    assert "viscosity" in generate(journal)
+
+
+def test_another_film_by_name():
+    assert "long_bearing film at bearing" in generate(journal.with_law("oil", "long_bearing"))
+    with pytest.raises(InputError, match="one of short_bearing, long_bearing"):
+        journal.with_law("oil", "flores")
+
+
+UNSOUND = {
+    "viscosity that is none": (
+        lambda: film(lambda eta: short_bearing(Parameter("viscosity", "Pa", 1))),
+        "viscosity",
+        "Pa s",
+    ),
+    "kinematic viscosity": (
+        lambda: film(lambda eta: long_bearing(Parameter("viscosity", "mm^2/s", 1))),
+        "viscosity",
+        "Pa s",
+    ),
+    "a bare number": (lambda: film(lambda eta: short_bearing(0.05)), "bare number", "Parameter"),
+    "a layer of half the clearance": (lambda: film(thin=clearance / 2), "0.5", "(0, 0.5)"),
+    "a layer that is no length": (lambda: film(thin=viscosity), "viscosity", "m"),
+    "no pair": (lambda: Lubrication("oil", "elsewhere", short_bearing(viscosity), layer), "elsewhere", "joint"),
+    "a law that is no film": (lambda: Lubrication("oil", "joint", flores(0.5), layer), "flores", "film law"),
+    "a film as friction": (lambda: Friction("rub", "joint", short_bearing(viscosity)), "short_bearing", "friction law"),
+    "a law without its viscosity": (
+        lambda: Lubrication("oil", "joint", short_bearing, layer),
+        "without its parameters",
+        "eta",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", UNSOUND)
+def test_unsound_films_are_refused(case):
+    make, *texts = UNSOUND[case]
+    with pytest.raises((InputError, InconsistentUnits)) as raised:
+        generate(scene(make(), TOUCHING))
+    for text in texts:
+        assert text in str(raised.value)
+
+
+def test_a_film_needs_a_pin_with_a_length_and_is_alone():
+    short = replace(JOINT, length=None)
+    with pytest.raises(InputError, match="axial length"):
+        scene(film(), pair=short)
+    ball = BallInSocket("joint", pin.at(0, 0, 0), bush.at(0, 0, 0), radius, clearance)
+    with pytest.raises(InputError, match="pin_in_bush"):
+        scene(film(), pair=ball)
+    with pytest.raises(InputError, match="lubrication of pair joint"):
+        scene(film(), film(name="more"))
+
+
+def test_units_are_scaled_away_from_an_inconsistent_film():
+    """A film law of one's own with a wrong unit is refused by the audit; marked, it runs and the module says so."""
+    wrong = replace(short_bearing, name="wrong", couple=short_bearing.along)
+    with pytest.raises(InconsistentUnits, match="drag against the spin"):
+        generate(scene(film(wrong)))
+    assert "UNCHECKED" in generate(scene(replace(film(wrong), unchecked=True)))
+
+
+WRITTEN = """
+[[law]]
+name = "full_squeeze"
+kind = "film"
+title = "Full film of a short bearing, its pressures below that at the ends kept"
+source = "Frene et al. (1997)"
+symbols.eta = { unit = "Pa s", meaning = "viscosity" }
+definitions = [{ symbol = "T", unit = "1", meaning = "1 - eps^2", expression = "1 - epsilon_w**2 - epsilon_c**2" }]
+along = "pi*eta*R_2*L**3/dR**3*(1 + 2*epsilon_w**2 - epsilon_c**2)/T**2.5"
+across = "3*pi*eta*R_2*L**3/dR**3*epsilon_w*epsilon_c/T**2.5"
+couple = "2*pi*eta*R_2**3*L/(dR*sqrt(T))"
+"""
+
+
+def test_a_film_law_of_a_file(tmp_path):
+    """The full film is the two halves together, at w and at -w."""
+    file = tmp_path / "own.toml"
+    file.write_text(WRITTEN)
+    full = Derived(scene(film(laws_from(file)["full_squeeze"])))
+    e, rate = (3e-5, -6e-5), np.array([0.02, 0.05])
+    q, u = state(e, rate)
+    halves = resultants("short_bearing", e, rate) - resultants("short_bearing", e, -rate)
+    assert full.call("applied", t=0.0, q=q, u=u) == pytest.approx(halves, rel=1e-10)
+    assert all(finding.verdict == "consistent" for finding in audit_path(file))
+    file.write_text(WRITTEN.replace("R_2**3*L/(dR", "R_2**3*L/(dR**2"))
+    assert [finding.what for finding in audit_path(file) if finding.verdict != "consistent"] == ["couple"]
+    file.write_text("\n".join(line for line in WRITTEN.splitlines() if not line.startswith("across")))
+    with pytest.raises(InputError, match="found no across"):
+        laws_from(file)
+
+
+def test_a_film_without_a_contact_law_is_a_film():
+    alone = Derived(scene(film(), EnergyLedger()))
+    q, u = state((3e-5, 4e-5), (0.02, -0.03), 100.0, 0.0)
+    assert alone.call("applied", t=0.0, q=q, u=u) == pytest.approx(
+        derived("short_bearing").call("applied", t=0.0, q=q, u=u), rel=1e-14
+    )
+    assert alone.PAIRS == ()
+
+
+# -- a kind of effect of one's own -------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class AirDrag:
+    """Drag k |v| v of a body's point [k in kg/m]: a kind that hertzwerk does not know."""
+
+    name: str
+    point: object
+    coefficient: object
+    kind: ClassVar[str] = "air_drag"
+    text: ClassVar[str] = "quadratic drag"
+
+    def slots(self):
+        yield Varying(f"effect {self.name}, coefficient", self.coefficient, "kg/m", on=())
+
+
+@element.register
+def _(effect: AirDrag, kin, scene):
+    position, velocity, _ = kin.point(effect.point, f"{effect.name}_point")
+    speed = kin.tape.let(sp.sqrt(sum(v**2 for v in velocity)), f"{effect.name}_speed")
+    force = kin.tape.vector(tuple(-effect.coefficient * speed * v for v in velocity), f"{effect.name}_force")
+    forces = kin.generalised(force, position, effect.point.body, GROUND, effect.name)
+    return Element(forces, power=effect.coefficient * speed**3, outputs=((f"{effect.name}.speed", "m/s", speed),))
+
+
+def test_a_kind_of_effect_that_does_nothing_is_refused():
+    @dataclass(frozen=True)
+    class Mystery(AirDrag):
+        kind: ClassVar[str] = "mystery"
+
+    element.register(Mystery, element.dispatch(object))
+    with pytest.raises(InputError, match="the kind 'mystery', which has no element"):
+        generate(scene(Mystery("x", pin.at(0, 0, 0), Parameter("k", "kg/m", 0.3)), TOUCHING))
+
+
+def test_a_new_kind_of_effect_is_one_record_and_its_element():
+    """v = v0/(1 + k v0 t/m), and the ledger, the outputs, `without` and the audit know of it without a line elsewhere."""
+    k = Parameter("k", "kg/m", 0.3)
+    thrown = Scene(
+        Mechanism("thrown", (Planar("flight", GROUND, pin),)),
+        (AirDrag("air", pin.at(0, 0, 0), k), EnergyLedger()),
+        Scales(length=radius, speed=Parameter("pace", "m/s", 1), arm=radius),
+    )
+    run = simulate(
+        load(thrown),
+        duration=2.0,
+        tolerance=1e-11,
+        initial={"flight.x_speed": (3, "m/s"), "flight.y_speed": (4, "m/s")},
+    )
+    assert run["air.speed"][-1] == pytest.approx(5 / (1 + 0.3 * 5 * 2 / 0.7), rel=1e-9)
+    assert run["air.dissipated"][-1] == pytest.approx(0.35 * (25 - run["air.speed"][-1] ** 2), rel=1e-9)
+    assert not re.search(r"\bair[_.\b]", generate(thrown.without("air")))
+    assert next(effect for effect in equations_of(thrown).effects if effect.name == "air").enters
+    with pytest.raises(InputError, match="kg/m"):
+        replace(thrown, effects=(AirDrag("air", pin.at(0, 0, 0), Parameter("k", "N", 1)),))

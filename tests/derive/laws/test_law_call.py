@@ -1,0 +1,97 @@
+"""Laws with numbers of their own, and the general law K d^n + chi d^m v: from a scene, a file of laws, and text."""
+
+import pytest
+import sympy as sp
+
+from hertzwerk.derive import Contact, InputError, Parameter, generate, laws_from
+from hertzwerk.derive.laws import power, power_damping
+from hertzwerk.derive.laws.law import d, v
+from hertzwerk.derive.laws.law_call import split_call
+from hertzwerk.derive.scenes.bouncing_ball import scene as ball
+from hertzwerk.runtime import load, simulate
+from reference.closed_forms import collision
+
+CHI = "power_damping(chi=1e7 N s/m^2.5, m=1.5)"
+
+
+def bound(text):
+    return ball.with_law("floor", text).effect("floor").damping
+
+
+def test_quantities_become_parameters_and_bare_numbers_constants():
+    chi, m = bound(CHI).values
+    assert isinstance(chi, Parameter)
+    assert (chi.name, chi.unit, chi.default) == ("floor_chi", "N s/m^2.5", 1e7)
+    assert m == sp.Rational(3, 2)
+    assert bound("ristow( gamma = 3 1/s )").values[0].si == 3
+    assert split_call("johnson") == ("johnson", {})
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("power_damping", "power_damping(chi=..., m=...)"),
+        ("power_damping(chi=1e7 N s/m^2.5)", "no value for m"),
+        ("power_damping(chi=1e7 N s/m^2.5, n=2)", "does not take"),
+        ("power_damping(chi=fast, m=1)", "expected a quantity in N s/m^(m+1)"),
+        ("power_damping(chi, m=1)", "SYMBOL=VALUE"),
+        ("power_damping(m=1, m=2)", "each symbol once"),
+        ("power_damping(chi=-1 N s/m^2.5, m=1.5)", "(0, inf)"),
+        ("nope(m=1)", "nope"),
+    ],
+)
+def test_bad_values_are_faults(text, said):
+    with pytest.raises(InputError) as raised:
+        bound(text)
+    assert said in str(raised.value)
+
+
+def test_units_of_the_general_law_are_proven():
+    generate(ball.with_law("floor", CHI))
+    with pytest.raises(InputError, match="only for m = 3/2"):
+        generate(ball.with_law("floor", "power_damping(chi=1e7 N s/m^2.5, m=1)"))
+
+
+def test_the_general_law_returns_what_the_exact_relation_says():
+    """m = n: chi = h K/v0 of the first impact, in which the ball is free but for its weight."""
+    model = load("bouncing_ball", laws={"floor": CHI})
+    K, mass, speed, h = 1e8, 1.0, (2 * 9.81) ** 0.5, 0.5
+    given = {"stiffness": "1e8 N/m^1.5", "mass": "1 kg", "drop_height": "1 m", "gravity": "9.81 m/s^2"}
+    given |= {"floor_chi": f"{h * K / speed!r} N s/m^2.5"}
+    run = simulate(model, duration="0.5 s", tolerance=1e-11, parameters=given)
+    first = run.impacts[0]
+    known = collision(K, 1.5, mass, speed, h)
+    assert -run["vertical.speed"].min() == pytest.approx(speed, rel=2e-5)  # its weight speeds it up a little yet
+    assert first.duration == pytest.approx(known.duration, rel=2e-3)  # without weight
+    assert run["vertical.speed"].max() == pytest.approx(known.restitution * speed, rel=2e-3)
+    assert run.outcome.finished and run.energy_residual < 1e-8
+
+
+def test_the_same_law_from_a_file(tmp_path):
+    path = tmp_path / "laws.toml"
+    path.write_text(
+        """[[law]]
+name = "my_dashpot"
+kind = "damping"
+source = "a test"
+term = "chi*d**m*v"
+exponent = "m"
+symbols.chi = { unit = "N s/m^(m+1)", meaning = "coefficient of the damping", limits = "(0, inf)" }
+symbols.m = { unit = "1", meaning = "exponent of the penetration", limits = "[0, 10]" }
+""",
+        encoding="utf-8",
+    )
+    law = laws_from(path)["my_dashpot"]
+    chi, m = law.parameters
+    assert law.resistance == chi * d**m * v
+    mine, own = (
+        generate(
+            ball.replace(
+                floor=Contact(
+                    "floor", power(Parameter("K", "N/m^1.5", 1e8), 1.5), either(Parameter("chi", "N s/m^2", 1e4), 1)
+                )
+            )
+        )
+        for either in (law, power_damping)
+    )
+    assert mine.replace("my_dashpot", "power_damping").split() == own.split()  # but for where lines break

@@ -1,0 +1,371 @@
+"""The error at the end of a run: met, estimated honestly, said where it is not.
+
+Oracles: quadruple-precision digits of tests/reference/slider_crank.py, the closed form of a pendulum's period, a made-up family of runs whose errors
+are known. tests/benchmarks/honesty.py does the same over scenes, methods and accuracies.
+"""
+
+from dataclasses import replace
+from functools import cache, partial
+
+import numpy as np
+import pytest
+
+from hertzwerk.derive.faults import InputError
+from hertzwerk.runtime import load, simulate, simulate_many, simulation
+from hertzwerk.runtime.accuracy.ladder import (
+    CHECK,
+    LEAST,
+    NEAR,
+    POINTS,
+    UNSEEN,
+    End,
+    Ladder,
+    Rung,
+    Verdict,
+    decade_cost,
+    growth,
+    horizon,
+)
+from hertzwerk.runtime.integrate.step.layout import CONSTRAINT_LOST
+from hertzwerk.runtime.run import scales as scaling
+from hertzwerk.runtime.run.single_run import SingleRun
+from hertzwerk.runtime.solution.solution import Solution
+from reference.slider_crank import SliderCrank, reference
+
+FAR = 0.010  # s
+ASKED = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7)
+MECHANISM = SliderCrank()
+model = cache(load)
+
+
+# ---- is the estimate the error? --------------------------------------------------------------------------------------
+
+
+def true_error(run, friction):
+    state = run.final
+    turned = MECHANISM.w * FAR
+    return reference(friction).error(
+        FAR,
+        (
+            state["crank_pin.angle"] + turned,
+            state["guide.travel"],
+            state["crank_pin.speed"] + MECHANISM.w,
+            state["guide.speed"],
+        ),
+    )
+
+
+@pytest.fixture(scope="module")
+def judged():
+    """Runs of both slider-cranks, whose errors grow a thousandfold in 10 ms, or hardly, with their true errors."""
+    found = []
+    for scene, friction in (("slider_crank", True), ("slider_crank_frictionless", False)):
+        for method in ("dop853", "dopri5"):
+            for asked in ASKED:
+                run = simulate(model(scene), duration=FAR, accuracy=asked, method=method, compiled=False)
+                found.append((run, true_error(run, friction)))
+    return found
+
+
+def share_within_ten(judged, estimated):
+    ratios = np.array([estimated(run) / true for run, true in judged])
+    return np.mean((ratios > 0.1) & (ratios < 10))
+
+
+def test_the_estimate_is_the_error_and_the_request_is_met(judged):
+    assert all(run.outcome.finished for run, _ in judged)
+    assert all(run.error.end <= run.accuracy for run, _ in judged)
+    assert np.mean([true <= run.accuracy for run, true in judged]) >= 0.95
+    assert share_within_ten(judged, lambda run: run.error.end) >= 0.95
+
+
+@pytest.mark.parametrize(
+    "wrong", [lambda run: run.tolerance, lambda run: run.error.values[POINTS // 5], lambda run: run.energy_residual]
+)
+def test_what_does_not_know_the_amplification_would_be_noticed(judged, wrong):
+    assert share_within_ten(judged, wrong) < 0.6
+
+
+def test_runs_beside_cost_about_as_much_again(judged):
+    assert np.median([run.error.runs for run, _ in judged]) <= 4
+    assert all(1.1 < run.error.decade_cost < (1.5 if run.method == "dop853" else 2.2) for run, _ in judged)
+
+
+# ---- of runs made up -------------------------------------------------------------------------------------------------
+
+TIMES = np.linspace(0, 1, POINTS)
+ROUNDING = 1e-16  # of the made-up states
+
+
+def made_up(tolerance, keep, most, *, rate=0.0, factor=10.0, rounding=0.0, fails=(), stops=(), log=None):
+    """A run whose true states are zero: one state, off by (factor * tolerance + rounding) exp(rate t), and where that exceeds 1 anywhere."""
+    if log is not None:
+        log.append(tolerance)
+    off = (factor * tolerance + rounding * np.cos(1 / tolerance)) * np.exp(rate * TIMES)
+    off = np.where(off < 1, off, np.cos(1e12 * tolerance + 30 * TIMES))
+    count = len([] if log is None else log)
+    end = End.FAILED if count in fails else End.STOPPED if count in stops else End.REACHED
+    n = POINTS if end is End.REACHED else 100 + count
+    work = round(1000 * tolerance**-0.125)
+    return Rung(tolerance, end, off[:n, None], work, work, 1.0, (tolerance, keep))
+
+
+def climb(asked, first, **options):
+    log = []
+    run = partial(made_up, log=log, **options)
+    climbed = Ladder(run, lambda y, other: np.abs(y - other)[:, 0], lambda y: ROUNDING, TIMES, asked).climb(first)
+    return climbed, log
+
+
+def test_a_request_that_is_met_at_once_takes_two_runs():
+    climbed, log = climb(1e-6, 1e-8)
+    assert climbed.verdict is Verdict.MET
+    assert log == [1e-8, 1e-8 / CHECK]
+    assert climbed.run.kept == (1e-8, True)
+    assert climbed.error.end == pytest.approx(1e-7)
+    assert climbed.error.decade_cost == pytest.approx(10**0.125, rel=1e-3)
+    assert (climbed.error.runs, climbed.error.pilot_s) == (2, 1.0)
+    assert climbed.error.horizon is climbed.error.floor is None
+
+
+def test_a_request_that_is_missed_is_met_by_the_next_run():
+    climbed, log = climb(1e-6, 1e-8, factor=3e4)
+    assert climbed.verdict is Verdict.MET
+    assert len(log) == 4
+    assert 0.05e-6 < climbed.error.end < 0.5e-6
+
+
+def test_below_the_floor_it_ends_with_the_floor():
+    climbed, log = climb(1e-11, 1e-11, rounding=1e-10)
+    assert climbed.verdict is Verdict.UNREACHABLE
+    assert 1e-11 < climbed.error.floor == climbed.error.end < 3e-10
+    assert len(log) <= 8
+    climbed, _ = climb(1e-11, 1e-12, factor=1e4)
+    assert (climbed.verdict, climbed.run.tolerance) == (Verdict.UNREACHABLE, LEAST)
+
+
+def test_beyond_the_horizon_nothing_is_tightened_in_vain():
+    climbed, log = climb(1e-6, 1e-8, rate=100.0)
+    assert climbed.verdict is Verdict.BEYOND
+    assert climbed.error.growth == pytest.approx(100, rel=1e-6)
+    assert climbed.error.horizon == pytest.approx(np.log(0.01 / 1e-7) / 100, abs=2 / POINTS)
+    assert log == [1e-8, 1e-8 / CHECK]
+    climbed, log = climb(
+        1e-3, 1e-6, rate=30.0
+    )  # here it may be worth a second try, and the tighter run is returned, however large the error
+    assert (climbed.verdict, len(log), climbed.run.tolerance) == (Verdict.BEYOND, 4, log[2])
+    climbed, _ = climb(1e-3, 1e-5, rate=10.0)  # here it is not in vain
+    assert climbed.verdict is Verdict.MET
+    assert climbed.error.end <= 1e-3
+
+
+def test_a_failed_run_is_replaced_by_a_tighter_one_and_a_failed_check_too():
+    climbed, log = climb(1e-6, 1e-8, fails=(1, 3))
+    assert climbed.verdict is Verdict.MET
+    assert climbed.run.kept == (1e-8 / CHECK, True)
+    assert log == pytest.approx([1e-8 / CHECK**k for k in range(4)])
+
+
+def test_what_fails_at_every_tolerance_is_returned_as_far_as_it_got():
+    climbed, _ = climb(1e-6, 1e-8, fails=(1, 2))
+    assert climbed.verdict is Verdict.UNKNOWN
+    assert len(climbed.run.states) == 102
+    assert len(climbed.error.times) == 101
+    assert not climbed.error.known
+    climbed, _ = climb(1e-6, 1e-8, fails=(2, 3, 4))
+    assert climbed.verdict is Verdict.UNKNOWN
+    assert climbed.run.kept == (1e-8, True)
+    assert len(climbed.error.values) == 103
+
+
+def test_where_tighter_runs_fail_one_of_nearly_the_same_tolerance_tells_the_error():
+    climbed, log = climb(1e-6, 1e-8, fails=(2, 3))
+    assert (climbed.verdict, climbed.run.kept) == (Verdict.MET, (1e-8, True))
+    assert log == pytest.approx([1e-8, 1e-8 / CHECK, 1e-8 / CHECK**2, 1e-8 * NEAR])
+    assert climbed.error.end == pytest.approx(1e-7)
+    climbed, _ = climb(1e-7, 1e-8, fails=(2, 3, 5, 6))  # missed, and no smaller tolerance runs through
+    assert climbed.verdict is Verdict.UNKNOWN
+    assert climbed.error.floor == climbed.error.end > 1e-7
+
+
+def test_near_the_tolerance_of_rounding_the_estimate_counts_it():
+    """Two runs that happen to agree say nothing of the rounding that both have."""
+    asked, first = 2e-11, 1e-12
+    assert climb(asked, first)[0].error.end == pytest.approx(10 * first, rel=1e-2)
+    ladder = Ladder(made_up, lambda y, other: np.abs(y - other)[:, 0], lambda y: first, TIMES, asked)
+    climbed = ladder.climb(first)
+    assert climbed.run.kept == (
+        LEAST,
+        True,
+    )  # at the first tolerance the half of it could be rounding: 3 times as much as is seen
+    assert climbed.error.end == pytest.approx((1 + UNSEEN * 0.976) * 10 * LEAST, rel=1e-3)
+
+
+def test_two_runs_that_agree_by_chance_are_found_out_by_a_third():
+    """Where all is rounding: the tighter run has the very error of the run, the third its own."""
+    off = {1e-13: 1e-9, 1e-13 / CHECK: 1e-9, 1e-13 * NEAR: -1e-9}
+
+    def run(tolerance, keep, most):
+        nearest = min(off, key=lambda other: abs(other / tolerance - 1))
+        return Rung(tolerance, End.REACHED, np.full((POINTS, 1), off[nearest]), 100, 100, 1.0, None)
+
+    climbed = Ladder(run, lambda y, other: np.abs(y - other)[:, 0], lambda y: 1e-12, TIMES, 1e-10).climb(1e-13)
+    assert climbed.verdict is Verdict.UNREACHABLE
+    assert 1e-9 <= climbed.error.end <= 5e-9
+
+
+def test_a_tighter_run_that_needs_many_more_steps_is_given_up():
+    """Below rounding steps are rejected without end: what the request costs stays bounded, and the floor is told."""
+    asked = []
+
+    def run(tolerance, keep, most):
+        asked.append((tolerance, most))
+        work = 100 if tolerance > 2e-13 else 100_000
+        end = End.REACHED if work <= most else End.FAILED
+        return Rung(tolerance, end, np.full((POINTS, 1), 1e4 * tolerance), min(work, most), 100, 1.0, None)
+
+    climbed = Ladder(run, lambda y, other: np.abs(y - other)[:, 0], lambda y: 1e-12, TIMES, 1e-10).climb(5e-13)
+    assert climbed.verdict is Verdict.UNREACHABLE
+    assert climbed.run.tolerance == 5e-13
+    assert climbed.error.end == pytest.approx(5e-9)
+    assert max(min(most, 100_000) for tolerance, most in asked if tolerance < 2e-13) <= 500
+
+
+def test_a_stop_returns_what_there_is():
+    climbed, log = climb(1e-6, 1e-8, stops=(1,))
+    assert (climbed.verdict, climbed.error, log) == (Verdict.STOPPED, None, [1e-8])
+    climbed, _ = climb(1e-6, 1e-8, stops=(2,))
+    assert (climbed.verdict, climbed.run.kept) == (Verdict.STOPPED, (1e-8, True))
+    assert len(climbed.error.values) == 102
+    climbed, _ = climb(1e-6, 1e-8, factor=3e4, stops=(3,))
+    assert climbed.run.kept == (1e-8, True)
+    assert climbed.error.known
+
+
+def test_an_impact_that_one_run_has_a_moment_later_is_no_horizon():
+    values = 1e-6 * np.exp(5 * TIMES)
+    values[[50, 90]] = 1.0
+    assert horizon(TIMES, values) is None
+    assert horizon(TIMES, np.where(TIMES > 0.5, 0.02, values)) == pytest.approx(0.5, abs=1 / POINTS)
+    assert growth(TIMES, 1e-6 * np.exp(5 * TIMES), 1e-6) == pytest.approx(5)
+    assert growth(TIMES, np.zeros(POINTS), 1e-6) is None
+    assert decade_cost([(1e-6, 100), (1e-7, 130), (1e-8, 169)]) == pytest.approx(1.3)
+    assert decade_cost([(1e-6, 100)]) is None
+
+
+# ---- simulate --------------------------------------------------------------------------------------------------------
+
+
+def test_the_run_is_bitwise_that_of_its_tolerance_and_survives_saving(judged, tmp_path):
+    for run, _ in judged[:2] + judged[5:6]:
+        plain = simulate(run.model, duration=FAR, tolerance=run.tolerance, method=run.method)
+        assert np.array_equal(run.history.rows, plain.history.rows)
+        assert plain.error is plain.accuracy is None
+    loaded = Solution.load(run.save(tmp_path / "run.npz"))
+    assert np.array_equal(loaded.error.values, run.error.values)
+    assert loaded.error.numbers == run.error.numbers
+    assert Solution.load(plain.save(tmp_path / "plain.npz")).error is None
+    assert f"error {run.error}" in str(run)
+    kept = simulate(run.model, duration=FAR, accuracy=run.accuracy, method=run.method, output=[0.002, FAR])
+    assert np.array_equal(kept.history.rows, plain.at(np.array([0.002, FAR])).rows)
+    assert np.array_equal(kept.error.values, run.error.values)
+
+
+def test_a_row_of_a_sweep_has_it_bitwise():
+    sets = [{"drop_height": "0.3 m"}, {"drop_height": "-1 kg"}]
+    sweep = simulate_many(model("soft_ball"), sets, duration="1 s", accuracy=1e-5, workers=1, compiled=False)
+    run = simulate(model("soft_ball"), duration="1 s", accuracy=1e-5, parameters=sets[0])
+    assert sweep["error_estimate"][0] == run.error.end <= 1e-5
+    assert sweep["final.vertical.travel"][0] == run.final["vertical.travel"]
+    assert np.isnan(sweep["error_estimate"][1])
+    plain = simulate_many(model("soft_ball"), [{}], duration="1 s", tolerance=1e-5, workers=1, compiled=False)
+    assert np.isnan(plain["error_estimate"][0])
+
+
+def test_a_request_below_the_floor_is_unreachable_with_the_best_run():
+    run = simulate(model("two_spheres"), duration="0.1 s", accuracy=1e-11)
+    assert run.outcome.name == "accuracy_unreachable"
+    assert run.t_end == 0.1
+    assert 1e-11 < run.error.end == run.error.floor < 1e-8
+    assert "ask for" in run.outcome.remedy
+
+
+def test_a_run_longer_than_its_horizon_says_so():
+    run = simulate(model("slider_crank_three_clearances"), duration="24 ms", accuracy=1e-6, output=2)
+    assert run.outcome.name == "beyond_horizon"
+    assert 1e-3 < run.error.horizon < 20e-3
+    assert run.error.growth > 100
+    assert "averages()" in run.outcome.message
+    far = horizon(run.error.times, run.error.values, 1e-6)
+    assert 0 < far < run.error.horizon
+    assert f"no longer than {far:.4g} s" in run.outcome.remedy
+    assert all("exceed" in text for text in run.warnings)  # the law's limit
+    shorter = simulate(run.model, duration=far, accuracy=1e-6, output=2)  # the remedy helps
+    assert shorter.outcome.finished
+
+
+def test_limits_and_the_user_end_it_with_what_there_is():
+    crank = model("slider_crank")
+    whole = simulate(crank, duration=FAR, accuracy=1e-5)
+    steps = whole.statistics.steps + whole.statistics.rejected + whole.statistics.retaken
+
+    def stop(done):
+        if done > 0.55:
+            raise KeyboardInterrupt
+
+    for name, limit in (("interrupted", {"progress": stop}), ("too_many_steps", {"max_steps": steps + 100})):
+        run = simulate(crank, duration=FAR, accuracy=1e-5, **limit)
+        assert run.outcome.name == name
+        assert "complete" in run.outcome.message
+        assert np.array_equal(run.history.rows, whole.history.rows)
+        assert not run.error.known
+        known = len(run.error.values)
+        assert 1 < known < POINTS
+        assert np.array_equal(run.error.values, whole.error.values[:known])
+    cut = simulate(crank, duration=FAR, accuracy=1e-5, max_steps=50)
+    assert cut.outcome.name == "too_many_steps"
+    assert cut.error is None
+
+
+def test_accuracy_and_tolerance_exclude_each_other():
+    with pytest.raises(InputError, match="one of the two"):
+        simulate(model("soft_ball"), duration="1 s", accuracy=1e-6, tolerance=1e-6)
+
+
+def test_a_request_whose_error_is_missed_or_unknown_is_never_finished(monkeypatch):
+    """Every run but the first fails, as below the tolerance of rounding: the error is not known. Or all that are tighter: it is known, and missed."""
+    honest = SingleRun.trace
+
+    def failing(which):
+        def trace(run, tolerance, *given, **options):
+            found = honest(run, tolerance, *given, **options)
+            return replace(found, ending=replace(found.ending, status=CONSTRAINT_LOST)) if which(tolerance) else found
+
+        return trace
+
+    first = simulate(model("soft_ball"), duration="1 s", accuracy=1e-8)
+    assert first.outcome.finished
+    cases = (
+        (lambda tolerance: tolerance != first.tolerance, 1e-8, "accuracy_unknown"),
+        (lambda tolerance: tolerance < first.tolerance, first.error.end / 3, "accuracy_unreachable"),
+    )
+    for which, asked, name in cases:
+        monkeypatch.setattr(SingleRun, "trace", failing(which))
+        monkeypatch.setattr(simulation, "first_tolerance", lambda *_: first.tolerance)
+        run = simulate(model("soft_ball"), duration="1 s", accuracy=asked)
+        assert run.outcome.name == name
+        assert run.t_end == 1.0
+        assert run.error.known == (name == "accuracy_unreachable")
+        assert "constraint_lost" in run.outcome.message
+    assert first.error.end / 10 < run.error.floor < 10 * first.error.end
+    assert simulate(model("soft_ball"), duration="1 s", accuracy=1.1 * run.error.floor).outcome.finished  # the remedy
+
+
+def test_the_ball_that_bounced_nine_times_is_not_known_better_than_its_rounding():
+    """Two runs agree to 3e-12 by chance; runs at other small tolerances differ by 6e-10."""
+    ball = load("bouncing_ball")
+    run = simulate(ball, duration="5 s", accuracy=1e-9, method="dop853", compiled=False)
+    others = [simulate(ball, duration="5 s", tolerance=t, method="dop853", compiled=False) for t in (1e-12, 3e-13)]
+    off = max(scaling.error(ball, run.scales, run.history.part("y")[-1], o.history.part("y")[-1]) for o in others)
+    assert off > 1e-10
+    assert off / 2 < run.error.end < 100 * off

@@ -1,0 +1,85 @@
+"""`hertzwerk audit`: expressions, the catalogue, files and folders; verdicts, JSON and exit codes."""
+
+import json
+
+import pytest
+from click.testing import CliRunner
+
+from hertzwerk.runtime.cli import main
+
+FOAM = """
+[[law]]
+name = "foam"
+kind = "stiffness"
+form = "any"
+title = "Foam pad"
+source = "measured"
+force = "K*d**{exponent}"
+symbols.K = {{ unit = "N/m^1.5", meaning = "stiffness" }}
+"""
+
+
+@pytest.fixture
+def hertzwerk(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return lambda *arguments: CliRunner().invoke(main, arguments, catch_exceptions=False)
+
+
+@pytest.mark.parametrize(
+    ("options", "code", "said"),
+    [
+        (("--unit", "K=N/m**1.5", "--unit", "d=m", "--value", "n=1.5", "--expect", "N"), 0, "consistent"),
+        (("--unit", "K=N/m**1.5", "--unit", "d=m", "--value", "n=1.1", "--expect", "N"), 1, "only with n = 3/2"),
+        (("--unit", "K=N/m^n", "--unit", "d=m", "--unit", "n=1", "--expect", "N"), 0, "consistent"),
+        (("--unit", "K=N/m^1.5", "--unit", "d=m", "--value", "n=2"), 0, "N m^0.5"),
+        (("--unit", "K=Hz", "--unit", "d=m", "--value", "n=1"), 2, "rpm"),
+        (("--unit", "K=N/m", "--value", "n=1"), 2, "d"),
+    ],
+)
+def test_one_expression(hertzwerk, options, code, said):
+    done = hertzwerk("audit", "--expr", "K*d**n", *options)
+    assert done.exit_code == code, done.output
+    assert said in done.output
+
+
+def test_json_of_one_expression(hertzwerk):
+    done = hertzwerk(
+        "audit", "--expr", "E*sqrt(R)*d", "--unit", "E=Pa", "--unit", "R=m", "--unit", "d=m", "--expect", "N", "--json"
+    )
+    (finding,) = json.loads(done.output)["findings"]
+    assert done.exit_code == 1
+    assert (finding["verdict"], finding["found"], finding["expected"]) == ("inconsistent", "N/m^0.5", "N")
+    assert finding["consistent_exponent"] == "3/2"
+    assert {"law", "kind", "source", "subexpression", "reason", "repair"} <= finding.keys()
+
+
+def test_the_catalogue_has_the_verdicts_it_states(hertzwerk, monkeypatch):
+    done = hertzwerk("audit", "--laws", "--json")
+    verdicts = {finding["law"]: finding["verdict"] for finding in json.loads(done.output)["findings"]}
+    assert done.exit_code == 0
+    assert verdicts["bai_zhao"] == "inconsistent"
+    assert verdicts["pereira_internal"] == "outside_si"
+    assert verdicts["hertz_point"] == "consistent"
+    assert (
+        "R" in hertzwerk("audit", "--laws").output.split("wang_liu_internal")[0].split()[-1]
+    )  # the grade stands beside the name
+    monkeypatch.setattr("hertzwerk.derive.files.audit_files.differing", lambda findings: ("hertz_point",))
+    assert hertzwerk("audit", "--laws").exit_code == 1
+
+
+def test_a_law_file_and_its_folder(hertzwerk, tmp_path):
+    (tmp_path / "good.toml").write_text(FOAM.format(exponent="1.5"))
+    assert hertzwerk("audit", "good.toml").exit_code == 0
+    (tmp_path / "bad.toml").write_text(FOAM.format(exponent="1.1").replace('"foam"', '"foam_2"'))
+    done = hertzwerk("audit", ".")
+    assert done.exit_code == 1
+    assert "K*d**1.1" in done.output
+    assert hertzwerk("audit", "good.toml").exit_code == 0
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [(), ("slider_crank", "--laws"), ("slider_crank", "--expect", "N"), ("nowhere.toml",), ("no_such_scene",)],
+)
+def test_bad_input_exits_2(hertzwerk, arguments):
+    assert hertzwerk("audit", *arguments).exit_code == 2

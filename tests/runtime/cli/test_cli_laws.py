@@ -1,0 +1,156 @@
+"""`hertzwerk laws`: the list, the sheet of a law, the restitution study with its picture; exit codes and JSON."""
+
+import json
+
+import matplotlib.image
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.pictures.plot_laws import figure
+from hertzwerk.runtime.validate import restitution
+
+
+@pytest.fixture
+def hertzwerk(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return lambda *arguments: CliRunner().invoke(main, arguments, catch_exceptions=False)
+
+
+@pytest.fixture(scope="module")
+def study():
+    return restitution.study()
+
+
+@pytest.fixture
+def studied(study, monkeypatch):
+    monkeypatch.setattr(restitution, "study", lambda progress=None: study)
+
+
+def test_the_list(hertzwerk):
+    done = hertzwerk("laws")
+    assert done.exit_code == 0
+    rows = done.output.splitlines()
+    assert any(row.split()[:4] == ["johnson", "stiffness", "A", "consistent"] for row in rows)
+    assert any(row.split()[:4] == ["wang_liu_internal", "stiffness", "R", "consistent"] for row in rows)
+    listed = json.loads(hertzwerk("laws", "--json").output)["laws"]
+    assert {
+        "kind": "damping",
+        "law": "tsuji",
+        "title": "Tsuji, Tanaka and Ishida",
+        "grade": "A",
+        "verdict": "consistent",
+    } in listed
+    assert len(listed) == len(rows) - 2
+
+
+def test_a_sheet(hertzwerk):
+    done = hertzwerk("laws", "wang_liu_secant", "lankarani_nikravesh", "goldsmith")
+    assert done.exit_code == 0
+    for said in (
+        "R: reconstruction: the paper's own expression could not be had",
+        "made for pin_in_bush",
+        r"F = \frac{\pi E_{\mathrm{eff}} L d \sqrt{\frac{d}{2 d + 2 \Delta R}}}{2}",
+        "1e-06            84.6596    1.4990",
+        "h = 3*(1 - e**2)/4",
+        "e -> 1        h -> 0, the elastic law; e out -> 1",
+        "e -> 0        h -> 3/4; e out -> 0.663",
+        "inconsistent  units, as published",
+        "hertzwerk laws goldsmith_m3",
+    ):
+        assert said in done.output
+
+
+def test_a_sheet_as_json(hertzwerk):
+    (found,) = json.loads(hertzwerk("laws", "tsuji", "--json").output)["laws"]
+    assert found["restitution"]["coefficient_at_zero"] == "sqrt(5)"
+    assert found["restitution"]["beside"] == "3/2"
+    assert found["exponent"] == "1/4"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("jonson",), "did you mean johnson"),
+        (("--restitution", "flores"), "every damping law"),
+        (("flores", "--out", "x"), "--restitution beside it"),
+    ],
+)
+def test_bad_input(hertzwerk, tmp_path, arguments, said):
+    done = hertzwerk("laws", *arguments)
+    assert done.exit_code == 2
+    assert said in done.output
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_study_writes_one_folder(hertzwerk, studied, tmp_path):
+    done = hertzwerk("laws", "--restitution")
+    assert done.exit_code == 0, done.output
+    folder = tmp_path / "runs" / "restitution-001"
+    assert {file.name for file in folder.iterdir()} == {"restitution.csv", "restitution.json", "restitution.png"}
+    row = next(row for row in done.output.splitlines() if row.startswith("lankarani_nikravesh"))
+    assert "+0.0471 at 0.8" in row
+    assert row.endswith("1.0000  0.6630")
+    assert "15 laws differ by at most" in done.output
+    picture = matplotlib.image.imread(folder / "restitution.png")
+    assert picture.shape[1] > 2000
+    assert np.ptp(picture[..., :3]) > 0.9
+
+
+def test_the_study_as_json(hertzwerk, studied, tmp_path):
+    done = hertzwerk("laws", "--restitution", "--json")
+    assert done.exit_code == 0
+    assert json.loads(done.output)["largest_difference"] < 1e-9
+    assert list(tmp_path.iterdir()) == []
+    assert hertzwerk("laws", "--restitution", "--json", "--no-plots", "--out", "mine").exit_code == 0
+    assert {file.name for file in (tmp_path / "mine").iterdir()} == {"restitution.csv", "restitution.json"}
+    assert hertzwerk("laws", "--restitution", "--out", "mine").exit_code == 2  # never overwrites
+
+
+def test_a_disagreement_is_exit_code_1(hertzwerk, study, monkeypatch):
+    from dataclasses import replace
+
+    off = replace(study.curves[0], simulated=study.curves[0].simulated + 2e-9)
+    wrong = restitution.Study((off, *study.curves[1:]), study.others)
+    monkeypatch.setattr(restitution, "study", lambda progress=None: wrong)
+    done = hertzwerk("laws", "--restitution", "--no-plots")
+    assert done.exit_code == 1
+    assert "different" in done.output
+
+
+def test_the_picture_shows_every_law_and_range(study, tmp_path):
+    """A panel per law with its name, what it does, and its recommended range shaded; no label stands outside the page."""
+    page = figure(study)
+    page.savefig(tmp_path / "page.png")
+    panels = {axis.get_title(loc="left").split()[0]: axis for axis in page.axes}
+    for curve in study.curves:
+        axis = panels[curve.law]
+        (shade,) = axis.patches
+        x = shade.get_corners()[:, 0]
+        assert (min(x), max(x)) == pytest.approx(curve.recommended)
+        dots = axis.lines[-1].get_ydata()
+        assert dots == pytest.approx(curve.deviation[curve.inside])
+    frame = page.bbox
+    for axis in page.axes:
+        for text in axis.texts:
+            box = text.get_window_extent()
+            assert frame.x0 <= box.x0
+            assert box.x1 <= frame.x1
+
+
+def test_the_picture_of_a_band(hertzwerk, tmp_path):
+    picture = tmp_path / "band.png"
+    done = hertzwerk("laws", "wang_liu_internal", "--picture", str(picture))
+    assert done.exit_code == 0, done.output
+    assert "wang_liu_secant" in done.output and str(picture) in done.output.replace("\n", "")
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    for arguments, said in (
+        (("wang_liu_internal", "--picture", str(picture)), "there already"),
+        (("johnson", "--picture", str(tmp_path / "other.png")), "of grade A"),
+        (("--picture", str(tmp_path / "other.png")), "no law"),
+        (("wang_liu_internal", "--picture", str(tmp_path / "other.pdf")), "FILE.png"),
+    ):
+        refused = hertzwerk("laws", *arguments)
+        assert refused.exit_code == 2 and said in " ".join(refused.output.split())
+    assert [path.name for path in tmp_path.iterdir()] == ["band.png"]

@@ -1,0 +1,294 @@
+"""From the first accepted step on nothing is lost: a signal at any moment, a picture that fails, a full disk; and what can be refused is at once."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import pty
+import random
+import re
+import resource
+import select
+import signal
+import subprocess
+import sys
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from hertzwerk.runtime import Solution
+from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.solution import record
+
+START = [sys.executable, "-X", "importtime", "-c", "from hertzwerk.runtime.command_line import start; start()"]
+CPU_S = 3.0  # of a processor, from the signal on: the machine may be busy with other things
+WALL_S = 90.0
+TICK = os.sysconf("SC_CLK_TCK")
+
+
+@dataclass
+class Ended:
+    """How a process ended that was sent a signal; what it said, and how much of a processor it had from then on [s]."""
+
+    code: int
+    said: str
+    cpu_s: float
+
+
+def signalled(
+    folder: Path, arguments: list[str], moment: str | float, number: int, again: float | None = None
+) -> Ended:
+    """Run the command line on a terminal of its own; send a signal once it has said what matches `moment`, or after so many seconds."""
+    mine, its = pty.openpty()
+
+    def prepare() -> None:
+        for each in (signal.SIGINT, signal.SIGTERM):
+            signal.signal(each, signal.default_int_handler if each == signal.SIGINT else signal.SIG_DFL)
+
+    process = subprocess.Popen([*START, *arguments], cwd=folder, stdin=its, stdout=its, stderr=its, preexec_fn=prepare)
+    os.close(its)
+    said, began, sent, used = "", time.monotonic(), 0.0, 0.0
+    while True:
+        if select.select([mine], [], [], 0.01)[0]:
+            with contextlib.suppress(OSError):  # its end of the terminal is closed
+                said += os.read(mine, 65536).decode(errors="replace")
+        pid, status, usage = os.wait4(process.pid, os.WNOHANG)
+        if pid:
+            break
+        now = time.monotonic()
+        if now - began > WALL_S:
+            process.kill()
+            pytest.fail(f"{arguments} does not end; it said {said[-500:]!r}")
+        if not sent and (re.search(moment, said) if isinstance(moment, str) else now - began > moment):
+            used, sent = cpu_s(process.pid), now
+            process.send_signal(number)
+        if sent and again is not None and now - sent > again:
+            process.send_signal(number)
+            again = None
+    os.close(mine)
+    process.returncode = os.waitstatus_to_exitcode(status)  # it was waited for
+    return Ended(process.returncode, said, usage.ru_utime + usage.ru_stime - used)
+
+
+def cpu_s(pid: int) -> float:
+    fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / TICK
+
+
+def whole(folder: Path) -> dict | None:
+    """What run.json of the only run below a folder holds, None where there is no run; whatever is there is there completely."""
+    runs = folder / "runs"
+    if not runs.exists() or not any(runs.iterdir()):
+        return None
+    (run,) = runs.iterdir()
+    assert not run.name.startswith(".")
+    told = json.loads((run / "run.json").read_text())
+    solution = Solution.load(run / "states.npz")
+    assert solution.t[-1] == told["t_end"]
+    assert len(solution.t) == told["rows"] > 1
+    for file in run.iterdir():
+        assert not file.name.startswith(".")
+        if file.suffix == ".png":
+            assert file.read_bytes().endswith(b"IEND\xaeB`\x82")
+        if file.suffix == ".csv":
+            assert file.read_text().count("\n") == told["rows"] + 1
+    return told
+
+
+RUN = ["run", "slider_crank"]
+LONG = [*RUN, "--duration", "3600 s"]
+BAR = r"slider_crank: running  \[[#-]{30}\] +\d+%"
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
+@pytest.mark.parametrize(
+    ("arguments", "moment", "number", "code", "outcome"),
+    [
+        (RUN, r"click\.core", signal.SIGINT, -signal.SIGINT, None),
+        (RUN, "building", signal.SIGINT, -signal.SIGINT, None),
+        (LONG, BAR, signal.SIGTERM, 1, "interrupted"),
+        pytest.param(LONG, BAR, signal.SIGINT, 1, "interrupted", marks=pytest.mark.exhaustive),
+        pytest.param(RUN, r"states\.csv", signal.SIGINT, 1, "finished", marks=pytest.mark.exhaustive),
+        pytest.param(RUN, r"writing overview\.png", signal.SIGINT, 1, "finished", marks=pytest.mark.exhaustive),
+    ],
+)
+def test_a_signal_ends_it_at_once_and_what_there_is_is_kept(tmp_path, arguments, moment, number, code, outcome):
+    ended = signalled(tmp_path, arguments, moment, number)
+    assert ended.code == code, ended.said
+    assert ended.cpu_s < CPU_S
+    told = whole(tmp_path)
+    assert (told and told["outcome"]) == outcome
+    if outcome is not None:
+        (run,) = (tmp_path / "runs").iterdir()
+        assert not (run / "slider_pin.png").exists()
+        assert any("slider_pin.png is not there" in warning for warning in told["warnings"])
+        assert "slider_pin.png is not there" in ended.said.replace("\r\n", " ")
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("seed", range(60))
+def test_a_signal_at_any_moment(tmp_path, seed):
+    chance = random.Random(seed)
+    commands = [
+        (RUN, 8.0),
+        (LONG, 12.0),
+        ([*RUN, "--law", "slider_pin=flores", "--set", "clearance=0.3 mm"], 12.0),
+        ([*RUN, "--method", "esdirk", "--duration", "10 s"], 15.0),
+        (["run", "slider_crank_three_clearances", "--duration", "10 s", "--averages"], 20.0),
+        (["accuracy", "bouncing_ball"], 15.0),
+        (["effects", "bouncing_ball"], 15.0),
+        (["hardcases", "--case", "drop_to_rest"], 15.0),
+        (["validate"], 15.0),
+        (["derive", "--check", "slider_crank"], 8.0),
+        (["draw", "slider_crank"], 8.0),
+        (["laws", "--restitution"], 15.0),
+    ]
+    arguments, span = commands[seed % len(commands)]
+    environment = {"HERTZWERK_CACHE": str(tmp_path / ".cache")}
+    with pytest.MonkeyPatch.context() as patch:
+        for name, value in environment.items():
+            patch.setenv(name, value)
+        ended = signalled(tmp_path, arguments, chance.uniform(0, span), signal.SIGINT)
+    assert ended.cpu_s < CPU_S, (arguments, ended)
+    if "hertzwerk.runtime.cli" not in ended.said:
+        return  # it was Python itself that had not begun yet
+    assert "Traceback" not in ended.said, ended.said
+    if arguments[0] == "run":
+        told = whole(tmp_path)
+        assert (told is None) == (ended.code == -signal.SIGINT), ended
+    else:
+        assert ended.code in (-signal.SIGINT, 130, 0, 1), ended
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
+def test_a_second_signal_later_drops_even_that(tmp_path, monkeypatch):
+    """Whoever does not want what there is to be written gets away as well, and no half of it is left."""
+    (tmp_path / "sitecustomize.py").write_text(
+        "import time\nfrom hertzwerk.runtime.solution.solution import Solution\nSolution.save = lambda *_: time.sleep(100)\n"
+    )
+    monkeypatch.setenv("PYTHONPATH", str(tmp_path))
+    ended = signalled(tmp_path, LONG, BAR, signal.SIGINT, again=3.0)
+    assert ended.code == 130, ended.said
+    assert not any((tmp_path / "runs").iterdir())
+
+
+# ---- each for itself -------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def run(tmp_path, monkeypatch):
+    """Run a short scene by the command line in a folder of its own; exit code, what was said, what run.json says."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path / ".cache"))
+
+    def run(*arguments: str):
+        done = CliRunner().invoke(main, ["run", "two_spheres", *arguments], catch_exceptions=False)
+        return done.exit_code, done.output, whole(tmp_path)
+
+    return run
+
+
+def fails(*_, **__):
+    raise ZeroDivisionError("on purpose")
+
+
+@pytest.mark.parametrize(
+    ("place", "name", "lost"),
+    [
+        (Solution, "to_csv", {"states.csv"}),
+        (Solution, "averages", set()),
+        ("hertzwerk.runtime.pictures.plot", "_overview", {"overview.png"}),
+        pytest.param(
+            "hertzwerk.runtime.pictures.draw.picture", "of_run", {"mechanism.png"}, marks=pytest.mark.exhaustive
+        ),
+    ],
+)
+def test_what_fails_is_missing_alone_and_said_to_be(run, monkeypatch, place, name, lost):
+    files = {"states.npz", "run.json", "states.csv"}
+    files |= set() if place is Solution else {"mechanism.png", "overview.png", "spheres.png"}
+    monkeypatch.setattr(
+        place if place is Solution else f"{place}.{name}", *((name, fails) if place is Solution else (fails,))
+    )
+    without = [] if place is not Solution else ["--no-plots"]
+    code, said, told = run("--averages", *without)
+    assert code == 1
+    assert told["outcome"] == "finished"
+    (folder,) = Path("runs").iterdir()
+    assert {path.name for path in folder.iterdir()} == files - lost
+    (warning,) = (text for text in told["warnings"] if "on purpose" in text)
+    assert warning in said
+
+
+def test_impacts_that_cannot_be_found_lose_no_data(run, monkeypatch):
+    monkeypatch.setattr("hertzwerk.runtime.solution.findings.Contacts.impacts", fails)
+    code, said, told = run("--no-plots")
+    assert code == 1
+    assert told["impacts"] == []
+    assert "impacts could not be found: ZeroDivisionError" in said
+    (folder,) = Path("runs").iterdir()
+    assert len(Solution.load(folder / "states.npz")["energy"]) == told["rows"]
+
+
+def test_a_disk_too_full_for_the_states_still_gets_what_is_known_of_the_run(run, monkeypatch, tmp_path):
+    """A real one: the system refuses to write more than 20 kB into a file, as it does on a full disk, in the middle of it."""
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, before[1]))
+    try:
+        done = CliRunner().invoke(main, ["run", "two_spheres"], catch_exceptions=False)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+    assert done.exit_code == 1
+    (folder,) = Path("runs").iterdir()
+    assert {path.name for path in folder.iterdir()} <= {"run.json", "states.csv", "mechanism.png"}
+    told = json.loads((folder / "run.json").read_text())
+    assert told["outcome"] == "finished"
+    assert any("states.npz could not be written" in text for text in told["warnings"])
+    assert "overview.png could not be made" in done.output
+
+
+def test_a_large_csv_is_not_written_unasked(run, monkeypatch):
+    monkeypatch.setattr(record, "CSV_LIMIT", 1000)
+    code, said, told = run("--no-plots")
+    assert code == 0
+    (folder,) = Path("runs").iterdir()
+    assert {path.name for path in folder.iterdir()} == {"states.npz", "run.json"}
+    for way in ("--csv", "--grid", "to_csv"):
+        assert way in said
+        assert any(way in text for text in told["warnings"])
+    done = CliRunner().invoke(main, ["run", "two_spheres", "--no-plots", "--csv", "--out", "forced"])
+    assert done.exit_code == 0
+    size = Path("forced/states.csv").stat().st_size
+    assert abs(Solution.load("forced/states.npz").csv_size() / size - 1) < 0.1
+
+
+# ---- refused before anything is computed -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("command", "out"),
+    [
+        *(("run", out) for out in (".", "link", "file", "file/below", "full", "x" * 300)),
+        *((command, "/proc/x") for command in ("run", "accuracy", "effects")),
+    ],
+)
+def test_a_folder_that_cannot_be_written_is_refused_before_anything_is_computed(tmp_path, monkeypatch, command, out):
+    monkeypatch.chdir(tmp_path)
+    for place in ("single_run.SingleRun.trace", "simulation.engine_for", "engine.engine_for"):
+        monkeypatch.setattr(f"hertzwerk.runtime.{place}", fails)
+    Path("file").touch()
+    Path("target").mkdir()
+    Path("link").symlink_to("target")
+    Path("full").mkdir()
+    Path("full/thesis.txt").touch()
+    before = sorted(tmp_path.rglob("*"))
+    if out == ".":
+        monkeypatch.chdir("target")
+    done = CliRunner().invoke(main, [command, "two_spheres", "--out", out])
+    assert done.exit_code == 2, (done.output, done.exception)
+    assert "--out" in done.output
+    assert sorted(tmp_path.rglob("*")) == before

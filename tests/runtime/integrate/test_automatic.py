@@ -1,0 +1,95 @@
+"""compiled="auto": short runs stay in the virtual machine, long ones go on as C, and no digit changes."""
+
+import itertools
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from hertzwerk.derive.faults import InputError
+from hertzwerk.runtime import Solution, load, simulate
+from hertzwerk.runtime.integrate.loop import automatic, chunk, compiled
+
+
+@pytest.fixture
+def crank(tmp_path, monkeypatch):
+    monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path / "cache"))
+    return load("slider_crank_frictionless")
+
+
+@pytest.fixture
+def eager(monkeypatch):
+    """Any time ahead is worth a compilation."""
+    monkeypatch.setattr(automatic, "LOOK", 0.0)
+    monkeypatch.setattr(automatic, "GAIN", 1e9)
+    monkeypatch.setattr(automatic, "SURE", 0.0)
+
+
+@pytest.fixture
+def clock(monkeypatch):
+    """Every chunk takes 10 ms, whatever the machine does."""
+    ticks = itertools.count(step=0.01)
+    monkeypatch.setattr(chunk, "time", SimpleNamespace(perf_counter=lambda: next(ticks)))
+
+
+def test_a_short_run_is_not_compiled(crank, clock, tmp_path):
+    run = simulate(crank, duration="24 ms", tolerance=1e-8)
+    assert not run.compiled
+    assert run.statistics.compile_s == 0
+    assert not (tmp_path / "cache").exists()
+
+
+def test_a_run_changes_to_c_on_the_way_and_no_bit_changes(crank, eager, tmp_path):
+    options = {"duration": "24 ms", "tolerance": 1e-8}
+    machine = simulate(crank, compiled=False, **options)
+    run = simulate(crank, **options)
+    assert run.compiled
+    assert run.statistics.compile_s > 0.05
+    assert run.statistics.wall_s < run.statistics.compile_s
+    assert np.array_equal(machine.history.rows, run.history.rows)
+    assert Solution.load(run.save(tmp_path / "run.npz")).statistics == run.statistics
+    again = simulate(crank, **options)  # from the start on
+    assert again.compiled
+    assert again.statistics.compile_s == 0
+    assert np.array_equal(machine.history.rows, again.history.rows)
+    assert not simulate(crank, compiled=False, **options).compiled
+
+
+def test_a_cached_library_is_used_at_once(crank, monkeypatch):
+    simulate(crank, duration="1 ms", compiled=True, tolerance=1e-6)
+    monkeypatch.setattr(automatic, "LOOK", 0.0)
+    run = simulate(load(crank.name), duration="24 ms", tolerance=1e-8)
+    assert run.compiled
+    assert run.statistics.compile_s < 0.5
+
+
+def test_without_a_compiler_it_goes_on(crank, eager, monkeypatch):
+    monkeypatch.setenv("PATH", "")
+    monkeypatch.delenv("CC", raising=False)
+    compiled._compiler.cache_clear()
+    run = simulate(crank, duration="24 ms", tolerance=1e-8)
+    compiled._compiler.cache_clear()
+    assert run.outcome.finished
+    assert not run.compiled
+
+
+@pytest.fixture
+def wanted(clock, monkeypatch):
+    """How long a run had to go whenever it asked whether to compile."""
+    asked: list[float] = []
+    monkeypatch.setattr(automatic.Code, "worthwhile", lambda self, elapsed, ahead, heed: asked.append(ahead))
+    return asked
+
+
+@pytest.mark.parametrize("limit", [{"max_steps": 2000}, {"wall_time": 0.1}])
+def test_a_limited_run_is_not_compiled_for_time_it_will_not_take(crank, wanted, limit):
+    run = simulate(crank, duration="100 s", tolerance=1e-8, **limit)
+    assert not run.outcome.finished
+    assert wanted == []
+    simulate(crank, duration="100 s", tolerance=1e-8, max_events=100)  # which nobody can foresee
+    assert min(wanted) > 10
+
+
+def test_what_compiled_may_be(crank):
+    with pytest.raises(InputError, match="auto"):
+        simulate(crank, duration="1 ms", compiled="always", tolerance=1e-6)
