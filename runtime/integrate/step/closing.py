@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
-from hertzwerk.runtime.integrate.rounding import STATE, bounds
+from hertzwerk.runtime.integrate.step.rounding import STATE, bounds
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model

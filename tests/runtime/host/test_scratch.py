@@ -42,7 +42,7 @@ def test_a_folder_is_removed_unless_it_was_renamed(tmp_path):
 MAKER = """
 import sys, time
 from pathlib import Path
-from hertzwerk.runtime.scratch import scratch_folder
+from hertzwerk.runtime.host.scratch import scratch_folder
 with scratch_folder(Path(sys.argv[1])) as folder:
     (folder / "x").write_text("x")
     print(folder, flush=True)
