@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 import numpy as np
 
+from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.implicit import linearised, part_to_rest, sliding
 from hertzwerk.runtime.integrate.step.layout import SUSPECT, layouts
 
@@ -74,7 +75,12 @@ def choice(
 
 
 def suspicion(
-    model: Model, old: Mapping[str, Any], run: Mapping[str, Any], end: Mapping[str, Any], seen: Mapping[str, Any]
+    model: Model,
+    contacts: Contacts,
+    old: Mapping[str, Any],
+    run: Mapping[str, Any],
+    end: Mapping[str, Any],
+    seen: Mapping[str, Any],
 ) -> dict[str, Any]:
     """The state's `pressure` and `status` after an explicit step whose last two stages, both at its end, were seen.
 
@@ -82,6 +88,9 @@ def suspicion(
     step has to follow the smaller of the two rates is seldom large; after Hairer, Wanner, Solving Ordinary Differential Equations II (1996), IV.2.
     """
     positions, speeds = slice(0, model.nq), slice(model.nq, model.nq + model.nu)
+    reacting = ca.DM.ones(flow(model, contacts).rates.jac_sparsity(0, 1))[speeds, :]
+    if not reacting.nnz():  # a free flight: both rates are zero, and stages need no position
+        return {"pressure": ca.fmax(old["pressure"] - 1, 0)}
     position, speed, acceleration = (
         ca.sumsqr((end[name][part] - seen[of][part]) * seen["weights"][part])
         for name, of, part in (("y", "stage", positions), ("y", "stage", speeds), ("dy", "slope", speeds))

@@ -26,10 +26,13 @@ from hertzwerk.derive import (
 )
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.host.interrupt import deferred
+from hertzwerk.runtime.integrate.loop.advance import advance
 from hertzwerk.runtime.integrate.loop.attempt import integrator
+from hertzwerk.runtime.integrate.loop.choose import Choosing
 from hertzwerk.runtime.integrate.step import implicit
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.implicit import linearised
+from hertzwerk.runtime.integrate.step.layout import layouts
 from hertzwerk.runtime.integrate.step.linear import solver
 from hertzwerk.runtime.integrate.step.methods import METHODS
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import ErrorEstimate
@@ -499,6 +502,17 @@ def test_auto_stays_explicit_on_impacts(crank):
     )
     assert [choice.method for choice in auto.choices] == ["explicit"]
     assert np.array_equal(auto.history.part("y"), explicit.history.part("y"))
+
+
+def test_looking_for_stiffness_costs_nothing_in_free_flight_and_little_in_contact(ball):
+    """By instructions: where no acceleration depends on the state there is nothing to look for."""
+    table, vectors = METHODS["dop853"][0](), layouts(ball)
+    flight, contact = (
+        [advance(ball, vectors, table, contacts, c).n_instructions() for c in (Choosing.NONE, Choosing.ON_SUSPICION)]
+        for contacts in ((), (0,))
+    )
+    assert flight[1] - flight[0] <= 4
+    assert 10 < contact[1] - contact[0] < 0.05 * contact[0]
 
 
 def test_auto_changes_when_the_ball_settles_and_says_why(ball):
