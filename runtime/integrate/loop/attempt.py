@@ -17,6 +17,8 @@ from hertzwerk.runtime.integrate.step.classes import BY_MODE, kinds
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.layout import REJECTED, Layouts, layouts
 from hertzwerk.runtime.integrate.step.methods import Table, stepper
+from hertzwerk.runtime.integrate.step.singular import explicit_near
+from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta, dopri5
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.step.explicit import Flow
@@ -53,12 +55,16 @@ class Integrator:
 def integrator(model: Model, tables: tuple[Table, ...]) -> Integrator:
     """Build the attempt of a model with a method of one table, or of two that it chooses from on the way (`choose`).
 
-    Of two the attempt is that of the first alone, which looks whether there may be something to choose; `whole` has that which chooses.
+    The attempt is that of the first table alone, which looks whether there may be something to choose; `whole` has that which chooses. An implicit
+    table has an explicit one beside it for singular positions, which only closed loops have.
     """
-    if len(tables) == 1:
+    alone = len(tables) == 1
+    if alone and (isinstance(tables[0], RungeKutta) or not model.nl):
         return _integrator(model, tables, tables, Choosing.NONE)
-    whole = cache(lambda: _integrator(model, tables, tables, Choosing.EVERY_STEP))
-    return replace(_integrator(model, tables[:1], tables, Choosing.ON_SUSPICION), whole=whole)
+    tables = (*tables, dopri5()) if alone else tables
+    first, later = (Choosing.NONE,) * 2 if alone else (Choosing.ON_SUSPICION, Choosing.EVERY_STEP)
+    whole = cache(lambda: _integrator(model, tables, tables, later))
+    return replace(_integrator(model, tables[:1], tables, first), whole=whole)
 
 
 def _integrator(model: Model, taken: tuple[Table, ...], tables: tuple[Table, ...], choosing: Choosing) -> Integrator:
@@ -76,6 +82,8 @@ def _integrator(model: Model, taken: tuple[Table, ...], tables: tuple[Table, ...
     advanced = ca.Function.conditional("advance", [idle, *tries[:-1]], tries[-1])
     end, verdict = advanced(_case(state[vectors.state["class"]], method, len(classes)), state, controls)
     done = finish(_case(verdict[vectors.verdict["kind"]], method, REJECTED), state, controls, end, verdict)
+    if model.nl and not all(isinstance(table, RungeKutta) for table in taken):
+        done = explicit_near(vectors.state, tables, taken)(done)
     return Integrator(
         layouts=vectors,
         begin=begin(model, vectors, right),

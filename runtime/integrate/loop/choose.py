@@ -133,11 +133,13 @@ class Choice:
 
 def choices(history: History, fresh: int) -> tuple[Choice, ...]:
     """What a run with `method="auto"` chose at the rows from `fresh` on: the first method and every change."""
-    method, stiffness = history.part("method")[:, 0], history.part("stiffness")[:, 0]
+    method, stiffness, pressure = (history.part(part)[:, 0] for part in ("method", "stiffness", "pressure"))
     found = [] if fresh else [Choice(float(history.t[0]), "explicit", "a run begins so")]
     first = max(fresh, 1)
     for i in first + np.flatnonzero(method[first:] != method[first - 1 : -1]):
-        if method[i] == EXPLICIT:
+        if method[i] == EXPLICIT and pressure[i] > 0:
+            reason = "a singular position is near, and the Jacobian before it says nothing of what is behind"
+        elif method[i] == EXPLICIT:
             reason = f"step x fastest rate fell to {stiffness[i]:.2g}: explicit steps are as long, and cheaper"
         elif stiffness[i] > STIFF:
             reason = f"step x fastest rate = {stiffness[i]:.2g}: stability holds explicit steps down, not accuracy"

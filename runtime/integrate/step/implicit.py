@@ -212,10 +212,7 @@ class Stepper:
         J, dt = self.linear(t, y, *given)
         if seen is not None:
             seen["J"] = J
-        step = h * table.gamma
-        if isinstance(table, DiagonallyImplicit):  # beyond a singular position J has the opposite sign, and is no guess
-            step = step * (1 - ca.sum1(start["ahead"] < h))
-        solve = (composed_solver if isinstance(J, ca.MX) else solver)(J, step, self.nq)
+        solve = (composed_solver if isinstance(J, ca.MX) else solver)(J, h * table.gamma, self.nq)
         least = run["tolerance"] * run["scale"]
         if isinstance(table, Rosenbrock):
             y1, slope, error, converged = _rosenbrock(table, self.right, solve, J, dt, start, given, h)

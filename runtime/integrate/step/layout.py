@@ -77,7 +77,7 @@ FLIGHT, CONTACT, RELEASED = 0.0, 1.0, 2.0  # modes of a pair
 RUNNING, FINISHED, STEP_TOO_SMALL, NOT_FINITE, CONSTRAINT_LOST, OUTSIDE_LAW_RANGE, EVENT_LIMIT, TOO_MANY_STEPS = range(
     8
 )  # status
-SUSPECT = -1.0  # status of explicit steps that look stiff: the run goes on with steps that choose their method
+SUSPECT = -1.0  # status of explicit steps that look stiff, of implicit ones near a singular position: the run goes on with steps that choose
 # kind of a step: nothing speaks against it; a pair that was not asked may be near; something may happen in it; it failed
 PLAIN, NEAR, SPECIAL, REJECTED = range(4)
 PAIR_PARTS = ("gap", "gap_rate", "gap_acceleration", "force", "force_rate")  # in the state and in the trial

@@ -3,6 +3,10 @@
 The motion goes through such a position smoothly, but what holds the loops closed grows as 1/distance there, and so does all that the stages of a step
 are off the constraints by: the nearer a step looks, the less it sees, and steps that are shortened for that end nearer still. So a step that would go
 over the position does so with it in the widest gap between the method's nodes, and a step before it leaves room for one that can.
+
+Off the constraints speeds grow at the rate 2/(time to the position) before it, and fall so behind it: of the same size as 1/h in every step that
+comes near, however short, and of either sign within one step. No Jacobian of its start says anything of its stages, and iterations diverge; explicit
+stages are off by a few times more, which is closed at the end. So methods that are implicit pass by explicit steps.
 """
 
 from __future__ import annotations
@@ -13,13 +17,17 @@ import casadi as ca
 import numpy as np
 
 from hertzwerk.runtime.integrate.step.control import FAR
+from hertzwerk.runtime.integrate.step.layout import RUNNING, SUSPECT
+from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
 
 if TYPE_CHECKING:
+    from hertzwerk.runtime.integrate.step.layout import Layout
     from hertzwerk.runtime.integrate.step.methods import Table
     from hertzwerk.runtime.model.model import Model
 
 NEARBY = 0.05  # of a constraint's square that others leave of it: more is no singular position
 KEPT = 0.25  # of the gap between two nodes: as far off them the position has to lie
+REACH = 2.0  # steps: nearer than that none is implicit; with 1 esdirk shrinks onto the position still, at a tolerance of 1e-13
 AT_ONCE = 0.25  # of the first node: a position so close to the start of a step is behind it as good as over
 
 
@@ -45,6 +53,18 @@ def clear_of_singular(table: Table, h: Any, ahead: Any) -> Any:
     before = ahead - h * (low + high) / 2
     clear = (ahead < AT_ONCE * first * h) + (ahead >= low * h) * (ahead <= high * h) + (before >= h) > 0
     return ca.if_else(clear, h, ca.if_else(ahead < low * h, over, before))
+
+
+def explicit_near(state: Layout, tables: tuple[Table, ...], taken: tuple[Table, ...]) -> Any:
+    """CasADi function state -> state: near a singular position its method is the explicit one of the tables, or it asks for that, if not taken."""
+    symbol = state.symbol("state")
+    parts = state.split(symbol)
+    explicit = next(i for i, table in enumerate(tables) if isinstance(table, RungeKutta))
+    near = parts["ahead"] < REACH * parts["h"]
+    parts["method"] = ca.if_else(near, explicit, parts["method"] if explicit == 0 else 0)
+    if tables[explicit] not in taken:
+        parts["status"] = ca.if_else(near * (parts["status"] == RUNNING), SUSPECT, parts["status"])
+    return ca.Function("explicit_near", [symbol], [state.join(parts)], ["state"], ["chosen"])
 
 
 def _gap(table: Table) -> tuple[float, float, float]:

@@ -12,6 +12,7 @@ from hertzwerk.runtime.integrate.events import settle
 from hertzwerk.runtime.integrate.loop import advance
 from hertzwerk.runtime.integrate.step import singular
 from hertzwerk.runtime.integrate.step.explicit import Flow
+from hertzwerk.runtime.integrate.step.layout import FINISHED, RUNNING, SUSPECT, Layout
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import dop853, dopri5
 from hertzwerk.runtime.integrate.tableaux.implicit_tableaux import esdirk54, rodas5p
 
@@ -38,6 +39,46 @@ def test_passages_leave_no_more_than_the_tolerance_and_rounding(method, toleranc
     run, errors = run_of(method, tolerance=tolerance)
     assert np.max(errors) < 2e-10
     assert run.statistics.rejected < run.statistics.steps / 4
+
+
+@pytest.mark.parametrize(
+    ("method", "coordinates"),
+    [("esdirk", None), ("rodas", None), pytest.param("esdirk", "absolute", marks=pytest.mark.exhaustive)],
+)
+def test_implicit_methods_take_the_steps_that_their_order_asks_for(method, coordinates):
+    """At a hundredth of the tolerance; by implicit steps over the positions esdirk took 25 times as many steps, its error a twentieth."""
+    (loose, above), (tight, below) = (run_of(method, coordinates, tolerance=tolerance) for tolerance in (1e-10, 1e-12))
+    assert tight.statistics.steps < 1.1 * 100 ** (1 / 5) * loose.statistics.steps
+    assert tight.statistics.rejected < tight.statistics.steps / 20
+    assert np.max(below) < np.max(above) / 80
+
+
+def test_near_singular_positions_no_step_is_implicit(monkeypatch):
+    run, _ = run_of("esdirk", tolerance=1e-11)
+    ahead, methods = (run.history.part(part)[:-1, 0] for part in ("ahead", "method"))
+    near = ahead < singular.REACH * np.diff(run.t)
+    assert near.sum() >= 10  # passages
+    assert np.all(methods[near] == 1)
+    assert np.mean(methods == 1) < 0.05
+    monkeypatch.setattr(singular, "REACH", 0)
+    model.cache_clear()
+    run, _ = run_of("esdirk", tolerance=1e-11)
+    model.cache_clear()
+    assert run.statistics.rejected > 300
+
+
+@pytest.mark.parametrize(
+    ("tables", "explicit", "implicit"), [((dop853(), esdirk54()), 0, 1), ((rodas5p(), dopri5()), 1, 0)]
+)
+def test_the_method_that_passes_is_the_explicit_one(tables, explicit, implicit):
+    """Of those that auto chooses from as well; a method that has not taken it yet asks for it."""
+    state = Layout(dict.fromkeys(("ahead", "h", "method", "status"), 1))
+    choose, ask = (singular.explicit_near(state, tables, taken) for taken in (tables, tables[implicit : implicit + 1]))
+    assert choose([0.1, 0.04, implicit, RUNNING]).full().ravel().tolist()[2:] == [implicit, RUNNING]
+    assert choose([0.1, 0.06, implicit, RUNNING]).full().ravel().tolist()[2:] == [explicit, RUNNING]
+    assert ask([0.1, 0.04, implicit, RUNNING])[3] == RUNNING
+    assert ask([0.1, 0.06, implicit, RUNNING])[3] == SUSPECT
+    assert ask([0.1, 0.06, implicit, FINISHED])[3] == FINISHED
 
 
 def test_both_measures_are_needed(monkeypatch):
