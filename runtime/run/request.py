@@ -93,7 +93,7 @@ class Settings:
 @dataclass(frozen=True)
 class Given:
     """What a run starts from and how far it goes: the parameters' numbers, q (nq,) and u (nu,) with loops closed, the duration [s], the scales that
-    the scene states, the constraints that follow from others, and the initial states that were given."""
+    the scene states, the constraints that follow from others, the initial states that were given, and what time [s] everything repeats after."""
 
     bound: Bound
     q: np.ndarray
@@ -102,6 +102,7 @@ class Given:
     scales: Scales
     dependent: tuple[Dependent, ...]
     initial: Mapping[str, Value]
+    period: float | None
 
 
 def read(
@@ -120,7 +121,16 @@ def read(
     inside = misplaced(model, bound, initial, q, u)
     if inside:
         raise InputError(model.name, inside)
-    given = Given(bound, q, u, seconds, scaling.of_parameters(model, bound), dependent(model, bound, q), dict(initial))
+    given = Given(
+        bound,
+        q,
+        u,
+        seconds,
+        scaling.of_parameters(model, bound),
+        dependent(model, bound, q),
+        dict(initial),
+        model.period(bound),
+    )
     if len(known) >= REMEMBERED:
         known.clear()
     known[key] = given

@@ -79,9 +79,8 @@ class SingleRun:
             times = beside
         kept = Steps() if times is None else Grid(times)
         given = self.given
-        period = self.model.period(given.bound)
         findings = Findings(
-            self.model, self.method, later=times is None, duration=given.seconds, period=period, begin=self.begin
+            self.model, self.method, later=times is None, duration=given.seconds, period=given.period, begin=self.begin
         )
         speeds = tuple(approach_speeds(self.model, given.bound))
         other = kept if beside is None or alone else Grid(beside)
