@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from mpmath import mp, mpf
 
 from hertzwerk.derive.audit.owed import Trial, Values, completed, faults_of
-from hertzwerk.derive.audit.rescaling import states_of
+from hertzwerk.derive.audit.rescaling import lattice
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.laws import LAWS
@@ -82,9 +82,9 @@ def _over_range(law: Law) -> Iterator[Trial]:
     names = {symbol.name: symbol for symbol in law.parameters if symbol.unit == "1"}
     dimensions = {symbol: Dimension.from_unit(parse_unit(symbol.unit), names) for symbol in law.symbols()}
     defaults = {q: mpf(repr(p.si)) for q, p in law.defaults if not law.fitted_in and not _bounded(q)}
-    states = tuple(states_of(law, dimensions))
+    states = tuple(lattice(law, dimensions))
     for state in states[:: len(states) // SETS]:
-        values = completed(law, dict(state) | defaults)
+        values = completed(law, state | defaults)
         beside = None
         if isinstance(law, DampingLaw):
             hertz = LAWS["power"]

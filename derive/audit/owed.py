@@ -121,6 +121,10 @@ def _undefined(trial: Trial, what: str, state: Mapping[Any, Any]) -> Fault:
 
 def _elastic(trial: Trial) -> Iterator[Fault]:
     law, slope = trial.law, _derivative(trial.law.force, d)
+    if not law.force.has(d):
+        yield trial.fault("force", {}, f"{law.force}, without d", "a force that rises with the penetration d",
+                          "A contact begins without a force: the penetration is the name d.")  # fmt: skip
+        return
     limit = trial.most if law.reach is None else number(law.reach, trial.values)
     if limit is None or limit <= 0:
         yield trial.fault("reach", {}, "no length above 0" if limit is None else f"{mp.nstr(limit, 4)} m", "a penetration above 0",

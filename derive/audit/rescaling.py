@@ -150,7 +150,14 @@ def rescale_law(law: Law) -> tuple[Rescaling, ...]:
 
 
 def states_of(law: Law, dimensions: Mapping[sp.Symbol, Dimension]) -> Iterator[State]:
-    """Numbers for every symbol of a law: a lattice over the spans, a pair's geometry in proportion, the penetration within reach."""
+    """Numbers for every symbol of a law: the lattice, completed with what the law itself computes."""
+    with mp.workdps(DIGITS):
+        for state in lattice(law, dimensions):
+            yield _completed(law, state)
+
+
+def lattice(law: Law, dimensions: Mapping[sp.Symbol, Dimension]) -> Iterator[dict[sp.Symbol, Any]]:
+    """Numbers for what a law is given, over the spans, a pair's geometry in proportion; nothing of the law is evaluated."""
     with mp.workdps(DIGITS):
         system = _system(law.fitted_in)
         defined = {row.quantity: row.interval for row in law.ranges if row.kind == "defined"}
@@ -163,7 +170,7 @@ def states_of(law: Law, dimensions: Mapping[sp.Symbol, Dimension]) -> Iterator[S
                 state[q] = sign * mpf(low) * (mpf(high) / mpf(low)) ** at
             state |= {R_1: state[R_2] + state[dR], R_min: state[R_2]}
             state[R_eff] = state[R_1] * state[R_2] / state[dR]
-            yield _completed(law, _in_units(state, dimensions, system))
+            yield _in_units(state, dimensions, system)
 
 
 def _span(q: Quantity, interval: Interval | None) -> tuple[float, float]:
@@ -178,7 +185,7 @@ def _completed(law: Law, state: dict[sp.Symbol, Any]) -> State:
     for symbol, expression in law.definitions:
         state[symbol] = evaluate(expression, state)
     if isinstance(law, StiffnessLaw):
-        if law.reach is not None:
+        if law.reach is not None and d in state:
             state[d] = min(state[d], evaluate(law.reach, state) * mpf("0.99"))
         state[F] = evaluate(law.force, state)
     return state

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 import sympy as sp
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from hertzwerk.derive import audit_scene, generate, laws_from
@@ -305,6 +305,28 @@ def test_faults(file, text, parts):
         assert part in str(raised.value)
 
 
+WITHOUT_A_NUMBER = [  # text, parts of the message: nothing of a law that is tried with numbers may raise by itself
+    (FOAM.replace('"K*d**n*exp(d/h)"', "0"), ["0, without d"]),
+    (FOAM.replace("K*d**n*exp(d/h)", "K*h**n"), ["K*h**n, without d"]),
+    (FOAM.replace('"h"', '"h*sqrt(1 - n)"'), ["no length above 0"]),  # complex
+    (FOAM.replace('"h"', '"h*max(sqrt(1 - n), 0)"'), ["no length above 0"]),  # compared while complex
+    (FOAM.replace('"h"', '"h/max(0, 1 - n)"'), ["no length above 0"]),  # divided by zero
+    (FOAM.replace('"h"', '"h*gamma(min(0, n))"'), ["no length above 0"]),  # a pole
+    (FOAM.replace("exp(d/h)", "max(sqrt(0.5 - n), 0)"), ["force at d", "no finite real number"]),
+    (HERTZ.replace("E/(2*(1 - nu**2))", "E/max(0, nu - 2)"), ["no finite real number"]),
+    (HERTZ.replace("E/(2*(1 - nu**2))", "E*where(sqrt(nu - 2) > 0, 1, 2)"), ["no finite real number"]),
+]
+
+
+@pytest.mark.parametrize(("text", "parts"), WITHOUT_A_NUMBER, ids=range(len(WITHOUT_A_NUMBER)))
+def test_a_law_without_a_number_has_one_fault(file, text, parts):
+    with pytest.raises(InputError) as raised:
+        laws_from(file(text))
+    assert len(raised.value.faults) == 1
+    for part in parts:
+        assert part in str(raised.value)
+
+
 def test_all_faults_of_a_file_come_at_once(file):
     text = FOAM.replace("K*d**n*exp(d/h)", "K*d^n").replace("[1, 3]", "1..3") + DAMPING.replace(
         "8*(1 - e)", "8*(1 - q)"
@@ -346,6 +368,7 @@ KEYS = ["name", "kind", "title", "source", "grade", "force", "stored", "reach", 
         "definitions", "ranges", "verdict", "fitted_in", "note", "relation"]  # fmt: skip
 
 
+@example(text=FOAM, changes={"force": 0})  # with a reach
 @given(st.sampled_from([FOAM, HERTZ, DAMPING, FRICTION]), st.dictionaries(st.sampled_from(KEYS), JUNK, max_size=3))
 def test_junk_in_a_table_is_a_fault_of_the_file(monkeypatch_load, text, changes):
     tables = tomllib.loads(text)["law"]
