@@ -26,11 +26,11 @@ _HOME = {
         "algebra.splines": "Table",
         "laws": "LAWS",
         "faults": "Fault InputError",
-        "audit.audit": "Finding InconsistentUnits audit_scene",
+        "audit.audit": "Finding InconsistentUnits",
         "files.audit_files": "audit_catalogue audit_path",
         "files.audit_text": "audit_expression",
         "files.lawfile": "laws_from",
-        "derivation": "derive generate",
+        "derivation": "audit_scene derive generate",
     }.items()
     for name in names.split()
 }

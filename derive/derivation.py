@@ -1,13 +1,18 @@
-"""The derivation, start to end: scene -> audited program -> text."""
+"""The derivation, from top to bottom: scene -> checked scene -> system -> program -> audited program -> text.
+
+`generate` and `derive` are its stages one after another; the rest gives what lies between them. A `Scene` has refused unsound declarations
+when it was made.
+"""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
-from hertzwerk.derive.audit.audit import audit_laws, audit_program, refuse_inconsistent
+from hertzwerk.derive.audit.audit import Finding, advice_findings, audit_laws, audit_program, refuse_inconsistent
 from hertzwerk.derive.audit.behaviour import refuse_misbehaving
 from hertzwerk.derive.declare.scene import Scene
-from hertzwerk.derive.emit.printer import emit, of_a_step
+from hertzwerk.derive.emit.cost import of_a_step
+from hertzwerk.derive.emit.module_text import emit
 from hertzwerk.derive.faults import InputError
 from hertzwerk.derive.module.contents import program_of
 from hertzwerk.derive.module.motion import motion
@@ -16,22 +21,38 @@ from hertzwerk.derive.motion.absolute import absolute
 from hertzwerk.derive.program.program import Program
 
 
+def generate(scene: Scene, source: str = "") -> str:
+    """Text of the scene's generated module; `source` names the file the scene stands in. Raises InputError as `derive` does."""
+    program = derive(scene)  # 1 to 4
+    return emit(program, source)  # 5. text
+
+
 def derive(scene: Scene) -> Program:
     """The program of a scene.
 
     Raises InputError, listing every fault, unless each assignment and output is consistent and its laws do what every law owes (`behaviour`).
     """
+    # 1. checked scene: the units of its laws, then what every law owes
     refuse_inconsistent(scene, audit_laws(scene))
     refuse_misbehaving(scene)
-    program = derivation_of(scene)
+    # 2. system: kinematics, equations, pairs and effects; 3. program: the functions and tables of a module
+    _, program = _in_coordinates(scene)
+    # 4. audited program: the unit of every assignment and output
     units, findings = audit_program(program)
     refuse_inconsistent(scene, findings)
     return replace(program, units=units)
 
 
-def derivation_of(scene: Scene) -> Program:
-    """The program in the scene's coordinates, not yet audited."""
-    return _in_coordinates(scene)[1]
+def audit_scene(scene: Scene) -> tuple[Finding, ...]:
+    """Every law of the scene, and advice on them; then, if they hold, every assignment and output of its program.
+
+    Raises InputError where units hold, and a law does not do what every law owes (`behaviour`).
+    """
+    laws = (*audit_laws(scene), *advice_findings(scene))
+    if any(finding.verdict == "inconsistent" for finding in laws):
+        return laws
+    refuse_misbehaving(scene)
+    return laws + audit_program(_in_coordinates(scene)[1])[1]
 
 
 def unsolved(scene: Scene) -> Program:
@@ -60,8 +81,3 @@ def _in_coordinates(scene: Scene) -> tuple[System, Program]:
 
 def _with_program(system: System) -> tuple[System, Program]:
     return system, program_of(system)
-
-
-def generate(scene: Scene, source: str = "") -> str:
-    """Text of the scene's generated module; `source` names the file the scene stands in."""
-    return emit(derive(scene), source)

@@ -8,7 +8,6 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.audit.behaviour import refuse_misbehaving
 from hertzwerk.derive.audit.forms import advice
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.dimension.culprit import Culprit, Row, culprits, likeliest, powers_in, sentence
@@ -115,25 +114,12 @@ def refuse_inconsistent(scene: Scene, findings: Iterable[Finding]) -> None:
         raise InconsistentUnits(scene, wrong)
 
 
-def audit_scene(scene: Scene) -> tuple[Finding, ...]:
-    """Every law of the scene, and advice on them; then, if they hold, every assignment and output of its program.
-
-    Raises InputError where units hold, and a law does not do what every law owes (`behaviour`).
-    """
-    from hertzwerk.derive.derivation import (
-        derivation_of,  # the program is made by the derivation, which audits it in turn
+def advice_findings(scene: Scene) -> tuple[Finding, ...]:
+    """What speaks against the scene's laws although their units hold."""
+    return tuple(
+        Finding(scene.name, "form of contact", "", "", "", "advice", "", reason=text, kind="form of contact")
+        for text in advice(scene)
     )
-
-    laws = (*audit_laws(scene), *(_advice_finding(scene, text) for text in advice(scene)))
-    if any(finding.verdict == "inconsistent" for finding in laws):
-        return laws
-    refuse_misbehaving(scene)
-    return laws + audit_program(derivation_of(scene))[1]
-
-
-def _advice_finding(scene: Scene, text: str) -> Finding:
-    return Finding(effect=scene.name, what="form of contact", law="", title="", source="", verdict="advice", expression="", reason=text,
-                   kind="form of contact")  # fmt: skip
 
 
 def audit_laws(scene: Scene) -> tuple[Finding, ...]:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from mpmath import mp, mpf
 
+from hertzwerk.derive.audit.audit import audit_law, verdict
 from hertzwerk.derive.audit.owed import Trial, Values, completed, faults_of
 from hertzwerk.derive.audit.rescaling import lattice
 from hertzwerk.derive.dimension.dimension import Dimension
@@ -44,8 +45,6 @@ def law_faults(law: Law) -> tuple[Fault, ...]:
 
 def faults_if_consistent(law: Law) -> tuple[Fault, ...]:
     """The same, where the law's units hold or are those of a fit: of others numbers say nothing, and their audit has the cause."""
-    from hertzwerk.derive.audit.audit import audit_law, verdict  # which tries the laws of scenes
-
     return () if verdict(audit_law(law)) == "inconsistent" else law_faults(law)
 
 

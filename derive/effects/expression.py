@@ -21,6 +21,7 @@ from hertzwerk.derive.faults import Fault, InputError, one_of
 from hertzwerk.derive.mechanism.bodies import Slot
 from hertzwerk.derive.mechanism.joints import Freedom
 from hertzwerk.derive.mechanism.parameter import Parameter, is_number
+from hertzwerk.derive.program.expression_text import EmitError, expression_text
 from hertzwerk.derive.units import parse_unit, unit_text
 
 TIME, COORDINATE, SPEED = "time", "coordinate", "speed"
@@ -181,8 +182,6 @@ def table_faults(expressions: Iterable[Any]) -> Iterator[Fault]:
 
 def smoothness_faults(slot: Slot, value: Any) -> Iterator[Fault]:
     """An operation no module can hold, in the expression or in a derivative by time that is asked for."""
-    from hertzwerk.derive.emit.printer import EmitError, expression_text  # which imports the scene's audit
-
     derivatives = getattr(slot, "derivatives", 0)
     for order in range(derivatives + 1):
         of = ("", "the first derivative of ", "the second derivative of ")[order]

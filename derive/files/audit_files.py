@@ -8,9 +8,10 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
-from hertzwerk.derive.audit.audit import Finding, audit_law, audit_scene, verdict
+from hertzwerk.derive.audit.audit import Finding, audit_law, verdict
 from hertzwerk.derive.audit.behaviour import faults_if_consistent
 from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.derivation import audit_scene
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.files.execute import names_defined_by
 from hertzwerk.derive.files.lawfile import audit_laws_as_written

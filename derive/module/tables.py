@@ -9,7 +9,6 @@ from hertzwerk.derive.algebra.splines import Table
 from hertzwerk.derive.audit.forms import advice
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.effects.expression import tables_in
-from hertzwerk.derive.emit.printer import table_name
 from hertzwerk.derive.mechanism.joints import Port
 from hertzwerk.derive.mechanism.pairs import JOURNALS
 from hertzwerk.derive.mechanism.parameter import Interval, Parameter
@@ -17,6 +16,7 @@ from hertzwerk.derive.module.outputs import output_rows
 from hertzwerk.derive.module.system import System
 from hertzwerk.derive.motion.kinematics import Kinematics
 from hertzwerk.derive.motion.loops import Constraint
+from hertzwerk.derive.program.expression_text import table_name
 
 
 def tables(system: System) -> Mapping[str, tuple[Any, ...]]:

@@ -12,7 +12,7 @@ from mpmath import mp, mpf
 from hertzwerk.derive.algebra.notation import latex_name, latex_of, text_of
 from hertzwerk.derive.audit.rescaling import evaluate
 from hertzwerk.derive.dimension.dimension import ONE
-from hertzwerk.derive.emit.printer import expression_text, operations
+from hertzwerk.derive.emit.cost import operations
 from hertzwerk.derive.faults import InputError, unknown
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import (
@@ -30,6 +30,7 @@ from hertzwerk.derive.laws.law import (
     v0,
 )
 from hertzwerk.derive.mechanism.parameter import Interval
+from hertzwerk.derive.program.expression_text import expression_text
 from hertzwerk.derive.program.program import PARAMETER, Function, Result, Tape, shared
 from hertzwerk.derive.sheets.band import Band, band_of
 from hertzwerk.derive.sheets.impact import (

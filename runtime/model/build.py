@@ -112,7 +112,7 @@ def equations(scene: Scene) -> Readable:
 
 def audit_targets(targets: Sequence[str]) -> dict[str, tuple[Finding, ...]]:
     """Findings on built-in scenes, files and folders, by target or file; raises InputError where one is unsound."""
-    from hertzwerk.derive.audit.audit import audit_scene
+    from hertzwerk.derive.derivation import audit_scene
     from hertzwerk.derive.files.audit_files import audit_files
 
     audited: dict[str, tuple[Finding, ...]] = {}

@@ -23,8 +23,8 @@ from hertzwerk.derive import (
     Y,
     Z,
 )
-from hertzwerk.derive.audit.audit import audit_scene
 from hertzwerk.derive.audit.forms import advice, fitting, form_of
+from hertzwerk.derive.derivation import audit_scene
 from hertzwerk.derive.laws import LAWS, hertz_point, power, smooth_coulomb
 from hertzwerk.derive.laws.law import FORMS, FilmLaw, Law, StiffnessLaw, d
 from hertzwerk.derive.scenes import NAMES

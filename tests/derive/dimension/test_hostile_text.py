@@ -32,7 +32,7 @@ from hertzwerk.derive import (  # fmt: skip
     derive,
     generate,
 )
-from hertzwerk.derive.emit.printer import emit
+from hertzwerk.derive.emit.module_text import emit
 from hertzwerk.derive.laws import power, smooth_coulomb
 from hertzwerk.derive.laws.law import DampingLaw, Quantity, v
 

@@ -29,10 +29,11 @@ from hertzwerk.derive import (  # fmt: skip
     generate,
 )
 from hertzwerk.derive.algebra.functions import Where
-from hertzwerk.derive.emit.printer import EmitError, expression_text, operations
+from hertzwerk.derive.emit.cost import operations
 from hertzwerk.derive.laws import flores, power
 from hertzwerk.derive.laws.damping import e
 from hertzwerk.derive.laws.law import BoundLaw
+from hertzwerk.derive.program.expression_text import EmitError, expression_text
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 
 x, y, z, n = sp.symbols("x y z n", real=True)

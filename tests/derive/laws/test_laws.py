@@ -278,7 +278,7 @@ def test_exact_factor():
 def _emitted_chain(law):
     import casadi as ca
 
-    from hertzwerk.derive.emit.printer import expression_text
+    from hertzwerk.derive.program.expression_text import expression_text
 
     e = ca.SX.sym("e")
     scope = {"ca": ca, "e": e}

@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.dimension.dimension import ONE
-from hertzwerk.derive.emit.printer import function_text, operations
+from hertzwerk.derive.emit.cost import operations
+from hertzwerk.derive.emit.printer import function_text
 from hertzwerk.derive.program.program import Function, Program, Result, Tape, shared, symbols_in
 
 

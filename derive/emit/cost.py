@@ -1,0 +1,56 @@
+"""Cost of a program: arithmetic operations, counted in its text."""
+
+from __future__ import annotations
+
+import re
+import textwrap
+
+from hertzwerk.derive.emit.helpers import HELPERS
+from hertzwerk.derive.emit.printer import function_text
+from hertzwerk.derive.program.program import Program
+
+STAGES = 12  # of the default method
+PER_STEP = {  # calls of a step: by its stages; for events; to close loops, with two corrections of the place and one of the speeds
+    **dict.fromkeys(("coordinate_rates", "applied", "accelerations", "ledger"), STAGES),
+    **dict.fromkeys(("gaps", "gap_accelerations"), 1),
+    **{"constraints": 4, "projection": 3},
+}
+# A sign stands close to what it is of, which is no number here; minus has blanks around it.
+_SIGN = re.compile(r"-(?=[A-Za-z_(]|[\d.]+\*\*)")
+_CALL = re.compile(r"\w\(")
+
+
+def operations(text: str) -> int:
+    """Arithmetic operations and function calls in the text of a builder; packing and unpacking cost nothing, nor does the sign of a number.
+
+    Counted in the text as it is written here: to have Python parse it takes longer than to write it.
+    """
+    code = " ".join("".join(text.split('"""')[::2]).split())
+    if code.startswith("def "):
+        code = code.partition(":")[2]
+    spaced = sum(code.count(f" {sign} ") for sign in ("+", "-", "<", ">", "<=", ">="))
+    products = code.count("*") - code.count("**") + code.count("/")
+    calls = len(_CALL.findall(code)) - code.count("ca.vertcat(")
+    helpers = sum(code.count(f"{name}(") * (_helper_operations(name) - 1) for name in HELPERS if f"{name}(" in code)
+    return spaced + products + len(_SIGN.findall(code)) + calls + helpers
+
+
+def of_a_step(program: Program) -> int:
+    """Operations of one step of a run, as `auto` compares coordinates by: see PER_STEP; and the force of one pair in half of the stages.
+
+    With one pair in contact for half of a run: impacts are short, but steps in them are too, and seldom do two pairs touch at a time.
+    """
+    counts = {function.name: operations(function_text(program, function)) for function in program.functions}
+    contacts = [count for name, count in counts.items() if name.startswith("contact_")]
+    touching = STAGES // 2 * sum(contacts) // max(len(contacts), 1)
+    return touching + sum(times * counts.get(name, 0) for name, times in PER_STEP.items())
+
+
+def _helper_operations(name: str) -> int:
+    """Of a helper, the three steps of a loop counted."""
+    text = HELPERS[name]
+    if "    for _" not in text:
+        return operations(text)
+    loop = text.index("    for _")
+    body = "\n".join(line[4:] for line in text[loop:].splitlines()[1:-1])
+    return operations("\n".join(text[:loop].splitlines()[:-1])) + 3 * operations(textwrap.dedent(body))

@@ -1,0 +1,76 @@
+"""A program as the text of a generated module: header, tables, helpers, functions."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from hertzwerk.derive.audit.audit import checked
+from hertzwerk.derive.emit.cost import operations
+from hertzwerk.derive.emit.helpers import HELPERS
+from hertzwerk.derive.emit.printer import function_text, prose
+from hertzwerk.derive.faults import visible
+from hertzwerk.derive.program.program import Program
+
+FLIGHT = ("applied", "accelerations", "gaps", "gap_accelerations")  # what a right-hand side costs where nothing touches
+
+
+def emit(program: Program, source: str) -> str:
+    """Text of the generated module of a program that has passed the audit; `source` names the scene's file."""
+    scene = program.scene
+    functions = {function.name: function_text(program, function) for function in program.functions}
+    counts = {name: operations(text) for name, text in functions.items()}
+    tables = dict(program.tables)
+    tables["CONSTANTS"] = tuple((symbol.name, program.units[symbol]) for symbol in program.constants)
+    tables["OPERATIONS"] = tuple(counts.items())
+    parts = [
+        _header(program, source, counts),
+        "import casadi as ca",
+        "\n".join(f"{name} = {_literal(text)}" for name, text in
+                  (("NAME", scene.name), ("SOURCE", source), ("SUMMARY", scene.summary))),
+        *(_table(name, rows) for name, rows in tables.items()),
+    ]  # fmt: skip
+    texts = list(functions.values())
+    helpers = [text for name, text in HELPERS.items() if any(f"{name}(" in other for other in texts)]
+    return "\n\n".join(parts) + "\n\n\n" + "\n\n\n".join((*helpers, *texts)) + "\n"
+
+
+def _header(program: Program, source: str, counts: dict[str, int]) -> str:
+    scene = program.scene
+    assignments, outputs = checked(program)
+    contacts = ", ".join(f"{name} {count}" for name, count in counts.items() if name.startswith("contact_"))
+    unchecked = [effect for effect, _ in program.tables["UNCHECKED"]]
+    verdict = (
+        f"UNCHECKED, INCONSISTENT LAWS RUN ON PURPOSE IN SI VALUES: {', '.join(unchecked)}"
+        if unchecked
+        else f"{assignments} assignments and {outputs} outputs checked, all consistent"
+    )
+    name = scene.name if source.startswith("derive/") else source or "FILE"
+    contact = f"; in contact also {contacts}" if contacts else ""
+    return "\n".join(
+        (
+            f'"""{scene.name}: {prose(scene.summary)}. Generated from {prose(source) or "a scene"}.',
+            "",
+            f"Do not edit; regenerate with `hertzwerk derive {prose(name)}`.",
+            "Effects:",
+            *(f"    {effect.name}: {prose(effect.text)}" for effect in scene.effects),
+            f"Units: {verdict}",
+            *([f"Coordinates: {prose(program.note)}"] if program.note else []),
+            f"Operations: flight {sum(counts[name] for name in FLIGHT)} (equations of motion and gaps){contact}",
+            '"""',
+        )
+    )
+
+
+def _table(name: str, rows: tuple[Any, ...]) -> str:
+    if not rows:
+        return f"{name} = ()"
+    return "\n".join([f"{name} = (", *(f"    {_literal(row)}," for row in rows), ")"])
+
+
+def _literal(value: Any) -> str:
+    if isinstance(value, tuple):
+        return f"({', '.join(map(_literal, value))}{',' if len(value) == 1 else ''})"
+    if isinstance(value, str):
+        return visible(json.dumps(value, ensure_ascii=False))  # whose escapes are Python's
+    return repr(float(value)) if isinstance(value, float) else repr(value)  # a NumPy float prints otherwise
