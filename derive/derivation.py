@@ -36,7 +36,7 @@ def derive(scene: Scene) -> Program:
     refuse_inconsistent(scene, audit_laws(scene))
     refuse_misbehaving(scene)
     # 2. system: kinematics, equations, pairs and effects; 3. program: the functions and tables of a module
-    _, program = _in_coordinates(scene)
+    program = derivation_of(scene)
     # 4. audited program: the unit of every assignment and output
     units, findings = audit_program(program)
     refuse_inconsistent(scene, findings)
@@ -52,7 +52,12 @@ def audit_scene(scene: Scene) -> tuple[Finding, ...]:
     if any(finding.verdict == "inconsistent" for finding in laws):
         return laws
     refuse_misbehaving(scene)
-    return laws + audit_program(_in_coordinates(scene)[1])[1]
+    return laws + audit_program(derivation_of(scene))[1]
+
+
+def derivation_of(scene: Scene) -> Program:
+    """The program in the scene's coordinates, not yet audited."""
+    return _in_coordinates(scene)[1]
 
 
 def unsolved(scene: Scene) -> Program:
