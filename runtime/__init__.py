@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from hertzwerk.derive.faults import Fault, InputError
     from hertzwerk.runtime.effects.leaving_out import study_effects
-    from hertzwerk.runtime.model.model import Bound, Model, load
-    from hertzwerk.runtime.simulation import simulate
+    from hertzwerk.runtime.loading import Model, load
+    from hertzwerk.runtime.model.model import Bound
+    from hertzwerk.runtime.simulation import Solution, simulate
     from hertzwerk.runtime.solution.impacts import Impact
     from hertzwerk.runtime.solution.outcome import Outcome
-    from hertzwerk.runtime.solution.solution import Solution, Statistics
+    from hertzwerk.runtime.solution.solution import Statistics
     from hertzwerk.runtime.sweep.sweep import simulate_many
     from hertzwerk.runtime.sweep.sweep_table import Sweep
 
@@ -20,12 +21,12 @@ _PLACES = {
     "Fault": "hertzwerk.derive.faults",
     "Impact": "solution.impacts",
     "InputError": "hertzwerk.derive.faults",
-    "Model": "model.model",
+    "Model": "loading",
     "Outcome": "solution.outcome",
-    "Solution": "solution.solution",
+    "Solution": "simulation",
     "Statistics": "solution.solution",
     "Sweep": "sweep.sweep_table",
-    "load": "model.model",
+    "load": "loading",
     "simulate": "simulation",
     "simulate_many": "sweep.sweep",
     "study_effects": "effects.leaving_out",

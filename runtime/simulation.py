@@ -1,45 +1,109 @@
-"""From a model and numbers to a solution: one run at a tolerance, or as many as it takes to know the error of one."""
+"""The pipeline of a run: model and numbers -> bound -> start -> run -> solution.
+
+1. bound     parameters in SI, and everything else that was asked for, read and checked       run/request
+2. start     positions and speeds with loops closed, journals seated                          start/
+3. run       the engine of model and method, its accepted steps                               run/single_run, integrate/
+             for an accuracy as many runs as it takes to know the error of one                run/accurate, accuracy/
+4. solution  histories, impacts, balance, outcome, warnings                                   solution/
+"""
 
 from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
-import numpy as np
-
-from hertzwerk.runtime.accuracy.ladder import (
-    POINTS,
-    Climbed,
-    End,
-    Ladder,
-    Rung,
-    Verdict,
-    beyond_horizon,
-    first_tolerance,
-)
-from hertzwerk.runtime.integrate.loop.automatic import Gear
-from hertzwerk.runtime.integrate.loop.chunk import INTERRUPTED, WALL_TIME_LIMIT
-from hertzwerk.runtime.integrate.step.layout import FINISHED, TOO_MANY_STEPS
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.accuracy.ladder import Climbed
+from hertzwerk.runtime.integrate.step.layout import FINISHED
+from hertzwerk.runtime.loading import Model
+from hertzwerk.runtime.model import model as plain
 from hertzwerk.runtime.model.binding import Value
-from hertzwerk.runtime.model.model import Model
-from hertzwerk.runtime.run import scales as scaling
-from hertzwerk.runtime.run.checkpoint import checkpoint_of
-from hertzwerk.runtime.run.engine import engine_for
+from hertzwerk.runtime.run.accurate import climb, verdict_of
 from hertzwerk.runtime.run.output_times import Output
-from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, Limits, Settings, read
-from hertzwerk.runtime.run.scales import Scales
-from hertzwerk.runtime.run.single_run import SingleRun, Trace
-from hertzwerk.runtime.solution.caveats import floored, open_forces, too_fast, unchecked
-from hertzwerk.runtime.solution.outcome import Outcome, not_closed, too_long, unknown, unreachable
-from hertzwerk.runtime.solution.solution import Solution, Statistics
+from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, Settings, read
+from hertzwerk.runtime.run.single_run import SingleRun, Trace, set_up
+from hertzwerk.runtime.run.warnings import floored, open_forces, too_fast, unchecked, uncompiled
+from hertzwerk.runtime.solution import solution as plain_solution
+from hertzwerk.runtime.solution.checkpoint import checkpoint_of, parameters_of, resumable
+from hertzwerk.runtime.solution.outcome import not_closed
+from hertzwerk.runtime.solution.scales import Scales
+from hertzwerk.runtime.solution.solution import Statistics
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 ACCURACY = 1e-6  # where none is asked for
-STOPS = (INTERRUPTED, WALL_TIME_LIMIT, TOO_MANY_STEPS)  # what ends all runs
+
+
+class Solution(plain_solution.Solution):
+    """A run, as `simulate` returns it: its data, with what it can be made into."""
+
+    model_type = Model
+
+    def continued(
+        self,
+        duration: str | float | None = None,
+        *,
+        model: plain.Model | None = None,
+        output: Output = "steps",
+        compiled: Compiled = "auto",
+        max_steps: int = MAX_STEPS,
+        max_events: int = MAX_EVENTS,
+        wall_time: float | None = None,
+        progress: Callable[[float], object] | None = None,
+    ) -> Solution:
+        """Go on from the end of this run, with its model, parameters, start, method and tolerance, as if it had not ended there.
+
+        duration    of the whole motion from its start, longer than what the run reached; by default what the run was asked for
+        model    the model of a saved run, which has no functions: load("slider_crank")
+        output    as of `simulate`: of a grid over the whole motion the part that is left
+        max_steps, max_events, wall_time    of this run alone
+
+        What is returned begins at `t_start`, the last step that did not depend on where the run before ended: a step or two before that end, whose
+        last ones were cut to arrive there. Where steps are kept, those of the run before with t < t_start and these are bitwise those of one run of
+        that duration at that tolerance; steps as long as a tenth of the shorter duration, the longest in contact, are the exception. Impacts,
+        energy balance, statistics and averages are of this part; a contact that is under way where it begins is listed in both, here from there on.
+        There is no estimate of the error, neither of the part nor of the whole: it would take the runs that checked the one before as well.
+
+        Raises InputError, with every fault.
+        """
+        began = time.perf_counter()
+        live = model if model is not None else self.model
+        kept = resumable(self, live, saved=model is None and self.history.integrator is None)
+        whole = self.duration if duration is None else duration
+        settings = Settings(
+            whole, None, self.tolerance, self.method, compiled, output, max_steps, max_events, wall_time
+        )
+        given, times = read(live, settings, parameters_of(self, live), kept.initial)
+        if given.seconds <= self.t_end:
+            found, expected = f"{given.seconds:g} s", f"more than the {self.t_end:g} s that the run reached"
+            raise InputError(live.name, [Fault("duration", found, expected, "it is of the whole motion")])
+        run = set_up(live, settings, given, kept.resume)
+        build_s = time.perf_counter() - began
+        rest = None if times is None else times[times >= run.begin]
+        trace = run.trace(self.tolerance, self.scales, rest, progress=progress)
+        before = "" if self.error is None else f"; that of the run before was {self.error} at its end"
+        told = f"goes on from t = {run.begin:.9g} s at the tolerance {self.tolerance:.2g} of the run before, without an estimate of its error{before}"
+        part = _solution_of(run, trace, self.scales, build_s)
+        return replace(part, warnings=(*part.warnings, told))
+
+    def plot(self, *names: str) -> Figure:
+        """A figure of the overview, of one contact pair, or of the histories named; raises KeyError for a name that is none."""
+        from hertzwerk.runtime.pictures import plot
+
+        return plot.plot(self, *names)
+
+    def draw(self) -> Figure:
+        """A figure of the mechanism at its start and later, with its clearances enlarged; raises InputError for a saved run."""
+        from hertzwerk.runtime.pictures.draw import picture
+
+        return picture.of_run(self)
 
 
 def simulate(
-    model: Model,
+    model: plain.Model,
     *,
     duration: str | float | None = None,
     accuracy: float | None = None,
@@ -83,58 +147,21 @@ def simulate(
         max_events=max_events,
         wall_time=wall_time,
     )
+    # 1. bound, 2. start
     given, times = read(model, settings, {} if parameters is None else parameters, {} if initial is None else initial)
-    engine = engine_for(model.without_redundancy(given.dependent), method, compiled)
-    gear = Gear(engine.code, compiled=compiled is True, changes=compiled == "auto") if engine.code else None
-    run = SingleRun(model, method, engine, given, settings.limits, gear)
+    # 3. run
+    run = set_up(model, settings, given)
     scales = run.scales(tolerance)
     build_s = time.perf_counter() - began
     if tolerance is not None:
-        return solution_of(run, run.trace(tolerance, scales, times, progress=progress), scales, build_s)
-    return _as_accurate(run, scales, times, accuracy or ACCURACY, build_s, progress)
+        return _solution_of(run, run.trace(tolerance, scales, times, progress=progress), scales, build_s)
+    asked = accuracy or ACCURACY
+    climbed = climb(run, scales, times, asked, progress)
+    # 4. solution
+    return _solution_of(run, climbed.run.kept, scales, build_s, asked, climbed)
 
 
-def _as_accurate(
-    run: SingleRun,
-    scales: Scales,
-    times: np.ndarray | None,
-    asked: float,
-    build_s: float,
-    progress: Callable[[float], object] | None,
-) -> Solution:
-    """Runs at falling tolerance; limits of steps and time are of all of them, the limit of events is of the motion, and so of each."""
-    model, seconds, limits = run.model, run.given.seconds, run.limits
-    grid = np.linspace(0.0, seconds, POINTS)
-    made: list[tuple[float, int]] = []  # times [s] and steps spent
-
-    def one(tolerance: float, keep: bool, most: float) -> Rung[Trace]:
-        spent_s, steps = (sum(each) for each in zip(*made, strict=True)) if made else (0.0, 0)
-        of_all = max(limits.max_steps - int(steps), 1)
-        left = Limits(int(min(of_all, most)), limits.max_events, max(limits.wall_time - spent_s, 0.0))
-        beside = None if progress is None else _part(progress, len(made))
-        here = replace(run, limits=left).trace(tolerance, scales, times, progress=beside, beside=grid, alone=not keep)
-        made.append((here.ending.wall_s, here.counted["steps"]))
-        status = here.ending.status
-        given_up = status == TOO_MANY_STEPS and most < of_all
-        end = End.REACHED if status == FINISHED else End.STOPPED if status in STOPS and not given_up else End.FAILED
-        states = here.beside.history.part("y")
-        counted = here.counted
-        return Rung(tolerance, end, states, counted["steps"], counted["evaluations"], here.ending.wall_s, here)
-
-    def differ(y: np.ndarray, reference: np.ndarray) -> np.ndarray:
-        return scaling.error(model, scales, y, reference)
-
-    ladder = Ladder(one, differ, lambda y: scaling.rounding(model, scales, y), grid, asked)
-    climbed = ladder.climb(first_tolerance(asked, seconds, *scales.scene[:2]))
-    return solution_of(run, climbed.run.kept, scales, build_s, asked, climbed)
-
-
-def _part(progress: Callable[[float], object], before: int) -> Callable[[float], object]:
-    """Progress of the next run after so many: every run that is kept has one that checks it."""
-    return lambda done: progress((before + done) / (2 * (before // 2) + 2))
-
-
-def solution_of(
+def _solution_of(
     run: SingleRun,
     trace: Trace,
     scales: Scales,
@@ -147,7 +174,7 @@ def solution_of(
     found: tuple[str, ...] = ()
     result = run.outcome(trace)
     if climbed is not None and asked is not None:
-        result, found = _verdict(run, climbed, asked, result)
+        result, found = verdict_of(run, climbed, asked, result)
     if trace.ending.status == FINISHED:
         open_by = trace.findings.energy_unclosed
         result = not_closed(open_by, asked or trace.tolerance, trace.tolerance, counted["steps"]) or result
@@ -178,34 +205,10 @@ def solution_of(
             *bound.warnings,
             *floored(counted["floored"], run.floor),
             *too_fast(model, trace.speeds),
-            *_uncompiled(run),
+            *uncompiled(run.engine.code),
             *found,
         ),
         scales=scales,
         error=None if climbed is None else climbed.error,
         checkpoint=checkpoint_of(model, trace.ending, run.given.initial),
     )
-
-
-def _uncompiled(run: SingleRun) -> tuple[str, ...]:
-    """A warning where C would have saved time and the compiler was of no use."""
-    complaint = run.engine.code.complaint if run.engine.code is not None else ""
-    return (f"not compiled, which costs time and no accuracy: {complaint}",) if complaint else ()
-
-
-def _verdict(run: SingleRun, climbed: Climbed[Trace], asked: float, result: Outcome) -> tuple[Outcome, tuple[str, ...]]:
-    """Outcome and warnings of a run for an accuracy: what was asked for and is missed, or is not known, is never finished."""
-    error, verdict = climbed.error, climbed.verdict
-    other = None if climbed.broken is None else run.outcome(climbed.broken.kept)
-    lost = error is not None and error.horizon is not None
-    if result.finished and verdict is Verdict.STOPPED and other is not None:
-        message = f"the run is complete, a run with a smaller tolerance to know its error by is not: {other.message}"
-        result = Outcome(other.name, message, other.remedy)
-    elif result.finished and error is not None and verdict is not Verdict.MET:
-        if verdict is Verdict.BEYOND:
-            return too_long(asked, error), ()
-        if error.floor is not None:
-            result = unreachable(asked, error.floor, run.method, other)
-        elif other is not None:
-            result = unknown(asked, other)
-    return result, (beyond_horizon(error),) if lost and error is not None else ()

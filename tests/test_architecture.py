@@ -14,6 +14,7 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 SIDES = ("derive", "runtime")
+HALLS = {("runtime", "integrate"), ("runtime", "pictures")}  # whose sub-folders are rooms of their own
 
 # Rooms are folders, and the loose files beside them; "." is the folder's own __init__. The arrows are all there are, in functions and under
 # TYPE_CHECKING too. Rooms of the same side go by their name alone.
@@ -42,30 +43,32 @@ ROOMS = {
         "units": "",
     },
     "runtime": {
-        ".": "derive/faults effects model simulation solution sweep",
+        ".": "derive/faults effects loading model simulation solution sweep",
         "accuracy": "",
-        "cli": "accuracy derive/audit derive/faults derive/sheets effects hard_cases host model pictures run "
-        "simulation solution start validate work_precision",
+        "cli": "accuracy derive/audit derive/faults derive/sheets effects hard_cases host loading model pictures "
+        "pictures/draw pictures/studies run simulation solution start validate work_precision",
         "command_line": "cli",
-        "effects": "accuracy derive/declare derive/faults integrate/step model run simulation solution start",
-        "hard_cases": "host integrate/loop integrate/step model run simulation solution",
+        "effects": "accuracy derive/declare derive/faults integrate/step loading model run simulation solution start",
+        "hard_cases": "host integrate/loop integrate/step loading model run simulation solution",
         "host": "derive/faults",
         "integrate": "host integrate/events integrate/loop integrate/step model",
         "integrate/events": "integrate/step integrate/tableaux model",
-        "integrate/loop": "host integrate/events integrate/step integrate/tableaux model solution",
+        "integrate/loop": "host integrate/events integrate/step integrate/tableaux model",
         "integrate/step": "host integrate/tableaux model",
         "integrate/tableaux": "host",
-        "model": "derive/audit derive/declare derive/derivation derive/faults derive/files derive/laws "
-        "derive/readable derive/scenes derive/sheets derive/units host pictures",
-        "package": "derive/declare derive/faults model simulation",
-        "pictures": "accuracy derive/faults derive/sheets effects host model solution start validate work_precision",
-        "run": "accuracy derive/faults host integrate integrate/loop integrate/step model simulation solution start",
-        "simulation": "accuracy integrate/loop integrate/step model run solution",
-        "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model pictures run "
-        "start",
+        "loading": "derive/declare derive/faults model pictures/draw",
+        "model": "derive/audit derive/declare derive/derivation derive/faults derive/files derive/laws derive/readable "
+        "derive/scenes derive/sheets derive/units host",
+        "package": "derive/declare derive/faults loading simulation",
+        "pictures": "host solution start",
+        "pictures/draw": "derive/faults host model pictures run solution start",
+        "pictures/studies": "accuracy derive/sheets effects pictures validate work_precision",
+        "run": "accuracy derive/faults integrate integrate/loop integrate/step model solution start",
+        "simulation": "accuracy derive/faults integrate/step loading model pictures pictures/draw run solution",
+        "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults integrate/step integrate/tableaux model",
         "sweep": "derive/faults host model run simulation solution start",
-        "validate": "derive/faults derive/files derive/sheets derive/units model run simulation solution",
+        "validate": "derive/faults derive/files derive/sheets derive/units loading model run simulation solution",
         "work_precision": "accuracy derive/faults host integrate/loop integrate/step model run simulation solution",
     },
 }
@@ -88,11 +91,6 @@ RINGS = {  # arrows that still close a ring: to be cut, never to grow
     ("derive/effects", "derive/contact"),
     ("derive/effects", "derive/motion"),
     ("derive/effects", "derive/declare"),
-    ("runtime/model", "runtime/pictures"),
-    ("runtime/solution", "runtime/pictures"),
-    ("runtime/solution", "runtime/run"),
-    ("runtime/run", "runtime/simulation"),
-    ("runtime/integrate/loop", "runtime/solution"),
 }
 
 
@@ -166,7 +164,7 @@ def room_of(path: Path) -> str:
     parts = path.with_suffix("").parts
     if parts[-1] == "__init__":
         parts = parts[:-1]
-    depth = 3 if parts[:2] == ("runtime", "integrate") and len(parts) > 3 else 2
+    depth = 3 if parts[:2] in HALLS and len(parts) > 3 else 2
     return "/".join(parts[:depth])
 
 
@@ -293,7 +291,8 @@ CLI = {
     ]
 }
 PICTURES = {
-    *(f"pictures/{name}.py" for name in ["plot", "plot_accuracy", "plot_band", "plot_effects", "plot_laws"]),
+    "pictures/plot.py",
+    *(f"pictures/studies/plot_{name}.py" for name in ["accuracy", "band", "effects", "laws"]),
     *(f"pictures/draw/{name}.py" for name in ["drawing", "insets", "labels", "paper", "picture", "sheet"]),
 }
 

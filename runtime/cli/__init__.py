@@ -30,7 +30,7 @@ def _open_streams() -> None:
 
 def _print_version(context: click.Context, _: click.Parameter, wanted: bool) -> None:
     if wanted:
-        from hertzwerk.runtime.solution.record import versions
+        from hertzwerk.runtime.cli.record import versions
 
         click.echo(", ".join(f"{name} {version}" for name, version in versions().items()))
         context.exit()

@@ -35,8 +35,8 @@ def accuracy(target: str, out: Path | None, as_json: bool, **options: Any) -> in
     Each run asks for an error at its end; what it really has is measured against a reference of two independent methods. How errors go along
     the run says how long a trajectory stays the true one, and what ten times more accuracy buys.
     """
+    from hertzwerk.runtime.cli.record import json_text
     from hertzwerk.runtime.host.folder import new_folder
-    from hertzwerk.runtime.solution.record import json_text
     from hertzwerk.runtime.work_precision.reference import NoReferenceError
     from hertzwerk.runtime.work_precision.study import study
 
@@ -93,9 +93,9 @@ def _problem(
 
 def _write(found: Study, folder: Path, missing: list[str]) -> list[str]:
     """Data and picture of a study."""
+    from hertzwerk.runtime.cli.record import json_text, versions
     from hertzwerk.runtime.host.folder import attempted
-    from hertzwerk.runtime.pictures.plot_accuracy import save
-    from hertzwerk.runtime.solution.record import json_text, versions
+    from hertzwerk.runtime.pictures.studies.plot_accuracy import save
     from hertzwerk.runtime.work_precision.report import csv_text
     from hertzwerk.runtime.work_precision.report import record as numbers
 
@@ -126,7 +126,7 @@ def _report(found: Study, written: tuple[Path, list[str]] | None) -> None:
 
 def _without_reference(problem: Problem, error: NoReferenceError, *, as_json: bool) -> int:
     """No two methods reach the end: there is nothing to measure errors by."""
-    from hertzwerk.runtime.solution.record import json_text
+    from hertzwerk.runtime.cli.record import json_text
 
     failed = {method: (run.outcome, run.t_end) for method, run in error.runs.items()}
     if as_json:

@@ -71,12 +71,12 @@ def draw(
 
 def _places(target: str, values: dict[str, str], duration: str | None, start: bool) -> tuple[Places, tuple[str, ...]]:
     """Where a mechanism is in its scenario, and what to say of that; raises InputError."""
-    from hertzwerk.runtime.model.model import load
+    from hertzwerk.runtime.loading import load
     from hertzwerk.runtime.pictures.draw.picture import notes_on
     from hertzwerk.runtime.pictures.draw.places import Places
     from hertzwerk.runtime.run.request import METHOD
+    from hertzwerk.runtime.run.warnings import unchecked
     from hertzwerk.runtime.simulation import simulate
-    from hertzwerk.runtime.solution.caveats import unchecked
     from hertzwerk.runtime.start.start_values import sorted_out
     from hertzwerk.runtime.validate import scenarios
 

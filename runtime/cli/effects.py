@@ -54,8 +54,8 @@ def effects(target: str, out: Path | None, no_plots: bool, as_json: bool, **opti
 
     A change is of the scene without the effect, relative to the whole scene. One that is smaller than the error of both is none seen.
     """
+    from hertzwerk.runtime.cli.record import json_text
     from hertzwerk.runtime.host.folder import new_folder
-    from hertzwerk.runtime.solution.record import json_text
 
     wanted = out is not None or not as_json
     study = _study(target, out, quiet=as_json, wanted=wanted, **options)
@@ -119,13 +119,13 @@ def _fraction(text: str, faults: list[Fault]) -> float | None:
 
 
 def _write(study: Study, folder: Path, missing: list[str], *, plots: bool) -> list[str]:
+    from hertzwerk.runtime.cli.record import json_text
     from hertzwerk.runtime.host.folder import attempted
-    from hertzwerk.runtime.solution.record import json_text
 
     (folder / "effects.json").write_text(json_text(study.record()) + "\n", encoding="utf-8")
     if not plots:
         return ["effects.json"]
-    from hertzwerk.runtime.pictures.plot_effects import save
+    from hertzwerk.runtime.pictures.studies.plot_effects import save
 
     missing += attempted("effects.png", lambda: save(study, folder / "effects.png"))
     return ["effects.json", *([] if missing else ["effects.png"])]

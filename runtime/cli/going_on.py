@@ -13,7 +13,7 @@ from hertzwerk.runtime.cli.target import assignments, cannot_be_written
 if TYPE_CHECKING:
     from hertzwerk.runtime.cli.stopping import Stopping
     from hertzwerk.runtime.model.model import Model
-    from hertzwerk.runtime.solution.solution import Solution
+    from hertzwerk.runtime.simulation import Solution
 
 KEPT = "leave it out: a run goes on as it began"
 
@@ -32,7 +32,7 @@ def going_on(
     **others: Any,
 ) -> tuple[Solution, dict[str, Any]]:
     """The run that goes on, and the request to be kept of it; raises InputError, with what of the command line is not as the run there."""
-    from hertzwerk.runtime.model.model import load
+    from hertzwerk.runtime.loading import load
 
     before, request = _read(folder)
     faults = cannot_be_written(out, wanted=wanted)
@@ -77,7 +77,7 @@ def output_of(grid: str | None) -> str | int:
 
 def _read(folder: Path) -> tuple[Solution, dict[str, Any]]:
     """The run in a folder, and what it was asked by; raises InputError."""
-    from hertzwerk.runtime.solution.solution import Solution
+    from hertzwerk.runtime.simulation import Solution
 
     try:
         told = json.loads((folder / "run.json").read_text(encoding="utf-8"))
@@ -132,7 +132,7 @@ def _differences(
 
 def _other_values(before: Solution, model: Model, values: Mapping[str, str]) -> list[Fault]:
     """The parameters and initial states that are not those of the run."""
-    from hertzwerk.runtime.run.checkpoint import parameters_of
+    from hertzwerk.runtime.solution.checkpoint import parameters_of
     from hertzwerk.runtime.start.start_values import sorted_out
 
     faults: list[Fault] = []

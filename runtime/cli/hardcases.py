@@ -79,7 +79,7 @@ def _chosen(names: Sequence[str], methods: Sequence[str], *, everything: bool) -
 
 
 def _list(cases: Sequence[HardCase], *, as_json: bool) -> int:
-    from hertzwerk.runtime.solution.record import json_text
+    from hertzwerk.runtime.cli.record import json_text
 
     if as_json:
         click.echo(json_text({"cases": [_about(case) for case in cases]}))
@@ -100,7 +100,7 @@ def _about(case: HardCase) -> dict[str, Any]:
 
 
 def _print_json(cases: Sequence[HardCase], found: dict[str, dict[str, Result]], failed: Sequence[Result]) -> None:
-    from hertzwerk.runtime.solution.record import json_text
+    from hertzwerk.runtime.cli.record import json_text
 
     records = [{**_about(case), "results": [r.record() for r in found[case.name].values()]} for case in cases]
     click.echo(json_text({"passed": not failed, "cases": records}))

@@ -101,7 +101,7 @@ def _draw(sheets: Sequence[Sheet], picture: Path) -> None:
     if faults:
         raise InputError("laws", faults)
     from hertzwerk.runtime.host.scratch import write_atomically
-    from hertzwerk.runtime.pictures.plot_band import png
+    from hertzwerk.runtime.pictures.studies.plot_band import png
 
     write_atomically(picture, png(sheets[0]))
 
@@ -200,8 +200,8 @@ def _print_restitution(found: Restitution) -> None:
 
 
 def _study(names: Sequence[str], out: Path | None, *, plots: bool, as_json: bool) -> int:
+    from hertzwerk.runtime.cli.record import json_text
     from hertzwerk.runtime.host.folder import new_folder
-    from hertzwerk.runtime.solution.record import json_text
     from hertzwerk.runtime.validate.restitution import study
 
     wanted = out is not None or not as_json
@@ -232,15 +232,15 @@ def _study(names: Sequence[str], out: Path | None, *, plots: bool, as_json: bool
 
 
 def _write(found: Study, folder: Path, missing: list[str], *, plots: bool) -> list[str]:
+    from hertzwerk.runtime.cli.record import json_text
     from hertzwerk.runtime.host.folder import attempted
-    from hertzwerk.runtime.solution.record import json_text
 
     texts = {"restitution.csv": found.csv(), "restitution.json": json_text(found.record()) + "\n"}
     for name, text in texts.items():
         (folder / name).write_text(text, encoding="utf-8")
     if not plots:
         return list(texts)
-    from hertzwerk.runtime.pictures.plot_laws import save
+    from hertzwerk.runtime.pictures.studies.plot_laws import save
 
     missing += attempted("restitution.png", lambda: save(found, folder / "restitution.png"))
     return [*texts, *([] if missing else ["restitution.png"])]

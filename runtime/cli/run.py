@@ -26,7 +26,7 @@ from hertzwerk.runtime.cli.target import (
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, kept, lacking, line, reports_bad_input
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.solution.solution import Solution
+    from hertzwerk.runtime.simulation import Solution
 
 STOPPED = ("interrupted", "wall_time_limit", "too_many_steps")  # by a limit or the user, not by the motion
 
@@ -88,7 +88,7 @@ def run(
 
     Ctrl-C, or SIGTERM, ends it at once before the first steps (exit code 130); from then on it ends the computing, and what there is is written.
     """
-    from hertzwerk.runtime.solution import record
+    from hertzwerk.runtime.cli import record
 
     wanted = out is not None or not as_json
     with (

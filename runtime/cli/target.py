@@ -49,7 +49,7 @@ def loaded(
 
     Raises InputError with the faults found before and, as names of parameters and states cannot be checked then, only those `beside`.
     """
-    from hertzwerk.runtime.model.model import load
+    from hertzwerk.runtime.loading import load
 
     try:
         return load(target, without=without, laws=assignments("--law", laws, faults), coordinates=coordinates)

@@ -15,9 +15,10 @@ from hertzwerk.runtime.effects.outputs import PAST_HORIZON, Output, automatic, c
 from hertzwerk.runtime.effects.smallest import smallest
 from hertzwerk.runtime.effects.starts import as_driven
 from hertzwerk.runtime.effects.study import GONE, NEW, NONE_SEEN, Change, Row, Study
+from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.model import build
 from hertzwerk.runtime.model.binding import Value
-from hertzwerk.runtime.model.model import Model, load
+from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.run.request import METHOD
 from hertzwerk.runtime.solution.solution import Solution
 

@@ -22,9 +22,9 @@ from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.model import Model
-from hertzwerk.runtime.run import scales
 from hertzwerk.runtime.run.request import TOLERANCES
 from hertzwerk.runtime.simulation import simulate
+from hertzwerk.runtime.solution import scales
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.start.start_values import sorted_out

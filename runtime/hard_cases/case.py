@@ -30,7 +30,8 @@ class Source:
 
     def load(self) -> Model:
         """The model; derived, or from the cache, where it is not committed."""
-        from hertzwerk.runtime.model.model import Model, load
+        from hertzwerk.runtime.loading import load
+        from hertzwerk.runtime.model.model import Model
 
         if not self.hard:
             return load(self.scene, without=self.without, laws=dict(self.laws))

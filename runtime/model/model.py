@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import importlib
-import importlib.util
 import math
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from types import ModuleType, SimpleNamespace
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import casadi as ca
 import numpy as np
 
-from hertzwerk.derive.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.model.binding import Port, Value, read_parameters
 
@@ -194,12 +191,6 @@ class Model:
 
         return build.equations(self.declaration.scene())
 
-    def draw(self, *, parameters: Mapping[str, Value] | None = None, initial: Mapping[str, Value] | None = None) -> Any:
-        """A figure of the mechanism at its start, with its clearances enlarged; raises InputError. `Solution.draw` shows how it moves."""
-        from hertzwerk.runtime.pictures.draw import picture
-
-        return picture.of_start(self, parameters, initial)
-
     def bind(self, parameters: Mapping[str, Value] | None = None) -> Bound:
         """Defaults with `parameters` in their place, in SI; raises InputError with every fault."""
         bound, faults = self.check({} if parameters is None else parameters)
@@ -256,48 +247,3 @@ _INPUTS = {
     "period": "p",
     "landmarks": "p",
 }
-
-
-def _type_faults(target: Any, without: Any, laws: Any, coordinates: Any) -> list[Fault]:
-    """What is of a type that nothing can be loaded or varied by."""
-    faults: list[Fault] = []
-    if not isinstance(target, str | Path) and not hasattr(target, "mechanism"):
-        faults.append(Fault("target", shown(target), "the name of a built-in scene, a Python file, or a Scene"))
-    if not isinstance(without, list | tuple) or not all(isinstance(name, str) for name in without):
-        faults.append(Fault("without", shown(without), "a list of names of effects"))
-    given = () if laws is None else laws.items() if isinstance(laws, Mapping) else ((laws, None),)
-    if not all(isinstance(name, str) and isinstance(law, str) for name, law in given):
-        faults.append(Fault("laws", shown(laws), 'laws by the names of effects, such as {"floor": "flores"}'))
-    if not isinstance(coordinates, str | None):
-        faults.append(Fault("coordinates", shown(coordinates), '"tree", "absolute" or "auto"'))
-    return faults
-
-
-def load(
-    target: str | Path | Scene,
-    *,
-    without: Sequence[str] = (),
-    laws: Mapping[str, str] | None = None,
-    coordinates: str | None = None,
-) -> Model:
-    """The model of a built-in scene (never imports SymPy), of a variation of one, of a Python file that defines `scene`, or of a Scene.
-
-    `without` names effects to leave out, `laws` gives an effect another law by name, `coordinates` are "tree", "absolute" or "auto" in place of
-    the scene's own. Raises InputError.
-    """
-    faults = _type_faults(target, without, laws, coordinates)
-    if faults:
-        raise InputError("load", faults)
-    varied = bool(without or laws or coordinates is not None)
-    if isinstance(target, str) and not varied and target.isidentifier():
-        name = f"hertzwerk.generated.{target}"
-        if importlib.util.find_spec(name) is not None:
-            return Model(importlib.import_module(name), Declaration(target))
-    from hertzwerk.runtime.model import build
-
-    how = tuple(without), tuple((laws or {}).items()), coordinates
-    if isinstance(target, str) and not build.is_file(target):
-        return Model(build.build_built_in(target, without, laws, coordinates), Declaration(target, *how))
-    source = build.source_of(target) if isinstance(target, str | Path) else "a scene"
-    scene = build.scene_from(target) if isinstance(target, str | Path) else target
-    return Model(build.build(build.vary(scene, without, laws, coordinates), source), Declaration(scene, *how))

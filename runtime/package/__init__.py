@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from hertzwerk.derive.declare.scene import Scene
     from hertzwerk.derive.faults import InputError
-    from hertzwerk.runtime.model.model import load
+    from hertzwerk.runtime.loading import load
     from hertzwerk.runtime.simulation import simulate
 
     __version__: str
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 _PLACES = {
     "InputError": "hertzwerk.derive.faults",
     "Scene": "hertzwerk.derive.declare.scene",
-    "load": "hertzwerk.runtime.model.model",
+    "load": "hertzwerk.runtime.loading",
     "simulate": "hertzwerk.runtime.simulation",
 }
 

@@ -15,9 +15,9 @@ from hertzwerk.runtime.accuracy.ladder import LEAST
 from hertzwerk.runtime.integrate.step.methods import METHODS
 from hertzwerk.runtime.model.binding import Value, read_time
 from hertzwerk.runtime.model.model import Bound, Dependent, Model
-from hertzwerk.runtime.run import scales as scaling
 from hertzwerk.runtime.run.output_times import Output, times_of
-from hertzwerk.runtime.run.scales import Scales
+from hertzwerk.runtime.solution import scales as scaling
+from hertzwerk.runtime.solution.scales import Scales
 from hertzwerk.runtime.start.start_values import dependent, misplaced, start_of
 
 ACCURACIES, TOLERANCES = (1e-12, 1e-1), (LEAST, 1e-1)

@@ -14,16 +14,16 @@ from hertzwerk.runtime.integrate.loop.automatic import Gear
 from hertzwerk.runtime.integrate.loop.chunk import Ending, Resume
 from hertzwerk.runtime.integrate.step.layout import OUTSIDE_LAW_RANGE
 from hertzwerk.runtime.model.model import Model
-from hertzwerk.runtime.run import scales as scaling
-from hertzwerk.runtime.run.engine import Engine
+from hertzwerk.runtime.run.engine import Engine, engine_for
 from hertzwerk.runtime.run.recorder import BLOCK, Grid, Recorder, Steps
-from hertzwerk.runtime.run.request import Given, Limits
-from hertzwerk.runtime.run.scales import Scales
-from hertzwerk.runtime.solution.caveats import approach_speeds
+from hertzwerk.runtime.run.request import Given, Limits, Settings
+from hertzwerk.runtime.run.warnings import approach_speeds
+from hertzwerk.runtime.solution import scales as scaling
 from hertzwerk.runtime.solution.findings import Findings, Observer
 from hertzwerk.runtime.solution.history import History
 from hertzwerk.runtime.solution.impacts import ApproachSpeeds
 from hertzwerk.runtime.solution.outcome import Outcome, outcome
+from hertzwerk.runtime.solution.scales import Scales
 
 APPROACH_FLOOR = 1e-3  # m/s, where a model has latches but no parameter of this name
 LEAST_STEPS = 10  # of a run in contact: where all is at rest, steps grow until a short push would go unnoticed
@@ -158,6 +158,14 @@ class SingleRun:
         state: np.ndarray = begin()[0][0].copy()
         self.engine.begin.give_back(begin)
         return state
+
+
+def set_up(model: Model, settings: Settings, given: Given, start: Resume | None = None) -> SingleRun:
+    """The run that was asked for, its engine built. Raises InputError where C is asked for and there is no compiler."""
+    engine = engine_for(model.without_redundancy(given.dependent), settings.method, settings.compiled)
+    code, compiled = engine.code, settings.compiled
+    gear = Gear(code, compiled=compiled is True, changes=compiled == "auto") if code else None
+    return SingleRun(model, settings.method, engine, given, settings.limits, gear, start)
 
 
 @dataclass(frozen=True)

@@ -11,8 +11,8 @@ import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.host.lazy import cached_property
-from hertzwerk.runtime.integrate.loop.choose import Choice, choices
 from hertzwerk.runtime.solution.averages import INTERVALS
+from hertzwerk.runtime.solution.choices import Choice, Choices
 from hertzwerk.runtime.solution.impacts import Contacts, Impact
 from hertzwerk.runtime.solution.sums import Summing, Sums
 
@@ -87,17 +87,6 @@ class Balance:
             EPSILON * self._rows * self._size
         )  # of energies that are large because their zero is far, and of sums over steps
         return max(self._error - rounding, 0.0) / measure if self._finite and measure > 0 else 0.0
-
-
-class Choices:
-    """What `method="auto"` chose."""
-
-    def __init__(self) -> None:
-        self.made: list[Choice] = []
-
-    def take(self, block: History, fresh: int) -> None:
-        """The next accepted steps; see `Observer`."""
-        self.made += choices(block, fresh)
 
 
 class Findings:

@@ -7,22 +7,22 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import Any, ClassVar, Self
 
 import numpy as np
 
 from hertzwerk.runtime.accuracy.ladder import ErrorEstimate
 from hertzwerk.runtime.host.scratch import write_atomically
-from hertzwerk.runtime.integrate.loop.choose import Choice
 from hertzwerk.runtime.model.model import Model
-from hertzwerk.runtime.run.checkpoint import Checkpoint
-from hertzwerk.runtime.run.scales import Scales
 from hertzwerk.runtime.solution import saved
 from hertzwerk.runtime.solution.averages import Average, averages
+from hertzwerk.runtime.solution.checkpoint import Checkpoint
+from hertzwerk.runtime.solution.choices import Choice
 from hertzwerk.runtime.solution.findings import Findings
 from hertzwerk.runtime.solution.history import History
 from hertzwerk.runtime.solution.impacts import Impact
 from hertzwerk.runtime.solution.outcome import Outcome
+from hertzwerk.runtime.solution.scales import Scales
 from hertzwerk.runtime.solution.sums import Sums
 
 CHECKPOINT = "checkpoint"  # in a file, beside the histories
@@ -51,6 +51,7 @@ class Statistics:
 class Solution:
     """A run. `run["guide.travel"]` is a history over `run.t`, in SI; `run.names` lists what there is."""
 
+    model_type: ClassVar[type[Model]] = Model  # of saved runs
     history: History = field(repr=False)
     ends: History = field(repr=False)  # the first and the last of its rows are the run's
     findings: Findings = field(repr=False)
@@ -160,24 +161,6 @@ class Solution:
         text = f"{self.outcome.name}: {', '.join([*parts, f'{statistics.wall_s * 1e3:.3g} ms'])}"
         return text if self.outcome.finished else f"{text}\n{self.outcome.message}; {self.outcome.remedy}"
 
-    def continued(self, duration: str | float | None = None, **options: Any) -> Solution:
-        """Go on from the end of this run; see `hertzwerk.runtime.run.checkpoint.continued`."""
-        from hertzwerk.runtime.run.checkpoint import continued
-
-        return continued(self, duration, **options)
-
-    def plot(self, *names: str, **options: Any) -> Any:
-        """A figure of this run; see `hertzwerk.runtime.pictures.plot.plot`."""
-        from hertzwerk.runtime.pictures import plot
-
-        return plot.plot(self, *names, **options)
-
-    def draw(self) -> Any:
-        """A figure of the mechanism at its start and later, with its clearances enlarged; raises InputError for a saved run."""
-        from hertzwerk.runtime.pictures.draw import picture
-
-        return picture.of_run(self)
-
     def to_csv(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write every history as a column, headed `name [unit]`, rows at `run.t`, SI; raises FileExistsError."""
         return write(Path(path), self._csv(slice(None)), overwrite=overwrite)
@@ -222,7 +205,7 @@ class Solution:
         return write(Path(path), saved.packed(about, histories), overwrite=overwrite)
 
     @classmethod
-    def load(cls, path: str | Path) -> Solution:
+    def load(cls, path: str | Path) -> Self:
         """A saved run: its histories, impacts and numbers. It holds no functions: `at` asks for a new run.
 
         Raises InputError for a file that is not as `save` wrote it.
@@ -230,14 +213,14 @@ class Solution:
         return saved.unpacked(Path(path), cls._of)
 
     @classmethod
-    def _of(cls, about: dict[str, Any], histories: dict[str, np.ndarray]) -> Solution:
+    def _of(cls, about: dict[str, Any], histories: dict[str, np.ndarray]) -> Self:
         state = histories.pop(CHECKPOINT, None)
         module = ModuleType(f"saved_{about['scene']['NAME']}")
         for name, table in about["scene"].items():
             setattr(module, name, _tuples(table))
         if about["ledger"]:
             module.ledger = None  # type: ignore[attr-defined]
-        model = Model(module)
+        model = cls.model_type(module)
         return cls(
             history=History.stored(model, histories),
             ends=History.stored(model, {name: np.array(values) for name, values in about["ends"].items()}),

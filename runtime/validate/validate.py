@@ -41,7 +41,7 @@ class Verdict:
 
 def run_scenario(scenario: Scenario) -> Solution:
     """Simulate a scenario with its own numbers; raises InputError."""
-    from hertzwerk.runtime.model.model import load
+    from hertzwerk.runtime.loading import load
     from hertzwerk.runtime.simulation import simulate
 
     return simulate(

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from hertzwerk.runtime.accuracy.horizon import crossing
 from hertzwerk.runtime.host.lazy import cached_property
-from hertzwerk.runtime.run import scales as scaling
 from hertzwerk.runtime.simulation import simulate
+from hertzwerk.runtime.solution import scales as scaling
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.binding import Value

@@ -12,7 +12,7 @@ import numpy as np
 
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.accuracy.ladder import LEAST
-from hertzwerk.runtime.run.scales import error
+from hertzwerk.runtime.solution.scales import error
 from hertzwerk.runtime.validate import scenarios
 
 METHODS = ("dopri5", "dop853", "rodas", "esdirk", "auto")

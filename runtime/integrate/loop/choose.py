@@ -13,12 +13,10 @@ with steps that choose.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from enum import Enum
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
-import numpy as np
 
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.implicit import linearised, part_to_rest, sliding
@@ -27,7 +25,6 @@ from hertzwerk.runtime.integrate.step.layout import SUSPECT, layouts
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.step.classes import Contacts
     from hertzwerk.runtime.model.model import Model
-    from hertzwerk.runtime.solution.history import History
 
 EXPLICIT, IMPLICIT = 0.0, 1.0  # the state's `method`
 STIFF = 3.0  # step x rate: an explicit method of order 5 is stable up to 3.3, of order 8 up to 6
@@ -120,30 +117,3 @@ def _rate(J: Any, nq: int, nu: int) -> Any:
     vibration = ca.trace(ca.mtimes(J[nq : nq + nu, others], J[others, nq : nq + nu]))
     # of two zeros of unlike sign a compiler may choose either
     return ca.fabs(ca.fmax(-ca.trace(J), ca.sqrt(ca.fmax(-vibration, 0))))
-
-
-@dataclass(frozen=True)
-class Choice:
-    """From t [s] on the steps were "explicit" or "implicit", and why."""
-
-    t: float
-    method: str
-    reason: str
-
-
-def choices(history: History, fresh: int) -> tuple[Choice, ...]:
-    """What a run with `method="auto"` chose at the rows from `fresh` on: the first method and every change."""
-    method, stiffness, pressure = (history.part(part)[:, 0] for part in ("method", "stiffness", "pressure"))
-    found = [] if fresh else [Choice(float(history.t[0]), "explicit", "a run begins so")]
-    first = max(fresh, 1)
-    for i in first + np.flatnonzero(method[first:] != method[first - 1 : -1]):
-        if method[i] == EXPLICIT and pressure[i] > 0:
-            reason = "a singular position is near, and the Jacobian before it says nothing of what is behind"
-        elif method[i] == EXPLICIT:
-            reason = f"step x fastest rate fell to {stiffness[i]:.2g}: explicit steps are as long, and cheaper"
-        elif stiffness[i] > STIFF:
-            reason = f"step x fastest rate = {stiffness[i]:.2g}: stability holds explicit steps down, not accuracy"
-        else:
-            reason = "step after step went over the layer in which friction turns: it sticks"
-        found.append(Choice(float(history.t[i]), "implicit" if method[i] == IMPLICIT else "explicit", reason))
-    return tuple(found)

@@ -15,7 +15,7 @@ from hertzwerk.runtime.pictures.draw import insets
 from hertzwerk.runtime.pictures.draw.drawing import Drawing
 from hertzwerk.runtime.pictures.draw.places import Array, Places
 from hertzwerk.runtime.pictures.plot_style import GREY, STYLE, VERMILLION, plain
-from hertzwerk.runtime.solution.caveats import unchecked
+from hertzwerk.runtime.run.warnings import unchecked
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.binding import Value

@@ -27,8 +27,8 @@ from hertzwerk.runtime.accuracy.ladder import (
     horizon,
 )
 from hertzwerk.runtime.integrate.step.layout import CONSTRAINT_LOST
-from hertzwerk.runtime.run import scales as scaling
 from hertzwerk.runtime.run.single_run import SingleRun
+from hertzwerk.runtime.solution import scales as scaling
 from hertzwerk.runtime.solution.solution import Solution
 from reference.slider_crank import SliderCrank, reference
 

@@ -14,9 +14,8 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.cli import main, record
 from hertzwerk.runtime.model.build import built_in_scenes
-from hertzwerk.runtime.solution import record
 
 SCENE = """
 from hertzwerk.derive import GROUND, Body, Contact, Gravity, Mechanism, Parameter, Prismatic, Scales, Scene, SphereOnPlane, Start, Y

@@ -9,7 +9,7 @@ from click.testing import CliRunner
 
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.effects import leaving_out
-from hertzwerk.runtime.pictures.plot_effects import figure
+from hertzwerk.runtime.pictures.studies.plot_effects import figure
 
 
 @pytest.fixture

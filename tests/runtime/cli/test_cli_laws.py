@@ -8,7 +8,7 @@ import pytest
 from click.testing import CliRunner
 
 from hertzwerk.runtime.cli import main
-from hertzwerk.runtime.pictures.plot_laws import figure
+from hertzwerk.runtime.pictures.studies.plot_laws import figure
 from hertzwerk.runtime.validate import restitution
 
 

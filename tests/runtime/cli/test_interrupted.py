@@ -21,8 +21,7 @@ import pytest
 from click.testing import CliRunner
 
 from hertzwerk.runtime import Solution
-from hertzwerk.runtime.cli import main
-from hertzwerk.runtime.solution import record
+from hertzwerk.runtime.cli import main, record
 
 START = [sys.executable, "-X", "importtime", "-c", "from hertzwerk.runtime.command_line import start; start()"]
 CPU_S = 3.0  # of a processor, from the signal on: the machine may be busy with other things

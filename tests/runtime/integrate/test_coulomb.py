@@ -39,7 +39,7 @@ from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.friction import grips
 from hertzwerk.runtime.integrate.step.implicit import linearised
 from hertzwerk.runtime.model.model import Model
-from hertzwerk.runtime.run.scales import of_parameters
+from hertzwerk.runtime.solution.scales import of_parameters
 from hertzwerk.runtime.solution.solution import Solution
 
 METHODS = ("dop853", "dopri5", "rodas", "esdirk", "auto")

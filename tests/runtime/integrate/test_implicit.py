@@ -38,7 +38,7 @@ from hertzwerk.runtime.integrate.step.methods import METHODS
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import ErrorEstimate
 from hertzwerk.runtime.integrate.tableaux.implicit_tableaux import DiagonallyImplicit, Rosenbrock, esdirk54, rodas5p
 from hertzwerk.runtime.model.model import Model
-from hertzwerk.runtime.run.scales import of_parameters
+from hertzwerk.runtime.solution.scales import of_parameters
 from reference import closed_forms
 
 IMPLICIT = ("rodas", "esdirk")

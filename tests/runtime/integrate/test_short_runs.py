@@ -8,7 +8,7 @@ import sympy as sp
 from hertzwerk.derive import JointForce, Parameter, coordinate_of
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 from hertzwerk.runtime import Solution, load, simulate
-from hertzwerk.runtime.solution import record
+from hertzwerk.runtime.cli import record
 
 PERIOD = 0.012  # of the crank [s]
 

@@ -31,7 +31,7 @@ from hertzwerk.derive import (  # fmt: skip
 from hertzwerk.derive.laws import power
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 from hertzwerk.runtime import simulate
-from hertzwerk.runtime.model.model import load
+from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.start.ideal import ideal_motion, unknown_because
 from reference import ideal_slider_crank as closed_form
 

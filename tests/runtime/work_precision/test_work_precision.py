@@ -289,7 +289,7 @@ def test_the_command_prints_json_writes_a_new_folder_and_never_overwrites(hertzw
 
 @pytest.mark.slow  # draws
 def test_a_motion_that_every_method_gets_right_has_nothing_to_tell_and_can_be_drawn(model, quick):
-    from hertzwerk.runtime.pictures.plot_accuracy import figure
+    from hertzwerk.runtime.pictures.studies.plot_accuracy import figure
 
     found = study(Problem(model, "1 s", {"push": "0 N/m", "w": "0 rad/s"}), methods=("dop853", "auto"))
     assert found.reference.uncertainty == np.finfo(float).eps

@@ -1,12 +1,11 @@
-"""Going on from the end of a run: what of its engine is kept for that, and the run that begins there."""
+"""The state of the engine that a run is continued from."""
 
 from __future__ import annotations
 
 import hashlib
 import linecache
-import time
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,12 +14,10 @@ from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.integrate.loop.chunk import Resume
 from hertzwerk.runtime.integrate.step.layout import layouts
 from hertzwerk.runtime.model.binding import Value
-from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, Compiled, Settings, read
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.loop.chunk import Ending
     from hertzwerk.runtime.model.model import Model
-    from hertzwerk.runtime.run.output_times import Output
     from hertzwerk.runtime.solution.solution import Solution
 
 # How a run may have ended that goes on where it is asked for more: any other would end so again.
@@ -79,59 +76,6 @@ def digest(model: Model) -> str:
     return hashlib.sha256("".join(linecache.getlines(file)).encode()).hexdigest()[:32]
 
 
-def continued(
-    run: Solution,
-    duration: str | float | None = None,
-    *,
-    model: Model | None = None,
-    output: Output = "steps",
-    compiled: Compiled = "auto",
-    max_steps: int = MAX_STEPS,
-    max_events: int = MAX_EVENTS,
-    wall_time: float | None = None,
-    progress: Callable[[float], object] | None = None,
-) -> Solution:
-    """Go on from the end of a run, with its model, parameters, start, method and tolerance, as if it had not ended there.
-
-    duration    of the whole motion from its start, longer than what the run reached; by default what the run was asked for
-    model    the model of a saved run, which has no functions: load("slider_crank")
-    output    as of `simulate`: of a grid over the whole motion the part that is left
-    max_steps, max_events, wall_time    of this run alone
-
-    What is returned begins at `t_start`, the last step that did not depend on where the run before ended: a step or two before that end, whose last
-    ones were cut to arrive there. Where steps are kept, those of the run before with t < t_start and these are bitwise those of one run of that
-    duration at that tolerance; steps as long as a tenth of the shorter duration, the longest in contact, are the exception. Impacts, energy
-    balance, statistics and averages are of this part; a contact that is under way where it begins is listed in both, here from there on. There is
-    no estimate of the error, neither of the part nor of the whole: it would take the runs that checked the one before as well.
-
-    Raises InputError, with every fault.
-    """
-    from hertzwerk.runtime.integrate.loop.automatic import Gear
-    from hertzwerk.runtime.run.engine import engine_for
-    from hertzwerk.runtime.run.single_run import SingleRun
-    from hertzwerk.runtime.simulation import solution_of
-
-    began = time.perf_counter()
-    live = model if model is not None else run.model
-    kept = _going_on(run, live, saved=model is None and run.history.integrator is None)
-    whole = run.duration if duration is None else duration
-    settings = Settings(whole, None, run.tolerance, run.method, compiled, output, max_steps, max_events, wall_time)
-    given, times = read(live, settings, parameters_of(run, live), kept.initial)
-    start = float(kept.resume.state[0])
-    if given.seconds <= run.t_end:
-        expected = f"more than the {run.t_end:g} s that the run reached"
-        raise InputError(live.name, [Fault("duration", f"{given.seconds:g} s", expected, "it is of the whole motion")])
-    engine = engine_for(live.without_redundancy(given.dependent), run.method, compiled)
-    gear = Gear(engine.code, compiled=compiled is True, changes=compiled == "auto") if engine.code else None
-    part = SingleRun(live, run.method, engine, given, settings.limits, gear, kept.resume)
-    build_s = time.perf_counter() - began
-    rest = None if times is None else times[times >= start]
-    found = solution_of(part, part.trace(run.tolerance, run.scales, rest, progress=progress), run.scales, build_s)
-    before = "" if run.error is None else f"; that of the run before was {run.error} at its end"
-    told = f"goes on from t = {start:.9g} s at the tolerance {run.tolerance:.2g} of the run before, without an estimate of its error{before}"
-    return replace(found, warnings=(*found.warnings, told))
-
-
 def parameters_of(run: Solution, model: Model) -> dict[str, tuple[float, str]]:
     """The parameters of a run that are not the model's own."""
     ports = model.parameters
@@ -142,7 +86,7 @@ def parameters_of(run: Solution, model: Model) -> dict[str, tuple[float, str]]:
     }
 
 
-def _going_on(run: Solution, model: Model, *, saved: bool) -> Checkpoint:
+def resumable(run: Solution, model: Model, *, saved: bool) -> Checkpoint:
     """The checkpoint of a run; raises InputError where nothing goes on from it."""
     faults, kept = [], run.checkpoint
     if saved:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from hertzwerk.runtime.integrate.loop.automatic import Code
 from hertzwerk.runtime.model.model import Bound, Model
 from hertzwerk.runtime.solution.history import holding_force
 from hertzwerk.runtime.solution.impacts import ApproachSpeeds, Track
@@ -56,3 +57,9 @@ def floored(count: int, floor: float) -> Iterator[str]:
         return
     contacts = "one contact began" if count == 1 else f"{count} contacts began"
     yield f"{contacts} slower than approach_floor = {floor:g} m/s, which its damping took for the approach speed"
+
+
+def uncompiled(code: Code | None) -> Iterator[str]:
+    """A warning where C would have saved time and the compiler was of no use."""
+    if code is not None and code.complaint:
+        yield f"not compiled, which costs time and no accuracy: {code.complaint}"

@@ -1,0 +1,86 @@
+"""Runs at falling tolerance, until the error of one is known to be as small as was asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from hertzwerk.runtime.accuracy.ladder import (
+    POINTS,
+    Climbed,
+    End,
+    Ladder,
+    Rung,
+    Verdict,
+    beyond_horizon,
+    first_tolerance,
+)
+from hertzwerk.runtime.integrate.loop.chunk import INTERRUPTED, WALL_TIME_LIMIT
+from hertzwerk.runtime.integrate.step.layout import FINISHED, TOO_MANY_STEPS
+from hertzwerk.runtime.run.request import Limits
+from hertzwerk.runtime.run.single_run import SingleRun, Trace
+from hertzwerk.runtime.solution import scales as scaling
+from hertzwerk.runtime.solution.outcome import Outcome, too_long, unknown, unreachable
+from hertzwerk.runtime.solution.scales import Scales
+
+STOPS = (INTERRUPTED, WALL_TIME_LIMIT, TOO_MANY_STEPS)  # what ends all runs
+
+
+def climb(
+    run: SingleRun,
+    scales: Scales,
+    times: np.ndarray | None,
+    asked: float,
+    progress: Callable[[float], object] | None,
+) -> Climbed[Trace]:
+    """Runs at falling tolerance; limits of steps and time are of all of them, the limit of events is of the motion, and so of each."""
+    model, seconds, limits = run.model, run.given.seconds, run.limits
+    grid = np.linspace(0.0, seconds, POINTS)
+    made: list[tuple[float, int]] = []  # times [s] and steps spent
+
+    def one(tolerance: float, keep: bool, most: float) -> Rung[Trace]:
+        spent_s, steps = (sum(each) for each in zip(*made, strict=True)) if made else (0.0, 0)
+        of_all = max(limits.max_steps - int(steps), 1)
+        left = Limits(int(min(of_all, most)), limits.max_events, max(limits.wall_time - spent_s, 0.0))
+        beside = None if progress is None else _part(progress, len(made))
+        here = replace(run, limits=left).trace(tolerance, scales, times, progress=beside, beside=grid, alone=not keep)
+        made.append((here.ending.wall_s, here.counted["steps"]))
+        status = here.ending.status
+        given_up = status == TOO_MANY_STEPS and most < of_all
+        end = End.REACHED if status == FINISHED else End.STOPPED if status in STOPS and not given_up else End.FAILED
+        states = here.beside.history.part("y")
+        counted = here.counted
+        return Rung(tolerance, end, states, counted["steps"], counted["evaluations"], here.ending.wall_s, here)
+
+    def differ(y: np.ndarray, reference: np.ndarray) -> np.ndarray:
+        return scaling.error(model, scales, y, reference)
+
+    ladder = Ladder(one, differ, lambda y: scaling.rounding(model, scales, y), grid, asked)
+    return ladder.climb(first_tolerance(asked, seconds, *scales.scene[:2]))
+
+
+def _part(progress: Callable[[float], object], before: int) -> Callable[[float], object]:
+    """Progress of the next run after so many: every run that is kept has one that checks it."""
+    return lambda done: progress((before + done) / (2 * (before // 2) + 2))
+
+
+def verdict_of(
+    run: SingleRun, climbed: Climbed[Trace], asked: float, result: Outcome
+) -> tuple[Outcome, tuple[str, ...]]:
+    """Outcome and warnings of a run for an accuracy: what was asked for and is missed, or is not known, is never finished."""
+    error, verdict = climbed.error, climbed.verdict
+    other = None if climbed.broken is None else run.outcome(climbed.broken.kept)
+    lost = error is not None and error.horizon is not None
+    if result.finished and verdict is Verdict.STOPPED and other is not None:
+        message = f"the run is complete, a run with a smaller tolerance to know its error by is not: {other.message}"
+        result = Outcome(other.name, message, other.remedy)
+    elif result.finished and error is not None and verdict is not Verdict.MET:
+        if verdict is Verdict.BEYOND:
+            return too_long(asked, error), ()
+        if error.floor is not None:
+            result = unreachable(asked, error.floor, run.method, other)
+        elif other is not None:
+            result = unknown(asked, other)
+    return result, (beyond_horizon(error),) if lost and error is not None else ()
