@@ -322,6 +322,16 @@ def runs(file: Path) -> set[str]:
     return {module for node, module in imports(file) if ast.unparse(node) not in typing_only}
 
 
+def test_no_test_imports_another():
+    """What several tests share stands in a module that is none, beside bench.py."""
+    assert [
+        f"{file} imports {module}"
+        for file in sources("tests")
+        for module in modules(file)
+        if module.split(".")[-1].startswith("test_")
+    ] == []
+
+
 def test_a_forbidden_import_would_be_found(tmp_path, monkeypatch):
     """The net has no hole where imports hide: in functions, relative, by name, under TYPE_CHECKING, as `from package import module`."""
     monkeypatch.setattr("test_architecture.ROOT" if __name__ == "test_architecture" else f"{__name__}.ROOT", tmp_path)

@@ -41,6 +41,7 @@ from hertzwerk.derive import (  # fmt: skip
     Z,
 )
 
+TURNED = (("+X", 0.4), ("-Y", 0.7))
 DIRECTIONS = {"+X": X, "+Y": Y, "+Z": Z, "-X": -X, "-Y": -Y, "-Z": -Z}
 
 
@@ -405,6 +406,26 @@ def chain(n: int, axes: str) -> Tree:
 def driven(tree: Tree, link: int, speed: float) -> Tree:
     """The same tree with one joint driven at constant speed."""
     return replace(tree, links=tuple(replace(l, speed=speed) if i == link else l for i, l in enumerate(tree.links)))
+
+
+def link(kind, axis, parent, seed, *, second="+Y", turned=(None, None), speed=None, plane=False):
+    rng = np.random.default_rng(seed)
+    places = rng.uniform(-0.5, 0.5, (3, 3))
+    places[:, 2] *= not plane
+    a, b, c = rng.uniform(0.05, 0.2, 3).tolist()
+    on_parent, on_child, centre = (tuple(place.tolist()) for place in places)
+    return Link(kind, axis, parent, on_parent, on_child, rng.uniform(0.5, 2.0), (a + b, b + c, c + a), centre,
+                speed=speed, second=second, turned=turned)  # fmt: skip
+
+
+def line(*words, **options):
+    """A chain of joints such as ("R+Z", "S", "U-X")."""
+    return Tree(tuple(link(word[0], word[1:] or "+X", i - 1, i, **options) for i, word in enumerate(words)))
+
+
+def rows(tree, force):
+    """Generalised forces in the order of the contract: free joints, then driven ones."""
+    return np.concatenate([force[tree.free], force[tree.driven]])
 
 
 def _quantity(name: str, unit: str, value: float) -> Any:

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 import sympy as sp
-from test_scene import drop
+from drop import drop
 
 from hertzwerk.derive import Contact, Friction, InputError, Parameter, generate, laws_from
 from hertzwerk.derive.audit.behaviour import faults_if_consistent, law_faults, scene_faults

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import pytest
 import sympy as sp
+from drop import BALL, BOUNCE, FALL, FLOOR, GRAVITY, RADIUS, SCALES, STIFFNESS, drop
 
 from hertzwerk.derive import (  # fmt: skip
     GROUND,
@@ -33,21 +34,7 @@ from hertzwerk.derive import (  # fmt: skip
 from hertzwerk.derive.laws import flores, hunt_crossley, lankarani_nikravesh, power, smooth_coulomb
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 
-BALL = Body("ball", mass=Parameter("mass", "kg", 1.0))
-FALL = Prismatic("fall", GROUND, BALL, axis=Y)
-RADIUS = Parameter("radius", "m", 0.1)
-FLOOR = SphereOnPlane("floor", BALL.at(0, 0, 0), RADIUS, GROUND.at(0, 0, 0), normal=Y)
-GRAVITY = Gravity("gravity", Parameter("g", "m/s^2", 9.81), -Y)
-STIFFNESS = power(Parameter("K", "N/m^1.5", 1e6), 1.5)
-BOUNCE = Contact("floor", STIFFNESS, flores(Parameter("restitution", "1", 0.8)))
-EFFECTS = (GRAVITY, BOUNCE, EnergyLedger())
-SCALES = Scales(length=RADIUS, speed=Parameter("pace", "m/s", 1), arm=RADIUS)
 STRANGER = Body("stranger", mass=Parameter("stranger_mass", "kg", 1.0), inertia=Parameter("J", "kg m^2", 1.0))
-
-
-def drop(joints=(FALL,), pairs=(FLOOR,), effects=EFFECTS, scales=SCALES, start=None, name="drop"):
-    """A sound scene unless something of it is replaced."""
-    return Scene(Mechanism(name, joints, pairs), effects, scales, start or Start())
 
 
 def heavy(mass, **body):

@@ -6,10 +6,13 @@ import pytest
 import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from mpmath import mp, mpf
 from sympy import Max, Min, Rational, acos, atan, atan2, cos, cosh, exp, log, pi, sign, sin, sqrt, tan, tanh
+from sympy.core.function import AppliedUndef
 
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.algebra.splines import Table
+from hertzwerk.derive.audit.rescaling import ROUNDING, rescale
 from hertzwerk.derive.dimension.dimension import ONE, SIGNATURES, ZERO, Dimension, DimensionError, check, dimension_of
 from hertzwerk.derive.units import UnitError
 
@@ -484,3 +487,50 @@ def test_products_add_exponents(powers):
     total = [sum(TABLE[symbol].exponents[i] * power for symbol, power in powers) for i in range(4)]
     found = dimension_of(expression, TABLE)
     assert list(found.exponents) == total
+
+
+# -- against the audit by other units of measurement ----------------------------------------------------------------------
+
+
+def _numeric_rows(rows):
+    """Of the table what numbers can be put in."""
+    symbolic = (sp.Derivative, sp.Integral, sp.MatrixBase, sp.MatrixExpr, sp.Determinant, sp.Sum, sp.zeta)
+    for row in rows:
+        expression = sp.sympify(row[0])
+        nodes = list(sp.preorder_traversal(expression))
+        known = all(x in TABLE or x in CONSTANTS for x in expression.free_symbols)
+        if (
+            isinstance(expression, sp.Expr)
+            and known
+            and not any(isinstance(x, (*symbolic, AppliedUndef)) for x in nodes)
+            and expression.is_real is not False
+        ):
+            yield expression, row[1]
+
+
+def _table_states(expression):
+    symbols = sorted({*expression.free_symbols, *CONSTANTS}, key=str)
+    with mp.workdps(40):
+        return [
+            {q: mpf(1) / 7 * mpf(40) ** (mpf(((1 + i % 10) * j + i**2) % 11) / 11) for i, q in enumerate(symbols)}
+            for j in range(11)
+        ]
+
+
+# What numbers cannot show: branches that are alike, or never taken (d > 0 always), a factor 0; x**pi has a power of its own, only no unit has it.
+BLIND = ("Where(d > v, K, K)", "Where(d > 0, K, E)", "0*(v + x)", "I", "nan", "x**pi")
+
+
+@pytest.mark.parametrize(("expression", "unit"), list(_numeric_rows(CONSISTENT)), ids=str)
+def test_both_audits_agree_on_consistent_expressions(expression, unit):
+    table = TABLE | dict.fromkeys(CONSTANTS, ONE)
+    assert rescale("", expression, dim(unit), table, _table_states(expression)).consistent
+
+
+@pytest.mark.parametrize("expression", [x for x, _ in _numeric_rows(INCONSISTENT) if str(x) not in BLIND], ids=str)
+def test_both_audits_agree_on_inconsistent_expressions(expression):
+    """Whatever unit such an expression is said to have, scaling finds that it has not."""
+    table = TABLE | dict.fromkeys(CONSTANTS, ONE)
+    ratios = rescale("", expression, ONE, table, _table_states(expression)).ratios
+    rows = [row for name, row in ratios.items() if name != "all"]
+    assert any(abs(ratio - row[0]) > ROUNDING * abs(row[0]) for row in rows for ratio in row)

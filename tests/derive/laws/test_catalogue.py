@@ -7,10 +7,8 @@ from dataclasses import fields, replace
 
 import pytest
 import sympy as sp
-import test_dimension
+from drop import drop
 from mpmath import mp, mpf
-from sympy.core.function import AppliedUndef
-from test_scene import drop
 
 from hertzwerk.derive import (  # fmt: skip
     GROUND,
@@ -33,8 +31,8 @@ from hertzwerk.derive import (  # fmt: skip
     generate,
 )
 from hertzwerk.derive.audit.audit import audit_law, audit_laws, verdict
-from hertzwerk.derive.audit.rescaling import ROUNDING, SCALINGS, STATES, rescale, rescale_law, states_of
-from hertzwerk.derive.dimension.dimension import ONE, Dimension, DimensionError, dimension_of
+from hertzwerk.derive.audit.rescaling import SCALINGS, STATES, rescale_law, states_of
+from hertzwerk.derive.dimension.dimension import Dimension, DimensionError, dimension_of
 from hertzwerk.derive.laws import LAWS, flores, johnson, pereira_internal_si, power
 from hertzwerk.derive.laws.damping import e
 from hertzwerk.derive.laws.law import FORMS, DampingLaw, F, FrictionLaw, L, N, Quantity, StiffnessLaw, d, s, v, v0, z
@@ -309,52 +307,6 @@ def test_states_stay_within_reach():
     states = list(states_of(law, {q: Dimension.from_unit(q.unit) for q in law.symbols()}))
     assert all(state[d] > 0 for state in states)
     assert len({state[d] for state in states}) == STATES
-
-
-def _numeric_rows(rows):
-    """Of the table of test_dimension, what numbers can be put in."""
-    symbolic = (sp.Derivative, sp.Integral, sp.MatrixBase, sp.MatrixExpr, sp.Determinant, sp.Sum, sp.zeta)
-    for row in rows:
-        expression = sp.sympify(row[0])
-        nodes = list(sp.preorder_traversal(expression))
-        known = all(x in test_dimension.TABLE or x in test_dimension.CONSTANTS for x in expression.free_symbols)
-        if (
-            isinstance(expression, sp.Expr)
-            and known
-            and not any(isinstance(x, (*symbolic, AppliedUndef)) for x in nodes)
-            and expression.is_real is not False
-        ):
-            yield expression, row[1]
-
-
-def _table_states(expression):
-    symbols = sorted({*expression.free_symbols, *test_dimension.CONSTANTS}, key=str)
-    with mp.workdps(40):
-        return [
-            {q: mpf(1) / 7 * mpf(40) ** (mpf(((1 + i % 10) * j + i**2) % 11) / 11) for i, q in enumerate(symbols)}
-            for j in range(11)
-        ]
-
-
-# What numbers cannot show: branches that are alike, or never taken (d > 0 always), a factor 0; x**pi has a power of its own, only no unit has it.
-BLIND = ("Where(d > v, K, K)", "Where(d > 0, K, E)", "0*(v + x)", "I", "nan", "x**pi")
-
-
-@pytest.mark.parametrize(("expression", "unit"), list(_numeric_rows(test_dimension.CONSISTENT)), ids=str)
-def test_both_audits_agree_on_consistent_expressions(expression, unit):
-    table = test_dimension.TABLE | dict.fromkeys(test_dimension.CONSTANTS, ONE)
-    assert rescale("", expression, test_dimension.dim(unit), table, _table_states(expression)).consistent
-
-
-@pytest.mark.parametrize(
-    "expression", [x for x, _ in _numeric_rows(test_dimension.INCONSISTENT) if str(x) not in BLIND], ids=str
-)
-def test_both_audits_agree_on_inconsistent_expressions(expression):
-    """Whatever unit such an expression is said to have, scaling finds that it has not."""
-    table = test_dimension.TABLE | dict.fromkeys(test_dimension.CONSTANTS, ONE)
-    ratios = rescale("", expression, ONE, table, _table_states(expression)).ratios
-    rows = [row for name, row in ratios.items() if name != "all"]
-    assert any(abs(ratio - row[0]) > ROUNDING * abs(row[0]) for row in rows for ratio in row)
 
 
 # -- binding -----------------------------------------------------------------------------------------------------------

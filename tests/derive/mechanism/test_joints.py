@@ -7,7 +7,7 @@ import pytest
 from derived import Derived, energy_balance
 from hypothesis import HealthCheck, given, reject, settings
 from hypothesis import strategies as st
-from kane import Link, Tree
+from kane import TURNED, Tree, line, link
 
 from hertzwerk.derive import (  # fmt: skip
     GROUND,
@@ -41,22 +41,6 @@ from hertzwerk.derive import (  # fmt: skip
 SIGNED = ["+X", "-X", "+Y", "-Y", "+Z", "-Z"]
 
 
-def link(kind, axis, parent, seed, *, second="+Y", turned=(None, None), speed=None, plane=False):
-    rng = np.random.default_rng(seed)
-    places = rng.uniform(-0.5, 0.5, (3, 3))
-    places[:, 2] *= not plane
-    a, b, c = rng.uniform(0.05, 0.2, 3).tolist()
-    on_parent, on_child, centre = (tuple(place.tolist()) for place in places)
-    return Link(kind, axis, parent, on_parent, on_child, rng.uniform(0.5, 2.0), (a + b, b + c, c + a), centre,
-                speed=speed, second=second, turned=turned)  # fmt: skip
-
-
-def line(*words, **options):
-    """A chain of joints such as ("R+Z", "S", "U-X")."""
-    return Tree(tuple(link(word[0], word[1:] or "+X", i - 1, i, **options) for i, word in enumerate(words)))
-
-
-TURNED = (("+X", 0.4), ("-Y", 0.7))
 TREES = {
     "cylindrical": line("C-Y"),
     "planar": line("L+Z"),

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 import sympy as sp
 from derived import Derived, energy_balance, rate_along
-from kane import random_tree
-from test_equations import MU, V0, Touching, rows
+from kane import random_tree, rows
+from touching import MU, V0, Touching
 
 from hertzwerk.derive import (  # fmt: skip
     APART,

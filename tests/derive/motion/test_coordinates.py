@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from derived import Derived, rate_along
-from kane import Tree, chain
-from test_joints import TURNED, line, link
+from kane import TURNED, Tree, chain, line, link
 
 from hertzwerk.derive import (
     GROUND,

@@ -5,8 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import sympy as sp
-from test_closed_loops import four_bar, open_by, rad, turned
-from test_redundant import cranks
+from loops import cranks, four_bar, open_by, rad, turned
 
 from hertzwerk.derive import (
     GROUND,

@@ -2,9 +2,9 @@
 
 from dataclasses import replace
 
-import mpmath
 import numpy as np
 import pytest
+from loops import four_bar, open_by, rad, turned
 
 from hertzwerk.derive import (  # fmt: skip
     GROUND,
@@ -29,28 +29,6 @@ from hertzwerk.derive.faults import InputError
 from hertzwerk.derive.scenes.n_four_bar import L, n_four_bar, v
 from hertzwerk.runtime import load, simulate
 from reference import bricard
-
-
-def turned(windows: int, t: float) -> float:
-    """Angle of the posts of N windows at t, as one pendulum th'' = k sin(th) from the upright with -1 rad/s, by elliptic functions."""
-    with mpmath.workdps(30):
-        k = mpmath.mpf("9.81") * (mpmath.mpf(windows + 1) / 2 + windows) / (mpmath.mpf(windows + 1) / 3 + windows)
-        m, u = -4 * k, mpmath.mpf(t) / 2  # of th/2: x'^2 = 1/4 + k sin(x)^2
-        period = 2 * mpmath.ellipk(m)
-        turns = mpmath.nint(u / period)
-        s, c = (mpmath.re(mpmath.ellipfun(f)(u - turns * period, m=m)) for f in ("sn", "cn"))
-        return float(-2 * (mpmath.atan2(s, c) + turns * mpmath.pi))
-
-
-def open_by(run) -> float:
-    """Largest |constraint| over the accepted steps."""
-    model, y = run.model, run.history.part("y")
-    constraints, c = model.function("constraints"), run.history.controls[: model.nc]
-    ends = model.nq, model.nq + model.nu
-    return max(
-        np.max(np.abs(np.array(constraints(t, x[: ends[0]], x[ends[0] : ends[1]], c)[0])))
-        for t, x in zip(run.t, y, strict=True)
-    )
 
 
 @pytest.mark.parametrize("method", ["dop853", "dopri5", "rodas", "esdirk", "auto"])
@@ -101,26 +79,6 @@ def test_bricard_keeps_its_energy_and_its_loop():
     assert run.at([0.3])["hinge_a.angle"] == pytest.approx([expected], abs=1e-8)
 
 
-def four_bar(crank: float, coupler: float, rocker: float, base: float, *drive: float, **start) -> Scene:
-    lengths = {name: Parameter(name, "m", value) for name, value in
-               (("crank", crank), ("coupler", coupler), ("rocker", rocker), ("base", base))}  # fmt: skip
-    m, J, w = Parameter("mass", "kg", 1.0), Parameter("inertia", "kg m^2", 0.1), Parameter("w", "rad/s", 2.0)
-    a, b, c = (Body(name, m, J, centre=(lengths[name] / 2, 0, 0)) for name in ("crank", "coupler", "rocker"))
-    joints = (
-        Revolute("main", GROUND, a, axis=Z),
-        Revolute("left", a.at(lengths["crank"], 0, 0), b, axis=Z),
-        Revolute("foot", GROUND.at(lengths["base"], 0, 0), c, axis=Z),
-        Revolute("right", b.at(lengths["coupler"], 0, 0), c.at(lengths["rocker"], 0, 0), axis=Z),
-    )
-    driven = (ConstantSpeed("drive", "main", w),) if drive else ()
-    return Scene(
-        Mechanism("four_bar", joints=joints),
-        effects=(*driven, Gravity("gravity", Parameter("g", "m/s^2", 9.81), direction=-Y), EnergyLedger()),
-        start=Start(**start),
-        scales=Scales(length=lengths["crank"], speed=lengths["crank"] * w, arm=lengths["crank"]),
-    )
-
-
 def test_a_four_bar_driven_round_follows_its_geometry():
     """Crank at constant speed: the rocker's angle by the law of cosines, at every time the same branch."""
     run = simulate(load(four_bar(0.5, 1.5, 1.2, 1.6, 2.0)), duration=6.0, tolerance=1e-10)
@@ -165,10 +123,6 @@ def test_after_a_thousand_turns_loops_are_closed_as_far_as_the_angles_are_known(
 
 
 # -- assembly ----------------------------------------------------------------------------------------------------------
-
-
-def rad(value: float) -> Parameter:
-    return Parameter(f"a{str(abs(value)).replace('.', '')}", "rad", value)
 
 
 def test_one_angle_is_enough():

@@ -4,22 +4,9 @@ from functools import cache
 
 import casadi as ca
 import numpy as np
+from loops import cranks
 from scipy.linalg import qr
 
-from hertzwerk.derive import (
-    GROUND,
-    Body,
-    EnergyLedger,
-    Gravity,
-    Mechanism,
-    Parameter,
-    Revolute,
-    Scales,
-    Scene,
-    Start,
-    Y,
-    Z,
-)
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.integrate.step import redundant
 from hertzwerk.runtime.start.start_values import dependent, start_of
@@ -37,27 +24,6 @@ def test_the_choice_is_that_of_a_pivoted_qr_factorisation():
         chosen = np.flatnonzero([float(one) for one in kept])
         _, _, order = qr(rows.T, pivoting=True)
         assert sorted(chosen) == sorted(order[:rank])
-
-
-def cranks() -> Scene:
-    """Three equal cranks side by side on one coupler: without any of the three it would move the same."""
-    length, base = Parameter("crank", "m", 1.0), Parameter("base", "m", 2.0)
-    m, J = Parameter("mass", "kg", 1.0), Parameter("inertia", "kg m^2", 0.1)
-    one, two, three = (Body(name, m, J, centre=(length / 2, 0, 0)) for name in ("one", "two", "three"))
-    coupler = Body("coupler", m, J, centre=(base / 2, 0, 0))
-    joints = (
-        Revolute("first", GROUND, one, axis=Z),
-        Revolute("left", one.at(length, 0, 0), coupler, axis=Z),
-        Revolute("second", GROUND.at(base, 0, 0), two, axis=Z),
-        Revolute("third", GROUND.at(base / 2, 0, 0), three, axis=Z),
-        Revolute("right", coupler.at(base, 0, 0), two.at(length, 0, 0), axis=Z),
-        Revolute("middle", coupler.at(base / 2, 0, 0), three.at(length, 0, 0), axis=Z),
-    )
-    effects = (Gravity("gravity", Parameter("g", "m/s^2", 9.81), direction=-Y), EnergyLedger())
-    start = Start(position={"first": Parameter("lift", "rad", 0.4)})
-    return Scene(
-        Mechanism("cranks", joints=joints), effects, Scales(length, Parameter("pace", "m/s", 1.0), length), start
-    )
 
 
 def implied(model, initial=None):

@@ -5,7 +5,7 @@ from functools import cache
 import casadi as ca
 import numpy as np
 import pytest
-from test_closed_loops import turned
+from loops import turned
 
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.integrate.events import settle
