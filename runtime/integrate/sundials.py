@@ -1,8 +1,9 @@
-"""SUNDIALS' CVODES and IDAS (through CasADi) as an independent reference: BDF methods of variable order from the same right-hand side.
+"""SUNDIALS' CVODES and IDAS (through CasADi) as an independent reference: BDF of variable order.
 
-Run from Python, window by window; a window stops at the first event, which is located to rounding by integrating anew from the grid point before
-it. Modes follow the events in their plainest form, without the engine's tolerances. It shares the right-hand side, the first state, the form of
-the rows and what follows where sliding ends or begins with the engine, nothing else. Hindmarsh et al., ACM Trans. Math. Softw. 31 (2005) 363.
+Run from Python, window by window; a window stops at the first event, located to rounding by integrating anew from the
+grid point before it. Mode changes are taken without the engine's tolerances. Shared with the engine are only the
+right-hand side, the initial state, the layout of the rows and the resolution of stick and slip. Hindmarsh et al., ACM
+Trans. Math. Softw. 31 (2005) 363.
 """
 
 from __future__ import annotations
@@ -54,7 +55,10 @@ RELATIVE = 1e-14  # the absolute tolerance, in the scene's scales, is the one as
 
 @dataclass(frozen=True)
 class Reference:
-    """The functions of a model: integrators over a window, to all its points and to its end; and everything known of a state."""
+    """CasADi integrators of a model over one window, and its end quantities.
+
+    window: tolerance -> integrators to all points of the window and to its end.
+    """
 
     model: Model
     layouts: Layouts
@@ -91,7 +95,10 @@ def march(
     wall_time: float = np.inf,
     progress: Callable[[float], object] | None = None,
 ) -> Ending:
-    """Integrate from a first state of the engine to the end of the run, as `chunk.march` does; KeyboardInterrupt ends it with what there is."""
+    """Integrate from an initial state of the engine to the end of the run, as `chunk.march` does.
+
+    KeyboardInterrupt ends the run with the rows kept so far.
+    """
     run = _Run(functions, state, controls)
     start, status = time.perf_counter(), RUNNING
     row = state
@@ -115,9 +122,10 @@ def march(
 
 @dataclass(frozen=True)
 class _Event:
-    """What ends a window: after its grid point `index` (-1: its start), at theta of the interval there, a pair goes over to a mode.
+    """Mode change of a pair that ends a window.
 
-    The mode GRIP stands for a margin that has run out: the pair begins to slip or to stick.
+    It lies after grid point `index` (-1: the start) at the fraction theta of that interval. The mode GRIP stands for
+    a friction margin that reached zero: the pair begins to slip or to stick.
     """
 
     index: int
@@ -127,7 +135,7 @@ class _Event:
 
 
 class _Run:
-    """A run on its way."""
+    """State and counters of a run in progress."""
 
     def __init__(self, functions: Reference, state: np.ndarray, controls: np.ndarray) -> None:
         self.functions, self.model = functions, functions.model
@@ -146,7 +154,7 @@ class _Run:
         self.floored = float(parts["floored"][0])
 
     def rows(self) -> Iterator[np.ndarray]:
-        """The rows of the run after its first; `status` says how it ended."""
+        """Yield the rows of the run after its first; `status` tells how it ended."""
         window = self.first_window
         while self.status == RUNNING:
             h = min(window, self.t_end - self.t)
@@ -176,7 +184,7 @@ class _Run:
                 window = min(self.first_window, self.t_end / WINDOWS)
 
     def integrate(self, function: Any, t: float, y: np.ndarray, h: float) -> np.ndarray:
-        """States at the points of a window of h [s], shape (points, ny)."""
+        """Return the states at the points of a window of h [s], shape (points, ny)."""
         p = np.concatenate([[t, h], self.mode, self.m, self.c, self.scale])
         states: np.ndarray = np.array(function(x0=y / self.scale, p=p)["xf"]).T * self.scale
         if not np.all(np.isfinite(states)):
@@ -186,13 +194,13 @@ class _Run:
         return states
 
     def at(self, t: float, y: np.ndarray) -> dict[str, np.ndarray]:
-        """dy and what is known of the pairs."""
+        """Evaluate dy and the pair quantities of a state, by name."""
         ends = self.functions.ends
         values = ends.call([t, y, self.mode, self.m, self.c])
         return {name: np.array(value).ravel() for name, value in zip(ends.name_out(), values, strict=True)}
 
     def signals(self, t: float, y: np.ndarray) -> list[tuple[int, float, float, float]]:
-        """What must stay positive: (pair, mode that follows where it does not, value, rate)."""
+        """Return the event functions of a state: (pair, mode once the value is negative, value, rate)."""
         end, found = self.at(t, y), []
         for j, mode in enumerate(self.mode):
             gap, rate, acceleration = (float(end[name][j]) for name in ("gap", "gap_rate", "gap_acceleration"))
@@ -210,7 +218,10 @@ class _Run:
         return found
 
     def first_event(self, points: np.ndarray, h: float) -> _Event | None:
-        """The first event of a window. At its start every signal counts as positive: an event has just been there."""
+        """Find the first event of a window.
+
+        At the window's start every signal counts as positive: an event has just been handled there.
+        """
         before, start = self.signals(self.t, self.y), self.y
         for i, y in enumerate(points):
             t, step = self.t + h * i / GRID, h / GRID
@@ -227,20 +238,20 @@ class _Run:
         return None
 
     def value(self, t: float, y: np.ndarray, h: float, n: int, part: int) -> float:
-        """Signal n, or its rate, a time h after a state."""
+        """Return signal n (part 0) or its rate (part 1) a time h [s] after a state."""
         if h > 0:
             (y,) = self.integrate(self.one, t, y, h)
         return self.signals(t + h, y)[n][2:][part]
 
     def dip(self, t: float, y: np.ndarray, step: float, n: int) -> float | None:
-        """Where in an interval signal n has a minimum, if that is not positive."""
+        """Locate the minimum of signal n in an interval, as a fraction of it; None if the minimum is positive."""
         if not self.value(t, y, 0, n, 1) < 0 < self.value(t, y, step, n, 1):
             return None  # flat, to the tolerance of two integrations
         theta = float(brentq(lambda x: self.value(t, y, x * step, n, 1), 0, 1))
         return theta if theta > 0 and self.value(t, y, theta * step, n, 0) <= 0 else None
 
     def root(self, t: float, y: np.ndarray, step: float, n: int, high: float) -> float:
-        """Where in an interval signal n falls through zero, to rounding; 0 if it is below from the start."""
+        """Locate the zero crossing of signal n in an interval to rounding; 0 if it is negative from the start."""
         if self.value(t, y, high * step, n, 0) > 0:
             return high  # zero to the tolerance of two integrations
         low = 0.0
@@ -252,7 +263,7 @@ class _Run:
         return float(brentq(lambda x: self.value(t, y, x * step, n, 0), low, high, xtol=precision, rtol=4 * EPS))
 
     def change(self, event: _Event, step: float) -> None:
-        """Go to the event, change the pair's mode, latch and book."""
+        """Advance to an event, change the pair's mode, set its latches and book its energy."""
         if event.theta > 0:
             (self.y,) = self.integrate(self.one, self.t, self.y, event.theta * step)
             self.t += event.theta * step
@@ -284,7 +295,7 @@ class _Run:
             self.turn(j, ran_out=False)
 
     def turn(self, j: int, *, ran_out: bool) -> None:
-        """Let pair j slip or stick: its margin has run out, or its contact has begun or ended."""
+        """Resolve stick and slip of pair j after its margin ran out or its contact began or ended."""
         mine = np.array([pair == j for pair in pairs_of(self.model)])
         breaks = mine & ran_out & (self.m[slips_in(self.model)] == STICK)
         tolerances = np.full(mine.size, AT_REST), np.where(breaks, LETS_GO, 0.0)
@@ -292,7 +303,7 @@ class _Run:
         self.m, self.y = (np.array(result).ravel() for result in results)
 
     def parts(self) -> tuple[np.ndarray, np.ndarray]:
-        """q and u."""
+        """Return q and u."""
         nq = self.model.nq
         return self.y[:nq], self.y[nq : nq + self.model.nu]
 
@@ -308,7 +319,7 @@ class _Run:
             self.status = TOO_MANY_STEPS
 
     def row(self) -> np.ndarray:
-        """The state of the engine that this is."""
+        """Return the engine's state vector of the current state."""
         end = self.at(self.t, self.y)
         values: dict[str, Any] = {"t": self.t, "y": self.y, "dy": end["dy"], "mode": self.mode, "m": self.m}
         values |= {name: end[name] for name in (*PAIR_PARTS, *GRIP_PARTS, "ahead")}

@@ -1,1 +1,1 @@
-"""Events: where they are in a step, and what follows."""
+"""Events: their location within a step, and the mode changes that follow."""

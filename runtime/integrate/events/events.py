@@ -1,7 +1,8 @@
-"""Where in a step a gap closes or opens, or a force runs out: polynomials in theta = (t - t0)/h, their Bernstein form, and their first root.
+"""Event location within a step: roots of gaps and forces as polynomials in Bernstein form.
 
-A gap is a quintic from its value, rate and acceleration at both ends of the step, a force a cubic from value and rate. A polynomial whose
-Bernstein coefficients are all positive has no root in the step; only otherwise is one searched for. Farin, Curves and Surfaces for CAGD, ch. 5.
+Polynomials are in theta = (t - t0)/h. A gap is a quintic from its value, rate and acceleration at both ends of the
+step, a force a cubic from value and rate. A polynomial whose Bernstein coefficients are all positive has no root in
+the step; only otherwise is one searched for. Farin, Curves and Surfaces for CAGD, ch. 5.
 """
 
 from __future__ import annotations
@@ -32,10 +33,10 @@ NO_EVENT = 2.0  # theta beyond every step
 
 
 def tolerances(model: Model, run: Mapping[str, Any], t: Any, y: Any, gap_rate: Any) -> tuple[Any, Any, Any]:
-    """How closely a gap (k) [m], a gap rate (k) [m/s] and a force (k) [N] meet a landing: a hundredth of the tolerance, but not below rounding.
+    """Return the landing tolerances of a gap (k) [m], a gap rate (k) [m/s] and a force (k) [N].
 
-    A gap is rounded with the coordinates and lengths it is a difference of (`rounding`), and with the time it is landed at; a force with the gap, by
-    the contact's stiffness.
+    A hundredth of the tolerance, but not below rounding: a gap is rounded with the coordinates and lengths it is a
+    difference of (`rounding`) and with the time of its landing; a force with the gap, by the contact's stiffness.
     """
     length, speed, force = (run["scales"][i] for i in range(3))
     q, u = y[: model.nq], y[model.nq : model.nq + model.nu]
@@ -49,14 +50,20 @@ def tolerances(model: Model, run: Mapping[str, Any], t: Any, y: Any, gap_rate: A
 
 
 def _landing(run: Mapping[str, Any], t: Any, gap_rate: Any) -> Any:
-    """The tolerance of gaps [m] without their rounding, which costs a part of an evaluation: enough to see whether a step has to be looked at."""
+    """Return the gap tolerance [m] without the coordinates' rounding, which is costlier to evaluate.
+
+    Enough to see whether a step needs event location.
+    """
     return ca.fmax(LANDING * run["tolerance"] * run["scales"][0], 4 * EPS * ca.fabs(gap_rate) * ca.fabs(t))
 
 
 def far(
     model: Model, run: Mapping[str, Any], start: Mapping[str, Any], end: Mapping[str, Any], pairs: list[int]
 ) -> Any:
-    """1 for those of some pairs in flight that are so far apart at both ends of a step that they are clear (`all_clear`), without a polynomial."""
+    """Return 1 for pairs in flight so far apart that no event is possible in the step.
+
+    A cheap sufficient condition for `all_clear`, without a polynomial.
+    """
     h = start["h"]
     gap0, rate0, a0 = (start[part][pairs] for part in GAP)
     gap1, rate1, a1 = (end[part][pairs] for part in GAP)
@@ -69,8 +76,10 @@ def far(
 def all_clear(
     model: Model, run: Mapping[str, Any], mode: Any, start: Mapping[str, Any], end: Mapping[str, Any], pairs: list[int]
 ) -> Any:
-    """1 for those of some pairs to which no event is possible in a step under modes flight or contact (k), nor just behind it: no gap near zero,
-    no force that pulls."""
+    """Return 1 for pairs to which no event is possible in a step nor just behind it.
+
+    Modes (k) are flight or contact; clear means that no gap comes near zero and no force pulls.
+    """
     h = start["h"]
     tol = _landing(run, end["t"], end["gap_rate"][pairs])
     before, after = ([x[pairs] for x in towards(mode, side)] for side in (start, end))
@@ -84,21 +93,22 @@ def all_clear(
 
 
 def pulls(model: Model, force: Any) -> Any:
-    """1 (k) where a force is below zero and the law ends its contact there; a law that ends with the gap may pull."""
+    """Return 1 (k) where a force is negative and the law ends its contact there, not with the gap."""
     return ends_with_force(model) * (force < 0)
 
 
 def ends_with_force(model: Model) -> Any:
-    """1 (k) for the pairs whose law ends a contact where its force falls to zero, 0 where it ends with the gap."""
+    """Return 1 (k) for pairs whose law ends a contact at zero force, 0 where it ends with the gap."""
     releases = getattr(model.module, "RELEASES", model.k * ("force",))
     return ca.DM([float(rule == "force") for rule in releases])
 
 
 def polynomials(model: Model, layouts: Layouts) -> Any:
-    """CasADi function (state, controls, next) -> (bernstein (6, k), margin (k), doubt (k), suspect (k), ending (n)): the gaps over a step.
+    """Build the function (state, controls, next) -> gap polynomials over a step and their suspicions.
 
-    An event is the first theta where a polynomial, falling from above, has a root and goes on to -margin; a graze whose minimum is below doubt is
-    resolved by a shorter step. suspect: 1 where any of it is possible; ending: 1 where `endings` has an event.
+    Results: bernstein (6, k), margin (k), doubt (k), suspect (k), ending (n). An event is the first theta where a
+    polynomial, falling from above, has a root and goes on to -margin; a graze whose minimum is below doubt is
+    resolved by a shorter step. suspect: 1 where any of this is possible; ending: 1 where `endings` has an event.
     """
     arguments, (start, run, end) = _step(layouts)
     h = start["h"]
@@ -123,12 +133,13 @@ def polynomials(model: Model, layouts: Layouts) -> Any:
 
 
 def endings(model: Model, layouts: Layouts) -> Any:
-    """CasADi function (state, controls, next) -> (bernstein (6, n), margin (n), doubt (n)) of what ends a contact or a release before the gap opens.
+    """Build the function (state, controls, next) -> cubics of the force, opening speed and margins.
 
-    Cubics that fall from above zero, of each pair: in contact the force, which would pull from there on; released, the opening speed, after which
-    the bodies close again. Then, of the ns pairs that slip or stick, the margin of that. Aimed half the tolerance below zero, so that the landing
-    is beyond. Where stiff damping makes the force, its rate is that of what a step's error leaves in the velocity, and says nothing of the way
-    there: once such cubics have been believed in vain, the chord is.
+    Results: bernstein (6, n), margin (n), doubt (n). A mode also ends, before the gap opens, where one of these falls
+    through zero: in contact the force, which would pull from there on; released, the opening speed, after which the
+    bodies close again; for the ns pairs that slip or stick, the margin of that. The root is aimed half the tolerance
+    below zero, so that the landing is beyond it. Where stiff damping makes the force, its rate is dominated by the
+    velocity error of a step: after BELIEVED retakes the chord replaces the cubic.
     """
     arguments, (start, run, end) = _step(layouts)
     h = start["h"]
@@ -151,7 +162,7 @@ def endings(model: Model, layouts: Layouts) -> Any:
 def _endings(
     model: Model, start: Mapping[str, Any], end: Mapping[str, Any], tol: Any, tol_rate: Any, tol_force: Any
 ) -> list[Any]:
-    """Of the force and of the opening speed: whether it falls below zero, its values and rates at both ends, its tolerance."""
+    """Return, for force and opening speed: falls below zero, values and rates at both ends, tolerance."""
     kinds = (
         (CONTACT, "force", "force_rate", tol_force, ends_with_force(model)),
         (RELEASED, "gap_rate", "gap_acceleration", tol_rate, 1),
@@ -166,7 +177,7 @@ def _endings(
 def _slipping(
     model: Model, start: Mapping[str, Any], end: Mapping[str, Any], tol_rate: Any, tol_force: Any
 ) -> tuple[Any, list[Any], Any]:
-    """Of the margins (ns) of slip and stick: whether one falls below zero in the step, its cubic's Bernstein coefficients, its tolerance."""
+    """Return, for the slip and stick margins (ns): falls below zero, cubic's coefficients, tolerance."""
     small = sized(model, start["m"], tol_rate, tol_force)
     cubic = margins(start, end)
     lowest = ca.fmin(ca.fmin(cubic[1], cubic[2]), cubic[3])
@@ -176,16 +187,16 @@ def _slipping(
 
 
 def _step(layouts: Layouts) -> tuple[list[Any], list[dict[str, Any]]]:
-    """Symbols of (state, controls, next), and their parts."""
+    """Return symbols of (state, controls, next), and their parts."""
     parts = (layouts.state, layouts.controls, layouts.state)
     arguments = [layout.symbol(name) for layout, name in zip(parts, ("state", "controls", "next"), strict=True)]
     return arguments, [layout.split(vector) for layout, vector in zip(parts, arguments, strict=True)]
 
 
 def search(k: int) -> Any:
-    """CasADi function (wanted (k), bernstein (6, k), margin (k), doubt (k)) -> theta (k) of the first event of each pair that is wanted, or NO_EVENT.
+    """Build the function (wanted, bernstein, margin, doubt) -> theta (k) of each first event.
 
-    MX, lazy: the pairs that are not wanted cost nothing.
+    NO_EVENT where there is none. MX, lazy: pairs not wanted cost nothing.
     """
     wanted, margin, doubt = (ca.MX.sym(name, k) for name in ("wanted", "margin", "doubt"))
     bernstein = ca.MX.sym("bernstein", 6, k)
@@ -197,11 +208,11 @@ def search(k: int) -> Any:
 
 
 def locate() -> Any:
-    """CasADi function (bernstein (6), margin, doubt) -> theta in (0, 1] of the first event, or NO_EVENT.
+    """Build the function (bernstein (6), margin, doubt) -> theta in (0, 1] of the first event.
 
-    Half the step where a graze is in doubt, doubt being positive.
-    The polynomial is evaluated at the ends of equal parts; the first part with a change of sign, or with a minimum that reaches -margin, brackets
-    the root, which bisection-safeguarded Newton steps find. Branch-free.
+    NO_EVENT if there is none, 0.5 where a graze is in doubt and doubt is positive. The polynomial is evaluated at the
+    ends of equal parts; the first part with a change of sign, or with a minimum that reaches -margin, brackets the
+    root, which safeguarded Newton steps find. Branch-free.
     """
     bernstein, margin, doubt = ca.SX.sym("bernstein", 6), ca.SX.sym("margin"), ca.SX.sym("doubt")
     a = ca.mtimes(ca.DM(_POWERS), bernstein)
@@ -250,18 +261,18 @@ _POWERS = [
 
 
 def towards(mode: Any, parts: Mapping[str, Any]) -> list[Any]:
-    """Gaps, rates and accelerations, turned so that an event is a fall through zero."""
+    """Return gaps, rates and accelerations, signed so that an event is a fall through zero."""
     sign = ca.if_else(mode == FLIGHT, 1, -1)
     return [sign * parts[part] for part in GAP]
 
 
 def _between(start: list[Any], end: list[Any], h: Any) -> Any:
-    """What a graze must stay clear of: a part of |quintic - cubic| in the middle of the step."""
+    """Return the distance a graze must keep from zero: a part of |quintic - cubic| at mid-step."""
     return ca.fabs(DOUBT * h / 32 * (start[1] - end[1]) + DOUBT * h * h / 64 * (start[2] + end[2]))
 
 
 def _quintic(start: list[Any], end: list[Any], h: Any) -> list[Any]:
-    """Bernstein coefficients of the quintic with value, rate and acceleration at both ends of a step h."""
+    """Return the Bernstein coefficients of the quintic by value, rate and acceleration at both ends."""
     fifth, twentieth = h / 5, h * h / 20
     (g0, rate0, a0), (g1, rate1, a1) = start, end
     left = [g0, g0 + fifth * rate0, g0 + 2 * fifth * rate0 + twentieth * a0]
@@ -270,7 +281,7 @@ def _quintic(start: list[Any], end: list[Any], h: Any) -> list[Any]:
 
 
 def _raise(b: list[Any]) -> list[Any]:
-    """The same polynomial in Bernstein form, one degree higher."""
+    """Raise the degree of a Bernstein form by one."""
     n = len(b)
     return [b[0], *(i / n * b[i - 1] + (1 - i / n) * b[i] for i in range(1, n)), b[-1]]
 

@@ -1,8 +1,8 @@
-"""When a pair changes its mode, what is latched and booked then, and the modes at the start.
+"""Mode changes of a pair, the latches and energy booked with them, and the modes at the start.
 
-Modes: flight; contact; released (overlapping, after its force ran out: no force before the gap has opened). They change on accepted steps only,
-for all pairs at once, and by what the state is, whether or not an event was aimed at: without that rule a contact that ends at a gap of 1e-14
-is never left.
+Modes: flight; contact; released (overlapping after the force ran out: no force until the gap has opened). They change
+on accepted steps only, for all pairs at once, and by the state as reached, whether or not an event was aimed at:
+otherwise a contact that ends at a gap of 1e-14 would never be left.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ FINITE = 1e300  # a sum of magnitudes is below it, or something is infinite or u
 
 
 def next_modes(model: Model, run: Parts, mode: Any, end: Parts, landed: Any) -> Any:
-    """Modes (k) after a step that ended in `end` under `mode`; `landed`: it was cut to end on an event."""
+    """Return the modes (k) after a step from `mode` to `end`; landed: the step was cut to an event."""
     gap, rate, acceleration = end["gap"], end["gap_rate"], end["gap_acceleration"]
     tol, _, tol_force = tolerances(model, run, end["t"], end["y"], rate)
     # an opening that would end within the tolerance is none: a body at rest stays in contact
@@ -57,7 +57,7 @@ def next_modes(model: Model, run: Parts, mode: Any, end: Parts, landed: Any) -> 
 
 
 def latch(model: Model, run: Parts, m: Any, onset: Any, gap_rate: Any) -> tuple[Any, Any]:
-    """Latches after the onsets (k): approach speeds [m/s], at least the floor, of the pairs whose contact begins; and how many met the floor."""
+    """Return the latches after the onsets (k), and how many approach speeds were raised to the floor."""
     latched, pairs = ca.SX(m), sorted({pair for _, _, pair in model.module.LATCHES})
     for i, (_, _, j) in enumerate(model.module.LATCHES):
         latched[i] = ca.if_else(onset[j], ca.fmax(-gap_rate[j], run["floor"]), latched[i])
@@ -66,7 +66,10 @@ def latch(model: Model, run: Parts, m: Any, onset: Any, gap_rate: Any) -> tuple[
 
 
 def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
-    """CasADi function (before, after, controls) -> state: the flow under the modes of `after`, the ledger of what changed, bristles, slips."""
+    """Build the function (before, after, controls) -> state `after` with its mode changes carried out.
+
+    The derivatives follow the new modes; the ledger, bristles and slips are updated.
+    """
     layouts = (vectors.state, vectors.state, vectors.controls)
     names = ("before", "after", "controls")
     arguments = [layout.symbol(name) for layout, name in zip(layouts, names, strict=True)]
@@ -98,7 +101,10 @@ def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
 
 
 def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
-    """CasADi function (t, q, u, controls) -> first state. What overlaps is in contact, or released where its law would pull."""
+    """Build the function (t, q, u, controls) -> initial state.
+
+    Overlapping pairs are in contact, or released where their law would pull.
+    """
     t, q, u = ca.SX.sym("t"), ca.SX.sym("q", model.nq), ca.SX.sym("u", model.nu)
     controls = vectors.controls.symbol("controls")
     run = vectors.controls.split(controls)
@@ -124,7 +130,7 @@ def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
 
 
 def _first(model: Model, vectors: Layouts, right: Flow) -> Any:
-    """CasADi function (t, controls, mode, m, y, floored) -> the first state from its modes on."""
+    """Build the function (t, controls, mode, m, y, floored) -> initial state under given modes."""
     t, controls, floored = ca.SX.sym("t"), vectors.controls.symbol("controls"), ca.SX.sym("floored")
     mode, m, y = (ca.SX.sym(name, vectors.state.sizes[name]) for name in ("mode", "m", "y"))
     run = vectors.controls.split(controls)
@@ -158,22 +164,22 @@ def _first(model: Model, vectors: Layouts, right: Flow) -> Any:
 
 
 def _of_slips(model: Model, tolerance: list[Any]) -> list[Any]:
-    """Tolerances of the pairs with set-valued friction."""
+    """Return the tolerances of the pairs with set-valued friction."""
     return [part[pairs_of(model)] if model.ns else ca.SX(0, 1) for part in tolerance]
 
 
 def is_finite(end: Parts) -> Any:
-    """1 if the derivatives where a step ends are numbers."""
+    """Return 1 if the derivatives at the end of a step are finite."""
     return ca.sum1(ca.fabs(end["dy"])) + ca.sum1(ca.fabs(end["gap_acceleration"])) < FINITE  # false for NaN
 
 
 def all_of(conditions: Any) -> Any:
-    """1 if every one of a column of conditions holds; 1 for an empty one."""
+    """Return 1 if all conditions of a column hold; 1 for an empty one."""
     return reduce(mul, ca.vertsplit(conditions), ca.SX(1))
 
 
 def any_of(conditions: Any) -> Any:
-    """1 if any of a column of conditions holds; 0 for an empty one."""
+    """Return 1 if any condition of a column holds; 0 for an empty one."""
     return ca.mmax(conditions) if conditions.numel() else ca.SX(0)
 
 
@@ -182,7 +188,7 @@ def _closing(rate: Any, acceleration: Any) -> Any:
 
 
 def _forget(model: Model, y: Any, mode: Any) -> Any:
-    """State with the bristles of contacts that have ended undeflected."""
+    """Return the state with the bristles of ended contacts reset."""
     y = ca.SX(y)
     for row, j in getattr(model.module, "BRISTLES", ()):
         i = model.nq + model.nu + row
@@ -191,7 +197,10 @@ def _forget(model: Model, y: Any, mode: Any) -> Any:
 
 
 def _book(model: Model, t: Any, y: Any, c: Any, before: Any, after: Any) -> Any:
-    """State with what a contact still stores when it ends booked as dissipated, and booked back where a released one goes on."""
+    """Return the state with the stored energy of ended contacts booked as dissipated.
+
+    It is booked back where a released contact resumes.
+    """
     q, u = y[: model.nq], y[model.nq : model.nq + model.nu]
     _, _, stored = model.function("energy")(t, q, u, c)
     y = ca.SX(y)

@@ -1,4 +1,4 @@
-"""What follows from a step that is not plain: it is rejected for its error, retaken or moved to land on an event, or ends the run; modes change."""
+"""Handling of steps that are not plain: rejection, event landing, mode changes, end of the run."""
 
 from __future__ import annotations
 
@@ -50,9 +50,9 @@ MOVED = ("t", "y", "dy", *PAIR_PARTS, *GRIP_PARTS, "ahead")  # the parts of a st
 
 
 def settle(model: Model, vectors: Layouts, table: Table, right: Flow) -> Any:
-    """CasADi function (state, controls, next, verdict) -> state of a step whose error is small enough; MX, lazy where most need nothing.
+    """Build the function (state, controls, next, verdict) -> state of a step with accepted error.
 
-    `right` goes by the modes.
+    MX, lazy where most steps need nothing. `right` follows the modes.
     """
     names = ("state", "controls", "next", "verdict")
     parts = (vectors.state, vectors.controls, vectors.state, vectors.verdict)
@@ -82,7 +82,7 @@ def settle(model: Model, vectors: Layouts, table: Table, right: Flow) -> Any:
 
 
 def reject(vectors: Layouts, table: Table) -> Any:
-    """CasADi function (state, controls, next, verdict) -> state: the same one with a shorter step to try."""
+    """Build the function (state, controls, next, verdict) -> the old state with a shorter step to try."""
     arguments, (old, _, end, judged) = _arguments(vectors)
     h, error = old["h"], judged["error"]
     finite = is_finite(end) * (error < FINITE)  # false for NaN
@@ -110,13 +110,13 @@ def reject(vectors: Layouts, table: Table) -> Any:
 
 
 def _if(condition: Any, function: Any, otherwise: list[float], *arguments: Any) -> Any:
-    """The function's only result if the condition holds; it is not evaluated if not."""
+    """Return the function's only result if the condition holds, else a constant; evaluated lazily."""
     constant = ca.Function("otherwise", function.mx_in(), [ca.MX(ca.DM(otherwise))])
     return ca.Function.if_else("branch", function, constant)(condition, *arguments)
 
 
 def _arguments(vectors: Layouts) -> tuple[list[Any], list[Parts]]:
-    """Symbols of (state, controls, next, verdict), and their parts."""
+    """Return symbols of (state, controls, next, verdict), and their parts."""
     names = ("state", "controls", "next", "verdict")
     parts = (vectors.state, vectors.controls, vectors.state, vectors.verdict)
     arguments = [part.symbol(name) for part, name in zip(parts, names, strict=True)]
@@ -124,9 +124,10 @@ def _arguments(vectors: Layouts) -> tuple[list[Any], list[Parts]]:
 
 
 def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
-    """CasADi function (state, controls, next, verdict, theta of the gaps (k), theta of what else ends a mode (k + ns)) -> (theta, delta).
+    """Build the function that returns theta of a step's first event and a move delta [s] of its end.
 
-    theta: of the step, its first event; delta [s]: from the end of the step to a surface close by, or 0.
+    Arguments: state, controls, next, verdict, theta of the gaps (k), theta of the other endings (k + ns). delta leads
+    to a surface close by, or is 0.
     """
     arguments, (old, run, end, _) = _arguments(vectors)
     at_gap, at_force = ca.SX.sym("at_gap", model.k), ca.SX.sym("at_force", model.k + model.ns)
@@ -148,7 +149,7 @@ def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
 
 
 def _nudge(model: Model, vectors: Layouts, right: Flow) -> Any:
-    """CasADi function (state, controls, next, verdict, delta) -> (next, verdict) of the step that ends delta [s] later."""
+    """Build the function (state, controls, next, verdict, delta) -> (next, verdict) delta [s] later."""
     arguments, (old, run, end, verdict) = _arguments(vectors)
     delta = ca.SX.sym("delta")
     moved = nudged(right, old, end, run, delta)
@@ -158,9 +159,10 @@ def _nudge(model: Model, vectors: Layouts, right: Flow) -> Any:
 
 
 def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
-    """CasADi function (state, controls, next, verdict, theta, delta) -> (state, switched): what follows from a step and its first event, if any.
+    """Build the function (state, controls, next, verdict, theta, delta) -> (state, switched).
 
-    switched: 1 if a pair changes its mode, so that the right-hand side has to be evaluated again.
+    Accepts the step or retakes it to its first event. switched: 1 if a pair changes its mode, so that the right-hand
+    side has to be evaluated again.
     """
     arguments, (old, run, end, judged) = _arguments(vectors)
     theta, delta = ca.SX.sym("theta"), ca.SX.sym("delta")
@@ -228,7 +230,7 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
 
 
 def _remembered(table: Table, old: Parts, error: Any, accepted: Any, begun: Any) -> Parts:
-    """The steps that flight and contact go on with, and that a contact begins with: h_flight, h_contact, h_onset [s]; a retake changes none."""
+    """Return h_flight, h_contact, h_onset [s], the steps to continue with; a retake changes none."""
     h, in_contact = old["h"], old["class"] >= IN_CONTACT
     first = in_contact * old["fresh_contact"]
     change = ca.if_else(first, onset_factor(error), factor(table, error))
@@ -247,7 +249,7 @@ def _remembered(table: Table, old: Parts, error: Any, accepted: Any, begun: Any)
 
 
 def _first(*cases: tuple[Any, int], otherwise: int) -> Any:
-    """Value of the first condition that holds."""
+    """Return the value of the first condition that holds."""
     value = ca.SX(otherwise)
     for condition, result in reversed(cases):
         value = ca.if_else(condition, result, value)

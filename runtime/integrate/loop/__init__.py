@@ -1,1 +1,1 @@
-"""Attempts, many in one call, and the choice of method and compiler on the way."""
+"""Attempts, many in one call, and the choice of method and compilation during a run."""

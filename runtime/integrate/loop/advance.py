@@ -1,6 +1,6 @@
-"""The plain attempt, by far the most frequent: one step that nothing speaks against and that changes nobody's mode.
+"""The plain attempt, by far the most frequent: an accepted step without event or mode change.
 
-It is one function without branches. Whatever is not plain is left to `settle` and `reject`.
+It is one function without branches. Everything else is left to `settle` and `reject`.
 """
 
 from __future__ import annotations
@@ -28,12 +28,15 @@ if TYPE_CHECKING:
 
 
 def polynomial_of(model: Model, contacts: Contacts) -> list[int]:
-    """The pairs whose gaps are looked at by their polynomials in every step of a class: those in contact; and all where one is all there is."""
+    """Return the pairs whose gap polynomials are checked in every step of a class.
+
+    Those in contact, and all where there is only one.
+    """
     return list(range(model.k)) if contacts is BY_MODE or model.k == 1 else list(contacts)
 
 
 def near(model: Model, vectors: Layouts) -> Any:
-    """CasADi function (state, controls, next) -> 1 if no event is possible in a step that passed but for pairs that were not asked."""
+    """Build the function (state, controls, next) -> 1 if no pair can have an event in the step."""
     vector = (vectors.state, vectors.controls, vectors.state)
     given = [part.symbol(name) for part, name in zip(vector, ("state", "controls", "next"), strict=True)]
     old, run, end = (part.split(x) for part, x in zip(vector, given, strict=True))
@@ -44,9 +47,10 @@ def near(model: Model, vectors: Layouts) -> Any:
 def advance(
     model: Model, vectors: Layouts, table: Table, contacts: Contacts, choosing: Choosing = Choosing.NONE
 ) -> Any:
-    """CasADi function (state, controls) -> (next, verdict) of the class of attempts with these contacts.
+    """Build the function (state, controls) -> (next, verdict) of attempts with these contacts.
 
-    next: the state after the step, if verdict says it is plain; otherwise its t, y, dy and pair parts are those of the end of the step.
+    next: the state after the step if the verdict is plain; otherwise its t, y, dy and pair parts are those of the end
+    of the step.
     """
     state, controls = vectors.state.symbol("state"), vectors.controls.symbol("controls")
     old, run = vectors.state.split(state), vectors.controls.split(controls)
@@ -94,7 +98,7 @@ def _judged(
     end: dict[str, Any],
     seen: dict[str, Any],
 ) -> list[Any]:
-    """[next, verdict] of a step from `old` that ends in the trial `end`."""
+    """Return [next, verdict] of a step from `old` that ends in the trial `end`."""
     contact = contacts != ()
     if contacts is BY_MODE:
         mode, plain = old["mode"], all_of(old["mode"] != RELEASED)

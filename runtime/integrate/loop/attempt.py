@@ -1,4 +1,4 @@
-"""One attempt: a step is tried, then accepted, shortened for its error, or retaken to land on an event; as CasADi functions state -> state."""
+"""One attempt, state -> state: try a step, then accept, shorten, or retake it to land on an event."""
 
 from __future__ import annotations
 
@@ -27,9 +27,9 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Integrator:
-    """The functions of one model and method: `begin` makes the first state, `attempt` one from another, `step` is the dense output.
+    """CasADi functions of one model and method: initial state, attempt, dense output.
 
-    tables   by the state's `method`; where `attempt` takes steps by the first alone, a state may go on with those of `whole`
+    tables   by the state's `method`; a run whose `attempt` uses only the first may continue with the integrator `whole`
     """
 
     layouts: Layouts
@@ -41,7 +41,7 @@ class Integrator:
     _steps: dict[int, Any] = field(default_factory=dict)
 
     def step(self, method: int = 0) -> Any:
-        """(state, controls, h) -> trial, by the table of a method; made when first asked for, as a run itself needs none."""
+        """Return (state, controls, h) -> trial, by the table of a method; built on first use."""
         if method not in self._steps:
             vectors, h = self.layouts, ca.SX.sym("h")
             state, controls = vectors.state.symbol("state"), vectors.controls.symbol("controls")
@@ -53,10 +53,10 @@ class Integrator:
 
 
 def integrator(model: Model, tables: tuple[Table, ...]) -> Integrator:
-    """Build the attempt of a model with a method of one table, or of two that it chooses from on the way (`choose`).
+    """Build the attempt of a model with a method of one table, or of two to choose from (`choose`).
 
-    The attempt is that of the first table alone, which looks whether there may be something to choose; `whole` has that which chooses. An implicit
-    table has an explicit one beside it for singular positions, which only closed loops have.
+    With two, the attempt steps by the first and watches for stiffness; `whole` chooses in every step. For closed
+    loops an implicit table is joined by an explicit one to pass singular positions.
     """
     alone = len(tables) == 1
     if alone and (isinstance(tables[0], RungeKutta) or not model.nl):
@@ -68,7 +68,7 @@ def integrator(model: Model, tables: tuple[Table, ...]) -> Integrator:
 
 
 def _integrator(model: Model, taken: tuple[Table, ...], tables: tuple[Table, ...], choosing: Choosing) -> Integrator:
-    """An attempt that takes steps by some of a method's tables."""
+    """Build an attempt that steps by some (`taken`) of a method's tables."""
     vectors, right = layouts(model), flow(model)
     # called with MX, so that one branch of each is evaluated; SX would evaluate all
     ends = [after for table in taken for after in _ends(model, vectors, table, right)]
@@ -94,7 +94,7 @@ def _integrator(model: Model, taken: tuple[Table, ...], tables: tuple[Table, ...
 
 
 def _ends(model: Model, vectors: Layouts, table: Table, right: Flow) -> Iterator[Any]:
-    """What follows from a step that is NEAR, SPECIAL, REJECTED."""
+    """Yield the functions that complete a step that is NEAR, SPECIAL, REJECTED."""
     special = settle(model, vectors, table, right)
     given = special.mx_in()
     if model.k > 1:
@@ -107,11 +107,11 @@ def _ends(model: Model, vectors: Layouts, table: Table, right: Flow) -> Iterator
 
 
 def _plain(like: Any) -> Any:
-    """A step that stays as it is; arguments as of another."""
+    """Return the function that leaves a step as it is; arguments as of another."""
     given = like.mx_in()
     return ca.Function("plain", given, [given[2]])
 
 
 def _case(number: Any, method: Any, count: int) -> Any:
-    """Number among the cases (0, those of the first table, those of the second): 0, or one of 1, ..., count under the method 0 or 1."""
+    """Return the index among the cases (0, those of the first table, those of the second)."""
     return number + count * method * (number > 0)

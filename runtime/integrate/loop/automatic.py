@@ -1,4 +1,7 @@
-"""Compile when it pays: a run begins in CasADi's virtual machine and goes on as C, bitwise the same, once the time ahead exceeds the compilation."""
+"""Compilation when it pays: a run starts in CasADi's virtual machine and continues as C.
+
+The change is made once the estimated time saved exceeds the compilation; results are bitwise the same.
+"""
 
 from __future__ import annotations
 
@@ -19,7 +22,10 @@ GAIN = 0.8  # part of the time ahead that C saves: it takes a fifth or less
 
 @dataclass
 class Code:
-    """The chunk of one model and method, in the virtual machine and, once somebody wanted it, as C; whole: made when a run goes on with another."""
+    """Chunk function of one model and method, in CasADi's virtual machine and, on demand, as C.
+
+    whole: returns the code that chooses between methods.
+    """
 
     function: Any
     whole: Callable[[], Code] | None = None
@@ -34,13 +40,19 @@ class Code:
         self.machine = Callers(self.function)
 
     def compile(self, heed: Callable[[], object] = lambda: None) -> Callers:
-        """Callers of the C version; raises NoCompilerError, and what `heed` raises, which is called while it is compiled."""
+        """Return callers of the C version, compiled now if need be.
+
+        heed: called meanwhile. Raises NoCompilerError, and what `heed` raises.
+        """
         if self.native is None:
             self.native = Callers(self._made().load(heed))
         return self.native
 
     def worthwhile(self, elapsed: float, ahead: float, heed: Callable[[], object] = lambda: None) -> Callers | None:
-        """Callers of the C version, compiled now, if that saves time for a run that took `elapsed` and has `ahead` [s] to go uncompiled."""
+        """Return callers of the C version if compiling now saves time; else None.
+
+        elapsed, ahead: time [s] the run took so far and would take uncompiled.
+        """
         if self.native is not None:
             return self.native
         if ahead < LOOK or self._impossible:
@@ -56,7 +68,7 @@ class Code:
             return None
 
     def _made(self) -> Program:
-        """The program; raises NoCompilerError."""
+        """Return the C program; raises NoCompilerError."""
         from hertzwerk.runtime.integrate.loop.compiled import (
             Program,  # only now: a short run needs none of what it imports
         )
@@ -66,9 +78,9 @@ class Code:
 
 
 class Gear:
-    """What runs are called with, one after the other, chunk by chunk; with `changes` it changes to C by itself.
+    """Callers of a run's chunks; with `changes` they change to C by themselves.
 
-    compile_s, build_s: the time it took to compile, and to build what chooses between methods [s].
+    compile_s, build_s: time taken to compile, and to build the code that chooses between methods [s].
     """
 
     def __init__(self, code: Code, *, compiled: bool, changes: bool) -> None:
@@ -77,11 +89,11 @@ class Gear:
         self.begin()
 
     def begin(self) -> None:
-        """A run begins: `callers` are those of its first steps."""
+        """Start a run: `callers` are those of its first steps."""
         self._use(self._first)
 
     def whole(self, heed: Callable[[], object]) -> None:
-        """`callers` are those that choose between methods from now on."""
+        """Change `callers` to those that choose between methods."""
         if self._first.whole is not None:
             began = time.perf_counter()
             code = self._first.whole()
@@ -99,11 +111,11 @@ class Gear:
 
     @property
     def compiled(self) -> bool:
-        """Whether it is C now."""
+        """Return whether the callers run C code."""
         return self.callers is not self._code.machine
 
     def changed(self, elapsed: float, ahead: float, heed: Callable[[], object]) -> bool:
-        """Whether `callers` are others from now on."""
+        """Change `callers` to C if that pays; return whether it did."""
         if not self._changes or self.compiled or ahead < LOOK:
             return False
         began = time.perf_counter()

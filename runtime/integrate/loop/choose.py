@@ -1,13 +1,13 @@
-"""`method="auto"`: explicit steps, and implicit ones where stability, not accuracy, would hold an explicit step down.
+"""`method="auto"`: explicit steps, and implicit ones where stability, not accuracy, limits the step.
 
-What counts is the step that the controller would like times the fastest rate of the motion, a sum over eigenvalues that the traces of the
-Jacobian give without computing any: damping -tr J, vibration sqrt(-tr(df/dq dq'/du)). An explicit step is stable up to a few times 1; a motion it
-has to follow anyway gives less. A velocity that jumps to and fro over the layer in which smoothed friction turns is stiff too, though no Jacobian
-shows it: the layer is thinner than the tolerance.
+The measure is the controller's step times the fastest rate of the motion, a sum over eigenvalues that the traces of
+the Jacobian give without computing any: damping -tr J, vibration sqrt(-tr(df/dq dq'/du)). An explicit step is stable
+up to a few times 1; accuracy alone keeps it below that. A velocity that jumps across the layer in which smoothed
+friction reverses is stiff too, though no Jacobian shows it: the layer is thinner than the tolerance.
 
-A run begins with explicit steps alone, which cost what those of the explicit method do: no Jacobian, and nothing implicit is built. What two
-stages at the end of a step differ by shows the fastest rates for a few operations. Where that looks stiff, step after step, the run goes on
-with steps that choose.
+A run begins with explicit steps alone, at their cost: no Jacobian, nothing implicit is built. The difference of the
+last two stages of a step estimates the fastest rates in a few operations. Where that stays stiff, step after step,
+the run continues with steps that choose.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ SUSPICIOUS = 20.0
 
 
 class Choosing(Enum):
-    """What a step does about its method: nothing, look whether there may be something to choose, choose."""
+    """Choice of method by a step: none, watch for stiffness, choose in every step."""
 
     NONE = "none"
     ON_SUSPICION = "on suspicion"
@@ -52,7 +52,10 @@ def choice(
     h: Any,
     J: Any = None,
 ) -> dict[str, Any]:
-    """The state's `method`, `pressure` and `stiffness` after a plain step from `old` to `end` under its modes; h [s]: the step to go on with."""
+    """Return the state's `method`, `pressure` and `stiffness` after a plain step from `old` to `end`.
+
+    h [s]: the step to continue with.
+    """
     given = (old["mode"], old["m"], run["c"])
     if J is None:
         J, _ = linearised(model, contacts)(old["t"], old["y"], *given)
@@ -79,10 +82,11 @@ def suspicion(
     end: Mapping[str, Any],
     seen: Mapping[str, Any],
 ) -> dict[str, Any]:
-    """The state's `pressure` and `status` after an explicit step whose last two stages, both at its end, were seen.
+    """Return the state's `pressure` and `status` after an explicit step, by its last two stages.
 
-    Their accelerations differ by what stiff forces make of the difference in speed (damping) or position (vibration). In a motion that an explicit
-    step has to follow the smaller of the two rates is seldom large; after Hairer, Wanner, Solving Ordinary Differential Equations II (1996), IV.2.
+    Both stages are at the end of the step. Their accelerations differ by the reaction of stiff forces to their
+    difference in speed (damping) or position (vibration). In a motion that limits the step by accuracy the smaller of
+    the two rates is seldom large; after Hairer, Wanner, Solving Ordinary Differential Equations II (1996), IV.2.
     """
     positions, speeds = slice(0, model.nq), slice(model.nq, model.nq + model.nu)
     reacting = ca.DM.ones(flow(model, contacts).rates.jac_sparsity(0, 1))[speeds, :]
@@ -100,7 +104,7 @@ def suspicion(
 
 
 def fastest(model: Model) -> Any:
-    """CasADi function (state, controls) -> (1 + n): the step to try next times the fastest rate, and the sliding velocities [m/s]."""
+    """Build the function (state, controls) -> step times fastest rate, and sliding velocities [m/s]."""
     vectors = layouts(model)
     given = [part.symbol(name) for part, name in ((vectors.state, "state"), (vectors.controls, "controls"))]
     old, run = (part.split(x) for part, x in zip((vectors.state, vectors.controls), given, strict=True))
@@ -112,7 +116,10 @@ def fastest(model: Model) -> Any:
 
 
 def _rate(J: Any, nq: int, nu: int) -> Any:
-    """Sum of the damping rates, or root of the sum of the squared frequencies, whichever is larger [1/s]; 0 where nothing is damped or vibrates."""
+    """Return the fastest rate [1/s]: summed damping rates or root of the summed squared frequencies.
+
+    The larger of both; 0 without damping and vibration.
+    """
     others = [i for i in range(J.size1()) if not nq <= i < nq + nu]  # coordinates, and bristles
     vibration = ca.trace(ca.mtimes(J[nq : nq + nu, others], J[others, nq : nq + nu]))
     # of two zeros of unlike sign a compiler may choose either

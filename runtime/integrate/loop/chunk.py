@@ -22,9 +22,9 @@ INTERRUPTED, WALL_TIME_LIMIT = TOO_MANY_STEPS + 1, TOO_MANY_STEPS + 2  # statuse
 
 
 def chunk(integrator: Integrator, sizes: tuple[int, ...] = SIZE) -> Any:
-    """CasADi function (state, controls) -> states (ns, attempts), one column after each attempt.
+    """Build the function (state, controls) -> states (ns, attempts), one column after each attempt.
 
-    What mapaccum makes, but for the copies of the constant controls that it takes one of for each attempt.
+    As CasADi's mapaccum, but without a copy of the constant controls for each attempt.
     """
     many = integrator.attempt
     for i, size in enumerate(sizes):
@@ -41,7 +41,10 @@ def chunk(integrator: Integrator, sizes: tuple[int, ...] = SIZE) -> Any:
 
 @dataclass(frozen=True)
 class Resume:
-    """The last state of a run that does not depend on where it was to end: a longer one goes on from it; whole: with what chooses between methods."""
+    """Last state of a run that is independent of its end time, from which a longer run continues.
+
+    whole: continue with steps that choose between methods.
+    """
 
     state: np.ndarray
     whole: bool
@@ -49,7 +52,7 @@ class Resume:
 
 @dataclass(frozen=True)
 class Ending:
-    """The last state of all, accepted or not, how the loop ended, the time it took [s], and what goes on from it; None where that is not known."""
+    """End of the loop: last state (accepted or not), status, time taken [s], state to resume from."""
 
     last: np.ndarray
     status: int
@@ -58,18 +61,21 @@ class Ending:
 
 
 class Shift(Protocol):
-    """Chooses what a run is called with, and may change it between two chunks (`automatic.Gear`)."""
+    """Provider of a run's callers, which may change between two chunks (`automatic.Gear`)."""
 
     callers: Callers
 
     def begin(self) -> None:
-        """A run begins: `callers` are those of its first steps."""
+        """Start a run: `callers` are those of its first steps."""
 
     def whole(self, heed: Callable[[], object]) -> None:
-        """`callers` are those that choose between methods from now on."""
+        """Change `callers` to those that choose between methods."""
 
     def changed(self, elapsed: float, ahead: float, heed: Callable[[], object]) -> bool:
-        """Whether `callers` are others from now on, after `elapsed` with about `ahead` [s] to go; what takes long calls `heed` now and then."""
+        """Change `callers` if it pays; return whether it did.
+
+        elapsed, ahead: time [s] taken and about to be taken. Long operations call `heed` now and then.
+        """
 
 
 def march(
@@ -83,10 +89,12 @@ def march(
     progress: Callable[[float], object] | None = None,
     whole: bool = False,
 ) -> Ending:
-    """Call a chunk until the run is over; KeyboardInterrupt, raised between two calls or by `progress`, ends it with what there is.
+    """Call a chunk until the run is over; KeyboardInterrupt ends it with the states so far.
 
-    keep    is given the accepted states in order, some at a time: rows (n, ns) of its own
-    whole   begin with what chooses between methods
+    The interrupt is raised between two calls or by `progress`.
+
+    keep    receives the accepted states in order, some at a time: rows (n, ns) of its own
+    whole   begin with steps that choose between methods
     """
     gear.begin()
     layout = integrator.layouts.state
@@ -150,7 +158,7 @@ def march(
 
 
 def _called(gear: Shift, controls: np.ndarray) -> tuple[Callers, Caller]:
-    """What a run is called with, and a call of it with the numbers of the run."""
+    """Return the callers of a run, and a call with the controls of the run set."""
     callers = gear.callers
     call = callers.take()
     call.inputs[1][:] = controls

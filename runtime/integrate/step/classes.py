@@ -1,7 +1,7 @@
-"""Classes of attempts: which pairs' contact forces a step evaluates, so that a pair that is not in contact costs none.
+"""Classes of step attempts by the pairs in contact, so that pairs not in contact cost no evaluation.
 
-Class 0 is idle. Then come the step without contact, a step for each pair alone in contact, and the step that asks each pair's mode: with every
-force evaluated and masked, for whatever else there is.
+Class 0 is idle. Then follow the step without contact, one step for each pair alone in contact, and the general step,
+which evaluates every contact force and masks it by the pair's mode.
 """
 
 from __future__ import annotations
@@ -30,7 +30,10 @@ def kinds(model: Model) -> tuple[Contacts, ...]:
 
 
 def classified(model: Model, mode: Any) -> Any:
-    """Class of the next attempt under modes (k). A pair is alone in contact if none is released either."""
+    """Return the class of the next attempt under modes (k).
+
+    Single-contact classes require that no other pair is released.
+    """
     if not model.k:
         return ca.SX(IN_FLIGHT)
     touching = mode == CONTACT
@@ -42,17 +45,20 @@ def classified(model: Model, mode: Any) -> Any:
 
 
 def modes(model: Model, contacts: tuple[int, ...]) -> Any:
-    """The modes (k), constants, of a class whose contacts are known, with no pair released."""
+    """Return the constant modes (k) of a class whose contacts are known, with no pair released."""
     return ca.SX([CONTACT if j in contacts else FLIGHT for j in range(model.k)])
 
 
 def pushing(model: Model, contacts: Contacts, mode: Any) -> Iterator[tuple[int, Any, Any]]:
-    """(number, function, condition) of every pair that may be in contact under modes (k); the condition is 1 where it is for certain."""
+    """Yield (number, contact function, condition) of every pair that may be in contact under modes (k).
+
+    The condition is the constant 1 for a pair certainly in contact.
+    """
     for j, pair in enumerate(model.pairs):
         if contacts is BY_MODE or j in contacts:
             yield j, model.function(f"contact_{pair}"), mode[j] == CONTACT if contacts is BY_MODE else ca.SX(1)
 
 
 def where(active: Any, value: Any, otherwise: float = 0.0) -> Any:
-    """The value while active, without a choice where that is certain."""
+    """Return the value while active, else `otherwise`; no if_else where `active` is constant."""
     return value if active.is_one() else ca.if_else(active, value, otherwise)

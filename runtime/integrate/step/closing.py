@@ -1,6 +1,7 @@
-"""Closed loops stay closed: the end of a step is projected onto the constraints, positions first, then speeds.
+"""Projection of a step's end onto the loop constraints: positions first, then speeds.
 
-Least in kinetic energy, so that no unit has to be weighed against another; Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), IV.4.
+The correction is the least in kinetic energy, so that no unit has to be weighed against another. Hairer, Lubich,
+Wanner, Geometric Numerical Integration (2006), IV.4.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ LOST = 1e200  # error norm of a step whose end does not close the loops; no othe
 
 @dataclass(frozen=True)
 class Closing:
-    """The projection of a mechanism with loops."""
+    """Projection onto the constraints of a mechanism with loops."""
 
     function: Any
     along: Any
@@ -33,7 +34,10 @@ class Closing:
     """Rows of the state."""
 
     def __call__(self, t: Any, y: Any, run: Any) -> tuple[Any, Any]:
-        """The state (ny) with its loops closed, and whether they are: to the tolerance, but not below the rounding of its coordinates."""
+        """Return the projected state (ny) and whether its loops are closed.
+
+        Closed means: residuals within the tolerance, though not below the rounding of the coordinates.
+        """
         y, phi, rounding, rate = self.function(t, y, run["c"])
         length, speed = run["scales"][0], run["scales"][1]
         small = ca.fmax(
@@ -48,7 +52,7 @@ class Closing:
 
 
 def closing(model: Model) -> Closing | None:
-    """The projection of a model; None for a tree."""
+    """Return the projection of a model; None for a tree."""
     if not model.nl:
         return None
     speeds = slice(model.nq, model.nq + model.nu)
@@ -57,7 +61,7 @@ def closing(model: Model) -> Closing | None:
 
 
 def _closed(model: Model) -> Any:
-    """CasADi function (t, y, c) -> (y with the loops closed (ny), how far they still are open (nl) [m or 1], the rounding of that, its rate (nl))."""
+    """Build the function (t, y, c) -> (projected y, residuals, their rounding bounds, their rates (nl))."""
     t, y, c = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz), ca.SX.sym("c", model.nc)
     q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
     constraints, project = model.function("constraints"), model.function("projection")
@@ -73,7 +77,7 @@ def _closed(model: Model) -> Any:
 
 
 def _along(model: Model) -> Any:
-    """CasADi function (t, y, error (ny), c) -> the error without what leads off the constraints, to first order."""
+    """Build the function (t, y, error (ny), c) -> error projected onto the constraints' tangent space."""
     ny = model.nq + model.nu + model.nz
     t, y, error, c = ca.SX.sym("t"), ca.SX.sym("y", ny), ca.SX.sym("error", ny), ca.SX.sym("c", model.nc)
     parts = [0, model.nq, model.nq + model.nu, ny]

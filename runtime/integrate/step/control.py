@@ -1,4 +1,4 @@
-"""How long the next step is: by the error of the last one, by how far a contact's force is from being smooth, by the way to the next surface."""
+"""Step size control by error estimate, smoothness of contact forces and distance to a surface."""
 
 from __future__ import annotations
 
@@ -22,12 +22,13 @@ FAR = 1e300
 
 
 def roughness(touching: Any, gap: Any, end_gap: Any) -> Any:
-    """Factor of the error estimate for what a contact's force lacks in smoothness: of the gaps (k) at both ends of a step, 1..ROUGHEST.
+    """Return the factor, 1..ROUGHEST, on the error estimate for nonsmooth contact forces.
 
-    An estimate is built for smooth functions. A force d^n is singular at d = 0, so what counts is how much of the way to zero a step covers.
-    On d'' = -d^1.5 the true error of a step over its estimate is, for dop853 | dopri5, at d_big/d_small = 1.3: 0.1 | 0.1, 2: 0.4 | 0.6,
-    4: 0.9 | 2, 8: 1.4 | 4, 30: 2.3 | 7.5, from or to the surface: 3.4 | 11. Smooth steps' estimates are pessimistic by that tenth;
-    only the relation matters, and (d_big/d_small)^2, limited, is an upper bound of it.
+    touching, gap, end_gap (k): contact, and the gaps at both ends of the step. An estimate is built for smooth
+    functions. A force d^n is singular at d = 0, so what counts is how much of the way to zero a step covers. On d'' =
+    -d^1.5 the true error of a step over its estimate is, for dop853 | dopri5, at d_big/d_small = 1.3: 0.1 | 0.1, 2:
+    0.4 | 0.6, 4: 0.9 | 2, 8: 1.4 | 4, 30: 2.3 | 7.5, from or to the surface: 3.4 | 11. Smooth steps' estimates are
+    pessimistic by that tenth; only the relation matters, and (d_big/d_small)^2, limited, is an upper bound of it.
     """
     a, b = ca.fabs(gap), ca.fabs(end_gap)
     ratio = ca.fmax(a, b) / ca.fmax(ca.fmin(a, b), 1 / FAR)
@@ -36,25 +37,31 @@ def roughness(touching: Any, gap: Any, end_gap: Any) -> Any:
 
 
 def factor(table: Table, error: Any) -> Any:
-    """New step over old one by the error norm: the elementary controller of Hairer, Norsett, Wanner II.4."""
+    """Return the ratio of new to old step by the error norm (elementary controller).
+
+    Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, II.4.
+    """
     return _within(SAFETY / _root(ca.fmax(error, 1e-30), table.error_order))
 
 
 def onset_factor(error: Any) -> Any:
-    """The same for the first step of a contact."""
+    """Return the ratio of new to old step for the first step of a contact."""
     return _within(SAFETY / ca.fmax(error, 1e-30) ** (1 / ONSET_ORDER))
 
 
 def remembered(h: Any, kept: Any, grown: Any) -> Any:
-    """The step [s] to go on with after an accepted one; a step that an event or the end had shortened says nothing against a longer one."""
+    """Return the step [s] to continue with after an accepted one.
+
+    A step shortened by an event or by the end of the run does not reduce it.
+    """
     return ca.if_else(h < kept * (1 - 1e-9), ca.fmax(kept, grown), grown)
 
 
 def near_surfaces(free: Any, h_onset: Any, mode: Any, end: dict[str, Any], resting: Any = 0) -> Any:
-    """The step [s] no longer than `free` that heeds the surfaces: it lands on the next one or, in contact, nears it as gently as it left.
+    """Limit the step `free` [s] to land on the next surface or, in contact, approach it gradually.
 
-    A step over the kink of the force would be rejected; a step to just before it is followed by a tiny one.
-    resting: 1 for the pairs (k) that stay in contact though on their surface: it is not ahead of them, the way to it 0 or backwards.
+    A step over the kink of the force would be rejected; a step to just before it is followed by a tiny one. resting:
+    1 for the pairs (k) that stay in contact while on their surface, so that no surface lies ahead of them.
     """
     sign = ca.if_else(mode == FLIGHT, 1, -1)
     g, rate, acceleration = (sign * end[part] for part in ("gap", "gap_rate", "gap_acceleration"))
@@ -66,13 +73,19 @@ def near_surfaces(free: Any, h_onset: Any, mode: Any, end: dict[str, Any], resti
 
 
 def time_to_root(g: Any, rate: Any, acceleration: Any) -> Any:
-    """Time [s] until g, constantly accelerated, falls through zero (negative: since it has); FAR where it does not fall."""
+    """Return the time [s] until g, constantly accelerated, falls through zero; FAR where it does not fall.
+
+    Negative where it has fallen through zero already.
+    """
     root = ca.sqrt(ca.fmax(rate * rate - 2 * acceleration * g, 0))
     return ca.if_else(rate < 0, 2 * g / (root - rate), FAR)  # of the two roots the first, without cancellation
 
 
 def time_to_landing(g: Any, rate: Any, acceleration: Any) -> Any:
-    """Time [s] until g, constantly accelerated, falls through zero, now or, where it does not fall now, on its return; FAR where it never does."""
+    """Return the time [s] until g, constantly accelerated, next falls through zero; FAR if never.
+
+    Where g rises now, the time is that of its return.
+    """
     falls = rate < 0
     reach = ca.sqrt(ca.fmax(rate * rate - 2 * acceleration * g, 0)) + ca.fabs(rate)
     # of the two roots the one wanted, without cancellation, by one division
@@ -85,7 +98,7 @@ def _within(value: Any) -> Any:
 
 
 def _root(x: Any, order: int) -> Any:
-    """x^(1/order), by square roots where they do: a power costs more than all of them."""
+    """Return x^(1/order), by square roots where possible: a power costs more than all of them."""
     while order % 2 == 0:
         x, order = ca.sqrt(x), order // 2
     return x if order == 1 else x ** (1 / order)

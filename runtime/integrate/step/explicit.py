@@ -1,4 +1,4 @@
-"""The right-hand side under given modes, and one explicit Runge-Kutta step of it, as CasADi functions."""
+"""Right-hand side under given modes and explicit Runge-Kutta steps of it, as CasADi functions."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ MEAN_OF = 8  # most entries that an error is averaged over: of many bodies most 
 
 @dataclass(frozen=True)
 class Flow:
-    """CasADi functions of (t, y, mode (k), m, c).
+    """CasADi functions of (t, y, mode (k), m, c): the right-hand side and the quantities of a step's end.
 
     rates:  dy/dt (ny)
-    ends:   dy/dt; gap, gap rate, gap acceleration (k each); raw normal force and its rate along the flow (k each, 0 unless in contact); in_range (k);
-            of the pairs with set-valued friction (ns each, 0 unless in contact): its force along the tangent, margin, rate of that;
-            time to a singular position (1, none in a tree)
-    holding: what holds the loops closed (nl) [N or N m]; none in a tree
+    ends:   dy/dt; gap, gap rate, gap acceleration (k each); raw normal force and its rate along the flow (k each, 0
+            unless in contact); in_range (k); of the pairs with set-valued friction (ns each, 0 unless in contact): force
+            along the tangent, margin, rate of the margin; time to a singular position (1, none in a tree)
+    holding: constraint forces of the loops (nl) [N or N m]; None in a tree
     """
 
     rates: Any
@@ -41,25 +41,28 @@ class Flow:
     quaternions: tuple[int, ...] = ()
 
     def closed(self, t: Any, y: Any, run: Mapping[str, Any]) -> tuple[Any, Any]:
-        """The state with its loops closed and its quaternions of norm 1, and whether the loops are; without any the state as it is, and 1."""
+        """Return the state with closed loops and unit quaternions, and whether the loops are closed."""
         y, is_closed = (y, ca.SX(1)) if self.closing is None else self.closing(t, y, run)
         return unit_quaternions(y, self.quaternions), is_closed
 
     def lasting(self, t: Any, y: Any, error: Any, run: Mapping[str, Any]) -> Any:
-        """Of an error (ny) of a step that ends at t, y what remains once the loops are closed: along a singular position much is off them."""
+        """Return the part of a step's error (ny) that remains once the loops are closed.
+
+        Near a singular position most of the error is off the constraints.
+        """
         return error if self.closing is None else self.closing.along(t, y, error, run["c"])
 
     def error(self, error: Any, is_closed: Any) -> Any:
-        """The error norm of a step, LOST where its end does not close the loops."""
+        """Return the error norm of a step; LOST if its end does not close the loops."""
         return error if self.closing is None else ca.if_else(is_closed, error, LOST)
 
     def at(self, t: Any, y: Any, mode: Any, m: Any, c: Any) -> dict[str, Any]:
-        """Results of `ends` by name."""
+        """Return the results of `ends` by name."""
         return dict(zip(self.ends.name_out(), self.ends.call([t, y, mode, m, c]), strict=True))
 
 
 def flow(model: Model, contacts: Contacts = BY_MODE) -> Flow:
-    """Right-hand side of a model with the forces of these contacts."""
+    """Return the right-hand side of a model with the forces of these contacts."""
     contacts = contacts if model.k else ()  # without pairs all classes are one
     made: Flow = model.once(("flow", contacts), lambda: _flow(model, contacts))
     return made
@@ -135,9 +138,10 @@ def stepped(
     h: Any,
     seen: dict[str, Any] | None = None,
 ) -> dict[str, Any]:
-    """One step of h [s] from the parts of a state, under its modes and latches: the parts of a trial.
+    """Take one step of h [s] from a state under its modes and latches; return the parts of a trial.
 
-    seen: is told of the last stage, an estimate of the step's end, with its slope, and of the weights of errors (`choose.suspicion`).
+    seen: receives the last stage (an estimate of the step's end), its slope and the error weights (for
+    `choose.suspicion`).
     """
     given = (start["mode"], start["m"], run["c"])
     t, y = start["t"], start["y"]
@@ -160,7 +164,10 @@ def stepped(
 def nudged(
     right: Flow, start: Mapping[str, Any], end: Mapping[str, Any], run: Mapping[str, Any], delta: Any
 ) -> dict[str, Any]:
-    """From the end of a step on by delta [s], so short that the classical method of order 4 is exact enough; the parts of a trial but its error."""
+    """Continue from a step's end by a short delta [s] with the classical Runge-Kutta method of order 4.
+
+    Return the parts of a trial without its error: delta is too short for one that counts.
+    """
     given = (start["mode"], start["m"], run["c"])
     t, y, k1 = end["t"], end["y"], end["dy"]
     k2 = right.rates(t + delta / 2, y + delta / 2 * k1, *given)
@@ -171,9 +178,10 @@ def nudged(
 
 
 def unit_quaternions(y: Any, first: tuple[int, ...]) -> Any:
-    """SX column with the four entries from each of the rows `first` divided by their norm.
+    """Normalise the quaternions (four entries from each row in `first`) of an SX column.
 
-    Done once per step: the derived rotation matrices need the norm 1, and what a step departs from it is of the order of its error.
+    Done once per step: the derived rotation matrices need the norm 1, and a step's departure from it is of the order
+    of its error.
     """
     if not first:
         return y
@@ -185,7 +193,7 @@ def unit_quaternions(y: Any, first: tuple[int, ...]) -> Any:
 
 
 def _moved(y: Any, h: Any, weights: tuple[float, ...], slopes: list[Any]) -> Any:
-    """y + h sum(weights * slopes), so that little is left to do once the last slope is known: a step is one long chain of such sums."""
+    """Return y + h sum(weights * slopes), with the last slope added last to shorten the dependency chain."""
     *older, last = (i for i, weight in enumerate(weights) if weight)
     if older:
         y = y + h * _sum([weights[i] * slopes[i] for i in older])
@@ -197,7 +205,7 @@ def _weighted(weights: tuple[float, ...], slopes: list[Any]) -> Any:
 
 
 def _sum(terms: list[Any]) -> Any:
-    """Sum in pairs: a processor adds them side by side, and rounding grows with the logarithm of their number."""
+    """Sum pairwise: independent additions, and rounding grows with the logarithm of the number of terms."""
     while len(terms) > 1:
         pairs = [a + b for a, b in zip(terms[::2], terms[1::2], strict=False)]
         terms = pairs + terms[2 * len(pairs) :]
@@ -205,7 +213,10 @@ def _sum(terms: list[Any]) -> Any:
 
 
 def _norm(errors: list[Any], h: Any) -> Any:
-    """Root mean square of an error estimate; of two, Hairer's combination e5^2/sqrt(e5^2 + 0.01 e3^2), which behaves as h^8."""
+    """Return the root mean square of an error estimate.
+
+    Two estimates are combined as e5^2/sqrt(e5^2 + 0.01 e3^2), which behaves as h^8 (Hairer, dop853).
+    """
     squares = [ca.sumsqr(error) / min(error.numel(), MEAN_OF) for error in errors]
     if len(squares) == 1:
         return h * ca.sqrt(squares[0])

@@ -1,9 +1,10 @@
-"""Set-valued friction: slip and stick are modes of a pair, its force while sticking follows from "the sliding does not accelerate".
+"""Set-valued friction: slip and stick as modes of a pair, with the sticking force as a constraint.
 
-A pair with such friction has a slip sigma in m: the sign of its sliding velocity s along its tangent, 0 while it sticks. The friction force along
-the tangent is -sigma times the sliding force, or, of the pairs that stick, all together, the lambda of W lambda = -b: W = D^T M^-1 D with D the
-generalised forces per newton, b the sliding accelerations without lambda. A pair sticks as long as the margin, the force it holds less |lambda|, is
-positive; it slips as long as sigma s is. Pfeiffer, Glocker, Multibody Dynamics with Unilateral Contacts (1996), chapters 5 and 8.
+A pair with such friction has a slip sigma in m: the sign of its sliding velocity s along its tangent, 0 while it
+sticks. The friction force along the tangent is -sigma times the sliding force; of all sticking pairs together it is
+the lambda of W lambda = -b, with W = D^T M^-1 D, D the generalised forces per newton and b the sliding accelerations
+without lambda. A pair sticks while its margin, the largest holding force less
+lambda|, is positive; it slips while sigma s is. Pfeiffer, Glocker, Multibody Dynamics with Unilateral Contacts (1996), chapters 5 and 8.
 """
 
 from __future__ import annotations
@@ -31,11 +32,11 @@ BREAKS = 0.25  # of the tolerance of a landing: by which lambda exceeds what is 
 
 @dataclass(frozen=True)
 class Grips:
-    """What n of the pairs with such friction have at a state; what is not a number where there is no contact is 0.
+    """Friction quantities of n pairs at a state; 0 without contact.
 
-    places (n): theirs among the slips; along (nf, n): generalised force per newton of friction; power (nz, n): rates of z per newton; sliding,
-    holding (n): forces [N]; velocity (n): of sliding [m/s]; drift (n): its rate without any generalised acceleration [m/s^2]; touching,
-    sticks (n): 1 or 0; slip (n).
+    places (n): indices among the slips; along (nf, n): generalised force per newton of friction; power (nz, n): rates
+    of z per newton; sliding, holding (n): forces [N]; velocity (n): sliding velocity [m/s]; drift (n): its rate
+    without any generalised acceleration [m/s^2]; touching, sticks (n): 1 or 0; slip (n).
     """
 
     places: list[int]
@@ -51,22 +52,22 @@ class Grips:
 
 
 def pairs_of(model: Model) -> list[int]:
-    """The pairs with set-valued friction, in the order of their slips in m."""
+    """Return the pairs with set-valued friction, in the order of their slips in m."""
     return [pair for _, _, pair in model.slips]
 
 
 def slips_in(model: Model) -> slice:
-    """Where in m the slips are."""
+    """Return the slice of the slips in m."""
     return slice(model.nm - model.ns, model.nm)
 
 
 def may_slip(model: Model, contacts: Contacts) -> bool:
-    """Whether a pair with such friction is among the contacts of a class."""
+    """Return whether a pair with set-valued friction is among the contacts of a class."""
     return bool(model.ns) and (contacts is BY_MODE or any(j in contacts for j in pairs_of(model)))
 
 
 def grips(model: Model, contacts: Contacts, t: Any, y: Any, mode: Any, m: Any, c: Any) -> Grips:
-    """What the pairs have at a state, SX, with the contacts of a class."""
+    """Evaluate the friction quantities (SX) of the pairs in the contacts of a class."""
     columns, slips = [], m[slips_in(model)]
     places = [i for i, j in enumerate(pairs_of(model)) if contacts is BY_MODE or j in contacts]
     for i in places:
@@ -79,7 +80,10 @@ def grips(model: Model, contacts: Contacts, t: Any, y: Any, mode: Any, m: Any, c
 
 
 def of_pair(model: Model, j: int) -> Any:
-    """CasADi function (t, y, m, c) -> (along, power, sliding, holding, velocity, drift) of one pair, see `Grips`."""
+    """Return the function (t, y, m, c) -> fields of `Grips` of one pair.
+
+    In order: along, power, sliding, holding, velocity, drift.
+    """
     return model.once(("grip", j), lambda: _of_pair(model, j))
 
 
@@ -95,9 +99,10 @@ def _of_pair(model: Model, j: int) -> Any:
 
 
 def forces(model: Model, n: int) -> Any:
-    """CasADi function (t, q, u, f, along, drift, slipping (n), sticks (n), c) -> lambda (n) [N]: friction forces along the tangents.
+    """Return the CasADi function of the friction forces lambda (n) [N] along the tangents.
 
-    f: all other generalised forces; slipping: the forces of those that slip, along the tangents.
+    Arguments: t, q, u, f, along, drift, slipping (n), sticks (n), c. f: all other generalised forces; slipping: the
+    forces of the slipping pairs along the tangents.
     """
     return model.once(("friction", n), lambda: _forces(model, n))
 
@@ -116,14 +121,17 @@ def _forces(model: Model, n: int) -> Any:
 
 
 def mobility(model: Model, t: Any, q: Any, u: Any, along: Any, c: Any) -> Any:
-    """Changes (nu, n) of the speeds by a unit impulse along each tangent."""
+    """Return the changes (nu, n) of the speeds by a unit impulse along each tangent."""
     f = ca.SX.sym("f", along.shape[0])
     a = model.function("accelerations").call([t, q, u, f, c])[0]
     return ca.substitute(ca.jtimes(a, f, along), f, ca.SX.zeros(f.numel()))
 
 
 def solve_sticking(W: Any, sticks: Any, right: Any) -> Any:
-    """Lambda (n) of the pairs that stick with W lambda = right, of the least norm where that says too little; 0 of the others."""
+    """Solve W lambda = right for the sticking pairs; 0 for the others.
+
+    Where W is singular the result is (nearly) that of least norm.
+    """
     n = W.shape[0]
     right = ca.if_else(sticks, right, 0)
     both = [[sticks[i] * sticks[j] for j in range(n)] for i in range(n)]
@@ -144,7 +152,7 @@ def solve_sticking(W: Any, sticks: Any, right: Any) -> Any:
 
 
 def sized(model: Model, m: Any, tol_rate: Any, tol_force: Any) -> Any:
-    """Tolerance of each margin at a landing: of a speed where the pair slips, of a force where it sticks."""
+    """Return each margin's tolerance at a landing: a speed if slipping, a force if sticking."""
     pairs = pairs_of(model)
     return ca.if_else(m[slips_in(model)] == STICK, tol_force[pairs], tol_rate[pairs])
 
@@ -152,9 +160,10 @@ def sized(model: Model, m: Any, tol_rate: Any, tol_force: Any) -> Any:
 def asked_and_broken(
     model: Model, mode: Any, m: Any, margin: Any, margin_rate: Any, small: Any, was: Any
 ) -> tuple[Any, Any]:
-    """Pairs (n) in contact whose sliding has come to rest, or whose contact has begun (they `was` in another mode), and those that let go.
+    """Return which pairs (n) have an undecided direction of sliding, and which sticking pairs break loose.
 
-    By what the state is: margins and rates as they were reached, with their tolerances.
+    Undecided are pairs in contact that came to rest or that were in another mode (`was`) before. Both follow from
+    margins and rates as reached, with the tolerances `small`.
     """
     pairs = pairs_of(model)
     touching, fresh = mode[pairs] == CONTACT, was[pairs] != CONTACT
@@ -165,7 +174,7 @@ def asked_and_broken(
 
 
 def steady(model: Model, mode: Any, start: Parts, end: Parts) -> Any:
-    """1 if no margin comes near zero in a step."""
+    """Return 1 if no margin comes near zero in a step."""
     touching = mode[pairs_of(model)] == CONTACT
     clear = ca.SX(1)
     for coefficient in margins(start, end):
@@ -174,6 +183,6 @@ def steady(model: Model, mode: Any, start: Parts, end: Parts) -> Any:
 
 
 def margins(start: Parts, end: Parts) -> list[Any]:
-    """Bernstein coefficients of the cubics through the margins over a step."""
+    """Return the Bernstein coefficients of the cubics through the margins over a step."""
     h, f, f1 = start["h"], start["margin"], end["margin"]
     return [f, f + h * start["margin_rate"] / 3, f1 - h * end["margin_rate"] / 3, f1]

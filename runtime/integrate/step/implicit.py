@@ -1,7 +1,8 @@
-"""One step of an implicit method, in the graph: Rosenbrock methods, and diagonally implicit Runge-Kutta methods with simplified Newton iterations.
+"""One step of a Rosenbrock method or of a diagonally implicit Runge-Kutta method.
 
-Both solve with I - h gamma J only, J the exact Jacobian of the right-hand side at the start of the step. They take the same state and give the
-same trial as an explicit step; Hairer, Wanner, Solving Ordinary Differential Equations II, 2nd ed. (1996), IV.7 and IV.8.
+Both solve with I - h gamma J only, J the exact Jacobian of the right-hand side at the start of the step; the latter
+by simplified Newton iterations. They take the same state and give the same trial as an explicit step. Hairer, Wanner,
+Solving Ordinary Differential Equations II, 2nd ed. (1996), IV.7 and IV.8.
 """
 
 from __future__ import annotations
@@ -39,16 +40,17 @@ LARGE = 2000  # instructions of the right-hand side beyond which a step calls it
 
 
 def composed(model: Model) -> bool:
-    """Whether steps are made of calls, not written out: of large models the calls cost little beside what they do."""
+    """Return whether steps call functions instead of inlining them; pays off for large models."""
     made: bool = model.once("composed", lambda: flow(model, ()).rates.n_instructions() > LARGE)
     return made
 
 
 def linearised(model: Model, contacts: Contacts = BY_MODE) -> Any:
-    """CasADi function (t, y, mode, m, c) -> (J (ny, ny), dt (ny)): the derivatives of the right-hand side `explicit.flow` of the same contacts.
+    """Return the function (t, y, mode, m, c) -> derivatives J (ny, ny) and dt (ny) of the right-hand side.
 
-    By the chain rule through what the contacts give, so that what is singular stays where it arises: at zero penetration, or without contact, the
-    derivative of a root in a contact's force is not a number; there the force and its true derivative vanish.
+    The right-hand side is `explicit.flow` of the same contacts. The chain rule is applied contact by contact, so that
+    singular derivatives stay where they arise: at zero penetration, or without contact, the derivative of a root in a
+    contact's force is nan; the force and its true derivative vanish there.
     """
     whole = may_slip(model, contacts) or not composed(model)
     return model.once(
@@ -57,7 +59,7 @@ def linearised(model: Model, contacts: Contacts = BY_MODE) -> Any:
 
 
 def _linearised_by_calls(model: Model, contacts: Contacts) -> Any:
-    """The same of functions that all classes of attempts share; MX."""
+    """Build the function `linearised` (MX) from functions shared by all classes of attempts."""
     t, y = ca.MX.sym("t"), ca.MX.sym("y", model.nq + model.nu + model.nz)
     mode, m, c = ca.MX.sym("mode", model.k), ca.MX.sym("m", model.nm), ca.MX.sym("c", model.nc)
     f, df = model.once("of applied", lambda: _of_applied(model))(t, y, c)
@@ -76,7 +78,7 @@ def _linearised_by_calls(model: Model, contacts: Contacts) -> Any:
 
 
 def _of_applied(model: Model) -> Any:
-    """CasADi function (t, y, c) -> the applied forces, and their derivatives by (y, t)."""
+    """Build the CasADi function (t, y, c) -> applied forces and their derivatives by (y, t)."""
     t, y, c = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz), ca.SX.sym("c", model.nc)
     q, u, _ = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
     f = model.function("applied")(t, q, u, c)
@@ -84,7 +86,10 @@ def _of_applied(model: Model) -> Any:
 
 
 def _of_contact(model: Model, pair: str) -> Any:
-    """CasADi function (t, y, m, c, active) -> force and, by (y, t), derivatives of force and memory's rates of a pair while active."""
+    """Build the function (t, y, m, c, active) -> force of a pair and derivatives by (y, t).
+
+    The derivatives are those of the force and of the rates of z; all are 0 unless active.
+    """
     t, y = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz)
     q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
     m, c, active = ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc), ca.SX.sym("active")
@@ -95,7 +100,7 @@ def _of_contact(model: Model, pair: str) -> Any:
 
 
 def _of_motion(model: Model) -> Any:
-    """CasADi function (t, y, f, c) -> derivatives of the right-hand side by (y, t) and by the generalised forces f."""
+    """Build the function (t, y, f, c) -> derivatives of the right-hand side by (y, t) and by forces f."""
     t, y = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz)
     q, u, _ = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
     f, c = ca.SX.sym("f", model.function("applied").size1_out(0)), ca.SX.sym("c", model.nc)
@@ -115,10 +120,10 @@ def _of_motion(model: Model) -> Any:
 def _through_balance(
     model: Model, t: Any, q: Any, u: Any, c: Any, x: Any, f: Any, a: Any, multipliers: Any
 ) -> tuple[Any, Any]:
-    """Derivatives of accelerations by x and by f, not of how they were solved for but of the equations that they solve.
+    """Differentiate the accelerations by x and f implicitly, from the equations that they solve.
 
-    With K = [[M, G^T], [G, 0]], K (a, -multipliers) = (f - bias, -bias of G); the inverse of K is symmetric, so that what multipliers are by f,
-    accelerations are by the loops' second derivatives, but for the sign.
+    With K = [[M, G^T], [G, 0]], K (a, -multipliers) = (f - bias, -bias of G). The inverse of K is symmetric, so the
+    derivatives of the multipliers by f are, up to sign, those of the accelerations by the loops' second derivatives.
     """
     solved = ca.vertcat(a, multipliers)
     known = ca.SX.sym("known", solved.numel())
@@ -173,9 +178,9 @@ def _linearised(model: Model, contacts: Contacts) -> Any:
 
 
 def sliding(model: Model, contacts: Contacts = BY_MODE) -> Any:
-    """CasADi function (t, y, dy, mode, m, c) -> (v (n), dv/dt (n), dv/dy (n, ny)): the sliding velocities [m/s] of pairs in contact; 0 of others.
+    """Return the function (t, y, dy, mode, m, c) -> sliding velocities v (n) [m/s], dv/dt, dv/dy.
 
-    Not of pairs whose sliding ends with an event.
+    0 for pairs not in contact; pairs whose sliding ends with an event (set-valued friction) are left out.
     """
     return model.once(("sliding", contacts), lambda: _sliding(model, contacts))
 
@@ -206,7 +211,7 @@ class Stepper:
     nq: int
 
     def __call__(self, start: Parts, run: Parts, h: Any, seen: dict[str, Any] | None = None) -> dict[str, Any]:
-        """One step of h [s] from the parts of a state, under its modes and latches: the parts of a trial; `seen` is told the Jacobian J."""
+        """Take one step of h [s] from a state; return the parts of a trial. `seen` receives the Jacobian J."""
         table, given = self.table, (start["mode"], start["m"], run["c"])
         t, y = start["t"], start["y"]
         J, dt = self.linear(t, y, *given)
@@ -234,16 +239,17 @@ class Stepper:
 
 
 def stepper(model: Model, table: Rosenbrock | DiagonallyImplicit, right: Flow, contacts: Contacts) -> Stepper:
-    """The step of a method with the contacts of `right`."""
+    """Return the step of a method with the contacts of `right`."""
     return Stepper(table, right, linearised(model, contacts), sliding(model, contacts), model.nq)
 
 
 def part_to_rest(v: Any, rate: Any, foreseen: Any, v1: Any, rate1: Any, h: Any) -> Any:
-    """Part of a step h after which sliding velocities (n) come to rest, if the step went over that without noticing; else 1.
+    """Return the fraction of a step h at which a sliding velocity stops unresolved; 1 if none does.
 
-    A smoothed friction law turns over, or makes the velocity stick, in a layer that may be too narrow for a step to see: outside of it the
-    Jacobian foresees no change of the rate. The step has met it if its end fits no smooth motion. Once a step ends in the layer, the Jacobian
-    shows it, and steps are long again: without this the velocity would jump to and fro over the layer, by as much as the tolerance allows.
+    A smoothed friction law reverses the force in a layer of velocities that may be too narrow for a step to resolve:
+    outside of it the Jacobian predicts no change of the rate. The step has crossed it if its end fits no smooth
+    motion. Once a step ends in the layer, the Jacobian shows it, and steps are long again; without this the velocity
+    would jump across the layer by as much as the tolerance allows.
     """
     meets = (v * rate < 0) * (v * (v + h * rate) < 0)
     unseen = ca.fabs(foreseen) < FORESEEN * ca.fabs(rate)
@@ -256,7 +262,10 @@ def part_to_rest(v: Any, rate: Any, foreseen: Any, v1: Any, rate1: Any, h: Any) 
 def _rosenbrock(
     table: Rosenbrock, right: Flow, solve: Any, J: Any, dt: Any, start: Parts, given: Any, h: Any
 ) -> tuple[Any, Any, Any, Any]:
-    """y1, no slope but the right-hand side's, the error, and whether the linear equations were solved; iterations would notice by themselves."""
+    """Take a Rosenbrock step; return y1, None (no slope), the error, whether the systems were solved.
+
+    The solution is checked because, unlike an iteration, the method itself would not notice a failed elimination.
+    """
     t, y = start["t"], start["y"]
     U: list[Any] = []
     first: Any = None
@@ -271,7 +280,10 @@ def _rosenbrock(
 
 
 def _solves(J: Any, step: Any, x: Any, r: Any) -> Any:
-    """1 if x solves (I - step J) x = r but for rounding: the residual of every row is small beside the row's terms, whatever its unit."""
+    """Return 1 if x solves (I - step J) x = r up to rounding.
+
+    The residual of every row is small beside the row's own terms, whatever its unit.
+    """
     residual = x - step * ca.mtimes(J, x) - r
     terms = ca.fabs(x) + step * ca.mtimes(ca.fabs(J), ca.fabs(x)) + ca.fabs(r)
     return ca.mmin(ca.fabs(residual) <= BACKWARD * terms)
@@ -280,10 +292,11 @@ def _solves(J: Any, step: Any, x: Any, r: Any) -> Any:
 def _diagonally_implicit(
     table: DiagonallyImplicit, right: Flow, solve: Any, dt: Any, start: Parts, given: Any, h: Any, least: Any
 ) -> tuple[Any, Any, Any, Any]:
-    """y1, the slope there, the error, and whether all iterations converged.
+    """Take a diagonally implicit step; return y1, the slope there, the error, whether Newton converged.
 
-    Unknown in stage i is w = h gamma k_i; its slope is taken from w, not from the right-hand side, which would amplify what the iteration left.
-    So is the slope that the next step begins with: that of the last stage. (Where friction sticks it is the force that the sticking needs.)
+    The unknown of stage i is w = h gamma k_i. Slopes are taken from w, not from the right-hand side, which would
+    amplify the iteration error; the last one is also the first of the next step. (For sticking friction it is the
+    force that sticking needs.)
     """
     t, y, slope, gamma = start["t"], start["y"], start["dy"], table.gamma
     slopes = [h * slope]  # h k
@@ -309,7 +322,7 @@ def _diagonally_implicit(
 
 
 def _iteration(right: Flow, solve: Any, given: Any, step: Any, least: Any, y: Any) -> Any:
-    """(t, known, w) -> w after one of Newton's iterations, and the size of its change; of MX one call."""
+    """Return (t, known, w) -> (w after one Newton iteration, norm of its change); one call if MX."""
 
     def improved(solve: Any, given: Any, step: Any, least: Any, y: Any, t: Any, known: Any, w: Any) -> tuple[Any, Any]:
         change = solve(step * right.rates(t, known + w, *given) - w)
@@ -326,7 +339,7 @@ def _iteration(right: Flow, solve: Any, given: Any, step: Any, least: Any, y: An
 
 
 def _norm(error: Any, least: Any, y: Any) -> Any:
-    """Root mean square of an error in the tolerances, as of explicit steps."""
+    """Return the root mean square of an error relative to the tolerances, as for explicit steps."""
     return ca.sqrt(ca.sumsqr(error / (least + 4 * EPS * ca.fabs(y))) / min(error.numel(), MEAN_OF))
 
 
@@ -335,11 +348,11 @@ def _sum(weights: tuple[float, ...], terms: list[Any]) -> Any:
 
 
 def _entries(matrix: Any) -> Any:
-    """What is not zero by structure, as a column."""
+    """Return the structurally nonzero entries as a column."""
     return ca.vertcat(ca.SX(0, 1), *matrix.nonzeros())
 
 
 def _each(matrix: Any, active: Any) -> Any:
-    """The entries of an SX matrix that are numbers, while active; its structure is kept."""
+    """Mask the entries of an SX matrix that are finite by `active`; the structure is kept."""
     entries = [ca.if_else(active * (ca.fabs(x) < SINGULAR), x, 0) for x in matrix.nonzeros()]
     return ca.SX(matrix.sparsity(), ca.vertcat(*entries)) if entries else matrix

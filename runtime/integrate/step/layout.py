@@ -1,6 +1,7 @@
-"""Which row of a vector holds what: the state of an attempt, the numbers of a run, the result of a trial step.
+"""Layouts of an integration's vectors: state of an attempt, controls of a run, result of a step.
 
-CasADi functions pass plain vectors; these records give their parts names, in the graph (SX) and in the recorded rows (NumPy).
+CasADi functions pass plain vectors; these records name their parts, in the graph (SX) and in the recorded rows
+(NumPy).
 """
 
 from __future__ import annotations
@@ -38,18 +39,21 @@ class Layout:
         return self._slices[name]
 
     def symbol(self, name: str) -> Any:
-        """A symbolic vector of this layout."""
+        """Return a symbolic vector of this layout."""
         return ca.SX.sym(name, self.size)
 
     def split(self, vector: Any) -> dict[str, Any]:
-        """Parts of a vector by name; each a column."""
+        """Return the parts of a vector by name, each a column."""
         bounds = [0]
         for size in self.sizes.values():
             bounds.append(bounds[-1] + size)
         return {name: vector[bounds[i] : bounds[i + 1]] for i, name in enumerate(self.sizes)}
 
     def join(self, parts: Mapping[str, Any]) -> Any:
-        """The vector of exactly these parts, SX; raises ValueError if a part is missing, unknown or of another size."""
+        """Join exactly these parts to the vector (SX).
+
+        Raises ValueError if a part is missing, unknown or of another size.
+        """
         columns = {name: ca.SX(part) for name, part in parts.items()}
         found = {name: columns[name].numel() for name in columns}
         if found != dict(self.sizes):
@@ -59,12 +63,12 @@ class Layout:
 
 @dataclass(frozen=True)
 class Layouts:
-    """The vectors of a model's integration; k pairs, ny = nq + nu + nz.
+    """Layouts of the vectors of a model's integration; k pairs, ny = nq + nu + nz.
 
-    state     what one attempt hands to the next; the recorded row
+    state     passed from one attempt to the next; the recorded row
     controls  the numbers of one run, constant over its attempts
-    trial     what one step yields
-    verdict   what a step yields beside the state it would lead to: its kind, the error norm, whether each law is in its range
+    trial     result of one step
+    verdict   classification of a step: its kind, the error norm, whether each law is in its range
     """
 
     state: Layout
@@ -85,13 +89,14 @@ GRIP_PARTS = ("friction", "margin", "margin_rate")  # likewise, of the pairs wit
 
 
 def layouts(model: Model) -> Layouts:
-    """Layouts for a model.
+    """Return the layouts for a model.
 
-    State: t [s]; y = q, u, z; dy = dy/dt under the modes; mode and m (latches, slips); gap, gap_rate, gap_acceleration and force, force_rate
-    of each pair, friction, margin and margin_rate of those with set-valued friction (see `friction`) [SI]; where loops are closed, ahead [s] a
-    singular position (see `singular`); h [s] the step to try next;
-    h_flight, h_contact, h_onset [s] remembered; class (see `classes`), status; method, pressure, stiffness (see `choose`); accepted,
-    fresh_contact (a contact has just begun), after_rejection; then counters.
+    State: t [s]; y = q, u, z; dy = dy/dt under the modes; mode and m (latches, slips); gap, gap_rate,
+    gap_acceleration and force, force_rate of each pair, friction, margin and margin_rate of those with set-valued
+    friction (see `friction`) [SI]; ahead [s], the time to a singular position, where loops are closed (see
+    `singular`); h [s] the step to try next; h_flight, h_contact, h_onset [s] remembered; class (see `classes`),
+    status; method, pressure, stiffness (see `choose`); accepted, fresh_contact (a contact has just begun),
+    after_rejection; then counters.
     """
     ny, k, nm = model.nq + model.nu + model.nz, model.k, model.nm
     pairs = dict.fromkeys(PAIR_PARTS, k) | dict.fromkeys(GRIP_PARTS, model.ns) | {"ahead": min(model.nl, 1)}

@@ -1,10 +1,12 @@
-"""The linear systems of implicit methods, (I - h gamma J) x = r, solved by elimination unrolled in the graph.
+"""Linear systems of implicit methods, (I - h gamma J) x = r, by elimination unrolled in the graph.
 
-The structure of J, known when the graph is built, does most of the work. Coordinates whose rates are speeds alone have the pivot 1 and go first,
-which leaves (I - h gamma df/du - (h gamma)^2 df/dq dq'/du) for the speeds; what nothing depends on, such as the energy ledger, follows by
-substitution. (CasADi's csparse, lapackqr and symbolicqr generate no C.)
+The structure of J, known when the graph is built, does most of the work. Coordinates whose rates are speeds alone
+have the pivot 1 and go first, which leaves (I - h gamma df/du - (h gamma)^2 df/dq dq'/du) for the speeds; unknowns
+that no equation depends on, such as the energy ledger, follow by substitution. (CasADi's csparse, lapackqr and
+symbolicqr generate no C.)
 
-Without exchanging rows a pivot may be small by chance; whoever uses the solution checks it (`implicit`), and a shorter step is nearer to I.
+Without row exchanges a pivot may be small by chance; the caller checks the solution (`implicit`), and a shorter step
+is nearer to I.
 """
 
 from __future__ import annotations
@@ -21,18 +23,18 @@ PIVOTED = 4  # unknowns up to which rows are exchanged by size; beyond, by struc
 
 @dataclass(frozen=True)
 class Elimination:
-    """What `solver` gives, for MX: `known` is what elimination leaves, `solve` the function (known, r) -> x."""
+    """Factorised MX system: `known` holds the factors, `solve` is the function (known, r) -> x."""
 
     known: Any
     solve: Any
 
     def __call__(self, r: Any) -> Any:
-        """x (n)."""
+        """Return x (n)."""
         return self.solve(self.known, r)
 
 
 def composed_solver(jacobian: Any, step: Any, nq: int) -> Elimination:
-    """The solver of an MX matrix J: two functions, one of which eliminates, once, and one of which solves."""
+    """Build the solver of an MX matrix J from two functions: eliminate once, then solve."""
     shape = jacobian.sparsity()
     eliminate, solve = _elimination(shape.size1(), tuple(shape.colind()), tuple(shape.row()), nq)
     return Elimination(eliminate(jacobian, step), solve)
@@ -40,7 +42,7 @@ def composed_solver(jacobian: Any, step: Any, nq: int) -> Elimination:
 
 @lru_cache(maxsize=8)
 def _elimination(n: int, colind: tuple[int, ...], row: tuple[int, ...], nq: int) -> tuple[Any, Any]:
-    """CasADi functions (J, step) -> known, (known, r) -> x of matrices of one structure: those of all classes of attempts."""
+    """Build the CasADi functions (J, step) -> known and (known, r) -> x for one sparsity pattern."""
     J, h, r = ca.SX.sym("J", ca.Sparsity(n, n, colind, row)), ca.SX.sym("h"), ca.SX.sym("r", n)
     entries: list[Any] = []
     symbols: list[Any] = []
@@ -58,9 +60,9 @@ def _elimination(n: int, colind: tuple[int, ...], row: tuple[int, ...], nq: int)
 
 
 def solver(jacobian: Any, step: Any, nq: int, keep: Callable[[Any], Any] = lambda entry: entry) -> Callable[[Any], Any]:
-    """r (n) -> x (n) with (I - step J) x = r, for an SX matrix J (n, n) whose first nq rows are those of the coordinates.
+    """Return r (n) -> x (n) with (I - step J) x = r, for an SX matrix J (n, n).
 
-    keep: gives what stands for an entry that does not depend on r.
+    The first nq rows of J are the coordinates'. keep: replaces an entry that does not depend on r, to be stored.
     """
     n = jacobian.size1()
     matrix = {(i, j): -step * jacobian[i, j] for i, j in zip(*jacobian.sparsity().get_triplet(), strict=True)}
@@ -99,7 +101,7 @@ def solver(jacobian: Any, step: Any, nq: int, keep: Callable[[Any], Any] = lambd
 def eliminated(
     a: list[list[Any]], *, pivoting: bool, keep: Callable[[Any], Any] = lambda entry: entry
 ) -> Callable[[list[Any]], list[Any]]:
-    """Solver of a system of equations by Gauss' elimination, skipping zeros; partial pivoting without branches where asked for."""
+    """Return a solver by Gaussian elimination that skips zeros; pivoting is without branches."""
     n = len(a)
     a = [list(row) for row in a]
     exchanges: list[tuple[int, int, Any]] = []
@@ -151,7 +153,7 @@ def _exchanged(condition: Any, x: Any, y: Any) -> tuple[Any, Any]:
 
 
 def _ordered(core: list[int], first: list[int], matrix: dict[tuple[int, int], Any]) -> list[int]:
-    """The unknowns in an order of little fill-in: approximate minimum degree."""
+    """Order the unknowns for little fill-in: approximate minimum degree."""
     place = {i: at for at, i in enumerate(core)}
     through = [[place[i] for i, j in matrix if j == f and i in place] for f in first]
     onward = [[place[j] for i, j in matrix if i == f and j in place] for f in first]

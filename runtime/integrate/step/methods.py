@@ -1,4 +1,4 @@
-"""The methods by name: which tables a method takes its steps with, and one step of any of them."""
+"""Integration methods by name, with their tableaux, and one step of any of them."""
 
 from __future__ import annotations
 
@@ -30,7 +30,10 @@ METHODS: dict[str, tuple[Callable[[], Table], ...]] = {
 
 
 def stepper(model: Model, table: Table, contacts: Contacts, seen: dict[str, Any] | None = None) -> Take:
-    """(start, run, h) -> trial: one step of h [s] from the parts of a state, with the forces of these contacts; `seen` as in `explicit.stepped`."""
+    """Return (start, run, h) -> trial: one step of h [s] with the forces of these contacts.
+
+    `seen` as in `explicit.stepped`.
+    """
     right, within = explicit.flow(model, contacts), reduced(model)
     if isinstance(table, RungeKutta):
         return lambda start, run, h: explicit.stepped(table, right, start, within(start, run), h, seen)

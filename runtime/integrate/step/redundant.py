@@ -1,10 +1,12 @@
-"""Constraints that say what others say, taken out for the length of a step.
+"""Redundant constraints, relaxed for the length of a step.
 
-The stages of a step lie off the constraints, by far more than its error, and there a redundant constraint contradicts the others: by no more than
-they are off, but what it asks for is divided by as little. So each step goes by as many constraints as are independent, the same in all its stages,
-those that are least alike where it starts; which they are changes on the way. A step's end is closed by them too, and must close all (`closing`).
+The stages of a step lie off the constraints by far more than its error, and there a redundant constraint contradicts
+the others: by no more than the stages are off, but divided by a pivot as small. So each step keeps a maximal
+independent set of constraints, the same in all its stages, chosen at its start by pivoting; the set changes along the
+motion. The end of a step must close all of them (`closing`).
 
-Businger, Golub, Linear least squares solutions by Householder transformations, Numer. Math. 7 (1965) 269: the choice, by Gram and Schmidt.
+Businger, Golub, Linear least squares solutions by Householder transformations, Numer. Math. 7 (1965) 269 (choice,
+here by Gram-Schmidt).
 """
 
 from __future__ import annotations
@@ -21,7 +23,7 @@ OUT = 1e20  # softness of a constraint that is taken out
 
 
 def reduced(model: Model) -> Callable[[Mapping[str, Any], Mapping[str, Any]], Mapping[str, Any]]:
-    """(start, run) -> run: the controls of the step from a state, its constants c without the constraints that the others imply there."""
+    """Return (start, run) -> run with the constraints relaxed that are redundant at the step's start."""
     if not model.dependent:
         return lambda start, run: run
     function = model.once("softness", lambda: _softness(model))
@@ -36,7 +38,7 @@ def reduced(model: Model) -> Callable[[Mapping[str, Any], Mapping[str, Any]], Ma
 
 
 def _softness(model: Model) -> Any:
-    """CasADi function (t, q, c, sizes of the speeds (nu), length) -> softness of each constraint (nl)."""
+    """Build the function (t, q, c, scales of speeds (nu), length) -> softness of each constraint (nl)."""
     t, q, c = ca.SX.sym("t"), ca.SX.sym("q", model.nq), ca.SX.sym("c", model.nc)
     u, size, length = ca.SX.sym("u", model.nu), ca.SX.sym("size", model.nu), ca.SX.sym("length")
     _, rate = model.function("constraints")(t, q, u, c)
@@ -50,7 +52,7 @@ def _softness(model: Model) -> Any:
 
 
 def _independent(rows: list[Any], rank: int) -> list[Any]:
-    """1 for `rank` of the rows, one after the other that which has most left beside those before; 0 for the rest."""
+    """Select `rank` independent rows by greedy pivoting (largest remainder first); 1 if kept, else 0."""
     kept = [ca.SX(0)] * len(rows)
     left = [ca.sumsqr(row) for row in rows]
     for k in range(rank):

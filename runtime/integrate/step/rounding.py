@@ -1,8 +1,9 @@
-"""How well gaps and gap rates are known: a running analysis of the rounding errors of the derived function that gives them.
+"""Running rounding error analysis of derived functions, such as gaps and gap rates.
 
-A gap is a difference of coordinates and lengths, so no better known than their last digits, however small it is: spheres that touch 1 m from the
-origin do so within 1e-16 m. Nothing that is decided on a gap may ask for more. Every operation adds the rounding of its result to what its
-arguments' errors make of it, to first order; Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed. (2002), section 3.3.
+A gap is a difference of coordinates and lengths and so no more accurate than their last digits, however small it is:
+spheres that touch 1 m from the origin do so within 1e-16 m. No decision on a gap may ask for more. Every operation
+adds the rounding of its result to its arguments' propagated errors, to first order. Higham, Accuracy and Stability of
+Numerical Algorithms, 2nd ed. (2002), section 3.3.
 """
 
 from __future__ import annotations
@@ -23,12 +24,15 @@ STATE = (
 
 
 def of_gaps(model: Model) -> Any:
-    """CasADi function (t, q, u, c) -> (gap (k) [m], gap_rate (k) [m/s]): bounds of the rounding errors of both, wherever a state is."""
+    """Return the function (t, q, u, c) -> rounding bounds of gap (k) [m] and gap_rate (k) [m/s]."""
     return model.once("rounding", lambda: bounds(model.function("gaps"), STATE))
 
 
 def bounds(function: Any, rounded: tuple[int, ...]) -> Any:
-    """CasADi function of the same arguments -> bounds of the rounding errors of an SX function's results; `rounded`: inputs known to a last digit."""
+    """Return the function of the same arguments -> rounding error bounds of an SX function's results.
+
+    rounded: the inputs that are rounded themselves.
+    """
     given = [ca.SX.sym(f"x{i}", function.sparsity_in(i)) for i in range(function.n_in())]
     errors = [ca.SX.zeros(function.sparsity_out(i)) for i in range(function.n_out())]
     work: dict[int, tuple[Any, Any]] = {}
@@ -51,7 +55,7 @@ def bounds(function: Any, rounded: tuple[int, ...]) -> Any:
 
 
 def _result(operation: int, arguments: list[tuple[Any, Any]]) -> tuple[Any, Any]:
-    """Value of one operation and the bound of its error."""
+    """Return the value of one operation and the bound of its error."""
     x = [ca.SX.sym(f"x{i}") for i in range(len(arguments))]
     apply = ca.SX.unary if len(x) == 1 else ca.SX.binary
     values = ca.vertcat(*(value for value, _ in arguments))

@@ -1,12 +1,13 @@
-"""Singular positions, where constraints come to say the same: steps pass them in one stride, and none ends or looks there.
+"""Singular positions, where constraints become dependent: steps pass over and never evaluate there.
 
-The motion goes through such a position smoothly, but what holds the loops closed grows as 1/distance there, and so does all that the stages of a step
-are off the constraints by: the nearer a step looks, the less it sees, and steps that are shortened for that end nearer still. So a step that would go
-over the position does so with it in the widest gap between the method's nodes, and a step before it leaves room for one that can.
+The motion goes through such a position smoothly, but the constraint forces grow as 1/distance there, and with them
+the stages' deviation from the constraints: shorter steps only evaluate nearer to the singularity. So a step over the
+position places it in the widest gap between the method's nodes, and a step before it leaves room for such a step.
 
-Off the constraints speeds grow at the rate 2/(time to the position) before it, and fall so behind it: of the same size as 1/h in every step that
-comes near, however short, and of either sign within one step. No Jacobian of its start says anything of its stages, and iterations diverge; explicit
-stages are off by a few times more, which is closed at the end. So methods that are implicit pass by explicit steps.
+Off the constraints speeds grow at the rate 2/(time to the position) before it and decay likewise behind it: of the
+size of 1/h in every step that comes near, however short, and of either sign within one step. The Jacobian at the
+start then predicts nothing of the stages, and iterations diverge; explicit stages deviate a few times more, which the
+projection at the end removes. So implicit methods pass by explicit steps.
 """
 
 from __future__ import annotations
@@ -32,9 +33,9 @@ AT_ONCE = 0.25  # of the first node: a position so close to the start of a step 
 
 
 def time_to_singular(model: Model, t: Any, q: Any, dq: Any, c: Any) -> Any:
-    """Time [s] (1) until a constraint says only what others say; FAR where none is on the way to that. Of a tree (0).
+    """Return the time [s] (1) until a constraint becomes dependent on others, or FAR; (0) for a tree.
 
-    What others leave of a constraint is a square: near zero its root falls evenly.
+    The independent remainder of a constraint is a square: near zero its root falls linearly.
     """
     if not model.nl:
         return ca.SX(0, 1)
@@ -45,7 +46,10 @@ def time_to_singular(model: Model, t: Any, q: Any, dq: Any, c: Any) -> Any:
 
 
 def clear_of_singular(table: Table, h: Any, ahead: Any) -> Any:
-    """The step [s], `h` at most, that has a singular position `ahead` [s] (1, or none) well between its nodes, or leaves room for such a step."""
+    """Limit the step h [s] so that a singular position lies well between its nodes or beyond it.
+
+    ahead [s]: the time to the position (1), or (0) for a tree.
+    """
     if not ahead.numel():
         return h
     first, low, high = _gap(table)
@@ -56,7 +60,10 @@ def clear_of_singular(table: Table, h: Any, ahead: Any) -> Any:
 
 
 def explicit_near(state: Layout, tables: tuple[Table, ...], taken: tuple[Table, ...]) -> Any:
-    """CasADi function state -> state: near a singular position its method is the explicit one of the tables, or it asks for that, if not taken."""
+    """Build the CasADi function state -> state that selects the explicit method near a singular position.
+
+    If that table is not among `taken`, the status SUSPECT asks for it.
+    """
     symbol = state.symbol("state")
     parts = state.split(symbol)
     explicit = next(i for i, table in enumerate(tables) if isinstance(table, RungeKutta))
@@ -68,7 +75,7 @@ def explicit_near(state: Layout, tables: tuple[Table, ...], taken: tuple[Table, 
 
 
 def _gap(table: Table) -> tuple[float, float, float]:
-    """The first node of a step, and the part of its widest gap between nodes in which a singular position does no harm."""
+    """Return the first node of a step and the usable part of its widest gap between nodes."""
     found = table.alpha if hasattr(table, "alpha") else table.c
     nodes = np.unique(np.clip([0.0, 1.0, *found], 0, 1))
     gaps = np.diff(nodes)

@@ -1,12 +1,13 @@
-"""Who sticks and who slips from an instant on, and which way: a linear complementarity problem with bounds.
+"""Stick and slip of all pairs after a change: a linear complementarity problem with bounds.
 
-Of the pairs that do not slide, all together: the friction forces lambda and the sliding accelerations a = W lambda + b that they leave, with
-|lambda| within what is held where a = 0, and the sliding force against a elsewhere. Friction of corners on one rigid body, or on links nearly in
-line, is all but redundant, W nearly singular: lambda is then not unique, but a is, and the bounds of lambda hold whatever the elimination says.
-Solved by changing the set of those that stick: first all pairs at once that are not as they should, then, so that it ends, the first of them.
+Unknown for the pairs that do not slide are the friction forces lambda and the sliding accelerations a = W lambda + b,
+with |lambda| below the holding force where a = 0, and the sliding force opposing a elsewhere. Friction of corners on
+one rigid body, or on links nearly in line, is all but redundant, W nearly singular: lambda is then not unique, but a
+is, and the bounds of lambda hold regardless. Solved by principal pivoting on the set of sticking pairs: first all
+violating pairs at once, then, for termination, the first of them.
 
-Judice, Pires, A block principal pivoting algorithm for large-scale strictly monotone linear complementarity problems, Computers and Operations
-Research 21 (1994) 587.
+Judice, Pires, A block principal pivoting algorithm for large-scale strictly monotone linear complementarity problems,
+Computers and Operations Research 21 (1994) 587.
 """
 
 from __future__ import annotations
@@ -27,11 +28,12 @@ ROUNDING = 1e-10  # of the terms of an acceleration, below which it has no sign
 
 
 def directed(model: Model) -> Any:
-    """CasADi function (t, y, mode, m, c, asked (n), tolerances of speeds [m/s] and forces [N] (n)) -> (m, y) from a change of slips on.
+    """Return the CasADi function of the state (m, y) after stick and slip are resolved.
 
-    asked: pairs whose direction is not known, at an onset or where sliding has come to rest. Who slides by more than the tolerance goes on so; of
-    the others together it is found who sticks, which those that did may until the force exceeds what is held by a part of the tolerance. Those
-    that stick are brought to rest, by impulses whose work is booked as that of friction.
+    Arguments: t, y, mode, m, c, asked (n), tolerances of speeds [m/s] and forces [N] (n). asked: pairs whose
+    direction of sliding is open, at an onset or at rest. Pairs sliding faster than the tolerance keep their
+    direction. Of the others the complementarity problem decides; those that stuck may exceed the holding force by a
+    part of the tolerance. Sticking pairs are brought to rest by impulses, whose work is booked as friction's.
     """
     return model.once("directed", lambda: _directed(model))
 
@@ -51,7 +53,10 @@ def _directed(model: Model) -> Any:
 
 
 def settled(n: int) -> Any:
-    """CasADi function (W, b, open, sliding, slip, bound) -> (slip, busy): slips as they have to be, from first ones on; busy: none were found."""
+    """Return the function (W, b, open, sliding, slip, bound) -> (slip, busy) by pivoting.
+
+    busy: 1 if no solution was found from the initial slips.
+    """
     together, single = (_round(n, one=one) for one in (False, True))
     arguments = together.mx_in()
     *constants, slip, bound, _ = arguments
@@ -64,9 +69,9 @@ def settled(n: int) -> Any:
 
 
 def _problem(model: Model) -> Any:
-    """CasADi function (as of `directed`) -> W (n, n), b (n), open (n), sliding (n), and the first slips and bounds (n) to try.
+    """Build the function (arguments of `directed`) -> W, b, open, sliding, initial slips and bounds.
 
-    open: pairs in contact that do not slide; of the others b has the friction.
+    open: pairs in contact that do not slide; b includes the friction of the others.
     """
     n = model.ns
     t, y, mode = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz), ca.SX.sym("mode", model.k)
@@ -90,9 +95,10 @@ def _problem(model: Model) -> Any:
 
 
 def _round(n: int, *, one: bool) -> Any:
-    """CasADi function (W, b, open, sliding, slip, bound, busy) -> (slip, bound, busy): who is not as it should changes, all or the first `one`.
+    """Build one round of pivoting, (W, b, open, sliding, slip, bound, busy) -> (slip, bound, busy).
 
-    Who comes back to rest may not hold more than it slides with: so the bounds end by being those of a problem that has a solution.
+    All violating pairs change, or the first `one`. A pair that returns to sticking is bounded by its sliding force,
+    so that the final problem has a solution.
     """
     W, b, still, sliding, slip, bound = (
         ca.SX.sym(name, n, n if name == "W" else 1) for name in ("W", "b", "still", "sliding", "slip", "bound")
@@ -117,7 +123,7 @@ def _round(n: int, *, one: bool) -> Any:
 
 
 def _at_rest(model: Model) -> Any:
-    """CasADi function (t, y, mode, m, c, slip (n)) -> (m, y): the slips, and by impulses along the tangents no sliding where pairs stick."""
+    """Build the function (t, y, mode, m, c, slip (n)) -> (m, y): set slips, stop sticking pairs."""
     t, y, mode = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz), ca.SX.sym("mode", model.k)
     m, c, slip = ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc), ca.SX.sym("slip", model.ns)
     q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])

@@ -1,9 +1,4 @@
-"""Coefficients of explicit Runge-Kutta methods, as records that refuse to exist if an order condition fails.
-
-The condition of a rooted tree with n nodes is  sum_i b_i Phi_i(tree) = 1/gamma(tree); a method has order p if it holds for all trees of up to p
-nodes (1, 1, 2, 4, 9, 20, 48, 115 of them with 1..8 nodes). Butcher, J. Austral. Math. Soc. 3 (1963) 185; Hairer, Norsett, Wanner, Solving Ordinary
-Differential Equations I, 2nd ed. (1993), section II.2.
-"""
+"""Coefficients of explicit Runge-Kutta methods; order conditions are checked on construction."""
 
 from __future__ import annotations
 
@@ -52,7 +47,7 @@ def _density(tree: Tree) -> int:
 
 @dataclass(frozen=True)
 class ErrorEstimate:
-    """Weights over the stages and the end derivative whose sum is the difference to an embedded solution of `order`."""
+    """Difference to an embedded solution of `order`: weights over the stages and the end derivative."""
 
     weights: tuple[float, ...]
     order: int
@@ -60,9 +55,9 @@ class ErrorEstimate:
 
 @dataclass(frozen=True)
 class RungeKutta:
-    """An explicit method of s stages; the derivative at the end of the step, needed for the events anyway, counts as stage s + 1.
+    """Explicit Runge-Kutta method of s stages.
 
-    A: s rows, row i has the i entries left of the diagonal; b, c: s entries; errors: what the step's error is estimated from.
+    The derivative at the end of the step, needed for the events anyway, counts as stage s + 1.
     """
 
     name: str
@@ -96,16 +91,16 @@ class RungeKutta:
 
     @property
     def error_order(self) -> int:
-        """Power of the step that the error norm falls with; two estimates are combined to the method's own order (Hairer)."""
+        """Power of the step in the error norm; two estimates combine to the method's own order (Hairer)."""
         return self.order if len(self.errors) > 1 else self.errors[0].order + 1
 
 
 def require_order(
     what: str, A: np.ndarray, weights: np.ndarray, order: int, *, solution: bool, several: np.ndarray | None = None
 ) -> None:
-    """Raise unless the weights meet every condition up to the order: 1/gamma for a solution, 0 for an error estimate.
+    """Raise unless the weights meet every condition up to the order.
 
-    several: the matrix that counts where a node has several sons, where that is not A (Rosenbrock methods).
+    The conditions are 1/gamma for a solution, 0 for an error estimate.
     """
     known: dict[tuple[Tree, bool], np.ndarray] = {}  # matrix @ Phi(tree)
 
@@ -159,7 +154,10 @@ def dopri5() -> RungeKutta:
 
 @cache
 def dop853() -> RungeKutta:
-    """Order 8, 12 stages, error estimates of order 5 and 3: Hairer, Norsett, Wanner (1993), section II.10, digits of their program DOP853."""
+    """Order 8, 12 stages, error estimates of order 5 and 3: DOP853.
+
+    Hairer, Norsett, Wanner (1993), section II.10, digits of their program.
+    """
     b = (
         5.42937341165687622380535766363e-2, 0.0, 0.0, 0.0, 0.0,
         4.45031289275240888144113950566, 1.89151789931450038304281599044, -5.8012039600105847814672114227,

@@ -1,8 +1,4 @@
-"""Coefficients of L-stable methods, as records that refuse to exist if an order condition or the stability fails.
-
-A Rosenbrock method with exact Jacobian has the conditions of the rooted trees too: a node with several sons counts with alpha, a node with one son
-with beta = alpha + Gamma. Hairer, Wanner, Solving Ordinary Differential Equations II, 2nd ed. (1996): IV.7 (Rosenbrock), IV.3 (stability).
-"""
+"""Coefficients of L-stable methods; order conditions and stability are checked on construction."""
 
 from __future__ import annotations
 
@@ -63,7 +59,10 @@ class Rosenbrock:
 
     @property
     def stages(self) -> int:
-        """Evaluations of the right-hand side per step: the first is known from the step before, one is made at its end."""
+        """Evaluations of the right-hand side per step.
+
+        The first is known from the step before, one is made at the end.
+        """
         return len(self.m)
 
     @property
@@ -74,9 +73,9 @@ class Rosenbrock:
 
 @dataclass(frozen=True)
 class DiagonallyImplicit:
-    """An L-stable Runge-Kutta method whose first stage is explicit and whose others share one diagonal entry gamma; its last stage is the solution.
+    """L-stable Runge-Kutta method with an explicit first stage and one diagonal entry gamma (ESDIRK).
 
-    A: s rows, row i has i + 1 entries; c: s entries; the weights b are the last row. Kennedy, Carpenter, Appl. Numer. Math. 146 (2019) 221.
+    The last stage is the solution.
     """
 
     name: str
@@ -114,7 +113,10 @@ class DiagonallyImplicit:
 
     @cached_property
     def predictors(self) -> tuple[tuple[float, ...], ...]:
-        """Weights over the slopes of the stages before that extrapolate the slope of each: through a few near nodes, not close together."""
+        """Weights over the earlier stages' slopes that extrapolate each stage's slope.
+
+        The extrapolation is through a few near nodes that are not close together.
+        """
         rows: list[tuple[float, ...]] = []
         for i, node in enumerate(self.c):
             known: list[float] = []
@@ -131,9 +133,9 @@ def _lagrange(nodes: list[float], own: float, x: float) -> float:
 
 
 def require_l_stable(name: str, A: np.ndarray, b: np.ndarray) -> None:
-    """Raise unless |R| <= 1 on the imaginary axis and R vanishes at infinity, R(z) = 1 + z b (I - z A)^-1 1.
+    """Raise unless |R| <= 1 on the imaginary axis and R vanishes at infinity.
 
-    The poles of R are at 1/gamma > 0, so the axis decides about the left half plane (maximum principle).
+    R(z) = 1 + z b (I - z A)^-1 1.
     """
     one = np.ones(len(b))
     R = [1 + z * (b @ np.linalg.solve(np.eye(len(b)) - z * A, one)) for z in (1j * AXIS)]
@@ -161,9 +163,9 @@ def _square(rows: tuple[tuple[float, ...], ...]) -> np.ndarray:
 
 @cache
 def rodas5p() -> Rosenbrock:
-    """Rodas5P, order 5(4), 8 stages, stiffly accurate: Steinebach, BIT Numer. Math. 63 (2023) 27; digits of OrdinaryDiffEq.jl.
+    """Rodas5P, order 5(4), 8 stages, stiffly accurate: Steinebach, BIT Numer. Math. 63 (2023) 27.
 
-    Made for problems where other Rosenbrock methods lose order (Prothero and Robinson's); the order conditions hold to 1e-15.
+    Digits of OrdinaryDiffEq.jl.
     """
     a6 = (-7.502846399306121, 2.561846144803919, -11.627539656261098, -0.18268767659942256, 0.030198172008377946)
     return Rosenbrock(
@@ -208,7 +210,10 @@ def rodas5p() -> Rosenbrock:
 
 @cache
 def esdirk54() -> DiagonallyImplicit:
-    """ESDIRK5(4)7L[2]SA2, order 5(4), 6 implicit stages, stage order 2: Kennedy, Carpenter (2019), digits of SUNDIALS ARKODE."""
+    """ESDIRK5(4)7L[2]SA2, order 5(4), 6 implicit stages, stage order 2.
+
+    Kennedy, Carpenter (2019), digits of SUNDIALS ARKODE.
+    """
     gamma = 23 / 125
     inner = (  # columns 2, 3, ... of rows 2, 3, ...; the first column follows from the row sums
         (),
