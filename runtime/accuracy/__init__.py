@@ -1,1 +1,1 @@
-"""The error of a run: a ladder of tolerances, and the horizon of prediction."""
+"""Error of a run, by a ladder of tolerances, and its horizon of prediction."""

@@ -1,8 +1,9 @@
-"""How errors grow along a run, and how long a trajectory therefore stays with the true one.
+"""Growth of errors along a run, and how long a trajectory therefore stays valid.
 
-Errors of a few runs against a reference are a system's answer to small disturbances: while they are small they all grow by the same factors, which
-the runs tell together. A factor per interval says where: at impacts, at unstable positions. What is left of it over the whole run is a rate (errors
-double in a fixed time), a power (they double when the time does), or nothing: friction can take errors away as well.
+Errors of a few runs against a reference are a system's response to small disturbances: while small they all grow by
+the same factors, estimated from all runs. The factor of each interval shows where they grow: at impacts, at unstable
+positions. The trend over the whole run is exponential (errors double in a fixed time), a power (they double when the
+time does), or none: friction also removes errors.
 """
 
 from __future__ import annotations
@@ -29,14 +30,14 @@ NOTICED = 2.0  # growth over the whole run by less than this factor is none
 
 @dataclass(frozen=True)
 class Growth:
-    """How errors go on.
+    """Growth law of a run's error.
 
-    kind        "exponential": e^(rate t); "power": t^exponent; "none": they do not grow, or shrink; "unknown": all lie at the floor
-    rate        [1/s], of the best exponential; negative where errors shrink
+    kind        "exponential": e^(rate t); "power": t^exponent; "none": no growth, or decay; "unknown": all errors lie at the floor
+    rate        [1/s], of the best exponential; negative where errors decay
     deviation   its standard error [1/s]
     exponent    of the best power of time
     edges       of the intervals [s], shape (intervals + 1,)
-    factors     from each interval to the next; nan where no run tells
+    factors     from each interval to the next; nan where no run shows one
     """
 
     kind: Literal["exponential", "power", "none", "unknown"]
@@ -48,18 +49,24 @@ class Growth:
 
     @property
     def end(self) -> float:
-        """Where the intervals end [s]."""
+        """End of the intervals [s]."""
         return self.edges[-1]
 
     @property
     def intermittent(self) -> bool:
-        """Whether a quarter of the intervals makes more than the whole growth, and others take it back or add nothing."""
+        """Return whether a quarter of the intervals causes more than the whole growth.
+
+        The others then reverse some of it or add nothing.
+        """
         known = sorted((math.log(f) for f in self.factors if math.isfinite(f) and f > 0), reverse=True)
         most = known[: max(1, len(known) // 4)]
         return len(known) >= FEWEST and sum(most) > max(sum(known), math.log(NOTICED))
 
     def reaches(self, error: float, limit: float = VALID) -> float:
-        """When an error that the run has at its end will be at the limit [s]; infinite where errors do not grow, nan where that is unknown."""
+        """Return the time [s] at which an error, given at the run's end, reaches the limit.
+
+        Infinite where errors do not grow, nan where that is unknown.
+        """
         if self.kind == "unknown":
             return math.nan
         if self.kind == "none" or error <= 0:
@@ -70,15 +77,19 @@ class Growth:
 
     @property
     def gained(self) -> float:
-        """Time [s] that ten times more accuracy buys where the horizon is the end of the run; infinite where errors do not grow, else nan."""
+        """Return the time [s] by which ten times more accuracy extends a horizon at the end of the run.
+
+        Infinite where errors do not grow, nan where that is unknown.
+        """
         return self.reaches(VALID / 10) - self.end
 
 
 def growth(t: Array, errors: Sequence[Array], floors: Sequence[Array]) -> Growth:
-    """Growth from errors of runs over t [s], each (n,), and the floor (n,) of each below which it says nothing. t begins with the run.
+    """Fit the growth of errors of several runs, each (n,), over t [s], which begins with the run.
 
-    An interval counts for a run from where its error first stands above its floor: later ones that sank into it count as the floor. Errors from
-    where they are saturated on do not count.
+    floors (n,): level of each below which an error means nothing. An interval counts for a run from where its error
+    first exceeds the floor; later errors below it count as the floor. Saturated errors and all after them are left
+    out.
     """
     edges = np.linspace(t[0], t[-1], INTERVALS + 1)
     index = np.clip(np.searchsorted(edges, t, side="right") - 1, 0, INTERVALS - 1)
@@ -107,7 +118,10 @@ def growth(t: Array, errors: Sequence[Array], floors: Sequence[Array]) -> Growth
 
 
 def crossing(t: Array, error: Array, limit: float = VALID) -> float:
-    """Time [s] up to which an error (n,) over t stays within a limit, between samples by its logarithm; infinite if it does throughout."""
+    """Return the time [s] at which an error (n,) over t leaves a limit; infinite if it never does.
+
+    Interpolated between samples in the error's logarithm.
+    """
     over = np.flatnonzero(~(error <= limit))
     if not len(over):
         return math.inf
@@ -120,7 +134,10 @@ def crossing(t: Array, error: Array, limit: float = VALID) -> float:
 
 
 def _levels(error: Array, floor: Array, index: NDArray[np.intp]) -> Array:
-    """Logarithm of the typical error of each interval; nan before the error rises above the floor, and from where it is saturated."""
+    """Return the logarithm of the typical error of each interval.
+
+    nan before the error exceeds the floor, and from where it saturates.
+    """
     levels = np.full(INTERVALS, np.nan)
     risen = False
     for k in range(INTERVALS):
@@ -137,14 +154,14 @@ def _levels(error: Array, floor: Array, index: NDArray[np.intp]) -> Array:
 
 
 def _longest(known: NDArray[np.bool_]) -> tuple[int, int]:
-    """The longest stretch of what is known: from, to (not included)."""
+    """Return the longest run of true entries: first, last (exclusive)."""
     ends = np.flatnonzero(np.diff(np.concatenate([[False], known, [False]])))
     stretches = [(int(a), int(b)) for a, b in zip(ends[::2], ends[1::2], strict=True)]
     return max(stretches, key=lambda s: s[1] - s[0], default=(0, 0))
 
 
 def _line(x: Array, y: Array) -> tuple[float, float, float]:
-    """Slope of the straight line through points, its standard error, and the sum of squares that it misses them by."""
+    """Fit a straight line; return its slope, the slope's standard error, the sum of squared residuals."""
     dx, dy = x - np.mean(x), y - np.mean(y)
     square = float(dx @ dx)
     slope = float(dx @ dy) / square

@@ -1,10 +1,11 @@
-"""The error that a run really has at its end, estimated by runs at falling local tolerance; and which tolerance meets a request.
+"""End error of a run, estimated by runs at falling tolerance, and the tolerance that meets a request.
 
-A run's error is its difference to a run at a CHECK times smaller tolerance, and a little more for that run's own. It cannot be had for less, from
-looser runs: the end error is the sum of a few local errors, each amplified by the motion, and now and then they nearly cancel. Errors are
-proportional to the tolerance only on average, and of two draws from one normal distribution the ratio is Cauchy distributed, within a factor of 10
-in 87 % of cases. Measured over the built-in scenes, a looser run's error scaled down is within 10 of the truth in 92 %, the difference to a tighter
-run in 99 % (CHECK = 10 or 5) or 97 % (3). See tests/benchmarks/honesty.py.
+A run's error is its difference to a run at a CHECK times smaller tolerance, and a little more for that run's own. It
+cannot be had for less, from looser runs: the end error is the sum of a few local errors, each amplified by the
+motion, and now and then they nearly cancel. Errors are proportional to the tolerance only on average, and of two
+draws from one normal distribution the ratio is Cauchy distributed, within a factor of 10 in 87 % of cases. Measured
+over the built-in scenes, a looser run's error scaled down is within 10 of the truth in 92 %, the difference to a
+tighter run in 99 % (CHECK = 10 or 5) or 97 % (3). See tests/benchmarks/honesty.py.
 """
 
 from __future__ import annotations
@@ -36,15 +37,15 @@ HEARD = 1e-3  # of the tolerance: a smaller difference of two runs is rounding, 
 
 @dataclass(frozen=True)
 class ErrorEstimate:
-    """What a run's error is, in the scene's scales (`scales.error`), by comparison with tighter runs.
+    """Error of a run in the scene's scales (`scales.error`), by comparison with tighter runs.
 
-    end           error at the end of the run, never told to be below 1e-13; nan where no tighter run got there
+    end           error at the end of the run, never below 1e-13; nan where no tighter run got there
     times, values (n,)   error along the run, times [s], as far as both runs got
-    horizon       time [s] up to which the error stays within 1 % of the scales; None: the whole run. A single time of `times` above is none:
+    horizon       time [s] up to which the error stays within 1 % of the scales; None: the whole run. A single time of `times` above is ignored:
                   there one run has had an impact that the other is about to have.
     growth        rate [1/s] of the error up to the horizon: the slope of its logarithm
     decade_cost   factor of evaluations for a tolerance, and so on average an error, ten times smaller
-    floor         least error at the end that was found at any tolerance, where that does not meet the request and no tolerance seems to
+    floor         least end error found at any tolerance, where no tolerance seems to meet the request
     runs          runs made, this one included; pilot_s the time [s] that the others took
     """
 
@@ -60,17 +61,17 @@ class ErrorEstimate:
 
     @property
     def known(self) -> bool:
-        """Whether the error at the end is."""
+        """Return whether the error at the end is known."""
         return math.isfinite(self.end)
 
     @property
     def numbers(self) -> dict[str, Any]:
-        """Everything, of lists and plain numbers."""
+        """All fields as lists and plain numbers."""
         return {**vars(self), "times": self.times.tolist(), "values": self.values.tolist()}
 
     @classmethod
     def of(cls, numbers: Mapping[str, Any]) -> ErrorEstimate:
-        """From `numbers`."""
+        """Restore an estimate from `numbers`."""
         return cls(**{**numbers, "times": np.array(numbers["times"]), "values": np.array(numbers["values"])})
 
     def __str__(self) -> str:
@@ -80,12 +81,12 @@ class ErrorEstimate:
 
 
 def brief(error: float, digits: int = 1) -> str:
-    """An error as one writes it: 4e-7."""
+    """Format an error with few digits: 4e-7."""
     return f"{error:.{digits}g}".replace("e-0", "e-")
 
 
 def beyond_horizon(error: ErrorEstimate) -> str:
-    """What a run that is longer than its horizon is still good for."""
+    """Explain for what a run longer than its horizon is still valid."""
     grow = "" if error.growth is None else f"; errors grow at {error.growth:.3g}/s"
     return (
         f"the run is longer than its horizon: the trajectory is valid, with an error below {VALID:.0%} of the scales, until "
@@ -94,7 +95,7 @@ def beyond_horizon(error: ErrorEstimate) -> str:
 
 
 class End(Enum):
-    """How one run ended: at its end; by something of its own, which another tolerance may avoid; by a limit or the user, which ends it all."""
+    """End of one run: reached; failed, perhaps not at another tolerance; stopped by a limit or the user."""
 
     REACHED = "reached"
     FAILED = "failed"
@@ -106,7 +107,7 @@ Kept = TypeVar("Kept")
 
 @dataclass(frozen=True)
 class Rung(Generic[Kept]):
-    """One run: its tolerance, how it ended, its states (n, ny) at the first n times of the common grid, what it cost, and what was kept of it."""
+    """One run of the ladder: tolerance, end, states (n, ny) at the first grid times, cost, kept data."""
 
     tolerance: float
     end: End
@@ -118,7 +119,7 @@ class Rung(Generic[Kept]):
 
 
 class Verdict(Enum):
-    """What came of a request."""
+    """Outcome of a request for an error."""
 
     MET = "met"
     UNREACHABLE = "unreachable"  # by any tolerance, although the trajectory is valid to the end
@@ -129,7 +130,10 @@ class Verdict(Enum):
 
 @dataclass(frozen=True)
 class Climbed(Generic[Kept]):
-    """The run to be returned, its error, what came of the request, and another run that was stopped, or failed, while that was found out."""
+    """Result of a ladder: the run to return, its error, the verdict.
+
+    broken: another run that was stopped, or failed, during the search.
+    """
 
     run: Rung[Kept]
     error: ErrorEstimate | None
@@ -138,14 +142,21 @@ class Climbed(Generic[Kept]):
 
 
 def first_tolerance(asked: float, seconds: float, length: float, speed: float) -> float:
-    """Local tolerance of the first run: an error of a tolerance in speed, carried along for the whole run, is so many tolerances in length."""
+    """Return the local tolerance of the first run.
+
+    A speed error of one tolerance, carried along for the whole run, makes a length error of seconds * speed / length
+    tolerances.
+    """
     carried = min(max(seconds * speed / length, CARRIED[0]), CARRIED[1])
     return min(max(asked / carried, LEAST), LOOSEST)
 
 
 @dataclass(frozen=True)
 class _Checked(Generic[Kept]):
-    """A run and its error (n,) along the grid, as far as the runs beside it got as well; `last`: tighter ones fail."""
+    """A run and its error (n,) along the grid, as far as the comparison runs got.
+
+    last: tighter runs fail.
+    """
 
     run: Rung[Kept]
     values: np.ndarray
@@ -160,14 +171,14 @@ class _Checked(Generic[Kept]):
 
 
 class Ladder(Generic[Kept]):
-    """Runs at falling tolerance until one is known to meet a request.
+    """Search by runs at falling tolerance until one meets a requested error.
 
-    run       makes one, given its tolerance, whether it may be returned (otherwise its states on the grid are all that is wanted), and the steps
-              after which it is given up as failed
+    run       makes a run, given its tolerance, whether it may be returned (otherwise only its states on the grid are needed), and the number of
+              steps after which it is given up as failed
     differ    error (n,) of states (n, ny) against others
     rounding  one rounding of states (n, ny), as an error
     times     (m,) of the grid [s], from the start to the end
-    asked     error at the end
+    asked     requested error at the end
     """
 
     def __init__(
@@ -184,7 +195,7 @@ class Ladder(Generic[Kept]):
         self._found: list[tuple[float, float]] = []  # tolerances and errors at the end
 
     def climb(self, tolerance: float) -> Climbed[Kept]:
-        """Begin with a tolerance."""
+        """Search from an initial tolerance."""
         best: _Checked[Kept] | None = None
         while True:
             run = self._make(tolerance, keep=True)
@@ -209,9 +220,10 @@ class Ladder(Generic[Kept]):
             tolerance = max(run.tolerance * self._asked / (MARGIN * checked.end), LEAST)
 
     def _beside(self, run: Rung[Kept]) -> list[Rung[Kept]]:
-        """Runs that tell the error of one: a tighter one, and where that fails, or all is rounding, one of nearly the same tolerance.
+        """Make the runs that estimate the error of one: a tighter one, or one of nearly the same tolerance.
 
-        There two runs may agree by chance, and tighter ones are paid for with steps that rounding rejects.
+        The latter where a tighter run fails, or where rounding dominates: there two runs may agree by chance, and
+        tighter ones are paid for with steps that rounding rejects.
         """
         rounded = self._unseen(run) > ROUNDED
         check = run
@@ -244,12 +256,15 @@ class Ladder(Generic[Kept]):
         return _Checked(run, values, whole, whole and all(other.tolerance > run.tolerance for other in others))
 
     def _unseen(self, run: Rung[Kept]) -> float:
-        """How far the error of a run may lie above what it and a tighter one differ by: 1, but more the more of it is rounding."""
+        """Return the factor by which rounding may hide error from a comparison with a tighter run.
+
+        1 without rounding, up to 1 + UNSEEN where all is rounding.
+        """
         rounding = PER_STEP * self._rounding(run.states)
         return 1 + UNSEEN * rounding / (rounding + run.tolerance)
 
     def _verdict(self, checked: _Checked[Kept]) -> Verdict | None:
-        """What came of the request; None where a smaller tolerance may meet it."""
+        """Return the outcome of the request; None where a smaller tolerance may meet it."""
         tolerance, error = checked.run.tolerance, checked.end
         if error <= self._asked:
             return Verdict.MET
@@ -284,7 +299,10 @@ class Ladder(Generic[Kept]):
 
 
 def horizon(times: np.ndarray, values: np.ndarray, limit: float = VALID) -> float | None:
-    """Last time [s] before the error leaves a limit for more than one time of the grid, or at its end; None where it does not."""
+    """Return the time [s] up to which the error stays within a limit; None if it does throughout.
+
+    A single time of the grid above the limit is ignored, except at the end.
+    """
     if len(values) < 2:
         return None
     beside = np.maximum(np.append(values[1:], np.inf), np.insert(values[:-1], 0, np.inf))
@@ -293,7 +311,7 @@ def horizon(times: np.ndarray, values: np.ndarray, limit: float = VALID) -> floa
 
 
 def growth(times: np.ndarray, values: np.ndarray, tolerance: float) -> float | None:
-    """Slope [1/s] of the logarithm of the error, from where it is heard of to the horizon; None where too little is seen of it."""
+    """Return the slope [1/s] of the error's logarithm up to the horizon; None if too little is known."""
     valid = horizon(times, values)
     seen = (values > HEARD * tolerance) & (times <= (math.inf if valid is None else valid))
     if np.count_nonzero(seen) < 8:
@@ -302,9 +320,9 @@ def growth(times: np.ndarray, values: np.ndarray, tolerance: float) -> float | N
 
 
 def decade_cost(made: Sequence[tuple[float, int]]) -> float | None:
-    """Factor of evaluations for a ten times smaller tolerance, of runs' tolerances and evaluations.
+    """Return the factor of evaluations for a ten times smaller tolerance, from (tolerance, evaluations).
 
-    Errors are proportional to the tolerance on average; of single runs they scatter too much to be divided by.
+    Errors are proportional to the tolerance on average; those of single runs scatter too much for a ratio.
     """
     if len({tolerance for tolerance, _ in made}) < 2:
         return None

@@ -1,1 +1,1 @@
-"""What a run returns: histories, impacts, averages, outcome."""
+"""Result of a run: histories, impacts, averages, outcome."""

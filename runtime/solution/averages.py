@@ -1,8 +1,9 @@
-"""Averages of a run with 95 % confidence: what is left to say of a motion that is longer than the time over which it can be predicted.
+"""Averages of a run with 95 % confidence, valid also beyond the horizon of prediction.
 
-A run is cut into intervals, whole periods of what drives it; those of the transient are left out. Intervals are joined to blocks until the
-means of one block and the next are no longer correlated, and Student's t gives the confidence of their mean (Law, Simulation Modeling and Analysis,
-ch. 9.5; that more than 30 blocks gain little: Schmeiser, Operations Research 30 (1982) 556).
+A run is cut into intervals, whole periods of its drives; those of the transient are left out. Intervals are joined to
+blocks until the means of successive blocks are no longer correlated, and Student's t gives the confidence of their
+mean (Law, Simulation Modeling and Analysis, ch. 9.5; that more than 30 blocks gain little: Schmeiser, Operations
+Research 30 (1982) 556).
 """
 
 from __future__ import annotations
@@ -32,10 +33,10 @@ POWERS = {".dissipated": ".dissipated_power", ".input": ".input_power"}  # of wh
 
 @dataclass(frozen=True)
 class Average:
-    """A mean over time or over impacts, with its 95 % confidence interval mean +- half_width, both in `unit`.
+    """Mean over time or over impacts, with its 95 % confidence interval mean +- half_width, in `unit`.
 
     blocks, block    how many blocks it comes from, and their length [s]
-    reason           why there is no half_width, or no mean either; else empty
+    reason           why half_width, or mean as well, is missing; else empty
     """
 
     name: str
@@ -56,7 +57,7 @@ class Average:
 
 @dataclass(frozen=True)
 class Estimate:
-    """Mean of a series and half width of its confidence interval; from so many blocks of so many intervals each."""
+    """Mean of a series and half width of its confidence interval, from `blocks` of `intervals` each."""
 
     mean: float
     half_width: float | None
@@ -66,11 +67,12 @@ class Estimate:
 
 
 def estimate(values: np.ndarray, weights: np.ndarray | None = None, *, floor: float = 0.0) -> Estimate:
-    """Mean of a series (n,), or the ratio of the sums of values and weights (n,), with its confidence interval.
+    """Estimate the mean of a series (n,), or the ratio of summed values and weights (n,).
 
-    Blocks are equally long, at most MOST, and longer until the correlation of neighbours is within DOUBT of none; what is left of it widens the
-    interval as in a series whose correlations fall geometrically. Blocks whose means differ by no more than `floor`, or STEADY, are steady: how
-    much they differ is the half width, and nobody asks for correlation.
+    Blocks are equally long, at most MOST, and longer until the correlation of neighbours is within DOUBT of none; the
+    remaining correlation widens the interval as in a series whose correlations fall geometrically. Blocks whose means
+    differ by no more than `floor`, or STEADY, are steady: the half width is then their range, without regard to
+    correlation.
     """
     if weights is None:
         weights = np.ones(len(values))
@@ -98,21 +100,21 @@ def estimate(values: np.ndarray, weights: np.ndarray | None = None, *, floor: fl
 
 
 def _student(n: int) -> float:
-    """Quantile of Student's t for the mean of n values."""
+    """Return the quantile of Student's t for the mean of n values."""
     from scipy.special import stdtrit  # slow to import
 
     return float(stdtrit(n - 1, (1 + CONFIDENCE) / 2))
 
 
 def _spread(means: np.ndarray) -> float:
-    """Standard deviation of the mean of these."""
+    """Return the standard error of the mean."""
     return float(np.std(means, ddof=1)) / math.sqrt(len(means))
 
 
 def averages(
     run: Solution, *, interval: str | float | None = None, skip: str | float | None = None
 ) -> tuple[Average, ...]:
-    """What a run does on average, in this order: of every pair its impacts and forces, of every effect in the ledger its power.
+    """Average a run: impacts and forces of every pair, then power of every effect in the ledger.
 
     <pair>.impact_rate      impacts per time [1/s], by their onsets
     <pair>.normal_force     normal force over time [N], flights included
@@ -120,7 +122,7 @@ def averages(
     <pair>.largest_force    largest normal force in an interval [N], over the intervals; where the scene has a period, or an interval is given
     <effect>.dissipated_power, <effect>.input_power    [W]
 
-    interval    shortest time looked at, "12 ms" or seconds: by default the period of all drives and forces, or 1/240 of the run where
+    interval    shortest interval, "12 ms" or seconds: by default the period of all drives and forces, or 1/240 of the run where
                 there is none. A run that kept a grid, or was saved, has sums over the default interval: only multiples of it can be asked for
     skip        the transient at the start, that is left out: by default a tenth of the run, in whole intervals
 
@@ -155,7 +157,7 @@ def _seconds(name: str, value: str | float | None, faults: list[Fault]) -> float
 
 
 def _averages(run: Solution, sums: Sums, first: int, *, shows_largest: bool) -> Iterator[Average]:
-    """The averages of the intervals from `first` on."""
+    """Yield the averages of the intervals from `first` on."""
     model, dt, tolerance = run.model, sums.interval, run.tolerance
     force, energy = float(run.scales.scene[2]), float(run.scales.scene[3])
 

@@ -1,4 +1,4 @@
-"""The state of the engine that a run is continued from."""
+"""State of the engine that a run can be continued from."""
 
 from __future__ import annotations
 
@@ -34,9 +34,9 @@ GOES_ON = (
 
 @dataclass(frozen=True)
 class Checkpoint:
-    """What a longer run goes on from, and what tells one model's runs apart.
+    """State that a longer run continues from, with the identity of the model.
 
-    resume   its state, of the engine (ns,): modes, latched memory, the step to try next and what steps are chosen by, counters
+    resume   state of the engine (ns,): modes, latched memory, the step to try next, the choice of method, counters
     layout   names and sizes of its parts, in order
     model    digest of the generated module
     initial  the initial states that were given
@@ -48,7 +48,7 @@ class Checkpoint:
     initial: Mapping[str, Value]
 
     def about(self) -> dict[str, Any]:
-        """Plain numbers and texts: everything but the state."""
+        """Everything but the state, as plain numbers and texts."""
         return {
             "whole": self.resume.whole,
             "layout": dict(self.layout),
@@ -58,26 +58,26 @@ class Checkpoint:
 
     @classmethod
     def saved(cls, about: Mapping[str, Any], state: np.ndarray) -> Checkpoint:
-        """That of a run that was saved."""
+        """Restore the checkpoint of a saved run."""
         initial = {name: tuple(value) if isinstance(value, list) else value for name, value in about["initial"].items()}
         return cls(Resume(state, bool(about["whole"])), dict(about["layout"]), about["model"], initial)
 
 
 def checkpoint_of(model: Model, ending: Ending, initial: Mapping[str, Value]) -> Checkpoint | None:
-    """The checkpoint of a run that ended so; None where the method keeps its state to itself."""
+    """Return the checkpoint of a run; None where the method does not expose its state."""
     if ending.resume is None:
         return None
     return Checkpoint(ending.resume, dict(layouts(model).state.sizes), digest(model), dict(initial))
 
 
 def digest(model: Model) -> str:
-    """Tells the text of a generated module from any other."""
+    """Return the digest of a generated module's text."""
     file = getattr(model.module, "__file__", None) or ""
     return hashlib.sha256("".join(linecache.getlines(file)).encode()).hexdigest()[:32]
 
 
 def parameters_of(run: Solution, model: Model) -> dict[str, tuple[float, str]]:
-    """The parameters of a run that are not the model's own."""
+    """Return the parameters of a run that differ from the model's own."""
     ports = model.parameters
     return {
         name: (value, unit)
@@ -87,7 +87,7 @@ def parameters_of(run: Solution, model: Model) -> dict[str, tuple[float, str]]:
 
 
 def resumable(run: Solution, model: Model, *, saved: bool) -> Checkpoint:
-    """The checkpoint of a run; raises InputError where nothing goes on from it."""
+    """Return the checkpoint of a run; raises InputError where it cannot be continued."""
     faults, kept = [], run.checkpoint
     if saved:
         remedy = f'name it: model=load("{run.model.name}")'

@@ -1,4 +1,4 @@
-"""When and why `method="auto"` changed its method."""
+"""Changes of method by `method="auto"`, with times and reasons."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Choice:
-    """From t [s] on the steps were "explicit" or "implicit", and why."""
+    """Start t [s] of "explicit" or "implicit" steps, and the reason."""
 
     t: float
     method: str
@@ -23,13 +23,13 @@ class Choice:
 
 
 class Choices:
-    """What `method="auto"` chose: the first method and every change."""
+    """Observer of the choices of `method="auto"`: the first method and every change."""
 
     def __init__(self) -> None:
         self.made: list[Choice] = []
 
     def take(self, block: History, fresh: int) -> None:
-        """The next accepted steps; see `Observer`."""
+        """Take the next accepted steps; see `Observer`."""
         method, stiffness, pressure = (block.part(part)[:, 0] for part in ("method", "stiffness", "pressure"))
         if not fresh:
             self.made.append(Choice(float(block.t[0]), "explicit", "a run begins so"))

@@ -1,5 +1,7 @@
-"""What is found of all accepted steps of a run as it goes, block by block, whether or not they are kept: contacts, energy balance, choices,
-sums for averages."""
+"""Results from all accepted steps of a run, kept or not: contacts, energy balance, choices, sums.
+
+They are found block by block as the run proceeds.
+"""
 
 from __future__ import annotations
 
@@ -25,10 +27,13 @@ MOST_INTERVALS = 10_000  # that sums are kept of
 
 
 class Observer(Protocol):
-    """Sees every accepted step of a run, in order."""
+    """Receiver of every accepted step of a run, in order."""
 
     def take(self, block: History, fresh: int) -> None:
-        """The next rows, those of `block` from `fresh` on; before them stand the last two rows of the block before, if there was one."""
+        """Take the rows of `block` from `fresh` on.
+
+        Before them stand the last two rows of the block before, if there was one.
+        """
 
 
 Seen = TypeVar("Seen", bound=Observer)
@@ -39,10 +44,10 @@ SMALL = 1e-6  # part of the scene's energy scale that an error is measured by wh
 
 
 class Balance:
-    """Whether energy - initial energy + dissipated - input stays zero.
+    """Observer of the energy balance: energy - initial energy + dissipated - input should stay zero.
 
-    Measured by the energy that the run moves: the largest kinetic energy, energy dissipated or put in, or change of potential energy. The total
-    energy is no measure, since where the potential is zero is a matter of choice.
+    Measured by the energy that the run moves: the largest kinetic energy, energy dissipated or put in, or change of
+    potential energy. The total energy is no measure, since the zero of the potential is arbitrary.
     """
 
     def __init__(self) -> None:
@@ -52,7 +57,7 @@ class Balance:
         self._finite = True
 
     def take(self, block: History, fresh: int) -> None:
-        """The next accepted steps; see `Observer`."""
+        """Take the next accepted steps; see `Observer`."""
         booked = (
             np.sum([block[name] for name in block.model.memory if name.endswith(end)], axis=0) + np.zeros(len(block.t))
             for end in (".dissipated", ".input")
@@ -74,13 +79,15 @@ class Balance:
 
     @property
     def residual(self) -> float | None:
-        """Largest error over the largest energy moved; None where something was not finite."""
+        """Return the largest error over the largest energy moved; None where something was not finite."""
         return self._error / self._largest if self._finite and self._largest > 0 else None
 
     @property
     def unclosed(self) -> float:
-        """Largest error beyond rounding, over the largest energy moved or the scene's energy scale where that is more: a run's accuracy is of its
-        scales, however little moves. 0 where something was not finite, which ends a run by itself.
+        """Return the largest error beyond rounding over the largest energy moved or the scene's energy scale.
+
+        The larger of the two: a run's accuracy is relative to its scales, however little moves. 0 where something was
+        not finite, which ends a run by itself.
         """
         measure = max(self._largest, self._scale)
         rounding = (
@@ -90,10 +97,12 @@ class Balance:
 
 
 class Findings:
-    """Impacts, energy residual, choices and sums of a run: found as it goes, or, of steps that are kept, when asked for (`later`).
+    """Impacts, energy residual, choices and sums of a run.
 
-    duration, begin    where the run is to end, and where it begins [s]
-    period    after which everything that depends on time repeats [s], None where nothing does
+    Found as the run proceeds, or, where steps are kept, on demand (`later`).
+
+    duration, begin    end and start of the run [s]
+    period    of everything that depends on time [s], None where nothing does
     """
 
     def __init__(
@@ -116,14 +125,14 @@ class Findings:
         sums: Sums,
         period: float | None,
     ) -> Findings:
-        """Those of a run that was saved."""
+        """Restore the findings of a saved run."""
         findings = cls(model, "", later=True, duration=math.nan, period=period)
         known = {"impacts": tuple(impacts), "energy_residual": energy_residual, "choices": tuple(chosen)}
         findings.__dict__.update(known, _sums=sums)
         return findings
 
     def take(self, block: History, fresh: int) -> None:
-        """The next accepted steps; see `Observer`."""
+        """Take the next accepted steps; see `Observer`."""
         if self._later:
             self._steps.append(block)
             return
@@ -161,7 +170,7 @@ class Findings:
         return tuple(self._looked(self._choices).made) if self._choices is not None else ()
 
     def secured(self) -> Iterator[str]:
-        """Find everything now; what cannot be found is nothing from now on, and said to be so, that the rest is not lost for it."""
+        """Compute everything now, replacing by nothing and reporting what fails, so that the rest is not lost."""
         nothing = Sums(math.nan, *(np.zeros((0, n)) for n in (self._model.k, self._model.k, self._model.nz)))
         for name, empty in (("impacts", ()), ("energy_residual", None), ("choices", ()), ("_sums", nothing)):
             try:
@@ -171,9 +180,10 @@ class Findings:
                 yield f"{name.strip('_').replace('_', ' ')} could not be found: {type(error).__name__}: {error}"
 
     def sums(self, interval: float | None = None) -> Sums:
-        """Sums over intervals [s], by default of the period, or of a part of the run where there is none; over longer ones where there are many.
+        """Return sums over intervals [s], by default of the period or of a part of the run.
 
-        Raises InputError for what is no multiple of the intervals that are known, where steps are not kept.
+        Intervals are longer where there are many. Raises InputError where steps are not kept and the interval is no
+        multiple of the known ones.
         """
         if interval is not None and self._steps:
             return self._looked(self._summing_up(interval)).sums

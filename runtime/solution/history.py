@@ -1,4 +1,4 @@
-"""Rows of a run by name: states, accelerations, outputs, contacts, energies; and between the rows, by parts of steps."""
+"""Histories of a run by name, at its rows and between them: states, outputs, contacts, energies."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ _PAIR = {"mode": "1", "gap": "m", "gap_rate": "m/s", "penetration": "m", "normal
 
 
 class History:
-    """Histories over `t`, in SI. `history[name]` has shape (rows,).
+    """Histories over `t`, in SI; `history[name]` has shape (rows,).
 
-    rows: states of the engine, shape (rows, ns), as `layout` names them.
-    steps: whether each row is one accepted step after the row before, so that there is something between them.
+    rows: states of the engine, shape (rows, ns), as `layout` names them. steps: whether each row is one accepted step
+    after the row before, so that the steps between can be interpolated.
     """
 
     def __init__(
@@ -40,7 +40,7 @@ class History:
 
     @classmethod
     def stored(cls, model: Model, histories: Mapping[str, np.ndarray]) -> History:
-        """Histories that were saved; there are no rows behind them."""
+        """Restore saved histories; there are no rows behind them."""
         history = cls(model, np.zeros((0, 0)), np.zeros(0), None)
         history._found = dict(histories)
         return history
@@ -99,7 +99,7 @@ class History:
         return part
 
     def columns(self, name: str) -> slice:
-        """Where a part is in a row."""
+        """Return the columns of a part in a row."""
         return self._engine.layouts.state[name]
 
     @property
@@ -109,7 +109,7 @@ class History:
         return self.integrator
 
     def _evaluate(self, name: str) -> dict[str, np.ndarray]:
-        """The history of a name, and those that come with it."""
+        """Return the history of a name, and those that come with it."""
         model = self.model
         ny = [*model.coordinates, *model.speeds, *model.memory]
         if name == "t":
@@ -141,14 +141,14 @@ class History:
 
     @cached_property
     def energies(self) -> np.ndarray:
-        """Kinetic and potential energy [J], with what springs and touching surfaces store, shape (2, rows)."""
+        """Kinetic and potential energy [J], springs and touching surfaces included, shape (2, rows)."""
         kinetic, potential, stored = self.map("energy", "t q u")
         touching = np.where(self.part("mode") == CONTACT, stored, 0)
         return np.array([kinetic[:, 0], potential[:, 0] + np.sum(touching, axis=1)])
 
     @property
     def energy_scale(self) -> float:
-        """The scene's [J]."""
+        """The scene's energy scale [J]."""
         return float(self.controls[self._engine.layouts.controls["scales"]][3])
 
     def _of_pair(self, pair: str, part: str, j: int) -> np.ndarray:
@@ -164,9 +164,10 @@ class History:
         return columns
 
     def _gap(self, pair: str, event: np.ndarray) -> np.ndarray:
-        """Distance [m] of the surfaces from the event function G.
+        """Return the distance [m] of the surfaces from the event function G.
 
-        They are the same but for a pin in a bush: there G = (c^2 - e^2)/(2 c), the distance c - e to first order only; c follows from G and e.
+        They are the same but for a pin in a bush: there G = (c^2 - e^2)/(2 c), the distance c - e to first order
+        only; c follows from G and e.
         """
         eccentricity = [self[name] for name in self.model.outputs if name.startswith(f"{pair}.eccentricity_")]
         if not eccentricity:
@@ -176,7 +177,10 @@ class History:
         return distance
 
     def map(self, function: str, arguments: str) -> list[np.ndarray]:
-        """A model's function over all rows, its last argument c constant; each result has shape (rows, size)."""
+        """Evaluate a model's function over all rows, its last argument c constant.
+
+        Each result has shape (rows, size).
+        """
         model = self.model
         y, nq, nu = self.part("y"), model.nq, model.nu
         known = {
@@ -199,7 +203,7 @@ class History:
         return rowwise(self.controls[: self.model.nc], *parts)
 
     def at(self, times: np.ndarray) -> History:
-        """Histories at other times [s] within the run; at a time of an event, the state just after it."""
+        """Return histories at other times [s] within the run; at an event, the state just after it."""
         t = self.part("t")[:, 0]
         if not self.steps:
             return self._kept(times)
@@ -213,7 +217,7 @@ class History:
         return found
 
     def _kept(self, times: np.ndarray) -> History:
-        """Rows at times [s] that are among them."""
+        """Return the rows at times [s] that are among them."""
         index = np.searchsorted(self.t, times)
         if times.ndim != 1 or np.any(index == len(self.t)) or np.any(self.t[index] != times):
             raise ValueError(
@@ -223,11 +227,17 @@ class History:
         return self.of(self.rows[index])
 
     def between(self, index: np.ndarray, h: np.ndarray) -> History:
-        """Histories a time h (n,) [s] after the rows `index` (n,), under those rows' modes; with h = 0 the rows themselves."""
+        """Return histories a time h (n,) [s] after the rows `index` (n,), under those rows' modes.
+
+        With h = 0 the rows themselves.
+        """
         return self.of(self.later(self.rows[index], h))
 
     def later(self, rows: np.ndarray, h: np.ndarray) -> np.ndarray:
-        """Rows (n, ns) a time h (n,) [s] after others, by a part of the step from each: of the method's order, under that row's modes."""
+        """Return rows (n, ns) a time h (n,) [s] after others, by a step of length h from each.
+
+        Of the method's order, under that row's modes.
+        """
         later: np.ndarray = rows.copy()
         methods = rows[:, self.columns("method")][:, 0]
         for method in np.unique(methods[h != 0]):
@@ -240,14 +250,14 @@ class History:
         return later
 
     def _dense_output(self, method: int) -> tuple[Rowwise, np.ndarray, np.ndarray]:
-        """The step of a method row by row, and the columns of a state that come from the columns of its trial."""
+        """Return a method's step row by row, and the columns of state and trial that correspond."""
         integrator = self._engine
         key = ("dense output", integrator.tables[method].name)
         made: tuple[Rowwise, np.ndarray, np.ndarray] = self.model.once(key, lambda: _dense_output(integrator, method))
         return made
 
     def of(self, rows: np.ndarray) -> History:
-        """Histories over other rows (n, ns) of the same run."""
+        """Return histories over other rows (n, ns) of the same run."""
         return History(self.model, rows, self.controls, self.integrator, steps=False)
 
 
@@ -263,13 +273,16 @@ def _friction_force(slip: str) -> str:
 
 
 def holding_force(constraint: str) -> str:
-    """Name of what holds a constraint: `pin.apart_x` -> `pin.force_x`, `pin.off_y` -> `pin.force_y`, `pin.turned_x` -> `pin.moment_x`."""
+    """Name the force that holds a constraint.
+
+    `pin.apart_x` -> `pin.force_x`, `pin.off_y` -> `pin.force_y`, `pin.turned_x` -> `pin.moment_x`.
+    """
     joint, _, name = constraint.rpartition(".")
     kind, _, label = name.partition("_")
     return f"{joint}.{'moment' if kind == 'turned' else 'force'}_{label}"
 
 
 def acceleration_of(speed: str) -> str:
-    """Name of the rate of a speed: `pin.speed` -> `pin.acceleration`."""
+    """Name the rate of a speed: `pin.speed` -> `pin.acceleration`."""
     joint, _, name = speed.rpartition(".")
     return f"{joint}.{name.replace('speed', 'acceleration')}"

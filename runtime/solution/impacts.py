@@ -1,4 +1,7 @@
-"""Contacts of a run: when each began and how fast, how long it lasted, its largest force and penetration; found as the run goes."""
+"""Contacts of a run: onset, approach speed, duration, largest force and penetration.
+
+They are found as the run proceeds.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +24,10 @@ MAX_ITERATIONS = 60
 
 @dataclass(frozen=True, slots=True)
 class Impact:
-    """One contact: onset t [s], approach speed [m/s], largest normal force [N], duration [s] (None if unfinished), largest penetration [m]."""
+    """One contact: onset t [s], approach speed [m/s], largest normal force [N], duration [s], penetration.
+
+    duration: None if unfinished; peak_penetration [m].
+    """
 
     contact: str
     t: float
@@ -33,7 +39,7 @@ class Impact:
 
 @dataclass
 class Track:
-    """Where the contacts of one pair begin and end, block by block: each from a row in contact to the next in flight.
+    """Begins and ends of one pair's contacts, block by block: from a row in contact to the next in flight.
 
     Between them it may be released and touch again.
     """
@@ -42,7 +48,7 @@ class Track:
     open: bool = False
 
     def take(self, block: History, fresh: int) -> tuple[np.ndarray, np.ndarray]:
-        """Rows at which a contact begins, and rows at which the gap has opened after one; see `Observer.take`."""
+        """Return the rows at which contacts begin, and those at which gaps have opened after them."""
         mode = block.part("mode")[fresh:, self.pair]
         known = np.flatnonzero(mode != RELEASED)
         touching = mode[known] == CONTACT
@@ -55,7 +61,7 @@ class Track:
 
 @dataclass
 class ApproachSpeeds:
-    """How many contacts of one pair began, how many of them faster than a limit [m/s], and the fastest [m/s]."""
+    """Observer of one pair's contacts: their number, those faster than a limit [m/s], the fastest [m/s]."""
 
     limit: float
     track: Track
@@ -64,7 +70,7 @@ class ApproachSpeeds:
     worst: float = 0.0
 
     def take(self, block: History, fresh: int) -> None:
-        """The next accepted steps; see `Observer`."""
+        """Take the next accepted steps; see `Observer`."""
         begins, _ = self.track.take(block, fresh)
         speeds = -block.part("gap_rate")[begins, self.track.pair]
         self.count += len(speeds)
@@ -77,7 +83,7 @@ _PEAKS = (("force", "force_rate", +1, "normal_force"), ("gap", "gap_rate", -1, "
 
 @dataclass(frozen=True, slots=True)
 class _Top:
-    """The row where something was largest so far, between the rows beside it: rows (<= 3, ns)."""
+    """Row of the largest value so far, between its neighbours: rows (<= 3, ns)."""
 
     value: float
     rows: np.ndarray
@@ -86,7 +92,7 @@ class _Top:
 
 @dataclass(slots=True)
 class _Contact:
-    """A contact on its way: onset, and of what peaks in it the tops, in the order of _PEAKS."""
+    """Contact in progress: onset, and the largest values in the order of _PEAKS."""
 
     t: float
     speed: float
@@ -95,7 +101,7 @@ class _Contact:
 
 
 class _Pair:
-    """The contacts of one pair, block by block."""
+    """Contacts of one pair, block by block."""
 
     def __init__(self, j: int) -> None:
         self.track = Track(j)
@@ -103,7 +109,7 @@ class _Pair:
         self.age = 0  # of that one: rows since its onset
 
     def take(self, block: History, fresh: int) -> list[_Contact]:
-        """The contacts that end in a block."""
+        """Return the contacts that end in a block."""
         begins, ends = self.track.take(block, fresh)
         if self.contact is None and not len(begins):
             return []
@@ -133,7 +139,7 @@ class _Pair:
 
 
 def _top(block: History, values: np.ndarray, rows: range, onset: int, known: _Top | None) -> _Top:
-    """The top of the values at some rows, or the one that was known before; no row before the onset counts."""
+    """Return the largest of the values at some rows and the known one; rows before the onset are left out."""
     i = rows.start + int(values[rows.start : rows.stop].argmax())
     value = float(values[i])
     if known is not None and not (value > known.value or (known.at_end and i == rows.start)):
@@ -142,7 +148,7 @@ def _top(block: History, values: np.ndarray, rows: range, onset: int, known: _To
 
 
 class Contacts:
-    """Every contact of a run, block by block; of the rows it keeps those beside the tops of contacts that are not over."""
+    """Observer of every contact of a run; keeps only rows beside the largest values of open contacts."""
 
     def __init__(self, model: Model) -> None:
         self._pairs = [_Pair(j) for j in range(model.k)]
@@ -150,13 +156,16 @@ class Contacts:
         self._block: History | None = None
 
     def take(self, block: History, fresh: int) -> None:
-        """The next accepted steps; see `Observer`."""
+        """Take the next accepted steps; see `Observer`."""
         over = [(pair.track.pair, contact) for pair in self._pairs for contact in pair.take(block, fresh)]
         self._found += _impacts(block, over)
         self._block = block
 
     def impacts(self) -> tuple[Impact, ...]:
-        """Every contact in the order of onset, also those that are not over; peaks to the accuracy of the run, found within its steps."""
+        """Return every contact in the order of onset, open ones included.
+
+        Peaks are found within the steps, to the accuracy of the run.
+        """
         found = self._found
         if self._block is not None:
             left = [(pair.track.pair, pair.contact) for pair in self._pairs if pair.contact is not None]
@@ -166,7 +175,7 @@ class Contacts:
 
 
 def _impacts(history: History, contacts: Sequence[tuple[int, _Contact]]) -> list[Impact]:
-    """What becomes of contacts (pair, contact), their peaks found within the steps beside the tops."""
+    """Convert contacts (pair, contact) to impacts, with peaks found within the steps."""
     if not contacts:
         return []
     with np.errstate(invalid="ignore"):  # a run that came to no good end may hold what is not a number
@@ -185,8 +194,10 @@ def _impacts(history: History, contacts: Sequence[tuple[int, _Contact]]) -> list
 
 
 def _peaks(history: History, contacts: Sequence[tuple[int, _Contact]]) -> np.ndarray:
-    """Of each contact (pair, contact) the largest value of what peaks, shape (n, 2): in the tops' rows, or where sign * rate falls through
-    zero within the steps between them."""
+    """Return the peak values of contacts (pair, contact), shape (n, 2).
+
+    The largest in the kept rows, or where sign * rate falls through zero within the steps between them.
+    """
     groups = [top.rows for _, contact in contacts for top in contact.tops if top is not None]
     pairs = np.repeat([j for j, _ in contacts], len(_PEAKS))
     kinds = np.tile(np.arange(len(_PEAKS)), len(contacts))
@@ -213,7 +224,7 @@ def _peaks(history: History, contacts: Sequence[tuple[int, _Contact]]) -> np.nda
 
 
 def _values(history: History, rows: np.ndarray, pairs: np.ndarray, kinds: np.ndarray) -> np.ndarray:
-    """What peaks in each row, by the pair and the kind beside it."""
+    """Return the peaking quantity in each row, by the pair and the kind beside it."""
     found, values = history.of(rows), np.zeros(len(rows))
     for j in set(pairs.tolist()):
         for kind, (*_, name) in enumerate(_PEAKS):
@@ -224,7 +235,7 @@ def _values(history: History, rows: np.ndarray, pairs: np.ndarray, kinds: np.nda
 
 @dataclass(frozen=True)
 class _Bracket:
-    """Steps h (n,) [s] from rows (n, ns) in which a sign times a column of the row falls from at_low > 0 to at_high < 0."""
+    """Steps h (n,) [s] from rows (n, ns) in which a signed column falls from at_low > 0 to at_high < 0."""
 
     rows: np.ndarray
     column: np.ndarray
@@ -235,9 +246,10 @@ class _Bracket:
 
 
 def _at_roots(history: History, bracket: _Bracket) -> np.ndarray:
-    """Rows (n, ns) at the roots, by regula falsi, all at once; the end that stays is weighed down as Anderson and Bjorck do (BIT 13, 1973, 253).
+    """Return the rows (n, ns) at the roots, by regula falsi in the form of Anderson and Bjorck.
 
-    A peak is flat: its value is right to rounding when its time is to PEAK of the step.
+    BIT 13 (1973) 253; all brackets at once. A peak is flat: its value is right to rounding when its time is to PEAK
+    of the step.
     """
     found, index = bracket.rows.copy(), np.arange(len(bracket.rows))
     low, high, at_low, at_high = np.zeros(len(index)), bracket.h.copy(), bracket.at_low.copy(), bracket.at_high.copy()

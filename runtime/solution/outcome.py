@@ -1,4 +1,4 @@
-"""How a run ends, as a value: a name, what happened, and what to do about it."""
+"""Outcome of a run as a value: its name, a description, and a remedy."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ STEPS = (STEP_TOO_SMALL, TOO_MANY_STEPS, WALL_TIME_LIMIT)  # statuses of runs wh
 
 @dataclass(frozen=True)
 class Outcome:
-    """`finished`, or the name of what stopped the run, with a sentence on what happened and one on the way out."""
+    """`finished`, or the name of the reason for the stop, with a description and a remedy."""
 
     name: str
     message: str
@@ -34,7 +34,7 @@ class Outcome:
 
     @property
     def finished(self) -> bool:
-        """Whether the run reached its end."""
+        """Return whether the run reached its end."""
         return self.name == "finished"
 
 
@@ -84,7 +84,10 @@ _OUTCOMES = {
 
 
 def unreachable(asked: float, floor: float, method: str, tighter: Outcome | None = None) -> Outcome:
-    """The outcome of a complete run whose error no tolerance makes as small as was asked; `tighter`: how a run with a smaller one ends."""
+    """Return the outcome of a complete run whose requested error no tolerance meets.
+
+    tighter: outcome of a run with a smaller tolerance.
+    """
     better = of_accuracy(method)
     by, why = (f" of {method}", "") if better else ("", ": the motion amplifies what rounding leaves")
     if tighter is not None:
@@ -97,7 +100,7 @@ def unreachable(asked: float, floor: float, method: str, tighter: Outcome | None
 
 
 def unknown(asked: float, tighter: Outcome) -> Outcome:
-    """The outcome of a complete run whose error cannot be told, for no other run reaches the end."""
+    """Return the outcome of a complete run whose error is unknown because no other run reaches the end."""
     return Outcome(
         "accuracy_unknown",
         f"the run is complete, but whether its error is below {brief(asked, 3)} is not known: the runs that would tell end as {tighter.name}, "
@@ -107,7 +110,7 @@ def unknown(asked: float, tighter: Outcome) -> Outcome:
 
 
 def too_long(asked: float, error: ErrorEstimate) -> Outcome:
-    """The outcome of a complete run that is longer than its trajectory can be known."""
+    """Return the outcome of a complete run that is longer than its horizon of prediction."""
     known = horizon(error.times, error.values, asked)
     return Outcome(
         "beyond_horizon",
@@ -121,7 +124,7 @@ CLOSES = 100  # times its accuracy the ledger of a run closes to at least; a run
 
 
 def not_closed(unclosed: float, asked: float, tolerance: float, steps: int) -> Outcome | None:
-    """The outcome of a complete run whose energy ledger is open by more than its accuracy explains; None where it closes."""
+    """Return the outcome of a complete run whose energy balance exceeds its accuracy; None if it closes."""
     most = max(CLOSES * asked, (CLOSES + steps) * tolerance)
     if unclosed <= most:
         return None
@@ -133,7 +136,7 @@ def not_closed(unclosed: float, asked: float, tolerance: float, steps: int) -> O
 
 
 def outcome(status: int, method: str, history: History, **facts: object) -> Outcome:
-    """The outcome of a status of the engine, after the last of the rows that were kept."""
+    """Return the outcome of a status of the engine, after the last of the kept rows."""
     name, message, remedy = _OUTCOMES[status]
     better = of_steps(method, history) if status in STEPS else ""
     return Outcome(name, message.format(**facts), _first(better, remedy))

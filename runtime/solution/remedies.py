@@ -1,4 +1,4 @@
-"""Which method suits a run that one method could not bring to its end, or to its accuracy, by what held its last steps down."""
+"""Recommendation of another method for a run whose steps became many or small, by the cause."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ AUTO = 'take method="auto"'
 
 
 def of_steps(method: str, history: History) -> str:
-    """What to take in place of a method whose steps were many or too small; "" where another need not be better."""
+    """Recommend a method in place of one whose steps were many or too small; "" if none need be better."""
     (table, *others) = (table() for table in METHODS[method])
     if others or method in SUNDIALS or not len(history.rows):
         return ""
@@ -39,13 +39,13 @@ def of_steps(method: str, history: History) -> str:
 
 
 def of_accuracy(method: str) -> str:
-    """What to take in place of a method that does not get below some error."""
+    """Recommend a method in place of one that cannot reach some error."""
     if method in ("auto", "dop853"):
         return ""
     return f"many steps of {method} leave more rounding than the few of dop853, of higher order: {AUTO}"
 
 
 def _turns(sliding: np.ndarray) -> bool:
-    """Whether a sliding velocity (rows, n) changes its sign about every other step."""
+    """Return whether a sliding velocity (rows, n) changes its sign about every other step."""
     turned = np.diff(np.sign(sliding), axis=0) != 0
     return bool(turned.size and np.max(np.mean(turned, axis=0)) > MOST / 2)

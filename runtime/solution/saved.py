@@ -1,4 +1,4 @@
-"""The file of a saved run: numbers as arrays, the rest as JSON, and the digest of both, so that a file that was altered or cut is refused."""
+"""File of a saved run: arrays, the rest as JSON, and a digest by which altered files are refused."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Content = TypeVar("Content")
 
 
 def packed(about: Mapping[str, Any], histories: Mapping[str, np.ndarray]) -> bytes:
-    """A run as npz."""
+    """Pack a run as npz."""
     text = json.dumps(about)
     content = io.BytesIO()
     arrays: dict[str, Any] = {name: np.asarray(values) for name, values in histories.items()}
@@ -32,7 +32,7 @@ def packed(about: Mapping[str, Any], histories: Mapping[str, np.ndarray]) -> byt
 
 
 def unpacked(path: Path, read: Callable[[dict[str, Any], dict[str, np.ndarray]], Content]) -> Content:
-    """What `read` makes of the parts of a file that is as it was written. Raises InputError for any other file."""
+    """Return the result of `read` on the parts of a saved file; raises InputError for any other file."""
     try:
         with path.open("rb") as raw, np.load(raw, allow_pickle=False) as file:
             text, digest = str(file["about"]), str(file["digest"])

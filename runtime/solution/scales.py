@@ -1,7 +1,8 @@
-"""What accuracy is measured by: sizes of coordinates, speeds and energies, of a scene's parameters or, where they give none, of the run itself.
+"""Scales that accuracy is relative to: sizes of coordinates, speeds and energies of a scene or run.
 
-A scene derives its scales from its parameters: the ball's speed from gravity and drop height. Where a run departs from that so far that a
-scale is zero or undefined (no gravity, a start of one's own), a rough run finds the sizes that occur.
+A scene derives its scales from its parameters: the ball's speed from gravity and drop height. Where a run departs
+from that so far that a scale is zero or undefined (no gravity, a start of one's own), a rough run finds the sizes
+that occur.
 """
 
 from __future__ import annotations
@@ -32,50 +33,50 @@ ROUNDS = 2
 
 @dataclass(frozen=True)
 class Scales:
-    """state (ny,): of q, u, z; scene (4,): length [m], speed [m/s], force [N], energy [J]."""
+    """Scales: state (ny,) of q, u, z; scene (4,): length [m], speed [m/s], force [N], energy [J]."""
 
     state: np.ndarray
     scene: np.ndarray
 
     @cached_property
     def sound(self) -> bool:
-        """Whether every scale is a positive number."""
+        """Return whether every scale is a positive number."""
         return bool(np.all(_sound(self.state)) and np.all(_sound(self.scene)))
 
 
 def error(model: Model, scales: Scales, y: np.ndarray, reference: np.ndarray) -> np.ndarray:
-    """What a state departs from another by, as accuracy counts it: the largest difference of a coordinate or speed, each in its scale.
+    """Return the error of a state as accuracy counts it: the largest scaled difference of q and u.
 
-    y, reference (..., ny) as recorded, or their first nq + nu entries; returns (...,). Memory has no say: it is a means, or a balance.
+    y, reference (..., ny) as recorded, or their first nq + nu entries; returns (...,). Memory (z) does not count.
     """
     return _largest(model.nq + model.nu, scales, y, reference)
 
 
 def departure(model: Model, scales: Scales, y: np.ndarray, reference: np.ndarray) -> np.ndarray:
-    """The same of the coordinates alone: where the trajectory is."""
+    """Return the largest scaled difference of the coordinates alone."""
     return _largest(model.nq, scales, y, reference)
 
 
 def rounding(model: Model, scales: Scales, y: np.ndarray) -> float:
-    """What one rounding of the largest of the states y (n, ny) counts as an error."""
+    """Return the error that one rounding of the largest of the states y (n, ny) makes."""
     n = model.nq + model.nu
     return float(np.finfo(float).eps * np.max(np.abs(y[:, :n]) / scales.state[:n], initial=0.0))
 
 
 def _largest(n: int, scales: Scales, y: np.ndarray, reference: np.ndarray) -> np.ndarray:
-    """Of the first n entries."""
+    """Return the largest scaled difference of the first n entries."""
     found: np.ndarray = np.max(np.abs(y[..., :n] - reference[..., :n]) / scales.state[:n], axis=-1, initial=0.0)
     return found
 
 
 def of_parameters(model: Model, bound: Bound) -> Scales:
-    """The scales that the scene states."""
+    """Return the scales that the scene states."""
     *parts, scene = (np.array(x).ravel() for x in model.function("scales")(bound.p))
     return Scales(np.concatenate(parts), scene)
 
 
 def of_run(model: Model, stated: Scales, rough: Callable[[Scales, Sizes], object]) -> Scales:
-    """The stated scales where they are sound, elsewhere the sizes that occur in a rough run, in units alike.
+    """Return the stated scales where they are sound, elsewhere the sizes that occur in a rough run.
 
     rough    makes a run with some scales and shows it to a `Sizes`
     """
@@ -89,7 +90,7 @@ def of_run(model: Model, stated: Scales, rough: Callable[[Scales, Sizes], object
 
 
 class Sizes:
-    """Largest sizes in a run, block by block: of the ways of coordinates, the values of speeds and memory, penetrations and forces."""
+    """Observer of the largest displacements, speeds, memory values, penetrations and forces of a run."""
 
     def __init__(self, units: list[str]) -> None:
         self._units = units
@@ -98,7 +99,7 @@ class Sizes:
         self._depth = self._force = 0.0
 
     def take(self, block: History, fresh: int) -> None:
-        """The next accepted steps; see `findings.Observer`."""
+        """Take the next accepted steps; see `findings.Observer`."""
         y = block.part("y")
         if self._from is None:
             self._from = y[0].copy()
@@ -109,7 +110,7 @@ class Sizes:
         self._force = float(np.max(block.part("force"), initial=self._force))
 
     def found(self) -> dict[str, float]:
-        """Largest size of each unit: of lengths the penetration, or the way where nothing is touched."""
+        """Return the largest size of each unit; for lengths the penetration, or the way without contact."""
         found: dict[str, float] = {}
         for unit, size in zip(self._units, self._largest, strict=True):
             found[unit] = max(found.get(unit, 0.0), float(size))

@@ -1,4 +1,4 @@
-"""What a run returns: outcome, histories by name, impacts, statistics, energy ledger; to CSV, to and from npz, and between its rows."""
+"""Result of a run: outcome, histories by name, impacts, statistics, energy ledger; to CSV and npz."""
 
 from __future__ import annotations
 
@@ -33,9 +33,12 @@ __all__ = ["ErrorEstimate", "History", "Impact", "Solution", "Statistics"]
 
 @dataclass(frozen=True)
 class Statistics:
-    """What a run cost: accepted steps, steps rejected for their error, steps retaken to land on an event, evaluations of the right-hand side,
-    contacts begun (events); wall_s the integration, build_s what it takes (reading input, building the functions), compile_s what was compiled on
-    the way [s]."""
+    """Cost of a run.
+
+    Accepted steps, steps rejected for their error, steps retaken to land on an event, evaluations of the right-hand
+    side, contacts begun (events). wall_s: the integration; build_s: reading input and building functions; compile_s:
+    compilation during the run [s].
+    """
 
     steps: int
     rejected: int
@@ -49,7 +52,7 @@ class Statistics:
 
 @dataclass(frozen=True)
 class Solution:
-    """A run. `run["guide.travel"]` is a history over `run.t`, in SI; `run.names` lists what there is."""
+    """Result of a run; `run["guide.travel"]` is a history over `run.t`, in SI, `run.names` lists all."""
 
     model_type: ClassVar[type[Model]] = Model  # of saved runs
     history: History = field(repr=False)
@@ -77,17 +80,17 @@ class Solution:
 
     @property
     def advice(self) -> tuple[str, ...]:
-        """What speaks against the scene's laws although their units hold, as a law of point contact where surfaces touch along a line."""
+        """Reservations about the scene's laws, such as a point contact law for a line contact."""
         return tuple(getattr(self.model.module, "ADVICE", ()))
 
     @property
     def t(self) -> np.ndarray:
-        """Times of the accepted steps, or of the grid that was asked for [s], shape (rows,)."""
+        """Times of the accepted steps, or of the requested grid [s], shape (rows,)."""
         return self.history.t
 
     @property
     def t_start(self) -> float:
-        """Time [s] that the run began at: 0, or where it went on from."""
+        """Time [s] at which the run began: 0, or where it was continued."""
         return float(self.ends.t[0])
 
     @property
@@ -107,16 +110,17 @@ class Solution:
 
     @property
     def choices(self) -> tuple[Choice, ...]:
-        """What `method="auto"` chose, when and why: the first method and every change; of any other method nothing."""
+        """Choices of `method="auto"`: the first method and every change, with reasons; else empty."""
         return self.findings.choices
 
     def __getitem__(self, name: str) -> np.ndarray:
         return self.history[name]
 
     def at(self, times: Sequence[float] | np.ndarray) -> History:
-        """Histories at any times [s] of the run, by a part of the step that covers each: of the method's order, under that step's modes.
+        """Return histories at any times [s] of the run, interpolated by the method's own step and order.
 
-        Raises ValueError for times outside the run, and between the rows of a run that kept a grid or was saved.
+        Under the modes of the step that covers each time. Raises ValueError for times outside the run, and between
+        the rows of a run that kept a grid or was saved.
         """
         return self.history.at(np.asarray(times, dtype=float))
 
@@ -137,15 +141,19 @@ class Solution:
 
     @property
     def energy_residual(self) -> float | None:
-        """Largest |energy - initial energy + dissipated - input| of all accepted steps over the largest energy that the run moves: kinetic,
-        dissipated, put in, or change of potential, whatever its zero; over a millionth of the scene's energy scale where that is more.
+        """Largest error of the energy balance over the largest energy that the run moves.
 
-        None without a ledger, and where a run that came to no good end holds an energy that is not finite.
+        The error is |energy - initial energy + dissipated - input| of all accepted steps; the energy moved is
+        kinetic, dissipated, put in, or change of potential, or a millionth of the scene's energy scale where that is
+        more. None without a ledger, and where a failed run holds an energy that is not finite.
         """
         return self.findings.energy_residual
 
     def averages(self, *, interval: str | float | None = None, skip: str | float | None = None) -> tuple[Average, ...]:
-        """What the run does on average, with 95 % confidence: impact rates, forces, powers; see `hertzwerk.runtime.solution.averages.averages`."""
+        """Return averages of the run with 95 % confidence: impact rates, forces, powers.
+
+        See `hertzwerk.runtime.solution.averages.averages`.
+        """
         return averages(self, interval=interval, skip=skip)
 
     def __str__(self) -> str:
@@ -166,7 +174,7 @@ class Solution:
         return write(Path(path), self._csv(slice(None)), overwrite=overwrite)
 
     def csv_size(self) -> float:
-        """About how many bytes `to_csv` would write, from a few of the rows."""
+        """Estimate the size [bytes] of the file that `to_csv` would write."""
         some = slice(None, None, max(len(self.t) // SAMPLE, 1))
         return len(self._csv(some)) * len(self.t) / len(self.t[some])
 
@@ -206,7 +214,7 @@ class Solution:
 
     @classmethod
     def load(cls, path: str | Path) -> Self:
-        """A saved run: its histories, impacts and numbers. It holds no functions: `at` asks for a new run.
+        """Read a saved run: its histories, impacts and numbers, without functions.
 
         Raises InputError for a file that is not as `save` wrote it.
         """
@@ -259,7 +267,7 @@ def _tuples(value: Any) -> Any:
 
 
 def write(path: Path, content: bytes, *, overwrite: bool) -> Path:
-    """Write a file whole; raises FileExistsError where there is one already and `overwrite` is not said."""
+    """Write a file whole; raises FileExistsError if it exists and `overwrite` is not set."""
     if path.exists() and not overwrite:
         raise FileExistsError(f"{path} exists; name another file, or say overwrite=True")
     write_atomically(path, content)

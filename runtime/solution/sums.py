@@ -1,4 +1,4 @@
-"""What averages need of all accepted steps, summed up over equal intervals of time as a run goes: momentum passed on, largest forces, the ledger."""
+"""Sums over equal time intervals, for averages: impulses, largest forces, the energy ledger."""
 
 from __future__ import annotations
 
@@ -26,8 +26,9 @@ BENT = 3e-3  # part of a mean force by which a parabola may differ from a chord,
 
 @dataclass(frozen=True)
 class Sums:
-    """Of n whole intervals of so many seconds from the start on, k pairs and nz states of memory.
+    """Sums over n whole intervals from the start, of k pairs and nz states of memory.
 
+    interval  length of an interval [s]
     impulse   normal force, integrated over each interval (n, k) [N s]
     largest   largest normal force in each interval (n, k) [N]
     memory    states of memory where intervals begin and end (n + 1, nz)
@@ -44,29 +45,29 @@ class Sums:
         return len(self.impulse)
 
     def joined(self, many: int) -> Sums:
-        """Of intervals so many times as long, from the start on."""
+        """Join `many` intervals to one, from the start on."""
         n = self.count // many
         impulse, largest = (x[: n * many].reshape(n, many, x.shape[1]) for x in (self.impulse, self.largest))
         memory = self.memory[: n * many + 1 : many]
         return Sums(self.interval * many, impulse.sum(axis=1), largest.max(axis=1), memory)
 
     def about(self) -> dict[str, Any]:
-        """Plain numbers, to be saved."""
+        """All fields as plain numbers, to be saved."""
         return {name: x.tolist() if isinstance(x, np.ndarray) else x for name, x in asdict(self).items()}
 
     @classmethod
     def saved(cls, about: Mapping[str, Any], model: Model) -> Self:
-        """Those of a run that was saved."""
+        """Restore the sums of a saved run."""
         widths = {"impulse": model.k, "largest": model.k, "memory": model.nz}
         tables = {name: np.array(about[name]).reshape(len(about[name]), width) for name, width in widths.items()}
         return cls(interval=about["interval"], **tables)
 
 
 class Summing:
-    """Sums up over intervals [s] from a time [s] on, up to another; an `Observer`.
+    """Observer that sums over intervals [s] between two times [s].
 
-    Within most steps a force is the cubic that its values and rates at both ends give, which costs no evaluation; where that is curved, it is
-    evaluated at two points between them.
+    Within most steps a force is the cubic that its values and rates at both ends give, which costs no evaluation;
+    where that is curved, it is evaluated at two points between them.
     """
 
     def __init__(self, model: Model, interval: float, until: float, begin: float = 0.0) -> None:
@@ -78,13 +79,13 @@ class Summing:
         self._last: History
 
     def take(self, block: History, fresh: int) -> None:
-        """The next accepted steps; see `Observer`."""
+        """Take the next accepted steps; see `Observer`."""
         self._last = block.of(block.rows[-1:].copy())
         for first in range(max(fresh - 1, 0), max(len(block.t) - 1, 1), ROWS):  # copies of rows fit into a cache
             self._take(block, block.rows[first : first + ROWS + 1])
 
     def _take(self, block: History, rows: np.ndarray) -> None:
-        """The steps between some rows of a block."""
+        """Sum over the steps between some rows of a block."""
         t = block.of(rows).t
         stop = int(np.searchsorted(self._marks, t[-1]))  # at the last row an event may change the state yet
         marked = np.zeros(len(t), dtype=bool)
@@ -108,7 +109,7 @@ class Summing:
 
     @property
     def sums(self) -> Sums:
-        """Of the intervals that the run went through."""
+        """Sums over the intervals that the run completed."""
         memory, count = self._memory, self._known - 1
         arrived = self._known < len(self._marks) and self._last.t[0] >= self._marks[self._known] * (1 - 1e-12)
         if arrived:
@@ -120,7 +121,7 @@ class Summing:
 
 
 def _forces(history: History) -> tuple[np.ndarray, np.ndarray]:
-    """Impulse [N s] and largest force [N] of every pair from each row to the next, (rows - 1, k) each."""
+    """Return impulse [N s] and largest force [N] of every pair from each row to the next, (rows - 1, k)."""
     rows, h = history.rows, np.diff(history.t)[:, None]
     mode = history.part("mode")
     touching = mode[:-1] == CONTACT
@@ -150,13 +151,13 @@ def _forces(history: History) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _between(f0: np.ndarray, f1: np.ndarray, g0: np.ndarray, g1: np.ndarray) -> np.ndarray:
-    """Largest value of the cubic on 0..1 with these values and slopes at its ends where it rises at 0 and falls at 1; else f0."""
+    """Return the maximum inside 0..1 of a cubic, by values and slopes at its ends; f0 if there is none."""
     peaks, x, square, cube = _top(f0, f1, g0, g1)
     return np.where(peaks, f0 + x * (g0 + x * (square + x * cube)), f0)
 
 
 def _top(f0: np.ndarray, f1: np.ndarray, g0: np.ndarray, g1: np.ndarray) -> tuple[np.ndarray, ...]:
-    """Whether that cubic peaks, where, and its coefficients of 2nd and 3rd order."""
+    """Return whether that cubic peaks, where, and its coefficients of 2nd and 3rd order."""
     peaks = (g0 > 0) & (g1 < 0)
     square, cube = 3 * (f1 - f0) - 2 * g0 - g1, 2 * (f0 - f1) + g0 + g1
     root = np.sqrt(np.maximum(square**2 - 3 * cube * g0, 0))
@@ -164,7 +165,7 @@ def _top(f0: np.ndarray, f1: np.ndarray, g0: np.ndarray, g1: np.ndarray) -> tupl
 
 
 def _peak(*given: np.ndarray) -> np.ndarray:
-    """Peak of the quintic with the values f0, f1 and slopes g0, g1 at the ends of 0..1 and two values at NODES; NaN where there is none."""
+    """Return the peak of the quintic by values and slopes at both ends and values at NODES; NaN if none."""
     peaks, x, *_ = _top(*given[:4])
     coefficients = np.linalg.solve(_SEXTUPLE, np.array(given))  # (6, n), of rising powers
     slope, bend = (np.polynomial.polynomial.polyder(coefficients, m) for m in (1, 2))
@@ -175,7 +176,7 @@ def _peak(*given: np.ndarray) -> np.ndarray:
 
 
 def _inner_forces(start: History, end: History, h: np.ndarray, j: int) -> np.ndarray:
-    """Normal forces of a pair at NODES of steps h (n, 1) [s] from rows to rows, and before and after them beside the ends, shape (n, 4)."""
+    """Return a pair's normal forces at NODES of steps h (n, 1) [s] and beside their ends, shape (n, 4)."""
     model = start.model
     inner: Rowwise = model.once(("forces within a step", j), lambda: Rowwise(_inner(model, j), constant=0))
     parts = [side.part(part) for side in (start, end) for part in ("t", "y", "dy")]
@@ -184,9 +185,9 @@ def _inner_forces(start: History, end: History, h: np.ndarray, j: int) -> np.nda
 
 
 def _inner(model: Model, j: int) -> Any:
-    """CasADi function (c, t, y, dy, y1, dy1, m, h) -> normal forces at NODES, and beside the ends.
+    """Build the function (c, t, y, dy, y1, dy1, m, h) -> normal forces at NODES and beside the ends.
 
-    The states there are interpolated: of coordinates by quintics, of what else there is by cubics.
+    Coordinates are interpolated by quintics, other states by cubics.
     """
     c, m, t, h = ca.SX.sym("c", model.nc), ca.SX.sym("m", model.nm), ca.SX.sym("t"), ca.SX.sym("h")
     nq, nu = model.nq, model.nu
@@ -207,7 +208,7 @@ def _inner(model: Model, j: int) -> Any:
 
 
 def _second(model: Model, t: Any, y: Any, dy: Any, c: Any) -> Any:
-    """Second derivatives of the coordinates."""
+    """Return the second derivatives of the coordinates."""
     nq, nu = model.nq, model.nu
     at = [ca.SX.sym(name, size) for name, size in (("t", 1), ("q", nq), ("u", nu))]
     rates = model.function("coordinate_rates")(*at, c)
@@ -217,15 +218,17 @@ def _second(model: Model, t: Any, y: Any, dy: Any, c: Any) -> Any:
 
 
 def _blend(basis: np.ndarray, x: float, h: Any, start: tuple[Any, ...], end: tuple[Any, ...]) -> Any:
-    """Hermite's interpolation at x in 0..1 of a step h, from values and derivatives at its ends."""
+    """Return Hermite's interpolant at x in 0..1 of a step h, from values and derivatives at its ends."""
     n = len(start)
     weights = np.polynomial.polynomial.polyval(x, basis)
     return sum(weights[i] * h ** (i % n) * value for i, value in enumerate((*start, *end)))
 
 
 def _hermite(order: int) -> np.ndarray:
-    """Coefficients (order + 1, order + 1), of rising powers, a column each, of the polynomials on 0..1 that have one value or derivative 1 at an
-    end and the others 0: those at 0 first."""
+    """Return the coefficients (order + 1, order + 1) of Hermite's basis polynomials on 0..1.
+
+    Rising powers, a column each; each has one value or derivative 1 at an end and the others 0: those at 0 first.
+    """
     n = (order + 1) // 2
     powers = np.eye(order + 1)
     conditions = [

@@ -1,1 +1,1 @@
-"""Starts: given values, closed loops, seated journals, the ideal mechanism."""
+"""Initial state: given values, closed loops, seated journals, the ideal mechanism."""

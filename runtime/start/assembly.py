@@ -1,8 +1,9 @@
-"""Assembly: a start in which every loop is closed and every journal centred, from the coordinates and speeds that are given; the rest follows.
+"""Assembly: close every loop and centre every journal at the start, keeping the given values.
 
-What is given stays. The rest begins at the scene's value, or zero, and is moved as little as closing takes (Gauss-Newton in the scene's scales, rank
-by singular values). A start that is closed as it stands is taken as it is. Loops must close; a pin in its bush, or a ball in its socket, is a joint
-that is closed where what is given lets it: at the start the mechanism moves as the ideal one does, whose clearances are closed.
+The other coordinates begin at the scene's value, or zero, and are moved as little as closing takes (Gauss-Newton in
+the scene's scales, rank by singular values). A start that is closed as it stands is unchanged. Loops must close; a
+pin in its bush, or a ball in its socket, is closed as a joint as far as the given values allow: at the start the
+mechanism moves as the ideal one, without clearance.
 """
 
 from __future__ import annotations
@@ -38,10 +39,10 @@ TOGETHER = 40  # constraints that imply each other, at most: with more, choosing
 def assemble(
     model: Model, bound: Bound, q: Array, u: Array, given: Collection[str]
 ) -> tuple[Array, Array, tuple[Fault, ...]]:
-    """Coordinates (nq,) and speeds (nu,) of the joints with closed loops and journals, near the ones passed; those named in `given` are kept.
+    """Return coordinates (nq,), speeds (nu,) of the joints with loops and journals closed, and faults.
 
-    Faults where there are none. Where a journal cannot be centred it may be anywhere in its bush: what is not given then stands as it was passed,
-    or, where that is outside, is where the journals are nearest to their middles.
+    Those named in `given` are kept. Where a journal cannot be centred it may be anywhere in its bush: the other
+    coordinates then stay as passed, or, where that is outside, go where the journals are nearest to their middles.
     """
     loops, ideal = _Loops(model.joints, bound), _Loops(model.joints, bound, whole=model)
     stated = q
@@ -71,9 +72,9 @@ def assemble(
 def assembled_at(
     model: Model, bound: Bound, q: Array, u: Array, given: Collection[str], seats: Array
 ) -> tuple[Array, Array, tuple[Fault, ...]]:
-    """Coordinates and speeds of the joints with closed loops and journals at rest at the eccentricities `seats` [m], near the ones passed.
+    """Return coordinates, speeds and faults with journals at rest at the eccentricities `seats` [m].
 
-    Faults where what is given does not let them.
+    Those named in `given` are kept; faults where they prevent closing.
     """
     loops = _Loops(model.joints, bound, whole=model, seats=seats)
     unknown = [i for i, name in enumerate(loops.model.coordinates) if name not in given]
@@ -85,12 +86,12 @@ def assembled_at(
 
 
 def journals(model: Model) -> list[int]:
-    """Outputs of a model that are zero where its clearances are closed: the eccentricities of pins in bushes and balls in sockets."""
+    """Return the outputs that are zero in closed clearances: eccentricities of pins and balls."""
     return [i for i, name in enumerate(model.outputs) if ".eccentricity_" in name]
 
 
 def eccentricities(model: Model) -> Any:
-    """CasADi function (t, q, u, c) -> eccentricities of all journals, and their rates."""
+    """Return the CasADi function (t, q, u, c) -> eccentricities of all journals, and their rates."""
 
     def made() -> Any:
         sizes = {"t": 1, "q": model.nq, "u": model.nu, "c": model.nc}
@@ -103,7 +104,7 @@ def eccentricities(model: Model) -> Any:
 
 
 def placed(model: Model, bound: Bound, q: Array, u: Array) -> tuple[Array, Array]:
-    """Coordinates and speeds of a model, where those of its joints are known at the start."""
+    """Return a model's coordinates and speeds from those of its joints at the start."""
     if model.joints is model:
         return q, u
     q, u = (np.array(x).ravel() for x in model.function("placed")(0.0, q, u, bound.c))
@@ -111,7 +112,10 @@ def placed(model: Model, bound: Bound, q: Array, u: Array) -> tuple[Array, Array
 
 
 def _nearest(ideal: _Loops, q: Array, given: Collection[str]) -> Array | None:
-    """A position in which loops are closed and journals in their bushes, as near to their middles as what is given lets them; None without one."""
+    """Return the position with closed loops whose journals are nearest to the middles of their bushes.
+
+    None if there is none.
+    """
     unknown = [i for i, name in enumerate(ideal.model.coordinates) if name not in given]
     _, _, jacobian, _ = ideal.at(q, np.zeros(ideal.model.nu))
     loops, tries = replace(ideal, whole=None), _tries(ideal, q, unknown, _sizes(ideal, jacobian, q))
@@ -119,7 +123,7 @@ def _nearest(ideal: _Loops, q: Array, given: Collection[str]) -> Array | None:
 
 
 def _with_change(ideal: _Loops, q: Array, given: Collection[str], faults: tuple[Fault, ...]) -> tuple[Fault, ...]:
-    """Faults of a start that is given too much, with the least change of one coordinate that is given at which it closes."""
+    """Add to faults of an over-determined start the least change of one given coordinate that closes it."""
     ways = []
     for i, name in enumerate(ideal.model.coordinates):
         if name in given and ideal.model.units[name] != "1":
@@ -135,15 +139,16 @@ def _with_change(ideal: _Loops, q: Array, given: Collection[str], faults: tuple[
 
 
 def undetermined(model: Model, bound: Bound, q: Array) -> tuple[str, ...]:
-    """Constraints whose forces the motion leaves open at a position, because others say the same; none where all are independent."""
+    """Return the redundant constraints at a position, whose forces the motion leaves undetermined."""
     open_ones = np.max(np.abs(_implied(_Loops(model, bound), q)), axis=0, initial=0.0) > RANK**0.5
     return tuple(name for name, is_open in zip(model.constraints, open_ones, strict=True) if is_open)
 
 
 def dependent(model: Model, bound: Bound, q: Array) -> tuple[Dependent, ...]:
-    """Groups of constraints of which some follow from the others wherever the mechanism goes from a position, not just there.
+    """Return groups of constraints that are dependent at all positions within reach, not just at q.
 
-    Where it can go is tried: at a singular position, such as a change point, constraints are alike that are not elsewhere.
+    Nearby positions are tried: at a singular one, such as a change point, constraints are dependent that are not
+    elsewhere.
     """
     if not model.nl or not len(_implied(_Loops(model, bound), q)):
         return ()
@@ -168,7 +173,7 @@ def dependent(model: Model, bound: Bound, q: Array) -> tuple[Dependent, ...]:
 
 
 def _nearby(model: Model, bound: Bound, q: Array) -> Iterator[tuple[float, Array]]:
-    """Times and positions around a start to which the mechanism can go."""
+    """Yield times and positions around a start that the mechanism can reach."""
     loops = _Loops(model, bound)
     still = np.zeros(model.nu)
     _, _, jacobian, _ = loops.at(q, still)
@@ -191,7 +196,10 @@ def _nearby(model: Model, bound: Bound, q: Array) -> Iterator[tuple[float, Array
 
 
 def _implied(loops: _Loops, q: Array, rank: float = RANK) -> Array:
-    """Ways to add up constraints, each unit in the size of its largest, so that they forbid nothing at a position; orthonormal rows (n, nl)."""
+    """Return the linear combinations of constraints that vanish at a position; orthonormal rows (n, nl).
+
+    Constraints are scaled by the largest of their unit.
+    """
     _, _, _, jacobian = loops.at(q, np.zeros(loops.model.nu))
     matrix = jacobian * loops.scales[1]
     norms, lengths = np.linalg.norm(matrix, axis=1), np.array(loops.model.is_length)
@@ -203,9 +211,9 @@ def _implied(loops: _Loops, q: Array, rank: float = RANK) -> Array:
 
 @dataclass(frozen=True)
 class _Loops:
-    """The constraints of a model by its joints' coordinates at its start, as numbers; of a `whole` model those of closed clearances too.
+    """Constraints of a model by its joints' coordinates at the start, evaluated as numbers.
 
-    These are closed where the eccentricities are `seats` [m], None for zero.
+    Those of closed clearances are included for a `whole` model; their eccentricities are `seats` [m], None for zero.
     """
 
     model: Model
@@ -222,18 +230,18 @@ class _Loops:
 
     @property
     def wanted(self) -> str:
-        """What assembly is for, in words."""
+        """Goal of the assembly, in words."""
         if self.seats is not None:
             return "closed loops, journals that rest in their bushes"
         return "closed loops" if self.whole is None else "closed loops, pins in their bushes and balls in their sockets"
 
     def closed(self, q: Array) -> bool:
-        """Whether a position is closed as it stands."""
+        """Return whether a position is closed as it stands."""
         phi, _, jacobian, _ = self.at(q, np.zeros(self.model.nu))
         return bool(np.all(np.abs(phi) <= _sizes(self, jacobian, q)))
 
     def inside(self, q: Array) -> bool:
-        """Whether every journal of the whole model is in its bush, or in it by no more than it was passed."""
+        """Return whether every journal of the whole model is in its bush, but for a plausible penetration."""
         if self.whole is None:
             return True
         q, u = placed(self.whole, self.bound, q, np.zeros(self.model.nu))
@@ -241,7 +249,7 @@ class _Loops:
 
     @property
     def scales(self) -> tuple[Array, Array]:
-        """Of coordinates and speeds."""
+        """Scales of coordinates and speeds."""
         sq, su, *_ = (np.array(x).ravel() for x in self.model.function("scales")(self.bound.p))
         return sq, su
 
@@ -251,7 +259,7 @@ class _Loops:
         return [name for name, kind, _ in self.model.module.EFFECTS if kind == "drive"]
 
     def at(self, q: Array, u: Array) -> tuple[Array, Array, Array, Array]:
-        """Constraints (nl,), their rates (nl,), and the derivatives by coordinates (nl, nq) and of the rates by speeds (nl, nu)."""
+        """Return constraints (nl,), rates (nl,), and their derivatives (nl, nq) by q, (nl, nu) by u."""
         model, count = self.model, len(self.rows)
         owner, key = (model, "loops at the start") if self.whole is None else (self.whole, "journals at the start")
         phi, *rest = (
@@ -277,7 +285,7 @@ class _Loops:
         return ca.Function("loops", [t, q, u, c], [phi, rate, ca.jacobian(phi, q), ca.jacobian(rate, u)])
 
     def open_ones(self, residual: Array, size: Array) -> list[str]:
-        """What is open, in words, by joint: the worst of each."""
+        """Describe what is open, by joint: the worst of each."""
         worst: dict[str, tuple[float, str]] = {}
         for (name, unit), value, least in zip(self.rows, np.abs(residual), size, strict=True):
             joint = name.rsplit(".", 1)[0]
@@ -321,7 +329,7 @@ def _position(loops: _Loops, q: Array, given: Collection[str]) -> tuple[Array, t
 
 
 def _tries(loops: _Loops, q: Array, unknown: list[int], size: Array) -> Iterator[Array]:
-    """Where Gauss-Newton steps get to from q; where that is not closed, stretched out or on the way to nowhere, from places around it too."""
+    """Yield the results of Gauss-Newton iterations from q and, if that one stays open, from places around."""
     still = np.zeros(loops.model.nu)
     found = _closed(loops, q, unknown, size)
     yield found
@@ -333,7 +341,7 @@ def _tries(loops: _Loops, q: Array, unknown: list[int], size: Array) -> Iterator
 
 
 def _norms(model: Model, q: Array) -> Array:
-    """What quaternions must not do, their lengths being 1: one row each (n, nq)."""
+    """Return the gradients (n, nq) of the quaternions' norms."""
     rows = np.zeros((len(model.quaternions), model.nq))
     for row, i in zip(rows, model.quaternions, strict=True):
         row[i : i + 4] = q[i : i + 4]
@@ -341,7 +349,7 @@ def _norms(model: Model, q: Array) -> Array:
 
 
 def _ways_out(given: list[str], drives: list[str], otherwise: str) -> str:
-    """Of loops that stay open: what fixes coordinates and could be left out."""
+    """Suggest what to leave out of a start whose loops stay open."""
     ways = [f"given: {', '.join(given)}; leave some of it to be found"] if given else []
     if drives:
         ways.append(
@@ -351,7 +359,7 @@ def _ways_out(given: list[str], drives: list[str], otherwise: str) -> str:
 
 
 def _closed(loops: _Loops, q: Array, unknown: list[int], size: Array) -> Array:
-    """Coordinates that close the loops as far as Gauss-Newton steps, halved until they help, get from q."""
+    """Return coordinates that close the loops as far as damped Gauss-Newton steps from q get."""
     q, scale, still = q.copy(), loops.scales[0], np.zeros(loops.model.nu)
     phi, _, jacobian, _ = loops.at(q, still)
     for _ in range(ITERATIONS):
@@ -405,9 +413,10 @@ def _speed(loops: _Loops, q: Array, u: Array, given: Collection[str]) -> tuple[A
 
 
 def _sizes(loops: _Loops, jacobian: Array, values: Array) -> Array:
-    """Of each constraint, how far open counts as closed: CLOSED times what a coordinate moves at most, an angle counting as 1 at least.
+    """Return the residual of each constraint that counts as closed.
 
-    The most among all constraints of its unit: one row alone may vanish where a mechanism is stretched out.
+    CLOSED times the largest motion by a coordinate, an angle counting as 1 at least; the largest among all
+    constraints of its unit, because one row alone may vanish where a mechanism is stretched out.
     """
     if not loops.rows:
         return np.zeros(0)
@@ -418,12 +427,12 @@ def _sizes(loops: _Loops, jacobian: Array, values: Array) -> Array:
 
 
 def _reach(model: Model, jacobian: Array) -> Array:
-    """How far coordinates go in a mechanism: a radian, or what a radian moves."""
+    """Return how far coordinates move in a mechanism: a radian, or the displacement by one."""
     return np.array([1.0 if model.units[name] == "rad" else np.max(np.abs(jacobian)) for name in model.coordinates])
 
 
 def _undetermined(matrix: Array, names: list[str]) -> tuple[int, list[str]]:
-    """How many freedoms the constraints leave the unknowns, and which of them share in one."""
+    """Return the number of freedoms that constraints leave the unknowns, and the names that share them."""
     reached = np.linalg.norm(matrix, axis=0)
     bound_up = [i for i, length in enumerate(reached) if length > RANK * np.max(reached)]  # what no loop moves is free
     matrix, names = matrix[:, bound_up], [names[i] for i in bound_up]

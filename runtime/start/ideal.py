@@ -1,11 +1,12 @@
-"""The ideal mechanism: every clearance closed, the motion that a run with clearance is compared with.
+"""Motion of the ideal mechanism, every clearance closed, as a reference for runs with clearance.
 
-A pin in a bush, or a ball in a socket, reports its eccentricity in the outputs of the model. Where these eccentricities and the constraints of closed
-loops are together as many as the speeds, the ideal motion is their common zero e(t, q) = 0, found by Newton's method and followed in time; its speeds
-and accelerations solve the first and second time derivative of the same equations, which are linear in them. Where they are fewer, the mechanism
-without clearance still moves by its masses and forces, and has no motion to compare with that geometry alone would tell. A corner on a face is not a
-joint that could be closed. A coordinate that a drive integrates has no speed to be solved for: it is integrated
-here too. Nothing else of the model enters: no mass, no force.
+A pin in a bush, or a ball in a socket, reports its eccentricity in the outputs of the model. Where these
+eccentricities and the constraints of closed loops are together as many as the speeds, the ideal motion is their
+common zero e(t, q) = 0, found by Newton's method and followed in time; its speeds and accelerations solve the first
+and second time derivative of the same equations, which are linear in them. Where they are fewer, the mechanism
+without clearance still moves by its masses and forces, and its motion does not follow from geometry alone. A corner
+on a face is not a joint that could be closed. A coordinate that a drive integrates has no speed to be solved for: it
+is integrated here too. Nothing else of the model enters: no mass, no force.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ _SINGULAR = 1e-10  # reciprocal condition number below which the eccentricities 
 
 @dataclass(frozen=True)
 class IdealMotion:
-    """Coordinates q (times, nq), speeds u (times, nu) and accelerations (times, nu) of the ideal mechanism, SI."""
+    """Coordinates q (times, nq), speeds u and accelerations (times, nu) of the ideal mechanism, SI."""
 
     t: Array
     q: Array
@@ -59,11 +60,11 @@ class IdealMotion:
 
 
 def ideal_motion(model: Model, times: Sequence[float] | Array, q: Array, c: Array) -> IdealMotion | None:
-    """Follow the ideal mechanism through increasing times, from coordinates q (nq,) near the assembled position at the first.
+    """Follow the ideal mechanism through increasing times from an approximate position q (nq,).
 
-    c (nc,) are the model's constants for the run's parameters. None where eccentricities and constraints do not determine the coordinates: no pin
-    in a bush, fewer or more of them than the coordinates need (see `unknown_because`), a mechanism that cannot be assembled, or one that locks on
-    the way.
+    c (nc,) are the model's constants for the run's parameters. None where eccentricities and constraints do not
+    determine the coordinates: no pin in a bush, fewer or more of them than the coordinates need (see
+    `unknown_because`), a mechanism that cannot be assembled, or one that locks on the way.
     """
     closure = None if unknown_because(model) else _Closure.of(model)
     wanted = np.asarray(times, dtype=float)
@@ -81,12 +82,12 @@ def ideal_motion(model: Model, times: Sequence[float] | Array, q: Array, c: Arra
 
 
 def has_clearance(model: Model) -> bool:
-    """Whether some pair stands for a joint."""
+    """Return whether some pair models a joint with clearance."""
     return any(kind in _CLEARANCES for _, kind in model.module.PAIRS)
 
 
 def unknown_because(model: Model) -> str:
-    """Why geometry alone does not tell the motion of the ideal mechanism, for people; empty where it may."""
+    """Explain why geometry alone does not determine the ideal motion; empty where it may."""
     if not has_clearance(model):
         return "it has no joint with clearance"
     if any(kind == "corner_on_face" for _, kind in model.module.PAIRS):
@@ -111,7 +112,7 @@ class _Position:
 
 @dataclass(frozen=True)
 class _Closure:
-    """The closure equations e(t, q) = 0 and what Newton's method makes of them, as functions."""
+    """Closure equations e(t, q) = 0 of the ideal mechanism and a Newton step of them, as CasADi functions."""
 
     jacobian: Any  # (t, q, c) -> de/dt by the speeds
     step: Any  # (t, q, u, dt, c) -> q, u, a at t + dt, the corrections in columns, the last with the error of what drives integrate
@@ -119,7 +120,7 @@ class _Closure:
 
     @classmethod
     def of(cls, model: Model) -> _Closure:
-        """Closure equations of a model that has as many of them as speeds."""
+        """Build the closure equations of a model that has as many of them as speeds."""
         outputs, rates = model.function("outputs"), model.function("coordinate_rates")
         t, q, u, c = (ca.SX.sym(name, outputs.sparsity_in(i)) for i, name in enumerate("tquc"))
         a, dt = ca.SX.sym("a", u.sparsity()), ca.SX.sym("dt")
@@ -152,7 +153,7 @@ class _Closure:
         )
 
     def assemble(self, t: float, q: Array, c: Array) -> _Position | None:
-        """The closed mechanism nearest to q, or None."""
+        """Return the closed position nearest to q, or None."""
         still = np.zeros(self.nu)
         for _ in range(10):
             here, corrections = self._step(_Position(t, q, still, still), t, c)
@@ -164,7 +165,7 @@ class _Closure:
         return None
 
     def follow(self, here: _Position, end: float, c: Array) -> _Position | None:
-        """The closed mechanism at the time `end`, continued from `here`; None past a position where it locks."""
+        """Continue the closed mechanism from `here` to the time `end`; None if it locks before."""
         shortest, target = _SHORTEST * (end - here.t), end
         while here.t < end:
             there, corrections = self._step(here, target, c)
@@ -184,7 +185,10 @@ class _Closure:
 
 
 def _integrated(rate: Any, t: Any, q: Any, driven: list[int], dt: Any, c: Any) -> tuple[Any, Any]:
-    """What drives integrate at t + dt by two steps of the method of order 8, and how far one step is off."""
+    """Integrate the driven coordinates to t + dt by two steps of order 8; return them and an error.
+
+    The error is the difference to one step.
+    """
     table = dop853()
 
     def step(time: Any, start: Any, h: Any) -> Any:
@@ -200,7 +204,10 @@ def _integrated(rate: Any, t: Any, q: Any, driven: list[int], dt: Any, c: Any) -
 
 
 def _zero(residual: Any, unknown: Any) -> Any:
-    """The zero of a residual that is linear in the unknown; a called function's derivative may name the unknown where it does not depend on it."""
+    """Solve a residual that is linear in the unknown for it.
+
+    The derivative of a called function may name the unknown without depending on it, hence the substitution.
+    """
     nothing = ca.SX.zeros(*unknown.shape)
     slope, rest = ca.substitute([ca.jacobian(residual, unknown), residual], [unknown], [nothing])
     return ca.solve(slope, -rest)

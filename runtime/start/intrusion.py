@@ -1,10 +1,11 @@
-"""Surfaces deeper in each other at the start than the scene could press them: a pin outside its bush, a ball in the floor, a slip of the pen.
+"""Overlaps at the start that are deeper than the scene could cause: most likely a mistake.
 
-What is deep is told by the speed at which the contacts, all at once, would throw their surfaces apart: from a depth d, driven out with the
-acceleration a, v = sqrt(d a), the work of a force that falls linearly; a stiffer law than linear gives less. Preload that is in balance, such as a
-ball between two walls or a static load, throws nothing. More than LIMIT times the scene's speed is LIMIT^2 times its energy, which nothing in it
-can do. What is also deeper than its clearance, or than half its smaller radius, where it has them, is a mistake; a shallow start that is fast may
-be meant.
+The depth is judged by the speed at which the contacts, all at once, would throw their surfaces apart: from a depth d,
+driven out with the acceleration a, v = sqrt(d a), the work of a force that falls linearly; a stiffer law than linear
+gives less. Preload in balance, such as a ball between two walls or a static load, throws nothing. More than LIMIT
+times the scene's speed is LIMIT^2 times its energy, which nothing in it can supply. An overlap that is also deeper
+than its clearance, or than half its smaller radius, where it has them, is refused; a shallow one that is fast may be
+meant.
 """
 
 from __future__ import annotations
@@ -26,7 +27,11 @@ STEEPEST = 2.5  # power of the depth that the energy grows with, of Hertz's law
 
 @dataclass(frozen=True)
 class Intrusion:
-    """A pair and how deep it is [m]; `allowed` [m] is about what LIMIT lets it be, None where its law is not defined so deep; `speed` [m/s]."""
+    """Overlap of a pair at the start.
+
+    depth [m]; allowed [m], about the depth that LIMIT permits, None where the law is not defined so deep; speed [m/s]
+    of separation.
+    """
 
     pair: str
     depth: float
@@ -35,7 +40,7 @@ class Intrusion:
 
 
 def too_deep(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray) -> tuple[Intrusion, ...]:
-    """The pairs of a model in coordinates q (nq,) and speeds u (nu,) at t = 0 whose surfaces are in each other beyond reason."""
+    """Return the pairs that overlap too deeply at coordinates q (nq,) and speeds u (nu,), t = 0."""
     if not model.k:
         return ()
     gap, rate = (np.array(x).ravel() for x in model.function("gaps")(0.0, q, u, bound.c))
@@ -65,13 +70,16 @@ def too_deep(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray) -> tuple[
 
 
 def _accelerations(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray, forces: np.ndarray) -> np.ndarray:
-    """Second derivatives of all gaps under generalised forces [m/s^2]."""
+    """Return the second derivatives of all gaps under generalised forces [m/s^2]."""
     a = np.array(model.function("accelerations")(0.0, q, u, forces, bound.c)[0]).ravel()
     return np.array(model.function("gap_accelerations")(0.0, q, u, a, bound.c)).ravel()
 
 
 def _depth(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray, j: int, gap: float) -> tuple[float, float]:
-    """How deep a pair is [m], and what its gap changes by per depth: a journal's event function is quadratic."""
+    """Return the depth of a pair [m] and the derivative of its gap by depth.
+
+    A journal's event function is quadratic in the eccentricity.
+    """
     names = [i for i, name in enumerate(model.outputs) if name.startswith(f"{model.pairs[j]}.eccentricity_")]
     if not names:
         return -gap, 1.0
@@ -82,7 +90,10 @@ def _depth(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray, j: int, gap
 
 
 def _size(model: Model, bound: Bound, j: int) -> float:
-    """Penetration that a pair's surfaces could have by their sizes [m]: the clearance, or half the smaller radius; 0 where it has no such size."""
+    """Return a pair's plausible penetration [m] by its size: the clearance or half the smaller radius.
+
+    0 where it has no such size.
+    """
     places = model.function("landmarks")(bound.p) if hasattr(model.module, "LANDMARKS") else ()
     name, kind = model.module.PAIRS[j]
     radii = [
@@ -96,7 +107,10 @@ def _size(model: Model, bound: Bound, j: int) -> float:
 
 
 def _scene_speed(model: Model, bound: Bound, rate: float, acceleration: float, depth: float) -> float:
-    """What is fast in a scene [m/s]: its scale, what the surfaces do to each other, what loads do over the way; 0 where it says nothing of that."""
+    """Return the characteristic speed of a scene [m/s]; 0 where it has none.
+
+    The largest of its scale, of the rate of the gap and of the speed that loads reach over the depth.
+    """
     *_, scene = (np.array(x).ravel() for x in model.function("scales")(bound.p))
     length, speed = (float(x) if math.isfinite(x) else 0.0 for x in scene[:2])
     loads = math.sqrt(abs(acceleration) * (depth + max(length, 0.0))) if math.isfinite(acceleration) else 0.0

@@ -1,8 +1,9 @@
-"""Seated starts: journals that rest in their bushes, pressed by the forces that their clearances, closed as joints, would transmit at the start.
+"""Seated starts: journals rest in their bushes, pressed by the forces of their closed joints.
 
-With the eccentricities e held where they are, e'' = J a + ... = 0 with a from M a = f + J^T lambda gives the multipliers lambda: the force of the
-closed joint on its journal. The contact gives it where e lies against lambda, so deep that the elastic force is its size. Both change with the
-position that they lead to by about the clearance over the lengths of the mechanism: a fixed point, found by repetition.
+With the eccentricities e fixed, e'' = J a + ... = 0 with a from M a = f + J^T lambda gives the multipliers lambda:
+the force of the closed joint on its journal. The contact exerts it where e is opposite to lambda, so deep that the
+elastic force has its size. Both change with the position that they lead to by about the clearance over the lengths of
+the mechanism: a fixed point, found by iteration.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ UNDAMPED = 1e12  # m/s, approach speed at which no damping law resists
 
 @dataclass
 class _Seat:
-    """Where a journal is pressed, and how deep: what is found so far."""
+    """Iterate of a journal's seat: direction and depth found so far."""
 
     pair: str
     rows: list[int]  # among the eccentricities
@@ -42,7 +43,7 @@ class _Seat:
     before: tuple[float, float] | None = None  # logarithms of a depth and its force
 
     def deepen(self, wanted: float, force: float) -> None:
-        """Take the depth at which the force should be as wanted."""
+        """Update the depth towards the wanted force, by a power law."""
         here = math.log(self.depth), math.log(force)
         if self.before is not None and abs(here[0] - self.before[0]) > 1e-6:
             self.power = min(max((here[1] - self.before[1]) / (here[0] - self.before[0]), 0.5), 5.0)
@@ -54,7 +55,10 @@ class _Seat:
 def seat(
     model: Model, bound: Bound, q: Array, u: Array, given: Collection[str]
 ) -> tuple[Array, Array, tuple[Fault, ...]]:
-    """Coordinates (nq,) and speeds (nu,) of the joints with journals seated, from ones with journals centred; faults where there are none."""
+    """Return coordinates (nq,), speeds (nu,) of the joints with journals seated, and faults.
+
+    q, u: joints with the journals centred.
+    """
     seats, scale = _unsettled(model, bound, q, u), float(np.array(model.function("scales")(bound.p)[3]).ravel()[2])
     at: Array | None = None
     for _ in range(REPETITIONS):
@@ -84,9 +88,10 @@ def seat(
 
 
 def closed_forces(model: Model, bound: Bound, q: Array, u: Array) -> tuple[Array, bool]:
-    """Forces on journals along their eccentricities [N] as if they were held where they are, and whether these are left open.
+    """Return the forces [N] on journals as closed joints, and whether they are undetermined.
 
-    Of loads, gravity, inertia and drives at t = 0, in coordinates and speeds of the joints; no contact acts.
+    They act along the eccentricities, caused by loads, gravity, inertia and drives at t = 0, in coordinates and
+    speeds of the joints; no contact acts.
     """
     at = placed(model, bound, q, u)
     jacobian, applied = (np.array(x) for x in _moves(model)(0.0, *at, bound.c))
@@ -109,7 +114,7 @@ def closed_forces(model: Model, bound: Bound, q: Array, u: Array) -> tuple[Array
 
 
 def _unsettled(model: Model, bound: Bound, q: Array, u: Array) -> list[_Seat]:
-    """The journals, each to be seated at a depth to begin with."""
+    """Return the journals with initial depths."""
     there = 0.0, *placed(model, bound, q, u), bound.c
     e = np.array(eccentricities(model)(*there)[0]).ravel()
     gaps = dict(zip(model.pairs, np.array(model.function("gaps")(*there)[0]).ravel(), strict=True))
@@ -122,13 +127,13 @@ def _unsettled(model: Model, bound: Bound, q: Array, u: Array) -> list[_Seat]:
 
 
 def _elastic_force(model: Model, bound: Bound, q: Array, u: Array, pair: str) -> float:
-    """Normal force of a pair whose gap does not change [N]."""
+    """Return the normal force [N] of a pair at constant gap."""
     z, m = np.zeros(model.nz), np.full(model.nm, UNDAMPED)
     return float(model.function(f"contact_{pair}")(0.0, *placed(model, bound, q, u), z, m, bound.c)[2])
 
 
 def _moves(model: Model) -> Any:
-    """CasADi function (t, q, u, c) -> derivatives of the eccentricities' rates by the speeds, and the generalised forces without contact."""
+    """Return the CasADi function (t, q, u, c) -> Jacobian of the eccentricities' rates, applied forces."""
 
     def made() -> Any:
         sizes = {"t": 1, "q": model.nq, "u": model.nu, "c": model.nc}
@@ -139,7 +144,7 @@ def _moves(model: Model) -> Any:
 
 
 def _second_rates(model: Model) -> Any:
-    """CasADi function (t, q, u, a, c) -> second derivatives of the eccentricities."""
+    """Return the CasADi function (t, q, u, a, c) -> second derivatives of the eccentricities."""
 
     def made() -> Any:
         sizes = {"t": 1, "q": model.nq, "u": model.nu, "c": model.nc}

@@ -1,4 +1,4 @@
-"""The start of a motion: the model's, with given values in their place, quaternions of norm 1, loops closed."""
+"""Initial state of a motion: the model's, with given values, unit quaternions and closed loops."""
 
 from __future__ import annotations
 
@@ -18,7 +18,10 @@ Given = TypeVar("Given", bound=Value)
 
 
 def sorted_out(model: Model, values: Mapping[str, Given]) -> tuple[dict[str, Given], dict[str, Given]]:
-    """Values given by name as parameters and initial states, which are of the joints; a name that is neither is left among the parameters."""
+    """Split values by name into parameters and initial states of the joints.
+
+    A name that is neither is left among the parameters.
+    """
     states = {*model.joints.coordinates, *model.joints.speeds}
     parameters = {name: value for name, value in values.items() if name not in states}
     return parameters, {name: value for name, value in values.items() if name in states}
@@ -27,7 +30,10 @@ def sorted_out(model: Model, values: Mapping[str, Given]) -> tuple[dict[str, Giv
 def start_of(
     model: Model, parameters: Mapping[str, Value], initial: Mapping[str, Value], faults: Sequence[Fault] = ()
 ) -> tuple[Bound, np.ndarray, np.ndarray]:
-    """What a run would start from: the numbers bound, q (nq,) and u (nu,); raises InputError with every fault, those found before included."""
+    """Return the bound numbers, q (nq,) and u (nu,) that a run would start from.
+
+    Raises InputError with every fault, those passed included.
+    """
     found = list(faults)
     bound, wrong = model.check(parameters)
     q, u = read_start(model, bound, initial, found)
@@ -39,13 +45,16 @@ def start_of(
 def read_start(
     model: Model, bound: Bound | None, initial: Mapping[str, Value], faults: list[Fault]
 ) -> tuple[np.ndarray, np.ndarray]:
-    """q and u at the start; in absolute coordinates both are given of the joints, and are placed. What is bad becomes faults."""
+    """Return q and u at the start; bad input is appended to `faults`.
+
+    In absolute coordinates both are given for the joints and converted.
+    """
     q, u = _assembled(model, bound, initial, faults)
     return (q, u) if bound is None or faults else _placed(model, bound, q, u)
 
 
 def _placed(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Coordinates and speeds of a model, where those of its joints are known."""
+    """Return a model's coordinates and speeds from those of its joints."""
     if model.joints is model:
         return q, u
     q, u = (np.array(x).ravel() for x in model.function("placed")(0.0, q, u, bound.c))
@@ -55,7 +64,7 @@ def _placed(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray) -> tuple[n
 def _assembled(
     whole: Model, bound: Bound | None, initial: Mapping[str, Value], faults: list[Fault]
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The start in joint coordinates, loops closed, journals centred where what is given lets them, or seated."""
+    """Return the start in joint coordinates: loops closed, journals centred where possible, or seated."""
     model = whole.joints
     values: dict[str, float] = {}
     names = (*model.coordinates, *model.speeds)
@@ -103,7 +112,7 @@ def _assembled(
 
 
 def misplaced(model: Model, bound: Bound, initial: Mapping[str, Value], q: np.ndarray, u: np.ndarray) -> list[Fault]:
-    """Pairs whose surfaces are in each other at a start beyond reason, with what brings them apart."""
+    """Return a fault for each pair that overlaps too deeply at the start, with a remedy."""
     from hertzwerk.runtime.start.intrusion import LIMIT, too_deep
 
     faults = []
@@ -119,7 +128,7 @@ def misplaced(model: Model, bound: Bound, initial: Mapping[str, Value], q: np.nd
 
 
 def _way_apart(model: Model, bound: Bound, initial: Mapping[str, Value], pair: str) -> str:
-    """The coordinate whose least change, in the scene's scales, brings a pair's surfaces apart at the start, the others being what they are."""
+    """Suggest the coordinate whose least change, in the scene's scales, separates a pair's surfaces."""
     joints, j = model.joints, model.pairs.index(pair)
     stated, still = _assembled(model, bound, initial, [])
     sizes = np.array(joints.function("scales")(bound.p)[0]).ravel()
@@ -143,7 +152,10 @@ def _way_apart(model: Model, bound: Bound, initial: Mapping[str, Value], pair: s
 
 
 def _least_change(gap: Callable[[float], float], size: float) -> float | None:
-    """The least change of a coordinate, to either side, at which a gap opens; None where none up to 1e6 sizes does."""
+    """Return the least change of a coordinate, in either direction, that opens a gap; None if none does.
+
+    Changes up to 1e6 sizes are tried.
+    """
     steps = [size * 2.0**k for k in range(-6, 21)]
     opening = (
         (sign * before, sign * step)
@@ -161,7 +173,7 @@ def _least_change(gap: Callable[[float], float], size: float) -> float | None:
 
 
 def dependent(model: Model, bound: Bound, q: np.ndarray) -> tuple[Dependent, ...]:
-    """Constraints that follow from others, from a start on."""
+    """Return groups of redundant constraints, valid from a start on."""
     if not model.nl:
         return ()
     from hertzwerk.runtime.start import assembly  # a tree needs none
