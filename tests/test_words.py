@@ -11,9 +11,14 @@ LONGEST = 100
 RIDDLE = re.compile(r"(What|Of|Whose|Who)\b")
 CLEAN = [
     "runtime/accuracy",
+    "runtime/effects",
+    "runtime/hard_cases",
     "runtime/integrate",
+    "runtime/pictures",
+    "runtime/run",
     "runtime/solution",
     "runtime/start",
+    "runtime/work_precision",
 ]
 
 

@@ -1,1 +1,1 @@
-"""What each effect of a scene costs, and what it changes: found by leaving out each in turn."""
+"""Study of effects: the cost of each effect of a scene and the changes without it."""

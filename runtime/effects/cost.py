@@ -1,4 +1,4 @@
-"""What scenes cost: operations of a right-hand side in each mode, states, event functions, and the time of runs made side by side."""
+"""Cost of scenes: operations of a right-hand side in each mode, states, event functions, run time."""
 
 from __future__ import annotations
 
@@ -21,8 +21,11 @@ INTERVAL = (0.1, 0.9)  # of the shares in all rounds
 
 @dataclass(frozen=True)
 class Cost:
-    """flight: operations of a right-hand side where nothing touches; contact: further ones where all pairs do; states integrated; events:
-    functions whose zeros are looked for, of pairs that touch and of those that stick."""
+    """Operations of one evaluation, states and event functions of a scene.
+
+    flight: operations of a right-hand side without contact; contact: further ones where all pairs touch; states:
+    integrated ones; events: event functions of pairs that touch and of those that stick.
+    """
 
     flight: int
     contact: int
@@ -34,7 +37,7 @@ class Cost:
 
 
 def cost_of(model: Model) -> Cost:
-    """What one evaluation of a model costs."""
+    """Return the cost of one evaluation of a model."""
     counts = dict(model.module.OPERATIONS)
     contact = sum(count for name, count in counts.items() if name.startswith("contact_"))
     states = model.nq + model.nu + model.nz
@@ -43,7 +46,7 @@ def cost_of(model: Model) -> Cost:
 
 @dataclass(frozen=True)
 class Share:
-    """Part of the time of the whole scene that an effect takes: the median of the rounds, and what most of them lie within."""
+    """Part of the whole scene's time that an effect takes: median and interval of the rounds."""
 
     median: float
     low: float
@@ -51,7 +54,7 @@ class Share:
 
     @property
     def seen(self) -> bool:
-        """Whether it differs from none by more than it scatters."""
+        """Return whether the share differs from 0 by more than its scatter."""
         return self.low > 0 or self.high < 0
 
 
@@ -64,9 +67,11 @@ def shares(
     eighths: Sequence[int] = (0,),
     progress: Callable[[float], object] = lambda fraction: None,
 ) -> dict[str, Share]:
-    """The share of the whole scene's time that each of the others saves, runs taken in turns.
+    """Measure the share of the whole scene's time that each of the other scenes saves.
 
-    eighths    the tolerance of each round, one after another (see `Bench`): of runs that part, several, so that the shares scatter as they do
+    Runs are made in turns.
+
+    eighths    the tolerance of each round, one after another (see `Bench`): several beyond the horizon, so that the shares scatter as the runs do
     """
     cases = [whole, *others.values()]
     for case in cases:
@@ -85,6 +90,9 @@ def shares(
 
 
 def _time(case: Case, bench: Bench, eighths: int, *, compiled: bool) -> float:
-    """Time [s] of the integration of a run: the least of some, because what else the machine does only adds to it; NaN if it does not finish."""
+    """Return the least integration time [s] of several runs; nan if one does not finish.
+
+    The least, because disturbances by other processes only add to it.
+    """
     runs = (bench.simulate(case, eighths, compiled=compiled) for _ in range(TRIES))
     return min(run.statistics.wall_s if run.outcome.finished else math.nan for run in runs)

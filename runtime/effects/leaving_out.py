@@ -1,4 +1,4 @@
-"""Leaves out each effect of a scene in turn, and all that may go together."""
+"""Study of a scene's effects by leaving out each in turn, and all that may go together."""
 
 from __future__ import annotations
 
@@ -42,11 +42,11 @@ def study_effects(
     compiled: bool = False,
     progress: Callable[[float], object] = lambda fraction: None,
 ) -> Study:
-    """Leave out each effect of a scene in turn: what it costs and what it changes; raises InputError.
+    """Leave out each effect of a scene in turn and measure its cost and influence; raises InputError.
 
     tolerance    of the coarsest runs and of those that are timed; finer ones show the error
     values    parameters and initial states in place of the scene's
-    outputs    names, `max.NAME`, `min.NAME`, `mean.NAME`, `amplitude.NAME`; by default what the scene is made for
+    outputs    names, `max.NAME`, `min.NAME`, `mean.NAME`, `amplitude.NAME`; by default those that suit the scene
     within    search the smallest scene whose outputs change by no more, relative
     without, laws    of the whole scene, as `load` takes them
     compiled    whether the timed runs are compiled
@@ -114,7 +114,10 @@ _SMALLEST = ""  # no effect has this name
 
 
 def _outputs(whole: Model, bench: Bench, names: Sequence[str]) -> tuple[tuple[Output, ...], Solution]:
-    """The outputs to be compared, and the run they were found in; raises InputError with all that is wrong with names and values."""
+    """Return the outputs to be compared and the run they were found in.
+
+    Raises InputError with all faults of names and values.
+    """
     known = (*whole.parameters, *whole.joints.coordinates, *whole.joints.speeds)
     faults = [unknown("parameter or state", name, known) for name in bench.unknown_of(whole)]
     try:
@@ -129,7 +132,7 @@ def _outputs(whole: Model, bench: Bench, names: Sequence[str]) -> tuple[tuple[Ou
 
 @dataclass(frozen=True)
 class _Scenes:
-    """A scene and its variations. A built-in one is named, so that its variations are found again without being derived."""
+    """A scene and its variations; a built-in one is named, so that variations need no new derivation."""
 
     target: str | Path | Scene
     without: tuple[str, ...]
@@ -146,15 +149,15 @@ class _Scenes:
         return self._scene[0]
 
     def model(self, *gone: str) -> Model:
-        """The scene without exactly these effects; raises InputError."""
+        """Return the scene without exactly these effects; raises InputError."""
         if isinstance(self.target, str) and not build.is_file(self.target):
             return load(self.target, without=(*self.without, *gone), laws=self.laws)
         return load(self.scene, without=gone)
 
     def leave_out(self, effects: Sequence[str], names: Iterable[str]) -> tuple[frozenset[str], Model]:
-        """The scene without some of its effects, and without those that are at fault then, as friction is without its contact.
+        """Return the scene without some of its effects and those that depend on them.
 
-        Raises InputError where the fault is of no effect.
+        Such as friction without its contact. Raises InputError where the fault is of no effect.
         """
         gone = frozenset(names)
         while True:
@@ -185,7 +188,7 @@ class _Trials:
         return self.run.model
 
     def row(self, effect: str) -> Row:
-        """An effect left out."""
+        """Measure the scene without an effect."""
         try:
             gone, case = self._case(frozenset((effect,)))
             along_with = tuple(name for name in self._effects if name in gone and name != effect)
@@ -198,9 +201,10 @@ class _Trials:
         return Row(effect, along_with, cost, None, changes, notes=tuple(self._notes(case, found)))
 
     def change(self, gone: frozenset[str], within: float) -> float:
-        """The most that an output changes by without some effects, its error added; infinite where that is no scene, does not run or lacks one.
+        """Return the largest change of an output without some effects, its error added.
 
-        A change HOPELESS times too large in a single run is not measured any better: with an error that is small enough it would stay too large.
+        Infinite where that is no scene, does not run or lacks an output. A change HOPELESS times too large in a
+        single run is not refined: it would stay too large.
         """
         try:
             _, case = self._case(gone)
@@ -223,7 +227,7 @@ class _Trials:
         return tuple(name for name, *_ in self.whole.module.EFFECTS)
 
     def _case(self, names: frozenset[str]) -> tuple[frozenset[str], Case]:
-        """The scene without some effects, and all that it is without."""
+        """Return the scene without some effects, and the set of all effects it lacks."""
         if names in self.cases:
             return names, self.cases[names]
         gone, model = self.scenes.leave_out(self._effects, names)

@@ -1,8 +1,9 @@
-"""The outputs of a scene as numbers with their errors: from several runs, each at a tolerance of its own.
+"""Measurement of a scene's outputs with errors, from several runs at different tolerances.
 
-Within the horizon of a run the error is what finer tolerances change. Past it single runs mean nothing, for they part whatever the tolerance: the
-runs are then samples, and an output is their mean, its error half the 95 % interval of that mean. The mean of so many short runs needs no period and
-no steady state; an average over one long run has the interval of its own blocks (`averages`).
+Within the horizon of a run the error is the change by finer tolerances. Beyond it single runs part whatever the
+tolerance: the runs are then samples, and an output is their mean, its error half the 95 % interval of that mean. The
+mean of so many short runs needs no period and no steady state; an average over one long run has the interval of its
+own blocks (`averages`).
 """
 
 from __future__ import annotations
@@ -42,7 +43,7 @@ SAME = 1e-11  # relative: so alike are the accelerations of two scenes with the 
 
 @dataclass(frozen=True)
 class Number:
-    """An output: its value and its error, half the width of an interval, both in SI."""
+    """Value of an output and its error, half the width of an interval, both in SI."""
 
     value: float
     error: float
@@ -50,10 +51,10 @@ class Number:
 
 @dataclass(frozen=True)
 class Measurement:
-    """The outputs of one scene; `lacking` says why one does not exist. Where the run did not finish there are none.
+    """Outputs of one scene, none if the run did not finish; `lacking`: reasons for missing ones.
 
     past_horizon    the runs part: the numbers are means of several
-    failed    how runs ended that did not finish, and were replaced or left out
+    failed    outcomes of runs that did not finish, and were replaced or left out
     """
 
     outcome: Outcome
@@ -65,7 +66,7 @@ class Measurement:
 
 @dataclass(frozen=True)
 class Case:
-    """A scene to be run; start: coordinates and speeds in place of its own."""
+    """Scene to be run; start: coordinates and speeds in place of its own."""
 
     model: Model
     start: Mapping[str, tuple[float, str]] = field(default_factory=dict)
@@ -73,7 +74,10 @@ class Case:
 
 @dataclass(frozen=True)
 class Bench:
-    """How every case of a study is run: `values` are parameters and initial states, taken by those scenes that have them."""
+    """Settings of every run of a study.
+
+    values: parameters and initial states, applied to those scenes that have them.
+    """
 
     duration: str | float | None
     tolerance: float
@@ -93,11 +97,11 @@ class Bench:
         return self.tolerance_of(EIGHTHS[-1])
 
     def tolerance_of(self, eighths: int) -> float:
-        """Tolerance of a run, so many eighths of the way to the finest one."""
+        """Return the tolerance of a run, so many eighths of the way to the finest one."""
         return max(self.tolerance * math.pow(FINER, -eighths / 8), ROUNDED)
 
     def simulate(self, case: Case, eighths: int = 0, **options: Any) -> Solution:
-        """One run of a case; raises InputError, and KeyboardInterrupt where it was stopped."""
+        """Run a case once; raises InputError, and KeyboardInterrupt where it was stopped."""
         given = {**options, "duration": self.duration, "method": self.method, "tolerance": self.tolerance_of(eighths)}
         parameters, initial = self._known(case.model)
         run = simulate(case.model, parameters=parameters, initial={**case.start, **initial}, **given)
@@ -106,21 +110,21 @@ class Bench:
         return run
 
     def parameters(self, model: Model) -> dict[str, Value]:
-        """The values of parameters that a scene has."""
+        """Return the values of parameters that a scene has."""
         return self._known(model)[0]
 
     def _known(self, model: Model) -> tuple[dict[str, Value], dict[str, Value]]:
-        """The values that a scene has: parameters, initial states."""
+        """Return the values that a scene has: parameters, initial states."""
         others, initial = sorted_out(model, self.values)
         return {name: value for name, value in others.items() if name in model.parameters}, initial
 
     def unknown_of(self, model: Model) -> list[str]:
-        """Names of values that a scene does not have."""
+        """Return the names of values that a scene does not have."""
         parameters, initial = self._known(model)
         return [name for name in self.values if name not in parameters and name not in initial]
 
     def measure(self, case: Case, outputs: Sequence[Output]) -> Measurement:
-        """The outputs of a case, from as many runs as it takes; raises InputError."""
+        """Measure the outputs of a case, from as many runs as needed; raises InputError."""
         used: set[int] = set()
         failed: list[Outcome] = []
 
@@ -159,7 +163,7 @@ class Bench:
         return Measurement(ladder[-1].outcome, numbers, lacking, past, ends)
 
     def glance(self, case: Case, outputs: Sequence[Output]) -> dict[str, float] | None:
-        """The outputs of a single run; None where it lacks one or does not finish."""
+        """Return the outputs of a single run; None where it lacks one or does not finish."""
         run = self.simulate(case, compiled=False)
         if not run.outcome.finished or any(output.missing(run) for output in outputs):
             return None
@@ -169,13 +173,16 @@ class Bench:
         return values if len(values) == len(found) else None
 
     def _parts(self, runs: Sequence[Solution]) -> bool:
-        """Whether runs at the coarsest and at the finest tolerance end in different states."""
+        """Return whether runs at the coarsest and at the finest tolerance end in different states."""
         first, last = runs[0], runs[-1]
         ends = (run.history.part("y")[-1] for run in (first, last))
         return float(scales.error(first.model, last.scales, *ends)) > VALID
 
     def same_motion(self, run: Solution, model: Model) -> bool:
-        """Whether another scene has the accelerations of a run, to rounding, in every state of it: then it moves alike, whatever the runs say."""
+        """Return whether another scene has the accelerations of a run, to rounding, in every state of it.
+
+        Then both move alike, whatever the runs say.
+        """
         whole = run.model
         if (whole.coordinates, whole.speeds, whole.pairs) != (model.coordinates, model.speeds, model.pairs):
             return False
@@ -196,7 +203,7 @@ class Bench:
 
 
 def _number(output: Output, values: Sequence[float | None], finest: Solution, *, past: bool) -> Number | str:
-    """An output from its values in the runs, first those of the ladder; or why there is none."""
+    """Return an output from its values in the runs, those of the ladder first; or why there is none."""
     if any(value is None for value in values):
         return "there is nothing to measure"
     if output.half_width is None:
@@ -209,14 +216,14 @@ def _number(output: Output, values: Sequence[float | None], finest: Solution, *,
 
 
 def _converged(values: Sequence[Any]) -> Number:
-    """The last of the values, each of a finer run than the one before; its error by what it differs from the others."""
+    """Return the last of values from ever finer runs; its error by the differences to the others."""
     finest = values[-1]
     error = SAFETY * max(abs(value - finest) for value in values)
     return Number(finest, error + ROUNDING * abs(finest))
 
 
 def _mean(values: Sequence[Any]) -> Number:
-    """Mean of samples, as many as STUDENT has, with half its 95 % interval."""
+    """Return the mean of samples, as many as STUDENT has, with half its 95 % interval."""
     mean = float(np.mean(values))
     return Number(
         mean, STUDENT[len(values)] * float(np.std(values, ddof=1)) / math.sqrt(len(values)) + ROUNDING * abs(mean)

@@ -1,8 +1,9 @@
-"""What of a run is compared between scenes: outputs, each one number of a whole run.
+"""Outputs to compare between scenes, each one number of a whole run.
 
-The automatic ones follow from the scene: with contacts the peak of the normal forces, the rate of impacts and the way of each pin in its bush,
-always the peak acceleration, and without contacts the amplitudes. Any history has four more: `max.NAME`, `min.NAME`, `mean.NAME`, `amplitude.NAME`.
-The averages of a run (`averages`) are outputs by their names: their intervals are of the blocks of one long run.
+The automatic ones follow from the scene: with contacts the peak of the normal forces, the rate of impacts and the
+path length of each pin in its bush, always the peak acceleration, and without contacts the amplitudes. Any history
+has four more: `max.NAME`, `min.NAME`, `mean.NAME`, `amplitude.NAME`. The averages of a run (`averages`) are outputs
+by their names: their intervals are of the blocks of one long run.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ AMPLITUDES = 4  # at most, of those taken by themselves
 
 
 class Samples:
-    """A run between its accepted steps: histories over times `t` (n,) that divide every step into an even number of parts."""
+    """Histories of a run over times `t` (n,) that divide every step into an even number of parts."""
 
     def __init__(self, run: Solution, wanted: int = SAMPLES) -> None:
         self.run = run
@@ -47,7 +48,7 @@ class Samples:
         return self.history[name]
 
     def highest(self, of: Callable[[History], np.ndarray]) -> float:
-        """Largest value in the run of what a history has at its times: around the largest sample to the accuracy of the run."""
+        """Return the largest value of a quantity in the run, refined around the largest sample."""
         times, values = self.t, of(self.history)
         largest = float(np.max(values))
         for _ in range(ZOOMS):
@@ -58,7 +59,7 @@ class Samples:
         return largest
 
     def integral(self, values: np.ndarray) -> float:
-        """Integral over time [s] of values at the times, by Simpson's rule."""
+        """Integrate values at the times over time [s], by Simpson's rule."""
         parts = (len(values) - 1) // len(self._steps)
         weights = np.tile([2.0, 4.0], parts // 2)
         weights[0] = 1
@@ -68,9 +69,11 @@ class Samples:
 
 @dataclass(frozen=True)
 class Output:
-    """One number of a run: `of` gives it in SI, None where it does not exist; a run without the histories `of_histories` has none.
+    """One number of a run: `of` gives it in SI, None where it does not exist.
 
-    half_width    of a mean over time or impacts its 95 % interval, from the run itself; None where the run is too short for one
+    of_histories: histories without which a run has none.
+
+    half_width    95 % interval of a mean over time or impacts, from the run itself; None where the run is too short for one
     """
 
     name: str
@@ -81,12 +84,12 @@ class Output:
     half_width: Callable[[Solution], float | None] | None = None
 
     def missing(self, run: Solution) -> str:
-        """What a run lacks for this output; empty if nothing."""
+        """Return the histories a run lacks for this output; empty if none."""
         return ", ".join(name for name in self.of_histories if name not in run.history.units)
 
 
 def automatic(run: Solution) -> tuple[Output, ...]:
-    """The outputs of a scene that is compared with its variations, from a run of it; those in PAST_HORIZON are for runs that part."""
+    """Return the default outputs of a scene; those in PAST_HORIZON are for runs that part."""
     model = run.model
     chosen = list(named(run))
     if not model.k:
@@ -95,7 +98,7 @@ def automatic(run: Solution) -> tuple[Output, ...]:
 
 
 def named(run: Solution) -> tuple[Output, ...]:
-    """The outputs that have a name of their own, as far as a scene has them."""
+    """Return the outputs with a name of their own that apply to a scene."""
     model, units = run.model, run.history.units
     speeds = _of_one_kind(model, model.speeds, "m/s")
     accelerations = tuple(acceleration_of(speed) for speed in speeds)
@@ -119,7 +122,7 @@ def named(run: Solution) -> tuple[Output, ...]:
 
 
 def averaged(run: Solution) -> tuple[Output, ...]:
-    """The averages that a run has, each with the interval of its own blocks."""
+    """Return the averages of a run as outputs, each with the interval of its own blocks."""
     return tuple(_average(average) for average in run.averages())
 
 
@@ -139,7 +142,7 @@ def _average(average: Average) -> Output:
 
 
 def chosen(run: Solution, texts: Sequence[str]) -> tuple[tuple[Output, ...], list[Fault]]:
-    """The outputs of these names, and the faults of what is none."""
+    """Return the outputs of these names, and faults for unknown ones."""
     own = {output.name: output for output in (*named(run), *averaged(run))}
     found: dict[str, Output] = {}
     faults = []
@@ -200,7 +203,7 @@ def _largest(history: History, names: Sequence[str]) -> np.ndarray:
 
 
 def _way(samples: Samples, journals: Sequence[Sequence[str]]) -> float:
-    """Length of the paths of the eccentricities: the integral of their speeds."""
+    """Return the length of the paths of the eccentricities: the integral of their speeds."""
     model = samples.run.model
     fine = Samples(samples.run, WAY_SAMPLES)
     rates = _output_rates(fine.history)
@@ -209,7 +212,7 @@ def _way(samples: Samples, journals: Sequence[Sequence[str]]) -> float:
 
 
 def _output_rates(history: History) -> np.ndarray:
-    """Time derivatives of the model's outputs that depend on time and coordinates alone, shape (rows, outputs)."""
+    """Return the time derivatives (rows, outputs) of outputs that depend on time and coordinates alone."""
     model = history.model
 
     def made() -> Rowwise:
@@ -234,7 +237,10 @@ def _journals(model: Model) -> list[tuple[str, ...]]:
 
 
 def _coordinates(model: Model) -> list[str]:
-    """The coordinates with a speed of their own that travel, or else those that turn, or else the vector parts of quaternions."""
+    """Return the coordinates that travel, else those that turn, else the quaternions' vector parts.
+
+    Only those with a speed of their own.
+    """
     free = [name for i, name in enumerate(model.coordinates) if i not in model.quaternions]
     free = [name for name, _ in zip(free, model.speeds, strict=False)]  # then, what drives integrate
     return _of_one_kind(model, free, "m")

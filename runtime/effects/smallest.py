@@ -1,7 +1,7 @@
-"""The smallest scene whose outputs stay within a tolerance: effects are left out one after another, and each time all together are tried.
+"""Smallest scene whose outputs stay within a tolerance, by leaving out effects one after another.
 
-Effects that change little alone may change much together, and two that change much may cancel. So every further effect is tried in the scene that is
-left, and where no single one can go, every two of them.
+Effects that change little alone may change much together, and two that change much may cancel. So every further
+effect is tried in the scene that is left, and where no single one can go, every two of them.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ MOST = 80  # scenes tried
 
 @dataclass(frozen=True)
 class Smallest:
-    """Effects that are kept and left out; change: the largest of the outputs, its error added; scenes tried; whether none was left untried."""
+    """Effects kept and left out, largest change of an output with its error, scenes tried, completeness."""
 
     kept: tuple[str, ...]
     left_out: tuple[str, ...]

@@ -1,4 +1,4 @@
-"""How a scene without a drive starts: as the driven one does, so that what changes is what the drive does, and not a joint that starts at rest."""
+"""Start of a scene without a drive: that of the driven one, to compare the effect of the drive alone."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ AGREE = 1e-9  # relative: the poses of all bodies and their rates, where they ar
 
 
 def as_driven(run: Solution, model: Model, parameters: Mapping[str, Value]) -> dict[str, tuple[float, str]]:
-    """Coordinates and speeds of joints that a scene has beyond those of a run's model, so that every body starts as there.
+    """Return the additional coordinates and speeds of a scene so that every body starts as in a run.
 
-    The rest starts as in the run. Empty where there are none such, and where bodies cannot start so.
+    The others start as in the run. Empty where there are none, and where bodies cannot start so.
     """
     whole, joints = run.model, model.joints
     q_free = [i for i, name in enumerate(joints.coordinates) if name not in whole.joints.coordinates]
@@ -55,7 +55,7 @@ def _flat(results: Sequence[Any]) -> list[np.ndarray]:
 
 
 def _motion(model: Model) -> Any:
-    """(t, q, u, c) -> the poses of all bodies, and their rates."""
+    """Build the CasADi function (t, q, u, c) -> poses of all bodies, and their rates."""
 
     def made() -> Any:
         sizes = {"t": 1, "q": model.nq, "u": model.nu, "c": model.nc}
@@ -68,7 +68,7 @@ def _motion(model: Model) -> Any:
 
 
 def _motion_of_joints(model: Model) -> Any:
-    """(t, q, u, c), q and u of the joints -> the poses, their rates; derivatives of the poses by q, and of the rates by u."""
+    """Build the function (t, q, u, c), q and u of joints -> poses, their rates, derivatives by q and u."""
 
     def made() -> Any:
         sizes = {"t": 1, "q": model.joints.nq, "u": model.joints.nu, "c": model.nc}
@@ -81,6 +81,6 @@ def _motion_of_joints(model: Model) -> Any:
 
 
 def _least_squares(columns: Any, free: Sequence[int], wanted: np.ndarray) -> np.ndarray:
-    """Changes of the free variables that come closest to what is wanted."""
+    """Return the changes of the free variables that come closest to the wanted ones."""
     changes: np.ndarray = np.linalg.lstsq(np.array(columns)[:, free], wanted, rcond=None)[0]
     return changes

@@ -1,4 +1,4 @@
-"""What a study of a scene's effects finds: of each its cost and what changes without it, and the smallest scene within a tolerance."""
+"""Results of a study of effects: cost and changes of each, the smallest scene within a tolerance."""
 
 from __future__ import annotations
 
@@ -21,9 +21,10 @@ NEW = "new"  # it is zero with the effect, to its error
 
 @dataclass(frozen=True)
 class Change:
-    """What leaving something out does to an output, relative to the whole scene's; or None and why: NONE_SEEN, GONE or NEW, with the detail.
+    """Relative change of an output when something is left out; None with the reason.
 
-    noise    the errors of both scenes together, relative likewise: a smaller change is not seen; None where there is nothing to compare
+    why: NONE_SEEN, GONE or NEW, with the detail. noise: the errors of both scenes together, relative likewise, below
+    which no change is seen; None where there is nothing to compare.
     """
 
     relative: float | None
@@ -33,17 +34,17 @@ class Change:
 
     @property
     def bound(self) -> float:
-        """The change is at most this."""
+        """Upper bound of the change."""
         return math.inf if self.noise is None else abs(self.relative or 0.0) + self.noise
 
 
 @dataclass(frozen=True)
 class Row:
-    """One effect: what it costs, and what leaving it out changes.
+    """Cost of one effect and the changes without it.
 
     along_with    effects that go with it
     fault    why it cannot be left out, or why the scene without it does not run; then there are no changes
-    notes    what a reader must know of the scene without it
+    notes    remarks on the scene without it
     """
 
     effect: str
@@ -57,7 +58,7 @@ class Row:
 
 @dataclass(frozen=True)
 class Study:
-    """Every effect of a scene. Where the whole scene's run does not finish there are no rows: `outcome` says why."""
+    """Every effect of a scene; without rows where the whole scene's run does not finish (`outcome`)."""
 
     scene: str
     outcome: Outcome
@@ -77,7 +78,7 @@ class Study:
     warnings: tuple[str, ...] = ()
 
     def record(self) -> dict[str, Any]:
-        """The study as JSON has it."""
+        """Return the study as JSON."""
         found = self.smallest
         return {
             "scene": self.scene,
@@ -131,7 +132,7 @@ def _why(change: Change) -> str:
 
 
 def percent(value: float, *, sign: bool = True) -> str:
-    """A fraction in percent, with as many digits as are read."""
+    """Format a fraction in percent, with as many digits as are read."""
     form = "+" if sign else ""
     number = 100 * value
     if not math.isfinite(number):

@@ -1,4 +1,4 @@
-"""The record of a hard case: what is hard, what is run, and what must come out."""
+"""Record of a hard case: its difficulty, its run, and its expected results."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ MARGIN, EXTRA = 1.5, 20  # of the bound on steps over what was measured
 
 @dataclass(frozen=True)
 class Source:
-    """Where a case's model comes from: a built-in scene, with its variation, or a scene of `derive.hard_scenes`."""
+    """Model of a case: a built-in scene, with its variation, or a scene of `derive.hard_scenes`."""
 
     scene: str
     hard: bool = False
@@ -29,7 +29,7 @@ class Source:
     laws: tuple[tuple[str, str], ...] = ()
 
     def load(self) -> Model:
-        """The model; derived, or from the cache, where it is not committed."""
+        """Return the model; derived, or from the cache, where it is not committed."""
         from hertzwerk.runtime.loading import load
         from hertzwerk.runtime.model.model import Model
 
@@ -42,7 +42,7 @@ class Source:
 
 @dataclass(frozen=True)
 class Known:
-    """A number of the final state, or of the way there, that is known otherwise: SI, allowed to be `within` of `expected`."""
+    """Quantity of a run with a known value: SI, allowed to be `within` of `expected`."""
 
     what: str
     of: Callable[[Solution], float]
@@ -58,7 +58,7 @@ class HardCase:
 
     methods    those that claim the case
     theory     bound on steps tried by method, where theory gives one; elsewhere it is MARGIN times what was measured, and EXTRA (`measured`)
-    failures   what a method is known to break, by (method, invariant), with the reason
+    failures   known failures of a method, by (method, invariant), with the reason
     long       runs only when all cases are asked for, or this one
     """
 
@@ -78,7 +78,7 @@ class HardCase:
     long: bool = False
 
     def most_tries(self, method: str) -> int:
-        """The bound on steps tried (accepted, rejected, retaken)."""
+        """Return the bound on steps tried (accepted, rejected, retaken)."""
         return self.theory.get(method) or int(MARGIN * TRIES[self.name][method]) + EXTRA
 
 
@@ -86,22 +86,22 @@ class HardCase:
 
 
 def final(name: str, expected: float, within: float, source: str, unit: str = "") -> Known:
-    """The last value of a history."""
+    """Expect the last value of a history."""
     return Known(f"final {name}", lambda run: float(run[name][-1]), expected, within, unit or _unit(name), source)
 
 
 def largest(name: str, expected: float, within: float, source: str, unit: str = "") -> Known:
-    """The largest value of a history, over the steps."""
+    """Expect the largest value of a history, over the steps."""
     return Known(f"largest {name}", lambda run: float(run[name].max()), expected, within, unit or _unit(name), source)
 
 
 def contacts(count: int, source: str) -> Known:
-    """How many contacts begin."""
+    """Expect the number of contacts that begin."""
     return Known("contacts", lambda run: float(len(run.impacts)), count, 0, "1", source)
 
 
 def impact(index: int, part: str, expected: float, within: float, source: str) -> Known:
-    """Part of an impact: t, speed, peak_force, peak_penetration, duration. NaN where there is none."""
+    """Expect a field of an impact: t, speed, peak_force, peak_penetration, duration; NaN if missing."""
     unit = {"t": "s", "speed": "m/s", "peak_force": "N", "peak_penetration": "m", "duration": "s"}[part]
 
     def of(run: Solution) -> float:
@@ -112,7 +112,7 @@ def impact(index: int, part: str, expected: float, within: float, source: str) -
 
 
 def at(time: float, name: str, expected: float, within: float, source: str) -> Known:
-    """A history at an output time [s]."""
+    """Expect the value of a history at an output time [s]."""
     return Known(
         f"{name} at {time:g} s", lambda run: float(run.at([time])[name][0]), expected, within, _unit(name), source
     )
@@ -127,7 +127,7 @@ def on_grid(
     within: float,
     source: str,
 ) -> Known:
-    """A history at an output time [s] of the same run, of these parameters, that keeps those times alone."""
+    """Expect the value of a history at an output time [s] of a run that keeps only `times`."""
 
     def of(run: Solution) -> float:
         from hertzwerk.runtime.simulation import simulate

@@ -1,7 +1,8 @@
-"""Closed forms of contacts, in double precision. v0: approach speed, F = K d^n (1 + h v/v0), m the effective mass; SI.
+"""Closed forms of contacts in double precision, SI.
 
-Sources: Johnson, Contact Mechanics (1985), section 11.4, for the elastic impact; Hunt and Crossley, J. Appl. Mech. 42 (1975) 440, for the relation
-between h and the restitution; the damped oscillator for K d + c v.
+v0: approach speed, F = K d^n (1 + h v/v0), m the effective mass. Sources: Johnson, Contact Mechanics (1985), section
+11.4, for the elastic impact; Hunt and Crossley, J. Appl. Mech. 42 (1975) 440, for the relation between h and the
+restitution; the damped oscillator for K d + c v.
 """
 
 from __future__ import annotations
@@ -13,12 +14,15 @@ from scipy.optimize import brentq
 
 
 def flores(e: float) -> float:
-    """The factor h of Flores' law."""
+    """Return the factor h of Flores' law."""
     return 8 * (1 - e) / (5 * e)
 
 
 def restitution_out(h: float) -> float:
-    """Root of h (1 + e) = ln((1 + h)/(1 - h e)): what a factor h returns, whatever n, K, masses and speed; with x = -ln(1 - h e)."""
+    """Return the restitution by a factor h: root of h (1 + e) = ln((1 + h)/(1 - h e)).
+
+    Independent of n, K, masses and speed; solved for x = -ln(1 - h e).
+    """
     if h == 0:
         return 1.0
     x = _root(lambda x: math.log1p(h) + x - h + math.expm1(-x), 1e-9 * h, 1 + h)
@@ -26,29 +30,35 @@ def restitution_out(h: float) -> float:
 
 
 def depth(K: float, n: float, m: float, v0: float, h: float = 0.0) -> float:
-    """Largest penetration of an impact without other forces."""
+    """Return the largest penetration of an impact without other forces."""
     share = (h - math.log1p(h)) / h**2 if h else 0.5
     return float(((n + 1) * m * v0**2 * share / K) ** (1 / (n + 1)))
 
 
 def depth_under_gravity(K: float, n: float, m: float, v0: float, g: float) -> float:
-    """Largest penetration of an elastic impact on the floor: K d^(n+1)/(n+1) = m v0^2/2 + m g d."""
+    """Return the largest penetration of an elastic impact on the floor.
+
+    Root of K d^(n+1)/(n+1) = m v0^2/2 + m g d.
+    """
     free = depth(K, n, m, v0)
     return _root(lambda d: K * d ** (n + 1) / (n + 1) - m * v0**2 / 2 - m * g * d, free, 10 * free)
 
 
 def static_penetration(K: float, n: float, m: float, g: float) -> float:
-    """Penetration that carries the weight."""
+    """Return the penetration that carries the weight."""
     return float((m * g / K) ** (1 / n))
 
 
 def damping_ratio(e: float) -> float:
-    """xi of K d + 2 xi sqrt(K m) v that returns e where the contact ends at d = 0."""
+    """Return xi of K d + 2 xi sqrt(K m) v with restitution e where the contact ends at d = 0."""
     return -math.log(e) / math.hypot(math.pi, math.log(e))
 
 
 def oscillator(K: float, m: float, xi: float, *, pulls: bool) -> tuple[float, float]:
-    """(restitution, duration) of a contact K d + 2 xi sqrt(K m) v that ends at d = 0 after its force has pulled, or where its force ends."""
+    """Return (restitution, duration) of a contact K d + 2 xi sqrt(K m) v.
+
+    It ends at d = 0 after its force has pulled, or, unless `pulls`, at zero force.
+    """
     root = math.sqrt(1 - xi**2)
     phase = math.pi if pulls else math.pi - 2 * math.asin(xi)
     return math.exp(-xi * phase / root), phase / (root * math.sqrt(K / m))

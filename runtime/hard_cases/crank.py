@@ -1,4 +1,4 @@
-"""The slider-crank with a clearance joint: clearances and speeds far apart, dead centres, a thousand revolutions."""
+"""Slider-crank with a clearance joint: extreme clearances and speeds, dead centres, long runs."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ QUAD = "quadruple precision, tests/reference/slider_crank_quad.cpp"
 
 
 def _state(travel: float, speed: float, clearance: float, tip_speed: float, part: float) -> tuple[Known, ...]:
-    """Of the slider, within a part of clearance and crank speed."""
+    """Expect the slider's state within a part of clearance and crank speed."""
     return (
         final("guide.travel", travel, part * clearance, QUAD),
         final("guide.speed", speed, part * tip_speed, QUAD),

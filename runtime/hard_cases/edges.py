@@ -1,4 +1,7 @@
-"""Parameters of the built-in scenes at the edge of every range they are defined in: at a closed end, a millionth of the default from an open one."""
+"""Parameters of the built-in scenes at the edge of every range they are defined in.
+
+At a closed end, or a millionth of the default from an open one.
+"""
 
 from __future__ import annotations
 
@@ -54,7 +57,7 @@ def _case(
 
 
 def _stiff(case: HardCase) -> HardCase:
-    """For the methods that are meant for it."""
+    """Restrict a case to the methods for stiff problems."""
     return replace(case, hard=f"{case.hard}; stiff", methods=(*IMPLICIT, "auto"))
 
 

@@ -1,4 +1,4 @@
-"""Events that nearly do not happen, or happen where something else does: grazing, at t = 0, at output times, at the end; and a law left."""
+"""Borderline events: grazing, at t = 0, at output times, at the end; and leaving a law's range."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Friction that sticks: an incline just below and just above the angle of friction."""
+"""Sticking friction: an incline just below and just above the angle of friction, falling chains."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ MASS = 1.001
 
 
 def creep(mu: float) -> float:
-    """Speed [m/s] at which smoothed friction carries the drive."""
+    """Return the speed [m/s] at which smoothed friction carries the drive."""
     return LAYER * math.atanh(CRITICAL / mu)
 
 
@@ -43,26 +43,26 @@ def _smooth(
 
 
 def _accelerated(mu: float, time: float) -> float:
-    """Speed [m/s] of a block that slides all the time, its smoothed friction saturated."""
+    """Return the speed [m/s] of a block that slides all the time, its smoothed friction saturated."""
     return START + (DRIVE - mu * LOAD) / MASS * time
 
 
 def _incline(law: str, name: str, hard: str, mu: float, known: tuple[Known, ...], duration: float = 10.0) -> HardCase:
-    """With one coefficient for sliding and rest, so that the angle of friction is one."""
+    """Make a case with one coefficient for sliding and rest, so that the angle of friction is unique."""
     parameters: dict[str, Value] = {"friction_coefficient": mu, "static_coefficient": mu, "speed": (START, "m/s")}
     source = Source(f"incline_{law}", hard=True)
     return HardCase(name, "friction", hard, source, duration, 1e-7, parameters=parameters, known=known)
 
 
 def _way(mu: float) -> float:
-    """Way [m] on which the block comes to rest."""
+    """Return the distance [m] on which the block comes to rest."""
     return START**2 * MASS / (2 * (mu * LOAD - DRIVE))
 
 
 def _of_corners(
     count: int, what: str, of: Callable[[Solution, str, np.ndarray], np.ndarray], within: float, unit: str
 ) -> Known:
-    """Largest value over the rows in which a corner touches, of what the law of dry friction says is never above zero."""
+    """Expect the largest value over rows with a touching corner, which Coulomb's law keeps at or below 0."""
 
     def largest(run: Solution) -> float:
         values = (of(run, f"corner_{i}", run[f"corner_{i}.slip"] == 0) for i in range(count + 1))

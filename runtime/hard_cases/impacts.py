@@ -1,4 +1,4 @@
-"""Single impacts: nearly no rebound, the slowest approach, exponents, stiffnesses, damping that jumps and pulls, masses far apart."""
+"""Single impacts: extreme restitutions, speeds, exponents, stiffnesses, damping and mass ratios."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""What every hard case is measured by: numbers with a limit, each of which can fail.
+"""Invariants of hard cases: numbers with a limit, each of which can fail.
 
-Energies are those of the run's own rows. Initial energy: kinetic, stored in contacts, and potential above its least of the run. Total work: the
-largest that drives have put in, and of every contact the most it has stored, which is what it takes from the bodies and gives back. None of it
-depends on where potential energy is counted from.
+Energies are those of the run's own rows. Initial energy: kinetic, stored in contacts, and potential above its least
+of the run. Total work: the largest that drives have put in, and of every contact the most it has stored, which is
+what it takes from the bodies and gives back. None of it depends on the zero of the potential energy.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ FINITE, ENERGY, RISING, DEPTH, STEPS = "not finite", "energy", "energy rising", 
 
 @dataclass(frozen=True)
 class Measured:
-    """An invariant of one run: its value must not exceed the limit. `note` says it in the words of the case."""
+    """Measured invariant of one run: its value must not exceed the limit; `note` explains it."""
 
     name: str
     value: float
@@ -46,12 +46,12 @@ class Measured:
 
     @property
     def holds(self) -> bool:
-        """Whether it does not; false for NaN."""
+        """Return whether the value is within the limit; false for NaN."""
         return self.value <= self.limit
 
 
 def measure(case: HardCase, method: str, run: Solution) -> tuple[Measured, ...]:
-    """Every invariant of the case on a run of it."""
+    """Return every invariant of the case on a run of it."""
     broken = sum(int(np.sum(~np.isfinite(run.history.part(part)))) for part in ("y", "dy", *PAIR_PARTS))
     found = [Measured(FINITE, broken, 0, "1", "entries of states, rates and contacts that are infinite or undefined")]
     energies = Energies(run)
@@ -75,7 +75,7 @@ def measure(case: HardCase, method: str, run: Solution) -> tuple[Measured, ...]:
 
 
 class Energies:
-    """Energies of a run [J], shape (rows,) each, and what follows from them."""
+    """Energies of a run [J], shape (rows,) each."""
 
     def __init__(self, run: Solution) -> None:
         self.run, history = run, run.history
@@ -92,12 +92,12 @@ class Energies:
 
     @property
     def driven(self) -> bool:
-        """Whether anything puts energy in."""
+        """Return whether anything puts energy in."""
         return any(name.endswith(".input") for name in self.run.model.memory)
 
     @cached_property
     def total(self) -> Array:
-        """Kinetic, potential, and stored by contacts."""
+        """Kinetic and potential energy, and that stored by contacts."""
         total: Array = self.kinetic + self.potential + np.sum(np.where(self.mode == CONTACT, self.stored, 0), axis=1)
         return total
 
@@ -122,7 +122,7 @@ class Energies:
         return self.initial + self.work
 
     def begins(self, j: int) -> NDArray[np.bool_]:
-        """The rows at which a contact of pair j begins, or is there from the start."""
+        """Return a mask of the rows at which a contact of pair j begins, or exists from the start."""
         inside = self.mode[:, j] == CONTACT
         first: NDArray[np.bool_] = inside & ~np.concatenate([[False], inside[:-1]])
         return first
@@ -142,10 +142,11 @@ class Energies:
 
 
 def _depth(energies: Energies, tolerance: float) -> Measured:
-    """Penetration over the depth at which the stored-energy law takes all the energy there is, at the row where it comes nearest.
+    """Return the penetration over its bound by energy, at the row where the ratio is largest.
 
-    There is, since the contact began, what the bodies had then, and the work put in meanwhile; and the tolerance of the energy. What overlaps
-    without a contact counts from its own row: nothing may go through a surface.
+    The bound is the depth at which the stored-energy law takes all available energy: that of the bodies when the
+    contact began, the work put in since, and the tolerance of the energy. An overlap without a contact counts from
+    its own row: nothing may go through a surface.
     """
     run, mode = energies.run, energies.mode
     slack = tolerance * energies.scale
@@ -169,7 +170,10 @@ def _depth(energies: Energies, tolerance: float) -> Measured:
 
 
 def _depth_that_stores(run: Solution, row: int, j: int, energy: float) -> float:
-    """Penetration of pair j [m] at which stored and potential energy together are `energy`, going on from a row along the gap's gradient."""
+    """Return the penetration of pair j [m] at which stored and potential energy together are `energy`.
+
+    Reached from a row along the gap's gradient.
+    """
     model = run.model
     c, y, t = run.history.controls[: model.nc], run.history.part("y")[row], float(run.t[row])
     q0, u = y[: model.nq], y[model.nq : model.nq + model.nu]
@@ -201,7 +205,7 @@ def _depth_that_stores(run: Solution, row: int, j: int, energy: float) -> float:
 
 
 def _gap_gradients(model: Model) -> Any:
-    """CasADi function (t, q, u, c) -> dG/dq (k, nq)."""
+    """Return the CasADi function (t, q, u, c) -> dG/dq (k, nq)."""
 
     def make() -> Any:
         t, q, u, c = (

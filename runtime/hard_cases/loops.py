@@ -11,7 +11,7 @@ TURNED = -31.750597186986102  # rad, of two windows after 10 s
 
 
 def _closed(within: float) -> Known:
-    """How far the loops are open, over the accepted steps."""
+    """Expect closed loops over the accepted steps."""
 
     def opening(run: Solution) -> float:
         return max(float(np.max(np.abs(run[name]))) for name in run.model.constraints)

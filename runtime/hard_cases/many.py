@@ -1,4 +1,4 @@
-"""Several pairs at once."""
+"""Several pairs in contact at once."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ FIFTY = {
 
 
 def _passed_on(count: int) -> tuple[Known, ...]:
-    """Elastic impacts of equal spheres, one after another: each hands its speed on."""
+    """Expect equal spheres to pass on their speed by elastic impacts, one after another."""
     source = "equal masses exchange their speeds"
     return tuple(final(f"path_{i}.speed", float(i == count), PART, source) for i in (1, 2, count - 1, count))
 
@@ -118,7 +118,10 @@ def _row(count: int, *, long: bool) -> HardCase:
 def _touching(
     name: str, hard: str, speeds: Sequence[float], duration: float, *, tolerance: float = FINE, **given: Value
 ) -> HardCase:
-    """A row of five that touch, each where its coordinate begins; at the finest tolerance by the methods of order 8, others add up more errors."""
+    """Make a case of five spheres in a row that touch, each where its coordinate begins.
+
+    At the finest tolerance only by the methods of order 8; others accumulate more errors.
+    """
     return HardCase(
         name=name,
         theme="many pairs",

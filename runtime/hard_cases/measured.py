@@ -1,4 +1,7 @@
-"""Steps tried (accepted, rejected, retaken) by each method in each case, as measured; written by tests/hard_cases/count.py."""
+"""Measured steps tried (accepted, rejected, retaken) by case and method.
+
+Written by tests/hard_cases/count.py.
+"""
 
 TRIES: dict[str, dict[str, int]] = {
     "impact_e001_flores": {

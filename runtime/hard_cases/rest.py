@@ -28,7 +28,7 @@ def _at_rest(penetration: float = STATIC) -> tuple[Known, ...]:
 
 
 def _settling(law: str, source: Source, h: float) -> tuple[HardCase, HardCase]:
-    """To the end, for the methods that are meant for it; and its beginning, for all."""
+    """Make two cases: to the end for stiff methods, and the beginning for all methods."""
     hard = "restitution 0.01: the ball sinks into its rest under a damping of 1.5e6 1/s"
     begun = 0.6
     rate = h * G / 1e-3  # of the damping at rest, h K d^n/(m v0), v0 the floor of the approach speed

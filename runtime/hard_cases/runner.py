@@ -1,4 +1,7 @@
-"""Runs hard cases: each with the methods that claim it, in CasADi's virtual machine and as C, which must agree bitwise."""
+"""Runner of hard cases, by every claiming method in CasADi's virtual machine and as C.
+
+Both paths must agree bitwise.
+"""
 
 from __future__ import annotations
 
@@ -36,9 +39,10 @@ PASSED, FAILED, KNOWN = "passed", "failed", "known failure"
 
 @dataclass(frozen=True)
 class Result:
-    """One case with one method: how it ended, every invariant, steps tried, evaluations, the time of both paths [s] (None where there is no C).
+    """Result of one case with one method.
 
-    verdict    "passed", "failed", or "known failure" where what does not hold is what the case says of itself, and nothing else
+    Outcome, every invariant, steps tried, evaluations, the time of both paths [s] (None without C). verdict:
+    "passed", "failed", or "known failure" where exactly the failures declared by the case occur.
     """
 
     case: str
@@ -52,19 +56,19 @@ class Result:
     compiled_wall_s: float | None
 
     def record(self) -> dict[str, Any]:
-        """The result as JSON has it."""
+        """Return the result as JSON."""
         invariants = [{**asdict(row), "holds": row.holds} for row in self.measured]
         return {**{name: value for name, value in vars(self).items() if name != "case"}, "measured": invariants}
 
 
 def broken(case: HardCase, outcome: str, measured: Sequence[Measured]) -> tuple[str, ...]:
-    """Names of what does not hold; "outcome" where the run ended in another way than it should."""
+    """Return the names of violated invariants; "outcome" where the run ended otherwise than expected."""
     other = () if outcome == case.outcome else (OUTCOME,)
     return (*other, *(row.name for row in measured if not row.holds))
 
 
 def solve(case: HardCase, method: str, *, compiled: Compiled) -> Solution:
-    """One run of a case; of the independent references more accurately, for the tolerance they are asked for is that of less than a step."""
+    """Run a case once; the independent references at a FINER tolerance, which for them is looser."""
     return simulate(
         model_of(case.source),
         duration=case.duration,
@@ -85,7 +89,7 @@ def model_of(source: Source) -> Model:
 
 
 def result(case: HardCase, method: str, *, native: bool = True) -> Result:
-    """A case with one method, measured on the virtual machine's run; `native` runs it as C too, where there is a compiler, and compares."""
+    """Run a case with one method and measure it; `native` compares with C where there is a compiler."""
     run = solve(case, method, compiled=False)
     measured, compiled_wall_s = measure(case, method, run), None
     if native and method not in SUNDIALS and available():
@@ -102,7 +106,10 @@ def result(case: HardCase, method: str, *, native: bool = True) -> Result:
 
 
 def same(run: Solution, twin: Solution) -> Measured:
-    """How many entries of two runs' rows differ in any bit; all of them where the runs differ in length."""
+    """Count the entries of two runs' rows that differ in any bit.
+
+    All of them where the runs differ in length.
+    """
     one, two = run.history.rows, twin.history.rows
     alike = one.shape == two.shape
     differing = int(np.sum(one.view(np.uint64) != two.view(np.uint64))) if alike else max(one.size, two.size)
@@ -115,7 +122,10 @@ Work = tuple[str, tuple["HardCase", ...]]  # a method, and cases that share a mo
 
 
 def results(jobs: Sequence[tuple[HardCase, Sequence[str]]], workers: int | None = None) -> Iterator[Result]:
-    """Results of cases, each with its methods, as they are done, on all cores; what shares a model and a method is run by one process."""
+    """Yield the results of cases, each with its methods, as completed, on all cores.
+
+    Cases that share a model and a method are run by one process.
+    """
     groups: dict[tuple[Source, str], list[HardCase]] = {}
     for case, methods in jobs:
         for method in methods:

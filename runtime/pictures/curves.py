@@ -1,4 +1,4 @@
-"""What a picture of a solution shows: dense histories beside the ideal mechanism's, in units a person reads."""
+"""Curves of a solution for pictures: dense histories beside the ideal mechanism's, in readable units."""
 
 from __future__ import annotations
 
@@ -30,18 +30,18 @@ _PREFIXES = {"m": (("m", 1.0), ("mm", 1e-3), ("µm", 1e-6)), "s": (("s", 1.0), (
 
 @dataclass(frozen=True)
 class Scale:
-    """A unit to show a quantity in: its text and its size in SI."""
+    """Unit to show a quantity in: its text and its size in SI."""
 
     unit: str
     factor: float
 
     def __call__(self, values: Any) -> Any:
-        """SI values in this unit."""
+        """Convert SI values to this unit."""
         return np.asarray(values) / self.factor
 
 
 def scale_of(unit: str, values: Any) -> Scale:
-    """The largest prefix that keeps the largest of the values above 0.2."""
+    """Return the largest prefix that keeps the largest of the values above 0.2."""
     largest = float(np.nanmax(np.abs(values), initial=0.0))
     steps = _PREFIXES.get(unit, ((unit, 1.0),))
     return Scale(*next((step for step in steps if largest >= 0.2 * step[1]), steps[-1] if largest else steps[0]))
@@ -49,7 +49,7 @@ def scale_of(unit: str, values: Any) -> Scale:
 
 @dataclass(frozen=True)
 class Motion:
-    """A joint worth a curve: names of its coordinate, speed and acceleration, and their units."""
+    """Curve of a joint: names of its coordinate, speed and acceleration, and their units."""
 
     joint: str
     names: tuple[str, str, str]
@@ -58,7 +58,7 @@ class Motion:
 
 @dataclass(frozen=True)
 class Curves:
-    """Densely sampled histories of a run: `curves[name]`, SI, over `t` [s]; `time` is the unit to show t in."""
+    """Densely sampled histories of a run: `curves[name]`, SI, over `t` [s]; `time` is the unit of t."""
 
     run: Solution
     t: Array
@@ -67,7 +67,10 @@ class Curves:
 
     @classmethod
     def of(cls, run: Solution) -> Curves:
-        """Sample a run between its accepted steps and through its impacts; a saved run, or one that kept a grid, has only its rows."""
+        """Sample a run between its accepted steps and through its impacts.
+
+        A saved run, or one that kept a grid, has only its rows.
+        """
         if not len(run.t):
             raise ValueError(
                 f"found no rows to draw: the run stopped at t = {run.t_end:g} s, before the first time asked for"
@@ -86,7 +89,7 @@ class Curves:
 
     @cached_property
     def ideal(self) -> IdealMotion | None:
-        """The ideal mechanism at the same times, where there is one and the run is not merely a saved one."""
+        """The ideal mechanism at the same times; None where there is none, and for a saved run."""
         run = self.run
         if run.history.integrator is None:
             return None
@@ -95,7 +98,7 @@ class Curves:
 
     @property
     def no_ideal(self) -> str:
-        """Why a run with clearance is not compared with the ideal mechanism; empty where it is, or has none."""
+        """Explain why a run with clearance is not compared with the ideal mechanism; empty where it is."""
         if self.ideal is not None or self.run.history.integrator is None or not has_clearance(self.run.model):
             return ""
         why = unknown_because(self.run.model) or "it cannot be assembled, or locks on the way"
@@ -103,7 +106,10 @@ class Curves:
 
     @property
     def motions(self) -> list[Motion]:
-        """The joints that travel, or else those that turn, or else the vector parts of the quaternions, beside the angular speeds."""
+        """Joints to show: those that travel, else those that turn, else the quaternions' vector parts.
+
+        The last beside the angular speeds.
+        """
         model, units = self.run.model, self.run.history.units
         scalar_parts = (name for i, name in enumerate(model.coordinates) if i not in model.quaternions)
         motions = []
@@ -117,7 +123,7 @@ class Curves:
 
 
 def impact_curves(run: Solution, impact: Impact) -> tuple[Array, Array, Array]:
-    """Time since the onset [s], normal force [N] and penetration [m] of one impact."""
+    """Return time since the onset [s], normal force [N] and penetration [m] of one impact."""
     end = run.t[-1] if impact.duration is None else min(impact.t + impact.duration, run.t[-1])
     if not run.history.steps:
         chosen = np.flatnonzero((run.t >= impact.t) & (run.t <= end))

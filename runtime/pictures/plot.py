@@ -1,7 +1,7 @@
 """Pictures of a solution: the overview of a run, and one page per contact pair.
 
-Times are sampled densely between the accepted steps, so that an impact of 20 us looks as smooth as it is. What a reader must know to trust a
-picture, an unchecked law or a law outside its range, stands on the picture.
+Times are sampled densely between the accepted steps, so that an impact of 20 us looks as smooth as it is. Warnings
+that affect trust in a picture, an unchecked law or a law outside its range, stand on the picture.
 """
 
 from __future__ import annotations
@@ -33,7 +33,10 @@ PEAKS_CUT = 2.5  # accelerations are shown up to this multiple of the ideal mech
 
 
 def plot(run: Solution, *names: str) -> Figure:
-    """The overview of a run, one contact pair's page, or the histories of other names; raises KeyError for a name that is none."""
+    """Draw the overview of a run, one contact pair's page, or other histories by name.
+
+    Raises KeyError for an unknown name.
+    """
     if not names:
         return overview(run)
     if len(names) == 1 and names[0] in run.model.pairs:
@@ -42,7 +45,7 @@ def plot(run: Solution, *names: str) -> Figure:
 
 
 def histories(run: Solution, *names: str) -> Figure:
-    """A panel for each named history; raises KeyError for a name that is none."""
+    """Draw a panel for each named history; raises KeyError for an unknown name."""
     curves = Curves.of(run)
     with mpl.rc_context(STYLE):
         figure = Figure(figsize=(9.5, 2.3 * len(names) + 0.8), layout="constrained")
@@ -55,19 +58,19 @@ def histories(run: Solution, *names: str) -> Figure:
 
 
 def overview(run: Solution) -> Figure:
-    """Motion, contact forces and energy of a run; the motion against the ideal mechanism where there is one."""
+    """Draw motion, contact forces and energy of a run, beside the ideal mechanism where there is one."""
     return _overview(Curves.of(run))
 
 
 def pair(run: Solution, name: str) -> Figure:
-    """One contact pair: where it was (journal path or gap), its force, and its first impact; raises KeyError for another name."""
+    """Draw one contact pair: journal path or gap, force, first impact; raises KeyError for another name."""
     if name not in run.model.pairs:
         raise KeyError(f"{name!r} is no contact pair; there are {', '.join(run.model.pairs)}")
     return _pair(Curves.of(run), name)
 
 
 def pages(run: Solution) -> dict[str, Callable[[Path], None]]:
-    """What saves the overview and each pair's page as PNG, by name, each for itself; what they show is found once."""
+    """Return functions that save the overview and each pair's page as PNG, by name; data are shared."""
     curves = cache(lambda: Curves.of(run))
 
     def saved(figure: Callable[[], Figure]) -> Callable[[Path], None]:
@@ -142,7 +145,10 @@ def _speeds(axis: Axes, curves: Curves) -> None:
 
 
 def _accelerations(axis: Axes, curves: Curves) -> None:
-    """Peaks of an impact are ten times what the mechanism needs: the axis shows the mechanism, marks say where and how far they go."""
+    """Draw accelerations with the axis limited to the ideal mechanism's; marks show the cut peaks.
+
+    Peaks of an impact are ten times those of the mechanism.
+    """
     scale = _motion(axis, curves, 2, "Acceleration")
     values = scale([curves[motion.names[2]] for motion in curves.motions])
     limit = PEAKS_CUT * float(np.max(np.abs(scale(_ideal(curves, 2)))))
@@ -159,7 +165,7 @@ def _accelerations(axis: Axes, curves: Curves) -> None:
 
 
 def _motion(axis: Axes, curves: Curves, order: int, title: str) -> Scale:
-    """Positions (order 0), speeds (1) or accelerations (2), over the ideal mechanism's."""
+    """Draw positions (order 0), speeds (1) or accelerations (2), over the ideal mechanism's."""
     values = {motion.joint: curves[motion.names[order]] for motion in curves.motions}
     scale = lines(axis, curves, curves.motions[0].units[order], values, _ideal(curves, order))
     over_time(axis, curves, f"{title} [{scale.unit}]")
@@ -212,7 +218,7 @@ def _gap(axis: Axes, curves: Curves, name: str) -> None:
 
 
 def _journal_path(axis: Axes, curves: Curves, name: str, inside: Sequence[str], view: tuple[str, str]) -> None:
-    """Path of what is inside, in the plane of two of its eccentricities."""
+    """Draw the path of a pin or ball in the plane of two of its eccentricities."""
     (x, y), gap = (curves[part] for part in view), curves[f"{name}.gap"]
     clearance = float(np.median(np.sqrt(sum(curves[part] ** 2 for part in inside)) + gap))
     scale = scale_of("m", clearance)
@@ -271,7 +277,7 @@ def _loop(axis: Axes, run: Solution, impact: Impact | None) -> None:
 
 
 def _peaks(values: Array, limit: float) -> NDArray[np.intp]:
-    """Index of the largest value of every run of values above the limit."""
+    """Return the index of the largest value of every stretch above the limit."""
     above = np.flatnonzero(values > limit)
     groups = np.split(above, np.flatnonzero(np.diff(above) > 1) + 1) if len(above) else []
     return np.array([group[np.argmax(values[group])] for group in groups], dtype=np.intp)

@@ -1,4 +1,4 @@
-"""What the panels of a picture have in common: caption, labelled curves in a unit that suits them, time axis, legend."""
+"""Common elements of panels: caption, labelled curves in a suitable unit, time axis, legend."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ LEGEND_WIDTH, LEGEND_HANDLE = 66, 6  # characters beside each other above a pane
 
 
 def caption(figure: Figure, run: Solution, subtitle: str, note: str = "") -> None:
-    """Title, and below the panels what a reader must know to trust them."""
+    """Write the title, and below the panels the outcome, warnings and notes."""
     figure.suptitle(f"{run.model.name}: {subtitle}", x=0.01, ha="left", fontsize=12.5, fontweight="bold")
     notes = [] if run.outcome.finished else [f"{run.outcome.name}: {run.outcome.message}"]
     notes += run.warnings  # unchecked laws among them
@@ -35,7 +35,7 @@ def caption(figure: Figure, run: Solution, subtitle: str, note: str = "") -> Non
 
 
 def lines(axis: Axes, curves: Curves, unit: str, values: Mapping[str, Array], ideal: Sequence[Array] = ()) -> Scale:
-    """Labelled histories in a unit that suits them all, over those of the ideal mechanism; returns that unit."""
+    """Draw labelled histories in a common unit over those of the ideal mechanism; return the unit."""
     time = curves.time(curves.t)
     scale = scale_of(unit, list(ideal) or list(values.values()))
     for history in ideal:
@@ -48,7 +48,7 @@ def lines(axis: Axes, curves: Curves, unit: str, values: Mapping[str, Array], id
 
 
 def over_time(axis: Axes, curves: Curves, title: str) -> None:
-    """Title, legend and time axis of a panel."""
+    """Set title, legend and time axis of a panel."""
     axis.set_title(title)
     axis.set_xlabel(f"time [{curves.time.unit}]")
     if curves.t[-1] > curves.t[0]:
@@ -57,7 +57,7 @@ def over_time(axis: Axes, curves: Curves, title: str) -> None:
 
 
 def legend(axis: Axes) -> None:
-    """A legend between title and panel, in as many rows as it takes, where it can cover nothing; none for a single curve."""
+    """Draw a legend between title and panel, in as many rows as needed; none for a single curve."""
     handles, labels = axis.get_legend_handles_labels()
     unique = dict(zip(labels, handles, strict=True))
     if len(unique) > 1:
@@ -74,11 +74,11 @@ def legend(axis: Axes) -> None:
 
 
 def _wide(widths: Sequence[int], columns: int) -> int:
-    """Characters across a legend in so many columns, which are filled one after the other."""
+    """Return the width in characters of a legend in so many columns, filled one after the other."""
     return sum(int(np.max(column)) for column in np.array_split(widths, columns))
 
 
 def nothing(axis: Axes, text: str) -> None:
-    """A text in place of a panel."""
+    """Write a text in place of a panel."""
     axis.set_axis_off()
     axis.text(0.5, 0.5, plain(text), transform=axis.transAxes, ha="center", color=GREY)

@@ -1,4 +1,4 @@
-"""The look of every picture: its colours, and the settings of Matplotlib that it is drawn with."""
+"""Style of every picture: colours and Matplotlib settings."""
 
 from __future__ import annotations
 
@@ -30,5 +30,5 @@ STYLE: Any = {  # typed as 300 literal names by Matplotlib
 
 
 def plain(text: str) -> str:
-    """Text of a scene or a message as it stands: its dollars begin no mathematics."""
+    """Escape the dollars of a text, so that they begin no mathematics."""
     return text.replace("$", r"\$")

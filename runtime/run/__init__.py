@@ -1,1 +1,1 @@
-"""One run: what is asked for, the engine, its accepted steps."""
+"""One run: its settings, the engine, its accepted steps."""

@@ -1,4 +1,4 @@
-"""Runs at falling tolerance, until the error of one is known to be as small as was asked for."""
+"""Runs at falling tolerance until the requested accuracy is known to be met."""
 
 from __future__ import annotations
 
@@ -35,7 +35,10 @@ def climb(
     asked: float,
     progress: Callable[[float], object] | None,
 ) -> Climbed[Trace]:
-    """Runs at falling tolerance; limits of steps and time are of all of them, the limit of events is of the motion, and so of each."""
+    """Run at falling tolerance until the requested error is met.
+
+    Limits of steps and time are for all runs together, the limit of events for each.
+    """
     model, seconds, limits = run.model, run.given.seconds, run.limits
     grid = np.linspace(0.0, seconds, POINTS)
     made: list[tuple[float, int]] = []  # times [s] and steps spent
@@ -62,14 +65,14 @@ def climb(
 
 
 def _part(progress: Callable[[float], object], before: int) -> Callable[[float], object]:
-    """Progress of the next run after so many: every run that is kept has one that checks it."""
+    """Return the progress callback of the next run: every run that is kept has one that checks it."""
     return lambda done: progress((before + done) / (2 * (before // 2) + 2))
 
 
 def verdict_of(
     run: SingleRun, climbed: Climbed[Trace], asked: float, result: Outcome
 ) -> tuple[Outcome, tuple[str, ...]]:
-    """Outcome and warnings of a run for an accuracy: what was asked for and is missed, or is not known, is never finished."""
+    """Return outcome and warnings of a run for an accuracy; a missed or unknown one is not `finished`."""
     error, verdict = climbed.error, climbed.verdict
     other = None if climbed.broken is None else run.outcome(climbed.broken.kept)
     lost = error is not None and error.horizon is not None

@@ -1,4 +1,4 @@
-"""The engine: the functions that run one model by one method, built once and compiled where that is asked for."""
+"""Engine: the functions that run one model by one method, built once and compiled on request."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ COUNTERS = ("steps", "rejected", "retaken", "evaluations", "events", "floored") 
 
 @dataclass(frozen=True)
 class Engine:
-    """The functions of one model and method: a chunk, or a loop of its own.
+    """Functions of one model and method: chunks, or a loop of its own (SUNDIALS).
 
     counters    rows of the state
     code        of the chunk
@@ -37,7 +37,7 @@ class Engine:
 
 
 def engine_for(model: Model, method: str, compiled: Compiled) -> Engine:
-    """The engine, and its C version where that is asked for."""
+    """Return the engine of a model and method, compiled if requested."""
     engine: Engine = model.once(("engine", method), lambda: _engine(model, method))
     if compiled is True and engine.code is not None:
         from hertzwerk.runtime.integrate.loop.compiled import NoCompilerError
@@ -65,9 +65,10 @@ def _engine(model: Model, method: str) -> Engine:
 
 
 def prepare(model: Model, method: str, compiled: Compiled, ahead: float = 0.0) -> bool:
-    """Build what runs of a model need, before they are made side by side; returns whether they are to be compiled.
+    """Build what runs of a model need before they are made side by side; return whether to compile.
 
-    That is as `compiled` says, or with "auto" if it saves time for runs that take `ahead` [s] uncompiled. Raises InputError without a compiler.
+    As `compiled` says, or with "auto" if it saves time for runs that take `ahead` [s] uncompiled. Raises InputError
+    without a compiler.
     """
     bound, _ = model.check({})
     q, _ = read_start(model, bound, {}, [])

@@ -1,4 +1,4 @@
-"""What of a run is kept: every accepted step, or the states at given times."""
+"""Output of a run: every accepted step, or the states at given times."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ WHOLE = 1e-9  # of a number of intervals: so close to a whole one it is one
 
 
 def times_of(output: Output, seconds: float, faults: list[Fault]) -> np.ndarray | None:
-    """Times [s] (n,) of a grid over a run of so many seconds, None for every step; what is neither becomes faults."""
+    """Return the times [s] (n,) of an output grid, None for every step; bad input is appended to `faults`."""
     if isinstance(output, str):
         return None if output == "steps" else _spaced(output, seconds, faults)
     if isinstance(output, int | np.integer) and not isinstance(output, bool):
@@ -30,7 +30,7 @@ def times_of(output: Output, seconds: float, faults: list[Fault]) -> np.ndarray 
 
 
 def _spaced(text: str, seconds: float, faults: list[Fault]) -> np.ndarray | None:
-    """Start, multiples of a spacing, and end."""
+    """Return start, multiples of a spacing, and end."""
     spacing = read_time("output", text, '"steps", or a spacing such as "0.1 ms"', faults)
     if math.isnan(spacing) or math.isnan(seconds):
         return None
@@ -46,7 +46,7 @@ def _spaced(text: str, seconds: float, faults: list[Fault]) -> np.ndarray | None
 
 
 def _given(output: object, seconds: float, faults: list[Fault]) -> np.ndarray | None:
-    """Times as they were given."""
+    """Return times as given, after checks."""
     expected = 'a number of points, increasing times [s], a spacing such as "0.1 ms", or "steps"'
     try:
         times = np.array(output, dtype=float)
@@ -75,6 +75,6 @@ def _given(output: object, seconds: float, faults: list[Fault]) -> np.ndarray | 
 
 
 def _place(wrong: np.ndarray) -> str:
-    """Where the first of them is, and how many there are."""
+    """Describe the position of the first true entry and the number of others."""
     count = int(np.sum(wrong))
     return f"index {int(np.argmax(wrong))}" + (f", and {count - 1} more" if count > 1 else "")

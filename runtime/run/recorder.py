@@ -1,4 +1,4 @@
-"""Where the accepted steps of a run go: to observers, block by block, so that a run needs the memory of a block and of what they keep."""
+"""Accepted steps of a run, passed to observers block by block to bound the memory."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ OVERLAP = 2  # rows that a block begins with although they are known: what happe
 
 
 class Recorder:
-    """Gathers rows into blocks of about so many bytes and shows these to observers; with `block` None there is one, of all rows.
+    """Gathers rows into blocks of about `block` bytes and passes them to observers; None: one block.
 
     view    makes a History of rows
     """
@@ -29,7 +29,7 @@ class Recorder:
         self._known = self._new = self._bytes = 0
 
     def keep(self, rows: np.ndarray) -> None:
-        """The next accepted rows (n, ns)."""
+        """Take the next accepted rows (n, ns)."""
         self._parts.append(rows)
         self._new += len(rows)
         self._bytes += rows.nbytes
@@ -37,7 +37,7 @@ class Recorder:
             self.flush()
 
     def flush(self) -> None:
-        """Show what was gathered; to be called once more at the end."""
+        """Pass the gathered rows to the observers; call once more at the end."""
         if not self._new:
             return
         rows = np.concatenate(self._parts)
@@ -49,12 +49,12 @@ class Recorder:
 
 
 class Steps:
-    """Keeps every step."""
+    """Observer that keeps every step."""
 
     history: History
 
     def take(self, block: History, fresh: int) -> None:
-        """All steps of a run, in one block; see `Observer`."""
+        """Take all steps of a run, in one block; see `Observer`."""
         self.history = block
 
     @property
@@ -64,7 +64,10 @@ class Steps:
 
 
 class Grid:
-    """Keeps the states at given times [s], increasing, by dense output; at a time of an event the state just after it."""
+    """Observer that keeps the states at given increasing times [s], by dense output.
+
+    At a time of an event the state just after it.
+    """
 
     def __init__(self, times: np.ndarray) -> None:
         self._times, self._count = times, 0
@@ -73,7 +76,7 @@ class Grid:
         self._last: History  # of one row
 
     def take(self, block: History, fresh: int) -> None:
-        """The next accepted steps; see `Observer`."""
+        """Take the next accepted steps; see `Observer`."""
         if not fresh:
             self._first = block.rows[:1].copy()
         self._last = block.of(block.rows[-1:].copy())

@@ -1,4 +1,4 @@
-"""What runs are asked for, read completely: how they are made, for how long, from which numbers and which start."""
+"""Request for a run, read and checked: method, limits, duration, parameters, start."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ Compiled: TypeAlias = bool | Literal["auto"]
 
 @dataclass(frozen=True)
 class Limits:
-    """Where a run stops: steps, contacts begun, time on the clock [s]."""
+    """Limits of a run: steps, contacts begun, wall time [s]."""
 
     max_steps: int
     max_events: int
@@ -39,7 +39,7 @@ class Limits:
 
 @dataclass(frozen=True)
 class Settings:
-    """What `simulate` is asked for but for parameters and start, as the user gave it."""
+    """Arguments of `simulate` but for parameters and start, as given by the user."""
 
     duration: str | float | None
     accuracy: float | None
@@ -53,18 +53,18 @@ class Settings:
 
     @property
     def limits(self) -> Limits:
-        """Of all runs together, but for the contacts, which are of each."""
+        """Limits of all runs together, but for the contacts, which are of each."""
         return Limits(self.max_steps, self.max_events, math.inf if self.wall_time is None else self.wall_time)
 
     def check(self, model: Model) -> None:
-        """Raise InputError for what is bad input to a run whatever its parameters."""
+        """Raise InputError for input that is bad whatever the parameters of the run."""
         faults = self.faults()
         times_of(self.output, read_duration(self.duration, faults), faults)
         if faults:
             raise InputError(model.name, faults)
 
     def faults(self) -> list[Fault]:
-        """Of everything but the duration, and the output, which depends on it."""
+        """Return the faults of everything but the duration and the output, which depends on it."""
         faults: list[Fault] = []
         for name, value, (low, high) in (
             ("accuracy", self.accuracy, ACCURACIES),
@@ -92,8 +92,11 @@ class Settings:
 
 @dataclass(frozen=True)
 class Given:
-    """What a run starts from and how far it goes: the parameters' numbers, q (nq,) and u (nu,) with loops closed, the duration [s], the scales that
-    the scene states, the constraints that follow from others, the initial states that were given, and what time [s] everything repeats after."""
+    """Start and extent of a run.
+
+    Bound parameters, q (nq,) and u (nu,) with loops closed, duration [s], scales stated by the scene, redundant
+    constraints, given initial states, and the period [s] of everything that depends on time.
+    """
 
     bound: Bound
     q: np.ndarray
@@ -108,7 +111,10 @@ class Given:
 def read(
     model: Model, settings: Settings, parameters: Mapping[str, Value], initial: Mapping[str, Value]
 ) -> tuple[Given, np.ndarray | None]:
-    """Everything given, read, and the times [s] of a grid; raises InputError with every fault. Text that was read before is not read again."""
+    """Read everything given; return it with the times [s] of an output grid.
+
+    Raises InputError with every fault. Text that was read before is not read again.
+    """
     faults = settings.faults()
     known: dict[str, Given] = model.once("given", dict)
     key = _key(settings.duration, parameters, initial)
@@ -138,7 +144,7 @@ def read(
 
 
 def _key(*given: object) -> str:
-    """Tells what is given apart, 1 from True and from "1" too."""
+    """Return a key that distinguishes inputs, also 1 from True and "1"."""
     try:
         return repr(given)
     except Exception:  # an integer of thousands of digits, which is a fault
@@ -146,7 +152,7 @@ def _key(*given: object) -> str:
 
 
 def read_duration(duration: str | float | None, faults: list[Fault]) -> float:
-    """Seconds of a duration; what is none becomes a fault."""
+    """Return a duration in seconds; bad input is appended to `faults`."""
     expected = 'a positive time, such as "24 ms" or a number of seconds'
     with contextlib.suppress(ValueError, TypeError):
         duration = (
@@ -161,7 +167,7 @@ def read_duration(duration: str | float | None, faults: list[Fault]) -> float:
 
 
 def _real(value: object) -> bool:
-    """Whether it is a number that a double can hold."""
+    """Return whether a value is a number that a double can hold."""
     if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
         return False
     try:

@@ -1,4 +1,4 @@
-"""One run at one tolerance: the engine started, its accepted steps shown to whoever keeps or finds something of them."""
+"""One run at one tolerance: start the engine and pass its accepted steps to observers."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ ROUGH = LOOSEST  # tolerance of a run that only looks for scales
 
 @dataclass(frozen=True)
 class SingleRun:
-    """Everything of a run but its tolerance and scales."""
+    """A run but for its tolerance and scales."""
 
     model: Model
     method: str
@@ -48,7 +48,7 @@ class SingleRun:
         return 0.0 if self.start is None else float(self.start.state[self.engine.integrator.layouts.state["t"]][0])
 
     def before(self, counter: str) -> int:
-        """What a counter was when the run began."""
+        """Return the value of a counter at the start of the run."""
         return 0 if self.start is None else int(self.start.state[self.engine.counters[counter]])
 
     @property
@@ -57,7 +57,10 @@ class SingleRun:
         return self.given.bound["approach_floor"] if "approach_floor" in self.model.parameters else APPROACH_FLOOR
 
     def scales(self, tolerance: float | None) -> Scales:
-        """The scales that the scene states; where they do not suffice, completed by what a run no tighter than a tolerance shows."""
+        """Return the scene's scales, completed where they do not suffice by those of a rough run.
+
+        The rough run is no tighter than `tolerance`.
+        """
         stated = self.given.scales
         if stated.sound:
             return stated
@@ -74,7 +77,10 @@ class SingleRun:
         beside: np.ndarray | None = None,
         alone: bool = False,
     ) -> Trace:
-        """Run and keep every step or the states at some times [s], what is found, and the states at times `beside`, or these `alone`."""
+        """Run and keep every step or the states at some times [s], with findings.
+
+        beside: further times [s] whose states are kept; alone: keep only these.
+        """
         if alone:
             times = beside
         kept = Steps() if times is None else Grid(times)
@@ -104,7 +110,7 @@ class SingleRun:
         )
 
     def outcome(self, trace: Trace) -> Outcome:
-        """How a run ended."""
+        """Return the outcome of a run."""
         limits, ends = self.limits, trace.kept.ends
         return outcome(
             trace.ending.status,
@@ -124,7 +130,7 @@ class SingleRun:
         block: int | None,
         progress: Callable[[float], object] | None = None,
     ) -> Ending:
-        """Run, and show the accepted steps to observers, in blocks (see `Recorder`)."""
+        """Run, passing the accepted steps to observers in blocks (see `Recorder`)."""
         integrator = self.engine.integrator
         layout = integrator.layouts.controls
         controls = np.zeros(layout.size)
@@ -151,7 +157,7 @@ class SingleRun:
         return ending
 
     def _first(self, controls: np.ndarray) -> np.ndarray:
-        """The state of the engine at the start of the motion."""
+        """Return the state of the engine at the start of the motion."""
         begin = self.engine.begin.take()
         for place, values in zip(begin.inputs, (0.0, self.given.q, self.given.u, controls), strict=True):
             place[:] = values
@@ -161,7 +167,10 @@ class SingleRun:
 
 
 def set_up(model: Model, settings: Settings, given: Given, start: Resume | None = None) -> SingleRun:
-    """The run that was asked for, its engine built. Raises InputError where C is asked for and there is no compiler."""
+    """Return the requested run with its engine built.
+
+    Raises InputError where C is requested and there is no compiler.
+    """
     engine = engine_for(model.without_redundancy(given.dependent), settings.method, settings.compiled)
     code, compiled = engine.code, settings.compiled
     gear = Gear(code, compiled=compiled is True, changes=compiled == "auto") if code else None
@@ -170,7 +179,7 @@ def set_up(model: Model, settings: Settings, given: Given, start: Resume | None 
 
 @dataclass(frozen=True)
 class Trace:
-    """One run, and what was kept of it."""
+    """Result of one run at one tolerance."""
 
     tolerance: float
     ending: Ending

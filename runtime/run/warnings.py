@@ -1,4 +1,4 @@
-"""What is to be known of a run that goes on all the same: its warnings."""
+"""Warnings about a run that do not stop it."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from hertzwerk.runtime.solution.impacts import ApproachSpeeds, Track
 
 
 def unchecked(model: Model) -> tuple[str, ...]:
-    """What of a model runs although it is inconsistent."""
+    """Return the dimensionally inconsistent effects that a model runs unchecked."""
     return tuple(
         f"{effect} is dimensionally inconsistent and runs unchecked: {why}" for effect, why in model.module.UNCHECKED
     )
 
 
 def open_forces(model: Model, bound: Bound, q: np.ndarray) -> Iterator[str]:
-    """Redundant constraints at a start: the motion does not say how they share what they hold."""
+    """Yield a warning of redundant constraints at a start, whose forces the motion leaves undetermined."""
     if not model.nl:
         return
     from hertzwerk.runtime.start.assembly import undetermined  # a tree needs none
@@ -31,7 +31,7 @@ def open_forces(model: Model, bound: Bound, q: np.ndarray) -> Iterator[str]:
 
 
 def approach_speeds(model: Model, bound: Bound) -> Iterator[ApproachSpeeds]:
-    """Observers of the pairs whose compliant law holds up to a speed [m/s]: those whose material has a density."""
+    """Yield observers of the pairs whose compliant law has a speed limit [m/s] (material with a density)."""
     pairs = getattr(model.module, "SPEED_LIMITED", ())
     limits = np.array(model.function("speed_limits")(bound.p)).ravel() if pairs else ()
     for pair, limit in zip(pairs, limits, strict=True):
@@ -39,7 +39,7 @@ def approach_speeds(model: Model, bound: Bound) -> Iterator[ApproachSpeeds]:
 
 
 def too_fast(model: Model, speeds: Sequence[ApproachSpeeds]) -> Iterator[str]:
-    """Contacts faster than their compliant law allows, of all pairs together."""
+    """Yield a warning of contacts faster than their compliant law allows, of all pairs together."""
     over, count = sum(seen.over for seen in speeds), sum(seen.count for seen in speeds)
     if not over:
         return
@@ -52,7 +52,7 @@ def too_fast(model: Model, speeds: Sequence[ApproachSpeeds]) -> Iterator[str]:
 
 
 def floored(count: int, floor: float) -> Iterator[str]:
-    """Contacts that began slower than the least speed [m/s] that is latched."""
+    """Yield a warning of contacts slower than the least latched approach speed [m/s]."""
     if not count:
         return
     contacts = "one contact began" if count == 1 else f"{count} contacts began"
@@ -60,6 +60,6 @@ def floored(count: int, floor: float) -> Iterator[str]:
 
 
 def uncompiled(code: Code | None) -> Iterator[str]:
-    """A warning where C would have saved time and the compiler was of no use."""
+    """Yield a warning where C would have saved time but the compiler failed."""
     if code is not None and code.complaint:
         yield f"not compiled, which costs time and no accuracy: {code.complaint}"

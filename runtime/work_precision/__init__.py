@@ -1,1 +1,1 @@
-"""What accuracy costs: runs timed fairly against a reference."""
+"""Work and precision: runs timed fairly, their errors measured against a reference."""

@@ -1,4 +1,4 @@
-"""The reference of a study: two independent methods, tightened until they agree, and how far they still differ along the run."""
+"""Reference of a study: two independent methods, tightened until they agree, and their difference."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ KNOWN = 1e-6  # where a reference does not hold up to the end, runs are as long 
 
 @dataclass(frozen=True)
 class Problem:
-    """What is run, but for how: a model, how long, and its numbers. Called with the other arguments of `simulate`."""
+    """Problem of a study: model, duration and numbers; called with the other arguments of `simulate`."""
 
     model: Model
     duration: str | float | None
@@ -40,7 +40,7 @@ class Problem:
     solve: Callable[..., Solution] = simulate
 
     def __call__(self, **options: Any) -> Solution:
-        """One run; raises InputError, and KeyboardInterrupt where the user stopped it: that ends what it was a part of."""
+        """Run once; raises InputError, and KeyboardInterrupt where the user stopped the run."""
         given = {"duration": self.duration, "parameters": self.parameters, "initial": self.initial}
         run = self.solve(self.model, **{**given, **options})
         if run.outcome.name == "interrupted":
@@ -58,7 +58,7 @@ class NoReferenceError(Exception):
 
 @dataclass(frozen=True)
 class Reference:
-    """The run that is taken for the true one, and the one that it is held against, at times t (n,) [s] from start to end.
+    """Run taken as the true one, and its partner, at times t (n,) [s] from start to end.
 
     y, other       their states, shape (n, ny)
     levels         tolerance and difference at the end, as the two were tightened
@@ -72,11 +72,11 @@ class Reference:
     levels: tuple[tuple[float, float], ...]
 
     def error(self, run: Solution) -> Array:
-        """Error of a run at the times of the reference, shape (n,); of one that stopped, nan after its end."""
+        """Return the error of a run at the times of the reference, shape (n,); nan after its end."""
         return self._along(run, scaling.error)
 
     def departure(self, run: Solution) -> Array:
-        """The same of the coordinates alone: where the trajectory is."""
+        """Return the error of the coordinates alone."""
         return self._along(run, scaling.departure)
 
     def _along(self, run: Solution, measure: Callable[..., Array]) -> Array:
@@ -87,27 +87,27 @@ class Reference:
 
     @cached_property
     def floor(self) -> Array:
-        """How far the two differ, shape (n,): smaller errors cannot be told."""
+        """Difference of the two runs, shape (n,), below which no error can be measured."""
         return scaling.error(self.run.model, self.run.scales, self.other, self.y)
 
     @cached_property
     def floor_of_departure(self) -> Array:
-        """The same of the coordinates alone."""
+        """Difference of the coordinates alone."""
         return scaling.departure(self.run.model, self.run.scales, self.other, self.y)
 
     @property
     def uncertainty(self) -> float:
-        """Of the state at the end: no less than rounding."""
+        """Uncertainty of the state at the end, no less than rounding."""
         return max(at_end(self.floor), float(np.finfo(float).eps))
 
     @property
     def horizon(self) -> float:
-        """Time [s] up to which the reference itself is known to 1 %; infinite where that is to the end."""
+        """Time [s] up to which the reference itself is known to 1 %; infinite if to the end."""
         return crossing(self.t, self.floor_of_departure)
 
     @property
     def known(self) -> float:
-        """Time [s] up to which it is known well enough to measure errors by."""
+        """Time [s] up to which the reference is accurate enough to measure errors."""
         if self.horizon == np.inf:
             return float(self.t[-1])
         over = np.flatnonzero(self.floor > KNOWN)
@@ -115,20 +115,24 @@ class Reference:
 
 
 def at_end(difference: Array) -> float:
-    """Size of a difference (n,) of two runs at the end: no less than is typical just before, so that no crossing is taken for agreement."""
+    """Return the size of a difference (n,) of two runs at the end.
+
+    No less than is typical just before, so that no crossing is taken for agreement.
+    """
     return max(float(difference[-1]), float(np.median(difference[-max(1, len(difference) // 10) :])))
 
 
 def states(run: Solution, t: Array) -> Array:
-    """States (n, ny) at times [s] (n,) within a run."""
+    """Return states (n, ny) at times [s] (n,) within a run."""
     found: Array = run.at(t).part("y")
     return found
 
 
 def reference(problem: Problem, progress: Callable[[float], object] = lambda _: None) -> Reference:
-    """The reference of a problem: of two methods at the tolerance where they agree best, the one that changed less when it was tightened.
+    """Make the reference of a problem from two methods at the tolerance where they agree best.
 
-    Raises NoReferenceError where no two methods reach the end, InputError.
+    Of the two the run that changed less when tightened. Raises NoReferenceError where no two methods reach the end,
+    InputError.
     """
     able, failed = list(METHODS), dict[str, "Solution"]()
     t: Array | None = None
@@ -173,6 +177,6 @@ def reference(problem: Problem, progress: Callable[[float], object] = lambda _: 
 
 
 def _times(run: Solution) -> Array:
-    """Where runs are compared [s]."""
+    """Return the times [s] at which runs are compared."""
     steps = run.t[:: 1 + len(run.t) // SAMPLES]
     return np.unique(np.concatenate([np.linspace(0.0, run.t_end, SAMPLES + 1), steps]))

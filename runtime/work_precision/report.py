@@ -1,4 +1,4 @@
-"""What a work-precision study says: sentences computed from its data, a table, and plain numbers for JSON and CSV."""
+"""Report of a work-precision study: sentences from its data, a table, numbers for JSON and CSV."""
 
 from __future__ import annotations
 
@@ -30,12 +30,12 @@ FIELDS = ("method", "compiled", "accuracy", "error", "estimate", "steps", "rhs_e
 
 
 def conclusions(study: Study) -> list[str]:
-    """What ten times more accuracy costs here and which method to take; what it buys in time."""
+    """Return sentences on the cost of ten times more accuracy, the method to take, and the time gained."""
     return [_cost(study), _growth(study)]
 
 
 def warnings(study: Study) -> list[str]:
-    """What to know before believing the numbers."""
+    """Return reservations about the numbers."""
     held = study.reference
     found = []
     if study.shortened:
@@ -51,7 +51,7 @@ def warnings(study: Study) -> list[str]:
 
 
 def rows(study: Study) -> list[tuple[str, ...]]:
-    """The table: both times in one row, for the numbers are the same."""
+    """Return the table; times of both paths in one row, as their results are the same."""
     table: list[tuple[str, ...]] = []
     for method in study.methods:
         machine = study.of(method, compiled=False)
@@ -68,7 +68,7 @@ def rows(study: Study) -> list[tuple[str, ...]]:
 
 
 def error(study: Study, row: Row) -> str:
-    """Error of a row as people read it: below what the reference can tell, only that."""
+    """Format the error of a row; below the reference's uncertainty only that bound."""
     if row.error is None:
         return ""
     if row.error < study.least:
@@ -77,7 +77,7 @@ def error(study: Study, row: Row) -> str:
 
 
 def valid_for(study: Study, row: Row) -> str:
-    """How long a row's trajectory is the true one; a growth that was seen for so long is not believed for more than FAR times as long."""
+    """Format the time a row's trajectory is valid; a growth is extrapolated at most by the factor FAR."""
     if row.horizon is None:
         return "" if row.error is None else f"> {seconds(float(study.reference.t[-1]))}"
     far = FAR * float(study.reference.t[-1])
@@ -87,7 +87,7 @@ def valid_for(study: Study, row: Row) -> str:
 
 
 def seconds(value: float) -> str:
-    """A time in the unit that suits it, three digits."""
+    """Format a time in a suitable unit, three digits."""
     for unit, factor in (("s", 1.0), ("ms", 1e-3)):
         if value >= factor or (unit == "ms" and value >= 1e-4):
             return f"{value / factor:.3g} {unit}"
@@ -95,7 +95,10 @@ def seconds(value: float) -> str:
 
 
 def record(study: Study) -> dict[str, Any]:
-    """Plain numbers in SI, null for what does not exist; a horizon that is null is unbounded where the row says so, else unknown."""
+    """Return plain numbers in SI, null where undefined.
+
+    A horizon that is null is unbounded where the row says so, else unknown.
+    """
     held, grows = study.reference, study.growth
     return {
         "scene": study.problem.model.name,
@@ -147,7 +150,7 @@ def record(study: Study) -> dict[str, Any]:
 
 
 def csv_text(study: Study) -> str:
-    """The rows as CSV, SI."""
+    """Return the rows as CSV, SI."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     units = {"time": "s", "horizon": "s"}
@@ -158,7 +161,7 @@ def csv_text(study: Study) -> str:
 
 
 def length(study: Study) -> str:
-    """What a trajectory stays within."""
+    """Describe the limit that defines a valid trajectory."""
     kinds = {kind for _, kind in study.problem.model.module.PAIRS}
     return "1 % of the clearance" if kinds & set(CLEARANCES) else "1 % of the scene's length"
 
@@ -217,7 +220,7 @@ def _growth(study: Study) -> str:
 
 
 def _failures(found: Iterable[Row]) -> dict[str, str]:
-    """Why runs did not get there, one message for each method."""
+    """Return the failures of runs, one message for each method."""
     failed: dict[str, str] = {}
     for row in found:
         if row.error is None and row.outcome not in (NOT_TRIED, *LATE):
@@ -226,7 +229,7 @@ def _failures(found: Iterable[Row]) -> dict[str, str]:
 
 
 def plain(value: float) -> str:
-    """A number of two digits, without an exponent where that is short."""
+    """Format a number with two digits, without an exponent where that is short."""
     return f"{float(f'{value:.2g}'):g}"
 
 
@@ -245,6 +248,6 @@ def _count(value: int | None) -> str:
 
 
 def _listed(parts: Iterable[str]) -> str:
-    """a; a and b; a, b and c."""
+    """Join words: a; a and b; a, b and c."""
     words: Sequence[str] = list(parts)
     return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"

@@ -1,4 +1,4 @@
-"""What accuracy costs: methods and accuracies, compiled and not, each run's true error against a reference and the time its user waits for it."""
+"""Work-precision study: true error and time of runs over methods, accuracies and compilation."""
 
 from __future__ import annotations
 
@@ -30,14 +30,14 @@ NOT_TRIED = "not_tried"
 
 @dataclass(frozen=True)
 class Row:
-    """One run: asked, got, and paid.
+    """One run of a study: accuracy requested, error reached, time taken.
 
     error       true error at the end, in the scene's scales; None where the run did not get there
-    estimate    what the run itself says of it
+    estimate    the run's own estimate of it
     time        [s] the whole call takes its user, median of several; None where it was not tried
     floor       least error that the run found to be possible, where that is more than was asked for
-    horizon     time [s] up to which the trajectory stays within 1 %, beyond the end of the run as errors grow; infinite where they do not;
-                None where that is unknown
+    horizon     time [s] up to which the trajectory stays within 1 %, extrapolated beyond the end of the run by the growth of errors; infinite where
+                they do not grow; None where that is unknown
     """
 
     method: str
@@ -73,12 +73,12 @@ class Study:
 
     @property
     def shortened(self) -> bool:
-        """Whether runs end where the reference is no longer known, not where was asked."""
+        """Return whether runs end where the reference is no longer known, before the requested duration."""
         return float(self.reference.t[-1]) < self.asked
 
     @property
     def compiled(self) -> bool:
-        """Whether there are compiled rows; methods are then compared by these."""
+        """Return whether there are compiled rows; methods are then compared by these."""
         return any(row.compiled for row in self.rows)
 
     @cached_property
@@ -87,23 +87,23 @@ class Study:
         return tuple(dict.fromkeys(row.method for row in self.rows))
 
     def of(self, method: str, *, compiled: bool | None = None) -> list[Row]:
-        """Rows of a method, those that it is compared by unless told."""
+        """Return the rows of a method, by default those by which methods are compared."""
         compiled = self.compiled if compiled is None else compiled
         return [row for row in self.rows if row.method == method and row.compiled == compiled]
 
     @property
     def least(self) -> float:
-        """The least error that can be told from none."""
+        """The least measurable error."""
         return TOLD * self.reference.uncertainty
 
     @cached_property
     def levels(self) -> tuple[float, ...]:
-        """The accuracies asked for that can be told."""
+        """The requested accuracies that are measurable."""
         return tuple(a for a in dict.fromkeys(row.accuracy for row in self.rows) if a >= self.least)
 
     @cached_property
     def times(self) -> dict[str, dict[float, float]]:
-        """For each method and level the least time [s] of its runs whose error is no larger; where it has none, there is no entry."""
+        """Least time [s] of each method's runs with an error within a level; no entry where there is none."""
         found: dict[str, dict[float, float]] = {}
         for method in self.methods:
             rows = [(row.error, row.time) for row in self.of(method) if row.error is not None and row.time is not None]
@@ -113,7 +113,7 @@ class Study:
 
     @cached_property
     def cheapest(self) -> dict[float, str]:
-        """At each level that some method gets to, the one that does so in the least time."""
+        """Fastest method at each level that some method reaches."""
         found = {}
         for level in self.levels:
             able = [method for method in self.methods if level in self.times[method]]
@@ -123,7 +123,7 @@ class Study:
 
     @cached_property
     def recommended(self) -> str | None:
-        """The method that gets to most levels, and to them in the least time on average; None where no run gets to any."""
+        """Method that reaches most levels and is the fastest on average; None where no run reaches any."""
 
         def score(method: str) -> tuple[int, float]:
             over = [math.log(t / self.times[self.cheapest[x]][x]) for x, t in self.times[method].items()]
@@ -133,7 +133,10 @@ class Study:
 
     @cached_property
     def decade_costs(self) -> dict[str, float | None]:
-        """Factor of time for ten times less error, of each method; where no error can be told, for ten times less asked for."""
+        """Factor of time for ten times less error, of each method.
+
+        Where errors are not measurable, for ten times less requested.
+        """
         found = {}
         for method in self.methods:
             told = self._told(method)
@@ -145,12 +148,12 @@ class Study:
 
     @property
     def decade_cost(self) -> float | None:
-        """Of the recommended method."""
+        """Factor of time for ten times less error, of the recommended method."""
         return None if self.recommended is None else self.decade_costs[self.recommended]
 
     @cached_property
     def orders(self) -> dict[str, float | None]:
-        """Order that each method shows here."""
+        """Observed order of each method."""
         rows = {method: self._told(method) for method in self.methods}
         return {m: order([e for e, _, _ in told], [n for _, _, n in told]) for m, told in rows.items()}
 
@@ -172,7 +175,7 @@ class Study:
         return median(ratios) if ratios else None
 
     def _told(self, method: str) -> list[tuple[float, float, float]]:
-        """Error, time [s] and evaluations of the runs whose error can be told."""
+        """Return error, time [s] and evaluations of the runs with a measurable error."""
         return [
             (row.error, row.time, float(row.rhs_evaluations))
             for row in self.of(method)
@@ -188,11 +191,13 @@ def study(
     wall_time: float = WALL_TIME,
     progress: Callable[[float], object] = lambda _: None,
 ) -> Study:
-    """Make the reference, then every run, one after the other: two that are timed at once would be in each other's way.
+    """Make the reference, then every run, one after the other.
+
+    Runs timed at once would disturb each other.
 
     accuracies    from loose to tight; where a run takes longer than wall_time [s], the tighter ones of its method are not tried
 
-    Raises InputError for bad input, NoReferenceError where there is nothing to measure by.
+    Raises InputError for bad input, NoReferenceError where there is no reference.
     """
     held = reference(problem, lambda part: progress(FIRST[0] * part))
     asked = held.run.duration
@@ -231,19 +236,22 @@ def study(
 
 
 def decade_cost(errors: Sequence[float], times: Sequence[float]) -> float | None:
-    """Factor of time for ten times less error: 10^(1/p) where the time is proportional to error^(-1/p). None where errors do not tell."""
+    """Return the factor of time for ten times less error; None where errors scatter too much.
+
+    10^(1/p) where the time is proportional to error^(-1/p).
+    """
     slope = _slope(np.log10(errors), np.log10(times))
     return None if slope is None else float(10.0**-slope)
 
 
 def order(errors: Sequence[float], evaluations: Sequence[float]) -> float | None:
-    """p, where the error is proportional to evaluations^-p. None where errors do not tell."""
+    """Return p, where the error is proportional to evaluations^-p; None where errors scatter too much."""
     slope = _slope(np.log10(errors), np.log10(evaluations))  # of errors, which are further apart than the evaluations
     return None if slope is None or slope >= 0 else -1 / slope
 
 
 def _slope(x: Array, y: Array) -> float | None:
-    """Median of the slopes between points that stand apart (Theil and Sen): single lucky errors do not turn it."""
+    """Return the median of the slopes between distant points (Theil and Sen), robust to single errors."""
     apart = [(i, j) for i, j in combinations(range(len(x)), 2) if abs(x[j] - x[i]) >= APART]
     return median(float((y[j] - y[i]) / (x[j] - x[i])) for i, j in apart) if len(apart) > 1 else None
 

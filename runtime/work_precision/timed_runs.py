@@ -1,8 +1,9 @@
-"""Runs of one problem, measured against its reference and timed fairly: what is built is built before, and the runs take turns.
+"""Timed runs of one problem, measured against its reference; built beforehand, in alternating rounds.
 
-Runs are timed one after the other in one process, round after round: whatever else the machine does at a time then hits all of them alike, and the
-median of the rounds leaves it out. The time is the processor's, which a run, being one thread that waits for nothing, has all to itself on an idle
-machine; on a busy one the clock on the wall also shows the turns of others.
+Runs are timed one after the other in one process, round after round: a disturbance of the machine then affects all of
+them alike, and the median of the rounds leaves it out. The time is the processor's, which a run, being one thread
+that waits for nothing, has all to itself on an idle machine; on a busy one the clock on the wall also includes the
+turns of others.
 """
 
 from __future__ import annotations
@@ -41,7 +42,7 @@ SHORT, IN_A_ROW = 0.02, 3  # s: what takes less runs so often in a round
 
 @dataclass(frozen=True)
 class Try:
-    """One way to run the problem. Called, it returns the time [s] that the whole call takes its user, and the run."""
+    """One way to run the problem; called, it returns the time [s] of the whole call and the run."""
 
     problem: Problem
     method: str
@@ -64,7 +65,7 @@ class Try:
 
 @dataclass
 class Made:
-    """What came of a try: what is kept of its run, and its times [s].
+    """Result of a try: outcome, errors, cost and times [s].
 
     error, departure    (n,) at the times of the reference (see `Reference`), nan after the end of the run
     taken               of the time simulated by `auto`, the share of each of its methods
@@ -90,12 +91,12 @@ class Made:
 
     @cached_property
     def late(self) -> bool:
-        """Whether it took too long."""
+        """Return whether the run took too long."""
         return self.outcome.name in LATE
 
 
 def ready(problem: Problem, methods: Sequence[str]) -> bool:
-    """Build, and where there is a compiler compile, what the methods run with; returns whether there is one."""
+    """Build, and compile if possible, what the methods run with; return whether there is a compiler."""
     try:
         for method in methods:
             prepare(problem.model, method, True)
@@ -105,7 +106,7 @@ def ready(problem: Problem, methods: Sequence[str]) -> bool:
 
 
 def make(by: Try, held: Reference) -> Made:
-    """Run once, and measure."""
+    """Run once and measure."""
     by.problem(tolerance=by.accuracy, **{**by.options, "max_steps": 1})  # what is built once is built now
     seconds, run = by()
     return Made(
@@ -125,7 +126,7 @@ def make(by: Try, held: Reference) -> Made:
 
 
 def repeat(made: Sequence[Made], progress: Callable[[float], object]) -> None:
-    """Add to the times of what is short enough, in rounds."""
+    """Repeat short runs in rounds and add their times."""
     least, most = ROUNDS
     short = [this for this in made if this.times[0] < ONCE and this.outcome.finished]
     began = time.perf_counter()
@@ -140,7 +141,7 @@ def repeat(made: Sequence[Made], progress: Callable[[float], object]) -> None:
 
 
 def _shares(run: Solution) -> dict[str, float]:
-    """Share of the time simulated that `auto` went with each of its two methods."""
+    """Return the share of simulated time for each of the two methods of `auto`."""
     implicit = np.diff(run.t) @ (run.history.part("method")[1:, 0] == IMPLICIT) / run.t[-1]
     explicit, other = (table().name for table in METHODS["auto"])
     return {explicit: float(1 - implicit), other: float(implicit)}

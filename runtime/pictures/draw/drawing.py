@@ -1,4 +1,4 @@
-"""A mechanism on an axis: at its start, faintly later, with the paths of its points, names, and scales."""
+"""Drawing of a mechanism on an axis: start, faint later positions, paths of points, names, scales."""
 
 from __future__ import annotations
 
@@ -35,7 +35,10 @@ UNITS = (("m", 1.0), ("cm", 1e-2), ("mm", 1e-3), ("µm", 1e-6))
 
 @dataclass(frozen=True)
 class Drawing:
-    """A mechanism ready to be drawn: what is seen of it, `size` of the axis [inch], its limits (left, right, bottom, top), instants of the ghosts."""
+    """Mechanism ready to be drawn.
+
+    size: of the axis [inch]; frame: its limits (left, right, bottom, top); ghosts: instants of the faint positions.
+    """
 
     parts: Parts
     size: tuple[float, float]
@@ -46,7 +49,7 @@ class Drawing:
     def of(
         cls, places: Places, panel: tuple[float, float], least: tuple[float, float] = LEAST, margin: float = MARGIN
     ) -> Drawing:
-        """Everything fits into a panel [inch]."""
+        """Fit a mechanism into a panel [inch]."""
         view = view_of(places)
         rough = float(np.max(np.ptp(Parts(places, view, Scale("m", 1.0)).extents(), axis=0)))
         parts = Parts(places, view, _unit(rough or 1.0))
@@ -67,7 +70,7 @@ class Drawing:
         return (self.frame[1] - self.frame[0]) / self.size[0] / 72
 
     def on(self, axis: Axes, size: float = 9.0, symbols: float = 1.0) -> None:
-        """Draw it, with names of a size [points], and symbols of so much their usual one."""
+        """Draw on an axis, with names of a size [points] and symbols scaled by a factor."""
         parts = self.parts
         length = parts.length(0) or CROWDED * self.point
         paper = Paper(axis, self.point * symbols * float(np.clip(length / (CROWDED * self.point), LEAST_SYMBOL, 1.0)))
@@ -85,7 +88,7 @@ class Drawing:
         labels.place(paper, list(self._names(paper, size)), self.frame, self.point)
 
     def caption(self) -> str:
-        """What is seen."""
+        """Describe the drawing."""
         t = self.parts.places.t
         if len(t) == 1:
             return "At the start."
@@ -105,7 +108,10 @@ class Drawing:
 
     @cached_property
     def paths(self) -> list[tuple[Landmark, Array]]:
-        """Landmarks that move and their ways (n, 2), each way once: of pairs, then the longest of joints and mass centres."""
+        """Moving landmarks and their paths (n, 2), without duplicates.
+
+        Those of pairs first, then the longest of joints and mass centres.
+        """
         parts, reach = self.parts, 8 * self.point
         chosen: list[tuple[Landmark, Array]] = []
         for mark in sorted(parts.places.landmarks, key=self._rank):
@@ -116,7 +122,10 @@ class Drawing:
         return [(mark, _cut(way)) for mark, way in chosen[:PATHS]]
 
     def _rank(self, mark: Landmark) -> tuple[int, float]:
-        """Which paths are shown first: of pins, balls and spheres, of joints and mass centres by their size; none of the rest."""
+        """Return the priority of a landmark's path.
+
+        Pins, balls and spheres first, then joints and mass centres by the size of their path; others are not shown.
+        """
         if mark.place in ("pin", "ball", "sphere", "cylinder", "disc") or mark.kind == "sphere_on_sphere":
             return 0, 0.0
         if mark.kind == "body" or (mark.place == "child" and not mark.kind.startswith(("slide_", "turn_", "planar"))):
@@ -145,7 +154,7 @@ class Drawing:
                 yield labels.Label(name, parts.at(marks[0], 0)[None], VERMILLION, size - 1)
 
     def _gravity(self, paper: Paper, p: float) -> None:
-        """An arrow in the corner where there is least ink."""
+        """Draw gravity's arrow in the corner with the least ink."""
         parts, (left, right, bottom, top) = self.parts, self.frame
         marks = [mark for mark in parts.places.landmarks if mark.kind == "gravity"]
         if not marks:
@@ -168,7 +177,7 @@ class Drawing:
         axis.tick_params(labelsize=8.5)
 
     def _triad(self, paper: Paper, p: float) -> None:
-        """The ground's axes as they are seen, and a scale."""
+        """Draw the projected axes of the ground, and a scale bar."""
         axis, (left, right, bottom, top) = paper.axis, self.frame
         axis.set_axis_off()
         corners = [np.array([x, y]) for y in (bottom + 30 * p, top - 38 * p) for x in (left + 30 * p, right - 32 * p)]
@@ -190,19 +199,19 @@ class Drawing:
 
 
 def _cut(way: Array) -> Array:
-    """The beginning of a path (n, 2), as long as it stays readable."""
+    """Return the beginning of a path (n, 2), as long as it stays readable."""
     length = np.cumsum(np.linalg.norm(np.diff(way, axis=0), axis=1))
     return way[: 2 + int(np.searchsorted(length, ROUNDS * float(np.max(np.ptp(way, axis=0)))))]
 
 
 def _stands_behind(parts: Parts, size: float) -> bool:
-    """Whether a spring or damper on a slide is too short to be drawn between its points."""
+    """Return whether a spring or damper on a slide is too short to be drawn between its points."""
     ends = [marks for (_, kind), marks in parts.of.items() if kind in ("slide_spring", "slide_damper")]
     return any(np.linalg.norm(parts.at(a, 0) - parts.at(b, 0)) < 0.15 * size for a, b in ends)
 
 
 def _distinct(parts: Parts, size: float) -> tuple[int, ...]:
-    """Instants that show most of the motion: each in turn the furthest from those before, the start first (farthest-point sampling)."""
+    """Select the instants that show most of the motion, by farthest-point sampling from the start."""
     marks = [m for m in parts.places.landmarks if m.body != GROUND]
     if not marks or len(parts.places.t) < 2:
         return ()
@@ -217,11 +226,11 @@ def _distinct(parts: Parts, size: float) -> tuple[int, ...]:
 
 
 def _unit(size: float) -> Scale:
-    """Metres, centimetres or less, for numbers of one to three digits."""
+    """Return metres, centimetres or less, for numbers of one to three digits."""
     return Scale(*next((unit for unit in UNITS if size >= 1.2 * unit[1] * (8 if unit[0] == "cm" else 1)), UNITS[-1]))
 
 
 def _nice(length: float) -> float:
-    """The nearest of 1, 2, 5, 10, ... below a length."""
+    """Return the nearest of 1, 2, 5, 10, ... below a length."""
     power = 10.0 ** np.floor(np.log10(length))
     return float(max(step * power for step in (1, 2, 5) if step * power <= length))

@@ -1,4 +1,4 @@
-"""Force elements on paper: springs, dampers, drives, forces and moments, as symbols."""
+"""Symbols of force elements: springs, dampers, drives, forces and moments."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ ARROW = 30.0  # length, points
 
 
 def draw(parts: Parts, paper: Paper, i: int) -> None:
-    """All of them at an instant."""
+    """Draw all force elements at an instant."""
     for (_, kind), marks in parts.of.items():
         if kind in _SYMBOLS:
             _SYMBOLS[kind](parts, paper, marks, i)
@@ -29,7 +29,10 @@ def _between(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> N
 
 
 def _on_slide(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> None:
-    """Between both points of a joint; where they are close, from the ground behind what slides. A damper stands beside a spring."""
+    """Draw between both points of a joint, or, where they are close, from the ground behind the slider.
+
+    A damper stands beside a spring.
+    """
     way, _ = parts.way(marks[0], "axis", i)
     side = np.array([-way[1], way[0]]) * paper.point * (0.0 if marks[0].kind.endswith("spring") else 9.0)
     a, b = (parts.at(mark, i) + side for mark in marks[:2])
@@ -44,7 +47,7 @@ def _on_slide(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> 
 
 
 def _arc(parts: Parts, mark: Landmark, i: int, radius: float, start: float, end: float) -> Array:
-    """Of a turn about the axis of a landmark, on the paper, angles in degrees."""
+    """Return the projected arc about the axis of a landmark, angles in degrees."""
     name = "axis" if "axis" in mark.beside else "moment"
     first, second = across(parts.places.direction(mark, name)[i])
     angles = np.radians(np.linspace(start, end, 40))
@@ -80,7 +83,7 @@ def _slide_arrow(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) 
 
 
 def _force(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> None:
-    """An arrow along a force that depends on parameters alone; of any other the point."""
+    """Draw an arrow along a force that depends on parameters alone; for any other its point."""
     at = parts.at(marks[0], i)
     if len(marks) > 1 and np.any(marks[1].beside["force"]):
         way, seen = parts.way(marks[1], "force", i)

@@ -1,4 +1,4 @@
-"""What is too small to be seen in the picture of a mechanism, enlarged beside it: clearances of joints, gaps of faces."""
+"""Insets that enlarge details of a mechanism: clearances of joints, gaps of faces."""
 
 from __future__ import annotations
 
@@ -27,10 +27,10 @@ LEGIBLE = 0.1  # ... this
 
 @dataclass(frozen=True)
 class Inset:
-    """A window on the mechanism.
+    """Window on a detail of the mechanism.
 
-    Of a clearance joint `exaggerated` says how much more than its radii the clearance is enlarged; 0: a gap, all to scale. Where the joint is
-    large in the picture already, the window is on the `way` of the pin's centre alone.
+    exaggerated: factor by which the clearance of a joint is enlarged beyond its radii; 0: a gap, all to scale. way:
+    show only the path of the pin's centre, where the joint is large in the picture already.
     """
 
     name: str
@@ -43,7 +43,10 @@ class Inset:
     way: bool = False
 
     def on(self, page: Figure, main: Axes, box: tuple[float, float, float, float], point: float, below: bool) -> None:
-        """Draw it in a box of the page, `below` the main axis or beside it, with a line to where it is there; `point` is that axis's."""
+        """Draw in a box of the page, `below` the main axis or beside it, with a line to the place there.
+
+        point: of the main axis.
+        """
         axis = page.add_axes(box)
         axis.set(
             xticks=[],
@@ -78,7 +81,7 @@ class Inset:
         page.add_artist(line)
 
     def _joint(self, paper: Paper) -> None:
-        """The joint with its clearance, and within it the way of the pin's centre against the bush."""
+        """Draw the joint with its clearance, and within it the path of the pin's centre against the bush."""
         inner, outer = self.marks
         parts, k, c = self.parts, self.exaggerated, self.centre
         radius, hole = inner.size("radius") / parts.unit.factor, outer.size("radius") / parts.unit.factor
@@ -94,7 +97,7 @@ class Inset:
         paper.pin(c + way[0], 1.6, INK)
 
     def _way(self, paper: Paper) -> None:
-        """The way of the pin's centre in the circle that the clearance leaves it."""
+        """Draw the path of the pin's centre in its clearance circle."""
         inner, outer = self.marks
         clearance = (outer.size("radius") - inner.size("radius")) / self.parts.unit.factor
         way = self.centre + self.parts.flat(self._eccentricity())
@@ -105,7 +108,10 @@ class Inset:
         paper.pin(way[0], 1.6, INK)
 
     def _eccentricity(self) -> Array:
-        """From the bush's centre to the pin's [m], in axes that turn with the bush and are the ground's at the start: (n, 3)."""
+        """Return the vector (n, 3) from the bush's centre to the pin's [m].
+
+        In axes that turn with the bush and are the ground's at the start.
+        """
         inner, outer = self.marks
         places = self.parts.places
         apart = self.parts.positions[id(inner)] - self.parts.positions[id(outer)]
@@ -114,7 +120,10 @@ class Inset:
 
 
 def clearances(parts: Parts, point: float) -> Iterator[Inset]:
-    """Insets for what is smaller than a few points; of gaps of one kind the smallest. `point` is one in the unit of the picture."""
+    """Yield insets for details smaller than a few points; for gaps of one kind the smallest.
+
+    point: 1/72 inch in the unit of the picture.
+    """
     found: list[Inset] = []
     for (name, kind), marks in parts.of.items():
         if kind in INSIDE:
@@ -140,7 +149,7 @@ def clearances(parts: Parts, point: float) -> Iterator[Inset]:
 
 
 def _gap(parts: Parts, marks: list[Landmark]) -> tuple[float, Array] | None:
-    """Width of a gap at the start [m] and its middle (3,), of pairs whose surfaces face each other."""
+    """Return the width of a gap at the start [m] and its middle (3,), for surfaces that face each other."""
     if len(marks) < 2:
         return None
     first, second = marks
@@ -159,7 +168,7 @@ def _gap(parts: Parts, marks: list[Landmark]) -> tuple[float, Array] | None:
 
 
 def _round(number: float) -> float:
-    """The nearest of 1, 2, 5, 10, ... below a number."""
+    """Return the nearest of 1, 2, 5, 10, ... below a number."""
     power = 10.0 ** np.floor(np.log10(number * 1.001))
     return float(max(step * power for step in (1, 2, 5) if step * power <= number * 1.001))
 

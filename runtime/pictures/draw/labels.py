@@ -1,4 +1,4 @@
-"""Names beside what they name, where they cover nothing: every candidate place is weighed by the ink beneath it."""
+"""Placement of names beside their parts: candidate places are weighed by the ink beneath them."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class Label:
 
 
 def place(paper: Paper, labels: Sequence[Label], frame: Frame, point: float) -> None:
-    """Write the names; a point of their size is `point` in the units of the axis."""
+    """Write the names; `point` is a point of their size in the units of the axis."""
     ink = np.concatenate([np.zeros((0, 2)), *paper.ink]), np.concatenate([np.zeros((0, 2)), *paper.light])
     taken = np.zeros((0, 2, 2))
     for label in labels:
@@ -59,13 +59,13 @@ def place(paper: Paper, labels: Sequence[Label], frame: Frame, point: float) -> 
 
 
 def _half(label: Label) -> Array:
-    """Half the size of a name with a margin [points]."""
+    """Return half the size of a name with a margin [points]."""
     box = TextPath((0, 0), label.text, size=label.size).get_extents()
     return np.array([box.width / 2 + 1.5, label.size * 0.55 + 0.5])
 
 
 def _candidates(anchors: Array, half: Array, point: float) -> tuple[Array, Array]:
-    """Centres (k, 2) around the anchors, in every direction and distance, and what the distance costs (k,)."""
+    """Return centres (k, 2) around the anchors, in every direction and distance, and their costs (k,)."""
     angles = 2 * np.pi * np.arange(WAYS) / WAYS
     ways = np.stack([np.cos(angles), np.sin(angles)], axis=-1)
     edge = np.min(half / np.maximum(np.abs(ways), 1e-9), axis=1)  # of the box, from its centre
@@ -76,14 +76,14 @@ def _candidates(anchors: Array, half: Array, point: float) -> tuple[Array, Array
 
 
 def _inside(points: Array, low: Array, high: Array) -> Array:
-    """How many of the points (n, 2) are in each of the boxes (k, 2)."""
+    """Count the points (n, 2) in each of the boxes (k, 2)."""
     x, y = points.T
     within = (x > low[:, :1]) & (x < high[:, :1]) & (y > low[:, 1:]) & (y < high[:, 1:])
     return np.asarray(np.sum(within, axis=1), dtype=float)
 
 
 def _lead(paper: Paper, centre: Array, anchor: Array, half: Array) -> None:
-    """A line from a name to what it names, where that is not near."""
+    """Draw a line from a name to its part, where that is not near."""
     way = anchor - centre
     length = float(np.linalg.norm(way))
     edge = float(np.min(half / np.maximum(np.abs(way) / length, 1e-9)))

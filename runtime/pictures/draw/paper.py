@@ -1,7 +1,8 @@
-"""What a mechanism is drawn with: bars, discs, blocks, springs, hatching, arrows; sizes of symbols in points, of surfaces to scale.
+"""Drawing primitives of mechanisms: bars, discs, blocks, springs, hatching, arrows.
 
-Everything is a polygon or a line in the units of the axis, so that one piece of geometry serves the whole picture and an inset. What is drawn leaves
-ink behind: points that labels keep away from.
+Symbols have sizes in points, surfaces are to scale. Everything is a polygon or a line in the units of the axis, so
+that one piece of geometry serves the whole picture and an inset. Drawing leaves ink behind: points that labels keep
+away from.
 """
 
 from __future__ import annotations
@@ -29,7 +30,10 @@ GHOST = 0.13  # how much of a ghost is seen
 
 @dataclass
 class Paper:
-    """An axis and the size of a point (1/72 inch) in its units; `ghost` draws faintly, behind everything, without symbols."""
+    """Axis and the size of a point (1/72 inch) in its units.
+
+    ghost: draw faintly, behind everything, without symbols.
+    """
 
     axis: Axes
     point: float
@@ -39,18 +43,18 @@ class Paper:
     """Of ghosts and paths."""
 
     def faint(self) -> Paper:
-        """The same paper, for ghosts."""
+        """Return the same paper, for ghosts."""
         return Paper(self.axis, self.point, True, self.ink, self.light)
 
     # -- bodies and surfaces -------------------------------------------------------------------------------------------
 
     def plate(self, corners: Array, radius: float, colour: str, z: float) -> None:
-        """The convex hull of corners (n, 2), rounded with a radius: a bar where there are two, a disc where there is one."""
+        """Draw the convex hull of corners (n, 2), rounded: a bar for two, a disc for one."""
         around = corners if radius == 0 else np.concatenate([corner + radius * _circle() for corner in corners])
         self.area(hull(around), colour, z)
 
     def area(self, outline: Array, colour: str, z: float, alpha: float = 1.0) -> None:
-        """A filled outline (n, 2)."""
+        """Draw a filled outline (n, 2)."""
         face, edge = tint(colour, 0.42), tint(colour, 1.0)
         if self.ghost:
             look: dict[str, Any] = {
@@ -66,12 +70,12 @@ class Paper:
         self._mark(np.concatenate([outline, outline[:1]]))
 
     def hole(self, outline: Array, z: float) -> None:
-        """What is cut out of a body."""
+        """Cut a hole out of a body."""
         if not self.ghost:
             self.axis.add_artist(Polygon(outline, facecolor="white", edgecolor=INK, linewidth=0.7, zorder=z))
 
     def path(self, points: Array, colour: str) -> None:
-        """The way of a point (n, 2), which names keep away from where they can."""
+        """Draw the path of a point (n, 2), which names avoid where they can."""
         self.axis.add_artist(Line2D(*points.T, color=tint(colour, 0.6), linewidth=0.7, zorder=1.5))
         self.light.append(points)
 
@@ -80,14 +84,14 @@ class Paper:
     def line(
         self, points: Array, colour: str = INK, width: float = 1.0, z: float = 5.0, style: Any = "-", ink: bool = True
     ) -> None:
-        """Through points (n, 2)."""
+        """Draw a line through points (n, 2)."""
         look: dict[str, Any] = {"color": colour, "linewidth": width, "linestyle": style, "zorder": z}
         self.axis.add_artist(Line2D(*points.T, solid_capstyle="round", solid_joinstyle="round", **look))
         if ink:
             self._mark(points)
 
     def arrow(self, points: Array, colour: str, width: float = 1.4, z: float = 8.0, head: float = 5.0) -> None:
-        """Along points (n, 2), with a head at the last."""
+        """Draw an arrow along points (n, 2), with a head at the last."""
         tip, back = points[-1], points[-2]
         way = (tip - back) / max(float(np.linalg.norm(tip - back)), 1e-300)
         side, size = np.array([-way[1], way[0]]), head * self.point
@@ -97,7 +101,7 @@ class Paper:
         self._mark(barb)
 
     def zigzag(self, a: Array, b: Array, coils: int = 6) -> None:
-        """A spring."""
+        """Draw a spring."""
         steps = np.concatenate([[0.0, 0.12], np.linspace(0.12, 0.88, 4 * coils + 1)[1:-1:2], [0.88, 1.0]])
         sides = np.concatenate([[0, 0], [(-1) ** i for i in range(2 * coils)], [0, 0]])
         way = b - a
@@ -107,7 +111,7 @@ class Paper:
         self.line(points, INK, 1.0, 6.5)
 
     def dashpot(self, a: Array, b: Array) -> None:
-        """A damper."""
+        """Draw a damper."""
         way = b - a
         length = max(float(np.linalg.norm(way)), 1e-300)
         along, half = way / length, 5 * self.point
@@ -122,19 +126,19 @@ class Paper:
     # -- symbols -------------------------------------------------------------------------------------------------------
 
     def pin(self, at: Array, size: float = 3.0, face: str = "white", z: float = 7.0) -> None:
-        """A revolute joint; filled, a spherical one."""
+        """Draw a revolute joint; filled, a spherical one."""
         self.axis.add_artist(
             Polygon(at + size * self.point * _circle(), facecolor=face, edgecolor=INK, linewidth=1.0, zorder=z)
         )
         self._mark(at[None])
 
     def square(self, at: Array, size: float = 2.6) -> None:
-        """A weld."""
+        """Draw a weld."""
         corners = size * self.point * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
         self.axis.add_artist(Polygon(at + corners, facecolor=INK, edgecolor=INK, zorder=7))
 
     def centre(self, at: Array, size: float = 3.4) -> None:
-        """A mass centre: a disc in quarters."""
+        """Draw a mass centre: a disc in quarters."""
         for start, face in ((0, INK), (90, "white"), (180, INK), (270, "white")):
             self.axis.add_artist(
                 Wedge(tuple(at), size * self.point, start, start + 90, facecolor=face, edgecolor="none", zorder=7.5)
@@ -142,7 +146,7 @@ class Paper:
         self.line(at + size * self.point * _circle(), INK, 0.7, 7.6, ink=False)
 
     def footing(self, at: Array, down: Array) -> None:
-        """What holds a joint to the ground: a triangle on hatching."""
+        """Draw the ground of a joint: a triangle on hatching."""
         side, p = np.array([-down[1], down[0]]), self.point
         left, right = (at + 10 * p * down + sign * 6.5 * p * side for sign in (-1, 1))
         self.axis.add_artist(
@@ -151,7 +155,7 @@ class Paper:
         self.ground(at + 10 * p * down - 10 * p * side, at + 10 * p * down + 10 * p * side, down)
 
     def ground(self, a: Array, b: Array, down: Array, z: float = 2.6, width: float = 1.1) -> None:
-        """A surface of the ground from a to b, hatched on the side `down` (2,)."""
+        """Draw a surface of the ground from a to b, hatched on the side `down` (2,)."""
         self.line(np.array([a, b]), INK, width, z)
         length, p = float(np.linalg.norm(b - a)), self.point
         along = (b - a) / max(length, 1e-300)
@@ -162,12 +166,12 @@ class Paper:
         self._mark(np.array([a, b]) + 3 * p * down)
 
     def text(self, at: Array, text: str, colour: str = INK, size: float = 8.0, **look: Any) -> None:
-        """Words about a place."""
+        """Write a text centred on a place."""
         x, y = (float(part) for part in at)
         self.axis.text(x, y, text, color=colour, fontsize=size, **{"ha": "center", "va": "center", "zorder": 9, **look})
 
     def turning(self, outline: Array, colour: str = VERMILLION) -> None:
-        """A turn: an arrow along an arc."""
+        """Draw a rotation: an arrow along an arc."""
         self.arrow(outline, colour, 1.5, head=5.5)
 
     def _mark(self, points: Array) -> None:
@@ -179,7 +183,7 @@ class Paper:
         )
 
     def inked(self, centre: Array, half: float) -> int:
-        """How much ink there is in a square about a place."""
+        """Count the ink in a square about a place."""
         points = np.concatenate([np.zeros((0, 2)), *self.ink])
         return int(np.sum(np.max(np.abs(points - centre), axis=1) < half))
 
@@ -189,19 +193,19 @@ def _circle() -> Array:
 
 
 def tint(colour: str, strength: float) -> tuple[float, float, float]:
-    """A colour mixed with white."""
+    """Mix a colour with white."""
     r, g, b = (1 - strength * (1 - part) for part in to_rgb(colour))
     return (r, g, b)
 
 
 def shade(colour: str) -> str:
-    """A colour dark enough to be read."""
+    """Darken a colour until it is readable."""
     r, g, b = (0.78 * part for part in to_rgb(colour))
     return to_hex((r, g, b))
 
 
 def hull(points: Array) -> Array:
-    """Convex hull of points (n, 2), counter-clockwise (Andrew's monotone chain)."""
+    """Return the convex hull of points (n, 2), counter-clockwise (Andrew's monotone chain)."""
     ordered = sorted(map(tuple, points.tolist()))
     half: list[list[tuple[float, ...]]] = []
     for sweep in (ordered, ordered[::-1]):

@@ -1,4 +1,4 @@
-"""The parts of a mechanism on paper: bodies between their points, surfaces to scale, joints and force elements as symbols."""
+"""Parts of a mechanism on paper: bodies between their points, surfaces to scale, joints as symbols."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ THIN = 0.2  # sine of the angle to the view below which a direction is not seen
 
 @dataclass(frozen=True)
 class Parts:
-    """A mechanism that is looked at in a view, in a unit."""
+    """Projected mechanism: places, view and unit."""
 
     places: Places
     view: View
@@ -42,34 +42,34 @@ class Parts:
 
     @cached_property
     def colours(self) -> dict[str, str]:
-        """Of the bodies."""
+        """Colours of the bodies."""
         bodies = self.places.bodies[1:]
         return {GROUND: GREY} | {body: CYCLE[i % len(CYCLE)] for i, body in enumerate(bodies)}
 
     # -- on the paper --------------------------------------------------------------------------------------------------
 
     def flat(self, points: Array) -> Array:
-        """Points in space [m] on the paper, in its unit."""
+        """Project points in space [m] to the paper, in its unit."""
         return np.asarray(self.unit(self.view(points)))
 
     @cached_property
     def positions(self) -> dict[int, Array]:
-        """Of every landmark, by its id, over time [m]: (n, 3)."""
+        """Position of every landmark, by its id, over time [m]: (n, 3)."""
         return {id(mark): self.places.point(mark) for mark in self.places.landmarks}
 
     def at(self, mark: Landmark, i: int) -> Array:
-        """A landmark on the paper at an instant."""
+        """Return a landmark on the paper at an instant."""
         return self.flat(self.positions[id(mark)][i])
 
     def way(self, mark: Landmark, name: str, i: int) -> tuple[Array, float]:
-        """A direction on the paper, as a unit vector, and its length there."""
+        """Return a direction on the paper as a unit vector, and its projected length."""
         vector = self.places.direction(mark, name)[i]
         seen = self.view(vector / max(float(np.linalg.norm(vector)), 1e-300))
         length = float(np.linalg.norm(seen))
         return (seen / length if length > 1e-6 else np.array([1.0, 0.0])), length
 
     def ring(self, centre: Array, axis: Array | None, radius: float) -> Array:
-        """Outline of a circle about an axis, or of a sphere, at a point in space [m]."""
+        """Return the outline of a circle about an axis, or of a sphere, at a point in space [m]."""
         first, second = (self.view.right, self.view.up) if axis is None else across(axis)
         around = np.cos(ROUND)[:, None] * first + np.sin(ROUND)[:, None] * second
         return self.flat(centre + radius * around)
@@ -77,7 +77,7 @@ class Parts:
     # -- everything at an instant --------------------------------------------------------------------------------------
 
     def draw(self, paper: Paper, i: int) -> None:
-        """Bodies, surfaces, joints, mass centres; of a ghost the bodies."""
+        """Draw bodies, surfaces, joints and mass centres; for a ghost only the bodies."""
         bodies = self.places.bodies[1:]
         order = sorted(bodies, key=lambda body: self._depth(body, i)) if self.view.names is None else bodies
         for rank, body in enumerate(order):
@@ -97,14 +97,14 @@ class Parts:
     # -- bodies --------------------------------------------------------------------------------------------------------
 
     def _shaping(self, body: str) -> list[Landmark]:
-        """Landmarks that a body extends between."""
+        """Return the landmarks that a body extends between."""
         marks = [
             m for m in self.places.of_body(body) if m.kind not in APART and not m.kind.startswith(("slide_", "turn_"))
         ]
         return marks or [m for m in self.places.of_body(body) if m.kind == "planar"]
 
     def corners(self, body: str, i: int) -> Array:
-        """Points on the paper that a body extends between."""
+        """Return the points on the paper that a body extends between."""
         marks = self._shaping(body)
         sliding = [
             self._other(mark) for mark in marks if mark.kind in SLIDING and mark.place == "parent"
@@ -138,7 +138,7 @@ class Parts:
             paper.plate(np.array([a + (low - 4 * p) * way, a + (high + 24 * p) * way]), 0.6 * BAR * p, colour, z - 0.2)
 
     def _is_round(self, mark: Landmark) -> bool:
-        """Whether a surface of its body is centred in a landmark."""
+        """Return whether a surface of its body is centred in a landmark."""
         return any(
             other.body == mark.body
             and "radius" in other.beside
@@ -148,7 +148,7 @@ class Parts:
         )
 
     def half_block(self, paper: Paper, mark: Landmark) -> tuple[float, float]:
-        """Half of what slides in a joint, along and across: large enough for a bush in it."""
+        """Return half the size of a joint's slider, along and across: large enough for a bush in it."""
         along, across = (size * paper.point for size in BLOCK)
         for other in self.places.of_body(mark.body):
             if "radius" in other.beside and np.linalg.norm(other.point - mark.point) < other.size("radius"):
@@ -199,14 +199,14 @@ class Parts:
                 paper.pin(at)
 
     def _free_side(self, paper: Paper, at: Array) -> Array:
-        """Down, or where there is much less ink."""
+        """Return the direction down, or that with much less ink."""
         reach = FOOT * paper.point
         sides = np.array([[0.0, -1.0], [0.0, 1.0], [-1.0, 0.0], [1.0, 0.0]])
         covered = [paper.inked(at + 0.8 * reach * side, 0.5 * reach) + 1.5 * k for k, side in enumerate(sides)]
         return np.asarray(sides[int(np.argmin(covered))])
 
     def _rails(self, paper: Paper, parent: Landmark, child: Landmark, i: int) -> None:
-        """The ground on both sides of what slides, as far as it slides; only the line it slides on where it is no block."""
+        """Draw the ground on both sides of a slider along its travel; only its line where it is no block."""
         way, seen = self.way(parent, "axis", i)
         if seen < THIN:
             return
@@ -255,7 +255,7 @@ class Parts:
                     paper.pin(end, 2.2, GREY)
 
     def axis_of(self, marks: Sequence[Landmark], i: int) -> Array | None:
-        """Of a round pair in space, None of spheres."""
+        """Return the axis of a round pair in space; None for spheres."""
         return next((self.places.direction(mark, "axis")[i] for mark in marks if "axis" in mark.beside), None)
 
     def _inside(self, paper: Paper, inner: Landmark, outer: Landmark, i: int) -> None:
@@ -280,7 +280,7 @@ class Parts:
             paper.area(outline, self.colours[mark.body], 4.5)
 
     def _face(self, paper: Paper, mark: Landmark, seen_from: Array, i: int) -> None:
-        """A plane or a face under a point of the body that may touch it."""
+        """Draw a plane or a face below a point of the body that may touch it."""
         normal, middle = self.places.direction(mark, "normal")[i], self.positions[id(mark)][i]
         if "along" in mark.beside:
             half = mark.size("length") / 2 * self.places.direction(mark, "along")[i]
@@ -298,14 +298,17 @@ class Parts:
             paper.ground(self.flat(middle - half), self.flat(middle + half), -down, z=2.4)
 
     def _reach(self, paper: Paper) -> float:
-        """Across the whole paper [m]."""
+        """Return the diagonal of the whole paper [m]."""
         (left, right), (low, high) = paper.axis.get_xlim(), paper.axis.get_ylim()
         return float(np.hypot(right - left, high - low)) * self.unit.factor
 
     # -- for labels and extents ----------------------------------------------------------------------------------------
 
     def beside(self, paper: Paper, body: str, i: int) -> Array:
-        """Points on the paper a body's name may stand beside: of what slides its edges, else its middle and towards its points."""
+        """Return the points on the paper a body's name may stand beside.
+
+        The edges of a slider, else the body's middle and points towards its corners.
+        """
         corners = self.corners(body, i)
         if not len(corners):
             return self.flat(self.places.origins[i, self.places.bodies.index(body)])[None]
@@ -320,7 +323,7 @@ class Parts:
         return np.concatenate(anchors)
 
     def length(self, i: int) -> float:
-        """Of a body between its points on the paper, the median; 0 where all are points."""
+        """Return the median size of the bodies on the paper; 0 where all are points."""
         spans = [
             float(np.max(np.ptp(corners, axis=0)))
             for body in self.places.bodies[1:]
@@ -329,7 +332,7 @@ class Parts:
         return float(np.median(spans)) if spans else 0.0
 
     def extents(self) -> Array:
-        """Points on the paper that have to be seen, over all instants: (k, 2)."""
+        """Return the points (k, 2) on the paper that must be visible, over all instants."""
         return np.concatenate(list(self._extents()))
 
     def _extents(self) -> Iterator[Array]:
@@ -350,7 +353,7 @@ class Parts:
 
 
 def across(axis: Array) -> tuple[Array, Array]:
-    """Two unit vectors across an axis, the second a quarter turn about it after the first."""
+    """Return two unit vectors across an axis, the second a quarter turn about it after the first."""
     axis = axis / np.linalg.norm(axis)
     least = np.eye(3)[int(np.argmin(np.abs(axis)))]
     first = least - (least @ axis) * axis

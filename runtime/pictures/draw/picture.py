@@ -1,4 +1,4 @@
-"""The picture of a mechanism: at its start, faintly at several later instants, with the paths of its points, and its clearances enlarged."""
+"""Picture of a mechanism: start, later positions, paths of points, enlarged clearances."""
 
 from __future__ import annotations
 
@@ -27,22 +27,22 @@ DPI = 160
 
 
 def of_run(run: Solution) -> Figure:
-    """The mechanism of a run, at its start and later; raises InputError for a saved run."""
+    """Draw the mechanism of a run, at its start and later; raises InputError for a saved run."""
     return figure(Places.over(run), notes_on(run))
 
 
 def notes_on(run: Solution) -> tuple[str, ...]:
-    """What a reader must know of a run to trust a picture of it."""
+    """Return the outcome and warnings that a picture of a run must show."""
     return (*(() if run.outcome.finished else (f"{run.outcome.name}: {run.outcome.message}",)), *run.warnings)
 
 
 def of_start(model: Model, parameters: Mapping[str, Value] | None, initial: Mapping[str, Value] | None) -> Figure:
-    """A mechanism at its start; raises InputError."""
+    """Draw a mechanism at its start; raises InputError."""
     return figure(Places.at_start(model, parameters, initial), unchecked(model))
 
 
 def figure(places: Places, warnings: Sequence[str]) -> Figure:
-    """The picture on a page of its own, with insets."""
+    """Draw the picture on a page of its own, with insets."""
     drawing = Drawing.of(places, PANEL)
     shown = list(insets.clearances(drawing.parts, drawing.point))
     row = len(shown) > 1  # of insets below, else one beside
@@ -84,7 +84,7 @@ def figure(places: Places, warnings: Sequence[str]) -> Figure:
 
 
 def _spread(wanted: Array, low: float, high: float) -> Array:
-    """Places of insets side by side within limits, near where they are wanted."""
+    """Place insets side by side within limits, near where they are wanted."""
     step, order = insets.WIDTH + 0.2, np.argsort(wanted, kind="stable")
     first = np.minimum(np.maximum(wanted, low), high)
     for a, b in pairwise(order):

@@ -1,4 +1,4 @@
-"""Where the landmarks of a mechanism are, over time or at its start alone."""
+"""Positions of the landmarks of a mechanism, over time or at its start alone."""
 
 from __future__ import annotations
 
@@ -24,7 +24,10 @@ SAMPLES = 1200  # between the steps of a run, and of these
 
 @dataclass(frozen=True)
 class Landmark:
-    """A row of LANDMARKS with its numbers: `point` (3,) [m] and the directions (3,) and sizes beside it, along the axes of its body."""
+    """A row of LANDMARKS with its numbers, along the axes of its body.
+
+    point (3,) [m]; beside: directions (3,) and sizes.
+    """
 
     part: str
     kind: str
@@ -34,13 +37,16 @@ class Landmark:
     beside: Mapping[str, Array]
 
     def size(self, name: str) -> float:
-        """A radius or length [m]."""
+        """Return a radius or length [m]."""
         return float(self.beside[name][0])
 
 
 @dataclass(frozen=True)
 class Places:
-    """Bodies and landmarks at the times t (n,) [s]: origins (n, bodies, 3) [m] and rotations (n, bodies, 3, 3), the ground first of the bodies."""
+    """Poses of the bodies and landmarks at the times t (n,) [s]; the ground is the first body.
+
+    origins (n, bodies, 3) [m], rotations (n, bodies, 3, 3).
+    """
 
     model: Model
     t: Array
@@ -53,7 +59,7 @@ class Places:
     def at_start(
         cls, model: Model, parameters: Mapping[str, Value] | None, initial: Mapping[str, Value] | None
     ) -> Places:
-        """At t = 0, loops closed; raises InputError."""
+        """Return the places at t = 0, loops closed; raises InputError."""
         from hertzwerk.runtime.start.start_values import start_of
 
         if not hasattr(model.module, "landmarks"):
@@ -64,7 +70,10 @@ class Places:
 
     @classmethod
     def over(cls, run: Solution) -> Places:
-        """Over a run, between its accepted steps; of one that kept a grid at its rows. Raises InputError for a saved run."""
+        """Return the places over a run, between its accepted steps or at the rows of a grid.
+
+        Raises InputError for a saved run.
+        """
         if run.history.integrator is None:
             raise _without_functions(run.model)
         if run.history.steps and len(run.t) > 1:
@@ -94,31 +103,31 @@ class Places:
         )
 
     def turned(self, body: str, vector: Array) -> Array:
-        """A vector (3,) along a body's axes, along the ground's: (n, 3)."""
+        """Rotate a vector (3,) from a body's axes to the ground's: (n, 3)."""
         return self.rotations[:, self.bodies.index(body)] @ vector
 
     def point(self, mark: Landmark) -> Array:
-        """Of a landmark [m]: (n, 3)."""
+        """Return the position of a landmark [m]: (n, 3)."""
         return self.origins[:, self.bodies.index(mark.body)] + self.turned(mark.body, mark.point)
 
     def direction(self, mark: Landmark, name: str) -> Array:
-        """Of what is beside a landmark: (n, 3)."""
+        """Return a named direction of a landmark: (n, 3)."""
         return self.turned(mark.body, mark.beside[name])
 
     def parts(self) -> dict[tuple[str, str], list[Landmark]]:
-        """The landmarks by part and kind."""
+        """Return the landmarks by part and kind."""
         found: dict[tuple[str, str], list[Landmark]] = {}
         for mark in self.landmarks:
             found.setdefault((mark.part, mark.kind), []).append(mark)
         return found
 
     def of_body(self, body: str) -> list[Landmark]:
-        """Those fixed in a body."""
+        """Return the landmarks fixed in a body."""
         return [mark for mark in self.landmarks if mark.body == body]
 
 
 def landmarks_of(model: Model, p: Array) -> tuple[Landmark, ...]:
-    """The landmarks of a model with its parameters p (np,), SI."""
+    """Return the landmarks of a model with its parameters p (np,), SI."""
     results: Any = model.function("landmarks")(p)
     columns = results if isinstance(results, tuple) else (results,)
     return tuple(

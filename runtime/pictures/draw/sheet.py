@@ -1,4 +1,4 @@
-"""Several mechanisms on one page, each with its name: the built-in scenes at a glance."""
+"""Sheet of several mechanisms, each with its name: the built-in scenes at a glance."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ DPI = 92
 
 
 def sheet(mechanisms: Sequence[Places]) -> Figure:
-    """A page with a cell for each."""
+    """Draw a page with a cell for each mechanism."""
     columns = min(COLUMNS, len(mechanisms))
     rows = -(-len(mechanisms) // columns)
     width, height = columns * CELL[0], rows * CELL[1]

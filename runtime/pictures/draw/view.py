@@ -1,4 +1,4 @@
-"""The direction a mechanism is looked at from, and what of it has to fit on the paper."""
+"""View of a mechanism: the direction of projection."""
 
 from __future__ import annotations
 
@@ -16,7 +16,10 @@ STEEP = (0.45, -0.78, 0.42)  # of the view of what is not plane: to the right, t
 
 @dataclass(frozen=True)
 class View:
-    """A parallel projection: unit vectors to the right, up and towards the viewer. `names` are those of the axes of a plane view, else none."""
+    """Parallel projection: unit vectors to the right, up and towards the viewer.
+
+    names: of the axes of a plane view, else None.
+    """
 
     right: Array
     up: Array
@@ -24,16 +27,16 @@ class View:
     names: tuple[str, str] | None
 
     def __call__(self, points: Array) -> Array:
-        """On the paper, from (..., 3) to (..., 2)."""
+        """Project points (..., 3) to the paper (..., 2)."""
         return np.stack([points @ self.right, points @ self.up], axis=-1)
 
     def depth(self, points: Array) -> Array:
-        """Towards the viewer."""
+        """Return the distance towards the viewer."""
         return np.asarray(points @ self.towards)
 
 
 def view_of(places: Places) -> View:
-    """Across the plane that all motion is in; else from above, to the right, gravity pointing down."""
+    """Return the view across the plane of motion, else an oblique view with gravity pointing down."""
     for k in (2, 1, 0):
         if _is_plane(places, k):
             i, j = {2: (0, 1), 1: (0, 2), 0: (1, 2)}[k]
@@ -50,7 +53,10 @@ def view_of(places: Places) -> View:
 
 
 def _is_plane(places: Places, k: int) -> bool:
-    """Whether all bodies stay across axis k and turn about it alone, and all directions agree. A start alone does not show that of balls."""
+    """Return whether all bodies move across axis k and turn about it alone, and all directions agree.
+
+    A start alone does not show that of balls.
+    """
     axis, balls = AXES[k], places.model.quaternions or any(mark.kind in SPATIAL for mark in places.landmarks)
     if len(places.t) == 1 and balls:
         return False
@@ -67,6 +73,6 @@ def _is_plane(places: Places, k: int) -> bool:
 
 
 def _along(mark: Landmark, name: str) -> float:
-    """1 where in a plane mechanism a direction is that across the plane: of axes that something turns about."""
+    """Return 1 where in a plane mechanism a direction must be across the plane, such as a turning axis."""
     slides = mark.kind == "prismatic" or mark.kind.startswith("slide_")
     return float(name == "moment" or (name == "axis" and not slides) or (name == "normal" and mark.kind == "planar"))

@@ -1,4 +1,4 @@
-"""The picture of a work-precision study: error against time for every method, and how errors go along the run."""
+"""Picture of a work-precision study: error against time for every method, and errors along the run."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def save(study: Study, path: Path) -> None:
 
 
 def figure(study: Study) -> Figure:
-    """The picture."""
+    """Draw the picture."""
     with mpl.rc_context({**STYLE, "axes.titlepad": 40}):
         page = Figure(figsize=(13, 6.6), layout="constrained")
         left, right = page.subplots(1, 2, width_ratios=(1.1, 1))
@@ -71,7 +71,10 @@ def figure(study: Study) -> Figure:
 
 
 def _work(axis: Axes, study: Study) -> None:
-    """Error at the end over time: a line per method, as C and in the virtual machine. What cannot be told lies on the floor."""
+    """Draw the error at the end over time: a line per method, as C and in the virtual machine.
+
+    Errors too small to be measured lie on the floor.
+    """
     handles, floor = [], study.reference.uncertainty
     for method in study.methods:
         colour, marker = LOOKS.get(method, OTHER)
@@ -110,18 +113,18 @@ def _work(axis: Axes, study: Study) -> None:
 
 
 def _points(rows: Sequence[Row], floor: float) -> np.ndarray:
-    """Time [s] and error of rows that have both, shape (n, 2)."""
+    """Return time [s] and error of rows that have both, shape (n, 2)."""
     return np.array([(r.time, max(r.error, floor)) for r in rows if r.error is not None and r.time]).reshape(-1, 2)
 
 
 def _taken(study: Study) -> list[Row]:
-    """The runs of the method that `auto` goes with for most of the time, at each accuracy."""
+    """Return the runs of the method that `auto` uses most of the time, at each accuracy."""
     methods = {accuracy: max(share, key=lambda name: share[name]) for accuracy, share in study.taken.items()}
     return [row for accuracy, method in methods.items() for row in study.of(method) if row.accuracy == accuracy]
 
 
 def _along(axis: Axes, study: Study) -> None:
-    """Departure along the run of the recommended method, by accuracy."""
+    """Draw the departure along the run of the recommended method, by accuracy."""
     held = study.reference
     method = study.recommended or study.methods[0]
     scale = scale_of("s", held.t[-1])
@@ -158,7 +161,7 @@ def _along(axis: Axes, study: Study) -> None:
 
 
 def _decades(axis: Axes) -> None:
-    """A line for each decade of errors, and no numbers between them."""
+    """Draw a line for each decade of errors, and no numbers between them."""
     axis.yaxis.set_major_locator(LogLocator(numticks=20))
     axis.yaxis.set_minor_formatter(NullFormatter())
 

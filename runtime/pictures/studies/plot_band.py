@@ -1,4 +1,4 @@
-"""The picture of a reconstruction: the force of every candidate over the penetration as a band, and their local exponents."""
+"""Picture of a reconstruction: band of the candidates' forces over penetration, local exponents."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ DASHES = ("-", "--", "-.", ":", (0, (6, 2, 1, 2, 1, 2)))  # two candidates may b
 
 
 def png(sheet: Sheet) -> bytes:
-    """The picture of a sheet that has a band, as a file's content."""
+    """Return the picture of a sheet that has a band, as a file's content."""
     with mpl.rc_context(STYLE):
         content = io.BytesIO()
         figure(sheet).savefig(content, format="png")
@@ -27,7 +27,7 @@ def png(sheet: Sheet) -> bytes:
 
 
 def figure(sheet: Sheet) -> Figure:
-    """Forces over the penetration with the band between them, and the local exponents."""
+    """Draw forces over the penetration with the band between them, and the local exponents."""
     band = sheet.band
     if band is None:
         raise ValueError(f"{sheet.name} is no reconstruction: it has no candidates")

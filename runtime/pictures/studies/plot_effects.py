@@ -1,4 +1,4 @@
-"""The picture of a study of effects: a row per effect, a column for what it costs and one for each output that changes without it."""
+"""Picture of a study of effects: a row per effect, columns for cost and changed outputs."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def save(study: Study, path: Path) -> None:
 
 
 def figure(study: Study) -> Figure:
-    """The picture."""
+    """Draw the picture."""
     with mpl.rc_context(STYLE):
         columns = 2 + len(study.outputs)
         names = [_name(row) for row in study.rows]
@@ -74,7 +74,7 @@ def _name(row: Row) -> str:
 
 
 def _operations(axis: Axes, study: Study, places: Any) -> None:
-    """Operations in flight and, after them, those in contact."""
+    """Draw operations in flight and, after them, those in contact."""
     costs = [row.cost for row in study.rows]
     flight, contact = (
         np.array([0 if cost is None else getattr(cost, of) for cost in costs]) for of in ("flight", "contact")
@@ -109,7 +109,7 @@ def _operations(axis: Axes, study: Study, places: Any) -> None:
 
 
 def _times(axis: Axes, study: Study, places: Any) -> None:
-    """Share of the time, and what most of the rounds lie within."""
+    """Draw the share of the time, and the interval of most rounds."""
     ends = [0.0]
     for place, row in zip(places, study.rows, strict=True):
         share = row.share
@@ -134,7 +134,7 @@ def _times(axis: Axes, study: Study, places: Any) -> None:
 def _changes(
     axis: Axes, changes: list[Change | None], places: Any, shown: tuple[float, float], within: float | None
 ) -> None:
-    """Sizes of the changes on a logarithmic axis, grey up to what would not be seen."""
+    """Draw the sizes of the changes on a logarithmic axis, grey up to the noise."""
     low, high = shown
     axis.set(xscale="log", xlim=(low, high))
     for place, change in zip(places, changes, strict=True):
@@ -169,7 +169,7 @@ def _changes(
 
 
 def _range(study: Study) -> tuple[float, float]:
-    """Of the logarithmic axes: from below the least change or noise to above the largest change."""
+    """Return the limits of the logarithmic axes, around all changes and noises."""
     all_of = [change for row in study.rows for change in row.changes.values()]
     sizes = [abs(change.relative) for change in all_of if change.relative] + [study.within or 1e-2]
     low = 10.0 ** np.floor(np.log10(max(0.3 * min(sizes), LEAST)))
@@ -177,7 +177,7 @@ def _range(study: Study) -> tuple[float, float]:
 
 
 def _captions(study: Study) -> list[str]:
-    """What a reader must know."""
+    """Return the notes below the picture."""
     coarse, fine = study.tolerances
     error = (
         "the 95 % intervals of the means of 9 runs, which part whatever the tolerance"
@@ -199,5 +199,5 @@ def _captions(study: Study) -> list[str]:
 
 
 def percent(value: float, *, sign: bool = True) -> str:
-    """A fraction in percent, as pictures have it."""
+    """Format a fraction in percent, with a typographic minus."""
     return texts.percent(value, sign=sign).replace("-", "−")

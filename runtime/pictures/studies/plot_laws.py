@@ -1,4 +1,7 @@
-"""The picture of the restitution study: a small panel per damping law with what it returns above or below what it is given, and all laws at once."""
+"""Picture of the restitution study: a panel per damping law, and all laws in one.
+
+A panel shows the restitution returned less the one asked for.
+"""
 
 from __future__ import annotations
 
@@ -36,7 +39,7 @@ def save(study: Study, path: Path) -> None:
 
 
 def figure(study: Study) -> Figure:
-    """The picture."""
+    """Draw the picture."""
     with mpl.rc_context({**STYLE, "axes.titlesize": 10, "font.size": 9}):
         rows = -(-len(study.curves) // COLUMNS)
         page = Figure(figsize=(14, 2.3 * rows + 5.0), layout="constrained")
@@ -88,7 +91,7 @@ def _deviation(axis: Axes, curve: Curve) -> None:
 
 
 def _together(axis: Axes, study: Study) -> None:
-    """Restitution out over in; the laws that stray from the diagonal by name, where they do so most."""
+    """Draw restitution out over in; laws that stray from the diagonal are named."""
     strays = [curve for curve in study.curves if abs(curve.worst(inside=False)[1]) >= STRAYS]
     near = [curve for curve in study.curves if curve not in strays]
     axis.plot((0, 1), (0, 1), color=GREY, linewidth=0.9)
@@ -112,7 +115,7 @@ def _together(axis: Axes, study: Study) -> None:
 
 
 def _own(axis: Axes, study: Study) -> None:
-    """The laws that take a parameter of their own, over what makes it a number."""
+    """Draw the laws with a parameter of their own over its dimensionless form."""
     for curve, colour in zip(study.others, (BLUE, ORANGE, VERMILLION), strict=True):
         scaled, follows = OWN.get(curve.law, (curve.parameter, ""))
         label = f"{curve.law}, over {scaled}\n{follows}"
@@ -123,7 +126,7 @@ def _own(axis: Axes, study: Study) -> None:
 
 
 def _apart(values: list[float], least: float) -> list[float]:
-    """The values, moved up as far as labels need to stand apart."""
+    """Move values up until labels stand apart."""
     placed: dict[int, float] = {}
     above = -np.inf
     for i in sorted(range(len(values)), key=lambda i: values[i]):
