@@ -1,4 +1,4 @@
-"""Where the command `hertzwerk` begins: Ctrl-C ends it at once, at every moment, until there is something to keep."""
+"""Entry point of the command `hertzwerk`: Ctrl-C ends it at once until there are results to keep."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ import signal
 def start() -> None:
     """Run the command line.
 
-    As long as nothing is computed that could be lost, SIGINT is the system's to deal with: a handler of Python's would have to wait for the end of
-    a call of CasADi's, which builds functions for seconds, and what it raises there is dropped now and then. A SIGINT that is ignored stays so.
+    As long as no results could be lost, SIGINT keeps its default action: a Python handler would have to wait for the
+    end of a call of CasADi, which builds functions for seconds, and its exceptions are dropped there now and then. An
+    ignored SIGINT stays ignored.
     """
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
         signal.signal(signal.SIGINT, signal.SIG_DFL)

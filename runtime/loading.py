@@ -1,4 +1,4 @@
-"""From a built-in scene's name, a Python file or a Scene to a model that runs and draws itself."""
+"""Loading: from a built-in scene's name, a Python file or a Scene to a model that runs and draws."""
 
 from __future__ import annotations
 
@@ -19,19 +19,22 @@ if TYPE_CHECKING:
 
 
 class Model(plain.Model):
-    """A scene that can be simulated and drawn, as `load` returns it."""
+    """Model of a scene that can be simulated and drawn, as `load` returns it."""
 
     def draw(
         self, *, parameters: Mapping[str, Value] | None = None, initial: Mapping[str, Value] | None = None
     ) -> Figure:
-        """A figure of the mechanism at its start, with its clearances enlarged; raises InputError. `Solution.draw` shows how it moves."""
+        """Draw the mechanism at its start, clearances enlarged; raises InputError.
+
+        `Solution.draw` shows how it moves.
+        """
         from hertzwerk.runtime.pictures.draw import picture
 
         return picture.of_start(self, parameters, initial)
 
 
 def _type_faults(target: Any, without: Any, laws: Any, coordinates: Any) -> list[Fault]:
-    """What is of a type that nothing can be loaded or varied by."""
+    """Return the faults of arguments of a wrong type."""
     faults: list[Fault] = []
     if not isinstance(target, str | Path) and not hasattr(target, "mechanism"):
         faults.append(Fault("target", shown(target), "the name of a built-in scene, a Python file, or a Scene"))
@@ -52,10 +55,11 @@ def load(
     laws: Mapping[str, str] | None = None,
     coordinates: str | None = None,
 ) -> Model:
-    """The model of a built-in scene (never imports SymPy), of a variation of one, of a Python file that defines `scene`, or of a Scene.
+    """Return the model of a built-in scene, a Python file that defines `scene`, or a Scene.
 
-    `without` names effects to leave out, `laws` gives an effect another law by name, `coordinates` are "tree", "absolute" or "auto" in place of
-    the scene's own. Raises InputError.
+    A built-in scene without variation never imports SymPy. `without` names effects to leave out, `laws` gives an
+    effect another law by name, `coordinates` are "tree", "absolute" or "auto" in place of the scene's own. Raises
+    InputError.
     """
     faults = _type_faults(target, without, laws, coordinates)
     if faults:

@@ -38,7 +38,7 @@ ACCURACY = 1e-6  # where none is asked for
 
 
 class Solution(plain_solution.Solution):
-    """A run, as `simulate` returns it: its data, with what it can be made into."""
+    """Result of a run, as `simulate` returns it, with continuation, plots and drawings."""
 
     model_type = Model
 
@@ -54,18 +54,22 @@ class Solution(plain_solution.Solution):
         wall_time: float | None = None,
         progress: Callable[[float], object] | None = None,
     ) -> Solution:
-        """Go on from the end of this run, with its model, parameters, start, method and tolerance, as if it had not ended there.
+        """Continue from the end of this run as if it had not ended there.
 
-        duration    of the whole motion from its start, longer than what the run reached; by default what the run was asked for
+        With its model, parameters, start, method and tolerance.
+
+        duration    of the whole motion from its start, longer than the run reached; by default the duration requested before
         model    the model of a saved run, which has no functions: load("slider_crank")
         output    as of `simulate`: of a grid over the whole motion the part that is left
         max_steps, max_events, wall_time    of this run alone
 
-        What is returned begins at `t_start`, the last step that did not depend on where the run before ended: a step or two before that end, whose
-        last ones were cut to arrive there. Where steps are kept, those of the run before with t < t_start and these are bitwise those of one run of
-        that duration at that tolerance; steps as long as a tenth of the shorter duration, the longest in contact, are the exception. Impacts,
-        energy balance, statistics and averages are of this part; a contact that is under way where it begins is listed in both, here from there on.
-        There is no estimate of the error, neither of the part nor of the whole: it would take the runs that checked the one before as well.
+        The result begins at `t_start`, the last step that did not depend on where the run before ended: a step or two
+        before that end, whose last ones were cut to arrive there. Where steps are kept, those of the run before with
+        t < t_start and these are bitwise those of one run of that duration at that tolerance; steps as long as a
+        tenth of the shorter duration, the longest in contact, are the exception. Impacts, energy balance, statistics
+        and averages are of this part; a contact in progress at its start is listed in both, here from there on. There
+        is no estimate of the error, neither of the part nor of the whole: it would take the runs that checked the one
+        before as well.
 
         Raises InputError, with every fault.
         """
@@ -90,13 +94,13 @@ class Solution(plain_solution.Solution):
         return replace(part, warnings=(*part.warnings, told))
 
     def plot(self, *names: str) -> Figure:
-        """A figure of the overview, of one contact pair, or of the histories named; raises KeyError for a name that is none."""
+        """Draw the overview, one contact pair, or the named histories; raises KeyError for an unknown name."""
         from hertzwerk.runtime.pictures import plot
 
         return plot.plot(self, *names)
 
     def draw(self) -> Figure:
-        """A figure of the mechanism at its start and later, with its clearances enlarged; raises InputError for a saved run."""
+        """Draw the mechanism at its start and later, clearances enlarged; raises InputError for a saved run."""
         from hertzwerk.runtime.pictures.draw import picture
 
         return picture.of_run(self)
@@ -169,7 +173,7 @@ def _solution_of(
     asked: float | None = None,
     climbed: Climbed[Trace] | None = None,
 ) -> Solution:
-    """What a run returns that was kept, for an accuracy beside those that checked it."""
+    """Return the solution of a kept run; for an accuracy with the verdict of those that checked it."""
     model, bound, counted = run.model, run.given.bound, trace.counted
     found: tuple[str, ...] = ()
     result = run.outcome(trace)

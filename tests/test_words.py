@@ -9,17 +9,7 @@ import pytest
 ROOT = Path(__file__).parent.parent
 LONGEST = 100
 RIDDLE = re.compile(r"(What|Of|Whose|Who)\b")
-CLEAN = [
-    "runtime/accuracy",
-    "runtime/effects",
-    "runtime/hard_cases",
-    "runtime/integrate",
-    "runtime/pictures",
-    "runtime/run",
-    "runtime/solution",
-    "runtime/start",
-    "runtime/work_precision",
-]
+CLEAN = ["runtime"]
 
 
 def faults(text):

@@ -1,4 +1,4 @@
-"""The command line. Exit codes: 0 good, 1 another outcome, 2 bad input. What a command does not need it does not import."""
+"""Command line. Exit codes: 0 good, 1 another outcome, 2 bad input; commands import lazily."""
 
 from __future__ import annotations
 
@@ -19,7 +19,10 @@ from hertzwerk.runtime.cli.scenes import derive, list_scenes
 
 
 def _open_streams() -> None:
-    """What a shell closed (`>&-`) leads nowhere: the next file that is opened would get its number, and what is printed."""
+    """Redirect closed standard streams (`>&-`) to the null device.
+
+    The next file opened would get a closed stream's number, and with it the printed text.
+    """
     while (number := os.open(os.devnull, os.O_RDWR)) <= 2:
         pass
     os.close(number)

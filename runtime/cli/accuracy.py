@@ -1,4 +1,4 @@
-"""`hertzwerk accuracy`: what ten times more accuracy costs here in time, and what it buys."""
+"""`hertzwerk accuracy`: the time that ten times more accuracy costs, and what it gains."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def _problem(
     laws: Sequence[str],
     duration: str | None,
 ) -> Problem:
-    """What a command line asks for; raises InputError with the faults of all its parts."""
+    """Return the problem of a command line; raises InputError with the faults of all its parts."""
     from hertzwerk.runtime.run.request import Settings, read
     from hertzwerk.runtime.start.start_values import sorted_out
     from hertzwerk.runtime.validate import scenarios
@@ -92,7 +92,7 @@ def _problem(
 
 
 def _write(found: Study, folder: Path, missing: list[str]) -> list[str]:
-    """Data and picture of a study."""
+    """Write data and picture of a study."""
     from hertzwerk.runtime.cli.record import json_text, versions
     from hertzwerk.runtime.host.folder import attempted
     from hertzwerk.runtime.pictures.studies.plot_accuracy import save
@@ -125,7 +125,7 @@ def _report(found: Study, written: tuple[Path, list[str]] | None) -> None:
 
 
 def _without_reference(problem: Problem, error: NoReferenceError, *, as_json: bool) -> int:
-    """No two methods reach the end: there is nothing to measure errors by."""
+    """Report that no two methods reach the end, so that errors cannot be measured."""
     from hertzwerk.runtime.cli.record import json_text
 
     failed = {method: (run.outcome, run.t_end) for method, run in error.runs.items()}

@@ -1,4 +1,4 @@
-"""`hertzwerk audit`: the units of scenes, files, folders, the whole catalogue of laws, or one expression."""
+"""`hertzwerk audit`: units of scenes, files, folders, the catalogue of laws, or one expression."""
 
 from __future__ import annotations
 

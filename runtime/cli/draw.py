@@ -39,7 +39,10 @@ def draw(
     out: Path | None,
     overwrite: bool,
 ) -> int:
-    """Draw the mechanism of TARGET at its start and later, clearances enlarged; of several (default: all built-in scenes) one sheet."""
+    """Draw the mechanism of TARGET at its start and later, with clearances enlarged.
+
+    Several targets (default: all built-in scenes) are drawn on one sheet.
+    """
     from hertzwerk.runtime.host.folder import unwritable
     from hertzwerk.runtime.model.build import built_in_scenes
     from hertzwerk.runtime.pictures.draw import picture
@@ -70,7 +73,7 @@ def draw(
 
 
 def _places(target: str, values: dict[str, str], duration: str | None, start: bool) -> tuple[Places, tuple[str, ...]]:
-    """Where a mechanism is in its scenario, and what to say of that; raises InputError."""
+    """Return the places of a mechanism in its scenario, and notes on them; raises InputError."""
     from hertzwerk.runtime.loading import load
     from hertzwerk.runtime.pictures.draw.picture import notes_on
     from hertzwerk.runtime.pictures.draw.places import Places

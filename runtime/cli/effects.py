@@ -1,4 +1,4 @@
-"""`hertzwerk effects`: what each effect of a scene costs and changes, and the smallest scene within a tolerance."""
+"""`hertzwerk effects`: cost and influence of each effect of a scene, and the smallest scene."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ def effects(target: str, out: Path | None, no_plots: bool, as_json: bool, **opti
 
 
 def _study(target: str, out: Path | None, *, quiet: bool, wanted: bool, **options: Any) -> Study:
-    """The study that a command line asks for; raises InputError."""
+    """Return the study of a command line; raises InputError."""
     from hertzwerk.runtime.effects.leaving_out import study_effects
     from hertzwerk.runtime.run.request import METHOD
     from hertzwerk.runtime.validate import scenarios
@@ -109,7 +109,7 @@ def _study(target: str, out: Path | None, *, quiet: bool, wanted: bool, **option
 
 
 def _fraction(text: str, faults: list[Fault]) -> float | None:
-    """A part of one, as "2%", "2 %" or "0.02"; what is none becomes a fault."""
+    """Return a fraction given as "2%", "2 %" or "0.02"; anything else is appended to `faults`."""
     value = number(text.strip().removesuffix("%"))
     fraction = value / 100 if isinstance(value, float) and text.strip().endswith("%") else value
     if isinstance(fraction, float) and 0 < fraction < 1:

@@ -1,4 +1,4 @@
-"""`hertzwerk run --continue FOLDER`: go on from the end of a run that was written."""
+"""`hertzwerk run --continue FOLDER`: continue a run from its end."""
 
 from __future__ import annotations
 
@@ -31,7 +31,10 @@ def going_on(
     wall_time: str | None,
     **others: Any,
 ) -> tuple[Solution, dict[str, Any]]:
-    """The run that goes on, and the request to be kept of it; raises InputError, with what of the command line is not as the run there."""
+    """Return the continued run and the request to be recorded with it.
+
+    Raises InputError, also for options that differ from the original run.
+    """
     from hertzwerk.runtime.loading import load
 
     before, request = _read(folder)
@@ -56,7 +59,7 @@ def going_on(
 
 
 def limits_of(max_steps: str | None, wall_time: str | None, faults: list[Fault]) -> dict[str, Any]:
-    """The limits that are given; what is none becomes a fault."""
+    """Return the given limits; bad input is appended to `faults`."""
     from hertzwerk.runtime.model.binding import read_time
 
     limits: dict[str, Any] = {}
@@ -71,12 +74,12 @@ def limits_of(max_steps: str | None, wall_time: str | None, faults: list[Fault])
 
 
 def output_of(grid: str | None) -> str | int:
-    """What --grid asks for."""
+    """Return the output that --grid requests."""
     return "steps" if grid is None else int(grid) if grid.isdecimal() and len(grid) < 16 else grid
 
 
 def _read(folder: Path) -> tuple[Solution, dict[str, Any]]:
-    """The run in a folder, and what it was asked by; raises InputError."""
+    """Return the run in a folder and its request; raises InputError."""
     from hertzwerk.runtime.simulation import Solution
 
     try:
@@ -106,7 +109,7 @@ def _differences(
     accuracy: str | None,
     method: str | None,
 ) -> list[Fault]:
-    """What of a command line is not as the run was made."""
+    """Return faults for the options of a command line that differ from the original run."""
     from hertzwerk.runtime.model.build import is_file
 
     faults: list[Fault] = []
@@ -131,7 +134,7 @@ def _differences(
 
 
 def _other_values(before: Solution, model: Model, values: Mapping[str, str]) -> list[Fault]:
-    """The parameters and initial states that are not those of the run."""
+    """Return faults for parameters and initial states that differ from the run's."""
     from hertzwerk.runtime.solution.checkpoint import parameters_of
     from hertzwerk.runtime.start.start_values import sorted_out
 

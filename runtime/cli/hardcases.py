@@ -1,4 +1,4 @@
-"""`hertzwerk hardcases`: runs that are hard to keep stable, and the invariants that each keeps with every method, in both paths."""
+"""`hertzwerk hardcases`: runs that are hard to keep stable, and their invariants."""
 
 from __future__ import annotations
 
@@ -27,10 +27,11 @@ if TYPE_CHECKING:
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
 @reports_bad_input
 def hardcases(names: tuple[str, ...], methods: tuple[str, ...], everything: bool, listing: bool, as_json: bool) -> int:
-    """Run the table of hard cases and measure what must hold: exit code 1 if anything else than a known failure does not.
+    """Run the table of hard cases and measure their invariants.
 
-    Each case is run with every method that claims it, in CasADi's virtual machine and, where there is a compiler, as C. A cell is what was
-    measured; its limit stands before it, or behind the slash.
+    Exit code 1 for any failure but the known ones. Each case is run with every method that claims it, in CasADi's
+    virtual machine and, where there is a compiler, as C. A cell is the measured value; its limit stands before it, or
+    behind the slash.
     """
     from hertzwerk.runtime.hard_cases import runner
 
@@ -59,7 +60,10 @@ def hardcases(names: tuple[str, ...], methods: tuple[str, ...], everything: bool
 
 
 def _chosen(names: Sequence[str], methods: Sequence[str], *, everything: bool) -> list[HardCase]:
-    """The cases asked for; raises InputError with every name that is none, and every case that no method asked for claims."""
+    """Return the requested cases.
+
+    Raises InputError with every unknown name, and every case that none of the requested methods claims.
+    """
     from hertzwerk.runtime.hard_cases.table import BY_NAME, CASES
 
     known = dict.fromkeys(method for case in CASES for method in case.methods)
@@ -110,7 +114,7 @@ def _print_json(cases: Sequence[HardCase], found: dict[str, dict[str, Result]], 
 
 
 def _print_case(case: HardCase, found: dict[str, dict[str, Result]]) -> None:
-    """What is hard, and a table: invariants down, methods across; what does not hold begins with !."""
+    """Print a case and its table: invariants down, methods across; violations begin with !."""
     methods = [method for method in case.methods if method in found[case.name]]
     results = [found[case.name][method] for method in methods]
     verdict = _worst(results)
@@ -145,7 +149,7 @@ def _cell(text: str, holds: bool) -> str:
 
 
 def _print_beside(heads: Sequence[tuple[str, str | None]], text: str, *, indent: int) -> None:
-    """Prose behind words of which each has a colour, or is bold."""
+    """Print prose behind words, each coloured or bold."""
     plain = GAP.join(head for head, _ in heads)
     rest = folded(f"{plain}{GAP}{text}", columns() or PROSE, indent=indent).removeprefix(plain)
     click.echo(GAP.join(click.style(head, fg=colour, bold=colour is None) for head, colour in heads) + rest)

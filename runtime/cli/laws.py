@@ -54,9 +54,10 @@ SHOWN_OWN = (0.01, 0.1, 0.3, 1.0, 3.0)
 def laws(
     names: tuple[str, ...], restitution: bool, out: Path | None, no_plots: bool, picture: Path | None, as_json: bool
 ) -> int:
-    """List the contact laws, or print the sheet of each NAME: formula, units, ranges, source, behaviour, cost.
+    """List the contact laws, or print the sheet of each NAME.
 
-    --restitution: exit code 1 where a simulation and its closed form differ by more than 1e-9.
+    A sheet has formula, units, ranges, source, behaviour and cost. --restitution: exit code 1 where a simulation and
+    its closed form differ by more than 1e-9.
     """
     if restitution:
         return _study(names, out, plots=not no_plots, as_json=as_json)
@@ -89,7 +90,7 @@ def laws(
 
 
 def _draw(sheets: Sequence[Sheet], picture: Path) -> None:
-    """Write the picture of the one reconstruction; raises InputError where there is none, or a file already."""
+    """Write the picture of one reconstruction; raises InputError if there is none or the file exists."""
     faults = []
     if len(sheets) != 1 or sheets[0].band is None:
         found = ", ".join(f"{sheet.name} of grade {sheet.grade}" for sheet in sheets) or "no law"
@@ -158,7 +159,7 @@ def _print_sheet(sheet: Sheet) -> None:
 
 
 def _print_band(sheet: Sheet) -> None:
-    """Forces of all candidates of a reconstruction, at the penetrations of the example."""
+    """Print the forces of all candidates of a reconstruction, at the penetrations of the example."""
     band = sheet.band
     if band is None:
         return
@@ -277,5 +278,5 @@ def _row(curve: Curve) -> tuple[str, ...]:
 
 
 def _at(curve: Curve, value: float) -> Any:
-    """Restitution out at a value of the grid."""
+    """Return the restitution out at a value of the grid."""
     return curve.simulated[abs(curve.given - value).argmin()]

@@ -1,4 +1,4 @@
-"""Text as wide as the terminal: lines broken between words, tables in panels where columns do not fit; in a pipe, as long as it is."""
+"""Text fitted to the terminal: lines broken between words, wide tables in panels; unbroken in a pipe."""
 
 from __future__ import annotations
 
@@ -14,12 +14,15 @@ WHOLE = 16  # characters up to which a cell is not broken
 
 
 def columns() -> int | None:
-    """Columns of the terminal that standard output is, None where it is none."""
+    """Return the width of the terminal at standard output; None if it is none."""
     return shutil.get_terminal_size().columns if sys.stdout.isatty() else None
 
 
 def folded(text: str, width: int | None, *, indent: int = 0) -> str:
-    """Break each line of a text between words, its further lines indented by as much as the line, and `indent` more."""
+    """Break each line of a text between words.
+
+    Its further lines are indented as the line, and by `indent` more.
+    """
     if width is None:
         return text
     return "\n".join(_folded_line(line, width, indent) for line in text.split("\n"))
@@ -36,9 +39,10 @@ def _folded_line(line: str, width: int, indent: int) -> str:
 
 
 def tabulated(header: Sequence[str], rows: Sequence[Sequence[str]], width: int | None) -> Iterator[list[list[str]]]:
-    """Cells of a table, padded to align, line by line of each panel; a cell with more words than its column holds goes on in the next line.
+    """Yield the lines of each panel of a table, as padded cells.
 
-    Panels are as many as it takes for no word to be broken, each beginning with the first column.
+    A cell with more words than its column holds continues in the next line. Panels are as many as needed to break no
+    word, each beginning with the first column.
     """
     cells = list(zip(header, *rows, strict=True))
     natural = [max(map(len, column)) for column in cells]
@@ -56,7 +60,7 @@ def tabulated(header: Sequence[str], rows: Sequence[Sequence[str]], width: int |
 
 
 def _least(column: Sequence[str]) -> int:
-    """Width below which a column breaks a word, or a cell that is read as one."""
+    """Return the width below which a column breaks a word, or a cell that is read as one."""
     whole = max((len(cell) for cell in column if len(cell) <= WHOLE), default=0)
     return max(whole, max(len(word) for cell in column for word in cell.split() or [""]))
 
@@ -66,7 +70,7 @@ def _wide(widths: Sequence[int]) -> int:
 
 
 def _shared(bounds: Sequence[tuple[int, int]], width: int) -> list[int]:
-    """Widths of columns, from (least, natural): what is left beyond the least goes to those that want least of it first."""
+    """Return the widths of columns from (least, natural); surplus goes first to those that need least."""
     widths = [least for least, _ in bounds]
     left = max(width - _wide(widths), 0)
     order = sorted(range(len(bounds)), key=lambda j: bounds[j][1] - bounds[j][0])

@@ -1,4 +1,4 @@
-"""A run on disk and as JSON: one new folder with the data, what produced it, and the plots."""
+"""Record of a run on disk and as JSON: one new folder with data, provenance and plots."""
 
 from __future__ import annotations
 
@@ -24,7 +24,10 @@ CSV_LIMIT = 50e6  # bytes that are written unasked
 
 
 def summary(solution: Solution, *, averages: bool = False) -> dict[str, Any]:
-    """What `run --json` prints: plain numbers in SI, null for what does not exist; averages where they are asked for."""
+    """Return the content of `run --json`: plain numbers in SI, null for missing ones.
+
+    averages: include them.
+    """
     statistics, error = solution.statistics, solution.error
     return {
         "scene": solution.model.name,
@@ -57,7 +60,7 @@ def summary(solution: Solution, *, averages: bool = False) -> dict[str, Any]:
 
 
 def record(solution: Solution) -> dict[str, Any]:
-    """What `run.json` keeps: the summary, and everything needed to run the same again."""
+    """Return the content of `run.json`: the summary, and everything needed to repeat the run."""
     model = solution.model
     return {
         **summary(solution),
@@ -77,7 +80,7 @@ def record(solution: Solution) -> dict[str, Any]:
 
 
 def versions() -> dict[str, str]:
-    """Versions of what computed a run."""
+    """Return the versions of the software that computed a run."""
     return {**{name: _version(name) for name in ("hertzwerk", "casadi", "numpy")}, "python": platform.python_version()}
 
 
@@ -89,13 +92,13 @@ def _version(name: str) -> str:
 
 
 def json_text(content: dict[str, Any]) -> str:
-    """JSON by the standard: what is not finite is null."""
+    """Return standard JSON; numbers that are not finite are null."""
     return json.dumps(_finite(content), indent=2, allow_nan=False)
 
 
 @dataclass
 class Written:
-    """What was written of a run: its folder, the files in it, the averages asked for, what could not be had or made, and what is left out."""
+    """Written folder of a run: files, averages, failures (`missing`), and files left out."""
 
     folder: Path
     files: list[str]
@@ -114,11 +117,11 @@ def write(
     stopping: Stopping | None = None,
     request: Mapping[str, Any] | None = None,
 ) -> Written:
-    """Write a run to `out`, or to the next free runs/<scene>-NNN: the data first, then what can be made from them.
+    """Write a run to `out`, or to the next free runs/<scene>-NNN: data first, then derived files.
 
-    `request` is what was asked for, to be kept with it. The data, states.npz and run.json, appear at once. Averages, states.csv and pictures follow,
-    each for itself: what fails, or is stopped, is told of in run.json and leaves no part of a file. `csv` writes states.csv however large it is.
-    Raises OSError where no data can be written.
+    `request` is recorded with it. The data, states.npz and run.json, appear at once. Averages, states.csv and
+    pictures follow independently: a failed or stopped one is reported in run.json and leaves no part of a file. `csv`
+    writes states.csv however large it is. Raises OSError where no data can be written.
     """
     stop = stopping or _Never()
     lost = list(solution.findings.secured())
@@ -140,17 +143,17 @@ def write(
 
 
 class Stopping(Protocol):
-    """Whether it was asked to stop, where what is made can be stopped at once, and who is to know what is being made."""
+    """Stop request: whether it was made, where it may interrupt at once, and the current stage."""
 
     @property
     def asked(self) -> bool:
-        """Whether it was asked to stop."""
+        """Return whether a stop was requested."""
 
     def at_once(self) -> AbstractContextManager[None]:
-        """Within, KeyboardInterrupt is raised where it is asked for."""
+        """Return a context in which a stop request raises KeyboardInterrupt."""
 
     def stage(self, name: str) -> None:
-        """What is being made from now on."""
+        """Announce the stage that begins."""
 
 
 class _Never:
@@ -165,14 +168,14 @@ class _Never:
 
 @dataclass
 class _Extras:
-    """What is made from the data of a run that are written already."""
+    """Files made from the data of a run that are written already."""
 
     solution: Solution
     written: Written
     stop: Stopping
 
     def make(self, name: str, make: Callable[[Path], object]) -> None:
-        """Make one file, or what has no file, in a folder of its own, and move what is there when it is complete."""
+        """Make one file, or something without a file, in a scratch folder, and move complete files."""
         if self.stop.asked:
             self.written.missing.append(f"{name} is not there: it was stopped before")
             return
@@ -187,7 +190,7 @@ class _Extras:
                 self.written.files.append(file.name)
 
     def failing(self, name: str, make: Callable[[], object]) -> None:
-        """What fails here fails for itself."""
+        """Run a task whose failure is reported but not raised."""
         try:
             make()
         except KeyboardInterrupt:
@@ -196,7 +199,7 @@ class _Extras:
             self.written.missing.append(f"{name} could not be made: {type(error).__name__}: {error}")
 
     def make_csv(self, *, force: bool) -> None:
-        """states.csv, unless it would be large and nobody asked for it."""
+        """Write states.csv, unless it would be large and was not requested."""
         size = self.solution.csv_size()
         if size <= CSV_LIMIT or force:
             self.make("states.csv", lambda at: self.solution.to_csv(at / "states.csv"))
@@ -207,7 +210,7 @@ class _Extras:
         )
 
     def make_pictures(self) -> None:
-        """The mechanism, the overview and one picture of each pair."""
+        """Draw the mechanism, the overview and one picture of each pair."""
 
         def mechanism(at: Path) -> None:
             from hertzwerk.runtime.pictures.draw import picture
@@ -222,7 +225,7 @@ class _Extras:
 
 
 def _write_data(solution: Solution, folder: Path, lost: list[str], request: Mapping[str, Any] | None) -> list[str]:
-    """states.npz and run.json, the other one where one cannot be written; raises OSError where none can."""
+    """Write states.npz and run.json, either one if the other fails; raises OSError if both fail."""
     files: list[str] = []
     errors: list[OSError] = []
     for file, make in (

@@ -1,4 +1,4 @@
-"""`hertzwerk run`, `validate`: simulate, report, write one new folder; check what must come out."""
+"""`hertzwerk run`, `validate`: simulate, report, write one new folder; check results."""
 
 from __future__ import annotations
 
@@ -154,7 +154,7 @@ def validate(targets: tuple[str, ...]) -> int:
 
 
 def _request(target: str | None, options: Mapping[str, Any]) -> dict[str, Any]:
-    """What --continue needs to know of a command line; raises InputError where there is no target."""
+    """Return the part of a command line that --continue needs; raises InputError without a target."""
     if target is None:
         expected = "a scene or a file, or --continue FOLDER"
         raise InputError("run", [Fault("TARGET", "none", expected, "`hertzwerk list` names the scenes")])
@@ -181,7 +181,7 @@ def _simulate(
     max_steps: str | None,
     wall_time: str | None,
 ) -> Solution:
-    """The solution a command line asks for; raises InputError with the faults of all its parts."""
+    """Return the solution of a command line; raises InputError with the faults of all its parts."""
     from hertzwerk.runtime.run.request import METHOD, Settings, read
     from hertzwerk.runtime.simulation import simulate
     from hertzwerk.runtime.start.start_values import sorted_out
@@ -217,7 +217,7 @@ def _simulate(
 
 
 def _report(solution: Solution) -> None:
-    """What a person wants to know of a run, in a few lines."""
+    """Print a run in a few lines."""
     statistics, outcome = solution.statistics, solution.outcome
     line(solution.model.name, f"{_time(solution.duration)}, {solution.method}, tolerance {solution.tolerance:.2g}")
     count = len(solution.impacts)

@@ -1,4 +1,4 @@
-"""Being stopped: from the first accepted step on, a signal ends the computing, and what there is is written."""
+"""Stop by a signal: from the first accepted step on, computing ends and results are written."""
 
 from __future__ import annotations
 
@@ -21,9 +21,10 @@ AGAIN = 1.0  # s after which a signal is another one, and no second stroke of an
 
 
 class Stopping:
-    """Between entering and leaving, a signal that comes after the first call, which says that steps have been accepted, only asks to stop.
+    """Context in which a signal only requests a stop once steps have been accepted.
 
-    Calls pass the fraction done on to `progress`, and raise KeyboardInterrupt once it was asked for. A later signal raises where it strikes.
+    The first call tells that steps have been accepted. Calls pass the fraction done on to `progress`, and raise
+    KeyboardInterrupt once a stop was requested. A later signal raises where it strikes.
     """
 
     def __init__(self, progress: Progress) -> None:
@@ -47,11 +48,11 @@ class Stopping:
 
     @property
     def asked(self) -> bool:
-        """Whether it was asked to stop."""
+        """Return whether a stop was requested."""
         return self._asked is not None
 
     def __call__(self, fraction: float) -> None:
-        """The fraction done of a run that has accepted steps."""
+        """Take the fraction done of a run that has accepted steps."""
         if fraction < self._done:  # an accuracy is missed, and there are more runs to make than were foreseen
             self._tries += 1
             self._progress.stage("running" if self._tries == 1 else f"running, tolerance {self._tries}", fraction)
@@ -64,12 +65,12 @@ class Stopping:
         self._progress(fraction)
 
     def stage(self, name: str) -> None:
-        """What is being done from now on."""
+        """Announce the stage that begins."""
         self._progress.stage(name)
 
     @contextmanager
     def at_once(self) -> Iterator[None]:
-        """Within, a signal raises KeyboardInterrupt where it strikes: nothing is lost by that."""
+        """Enter a context in which a signal raises KeyboardInterrupt at once, because nothing can be lost."""
         self._raises = True
         try:
             yield

@@ -1,4 +1,4 @@
-"""What commands that run a TARGET are given alike: its options, and the model they name."""
+"""Common options of commands that run a TARGET, and the model they name."""
 
 from __future__ import annotations
 
@@ -45,9 +45,10 @@ def loaded(
     coordinates: str | None = None,
     beside: Callable[[], list[Fault]] = list,
 ) -> Model:
-    """The model of a target's variation.
+    """Return the model of a target's variation.
 
-    Raises InputError with the faults found before and, as names of parameters and states cannot be checked then, only those `beside`.
+    Raises InputError with the faults found before and, as names of parameters and states cannot be checked then, only
+    those `beside`.
     """
     from hertzwerk.runtime.loading import load
 
@@ -58,7 +59,7 @@ def loaded(
 
 
 def cannot_be_written(out: Path | None, *, wanted: bool = True) -> list[Fault]:
-    """Why nothing can be written to the folder that --out names, or to runs/ where a folder is wanted anyway."""
+    """Return the fault of a folder --out, or of runs/ where a folder is wanted, that cannot be written."""
     from hertzwerk.runtime.host.folder import destination_fault
 
     fault = destination_fault(out) if wanted or out is not None else None
@@ -66,7 +67,7 @@ def cannot_be_written(out: Path | None, *, wanted: bool = True) -> list[Fault]:
 
 
 def assignments(option: str, texts: Sequence[str], faults: list[Fault]) -> dict[str, str]:
-    """NAME=VALUE texts as a dictionary; what is no assignment, or a second one of a name, becomes a fault."""
+    """Parse NAME=VALUE texts; malformed and repeated ones are appended to `faults`."""
     found: dict[str, str] = {}
     for text in texts:
         name, equals, value = (part.strip() for part in text.partition("="))
@@ -80,7 +81,7 @@ def assignments(option: str, texts: Sequence[str], faults: list[Fault]) -> dict[
 
 
 def number(text: str) -> Any:
-    """The number a text is, or the text, to be refused by who reads it."""
+    """Return the number a text stands for, or the text, for its reader to refuse."""
     try:
         return float(text)
     except ValueError:

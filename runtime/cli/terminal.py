@@ -1,4 +1,4 @@
-"""What every command prints with: lines, tables, progress, bad input. A terminal gets colours and a bar, a pipe gets plain text."""
+"""Printing of commands: lines, tables, progress, errors; colours and a bar on a terminal only."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ INTERRUPTED = 130  # exit code: as a shell says of what ended by SIGINT
 
 
 def reports_bad_input(command: Callable[..., int]) -> Callable[..., None]:
-    """A command whose InputError becomes one message and exit code 2, and so does a file that cannot be read or written; Ctrl-C is exit code 130."""
+    """Wrap a command to report InputError and OSError with exit code 2, Ctrl-C with exit code 130."""
 
     def guarded(*args: Any, **options: Any) -> None:
         try:
@@ -62,7 +62,7 @@ def reports_bad_input(command: Callable[..., int]) -> Callable[..., None]:
 
 
 def kept(write: Callable[[], Kept], missing: list[str], *, wanted: bool) -> Kept | None:
-    """What `write` returns, if it is wanted; results that cannot be written are shown all the same, and `missing` says why."""
+    """Return the result of `write`, if wanted; a failure is appended to `missing`."""
     if not wanted:
         return None
     try:
@@ -73,7 +73,7 @@ def kept(write: Callable[[], Kept], missing: list[str], *, wanted: bool) -> Kept
 
 
 def lacking(missing: Sequence[str]) -> int:
-    """Say what is missing of what should have been written, and the exit code of that."""
+    """Print warnings for what could not be written; return the exit code."""
     for text in missing:
         click.echo(f"{click.style('warning', fg='yellow')}  {text}", err=True)
     return OTHER_OUTCOME if missing else GOOD
@@ -109,14 +109,14 @@ def table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
 
 
 def _coloured(cell: str) -> str:
-    """A cell in its colour; one that begins with ! says what is wrong."""
+    """Return a cell in its colour; one that begins with ! is red."""
     word = cell.rstrip()
     colour = "red" if word.startswith("!") else COLOURS.get(word)
     return click.style(word, fg=colour) + cell[len(word) :] if colour else cell
 
 
 class Progress:
-    """Called with the fraction done; on a terminal one line of standard error says what is being done, and how far it is."""
+    """Progress line on standard error, on a terminal only; called with the fraction done."""
 
     def __init__(self, title: str, *, shown: bool) -> None:
         self._title, self._shown = title, shown
@@ -132,12 +132,15 @@ class Progress:
         self._tell("")
 
     def stage(self, name: str, done: float = 0.0) -> None:
-        """What is being done from now on, a part of it done; it is told at once, as it may keep this process from telling more for a while."""
+        """Announce the stage that begins, a part of it done.
+
+        Shown at once, as the stage may keep this process from reporting for a while.
+        """
         self._stage, self._start, self._from = name, time.perf_counter(), done
         self._tell(f"{self._title}: {name}")
 
     def __call__(self, fraction: float) -> None:
-        """Show the fraction done, and how long the rest will take."""
+        """Show the fraction done and the estimated time left."""
         now = time.perf_counter()
         if now - self._told < BETWEEN or now - self._start < BAR_AFTER:
             return
@@ -148,12 +151,15 @@ class Progress:
         self._tell(f"{stage}  [{bar:-<{BAR}}] {fraction:4.0%}  {rest}")
 
     def aside(self, report: Callable[[], object]) -> None:
-        """Let something print while the line is there: it goes, and comes back with the next call."""
+        """Let something print: the line disappears and returns with the next call."""
         self._tell("")
         report()
 
     def _tell(self, text: str) -> None:
-        """Put a text in place of the line; the cursor stays visible, so that a process which is killed leaves the terminal as it was."""
+        """Replace the line by a text.
+
+        The cursor stays visible, so that a process which is killed leaves the terminal unchanged.
+        """
         if not self._shown or (not text and not self._width):
             return
         self._told = time.perf_counter()

@@ -1,1 +1,1 @@
-"""What the computer gives: files, cache, processes, signals."""
+"""Host system: files, cache, processes, signals."""

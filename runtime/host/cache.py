@@ -1,7 +1,8 @@
-"""The user's cache folder: derived text and compiled code, both executed when found, so only a folder that nobody else can write is trusted.
+"""Cache folder of the user for derived text and compiled code.
 
-An entry carries the digest of its content in its name, `<key>-<digest><suffix>`: one that was truncated or changed is found out, removed, and
-made again. Without a folder (none can be made, the disk is full) everything works, and is made each time.
+Both are executed when found, so only a folder that nobody else can write is trusted. An entry's name holds the digest
+of its content, `<key>-<digest><suffix>`: a truncated or changed one is detected, removed, and made again. Without a
+folder (none can be made, the disk is full) everything works, without reuse.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from hertzwerk.runtime.host.scratch import write_atomically
 
 
 def folder() -> Path | None:
-    """The cache folder, made if need be with access for its user alone; None where there is none to be trusted.
+    """Return the cache folder, made if need be with access for its user alone; None if none is trusted.
 
     `HERTZWERK_CACHE` names another one; set but empty it turns the cache off.
     """
@@ -35,7 +36,7 @@ def folder() -> Path | None:
 
 
 def entry(key: str, suffix: str) -> Path | None:
-    """File of a kept entry, its content as it was written; None where there is none. What does not match its digest is removed."""
+    """Return the file of an entry with intact content, or None; corrupt files are removed."""
     path = folder()
     for file in path.glob(f"{key}-*{suffix}") if path is not None else ():
         with contextlib.suppress(OSError):
@@ -46,7 +47,7 @@ def entry(key: str, suffix: str) -> Path | None:
 
 
 def read(key: str, suffix: str) -> str | None:
-    """Text of a kept entry, or None."""
+    """Return the text of an entry, or None."""
     file = entry(key, suffix)
     try:
         return file.read_text(encoding="utf-8") if file else None
@@ -55,7 +56,10 @@ def read(key: str, suffix: str) -> str | None:
 
 
 def keep(key: str, suffix: str, content: bytes) -> Path | None:
-    """Keep content under a key; returns its file, None where it cannot be kept: a full or vanished disk is no error, it is a cache."""
+    """Store content under a key; return its file, or None if it cannot be stored.
+
+    A full or vanished disk is no error for a cache.
+    """
     path = folder()
     if path is None:
         return None

@@ -1,4 +1,4 @@
-"""New folders for results: refused before anything is computed where they cannot be made, and never half of one."""
+"""New folders for results: checked before anything is computed, and published complete."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ RUNS = Path("runs")  # where results go that no folder is named for
 
 
 def destination_fault(out: Path | None) -> Fault | None:
-    """Why nothing can be written to the folder `out`, or below runs/ where there is none; None if it can."""
+    """Return the fault of an output folder (default: below runs/) that cannot be written; None if it can."""
     where, expected = (
         ("runs/", "a folder that can be written to") if out is None else ("--out", "a new or an empty folder")
     )
@@ -49,7 +49,10 @@ def _hindrance(out: Path | None) -> str | None:
 
 
 def unwritable(folder: Path) -> str | None:
-    """Why nothing can be written into a folder, which is made where there is none; None if it can. Raises OSError where that cannot be told."""
+    """Return the reason why a folder, existing or to be made, cannot be written; None if it can.
+
+    Raises OSError where that cannot be determined.
+    """
     while not os.path.lexists(folder) and folder != folder.parent:
         folder = folder.parent
     if not folder.is_dir():
@@ -62,7 +65,10 @@ def unwritable(folder: Path) -> str | None:
 
 
 def new_folder(name: str, out: Path | None, fill: Callable[[Path], list[str]]) -> tuple[Path, list[str]]:
-    """Fill the new folder `out`, or the next free runs/<name>-NNN; returns it and its files. All of it appears at once, or nothing."""
+    """Fill the new folder `out`, or the next free runs/<name>-NNN; return it and its files.
+
+    All of it appears at once, or nothing.
+    """
     parent = out.parent if out is not None else RUNS
     parent.mkdir(parents=True, exist_ok=True)
     with scratch_folder(parent) as temporary:
@@ -71,7 +77,7 @@ def new_folder(name: str, out: Path | None, fill: Callable[[Path], list[str]]) -
 
 
 def attempted(name: str, make: Callable[[], object]) -> list[str]:
-    """Make something of data that are not to be lost for it; what is to be said where that fails."""
+    """Make something that must not fail the rest; return messages on its failure."""
     try:
         make()
     except Exception as error:  # whatever it is
@@ -80,7 +86,10 @@ def attempted(name: str, make: Callable[[], object]) -> list[str]:
 
 
 def _publish(temporary: Path, out: Path | None, stem: Path) -> Path:
-    """Give the finished folder its name; a rename onto a folder with content fails, so two runs never mix."""
+    """Rename the finished folder to its name.
+
+    A rename onto a folder with content fails, so two runs never mix.
+    """
     if out is not None:
         try:
             return temporary.rename(out)

@@ -1,4 +1,7 @@
-"""Ctrl-C heeded between two calls of CasADi, never inside one: its Python layer drops many of the exceptions that a signal's handler raises there."""
+"""Ctrl-C handled between calls of CasADi, never inside one.
+
+CasADi's Python layer drops many of the exceptions that a signal handler raises there.
+"""
 
 from __future__ import annotations
 
@@ -12,16 +15,17 @@ _waiting: list[Callable[[], None]] = []
 
 
 def heed() -> None:
-    """Heed a SIGINT that `deferred` put off, if there is one: for what takes long and is not told of it."""
+    """Deliver a SIGINT deferred by `deferred`, if there is one; for long operations without access to it."""
     if _waiting and threading.current_thread() is threading.main_thread():
         _waiting[-1]()
 
 
 @contextmanager
 def deferred() -> Iterator[Callable[[], None]]:
-    """SIGINT waits until the function that this gives is called, or it is left; then the handler of before has it.
+    """Defer SIGINT until the yielded function is called or the context is left.
 
-    Nothing changes in another thread than the main one, nor where SIGINT has no handler of Python's: it ends the process, or is ignored.
+    The previous handler then receives it. Nothing changes in a thread other than the main one, nor where SIGINT has
+    no Python handler: it ends the process, or is ignored.
     """
     before = signal.getsignal(signal.SIGINT)
     if threading.current_thread() is not threading.main_thread() or not callable(before):
@@ -51,7 +55,7 @@ def deferred() -> Iterator[Callable[[], None]]:
 
 @contextmanager
 def raised() -> Iterator[None]:
-    """SIGINT raises KeyboardInterrupt where the process would die of it: what is waited for here, other processes, has to be ended as well."""
+    """Make SIGINT raise KeyboardInterrupt where it would kill the process, to end child processes too."""
     main = threading.current_thread() is threading.main_thread()
     if not main or signal.getsignal(signal.SIGINT) is not signal.SIG_DFL:
         yield

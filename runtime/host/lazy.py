@@ -1,4 +1,4 @@
-"""Values computed when first asked for, without a lock that a forked process could inherit while another thread holds it."""
+"""Lazily computed values without a lock, which a forked process could inherit while held."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING or sys.version_info >= (3, 12):
 else:
 
     class cached_property(functools.cached_property):  # noqa: N801
-        """`functools.cached_property` as it is from Python 3.12 on; before, one lock served all instances."""
+        """`functools.cached_property` as from Python 3.12 on; before, one lock served all instances."""
 
         def __get__(self, instance: object, owner: type[Any] | None = None) -> Any:
             if instance is None:

@@ -1,7 +1,8 @@
-"""Unfinished files and folders: each is held by the process that makes it, and what a killed process left behind is removed by the next.
+"""Unfinished files and folders, locked by their process; leftovers of killed processes are removed.
 
-A name beginning with `.hertzwerk-unfinished-` is ours. Its maker holds a lock on it, which the system releases however that process ends, so
-that an unlocked one is a leftover. Where there are no such locks (Windows), leftovers stay.
+A name beginning with `.hertzwerk-unfinished-` is ours. Its maker holds a lock on it, which the system releases
+however that process ends, so that an unlocked one is a leftover. Where there are no such locks (Windows), leftovers
+stay.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ YOUNG = 60.0  # s in which a maker may still be about to lock what it made
 
 @contextlib.contextmanager
 def scratch_folder(parent: Path) -> Iterator[Path]:
-    """A new folder in `parent`, removed at the end unless it was renamed; raises OSError."""
+    """Make a new folder in `parent`, removed at the end unless it was renamed; raises OSError."""
     sweep(parent)
     path = parent / f"{_PREFIX}{secrets.token_hex(8)}"
     path.mkdir()
@@ -38,7 +39,7 @@ def scratch_folder(parent: Path) -> Iterator[Path]:
 
 
 def write_atomically(path: Path, content: bytes) -> None:
-    """Write a file so that a reader, a crash, or a loss of power never meets half of it; raises OSError."""
+    """Write a file so that a reader, a crash, or a power loss never meets half of it; raises OSError."""
     sweep(path.parent)
     temporary = path.with_name(f"{_PREFIX}{secrets.token_hex(8)}")
     try:
@@ -52,7 +53,7 @@ def write_atomically(path: Path, content: bytes) -> None:
 
 
 def sweep(parent: Path) -> None:
-    """Remove what killed processes left unfinished in a folder; what cannot be removed stays."""
+    """Remove leftovers of killed processes from a folder; those that cannot be removed stay."""
     if sys.platform == "win32":
         return
     with contextlib.suppress(OSError):
@@ -65,7 +66,7 @@ def sweep(parent: Path) -> None:
 
 
 def _abandoned(entry: os.DirEntry[str]) -> bool:
-    """Whether nobody holds an entry that is old enough to have been held."""
+    """Return whether nobody holds an entry that is old enough to have been locked."""
     try:
         if entry.is_symlink() or time.time() - entry.stat(follow_symlinks=False).st_mtime < YOUNG:
             return False
@@ -77,7 +78,10 @@ def _abandoned(entry: os.DirEntry[str]) -> bool:
 
 @contextlib.contextmanager
 def _held(path: Path) -> Iterator[bool]:
-    """Lock a file or folder for as long as this process lives; whether that was possible. File systems without locks keep their leftovers."""
+    """Lock a file or folder while this process lives; yield whether that succeeded.
+
+    File systems without locks keep their leftovers.
+    """
     if sys.platform == "win32":
         yield False
         return

@@ -1,4 +1,4 @@
-"""Numbered tasks on all cores: each is done although others die, and Ctrl-C ends them all."""
+"""Numbered tasks on all cores: each is done although workers die, and Ctrl-C ends them all."""
 
 from __future__ import annotations
 
@@ -31,20 +31,20 @@ Returned = TypeVar("Returned", covariant=True)
 
 
 class Flag(Protocol):
-    """Something shared by those who run; set to 1 it stops them."""
+    """Flag shared by workers; set to 1 it stops them."""
 
     value: int
 
 
 @dataclass
 class Alone:
-    """A flag within one process."""
+    """Flag within one process."""
 
     value: int = 0
 
 
 class Job(Protocol[Returned]):
-    """The tasks, and the flag `stop` that they heed; a forked process has all of it without being sent it."""
+    """Tasks, and the flag `stop` that they check; a forked process inherits all of it."""
 
     stop: Flag
 
@@ -52,11 +52,11 @@ class Job(Protocol[Returned]):
         """Do task i; raises KeyboardInterrupt where it was stopped."""
 
     def lost(self, i: int) -> Returned:
-        """What stands for task i where its process died, and died again where it ran alone."""
+        """Return the result of task i if its process died, and died again where it ran alone."""
 
 
 def results(job: Job[Result], left: list[int], workers: int) -> Generator[Result, None, None]:
-    """Results as they are had; where a process died, those it may have died of are run again, each alone."""
+    """Yield results as completed; tasks that may have killed a process are run again, each alone."""
     waiting = deque(left)
     while waiting and workers > 1:
         suspects: list[int] = []
@@ -73,9 +73,9 @@ def results(job: Job[Result], left: list[int], workers: int) -> Generator[Result
 
 
 def _together(job: Job[Result], waiting: deque[int], workers: int, suspects: list[int]) -> Iterator[Result]:
-    """Results of those waiting as they are had, until all are or a process dies: then `suspects` are those that were under way.
+    """Yield results as completed, until all are or a process dies.
 
-    Stops the workers when it is left, however.
+    `suspects` then holds the tasks in progress. Stops the workers when left.
     """
     under_way: dict[Future[Result], int] = {}
     executor, do = _executor(job, workers)
@@ -103,7 +103,10 @@ def _together(job: Job[Result], waiting: deque[int], workers: int, suspects: lis
 
 
 def _executor(job: Job[Result], workers: int) -> tuple[Executor, Callable[[int], Result]]:
-    """Processes where they can be forked, as they then share the model's functions; CasADi holds Python's lock, so threads gain little."""
+    """Return an executor of forked processes, which share the model's functions, or of threads elsewhere.
+
+    CasADi holds Python's lock, so threads gain little.
+    """
     if not sys.platform.startswith("linux"):
         return ThreadPoolExecutor(workers), job.do
     context = multiprocessing.get_context("fork")
@@ -122,7 +125,7 @@ def _enter(job: Job[Any]) -> None:
 
 
 def _end_with_parent() -> None:
-    """End a worker whose parent was killed: nobody would ever tell it to."""
+    """End a worker whose parent was killed."""
     parent = multiprocessing.parent_process()
     if parent is not None:
         parent.join()
@@ -136,5 +139,5 @@ def _do(i: int) -> Any:
 
 
 def cores() -> int:
-    """How many this process may use."""
+    """Return the number of cores this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

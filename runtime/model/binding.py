@@ -1,4 +1,4 @@
-"""Numbers given as text with units, read against what a module declares: every fault of them at once."""
+"""Numbers with units, read against a module's declarations, with every fault at once."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Limit: TypeAlias = tuple[str, str, float | None, float | None, bool, bool, str] 
 
 @dataclass(frozen=True)
 class Port:
-    """A parameter as a module declares it: the default is in `unit`."""
+    """Parameter as declared by a module; the default is in `unit`."""
 
     name: str
     unit: str
@@ -28,7 +28,7 @@ class Port:
 
 @dataclass(frozen=True)
 class Reading:
-    """What was read: SI value and text (value, unit) of every parameter, with warnings and faults."""
+    """Parameters as read: SI values and texts (value, unit), with warnings and faults."""
 
     si: Mapping[str, float]
     texts: Mapping[str, tuple[float, str]]
@@ -37,7 +37,7 @@ class Reading:
 
 
 def read_parameters(ports: Mapping[str, Port], limits: Sequence[Limit], parameters: Mapping[str, Value]) -> Reading:
-    """Defaults with `parameters` in their place."""
+    """Read `parameters` over the defaults."""
     faults: list[Fault] = []
     given: dict[str, tuple[float, Unit, str]] = {}
     for name, value in named_values("parameters", parameters, faults).items():
@@ -75,7 +75,7 @@ def read_parameters(ports: Mapping[str, Port], limits: Sequence[Limit], paramete
 def _unit_fault(
     port: Port, ports: Mapping[str, Port], given: Mapping[str, tuple[float, Unit, str]], si: Mapping[str, float]
 ) -> Fault | None:
-    """Why the unit a parameter is given in, or keeps, is not the declared one; None if it is."""
+    """Return the fault of a parameter whose unit is not the declared one; None if it is."""
     declared = parse_unit(port.unit)
     exponents = {name: si[name] for name in declared.free_names if name in si and math.isfinite(si[name])}
     if port.name not in given:
@@ -104,7 +104,7 @@ def _unit_fault(
 
 
 def named_values(where: str, values: object, faults: list[Fault]) -> Mapping[str, Value]:
-    """Values by name; what is no mapping becomes a fault."""
+    """Return values by name; anything but a mapping is appended to `faults`."""
     if isinstance(values, Mapping):
         return values
     faults.append(Fault(where, shown(values), 'values by name, such as {"clearance": "0.2 mm"}'))
@@ -112,7 +112,7 @@ def named_values(where: str, values: object, faults: list[Fault]) -> Mapping[str
 
 
 def read_state(name: str, declared: str, value: Value) -> tuple[float, Fault | None]:
-    """SI value of a state declared in some unit, and what is wrong with it."""
+    """Return the SI value of a state declared in some unit, and its fault or None."""
     try:
         number, unit, text = read(value)
     except UnitError as error:
@@ -127,7 +127,7 @@ def read_state(name: str, declared: str, value: Value) -> tuple[float, Fault | N
 
 
 def read_time(where: str, text: str, expected: str, faults: list[Fault]) -> float:
-    """Seconds of text such as "24 ms"; what is no positive time becomes a fault, and NaN."""
+    """Return the seconds of text such as "24 ms"; nan and a fault if it is no positive time."""
     try:
         value, unit, _ = read(text)
     except UnitError as error:
@@ -141,12 +141,12 @@ def read_time(where: str, text: str, expected: str, faults: list[Fault]) -> floa
 
 
 def _exponents(ports: Mapping[str, Port]) -> dict[str, float]:
-    """Defaults of everything that may stand in an exponent."""
+    """Return the defaults of everything that may stand in an exponent."""
     return {name: port.default for name, port in ports.items() if parse_unit(port.unit).dimensionless}
 
 
 def read(value: Value) -> tuple[float, Unit, str]:
-    """A value as (number, unit, unit text); a bare number has the unit "1". Raises UnitError."""
+    """Read a value as (number, unit, unit text); a bare number has the unit "1". Raises UnitError."""
     if isinstance(value, str):
         number, text = split_quantity(value)
         return number, parse_unit(text), text
@@ -171,7 +171,7 @@ def _wrong_unit(name: str, value: float, unit: Unit, text: str, declared: str) -
 
 
 def _mistaken(name: str, value: float, unit: Unit, text: str, declared: str) -> Fault | None:
-    """The fault of a frequency where an angular speed stands, or the reverse."""
+    """Return the fault of a frequency given for an angular speed, or the reverse."""
     if not unit.mistaken_for(parse_unit(declared)):
         return None
     what = "an angular speed" if unit.angle else "a frequency"
@@ -190,7 +190,7 @@ def _inside(value: float, limit: Limit) -> bool:
 
 
 def _interval(limit: Limit, unit: str) -> str:
-    """Bounds as text, in SI: "(0, 1]"."""
+    """Format bounds in SI: "(0, 1]"."""
     _, _, lower, upper, lower_open, upper_open, _ = limit
     left = "(-inf" if lower is None else f"{'(' if lower_open else '['}{lower:g}"
     right = "inf)" if upper is None else f"{upper:g}{')' if upper_open else ']'}"

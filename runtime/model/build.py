@@ -1,7 +1,8 @@
-"""The only door to derive: from a scene to a loaded module.
+"""Access to `derive`: from a scene to a loaded module.
 
-Derivation imports SymPy, so every import of derive stands inside a function: a run of a committed scene never comes here.
-Variations of the built-in scenes are remembered on disk under the hash of everything their text depends on, and found again without SymPy.
+Derivation imports SymPy, so every import of derive stands inside a function: a run of a committed scene never comes
+here. Variations of the built-in scenes are cached on disk under the hash of everything their text depends on, and
+found again without SymPy.
 """
 
 from __future__ import annotations
@@ -35,12 +36,12 @@ def built_in_scenes() -> tuple[str, ...]:
 
 
 def is_file(target: str | Path) -> bool:
-    """Whether a target names a Python file rather than a built-in scene."""
+    """Return whether a target names a Python file rather than a built-in scene."""
     return isinstance(target, Path) or target.endswith(".py") or "/" in target or "\\" in target
 
 
 def scene_from(target: str | Path) -> Scene:
-    """The scene of a built-in name, or of a Python file that defines `scene`; raises InputError.
+    """Return the scene of a built-in name, or of a Python file that defines `scene`; raises InputError.
 
     The file is executed, as `python file.py` would.
     """
@@ -61,7 +62,7 @@ def scene_from(target: str | Path) -> Scene:
 
 
 def source_of(target: str | Path) -> str:
-    """What a generated module's header calls its origin: no folder of this machine."""
+    """Return the origin as stated in a generated module's header, without folders of this machine."""
     return Path(target).name if is_file(target) else f"derive/scenes/{target}.py"
 
 
@@ -71,7 +72,10 @@ def vary(
     laws: Mapping[str, str] | None = None,
     coordinates: str | None = None,
 ) -> Scene:
-    """The scene without some effects, with other laws (effect -> name of a law), in other coordinates; raises InputError with all faults."""
+    """Return the scene without some effects, with other laws (effect -> law) or coordinates.
+
+    Raises InputError with all faults.
+    """
     faults: list[Fault] = []
     for effect, law in (laws or {}).items():
         try:
@@ -92,26 +96,32 @@ def vary(
 
 
 def build(scene: Scene, source: str = "a scene") -> ModuleType:
-    """Derive, check and generate a scene, and execute the generated text; raises InputError where the scene is inconsistent."""
+    """Derive a scene, generate its module and execute it; raises InputError if it is inconsistent."""
     return _module(scene.name, derive_text(scene, source))
 
 
 def derive_text(scene: Scene, source: str) -> str:
-    """Text of the generated module of a scene; raises InputError."""
+    """Return the text of the generated module of a scene; raises InputError."""
     from hertzwerk.derive.derivation import generate
 
     return generate(scene, source)
 
 
 def equations(scene: Scene) -> Readable:
-    """The equations of a scene for people; raises InputError where a unit does not hold or an effect enters no equation."""
+    """Return the equations of a scene for people; raises InputError if it is inconsistent.
+
+    Also where an effect enters no equation.
+    """
     from hertzwerk.derive.readable.equations import equations_of
 
     return equations_of(scene)
 
 
 def audit_targets(targets: Sequence[str]) -> dict[str, tuple[Finding, ...]]:
-    """Findings on built-in scenes, files and folders, by target or file; raises InputError where one is unsound."""
+    """Return findings on built-in scenes, files and folders, by target or file.
+
+    Raises InputError where one is unsound.
+    """
     from hertzwerk.derive.derivation import audit_scene
     from hertzwerk.derive.files.audit_files import audit_files
 
@@ -127,14 +137,17 @@ def audit_targets(targets: Sequence[str]) -> dict[str, tuple[Finding, ...]]:
 
 
 def audit_text(text: str, units: Sequence[str], values: Sequence[str], expect: str | None) -> Finding:
-    """Finding on one expression, its names declared as "NAME=UNIT" and "NAME=NUMBER"; raises InputError."""
+    """Return the finding on one expression; raises InputError.
+
+    Its names are declared as "NAME=UNIT" and "NAME=NUMBER".
+    """
     from hertzwerk.derive.files import audit_text as of_text
 
     return of_text.audit_expression(text, *of_text.declarations(units, values), expect)
 
 
 def audit_catalogue() -> tuple[tuple[Finding, ...], tuple[str, ...]]:
-    """Findings on every law of the catalogue, and the laws whose verdict is not the one their record states."""
+    """Return findings on every law of the catalogue, and the laws whose recorded verdict differs."""
     from hertzwerk.derive.files.audit_files import audit_catalogue as audited
     from hertzwerk.derive.files.audit_files import differing
 
@@ -143,21 +156,21 @@ def audit_catalogue() -> tuple[tuple[Finding, ...], tuple[str, ...]]:
 
 
 def law_summaries() -> tuple[tuple[str, str, str, str, str], ...]:
-    """(kind, name, title, grade, verdict) of every law of the catalogue."""
+    """Return (kind, name, title, grade, verdict) of every law of the catalogue."""
     from hertzwerk.derive.laws import LAWS
 
     return tuple((law.kind, law.name, law.title, law.grade, law.verdict) for law in LAWS.values())
 
 
 def law_sheets(names: Sequence[str]) -> tuple[Sheet, ...]:
-    """The sheets of the laws of these names; raises InputError with every name that is none."""
+    """Return the sheets of the named laws; raises InputError with every unknown name."""
     from hertzwerk.derive.sheets.sheet import laws_named, sheet
 
     return tuple(sheet(law) for law in laws_named(names))
 
 
 def impact_trials() -> tuple[Trial, ...]:
-    """The free impact of every damping law: its scene, and what is known of it in closed form."""
+    """Return the free impact of every damping law: its scene and closed form."""
     from hertzwerk.derive.sheets.impact import trials
 
     return tuple(trials())
@@ -169,7 +182,7 @@ def build_built_in(
     laws: Mapping[str, str] | None = None,
     coordinates: str | None = None,
 ) -> ModuleType:
-    """Module of a variation of a built-in scene; from the cache where it can."""
+    """Return the module of a variation of a built-in scene, from the cache if possible."""
     require_targets([name])
     variation = name, tuple(without), tuple(sorted((laws or {}).items())), coordinates
     scene = partial(_varied, name, without, laws, coordinates)
@@ -181,7 +194,10 @@ def _varied(name: str, *variation: Any) -> Scene:
 
 
 def build_hard_scene(name: str) -> ModuleType:
-    """Module of a scene that only a hard case has (`derive.hard_scenes`), from the cache where it can; raises KeyError for another name."""
+    """Return the module of a scene of the hard cases, from the cache if possible.
+
+    Raises KeyError for an unknown name.
+    """
 
     def scene() -> Scene:
         from hertzwerk.derive.scenes.hard.scenes import HARD_SCENES
@@ -192,7 +208,7 @@ def build_hard_scene(name: str) -> ModuleType:
 
 
 def _remembered(variation: tuple[object, ...], scene: Callable[[], Scene], source: str) -> str:
-    """Text of a module from the cache, or derived now and kept."""
+    """Return the text of a module from the cache, or derive and keep it."""
     key = f"generated-{_key(variation)}"
     text = disk.read(key, ".py")
     if text is None:
@@ -219,14 +235,14 @@ def _module(name: str, text: str) -> ModuleType:
 
 
 def _key(variation: tuple[object, ...]) -> str:
-    """Hash of everything the text of a variation depends on: derive's own source, SymPy, and the variation."""
+    """Return the hash of everything a variation's text depends on: derive's source, SymPy, the variation."""
     parts = repr((derive_digest(), metadata.version("sympy"), sys.version_info[:2], *variation))
     return hashlib.sha256(parts.encode()).hexdigest()[:32]
 
 
 @cache
 def derive_digest(folder: Path | None = None) -> str:
-    """Hash of derive's sources: of those in use, or of those in a folder."""
+    """Return the hash of derive's sources: of those in use, or of those in a folder."""
     if folder is None:
         with resources.as_file(resources.files("hertzwerk.derive")) as installed:
             return derive_digest(installed)

@@ -1,4 +1,4 @@
-"""CasADi functions called through their buffers: one state after the other, or row by row over a whole table."""
+"""CasADi functions called through their buffers: for one state, or row by row over a table."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ BLOCKS = (256, 16, 1)  # rows per call of a mapped function
 
 
 class Caller:
-    """A CasADi function of dense vectors called through its buffer: inputs and results stay NumPy arrays."""
+    """CasADi function of dense vectors called through its buffer; arguments and results are NumPy arrays."""
 
     def __init__(self, function: Any) -> None:
         self._buffer, self._evaluate = function.buffer()
@@ -30,34 +30,34 @@ class Caller:
 
 
 def _table(size: tuple[int, int]) -> np.ndarray:
-    """An array for a matrix of CasADi's: a column there is a row here."""
+    """Return an array for a CasADi matrix: a column there is a row here."""
     rows, columns = size
     return np.zeros((columns, rows))
 
 
 @dataclass(frozen=True)
 class Callers:
-    """Callers of one function, made when none is free: two threads never share one, and a second run pays for no new memory."""
+    """Pool of callers of one function: threads never share one, and memory is reused between runs."""
 
     function: Any
     _free: list[Caller] = field(default_factory=list)
 
     def take(self) -> Caller:
-        """A caller for one user at a time."""
+        """Return a caller for exclusive use."""
         try:
             return self._free.pop()
         except IndexError:
             return Caller(self.function)
 
     def give_back(self, caller: Caller) -> None:
-        """The caller is free for the next user."""
+        """Return a caller to the pool."""
         self._free.append(caller)
 
 
 class Rowwise:
-    """A CasADi function of columns, one input of which is the same for all rows, over tables of rows; each row as if it were alone.
+    """CasADi function of columns, applied to tables row by row; one argument is the same for all rows.
 
-    It is mapped to blocks of fixed sizes, once: a call builds nothing, and computes no row that nobody asked for.
+    It is mapped to blocks of fixed sizes, once: a call builds nothing and computes no surplus rows.
     """
 
     def __init__(self, function: Any, constant: int) -> None:
@@ -69,7 +69,7 @@ class Rowwise:
         ]
 
     def __call__(self, constant: np.ndarray, *tables: np.ndarray) -> list[np.ndarray]:
-        """Results (rows, size) of the other inputs' tables (rows, size), in the function's order."""
+        """Return results (rows, size) for the other arguments' tables (rows, size), in the function's order."""
         count, first = len(tables[0]), 0
         results = [np.empty((count, size)) for size in self._sizes]
         for rows, callers in self._blocks:

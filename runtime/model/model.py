@@ -1,4 +1,4 @@
-"""A generated module, loaded: names, units and defaults of its ports, its CasADi functions, and numbers bound to its parameters."""
+"""Model of a generated module: names, units and defaults, CasADi functions, bound parameters."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Bound:
-    """Numbers for one run: p (np,) and c (nc,) in SI, and each parameter's value in the unit it was given in."""
+    """Numbers for one run: p (np,) and c (nc,) in SI, and each parameter's value in its given unit."""
 
     p: np.ndarray
     c: np.ndarray
@@ -42,7 +42,7 @@ SOLVING = ("accelerations", "projection")  # functions that solve for what holds
 
 @dataclass(frozen=True)
 class Declaration:
-    """What a model was loaded from: a built-in scene's name or a scene, without some effects, with other laws, in other coordinates."""
+    """Origin of a model: a built-in scene's name or a scene, with its variation."""
 
     target: str | Scene
     without: tuple[str, ...] = ()
@@ -50,7 +50,7 @@ class Declaration:
     coordinates: str | None = None
 
     def scene(self) -> Scene:
-        """The scene of the model; raises InputError."""
+        """Return the scene of the model; raises InputError."""
         from hertzwerk.runtime.model import build
 
         scene = build.scene_from(self.target) if isinstance(self.target, str) else self.target
@@ -58,7 +58,7 @@ class Declaration:
 
 
 class Model:
-    """A scene that can be simulated. `declaration` is where it comes from; a saved run has none."""
+    """Model of a scene. `declaration` is its origin; a saved run has none."""
 
     def __init__(
         self,
@@ -99,7 +99,7 @@ class Model:
 
     @cached_property
     def joints(self) -> Model:
-        """The mechanism by its joints' coordinates, in which starts are given: itself, or what a model in absolute coordinates has of it."""
+        """Model by the joints' coordinates, in which starts are given: itself, unless in absolute coordinates."""
         module = self.module
         if not hasattr(module, "JOINT_COORDINATES"):
             return self
@@ -116,16 +116,16 @@ class Model:
         return Model(SimpleNamespace(**given))
 
     def without_redundancy(self, dependent: tuple[Dependent, ...]) -> Model:
-        """The model whose steps leave out what others of these constraints imply; itself where there are none."""
+        """Return the model with these redundant constraints relaxed in every step; itself if none."""
         if not dependent:
             return self
         made: Model = self.once(("dependent", dependent), lambda: Model(self.module, self.declaration, dependent))
         return made
 
     def function(self, name: str) -> Any:
-        """CasADi function of one of the module's builders, e.g. "gaps" or "contact_slider_pin"; inputs and outputs as the module documents them.
+        """Return the CasADi function of one of the module's builders, e.g. "gaps" or "contact_slider_pin".
 
-        Raises InputError for a name that is none.
+        Inputs and outputs as the module documents them. Raises InputError for an unknown name.
         """
         if not isinstance(name, str) or not self.has(name):
             known = [*filter(self.has, _INPUTS), *(f"contact_{pair}" for pair in self.pairs)]
@@ -133,13 +133,13 @@ class Model:
         return self.once(name, lambda: self._build(name))
 
     def once(self, key: Hashable, make: Callable[[], Any]) -> Any:
-        """What `make` returned when this key was first asked for: CasADi functions are built once per model."""
+        """Return the object built once per model under a key; `make` builds it on first use."""
         if key not in self._made:
             self._made[key] = make()
         return self._made[key]
 
     def has(self, name: str) -> bool:
-        """Whether the module has a builder of this name."""
+        """Return whether the module has a builder of this name."""
         listed = name in _INPUTS or name.removeprefix("contact_") in self.pairs
         return listed and callable(getattr(self.module, name, None))
 
@@ -174,14 +174,15 @@ class Model:
         return ca.Function(name, symbols, ca.cse(columns), inputs, [f"o{i}" for i in range(len(columns))])
 
     def period(self, bound: Bound) -> float | None:
-        """After what time everything that depends on time repeats [s]; None where nothing does."""
+        """Return the period [s] of everything that depends on time; None where nothing does."""
         found = float(self.function("period")(bound.p)) if hasattr(self.module, "period") else math.inf
         return found if math.isfinite(found) else None  # a drive that stands still has none
 
     def equations(self) -> Readable:
-        """The equations of the model for people, derived from its scene anew: Markdown with LaTeX, typeset in a notebook.
+        """Return the equations of the model for people, derived anew from its scene.
 
-        Raises InputError for a model without its scene, as a saved run has it.
+        Markdown with LaTeX, typeset in a notebook. Raises InputError for a model without its scene, as a saved run
+        has it.
         """
         if self.declaration is None:
             fault = Fault("equations", "a model without its scene", "a model that `load` returned",
@@ -192,14 +193,14 @@ class Model:
         return build.equations(self.declaration.scene())
 
     def bind(self, parameters: Mapping[str, Value] | None = None) -> Bound:
-        """Defaults with `parameters` in their place, in SI; raises InputError with every fault."""
+        """Return the defaults overridden by `parameters`, in SI; raises InputError with every fault."""
         bound, faults = self.check({} if parameters is None else parameters)
         if bound is None:
             raise InputError(self.name, faults)
         return bound
 
     def check(self, parameters: Mapping[str, Value]) -> tuple[Bound | None, list[Fault]]:
-        """What `bind` does, with the faults as a value: no Bound where there is one."""
+        """Bind parameters, returning the faults as a value: no Bound where there is one."""
         reading = read_parameters(self.parameters, self.module.LIMITS, parameters)
         if reading.faults:
             return None, list(reading.faults)
@@ -213,7 +214,7 @@ class Model:
         return (None, faults) if faults else (Bound(p, c, reading.texts, reading.warnings), [])
 
     def _undefined(self, constant: str, unit: str, value: float) -> Fault:
-        """The fault of a constant that is no number; of a law that is unchecked one for all of them."""
+        """Return the fault of a constant that is not finite; for an unchecked law one for all of them."""
         for effect, text in self.module.UNCHECKED:
             if constant.startswith(f"{effect}_"):
                 remedy = ("an unchecked law takes SI values as they are, and its formula has no value for them: take its consistent form, "

@@ -1,4 +1,4 @@
-"""Generated modules and the scenes they come from: derive them, write them, or show where they differ."""
+"""Generated modules from their scenes: derived, written, or compared with those in place."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Derived:
-    """What a target derives to: the name of its scene, and the text of the module."""
+    """Derived module of a target: the name of its scene, and the text."""
 
     target: str
     name: str
@@ -30,7 +30,7 @@ class Derived:
 
 @dataclass(frozen=True)
 class Difference:
-    """How a module in place differs from what its scene derives to, and the command that accepts the derived one."""
+    """Difference between a module in place and the derived one, and the command that accepts the latter."""
 
     name: str
     diff: str
@@ -38,7 +38,10 @@ class Difference:
 
 
 def derived(targets: Sequence[str], coordinates: str | None = None) -> tuple[Derived, ...]:
-    """Modules of all targets or of none, in the scenes' coordinates or others: the faults of all come together, as InputError."""
+    """Derive the modules of all targets or of none; InputError holds the faults of all.
+
+    In the scenes' coordinates or others.
+    """
     seen: set[str] = set()
 
     def one(target: str) -> Derived:
@@ -52,7 +55,10 @@ def derived(targets: Sequence[str], coordinates: str | None = None) -> tuple[Der
 
 
 def shown(targets: Sequence[str], coordinates: str | None = None) -> tuple[Readable, ...]:
-    """Equations for people of all targets or of none, in the scenes' coordinates or others: the faults of all come together, as InputError."""
+    """Return the equations of all targets or of none, for people; InputError holds the faults of all.
+
+    In the scenes' coordinates or others.
+    """
     return _all_or_none(targets, lambda target: equations(vary(scene_from(target), coordinates=coordinates)))
 
 
@@ -77,7 +83,10 @@ def _all_or_none(targets: Sequence[str], make: Callable[[str], _T]) -> tuple[_T,
 
 
 def repository_folder(targets: Sequence[str]) -> Path:
-    """generated/ of the hertzwerk repository around the working folder; raises InputError where the targets want another."""
+    """Return generated/ of the hertzwerk repository around the working folder.
+
+    Raises InputError where the targets need another folder.
+    """
     subject = "derive: name a folder for the modules with --out DIR"
     files = [target for target in targets if is_file(target)]
     if files:
@@ -93,7 +102,7 @@ def repository_folder(targets: Sequence[str]) -> Path:
 
 
 def write(modules: Sequence[Derived], folder: Path) -> tuple[Path, ...]:
-    """Write modules into a folder, made if need be; returns their paths."""
+    """Write modules into a folder, made if need be; return their paths."""
     folder.mkdir(parents=True, exist_ok=True)
     paths = tuple(folder / f"{module.name}.py" for module in modules)
     for path, module in zip(paths, modules, strict=True):
@@ -102,7 +111,7 @@ def write(modules: Sequence[Derived], folder: Path) -> tuple[Path, ...]:
 
 
 def difference(module: Derived, folder: Path | None) -> Difference | None:
-    """How the module in a folder, or the installed one, differs from the derived one; None if it does not."""
+    """Return the difference of a module in a folder, or the installed one, to the derived one; or None."""
     path = folder / f"{module.name}.py" if folder is not None else _installed(module.name)
     present = path.read_text(encoding="utf-8") if path is not None and path.is_file() else ""
     if present == module.text:
@@ -114,7 +123,7 @@ def difference(module: Derived, folder: Path | None) -> Difference | None:
 
 
 def generated_names() -> tuple[str, ...]:
-    """Names of the installed generated modules, sorted; imports none of them."""
+    """Return the names of the installed generated modules, sorted; imports none of them."""
     package = importlib.import_module("hertzwerk.generated")
     return tuple(
         sorted(found.name for found in pkgutil.iter_modules(package.__path__) if not found.name.startswith("_"))

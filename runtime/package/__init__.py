@@ -1,6 +1,7 @@
-"""hertzwerk: `from hertzwerk import Scene, load, simulate`; everything else is in its sub-packages `derive` and `runtime`.
+"""hertzwerk: `from hertzwerk import Scene, load, simulate`; the rest is in `derive` and `runtime`.
 
-This file is installed as `hertzwerk/__init__.py` (package-dir in pyproject.toml), so no plain folder of that name shadows the package.
+This file is installed as `hertzwerk/__init__.py` (package-dir in pyproject.toml), so no plain folder of that name
+shadows the package.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ __all__ = ["InputError", "Scene", "__version__", "load", "simulate"]
 
 
 def __getattr__(name: str) -> Any:
-    """Hand on a name from its module, imported when first asked for (PEP 562)."""
+    """Return a name from its module, imported on first use (PEP 562)."""
     value: Any
     if name == "__version__":
         from importlib.metadata import version

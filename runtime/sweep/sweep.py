@@ -1,4 +1,4 @@
-"""Many runs of one model on all cores: a row each, in the order given; a run that fails is a row too."""
+"""Many runs of one model on all cores: a row each in the given order, failed runs included."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ PROBE = 0.3  # s that the first run may take alone, to foresee how long all of t
 
 
 def _sets(given: object) -> list[dict[str, Value]]:
-    """The sets of values; raises InputError for what are none."""
+    """Return the sets of values; raises InputError for malformed ones."""
     expected = 'mappings of values by name, such as [{"clearance": "0.2 mm"}, {"clearance": "0.4 mm"}]'
     if isinstance(given, str | Mapping) or not isinstance(given, Iterable):
         raise InputError("simulate_many", [Fault("parameter_sets", shown(given), expected)])
@@ -58,7 +58,9 @@ def simulate_many(
     progress: Callable[[float], object] | None = None,
     **limits: Any,
 ) -> Sweep:
-    """Run a model once for each set of values, on all cores; each run is bitwise the one that `simulate` makes.
+    """Run a model once for each set of values, on all cores.
+
+    Each run is bitwise the one that `simulate` makes.
 
     parameter_sets    values in place of the model's, parameters and initial states alike: [{"clearance": "0.2 mm"}, ...]
     compiled    "auto" compiles once for all where that saves time; duration, accuracy or tolerance, method, and limits as in `simulate`
@@ -66,8 +68,9 @@ def simulate_many(
     outputs    further columns, each a function of the Solution: {"stroke": lambda run: np.ptp(run["guide.travel"])}
     progress    called now and then with the fraction of runs done
 
-    A set with bad input, a run that does not finish or fails, an output that raises or exits are rows that say so. Raises InputError for what is
-    bad input to every run, an output that is no number among it, as the first row shows. Ctrl-C returns the rows that are done.
+    Bad input of a set, a run that does not finish or fails, an output that raises or exits give rows with that
+    outcome. Raises InputError for input that is bad for every run; an output that is not a number is found in the
+    first row. Ctrl-C returns the rows that are done.
     """
     began = time.perf_counter()
     sets = _sets(parameter_sets)
@@ -123,11 +126,11 @@ class _Job:
             return self._without_run(i, error)
 
     def lost(self, i: int) -> Row:
-        """The row of a run that has none."""
+        """Return the row of a run whose process died twice."""
         return Row(i, self.sets[i], LOST, "its process died, and died again where it ran alone")
 
     def probe(self, rows: dict[int, Row], cores: int) -> float:
-        """Run the first good set for PROBE at most and foresee the time [s] that all those left take uncompiled."""
+        """Run the first good set for at most PROBE [s]; estimate the uncompiled time [s] of the rest."""
         for i in range(len(self.sets)):
             try:
                 solution = self._solve(i, compiled=False, wall_time=min(PROBE, self.settings.get("wall_time") or PROBE))
@@ -151,6 +154,7 @@ class _Job:
         return solution
 
     def _without_run(self, i: int, error: Exception) -> Row:
+        """Return the row of a set without a run."""
         if isinstance(error, InputError):
             return Row(i, self.sets[i], BAD_INPUT, "; ".join(str(fault) for fault in error.faults))
         return Row(i, self.sets[i], FAILED, f"{type(error).__name__}: {error}")
@@ -188,7 +192,7 @@ class _Job:
         )
 
     def _values(self, given: Mapping[str, Value]) -> dict[str, float]:
-        """What was given, good as it is, in SI."""
+        """Return the given values in SI."""
         model = self.model
         bound = model.bind({name: value for name, value in given.items() if name in model.parameters})
         return {
@@ -198,7 +202,7 @@ class _Job:
 
 
 def _refuse_arrays(model: Model, rows: Mapping[int, Row]) -> None:
-    """Raise InputError where the first row shows that an output is no number: it would be none in any."""
+    """Raise InputError where the first row shows that an output is not a number."""
     first = next(iter(rows.values()), None)
     if len(rows) == 1 and first is not None and first.outcome == NO_NUMBER:
         remedy = 'one number of a history: lambda run: np.ptp(run["guide.travel"]); several are several outputs'

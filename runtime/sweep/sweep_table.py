@@ -1,4 +1,4 @@
-"""What comes of many runs: a row each, and the table of them by column."""
+"""Results of many runs: a row each, and their table by column."""
 
 from __future__ import annotations
 
@@ -22,9 +22,10 @@ _UNITS = {"peak_force": "N", "wall_s": "s"}
 
 @dataclass(frozen=True)
 class Row:
-    """One run: `given` as it was given, `values` the same in SI; `final` every state at the end.
+    """One run: `given` values as given, `values` in SI; `final`: every state at the end.
 
-    Where there is no run, `outcome` is "bad_input", "failed" (by an error of ours) or "lost" (its process died), and `message` says why.
+    Where there is no run, `outcome` is "bad_input", "failed" (by an error of ours) or "lost" (its process died), with
+    the reason in `message`.
     """
 
     index: int
@@ -42,7 +43,7 @@ class Row:
     statistics: Statistics | None = None
 
     def __getitem__(self, name: str) -> float | str:
-        """Entry of a column."""
+        """Return the entry of a column."""
         if name in TEXTS:
             return "; ".join(self.warnings) if name == "warnings" else str(getattr(self, name))
         if name.startswith("final."):
@@ -58,7 +59,7 @@ class Row:
 
 @dataclass(frozen=True)
 class Sweep:
-    """Rows in the order given. `sweep["peak_force"]` is a column, in SI; `sweep.names` lists what there is.
+    """Rows in the given order; `sweep["peak_force"]` is a column, in SI, `sweep.names` lists all.
 
     interrupted    whether Ctrl-C ended it: the rows are those that were done
     """
@@ -79,7 +80,7 @@ class Sweep:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Every name that `sweep[name]` has: what was varied, what came out of it, the states at the end."""
+        """Names of all columns: varied values, results, final states."""
         given = dict.fromkeys(name for row in self.rows for name in row.given if name in ports(self.model))
         states = (*self.model.coordinates, *self.model.speeds, *self.model.memory)
         final = (f"final.{name}" for name in states)
@@ -91,7 +92,7 @@ class Sweep:
         return np.array([row[name] for row in self.rows], dtype=None if name in TEXTS else float)
 
     def unit(self, name: str) -> str:
-        """SI unit text of a column, "" where it has none to be stated."""
+        """Return the SI unit text of a column; "" if it has none."""
         return _UNITS.get(name) or ports(self.model).get(name.removeprefix("final."), "")
 
     def to_csv(self, path: str | Path, *, overwrite: bool = False) -> Path:

@@ -1,7 +1,8 @@
-"""The restitution study: what each damping law of the catalogue returns, simulated through the engine and in closed form where there is one.
+"""Restitution study: e out of every damping law, simulated and in closed form.
 
-One free impact of two bodies beside K d^n, without gravity, from gap 0. Restitution out does not depend on mass, stiffness or speed, except for laws
-that take a parameter of their own in place of e: for those it depends on that parameter times or over the time (m v0^(1-n)/K)^(1/(n+1)).
+One free impact of two bodies beside K d^n, without gravity, from gap 0. Restitution out does not depend on mass,
+stiffness or speed, except for laws that take a parameter of their own in place of e: for those it depends on that
+parameter times or over the time (m v0^(1-n)/K)^(1/(n+1)).
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ AGREEMENT = 1e-9  # of simulated and closed form
 
 @dataclass(frozen=True)
 class Impact:
-    """Numbers of the free impact: mass [kg], approach speed [m/s], and K of K d^n [SI]."""
+    """Free impact: mass [kg], approach speed [m/s], and K of K d^n [SI]."""
 
     mass: float = 1.0
     speed: float = 1.0
@@ -41,9 +42,10 @@ class Impact:
 
 @dataclass(frozen=True)
 class Curve:
-    """Restitution out of one law over `given`, shape (k,): e, or the law's own `parameter` made dimensionless.
+    """Restitution out of one law over `given`, shape (k,): e, or the law's dimensionless `parameter`.
 
-    `simulated` (k,); `closed` (k,), or None where no closed form is known. `recommended`: range of e, None where the law knows none.
+    `simulated` (k,); `closed` (k,), or None where no closed form is known. `recommended`: range of e, None where the
+    law has none.
     """
 
     law: str
@@ -61,7 +63,7 @@ class Curve:
 
     @property
     def takes_restitution(self) -> bool:
-        """Whether `given` is the restitution in."""
+        """Return whether `given` is the restitution in."""
         return self.recommended is not None
 
     @property
@@ -71,7 +73,7 @@ class Curve:
 
     @property
     def inside(self) -> NDArray[np.bool_]:
-        """Where `given` lies in the recommended range."""
+        """Mask of `given` in the recommended range."""
         low, high = self.recommended or (-math.inf, math.inf)
         return (self.given >= low) & (self.given <= high)
 
@@ -81,13 +83,13 @@ class Curve:
         return None if self.closed is None else float(np.max(np.abs(self.simulated - self.closed)))
 
     def worst(self, *, inside: bool) -> tuple[float, float]:
-        """(e, e_out - e) where the deviation is largest, of the recommended range or of all."""
+        """Return (e, e_out - e) of the largest deviation, in the recommended range or everywhere."""
         deviation = np.where(self.inside if inside else np.full(len(self.given), fill_value=True), self.deviation, 0.0)
         at = int(np.argmax(np.abs(deviation)))
         return float(self.given[at]), float(deviation[at])
 
     def record(self) -> dict[str, Any]:
-        """The curve as JSON has it."""
+        """Return the curve as JSON."""
         worst, everywhere = self.worst(inside=True), self.worst(inside=False)
         about = {
             "law": self.law,
@@ -126,12 +128,12 @@ class Study:
 
     @property
     def agrees(self) -> bool:
-        """Whether every impact ended, and as its closed form says."""
+        """Return whether every impact ended and agrees with its closed form."""
         ended = all(np.all(np.isfinite(curve.simulated)) for curve in (*self.curves, *self.others))
         return ended and self.difference <= AGREEMENT
 
     def record(self) -> dict[str, Any]:
-        """The study as JSON has it."""
+        """Return the study as JSON."""
         return {
             "tolerance": TOLERANCE,
             "largest_difference": self.difference,
@@ -140,7 +142,7 @@ class Study:
         }
 
     def csv(self) -> str:
-        """One row per law and value: law, parameter, given, simulated, closed (empty where there is none)."""
+        """Return one row per law and value: law, parameter, given, simulated, closed (may be empty)."""
         lines = ["law,parameter,given,simulated,closed"]
         for curve in (*self.curves, *self.others):
             closed: Sequence[Any] = (
@@ -152,7 +154,7 @@ class Study:
 
 
 def study(progress: Callable[[float], object] | None = None) -> Study:
-    """Try every damping law of the catalogue."""
+    """Simulate every damping law of the catalogue."""
     from hertzwerk.runtime.model.build import impact_trials
 
     trials = impact_trials()
@@ -167,7 +169,7 @@ def study(progress: Callable[[float], object] | None = None) -> Study:
 
 
 def curve(trial: Trial, given: Array | None = None, impact: Impact | None = None) -> Curve:
-    """Try one law over its grid, or over what is `given`."""
+    """Simulate one law over its grid, or over `given`."""
     from hertzwerk.runtime.model.build import build
     from hertzwerk.runtime.model.model import Model
 
@@ -197,7 +199,10 @@ def curve(trial: Trial, given: Array | None = None, impact: Impact | None = None
 
 
 def simulated(model: Model, trial: Trial, value: float, impact: Impact) -> float:
-    """Restitution out of one impact through the engine; `value` of the law's parameter in SI. NaN where the bodies do not part."""
+    """Return the simulated restitution out of one impact; nan where the bodies do not part.
+
+    value: of the law's parameter, in SI.
+    """
     from hertzwerk.runtime.simulation import simulate
 
     n = trial.exponent
@@ -220,7 +225,7 @@ def simulated(model: Model, trial: Trial, value: float, impact: Impact) -> float
 
 
 def own_unit(trial: Trial, impact: Impact) -> float:
-    """What a law's own parameter is measured in, SI: the impact's mass, length and time to the powers the parameter's unit has them in."""
+    """Return the unit [SI] of a law's own parameter in powers of the impact's mass, length and time."""
     n = trial.exponent
     time = (impact.mass * impact.speed ** (1 - n) / impact.stiffness) ** (1 / (n + 1))
     mass, length, seconds, _ = (float(exponent.constant) for exponent in parse_unit(trial.unit).exponents)

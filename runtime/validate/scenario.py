@@ -1,4 +1,4 @@
-"""Scenario files: a scene's numbers and the checks they must pass, read from TOML and validated as a whole.
+"""Scenario files: a scene's numbers and its checks, read from TOML and validated as a whole.
 
 scene = "soft_ball"
 duration = "1 s"
@@ -79,7 +79,7 @@ class _Record(BaseModel):
 
 
 class Check(_Record):
-    """One number that must come out: `expected` within the relative `tolerance`, or never above `at_most`."""
+    """Check of one number: `expected` within the relative `tolerance`, or not above `at_most`."""
 
     quantity: Annotated[str, AfterValidator(_measurable)]
     expected: QuantityText | None = None
@@ -99,7 +99,7 @@ class Check(_Record):
 
 
 class Scenario(_Record):
-    """A scene with numbers: what differs from its defaults, how long and how accurately it runs, and what must come out."""
+    """Scene with parameters, initial state, duration, accuracy, expected outcome and checks."""
 
     scene: str
     duration: Annotated[str, AfterValidator(_duration_text)]
@@ -112,7 +112,10 @@ class Scenario(_Record):
 
 
 def load_scenario(target: str | Path) -> Scenario:
-    """A built-in scenario by name, or one from a TOML file, which names a scene file from its own folder; raises InputError with every fault."""
+    """Load a built-in scenario by name, or one from a TOML file.
+
+    A scene file is named relative to the TOML file's folder. Raises InputError with every fault.
+    """
     path = Path(target)
     if path.suffix != ".toml":
         if str(target) not in scenarios.names():

@@ -1,4 +1,4 @@
-"""Validation: runs a scenario and measures what its checks say must come out."""
+"""Validation: run a scenario and check its results."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Verdict:
-    """One check on one solution: what was measured (SI; None where it does not exist), what was expected, and whether they agree."""
+    """Result of one check: measured value (SI; None where it does not exist), and whether it passed."""
 
     check: Check
     measured: float | None
@@ -26,7 +26,7 @@ class Verdict:
 
     @property
     def expectation(self) -> str:
-        """What the check asks for, in its own words."""
+        """Expectation of the check as text."""
         check = self.check
         return (
             f"at most {check.at_most}" if check.at_most is not None else f"{check.expected} within {check.tolerance:g}"
@@ -55,7 +55,7 @@ def run_scenario(scenario: Scenario) -> Solution:
 
 
 def validate(scenario: Scenario, solution: Solution) -> tuple[Verdict, ...]:
-    """Verdict of every check, in their order; raises InputError for checks of unknown names or in units that do not fit."""
+    """Return the verdict of every check; raises InputError for unknown names or unfit units."""
     faults = [fault for check in scenario.checks if (fault := _misfit(check, solution)) is not None]
     if faults:
         raise InputError(f"checks of scenario {scenario.scene}", faults)
@@ -63,7 +63,10 @@ def validate(scenario: Scenario, solution: Solution) -> tuple[Verdict, ...]:
 
 
 def measure(solution: Solution, quantity: str) -> float | None:
-    """Value of a check's quantity, SI; None where it does not exist (an impact that did not happen, a duration still open, no ledger)."""
+    """Return the value of a check's quantity, SI; None where it does not exist.
+
+    Such as an impact that did not happen, a duration still open, no ledger.
+    """
     if quantity == "energy_residual":
         return solution.energy_residual
     if quantity == "impacts":
@@ -90,7 +93,7 @@ def _verdict(check: Check, measured: float | None) -> Verdict:
 
 
 def _misfit(check: Check, solution: Solution) -> Fault | None:
-    """Why a check cannot be made on a solution: a name it does not have, or a unit that is not the quantity's."""
+    """Return the fault of a check with an unknown name or a unit that does not fit; else None."""
     head, _, name = check.quantity.partition(".")
     if head in FOUND_IN_HISTORIES:
         if name not in solution.names:
