@@ -24,6 +24,8 @@ POINTS = 201  # of the grid on which runs are compared
 VALID = 0.01  # of the scales: up to such an error a trajectory is taken for the true one
 CARRIED = (10.0, 1000.0)  # limits of the factor from the tolerance to the end error that the first run is made for
 MARGIN = 6.0  # how far below the request the next run aims: as errors scatter, 90 % of such runs meet it
+HALVED = 4.0  # the spacing of doubles over what a rounding errs by on average
+IN_VAIN = 10.0  # times the request: an error foreseen at the least tolerance that ends the search, as errors scatter
 STUCK = 100.0  # where the tolerance fell by this factor and the error not even by 2, it is rounding that is seen
 SLACK = 3.0  # errors grow intermittently: how much farther than the fitted growth says a tighter run may get
 PER_STEP = 4.0  # roundings of the state that a step errs by: the motion amplifies them as it does the tolerance
@@ -45,7 +47,7 @@ class ErrorEstimate:
                   there one run has had an impact that the other is about to have.
     growth        rate [1/s] of the error up to the horizon: the slope of its logarithm
     decade_cost   factor of evaluations for a tolerance, and so on average an error, ten times smaller
-    floor         least end error found at any tolerance, where no tolerance seems to meet the request
+    floor         least error at the end that was found, or is foreseen, at any tolerance, where none seems to meet the request
     runs          runs made, this one included; pilot_s the time [s] that the others took
     """
 
@@ -192,7 +194,8 @@ class Ladder(Generic[Kept]):
         self._run, self._differ, self._rounding, self._times, self._asked = run, differ, rounding, times, asked
         self._costs: list[tuple[float, int]] = []  # tolerances and evaluations of the runs that reached the end
         self._runs, self._wall_s = 0, 0.0
-        self._found: list[tuple[float, float]] = []  # tolerances and errors at the end
+        self._found: list[tuple[float, float]] = []  # tolerances and errors at the end, or what is foreseen of one
+        self._least = LEAST  # tolerance that is worth a run: by so much the start is off already, as it is rounded
 
     def climb(self, tolerance: float) -> Climbed[Kept]:
         """Search from an initial tolerance."""
@@ -206,6 +209,7 @@ class Ladder(Generic[Kept]):
                     return self._told(best or self._checked(farther, other), Verdict.UNKNOWN, run)
             if run.end is End.STOPPED:
                 return Climbed(run, None, Verdict.STOPPED) if best is None else self._told(best, Verdict.STOPPED, run)
+            self._least = max(LEAST, self._rounding(run.states[:1]) / HALVED)
             beside = self._beside(run)
             checked = self._checked(run, *beside)
             if not math.isfinite(checked.end):
@@ -217,7 +221,7 @@ class Ladder(Generic[Kept]):
             found = self._verdict(checked)
             if found is not None:
                 return self._told(best, found)
-            tolerance = max(run.tolerance * self._asked / (MARGIN * checked.end), LEAST)
+            tolerance = max(run.tolerance * self._asked / (MARGIN * checked.end), self._least)
 
     def _beside(self, run: Rung[Kept]) -> list[Rung[Kept]]:
         """Make the runs that estimate the error of one: a tighter one, or one of nearly the same tolerance.
@@ -265,20 +269,24 @@ class Ladder(Generic[Kept]):
 
     def _verdict(self, checked: _Checked[Kept]) -> Verdict | None:
         """Return the outcome of the request; None where a smaller tolerance may meet it."""
-        tolerance, error = checked.run.tolerance, checked.end
+        tolerance, error, least = checked.run.tolerance, checked.end, self._least
         if error <= self._asked:
             return Verdict.MET
         times = self._times[: len(checked.values)]
         valid = horizon(times, checked.values)
+        foreseen = error * least / tolerance
         lost = valid is not None and error > VALID  # its size then says nothing about smaller tolerances
         stuck = any(before >= STUCK * tolerance and error > found / 2 for before, found in self._found)
-        if stuck or tolerance <= LEAST or (checked.last and self._unseen(checked.run) > ROUNDED):
+        if stuck or tolerance <= least or (checked.last and self._unseen(checked.run) > ROUNDED):
             return Verdict.BEYOND if lost else Verdict.UNREACHABLE
         if valid is None or not lost:
-            return None
+            if foreseen <= IN_VAIN * self._asked:
+                return None
+            self._found.append((least, foreseen))
+            return Verdict.UNREACHABLE
         rate = growth(times, checked.values, tolerance)
-        farther = math.inf if rate is None or rate <= 0 else math.log(tolerance / LEAST) / rate
-        in_vain = error * LEAST / tolerance > self._asked or valid + SLACK * farther < self._times[-1]
+        farther = math.inf if rate is None or rate <= 0 else math.log(tolerance / least) / rate
+        in_vain = foreseen > self._asked or valid + SLACK * farther < self._times[-1]
         return Verdict.BEYOND if in_vain else None
 
     def _told(self, checked: _Checked[Kept], verdict: Verdict, broken: Rung[Kept] | None = None) -> Climbed[Kept]:

@@ -14,6 +14,7 @@ from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import load, simulate, simulate_many, simulation
 from hertzwerk.runtime.accuracy.ladder import (
     CHECK,
+    HALVED,
     LEAST,
     NEAR,
     POINTS,
@@ -140,8 +141,24 @@ def test_below_the_floor_it_ends_with_the_floor():
     assert climbed.verdict is Verdict.UNREACHABLE
     assert 1e-11 < climbed.error.floor == climbed.error.end < 3e-10
     assert len(log) <= 8
-    climbed, _ = climb(1e-11, 1e-12, factor=1e4)
+    climbed, _ = climb(1e-11, 1e-12, factor=200)
     assert (climbed.verdict, climbed.run.tolerance) == (Verdict.UNREACHABLE, LEAST)
+
+
+def test_what_the_least_tolerance_would_miss_by_far_is_not_tried():
+    """That is LEAST, or where the start is rounded more coarsely by what that is off by: neither can be had more accurate."""
+    climbed, log = climb(1e-11, 1e-12, factor=1e4)
+    assert (climbed.verdict, len(log)) == (Verdict.UNREACHABLE, 2)
+    assert climbed.error.floor == pytest.approx(1e4 * LEAST, rel=1e-2)
+    assert climbed.error.end == pytest.approx(1e4 * 1e-12, rel=1e-2)
+    for coarse, found in ((1e-10, Verdict.UNREACHABLE), (1e-13, Verdict.MET)):
+        run = partial(made_up, factor=1e3)
+        ladder = Ladder(run, lambda y, other: np.abs(y - other)[:, 0], lambda y, size=coarse: size, TIMES, 1e-9)
+        climbed = ladder.climb(1e-9)
+        assert climbed.verdict is found
+        if found is Verdict.UNREACHABLE:
+            assert climbed.run.tolerance == 1e-9
+            assert climbed.error.floor == pytest.approx(climbed.error.end * coarse / HALVED / 1e-9)
 
 
 def test_beyond_the_horizon_nothing_is_tightened_in_vain():
@@ -194,11 +211,9 @@ def test_near_the_tolerance_of_rounding_the_estimate_counts_it():
     assert climb(asked, first)[0].error.end == pytest.approx(10 * first, rel=1e-2)
     ladder = Ladder(made_up, lambda y, other: np.abs(y - other)[:, 0], lambda y: first, TIMES, asked)
     climbed = ladder.climb(first)
-    assert climbed.run.kept == (
-        LEAST,
-        True,
-    )  # at the first tolerance the half of it could be rounding: 3 times as much as is seen
-    assert climbed.error.end == pytest.approx((1 + UNSEEN * 0.976) * 10 * LEAST, rel=1e-3)
+    least = first / HALVED
+    assert climbed.run.kept == (least, True)  # at the first the half could be rounding: 3 times as much as is seen
+    assert climbed.error.end == pytest.approx((1 + UNSEEN * 0.941) * 10 * least, rel=1e-3)
 
 
 def test_two_runs_that_agree_by_chance_are_found_out_by_a_third():
