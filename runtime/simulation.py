@@ -134,10 +134,12 @@ def simulate(
     output      what is kept: "steps", all that were accepted; or the states at a number of points, start and end included (1000), at a
                 spacing ("0.1 ms"), at times [s] of your own, by dense output of the method's order; memory then does not grow with the run
     compiled    run the same functions as C; the result is bitwise the same; "auto" does so from where the time to go exceeds the compilation
-    max_steps, wall_time [s]    of all runs together, max_events (contacts begun) of each: where to stop, with an outcome that says so
+    max_steps (accepted; as many may be tried in vain), wall_time [s]    of all runs together, max_events (contacts begun) of each: where to stop,
+                with an outcome that says so
     progress    called now and then with the fraction done
 
-    Raises InputError, with every fault, for bad input and for nothing else: how the run ended is `Solution.outcome`.
+    Raises InputError, with every fault, for bad input and for nothing else: how the run ended is `Solution.outcome`. What raises anything, memory
+    that runs out or `progress`, ends it with the outcome "exception" once a step was accepted; before, it is raised.
     """
     began = time.perf_counter()
     settings = Settings(
@@ -175,6 +177,8 @@ def _solution_of(
 ) -> Solution:
     """Return the solution of a kept run; for an accuracy with the verdict of those that checked it."""
     model, bound, counted = run.model, run.given.bound, trace.counted
+    if trace.ending.error is not None and not counted["steps"]:
+        raise trace.ending.error
     found: tuple[str, ...] = ()
     result = run.outcome(trace)
     if climbed is not None and asked is not None:

@@ -28,7 +28,12 @@ from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, kept, 
 if TYPE_CHECKING:
     from hertzwerk.runtime.simulation import Solution
 
-STOPPED = ("interrupted", "wall_time_limit", "too_many_steps")  # by a limit or the user, not by the motion
+STOPPED = (
+    "interrupted",
+    "wall_time_limit",
+    "too_many_steps",
+    "exception",
+)  # by something else than the motion
 
 
 @click.command()

@@ -19,7 +19,7 @@ from scipy.optimize import brentq
 
 from hertzwerk.runtime.host.interrupt import deferred
 from hertzwerk.runtime.integrate.events.events import ends_with_force
-from hertzwerk.runtime.integrate.loop.chunk import INTERRUPTED, WALL_TIME_LIMIT, Ending
+from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, INTERRUPTED, WALL_TIME_LIMIT, Ending
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.friction import STICK, pairs_of, slips_in
 from hertzwerk.runtime.integrate.step.layout import (
@@ -95,13 +95,10 @@ def march(
     wall_time: float = np.inf,
     progress: Callable[[float], object] | None = None,
 ) -> Ending:
-    """Integrate from an initial state of the engine to the end of the run, as `chunk.march` does.
-
-    KeyboardInterrupt ends the run with the rows kept so far.
-    """
+    """Integrate from a first state of the engine to the end of the run, as `chunk.march` does; KeyboardInterrupt and any exception end it."""
     run = _Run(functions, state, controls)
     start, status = time.perf_counter(), RUNNING
-    row = state
+    row, error = state, None
     try:
         with deferred() as interrupts:
             keep(row[None, :])
@@ -117,7 +114,9 @@ def march(
                 status = run.status
     except KeyboardInterrupt:
         status = INTERRUPTED
-    return Ending(row, status, time.perf_counter() - start)
+    except Exception as raised:
+        status, error = EXCEPTION, raised
+    return Ending(row, status, time.perf_counter() - start, error=error)
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ from hertzwerk.runtime.accuracy.ladder import (
     beyond_horizon,
     first_tolerance,
 )
-from hertzwerk.runtime.integrate.loop.chunk import INTERRUPTED, WALL_TIME_LIMIT
+from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, INTERRUPTED, WALL_TIME_LIMIT
 from hertzwerk.runtime.integrate.step.layout import FINISHED, TOO_MANY_STEPS
 from hertzwerk.runtime.run.request import Limits
 from hertzwerk.runtime.run.single_run import SingleRun, Trace
@@ -25,7 +25,7 @@ from hertzwerk.runtime.solution import scales as scaling
 from hertzwerk.runtime.solution.outcome import Outcome, too_long, unknown, unreachable
 from hertzwerk.runtime.solution.scales import Scales
 
-STOPS = (INTERRUPTED, WALL_TIME_LIMIT, TOO_MANY_STEPS)  # what ends all runs
+STOPS = (INTERRUPTED, WALL_TIME_LIMIT, EXCEPTION, TOO_MANY_STEPS)  # what ends all runs
 
 
 def climb(

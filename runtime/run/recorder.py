@@ -19,12 +19,14 @@ class Recorder:
     """Gathers rows into blocks of about `block` bytes and passes them to observers; None: one block.
 
     view    makes a History of rows
+    error    what an observer raised, the first of them; it is raised again once all have seen the block
     """
 
     def __init__(
         self, view: Callable[[np.ndarray], History], observers: Sequence[Observer], block: int | None = BLOCK
     ) -> None:
-        self._view, self._observers, self._block = view, observers, block
+        self._view, self._observers, self._block = view, list(observers), block
+        self.error: Exception | None = None
         self._parts: list[np.ndarray] = []
         self._known = self._new = self._bytes = 0
 
@@ -40,12 +42,29 @@ class Recorder:
         """Pass the gathered rows to the observers; call once more at the end."""
         if not self._new:
             return
-        rows = np.concatenate(self._parts)
-        block = self._view(rows)
-        for observer in self._observers:
-            observer.take(block, self._known)
+        known, rows = self._known, self._gathered()
         self._parts = [rows[-OVERLAP:].copy()]
         self._known, self._new, self._bytes = len(self._parts[0]), 0, 0
+        block = self._view(rows)
+        for observer in tuple(self._observers):
+            try:
+                observer.take(block, known)
+            except Exception as error:  # the others lose no row for it, and it sees no more, as it would not see all
+                self._observers.remove(observer)
+                self.error = self.error or error
+        if self.error is not None:
+            raise self.error
+
+    def _gathered(self) -> np.ndarray:
+        """The rows in one array; where there is no memory for that the first of them, as many as there is room for beside what they come from."""
+        while True:
+            try:
+                return np.concatenate(self._parts)
+            except MemoryError as error:
+                if len(self._parts) < 2:
+                    raise
+                self.error = error
+                del self._parts[len(self._parts) // 2 :]
 
 
 class Steps:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
@@ -11,7 +12,7 @@ import numpy as np
 
 from hertzwerk.runtime.accuracy.ladder import LOOSEST
 from hertzwerk.runtime.integrate.loop.automatic import Gear
-from hertzwerk.runtime.integrate.loop.chunk import Ending, Resume
+from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, Ending, Resume
 from hertzwerk.runtime.integrate.step.layout import OUTSIDE_LAW_RANGE
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.run.engine import Engine, engine_for
@@ -65,7 +66,13 @@ class SingleRun:
         if stated.sound:
             return stated
         rough = max(tolerance or 0.0, ROUGH)  # of no run for an accuracy is the tolerance larger
-        return scaling.of_run(self.model, stated, lambda scales, seen: self._shown(rough, scales, [seen], BLOCK))
+
+        def run(scales: Scales, seen: Observer) -> None:
+            ending = self._shown(rough, scales, [seen], BLOCK)
+            if ending.error is not None:
+                raise ending.error
+
+        return scaling.of_run(self.model, stated, run)
 
     def trace(
         self,
@@ -111,11 +118,14 @@ class SingleRun:
 
     def outcome(self, trace: Trace) -> Outcome:
         """Return the outcome of a run."""
-        limits, ends = self.limits, trace.kept.ends
+        limits, ends, counted = self.limits, trace.kept.ends, trace.counted
         return outcome(
             trace.ending.status,
             self.method,
             trace.kept.history,
+            steps=counted["steps"],
+            vain=counted["rejected"] + counted["retaken"],
+            error=trace.ending.error,
             t=float(ends.t[-1]),
             where=_deepest(self.model, ends) if trace.ending.status == OUTSIDE_LAW_RANGE else "",
             tolerance=trace.tolerance,
@@ -152,9 +162,12 @@ class SingleRun:
         if self.start is not None:
             loop = partial(loop, whole=self.start.whole)
         recorder = Recorder(lambda rows: History(self.model, rows, controls, integrator), observers, block)
-        ending = loop(state, controls, recorder.keep, wall_time=self.limits.wall_time, progress=progress)
-        recorder.flush()
-        return ending
+        ending: Ending = loop(state, controls, recorder.keep, wall_time=self.limits.wall_time, progress=progress)
+        with suppress(Exception):  # told by the recorder
+            recorder.flush()
+        if recorder.error is None:
+            return ending
+        return replace(ending, status=EXCEPTION, error=ending.error or recorder.error, resume=None)
 
     def _first(self, controls: np.ndarray) -> np.ndarray:
         """Return the state of the engine at the start of the motion."""

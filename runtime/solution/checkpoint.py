@@ -26,6 +26,7 @@ GOES_ON = (
     "interrupted",
     "wall_time_limit",
     "too_many_steps",
+    "exception",
     "event_limit",
     "accuracy_unreachable",
     "energy_not_closed",

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import traceback
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from hertzwerk.runtime.accuracy.ladder import ErrorEstimate, beyond_horizon, brief, horizon
-from hertzwerk.runtime.integrate.loop.chunk import INTERRUPTED, WALL_TIME_LIMIT
+from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, INTERRUPTED, WALL_TIME_LIMIT
 from hertzwerk.runtime.integrate.step.layout import (
     CONSTRAINT_LOST,
     EVENT_LIMIT,
@@ -67,7 +69,7 @@ _OUTCOMES = {
     ),
     TOO_MANY_STEPS: (
         "too_many_steps",
-        "{max_steps:,} steps were taken by t = {t:.9g} s",
+        "{steps:,} steps were taken, and {vain:,} tried in vain, by t = {t:.9g} s",
         "raise max_steps, ask for less accuracy, or simulate a shorter time",
     ),
     INTERRUPTED: (
@@ -79,6 +81,11 @@ _OUTCOMES = {
         "wall_time_limit",
         "the run took longer than {wall_time:g} s and stopped at t = {t:.9g} s",
         "raise wall_time, ask for less accuracy, or use compiled=True",
+    ),
+    EXCEPTION: (
+        "exception",
+        "after t = {t:.9g} s there was {error}",
+        "what was computed until then is in the solution; mend what raised it, or keep a grid of states where it was memory",
     ),
 }
 
@@ -135,11 +142,22 @@ def not_closed(unclosed: float, asked: float, tolerance: float, steps: int) -> O
     )
 
 
-def outcome(status: int, method: str, history: History, **facts: object) -> Outcome:
+def outcome(status: int, method: str, history: History, *, error: Exception | None = None, **facts: object) -> Outcome:
     """Return the outcome of a status of the engine, after the last of the kept rows."""
     name, message, remedy = _OUTCOMES[status]
     better = of_steps(method, history) if status in STEPS else ""
-    return Outcome(name, message.format(**facts), _first(better, remedy))
+    raised = "" if error is None else _raised(error)
+    return Outcome(name, message.format(**facts, error=raised), _first(better, remedy))
+
+
+def _raised(error: Exception) -> str:
+    """An exception, and the line that raised it."""
+    (*_, last) = traceback.extract_tb(error.__traceback__)
+    return (
+        f"{type(error).__name__} in {last.name} ({Path(last.filename).name}, line {last.lineno}): {error}".removesuffix(
+            ": "
+        )
+    )
 
 
 def _first(better: str, remedy: str) -> str:

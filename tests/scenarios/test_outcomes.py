@@ -10,6 +10,10 @@ def stop(fraction):
     raise KeyboardInterrupt
 
 
+def broken(fraction):
+    raise ValueError("no such bar")
+
+
 CRANK, BALL = ("slider_crank_frictionless", "24 ms"), ("bouncing_ball", "5 s")
 
 
@@ -18,6 +22,7 @@ CRANK, BALL = ("slider_crank_frictionless", "24 ms"), ("bouncing_ball", "5 s")
     [
         ("finished", CRANK, {}),
         ("interrupted", CRANK, {"progress": stop}),
+        ("exception", CRANK, {"progress": broken}),
         ("wall_time_limit", CRANK, {"wall_time": 1e-9}),
         ("too_many_steps", CRANK, {"max_steps": 100}),
         ("event_limit", CRANK, {"max_events": 2}),

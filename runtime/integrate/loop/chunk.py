@@ -18,7 +18,8 @@ from hertzwerk.runtime.model.caller import Caller, Callers
 
 ROOM = 1.05  # of a step: with less to the end than that it may have been cut to end there
 SIZE = (16, 16)  # attempts per call: so many calls of a function that makes so many attempts
-INTERRUPTED, WALL_TIME_LIMIT = TOO_MANY_STEPS + 1, TOO_MANY_STEPS + 2  # statuses that only the loop can give
+# statuses that only the loop can give
+INTERRUPTED, WALL_TIME_LIMIT, EXCEPTION = TOO_MANY_STEPS + 1, TOO_MANY_STEPS + 2, TOO_MANY_STEPS + 3
 
 
 def chunk(integrator: Integrator, sizes: tuple[int, ...] = SIZE) -> Any:
@@ -52,12 +53,16 @@ class Resume:
 
 @dataclass(frozen=True)
 class Ending:
-    """End of the loop: last state (accepted or not), status, time taken [s], state to resume from."""
+    """The last state of all, accepted or not, how the loop ended, the time it took [s], what goes on from it, and the exception that ended it.
+
+    resume    None where that is not known
+    """
 
     last: np.ndarray
     status: int
     wall_s: float
     resume: Resume | None = None
+    error: Exception | None = None
 
 
 class Shift(Protocol):
@@ -89,7 +94,7 @@ def march(
     progress: Callable[[float], object] | None = None,
     whole: bool = False,
 ) -> Ending:
-    """Call a chunk until the run is over; KeyboardInterrupt ends it with the states so far.
+    """Call a chunk until the run is over; KeyboardInterrupt, raised between two calls or by `progress`, and any exception end it with what there is.
 
     The interrupt is raised between two calls or by `progress`.
 
@@ -103,6 +108,9 @@ def march(
     t_end = float(controls[integrator.layouts.controls["t_end"].start])
     t_start = float(state[t])
     max_steps, steps = float(controls[integrator.layouts.controls["max_steps"].start]), layout["steps"].start
+    vain = [layout[name].start for name in ("rejected", "retaken")]
+    most_in_vain = max_steps - state[steps] + np.sum(state[vain])  # as many as steps may be accepted
+    error: Exception | None = None
     callers, call = _called(gear, controls)
     start, done, resume = time.perf_counter(), 0.0, Resume(state, whole)
     free = True  # of where the run is to end
@@ -139,6 +147,8 @@ def march(
                         resume = Resume(part[last - 1].copy(), whole or (suspect and free))
                 keep(part[part[:, accepted] == 1])
                 elapsed = time.perf_counter() - start
+                if outcome == RUNNING and np.sum(state[vain]) > most_in_vain:
+                    outcome = TOO_MANY_STEPS
                 if outcome == RUNNING and elapsed > wall_time:
                     outcome = WALL_TIME_LIMIT
                 done = (float(state[t]) - t_start) / (t_end - t_start)
@@ -153,8 +163,10 @@ def march(
                     callers, call = _called(gear, controls)
     except KeyboardInterrupt:
         outcome = INTERRUPTED
+    except Exception as raised:
+        outcome, error = EXCEPTION, raised
     callers.give_back(call)
-    return Ending(state, outcome, time.perf_counter() - start, resume)
+    return Ending(state, outcome, time.perf_counter() - start, resume, error)
 
 
 def _called(gear: Shift, controls: np.ndarray) -> tuple[Callers, Caller]:
