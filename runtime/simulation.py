@@ -30,6 +30,7 @@ from hertzwerk.runtime.solution.checkpoint import checkpoint_of, parameters_of, 
 from hertzwerk.runtime.solution.outcome import not_closed
 from hertzwerk.runtime.solution.scales import Scales
 from hertzwerk.runtime.solution.solution import Statistics
+from hertzwerk.runtime.start.start_values import pressed
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -210,6 +211,7 @@ def _solution_of(
         warnings=(
             *unchecked(model),
             *open_forces(model, bound, run.given.q),
+            *(() if run.start is not None else pressed(model, bound, run.given.initial, run.given.q, run.given.u)),
             *bound.warnings,
             *floored(counted["floored"], run.floor),
             *too_fast(model, trace.speeds),

@@ -27,11 +27,7 @@ STEEPEST = 2.5  # power of the depth that the energy grows with, of Hertz's law
 
 @dataclass(frozen=True)
 class Intrusion:
-    """Overlap of a pair at the start.
-
-    depth [m]; allowed [m], about the depth that LIMIT permits, None where the law is not defined so deep; speed [m/s]
-    of separation.
-    """
+    """A pair and how deep it is [m]; `allowed` [m] is about what the limit lets it be, None where its law is not defined so deep; `speed` [m/s]."""
 
     pair: str
     depth: float
@@ -39,8 +35,14 @@ class Intrusion:
     speed: float
 
 
-def too_deep(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray) -> tuple[Intrusion, ...]:
-    """Return the pairs that overlap too deeply at coordinates q (nq,) and speeds u (nu,), t = 0."""
+def too_deep(
+    model: Model, bound: Bound, q: np.ndarray, u: np.ndarray, *, limit: float = LIMIT, shallow: bool = False
+) -> tuple[Intrusion, ...]:
+    """The pairs of a model in coordinates q (nq,) and speeds u (nu,) at t = 0 whose surfaces are in each other beyond reason.
+
+    limit    of the scene's speed
+    shallow  also pairs that are no deeper than their sizes allow
+    """
     if not model.k:
         return ()
     gap, rate = (np.array(x).ravel() for x in model.function("gaps")(0.0, q, u, bound.c))
@@ -63,8 +65,8 @@ def too_deep(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray) -> tuple[
         scene = _scene_speed(model, bound, float(rate[j]), float(own[j]), depth)
         if not in_range:
             intrusions.append(Intrusion(model.pairs[j], depth, None, speed))
-        elif 0 < LIMIT * scene < speed and depth > _size(model, bound, j):
-            allowed = depth * (LIMIT * scene / speed) ** (2 / STEEPEST)
+        elif 0 < limit * scene < speed and (shallow or depth > _size(model, bound, j)):
+            allowed = depth * (limit * scene / speed) ** (2 / STEEPEST)
             intrusions.append(Intrusion(model.pairs[j], depth, allowed, speed))
     return tuple(intrusions)
 

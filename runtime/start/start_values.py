@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import pairwise
 from typing import TypeVar
@@ -125,6 +125,18 @@ def misplaced(model: Model, bound: Bound, initial: Mapping[str, Value], q: np.nd
             expected = f"at most about {found.allowed:.2g} m, where that is {LIMIT:g} times as fast as the scene"
         faults.append(Fault(f"start, {found.pair}", why, expected, _way_apart(model, bound, initial, found.pair)))
     return faults
+
+
+def pressed(model: Model, bound: Bound, initial: Mapping[str, Value], q: np.ndarray, u: np.ndarray) -> Iterator[str]:
+    """Warnings of pairs that a start presses so far into each other that they come apart faster than anything else in the scene."""
+    from hertzwerk.runtime.start.intrusion import too_deep
+
+    held = ", and its damping, which knows no approach, may hold it there" if model.latches else ""
+    for found in too_deep(model, bound, q, u, limit=1.0, shallow=True):
+        yield (
+            f"{found.pair} starts {found.depth:.3g} m deep: stiffness alone would throw that apart at {found.speed:.3g} m/s, faster than the "
+            f"scene is{held}; {_way_apart(model, bound, initial, found.pair)}"
+        )
 
 
 def _way_apart(model: Model, bound: Bound, initial: Mapping[str, Value], pair: str) -> str:

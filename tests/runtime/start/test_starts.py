@@ -230,6 +230,26 @@ def test_surfaces_deep_in_each_other_are_named_with_what_brings_them_apart(scene
     assert abs(touching[f"{pair}.gap"][0]) < 1e-9
 
 
+def test_a_start_one_clearance_deep_is_allowed_and_told():
+    """Stiffness alone throws it apart at twice the crank's speed: an impact might press so deep, a slip of the pen as well."""
+    crank = load("slider_crank")
+    told = simulate(
+        crank, duration="24 ms", tolerance=1e-6, initial={"guide.travel": "171 mm"}, method="dop853", max_steps=2000
+    )
+    assert told.outcome.name == "too_many_steps"
+    assert 'take method="auto"' in told.outcome.remedy
+    (warning,) = (text for text in told.warnings if "deep" in text)
+    assert warning.startswith("slider_pin starts 0.0005 m deep: stiffness alone would throw that apart at 51.4 m/s")
+    assert "damping, which knows no approach, may hold it there" in warning
+    assert "they touch with guide.travel at 0.1705 m in place of 0.171 m" in warning
+    for allowed in ("170 mm", "170.5 mm", "170.6 mm"):  # apart, touching, and pressed as an impact of the scene might
+        run = simulate(crank, duration="24 ms", tolerance=1e-6, initial={"guide.travel": allowed})
+        assert run.outcome.finished
+        assert not any("deep" in text for text in run.warnings)
+    again = told.continued(max_steps=10)
+    assert not any("deep" in text for text in again.warnings)
+
+
 def test_a_start_far_outside_is_told_by_the_row_and_by_the_command_line(tmp_path):
     (row,) = simulate_many(load("slider_crank"), [{"guide.travel": "170 cm"}], duration="1 ms", tolerance=1e-6).rows
     assert row.outcome == "bad_input"
