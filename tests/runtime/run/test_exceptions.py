@@ -9,9 +9,11 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from hertzwerk.runtime import Solution, caller, findings, load, simulate
+from hertzwerk.runtime import Solution, load, simulate
 from hertzwerk.runtime.cli import main
-from hertzwerk.runtime.recorder import Recorder
+from hertzwerk.runtime.model import caller
+from hertzwerk.runtime.run.recorder import Recorder
+from hertzwerk.runtime.solution import findings
 
 ASKED = {"duration": "5 s", "tolerance": 1e-12, "compiled": False}
 
@@ -83,7 +85,7 @@ def test_an_exception_of_a_run_that_checks_leaves_the_run_it_checks(ball, monkey
 
 def test_an_observer_that_fails_takes_no_row_from_the_others(ball, whole, monkeypatch):
     """Of a grid what is found fails at its third block: the states of all steps until then are kept."""
-    monkeypatch.setattr("hertzwerk.runtime.single_run.BLOCK", 1)
+    monkeypatch.setattr("hertzwerk.runtime.run.single_run.BLOCK", 1)
     take, seen = findings.Findings.take, []
 
     def fails(self, block, fresh):
