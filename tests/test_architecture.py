@@ -64,7 +64,7 @@ ROOMS = {
         "pictures/draw": "derive/faults host model pictures run solution start",
         "pictures/studies": "accuracy derive/sheets effects pictures validate work_precision",
         "run": "accuracy derive/faults integrate integrate/loop integrate/step model solution start",
-        "simulation": "accuracy derive/faults integrate/step loading model pictures pictures/draw run solution",
+        "simulation": "accuracy derive/faults integrate/step loading model pictures pictures/draw run solution start",
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults integrate/step integrate/tableaux model",
         "sweep": "derive/faults host model run simulation solution start",
