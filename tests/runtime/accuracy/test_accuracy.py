@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from hertzwerk.derive.faults import InputError
-from hertzwerk.runtime import load, simulate, simulate_many, simulation
+from hertzwerk.runtime import load, simulate, simulate_many
 from hertzwerk.runtime.accuracy.ladder import (
     CHECK,
     HALVED,
@@ -28,6 +28,7 @@ from hertzwerk.runtime.accuracy.ladder import (
     horizon,
 )
 from hertzwerk.runtime.integrate.step.layout import CONSTRAINT_LOST
+from hertzwerk.runtime.run import accurate
 from hertzwerk.runtime.run.single_run import SingleRun
 from hertzwerk.runtime.solution import scales as scaling
 from hertzwerk.runtime.solution.solution import Solution
@@ -366,7 +367,7 @@ def test_a_request_whose_error_is_missed_or_unknown_is_never_finished(monkeypatc
     )
     for which, asked, name in cases:
         monkeypatch.setattr(SingleRun, "trace", failing(which))
-        monkeypatch.setattr(simulation, "first_tolerance", lambda *_: first.tolerance)
+        monkeypatch.setattr(accurate, "first_tolerance", lambda *_: first.tolerance)
         run = simulate(model("soft_ball"), duration="1 s", accuracy=asked)
         assert run.outcome.name == name
         assert run.t_end == 1.0
