@@ -95,7 +95,10 @@ def march(
     wall_time: float = np.inf,
     progress: Callable[[float], object] | None = None,
 ) -> Ending:
-    """Integrate from a first state of the engine to the end of the run, as `chunk.march` does; KeyboardInterrupt and any exception end it."""
+    """Integrate from an initial state of the engine to the end of the run, as `chunk.march` does.
+
+    An exception or KeyboardInterrupt ends the run with the rows kept so far.
+    """
     run = _Run(functions, state, controls)
     start, status = time.perf_counter(), RUNNING
     row, error = state, None

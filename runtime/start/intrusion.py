@@ -27,7 +27,11 @@ STEEPEST = 2.5  # power of the depth that the energy grows with, of Hertz's law
 
 @dataclass(frozen=True)
 class Intrusion:
-    """A pair and how deep it is [m]; `allowed` [m] is about what the limit lets it be, None where its law is not defined so deep; `speed` [m/s]."""
+    """Overlap of a pair at the start.
+
+    depth [m]; allowed [m], about the depth that the limit permits, None where the law is not defined so deep; speed [m/s]
+    of separation.
+    """
 
     pair: str
     depth: float
@@ -38,7 +42,7 @@ class Intrusion:
 def too_deep(
     model: Model, bound: Bound, q: np.ndarray, u: np.ndarray, *, limit: float = LIMIT, shallow: bool = False
 ) -> tuple[Intrusion, ...]:
-    """The pairs of a model in coordinates q (nq,) and speeds u (nu,) at t = 0 whose surfaces are in each other beyond reason.
+    """Return the pairs that overlap too deeply at coordinates q (nq,) and speeds u (nu,), t = 0.
 
     limit    of the scene's speed
     shallow  also pairs that are no deeper than their sizes allow

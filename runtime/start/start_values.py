@@ -128,7 +128,7 @@ def misplaced(model: Model, bound: Bound, initial: Mapping[str, Value], q: np.nd
 
 
 def pressed(model: Model, bound: Bound, initial: Mapping[str, Value], q: np.ndarray, u: np.ndarray) -> Iterator[str]:
-    """Warnings of pairs that a start presses so far into each other that they come apart faster than anything else in the scene."""
+    """Warn of pairs pressed so deep at the start that they separate faster than the scene moves."""
     from hertzwerk.runtime.start.intrusion import too_deep
 
     held = ", and its damping, which knows no approach, may hold it there" if model.latches else ""

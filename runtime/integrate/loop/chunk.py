@@ -53,9 +53,10 @@ class Resume:
 
 @dataclass(frozen=True)
 class Ending:
-    """The last state of all, accepted or not, how the loop ended, the time it took [s], what goes on from it, and the exception that ended it.
+    """End of the loop: last state (accepted or not), status, time taken [s], state to resume from, error.
 
     resume    None where that is not known
+    error     exception that ended the loop
     """
 
     last: np.ndarray
@@ -94,7 +95,7 @@ def march(
     progress: Callable[[float], object] | None = None,
     whole: bool = False,
 ) -> Ending:
-    """Call a chunk until the run is over; KeyboardInterrupt, raised between two calls or by `progress`, and any exception end it with what there is.
+    """Call a chunk until the run is over; an exception or KeyboardInterrupt ends it with the states so far.
 
     The interrupt is raised between two calls or by `progress`.
 
