@@ -95,7 +95,7 @@ def march(
     progress: Callable[[float], object] | None = None,
     whole: bool = False,
 ) -> Ending:
-    """Call a chunk until the run is over; an exception or KeyboardInterrupt ends it with the states so far.
+    """Call a chunk until the run is over; an exception ends it with the states so far.
 
     The interrupt is raised between two calls or by `progress`.
 
