@@ -56,7 +56,7 @@ class Recorder:
             raise self.error
 
     def _gathered(self) -> np.ndarray:
-        """The rows in one array; where there is no memory for that the first of them, as many as there is room for beside what they come from."""
+        """Join the rows in one array; where memory does not suffice, as many of the first as fit."""
         while True:
             try:
                 return np.concatenate(self._parts)
