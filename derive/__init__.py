@@ -10,7 +10,7 @@ _HOME = {
     for module, names in {
         "mechanism.parameter": "Interval Parameter",
         "mechanism.bodies": "GROUND Body Direction Material Point X Y Z",
-        "mechanism.joints": "Cylindrical Free Planar Prismatic Revolute Spherical Universal Weld",
+        "mechanism.joints": "Cylindrical Free Freedom Joint Planar Prismatic Revolute Spherical Universal Weld",
         "mechanism.pairs": "APART BallInSocket CornerOnFace CustomPair CylinderOnPlane ParallelCylinders PinInBush RimOnPlane SphereOnPlane "
         "SphereOnSphere TURN",
         "mechanism.mechanism": "Mechanism",

@@ -13,7 +13,15 @@ import sympy as sp
 
 from hertzwerk.derive.algebra.vectors import IDENTITY, Matrix, Vector, about, dot, multiply, scale
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.derive.mechanism.parameter import NOT_NEGATIVE, POSITIVE, Interval, Scalar, is_number, parameters_of
+from hertzwerk.derive.mechanism.parameter import (
+    NOT_NEGATIVE,
+    POSITIVE,
+    Interval,
+    Scalar,
+    default_value,
+    is_number,
+    parameters_of,
+)
 
 Triple = tuple[Any, Any, Any]
 
@@ -54,6 +62,11 @@ class Direction:
         if len(nonzero) == 1 and nonzero[0].is_number:
             return tuple(sp.sign(component) for component in given)
         return scale(1 / sp.sqrt(dot(given, given)), given)
+
+    @property
+    def points(self) -> bool:
+        """Whether it has a length, at the defaults."""
+        return any(default_value(component) != 0 for component in self.components)
 
     def slots(self, where: str) -> Iterator[Slot]:
         """The components, in the unit of the first that has one; `where` says whose direction it is."""

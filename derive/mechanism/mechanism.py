@@ -10,31 +10,9 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from hertzwerk.derive.algebra.vectors import along
-from hertzwerk.derive.mechanism.bodies import GROUND, Body, Direction, Frame, Ground, Material, Point, Slot, X, Y, Z
-from hertzwerk.derive.mechanism.joints import (
-    Cylindrical,
-    Free,
-    Freedom,
-    Joint,
-    Planar,
-    Prismatic,
-    Revolute,
-    Spherical,
-    Universal,
-    Weld,
-)
-from hertzwerk.derive.mechanism.pairs import (
-    BallInSocket,
-    CornerOnFace,
-    CustomPair,
-    CylinderOnPlane,
-    Pair,
-    ParallelCylinders,
-    PinInBush,
-    RimOnPlane,
-    SphereOnPlane,
-    SphereOnSphere,
-)
+from hertzwerk.derive.mechanism.bodies import Body, Frame, Slot
+from hertzwerk.derive.mechanism.joints import Freedom, Joint
+from hertzwerk.derive.mechanism.pairs import Pair
 
 
 @dataclass(frozen=True)
@@ -103,39 +81,3 @@ def _stays_across(joint: Joint, k: int) -> bool:
     return all(axis is not None and along(axis.unit) == k for axis in (*turned, *turns)) and all(
         axis is not None and axis.unit[k] == 0 for axis in slides
     )
-
-
-__all__ = [
-    "GROUND",
-    "BallInSocket",
-    "Body",
-    "CornerOnFace",
-    "CustomPair",
-    "CylinderOnPlane",
-    "Cylindrical",
-    "Direction",
-    "Frame",
-    "Free",
-    "Freedom",
-    "Ground",
-    "Joint",
-    "Material",
-    "Mechanism",
-    "Pair",
-    "ParallelCylinders",
-    "PinInBush",
-    "Planar",
-    "Point",
-    "Prismatic",
-    "Revolute",
-    "RimOnPlane",
-    "Slot",
-    "SphereOnPlane",
-    "SphereOnSphere",
-    "Spherical",
-    "Universal",
-    "Weld",
-    "X",
-    "Y",
-    "Z",
-]

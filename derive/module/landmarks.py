@@ -18,7 +18,7 @@ from hertzwerk.derive.declare.scene import Gravity, Scene
 from hertzwerk.derive.effects.forces import BodyTorque, PointForce
 from hertzwerk.derive.effects.springs import PointDamper, PointSpring
 from hertzwerk.derive.mechanism.bodies import GROUND, Direction, Frame, Point
-from hertzwerk.derive.mechanism.joints import Free, Freedom, Joint, Planar, Universal
+from hertzwerk.derive.mechanism.joints import Freedom, Joint
 from hertzwerk.derive.mechanism.mechanism import Mechanism
 from hertzwerk.derive.mechanism.pairs import (
     BallInSocket,
@@ -78,7 +78,7 @@ def landmarks_of(scene: Scene) -> Iterator[Landmark]:
     """Of the joints, of the pairs that contact is called for, of the effects, and of the bodies with mass, in declared order."""
     mechanism = scene.mechanism
     for joint in mechanism.joints:
-        yield from _of_joint(joint)
+        yield from (Landmark(joint.name, joint.symbol, *mark) for mark in joint.landmarks())
     for pair, _, _ in scene.contacts:
         (first, one, of_first), (second, two, of_second) = _of_pair(pair)
         yield Landmark(pair.name, pair.kind, first, one, of_first)
@@ -99,17 +99,6 @@ def _in_body(point: Point, direction: Direction) -> Vector:
 
 
 # -- joints ------------------------------------------------------------------------------------------------------------
-
-
-def _of_joint(joint: Joint) -> Iterator[Landmark]:
-    if isinstance(joint, Free):
-        return
-    given = joint.directions
-    directions = (joint.first, joint.second) if isinstance(joint, Universal) else (*given.values(),) * 2
-    name = "normal" if isinstance(joint, Planar) else "axis"
-    for i, (place, point) in enumerate((("parent", joint.parent), ("child", joint.child))):
-        beside = {name: _in_body(point, directions[i])} if directions else {}
-        yield Landmark(joint.name, type(joint).__name__.lower(), place, point, beside)
 
 
 def _on_joint(effect: Any, mechanism: Mechanism) -> Iterator[Landmark]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 from hertzwerk.derive.module.system import System
-from hertzwerk.derive.motion.absolute import MEASURED
 from hertzwerk.derive.program.program import Function, Result
 
 
@@ -57,8 +56,8 @@ def output_rows(system: System) -> list[tuple[str, str, Any]]:
 
 def _joint_outputs(system: System) -> list[tuple[str, str, Any]]:
     """What the joints' coordinates and speeds are, where they can be measured."""
-    closures = [joint for joint in system.scene.mechanism.closures if type(joint).__name__ in MEASURED]
-    freedoms = [freedom for joint in closures for freedom in joint.freedoms]
+    joints = system.scene.mechanism.closures
+    freedoms = [freedom for joint in joints for freedom in joint.freedoms if joint.measures(freedom)]
     rows = [
         (port, value)
         for freedom in freedoms

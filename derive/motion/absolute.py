@@ -17,17 +17,10 @@ from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.effects.expression import COORDINATE, states_in
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.mechanism.bodies import AXES, GROUND, Body, Frame, Point, Slot, Triple
-from hertzwerk.derive.mechanism.joints import Free, Freedom, Joint, Planar, Weld
+from hertzwerk.derive.mechanism.joints import Freedom, Joint
 from hertzwerk.derive.mechanism.mechanism import Mechanism
 from hertzwerk.derive.mechanism.parameter import default_value
 from hertzwerk.derive.motion.kinematics import Kinematics
-
-MEASURED = (
-    "Revolute",
-    "Prismatic",
-    "Cylindrical",
-    "Planar",
-)  # joints whose freedoms can be measured where they close a loop
 
 
 @dataclass(frozen=True, init=False)
@@ -40,18 +33,16 @@ class Base(Joint):
     normal: int | None
 
     def __init__(self, name: str, parent: Point, child: Point, turns: bool, normal: int | None) -> None:
-        super().__init__(name, parent, child)
-        object.__setattr__(self, "slides", tuple(k for k in range(3) if k != normal))
-        object.__setattr__(self, "turns", turns)
-        object.__setattr__(self, "normal", normal)
+        slides = tuple(k for k in range(3) if k != normal)
+        super().__init__(name, parent, child, slides=slides, turns=turns, normal=normal)
 
     @property
     def freedoms(self) -> tuple[Freedom, ...]:
         """Translations, then the turn."""
-        slides = tuple(self._of_several("slide", AXES[k], "xyz"[k]) for k in self.slides)
+        slides = tuple(self.slide(AXES[k], "xyz"[k]) for k in self.slides)
         if not self.turns:
             return slides
-        return (*slides, self._ball() if self.normal is None else self._of_several("turn", AXES[self.normal], "angle"))
+        return (*slides, self.ball() if self.normal is None else self.turn(AXES[self.normal]))
 
 
 @dataclass(frozen=True)
@@ -73,6 +64,7 @@ def absolute(scene: Scene) -> Absolute:
     mechanism, driven = scene.mechanism, scene.driven
     carried: list[Joint] = []
     closing = list(mechanism.closures)
+    unruled: list[Fault] = []
     still: list[Frame] = [GROUND]
     for joint in mechanism.tree:
         keys = [freedom.key for freedom in joint.freedoms]
@@ -80,15 +72,16 @@ def absolute(scene: Scene) -> Absolute:
         at_ground = joint.parent.body == GROUND and not any(key in driven for key in keys)
         if prescribed:
             still.append(joint.child.body)
-        if prescribed or isinstance(joint, Weld) or (at_ground and isinstance(joint, Free | Planar)):
+        if prescribed or not joint.freedoms or (at_ground and joint.absolute):
             carried.append(joint)
             continue
         carried.append(_base(mechanism, joint))
-        if not isinstance(joint, Free):  # which forbids nothing
+        unruled += joint.unruled()
+        if not unruled and joint.constraints():
             closing.append(joint)
     order = {joint.name: i for i, joint in enumerate(mechanism.joints)}
     closing.sort(key=lambda joint: order[joint.name])
-    faults = [*_body_faults(scene, carried), *_effect_faults(scene, carried)]
+    faults = unruled or [*_body_faults(scene, carried), *_effect_faults(scene, carried)]
     if faults:
         raise InputError(f"scene {scene.name} in absolute coordinates", dict.fromkeys(faults))
     given = {entry.name: getattr(scene, entry.name) for entry in fields(Scene)}
@@ -177,7 +170,7 @@ def _turning_inertias(body: Body, normal: int | None) -> tuple[Any, ...]:
 
 def _welded_to(body: Frame, carried: list[Joint]) -> list[Body]:
     """Bodies that are one with a body, seen outwards."""
-    tips = [joint.child.body for joint in carried if isinstance(joint, Weld) and joint.parent.body == body]
+    tips = [joint.child.body for joint in carried if not joint.freedoms and joint.parent.body == body]
     return [each for tip in tips if isinstance(tip, Body) for each in (tip, *_welded_to(tip, carried))]
 
 
@@ -204,12 +197,13 @@ def _effect_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:
             if key in kept:
                 continue
             joint, freedom = closing[key]
-            where, name = f"effect {effect.name}", type(joint).__name__
-            if name not in MEASURED:
+            where = f"effect {effect.name}"
+            if not joint.measures(freedom):
+                found = f"{key}, of a {type(joint).__name__.lower()} joint"
                 yield Fault(
                     where,
-                    f"{key}, of a {name.lower()} joint",
-                    f"a freedom of a joint that can be measured: {', '.join(MEASURED)}",
+                    found,
+                    "a freedom that shows in where its bodies are: a joint's only turn, a slide square to its others",
                     remedy,
                 )
             elif coordinate and freedom.kind == "turn" and scene.mechanism.plane is None:

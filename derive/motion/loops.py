@@ -13,24 +13,19 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.algebra.vectors import Vector, add, along, cross, dot, sub
+from hertzwerk.derive.algebra.vectors import ZERO, Vector, add, cross, dot, is_zero, sub
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.mechanism.bodies import AXES, Direction
-from hertzwerk.derive.mechanism.joints import (
-    Cylindrical,
-    Freedom,
-    Joint,
-    Planar,
-    Prismatic,
-    Revolute,
-    Spherical,
-    Universal,
-    Weld,
+from hertzwerk.derive.mechanism.joints.conditions import (
+    Apart,
+    Carried,
+    KeptAngle,
+    Moving,
+    Off,
+    across,
 )
-from hertzwerk.derive.mechanism.parameter import default_value
+from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
 from hertzwerk.derive.motion.kinematics import Kinematics
-
-CLOSING = (Revolute, Prismatic, Cylindrical, Planar, Universal, Spherical, Weld)  # joints that can close a loop
 
 
 @dataclass(frozen=True)
@@ -110,21 +105,13 @@ class _Closure:
 
     def constraints(self) -> Iterator[Constraint]:
         """What the joint forbids."""
-        joint = self.joint
-        if isinstance(joint, Prismatic | Cylindrical):
-            yield from (self._slide(direction, label) for direction, label in _across(joint.axis))
-        elif isinstance(joint, Planar):
-            yield self._slide(joint.normal, "normal")
-        else:
-            yield from (self._meet(k) for k in range(3))
-        if isinstance(joint, Revolute | Cylindrical):
-            yield from (self._turn(joint.axis, direction, label) for direction, label in _across(joint.axis))
-        elif isinstance(joint, Planar):
-            yield from (self._turn(joint.normal, direction, label) for direction, label in _across(joint.normal))
-        elif isinstance(joint, Universal):
-            yield self._turn(joint.second, joint.first, "axes")
-        elif isinstance(joint, Prismatic | Weld):
-            yield from (self._turn(AXES[k], AXES[(k + 1) % 3], "xyz"[k] + "yzx"[k]) for k in range(3))
+        for forbidden in self.joint.constraints():
+            if isinstance(forbidden, Apart):
+                yield from (self._meet(k) for k in range(3))
+            elif isinstance(forbidden, Off):
+                yield self._off(forbidden.direction, forbidden.label)
+            else:
+                yield self._turn(forbidden)
 
     def _meet(self, k: int) -> Constraint:
         """The two points coincide, along an axis of the ground."""
@@ -134,32 +121,43 @@ class _Closure:
             self.apart[k], self.apart_rate[k], self.apart_bias[k], self._force(AXES[k].unit, label),
         )  # fmt: skip
 
-    def _slide(self, direction: Direction, label: str) -> Constraint:
-        """The child's point stays where it is along a direction of the parent."""
-        across = self.kin.direction(self.joint.parent, direction)
-        w, alpha = self.motions[1].angular_velocity, self.biases[1]
-        turned = self.tape.vector(cross(w, across), f"{self.joint.name}_{label}_rate")
-        bent = add(cross(alpha, across), cross(w, turned))
-        bias = dot(self.apart_bias, across) + 2 * dot(self.apart_rate, turned) + dot(self.apart, bent)
+    def _off(self, direction: Carried, label: str) -> Constraint:
+        """The child's point stays where it is along a direction."""
+        normal, rate, bent = direction.moving(self, label)
+        bias = dot(self.apart_bias, normal) + 2 * dot(self.apart_rate, rate) + dot(self.apart, bent)
         return Constraint(
             f"{self.joint.name}.off_{label}", "m", f"{self.joint.name}.off",
-            self._let(dot(self.apart, across), f"off_{label}"),
-            self._let(dot(self.apart_rate, across) + dot(self.apart, turned), f"off_{label}_rate"),
+            self._let(dot(self.apart, normal), f"off_{label}"),
+            self._let(dot(self.apart_rate, normal) + dot(self.apart, rate), f"off_{label}_rate"),
             self._let(bias, f"off_{label}_bias"),
-            self._force(across, label),
+            self._force(normal, label, direction.moment(self, label, self.apart)),
         )  # fmt: skip
 
-    def _turn(self, on_child: Direction, on_parent: Direction, label: str) -> Constraint:
-        """A direction of the child keeps its angle to one of the parent: where all coordinates are zero, both are in the same axes."""
-        a, b = self.kin.direction(self.joint.child, on_child), self.kin.direction(self.joint.parent, on_parent)
+    def fixed(self, side: int, direction: Direction, label: str) -> Moving:
+        """A direction fixed in the child or the parent."""
+        vector = self.kin.direction((self.joint.child, self.joint.parent)[side], direction)
+        w, alpha = self.motions[side].angular_velocity, self.biases[side]
+        rate = self.named(cross(w, vector), f"{label}_rate")
+        return vector, rate, add(cross(alpha, vector), cross(w, rate))
+
+    def named(self, vector: Vector, what: str) -> Vector:
+        """Name a vector of this joint on the tape."""
+        return self.tape.vector(vector, f"{self.joint.name}_{what}")
+
+    def _turn(self, kept: KeptAngle) -> Constraint:
+        """A direction of the child keeps its angle to one of the parent."""
+        label = kept.label
+        a, b = (
+            self.kin.direction(self.joint.child, kept.on_child),
+            self.kin.direction(self.joint.parent, kept.on_parent),
+        )
         (w, v), (alpha, beta) = (motion.angular_velocity for motion in self.motions), self.biases
         about = self.tape.vector(cross(a, b), f"{self.joint.name}_turned_{label}_about")
         turning = self.tape.vector(sub(w, v), f"{self.joint.name}_turning")
         moving = add(cross(cross(w, a), b), cross(a, cross(v, b)))
-        kept = dot(on_child.unit, on_parent.unit)
         return Constraint(
             f"{self.joint.name}.turned_{label}", "1", f"{self.joint.name}.turned",
-            self._let(dot(a, b) - kept, f"turned_{label}"),
+            self._let(dot(a, b) - dot(kept.on_child.unit, kept.on_parent.unit), f"turned_{label}"),
             self._let(dot(turning, about), f"turned_{label}_rate"),
             self._let(dot(sub(alpha, beta), about) + dot(turning, moving), f"turned_{label}_bias"),
             _without_zeros(self.kin.generalised_moment(about, *self.bodies, f"{self.joint.name}_turned_{label}")),
@@ -167,9 +165,9 @@ class _Closure:
 
     def measured(self, freedom: Freedom) -> Measured:
         """How far the child has gone in a freedom of the joint: a travel along the parent's axis, or an angle about the axis of both."""
-        axis, label = _axis_of(freedom), freedom.coordinates[0].name.rsplit(".", 1)[1]
+        axis, label = _axis_of(freedom), freedom.label
         if freedom.kind == "slide":
-            travel = self._slide(axis, label)
+            travel = self._off(self.joint.carried(axis, self.joint.turns_before(freedom)), label)
             return Measured(travel.value, travel.rate, travel.bias, travel.column)
         (w, v), (alpha, beta) = (motion.angular_velocity for motion in self.motions), self.biases
         about = self.kin.direction(self.joint.child, axis)
@@ -194,10 +192,10 @@ class _Closure:
         """The freedom goes as its drive says; of an angle in space the sine of what is left must vanish."""
         (wanted,), (row,) = self.kin.prescribed[freedom.key]
         found, joint, slides = self.measured(freedom), self.joint, freedom.kind == "slide"
-        label = freedom.coordinates[0].name.rsplit(".", 1)[1]
+        label = freedom.label
         if found.value is None:
             axis = _axis_of(freedom)
-            (first, _), _ = _across(axis)
+            (first, _), _ = across(axis)
             second = Direction(cross(axis.unit, first.unit))
             child = self.kin.direction(joint.child, first)
             cosine, sine = (dot(child, self.kin.direction(joint.parent, direction)) for direction in (first, second))
@@ -220,9 +218,12 @@ class _Closure:
     def _let(self, expression: Any, what: str) -> Any:
         return self.tape.let(expression, f"{self.joint.name}_{what}")
 
-    def _force(self, direction: Vector, label: str) -> dict[str, Any]:
+    def _force(self, direction: Vector, label: str, moment: Vector = ZERO) -> dict[str, Any]:
+        """Generalised forces of a unit force on the child at its point, and of a moment."""
         name = f"{self.joint.name}_{label}"
-        return _without_zeros(self.kin.generalised(direction, self.place, *self.bodies, name))
+        column = self.kin.generalised(direction, self.place, *self.bodies, name)
+        turned = {} if is_zero(moment) else self.kin.generalised_moment(moment, *self.bodies, f"{name}_turned")
+        return _without_zeros({key: column[key] + turned.get(key, 0) for key in column})
 
 
 def _axis_of(freedom: Freedom) -> Direction:
@@ -230,17 +231,6 @@ def _axis_of(freedom: Freedom) -> Direction:
     if freedom.axis is None:
         raise TypeError(f"{freedom.key} turns about every axis: how far it has turned is no number")
     return freedom.axis
-
-
-def _across(direction: Direction) -> list[tuple[Direction, str]]:
-    """Two directions across one and each other, and what to call them."""
-    k = along(direction.unit)
-    if k is not None:
-        return [(AXES[i], "xyz"[i]) for i in range(3) if i != k]
-    unit = direction.unit
-    least = min(range(3), key=lambda i: abs(default_value(unit[i])))
-    first = Direction(cross(unit, AXES[least].unit))
-    return [(first, "1"), (Direction(cross(unit, first.unit)), "2")]
 
 
 def _without_zeros(column: dict[str, Any]) -> dict[str, Any]:

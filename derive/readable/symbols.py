@@ -276,8 +276,9 @@ class Names:
         joint, what = label.rsplit(".", 1)
         name = words(joint.split("_"))
         if what == "travel":
-            axis = next((j.axis for j in self._program.scene.mechanism.joints if j.name == joint), None)
-            components = getattr(axis, "components", ())
+            freedoms = (freedom for j in self._program.scene.mechanism.joints for freedom in j.freedoms)
+            axis = next((freedom.axis for freedom in freedoms if freedom.coordinates[0].name == label), None)
+            components = () if axis is None else axis.components
             along = [AXES[k] for k, component in enumerate(components) if component]
             return (along[0] if len(along) == 1 else "s"), name
         if what == "angle":

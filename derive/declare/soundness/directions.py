@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Direction, Point
 from hertzwerk.derive.mechanism.pairs import CustomPair
-from hertzwerk.derive.mechanism.parameter import default_value, is_number
+from hertzwerk.derive.mechanism.parameter import is_number
 
 if TYPE_CHECKING:
     from hertzwerk.derive.declare.scene import Scene
@@ -27,7 +27,7 @@ def direction_faults(where: str, value: Any) -> Iterator[Fault]:
 def length_faults(scene: Scene) -> Iterator[Fault]:
     """Directions that point nowhere."""
     for where, direction in directions(scene):
-        if not points(direction):
+        if not direction.points:
             yield Fault(where, "a direction of length 0", "one that points somewhere",
                         "Its components are ratios: Direction((1, 0, 1)) lies between X and Z.")  # fmt: skip
 
@@ -45,8 +45,3 @@ def directions(scene: Scene) -> Iterator[tuple[str, Any]]:
             named = [(name, direction) for name, direction in named if (name, direction) != ("along", None)]
             yield from ((f"pair {pair.name}, {name}", direction) for name, direction in named)
     yield from ((f"effect {effect.name}, direction", effect.direction) for effect in scene.of_kind("gravity"))
-
-
-def points(direction: Direction) -> bool:
-    """Whether a direction has a length, at the defaults."""
-    return any(default_value(component) != 0 for component in direction.components)

@@ -7,11 +7,9 @@ from collections.abc import Iterator
 import sympy as sp
 
 from hertzwerk.derive.algebra.vectors import apply, cross, sub
-from hertzwerk.derive.declare.soundness.directions import points
 from hertzwerk.derive.declare.soundness.topology import connection_faults, rigid_root
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Body, Direction, Frame
-from hertzwerk.derive.mechanism.joints import Weld
 from hertzwerk.derive.mechanism.mechanism import Mechanism
 from hertzwerk.derive.mechanism.parameter import Parameter, default_value, is_number, parameters_of
 
@@ -22,7 +20,7 @@ def inertia_faults(mechanism: Mechanism, sound: dict[str, Parameter]) -> Iterato
     if any(True for _ in connection_faults(mechanism)):
         return
     loaded = {rigid_root(mechanism, body) for body in mechanism.bodies if not (is_number(body.mass) and body.mass == 0)}
-    moved = [joint for joint in mechanism.joints if not isinstance(joint, Weld)]
+    moved = [joint for joint in mechanism.joints if joint.freedoms]
     carriers = {rigid_root(mechanism, joint.parent.body) for joint in moved}
     alone = {joint.parent.body for joint in mechanism.joints}
     for body in mechanism.bodies:
@@ -43,7 +41,7 @@ def inertia_faults(mechanism: Mechanism, sound: dict[str, Parameter]) -> Iterato
                             "Body(name, mass, (J_x, J_y, J_z)), or a Universal joint, which does not let it turn about itself.")  # fmt: skip
             elif (
                 axis is not None
-                and points(axis)
+                and axis.points
                 and all(zero[k] for k in range(3) if axis.components[k] != 0)
                 and not _swings(mechanism, body, axis)
             ):

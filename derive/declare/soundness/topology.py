@@ -5,11 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from hertzwerk.derive.algebra.vectors import along
-from hertzwerk.derive.declare.soundness.directions import points
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.identifiers import name_faults, repeated
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Frame
-from hertzwerk.derive.mechanism.joints import Free, Joint, Planar, Universal, Weld
 from hertzwerk.derive.mechanism.mechanism import Mechanism
 from hertzwerk.derive.mechanism.pairs import CornerOnFace, PinInBush
 from hertzwerk.derive.mechanism.parameter import default_value
@@ -26,16 +24,18 @@ def topology_faults(mechanism: Mechanism) -> Iterator[Fault]:
     yield from repeated("pair", [pair.name for pair in mechanism.pairs])
     yield from connection_faults(mechanism)
     for joint in mechanism.joints:
-        yield from _axis_faults(joint)
+        yield from joint.faults()
     for joint in mechanism.closures:
-        if isinstance(joint, Free):
+        unruled = joint.unruled()
+        yield from unruled
+        if not unruled and not joint.constraints():
             yield Fault(f"joint {joint.name}", f"a free joint to {joint.child.body.name}, which another joint carries", "one that closes the loop",
                         "A free joint forbids nothing: leave it out, or declare it first.")  # fmt: skip
     for pair in mechanism.pairs:
         for point in pair.places:
             if point.body != GROUND and mechanism.joint_of(point.body) is None:
                 yield Fault(f"pair {pair.name}", f"body {point.body.name}", "a body that a joint connects")
-        if isinstance(pair, PinInBush) and points(pair.axis) and along(pair.axis.unit) is None:
+        if isinstance(pair, PinInBush) and pair.axis.points and along(pair.axis.unit) is None:
             yield Fault(f"pair {pair.name}", f"the axis {pair.axis.components}", "X, Y, Z or the opposite of one",
                         "Turn the bush: body.at(...).turned(axis, angle).")  # fmt: skip
         if isinstance(pair, CornerOnFace):
@@ -63,20 +63,6 @@ def _face_faults(pair: CornerOnFace) -> Iterator[Fault]:
             yield Fault(
                 f"pair {pair.name}, along", f"a direction at a cosine of {cosine:.3g} to the normal", "one square to it"
             )
-
-
-def _axis_faults(joint: Joint) -> Iterator[Fault]:
-    """Axes that leave a joint fewer freedoms than it claims, or that it cannot take."""
-    where = f"joint {joint.name}"
-    if isinstance(joint, Universal):
-        first, second = ([default_value(component) for component in axis.unit] for axis in (joint.first, joint.second))
-        cosine = sum(a * b for a, b in zip(first, second, strict=True))
-        if abs(cosine) > 1 - 1e-9:
-            yield Fault(where, "two parallel axes", "axes that are not parallel",
-                        "One rotation about one axis is a Revolute.")  # fmt: skip
-    if isinstance(joint, Planar) and points(joint.normal) and along(joint.normal.unit) is None:
-        yield Fault(where, f"the normal {joint.normal.components}", "X, Y, Z or the opposite of one",
-                    "Turn the joint's points: parent.at(...).turned(axis, angle).")  # fmt: skip
 
 
 def connection_faults(mechanism: Mechanism) -> Iterator[Fault]:
@@ -108,4 +94,4 @@ def connection_faults(mechanism: Mechanism) -> Iterator[Fault]:
 def rigid_root(mechanism: Mechanism, body: Frame) -> Frame:
     """The first of the bodies that are welded to each other, from the ground outwards."""
     joint = mechanism.joint_of(body)
-    return rigid_root(mechanism, joint.parent.body) if isinstance(joint, Weld) else body
+    return rigid_root(mechanism, joint.parent.body) if joint is not None and not joint.freedoms else body

@@ -1,0 +1,144 @@
+"""Conditions that a joint puts on child and parent where it closes a loop, and the directions they are about. Declarations only."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+from hertzwerk.derive.algebra.vectors import ZERO, Vector, add, along, cross, dot, scale
+from hertzwerk.derive.mechanism.bodies import AXES, Direction
+from hertzwerk.derive.mechanism.parameter import default_value
+
+CHILD, PARENT = 0, 1
+PARALLEL = 1e-9  # greatest sine, or cosine, of what counts as parallel, or square
+
+
+Moving = tuple[Vector, Vector, Vector]
+"""A vector in ground axes, its rate, and its second rate at zero generalised accelerations."""
+
+
+class Shown(Protocol):
+    """What child and parent of a joint show of it."""
+
+    def fixed(self, side: int, direction: Direction, label: str) -> Moving:
+        """A direction fixed in the child or the parent."""
+
+    def named(self, vector: Vector, what: str) -> Vector:
+        """Name a vector."""
+
+
+class Carried(Protocol):
+    """A direction that follows from how child and parent lie."""
+
+    def moving(self, shown: Shown, label: str) -> Moving:
+        """The direction and its rates."""
+
+    def moment(self, shown: Shown, label: str, force: Vector) -> Vector:
+        """The moment on the child, against the parent, that does the work of a force at the tip of the direction."""
+
+
+@dataclass(frozen=True)
+class On:
+    """A direction fixed in the child's point or the parent's."""
+
+    side: int
+    direction: Direction
+
+    def moving(self, shown: Shown, label: str) -> Moving:
+        """The direction and its rates."""
+        return shown.fixed(self.side, self.direction, label)
+
+    def moment(self, shown: Shown, label: str, force: Vector) -> Vector:
+        """None where the parent carries it."""
+        return ZERO if self.side == PARENT else cross(self.moving(shown, label)[0], force)
+
+
+@dataclass(frozen=True)
+class Product:
+    """Vector product of two directions."""
+
+    first: Carried
+    second: Carried
+
+    def moving(self, shown: Shown, label: str) -> Moving:
+        """The product and its rates."""
+        (a, da, dda), (b, db, ddb) = self.first.moving(shown, f"{label}_1"), self.second.moving(shown, f"{label}_2")
+        rate = shown.named(add(cross(da, b), cross(a, db)), f"{label}_rate")
+        bent = add(cross(dda, b), scale(2, cross(da, db)), cross(a, ddb))
+        return shown.named(cross(a, b), label), rate, shown.named(bent, f"{label}_bent")
+
+    def moment(self, shown: Shown, label: str, force: Vector) -> Vector:
+        """By the product rule."""
+        a, b = self.first.moving(shown, f"{label}_1")[0], self.second.moving(shown, f"{label}_2")[0]
+        first = self.first.moment(shown, f"{label}_1", cross(b, force))
+        return add(first, self.second.moment(shown, f"{label}_2", cross(force, a)))
+
+
+@dataclass(frozen=True)
+class Sum:
+    """Directions times constants, added."""
+
+    parts: tuple[tuple[Any, Carried], ...]
+
+    def moving(self, shown: Shown, label: str) -> Moving:
+        """The sum and its rates."""
+        parts = [(factor, part.moving(shown, f"{label}{i}")) for i, (factor, part) in enumerate(self.parts)]
+        value, rate, bent = (add(*(scale(factor, part[k]) for factor, part in parts)) for k in range(3))
+        return shown.named(value, label), shown.named(rate, f"{label}_rate"), shown.named(bent, f"{label}_bent")
+
+    def moment(self, shown: Shown, label: str, force: Vector) -> Vector:
+        """Part by part."""
+        parts = enumerate(self.parts)
+        return add(*(scale(factor, part.moment(shown, f"{label}{i}", force)) for i, (factor, part) in parts))
+
+
+@dataclass(frozen=True)
+class Apart:
+    """The two points coincide."""
+
+
+@dataclass(frozen=True)
+class Off:
+    """The child's point stays where the parent's is along a direction."""
+
+    direction: Carried
+    label: str
+
+
+@dataclass(frozen=True)
+class KeptAngle:
+    """A direction of the child keeps its angle to one of the parent: where all coordinates are zero, both are in the same axes."""
+
+    on_child: Direction
+    on_parent: Direction
+    label: str
+
+
+Forbidden = Apart | Off | KeptAngle
+
+
+def numbers(direction: Direction) -> tuple[float, float, float]:
+    """The unit vector at the parameters' defaults."""
+    x, y, z = map(default_value, direction.unit)
+    return x, y, z
+
+
+def parallel(one: Direction, two: Direction) -> bool:
+    """Whether two directions are parallel or opposite, at the defaults."""
+    return all(abs(x) < PARALLEL for x in cross(numbers(one), numbers(two)))
+
+
+def square(one: Direction, two: Direction) -> bool:
+    """Whether two directions are square to each other, at the defaults."""
+    return bool(abs(dot(numbers(one), numbers(two))) < PARALLEL)
+
+
+def across(direction: Direction) -> list[tuple[Direction, str]]:
+    """Two directions across one and each other, and what to call them."""
+    k = along(direction.unit)
+    if k is not None:
+        return [(AXES[i], "xyz"[i]) for i in range(3) if i != k]
+    unit = direction.unit
+    least = min(range(3), key=lambda i: abs(default_value(unit[i])))
+    first = Direction(cross(unit, AXES[least].unit))
+    return [(first, "1"), (Direction(cross(unit, first.unit)), "2")]

@@ -1,0 +1,14 @@
+"""The joint of a ball."""
+
+from __future__ import annotations
+
+from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
+
+
+class Spherical(Joint):
+    """Any rotation about a common point: a unit quaternion `q0`..`q3`, and the angular velocity `angular_speed_x`.. in the child's axes."""
+
+    @property
+    def freedoms(self) -> tuple[Freedom, ...]:
+        """The orientation."""
+        return (self.ball(),)
