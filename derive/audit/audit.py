@@ -11,7 +11,8 @@ import sympy as sp
 from hertzwerk.derive.audit.forms import advice
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.dimension.culprit import Culprit, Row, culprits, likeliest, powers_in, sentence
-from hertzwerk.derive.dimension.dimension import ONE, Dimension, DimensionError, DimensionFault, check, dimension_of
+from hertzwerk.derive.dimension.dimension import ONE, Dimension, DimensionError, DimensionFault
+from hertzwerk.derive.dimension.walker import check, dimension_of
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.laws.law import GEOMETRY, STATE, BoundLaw, Law
 from hertzwerk.derive.program.program import Program

@@ -5,7 +5,6 @@ the position, what was found, what was expected, the way out. Length, nesting an
 leaves the range of a double (`9**9**9`, `1/0`, `sqrt(-1)`) is refused, which bounds time and memory of whatever is done with the tree.
 
 The tree keeps what was written (`d**1`, `m - m + s`, the literal 0) and where, so that an audit quotes the text itself.
-`to_sympy` makes the SymPy expression of a tree, for derivation.
 """
 
 from __future__ import annotations
@@ -18,94 +17,24 @@ import operator
 import re
 import unicodedata
 import warnings
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
-from fractions import Fraction
-from functools import cached_property
+from collections.abc import Callable
 from itertools import pairwise
 from typing import Any
 
-import sympy as sp
 from mpmath import lambertw  # SymPy brings it
 
-from hertzwerk.derive.algebra.functions import Where
-from hertzwerk.derive.faults import PicklableError
+from hertzwerk.derive.dimension.expression import Expression, TextError
+from hertzwerk.derive.dimension.tree import Node
 
-__all__ = ["FUNCTIONS", "Expression", "Node", "TextError", "read", "to_sympy"]
+__all__ = ["FUNCTIONS", "read"]
 
 MAX_TEXT = 2000  # characters
 MAX_DEPTH = 40  # nested operations; the terms of a sum and the factors of a product count once
 MAX_POWER = 100  # size of an exponent that is a number; of exponents of exponents, their product
 MAX_ARGUMENTS = 8  # of min and max
 MAX_BRANCHES = 32  # arguments of all min and max in an expression: SymPy compares each with each
-MAX_NESTED = 2  # functions in each other's arguments that SymPy evaluates exactly, where they are of numbers
 MAX_ORDER = 4  # of a derivative
 MAX_SIDE = 12  # rows or columns of a matrix
-
-
-class TextError(PicklableError):
-    """Expression text that cannot be read: `position` (1 is the first character), found, expected, and the way out."""
-
-    def __init__(self, text: str, start: int, found: str, expected: str, remedy: str = "") -> None:
-        self.text, self.position, self.found, self.expected, self.remedy = text, start + 1, found, expected, remedy
-        around = text if len(text) <= 60 else text[max(0, start - 25) : start + 25].strip()
-        way_out = f"; {remedy}" if remedy else ""
-        super().__init__(
-            f"expression {around!r}, character {self.position}: found {found}, expected {expected}{way_out}"
-        )
-
-
-@dataclass(frozen=True, slots=True)
-class Node:
-    """One operation as written, `source[start:end]`.
-
-    `op` is number, name, pi, inf, sum, product, neg, inverse, **, @, matrix, a comparison sign, and, or, not, or a name of FUNCTIONS.
-    A sum holds `a - b` as (a, neg b), a product `a/b` as (a, inverse b); `spans` are their operands' places, parentheses included.
-    diff holds (f, x, x) for the second derivative by x, integrate (f, x) or (f, x, lower, upper), a matrix its entries row by row.
-    """
-
-    op: str
-    start: int
-    end: int
-    args: tuple[Node, ...] = ()
-    name: str = ""
-    number: float | None = None  # the value, if no name stands in it; of a condition 1 or 0
-    shape: tuple[int, int] | None = None  # of a matrix
-    spans: tuple[tuple[int, int], ...] = ()
-    power: float = 1.0  # bound on the total of nested exponents that are numbers
-    branches: int = 0  # arguments of min and max in it
-    nested: int = 0  # functions in each other's arguments, itself included
-
-    @property
-    def condition(self) -> bool:
-        """Whether it is true or false rather than a quantity."""
-        return self.op in COMPARISONS or self.op in ("and", "or", "not")
-
-    def walk(self) -> Iterator[Node]:
-        """The node and all below it, in the order written."""
-        yield self
-        for arg in self.args:
-            yield from arg.walk()
-
-
-@dataclass(frozen=True)
-class Expression:
-    """A text and its tree."""
-
-    source: str
-    root: Node
-
-    def quote(self, node: Node) -> str:
-        """What was written for a node."""
-        return self.source[node.start : node.end]
-
-    @cached_property
-    def names(self) -> tuple[str, ...]:
-        """The names in the text, in the order written."""
-        return tuple(dict.fromkeys(node.name for node in self.root.walk() if node.op == "name"))
-
-    def __str__(self) -> str:
-        return self.source
 
 
 # name -> (fewest, most arguments)
@@ -121,7 +50,6 @@ FUNCTIONS: dict[str, tuple[int, int]] = {
     **dict.fromkeys(("transpose", "inv", "det", "trace"), (1, 1)),
 }
 MATRIX_FUNCTIONS = ("transpose", "inv", "det", "trace")
-COMPARISONS = ("<", "<=", ">", ">=", "==", "!=")
 NAMES_TOO = ("gamma", "LambertW")
 """Functions whose names may be those of quantities as well: before a parenthesis they are the function."""
 RESERVED = ("pi", "inf", *(name for name in FUNCTIONS if name not in NAMES_TOO))
@@ -532,75 +460,6 @@ _FOLD: dict[str, Callable[..., Any]] = {
     "or": lambda *terms: any(terms),
     "not": operator.not_,
 }
-
-
-# --- to SymPy ---------------------------------------------------------------------------------------------------------
-
-
-def to_sympy(expression: Expression, symbols: Mapping[str, Any], node: Node | None = None) -> Any:
-    """The SymPy expression of a tree (or of one node of it), names replaced by `symbols`; derivatives and integrals stay unevaluated.
-
-    Raises KeyError for a name that `symbols` lacks, TextError where SymPy finds the result undefined, as in tan(pi/2).
-    """
-    node = expression.root if node is None else node
-    try:
-        result = _converted(node, symbols)
-    except (ArithmeticError, TypeError, ValueError):  # SymPy's own of an undefined operand
-        result = sp.nan
-    if result.has(sp.zoo, sp.nan):
-        raise TextError(expression.source, node.start, "an expression without a value", "one that is defined")
-    return result
-
-
-def _converted(node: Node, symbols: Mapping[str, Any]) -> Any:
-    if node.op == "number":
-        return _number(node.number or 0.0)
-    if node.op == "name":
-        return symbols[node.name]
-    if node.op in ("pi", "inf"):
-        return sp.pi if node.op == "pi" else -sp.oo if node.name else sp.oo
-    if node.number is not None and not node.condition and node.nested > MAX_NESTED:
-        return sp.Float(node.number, 17)  # to evaluate cos(cos(...)) exactly takes SymPy time without bound
-    args = [_converted(arg, symbols) for arg in node.args]
-    if node.op == "matrix":
-        if node.shape is None:
-            raise TypeError("a matrix without a shape")
-        return sp.ImmutableDenseMatrix(*node.shape, args)
-    if node.op == "product" and node.shape is not None:
-        scalars = [arg for arg, child in zip(args, node.args, strict=True) if child.shape is None]
-        matrix = next(arg for arg, child in zip(args, node.args, strict=True) if child.shape is not None)
-        return sp.MatMul(sp.Mul(*scalars), matrix, evaluate=False)
-    if node.shape is not None and node.op in _OF_MATRICES:
-        return _OF_MATRICES[node.op](*args)
-    return SYMPY[node.op](*args)
-
-
-def _number(value: float) -> Any:
-    """1.5 as 3/2, so that exponents compare exactly; what is no quotient of two short whole numbers stays a double."""
-    fraction = Fraction(repr(value))
-    short = abs(fraction.numerator) < _SHORT and fraction.denominator < _SHORT
-    return sp.Rational(fraction.numerator, fraction.denominator) if short else sp.Float(value, 17)
-
-
-_SHORT = 10**12  # exact as doubles, so that their quotient is the decimal number rounded once
-
-
-SYMPY: dict[str, Callable[..., Any]] = {
-    "sum": sp.Add, "product": sp.Mul, "neg": operator.neg, "inverse": lambda x: 1 / x, "**": sp.Pow, "sqrt": sp.sqrt,
-    "exp": sp.exp, "log": sp.log, "sin": sp.sin, "cos": sp.cos, "tan": sp.tan, "asin": sp.asin, "acos": sp.acos,
-    "atan": sp.atan, "atan2": sp.atan2, "sinh": sp.sinh, "cosh": sp.cosh, "tanh": sp.tanh, "abs": sp.Abs,
-    "min": sp.Min, "max": sp.Max, "sign": sp.sign, "gamma": sp.gamma, "LambertW": sp.LambertW, "where": Where, "diff": sp.Derivative,
-    "integrate": lambda f, x, *bounds: sp.Integral(f, (x, *bounds)),
-    "<": sp.Lt, "<=": sp.Le, ">": sp.Gt, ">=": sp.Ge, "==": sp.Eq, "!=": sp.Ne, "and": sp.And, "or": sp.Or, "not": sp.Not,
-    "det": sp.Determinant, "trace": sp.Trace,
-}  # fmt: skip
-"""Operation -> the SymPy class or function that makes it."""
-
-_OF_MATRICES: dict[str, Callable[..., Any]] = {
-    "sum": lambda *terms: sp.MatAdd(*terms, evaluate=False), "neg": lambda a: sp.MatMul(-1, a, evaluate=False),
-    "@": lambda a, b: sp.MatMul(a, b, evaluate=False), "transpose": sp.Transpose, "inv": sp.Inverse,
-    "diff": sp.Derivative, "integrate": lambda f, x, *bounds: sp.Integral(f, (x, *bounds)),
-}  # fmt: skip
 
 
 def plain_name(name: str) -> str:

@@ -16,7 +16,8 @@ import sympy as sp
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.algebra.notation import text_of
 from hertzwerk.derive.algebra.splines import Table
-from hertzwerk.derive.dimension.dimension import Dimension, check
+from hertzwerk.derive.dimension.dimension import Dimension
+from hertzwerk.derive.dimension.walker import check
 from hertzwerk.derive.faults import Fault, InputError, one_of
 from hertzwerk.derive.mechanism.bodies import Slot
 from hertzwerk.derive.mechanism.joints import Freedom

@@ -15,9 +15,11 @@ import sympy as sp
 
 from hertzwerk.derive.audit.audit import Finding, mended
 from hertzwerk.derive.dimension.culprit import Row, culprits
+from hertzwerk.derive.dimension.declared import Declared, dimension_of_unit, examine
 from hertzwerk.derive.dimension.dimension import ONE, Dimension, DimensionFault
-from hertzwerk.derive.dimension.reader import NAMES_TOO, Expression, Node, TextError, plain_name, read
-from hertzwerk.derive.dimension.text_dimension import Declared, dimension_of_unit, examine
+from hertzwerk.derive.dimension.expression import Expression, TextError
+from hertzwerk.derive.dimension.reader import NAMES_TOO, plain_name, read
+from hertzwerk.derive.dimension.tree import Node
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.units import Unit, UnitError, parse_unit, rational
 

@@ -34,9 +34,10 @@ import sympy as sp
 
 from hertzwerk.derive.audit.audit import Finding
 from hertzwerk.derive.audit.behaviour import faults_if_consistent
+from hertzwerk.derive.dimension.declared import Declared, dimension_of_unit
 from hertzwerk.derive.dimension.dimension import Dimension
-from hertzwerk.derive.dimension.reader import RESERVED, Expression, TextError, plain_name, read, to_sympy
-from hertzwerk.derive.dimension.text_dimension import Declared, dimension_of_unit
+from hertzwerk.derive.dimension.expression import Expression, TextError, to_sympy
+from hertzwerk.derive.dimension.reader import RESERVED, plain_name, read
 from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.derive.files.audit_text import finding, undeclared, with_culprit
 from hertzwerk.derive.files.execute import beside

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from hertzwerk.derive.algebra.splines import Spline
-from hertzwerk.derive.dimension.dimension import Dimension, check
+from hertzwerk.derive.dimension.dimension import Dimension
+from hertzwerk.derive.dimension.walker import check
 from hertzwerk.derive.effects.expression import as_choice, smoothness_faults, tables_in
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Slot

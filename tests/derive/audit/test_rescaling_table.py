@@ -8,7 +8,8 @@ from mpmath import mp, mpf
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.audit.rescaling import DIGITS, ROUNDING, rescale
 from hertzwerk.derive.dimension.dimension import ONE, Dimension
-from hertzwerk.derive.dimension.reader import read, to_sympy
+from hertzwerk.derive.dimension.expression import to_sympy
+from hertzwerk.derive.dimension.reader import read
 
 SYMBOLS = {name: sp.Symbol(name, real=True) for name in UNITS}
 DIMENSIONS = {SYMBOLS[name]: Dimension.from_unit(unit, SYMBOLS) for name, unit in UNITS.items()}

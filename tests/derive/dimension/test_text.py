@@ -13,7 +13,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from hertzwerk.derive.algebra.functions import Where
-from hertzwerk.derive.dimension.reader import FUNCTIONS, MAX_DEPTH, MAX_TEXT, TextError, read, to_sympy
+from hertzwerk.derive.dimension.expression import TextError, to_sympy
+from hertzwerk.derive.dimension.reader import FUNCTIONS, MAX_DEPTH, MAX_TEXT, read
 from hertzwerk.derive.faults import InputError
 from hertzwerk.derive.files.audit_text import audit_expression
 from hertzwerk.derive.units import UnitError, parse_quantity, parse_unit

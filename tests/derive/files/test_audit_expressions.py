@@ -15,8 +15,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from hertzwerk.derive.audit.audit import audit_law, verdict
-from hertzwerk.derive.dimension.dimension import Dimension, DimensionError, check, dimension_of
-from hertzwerk.derive.dimension.reader import read, to_sympy
+from hertzwerk.derive.dimension.dimension import Dimension, DimensionError
+from hertzwerk.derive.dimension.expression import to_sympy
+from hertzwerk.derive.dimension.reader import read
+from hertzwerk.derive.dimension.walker import check, dimension_of
 from hertzwerk.derive.faults import InputError
 from hertzwerk.derive.files.audit_files import audit_catalogue, audit_files, audit_path, differing
 from hertzwerk.derive.files.audit_text import audit_expression, declarations

@@ -32,7 +32,8 @@ from hertzwerk.derive import (  # fmt: skip
 )
 from hertzwerk.derive.audit.audit import audit_law, audit_laws, verdict
 from hertzwerk.derive.audit.rescaling import SCALINGS, STATES, rescale_law, states_of
-from hertzwerk.derive.dimension.dimension import Dimension, DimensionError, dimension_of
+from hertzwerk.derive.dimension.dimension import Dimension, DimensionError
+from hertzwerk.derive.dimension.walker import dimension_of
 from hertzwerk.derive.laws import LAWS, flores, johnson, pereira_internal_si, power
 from hertzwerk.derive.laws.damping import e
 from hertzwerk.derive.laws.law import FORMS, DampingLaw, F, FrictionLaw, L, N, Quantity, StiffnessLaw, d, s, v, v0, z

@@ -1,0 +1,118 @@
+"""A text and its tree: quoted by place, exponents bounded, so that hostile text costs no time."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.dimension.dimension import Dimension, canonical
+from hertzwerk.derive.dimension.symbolic import converted
+from hertzwerk.derive.dimension.tree import Node
+from hertzwerk.derive.faults import PicklableError
+
+__all__ = ["Expression", "TextError", "to_sympy"]
+
+MAX_DEGREE = 6  # of an exponent in its names
+MAX_OPERATIONS = 60  # of an exponent of a dimension
+
+_COMPLEX = f"an exponent of degree at most {MAX_DEGREE}, made of at most four names"
+
+
+class TextError(PicklableError):
+    """Expression text that cannot be read: `position` (1 is the first character), found, expected, and the way out."""
+
+    def __init__(self, text: str, start: int, found: str, expected: str, remedy: str = "") -> None:
+        self.text, self.position, self.found, self.expected, self.remedy = text, start + 1, found, expected, remedy
+        around = text if len(text) <= 60 else text[max(0, start - 25) : start + 25].strip()
+        way_out = f"; {remedy}" if remedy else ""
+        super().__init__(
+            f"expression {around!r}, character {self.position}: found {found}, expected {expected}{way_out}"
+        )
+
+
+@dataclass(frozen=True)
+class Expression:
+    """A text and its tree."""
+
+    source: str
+    root: Node
+
+    def quote(self, node: Node) -> str:
+        """What was written for a node."""
+        return self.source[node.start : node.end]
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """The names in the text, in the order written."""
+        return tuple(dict.fromkeys(node.name for node in self.root.walk() if node.op == "name"))
+
+    def __str__(self) -> str:
+        return self.source
+
+    def part(self, node: Node, kept: Sequence[int]) -> Node:
+        """From the first operand kept to the last, where a text can be cut."""
+        first, last = kept[0], kept[-1]
+        while first > 0 and node.args[first].op == "inverse":  # nothing to divide but what stands before it
+            first -= 1
+        if first == last:
+            return node.args[first]
+        (start, _), (_, end) = node.spans[first], node.spans[last]
+        inside = slice(first, last + 1)
+        return replace(node, start=start, end=end, args=node.args[inside], spans=node.spans[inside])
+
+    def value(self, node: Node, constants: Any) -> Any:
+        """An exponent of constants as SymPy has it; bounded, because expanding it is what comparing it costs."""
+        names = {part.name for part in node.walk() if part.op == "name"}
+        if max(_degree(node)) > MAX_DEGREE or len(names) > 4:
+            raise TextError(self.source, node.start, "an exponent too long to compare", _COMPLEX)
+        value = to_sympy(self, constants, node)
+        exact = value.xreplace({x: canonical(float(x)) for x in value.atoms(sp.Float)})
+        if exact.has(sp.zoo, sp.nan, sp.oo, sp.I):
+            written = f"the exponent {self.quote(node)}, which is no number here"
+            raise TextError(self.source, node.start, written, "a finite real number")
+        return exact
+
+    def bounded(self, node: Node, dimension: Dimension) -> Dimension:
+        """A dimension whose exponents can still be compared in bounded time; raises TextError."""
+        if any(not e.is_Rational and e.count_ops() > MAX_OPERATIONS for e in dimension.exponents):
+            raise TextError(self.source, node.start, "exponents too long to compare", _COMPLEX)
+        return dimension
+
+
+def _degree(node: Node) -> tuple[int, int]:
+    """Bounds on the degree of numerator and denominator of an exponent, in its names."""
+    if not node.args:
+        return (1, 0) if node.op == "name" else (0, 0)
+    parts = [_degree(arg) for arg in node.args]
+    if node.op in ("sum", "neg"):
+        below = sum(part[1] for part in parts)
+        return max(above + below - own for above, own in parts), below
+    if node.op == "product":
+        return sum(part[0] for part in parts), sum(part[1] for part in parts)
+    if node.op == "inverse":
+        return parts[0][1], parts[0][0]
+    if node.op == "**" and node.args[1].number is not None:
+        size = max(1, math.ceil(abs(node.args[1].number)))
+        above, below = (size * parts[0][0], size * parts[0][1])
+        return (above, below) if node.args[1].number >= 0 else (below, above)
+    return 1 + sum(map(max, parts)), 0
+
+
+def to_sympy(expression: Expression, symbols: Mapping[str, Any], node: Node | None = None) -> Any:
+    """The SymPy expression of a tree (or of one node of it), names replaced by `symbols`; derivatives and integrals stay unevaluated.
+
+    Raises KeyError for a name that `symbols` lacks, TextError where SymPy finds the result undefined, as in tan(pi/2).
+    """
+    node = expression.root if node is None else node
+    try:
+        result = converted(node, symbols)
+    except (ArithmeticError, TypeError, ValueError):  # SymPy's own of an undefined operand
+        result = sp.nan
+    if result.has(sp.zoo, sp.nan):
+        raise TextError(expression.source, node.start, "an expression without a value", "one that is defined")
+    return result

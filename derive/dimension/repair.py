@@ -1,0 +1,147 @@
+"""Ways out of a wrong dimension: the value of a constant exponent, another exponent on one factor, or what is missing.
+
+In a text the sentence is on what is written there; in a SymPy expression, whose order is SymPy's, it teaches: `K is N/m^1.5: K*d**n is a force only
+for n = 3/2`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any, Protocol
+
+import sympy as sp
+from sympy.solvers.solveset import NonlinearError
+
+from hertzwerk.derive.dimension.dimension import ONE, Dimension, canonical, quantity
+from hertzwerk.derive.dimension.tree import Node, Tree
+
+__all__ = ["repair"]
+
+Offer = tuple[Any, str | None]
+"""The exponent, if one would do, and a sentence."""
+
+
+class Walk(Protocol):
+    """What a repair may ask."""
+
+    tree: Tree
+    table: Mapping[Any, Dimension]
+
+    def __call__(self, node: Node) -> Dimension:
+        """The dimension of a node."""
+
+
+def repair(walk: Walk, culprit: Node, found: Dimension, expected: Dimension) -> Offer:
+    """What would give the culprit the expected dimension."""
+    missing = expected / found
+    symbols = {symbol for exponent in missing.exponents for symbol in exponent.free_symbols}
+    if symbols:
+        return _constant(walk, culprit, expected, missing, sorted(symbols, key=str))
+    if culprit.condition:
+        return None, None
+    return _power(walk, culprit, expected, missing) or (None, _lacking(walk, culprit, found, missing))
+
+
+def _constant(walk: Walk, culprit: Node, expected: Dimension, missing: Dimension, symbols: list[Any]) -> Offer:
+    """The value of a constant that makes the exponents agree."""
+    for symbol in symbols:
+        try:
+            solution = sp.linsolve([sp.numer(exponent) for exponent in missing.exponents], [symbol])
+        except NonlinearError:
+            continue
+        for (value,) in solution:
+            if culprit.expr is None:
+                return value, f"consistent only with {symbol} = {value}"
+            powers = [factor for factor in _operands(culprit) if factor.op == "**" and factor.args[1].expr == symbol]
+            if len(powers) == 1:
+                return value, _only_for(walk, culprit, powers[0], symbol, value, expected)
+            return value, f"{culprit.expr} is {quantity(expected)} only for {symbol} = {value}"
+    return None, f"no value of {', '.join(map(str, symbols))} makes it {_unit(expected)}"
+
+
+def _power(walk: Walk, culprit: Node, expected: Dimension, missing: Dimension) -> Offer | None:
+    """Another exponent on one factor; a bare name is the likeliest to lack its own: d in E*sqrt(R)*d."""
+    powers: dict[Any, list[Any]] = {}
+    for name, exponent in _factors(culprit, sp.S.One):
+        powers.setdefault(name, []).append(exponent)
+    everywhere = [node.name for node in culprit.walk() if node.op == "name"]
+    offers = []
+    for place, (name, parts) in enumerate(powers.items()):
+        dimension, exponent = walk.table[name], sp.Add(*parts)
+        if dimension.dimensionless or everywhere.count(name) > len(parts):  # it stands elsewhere too
+            continue
+        step = _logarithm(missing, dimension)
+        # a smaller or larger power, or the factor on the wrong side of the line; no other change of sign
+        if step is not None and ((step + exponent) * exponent > 0 or step == -2 * exponent):
+            offers.append((exponent == 1, place, name, step + exponent))
+    if not offers:
+        return None
+    _, _, name, exponent = max(offers, key=lambda offer: offer[:2])
+    if culprit.expr is not None:
+        for factor in _operands(culprit):
+            if factor.name == name or (factor.op == "**" and factor.args[0].name == name):
+                return exponent, _only_for(walk, culprit, factor, None, exponent, expected)
+    power = "" if exponent == 1 else f"**{exponent}" if exponent.is_Integer and exponent > 0 else f"**({exponent})"
+    total = " in all" if len(powers[name]) > 1 else ""
+    length = exponent == 2 and walk.table[name] == _LENGTH
+    other = f", or with {name}{total} and a factor of unit m" if length else ""
+    return exponent, f"with {name}{power}{total} it is {_unit(expected)}{other}"
+
+
+def _operands(node: Node) -> tuple[Node, ...]:
+    return node.args if node.op == "product" else (node,)
+
+
+def _factors(node: Node, power: Any) -> Iterable[tuple[Any, Any]]:
+    """(name, exponent) of the factors of a product that are powers of a name, as far as exponents are numbers."""
+    if node.op == "name":
+        yield node.name, power
+    elif node.op in ("product", "neg"):
+        for factor in node.args:
+            yield from _factors(factor, power)
+    elif node.op in ("inverse", "sqrt"):
+        yield from _factors(node.args[0], power * (sp.S.NegativeOne if node.op == "inverse" else sp.S.Half))
+    elif node.op == "**" and node.args[1].number is not None:
+        yield from _factors(node.args[0], power * canonical(node.args[1].number))
+
+
+def _only_for(walk: Walk, culprit: Node, factor: Node, symbol: Any, value: Any, expected: Dimension) -> str:
+    """`K is N/m^1.5: K*d**n is a force only for n = 3/2`, of a factor d**n, or one with a number for n, which is then told: `, not 1`."""
+    base, power = factor.expr.as_base_exp()
+    names = {str(name) for name in culprit.expr.free_symbols}
+    name = symbol or sp.Symbol("p" if "n" in names else "n")
+    of_base = walk(factor) if factor.op == "name" else walk(factor.args[0])
+    rest = culprit.expr / factor.expr
+    given = "" if rest.is_number else f"{rest} is {walk(culprit) / of_base**power}: "
+    text = f"{given}{rest * base**name} is {quantity(expected)} only for {name} = {value}"
+    if value == 2 and of_base == _LENGTH:
+        return f"{text}; multiplied by a length, for {name} = 1"
+    return text if symbol else f"{text}, not {sp.sstr(power, full_prec=False)}"
+
+
+def _lacking(walk: Walk, culprit: Node, found: Dimension, missing: Dimension) -> str:
+    """What is missing, and the number that may hide it."""
+    culprit = culprit.args[0] if culprit.op == "neg" else culprit
+    if found == ONE and not culprit.args:
+        return f"{walk.tree.quote(culprit)} would need the unit {missing}"
+    factors = culprit.args if culprit.op == "product" else ()
+    numbers = [node for node in factors if node.number is not None and node.op in ("number", "neg")]
+    hidden = ""
+    if len(numbers) == 1 and abs(numbers[0].number) not in (0, 1):
+        hidden = f"; if the number {walk.tree.quote(numbers[0])} hides it, declare it with its unit"
+    return f"a factor of unit {missing} is missing{hidden}"
+
+
+def _unit(dimension: Dimension) -> str:
+    return "dimensionless" if dimension == ONE else str(dimension)
+
+
+def _logarithm(value: Dimension, base: Dimension) -> Any:
+    """The rational y with base**y == value, if there is one."""
+    pairs = zip(value.exponents, base.exponents, strict=True)
+    ratios = {v / b for v, b in pairs if b != 0}
+    ratio = next(iter(ratios))
+    return ratio if len(ratios) == 1 and ratio.is_Rational and base**ratio == value else None
+
+
+_LENGTH = Dimension(L=1)
