@@ -1,48 +1,96 @@
-"""Declaration, derivation and audit: from a scene to the text of a generated module. Names are handed on lazily (PEP 562)."""
+"""Declaration, derivation and audit: from a scene to the text of a generated module."""
 
-from __future__ import annotations
+from typing import TYPE_CHECKING
 
-from importlib import import_module
-from typing import Any
+if TYPE_CHECKING:  # the list of public names
+    from hertzwerk.derive import laws as laws
+    from hertzwerk.derive.algebra.functions import Where as Where
+    from hertzwerk.derive.algebra.splines import Table as Table
+    from hertzwerk.derive.audit.audit import Finding as Finding, InconsistentUnits as InconsistentUnits
+    from hertzwerk.derive.declare.scene import (
+        Contact as Contact,
+        EnergyLedger as EnergyLedger,
+        Friction as Friction,
+        Gravity as Gravity,
+        Scales as Scales,
+        Scene as Scene,
+        Start as Start,
+    )
+    from hertzwerk.derive.derivation import audit_scene as audit_scene, derive as derive, generate as generate
+    from hertzwerk.derive.effects.drives import (
+        ConstantSpeed as ConstantSpeed,
+        Drive as Drive,
+        Harmonic as Harmonic,
+        Ramp as Ramp,
+    )
+    from hertzwerk.derive.effects.element import Element as Element
+    from hertzwerk.derive.effects.elements import element as element
+    from hertzwerk.derive.effects.expression import T as T, coordinate_of as coordinate_of, speed_of as speed_of
+    from hertzwerk.derive.effects.forces import (
+        BodyTorque as BodyTorque,
+        JointForce as JointForce,
+        PointForce as PointForce,
+        Potential as Potential,
+    )
+    from hertzwerk.derive.effects.lubrication import Lubrication as Lubrication
+    from hertzwerk.derive.effects.springs import (
+        JointDamper as JointDamper,
+        JointFriction as JointFriction,
+        JointSpring as JointSpring,
+        PointDamper as PointDamper,
+        PointSpring as PointSpring,
+    )
+    from hertzwerk.derive.faults import Fault as Fault, InputError as InputError
+    from hertzwerk.derive.files.audit_files import audit_catalogue as audit_catalogue, audit_path as audit_path
+    from hertzwerk.derive.files.audit_text import audit_expression as audit_expression
+    from hertzwerk.derive.files.lawfile import laws_from as laws_from
+    from hertzwerk.derive.laws import LAWS as LAWS
+    from hertzwerk.derive.laws.law import (
+        BoundLaw as BoundLaw,
+        DampingLaw as DampingLaw,
+        FilmLaw as FilmLaw,
+        FrictionLaw as FrictionLaw,
+        Quantity as Quantity,
+        StiffnessLaw as StiffnessLaw,
+    )
+    from hertzwerk.derive.mechanism.bodies import (
+        GROUND as GROUND,
+        Body as Body,
+        Direction as Direction,
+        Material as Material,
+        Point as Point,
+        X as X,
+        Y as Y,
+        Z as Z,
+    )
+    from hertzwerk.derive.mechanism.joints import (
+        Cylindrical as Cylindrical,
+        Free as Free,
+        Freedom as Freedom,
+        Joint as Joint,
+        Planar as Planar,
+        Prismatic as Prismatic,
+        Revolute as Revolute,
+        Spherical as Spherical,
+        Universal as Universal,
+        Weld as Weld,
+    )
+    from hertzwerk.derive.mechanism.mechanism import Mechanism as Mechanism
+    from hertzwerk.derive.mechanism.pairs import (
+        APART as APART,
+        TURN as TURN,
+        BallInSocket as BallInSocket,
+        CornerOnFace as CornerOnFace,
+        CustomPair as CustomPair,
+        CylinderOnPlane as CylinderOnPlane,
+        ParallelCylinders as ParallelCylinders,
+        PinInBush as PinInBush,
+        RimOnPlane as RimOnPlane,
+        SphereOnPlane as SphereOnPlane,
+        SphereOnSphere as SphereOnSphere,
+    )
+    from hertzwerk.derive.mechanism.parameter import Interval as Interval, Parameter as Parameter
+else:
+    from hertzwerk.names import handed_on
 
-_HOME = {
-    name: module
-    for module, names in {
-        "mechanism.parameter": "Interval Parameter",
-        "mechanism.bodies": "GROUND Body Direction Material Point X Y Z",
-        "mechanism.joints": "Cylindrical Free Freedom Joint Planar Prismatic Revolute Spherical Universal Weld",
-        "mechanism.pairs": "APART BallInSocket CornerOnFace CustomPair CylinderOnPlane ParallelCylinders PinInBush RimOnPlane SphereOnPlane "
-        "SphereOnSphere TURN",
-        "mechanism.mechanism": "Mechanism",
-        "effects.drives": "ConstantSpeed Drive Harmonic Ramp",
-        "effects.element": "Element",
-        "effects.elements": "element",
-        "effects.expression": "T coordinate_of speed_of",
-        "effects.forces": "BodyTorque JointForce PointForce Potential",
-        "effects.lubrication": "Lubrication",
-        "effects.springs": "JointDamper JointFriction JointSpring PointDamper PointSpring",
-        "declare.scene": "Contact EnergyLedger Friction Gravity Scales Scene Start",
-        "algebra.functions": "Where",
-        "algebra.splines": "Table",
-        "laws": "LAWS",
-        "faults": "Fault InputError",
-        "audit.audit": "Finding InconsistentUnits",
-        "files.audit_files": "audit_catalogue audit_path",
-        "files.audit_text": "audit_expression",
-        "files.lawfile": "laws_from",
-        "derivation": "audit_scene derive generate",
-    }.items()
-    for name in names.split()
-}
-
-__all__ = sorted(_HOME)
-
-
-def __getattr__(name: str) -> Any:
-    if name not in _HOME:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(f"{__name__}.{_HOME[name]}"), name)
-
-
-def __dir__() -> list[str]:
-    return __all__
+    __all__, __getattr__, __dir__ = handed_on(__name__)

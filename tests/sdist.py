@@ -4,13 +4,21 @@ from setuptools.command.sdist import sdist
 
 
 class WithTests(sdist):
-    """`sdist` with the folders beside the packages."""
+    """`sdist` with the folders beside the packages, and the texts in them."""
 
     def make_distribution(self) -> None:
-        """Add the folders, less what tools leave in them, and make the archive."""
+        """Add folders and texts, less what tools leave in them, and make the archive."""
         for folder in ("tests", ".ci", ".readme"):
             self.filelist.graft(folder)
-        self.filelist.append(".gitignore")
+        for text in (
+            "derive/**/README.md",
+            "runtime/README.md",
+            "C*.md",
+            "CITATION.cff",
+            ".gitignore",
+            ".pre-commit-config.yaml",
+        ):
+            self.filelist.include(text)
         self.filelist.global_exclude("__pycache__/*")
         self.filelist.global_exclude("*.py[co]")
         super().make_distribution()

@@ -29,7 +29,7 @@ def exported() -> list[str]:
 
 
 def shipped(name: str) -> bool:
-    return name.split("/")[0] in PACKAGES and name.endswith((".py", ".toml", "py.typed"))
+    return name.split("/")[0] in PACKAGES and name.endswith((".py", ".pyi", ".toml", "py.typed"))
 
 
 def installed(name: str) -> str:

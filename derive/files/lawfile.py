@@ -74,7 +74,6 @@ _RECORDS: dict[str, type[Any]] = {
 }
 _PLAIN = {"name", "kind", "title", "source", "grade", "verdict", "fitted_in", "repair", "note"}
 _KEYS = _PLAIN | {"form", "symbols", "definitions", "ranges"}
-_GRADES = ("A", "B", "C", "R")
 _VERDICTS = ("consistent", "inconsistent", "outside_si")
 _NOT_IN_LAWS = ("diff", "integrate", "matrix", "@", "transpose", "inv", "det", "trace", "and", "or", "not", "==", "!=")
 
@@ -221,7 +220,7 @@ class _Reader:
             texts.setdefault(key, default)
         if not str(texts.get("source", "")).strip():
             self.fault("source", "none", "where the law comes from")
-        for key, offered in (("grade", _GRADES), ("verdict", _VERDICTS)):
+        for key, offered in (("grade", tuple(record.GRADES)), ("verdict", _VERDICTS)):
             if texts[key] not in offered:
                 self.fault(key, repr(texts[key])[:60], f"one of {', '.join(offered)}")
         if (texts["verdict"] == "outside_si") != bool(texts.get("fitted_in")):

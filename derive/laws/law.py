@@ -1,7 +1,5 @@
 """Contact laws as records: one expression each, with the unit of every symbol, the ranges, the source and its grade.
 
-Grades: A checked against an independent published number or an exact relation; B seen in a public source; C from general knowledge of
-the literature; R reconstruction of an expression that could not be had.
 Calling a law binds its parameters, in order or by name; a `Material` fills a pair (Young's modulus, Poisson's ratio).
 """
 
@@ -10,6 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from inspect import Parameter as Argument
+from inspect import Signature
 from typing import Any, ClassVar
 
 import sympy as sp
@@ -60,6 +60,14 @@ dR = Quantity("dR", "m", "R1 - R2 inside (the clearance), R1 + R2 outside", POSI
 L = Quantity("L", "m", "axial length of the contact", POSITIVE)
 m_eff = Quantity("m_eff", "kg", "effective mass m1 m2/(m1 + m2)", POSITIVE)
 GEOMETRY = (R_eff, R_min, R_1, R_2, dR, L, m_eff)
+
+GRADES = {
+    "A": "checked against an independent published number or an exact relation",
+    "B": "seen in a public source",
+    "C": "from general knowledge of the literature, not checked again",
+    "R": "reconstruction: the paper's own expression could not be had",
+}
+"""How well what a law states is known."""
 
 FORMS = ("point", "line", "surface")
 """What two surfaces touch in: the forms of contact."""
@@ -113,6 +121,27 @@ class Law:
             raise ValueError(
                 f"law {self.name}: found {found}, expected some of {FORMS}; FORMS itself where it is for all of them"
             )
+        object.__setattr__(self, "__doc__", "\n".join(self._documentation()))
+        object.__setattr__(self, "__signature__", self._signature())
+
+    def _documentation(self) -> Iterator[str]:
+        """The lines that `help` shows of this law."""
+        names = ", ".join(symbol.name for symbol in self.parameters)
+        yield from (f"{self.name}({names}): {self.title} ({self.kind} law, grade {self.grade}).", "")
+        yield from (f"{symbol.name} [{symbol.unit}]: {symbol.meaning}" for symbol in self.parameters)
+        yield f"Source: {self.source}"
+        yield from filter(None, [self.note])
+
+    def _signature(self) -> Signature:
+        """What a call takes, for `inspect` and completion."""
+        values = dict(self.defaults)
+        return Signature(
+            [
+                Argument(symbol.name, Argument.POSITIONAL_OR_KEYWORD, default=values.get(symbol, Argument.empty))
+                for symbol in self.parameters
+            ],
+            return_annotation=BoundLaw,
+        )
 
     def __call__(self, *values: Any, **named: Any) -> BoundLaw:
         """Bind the parameters; raises TypeError if their number or names do not fit."""

@@ -15,7 +15,8 @@ v = Parameter("speed_scale", "m/s", 1.0)
 rods, tips = [], []
 for name, edge in (("a", (1, 0, 0)), ("b", (0, -1, 0)), ("c", (0, 0, 1)), ("d", (-1, 0, 0)), ("e", (0, 1, 0))):
     inertia = tuple(m * L**2 / 12 * (1 - abs(component)) for component in edge)
-    rods.append(Body(f"rod_{name}", m, inertia, centre=tuple(component * L / 2 for component in edge)))
+    x, y, z = (component * L / 2 for component in edge)
+    rods.append(Body(f"rod_{name}", m, inertia, centre=(x, y, z)))
     tips.append(rods[-1].at(*(component * L for component in edge)))
 
 mechanism = Mechanism(

@@ -18,6 +18,7 @@ from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import (
     FORMS,
     GEOMETRY,
+    GRADES,
     STATE,
     DampingLaw,
     F,
@@ -42,12 +43,6 @@ from hertzwerk.derive.sheets.impact import (
 )
 from hertzwerk.derive.units import parse_unit
 
-GRADES = {
-    "A": "checked against an independent published number or an exact relation",
-    "B": "seen in a public source",
-    "C": "from general knowledge of the literature, not checked again",
-    "R": "reconstruction: the paper's own expression could not be had",
-}
 RELEASES = {
     "force": "the contact ends where the normal force falls to zero",
     "gap": "the contact ends where the gap opens; the law may pull before",

@@ -34,6 +34,8 @@ SHOWN_OWN = (0.01, 0.1, 0.3, 1.0, 3.0)
 
 @click.command()
 @click.argument("names", metavar="[NAME]...", nargs=-1)
+@click.option("--markdown", is_flag=True, help="Print the catalogue as Markdown: derive/laws/README.md.")
+@click.option("--stub", is_flag=True, help="Print the catalogue for type checkers: derive/laws/__init__.pyi.")
 @click.option("--restitution", is_flag=True, help="What every damping law returns, over the restitution it is given.")
 @click.option(
     "--out",
@@ -52,19 +54,32 @@ SHOWN_OWN = (0.01, 0.1, 0.3, 1.0, 3.0)
 )
 @reports_bad_input
 def laws(
-    names: tuple[str, ...], restitution: bool, out: Path | None, no_plots: bool, picture: Path | None, as_json: bool
+    names: tuple[str, ...],
+    markdown: bool,
+    stub: bool,
+    restitution: bool,
+    out: Path | None,
+    no_plots: bool,
+    picture: Path | None,
+    as_json: bool,
 ) -> int:
     """List the contact laws, or print the sheet of each NAME.
 
     A sheet has formula, units, ranges, source, behaviour and cost. --restitution: exit code 1 where a simulation and
     its closed form differ by more than 1e-9.
     """
+    from hertzwerk.runtime.model import build
+
+    if markdown or stub:
+        if names or picture is not None or sum((markdown, stub, restitution, as_json)) > 1:
+            found = f"--{'markdown' if markdown else 'stub'} beside other arguments"
+            raise InputError("laws", [Fault("laws", found, "it alone: it prints the whole catalogue")])
+        click.echo(build.law_listing(stub=stub), nl=False)
+        return GOOD
     if restitution:
         return _study(names, out, plots=not no_plots, as_json=as_json)
     if out is not None or no_plots:
         raise InputError("laws", [Fault("laws", "--out or --no-plots alone", "--restitution beside it")])
-    from hertzwerk.runtime.model import build
-
     if names or picture is not None:
         sheets = build.law_sheets(names)
         if picture is not None:

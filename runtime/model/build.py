@@ -162,6 +162,13 @@ def law_summaries() -> tuple[tuple[str, str, str, str, str], ...]:
     return tuple((law.kind, law.name, law.title, law.grade, law.verdict) for law in LAWS.values())
 
 
+def law_listing(*, stub: bool) -> str:
+    """The catalogue as Markdown, or as a stub for type checkers."""
+    from hertzwerk.derive.laws import listing
+
+    return listing.stub() if stub else listing.markdown()
+
+
 def law_sheets(names: Sequence[str]) -> tuple[Sheet, ...]:
     """Return the sheets of the named laws; raises InputError with every unknown name."""
     from hertzwerk.derive.sheets.sheet import laws_named, sheet

@@ -13,10 +13,10 @@ from hertzwerk.derive import InputError
 from hertzwerk.derive.algebra.notation import latex_name, text_of
 from hertzwerk.derive.files.audit_text import audit_expression, declarations
 from hertzwerk.derive.laws import LAWS
-from hertzwerk.derive.laws.law import DampingLaw, StiffnessLaw
+from hertzwerk.derive.laws.law import GRADES, DampingLaw, StiffnessLaw
 from hertzwerk.derive.mechanism.parameter import Parameter
 from hertzwerk.derive.sheets.impact import home_exponent, restitution_limits, restitution_out, trials
-from hertzwerk.derive.sheets.sheet import GRADES, laws_named, operations_of, sheet
+from hertzwerk.derive.sheets.sheet import laws_named, operations_of, sheet
 from reference.closed_forms import FACTORS, exact_factor, factor, restitution
 
 DAMPING = {name: law for name, law in LAWS.items() if isinstance(law, DampingLaw)}

@@ -1,0 +1,100 @@
+"""The catalogue written out: as a table for readers (README.md of this folder), and as a stub for type checkers and editors (`__init__.pyi`)."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterator
+
+from hertzwerk.derive.laws.catalogue import LAWS
+from hertzwerk.derive.laws.law import FORMS, GRADES, Law
+from hertzwerk.derive.laws.stiffness import MATERIALS
+
+_HEADINGS = {
+    "stiffness": "Stiffness laws: the elastic normal force F(d)",
+    "damping": "Damping laws: the dissipative part of the normal force",
+    "friction": "Friction laws: the force against sliding",
+    "film": "Film laws: the oil between a pin and its bush",
+}
+_NOT_CONSISTENT = {
+    "inconsistent": "its units do not hold",
+    "outside_si": "its constants hide units",
+}
+
+
+def markdown() -> str:
+    """The catalogue as Markdown, one table for each kind of law."""
+    return "\n".join(_markdown()) + "\n"
+
+
+def _markdown() -> Iterator[str]:
+    yield from textwrap.dedent("""\
+        # Contact laws
+
+        Written by `hertzwerk laws --markdown`; a test fails where it is out of date. A law is called with its parameters, in order or by name, in
+        their units: `laws.flores(e)`, `laws.power(K, n=1.5)`; a `Material` stands for Young's modulus and Poisson's ratio together:
+        `laws.hertz_point(steel, steel)`. What else a law needs (penetration, speeds, radii, lengths, masses) its pair supplies.
+        `hertzwerk laws NAME` prints the formula of one with units, ranges and cost, `help(laws.NAME)` what it takes.
+        `hertzwerk laws --restitution` tries every damping law in one free impact, through the engine and in closed form where there is one; they
+        agree to 2e-12. `exact`, `tsuji` (beside K d^1.5) and `kelvin_voigt` (beside K d) return what they are given; `lankarani_nikravesh` is off
+        by up to 0.05 in its recommended range and never returns less than 0.663.
+
+        | grade | meaning |
+        |---|---|""").splitlines()
+    yield from (f"| {grade} | {meaning} |" for grade, meaning in GRADES.items())
+    for kind, heading in _HEADINGS.items():
+        laws = [law for law in LAWS.values() if law.kind == kind]
+        yield from ("", f"## {heading}", "", "| law | what it is | for | grade | source |", "|---|---|---|---|---|")
+        yield from (_row(law) for law in laws)
+
+
+def _row(law: Law) -> str:
+    forms = "any contact" if set(law.forms) == set(FORMS) else f"{' or '.join(law.forms)} contact"
+    what = [law.title, *filter(None, [_NOT_CONSISTENT.get(law.verdict), law.repair and f"repaired: `{law.repair}`"])]
+    called = f"`{law.name}({', '.join(symbol.name for symbol in law.parameters)})`"
+    cells = (called, "; ".join(what), ", ".join(law.pairs) or forms, law.grade, law.source)
+    return "| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |"
+
+
+def stub() -> str:
+    """The text of `__init__.pyi`: one class for each kind and list of parameters, and every law with its documentation."""
+    kinds = sorted({type(law).__name__ for law in LAWS.values()})
+    classes: dict[str, list[str]] = {}
+    for law in LAWS.values():
+        classes.setdefault(_class_of(law), list(_class(law)))
+    variables = [line for name, law in sorted(LAWS.items()) for line in _variable(name, law)]
+    head = [
+        '"""Contact laws, for type checkers and editors. Written by `hertzwerk laws --stub`; do not edit."""',
+        "",
+        "from typing import overload",
+        "",
+        "from hertzwerk.derive.laws.catalogue import LAWS as LAWS",
+        f"from hertzwerk.derive.laws.law import BoundLaw, {', '.join(kinds)}",
+        "from hertzwerk.derive.mechanism.bodies import Material",
+        "from hertzwerk.derive.mechanism.parameter import Scalar",
+        "",
+    ]
+    return "\n".join([*head, *(line for lines in classes.values() for line in lines), *variables]) + "\n"
+
+
+def _class_of(law: Law) -> str:
+    return "_".join(["", type(law).__name__, *(symbol.name for symbol in law.parameters)])
+
+
+def _class(law: Law) -> Iterator[str]:
+    yield f"class {_class_of(law)}({type(law).__name__}):"
+    values = dict(law.defaults)
+    taken = [f"{p.name}: Scalar{' = ...' if p in values else ''}" for p in law.parameters]
+    of_materials = law.parameters[: len(MATERIALS)] == MATERIALS
+    ways = [["first: Material", "second: Material", "/", *taken[len(MATERIALS) :]], taken] if of_materials else [taken]
+    for way in ways:
+        yield from ["    @overload"] if of_materials else []
+        yield f"    def __call__({', '.join(['self', *way])}) -> BoundLaw: ..."
+    yield ""
+
+
+def _variable(name: str, law: Law) -> Iterator[str]:
+    lines = [part for line in (law.__doc__ or "").splitlines() for part in textwrap.wrap(line, 140) or [""]]
+    yield f"{name}: {_class_of(law)}"
+    yield f'"""{lines[0]}'
+    yield from lines[1:]
+    yield '"""'

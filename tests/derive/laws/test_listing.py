@@ -1,0 +1,54 @@
+"""The catalogue written out, as a table and as a stub, and what `help` and `inspect` see of a law."""
+
+import inspect
+import pydoc
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from hertzwerk.derive.laws import LAWS, flores, listing, palmgren_si
+from hertzwerk.runtime.cli import main
+
+FOLDER = Path(__file__).parents[3] / "derive" / "laws"
+
+
+@pytest.mark.parametrize(("option", "file"), [("--markdown", "README.md"), ("--stub", "__init__.pyi")])
+def test_what_is_committed_is_what_the_command_writes(option, file):
+    printed = CliRunner().invoke(main, ["laws", option])
+    assert printed.exit_code == 0
+    assert (FOLDER / file).read_text(encoding="utf-8") == printed.stdout, (
+        f"hertzwerk laws {option} > derive/laws/{file}"
+    )
+
+
+@pytest.mark.parametrize("write", [listing.markdown, listing.stub])
+def test_a_law_that_changes_is_out_of_date(write, monkeypatch):
+    before = write()
+    monkeypatch.setitem(LAWS, "flores", replace(flores, title="Another title"))
+    assert write() != before
+
+
+@pytest.mark.parametrize("arguments", [["--markdown", "flores"], ["--stub", "--markdown"], ["--stub", "--json"]])
+def test_a_listing_stands_alone(arguments):
+    assert CliRunner().invoke(main, ["laws", *arguments]).exit_code == 2
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_a_law_has_a_signature_and_a_documentation_of_its_own(name):
+    law = LAWS[name]
+    assert list(inspect.signature(law).parameters) == [symbol.name for symbol in law.parameters]
+    assert all(f"{symbol.name} [{symbol.unit}]" in law.__doc__ for symbol in law.parameters)
+    assert law.source in law.__doc__
+    assert law.__doc__.splitlines()[0] in pydoc.plain(pydoc.render_doc(law))
+
+
+def test_values_of_its_own_are_defaults():
+    defaults = [parameter.default.name for parameter in inspect.signature(palmgren_si).parameters.values()]
+    assert defaults == ["reference_length", "reference_force"]
+
+
+def test_a_class_of_laws_keeps_its_signature():
+    assert list(inspect.signature(type(flores)).parameters)[:2] == ["name", "title"]
+    assert type(flores).__doc__ != flores.__doc__
