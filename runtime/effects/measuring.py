@@ -23,6 +23,7 @@ from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.run.request import TOLERANCES
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.solution import scales
@@ -194,12 +195,16 @@ class Bench:
             return False
         memory = [whole.nq + whole.nu + whole.memory.index(name) for name in model.memory]
         states = np.hstack([y[:, : whole.nq + whole.nu], y[:, memory]])
-        rates: Rowwise = model.once(("rowwise", "rates"), lambda: Rowwise(flow(model).rates, constant=4))
         parts = (run.history.part(name) for name in ("mode", "m"))
-        (found,) = rates(model.bind(self.parameters(model)).c, run.history.part("t"), states, *parts)
+        (found,) = _rates(model)(model.bind(self.parameters(model)).c, run.history.part("t"), states, *parts)
         here = run.history.part("dy")[:, speeds]
         size = np.max(np.abs(here), axis=0, initial=0.0)
         return bool(np.all(np.abs(found[:, speeds] - here) <= SAME * size))
+
+
+@per_model
+def _rates(model: Model) -> Rowwise:
+    return Rowwise(flow(model).rates, constant=4)
 
 
 def _number(output: Output, values: Sequence[float | None], finest: Solution, *, past: bool) -> Number | str:

@@ -17,6 +17,7 @@ import numpy as np
 
 from hertzwerk.derive.faults import Fault, unknown
 from hertzwerk.runtime.model.caller import Rowwise
+from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.solution.history import acceleration_of
 
 if TYPE_CHECKING:
@@ -213,20 +214,19 @@ def _way(samples: Samples, journals: Sequence[Sequence[str]]) -> float:
 
 def _output_rates(history: History) -> np.ndarray:
     """Return the time derivatives (rows, outputs) of outputs that depend on time and coordinates alone."""
-    model = history.model
-
-    def made() -> Rowwise:
-        t, q, u, c = (ca.SX.sym(*of) for of in (("t",), ("q", model.nq), ("u", model.nu), ("c", model.nc)))
-        moves = ca.vertcat(1, model.function("coordinate_rates")(t, q, u, c))
-        rates = ca.jtimes(model.function("outputs")(t, q, u, c), ca.vertcat(t, q), moves)
-        return Rowwise(ca.Function("output_rates", [t, q, u, c], [ca.densify(rates)]), constant=3)
-
-    y = history.part("y")
-    rowwise: Rowwise = model.once("output rates", made)
-    (rates,) = rowwise(
+    model, y = history.model, history.part("y")
+    (rates,) = _rates_of_outputs(model)(
         history.controls[: model.nc], history.part("t"), y[:, : model.nq], y[:, model.nq : model.nq + model.nu]
     )
     return rates
+
+
+@per_model
+def _rates_of_outputs(model: Model) -> Rowwise:
+    t, q, u, c = (ca.SX.sym(*of) for of in (("t",), ("q", model.nq), ("u", model.nu), ("c", model.nc)))
+    moves = ca.vertcat(1, model.function("coordinate_rates")(t, q, u, c))
+    rates = ca.jtimes(model.function("outputs")(t, q, u, c), ca.vertcat(t, q), moves)
+    return Rowwise(ca.Function("output_rates", [t, q, u, c], [ca.densify(rates)]), constant=3)
 
 
 def _journals(model: Model) -> list[tuple[str, ...]]:

@@ -9,6 +9,7 @@ import casadi as ca
 import numpy as np
 
 from hertzwerk.runtime.model.binding import Value
+from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
@@ -54,30 +55,24 @@ def _flat(results: Sequence[Any]) -> list[np.ndarray]:
     return [np.array(result).ravel() for result in results]
 
 
+@per_model
 def _motion(model: Model) -> Any:
     """Build the CasADi function (t, q, u, c) -> poses of all bodies, and their rates."""
-
-    def made() -> Any:
-        sizes = {"t": 1, "q": model.nq, "u": model.nu, "c": model.nc}
-        t, q, u, c = symbols = [ca.SX.sym(name, size) for name, size in sizes.items()]
-        poses = ca.vertcat(*model.function("poses")(t, q, c))
-        moves = ca.vertcat(1, model.function("coordinate_rates")(t, q, u, c))
-        return ca.Function("motion", symbols, [poses, ca.jtimes(poses, ca.vertcat(t, q), moves)])
-
-    return model.once("motion", made)
+    sizes = {"t": 1, "q": model.nq, "u": model.nu, "c": model.nc}
+    t, q, u, c = symbols = [ca.SX.sym(name, size) for name, size in sizes.items()]
+    poses = ca.vertcat(*model.function("poses")(t, q, c))
+    moves = ca.vertcat(1, model.function("coordinate_rates")(t, q, u, c))
+    return ca.Function("motion", symbols, [poses, ca.jtimes(poses, ca.vertcat(t, q), moves)])
 
 
+@per_model
 def _motion_of_joints(model: Model) -> Any:
     """Build the function (t, q, u, c), q and u of joints -> poses, their rates, derivatives by q and u."""
-
-    def made() -> Any:
-        sizes = {"t": 1, "q": model.joints.nq, "u": model.joints.nu, "c": model.nc}
-        t, q, u, c = symbols = [ca.SX.sym(name, size) for name, size in sizes.items()]
-        placed = (q, u) if model.joints is model else model.function("placed")(t, q, u, c)
-        poses, rates = _motion(model)(t, *placed, c)
-        return ca.Function("motion_of_joints", symbols, [poses, rates, ca.jacobian(poses, q), ca.jacobian(rates, u)])
-
-    return model.once("motion of joints", made)
+    sizes = {"t": 1, "q": model.joints.nq, "u": model.joints.nu, "c": model.nc}
+    t, q, u, c = symbols = [ca.SX.sym(name, size) for name, size in sizes.items()]
+    placed = (q, u) if model.joints is model else model.function("placed")(t, q, u, c)
+    poses, rates = _motion(model)(t, *placed, c)
+    return ca.Function("motion_of_joints", symbols, [poses, rates, ca.jacobian(poses, q), ca.jacobian(rates, u)])
 
 
 def _least_squares(columns: Any, free: Sequence[int], wanted: np.ndarray) -> np.ndarray:

@@ -18,6 +18,7 @@ from scipy.optimize import brentq
 from hertzwerk.runtime.hard_cases.case import EXTRA, MARGIN
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.integrate.step.layout import CONTACT, PAIR_PARTS, RELEASED
+from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.solution.history import History
 
 if TYPE_CHECKING:
@@ -204,18 +205,13 @@ def _depth_that_stores(run: Solution, row: int, j: int, energy: float) -> float:
     return -float(there[f"{model.pairs[j]}.gap"][0])
 
 
+@per_model
 def _gap_gradients(model: Model) -> Any:
     """Return the CasADi function (t, q, u, c) -> dG/dq (k, nq)."""
-
-    def make() -> Any:
-        t, q, u, c = (
-            ca.SX.sym(name, size) for name, size in zip("tquc", (1, model.nq, model.nu, model.nc), strict=True)
-        )
-        return ca.Function(
-            "gap_gradients", [t, q, u, c], [ca.densify(ca.jacobian(model.function("gaps")(t, q, u, c)[0], q))]
-        )
-
-    return model.once("gap gradients", make)
+    t, q, u, c = (ca.SX.sym(name, size) for name, size in zip("tquc", (1, model.nq, model.nu, model.nc), strict=True))
+    return ca.Function(
+        "gap_gradients", [t, q, u, c], [ca.densify(ca.jacobian(model.function("gaps")(t, q, u, c)[0], q))]
+    )
 
 
 # -- what is known -----------------------------------------------------------------------------------------------------

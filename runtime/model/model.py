@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Hashable, Mapping
 from dataclasses import dataclass
 from types import ModuleType, SimpleNamespace
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -14,6 +14,7 @@ import numpy as np
 from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.model.binding import Port, Value, read_parameters
+from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
     from hertzwerk.derive.declare.scene import Scene
@@ -86,7 +87,8 @@ class Model:
         self.is_length = tuple(row[1] == "m" for row in getattr(module, "CONSTRAINTS", ()))
         """Of each constraint: whether it is a length [m], not an angle's sine [1]."""
         self.has_ledger = hasattr(module, "ledger")
-        self._made: dict[Hashable, Any] = {}
+        self.known: dict[Hashable, Any] = {}
+        """Results of functions that are `per_model`."""
 
     def __repr__(self) -> str:
         return f"Model({self.name}: {self.nq} coordinates, {self.k} contact pairs, {len(self.parameters)} parameters)"
@@ -117,10 +119,7 @@ class Model:
 
     def without_redundancy(self, dependent: tuple[Dependent, ...]) -> Model:
         """Return the model with these redundant constraints relaxed in every step; itself if none."""
-        if not dependent:
-            return self
-        made: Model = self.once(("dependent", dependent), lambda: Model(self.module, self.declaration, dependent))
-        return made
+        return _with_dependent(self, dependent) if dependent else self
 
     def function(self, name: str) -> Any:
         """Return the CasADi function of one of the module's builders, e.g. "gaps" or "contact_slider_pin".
@@ -130,19 +129,14 @@ class Model:
         if not isinstance(name, str) or not self.has(name):
             known = [*filter(self.has, _INPUTS), *(f"contact_{pair}" for pair in self.pairs)]
             raise InputError(self.name, [unknown("function", name, known)])
-        return self.once(name, lambda: self._build(name))
-
-    def once(self, key: Hashable, make: Callable[[], Any]) -> Any:
-        """Return the object built once per model under a key; `make` builds it on first use."""
-        if key not in self._made:
-            self._made[key] = make()
-        return self._made[key]
+        return self._build(name)
 
     def has(self, name: str) -> bool:
         """Return whether the module has a builder of this name."""
         listed = name in _INPUTS or name.removeprefix("contact_") in self.pairs
         return listed and callable(getattr(self.module, name, None))
 
+    @per_model
     def _build(self, name: str) -> Any:
         sizes = {
             "t": 1,
@@ -224,6 +218,11 @@ class Model:
                 )
         cause = "it follows from the parameters alone; look for values far from each other in size"
         return Fault(constant, f"{value!r} {unit}", "a finite constant", cause)
+
+
+@per_model
+def _with_dependent(model: Model, dependent: tuple[Dependent, ...]) -> Model:
+    return Model(model.module, model.declaration, dependent)
 
 
 _INPUTS = {

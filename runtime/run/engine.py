@@ -14,6 +14,7 @@ from hertzwerk.runtime.integrate.loop.chunk import Ending, chunk, march
 from hertzwerk.runtime.integrate.step.methods import METHODS, SUNDIALS
 from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.run.request import Compiled
 from hertzwerk.runtime.start.start_values import dependent, read_start
 
@@ -38,7 +39,7 @@ class Engine:
 
 def engine_for(model: Model, method: str, compiled: Compiled) -> Engine:
     """Return the engine of a model and method, compiled if requested."""
-    engine: Engine = model.once(("engine", method), lambda: _engine(model, method))
+    engine = _engine(model, method)
     if compiled is True and engine.code is not None:
         from hertzwerk.runtime.integrate.loop.compiled import NoCompilerError
 
@@ -50,8 +51,9 @@ def engine_for(model: Model, method: str, compiled: Compiled) -> Engine:
     return engine
 
 
+@per_model
 def _engine(model: Model, method: str) -> Engine:
-    made = model.once(("integrator", method), lambda: integrator(model, tuple(table() for table in METHODS[method])))
+    made = integrator(model, tuple(table() for table in METHODS[method]))
     rows = made.layouts.state
     counters = {name: rows[name].start for name in COUNTERS}
     if method in SUNDIALS:  # never in the graph

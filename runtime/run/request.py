@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import math
-from collections.abc import Mapping
+from collections.abc import Hashable, Mapping
 from dataclasses import dataclass
 from typing import Final, Literal, TypeAlias
 
@@ -15,6 +15,7 @@ from hertzwerk.runtime.accuracy.ladder import LEAST
 from hertzwerk.runtime.integrate.step.methods import METHODS
 from hertzwerk.runtime.model.binding import Value, read_time
 from hertzwerk.runtime.model.model import Bound, Dependent, Model
+from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.run.output_times import Output, times_of
 from hertzwerk.runtime.solution import scales as scaling
 from hertzwerk.runtime.solution.scales import Scales
@@ -116,8 +117,7 @@ def read(
     Raises InputError with every fault. Text that was read before is not read again.
     """
     faults = settings.faults()
-    known: dict[str, Given] = model.once("given", dict)
-    key = _key(settings.duration, parameters, initial)
+    known, key = _remembered(model), _key((settings.duration, parameters, initial))
     given = None if faults else known.get(key)
     seconds = read_duration(settings.duration, faults) if given is None else given.seconds
     times = times_of(settings.output, seconds, faults)
@@ -143,12 +143,21 @@ def read(
     return given, times
 
 
-def _key(*given: object) -> str:
-    """Return a key that distinguishes inputs, also 1 from True and "1"."""
-    try:
-        return repr(given)
-    except Exception:  # an integer of thousands of digits, which is a fault
-        return ""
+@per_model
+def _remembered(_: Model) -> dict[Hashable, Given]:
+    """Inputs that were read; those of a key that is unlike itself are never found again."""
+    return {}
+
+
+def _key(value: object) -> Hashable:
+    """Tell values apart, 1 from True, 1.0 and "1", 0.0 from -0.0; what can be no input is unlike anything."""
+    if isinstance(value, Mapping):
+        return tuple((name, _key(each)) for name, each in value.items())
+    if isinstance(value, tuple):
+        return tuple(map(_key, value))
+    if isinstance(value, float):
+        return type(value), value.hex()
+    return (type(value), value) if isinstance(value, str | int | None) else object()
 
 
 def read_duration(duration: str | float | None, faults: list[Fault]) -> float:

@@ -127,8 +127,8 @@ class Findings:
     ) -> Findings:
         """Restore the findings of a saved run."""
         findings = cls(model, "", later=True, duration=math.nan, period=period)
-        known = {"impacts": tuple(impacts), "energy_residual": energy_residual, "choices": tuple(chosen)}
-        findings.__dict__.update(known, _sums=sums)
+        findings.impacts, findings.choices = tuple(impacts), tuple(chosen)
+        findings.energy_residual, findings._sums = energy_residual, sums
         return findings
 
     def take(self, block: History, fresh: int) -> None:
@@ -176,7 +176,7 @@ class Findings:
             try:
                 getattr(self, name)
             except Exception as error:  # whatever it is
-                self.__dict__[name] = empty
+                setattr(self, name, empty)
                 yield f"{name.strip('_').replace('_', ' ')} could not be found: {type(error).__name__}: {error}"
 
     def sums(self, interval: float | None = None) -> Sums:

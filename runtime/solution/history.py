@@ -13,6 +13,7 @@ from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT
 from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.model.per_model import per_model
 
 _PAIR = {"mode": "1", "gap": "m", "gap_rate": "m/s", "penetration": "m", "normal_force": "N"}
 
@@ -48,30 +49,7 @@ class History:
     @cached_property
     def units(self) -> dict[str, str]:
         """SI unit text of "t" and of every name, in the order of `names`."""
-        if self.integrator is None:
-            return self._units()
-        units: dict[str, str] = self.model.once("units of histories", self._units)
-        return units
-
-    def _units(self) -> dict[str, str]:
-        model = self.model
-        units = {"t": "s", **model.units}
-        for name in model.speeds:
-            units[acceleration_of(name)] = f"{model.units[name]}^2"  # m/s^2, rad/s^2
-        units |= {row[0]: row[1] for row in (*model.module.OUTPUTS, *model.module.LATCHES, *model.slips)}
-        units |= {_friction_force(name): "N" for name, *_ in model.slips}
-        for pair in model.pairs:
-            units |= {f"{pair}.{part}": unit for part, unit in _PAIR.items()}
-            slides = f"{pair}.sliding_velocity"  # there is one only where something depends on it
-            if slides in self._found or (
-                self.integrator is not None and model.function(f"contact_{pair}").size1_out(3)
-            ):
-                units[slides] = "m/s"
-        if model.has_ledger:
-            units["energy"] = "J"
-        for name, unit in getattr(model.module, "CONSTRAINTS", ()):
-            units |= {name: unit, holding_force(name): "N" if unit == "m" else "N m"}
-        return units
+        return _units(self.model, tuple(self._found) if self.integrator is None else None)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -191,16 +169,12 @@ class History:
             "m": self.part("m"),
         }
         names = arguments.split()
-        rowwise: Rowwise = model.once(
-            ("rowwise", function), lambda: Rowwise(model.function(function), constant=len(names))
-        )
-        return rowwise(self.controls[: model.nc], *(known[name] for name in names))  # c comes first
+        return _rowwise(model, function, len(names))(
+            self.controls[: model.nc], *(known[name] for name in names)
+        )  # c comes first
 
     def _holding(self, *parts: np.ndarray) -> list[np.ndarray]:
-        rowwise: Rowwise = self.model.once(
-            ("rowwise", "holding"), lambda: Rowwise(flow(self.model).holding, constant=len(parts))
-        )
-        return rowwise(self.controls[: self.model.nc], *parts)
+        return _holding(self.model)(self.controls[: self.model.nc], *parts)
 
     def at(self, times: np.ndarray) -> History:
         """Return histories at other times [s] within the run; at an event, the state just after it."""
@@ -251,17 +225,45 @@ class History:
 
     def _dense_output(self, method: int) -> tuple[Rowwise, np.ndarray, np.ndarray]:
         """Return a method's step row by row, and the columns of state and trial that correspond."""
-        integrator = self._engine
-        key = ("dense output", integrator.tables[method].name)
-        made: tuple[Rowwise, np.ndarray, np.ndarray] = self.model.once(key, lambda: _dense_output(integrator, method))
-        return made
+        return _dense_output(self.model, self._engine, method)
 
     def of(self, rows: np.ndarray) -> History:
         """Return histories over other rows (n, ns) of the same run."""
         return History(self.model, rows, self.controls, self.integrator, steps=False)
 
 
-def _dense_output(integrator: Integrator, method: int) -> tuple[Rowwise, np.ndarray, np.ndarray]:
+@per_model
+def _units(model: Model, stored: tuple[str, ...] | None) -> dict[str, str]:
+    """SI unit text by name; `stored`: what a saved run has, None where there are functions."""
+    units = {"t": "s", **model.units}
+    for name in model.speeds:
+        units[acceleration_of(name)] = f"{model.units[name]}^2"  # m/s^2, rad/s^2
+    units |= {row[0]: row[1] for row in (*model.module.OUTPUTS, *model.module.LATCHES, *model.slips)}
+    units |= {_friction_force(name): "N" for name, *_ in model.slips}
+    for pair in model.pairs:
+        units |= {f"{pair}.{part}": unit for part, unit in _PAIR.items()}
+        slides = f"{pair}.sliding_velocity"  # there is one only where something depends on it
+        if model.function(f"contact_{pair}").size1_out(3) if stored is None else slides in stored:
+            units[slides] = "m/s"
+    if model.has_ledger:
+        units["energy"] = "J"
+    for name, unit in getattr(model.module, "CONSTRAINTS", ()):
+        units |= {name: unit, holding_force(name): "N" if unit == "m" else "N m"}
+    return units
+
+
+@per_model
+def _rowwise(model: Model, function: str, constant: int) -> Rowwise:
+    return Rowwise(model.function(function), constant=constant)
+
+
+@per_model
+def _holding(model: Model) -> Rowwise:
+    return Rowwise(flow(model).holding, constant=4)
+
+
+@per_model
+def _dense_output(_: Model, integrator: Integrator, method: int) -> tuple[Rowwise, np.ndarray, np.ndarray]:
     state, trial = integrator.layouts.state, integrator.layouts.trial
     shared = [name for name in trial.sizes if name in state.sizes]
     to, of = (np.concatenate([np.r_[layout[name]] for name in shared]) for layout in (state, trial))

@@ -10,8 +10,10 @@ from hertzwerk.runtime.integrate.loop import choose
 from hertzwerk.runtime.integrate.step.methods import METHODS, SUNDIALS
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
 from hertzwerk.runtime.model.caller import Rowwise
+from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
+    from hertzwerk.runtime.model.model import Model
     from hertzwerk.runtime.solution.history import History
 
 LAST = 200  # rows that are looked at
@@ -25,8 +27,7 @@ def of_steps(method: str, history: History) -> str:
     if others or method in SUNDIALS or not len(history.rows):
         return ""
     rows = history.rows[-LAST:]
-    rates = history.model.once("rates of stiffness", lambda: Rowwise(choose.fastest(history.model), constant=1))
-    (found,) = rates(history.controls, rows)
+    (found,) = _fastest(history.model)(history.controls, rows)
     stiff = bool(np.mean(found[:, 0] > choose.STIFF / 2) > MOST)
     explicit = isinstance(table, RungeKutta)
     if explicit and stiff:
@@ -36,6 +37,11 @@ def of_steps(method: str, history: History) -> str:
     if not explicit and not stiff:
         return f"nothing is stiff there, and steps of {method} are shorter than those of dop853: {AUTO}"
     return ""
+
+
+@per_model
+def _fastest(model: Model) -> Rowwise:
+    return Rowwise(choose.fastest(model), constant=1)
 
 
 def of_accuracy(method: str) -> str:

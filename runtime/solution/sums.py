@@ -10,6 +10,7 @@ import numpy as np
 
 from hertzwerk.runtime.integrate.step.layout import CONTACT
 from hertzwerk.runtime.model.caller import Rowwise
+from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -178,14 +179,14 @@ def _peak(*given: np.ndarray) -> np.ndarray:
 def _inner_forces(start: History, end: History, h: np.ndarray, j: int) -> np.ndarray:
     """Return a pair's normal forces at NODES of steps h (n, 1) [s] and beside their ends, shape (n, 4)."""
     model = start.model
-    inner: Rowwise = model.once(("forces within a step", j), lambda: Rowwise(_inner(model, j), constant=0))
     parts = [side.part(part) for side in (start, end) for part in ("t", "y", "dy")]
-    forces: np.ndarray = inner(start.controls[: model.nc], *parts[:3], *parts[4:], start.part("m"), h)[0]
+    forces: np.ndarray = _inner(model, j)(start.controls[: model.nc], *parts[:3], *parts[4:], start.part("m"), h)[0]
     return forces
 
 
-def _inner(model: Model, j: int) -> Any:
-    """Build the function (c, t, y, dy, y1, dy1, m, h) -> normal forces at NODES and beside the ends.
+@per_model
+def _inner(model: Model, j: int) -> Rowwise:
+    """Build the rowwise function (c, t, y, dy, y1, dy1, m, h) -> normal forces at NODES and beside the ends.
 
     Coordinates are interpolated by quintics, other states by cubics.
     """
@@ -204,7 +205,7 @@ def _inner(model: Model, j: int) -> Any:
         others = _blend(_CUBIC, x, h, (y0[nq:], d0[nq:]), (y1[nq:], d1[nq:]))
         contact = model.function(f"contact_{model.pairs[j]}")
         forces.append(contact(t + x * h, q, others[:nu], others[nu:], m, c)[2])
-    return ca.Function("inner", [c, t, y0, d0, y1, d1, m, h], [ca.cse(ca.vertcat(*forces))])
+    return Rowwise(ca.Function("inner", [c, t, y0, d0, y1, d1, m, h], [ca.cse(ca.vertcat(*forces))]), constant=0)
 
 
 def _second(model: Model, t: Any, y: Any, dy: Any, c: Any) -> Any:

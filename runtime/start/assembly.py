@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.derive.faults import Fault
+from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.start.intrusion import too_deep
 
 if TYPE_CHECKING:
@@ -90,17 +91,14 @@ def journals(model: Model) -> list[int]:
     return [i for i, name in enumerate(model.outputs) if ".eccentricity_" in name]
 
 
+@per_model
 def eccentricities(model: Model) -> Any:
     """Return the CasADi function (t, q, u, c) -> eccentricities of all journals, and their rates."""
-
-    def made() -> Any:
-        sizes = {"t": 1, "q": model.nq, "u": model.nu, "c": model.nc}
-        t, q, *_ = at = [ca.SX.sym(name, size) for name, size in sizes.items()]
-        e = model.function("outputs")(*at)[journals(model)]
-        rates = ca.vertcat(1, model.function("coordinate_rates")(*at))
-        return ca.Function("eccentricities", at, [e, ca.jtimes(e, ca.vertcat(t, q), rates)])
-
-    return model.once("eccentricities", made)
+    sizes = {"t": 1, "q": model.nq, "u": model.nu, "c": model.nc}
+    t, q, *_ = at = [ca.SX.sym(name, size) for name, size in sizes.items()]
+    e = model.function("outputs")(*at)[journals(model)]
+    rates = ca.vertcat(1, model.function("coordinate_rates")(*at))
+    return ca.Function("eccentricities", at, [e, ca.jtimes(e, ca.vertcat(t, q), rates)])
 
 
 def placed(model: Model, bound: Bound, q: Array, u: Array) -> tuple[Array, Array]:
@@ -261,11 +259,11 @@ class _Loops:
     def at(self, q: Array, u: Array) -> tuple[Array, Array, Array, Array]:
         """Return constraints (nl,), rates (nl,), and their derivatives (nl, nq) by q, (nl, nu) by u."""
         model, count = self.model, len(self.rows)
-        owner, key = (model, "loops at the start") if self.whole is None else (self.whole, "journals at the start")
+        function = _loops_of(model) if self.whole is None else _journals_of(self.whole, model)
         phi, *rest = (
             np.array(x).reshape(shape)
             for x, shape in zip(
-                owner.once(key, self._function)(self.t, q, u, self.bound.c),
+                function(self.t, q, u, self.bound.c),
                 ((count,), (count,), (count, model.nq), (count, model.nu)),
                 strict=True,
             )
@@ -273,16 +271,6 @@ class _Loops:
         if self.seats is not None:
             phi[count - len(self.seats) :] -= self.seats
         return phi, *rest  # type: ignore[return-value]
-
-    def _function(self) -> Any:
-        model = self.model
-        t, q, u, c = ca.SX.sym("t"), ca.SX.sym("q", model.nq), ca.SX.sym("u", model.nu), ca.SX.sym("c", model.nc)
-        sides = [model.function("constraints")(t, q, u, c)] if model.nl else []
-        if self.whole is not None and journals(self.whole):
-            joints = (q, u) if self.whole.joints is self.whole else self.whole.function("placed")(t, q, u, c)
-            sides.append(eccentricities(self.whole)(t, *joints, c))
-        phi, rate = (ca.vertcat(*(side[k] for side in sides)) for k in (0, 1))
-        return ca.Function("loops", [t, q, u, c], [phi, rate, ca.jacobian(phi, q), ca.jacobian(rate, u)])
 
     def open_ones(self, residual: Array, size: Array) -> list[str]:
         """Describe what is open, by joint: the worst of each."""
@@ -292,6 +280,27 @@ class _Loops:
             if not value <= least and value >= worst.get(joint, (0.0, ""))[0]:
                 worst[joint] = (value, f"{joint} open by {value:.3g}{'' if unit == '1' else f' {unit}'}")
         return [text for _, text in worst.values()]
+
+
+@per_model
+def _loops_of(model: Model) -> Any:
+    return _residuals(model, None)
+
+
+@per_model
+def _journals_of(whole: Model, model: Model) -> Any:
+    return _residuals(model, whole)
+
+
+def _residuals(model: Model, whole: Model | None) -> Any:
+    """CasADi function of `_Loops.at`: (t, q, u, c) -> constraints, their rates, derivatives by coordinates and of the rates by speeds."""
+    t, q, u, c = ca.SX.sym("t"), ca.SX.sym("q", model.nq), ca.SX.sym("u", model.nu), ca.SX.sym("c", model.nc)
+    sides = [model.function("constraints")(t, q, u, c)] if model.nl else []
+    if whole is not None and journals(whole):
+        joints = (q, u) if whole.joints is whole else whole.function("placed")(t, q, u, c)
+        sides.append(eccentricities(whole)(t, *joints, c))
+    phi, rate = (ca.vertcat(*(side[k] for side in sides)) for k in (0, 1))
+    return ca.Function("loops", [t, q, u, c], [phi, rate, ca.jacobian(phi, q), ca.jacobian(rate, u)])
 
 
 def _position(loops: _Loops, q: Array, given: Collection[str]) -> tuple[Array, tuple[Fault, ...]]:

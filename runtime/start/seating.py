@@ -18,6 +18,7 @@ import casadi as ca
 import numpy as np
 
 from hertzwerk.derive.faults import Fault
+from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.start.assembly import RANK, Array, assembled_at, eccentricities, journals, placed
 
 if TYPE_CHECKING:
@@ -132,29 +133,23 @@ def _elastic_force(model: Model, bound: Bound, q: Array, u: Array, pair: str) ->
     return float(model.function(f"contact_{pair}")(0.0, *placed(model, bound, q, u), z, m, bound.c)[2])
 
 
+@per_model
 def _moves(model: Model) -> Any:
     """Return the CasADi function (t, q, u, c) -> Jacobian of the eccentricities' rates, applied forces."""
-
-    def made() -> Any:
-        sizes = {"t": 1, "q": model.nq, "u": model.nu, "c": model.nc}
-        _, _, u, _ = at = [ca.SX.sym(name, size) for name, size in sizes.items()]
-        return ca.Function("moves", at, [ca.jacobian(eccentricities(model)(*at)[1], u), model.function("applied")(*at)])
-
-    return model.once("moves of journals", made)
+    sizes = {"t": 1, "q": model.nq, "u": model.nu, "c": model.nc}
+    _, _, u, _ = at = [ca.SX.sym(name, size) for name, size in sizes.items()]
+    return ca.Function("moves", at, [ca.jacobian(eccentricities(model)(*at)[1], u), model.function("applied")(*at)])
 
 
+@per_model
 def _second_rates(model: Model) -> Any:
     """Return the CasADi function (t, q, u, a, c) -> second derivatives of the eccentricities."""
-
-    def made() -> Any:
-        sizes = {"t": 1, "q": model.nq, "u": model.nu, "c": model.nc}
-        t, q, u, c = at = [ca.SX.sym(name, size) for name, size in sizes.items()]
-        a = ca.SX.sym("a", model.nu)
-        way = ca.vertcat(1, model.function("coordinate_rates")(*at), a)
-        second = ca.jtimes(eccentricities(model)(*at)[1], ca.vertcat(t, q, u), way)
-        return ca.Function("second_rates", [t, q, u, a, c], [second])
-
-    return model.once("second rates of journals", made)
+    sizes = {"t": 1, "q": model.nq, "u": model.nu, "c": model.nc}
+    t, q, u, c = at = [ca.SX.sym(name, size) for name, size in sizes.items()]
+    a = ca.SX.sym("a", model.nu)
+    way = ca.vertcat(1, model.function("coordinate_rates")(*at), a)
+    second = ca.jtimes(eccentricities(model)(*at)[1], ca.vertcat(t, q, u), way)
+    return ca.Function("second_rates", [t, q, u, a, c], [second])
 
 
 def _no_seat(found: str) -> Fault:

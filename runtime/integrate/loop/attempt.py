@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Integrator:
     """CasADi functions of one model and method: initial state, attempt, dense output.
 

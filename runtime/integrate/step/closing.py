@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.integrate.step.rounding import STATE, bounds
+from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
@@ -56,10 +57,10 @@ def closing(model: Model) -> Closing | None:
     if not model.nl:
         return None
     speeds = slice(model.nq, model.nq + model.nu)
-    along = model.once("along", lambda: _along(model))
-    return Closing(model.once("closed", lambda: _closed(model)), along, model.is_length, speeds)
+    return Closing(_closed(model), _along(model), model.is_length, speeds)
 
 
+@per_model
 def _closed(model: Model) -> Any:
     """Build the function (t, y, c) -> (projected y, residuals, their rounding bounds, their rates (nl))."""
     t, y, c = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz), ca.SX.sym("c", model.nc)
@@ -76,6 +77,7 @@ def _closed(model: Model) -> Any:
     return ca.Function("closed", [t, y, c], ca.cse([ca.vertcat(q, u, z), phi, rounding, rate]))
 
 
+@per_model
 def _along(model: Model) -> Any:
     """Build the function (t, y, error (ny), c) -> error projected onto the constraints' tangent space."""
     ny = model.nq + model.nu + model.nz

@@ -15,6 +15,7 @@ from hertzwerk.runtime.integrate.step.friction import grips, may_slip, pairs_of
 from hertzwerk.runtime.integrate.step.layout import GRIP_PARTS, PAIR_PARTS
 from hertzwerk.runtime.integrate.step.rounding import EPS
 from hertzwerk.runtime.integrate.step.singular import time_to_singular
+from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
@@ -63,11 +64,10 @@ class Flow:
 
 def flow(model: Model, contacts: Contacts = BY_MODE) -> Flow:
     """Return the right-hand side of a model with the forces of these contacts."""
-    contacts = contacts if model.k else ()  # without pairs all classes are one
-    made: Flow = model.once(("flow", contacts), lambda: _flow(model, contacts))
-    return made
+    return _flow(model, contacts if model.k else ())  # without pairs all classes are one
 
 
+@per_model
 def _flow(model: Model, contacts: Contacts) -> Flow:
     t, q, u, z = ca.SX.sym("t"), ca.SX.sym("q", model.nq), ca.SX.sym("u", model.nu), ca.SX.sym("z", model.nz)
     mode, m, c = ca.SX.sym("mode", model.k), ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc)

@@ -18,6 +18,7 @@ import casadi as ca
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, Contacts, where
 from hertzwerk.runtime.integrate.step.layout import CONTACT
 from hertzwerk.runtime.integrate.step.linear import eliminated
+from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
@@ -79,15 +80,12 @@ def grips(model: Model, contacts: Contacts, t: Any, y: Any, mode: Any, m: Any, c
     return Grips(places, *(ca.horzcat(*part) for part in joined[:2]), *(ca.vertcat(*part) for part in joined[2:]))
 
 
+@per_model
 def of_pair(model: Model, j: int) -> Any:
     """Return the function (t, y, m, c) -> fields of `Grips` of one pair.
 
     In order: along, power, sliding, holding, velocity, drift.
     """
-    return model.once(("grip", j), lambda: _of_pair(model, j))
-
-
-def _of_pair(model: Model, j: int) -> Any:
     t, y = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz)
     m, c = ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc)
     q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
@@ -98,16 +96,13 @@ def _of_pair(model: Model, j: int) -> Any:
     return ca.Function("grip", [t, y, m, c], ca.cse(results))
 
 
+@per_model
 def forces(model: Model, n: int) -> Any:
     """Return the CasADi function of the friction forces lambda (n) [N] along the tangents.
 
     Arguments: t, q, u, f, along, drift, slipping (n), sticks (n), c. f: all other generalised forces; slipping: the
     forces of the slipping pairs along the tangents.
     """
-    return model.once(("friction", n), lambda: _forces(model, n))
-
-
-def _forces(model: Model, n: int) -> Any:
     t, q, u = ca.SX.sym("t"), ca.SX.sym("q", model.nq), ca.SX.sym("u", model.nu)
     nf = model.function("applied").size1_out(0)
     f, along, drift = ca.SX.sym("f", nf), ca.SX.sym("along", nf, n), ca.SX.sym("drift", n)

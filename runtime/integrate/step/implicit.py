@@ -22,6 +22,7 @@ from hertzwerk.runtime.integrate.step.layout import CONTACT
 from hertzwerk.runtime.integrate.step.linear import Elimination, composed_solver, solver
 from hertzwerk.runtime.integrate.step.rounding import EPS
 from hertzwerk.runtime.integrate.tableaux.implicit_tableaux import ITERATIONS, DiagonallyImplicit, Rosenbrock
+from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
@@ -39,10 +40,10 @@ Parts = Mapping[str, Any]
 LARGE = 2000  # instructions of the right-hand side beyond which a step calls it: written out for every stage it takes long to build and to compile
 
 
+@per_model
 def composed(model: Model) -> bool:
     """Return whether steps call functions instead of inlining them; pays off for large models."""
-    made: bool = model.once("composed", lambda: flow(model, ()).rates.n_instructions() > LARGE)
-    return made
+    return bool(flow(model, ()).rates.n_instructions() > LARGE)
 
 
 def linearised(model: Model, contacts: Contacts = BY_MODE) -> Any:
@@ -53,30 +54,29 @@ def linearised(model: Model, contacts: Contacts = BY_MODE) -> Any:
     contact's force is nan; the force and its true derivative vanish there.
     """
     whole = may_slip(model, contacts) or not composed(model)
-    return model.once(
-        ("linearised", contacts), lambda: (_linearised if whole else _linearised_by_calls)(model, contacts)
-    )
+    return (_linearised if whole else _linearised_by_calls)(model, contacts)
 
 
+@per_model
 def _linearised_by_calls(model: Model, contacts: Contacts) -> Any:
     """Build the function `linearised` (MX) from functions shared by all classes of attempts."""
     t, y = ca.MX.sym("t"), ca.MX.sym("y", model.nq + model.nu + model.nz)
     mode, m, c = ca.MX.sym("mode", model.k), ca.MX.sym("m", model.nm), ca.MX.sym("c", model.nc)
-    f, df = model.once("of applied", lambda: _of_applied(model))(t, y, c)
+    f, df = _of_applied(model)(t, y, c)
     dz = ca.DM(model.nz, y.numel() + 1)
     for j, pair in enumerate(model.pairs):
         if contacts is BY_MODE or j in contacts:
             active = mode[j] == CONTACT if contacts is BY_MODE else 1
-            of_pair = model.once(("of contact", pair), partial(_of_contact, model, pair))
-            f_j, df_j, dz_j = of_pair(t, y, m, c, active)
+            f_j, df_j, dz_j = _of_contact(model, pair)(t, y, m, c, active)
             f, df, dz = f + f_j, df + df_j, dz + dz_j
-    direct, mobility = model.once("of motion", lambda: _of_motion(model))(t, y, f, c)
+    direct, mobility = _of_motion(model)(t, y, f, c)
     J = direct + ca.mtimes(mobility, df) + ca.vertcat(ca.DM(model.nq + model.nu, y.numel() + 1), dz)
     n = y.numel()
     names = ["t", "y", "mode", "m", "c"]
     return ca.Function("linearised", [t, y, mode, m, c], [J[:, :n], ca.densify(J[:, n])], names, ["J", "dt"])
 
 
+@per_model
 def _of_applied(model: Model) -> Any:
     """Build the CasADi function (t, y, c) -> applied forces and their derivatives by (y, t)."""
     t, y, c = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz), ca.SX.sym("c", model.nc)
@@ -85,6 +85,7 @@ def _of_applied(model: Model) -> Any:
     return ca.Function("of_applied", [t, y, c], ca.cse([f, ca.jacobian(f, ca.vertcat(y, t))]))
 
 
+@per_model
 def _of_contact(model: Model, pair: str) -> Any:
     """Build the function (t, y, m, c, active) -> force of a pair and derivatives by (y, t).
 
@@ -99,6 +100,7 @@ def _of_contact(model: Model, pair: str) -> Any:
     return ca.Function("of_contact", [t, y, m, c, active], ca.cse(found))
 
 
+@per_model
 def _of_motion(model: Model) -> Any:
     """Build the function (t, y, f, c) -> derivatives of the right-hand side by (y, t) and by forces f."""
     t, y = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz)
@@ -134,6 +136,7 @@ def _through_balance(
     return ca.mtimes(ca.horzcat(-mobility, held.T), of_left), mobility
 
 
+@per_model
 def _linearised(model: Model, contacts: Contacts) -> Any:
     t, y = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz)
     q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
@@ -182,9 +185,10 @@ def sliding(model: Model, contacts: Contacts = BY_MODE) -> Any:
 
     0 for pairs not in contact; pairs whose sliding ends with an event (set-valued friction) are left out.
     """
-    return model.once(("sliding", contacts), lambda: _sliding(model, contacts))
+    return _sliding(model, contacts)
 
 
+@per_model
 def _sliding(model: Model, contacts: Contacts) -> Any:
     t, y, dy = ca.SX.sym("t"), *(ca.SX.sym(name, model.nq + model.nu + model.nz) for name in ("y", "dy"))
     q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])

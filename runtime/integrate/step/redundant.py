@@ -16,6 +16,8 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
+from hertzwerk.runtime.model.per_model import per_model
+
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
 
@@ -26,7 +28,7 @@ def reduced(model: Model) -> Callable[[Mapping[str, Any], Mapping[str, Any]], Ma
     """Return (start, run) -> run with the constraints relaxed that are redundant at the step's start."""
     if not model.dependent:
         return lambda start, run: run
-    function = model.once("softness", lambda: _softness(model))
+    function = _softness(model)
     speeds = slice(model.nq, model.nq + model.nu)
 
     def without(start: Mapping[str, Any], run: Mapping[str, Any]) -> Mapping[str, Any]:
@@ -37,6 +39,7 @@ def reduced(model: Model) -> Callable[[Mapping[str, Any], Mapping[str, Any]], Ma
     return without
 
 
+@per_model
 def _softness(model: Model) -> Any:
     """Build the function (t, q, c, scales of speeds (nu), length) -> softness of each constraint (nl)."""
     t, q, c = ca.SX.sym("t"), ca.SX.sym("q", model.nq), ca.SX.sym("c", model.nc)

@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
+from hertzwerk.runtime.model.per_model import per_model
+
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
 
@@ -23,9 +25,10 @@ STATE = (
 )  # inputs of `gaps` that are rounded themselves, being integrated: q, u; time and constants are what they are
 
 
+@per_model
 def of_gaps(model: Model) -> Any:
     """Return the function (t, q, u, c) -> rounding bounds of gap (k) [m] and gap_rate (k) [m/s]."""
-    return model.once("rounding", lambda: bounds(model.function("gaps"), STATE))
+    return bounds(model.function("gaps"), STATE)
 
 
 def bounds(function: Any, rounded: tuple[int, ...]) -> Any:

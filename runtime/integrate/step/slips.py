@@ -18,6 +18,7 @@ import casadi as ca
 
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, pushing, where
 from hertzwerk.runtime.integrate.step.friction import BREAKS, STICK, grips, mobility, slips_in, solve_sticking
+from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
@@ -27,6 +28,7 @@ ONE_BY_ONE = 3  # rounds for each pair in which one does
 ROUNDING = 1e-10  # of the terms of an acceleration, below which it has no sign
 
 
+@per_model
 def directed(model: Model) -> Any:
     """Return the CasADi function of the state (m, y) after stick and slip are resolved.
 
@@ -35,10 +37,6 @@ def directed(model: Model) -> Any:
     direction. Of the others the complementarity problem decides; those that stuck may exceed the holding force by a
     part of the tolerance. Sticking pairs are brought to rest by impulses, whose work is booked as friction's.
     """
-    return model.once("directed", lambda: _directed(model))
-
-
-def _directed(model: Model) -> Any:
     n = model.ns
     sizes = (1, model.nq + model.nu + model.nz, model.k, model.nm, model.nc, n, n, n)
     given = [

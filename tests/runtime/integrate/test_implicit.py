@@ -38,6 +38,7 @@ from hertzwerk.runtime.integrate.step.methods import METHODS
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import ErrorEstimate
 from hertzwerk.runtime.integrate.tableaux.implicit_tableaux import DiagonallyImplicit, Rosenbrock, esdirk54, rodas5p
 from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.run.engine import engine_for
 from hertzwerk.runtime.solution.scales import of_parameters
 from reference import closed_forms
 
@@ -198,7 +199,7 @@ def controls_of(model, made, bound, tolerance):
 
 def by_steps(model, method, start, time, count, **parameters):
     """State, in scales, after so many equal steps within one contact."""
-    made = model.once(("test", method), lambda: integrator(model, tuple(table() for table in METHODS[method])))
+    made = engine_for(model, method, compiled=False).integrator
     controls, scales = controls_of(model, made, model.bind(parameters), 1e-11)
     layouts = made.layouts
     state = np.array(made.begin(0.0, *start, controls)).ravel()

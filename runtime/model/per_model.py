@@ -1,0 +1,32 @@
+"""What is computed once per model, such as its CasADi functions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import wraps
+from typing import TYPE_CHECKING, TypeVar, TypeVarTuple
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model.model import Model
+
+AnyModel = TypeVar("AnyModel", bound="Model")
+Others = TypeVarTuple("Others")
+Result = TypeVar("Result")
+
+
+def per_model(function: Callable[[AnyModel, *Others], Result]) -> Callable[[AnyModel, *Others], Result]:
+    """Keep a function's results in the model they are of, by the function itself and its other arguments.
+
+    They are freed with the model: a weak table beside it would hold it, because results refer to it. There is no lock, which a forked process
+    could inherit while another thread holds it: two threads may compute the same, and one result stays.
+    """
+
+    @wraps(function)
+    def once(model: AnyModel, *others: *Others) -> Result:
+        known, key = model.known, (function, others)
+        if key not in known:
+            known[key] = function(model, *others)
+        result: Result = known[key]
+        return result
+
+    return once
