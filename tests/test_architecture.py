@@ -45,11 +45,11 @@ ROOMS = {
     "runtime": {
         ".": "derive/faults effects loading model simulation solution sweep",
         "accuracy": "",
-        "cli": "accuracy derive/audit derive/faults derive/sheets effects hard_cases host loading model pictures "
-        "pictures/draw pictures/studies run simulation solution start validate work_precision",
+        "cli": "accuracy derive/audit derive/faults derive/sheets effects hard_cases host integrate/tableaux loading "
+        "model pictures pictures/draw pictures/studies run simulation solution start validate work_precision",
         "command_line": "cli",
         "effects": "accuracy derive/declare derive/faults integrate/step loading model run simulation solution start",
-        "hard_cases": "host integrate/loop integrate/step loading model run simulation solution",
+        "hard_cases": "host integrate/loop integrate/step integrate/tableaux loading model run simulation solution",
         "host": "derive/faults",
         "integrate": "host integrate/events integrate/loop integrate/step model",
         "integrate/events": "integrate/step integrate/tableaux model",
@@ -62,14 +62,15 @@ ROOMS = {
         "package": "derive/declare derive/faults loading simulation",
         "pictures": "host solution start",
         "pictures/draw": "derive/faults host model pictures run solution start",
-        "pictures/studies": "accuracy derive/sheets effects pictures validate work_precision",
-        "run": "accuracy derive/faults integrate integrate/loop integrate/step model solution start",
+        "pictures/studies": "accuracy derive/sheets effects integrate/tableaux pictures validate work_precision",
+        "run": "accuracy derive/faults integrate integrate/loop integrate/step integrate/tableaux model solution start",
         "simulation": "accuracy derive/faults integrate/step loading model pictures pictures/draw run solution start",
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults integrate/step integrate/tableaux model",
         "sweep": "derive/faults host model run simulation solution start",
-        "validate": "derive/faults derive/files derive/sheets derive/units loading model run simulation solution",
-        "work_precision": "accuracy derive/faults host integrate/loop integrate/step model run simulation solution",
+        "validate": "derive/faults derive/files derive/sheets derive/units integrate/tableaux loading model run "
+        "simulation solution",
+        "work_precision": "accuracy derive/faults host integrate/loop integrate/tableaux model run simulation solution",
     },
 }
 

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime.cli.target import DURATION, JSON, LAW, SET, WITHOUT, assignments, cannot_be_written, loaded
 from hertzwerk.runtime.cli.terminal import OTHER_OUTCOME, Progress, kept, lacking, line, reports_bad_input, table
 
@@ -72,7 +71,7 @@ def _problem(
     duration: str | None,
 ) -> Problem:
     """Return the problem of a command line; raises InputError with the faults of all its parts."""
-    from hertzwerk.runtime.run.request import Settings, read
+    from hertzwerk.runtime.run.request import Settings, check
     from hertzwerk.runtime.start.start_values import sorted_out
     from hertzwerk.runtime.validate import scenarios
     from hertzwerk.runtime.work_precision.reference import Problem
@@ -82,12 +81,7 @@ def _problem(
     model = loaded(target, without, laws, faults)
     numbers = scenarios.read(target) if target in scenarios.names() else {}
     problem = Problem(model, duration or numbers.get("duration"), *sorted_out(model, values))
-    try:
-        read(model, Settings(problem.duration, None, 1e-3, "dop853", False), problem.parameters, problem.initial)
-    except InputError as error:
-        raise InputError(error.subject, [*faults, *error.faults]) from error
-    if faults:
-        raise InputError(model.name, faults)
+    check(model, Settings(problem.duration, None, None), problem.parameters, problem.initial, faults)
     return problem
 
 

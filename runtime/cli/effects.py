@@ -9,7 +9,17 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.runtime.cli.target import DURATION, JSON, LAW, SET, WITHOUT, assignments, cannot_be_written, number
+from hertzwerk.runtime.cli.target import (
+    BY_METHOD,
+    DURATION,
+    JSON,
+    LAW,
+    SET,
+    WITHOUT,
+    assignments,
+    cannot_be_written,
+    number,
+)
 from hertzwerk.runtime.cli.terminal import OTHER_OUTCOME, Progress, kept, lacking, line, reports_bad_input, say, table
 from hertzwerk.runtime.effects.study import percent
 
@@ -41,7 +51,7 @@ DEFAULT = 1e-9  # tolerance where the scenario's is finer: an error of so much h
     metavar="NUMBER",
     help="Local tolerance of the coarsest runs; down to a 30th of it shows the error (default: the scenario's).",
 )
-@click.option("--method", metavar="NAME", help="As of `run` (default: the scenario's).")
+@BY_METHOD
 @click.option("--compiled", is_flag=True, help="Time compiled runs (default: in CasADi's virtual machine).")
 @click.option(
     "--out", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-effects-NNN)."

@@ -13,6 +13,7 @@ from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.cli.going_on import going_on, limits_of, output_of
 from hertzwerk.runtime.cli.stopping import Stopping
 from hertzwerk.runtime.cli.target import (
+    BY_METHOD,
     DURATION,
     JSON,
     LAW,
@@ -52,9 +53,7 @@ STOPPED = (
     metavar="NUMBER",
     help="Error asked for at the end, in the scene's scales, 1e-12..1e-1 (default: the scenario's).",
 )
-@click.option(
-    "--method", metavar="NAME", help="auto, dop853, dopri5, esdirk, rodas, cvodes or idas (default: the scenario's)."
-)
+@BY_METHOD
 @click.option(
     "--grid",
     metavar="POINTS|TIME",
@@ -187,7 +186,7 @@ def _simulate(
     wall_time: str | None,
 ) -> Solution:
     """Return the solution of a command line; raises InputError with the faults of all its parts."""
-    from hertzwerk.runtime.run.request import METHOD, Settings, read
+    from hertzwerk.runtime.run.request import METHOD, Settings, check
     from hertzwerk.runtime.simulation import simulate
     from hertzwerk.runtime.start.start_values import sorted_out
     from hertzwerk.runtime.validate import scenarios
@@ -202,12 +201,7 @@ def _simulate(
     settled = Settings(duration or numbers.get("duration"), accurate, None, by, "auto", output, **limits)
     model = loaded(target, without, laws, faults, coordinates=coordinates, beside=settled.faults)
     parameters, initial = sorted_out(model, values)
-    try:
-        read(model, settled, parameters, initial)
-    except InputError as error:
-        raise InputError(error.subject, [*faults, *error.faults]) from error
-    if faults:
-        raise InputError(model.name, faults)
+    check(model, settled, parameters, initial, faults)
     return simulate(
         model,
         duration=settled.duration,

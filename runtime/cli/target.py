@@ -31,6 +31,21 @@ LAW = click.option(
     help="Another law for a contact or friction (derives the variation).",
 )
 DURATION = click.option("--duration", metavar="TIME", help='Such as "24 ms" (default: the scenario\'s).')
+
+
+class _Methods(click.Option):
+    """An option whose help lists the methods, imported when help is shown: their tables need NumPy."""
+
+    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
+        """Option and help."""
+        from hertzwerk.runtime.integrate.tableaux.methods import METHODS
+
+        *others, last = METHODS
+        self.help = f"{', '.join(others)} or {last} (default: the scenario's)."
+        return super().get_help_record(ctx)
+
+
+BY_METHOD = click.option("--method", metavar="NAME", cls=_Methods)
 JSON = click.option(
     "--json", "as_json", is_flag=True, help="Print one JSON object, and write a folder only if --out is given."
 )

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.runtime.effects.cost import cost_of, shares
 from hertzwerk.runtime.effects.measuring import EIGHTHS, LADDER, Bench, Case, Measurement
-from hertzwerk.runtime.effects.outputs import PAST_HORIZON, Output, automatic, chosen
+from hertzwerk.runtime.effects.outputs import PAST_HORIZON, Output, automatic, chosen, unknown_histories
 from hertzwerk.runtime.effects.smallest import smallest
 from hertzwerk.runtime.effects.starts import as_driven
 from hertzwerk.runtime.effects.study import GONE, NEW, NONE_SEEN, Change, Row, Study
@@ -120,13 +120,11 @@ def _outputs(whole: Model, bench: Bench, names: Sequence[str]) -> tuple[tuple[Ou
     """
     known = (*whole.parameters, *whole.joints.coordinates, *whole.joints.speeds)
     faults = [unknown("parameter or state", name, known) for name in bench.unknown_of(whole)]
-    try:
-        run = bench.simulate(Case(whole), compiled=False, **({"max_steps": 1} if faults else {}))
-    except InputError as error:
-        raise InputError(error.subject, [*faults, *error.faults]) from error
+    bench.check(Case(whole), [*faults, *unknown_histories(whole, names)])
+    run = bench.simulate(Case(whole), compiled=False)
     outputs, wrong = chosen(run, names) if names else (automatic(run), [])
-    if faults or wrong:
-        raise InputError(whole.name, [*faults, *wrong])
+    if wrong:
+        raise InputError(whole.name, wrong)
     return outputs, run
 
 

@@ -24,7 +24,7 @@ from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.per_model import per_model
-from hertzwerk.runtime.run.request import TOLERANCES
+from hertzwerk.runtime.run.request import TOLERANCES, Settings, check
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.solution import scales
 from hertzwerk.runtime.solution.outcome import Outcome
@@ -100,6 +100,11 @@ class Bench:
     def tolerance_of(self, eighths: int) -> float:
         """Return the tolerance of a run, so many eighths of the way to the finest one."""
         return max(self.tolerance * math.pow(FINER, -eighths / 8), ROUNDED)
+
+    def check(self, case: Case, before: Sequence[Fault] = ()) -> None:
+        """Check the input of a case without a run; raises InputError with `before` and every fault found."""
+        parameters, initial = self._known(case.model)
+        check(case.model, Settings(self.duration, None, self.tolerance, self.method), parameters, initial, before)
 
     def simulate(self, case: Case, eighths: int = 0, **options: Any) -> Solution:
         """Run a case once; raises InputError, and KeyboardInterrupt where it was stopped."""

@@ -18,7 +18,7 @@ import numpy as np
 from hertzwerk.derive.faults import Fault, unknown
 from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.per_model import per_model
-from hertzwerk.runtime.solution.history import acceleration_of
+from hertzwerk.runtime.solution.history import acceleration_of, units_of
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
@@ -154,11 +154,16 @@ def chosen(run: Solution, texts: Sequence[str]) -> tuple[tuple[Output, ...], lis
         elif kind not in _KINDS or not name:
             expected = f"one of {', '.join(own)}, or {', '.join(f'{kind}.NAME' for kind in _KINDS)} with a history"
             faults.append(Fault("--output", repr(text), expected))
-        elif name not in run.history.units or name == "t":
-            faults.append(unknown("history", name, run.history.names))
         else:
             found[text] = _of_history(run, kind, name)
     return tuple(found.values()), faults
+
+
+def unknown_histories(model: Model, texts: Sequence[str]) -> list[Fault]:
+    """The faults of outputs of histories that no run of the model has."""
+    names = [name for name in units_of(model, None) if name != "t"]
+    parts = (text.partition(".") for text in texts)
+    return [unknown("history", name, names) for kind, _, name in parts if kind in _KINDS and name and name not in names]
 
 
 def _of_history(run: Solution, kind: str, name: str) -> Output:

@@ -7,15 +7,15 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from hertzwerk.runtime.hard_cases.measured import TRIES
+from hertzwerk.runtime.integrate.tableaux import methods
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.binding import Value
     from hertzwerk.runtime.model.model import Model
     from hertzwerk.runtime.solution.solution import Solution
 
-EXPLICIT, IMPLICIT = ("dopri5", "dop853"), ("rodas", "esdirk")
-METHODS = (*EXPLICIT, *IMPLICIT, "auto")
-REFERENCED = (*METHODS, "cvodes", "idas")  # with SUNDIALS as an independent reference
+EXPLICIT, IMPLICIT, METHODS = tuple(methods.EXPLICIT), tuple(methods.IMPLICIT), tuple(methods.IN_GRAPH)
+REFERENCED = tuple(methods.METHODS)  # with SUNDIALS as an independent reference
 MARGIN, EXTRA = 1.5, 20  # of the bound on steps over what was measured
 
 

@@ -21,7 +21,7 @@ import numpy as np
 from hertzwerk.runtime.hard_cases.invariants import Measured, measure
 from hertzwerk.runtime.host.interrupt import raised
 from hertzwerk.runtime.integrate.loop.compiled import available
-from hertzwerk.runtime.integrate.step.methods import SUNDIALS
+from hertzwerk.runtime.integrate.tableaux.methods import SUNDIALS
 from hertzwerk.runtime.run.request import Compiled
 from hertzwerk.runtime.simulation import simulate
 

@@ -1,4 +1,4 @@
-"""What is computed once per model, such as its CasADi functions."""
+"""Cache of results computed once per model, such as its CasADi functions."""
 
 from __future__ import annotations
 

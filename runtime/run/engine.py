@@ -11,7 +11,7 @@ from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.integrate.loop.attempt import Integrator, integrator
 from hertzwerk.runtime.integrate.loop.automatic import Code
 from hertzwerk.runtime.integrate.loop.chunk import Ending, chunk, march
-from hertzwerk.runtime.integrate.step.methods import METHODS, SUNDIALS
+from hertzwerk.runtime.integrate.tableaux.methods import METHODS, SUNDIALS
 from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.per_model import per_model

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import math
-from collections.abc import Hashable, Mapping
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final, Literal, TypeAlias
 
@@ -12,7 +12,7 @@ import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError, shown, unknown
 from hertzwerk.runtime.accuracy.ladder import LEAST
-from hertzwerk.runtime.integrate.step.methods import METHODS
+from hertzwerk.runtime.integrate.tableaux.methods import METHODS
 from hertzwerk.runtime.model.binding import Value, read_time
 from hertzwerk.runtime.model.model import Bound, Dependent, Model
 from hertzwerk.runtime.model.per_model import per_model
@@ -45,8 +45,8 @@ class Settings:
     duration: str | float | None
     accuracy: float | None
     tolerance: float | None
-    method: str
-    compiled: Compiled
+    method: str = METHOD
+    compiled: Compiled = "auto"
     output: Output = "steps"
     max_steps: int = MAX_STEPS
     max_events: int = MAX_EVENTS
@@ -143,14 +143,30 @@ def read(
     return given, times
 
 
+def check(
+    model: Model,
+    settings: Settings,
+    parameters: Mapping[str, Value],
+    initial: Mapping[str, Value],
+    before: Sequence[Fault] = (),
+) -> None:
+    """Check the input of a run without running; raises InputError with `before` and every fault found."""
+    try:
+        read(model, settings, parameters, initial)
+    except InputError as error:
+        raise InputError(error.subject, [*before, *error.faults]) from error
+    if before:
+        raise InputError(model.name, before)
+
+
 @per_model
 def _remembered(_: Model) -> dict[Hashable, Given]:
-    """Inputs that were read; those of a key that is unlike itself are never found again."""
+    """Inputs read before, by `_key`."""
     return {}
 
 
 def _key(value: object) -> Hashable:
-    """Tell values apart, 1 from True, 1.0 and "1", 0.0 from -0.0; what can be no input is unlike anything."""
+    """Return a key that distinguishes 1, True, 1.0 and "1", 0.0 and -0.0; unique where none exists."""
     if isinstance(value, Mapping):
         return tuple((name, _key(each)) for name, each in value.items())
     if isinstance(value, tuple):

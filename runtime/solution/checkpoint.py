@@ -13,6 +13,7 @@ import numpy as np
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.integrate.loop.chunk import Resume
 from hertzwerk.runtime.integrate.step.layout import layouts
+from hertzwerk.runtime.integrate.tableaux.methods import IN_GRAPH
 from hertzwerk.runtime.model.binding import Value
 
 if TYPE_CHECKING:
@@ -99,7 +100,7 @@ def resumable(run: Solution, model: Model, *, saved: bool) -> Checkpoint:
             Fault("outcome", run.outcome.name, expected, "it would end so again: change the model or its parameters")
         )
     if kept is None:
-        expected = "a run of the engine itself: dop853, dopri5, esdirk, rodas, auto"
+        expected = f"a run of the engine itself: {', '.join(IN_GRAPH)}"
         faults.append(Fault("method", f"{run.method}, or a run without a checkpoint", expected))
     elif not saved:
         sizes = dict(layouts(model).state.sizes)

@@ -49,7 +49,7 @@ class History:
     @cached_property
     def units(self) -> dict[str, str]:
         """SI unit text of "t" and of every name, in the order of `names`."""
-        return _units(self.model, tuple(self._found) if self.integrator is None else None)
+        return units_of(self.model, tuple(self._found) if self.integrator is None else None)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -233,7 +233,7 @@ class History:
 
 
 @per_model
-def _units(model: Model, stored: tuple[str, ...] | None) -> dict[str, str]:
+def units_of(model: Model, stored: tuple[str, ...] | None) -> dict[str, str]:
     """SI unit text by name; `stored`: what a saved run has, None where there are functions."""
     units = {"t": "s", **model.units}
     for name in model.speeds:

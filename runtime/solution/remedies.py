@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from hertzwerk.runtime.integrate.loop import choose
-from hertzwerk.runtime.integrate.step.methods import METHODS, SUNDIALS
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
+from hertzwerk.runtime.integrate.tableaux.methods import IMPLICIT, METHODS, SUNDIALS
 from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -31,9 +31,9 @@ def of_steps(method: str, history: History) -> str:
     stiff = bool(np.mean(found[:, 0] > choose.STIFF / 2) > MOST)
     explicit = isinstance(table, RungeKutta)
     if explicit and stiff:
-        return f"stability holds the steps of {method} down, not accuracy: {AUTO}, or esdirk or rodas"
+        return f"stability holds the steps of {method} down, not accuracy: {AUTO}, or {' or '.join(IMPLICIT)}"
     if explicit and _turns(found[:, 1:]):
-        return f"step after step of {method} goes over the layer in which friction turns: {AUTO}, or esdirk or rodas"
+        return f"step after step of {method} goes over the layer in which friction turns: {AUTO}, or {' or '.join(IMPLICIT)}"
     if not explicit and not stiff:
         return f"nothing is stiff there, and steps of {method} are shorter than those of dop853: {AUTO}"
     return ""

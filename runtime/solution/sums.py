@@ -186,7 +186,7 @@ def _inner_forces(start: History, end: History, h: np.ndarray, j: int) -> np.nda
 
 @per_model
 def _inner(model: Model, j: int) -> Rowwise:
-    """Build the rowwise function (c, t, y, dy, y1, dy1, m, h) -> normal forces at NODES and beside the ends.
+    """Build the function (c, t, y, dy, y1, dy1, m, h) -> normal forces at NODES and beside the ends.
 
     Coordinates are interpolated by quintics, other states by cubics.
     """

@@ -293,7 +293,7 @@ def _journals_of(whole: Model, model: Model) -> Any:
 
 
 def _residuals(model: Model, whole: Model | None) -> Any:
-    """CasADi function of `_Loops.at`: (t, q, u, c) -> constraints, their rates, derivatives by coordinates and of the rates by speeds."""
+    """Build the function (t, q, u, c) -> constraints, rates and their derivatives, see `_Loops.at`."""
     t, q, u, c = ca.SX.sym("t"), ca.SX.sym("q", model.nq), ca.SX.sym("u", model.nu), ca.SX.sym("c", model.nc)
     sides = [model.function("constraints")(t, q, u, c)] if model.nl else []
     if whole is not None and journals(whole):

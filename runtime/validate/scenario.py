@@ -23,6 +23,7 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationErr
 from hertzwerk.derive.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.files.tomlfile import read_toml
 from hertzwerk.derive.units import UnitError, parse_quantity
+from hertzwerk.runtime.integrate.tableaux.methods import METHODS
 from hertzwerk.runtime.model.build import is_file
 from hertzwerk.runtime.run.request import METHOD
 from hertzwerk.runtime.validate import scenarios
@@ -45,6 +46,12 @@ def _quantity_text(text: str) -> str:
     if not finite:
         raise ValueError(f"{text!r} is not finite")
     return text
+
+
+def _method(name: str) -> str:
+    if name not in METHODS:
+        raise ValueError(f"{name!r} is no method; there are {', '.join(METHODS)}")
+    return name
 
 
 def _measurable(text: str) -> str:
@@ -104,7 +111,7 @@ class Scenario(_Record):
     scene: str
     duration: Annotated[str, AfterValidator(_duration_text)]
     accuracy: Annotated[float, Field(ge=1e-12, le=1e-1)] = 1e-6
-    method: Literal["auto", "dopri5", "dop853", "rodas", "esdirk", "cvodes", "idas"] = METHOD
+    method: Annotated[str, AfterValidator(_method)] = METHOD
     parameters: dict[str, QuantityText] = {}
     initial: dict[str, QuantityText] = {}
     outcome: Literal["finished", "beyond_horizon", "accuracy_unreachable"] = "finished"  # that must come out

@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 
 from hertzwerk.runtime.accuracy.horizon import Growth, crossing, growth
 from hertzwerk.runtime.host.lazy import cached_property
+from hertzwerk.runtime.integrate.tableaux.methods import IN_GRAPH
 from hertzwerk.runtime.work_precision.reference import Problem, Reference, reference
 from hertzwerk.runtime.work_precision.timed_runs import Made, Try, make, ready, repeat
 
 Array = NDArray[np.float64]
 
-METHODS = ("dop853", "dopri5", "esdirk", "rodas", "auto")
 ACCURACIES = tuple(10.0**-k for k in range(3, 10))
 WALL_TIME = 5.0  # s, of a run
 STARTED = 0.01  # of its local tolerance: from such an error on a run tells growth; before, it may be a free flight without any error
@@ -186,7 +186,7 @@ class Study:
 def study(
     problem: Problem,
     *,
-    methods: Sequence[str] = METHODS,
+    methods: Sequence[str] = tuple(IN_GRAPH),
     accuracies: Sequence[float] = ACCURACIES,
     wall_time: float = WALL_TIME,
     progress: Callable[[float], object] = lambda _: None,

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.integrate.loop.choose import IMPLICIT
-from hertzwerk.runtime.integrate.step.methods import METHODS
+from hertzwerk.runtime.integrate.tableaux.methods import METHODS
 from hertzwerk.runtime.run.engine import prepare
 
 if TYPE_CHECKING:
@@ -107,7 +107,7 @@ def ready(problem: Problem, methods: Sequence[str]) -> bool:
 
 def make(by: Try, held: Reference) -> Made:
     """Run once and measure."""
-    by.problem(tolerance=by.accuracy, **{**by.options, "max_steps": 1})  # what is built once is built now
+    by.problem.build(by.method, compiled=by.compiled)
     seconds, run = by()
     return Made(
         by=by,

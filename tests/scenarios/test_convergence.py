@@ -11,7 +11,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from hertzwerk.runtime import load, simulate
-from hertzwerk.runtime.integrate.step import methods
+from hertzwerk.runtime.integrate.tableaux import methods
 from reference.slider_crank import SliderCrank, reference
 
 ORDERS = {"dopri5": 5, "dop853": 8}

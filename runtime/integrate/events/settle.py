@@ -41,7 +41,7 @@ from hertzwerk.runtime.integrate.step.singular import clear_of_singular
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.integrate.step.methods import Table
+    from hertzwerk.runtime.integrate.tableaux.methods import Table
     from hertzwerk.runtime.model.model import Model
 
 NUDGE_EVALUATIONS = 4

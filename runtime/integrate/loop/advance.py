@@ -17,13 +17,13 @@ from hertzwerk.runtime.integrate.step.classes import BY_MODE, modes
 from hertzwerk.runtime.integrate.step.control import factor, near_surfaces, remembered, roughness
 from hertzwerk.runtime.integrate.step.implicit import composed, linearised
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, NEAR, PLAIN, REJECTED, RELEASED, SPECIAL, Layouts
-from hertzwerk.runtime.integrate.step.methods import stepper
 from hertzwerk.runtime.integrate.step.singular import clear_of_singular
+from hertzwerk.runtime.integrate.step.stepper import stepper
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.step.classes import Contacts
-    from hertzwerk.runtime.integrate.step.methods import Table
+    from hertzwerk.runtime.integrate.tableaux.methods import Table
     from hertzwerk.runtime.model.model import Model
 
 

@@ -16,9 +16,10 @@ from hertzwerk.runtime.integrate.loop.choose import Choosing
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, kinds
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.layout import REJECTED, Layouts, layouts
-from hertzwerk.runtime.integrate.step.methods import Table, stepper
 from hertzwerk.runtime.integrate.step.singular import explicit_near
+from hertzwerk.runtime.integrate.step.stepper import stepper
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta, dopri5
+from hertzwerk.runtime.integrate.tableaux.methods import Table
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.step.explicit import Flow

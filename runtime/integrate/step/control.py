@@ -9,7 +9,7 @@ import casadi as ca
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.integrate.step.methods import Table
+    from hertzwerk.runtime.integrate.tableaux.methods import Table
 
 SAFETY = 0.85
 SHRINK, GROW = 0.2, 3.0  # limits of the factor between steps

@@ -23,7 +23,7 @@ from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.step.layout import Layout
-    from hertzwerk.runtime.integrate.step.methods import Table
+    from hertzwerk.runtime.integrate.tableaux.methods import Table
     from hertzwerk.runtime.model.model import Model
 
 NEARBY = 0.05  # of a constraint's square that others leave of it: more is no singular position

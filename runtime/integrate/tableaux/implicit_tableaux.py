@@ -244,6 +244,3 @@ def esdirk54() -> DiagonallyImplicit:
     A = tuple((node - sum(row), *row) for node, row in zip(c, inner, strict=True))
     difference = tuple(x - y for x, y in zip(A[-1], (1 - sum(embedded), *embedded), strict=True))
     return DiagonallyImplicit(name="esdirk", order=5, A=A, c=c, error=ErrorEstimate(difference, 4))
-
-
-METHODS = {"rodas": rodas5p, "esdirk": esdirk54}

@@ -15,6 +15,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from hertzwerk.runtime.accuracy.horizon import crossing
 from hertzwerk.runtime.accuracy.ladder import VALID
+from hertzwerk.runtime.integrate.tableaux.methods import AUTOMATIC, EXPLICIT, IMPLICIT
 from hertzwerk.runtime.pictures.curves import scale_of
 from hertzwerk.runtime.pictures.plot_style import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, STYLE, VERMILLION, plain
 from hertzwerk.runtime.work_precision.report import conclusions, length, seconds, warnings
@@ -26,13 +27,11 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.work_precision.study import Row, Study
 
 LOOKS = {
-    "dop853": (BLUE, "o"),
-    "dopri5": (SKY, "s"),
-    "esdirk": (GREEN, "D"),
-    "rodas": (ORANGE, "^"),
-    "auto": ("black", "x"),
+    **dict(zip(EXPLICIT, ((SKY, "s"), (BLUE, "o")), strict=False)),
+    **dict(zip(IMPLICIT, ((ORANGE, "^"), (GREEN, "D")), strict=False)),
+    **dict(zip(AUTOMATIC, (("black", "x"),), strict=False)),
 }
-OTHER = (PURPLE, "v")
+OTHER = (PURPLE, "v")  # of methods beyond
 SHADE = "#ececec"
 LEAST = 1e-16  # departures are drawn down to this
 MAIN: dict[str, Any] = {"linewidth": 1.5, "markersize": 4.5}

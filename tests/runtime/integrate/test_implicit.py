@@ -34,9 +34,9 @@ from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.implicit import linearised
 from hertzwerk.runtime.integrate.step.layout import layouts
 from hertzwerk.runtime.integrate.step.linear import solver
-from hertzwerk.runtime.integrate.step.methods import METHODS
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import ErrorEstimate
 from hertzwerk.runtime.integrate.tableaux.implicit_tableaux import DiagonallyImplicit, Rosenbrock, esdirk54, rodas5p
+from hertzwerk.runtime.integrate.tableaux.methods import METHODS
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.run.engine import engine_for
 from hertzwerk.runtime.solution.scales import of_parameters

@@ -17,8 +17,8 @@ from hertzwerk.runtime.integrate.step.classes import BY_MODE, kinds
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.implicit import DIVERGED
 from hertzwerk.runtime.integrate.step.layout import layouts
-from hertzwerk.runtime.integrate.step.methods import METHODS
 from hertzwerk.runtime.integrate.tableaux.implicit_tableaux import esdirk54, rodas5p
+from hertzwerk.runtime.integrate.tableaux.methods import METHODS
 from hertzwerk.runtime.model.model import Model
 from reference import closed_forms, scenes
 

@@ -1,0 +1,51 @@
+"""The methods stand in one list: one that is added there is known to input, help, scenarios, studies and hard cases."""
+
+import subprocess
+import sys
+
+import pytest
+from click.testing import CliRunner
+
+from hertzwerk.runtime import simulate
+from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.integrate.tableaux.methods import METHODS
+
+ADDED = """
+from dataclasses import replace
+from hertzwerk.runtime.integrate.tableaux import methods
+from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import dopri5
+
+for known in (methods.EXPLICIT, methods.IN_GRAPH, methods.METHODS):
+    known["own"] = (lambda: replace(dopri5(), name="own"),)
+
+import inspect
+from click.testing import CliRunner
+from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.hard_cases import case
+from hertzwerk.runtime.validate.scenario import Scenario
+from hertzwerk.runtime.work_precision import reference, study
+
+for command in ("run", "effects"):
+    assert "own" in CliRunner().invoke(main, [command, "--help"]).output
+assert Scenario(scene="soft_ball", duration="1 s", method="own").method == "own"
+assert "own" in inspect.signature(study.study).parameters["methods"].default
+assert "own" in reference.METHODS and "own" in case.METHODS and "own" in case.EXPLICIT
+run = simulate(load("soft_ball"), duration="1 ms", tolerance=1e-4, method="own")
+assert run.outcome.finished and run.method == "own"
+"""
+
+
+def test_a_method_that_is_added_to_the_list_is_known_everywhere():
+    subprocess.run([sys.executable, "-c", ADDED], check=True)
+
+
+@pytest.mark.parametrize("command", ["run", "effects"])
+def test_help_names_every_method(command):
+    text = CliRunner().invoke(main, [command, "--help"]).output
+    assert all(name in text for name in METHODS)
+
+
+def test_the_docstring_of_simulate_names_every_method():
+    assert simulate.__doc__ is not None
+    assert all(f'"{name}"' in simulate.__doc__ for name in METHODS)
