@@ -15,12 +15,12 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.runtime.accuracy.ladder import Climbed
+from hertzwerk.runtime.accuracy.ladder import LadderResult
 from hertzwerk.runtime.integrate.step.layout import FINISHED
 from hertzwerk.runtime.loading import Model
 from hertzwerk.runtime.model import model as plain
 from hertzwerk.runtime.model.binding import Value
-from hertzwerk.runtime.run.accurate import climb, verdict_of
+from hertzwerk.runtime.run.accurate import run_to_accuracy, verdict_of
 from hertzwerk.runtime.run.output_times import Output
 from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, Settings, read
 from hertzwerk.runtime.run.single_run import SingleRun, Trace, set_up
@@ -163,9 +163,9 @@ def simulate(
     if tolerance is not None:
         return _solution_of(run, run.trace(tolerance, scales, times, progress=progress), scales, build_s)
     asked = accuracy or ACCURACY
-    climbed = climb(run, scales, times, asked, progress)
+    ladder_result = run_to_accuracy(run, scales, times, asked, progress)
     # 4. solution
-    return _solution_of(run, climbed.run.kept, scales, build_s, asked, climbed)
+    return _solution_of(run, ladder_result.run.kept, scales, build_s, asked, ladder_result)
 
 
 def _solution_of(
@@ -174,7 +174,7 @@ def _solution_of(
     scales: Scales,
     build_s: float,
     asked: float | None = None,
-    climbed: Climbed[Trace] | None = None,
+    ladder_result: LadderResult[Trace] | None = None,
 ) -> Solution:
     """Return the solution of a kept run; for an accuracy with the verdict of those that checked it."""
     model, bound, counted = run.model, run.given.bound, trace.counted
@@ -182,8 +182,8 @@ def _solution_of(
         raise trace.ending.error
     found: tuple[str, ...] = ()
     result = run.outcome(trace)
-    if climbed is not None and asked is not None:
-        result, found = verdict_of(run, climbed, asked, result)
+    if ladder_result is not None and asked is not None:
+        result, found = verdict_of(run, ladder_result, asked, result)
     if trace.ending.status == FINISHED:
         open_by = trace.findings.energy_unclosed
         result = not_closed(open_by, asked or trace.tolerance, trace.tolerance, counted["steps"]) or result
@@ -219,6 +219,6 @@ def _solution_of(
             *found,
         ),
         scales=scales,
-        error=None if climbed is None else climbed.error,
+        error=None if ladder_result is None else ladder_result.error,
         checkpoint=checkpoint_of(model, trace.ending, run.given.initial),
     )

@@ -29,12 +29,12 @@ IN_VAIN = 10.0  # times the request: an error foreseen at the least tolerance th
 STUCK = 100.0  # where the tolerance fell by this factor and the error not even by 2, it is rounding that is seen
 SLACK = 3.0  # errors grow intermittently: how much farther than the fitted growth says a tighter run may get
 PER_STEP = 4.0  # roundings of the state that a step errs by: the motion amplifies them as it does the tolerance
-UNSEEN = 4.0  # where all is rounding, as much of two runs that agree by chance is not seen: how far the error may lie above what they differ by
+HIDDEN = 4.0  # where all is rounding, as much of two runs that agree by chance is not seen: how far the error may lie above what they differ by
 NEAR = 1.5  # times the tolerance of a run: another whose rounding is its own, and whose error else tells half of it
-ROUNDED = 1 + UNSEEN / 2  # where rounding counts for as much as the tolerance
+ROUNDED = 1 + HIDDEN / 2  # where rounding counts for as much as the tolerance
 MORE = 5.0  # times the steps of a run that a tighter one beside it may take: where it can be made it takes 1.2 to 1.4 times
 MORE_ROUNDED = 2.0  # the same where all is rounding
-HEARD = 1e-3  # of the tolerance: a smaller difference of two runs is rounding, before anything happened
+DETECTABLE = 1e-3  # of the tolerance: a smaller difference of two runs is rounding, before anything happened
 
 
 @dataclass(frozen=True)
@@ -131,7 +131,7 @@ class Verdict(Enum):
 
 
 @dataclass(frozen=True)
-class Climbed(Generic[Kept]):
+class LadderResult(Generic[Kept]):
     """Result of a ladder: the run to return, its error, the verdict.
 
     broken: another run that was stopped, or failed, during the search.
@@ -140,7 +140,7 @@ class Climbed(Generic[Kept]):
     run: Rung[Kept]
     error: ErrorEstimate | None
     verdict: Verdict
-    broken: Rung[Kept] | None = None
+    incomplete: Rung[Kept] | None = None
 
 
 def first_tolerance(asked: float, seconds: float, length: float, speed: float) -> float:
@@ -197,7 +197,7 @@ class Ladder(Generic[Kept]):
         self._found: list[tuple[float, float]] = []  # tolerances and errors at the end, or what is foreseen of one
         self._least = LEAST  # tolerance that is worth a run: by so much the start is off already, as it is rounded
 
-    def climb(self, tolerance: float) -> Climbed[Kept]:
+    def search(self, tolerance: float) -> LadderResult[Kept]:
         """Search from an initial tolerance."""
         best: _Checked[Kept] | None = None
         while True:
@@ -206,30 +206,34 @@ class Ladder(Generic[Kept]):
                 failed, run = run, self._make(run.tolerance / CHECK, keep=True)
                 if run.end is End.FAILED:  # not for its tolerance, then
                     farther, other = (run, failed) if len(run.states) >= len(failed.states) else (failed, run)
-                    return self._told(best or self._checked(farther, other), Verdict.UNKNOWN, run)
+                    return self._result(best or self._checked(farther, other), Verdict.UNKNOWN, run)
             if run.end is End.STOPPED:
-                return Climbed(run, None, Verdict.STOPPED) if best is None else self._told(best, Verdict.STOPPED, run)
+                return (
+                    LadderResult(run, None, Verdict.STOPPED)
+                    if best is None
+                    else self._result(best, Verdict.STOPPED, run)
+                )
             self._least = max(LEAST, self._rounding(run.states[:1]) / HALVED)
-            beside = self._beside(run)
+            beside = self._comparison_runs(run)
             checked = self._checked(run, *beside)
             if not math.isfinite(checked.end):
                 verdict = Verdict.STOPPED if beside[-1].end is End.STOPPED else Verdict.UNKNOWN
-                return self._told(best or checked, verdict, beside[-1])
+                return self._result(best or checked, verdict, beside[-1])
             self._found.append((run.tolerance, checked.end))
             if best is None or checked.end < best.end or best.end > VALID:  # above VALID its size is chance
                 best = checked
             found = self._verdict(checked)
             if found is not None:
-                return self._told(best, found)
+                return self._result(best, found)
             tolerance = max(run.tolerance * self._asked / (MARGIN * checked.end), self._least)
 
-    def _beside(self, run: Rung[Kept]) -> list[Rung[Kept]]:
+    def _comparison_runs(self, run: Rung[Kept]) -> list[Rung[Kept]]:
         """Make the runs that estimate the error of one: a tighter one, or one of nearly the same tolerance.
 
         The latter where a tighter run fails, or where rounding dominates: there two runs may agree by chance, and
         tighter ones are paid for with steps that rounding rejects.
         """
-        rounded = self._unseen(run) > ROUNDED
+        rounded = self._rounding_factor(run) > ROUNDED
         check = run
         for _ in range(1 if rounded else 2):
             check = self._make(check.tolerance / CHECK, most=(MORE_ROUNDED if rounded else MORE) * run.steps)
@@ -254,18 +258,18 @@ class Ladder(Generic[Kept]):
         values = np.zeros(n)
         for other in others:
             part = abs(1 - other.tolerance / run.tolerance)  # of the error that shows, if errors are as tolerances
-            unseen = self._unseen(run) if other.tolerance < run.tolerance else 1.0
+            unseen = self._rounding_factor(run) if other.tolerance < run.tolerance else 1.0
             values = np.maximum(values, self._differ(run.states[:n], other.states[:n]) / part * unseen)
         whole = all(each.end is End.REACHED for each in (run, *others))
         return _Checked(run, values, whole, whole and all(other.tolerance > run.tolerance for other in others))
 
-    def _unseen(self, run: Rung[Kept]) -> float:
+    def _rounding_factor(self, run: Rung[Kept]) -> float:
         """Return the factor by which rounding may hide error from a comparison with a tighter run.
 
         1 without rounding, up to 1 + UNSEEN where all is rounding.
         """
         rounding = PER_STEP * self._rounding(run.states)
-        return 1 + UNSEEN * rounding / (rounding + run.tolerance)
+        return 1 + HIDDEN * rounding / (rounding + run.tolerance)
 
     def _verdict(self, checked: _Checked[Kept]) -> Verdict | None:
         """Return the outcome of the request; None where a smaller tolerance may meet it."""
@@ -277,7 +281,7 @@ class Ladder(Generic[Kept]):
         foreseen = error * least / tolerance
         lost = valid is not None and error > VALID  # its size then says nothing about smaller tolerances
         stuck = any(before >= STUCK * tolerance and error > found / 2 for before, found in self._found)
-        if stuck or tolerance <= least or (checked.last and self._unseen(checked.run) > ROUNDED):
+        if stuck or tolerance <= least or (checked.last and self._rounding_factor(checked.run) > ROUNDED):
             return Verdict.BEYOND if lost else Verdict.UNREACHABLE
         if valid is None or not lost:
             if foreseen <= IN_VAIN * self._asked:
@@ -289,7 +293,9 @@ class Ladder(Generic[Kept]):
         in_vain = foreseen > self._asked or valid + SLACK * farther < self._times[-1]
         return Verdict.BEYOND if in_vain else None
 
-    def _told(self, checked: _Checked[Kept], verdict: Verdict, broken: Rung[Kept] | None = None) -> Climbed[Kept]:
+    def _result(
+        self, checked: _Checked[Kept], verdict: Verdict, incomplete: Rung[Kept] | None = None
+    ) -> LadderResult[Kept]:
         times = self._times[: len(checked.values)]
         in_vain = verdict is Verdict.UNREACHABLE or (verdict is Verdict.UNKNOWN and self._found)
         error = ErrorEstimate(
@@ -303,7 +309,7 @@ class Ladder(Generic[Kept]):
             runs=self._runs,
             pilot_s=self._wall_s - checked.run.wall_s,
         )
-        return Climbed(checked.run, error, verdict, broken)
+        return LadderResult(checked.run, error, verdict, incomplete)
 
 
 def horizon(times: np.ndarray, values: np.ndarray, limit: float = VALID) -> float | None:
@@ -321,7 +327,7 @@ def horizon(times: np.ndarray, values: np.ndarray, limit: float = VALID) -> floa
 def growth(times: np.ndarray, values: np.ndarray, tolerance: float) -> float | None:
     """Return the slope [1/s] of the error's logarithm up to the horizon; None if too little is known."""
     valid = horizon(times, values)
-    seen = (values > HEARD * tolerance) & (times <= (math.inf if valid is None else valid))
+    seen = (values > DETECTABLE * tolerance) & (times <= (math.inf if valid is None else valid))
     if np.count_nonzero(seen) < 8:
         return None
     return float(np.polyfit(times[seen], np.log(values[seen]), 1)[0])

@@ -9,8 +9,16 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from hertzwerk.runtime.cli.target import DURATION, JSON, LAW, SET, WITHOUT, assignments, cannot_be_written, loaded
-from hertzwerk.runtime.cli.terminal import OTHER_OUTCOME, Progress, kept, lacking, line, reports_bad_input, table
+from hertzwerk.runtime.cli.target import DURATION, JSON, LAW, SET, WITHOUT, assignments, loaded, unwritable_faults
+from hertzwerk.runtime.cli.terminal import (
+    OTHER_OUTCOME,
+    Progress,
+    line,
+    report_missing,
+    reports_bad_input,
+    table,
+    written_or_none,
+)
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.work_precision.reference import NoReferenceError, Problem
@@ -48,7 +56,7 @@ def accuracy(target: str, out: Path | None, as_json: bool, **options: Any) -> in
     except NoReferenceError as error:
         return _without_reference(problem, error, as_json=as_json)
     missing: list[str] = []
-    written = kept(
+    written = written_or_none(
         lambda: new_folder(f"{name}-accuracy", out, lambda at: _write(found, at, missing)), missing, wanted=wanted
     )
     if as_json:
@@ -57,7 +65,7 @@ def accuracy(target: str, out: Path | None, as_json: bool, **options: Any) -> in
         click.echo(json_text(numbers(found)))
     else:
         _report(found, written)
-    return lacking(missing)
+    return report_missing(missing)
 
 
 def _problem(
@@ -72,15 +80,15 @@ def _problem(
 ) -> Problem:
     """Return the problem of a command line; raises InputError with the faults of all its parts."""
     from hertzwerk.runtime.run.request import Settings, check
-    from hertzwerk.runtime.start.start_values import sorted_out
+    from hertzwerk.runtime.start.start_values import split_values
     from hertzwerk.runtime.validate import scenarios
     from hertzwerk.runtime.work_precision.reference import Problem
 
-    faults = cannot_be_written(out, wanted=wanted)
+    faults = unwritable_faults(out, wanted=wanted)
     values = assignments("--set", settings, faults)
     model = loaded(target, without, laws, faults)
     numbers = scenarios.read(target) if target in scenarios.names() else {}
-    problem = Problem(model, duration or numbers.get("duration"), *sorted_out(model, values))
+    problem = Problem(model, duration or numbers.get("duration"), *split_values(model, values))
     check(model, Settings(problem.duration, None, None), problem.parameters, problem.initial, faults)
     return problem
 
@@ -88,7 +96,7 @@ def _problem(
 def _write(found: Study, folder: Path, missing: list[str]) -> list[str]:
     """Write data and picture of a study."""
     from hertzwerk.runtime.cli.record import json_text, versions
-    from hertzwerk.runtime.host.folder import attempted
+    from hertzwerk.runtime.host.folder import failures_of
     from hertzwerk.runtime.pictures.studies.plot_accuracy import save
     from hertzwerk.runtime.work_precision.report import csv_text
     from hertzwerk.runtime.work_precision.report import record as numbers
@@ -96,7 +104,7 @@ def _write(found: Study, folder: Path, missing: list[str]) -> list[str]:
     (folder / "accuracy.csv").write_text(csv_text(found), encoding="utf-8")
     content = {**numbers(found), "versions": versions()}
     (folder / "accuracy.json").write_text(json_text(content) + "\n", encoding="utf-8")
-    missing += attempted("accuracy.png", lambda: save(found, folder / "accuracy.png"))
+    missing += failures_of("accuracy.png", lambda: save(found, folder / "accuracy.png"))
     return ["accuracy.csv", "accuracy.json", *([] if missing else ["accuracy.png"])]
 
 

@@ -80,12 +80,12 @@ def _places(target: str, values: dict[str, str], duration: str | None, start: bo
     from hertzwerk.runtime.run.request import METHOD
     from hertzwerk.runtime.run.warnings import unchecked
     from hertzwerk.runtime.simulation import simulate
-    from hertzwerk.runtime.start.start_values import sorted_out
+    from hertzwerk.runtime.start.start_values import split_values
     from hertzwerk.runtime.validate import scenarios
 
     model = load(target)
     numbers = scenarios.read(target) if target in scenarios.names() else {}
-    parameters, initial = sorted_out(model, values)
+    parameters, initial = split_values(model, values)
     until = duration or numbers.get("duration")
     if start or until is None:
         return Places.at_start(model, parameters, initial), unchecked(model)

@@ -17,10 +17,19 @@ from hertzwerk.runtime.cli.target import (
     SET,
     WITHOUT,
     assignments,
-    cannot_be_written,
     number,
+    unwritable_faults,
 )
-from hertzwerk.runtime.cli.terminal import OTHER_OUTCOME, Progress, kept, lacking, line, reports_bad_input, say, table
+from hertzwerk.runtime.cli.terminal import (
+    OTHER_OUTCOME,
+    Progress,
+    line,
+    print_prose,
+    report_missing,
+    reports_bad_input,
+    table,
+    written_or_none,
+)
 from hertzwerk.runtime.effects.study import percent
 
 if TYPE_CHECKING:
@@ -70,7 +79,7 @@ def effects(target: str, out: Path | None, no_plots: bool, as_json: bool, **opti
     wanted = out is not None or not as_json
     study = _study(target, out, quiet=as_json, wanted=wanted, **options)
     missing: list[str] = []
-    folder = kept(
+    folder = written_or_none(
         lambda: new_folder(f"{study.scene}-effects", out, lambda at: _write(study, at, missing, plots=not no_plots)),
         missing,
         wanted=wanted and bool(study.rows),
@@ -81,7 +90,7 @@ def effects(target: str, out: Path | None, no_plots: bool, as_json: bool, **opti
         _report(study)
     if folder is not None and not as_json:
         line("written", f"{folder[0]}/ ({', '.join(folder[1])})")
-    return lacking(missing) if study.outcome.finished else OTHER_OUTCOME
+    return report_missing(missing) if study.outcome.finished else OTHER_OUTCOME
 
 
 def _study(target: str, out: Path | None, *, quiet: bool, wanted: bool, **options: Any) -> Study:
@@ -90,7 +99,7 @@ def _study(target: str, out: Path | None, *, quiet: bool, wanted: bool, **option
     from hertzwerk.runtime.run.request import METHOD
     from hertzwerk.runtime.validate import scenarios
 
-    faults = cannot_be_written(out, wanted=wanted)
+    faults = unwritable_faults(out, wanted=wanted)
     values = assignments("--set", options["settings"], faults)
     laws = assignments("--law", options["laws"], faults)
     within = None if options["within"] is None else _fraction(options["within"], faults)
@@ -130,14 +139,14 @@ def _fraction(text: str, faults: list[Fault]) -> float | None:
 
 def _write(study: Study, folder: Path, missing: list[str], *, plots: bool) -> list[str]:
     from hertzwerk.runtime.cli.record import json_text
-    from hertzwerk.runtime.host.folder import attempted
+    from hertzwerk.runtime.host.folder import failures_of
 
     (folder / "effects.json").write_text(json_text(study.record()) + "\n", encoding="utf-8")
     if not plots:
         return ["effects.json"]
     from hertzwerk.runtime.pictures.studies.plot_effects import save
 
-    missing += attempted("effects.png", lambda: save(study, folder / "effects.png"))
+    missing += failures_of("effects.png", lambda: save(study, folder / "effects.png"))
     return ["effects.json", *([] if missing else ["effects.png"])]
 
 
@@ -164,7 +173,7 @@ def _report(study: Study) -> None:
     click.echo()
     columns = ("effect", "in flight", "in contact", "states", "events", "time")
     table((*columns, *(output.name for output in study.outputs)), [_cells(study, row) for row in study.rows])
-    say(
+    print_prose(
         "\nWhat an effect costs: operations of one evaluation, states, event functions, share of the time. "
         "Then what leaving it out changes, relative to the whole scene; none seen: less than the error."
     )
@@ -204,7 +213,7 @@ def _report_smallest(study: Study) -> None:
     found = study.smallest
     if found is None or study.within is None:
         return
-    say(f"\nSmallest scene within {100 * study.within:g} %: {', '.join(found.kept) or 'no effect at all'}.")
+    print_prose(f"\nSmallest scene within {100 * study.within:g} %: {', '.join(found.kept) or 'no effect at all'}.")
     if found.left_out:
         share = study.smallest_share
         saved = "" if share is None or not share.seen else f"; the time changes by {percent(-share.median)}"

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from hertzwerk.derive.faults import Fault, InputError, unknown
-from hertzwerk.runtime.cli.layout import GAP, PROSE, columns, folded
+from hertzwerk.runtime.cli.layout import GAP, PROSE, columns, wrapped
 from hertzwerk.runtime.cli.terminal import COLOURS, GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
 
 if TYPE_CHECKING:
@@ -93,7 +93,7 @@ def _list(cases: Sequence[HardCase], *, as_json: bool) -> int:
         for case in cases:
             if case.theme == theme:
                 long = " (long)" if case.long else ""
-                click.echo(folded(f"  {case.name:<28}{case.hard}{long}", columns() or PROSE, indent=28))
+                click.echo(wrapped(f"  {case.name:<28}{case.hard}{long}", columns() or PROSE, indent=28))
     return GOOD
 
 
@@ -151,7 +151,7 @@ def _cell(text: str, holds: bool) -> str:
 def _print_beside(heads: Sequence[tuple[str, str | None]], text: str, *, indent: int) -> None:
     """Print prose behind words, each coloured or bold."""
     plain = GAP.join(head for head, _ in heads)
-    rest = folded(f"{plain}{GAP}{text}", columns() or PROSE, indent=indent).removeprefix(plain)
+    rest = wrapped(f"{plain}{GAP}{text}", columns() or PROSE, indent=indent).removeprefix(plain)
     click.echo(GAP.join(click.style(head, fg=colour, bold=colour is None) for head, colour in heads) + rest)
 
 

@@ -11,17 +11,17 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.runtime.cli.target import cannot_be_written
+from hertzwerk.runtime.cli.target import unwritable_faults
 from hertzwerk.runtime.cli.terminal import (
     GOOD,
     OTHER_OUTCOME,
     Progress,
-    kept,
-    lacking,
     line,
+    print_prose,
+    report_missing,
     reports_bad_input,
-    say,
     table,
+    written_or_none,
 )
 
 if TYPE_CHECKING:
@@ -100,7 +100,7 @@ def laws(
     else:
         order = (1, 0, 3, 4, 2)
         table([columns[i] for i in order], [[row[i] for i in order] for row in rows])
-        say("Grades: A checked here, B seen in a public source, C from general knowledge, R reconstruction.")
+        print_prose("Grades: A checked here, B seen in a public source, C from general knowledge, R reconstruction.")
     return GOOD
 
 
@@ -157,7 +157,7 @@ def _print_sheet(sheet: Sheet) -> None:
         [(s.name, s.unit, s.origin, s.defined, s.recommended, s.meaning) for s in sheet.symbols],
     )
     if sheet.points:
-        say(f"\n{sheet.example}:")
+        print_prose(f"\n{sheet.example}:")
         forces = [point.force for point in sheet.points if point.force is not None]  # none where the units do not hold
         columns = ("penetration [m]", *(("force [N]",) if forces else ()), "dlnF/dlnd")
         rows = [
@@ -184,11 +184,11 @@ def _print_band(sheet: Sheet) -> None:
         for k, depth in enumerate(band.penetrations)
         if any(abs(depth - other) < 1e-6 * other for other in shown)
     ]
-    say(
+    print_prose(
         "\nThe paper's own expression could not be had. The band of its candidates, forces in N, largest over smallest:"
     )
     table(("penetration [m]", *(candidate.law for candidate in band.candidates), "band"), rows)
-    say(f"As a picture: hertzwerk laws {sheet.name} --picture {sheet.name}.png")
+    print_prose(f"As a picture: hertzwerk laws {sheet.name} --picture {sheet.name}.png")
 
 
 def _formula_texts(formulas: Sequence[Formula]) -> list[str]:
@@ -198,7 +198,7 @@ def _formula_texts(formulas: Sequence[Formula]) -> list[str]:
 def _print_restitution(found: Restitution) -> None:
     beside = f"beside K d^n with n = {found.beside}" if found.beside else "beside every elastic law"
     if found.points:
-        say(f"One free impact, {beside}; no other force, whatever the masses and the speed:")
+        print_prose(f"One free impact, {beside}; no other force, whatever the masses and the speed:")
         table(
             ("e in", found.coefficient, "e out", "e out - e in"),
             [(f"{e:.2f}", f"{c:.5g}", f"{out:.4f}", f"{out - e:+.4f}") for e, c, out in found.points],
@@ -227,13 +227,13 @@ def _study(names: Sequence[str], out: Path | None, *, plots: bool, as_json: bool
         if names
         else []
     )
-    faults += cannot_be_written(out, wanted=wanted)
+    faults += unwritable_faults(out, wanted=wanted)
     if faults:
         raise InputError("laws", faults)
     with Progress("restitution", shown=not as_json and sys.stderr.isatty()) as progress:
         found = study(progress)
     missing: list[str] = []
-    written = kept(
+    written = written_or_none(
         lambda: new_folder("restitution", out, lambda at: _write(found, at, missing, plots=plots)),
         missing,
         wanted=wanted,
@@ -244,12 +244,12 @@ def _study(names: Sequence[str], out: Path | None, *, plots: bool, as_json: bool
         _report(found)
     if written is not None and not as_json:
         line("written", f"{written[0]}/ ({', '.join(written[1])})")
-    return lacking(missing) if found.agrees else OTHER_OUTCOME
+    return report_missing(missing) if found.agrees else OTHER_OUTCOME
 
 
 def _write(found: Study, folder: Path, missing: list[str], *, plots: bool) -> list[str]:
     from hertzwerk.runtime.cli.record import json_text
-    from hertzwerk.runtime.host.folder import attempted
+    from hertzwerk.runtime.host.folder import failures_of
 
     texts = {"restitution.csv": found.csv(), "restitution.json": json_text(found.record()) + "\n"}
     for name, text in texts.items():
@@ -258,17 +258,17 @@ def _write(found: Study, folder: Path, missing: list[str], *, plots: bool) -> li
         return list(texts)
     from hertzwerk.runtime.pictures.studies.plot_laws import save
 
-    missing += attempted("restitution.png", lambda: save(found, folder / "restitution.png"))
+    missing += failures_of("restitution.png", lambda: save(found, folder / "restitution.png"))
     return [*texts, *([] if missing else ["restitution.png"])]
 
 
 def _report(found: Study) -> None:
-    say("Restitution out over restitution in, of one free impact; the best over all e first.\n")
+    print_prose("Restitution out over restitution in, of one free impact; the best over all e first.\n")
     table(
         ("law", "grade", "recommended", *(f"e = {e:g}" for e in SHOWN), "worst there", "e -> 1", "e -> 0"),
         [_row(curve) for curve in found.curves],
     )
-    say(
+    print_prose(
         "\nworst there: the largest e_out - e of the recommended range, and where.  e -> 1: 1 is the elastic law.\n"
         "e -> 0: above 0 the law never returns less, however small the e it is given.\n"
     )

@@ -18,17 +18,17 @@ def columns() -> int | None:
     return shutil.get_terminal_size().columns if sys.stdout.isatty() else None
 
 
-def folded(text: str, width: int | None, *, indent: int = 0) -> str:
+def wrapped(text: str, width: int | None, *, indent: int = 0) -> str:
     """Break each line of a text between words.
 
     Its further lines are indented as the line, and by `indent` more.
     """
     if width is None:
         return text
-    return "\n".join(_folded_line(line, width, indent) for line in text.split("\n"))
+    return "\n".join(_wrapped_line(line, width, indent) for line in text.split("\n"))
 
 
-def _folded_line(line: str, width: int, indent: int) -> str:
+def _wrapped_line(line: str, width: int, indent: int) -> str:
     if len(line) <= width:
         return line
     margin = " " * (len(line) - len(line.lstrip()) + indent)
@@ -84,7 +84,7 @@ def _shared(bounds: Sequence[tuple[int, int]], width: int) -> list[int]:
 def _lines(cells: Sequence[Sequence[str]], widths: Sequence[int]) -> list[list[str]]:
     lines = []
     for row in zip(*cells, strict=True):
-        parts = [folded(cell, width).split("\n") for cell, width in zip(row, widths, strict=True)]
+        parts = [wrapped(cell, width).split("\n") for cell, width in zip(row, widths, strict=True)]
         for line in zip_longest(*parts, fillvalue=""):
             lines.append([part.ljust(width) for part, width in zip(line, widths, strict=True)])  # noqa: PERF401
     return lines

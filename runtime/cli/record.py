@@ -124,7 +124,7 @@ def write(
     writes states.csv however large it is. Raises OSError where no data can be written.
     """
     stop = stopping or _Never()
-    lost = list(solution.findings.secured())
+    lost = list(solution.findings.compute_all())
     stop.stage("writing states.npz")
     folder, files = new_folder(solution.model.name, out, lambda at: _write_data(solution, at, lost, request))
     written = Written(folder, files, lost)
@@ -136,7 +136,7 @@ def write(
         extras.make_pictures()
     told = [*lost, *written.left_out]
     if told or averages:
-        extras.failing(
+        extras.guarded(
             "run.json", lambda: write_atomically(folder / "run.json", _text(solution, told, request, written.averages))
         )
     return written
@@ -179,7 +179,7 @@ class _Extras:
         if self.stop.asked:
             self.written.missing.append(f"{name} is not there: it was stopped before")
             return
-        self.failing(name, lambda: self._made(name, make))
+        self.guarded(name, lambda: self._made(name, make))
 
     def _made(self, name: str, make: Callable[[Path], object]) -> None:
         self.stop.stage(f"writing {name}")
@@ -189,7 +189,7 @@ class _Extras:
                 file.replace(self.written.folder / file.name)
                 self.written.files.append(file.name)
 
-    def failing(self, name: str, make: Callable[[], object]) -> None:
+    def guarded(self, name: str, make: Callable[[], object]) -> None:
         """Run a task whose failure is reported but not raised."""
         try:
             make()

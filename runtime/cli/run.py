@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.runtime.cli.going_on import going_on, limits_of, output_of
+from hertzwerk.runtime.cli.continue_run import continue_run, limits_of, output_of
 from hertzwerk.runtime.cli.stopping import Stopping
 from hertzwerk.runtime.cli.target import (
     BY_METHOD,
@@ -20,11 +20,19 @@ from hertzwerk.runtime.cli.target import (
     SET,
     WITHOUT,
     assignments,
-    cannot_be_written,
     loaded,
     number,
+    unwritable_faults,
 )
-from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, kept, lacking, line, reports_bad_input
+from hertzwerk.runtime.cli.terminal import (
+    GOOD,
+    OTHER_OUTCOME,
+    Progress,
+    line,
+    report_missing,
+    reports_bad_input,
+    written_or_none,
+)
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.simulation import Solution
@@ -100,14 +108,14 @@ def run(
         Stopping(progress) as stopping,
     ):
         if folder is not None:
-            solution, request = going_on(folder, target, out, wanted, stopping, **options)
+            solution, request = continue_run(folder, target, out, wanted, stopping, **options)
         else:
             request = _request(target, options)
             solution = _simulate(out, wanted, stopping, **{**options, "target": target})
         if solution.outcome.name == "interrupted" and not solution.statistics.steps:
             raise KeyboardInterrupt
         missing: list[str] = []
-        written = kept(
+        written = written_or_none(
             lambda: record.write(
                 solution, out, plots=not no_plots, csv=csv, averages=averages, stopping=stopping, request=request
             ),
@@ -118,7 +126,7 @@ def run(
         missing += written.missing
     if as_json:
         click.echo(record.json_text(record.summary(solution, averages=averages)))
-        return lacking(missing) if solution.outcome.finished else OTHER_OUTCOME
+        return report_missing(missing) if solution.outcome.finished else OTHER_OUTCOME
     _report(solution)
     if written is not None:
         for average in written.averages:
@@ -128,7 +136,7 @@ def run(
         line("written", f"{written.folder}/ ({', '.join(written.files)})")
         if solution.outcome.name in STOPPED and solution.t_end < solution.duration and "states.npz" in written.files:
             line("go on", f"hertzwerk run --continue {written.folder}")
-    code = lacking(missing)
+    code = report_missing(missing)
     return code if solution.outcome.finished else OTHER_OUTCOME
 
 
@@ -188,10 +196,10 @@ def _simulate(
     """Return the solution of a command line; raises InputError with the faults of all its parts."""
     from hertzwerk.runtime.run.request import METHOD, Settings, check
     from hertzwerk.runtime.simulation import simulate
-    from hertzwerk.runtime.start.start_values import sorted_out
+    from hertzwerk.runtime.start.start_values import split_values
     from hertzwerk.runtime.validate import scenarios
 
-    faults = cannot_be_written(out, wanted=wanted)
+    faults = unwritable_faults(out, wanted=wanted)
     values = assignments("--set", settings, faults)
     numbers = scenarios.read(target) if target in scenarios.names() else {}
     accurate = number(accuracy) if accuracy is not None else numbers.get("accuracy")
@@ -200,7 +208,7 @@ def _simulate(
     limits, output = limits_of(max_steps, wall_time, faults), output_of(grid)
     settled = Settings(duration or numbers.get("duration"), accurate, None, by, "auto", output, **limits)
     model = loaded(target, without, laws, faults, coordinates=coordinates, beside=settled.faults)
-    parameters, initial = sorted_out(model, values)
+    parameters, initial = split_values(model, values)
     check(model, settled, parameters, initial, faults)
     return simulate(
         model,

@@ -73,7 +73,7 @@ def loaded(
         raise InputError(error.subject, [*faults, *error.faults, *beside()]) from error
 
 
-def cannot_be_written(out: Path | None, *, wanted: bool = True) -> list[Fault]:
+def unwritable_faults(out: Path | None, *, wanted: bool = True) -> list[Fault]:
     """Return the fault of a folder --out, or of runs/ where a folder is wanted, that cannot be written."""
     from hertzwerk.runtime.host.folder import destination_fault
 

@@ -61,7 +61,7 @@ def reports_bad_input(command: Callable[..., int]) -> Callable[..., None]:
     return guarded
 
 
-def kept(write: Callable[[], Kept], missing: list[str], *, wanted: bool) -> Kept | None:
+def written_or_none(write: Callable[[], Kept], missing: list[str], *, wanted: bool) -> Kept | None:
     """Return the result of `write`, if wanted; a failure is appended to `missing`."""
     if not wanted:
         return None
@@ -72,7 +72,7 @@ def kept(write: Callable[[], Kept], missing: list[str], *, wanted: bool) -> Kept
         return None
 
 
-def lacking(missing: Sequence[str]) -> int:
+def report_missing(missing: Sequence[str]) -> int:
     """Print warnings for what could not be written; return the exit code."""
     for text in missing:
         click.echo(f"{click.style('warning', fg='yellow')}  {text}", err=True)
@@ -81,22 +81,22 @@ def lacking(missing: Sequence[str]) -> int:
 
 def _report_error(error: Exception) -> None:
     width = shutil.get_terminal_size().columns if sys.stderr.isatty() else None
-    text = layout.folded(f"error  {error}", width, indent=4).removeprefix("error")
+    text = layout.wrapped(f"error  {error}", width, indent=4).removeprefix("error")
     click.echo(click.style("error", fg="red") + text, err=True)
 
 
 def line(label: str, text: str) -> None:
     """Print one line of a report, or several under one label."""
     width = layout.columns()
-    first, *rest = layout.folded(text, None if width is None else width - 14).split("\n")
+    first, *rest = layout.wrapped(text, None if width is None else width - 14).split("\n")
     click.echo(f"{click.style(f'{label:<12}', fg=COLOURS.get(label))}  {first}".rstrip())
     for line in rest:
         click.echo(f"{'':14}{line}".rstrip())
 
 
-def say(text: str) -> None:
+def print_prose(text: str) -> None:
     """Print prose, broken between words where a terminal ends."""
-    click.echo(layout.folded(text, layout.columns()))
+    click.echo(layout.wrapped(text, layout.columns()))
 
 
 def table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> None:

@@ -13,7 +13,7 @@ from hertzwerk.runtime.effects.cost import cost_of, shares
 from hertzwerk.runtime.effects.measuring import EIGHTHS, LADDER, Bench, Case, Measurement
 from hertzwerk.runtime.effects.outputs import PAST_HORIZON, Output, automatic, chosen, unknown_histories
 from hertzwerk.runtime.effects.smallest import smallest
-from hertzwerk.runtime.effects.starts import as_driven
+from hertzwerk.runtime.effects.starts import driven_start
 from hertzwerk.runtime.effects.study import GONE, NEW, NONE_SEEN, Change, Row, Study
 from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.model import build
@@ -206,7 +206,7 @@ class _Trials:
         """
         try:
             _, case = self._case(gone)
-            seen = self.bench.glance(case, self.outputs)
+            seen = self.bench.measure_once(case, self.outputs)
             if seen is None:
                 return math.inf
             known = {output.name: self.measured.numbers[output.name].value for output in self.outputs}
@@ -230,7 +230,7 @@ class _Trials:
             return names, self.cases[names]
         gone, model = self.scenes.leave_out(self._effects, names)
         if gone not in self.cases:
-            self.cases[gone] = Case(model, as_driven(self.run, model, self.bench.parameters(model)))
+            self.cases[gone] = Case(model, driven_start(self.run, model, self.bench.parameters(model)))
         return gone, self.cases[gone]
 
     def _measured(self, case: Case) -> tuple[Measurement, dict[str, Change]]:
@@ -239,12 +239,12 @@ class _Trials:
             return found, {}
         if self.bench.same_motion(self.run, model):
             same = Change(None, NONE_SEEN, noise=0.0)
-            return found, {o.name: same if o.name in found.numbers else _lacking(found, o) for o in self.outputs}
+            return found, {o.name: same if o.name in found.numbers else _missing_change(found, o) for o in self.outputs}
         return found, {output.name: self._change(found, output) for output in self.outputs}
 
     def _change(self, found: Measurement, output: Output) -> Change:
         if output.name not in found.numbers:
-            return _lacking(found, output)
+            return _missing_change(found, output)
         here, there = self.measured.numbers[output.name], found.numbers[output.name]
         difference, noise = there.value - here.value, there.error + here.error
         size = abs(here.value)
@@ -274,5 +274,5 @@ class _Trials:
             yield f"without it {len(found.failed)} of its runs did not finish and do not count: {'; '.join(found.failed)}"
 
 
-def _lacking(found: Measurement, output: Output) -> Change:
+def _missing_change(found: Measurement, output: Output) -> Change:
     return Change(None, GONE, f"without it {found.lacking[output.name]}")

@@ -29,7 +29,7 @@ from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.solution import scales
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import Solution
-from hertzwerk.runtime.start.start_values import sorted_out
+from hertzwerk.runtime.start.start_values import split_values
 
 FINER = 30.0  # the last tolerance is so many times finer than the first
 ROUNDED = 1e-12  # finer tolerances show rounding
@@ -121,7 +121,7 @@ class Bench:
 
     def _known(self, model: Model) -> tuple[dict[str, Value], dict[str, Value]]:
         """Return the values that a scene has: parameters, initial states."""
-        others, initial = sorted_out(model, self.values)
+        others, initial = split_values(model, self.values)
         return {name: value for name, value in others.items() if name in model.parameters}, initial
 
     def unknown_of(self, model: Model) -> list[str]:
@@ -146,7 +146,7 @@ class Bench:
         ladder = [run for tries in LADDER if (run := finished(*tries)) is not None]
         if len(ladder) < len(LADDER):
             return Measurement(failed[-1])
-        past = self._parts(ladder)
+        past = self._diverges(ladder)
         lacking = {
             output.name: f"there is no {missing}" for output in outputs if (missing := output.missing(ladder[-1]))
         }
@@ -168,7 +168,7 @@ class Bench:
         ends = tuple(outcome.message for outcome in failed)
         return Measurement(ladder[-1].outcome, numbers, lacking, past, ends)
 
-    def glance(self, case: Case, outputs: Sequence[Output]) -> dict[str, float] | None:
+    def measure_once(self, case: Case, outputs: Sequence[Output]) -> dict[str, float] | None:
         """Return the outputs of a single run; None where it lacks one or does not finish."""
         run = self.simulate(case, compiled=False)
         if not run.outcome.finished or any(output.missing(run) for output in outputs):
@@ -178,7 +178,7 @@ class Bench:
         values = {name: value for name, value in found.items() if value is not None}
         return values if len(values) == len(found) else None
 
-    def _parts(self, runs: Sequence[Solution]) -> bool:
+    def _diverges(self, runs: Sequence[Solution]) -> bool:
         """Return whether runs at the coarsest and at the finest tolerance end in different states."""
         first, last = runs[0], runs[-1]
         ends = (run.history.part("y")[-1] for run in (first, last))

@@ -19,7 +19,7 @@ CORRECTIONS = 20  # of the positions, by Gauss and Newton
 AGREE = 1e-9  # relative: the poses of all bodies and their rates, where they are the same
 
 
-def as_driven(run: Solution, model: Model, parameters: Mapping[str, Value]) -> dict[str, tuple[float, str]]:
+def driven_start(run: Solution, model: Model, parameters: Mapping[str, Value]) -> dict[str, tuple[float, str]]:
     """Return the additional coordinates and speeds of a scene so that every body starts as in a run.
 
     The others start as in the run. Empty where there are none, and where bodies cannot start so.

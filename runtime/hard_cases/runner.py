@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from hertzwerk.runtime.hard_cases.invariants import Measured, measure
-from hertzwerk.runtime.host.interrupt import raised
+from hertzwerk.runtime.host.interrupt import raise_interrupts
 from hertzwerk.runtime.integrate.loop.compiled import available
 from hertzwerk.runtime.integrate.tableaux.methods import SUNDIALS
 from hertzwerk.runtime.run.request import Compiled
@@ -142,7 +142,7 @@ def results(jobs: Sequence[tuple[HardCase, Sequence[str]]], workers: int | None 
     others = multiprocessing.active_children()
     executor = ProcessPoolExecutor(cores, multiprocessing.get_context("fork"), _enter, (work,))
     try:
-        with raised():
+        with raise_interrupts():
             yield from _as_done(executor, len(work))
     except KeyboardInterrupt:
         for process in set(multiprocessing.active_children()) - set(others):

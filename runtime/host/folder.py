@@ -76,7 +76,7 @@ def new_folder(name: str, out: Path | None, fill: Callable[[Path], list[str]]) -
         return _publish(temporary, out, parent / name), files
 
 
-def attempted(name: str, make: Callable[[], object]) -> list[str]:
+def failures_of(name: str, make: Callable[[], object]) -> list[str]:
     """Make something that must not fail the rest; return messages on its failure."""
     try:
         make()

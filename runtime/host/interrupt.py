@@ -14,14 +14,14 @@ from types import FrameType
 _waiting: list[Callable[[], None]] = []
 
 
-def heed() -> None:
-    """Deliver a SIGINT deferred by `deferred`, if there is one; for long operations without access to it."""
+def poll() -> None:
+    """Deliver a SIGINT held back by `defer_interrupts`; for long operations without access to it."""
     if _waiting and threading.current_thread() is threading.main_thread():
         _waiting[-1]()
 
 
 @contextmanager
-def deferred() -> Iterator[Callable[[], None]]:
+def defer_interrupts() -> Iterator[Callable[[], None]]:
     """Defer SIGINT until the yielded function is called or the context is left.
 
     The previous handler then receives it. Nothing changes in a thread other than the main one, nor where SIGINT has
@@ -36,25 +36,25 @@ def deferred() -> Iterator[Callable[[], None]]:
     def wait(*arguments: object) -> None:
         received.append(arguments)  # type: ignore[arg-type]
 
-    def heed() -> None:
+    def poll() -> None:
         if received:
             first = received[0]
             received.clear()
             before(*first)
 
     signal.signal(signal.SIGINT, wait)
-    _waiting.append(heed)
+    _waiting.append(poll)
     try:
-        yield heed
+        yield poll
     finally:
-        _waiting.remove(heed)
+        _waiting.remove(poll)
         if signal.getsignal(signal.SIGINT) is wait:  # whoever has put another in its place wants that
             signal.signal(signal.SIGINT, before)
-    heed()
+    poll()
 
 
 @contextmanager
-def raised() -> Iterator[None]:
+def raise_interrupts() -> Iterator[None]:
     """Make SIGINT raise KeyboardInterrupt where it would kill the process, to end child processes too."""
     main = threading.current_thread() is threading.main_thread()
     if not main or signal.getsignal(signal.SIGINT) is not signal.SIG_DFL:

@@ -37,7 +37,7 @@ class Flag(Protocol):
 
 
 @dataclass
-class Alone:
+class LocalFlag:
     """Flag within one process."""
 
     value: int = 0

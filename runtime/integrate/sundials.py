@@ -17,7 +17,7 @@ import casadi as ca
 import numpy as np
 from scipy.optimize import brentq
 
-from hertzwerk.runtime.host.interrupt import deferred
+from hertzwerk.runtime.host.interrupt import defer_interrupts
 from hertzwerk.runtime.integrate.events.events import ends_with_force
 from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, INTERRUPTED, WALL_TIME_LIMIT, Ending
 from hertzwerk.runtime.integrate.step.explicit import flow
@@ -37,7 +37,7 @@ from hertzwerk.runtime.integrate.step.layout import (
     Layouts,
 )
 from hertzwerk.runtime.integrate.step.rounding import EPS
-from hertzwerk.runtime.integrate.step.slips import directed
+from hertzwerk.runtime.integrate.step.slips import resolve_slips
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
@@ -48,7 +48,7 @@ WINDOWS = 20  # of a run at least
 SHORTEST = 1e-9  # window, of the first: below it the integration has failed
 MAX_STEPS = 1_000_000  # inside SUNDIALS, per window
 GRIP = 3.0  # beside the modes of a pair, see _Event
-LETS_GO = -1e300  # N: what is held by a pair whose force has reached it
+BREAKS_LOOSE = -1e300  # N: what is held by a pair whose force has reached it
 AT_REST = 1e-9  # m/s: a sliding velocity that counts as none at an event
 RELATIVE = 1e-14  # the absolute tolerance, in the scene's scales, is the one asked for
 
@@ -64,7 +64,7 @@ class Reference:
     layouts: Layouts
     window: Callable[[float], tuple[Any, Any]]
     ends: Any
-    directed: Any  # see `slips.directed`; None without set-valued friction
+    resolve_slips: Any  # see `slips.resolve_slips`; None without set-valued friction
 
 
 def reference(model: Model, layouts: Layouts, method: str) -> Reference:
@@ -83,7 +83,7 @@ def reference(model: Model, layouts: Layouts, method: str) -> Reference:
         many, one = (ca.integrator("window", method, problem, 0, grid, given) for grid in (points, [1.0]))
         return many, one
 
-    return Reference(model, layouts, window, right.ends, directed(model) if model.ns else None)
+    return Reference(model, layouts, window, right.ends, resolve_slips(model) if model.ns else None)
 
 
 def march(
@@ -103,7 +103,7 @@ def march(
     start, status = time.perf_counter(), RUNNING
     row, error = state, None
     try:
-        with deferred() as interrupts:
+        with defer_interrupts() as interrupts:
             keep(row[None, :])
             for row in run.rows():
                 keep(row[None, :])
@@ -174,14 +174,14 @@ class _Run:
                 times[-1] = self.t_end
             for t, y in zip(times[: GRID if event is None else event.index + 1], points, strict=False):
                 self.t, self.y, self.steps = float(t), y, self.steps + 1
-                self.judge(arrives=arrives and t == self.t_end)
+                self.set_status(arrives=arrives and t == self.t_end)
                 yield self.row()
                 if self.status != RUNNING:
                     return
             window = min(2 * window, self.t_end / WINDOWS)
             if event is not None:
                 self.change(event, h / GRID)
-                self.judge()
+                self.set_status()
                 yield self.row()
                 window = min(self.first_window, self.t_end / WINDOWS)
 
@@ -201,7 +201,7 @@ class _Run:
         values = ends.call([t, y, self.mode, self.m, self.c])
         return {name: np.array(value).ravel() for name, value in zip(ends.name_out(), values, strict=True)}
 
-    def signals(self, t: float, y: np.ndarray) -> list[tuple[int, float, float, float]]:
+    def event_functions(self, t: float, y: np.ndarray) -> list[tuple[int, float, float, float]]:
         """Return the event functions of a state: (pair, mode once the value is negative, value, rate)."""
         end, found = self.at(t, y), []
         for j, mode in enumerate(self.mode):
@@ -224,13 +224,13 @@ class _Run:
 
         At the window's start every signal counts as positive: an event has just been handled there.
         """
-        before, start = self.signals(self.t, self.y), self.y
+        before, start = self.event_functions(self.t, self.y), self.y
         for i, y in enumerate(points):
             t, step = self.t + h * i / GRID, h / GRID
-            after = self.signals(t + step, y)
+            after = self.event_functions(t + step, y)
             roots = []
             for n, (a, b) in enumerate(zip(before, after, strict=True)):
-                high = 1.0 if b[2] <= 0 else self.dip(t, start, step, n) if a[3] < 0 < b[3] else None
+                high = 1.0 if b[2] <= 0 else self.minimum(t, start, step, n) if a[3] < 0 < b[3] else None
                 if high is not None:
                     roots.append((self.root(t, start, step, n, high), n))
             if roots:
@@ -243,9 +243,9 @@ class _Run:
         """Return signal n (part 0) or its rate (part 1) a time h [s] after a state."""
         if h > 0:
             (y,) = self.integrate(self.one, t, y, h)
-        return self.signals(t + h, y)[n][2:][part]
+        return self.event_functions(t + h, y)[n][2:][part]
 
-    def dip(self, t: float, y: np.ndarray, step: float, n: int) -> float | None:
+    def minimum(self, t: float, y: np.ndarray, step: float, n: int) -> float | None:
         """Locate the minimum of signal n in an interval, as a fraction of it; None if the minimum is positive."""
         if not self.value(t, y, 0, n, 1) < 0 < self.value(t, y, step, n, 1):
             return None  # flat, to the tolerance of two integrations
@@ -272,7 +272,7 @@ class _Run:
             self.steps += 1
         end, old, j = self.at(self.t, self.y), self.mode[event.pair], event.pair
         if event.mode == GRIP:
-            self.turn(j, ran_out=True)
+            self.resolve_slip(j, ran_out=True)
             return
         if old == FLIGHT:
             self.events += 1
@@ -294,14 +294,14 @@ class _Run:
                 self.y[self.model.nq + self.model.nu + row] = 0
 
         if j in pairs_of(self.model):
-            self.turn(j, ran_out=False)
+            self.resolve_slip(j, ran_out=False)
 
-    def turn(self, j: int, *, ran_out: bool) -> None:
+    def resolve_slip(self, j: int, *, ran_out: bool) -> None:
         """Resolve stick and slip of pair j after its margin ran out or its contact began or ended."""
         mine = np.array([pair == j for pair in pairs_of(self.model)])
         breaks = mine & ran_out & (self.m[slips_in(self.model)] == STICK)
-        tolerances = np.full(mine.size, AT_REST), np.where(breaks, LETS_GO, 0.0)
-        results = self.functions.directed(self.t, self.y, self.mode, self.m, self.c, mine & ~breaks, *tolerances)
+        tolerances = np.full(mine.size, AT_REST), np.where(breaks, BREAKS_LOOSE, 0.0)
+        results = self.functions.resolve_slips(self.t, self.y, self.mode, self.m, self.c, mine & ~breaks, *tolerances)
         self.m, self.y = (np.array(result).ravel() for result in results)
 
     def parts(self) -> tuple[np.ndarray, np.ndarray]:
@@ -309,7 +309,7 @@ class _Run:
         nq = self.model.nq
         return self.y[:nq], self.y[nq : nq + self.model.nu]
 
-    def judge(self, *, arrives: bool = False) -> None:
+    def set_status(self, *, arrives: bool = False) -> None:
         """Set the status that the state and the counters give."""
         if np.any(self.at(self.t, self.y)["in_range"] < 0.5):
             self.status = OUTSIDE_LAW_RANGE

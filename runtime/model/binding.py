@@ -95,7 +95,7 @@ def _unit_fault(
         unit = unit.at(_exponents(ports))
     expected = declared.at(exponents)
     if unit.exponents == expected.exponents:
-        return _mistaken(port.name, value, unit, text, port.unit)
+        return _angle_fault(port.name, value, unit, text, port.unit)
     if not exponents or text == "1":
         return _wrong_unit(port.name, value, unit, text, port.unit)
     follows = ", ".join(f"{name} = {number:g}" for name, number in exponents.items())
@@ -119,7 +119,7 @@ def read_state(name: str, declared: str, value: Value) -> tuple[float, Fault | N
         return math.nan, Fault(name, shown(value), _value_in(declared), str(error))
     if unit.exponents != parse_unit(declared).exponents:
         return math.nan, _wrong_unit(name, number, unit, text, declared)
-    mistaken = _mistaken(name, number, unit, text, declared)
+    mistaken = _angle_fault(name, number, unit, text, declared)
     if mistaken is not None:
         return math.nan, mistaken
     finite = math.isfinite(si := unit.to_si(number))
@@ -170,7 +170,7 @@ def _wrong_unit(name: str, value: float, unit: Unit, text: str, declared: str) -
     return Fault(name, found, _value_in(declared), remedy)
 
 
-def _mistaken(name: str, value: float, unit: Unit, text: str, declared: str) -> Fault | None:
+def _angle_fault(name: str, value: float, unit: Unit, text: str, declared: str) -> Fault | None:
     """Return the fault of a frequency given for an angular speed, or the reverse."""
     if not unit.mistaken_for(parse_unit(declared)):
         return None

@@ -193,7 +193,7 @@ def build_built_in(
     require_targets([name])
     variation = name, tuple(without), tuple(sorted((laws or {}).items())), coordinates
     scene = partial(_varied, name, without, laws, coordinates)
-    return _module(name, _remembered(variation, scene, source_of(name)))
+    return _module(name, _cached_text(variation, scene, source_of(name)))
 
 
 def _varied(name: str, *variation: Any) -> Scene:
@@ -211,10 +211,10 @@ def build_hard_scene(name: str) -> ModuleType:
 
         return HARD_SCENES[name]()
 
-    return _module(name, _remembered(("hard", name), scene, "derive/scenes/hard/scenes.py"))
+    return _module(name, _cached_text(("hard", name), scene, "derive/scenes/hard/scenes.py"))
 
 
-def _remembered(variation: tuple[object, ...], scene: Callable[[], Scene], source: str) -> str:
+def _cached_text(variation: tuple[object, ...], scene: Callable[[], Scene], source: str) -> str:
     """Return the text of a module from the cache, or derive and keep it."""
     key = f"generated-{_key(variation)}"
     text = disk.read(key, ".py")

@@ -9,9 +9,9 @@ import numpy as np
 
 from hertzwerk.runtime.accuracy.ladder import (
     POINTS,
-    Climbed,
     End,
     Ladder,
+    LadderResult,
     Rung,
     Verdict,
     beyond_horizon,
@@ -28,13 +28,13 @@ from hertzwerk.runtime.solution.scales import Scales
 STOPS = (INTERRUPTED, WALL_TIME_LIMIT, EXCEPTION, TOO_MANY_STEPS)  # what ends all runs
 
 
-def climb(
+def run_to_accuracy(
     run: SingleRun,
     scales: Scales,
     times: np.ndarray | None,
     asked: float,
     progress: Callable[[float], object] | None,
-) -> Climbed[Trace]:
+) -> LadderResult[Trace]:
     """Run at falling tolerance until the requested error is met.
 
     Limits of steps and time are for all runs together, the limit of events for each.
@@ -61,7 +61,7 @@ def climb(
         return scaling.error(model, scales, y, reference)
 
     ladder = Ladder(one, differ, lambda y: scaling.rounding(model, scales, y), grid, asked)
-    return ladder.climb(first_tolerance(asked, seconds, *scales.scene[:2]))
+    return ladder.search(first_tolerance(asked, seconds, *scales.scene[:2]))
 
 
 def _part(progress: Callable[[float], object], before: int) -> Callable[[float], object]:
@@ -70,11 +70,11 @@ def _part(progress: Callable[[float], object], before: int) -> Callable[[float],
 
 
 def verdict_of(
-    run: SingleRun, climbed: Climbed[Trace], asked: float, result: Outcome
+    run: SingleRun, ladder_result: LadderResult[Trace], asked: float, result: Outcome
 ) -> tuple[Outcome, tuple[str, ...]]:
     """Return outcome and warnings of a run for an accuracy; a missed or unknown one is not `finished`."""
-    error, verdict = climbed.error, climbed.verdict
-    other = None if climbed.broken is None else run.outcome(climbed.broken.kept)
+    error, verdict = ladder_result.error, ladder_result.verdict
+    other = None if ladder_result.incomplete is None else run.outcome(ladder_result.incomplete.kept)
     lost = error is not None and error.horizon is not None
     if result.finished and verdict is Verdict.STOPPED and other is not None:
         message = f"the run is complete, a run with a smaller tolerance to know its error by is not: {other.message}"

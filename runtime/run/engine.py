@@ -61,8 +61,8 @@ def _engine(model: Model, method: str) -> Engine:
 
         reference = sundials.reference(model, made.layouts, method)
         return Engine(made, Callers(made.begin), counters, None, partial(sundials.march, reference))
-    whole = made.whole
-    chosen = None if whole is None else cache(lambda: Code(chunk(whole())))
+    with_choice = made.with_choice
+    chosen = None if with_choice is None else cache(lambda: Code(chunk(with_choice())))
     return Engine(made, Callers(made.begin), counters, Code(chunk(made), chosen), march)
 
 
@@ -77,5 +77,5 @@ def prepare(model: Model, method: str, compiled: Compiled, ahead: float = 0.0) -
     typical = model if bound is None else model.without_redundancy(dependent(model, bound, q))
     code = engine_for(typical, method, compiled).code
     if compiled == "auto":
-        return code is not None and code.worthwhile(math.inf, ahead) is not None
+        return code is not None and code.compiled_if_faster(math.inf, ahead) is not None
     return compiled and code is not None

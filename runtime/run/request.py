@@ -19,7 +19,7 @@ from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.run.output_times import Output, times_of
 from hertzwerk.runtime.solution import scales as scaling
 from hertzwerk.runtime.solution.scales import Scales
-from hertzwerk.runtime.start.start_values import dependent, misplaced, start_of
+from hertzwerk.runtime.start.start_values import dependent, overlap_faults, start_of
 
 ACCURACIES, TOLERANCES = (1e-12, 1e-1), (LEAST, 1e-1)
 METHOD: Final = "auto"  # where none is named: bitwise dop853 where nothing is stiff, within 5 % of its time
@@ -124,7 +124,7 @@ def read(
     if given is not None and not faults:
         return given, times
     bound, q, u = start_of(model, parameters, initial, faults)
-    inside = misplaced(model, bound, initial, q, u)
+    inside = overlap_faults(model, bound, initial, q, u)
     if inside:
         raise InputError(model.name, inside)
     given = Given(

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from hertzwerk.runtime.accuracy.ladder import LOOSEST
-from hertzwerk.runtime.integrate.loop.automatic import Gear
+from hertzwerk.runtime.integrate.loop.automatic import AutomaticCallers
 from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, Ending, Resume
 from hertzwerk.runtime.integrate.step.layout import OUTSIDE_LAW_RANGE
 from hertzwerk.runtime.model.model import Model
@@ -40,7 +40,7 @@ class SingleRun:
     engine: Engine
     given: Given
     limits: Limits
-    gear: Gear | None
+    provider: AutomaticCallers | None
     start: Resume | None = None  # what it goes on from; None: the start of the motion
 
     @property
@@ -100,9 +100,9 @@ class SingleRun:
         observers: list[Observer] = [kept] if alone else [kept, findings, *speeds]
         if other is not kept:
             observers.append(other)
-        before = (self.gear.compile_s, self.gear.build_s) if self.gear else (0.0, 0.0)
+        before = (self.provider.compile_s, self.provider.build_s) if self.provider else (0.0, 0.0)
         ending = self._shown(tolerance, scales, observers, None if times is None else BLOCK, progress)
-        compile_s, build_s = (self.gear.compile_s, self.gear.build_s) if self.gear else (0.0, 0.0)
+        compile_s, build_s = (self.provider.compile_s, self.provider.build_s) if self.provider else (0.0, 0.0)
         return Trace(
             tolerance=tolerance,
             ending=ending,
@@ -111,7 +111,7 @@ class SingleRun:
             findings=findings,
             speeds=speeds,
             counted={name: int(ending.last[row]) - self.before(name) for name, row in self.engine.counters.items()},
-            compiled=self.gear is not None and self.gear.compiled,
+            compiled=self.provider is not None and self.provider.compiled,
             compile_s=compile_s - before[0],
             build_s=build_s - before[1],
         )
@@ -158,9 +158,9 @@ class SingleRun:
         for name, value in numbers.items():
             controls[layout[name]] = value
         state = self._first(controls) if self.start is None else self.start.state.copy()
-        loop = self.engine.march if self.gear is None else partial(self.engine.march, self.gear, integrator)
+        loop = self.engine.march if self.provider is None else partial(self.engine.march, self.provider, integrator)
         if self.start is not None:
-            loop = partial(loop, whole=self.start.whole)
+            loop = partial(loop, with_choice=self.start.with_choice)
         recorder = Recorder(lambda rows: History(self.model, rows, controls, integrator), observers, block)
         ending: Ending = loop(state, controls, recorder.keep, wall_time=self.limits.wall_time, progress=progress)
         with suppress(Exception):  # told by the recorder
@@ -186,8 +186,8 @@ def set_up(model: Model, settings: Settings, given: Given, start: Resume | None 
     """
     engine = engine_for(model.without_redundancy(given.dependent), settings.method, settings.compiled)
     code, compiled = engine.code, settings.compiled
-    gear = Gear(code, compiled=compiled is True, changes=compiled == "auto") if code else None
-    return SingleRun(model, settings.method, engine, given, settings.limits, gear, start)
+    provider = AutomaticCallers(code, compiled=compiled is True, changes=compiled == "auto") if code else None
+    return SingleRun(model, settings.method, engine, given, settings.limits, provider, start)
 
 
 @dataclass(frozen=True)

@@ -61,5 +61,5 @@ def floored(count: int, floor: float) -> Iterator[str]:
 
 def uncompiled(code: Code | None) -> Iterator[str]:
     """Yield a warning where C would have saved time but the compiler failed."""
-    if code is not None and code.complaint:
-        yield f"not compiled, which costs time and no accuracy: {code.complaint}"
+    if code is not None and code.compiler_failure:
+        yield f"not compiled, which costs time and no accuracy: {code.compiler_failure}"

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.solution.solution import Solution
 
 # How a run may have ended that goes on where it is asked for more: any other would end so again.
-GOES_ON = (
+CONTINUABLE = (
     "finished",
     "interrupted",
     "wall_time_limit",
@@ -52,7 +52,7 @@ class Checkpoint:
     def about(self) -> dict[str, Any]:
         """Everything but the state, as plain numbers and texts."""
         return {
-            "whole": self.resume.whole,
+            "whole": self.resume.with_choice,
             "layout": dict(self.layout),
             "model": self.model,
             "initial": dict(self.initial),
@@ -94,8 +94,8 @@ def resumable(run: Solution, model: Model, *, saved: bool) -> Checkpoint:
     if saved:
         remedy = f'name it: model=load("{run.model.name}")'
         faults.append(Fault("model", "a saved run, which has no functions", "the model that was run", remedy))
-    if run.outcome.name not in GOES_ON:
-        expected = f"one of {', '.join(GOES_ON)}"
+    if run.outcome.name not in CONTINUABLE:
+        expected = f"one of {', '.join(CONTINUABLE)}"
         faults.append(
             Fault("outcome", run.outcome.name, expected, "it would end so again: change the model or its parameters")
         )

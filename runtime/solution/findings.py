@@ -113,7 +113,7 @@ class Findings:
         self._contacts = Contacts(model)
         self._balance = Balance() if model.has_ledger else None
         self._choices = Choices() if method == "auto" else None
-        self._summing = None if later else self._summing_up(None)
+        self._summing = None if later else self._new_sums(None)
 
     @classmethod
     def saved(
@@ -140,7 +140,7 @@ class Findings:
             if observer is not None:
                 observer.take(block, fresh)
 
-    def _looked(self, observer: Seen) -> Seen:
+    def _observed(self, observer: Seen) -> Seen:
         for block in self._steps:
             observer.take(block, 0)
         return observer
@@ -148,11 +148,11 @@ class Findings:
     @cached_property
     def impacts(self) -> tuple[Impact, ...]:
         """Every contact in the order of its onset."""
-        return self._looked(self._contacts).impacts()
+        return self._observed(self._contacts).impacts()
 
     @cached_property
     def _balanced(self) -> Balance | None:
-        return None if self._balance is None else self._looked(self._balance)
+        return None if self._balance is None else self._observed(self._balance)
 
     @cached_property
     def energy_residual(self) -> float | None:
@@ -167,9 +167,9 @@ class Findings:
     @cached_property
     def choices(self) -> tuple[Choice, ...]:
         """See `Solution.choices`."""
-        return tuple(self._looked(self._choices).made) if self._choices is not None else ()
+        return tuple(self._observed(self._choices).made) if self._choices is not None else ()
 
-    def secured(self) -> Iterator[str]:
+    def compute_all(self) -> Iterator[str]:
         """Compute everything now, replacing by nothing and reporting what fails, so that the rest is not lost."""
         nothing = Sums(math.nan, *(np.zeros((0, n)) for n in (self._model.k, self._model.k, self._model.nz)))
         for name, empty in (("impacts", ()), ("energy_residual", None), ("choices", ()), ("_sums", nothing)):
@@ -186,7 +186,7 @@ class Findings:
         multiple of the known ones.
         """
         if interval is not None and self._steps:
-            return self._looked(self._summing_up(interval)).sums
+            return self._observed(self._new_sums(interval)).sums
         known = self._sums
         if interval is None:
             return known
@@ -198,9 +198,9 @@ class Findings:
 
     @cached_property
     def _sums(self) -> Sums:
-        return self._looked(self._summing_up(None)).sums if self._summing is None else self._summing.sums
+        return self._observed(self._new_sums(None)).sums if self._summing is None else self._summing.sums
 
-    def _summing_up(self, interval: float | None) -> Summing:
+    def _new_sums(self, interval: float | None) -> Summing:
         begin, until = self._begin, float(self._steps[-1].t[-1]) if self._steps else 0.0
         if until <= begin:
             until = self._duration  # of a run without a step as well: its sums are of no interval

@@ -32,7 +32,7 @@ def of_steps(method: str, history: History) -> str:
     explicit = isinstance(table, RungeKutta)
     if explicit and stiff:
         return f"stability holds the steps of {method} down, not accuracy: {AUTO}, or {' or '.join(IMPLICIT)}"
-    if explicit and _turns(found[:, 1:]):
+    if explicit and _alternates(found[:, 1:]):
         return f"step after step of {method} goes over the layer in which friction turns: {AUTO}, or {' or '.join(IMPLICIT)}"
     if not explicit and not stiff:
         return f"nothing is stiff there, and steps of {method} are shorter than those of dop853: {AUTO}"
@@ -51,7 +51,7 @@ def of_accuracy(method: str) -> str:
     return f"many steps of {method} leave more rounding than the few of dop853, of higher order: {AUTO}"
 
 
-def _turns(sliding: np.ndarray) -> bool:
+def _alternates(sliding: np.ndarray) -> bool:
     """Return whether a sliding velocity (rows, n) changes its sign about every other step."""
     turned = np.diff(np.sign(sliding), axis=0) != 0
     return bool(turned.size and np.max(np.mean(turned, axis=0)) > MOST / 2)

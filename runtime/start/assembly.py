@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from hertzwerk.derive.faults import Fault
 from hertzwerk.runtime.model.per_model import per_model
-from hertzwerk.runtime.start.intrusion import too_deep
+from hertzwerk.runtime.start.intrusion import deep_overlaps
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Bound, Dependent, Model
@@ -70,7 +70,7 @@ def assemble(
     return q, moving, under
 
 
-def assembled_at(
+def assemble_at(
     model: Model, bound: Bound, q: Array, u: Array, given: Collection[str], seats: Array
 ) -> tuple[Array, Array, tuple[Fault, ...]]:
     """Return coordinates, speeds and faults with journals at rest at the eccentricities `seats` [m].
@@ -243,7 +243,7 @@ class _Loops:
         if self.whole is None:
             return True
         q, u = placed(self.whole, self.bound, q, np.zeros(self.model.nu))
-        return not too_deep(self.whole, self.bound, q, u)
+        return not deep_overlaps(self.whole, self.bound, q, u)
 
     @property
     def scales(self) -> tuple[Array, Array]:
@@ -325,7 +325,7 @@ def _position(loops: _Loops, q: Array, given: Collection[str]) -> tuple[Array, t
     closing = np.vstack([closing, np.max(np.abs(closing)) * _norms(model, found)])
     free = _undetermined(closing[:, unknown], [names[i] for i in unknown])
     if open_ones:
-        remedy = _ways_out(
+        remedy = _remedies(
             [name for name in names if name in given],
             loops.drives if not free[0] else [],
             "no place that was tried closes it: check the lengths between its joints, or state positions nearer to one in the scene's Start",
@@ -357,7 +357,7 @@ def _norms(model: Model, q: Array) -> Array:
     return rows
 
 
-def _ways_out(given: list[str], drives: list[str], otherwise: str) -> str:
+def _remedies(given: list[str], drives: list[str], otherwise: str) -> str:
     """Suggest what to leave out of a start whose loops stay open."""
     ways = [f"given: {', '.join(given)}; leave some of it to be found"] if given else []
     if drives:
@@ -408,7 +408,7 @@ def _speed(loops: _Loops, q: Array, u: Array, given: Collection[str]) -> tuple[A
     found = loops.open_ones(loops.at(q, u)[1], size)
     kept = [name for name in model.speeds if name in given]
     if found:
-        remedy = _ways_out(kept, loops.drives, "the mechanism is locked here")
+        remedy = _remedies(kept, loops.drives, "the mechanism is locked here")
         return u, (
             Fault(
                 "start, speeds",

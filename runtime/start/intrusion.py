@@ -39,7 +39,7 @@ class Intrusion:
     speed: float
 
 
-def too_deep(
+def deep_overlaps(
     model: Model, bound: Bound, q: np.ndarray, u: np.ndarray, *, limit: float = LIMIT, shallow: bool = False
 ) -> tuple[Intrusion, ...]:
     """Return the pairs that overlap too deeply at coordinates q (nq,) and speeds u (nu,), t = 0.

@@ -19,7 +19,7 @@ import numpy as np
 
 from hertzwerk.derive.faults import Fault
 from hertzwerk.runtime.model.per_model import per_model
-from hertzwerk.runtime.start.assembly import RANK, Array, assembled_at, eccentricities, journals, placed
+from hertzwerk.runtime.start.assembly import RANK, Array, assemble_at, eccentricities, journals, placed
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Bound, Model
@@ -60,7 +60,7 @@ def seat(
 
     q, u: joints with the journals centred.
     """
-    seats, scale = _unsettled(model, bound, q, u), float(np.array(model.function("scales")(bound.p)[3]).ravel()[2])
+    seats, scale = _initial_seats(model, bound, q, u), float(np.array(model.function("scales")(bound.p)[3]).ravel()[2])
     at: Array | None = None
     for _ in range(REPETITIONS):
         forces, loose = closed_forces(model, bound, q, u)
@@ -82,7 +82,7 @@ def seat(
             np.linalg.norm(wanted[each.rows] - at[each.rows]) <= SETTLED * each.clearance for each in seats
         )
         at = wanted
-        q, u, faults = assembled_at(model, bound, q, u, given, at)
+        q, u, faults = assemble_at(model, bound, q, u, given, at)
         if settled or faults:
             return q, u, faults
     return q, u, (_no_seat("where they are pressed changes with where they are"),)
@@ -114,7 +114,7 @@ def closed_forces(model: Model, bound: Bound, q: Array, u: Array) -> tuple[Array
     return multipliers / sizes, bool(rank < len(own))
 
 
-def _unsettled(model: Model, bound: Bound, q: Array, u: Array) -> list[_Seat]:
+def _initial_seats(model: Model, bound: Bound, q: Array, u: Array) -> list[_Seat]:
     """Return the journals with initial depths."""
     there = 0.0, *placed(model, bound, q, u), bound.c
     e = np.array(eccentricities(model)(*there)[0]).ravel()

@@ -17,7 +17,7 @@ from hertzwerk.runtime.model.model import Bound, Dependent, Model
 Given = TypeVar("Given", bound=Value)
 
 
-def sorted_out(model: Model, values: Mapping[str, Given]) -> tuple[dict[str, Given], dict[str, Given]]:
+def split_values(model: Model, values: Mapping[str, Given]) -> tuple[dict[str, Given], dict[str, Given]]:
     """Split values by name into parameters and initial states of the joints.
 
     A name that is neither is left among the parameters.
@@ -111,35 +111,39 @@ def _assembled(
     return q, u
 
 
-def misplaced(model: Model, bound: Bound, initial: Mapping[str, Value], q: np.ndarray, u: np.ndarray) -> list[Fault]:
+def overlap_faults(
+    model: Model, bound: Bound, initial: Mapping[str, Value], q: np.ndarray, u: np.ndarray
+) -> list[Fault]:
     """Return a fault for each pair that overlaps too deeply at the start, with a remedy."""
-    from hertzwerk.runtime.start.intrusion import LIMIT, too_deep
+    from hertzwerk.runtime.start.intrusion import LIMIT, deep_overlaps
 
     faults = []
-    for found in too_deep(model, bound, q, u):
+    for found in deep_overlaps(model, bound, q, u):
         if found.allowed is None:
             why = f"a penetration of {found.depth:.3g} m, so deep that its law is not defined there"
             expected = "surfaces that are apart, or touch"
         else:
             why = f"a penetration of {found.depth:.3g} m, which would throw the surfaces apart at {found.speed:.3g} m/s"
             expected = f"at most about {found.allowed:.2g} m, where that is {LIMIT:g} times as fast as the scene"
-        faults.append(Fault(f"start, {found.pair}", why, expected, _way_apart(model, bound, initial, found.pair)))
+        faults.append(
+            Fault(f"start, {found.pair}", why, expected, _separating_change(model, bound, initial, found.pair))
+        )
     return faults
 
 
 def pressed(model: Model, bound: Bound, initial: Mapping[str, Value], q: np.ndarray, u: np.ndarray) -> Iterator[str]:
     """Warn of pairs pressed so deep at the start that they separate faster than the scene moves."""
-    from hertzwerk.runtime.start.intrusion import too_deep
+    from hertzwerk.runtime.start.intrusion import deep_overlaps
 
     held = ", and its damping, which knows no approach, may hold it there" if model.latches else ""
-    for found in too_deep(model, bound, q, u, limit=1.0, shallow=True):
+    for found in deep_overlaps(model, bound, q, u, limit=1.0, shallow=True):
         yield (
             f"{found.pair} starts {found.depth:.3g} m deep: stiffness alone would throw that apart at {found.speed:.3g} m/s, faster than the "
-            f"scene is{held}; {_way_apart(model, bound, initial, found.pair)}"
+            f"scene is{held}; {_separating_change(model, bound, initial, found.pair)}"
         )
 
 
-def _way_apart(model: Model, bound: Bound, initial: Mapping[str, Value], pair: str) -> str:
+def _separating_change(model: Model, bound: Bound, initial: Mapping[str, Value], pair: str) -> str:
     """Suggest the coordinate whose least change, in the scene's scales, separates a pair's surfaces."""
     joints, j = model.joints, model.pairs.index(pair)
     stated, still = _assembled(model, bound, initial, [])

@@ -12,14 +12,14 @@ from typing import Any
 import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError, shown
-from hertzwerk.runtime.host.workers import Alone, Flag, cores, results
+from hertzwerk.runtime.host.workers import Flag, LocalFlag, cores, results
 from hertzwerk.runtime.model.binding import Value, read_state
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.run.engine import prepare
 from hertzwerk.runtime.run.request import METHOD, Compiled, Settings
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.solution.solution import Solution
-from hertzwerk.runtime.start.start_values import sorted_out
+from hertzwerk.runtime.start.start_values import split_values
 from hertzwerk.runtime.sweep.sweep_table import NUMBERS, TEXTS, Row, Sweep, ports
 
 Output = Callable[[Solution], float]
@@ -116,12 +116,12 @@ class _Job:
     sets: list[dict[str, Value]]
     settings: dict[str, Any]
     outputs: Mapping[str, Output]
-    stop: Flag = field(default_factory=Alone)
+    stop: Flag = field(default_factory=LocalFlag)
 
     def do(self, i: int) -> Row:
         """Run set i; raises KeyboardInterrupt where it was stopped."""
         try:
-            return self._row(i, self._solve(i, progress=self._heed))
+            return self._row(i, self._solve(i, progress=self._poll))
         except Exception as error:  # a row says so: hours of other runs are not lost for it
             return self._without_run(i, error)
 
@@ -147,7 +147,7 @@ class _Job:
 
     def _solve(self, i: int, **options: Any) -> Solution:
         """Raises InputError, and KeyboardInterrupt where the run was stopped."""
-        parameters, initial = sorted_out(self.model, self.sets[i])
+        parameters, initial = split_values(self.model, self.sets[i])
         solution = simulate(self.model, parameters=parameters, initial=initial, **{**self.settings, **options})
         if solution.outcome.name == "interrupted":
             raise KeyboardInterrupt
@@ -159,7 +159,7 @@ class _Job:
             return Row(i, self.sets[i], BAD_INPUT, "; ".join(str(fault) for fault in error.faults))
         return Row(i, self.sets[i], FAILED, f"{type(error).__name__}: {error}")
 
-    def _heed(self, _: float) -> None:
+    def _poll(self, _: float) -> None:
         if self.stop.value:
             raise KeyboardInterrupt
 

@@ -139,7 +139,7 @@ class Study:
         """
         found = {}
         for method in self.methods:
-            told = self._told(method)
+            told = self._measurable(method)
             cost = decade_cost([error for error, _, _ in told], [time for _, time, _ in told])
             rows = [row for row in self.of(method) if row.time and row.error is not None and row.error <= row.accuracy]
             asked = decade_cost([row.accuracy for row in rows], [row.time or math.nan for row in rows])
@@ -154,7 +154,7 @@ class Study:
     @cached_property
     def orders(self) -> dict[str, float | None]:
         """Observed order of each method."""
-        rows = {method: self._told(method) for method in self.methods}
+        rows = {method: self._measurable(method) for method in self.methods}
         return {m: order([e for e, _, _ in told], [n for _, _, n in told]) for m, told in rows.items()}
 
     @cached_property
@@ -174,7 +174,7 @@ class Study:
         ratios = [a.time / b.time for a, b in zip(*both, strict=False) if a.time and b.time]
         return median(ratios) if ratios else None
 
-    def _told(self, method: str) -> list[tuple[float, float, float]]:
+    def _measurable(self, method: str) -> list[tuple[float, float, float]]:
         """Return error, time [s] and evaluations of the runs with a measurable error."""
         return [
             (row.error, row.time, float(row.rhs_evaluations))

@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
-from hertzwerk.runtime.integrate.step.friction import margins, pairs_of, sized, steady
+from hertzwerk.runtime.integrate.step.friction import margin_tolerances, margins, margins_positive, pairs_of
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, RELEASED, Layouts
-from hertzwerk.runtime.integrate.step.rounding import EPS, of_gaps
+from hertzwerk.runtime.integrate.step.rounding import EPS, gap_rounding
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
@@ -40,7 +40,7 @@ def tolerances(model: Model, run: Mapping[str, Any], t: Any, y: Any, gap_rate: A
     """
     length, speed, force = (run["scales"][i] for i in range(3))
     q, u = y[: model.nq], y[model.nq : model.nq + model.nu]
-    gap_floor, rate_floor = (ROUNDINGS * bound for bound in of_gaps(model)(t, q, u, run["c"]))
+    gap_floor, rate_floor = (ROUNDINGS * bound for bound in gap_rounding(model)(t, q, u, run["c"]))
     small = LANDING * run["tolerance"]
     return (
         ca.fmax(_landing(run, t, gap_rate), gap_floor),
@@ -57,12 +57,12 @@ def _landing(run: Mapping[str, Any], t: Any, gap_rate: Any) -> Any:
     return ca.fmax(LANDING * run["tolerance"] * run["scales"][0], 4 * EPS * ca.fabs(gap_rate) * ca.fabs(t))
 
 
-def far(
+def far_apart(
     model: Model, run: Mapping[str, Any], start: Mapping[str, Any], end: Mapping[str, Any], pairs: list[int]
 ) -> Any:
     """Return 1 for pairs in flight so far apart that no event is possible in the step.
 
-    A cheap sufficient condition for `all_clear`, without a polynomial.
+    A cheap sufficient condition for `no_event_possible`, without a polynomial.
     """
     h = start["h"]
     gap0, rate0, a0 = (start[part][pairs] for part in GAP)
@@ -73,7 +73,7 @@ def far(
     return ca.fmin(gap0, gap1) > least
 
 
-def all_clear(
+def no_event_possible(
     model: Model, run: Mapping[str, Any], mode: Any, start: Mapping[str, Any], end: Mapping[str, Any], pairs: list[int]
 ) -> Any:
     """Return 1 for pairs to which no event is possible in a step nor just behind it.
@@ -82,14 +82,14 @@ def all_clear(
     """
     h = start["h"]
     tol = _landing(run, end["t"], end["gap_rate"][pairs])
-    before, after = ([x[pairs] for x in towards(mode, side)] for side in (start, end))
+    before, after = ([x[pairs] for x in signed_gaps(mode, side)] for side in (start, end))
     b = _quintic(before, after, h)
-    between = _between(before, after, h)
+    between = _graze_margin(before, after, h)
     soon = b[5] + NEAR * h * after[1]
     clear = (b[0] > tol) * (b[5] > tol) * (soon > tol) * (1 - pulls(model, end["force"])[pairs])
     for coefficient in b[1:5]:
         clear *= coefficient > between
-    return clear * (steady(model, mode, start, end) if model.ns else 1)
+    return clear * (margins_positive(model, mode, start, end) if model.ns else 1)
 
 
 def pulls(model: Model, force: Any) -> Any:
@@ -113,7 +113,7 @@ def polynomials(model: Model, layouts: Layouts) -> Any:
     arguments, (start, run, end) = _step(layouts)
     h = start["h"]
     tol, tol_rate, tol_force = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
-    before, after = towards(start["mode"], start), towards(start["mode"], end)
+    before, after = signed_gaps(start["mode"], start), signed_gaps(start["mode"], end)
     g, rate, _ = before
     b = _quintic(before, after, h)
     # On the surface and leaving it: the root at 0 is no event, the return is. (g(theta) - g)/theta is a quartic, here raised to degree 5.
@@ -121,7 +121,7 @@ def polynomials(model: Model, layouts: Layouts) -> Any:
     deflated = _raise([5 * (b[i] - b[0]) / i for i in range(1, 6)])
     # At rest within the tolerance the end of the step decides, not the polynomial.
     b = [ca.if_else(leaving, d, ca.if_else(resting, 1, x)) for d, x in zip(deflated, b, strict=True)]
-    between = _between(before, after, h)
+    between = _graze_margin(before, after, h)
     bernstein, margin = ca.vertcat(*(x.T for x in b)), ca.if_else(leaving, 2, 1) * tol
     doubt = ca.if_else((between > tol) * (1 - leaving), between, 0)
     suspect = _row_minimum(bernstein.T) <= doubt
@@ -178,7 +178,7 @@ def _slipping(
     model: Model, start: Mapping[str, Any], end: Mapping[str, Any], tol_rate: Any, tol_force: Any
 ) -> tuple[Any, list[Any], Any]:
     """Return, for the slip and stick margins (ns): falls below zero, cubic's coefficients, tolerance."""
-    small = sized(model, start["m"], tol_rate, tol_force)
+    small = margin_tolerances(model, start["m"], tol_rate, tol_force)
     cubic = margins(start, end)
     lowest = ca.fmin(ca.fmin(cubic[1], cubic[2]), cubic[3])
     falls = (start["mode"][pairs_of(model)] == CONTACT) * (cubic[0] > -small / 2) * (lowest < -small)
@@ -260,13 +260,13 @@ _POWERS = [
 ]  # of 1, theta, ..., theta^5
 
 
-def towards(mode: Any, parts: Mapping[str, Any]) -> list[Any]:
+def signed_gaps(mode: Any, parts: Mapping[str, Any]) -> list[Any]:
     """Return gaps, rates and accelerations, signed so that an event is a fall through zero."""
     sign = ca.if_else(mode == FLIGHT, 1, -1)
     return [sign * parts[part] for part in GAP]
 
 
-def _between(start: list[Any], end: list[Any], h: Any) -> Any:
+def _graze_margin(start: list[Any], end: list[Any], h: Any) -> Any:
     """Return the distance a graze must keep from zero: a part of |quintic - cubic| at mid-step."""
     return ca.fabs(DOUBT * h / 32 * (start[1] - end[1]) + DOUBT * h * h / 64 * (start[2] + end[2]))
 

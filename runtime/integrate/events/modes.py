@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.integrate.events.events import ends_with_force, pulls, tolerances
-from hertzwerk.runtime.integrate.step.classes import IDLE, classified
-from hertzwerk.runtime.integrate.step.friction import asked_and_broken, pairs_of, sized
+from hertzwerk.runtime.integrate.step.classes import IDLE, class_of
+from hertzwerk.runtime.integrate.step.friction import margin_tolerances, pairs_of, undecided_and_breaking
 from hertzwerk.runtime.integrate.step.layout import (
     CONTACT,
     FLIGHT,
@@ -25,7 +25,7 @@ from hertzwerk.runtime.integrate.step.layout import (
     RUNNING,
     Layouts,
 )
-from hertzwerk.runtime.integrate.step.slips import directed
+from hertzwerk.runtime.integrate.step.slips import resolve_slips
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.step.explicit import Flow
@@ -76,17 +76,17 @@ def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
     before, after, run = (layout.split(vector) for layout, vector in zip(layouts, arguments, strict=True))
     y = after["y"]
     if model.has_ledger:
-        y = _book(model, after["t"], y, run["c"], before["mode"], after["mode"])
-    y, m = _forget(model, y, after["mode"]), after["m"]
+        y = _book_stored_energy(model, after["t"], y, run["c"], before["mode"], after["mode"])
+    y, m = _reset_bristles(model, y, after["mode"]), after["m"]
     _, *tolerance = tolerances(model, run, after["t"], y, after["gap_rate"])
     asked = ca.SX(0, 1)
     if model.ns:
-        small = sized(model, m, *tolerance)
-        asked, _ = asked_and_broken(
+        small = margin_tolerances(model, m, *tolerance)
+        asked, _ = undecided_and_breaking(
             model, after["mode"], m, after["margin"], after["margin_rate"], small, before["mode"]
         )
     booked = ca.Function(
-        "booked", arguments, [after["t"], y, after["mode"], m, run["c"], asked, *_of_slips(model, tolerance)]
+        "booked", arguments, [after["t"], y, after["mode"], m, run["c"], asked, *_slip_tolerances(model, tolerance)]
     )
     y, m = ca.SX.sym("y", y.numel()), ca.SX.sym("m", model.nm)
     end = right.at(after["t"], y, after["mode"], m, run["c"])
@@ -96,7 +96,7 @@ def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
     new = {**after, **end, "y": y, "m": m, "status": status, "class": ca.if_else(finite, after["class"], IDLE)}
     resumed = ca.Function("resumed", [*arguments[1:], m, y], [vectors.state.join(new)])
     given = booked.mx_in()
-    slips = directed(model).call(booked.call(given))
+    slips = resolve_slips(model).call(booked.call(given))
     return ca.Function("switch", given, [resumed(*given[1:], *slips)], [*names], ["next"])
 
 
@@ -120,11 +120,11 @@ def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
         end = right.at(t, y, touching, m, run["c"])
         spent = pulls(model, end["force"]) * (gap < -tol)
         mode = ca.if_else(touching, ca.if_else(spent, RELEASED, CONTACT), FLIGHT)
-    asking = [t, y, mode, m, run["c"], ca.SX.ones(model.ns), *_of_slips(model, tolerance)]
+    asking = [t, y, mode, m, run["c"], ca.SX.ones(model.ns), *_slip_tolerances(model, tolerance)]
     touched = ca.Function("touched", [t, q, u, controls], [*asking, floored])
     given = touched.mx_in()
     *asked, booked = touched.call(given)
-    slips = directed(model).call(asked)
+    slips = resolve_slips(model).call(asked)
     state = _first(model, vectors, right)(given[0], given[3], asked[2], *slips, booked)
     return ca.Function("begin", given, [state], ["t", "q", "u", "controls"], ["state"])
 
@@ -153,7 +153,7 @@ def _first(model: Model, vectors: Layouts, right: Flow) -> Any:
         "h_flight": h,
         "h_contact": ca.fmin(h, h_onset),
         "h_onset": h_onset,
-        "class": ca.if_else(status == RUNNING, classified(model, mode), IDLE),
+        "class": ca.if_else(status == RUNNING, class_of(model, mode), IDLE),
         "status": status,
         "accepted": ca.SX(1),
         "fresh_contact": in_contact,
@@ -163,7 +163,7 @@ def _first(model: Model, vectors: Layouts, right: Flow) -> Any:
     return ca.Function("first", [t, controls, mode, m, y, floored], [vectors.state.join(start)])
 
 
-def _of_slips(model: Model, tolerance: list[Any]) -> list[Any]:
+def _slip_tolerances(model: Model, tolerance: list[Any]) -> list[Any]:
     """Return the tolerances of the pairs with set-valued friction."""
     return [part[pairs_of(model)] if model.ns else ca.SX(0, 1) for part in tolerance]
 
@@ -187,7 +187,7 @@ def _closing(rate: Any, acceleration: Any) -> Any:
     return (rate < 0) + (rate == 0) * (acceleration < 0) > 0
 
 
-def _forget(model: Model, y: Any, mode: Any) -> Any:
+def _reset_bristles(model: Model, y: Any, mode: Any) -> Any:
     """Return the state with the bristles of ended contacts reset."""
     y = ca.SX(y)
     for row, j in getattr(model.module, "BRISTLES", ()):
@@ -196,7 +196,7 @@ def _forget(model: Model, y: Any, mode: Any) -> Any:
     return y
 
 
-def _book(model: Model, t: Any, y: Any, c: Any, before: Any, after: Any) -> Any:
+def _book_stored_energy(model: Model, t: Any, y: Any, c: Any, before: Any, after: Any) -> Any:
     """Return the state with the stored energy of ended contacts booked as dissipated.
 
     It is booked back where a released contact resumes.

@@ -6,21 +6,29 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
-from hertzwerk.runtime.integrate.events.events import NEAR, NO_EVENT, endings, polynomials, search, tolerances, towards
+from hertzwerk.runtime.integrate.events.events import (
+    NEAR,
+    NO_EVENT,
+    endings,
+    polynomials,
+    search,
+    signed_gaps,
+    tolerances,
+)
 from hertzwerk.runtime.integrate.events.modes import FINITE, Parts, any_of, is_finite, latch, next_modes, switch
-from hertzwerk.runtime.integrate.step.classes import IDLE, IN_CONTACT, classified
+from hertzwerk.runtime.integrate.step.classes import IDLE, IN_CONTACT, class_of
 from hertzwerk.runtime.integrate.step.closing import LOST
 from hertzwerk.runtime.integrate.step.control import (
     ONSET_GROW,
     SAFETY,
     factor,
-    near_surfaces,
+    limited_by_surfaces,
     onset_factor,
-    remembered,
+    step_to_continue,
     time_to_root,
 )
-from hertzwerk.runtime.integrate.step.explicit import Flow, nudged
-from hertzwerk.runtime.integrate.step.friction import asked_and_broken, sized
+from hertzwerk.runtime.integrate.step.explicit import Flow, short_step
+from hertzwerk.runtime.integrate.step.friction import margin_tolerances, undecided_and_breaking
 from hertzwerk.runtime.integrate.step.layout import (
     CONSTRAINT_LOST,
     CONTACT,
@@ -37,7 +45,7 @@ from hertzwerk.runtime.integrate.step.layout import (
     Layouts,
 )
 from hertzwerk.runtime.integrate.step.rounding import EPS
-from hertzwerk.runtime.integrate.step.singular import clear_of_singular
+from hertzwerk.runtime.integrate.step.singular import limited_by_singular
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
 
 if TYPE_CHECKING:
@@ -89,7 +97,7 @@ def reject(vectors: Layouts, table: Table) -> Any:
     in_contact = old["class"] >= IN_CONTACT
     shrunk = ca.if_else(in_contact * old["fresh_contact"], onset_factor(error), factor(table, error))
     h = h * ca.if_else(finite, ca.fmin(shrunk, SAFETY), 0.1)
-    kept, h = h, clear_of_singular(table, h, old["ahead"])
+    kept, h = h, limited_by_singular(table, h, old["ahead"])
     stuck = (h < 4 * EPS * ca.fabs(old["t"])) + (old["t"] + h <= old["t"]) > 0
     why = ca.if_else(finite, ca.if_else(error >= LOST, CONSTRAINT_LOST, STEP_TOO_SMALL), NOT_FINITE)
     status = ca.if_else(stuck, why, RUNNING)
@@ -132,7 +140,7 @@ def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
     arguments, (old, run, end, _) = _arguments(vectors)
     at_gap, at_force = ca.SX.sym("at_gap", model.k), ca.SX.sym("at_force", model.k + model.ns)
     tol, _, _ = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
-    times = time_to_root(*towards(old["mode"], end))
+    times = time_to_root(*signed_gaps(old["mode"], end))
     near = (
         ca.fmin(NEAR, run["tolerance"] ** 0.2) * old["h"]
     )  # its fifth power, the nudge's error, is below the tolerance
@@ -152,7 +160,7 @@ def _nudge(model: Model, vectors: Layouts, right: Flow) -> Any:
     """Build the function (state, controls, next, verdict, delta) -> (next, verdict) delta [s] later."""
     arguments, (old, run, end, verdict) = _arguments(vectors)
     delta = ca.SX.sym("delta")
-    moved = nudged(right, old, end, run, delta)
+    moved = short_step(right, old, end, run, delta)
     in_range = moved.pop("in_range")
     outputs = [vectors.state.join({**end, **moved}), vectors.verdict.join({**verdict, "in_range": in_range})]
     return ca.Function("moved", [*arguments, delta], ca.cse(outputs))
@@ -171,7 +179,7 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
     mode, m, floored, begun = old["mode"], old["m"], ca.SX(0), ca.SX(0)
     if model.k:  # moved, but too far: the step is retaken to the root as it appears from there
         tol, _, _ = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
-        g, *rates = towards(mode, end)
+        g, *rates = signed_gaps(mode, end)
         beyond = ca.mmin(ca.if_else(g < -tol, time_to_root(g, *rates), 0))
         retake = ca.if_else(moved, beyond < 0, retake)
         aimed = ca.if_else(moved, old["h"] + delta + beyond, aimed)
@@ -186,18 +194,18 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
     switched = any_of(mode != old["mode"])
     if model.ns:
         _, *tolerance = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
-        small = sized(model, old["m"], *tolerance)
-        turns = asked_and_broken(model, mode, old["m"], end["margin"], end["margin_rate"], small, old["mode"])
+        small = margin_tolerances(model, old["m"], *tolerance)
+        turns = undecided_and_breaking(model, mode, old["m"], end["margin"], end["margin_rate"], small, old["mode"])
         switched = switched + accepted * any_of(sum(turns)) > 0
     now_contact = any_of(mode == CONTACT)
 
-    new = old | _remembered(table, old, judged["error"], accepted, begun > 0)
+    new = old | _steps_to_continue(table, old, judged["error"], accepted, begun > 0)
     arrived = accepted * ((1 - moved) * (old["h"] >= run["t_end"] - old["t"]) + (end["t"] >= run["t_end"]) > 0)
     t = ca.if_else(accepted, ca.if_else(arrived, run["t_end"], end["t"]), old["t"])
     free = ca.if_else(now_contact, ca.fmin(new["h_contact"], run["h_max"]), new["h_flight"])
     if model.k:
-        free = near_surfaces(free, new["h_onset"], mode, end, resting=ca.fabs(end["gap"]) <= tol)
-    free = clear_of_singular(table, free, ca.if_else(accepted, end["ahead"], old["ahead"]))
+        free = limited_by_surfaces(free, new["h_onset"], mode, end, resting=ca.fabs(end["gap"]) <= tol)
+    free = limited_by_singular(table, free, ca.if_else(accepted, end["ahead"], old["ahead"]))
     left = run["t_end"] - t
     h = ca.if_else(retake, aimed, ca.if_else(1.01 * free >= left, left, free))
     new |= {part: ca.if_else(accepted, end[part], old[part]) for part in MOVED}
@@ -225,11 +233,11 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
         (new["steps"] >= run["max_steps"], TOO_MANY_STEPS),
         otherwise=RUNNING,
     )
-    new["class"] = ca.if_else(new["status"] == RUNNING, classified(model, mode), IDLE)
+    new["class"] = ca.if_else(new["status"] == RUNNING, class_of(model, mode), IDLE)
     return ca.Function("decide", [*arguments, theta, delta], ca.cse([vectors.state.join(new), switched]))
 
 
-def _remembered(table: Table, old: Parts, error: Any, accepted: Any, begun: Any) -> Parts:
+def _steps_to_continue(table: Table, old: Parts, error: Any, accepted: Any, begun: Any) -> Parts:
     """Return h_flight, h_contact, h_onset [s], the steps to continue with; a retake changes none."""
     h, in_contact = old["h"], old["class"] >= IN_CONTACT
     first = in_contact * old["fresh_contact"]
@@ -237,7 +245,7 @@ def _remembered(table: Table, old: Parts, error: Any, accepted: Any, begun: Any)
     kept = ca.if_else(in_contact, old["h_contact"], old["h_flight"])
     grown = h * ca.if_else(old["after_rejection"], ca.fmin(change, 1), ca.if_else(first, ONSET_GROW, change))
     full = h >= kept * (1 - 1e-9)
-    kept = ca.if_else(accepted, remembered(h, kept, grown), kept)
+    kept = ca.if_else(accepted, step_to_continue(h, kept, grown), kept)
     h_onset = ca.if_else(accepted * first * full, h * change, old["h_onset"])
     h_contact = ca.if_else(in_contact, kept, old["h_contact"])
     at_onset = ca.if_else(in_contact, ca.fmin(h_contact, h_onset), h_onset)  # another pair may be in contact already

@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
-from hertzwerk.runtime.host.interrupt import heed
-from hertzwerk.runtime.integrate.events.events import all_clear, far
+from hertzwerk.runtime.host.interrupt import poll
+from hertzwerk.runtime.integrate.events.events import far_apart, no_event_possible
 from hertzwerk.runtime.integrate.events.modes import all_of, is_finite
 from hertzwerk.runtime.integrate.loop.choose import Choosing, choice, suspicion
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, modes
-from hertzwerk.runtime.integrate.step.control import factor, near_surfaces, remembered, roughness
-from hertzwerk.runtime.integrate.step.implicit import composed, linearised
+from hertzwerk.runtime.integrate.step.control import factor, limited_by_surfaces, roughness, step_to_continue
+from hertzwerk.runtime.integrate.step.implicit import linearised, uses_calls
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, NEAR, PLAIN, REJECTED, RELEASED, SPECIAL, Layouts
-from hertzwerk.runtime.integrate.step.singular import clear_of_singular
+from hertzwerk.runtime.integrate.step.singular import limited_by_singular
 from hertzwerk.runtime.integrate.step.stepper import stepper
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
 
 
-def polynomial_of(model: Model, contacts: Contacts) -> list[int]:
+def pairs_by_polynomial(model: Model, contacts: Contacts) -> list[int]:
     """Return the pairs whose gap polynomials are checked in every step of a class.
 
     Those in contact, and all where there is only one.
@@ -40,7 +40,7 @@ def near(model: Model, vectors: Layouts) -> Any:
     vector = (vectors.state, vectors.controls, vectors.state)
     given = [part.symbol(name) for part, name in zip(vector, ("state", "controls", "next"), strict=True)]
     old, run, end = (part.split(x) for part, x in zip(vector, given, strict=True))
-    clear = all_of(all_clear(model, run, old["mode"], old, end, list(range(model.k))))
+    clear = all_of(no_event_possible(model, run, old["mode"], old, end, list(range(model.k))))
     return ca.Function("near", given, [ca.cse(clear)], ["state", "controls", "next"], ["clear"])
 
 
@@ -54,11 +54,11 @@ def advance(
     """
     state, controls = vectors.state.symbol("state"), vectors.controls.symbol("controls")
     old, run = vectors.state.split(state), vectors.controls.split(controls)
-    heed()  # each part takes up to a second of a large model
+    poll()  # each part takes up to a second of a large model
     given, seen = [state, controls], dict[str, Any]()
     mode = old["mode"] if contacts is BY_MODE else modes(model, contacts)
     implicit = not isinstance(table, RungeKutta)
-    by_calls = composed(model) and (implicit or choosing is Choosing.EVERY_STEP)
+    by_calls = uses_calls(model) and (implicit or choosing is Choosing.EVERY_STEP)
     if by_calls:
         jacobian = ca.SX.sym("J", linearised(model, contacts).sparsity_out(0))
         given, seen = [*given, jacobian], {"J": jacobian}
@@ -67,9 +67,9 @@ def advance(
         end, given = vectors.trial.split(trial), [*given, trial]
     else:
         end = stepper(model, table, contacts, seen)({**old, "mode": mode}, run, old["h"])
-    heed()
+    poll()
     results = _judged(model, vectors, table, contacts, choosing, old, run, end, seen)
-    heed()
+    poll()
     name = "advance_in_contact" if contacts != () else "advance_in_flight"
     names = ["state", "controls"], ["next", "verdict"]
     made = ca.Function("judged" if by_calls else name, given, ca.cse(results), *(() if by_calls else names))
@@ -111,22 +111,22 @@ def _judged(
     left = run["t_end"] - end["t"]
     passed = (error <= 1) * is_finite(end)
     clear = plain * (1 - old["fresh_contact"]) * (left > 0) * (steps < run["max_steps"])
-    asked = polynomial_of(model, contacts)
+    asked = pairs_by_polynomial(model, contacts)
     others = [j for j in range(model.k) if j not in asked]
     if asked:
-        clear *= all_of(all_clear(model, run, mode, old, end, asked))
-    apart = all_of(far(model, run, old, end, others)) if others else ca.SX(1)
+        clear *= all_of(no_event_possible(model, run, mode, old, end, asked))
+    apart = all_of(far_apart(model, run, old, end, others)) if others else ca.SX(1)
     if contact:
         clear *= all_of(in_range > 0.5)
 
     grown = factor(table, error)
     grown = h * ca.if_else(old["after_rejection"], ca.fmin(grown, 1), grown)
     own = "h_contact" if contact else "h_flight"
-    kept = remembered(h, old[own], grown)
+    kept = step_to_continue(h, old[own], grown)
     free = ca.fmin(kept, run["h_max"]) if contact else kept
     if model.k:
-        free = near_surfaces(free, old["h_onset"], mode, end)
-    free = clear_of_singular(table, free, end["ahead"])
+        free = limited_by_surfaces(free, old["h_onset"], mode, end)
+    free = limited_by_singular(table, free, end["ahead"])
     new = {
         **old,
         **end,

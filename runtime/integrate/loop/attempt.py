@@ -13,7 +13,7 @@ from hertzwerk.runtime.integrate.events.modes import begin
 from hertzwerk.runtime.integrate.events.settle import reject, settle
 from hertzwerk.runtime.integrate.loop.advance import advance, near
 from hertzwerk.runtime.integrate.loop.choose import Choosing
-from hertzwerk.runtime.integrate.step.classes import BY_MODE, kinds
+from hertzwerk.runtime.integrate.step.classes import BY_MODE, contact_classes
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.layout import REJECTED, Layouts, layouts
 from hertzwerk.runtime.integrate.step.singular import explicit_near
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 class Integrator:
     """CasADi functions of one model and method: initial state, attempt, dense output.
 
-    tables   by the state's `method`; a run whose `attempt` uses only the first may continue with the integrator `whole`
+    tables   by the state's `method`; a run whose `attempt` uses only the first may continue with the integrator `with_choice`
     """
 
     layouts: Layouts
@@ -38,7 +38,7 @@ class Integrator:
     attempt: Any  # (state, controls) -> state
     model: Model
     tables: tuple[Table, ...]
-    whole: Callable[[], Integrator] | None = None
+    with_choice: Callable[[], Integrator] | None = None
     _steps: dict[int, Any] = field(default_factory=dict)
 
     def step(self, method: int = 0) -> Any:
@@ -56,7 +56,7 @@ class Integrator:
 def integrator(model: Model, tables: tuple[Table, ...]) -> Integrator:
     """Build the attempt of a model with a method of one table, or of two to choose from (`choose`).
 
-    With two, the attempt steps by the first and watches for stiffness; `whole` chooses in every step. For closed
+    With two, the attempt steps by the first and watches for stiffness; `with_choice` chooses in every step. For closed
     loops an implicit table is joined by an explicit one to pass singular positions.
     """
     alone = len(tables) == 1
@@ -64,21 +64,21 @@ def integrator(model: Model, tables: tuple[Table, ...]) -> Integrator:
         return _integrator(model, tables, tables, Choosing.NONE)
     tables = (*tables, dopri5()) if alone else tables
     first, later = (Choosing.NONE,) * 2 if alone else (Choosing.ON_SUSPICION, Choosing.EVERY_STEP)
-    whole = cache(lambda: _integrator(model, tables, tables, later))
-    return replace(_integrator(model, tables[:1], tables, first), whole=whole)
+    with_choice = cache(lambda: _integrator(model, tables, tables, later))
+    return replace(_integrator(model, tables[:1], tables, first), with_choice=with_choice)
 
 
 def _integrator(model: Model, taken: tuple[Table, ...], tables: tuple[Table, ...], choosing: Choosing) -> Integrator:
     """Build an attempt that steps by some (`taken`) of a method's tables."""
     vectors, right = layouts(model), flow(model)
     # called with MX, so that one branch of each is evaluated; SX would evaluate all
-    ends = [after for table in taken for after in _ends(model, vectors, table, right)]
+    ends = [after for table in taken for after in _completions(model, vectors, table, right)]
     state, controls, end, verdict = ends[0].mx_in()
     method = state[vectors.state["method"]]
-    plain = _plain(ends[0])
+    plain = _unchanged(ends[0])
     finish = ca.Function.conditional("finish", [plain, *ends[:-1]], ends[-1])
     idle = ca.Function("idle", [state, controls], [state, ca.MX.zeros(vectors.verdict.size)])
-    classes = kinds(model)
+    classes = contact_classes(model)
     tries = [advance(model, vectors, table, contacts, choosing) for table in taken for contacts in classes]
     advanced = ca.Function.conditional("advance", [idle, *tries[:-1]], tries[-1])
     end, verdict = advanced(_case(state[vectors.state["class"]], method, len(classes)), state, controls)
@@ -94,12 +94,12 @@ def _integrator(model: Model, taken: tuple[Table, ...], tables: tuple[Table, ...
     )
 
 
-def _ends(model: Model, vectors: Layouts, table: Table, right: Flow) -> Iterator[Any]:
+def _completions(model: Model, vectors: Layouts, table: Table, right: Flow) -> Iterator[Any]:
     """Yield the functions that complete a step that is NEAR, SPECIAL, REJECTED."""
     special = settle(model, vectors, table, right)
     given = special.mx_in()
     if model.k > 1:
-        judge = ca.Function.if_else("judge", _plain(special), special)
+        judge = ca.Function.if_else("judge", _unchanged(special), special)
         yield ca.Function("asked", given, [judge(near(model, vectors)(*given[:3]), *given)])
     else:
         yield special  # one pair is always asked
@@ -107,7 +107,7 @@ def _ends(model: Model, vectors: Layouts, table: Table, right: Flow) -> Iterator
     yield reject(vectors, table)
 
 
-def _plain(like: Any) -> Any:
+def _unchanged(like: Any) -> Any:
     """Return the function that leaves a step as it is; arguments as of another."""
     given = like.mx_in()
     return ca.Function("plain", given, [given[2]])

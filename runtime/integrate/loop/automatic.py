@@ -24,31 +24,33 @@ GAIN = 0.8  # part of the time ahead that C saves: it takes a fifth or less
 class Code:
     """Chunk function of one model and method, in CasADi's virtual machine and, on demand, as C.
 
-    whole: returns the code that chooses between methods.
+    with_choice: returns the code that chooses between methods.
     """
 
     function: Any
-    whole: Callable[[], Code] | None = None
+    with_choice: Callable[[], Code] | None = None
     machine: Callers = field(init=False)
     native: Callers | None = None
     _program: Program | None = None
     _impossible: bool = False
-    complaint: str = ""
+    compiler_failure: str = ""
     """Why a compiler that is there was of no use."""
 
     def __post_init__(self) -> None:
         self.machine = Callers(self.function)
 
-    def compile(self, heed: Callable[[], object] = lambda: None) -> Callers:
+    def compile(self, poll: Callable[[], object] = lambda: None) -> Callers:
         """Return callers of the C version, compiled now if need be.
 
-        heed: called meanwhile. Raises NoCompilerError, and what `heed` raises.
+        poll: called meanwhile. Raises NoCompilerError, and what `poll` raises.
         """
         if self.native is None:
-            self.native = Callers(self._made().load(heed))
+            self.native = Callers(self._made().load(poll))
         return self.native
 
-    def worthwhile(self, elapsed: float, ahead: float, heed: Callable[[], object] = lambda: None) -> Callers | None:
+    def compiled_if_faster(
+        self, elapsed: float, ahead: float, poll: Callable[[], object] = lambda: None
+    ) -> Callers | None:
         """Return callers of the C version if compiling now saves time; else None.
 
         elapsed, ahead: time [s] the run took so far and would take uncompiled.
@@ -61,10 +63,10 @@ class Code:
 
         try:
             needed = self._made().seconds
-            return self.compile(heed) if GAIN * ahead > needed and elapsed >= SURE * needed else None
+            return self.compile(poll) if GAIN * ahead > needed and elapsed >= SURE * needed else None
         except NoCompilerError as error:
             self._impossible = True
-            self.complaint = str(error) if isinstance(error, BrokenCompilerError) else ""
+            self.compiler_failure = str(error) if isinstance(error, BrokenCompilerError) else ""
             return None
 
     def _made(self) -> Program:
@@ -77,7 +79,7 @@ class Code:
         return self._program
 
 
-class Gear:
+class AutomaticCallers:
     """Callers of a run's chunks; with `changes` they change to C by themselves.
 
     compile_s, build_s: time taken to compile, and to build the code that chooses between methods [s].
@@ -92,15 +94,15 @@ class Gear:
         """Start a run: `callers` are those of its first steps."""
         self._use(self._first)
 
-    def whole(self, heed: Callable[[], object]) -> None:
+    def use_choice(self, poll: Callable[[], object]) -> None:
         """Change `callers` to those that choose between methods."""
-        if self._first.whole is not None:
+        if self._first.with_choice is not None:
             began = time.perf_counter()
-            code = self._first.whole()
+            code = self._first.with_choice()
             self.build_s += time.perf_counter() - began
             if self._compiled:
                 began = time.perf_counter()
-                code.compile(heed)
+                code.compile(poll)
                 self.compile_s += time.perf_counter() - began
             self._use(code)
 
@@ -114,12 +116,12 @@ class Gear:
         """Return whether the callers run C code."""
         return self.callers is not self._code.machine
 
-    def changed(self, elapsed: float, ahead: float, heed: Callable[[], object]) -> bool:
+    def switch_if_faster(self, elapsed: float, ahead: float, poll: Callable[[], object]) -> bool:
         """Change `callers` to C if that pays; return whether it did."""
         if not self._changes or self.compiled or ahead < LOOK:
             return False
         began = time.perf_counter()
-        better = self._code.worthwhile(elapsed, ahead, heed)
+        better = self._code.compiled_if_faster(elapsed, ahead, poll)
         self.compile_s += time.perf_counter() - began
         if better is None:
             return False

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.integrate.step.explicit import flow
-from hertzwerk.runtime.integrate.step.implicit import linearised, part_to_rest, sliding
+from hertzwerk.runtime.integrate.step.implicit import fraction_to_rest, linearised, sliding
 from hertzwerk.runtime.integrate.step.layout import SUSPECT, layouts
 
 if TYPE_CHECKING:
@@ -64,7 +64,7 @@ def choice(
     v, rate, gradient = slides(old["t"], old["y"], old["dy"], *given)
     v1, rate1, _ = slides(end["t"], end["y"], end["dy"], *given)
     foreseen = old["h"] * ca.mtimes(gradient, ca.mtimes(J, old["dy"]))
-    turned = ca.mmin(part_to_rest(v, rate, foreseen, v1, rate1, old["h"])) < 1 if v.numel() else ca.SX(0)
+    turned = ca.mmin(fraction_to_rest(v, rate, foreseen, v1, rate1, old["h"])) < 1 if v.numel() else ca.SX(0)
     implicit = old["method"] == IMPLICIT
     stiff, easy = stiffness > STIFF, (stiffness < EASY) * (1 - turned)
     explicit_change = ca.if_else(turned, REVERSAL, ca.if_else(stiff, 1, -1))

@@ -10,7 +10,7 @@ from typing import Any, Protocol
 import casadi as ca
 import numpy as np
 
-from hertzwerk.runtime.host.interrupt import deferred
+from hertzwerk.runtime.host.interrupt import defer_interrupts
 from hertzwerk.runtime.integrate.loop.attempt import Integrator
 from hertzwerk.runtime.integrate.loop.choose import PATIENCE
 from hertzwerk.runtime.integrate.step.layout import RUNNING, SUSPECT, TOO_MANY_STEPS
@@ -44,11 +44,11 @@ def chunk(integrator: Integrator, sizes: tuple[int, ...] = SIZE) -> Any:
 class Resume:
     """Last state of a run that is independent of its end time, from which a longer run continues.
 
-    whole: continue with steps that choose between methods.
+    with_choice: continue with steps that choose between methods.
     """
 
     state: np.ndarray
-    whole: bool
+    with_choice: bool
 
 
 @dataclass(frozen=True)
@@ -66,26 +66,26 @@ class Ending:
     error: Exception | None = None
 
 
-class Shift(Protocol):
-    """Provider of a run's callers, which may change between two chunks (`automatic.Gear`)."""
+class CallerProvider(Protocol):
+    """Provider of a run's callers, which may change between two chunks (`automatic.AutomaticCallers`)."""
 
     callers: Callers
 
     def begin(self) -> None:
         """Start a run: `callers` are those of its first steps."""
 
-    def whole(self, heed: Callable[[], object]) -> None:
+    def use_choice(self, poll: Callable[[], object]) -> None:
         """Change `callers` to those that choose between methods."""
 
-    def changed(self, elapsed: float, ahead: float, heed: Callable[[], object]) -> bool:
+    def switch_if_faster(self, elapsed: float, ahead: float, poll: Callable[[], object]) -> bool:
         """Change `callers` if it pays; return whether it did.
 
-        elapsed, ahead: time [s] taken and about to be taken. Long operations call `heed` now and then.
+        elapsed, ahead: time [s] taken and about to be taken. Long operations call `poll` now and then.
         """
 
 
 def march(
-    gear: Shift,
+    provider: CallerProvider,
     integrator: Integrator,
     state: np.ndarray,
     controls: np.ndarray,
@@ -93,16 +93,16 @@ def march(
     *,
     wall_time: float = np.inf,
     progress: Callable[[float], object] | None = None,
-    whole: bool = False,
+    with_choice: bool = False,
 ) -> Ending:
     """Call a chunk until the run is over; an exception ends it with the states so far.
 
     The interrupt is raised between two calls or by `progress`.
 
     keep    receives the accepted states in order, some at a time: rows (n, ns) of its own
-    whole   begin with steps that choose between methods
+    with_choice   begin with steps that choose between methods
     """
-    gear.begin()
+    provider.begin()
     layout = integrator.layouts.state
     t, h, status, accepted = (layout[name].start for name in ("t", "h", "status", "accepted"))
     pressure = layout["pressure"].start
@@ -112,23 +112,23 @@ def march(
     vain = [layout[name].start for name in ("rejected", "retaken")]
     most_in_vain = max_steps - state[steps] + np.sum(state[vain])  # as many as steps may be accepted
     error: Exception | None = None
-    callers, call = _called(gear, controls)
-    start, done, resume = time.perf_counter(), 0.0, Resume(state, whole)
+    callers, call = _called(provider, controls)
+    start, done, resume = time.perf_counter(), 0.0, Resume(state, with_choice)
     free = True  # of where the run is to end
     outcome = int(state[status])
 
-    def heed() -> None:
+    def poll() -> None:
         interrupts()
         if progress is not None:
             progress(done)
 
     try:
-        with deferred() as interrupts:
+        with defer_interrupts() as interrupts:
             keep(state[None, :].copy())
-            if whole:
-                gear.whole(heed)
+            if with_choice:
+                provider.use_choice(poll)
                 callers.give_back(call)
-                callers, call = _called(gear, controls)
+                callers, call = _called(provider, controls)
             while outcome == RUNNING:
                 call.inputs[0][:] = state
                 (states,) = call()
@@ -145,7 +145,7 @@ def march(
                     free = not bound.any()
                     last = len(part) if free else int(bound.argmax())
                     if last:
-                        resume = Resume(part[last - 1].copy(), whole or (suspect and free))
+                        resume = Resume(part[last - 1].copy(), with_choice or (suspect and free))
                 keep(part[part[:, accepted] == 1])
                 elapsed = time.perf_counter() - start
                 if outcome == RUNNING and np.sum(state[vain]) > most_in_vain:
@@ -153,15 +153,17 @@ def march(
                 if outcome == RUNNING and elapsed > wall_time:
                     outcome = WALL_TIME_LIMIT
                 done = (float(state[t]) - t_start) / (t_end - t_start)
-                heed()
+                poll()
                 pace = max(done, float(state[steps]) / max_steps, 1e-9)
                 if suspect:
-                    whole = True
-                    gear.whole(heed)
-                changed = outcome == RUNNING and gear.changed(elapsed, min(elapsed / pace, wall_time) - elapsed, heed)
+                    with_choice = True
+                    provider.use_choice(poll)
+                changed = outcome == RUNNING and provider.switch_if_faster(
+                    elapsed, min(elapsed / pace, wall_time) - elapsed, poll
+                )
                 if suspect or changed:
                     callers.give_back(call)
-                    callers, call = _called(gear, controls)
+                    callers, call = _called(provider, controls)
     except KeyboardInterrupt:
         outcome = INTERRUPTED
     except Exception as raised:
@@ -170,9 +172,9 @@ def march(
     return Ending(state, outcome, time.perf_counter() - start, resume, error)
 
 
-def _called(gear: Shift, controls: np.ndarray) -> tuple[Callers, Caller]:
+def _called(provider: CallerProvider, controls: np.ndarray) -> tuple[Callers, Caller]:
     """Return the callers of a run, and a call with the controls of the run set."""
-    callers = gear.callers
+    callers = provider.callers
     call = callers.take()
     call.inputs[1][:] = controls
     return callers, call

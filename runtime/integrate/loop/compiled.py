@@ -22,7 +22,7 @@ from typing import Any
 import casadi as ca
 
 from hertzwerk.runtime.host import cache as disk
-from hertzwerk.runtime.host.interrupt import raised
+from hertzwerk.runtime.host.interrupt import raise_interrupts
 from hertzwerk.runtime.host.scratch import scratch_folder
 
 FLAGS = (
@@ -61,16 +61,16 @@ class Program:
         ready = self._library is not None
         return 0.0 if ready else COMPILE_S + COMPILE_S_PER_CHARACTER[self._level] * len(self._text)
 
-    def load(self, heed: Callable[[], object] = lambda: None) -> Any:
+    def load(self, poll: Callable[[], object] = lambda: None) -> Any:
         """Return the compiled function, compiled now if need be.
 
-        heed: called now and then. Raises NoCompilerError, and what `heed` raises.
+        poll: called now and then. Raises NoCompilerError, and what `poll` raises.
         """
         if self._library is not None:
             return _load(self._function, self._library)
         try:
-            with raised(), scratch_folder(Path(tempfile.gettempdir())) as folder:
-                made = _compile(self._compiler, self._flags, self._text, folder, heed)
+            with raise_interrupts(), scratch_folder(Path(tempfile.gettempdir())) as folder:
+                made = _compile(self._compiler, self._flags, self._text, folder, poll)
                 self._library = disk.keep(self._key, ".so", made.read_bytes())
                 return _load(self._function, self._library or made)  # what is loaded needs no file any more
         except OSError as error:
@@ -105,13 +105,13 @@ def _compile(
     flags: tuple[str, ...],
     text: str,
     folder: Path,
-    heed: Callable[[], object] = lambda: None,
+    poll: Callable[[], object] = lambda: None,
 ) -> Path:
-    """Compile C text to a library in a folder; raises NoCompilerError, OSError, and what `heed` raises."""
+    """Compile C text to a library in a folder; raises NoCompilerError, OSError, and what `poll` raises."""
     source, target = folder / "chunk.c", folder / "chunk.so"
     source.write_text(text, encoding="utf-8")
     command = [*compiler, *flags, "-o", str(target), str(source), "-lm"]
-    said, returncode = _run(command, heed)
+    said, returncode = _run(command, poll)
     if returncode != 0:
         raise BrokenCompilerError(f"{' '.join(command)} failed:\n{said.strip()[:2000]}")
     if not target.is_file():
@@ -119,10 +119,10 @@ def _compile(
     return target
 
 
-def _run(command: list[str], heed: Callable[[], object]) -> tuple[str, int]:
+def _run(command: list[str], poll: Callable[[], object]) -> tuple[str, int]:
     """Run a command; return its standard error and exit code.
 
-    Killed with all its children where `heed`, called meanwhile, raises.
+    Killed with all its children where `poll`, called meanwhile, raises.
     """
     group = 0 if os.name == "posix" else None  # a compiler has children
     null, pipe = subprocess.DEVNULL, subprocess.PIPE
@@ -132,7 +132,7 @@ def _run(command: list[str], heed: Callable[[], object]) -> tuple[str, int]:
                 try:
                     return run.communicate(timeout=PATIENCE)[1], run.returncode
                 except subprocess.TimeoutExpired:
-                    heed()
+                    poll()
         except BaseException:
             if group is not None:
                 os.killpg(run.pid, signal.SIGKILL)

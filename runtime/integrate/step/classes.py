@@ -22,14 +22,14 @@ IDLE, IN_FLIGHT, IN_CONTACT = range(3)  # IN_FLIGHT: no pair in contact; IN_CONT
 ALONE = 10  # pairs up to which each has a class of its own: every class is built, and compiled, which with 16 takes three times as long
 
 
-def kinds(model: Model) -> tuple[Contacts, ...]:
+def contact_classes(model: Model) -> tuple[Contacts, ...]:
     """The contacts of the classes IN_FLIGHT, IN_CONTACT, ... in order."""
     alone = tuple((j,) for j in range(model.k if model.k <= ALONE else 0))
     several = () if model.k == len(alone) <= 1 else (BY_MODE,)
     return ((), *alone, *several)
 
 
-def classified(model: Model, mode: Any) -> Any:
+def class_of(model: Model, mode: Any) -> Any:
     """Return the class of the next attempt under modes (k).
 
     Single-contact classes require that no other pair is released.
@@ -49,7 +49,7 @@ def modes(model: Model, contacts: tuple[int, ...]) -> Any:
     return ca.SX([CONTACT if j in contacts else FLIGHT for j in range(model.k)])
 
 
-def pushing(model: Model, contacts: Contacts, mode: Any) -> Iterator[tuple[int, Any, Any]]:
+def active_contacts(model: Model, contacts: Contacts, mode: Any) -> Iterator[tuple[int, Any, Any]]:
     """Yield (number, contact function, condition) of every pair that may be in contact under modes (k).
 
     The condition is the constant 1 for a pair certainly in contact.
@@ -59,6 +59,6 @@ def pushing(model: Model, contacts: Contacts, mode: Any) -> Iterator[tuple[int, 
             yield j, model.function(f"contact_{pair}"), mode[j] == CONTACT if contacts is BY_MODE else ca.SX(1)
 
 
-def where(active: Any, value: Any, otherwise: float = 0.0) -> Any:
+def masked(active: Any, value: Any, otherwise: float = 0.0) -> Any:
     """Return the value while active, else `otherwise`; no if_else where `active` is constant."""
     return value if active.is_one() else ca.if_else(active, value, otherwise)

@@ -49,7 +49,7 @@ def onset_factor(error: Any) -> Any:
     return _within(SAFETY / ca.fmax(error, 1e-30) ** (1 / ONSET_ORDER))
 
 
-def remembered(h: Any, kept: Any, grown: Any) -> Any:
+def step_to_continue(h: Any, kept: Any, grown: Any) -> Any:
     """Return the step [s] to continue with after an accepted one.
 
     A step shortened by an event or by the end of the run does not reduce it.
@@ -57,7 +57,7 @@ def remembered(h: Any, kept: Any, grown: Any) -> Any:
     return ca.if_else(h < kept * (1 - 1e-9), ca.fmax(kept, grown), grown)
 
 
-def near_surfaces(free: Any, h_onset: Any, mode: Any, end: dict[str, Any], resting: Any = 0) -> Any:
+def limited_by_surfaces(free: Any, h_onset: Any, mode: Any, end: dict[str, Any], resting: Any = 0) -> Any:
     """Limit the step `free` [s] to land on the next surface or, in contact, approach it gradually.
 
     A step over the kink of the force would be rejected; a step to just before it is followed by a tiny one. resting:

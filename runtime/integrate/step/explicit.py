@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
-from hertzwerk.runtime.integrate.step.classes import BY_MODE, Contacts, pushing, where
+from hertzwerk.runtime.integrate.step.classes import BY_MODE, Contacts, active_contacts, masked
 from hertzwerk.runtime.integrate.step.closing import LOST, Closing, closing
 from hertzwerk.runtime.integrate.step.friction import forces as friction_forces
 from hertzwerk.runtime.integrate.step.friction import grips, may_slip, pairs_of
@@ -46,7 +46,7 @@ class Flow:
         y, is_closed = (y, ca.SX(1)) if self.closing is None else self.closing(t, y, run)
         return unit_quaternions(y, self.quaternions), is_closed
 
-    def lasting(self, t: Any, y: Any, error: Any, run: Mapping[str, Any]) -> Any:
+    def tangential_error(self, t: Any, y: Any, error: Any, run: Mapping[str, Any]) -> Any:
         """Return the part of a step's error (ny) that remains once the loops are closed.
 
         Near a singular position most of the error is off the constraints.
@@ -75,12 +75,12 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
     f = model.function("applied")(t, q, u, c)
     dz = ca.SX.zeros(model.nz)
     forces, in_range = ca.SX.zeros(model.k), ca.SX.ones(model.k)
-    for j, contact, active in pushing(model, contacts, mode):
+    for j, contact, active in active_contacts(model, contacts, mode):
         f_j, dz_j, normal, _, valid, *_ = contact(t, q, u, z, m, c)
-        f += where(active, f_j)
-        dz += where(active, dz_j)
-        forces[j] = where(active, normal)
-        in_range[j] = where(active, valid, 1)
+        f += masked(active, f_j)
+        dz += masked(active, dz_j)
+        forces[j] = masked(active, normal)
+        in_range[j] = masked(active, valid, 1)
     friction, margin, margin_rate = (ca.SX.zeros(model.ns) for _ in range(3))
     grip = grips(model, contacts, t, y, mode, m, c) if may_slip(model, contacts) else None
     if grip is not None:
@@ -130,7 +130,7 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
     )
 
 
-def stepped(
+def explicit_step(
     table: RungeKutta,
     right: Flow,
     start: Mapping[str, Any],
@@ -147,21 +147,21 @@ def stepped(
     t, y = start["t"], start["y"]
     slopes = [start["dy"]]
     for row, node in zip(table.A[1:], table.c[1:], strict=True):
-        stage = _moved(y, h, row, slopes)
+        stage = _combined(y, h, row, slopes)
         slopes.append(right.rates(t + node * h, stage, *given))
     t1 = t + h
-    y1, is_closed = right.closed(t1, _moved(y, h, table.b, slopes), run)
+    y1, is_closed = right.closed(t1, _combined(y, h, table.b, slopes), run)
     end = right.at(t1, y1, *given)
     weights = 1 / (run["tolerance"] * run["scale"] + 4 * EPS * ca.fabs(y1))
     if seen is not None:
         seen |= {"stage": stage, "slope": slopes[-1], "weights": weights}
     slopes.append(end["dy"])
-    errors = (right.lasting(t1, y1, _weighted(estimate.weights, slopes), run) for estimate in table.errors)
+    errors = (right.tangential_error(t1, y1, _weighted(estimate.weights, slopes), run) for estimate in table.errors)
     error = _norm([error * weights for error in errors], h)
     return {"t": t1, "y": y1, **end, "error": right.error(error, is_closed)}
 
 
-def nudged(
+def short_step(
     right: Flow, start: Mapping[str, Any], end: Mapping[str, Any], run: Mapping[str, Any], delta: Any
 ) -> dict[str, Any]:
     """Continue from a step's end by a short delta [s] with the classical Runge-Kutta method of order 4.
@@ -192,7 +192,7 @@ def unit_quaternions(y: Any, first: tuple[int, ...]) -> Any:
     return ca.vertcat(*parts)
 
 
-def _moved(y: Any, h: Any, weights: tuple[float, ...], slopes: list[Any]) -> Any:
+def _combined(y: Any, h: Any, weights: tuple[float, ...], slopes: list[Any]) -> Any:
     """Return y + h sum(weights * slopes), with the last slope added last to shorten the dependency chain."""
     *older, last = (i for i, weight in enumerate(weights) if weight)
     if older:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
-from hertzwerk.runtime.integrate.step.classes import BY_MODE, Contacts, where
+from hertzwerk.runtime.integrate.step.classes import BY_MODE, Contacts, masked
 from hertzwerk.runtime.integrate.step.layout import CONTACT
 from hertzwerk.runtime.integrate.step.linear import eliminated
 from hertzwerk.runtime.model.per_model import per_model
@@ -74,14 +74,14 @@ def grips(model: Model, contacts: Contacts, t: Any, y: Any, mode: Any, m: Any, c
     for i in places:
         j = pairs_of(model)[i]
         active = mode[j] == CONTACT if contacts is BY_MODE else ca.SX(1)
-        values = [where(active, value) for value in of_pair(model, j).call([t, y, m, c])]
-        columns.append([*values, active, where(active, slips[i] == STICK), slips[i]])
+        values = [masked(active, value) for value in pair_grip(model, j).call([t, y, m, c])]
+        columns.append([*values, active, masked(active, slips[i] == STICK), slips[i]])
     joined = list(zip(*columns, strict=True))
     return Grips(places, *(ca.horzcat(*part) for part in joined[:2]), *(ca.vertcat(*part) for part in joined[2:]))
 
 
 @per_model
-def of_pair(model: Model, j: int) -> Any:
+def pair_grip(model: Model, j: int) -> Any:
     """Return the function (t, y, m, c) -> fields of `Grips` of one pair.
 
     In order: along, power, sliding, holding, velocity, drift.
@@ -146,13 +146,13 @@ def solve_sticking(W: Any, sticks: Any, right: Any) -> Any:
 # -- modes and events --------------------------------------------------------------------------------------------------
 
 
-def sized(model: Model, m: Any, tol_rate: Any, tol_force: Any) -> Any:
+def margin_tolerances(model: Model, m: Any, tol_rate: Any, tol_force: Any) -> Any:
     """Return each margin's tolerance at a landing: a speed if slipping, a force if sticking."""
     pairs = pairs_of(model)
     return ca.if_else(m[slips_in(model)] == STICK, tol_force[pairs], tol_rate[pairs])
 
 
-def asked_and_broken(
+def undecided_and_breaking(
     model: Model, mode: Any, m: Any, margin: Any, margin_rate: Any, small: Any, was: Any
 ) -> tuple[Any, Any]:
     """Return which pairs (n) have an undecided direction of sliding, and which sticking pairs break loose.
@@ -168,7 +168,7 @@ def asked_and_broken(
     return asked, touching * (1 - fresh) * sticks * (margin < -BREAKS * small)
 
 
-def steady(model: Model, mode: Any, start: Parts, end: Parts) -> Any:
+def margins_positive(model: Model, mode: Any, start: Parts, end: Parts) -> Any:
     """Return 1 if no margin comes near zero in a step."""
     touching = mode[pairs_of(model)] == CONTACT
     clear = ca.SX(1)

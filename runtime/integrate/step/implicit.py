@@ -14,12 +14,12 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
-from hertzwerk.runtime.integrate.step.classes import BY_MODE, Contacts, pushing, where
+from hertzwerk.runtime.integrate.step.classes import BY_MODE, Contacts, active_contacts, masked
 from hertzwerk.runtime.integrate.step.control import SAFETY
 from hertzwerk.runtime.integrate.step.explicit import MEAN_OF, Flow, flow
 from hertzwerk.runtime.integrate.step.friction import forces, grips, may_slip, pairs_of
 from hertzwerk.runtime.integrate.step.layout import CONTACT
-from hertzwerk.runtime.integrate.step.linear import Elimination, composed_solver, solver
+from hertzwerk.runtime.integrate.step.linear import Elimination, solver, solver_of_calls
 from hertzwerk.runtime.integrate.step.rounding import EPS
 from hertzwerk.runtime.integrate.tableaux.implicit_tableaux import ITERATIONS, DiagonallyImplicit, Rosenbrock
 from hertzwerk.runtime.model.per_model import per_model
@@ -41,7 +41,7 @@ LARGE = 2000  # instructions of the right-hand side beyond which a step calls it
 
 
 @per_model
-def composed(model: Model) -> bool:
+def uses_calls(model: Model) -> bool:
     """Return whether steps call functions instead of inlining them; pays off for large models."""
     return bool(flow(model, ()).rates.n_instructions() > LARGE)
 
@@ -53,7 +53,7 @@ def linearised(model: Model, contacts: Contacts = BY_MODE) -> Any:
     singular derivatives stay where they arise: at zero penetration, or without contact, the derivative of a root in a
     contact's force is nan; the force and its true derivative vanish there.
     """
-    whole = may_slip(model, contacts) or not composed(model)
+    whole = may_slip(model, contacts) or not uses_calls(model)
     return (_linearised if whole else _linearised_by_calls)(model, contacts)
 
 
@@ -62,14 +62,14 @@ def _linearised_by_calls(model: Model, contacts: Contacts) -> Any:
     """Build the function `linearised` (MX) from functions shared by all classes of attempts."""
     t, y = ca.MX.sym("t"), ca.MX.sym("y", model.nq + model.nu + model.nz)
     mode, m, c = ca.MX.sym("mode", model.k), ca.MX.sym("m", model.nm), ca.MX.sym("c", model.nc)
-    f, df = _of_applied(model)(t, y, c)
+    f, df = _applied_derivatives(model)(t, y, c)
     dz = ca.DM(model.nz, y.numel() + 1)
     for j, pair in enumerate(model.pairs):
         if contacts is BY_MODE or j in contacts:
             active = mode[j] == CONTACT if contacts is BY_MODE else 1
-            f_j, df_j, dz_j = _of_contact(model, pair)(t, y, m, c, active)
+            f_j, df_j, dz_j = _contact_derivatives(model, pair)(t, y, m, c, active)
             f, df, dz = f + f_j, df + df_j, dz + dz_j
-    direct, mobility = _of_motion(model)(t, y, f, c)
+    direct, mobility = _motion_derivatives(model)(t, y, f, c)
     J = direct + ca.mtimes(mobility, df) + ca.vertcat(ca.DM(model.nq + model.nu, y.numel() + 1), dz)
     n = y.numel()
     names = ["t", "y", "mode", "m", "c"]
@@ -77,7 +77,7 @@ def _linearised_by_calls(model: Model, contacts: Contacts) -> Any:
 
 
 @per_model
-def _of_applied(model: Model) -> Any:
+def _applied_derivatives(model: Model) -> Any:
     """Build the CasADi function (t, y, c) -> applied forces and their derivatives by (y, t)."""
     t, y, c = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz), ca.SX.sym("c", model.nc)
     q, u, _ = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
@@ -86,7 +86,7 @@ def _of_applied(model: Model) -> Any:
 
 
 @per_model
-def _of_contact(model: Model, pair: str) -> Any:
+def _contact_derivatives(model: Model, pair: str) -> Any:
     """Build the function (t, y, m, c, active) -> force of a pair and derivatives by (y, t).
 
     The derivatives are those of the force and of the rates of z; all are 0 unless active.
@@ -96,12 +96,12 @@ def _of_contact(model: Model, pair: str) -> Any:
     m, c, active = ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc), ca.SX.sym("active")
     f, dz, *_ = model.function(f"contact_{pair}")(t, q, u, z, m, c)
     x = ca.vertcat(y, t)
-    found = [where(active, f), _each(ca.jacobian(f, x), active), _each(ca.jacobian(dz, x), active)]
+    found = [masked(active, f), _masked_finite(ca.jacobian(f, x), active), _masked_finite(ca.jacobian(dz, x), active)]
     return ca.Function("of_contact", [t, y, m, c, active], ca.cse(found))
 
 
 @per_model
-def _of_motion(model: Model) -> Any:
+def _motion_derivatives(model: Model) -> Any:
     """Build the function (t, y, f, c) -> derivatives of the right-hand side by (y, t) and by forces f."""
     t, y = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz)
     q, u, _ = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
@@ -110,7 +110,7 @@ def _of_motion(model: Model) -> Any:
     power = model.function("ledger")(t, q, u, reactions, c) if model.has_ledger else ca.SX(model.nz, 1)
     dq, x = model.function("coordinate_rates")(t, q, u, c), ca.vertcat(y, t)
     if model.has("balance"):  # nothing is driven: no reactions
-        by_x, by_f = _through_balance(model, t, q, u, c, x, f, a, *multipliers)
+        by_x, by_f = _implicit_derivatives(model, t, q, u, c, x, f, a, *multipliers)
         by_x = ca.vertcat(ca.jacobian(dq, x), by_x, ca.jacobian(power, x))
         by_f = ca.vertcat(ca.SX(model.nq, f.numel()), by_f, ca.SX(model.nz, f.numel()))
         return ca.Function("of_motion", [t, y, f, c], [by_x, by_f])
@@ -119,7 +119,7 @@ def _of_motion(model: Model) -> Any:
     return ca.Function("of_motion", [t, y, f, c], [ca.jacobian(dy, x), ca.jacobian(dy, f)])
 
 
-def _through_balance(
+def _implicit_derivatives(
     model: Model, t: Any, q: Any, u: Any, c: Any, x: Any, f: Any, a: Any, multipliers: Any
 ) -> tuple[Any, Any]:
     """Differentiate the accelerations by x and f implicitly, from the equations that they solve.
@@ -144,17 +144,17 @@ def _linearised(model: Model, contacts: Contacts) -> Any:
     x = ca.vertcat(y, t)
     f = model.function("applied")(t, q, u, c)
     df, dz = ca.jacobian(f, x), ca.SX(model.nz, x.numel())
-    for _, contact, active in pushing(model, contacts, mode):
+    for _, contact, active in active_contacts(model, contacts, mode):
         f_j, dz_j, *_ = contact(t, q, u, z, m, c)
-        f += where(active, f_j)
-        df += _each(ca.jacobian(f_j, x), active)
-        dz += _each(ca.jacobian(dz_j, x), active)
+        f += masked(active, f_j)
+        df += _masked_finite(ca.jacobian(f_j, x), active)
+        dz += _masked_finite(ca.jacobian(dz_j, x), active)
     given, of_given, sticks, n = [f], [df], ca.SX(0, 1), 0
     if may_slip(model, contacts):
         grip = grips(model, contacts, t, y, mode, m, c)
         shapes = [grip.along.sparsity(), grip.power.sparsity()]
-        given += [_entries(grip.along), _entries(grip.power), grip.drift, -grip.slip * grip.sliding]
-        of_given += [_each(ca.jacobian(value, x), ca.SX(1)) for value in given[1:]]
+        given += [_nonzeros(grip.along), _nonzeros(grip.power), grip.drift, -grip.slip * grip.sliding]
+        of_given += [_masked_finite(ca.jacobian(value, x), ca.SX(1)) for value in given[1:]]
         sticks, n = grip.sticks, len(grip.places)
     known = [ca.SX.sym("known", value.numel()) for value in given]
     symbols = ca.SX.sym("sticks", sticks.numel())
@@ -194,10 +194,10 @@ def _sliding(model: Model, contacts: Contacts) -> Any:
     q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
     mode, m, c = ca.SX.sym("mode", model.k), ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc)
     velocities = [ca.SX(0, 1)]
-    for j, contact, active in pushing(model, contacts, mode):
+    for j, contact, active in active_contacts(model, contacts, mode):
         if j not in pairs_of(model):
             _, _, _, v, _ = contact(t, q, u, z, m, c)
-            velocities.append(where(active, v))
+            velocities.append(masked(active, v))
     v = ca.vertcat(*velocities)
     names = ["t", "y", "dy", "mode", "m", "c"]
     results = ca.cse([v, ca.jtimes(v, ca.vertcat(t, y), ca.vertcat(1, dy)), ca.jacobian(v, y)])
@@ -221,7 +221,7 @@ class Stepper:
         J, dt = self.linear(t, y, *given)
         if seen is not None:
             seen["J"] = J
-        solve = (composed_solver if isinstance(J, ca.MX) else solver)(J, h * table.gamma, self.nq)
+        solve = (solver_of_calls if isinstance(J, ca.MX) else solver)(J, h * table.gamma, self.nq)
         least = run["tolerance"] * run["scale"]
         if isinstance(table, Rosenbrock):
             y1, slope, error, converged = _rosenbrock(table, self.right, solve, J, dt, start, given, h)
@@ -231,13 +231,13 @@ class Stepper:
         end = self.right.at(t + h, y1, *given)
         if slope is not None:
             end["dy"] = slope
-        error = self.right.lasting(t + h, y1, error, run)
+        error = self.right.tangential_error(t + h, y1, error, run)
         norm = self.right.error(ca.if_else(converged, _norm(error, least, y1), DIVERGED), is_closed)
         v, rate, gradient = self.sliding(t, y, start["dy"], *given)
         v1, rate1, _ = self.sliding(t + h, y1, end["dy"], *given)
         if v.numel():
             foreseen = h * ca.mtimes(gradient, ca.mtimes(J, start["dy"]))
-            part = ca.mmin(part_to_rest(v, rate, foreseen, v1, rate1, h))
+            part = ca.mmin(fraction_to_rest(v, rate, foreseen, v1, rate1, h))
             norm = ca.if_else(part < 1, ca.fmax(norm, (SAFETY / part) ** table.error_order), norm)
         return {"t": t + h, "y": y1, **end, "error": norm}
 
@@ -247,7 +247,7 @@ def stepper(model: Model, table: Rosenbrock | DiagonallyImplicit, right: Flow, c
     return Stepper(table, right, linearised(model, contacts), sliding(model, contacts), model.nq)
 
 
-def part_to_rest(v: Any, rate: Any, foreseen: Any, v1: Any, rate1: Any, h: Any) -> Any:
+def fraction_to_rest(v: Any, rate: Any, foreseen: Any, v1: Any, rate1: Any, h: Any) -> Any:
     """Return the fraction of a step h at which a sliding velocity stops unresolved; 1 if none does.
 
     A smoothed friction law reverses the force in a layer of velocities that may be too narrow for a step to resolve:
@@ -351,12 +351,12 @@ def _sum(weights: tuple[float, ...], terms: list[Any]) -> Any:
     return sum((weight * term for weight, term in zip(weights, terms, strict=False) if weight), start=0.0)
 
 
-def _entries(matrix: Any) -> Any:
+def _nonzeros(matrix: Any) -> Any:
     """Return the structurally nonzero entries as a column."""
     return ca.vertcat(ca.SX(0, 1), *matrix.nonzeros())
 
 
-def _each(matrix: Any, active: Any) -> Any:
+def _masked_finite(matrix: Any, active: Any) -> Any:
     """Mask the entries of an SX matrix that are finite by `active`; the structure is kept."""
     entries = [ca.if_else(active * (ca.fabs(x) < SINGULAR), x, 0) for x in matrix.nonzeros()]
     return ca.SX(matrix.sparsity(), ca.vertcat(*entries)) if entries else matrix

@@ -33,7 +33,7 @@ class Elimination:
         return self.solve(self.known, r)
 
 
-def composed_solver(jacobian: Any, step: Any, nq: int) -> Elimination:
+def solver_of_calls(jacobian: Any, step: Any, nq: int) -> Elimination:
     """Build the solver of an MX matrix J from two functions: eliminate once, then solve."""
     shape = jacobian.sparsity()
     eliminate, solve = _elimination(shape.size1(), tuple(shape.colind()), tuple(shape.row()), nq)

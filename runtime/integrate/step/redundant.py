@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 OUT = 1e20  # softness of a constraint that is taken out
 
 
-def reduced(model: Model) -> Callable[[Mapping[str, Any], Mapping[str, Any]], Mapping[str, Any]]:
+def relax_redundant(model: Model) -> Callable[[Mapping[str, Any], Mapping[str, Any]], Mapping[str, Any]]:
     """Return (start, run) -> run with the constraints relaxed that are redundant at the step's start."""
     if not model.dependent:
         return lambda start, run: run

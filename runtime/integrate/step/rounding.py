@@ -26,7 +26,7 @@ STATE = (
 
 
 @per_model
-def of_gaps(model: Model) -> Any:
+def gap_rounding(model: Model) -> Any:
     """Return the function (t, q, u, c) -> rounding bounds of gap (k) [m] and gap_rate (k) [m/s]."""
     return bounds(model.function("gaps"), STATE)
 

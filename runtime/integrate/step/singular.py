@@ -45,7 +45,7 @@ def time_to_singular(model: Model, t: Any, q: Any, dq: Any, c: Any) -> Any:
     return ca.mmin(ca.if_else(falls, -2 * left / ca.if_else(falls, rate, -1), FAR))
 
 
-def clear_of_singular(table: Table, h: Any, ahead: Any) -> Any:
+def limited_by_singular(table: Table, h: Any, ahead: Any) -> Any:
     """Limit the step h [s] so that a singular position lies well between its nodes or beyond it.
 
     ahead [s]: the time to the position (1), or (0) for a tree.

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
-from hertzwerk.runtime.integrate.step.classes import BY_MODE, pushing, where
+from hertzwerk.runtime.integrate.step.classes import BY_MODE, active_contacts, masked
 from hertzwerk.runtime.integrate.step.friction import BREAKS, STICK, grips, mobility, slips_in, solve_sticking
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -29,7 +29,7 @@ ROUNDING = 1e-10  # of the terms of an acceleration, below which it has no sign
 
 
 @per_model
-def directed(model: Model) -> Any:
+def resolve_slips(model: Model) -> Any:
     """Return the CasADi function of the state (m, y) after stick and slip are resolved.
 
     Arguments: t, y, mode, m, c, asked (n), tolerances of speeds [m/s] and forces [N] (n). asked: pairs whose
@@ -45,12 +45,12 @@ def directed(model: Model) -> Any:
     ]
     if not n:
         return ca.Function("directed", given, [given[3], given[1]])
-    slip, _ = settled(n)(*_problem(model)(*given))
+    slip, _ = pivoting(n)(*_problem(model)(*given))
     m, y = _at_rest(model)(*given[:5], slip)
     return ca.Function("directed", given, [m, y])
 
 
-def settled(n: int) -> Any:
+def pivoting(n: int) -> Any:
     """Return the function (W, b, open, sliding, slip, bound) -> (slip, busy) by pivoting.
 
     busy: 1 if no solution was found from the initial slips.
@@ -67,7 +67,7 @@ def settled(n: int) -> Any:
 
 
 def _problem(model: Model) -> Any:
-    """Build the function (arguments of `directed`) -> W, b, open, sliding, initial slips and bounds.
+    """Build the function (arguments of `resolve_slips`) -> W, b, open, sliding, initial slips and bounds.
 
     open: pairs in contact that do not slide; b includes the friction of the others.
     """
@@ -78,8 +78,8 @@ def _problem(model: Model) -> Any:
     q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
     now = grips(model, BY_MODE, t, y, mode, m, c)
     f = model.function("applied")(t, q, u, c)
-    for _, contact, active in pushing(model, BY_MODE, mode):
-        f += where(active, contact(t, q, u, z, m, c)[0])
+    for _, contact, active in active_contacts(model, BY_MODE, mode):
+        f += masked(active, contact(t, q, u, z, m, c)[0])
     stays = now.sticks * (1 - asked)  # whatever errors have left it of speed
     still = now.touching * ((ca.fabs(now.velocity) <= rate) + stays > 0)
     slides = now.touching * (1 - still) * ca.if_else(asked, ca.sign(now.velocity), now.slip)

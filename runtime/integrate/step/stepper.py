@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from hertzwerk.runtime.integrate.step import explicit, implicit
-from hertzwerk.runtime.integrate.step.redundant import reduced
+from hertzwerk.runtime.integrate.step.redundant import relax_redundant
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
 
 if TYPE_CHECKING:
@@ -20,10 +20,10 @@ Take: TypeAlias = Callable[[Mapping[str, Any], Mapping[str, Any], Any], dict[str
 def stepper(model: Model, table: Table, contacts: Contacts, seen: dict[str, Any] | None = None) -> Take:
     """Return (start, run, h) -> trial: one step of h [s] with the forces of these contacts.
 
-    `seen` as in `explicit.stepped`.
+    `seen` as in `explicit.explicit_step`.
     """
-    right, within = explicit.flow(model, contacts), reduced(model)
+    right, within = explicit.flow(model, contacts), relax_redundant(model)
     if isinstance(table, RungeKutta):
-        return lambda start, run, h: explicit.stepped(table, right, start, within(start, run), h, seen)
+        return lambda start, run, h: explicit.explicit_step(table, right, start, within(start, run), h, seen)
     take = implicit.stepper(model, table, right, contacts)
     return lambda start, run, h: take(start, within(start, run), h, seen)

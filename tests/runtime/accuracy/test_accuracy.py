@@ -15,10 +15,10 @@ from hertzwerk.runtime import load, simulate, simulate_many
 from hertzwerk.runtime.accuracy.ladder import (
     CHECK,
     HALVED,
+    HIDDEN,
     LEAST,
     NEAR,
     POINTS,
-    UNSEEN,
     End,
     Ladder,
     Rung,
@@ -112,109 +112,114 @@ def made_up(tolerance, keep, most, *, rate=0.0, factor=10.0, rounding=0.0, fails
     return Rung(tolerance, end, off[:n, None], work, work, 1.0, (tolerance, keep))
 
 
-def climb(asked, first, **options):
+def search(asked, first, **options):
     log = []
     run = partial(made_up, log=log, **options)
-    climbed = Ladder(run, lambda y, other: np.abs(y - other)[:, 0], lambda y: ROUNDING, TIMES, asked).climb(first)
-    return climbed, log
+    ladder_result = Ladder(run, lambda y, other: np.abs(y - other)[:, 0], lambda y: ROUNDING, TIMES, asked).search(
+        first
+    )
+    return ladder_result, log
 
 
 def test_a_request_that_is_met_at_once_takes_two_runs():
-    climbed, log = climb(1e-6, 1e-8)
-    assert climbed.verdict is Verdict.MET
+    ladder_result, log = search(1e-6, 1e-8)
+    assert ladder_result.verdict is Verdict.MET
     assert log == [1e-8, 1e-8 / CHECK]
-    assert climbed.run.kept == (1e-8, True)
-    assert climbed.error.end == pytest.approx(1e-7)
-    assert climbed.error.decade_cost == pytest.approx(10**0.125, rel=1e-3)
-    assert (climbed.error.runs, climbed.error.pilot_s) == (2, 1.0)
-    assert climbed.error.horizon is climbed.error.floor is None
+    assert ladder_result.run.kept == (1e-8, True)
+    assert ladder_result.error.end == pytest.approx(1e-7)
+    assert ladder_result.error.decade_cost == pytest.approx(10**0.125, rel=1e-3)
+    assert (ladder_result.error.runs, ladder_result.error.pilot_s) == (2, 1.0)
+    assert ladder_result.error.horizon is ladder_result.error.floor is None
 
 
 def test_a_request_that_is_missed_is_met_by_the_next_run():
-    climbed, log = climb(1e-6, 1e-8, factor=3e4)
-    assert climbed.verdict is Verdict.MET
+    ladder_result, log = search(1e-6, 1e-8, factor=3e4)
+    assert ladder_result.verdict is Verdict.MET
     assert len(log) == 4
-    assert 0.05e-6 < climbed.error.end < 0.5e-6
+    assert 0.05e-6 < ladder_result.error.end < 0.5e-6
 
 
 def test_below_the_floor_it_ends_with_the_floor():
-    climbed, log = climb(1e-11, 1e-11, rounding=1e-10)
-    assert climbed.verdict is Verdict.UNREACHABLE
-    assert 1e-11 < climbed.error.floor == climbed.error.end < 3e-10
+    ladder_result, log = search(1e-11, 1e-11, rounding=1e-10)
+    assert ladder_result.verdict is Verdict.UNREACHABLE
+    assert 1e-11 < ladder_result.error.floor == ladder_result.error.end < 3e-10
     assert len(log) <= 8
-    climbed, _ = climb(1e-11, 1e-12, factor=200)
-    assert (climbed.verdict, climbed.run.tolerance) == (Verdict.UNREACHABLE, LEAST)
+    ladder_result, _ = search(1e-11, 1e-12, factor=200)
+    assert (ladder_result.verdict, ladder_result.run.tolerance) == (Verdict.UNREACHABLE, LEAST)
 
 
 def test_what_the_least_tolerance_would_miss_by_far_is_not_tried():
     """That is LEAST, or where the start is rounded more coarsely by what that is off by: neither can be had more accurate."""
-    climbed, log = climb(1e-11, 1e-12, factor=1e4)
-    assert (climbed.verdict, len(log)) == (Verdict.UNREACHABLE, 2)
-    assert climbed.error.floor == pytest.approx(1e4 * LEAST, rel=1e-2)
-    assert climbed.error.end == pytest.approx(1e4 * 1e-12, rel=1e-2)
+    ladder_result, log = search(1e-11, 1e-12, factor=1e4)
+    assert (ladder_result.verdict, len(log)) == (Verdict.UNREACHABLE, 2)
+    assert ladder_result.error.floor == pytest.approx(1e4 * LEAST, rel=1e-2)
+    assert ladder_result.error.end == pytest.approx(1e4 * 1e-12, rel=1e-2)
     for coarse, found in ((1e-10, Verdict.UNREACHABLE), (1e-13, Verdict.MET)):
         run = partial(made_up, factor=1e3)
         ladder = Ladder(run, lambda y, other: np.abs(y - other)[:, 0], lambda y, size=coarse: size, TIMES, 1e-9)
-        climbed = ladder.climb(1e-9)
-        assert climbed.verdict is found
+        ladder_result = ladder.search(1e-9)
+        assert ladder_result.verdict is found
         if found is Verdict.UNREACHABLE:
-            assert climbed.run.tolerance == 1e-9
-            assert climbed.error.floor == pytest.approx(climbed.error.end * coarse / HALVED / 1e-9)
+            assert ladder_result.run.tolerance == 1e-9
+            assert ladder_result.error.floor == pytest.approx(ladder_result.error.end * coarse / HALVED / 1e-9)
 
 
 def test_beyond_the_horizon_nothing_is_tightened_in_vain():
-    climbed, log = climb(1e-6, 1e-8, rate=100.0)
-    assert climbed.verdict is Verdict.BEYOND
-    assert climbed.error.growth == pytest.approx(100, rel=1e-6)
-    assert climbed.error.horizon == pytest.approx(np.log(0.01 / 1e-7) / 100, abs=2 / POINTS)
+    ladder_result, log = search(1e-6, 1e-8, rate=100.0)
+    assert ladder_result.verdict is Verdict.BEYOND
+    assert ladder_result.error.growth == pytest.approx(100, rel=1e-6)
+    assert ladder_result.error.horizon == pytest.approx(np.log(0.01 / 1e-7) / 100, abs=2 / POINTS)
     assert log == [1e-8, 1e-8 / CHECK]
-    climbed, log = climb(
+    ladder_result, log = search(
         1e-3, 1e-6, rate=30.0
     )  # here it may be worth a second try, and the tighter run is returned, however large the error
-    assert (climbed.verdict, len(log), climbed.run.tolerance) == (Verdict.BEYOND, 4, log[2])
-    climbed, _ = climb(1e-3, 1e-5, rate=10.0)  # here it is not in vain
-    assert climbed.verdict is Verdict.MET
-    assert climbed.error.end <= 1e-3
+    assert (ladder_result.verdict, len(log), ladder_result.run.tolerance) == (Verdict.BEYOND, 4, log[2])
+    ladder_result, _ = search(1e-3, 1e-5, rate=10.0)  # here it is not in vain
+    assert ladder_result.verdict is Verdict.MET
+    assert ladder_result.error.end <= 1e-3
 
 
 def test_a_failed_run_is_replaced_by_a_tighter_one_and_a_failed_check_too():
-    climbed, log = climb(1e-6, 1e-8, fails=(1, 3))
-    assert climbed.verdict is Verdict.MET
-    assert climbed.run.kept == (1e-8 / CHECK, True)
+    ladder_result, log = search(1e-6, 1e-8, fails=(1, 3))
+    assert ladder_result.verdict is Verdict.MET
+    assert ladder_result.run.kept == (1e-8 / CHECK, True)
     assert log == pytest.approx([1e-8 / CHECK**k for k in range(4)])
 
 
 def test_what_fails_at_every_tolerance_is_returned_as_far_as_it_got():
-    climbed, _ = climb(1e-6, 1e-8, fails=(1, 2))
-    assert climbed.verdict is Verdict.UNKNOWN
-    assert len(climbed.run.states) == 102
-    assert len(climbed.error.times) == 101
-    assert not climbed.error.known
-    climbed, _ = climb(1e-6, 1e-8, fails=(2, 3, 4))
-    assert climbed.verdict is Verdict.UNKNOWN
-    assert climbed.run.kept == (1e-8, True)
-    assert len(climbed.error.values) == 103
+    ladder_result, _ = search(1e-6, 1e-8, fails=(1, 2))
+    assert ladder_result.verdict is Verdict.UNKNOWN
+    assert len(ladder_result.run.states) == 102
+    assert len(ladder_result.error.times) == 101
+    assert not ladder_result.error.known
+    ladder_result, _ = search(1e-6, 1e-8, fails=(2, 3, 4))
+    assert ladder_result.verdict is Verdict.UNKNOWN
+    assert ladder_result.run.kept == (1e-8, True)
+    assert len(ladder_result.error.values) == 103
 
 
 def test_where_tighter_runs_fail_one_of_nearly_the_same_tolerance_tells_the_error():
-    climbed, log = climb(1e-6, 1e-8, fails=(2, 3))
-    assert (climbed.verdict, climbed.run.kept) == (Verdict.MET, (1e-8, True))
+    ladder_result, log = search(1e-6, 1e-8, fails=(2, 3))
+    assert (ladder_result.verdict, ladder_result.run.kept) == (Verdict.MET, (1e-8, True))
     assert log == pytest.approx([1e-8, 1e-8 / CHECK, 1e-8 / CHECK**2, 1e-8 * NEAR])
-    assert climbed.error.end == pytest.approx(1e-7)
-    climbed, _ = climb(1e-7, 1e-8, fails=(2, 3, 5, 6))  # missed, and no smaller tolerance runs through
-    assert climbed.verdict is Verdict.UNKNOWN
-    assert climbed.error.floor == climbed.error.end > 1e-7
+    assert ladder_result.error.end == pytest.approx(1e-7)
+    ladder_result, _ = search(1e-7, 1e-8, fails=(2, 3, 5, 6))  # missed, and no smaller tolerance runs through
+    assert ladder_result.verdict is Verdict.UNKNOWN
+    assert ladder_result.error.floor == ladder_result.error.end > 1e-7
 
 
 def test_near_the_tolerance_of_rounding_the_estimate_counts_it():
     """Two runs that happen to agree say nothing of the rounding that both have."""
     asked, first = 2e-11, 1e-12
-    assert climb(asked, first)[0].error.end == pytest.approx(10 * first, rel=1e-2)
+    assert search(asked, first)[0].error.end == pytest.approx(10 * first, rel=1e-2)
     ladder = Ladder(made_up, lambda y, other: np.abs(y - other)[:, 0], lambda y: first, TIMES, asked)
-    climbed = ladder.climb(first)
+    ladder_result = ladder.search(first)
     least = first / HALVED
-    assert climbed.run.kept == (least, True)  # at the first the half could be rounding: 3 times as much as is seen
-    assert climbed.error.end == pytest.approx((1 + UNSEEN * 0.941) * 10 * least, rel=1e-3)
+    assert ladder_result.run.kept == (
+        least,
+        True,
+    )  # at the first the half could be rounding: 3 times as much as is seen
+    assert ladder_result.error.end == pytest.approx((1 + HIDDEN * 0.941) * 10 * least, rel=1e-3)
 
 
 def test_two_runs_that_agree_by_chance_are_found_out_by_a_third():
@@ -225,9 +230,9 @@ def test_two_runs_that_agree_by_chance_are_found_out_by_a_third():
         nearest = min(off, key=lambda other: abs(other / tolerance - 1))
         return Rung(tolerance, End.REACHED, np.full((POINTS, 1), off[nearest]), 100, 100, 1.0, None)
 
-    climbed = Ladder(run, lambda y, other: np.abs(y - other)[:, 0], lambda y: 1e-12, TIMES, 1e-10).climb(1e-13)
-    assert climbed.verdict is Verdict.UNREACHABLE
-    assert 1e-9 <= climbed.error.end <= 5e-9
+    ladder_result = Ladder(run, lambda y, other: np.abs(y - other)[:, 0], lambda y: 1e-12, TIMES, 1e-10).search(1e-13)
+    assert ladder_result.verdict is Verdict.UNREACHABLE
+    assert 1e-9 <= ladder_result.error.end <= 5e-9
 
 
 def test_a_tighter_run_that_needs_many_more_steps_is_given_up():
@@ -240,22 +245,22 @@ def test_a_tighter_run_that_needs_many_more_steps_is_given_up():
         end = End.REACHED if work <= most else End.FAILED
         return Rung(tolerance, end, np.full((POINTS, 1), 1e4 * tolerance), min(work, most), 100, 1.0, None)
 
-    climbed = Ladder(run, lambda y, other: np.abs(y - other)[:, 0], lambda y: 1e-12, TIMES, 1e-10).climb(5e-13)
-    assert climbed.verdict is Verdict.UNREACHABLE
-    assert climbed.run.tolerance == 5e-13
-    assert climbed.error.end == pytest.approx(5e-9)
+    ladder_result = Ladder(run, lambda y, other: np.abs(y - other)[:, 0], lambda y: 1e-12, TIMES, 1e-10).search(5e-13)
+    assert ladder_result.verdict is Verdict.UNREACHABLE
+    assert ladder_result.run.tolerance == 5e-13
+    assert ladder_result.error.end == pytest.approx(5e-9)
     assert max(min(most, 100_000) for tolerance, most in asked if tolerance < 2e-13) <= 500
 
 
 def test_a_stop_returns_what_there_is():
-    climbed, log = climb(1e-6, 1e-8, stops=(1,))
-    assert (climbed.verdict, climbed.error, log) == (Verdict.STOPPED, None, [1e-8])
-    climbed, _ = climb(1e-6, 1e-8, stops=(2,))
-    assert (climbed.verdict, climbed.run.kept) == (Verdict.STOPPED, (1e-8, True))
-    assert len(climbed.error.values) == 102
-    climbed, _ = climb(1e-6, 1e-8, factor=3e4, stops=(3,))
-    assert climbed.run.kept == (1e-8, True)
-    assert climbed.error.known
+    ladder_result, log = search(1e-6, 1e-8, stops=(1,))
+    assert (ladder_result.verdict, ladder_result.error, log) == (Verdict.STOPPED, None, [1e-8])
+    ladder_result, _ = search(1e-6, 1e-8, stops=(2,))
+    assert (ladder_result.verdict, ladder_result.run.kept) == (Verdict.STOPPED, (1e-8, True))
+    assert len(ladder_result.error.values) == 102
+    ladder_result, _ = search(1e-6, 1e-8, factor=3e4, stops=(3,))
+    assert ladder_result.run.kept == (1e-8, True)
+    assert ladder_result.error.known
 
 
 def test_an_impact_that_one_run_has_a_moment_later_is_no_horizon():

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from hertzwerk.runtime.cli.layout import folded, tabulated
+from hertzwerk.runtime.cli.layout import tabulated, wrapped
 
 WORDS = st.text(st.characters(codec="ascii", categories=("L", "N", "P")), min_size=1, max_size=12)
 TEXTS = st.lists(WORDS, max_size=12).map(" ".join)
@@ -19,7 +19,7 @@ HARDCASES = "hardcases --case exponent_1 --method dop853 --method esdirk --metho
 
 @given(text=TEXTS, width=st.integers(12, 60), indent=st.integers(0, 4))
 def test_folding_keeps_the_words_and_the_width(text, width, indent):
-    lines = folded(text, width, indent=indent).split("\n")
+    lines = wrapped(text, width, indent=indent).split("\n")
     assert " ".join(lines).split() == text.split()
     assert all(len(line) <= width or len(line.split()) == 1 for line in lines)
 

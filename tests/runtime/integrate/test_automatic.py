@@ -77,7 +77,7 @@ def test_without_a_compiler_it_goes_on(crank, eager, monkeypatch):
 def wanted(clock, monkeypatch):
     """How long a run had to go whenever it asked whether to compile."""
     asked: list[float] = []
-    monkeypatch.setattr(automatic.Code, "worthwhile", lambda self, elapsed, ahead, heed: asked.append(ahead))
+    monkeypatch.setattr(automatic.Code, "compiled_if_faster", lambda self, elapsed, ahead, poll: asked.append(ahead))
     return asked
 
 

@@ -25,7 +25,7 @@ from hertzwerk.derive import (
     Z,
 )
 from hertzwerk.runtime import load, simulate
-from hertzwerk.runtime.host.interrupt import deferred
+from hertzwerk.runtime.host.interrupt import defer_interrupts
 from hertzwerk.runtime.integrate.loop.advance import advance
 from hertzwerk.runtime.integrate.loop.attempt import integrator
 from hertzwerk.runtime.integrate.loop.choose import Choosing
@@ -468,13 +468,13 @@ def test_a_constrained_motion_by_calls_is_bitwise_the_same_as_c(swung, method, m
 def test_building_what_chooses_is_interrupted(crank):
     """A signal that waits is heeded between the classes of attempts, and what was being built can be built afterwards."""
     made = integrator(crank, tuple(table() for table in METHODS["auto"]))
-    with pytest.raises(KeyboardInterrupt, match="waited"), deferred():
+    with pytest.raises(KeyboardInterrupt, match="waited"), defer_interrupts():
         signal.raise_signal(signal.SIGINT)
         try:
-            made.whole()
+            made.with_choice()
         except KeyboardInterrupt:
             raise KeyboardInterrupt("waited") from None
-    assert made.whole() is made.whole()
+    assert made.with_choice() is made.with_choice()
 
 
 def test_auto_by_calls_is_auto_written_out(swung, monkeypatch):
@@ -484,7 +484,7 @@ def test_auto_by_calls_is_auto_written_out(swung, monkeypatch):
     for large in (implicit.LARGE, 0):
         monkeypatch.setattr(implicit, "LARGE", large)
         model = Model(swung.module, swung.declaration)
-        made = integrator(model, tuple(table() for table in METHODS["auto"])).whole()
+        made = integrator(model, tuple(table() for table in METHODS["auto"])).with_choice()
         start = simulate(model, **options).history
         state, controls = start.rows[0], start.controls
         for _ in range(20):

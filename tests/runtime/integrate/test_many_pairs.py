@@ -13,7 +13,7 @@ from hertzwerk.runtime.integrate.events import events
 from hertzwerk.runtime.integrate.loop.advance import advance, near
 from hertzwerk.runtime.integrate.loop.attempt import integrator
 from hertzwerk.runtime.integrate.step import classes
-from hertzwerk.runtime.integrate.step.classes import BY_MODE, kinds
+from hertzwerk.runtime.integrate.step.classes import BY_MODE, contact_classes
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.implicit import DIVERGED
 from hertzwerk.runtime.integrate.step.layout import layouts
@@ -66,7 +66,7 @@ def test_a_pair_out_of_contact_costs_no_operation_of_a_stage():
 
 
 def every_pair(model, contacts):
-    """In place of `polynomial_of`: all of them, in every step."""
+    """In place of `pairs_by_polynomial`: all of them, in every step."""
     return list(range(model.k))
 
 
@@ -86,7 +86,7 @@ def test_a_pair_far_from_contact_costs_no_event_polynomial(monkeypatch):
     for contacts in ((), (0,)):
         lean = each(lambda model, c=contacts: advance(model, layouts(model), table, c))
         with monkeypatch.context() as patched:
-            patched.setattr("hertzwerk.runtime.integrate.loop.advance.polynomial_of", every_pair)
+            patched.setattr("hertzwerk.runtime.integrate.loop.advance.pairs_by_polynomial", every_pair)
             asked = each(lambda model, c=contacts: advance(model, layouts(model), table, c))
         assert lean < asked - 20
         assert lean < 60  # of which half is for the time of the next landing
@@ -101,7 +101,10 @@ def test_far_means_clear():
     given = [part.symbol(name) for part, name in zip(parts, ("state", "controls", "next"), strict=True)]
     old, run, end = (part.split(x) for part, x in zip(parts, given, strict=True))
     pairs, flying = [0, 1, 2, 3], ca.SX.zeros(model.k)
-    judged = [events.far(model, run, old, end, pairs), events.all_clear(model, run, flying, old, end, pairs)]
+    judged = [
+        events.far_apart(model, run, old, end, pairs),
+        events.no_event_possible(model, run, flying, old, end, pairs),
+    ]
     judge = ca.Function("judge", given, judged)
     random, seen = np.random.default_rng(5), np.zeros((2, 2))
     controls = np.zeros(vectors.controls.size)
@@ -123,7 +126,7 @@ def test_far_means_clear():
 def test_pairs_that_are_not_asked_change_no_bit(monkeypatch, gap):
     options = {"tolerance": 1e-7, "compiled": False}
     lean = hit(row(4), gap, **options)
-    monkeypatch.setattr("hertzwerk.runtime.integrate.loop.advance.polynomial_of", every_pair)
+    monkeypatch.setattr("hertzwerk.runtime.integrate.loop.advance.pairs_by_polynomial", every_pair)
     asked = hit(Model(row(4).module), gap, **options)
     assert np.array_equal(lean.history.rows, asked.history.rows)
 
@@ -146,7 +149,7 @@ def test_free_flight_evaluates_no_contact_and_one_contact_no_other(method):
         setattr(module, f"contact_{name}", marked(getattr(module, f"contact_{name}"), mark))
     model = Model(module)
     (table,) = (table() for table in METHODS[method])
-    for contacts in kinds(model):
+    for contacts in contact_classes(model):
         step = advance(model, layouts(model), table, contacts)
         found = {step.instruction_id(i) for i in range(step.n_instructions())}
         assert found & set(MARKS) == {MARKS[j] for j in (range(model.k) if contacts is BY_MODE else contacts)}

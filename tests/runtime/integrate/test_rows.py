@@ -13,7 +13,7 @@ from hertzwerk.derive.scenes.hard.scenes import row_of_spheres, touching_row
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.hard_cases import many
 from hertzwerk.runtime.integrate.events import events
-from hertzwerk.runtime.integrate.step.rounding import bounds, of_gaps
+from hertzwerk.runtime.integrate.step.rounding import bounds, gap_rounding
 
 EPS = 2.0**-52
 METHODS = ("dop853", "dopri5", "rodas", "esdirk", "auto")
@@ -67,7 +67,7 @@ def test_a_gap_is_rounded_with_the_lengths_it_is_a_difference_of():
     """The tenth pair is 0.4 m from the origin, whatever the coordinates are; moved off by 1 m by them, as much further."""
     model = model_of(10)
     bound, q = model.bind(), np.zeros(10)
-    (at_zero, _), (moved, _) = (of_gaps(model)(0.0, place, np.zeros(10), bound.c) for place in (q, q + 1))
+    (at_zero, _), (moved, _) = (gap_rounding(model)(0.0, place, np.zeros(10), bound.c) for place in (q, q + 1))
     last, first = float(at_zero[-1]), float(at_zero[0])
     assert 0.36 * EPS < last < 6 * 0.36 * EPS
     assert first < last / 4
@@ -78,7 +78,7 @@ def test_a_gap_is_rounded_with_the_lengths_it_is_a_difference_of():
 @pytest.mark.parametrize("method", ["dop853", "dopri5"])
 def test_without_the_rounding_of_gaps_rows_end_nowhere(monkeypatch, method, tolerance):
     """The fault that this guards against: a landing that asks for less than the last digit of a gap is tried for ever."""
-    monkeypatch.setattr(events, "of_gaps", lambda model: lambda *_: (ca.SX.zeros(model.k), ca.SX.zeros(model.k)))
+    monkeypatch.setattr(events, "gap_rounding", lambda model: lambda *_: (ca.SX.zeros(model.k), ca.SX.zeros(model.k)))
     blind = load(touching_row(5))
     assert solve(blind, tolerance, 0.004, method=method).outcome.name == "step_too_small"
     monkeypatch.undo()

@@ -82,13 +82,13 @@ def test_the_method_that_passes_is_the_explicit_one(tables, explicit, implicit):
 
 
 def test_both_measures_are_needed(monkeypatch):
-    monkeypatch.setattr(Flow, "lasting", lambda flow, t, y, error, run: error)
+    monkeypatch.setattr(Flow, "tangential_error", lambda flow, t, y, error, run: error)
     model.cache_clear()
     run, _ = run_of("dopri5", tolerance=1e-11)
     assert run.statistics.rejected > 300
     monkeypatch.undo()
     for module in (advance, settle):
-        monkeypatch.setattr(module, "clear_of_singular", lambda table, h, ahead: h)
+        monkeypatch.setattr(module, "limited_by_singular", lambda table, h, ahead: h)
     model.cache_clear()
     _, errors = run_of("dop853", tolerance=1e-12)
     model.cache_clear()
@@ -109,11 +109,11 @@ def test_no_step_looks_at_a_singular_position(table):
     first, low, high = singular._gap(table)
     widest = np.max(np.diff(nodes))
     for ahead in np.geomspace(1e-4, 10, 200):
-        h = float(singular.clear_of_singular(table, ca.SX(1), ca.SX(ahead)))
+        h = float(singular.limited_by_singular(table, ca.SX(1), ca.SX(ahead)))
         assert 0 < h <= 1
         place = ahead / h
         away = np.min(np.abs(nodes - place))
         crosses, behind = away >= singular.KEPT * widest * (1 - 1e-9), place < singular.AT_ONCE * first
         room = place >= 1 and ahead - h >= (low + high) / 2 * (1 - 1e-9)
         assert crosses or behind or room
-    assert singular.clear_of_singular(table, ca.SX(0.3), ca.SX(0, 1)) == 0.3
+    assert singular.limited_by_singular(table, ca.SX(0.3), ca.SX(0, 1)) == 0.3

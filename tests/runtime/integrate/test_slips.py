@@ -31,7 +31,7 @@ def solved(settle, W, b, sliding, first, ratio=1.0):
 
 @pytest.mark.parametrize("singular", [1.0, 1e-2, 1e-4])
 def test_what_sticks_is_held_and_what_slips_slips_against_its_friction(singular):
-    settle = slips.settled(COUNT)
+    settle = slips.pivoting(COUNT)
     for W, b, sliding, first in problems(300, singular=singular):
         slip, force, a, busy = solved(settle, W, b, sliding, first)
         size = np.abs(b) + np.abs(W) @ np.abs(force)
@@ -43,7 +43,7 @@ def test_what_sticks_is_held_and_what_slips_slips_against_its_friction(singular)
 
 def test_who_sticks_may_hold_more_than_it_slides_with():
     """Static friction 1.3 times sliding friction: from sticking on, all stay that can."""
-    settle = slips.settled(COUNT)
+    settle = slips.pivoting(COUNT)
     for W, b, sliding, _ in problems(300, singular=1.0):
         slip, force, a, busy = solved(settle, W, b, sliding, np.zeros(COUNT), ratio=1.3)
         sticks = slip == 0
@@ -58,7 +58,7 @@ def test_who_sticks_may_hold_more_than_it_slides_with():
 def test_changing_all_at_once_alone_does_not_end(monkeypatch):
     """The fault that this guards against: signs that flip for ever."""
     monkeypatch.setattr(slips, "ONE_BY_ONE", 0)
-    settle = slips.settled(COUNT)
+    settle = slips.pivoting(COUNT)
     unsettled = sum(solved(settle, *given)[3] for given in problems(300, singular=1e-2))
     assert unsettled > 0
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.runtime.cli.target import assignments, cannot_be_written
+from hertzwerk.runtime.cli.target import assignments, unwritable_faults
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.cli.stopping import Stopping
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 KEPT = "leave it out: a run goes on as it began"
 
 
-def going_on(
+def continue_run(
     folder: Path,
     target: str | None,
     out: Path | None,
@@ -38,7 +38,7 @@ def going_on(
     from hertzwerk.runtime.loading import load
 
     before, request = _read(folder)
-    faults = cannot_be_written(out, wanted=wanted)
+    faults = unwritable_faults(out, wanted=wanted)
     limits = limits_of(max_steps, wall_time, faults)
     stopping.stage("building")
     model = load(
@@ -130,17 +130,17 @@ def _differences(
     if accuracy is not None:
         expected = f"none: a run goes on at its tolerance, {before.tolerance:.2g}, without an estimate"
         faults.append(Fault("--accuracy", accuracy, expected, "leave it out"))
-    return faults + _other_values(before, model, assignments("--set", settings, faults))
+    return faults + _value_differences(before, model, assignments("--set", settings, faults))
 
 
-def _other_values(before: Solution, model: Model, values: Mapping[str, str]) -> list[Fault]:
+def _value_differences(before: Solution, model: Model, values: Mapping[str, str]) -> list[Fault]:
     """Return faults for parameters and initial states that differ from the run's."""
     from hertzwerk.runtime.solution.checkpoint import parameters_of
-    from hertzwerk.runtime.start.start_values import sorted_out
+    from hertzwerk.runtime.start.start_values import split_values
 
     faults: list[Fault] = []
     had = parameters_of(before, model)
-    parameters, initial = sorted_out(model, values)
+    parameters, initial = split_values(model, values)
     bound = model.bind(had)
     for name, text in parameters.items():
         try:
