@@ -1,4 +1,4 @@
-"""All laws by name."""
+"""Catalogue of all contact laws by name."""
 
 from __future__ import annotations
 

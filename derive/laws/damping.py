@@ -29,7 +29,7 @@ _HIGH = Interval(0.8, 1, open_left=True)
 
 
 def _hysteresis(factor: sp.Expr, at_zero: sp.Expr, *, at_one: sp.Expr = sp.S.Zero, **fields: Any) -> DampingLaw:
-    """F h v/v0 with h = `factor`; infinite damping at e = 0 leaves that end of the range open."""
+    """Build the law F h v/v0 with h = `factor`; an infinite h at e = 0 opens that end of its range."""
     fields.setdefault("defined", _WHOLE if at_zero is sp.oo else _CLOSED)
     fields.setdefault("recommended", _WHOLE)
     return DampingLaw(
@@ -153,10 +153,11 @@ _r = Quantity("r", "1", "1 - y, without cancellation")
 
 
 def _inverse_langevin(steps: int) -> Iterator[tuple[Quantity, sp.Expr]]:
-    """Definitions that end with t = L^-1(y), L(t) = coth t - 1/t: a start good to 0.3 %, then Newton's steps; r = 1 - y.
+    """Yield definitions of t = L^-1(y), the inverse Langevin function, L(t) = coth t - 1/t, r = 1 - y.
 
-    Below t = 1 the Langevin function is its continued fraction t/(3 + t^2/(5 + t^2/(7 + ...))), because coth t - 1/t cancels there; above,
-    y - L is taken as 1/t - (coth t - 1) - r, because 1 - y cancels there.
+    Newton's method from a start that is accurate to 0.3 %. Below t = 1 the Langevin function is its continued
+    fraction t/(3 + t^2/(5 + t^2/(7 + ...))), because coth t - 1/t cancels there; above, y - L is taken as 1/t - (coth
+    t - 1) - r, because 1 - y cancels there.
     """
     t = Quantity("t_0", "1", "first guess of h (1 + e)/2")
     yield (
@@ -177,7 +178,10 @@ def _inverse_langevin(steps: int) -> Iterator[tuple[Quantity, sp.Expr]]:
 
 
 def _langevin_fraction(t: Quantity) -> sp.Expr:
-    """3 + t^2/(5 + t^2/(7 + ... 17)), as one quotient of polynomials with positive coefficients: nothing cancels."""
+    """Continued fraction 3 + t^2/(5 + t^2/(7 + ... 17)) as one quotient of polynomials.
+
+    All coefficients are positive, so nothing cancels.
+    """
     above, below = [17], [1]
     for odd in range(15, 1, -2):
         shifted = [0, *below]

@@ -1,4 +1,4 @@
-"""Friction laws: force opposing the sliding velocity s, from the normal force N. Every law is odd in s."""
+"""Friction laws: force opposing the sliding velocity s, at the normal force N. All are odd in s."""
 
 from __future__ import annotations
 

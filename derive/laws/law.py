@@ -1,4 +1,7 @@
-"""Contact laws as records: one expression each, with the unit of every symbol, the ranges, the source and its grade.
+"""Records of contact laws: expressions, units and ranges of their symbols, source and its grade.
+
+Grades: A checked against an independent published number or an exact relation; B seen in a public source; C from
+general knowledge of the literature; R reconstruction of an expression that was not accessible.
 
 Calling a law binds its parameters, in order or by name; a `Material` fills a pair (Young's modulus, Poisson's ratio).
 """
@@ -24,7 +27,7 @@ class Quantity(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
     __slots__ = ("limit", "meaning", "unit")
 
     def __new__(cls, name: str, unit: str, meaning: str, limit: Interval | None = None) -> Quantity:
-        """A symbol of its own: never taken from SymPy's cache, so that equal names with other units stay apart."""
+        """Make a new symbol, never from SymPy's cache: equal names with different units stay distinct."""
         self = sp.Symbol.__xnew__(cls, name, real=True)
         self.unit = unit
         self.meaning = meaning
@@ -38,7 +41,7 @@ class Quantity(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
         return (self.name, self.unit, self.meaning, self.limit), {}
 
 
-# What a contact supplies to its laws while it lasts.
+# Supplied by a contact while it lasts.
 d = Quantity("d", "m", "penetration")
 v = Quantity("v", "m/s", "penetration rate")
 v0 = Quantity("v0", "m/s", "approach speed, latched at the onset of the contact")
@@ -51,7 +54,7 @@ eps_w = Quantity("epsilon_w", "1", "eccentricity over clearance, along the squee
 eps_c = Quantity("epsilon_c", "1", "eccentricity over clearance, across it, a quarter turn on about the axis")
 STATE = (d, v, v0, F, k_t, N, s, z, eps_w, eps_c)
 
-# What a pair supplies, once per run.
+# Supplied by a pair, once per run.
 R_eff = Quantity("R_eff", "m", "radius of relative curvature of the pair", POSITIVE)
 R_min = Quantity("R_min", "m", "smaller radius of the pair", POSITIVE)
 R_1 = Quantity("R_1", "m", "radius of the bush, or of the first body", POSITIVE)
@@ -70,18 +73,21 @@ GRADES = {
 """How well what a law states is known."""
 
 FORMS = ("point", "line", "surface")
-"""What two surfaces touch in: the forms of contact."""
+"""Forms of contact: the region in which two surfaces touch."""
 
 BRISTLE = z
-"""Continuous memory: a law that names it has the deflection integrated while the contact lasts, and forgotten when it ends."""
+"""Continuous memory: for a law that contains it the deflection is integrated during a contact, and reset to zero when it ends."""
 
 APPROACH_SPEED = v0
-"""Discrete memory: a law that names it has the speed of approach latched at the onset."""
+"""Discrete memory: for a law that contains it the approach speed is latched at the onset of a contact."""
 
 
 @dataclass(frozen=True)
 class Range:
-    """Where a law holds: outside a "defined" range is an error, outside a "recommended" one a warning. Bounds in SI."""
+    """Range of validity of a law, bounds in SI.
+
+    A value outside a "defined" range is an error, outside a "recommended" one a warning.
+    """
 
     quantity: Quantity
     interval: Interval
@@ -90,12 +96,14 @@ class Range:
 
 @dataclass(frozen=True)
 class Law:
-    """What all laws share; `definitions` are named intermediate results (symbol, expression), in order.
+    """Fields common to all contact laws.
 
-    `verdict` is what the catalogue states of the law as published, and the audit must find: consistent, inconsistent, or outside_si
-    (inconsistent, but `fitted_in` names the units it was fitted in). `repair` names the honest repair, where there is one.
-    `defaults` are parameters with a value of the law's own, such as the reference length of a fit; `forms` the forms of contact it is for, `pairs`
-    the kinds of pair, where it is not for all that have its geometry.
+    `definitions` are named intermediate results (symbol, expression), in order. `verdict` is the catalogue's
+    statement on the units of the law as published, which the audit must reproduce: consistent, inconsistent, or
+    outside_si (inconsistent, but `fitted_in` names the units of the fit). `repair` names a consistent law to use
+    instead, where there is one. `defaults` are parameters with values of the law's own, such as the reference length
+    of a fit. `forms` are the forms of contact it holds for; `pairs` the kinds of pair, where it does not hold for all
+    that have its geometry.
     """
 
     name: str
@@ -115,7 +123,7 @@ class Law:
     kind: ClassVar[str]
 
     def __post_init__(self) -> None:
-        """Raises ValueError where the form of contact is not said."""
+        """Check the forms of contact; raises ValueError."""
         if not self.forms or not set(self.forms) <= set(FORMS):
             found = f"the forms of contact {self.forms!r}" if self.forms else "no form of contact"
             raise ValueError(
@@ -160,26 +168,26 @@ class Law:
         return BoundLaw(self, tuple(_exact(value) for value in given), materials)
 
     def expressions(self) -> Iterator[tuple[str, sp.Expr, str]]:
-        """What the law computes: (what it is, expression, unit it must have)."""
+        """Yield (description, expression, required unit) of everything the law computes."""
         raise NotImplementedError
 
     @property
     def forces(self) -> tuple[sp.Expr, ...]:
-        """Of these expressions what is evaluated at every step."""
+        """The expressions that are evaluated at every step."""
         raise NotImplementedError
 
     def quantities(self) -> tuple[Quantity, ...]:
-        """Every symbol the law's expressions and definitions contain, in the order they stand there."""
+        """List every symbol of the law's expressions and definitions, in order of appearance."""
         texts = [*(e for _, e in self.definitions), *(e for _, e, _ in self.expressions())]
         found = (node for text in texts for node in sp.preorder_traversal(text) if isinstance(node, Quantity))
         return tuple(dict.fromkeys(found))
 
     def symbols(self) -> tuple[Quantity, ...]:
-        """Parameters, defined symbols, and everything else the law's expressions contain."""
+        """List the parameters, the defined symbols, and all other symbols of the expressions."""
         return tuple(dict.fromkeys((*self.parameters, *(symbol for symbol, _ in self.definitions), *self.quantities())))
 
     def geometry(self) -> tuple[Quantity, ...]:
-        """What the law asks of its pair, and does not define or take as a parameter itself."""
+        """List the geometric quantities the law reads from its pair."""
         own = {*self.parameters, *(symbol for symbol, _ in self.definitions)}
         asked = {*self.quantities(), *(row.quantity for row in self.ranges)} - own
         return tuple(quantity for quantity in GEOMETRY if quantity in asked)
@@ -189,8 +197,9 @@ class Law:
 class StiffnessLaw(Law):
     """Elastic normal force F(d) [N].
 
-    `stored` is its integral [J]; None has it integrated by Gauss's rule. `exponent` is the n of K d^n. `reach` [m] is the penetration the law is
-    defined up to: beyond it a run ends with `outside_law_range`. `relation` is d(F) [m] as published, where `force` is its inverse.
+    `stored` is its integral [J]; None has it integrated by Gaussian quadrature. `exponent` is the n of K d^n. `reach`
+    [m] is the penetration up to which the law is defined: beyond it a run ends with `outside_law_range`. `relation`
+    is d(F) [m] as published, where `force` is its inverse.
     """
 
     force: sp.Expr = sp.S.Zero
@@ -201,13 +210,16 @@ class StiffnessLaw(Law):
     kind = "stiffness"
 
     def __post_init__(self) -> None:
-        """Definitions are computed once, and `work` and the tangent stiffness differentiate the force alone."""
+        """Check that no definition depends on d; raises ValueError.
+
+        Definitions are computed once per run; `work` and the tangent stiffness differentiate the force alone.
+        """
         super().__post_init__()
         if any(expression.has(d) for _, expression in self.definitions):
             raise ValueError(f"law {self.name}: a definition depends on the penetration; write it out in the force")
 
     def expressions(self) -> Iterator[tuple[str, sp.Expr, str]]:
-        """The published relation where there is one, the elastic force, then stored energy and reach where they are given."""
+        """Yield the published relation d(F), the elastic force, stored energy and reach, as far as given."""
         if self.relation is not None:
             yield "penetration", self.relation, "m"
         yield "normal force", self.force, "N"
@@ -223,7 +235,10 @@ class StiffnessLaw(Law):
 
     @property
     def work(self) -> sp.Expr:
-        """Stored energy [J]: as given, or by 16-point Gauss quadrature in the square root of the penetration, exact for d^(k/2), k < 31."""
+        """Stored energy [J]: as given, else by Gaussian quadrature.
+
+        16 points in sqrt(d), exact for d^(k/2), k < 31.
+        """
         if self.stored is not None:
             return self.stored
         terms = [weight * 2 * node * self.force.xreplace({d: d * node**2}) for node, weight in _gauss_legendre(16)]
@@ -232,11 +247,14 @@ class StiffnessLaw(Law):
 
 @dataclass(frozen=True)
 class DampingLaw(Law):
-    """Dissipative part of the normal force, beside the elastic force F: F h v/v0 with h = `factor` of the restitution, or another `term` [N].
+    """Dissipative part of the normal force, added to the elastic force F.
 
-    `exponent` is the m of chi d^m v, None where it is the stiffness law's n. `release`: "force" ends the contact where the normal force falls to
-    zero, "gap" where the gap opens, so that the law may pull before. `at_one` and `at_zero` are the limits of h, or of the coefficient that
-    stands for it, as e goes to 1 (0 is the elastic law) and to 0 (oo is infinite damping); None for a law that knows no e.
+    It is F h v/v0 with h = `factor`, a function of the restitution e, or another `term` [N].
+
+    `exponent` is the m of chi d^m v, None where it is the stiffness law's n. `release`: "force" ends the contact
+    where the normal force falls to zero, "gap" where the gap opens, so that the law may pull before. `at_one` and
+    `at_zero` are the limits of h, or of the coefficient in its place, as e goes to 1 (0 is the elastic law) and to 0
+    (oo is infinite damping); None for a law without e.
     """
 
     factor: sp.Expr | None = None
@@ -248,7 +266,7 @@ class DampingLaw(Law):
     release: str = "force"
     at_one: sp.Expr | None = None
     at_zero: sp.Expr | None = None
-    forms: tuple[str, ...] = FORMS  # it stands beside an elastic law, whatever that is for
+    forms: tuple[str, ...] = FORMS  # added to an elastic law of any form
     kind = "damping"
 
     @property
@@ -258,21 +276,21 @@ class DampingLaw(Law):
 
     @property
     def forces(self) -> tuple[sp.Expr, ...]:
-        """The resistance."""
+        """The damping force."""
         return (self.resistance,)
 
     def expressions(self) -> Iterator[tuple[str, sp.Expr, str]]:
-        """The resistance."""
+        """Yield the damping force."""
         yield "damping force", self.resistance, "N"
 
 
 @dataclass(frozen=True)
 class FrictionLaw(Law):
-    """Friction force [N] opposing the sliding velocity s, an odd function of s; `slope` is its derivative at s = 0 [N s/m].
+    """Friction force [N] opposing the sliding velocity s, an odd function of s.
 
-    A set-valued law names its `modes`: `force` is then what it does while sliding, a function of N times sign(s), and `holding` [N] the most it
-    holds at rest. A law with continuous
-    memory gives it with its rate and its size, by which the accuracy of it is measured.
+    `slope` is its derivative at s = 0 [N s/m]. A set-valued law has `modes`: `force` is then the sliding friction, a
+    function of N times sign(s), and `holding` [N] the greatest static friction. A law with continuous `memory` gives
+    each state with its rate and its size, the scale of its error tolerance.
     """
 
     force: sp.Expr = sp.S.Zero
@@ -280,18 +298,18 @@ class FrictionLaw(Law):
     modes: tuple[str, ...] = ()
     holding: sp.Expr | None = None
     memory: tuple[tuple[Quantity, sp.Expr, sp.Expr], ...] = ()
-    forms: tuple[str, ...] = FORMS  # it knows the normal force alone
+    forms: tuple[str, ...] = FORMS  # it depends on the normal force alone
     kind = "friction"
 
     def __post_init__(self) -> None:
-        """Modes know the direction of sliding, not the speed."""
+        """Check that a law with modes does not depend on the sliding speed; raises ValueError."""
         super().__post_init__()
         if self.modes and (self.holding is None or self.sliding.has(s) or self.holding.has(s)):
             raise ValueError(f"law {self.name}: with modes, force/sign(s) and holding are functions of N alone")
 
     @property
     def sliding(self) -> sp.Expr:
-        """Of a law with modes: the force while sliding [N], without its sign."""
+        """Magnitude of the friction force while sliding [N]; for laws with modes."""
         return self.force.xreplace({sp.sign(s): sp.S.One})
 
     @property
@@ -300,7 +318,7 @@ class FrictionLaw(Law):
         return (self.force,)
 
     def expressions(self) -> Iterator[tuple[str, sp.Expr, str]]:
-        """The friction force, its slope at rest, the force held at rest, rates and sizes of the memory."""
+        """Yield the friction force, its slope at rest, the static friction, rates and sizes of the memory."""
         yield "friction force", self.force, "N"
         yield "slope of the friction force at rest", self.slope, "N s/m"
         if self.holding is not None:
@@ -312,7 +330,9 @@ class FrictionLaw(Law):
 
 @dataclass(frozen=True)
 class FilmLaw(Law):
-    """A fluid film between pin and bush: what it resists, by the place of the pin alone (`eps_w`, `eps_c`), each per unit of its velocity.
+    """Resistances of a fluid film between pin and bush, per unit of velocity.
+
+    They depend on the position of the pin in the bush alone (`eps_w`, `eps_c`).
 
     along   force against the squeeze velocity [N s/m]
     across  force against the direction a quarter turn on from it, about the axis [N s/m]
@@ -327,18 +347,18 @@ class FilmLaw(Law):
 
     @property
     def forces(self) -> tuple[sp.Expr, ...]:
-        """All three."""
+        """The three resistances."""
         return self.along, self.across, self.couple
 
     def expressions(self) -> Iterator[tuple[str, sp.Expr, str]]:
-        """Drag along and across the squeeze velocity, and against the spin."""
+        """Yield the resistances along and across the squeeze velocity, and against the spin."""
         yield "drag along the squeeze velocity", self.along, "N s/m"
         yield "drag across the squeeze velocity", self.across, "N s/m"
         yield "drag against the spin", self.couple, "N m s"
 
 
 def _gauss_legendre(points: int) -> Iterator[tuple[sp.Float, sp.Float]]:
-    """Nodes and weights on (0, 1), as doubles."""
+    """Yield the nodes and weights of Gauss-Legendre quadrature on (0, 1), as doubles."""
     from mpmath import legendre, mp, polyroots  # SymPy brings it
 
     with mp.workdps(40):
@@ -352,7 +372,7 @@ def _gauss_legendre(points: int) -> Iterator[tuple[sp.Float, sp.Float]]:
 
 
 def _exact(value: Any) -> Any:
-    """Numbers as exact rationals (1.5 -> 3/2), so that exponents compare exactly."""
+    """Convert a number to an exact rational (1.5 -> 3/2), so that exponents compare exactly."""
     if isinstance(value, float) and value == value and abs(value) != float("inf"):
         fraction = Fraction(value).limit_denominator(10_000)
         near = abs(float(fraction) - value) <= 1e-15 * max(1.0, abs(value))
@@ -362,7 +382,7 @@ def _exact(value: Any) -> Any:
 
 @dataclass(frozen=True)
 class BoundLaw:
-    """A law with its parameters given: parameters of a scene, expressions of them, or numbers."""
+    """A law with values for its parameters: scene parameters, expressions of them, or numbers."""
 
     law: Any
     values: tuple[Any, ...]
@@ -370,11 +390,11 @@ class BoundLaw:
 
     @property
     def binding(self) -> dict[sp.Symbol, Any]:
-        """Law symbol -> what is given for it."""
+        """Value of each of the law's parameters."""
         return dict(zip(self.law.parameters, self.values, strict=True))
 
     def slots(self, where: str, geometry: dict[str, Any]) -> Iterator[Slot]:
-        """The quantities given to the law; then those of the pair's `geometry` the law has ranges for."""
+        """Yield the values given to the law, and those of the pair's `geometry` that it has ranges for."""
         limits = {
             row.quantity: {other.kind: other.interval for other in self.law.ranges if other.quantity == row.quantity}
             for row in self.law.ranges
@@ -396,9 +416,10 @@ class BoundLaw:
 
 
 def speed_limit(bounds: Iterable[BoundLaw]) -> sp.Expr | None:
-    """Approach speed 1e-5 sqrt(E/rho) [m/s] up to which compliant laws hold, the least of the materials whose density is known; None without one.
+    """Approach speed 1e-5 sqrt(E/rho) [m/s] up to which compliant laws hold; None without a known density.
 
-    Johnson's limit of elastic impact, as used by Lankarani & Nikravesh (1994).
+    The least over the materials whose density is known: Johnson's limit of elastic impact, as used by Lankarani &
+    Nikravesh (1994).
     """
     materials = dict.fromkeys(m for bound in bounds for m in bound.materials if m.density is not None)
     limits = [sp.Float("1e-5") * sp.sqrt(m.youngs_modulus / m.density) for m in materials]

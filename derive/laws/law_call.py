@@ -1,4 +1,4 @@
-"""A law written with numbers of its own, as the command line gives it: `power_damping(chi=1e5 N s/m^2.5, m=1.5)`."""
+"""Parser of laws written with values on the command line: `power_damping(chi=1e5 N s/m^2.5, m=1.5)`."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _CALL = re.compile(r"\s*(\w+)\s*\((.*)\)\s*")
 
 
 def split_call(text: str) -> tuple[str, dict[str, str]]:
-    """The law's name, and its values as text; a name alone has none. Raises InputError."""
+    """Split into the law's name and its values as text by symbol. Raises InputError."""
     written = _CALL.fullmatch(text)
     if written is None:
         return text, {}
@@ -31,9 +31,9 @@ def split_call(text: str) -> tuple[str, dict[str, str]]:
 
 
 def values_of(law: Law, texts: Mapping[str, str], effect: str) -> dict[str, Any]:
-    """What is given to a law of an effect: a quantity becomes a parameter `<effect>_<symbol>` of the scene, a bare number a constant.
+    """Convert the values of a law from text. Raises InputError.
 
-    Raises InputError.
+    A quantity becomes a parameter `<effect>_<symbol>` of the scene, a number without a unit a constant.
     """
     symbols = {symbol.name: symbol for symbol in law.parameters}
     faults, found = [], {}

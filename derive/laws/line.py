@@ -1,4 +1,7 @@
-"""Stiffness laws of line contact: parallel cylinders, pin and bush, of axial length L. See `logarithmic` for those published as d(F)."""
+"""Stiffness laws of line contact of parallel cylinders, or pin and bush, of axial length L.
+
+See `logarithmic` for those published as d(F).
+"""
 
 from __future__ import annotations
 
@@ -31,7 +34,10 @@ _LIMIT = sp.Rational("0.34954")  # mm, where the two branches of Y meet
 
 
 def _palmgren(length: Any, force: Any, **fields: Any) -> StiffnessLaw:
-    """The fit with d and L in units of `length` and F in units of `force`; 1 is as published, the units hidden."""
+    """Palmgren's fit with d and L in units of `length` and F in units of `force`.
+
+    As published both are 1, which hides the units.
+    """
     elastic = force * (d / length * (L / length) ** sp.Rational(4, 5) / c_P) ** sp.Rational(10, 9)
     return StiffnessLaw(
         definitions=((c_P, sp.Rational("3.84e-5")),),
@@ -70,9 +76,9 @@ palmgren_si = _palmgren(
 
 
 def _pereira(length: Any, pressure: Any, fit: tuple[tuple[Quantity, sp.Expr], ...], **fields: Any) -> StiffnessLaw:
-    """The fit with lengths in units of `length` and E* in units of `pressure`; 1 is as published, the units hidden.
+    """The fit of Pereira et al. with lengths in units of `length` and E* in units of `pressure`.
 
-    The reference pressure is part of what the fit hides, and cancels: the force is proportional to E*.
+    As published both are 1, which hides the units. The reference pressure cancels: the force is proportional to E*.
     """
     width = (a * dR / length + b) * (L / length) * (E_eff / pressure) / (dR / length)
     elastic = pressure * length**2 * width * (d / length) ** n_fit
@@ -260,7 +266,7 @@ persson = StiffnessLaw(
 
 
 def linear(share: sp.Expr, **fields: Any) -> StiffnessLaw:
-    """F = `share` E* L d."""
+    """Build the law F = `share` E* L d."""
     return StiffnessLaw(
         parameters=MATERIALS,
         definitions=(EFFECTIVE_MODULUS,),

@@ -1,7 +1,8 @@
-"""Logarithmic stiffness laws of line contact, each published as a penetration d(F), with the force in explicit form.
+"""Logarithmic stiffness laws of line contact, published as d(F) and inverted to explicit forces F(d).
 
-They read d = alpha F (ln(B/F) + c). With w = -ln(B/F) - c this is w exp(w) = -d exp(-c)/(alpha B), so F = -d/(alpha w) on the lower branch
-w = W_-1 of Lambert's function, up to the turning point dd/dF = 0 at w = -1, d = alpha B exp(c - 1).
+They have the form d = alpha F (ln(B/F) + c). With w = -ln(B/F) - c this is w exp(w) = -d exp(-c)/(alpha B), so F =
+-d/(alpha w) on the lower branch w = W_-1 of Lambert's function, up to the turning point dd/dF = 0 at w = -1, d =
+alpha B exp(c - 1).
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ _COMPLIANCE_SUM = (sigma, 1 / (sp.pi * E_eff))
 
 
 def logarithmic(compliance: sp.Expr, scale: sp.Expr, c: sp.Expr) -> dict[str, Any]:
-    """Force, stored energy, reach of d = alpha F (ln(B/F) + c), with the definitions of alpha = `compliance` and B = `scale`."""
+    """Force, stored energy and reach of d = alpha F (ln(B/F) + c), alpha = `compliance`, B = `scale`."""
     depth = -sp.LambertW(-d * sp.exp(-c) / (alpha * B), -1)  # ln(B/F) + c, from 1 at the turning point upwards
     return {
         "definitions": ((alpha, compliance), (B, scale)),
@@ -35,7 +36,7 @@ def logarithmic(compliance: sp.Expr, scale: sp.Expr, c: sp.Expr) -> dict[str, An
 
 
 def _with(*definitions: tuple[Quantity, sp.Expr], law: dict[str, Any]) -> dict[str, Any]:
-    """The same, with definitions that come first."""
+    """Prepend definitions to those of a law's fields."""
     return {**law, "definitions": (*definitions, *law["definitions"])}
 
 

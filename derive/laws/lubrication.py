@@ -1,13 +1,16 @@
-"""Laws of the fluid film between a pin and its bush: Reynolds' equation of a thin, isoviscous film, in the two limits that have closed forms.
+"""Fluid-film laws of pin and bush: Reynolds' equation of a thin isoviscous film, in two limits.
 
-Let e be the eccentricity, n the direction of a place in the film, h = c - e.n its thickness, and w the velocity of the pin's material against the
-bush's midway between their centres. Seen from there both surfaces roll past at opposite speeds and carry no fluid round: what is left of wedge and
-squeeze together is the one rate -w.n at which the film thins, div(h^3 grad p) = -12 eta w.n. The film bears where its pressure is above that at its
-edges: half the circumference (half-Sommerfeld, Guembel), turning with the motion, and for a pure squeeze the side that closes.
+Let e be the eccentricity, n the direction of a place in the film, h = c - e.n its thickness, and w the velocity of
+the pin's material against the bush's midway between their centres. Seen from there both surfaces roll past at
+opposite speeds and carry no net flow along the circumference: wedge and squeeze together are the one rate -w.n at
+which the film thins, div(h^3 grad p) = -12 eta w.n. The film carries load where its pressure is above that at its
+edges: half the circumference (half-Sommerfeld, Guembel), turning with the motion, and for a pure squeeze the side
+that closes.
 
-A law gives what resists a unit of w, along it and across it, and a unit of spin, as functions of e/c along w (`eps_w`) and across (`eps_c`). No
-direction of the eccentricity enters: the laws are smooth through the centre. Pressure and shear together act as one force midway between the
-centres, on pin and bush alike, and a couple against the spin: so the power -F.w + T omega is all that the film dissipates, and never negative.
+A law gives the resistance to a unit of w, along and across it, and to a unit of spin, as functions of e/c along w
+(`eps_w`) and across (`eps_c`). The direction of the eccentricity does not enter: the laws are smooth through the
+centre. Pressure and shear together act as one force midway between the centres, on pin and bush alike, and a couple
+against the spin: so the power -F.w + T omega is the whole dissipation of the film, and never negative.
 """
 
 from __future__ import annotations

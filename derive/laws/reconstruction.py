@@ -1,8 +1,9 @@
-"""Reconstructions (grade R) of the two stiffness laws of Wang and Liu 2020, whose expressions could not be had.
+"""Reconstructions (grade R) of the two stiffness laws of Wang and Liu 2020, not accessible to us.
 
-Known of them: one for external, one for internal contact of cylinders, both with the joint's length L and the exponent n = 1, so K is N/m. Here
-stand all dimensionally admissible candidates, each a force that the catalogue has under another name; the two named after the paper are the
-defaults: of them n = 1 is the local exponent too. The sheet of each shows them as a band. Whoever has the paper replaces one expression each.
+Known of them: one for external, one for internal contact of cylinders, both with the joint's length L and the
+exponent n = 1, so K is N/m. These are all dimensionally admissible candidates, each a force that the catalogue has
+under another name; the two named after the paper are the defaults: their local exponent is n = 1 too. The sheet of
+each shows them as a band. With the paper at hand, replace one expression each.
 """
 
 from __future__ import annotations

@@ -1,4 +1,7 @@
-"""Stiffness laws of point contact, and the power law. Stiffness and exponent belong together: K d^n must be newton."""
+"""Stiffness laws of point contact, and the power law.
+
+Stiffness and exponent belong together: K d^n must have the unit newton.
+"""
 
 from __future__ import annotations
 
