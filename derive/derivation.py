@@ -1,7 +1,7 @@
-"""The derivation, from top to bottom: scene -> checked scene -> system -> program -> audited program -> text.
+"""The derivation in stages: scene -> checked scene -> system -> program -> audited program -> text.
 
-`generate` and `derive` are its stages one after another; the rest gives what lies between them. A `Scene` has refused unsound declarations
-when it was made.
+`generate` and `derive` are its stages one after another; the rest gives intermediate results. A `Scene` raises
+InputError for unsound declarations when it is made.
 """
 
 from __future__ import annotations
@@ -22,31 +22,36 @@ from hertzwerk.derive.program.program import Program
 
 
 def generate(scene: Scene, source: str = "") -> str:
-    """Text of the scene's generated module; `source` names the file the scene stands in. Raises InputError as `derive` does."""
+    """Text of the scene's generated module; `source` names the file of the scene.
+
+    Raises InputError as `derive` does.
+    """
     program = derive(scene)  # 1 to 4
     return emit(program, source)  # 5. text
 
 
 def derive(scene: Scene) -> Program:
-    """The program of a scene.
+    """Program of a scene.
 
-    Raises InputError, listing every fault, unless each assignment and output is consistent and its laws do what every law owes (`behaviour`).
+    Raises InputError, listing every fault, unless each assignment and output has consistent units and its laws are
+    physically admissible (`behaviour`).
     """
-    # 1. checked scene: the units of its laws, then what every law owes
+    # 1. checked scene: units of its laws, then their physical admissibility
     refuse_inconsistent(scene, audit_laws(scene))
     refuse_misbehaving(scene)
     # 2. system: kinematics, equations, pairs and effects; 3. program: the functions and tables of a module
     program = derivation_of(scene)
-    # 4. audited program: the unit of every assignment and output
+    # 4. audited program: units of every assignment and output
     units, findings = audit_program(program)
     refuse_inconsistent(scene, findings)
     return replace(program, units=units)
 
 
 def audit_scene(scene: Scene) -> tuple[Finding, ...]:
-    """Every law of the scene, and advice on them; then, if they hold, every assignment and output of its program.
+    """Audit every law of the scene, then, if all hold, every assignment and output of its program.
 
-    Raises InputError where units hold, and a law does not do what every law owes (`behaviour`).
+    Includes advice on the laws. Raises InputError where units are consistent, and a law is not physically admissible
+    (`behaviour`).
     """
     laws = (*audit_laws(scene), *advice_findings(scene))
     if any(finding.verdict == "inconsistent" for finding in laws):
@@ -56,18 +61,24 @@ def audit_scene(scene: Scene) -> tuple[Finding, ...]:
 
 
 def derivation_of(scene: Scene) -> Program:
-    """The program in the scene's coordinates, not yet audited."""
-    return _in_coordinates(scene)[1]
+    """Program in the scene's coordinates, not yet audited."""
+    return _choose_coordinates(scene)[1]
 
 
-def unsolved(scene: Scene) -> Program:
-    """The program, not yet audited, with one function more than a module has: `motion`, the equations of motion before they are solved."""
-    system, program = _in_coordinates(scene)
+def program_with_motion(scene: Scene) -> Program:
+    """Program with the additional function `motion`, the equations of motion before they are solved.
+
+    It is not audited.
+    """
+    system, program = _choose_coordinates(scene)
     return replace(program, functions=(*program.functions, motion(system)))
 
 
-def _in_coordinates(scene: Scene) -> tuple[System, Program]:
-    """The system and its program; "auto" takes what has fewer operations a step, of equals the joints' coordinates."""
+def _choose_coordinates(scene: Scene) -> tuple[System, Program]:
+    """System and program in the scene's coordinates.
+
+    "auto" takes those with fewer operations per step, joint coordinates in case of a tie.
+    """
     if scene.coordinates == "absolute":
         return _with_program(System(absolute(scene)))
     by_joints, tree = _with_program(System(scene))

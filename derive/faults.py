@@ -1,4 +1,7 @@
-"""What is wrong with an input, said once and completely; imports nothing, so both sides report in the same form."""
+"""Faults of an input, collected and reported at once.
+
+Imports nothing from the package, so that derivation and runtime report in the same form.
+"""
 
 from __future__ import annotations
 
@@ -6,16 +9,16 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-FEW, MANY = 12, 24  # names that are listed: beside those like the one that was given, and where none is like it
+FEW, MANY = 12, 24  # most names listed as expected: where similar names are suggested, and where there are none
 
 
 def visible(text: str) -> str:
-    """Text with an escape for every character that does not print, so that it can be shown and written anywhere; lines stay."""
+    """Escape every character that does not print; line breaks stay."""
     return "".join(c if c.isprintable() or c == "\n" else c.encode("unicode_escape").decode() for c in text)
 
 
 def shown(value: object, most: int = 80) -> str:
-    """A value of the user's as a message quotes it, whatever it is: its repr, cut where it is long."""
+    """Representation of a user's value for a message, cut to `most` characters."""
     try:
         text = repr(value)
     except Exception:  # an integer of too many digits, an object whose own repr fails
@@ -25,7 +28,7 @@ def shown(value: object, most: int = 80) -> str:
 
 @dataclass(frozen=True)
 class Fault:
-    """One fault: where it is, what was found, what was expected, and the way out (each a short phrase)."""
+    """One fault: where it is, what was found, what was expected, and the remedy (short phrases)."""
 
     where: str
     found: str
@@ -38,7 +41,10 @@ class Fault:
 
 
 def unknown(kind: str, name: object, known: Iterable[str], otherwise: str = "") -> Fault:
-    """The fault of a name that does not exist: the names like it, or all there are; `otherwise` is what may stand in place of one."""
+    """Fault of an unknown name, with similar names, or all known ones.
+
+    `otherwise` is a phrase for what is accepted instead of a name.
+    """
     names = list(known)
     where = name if isinstance(name, str) and name else shown(name)
     more = f", {otherwise}" if otherwise else ""
@@ -56,7 +62,7 @@ def unknown(kind: str, name: object, known: Iterable[str], otherwise: str = "") 
 
 
 def unreadable(path: object, error: Exception, expected: str) -> Fault:
-    """The fault of a file that cannot be read, such as "a readable TOML file" was expected."""
+    """Fault of a file that cannot be read, where `expected` (such as "a readable TOML file") was."""
     plain = [
         (FileNotFoundError, "no such file"),
         (IsADirectoryError, "a folder"),
@@ -69,40 +75,46 @@ def unreadable(path: object, error: Exception, expected: str) -> Fault:
 
 
 class PicklableError(ValueError):
-    """An error that other processes receive whole, whatever its constructor takes: worker pools hang on those that cannot be unpickled."""
+    """An error that can be unpickled in other processes, whatever its constructor takes.
+
+    Worker pools hang on errors that cannot be unpickled.
+    """
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _made_again, (type(self), self.args, self.__dict__)
+        return _rebuild, (type(self), self.args, self.__dict__)
 
 
-def _made_again(kind: type[PicklableError], args: tuple[Any, ...], attributes: dict[str, Any]) -> PicklableError:
+def _rebuild(kind: type[PicklableError], args: tuple[Any, ...], attributes: dict[str, Any]) -> PicklableError:
     error = kind.__new__(kind, *args)
     error.__dict__.update(attributes)
     return error
 
 
 def one_of(names: Iterable[str], otherwise: str) -> str:
-    """What was expected where a name was: one of those there are, or, where there are none, what to say of that."""
+    """Phrase for an expected name: "one of ...", or `otherwise` where there are none."""
     listed = ", ".join(names)
     return f"one of {listed}" if listed else otherwise
 
 
 class InputError(PicklableError):
-    """Bad input: every fault of it at once (`faults`), nothing done, nothing written."""
+    """Bad input, with all its `faults`.
+
+    Raised before anything is done or written.
+    """
 
     def __init__(self, subject: str, faults: Iterable[Fault]) -> None:
         self.subject = subject
         self.faults = tuple(faults)
-        told = _told_once(self.faults)
-        head = f"{visible(subject)}: {len(told)} fault{'s' if len(told) != 1 else ''}"
-        super().__init__("\n".join([head, *(f"  {fault}".replace("\n", "\n  ") for fault in told)]))
+        merged = _merge_repeated(self.faults)
+        head = f"{visible(subject)}: {len(merged)} fault{'s' if len(merged) != 1 else ''}"
+        super().__init__("\n".join([head, *(f"  {fault}".replace("\n", "\n  ") for fault in merged)]))
 
 
-def _told_once(faults: Iterable[Fault]) -> list[Fault]:
-    """Faults that differ only in where they are, as when many pairs share a parameter, told as one."""
+def _merge_repeated(faults: Iterable[Fault]) -> list[Fault]:
+    """Merge faults that differ only in `where`, as when many pairs share a parameter."""
     places: dict[tuple[str, str, str], list[str]] = {}
     for fault in faults:
         where = places.setdefault((fault.found, fault.expected, fault.remedy), [])
         if fault.where not in where:
             where.append(fault.where)
-    return [Fault(", ".join(where), *said) for said, where in places.items()]
+    return [Fault(", ".join(where), *rest) for rest, where in places.items()]

@@ -1,4 +1,4 @@
-"""Names that cannot be, or are there twice; text that cannot be printed."""
+"""Faults of names and texts: invalid or duplicate names, text that cannot be printed."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from typing import Any
 from hertzwerk.derive.faults import Fault
 
 MAX_BYTES = 120
-"""Of a name in UTF-8: names become names of files too, with something behind them."""
+"""Longest name in UTF-8: names become file names too, with a suffix."""
 
 _EXPECTED = "an identifier: letters, digits and _, a letter first, no keyword of Python"
 
 
 def name_faults(where: str, name: Any) -> Iterator[Fault]:
-    """What keeps a name from standing in generated code, in the name of a file and on the command line."""
+    """Faults of a name that is used in generated code, in file names and on the command line."""
     if not isinstance(name, str):
         yield Fault(where, f"the name {name!r:.80}", _EXPECTED)
     elif len(name.encode(errors="replace")) > MAX_BYTES:
@@ -30,7 +30,7 @@ def name_faults(where: str, name: Any) -> Iterator[Fault]:
 
 
 def text_faults(where: str, text: Any) -> Iterator[Fault]:
-    """What keeps a text from being shown: it is none, or has characters that do not print; blanks of any kind may be in it."""
+    """Faults of a text that is shown: no string, or with characters that do not print."""
     if not isinstance(text, str):
         yield Fault(where, f"{text!r:.80}", "text")
         return
@@ -42,7 +42,7 @@ def text_faults(where: str, text: Any) -> Iterator[Fault]:
 
 
 def repeated(kind: str, names: Iterable[str]) -> Iterator[Fault]:
-    """Names that cannot be, or are not unique."""
+    """Faults of names that are invalid or not unique."""
     names = list(names)
     for name in dict.fromkeys(names):
         yield from name_faults(kind, name)
@@ -53,7 +53,7 @@ def repeated(kind: str, names: Iterable[str]) -> Iterator[Fault]:
 
 
 def twice(what: str, names: list[str]) -> Iterator[Fault]:
-    """What there can be one of, and is more."""
+    """Faults of names that may occur only once."""
     for name in dict.fromkeys(names):
         if names.count(name) > 1:
             yield Fault(f"{what} {name}", f"{names.count(name)}", "one")

@@ -1,1 +1,1 @@
-"""What SymPy lacks for the equations of mechanisms: branches, vectors, splines, notation."""
+"""Extensions of SymPy for equations of mechanisms: branches, vectors, splines, notation."""

@@ -1,4 +1,4 @@
-"""Functions the equations need and SymPy lacks: a branch that can be differentiated without distributions."""
+"""Branch function `Where`, differentiable without distributions."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ __all__ = ["NoText", "Where"]
 
 
 class NoText(sympy.Function):  # type: ignore[misc]  # SymPy is untyped
-    """A function that refuses text as an argument: SymPy would execute it."""
+    """A function that rejects text as an argument, which SymPy would execute."""
 
     def __new__(cls, *args: Any, **options: Any) -> Any:
-        """Raises TypeError for text."""
+        """Check the arguments; raises TypeError for text."""
         for arg in args:
             if isinstance(arg, str):
                 raise TypeError(f"{cls.__name__}: found the text {arg!r}, expected an expression")
@@ -22,23 +22,22 @@ class NoText(sympy.Function):  # type: ignore[misc]  # SymPy is untyped
 
 
 class Where(NoText):
-    """`Where(condition, a, b)`: a where the condition holds, else b. Never evaluated while symbols remain.
+    """`Where(condition, a, b)`: a where the condition holds, else b. Not evaluated while symbols remain.
 
-    The branch is a choice, not a function of the condition: its derivative is the derivative of the branch taken, which
-    is what a simulation needs that locates the kink as an event. SymPy's Piecewise, Max and Heaviside would rewrite
-    themselves or bring in DiracDelta instead.
+    The derivative is that of the branch taken, as a simulation needs that locates the kink as an event. SymPy's
+    Piecewise, Max and Heaviside would rewrite themselves or bring in DiracDelta instead.
     """
 
     nargs = 3
 
     @classmethod
     def eval(cls, condition: Any, a: Any, b: Any) -> None:
-        """Check the condition; never evaluate."""
+        """Check the condition; never evaluate. Raises TypeError."""
         if not isinstance(condition, Boolean) or isinstance(condition, sympy.Expr):
             raise TypeError(f"Where: found the condition {condition}, expected a comparison such as d > 0")
 
     def fdiff(self, argindex: int = 2) -> Any:
-        """The partial derivative by a (2) or b (3)."""
+        """Partial derivative with respect to a (2) or b (3)."""
         if argindex not in (2, 3):
             raise sympy.ArgumentIndexError(self, argindex)
         return Where(self.args[0], int(argindex == 2), int(argindex == 3))

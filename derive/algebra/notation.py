@@ -1,4 +1,4 @@
-"""Expressions as people write them: in Python syntax, and in LaTeX."""
+"""Print expressions in Python syntax and in LaTeX."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _EULER = sp.Symbol("e_Euler")
 
 
 class _Text(StrPrinter):  # type: ignore[misc]  # SymPy is untyped
-    """Python syntax, as `hertzwerk audit --expr` reads it."""
+    """Printer of Python syntax as read by `hertzwerk audit --expr`."""
 
     def _print_Exp1(self, _: Any) -> str:
         return "exp(1)"  # E is a modulus
@@ -30,7 +30,7 @@ class _Text(StrPrinter):  # type: ignore[misc]  # SymPy is untyped
 
 
 class _Latex(LatexPrinter):  # type: ignore[misc]
-    """Euler's number upright, so that it is no restitution."""
+    """LaTeX printer with an upright Euler's number, distinct from the restitution e."""
 
     def _print_exp(self, node: Any, exp: str | None = None) -> str:
         power = rf"\mathrm{{e}}^{{{self._print(node.args[0])}}}"
@@ -38,7 +38,10 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
 
 
 class _Running(_Latex):
-    """Sums that begin with a term that is added; a choice as cases; functions of one symbol without brackets."""
+    """LaTeX printer for the equations of a scene.
+
+    Sums begin with a positive term; branches are cases; functions of one symbol have no brackets.
+    """
 
     def _needs_function_brackets(self, argument: Any) -> bool:
         return not argument.is_Symbol
@@ -57,12 +60,12 @@ def _is_negative(term: Any) -> bool:
 
 
 def text_of(expression: Any) -> str:
-    """An expression in Python syntax, `where(condition, a, b)` for a choice."""
+    """An expression in Python syntax, `where(condition, a, b)` for a branch."""
     return str(_Text().doprint(tidy(expression)))
 
 
 def latex_of(expression: Any, given: Mapping[Any, str] | None = None) -> str:
-    """An expression in LaTeX; with the names `given` powers stand on one line, as in running formulas."""
+    """An expression in LaTeX; with the names `given`, in the style of the equations of a scene."""
     if given is not None:
         names = {_EULER: r"\mathrm{e}", **given}
         printer = _Running({"symbol_names": names, "fold_frac_powers": True, "fold_func_brackets": True})
@@ -83,6 +86,6 @@ def latex_name(symbol: Any) -> str:
 
 
 def tidy(expression: Any) -> Any:
-    """The same with common factors of a sum taken out, as 3*(1 - e)/2 is published; what that would lengthen stays."""
+    """Take common factors out of sums, as in 3*(1 - e)/2, unless that is longer."""
     tidy = sp.factor_terms(expression, sign=False)
     return min(tidy, expression, key=lambda e: (str(e).startswith("-"), len(str(e))))

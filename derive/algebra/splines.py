@@ -1,8 +1,9 @@
-"""Tables: values at increasing arguments, and the quintic spline through them, a SymPy function that can be differentiated twice.
+"""Tables: values at increasing arguments, interpolated by a quintic spline as a SymPy function.
 
-The spline is the curve through all points with the least integral of its squared third derivative among those without curvature at both ends
-(Schoenberg, Proc. Nat. Acad. Sci. 52 (1964) 947): within the table four derivatives are continuous. Beyond the ends it goes on along its tangent,
-with two continuous derivatives. Between the points of a smooth curve the error is of 6th order in their distance if the second and fourth
+The spline can be differentiated twice. It is the curve through all points with the least integral of its squared
+third derivative among those without curvature at both ends (Schoenberg, Proc. Nat. Acad. Sci. 52 (1964) 947): within
+the table four derivatives are continuous. Beyond the ends it continues along its tangent, with two continuous
+derivatives. Between the points of a smooth curve the error is of 6th order in their distance if the second and fourth
 derivatives of that curve vanish at the ends (a sine over half periods), of 2nd order near an end that is curved.
 """
 
@@ -27,7 +28,7 @@ Pair = tuple[float, float]
 
 
 class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
-    """Arguments and values with their units; `table(x)` is the spline through them at x, a SymPy expression.
+    """Arguments and values with their units; `table(x)` is the spline at x, a SymPy expression.
 
     `slopes` are those at both ends, in the unit of a value over that of an argument; None leaves them to the spline.
     """
@@ -42,13 +43,13 @@ class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
         units: tuple[str, str],
         slopes: Pair | None = None,
     ) -> Table:
-        """What is wrong with a table its scene says: see `faults`."""
+        """Make a table without checking it: see `faults`."""
         self = super().__new__(cls)
         self.name = name
-        self.arguments = _listed(arguments)
-        self.values = _listed(values)
-        self.units = _listed(units)
-        self.slopes = None if slopes is None else _listed(slopes)
+        self.arguments = _as_tuple(arguments)
+        self.values = _as_tuple(values)
+        self.units = _as_tuple(units)
+        self.slopes = None if slopes is None else _as_tuple(slopes)
         return self  # type: ignore[no-any-return]
 
     def _hashable_content(self) -> tuple[Any, ...]:
@@ -66,7 +67,7 @@ class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
         return spline
 
     def faults(self) -> Iterator[Fault]:
-        """What is wrong with the declaration."""
+        """Yield the faults of the declaration."""
         found = tuple(self._declared_faults())
         yield from found
         if not found and not self._finite():
@@ -108,7 +109,10 @@ class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
             return False
 
     def pieces(self) -> tuple[tuple[float, ...], ...]:
-        """Rows (x, c0, ..., c5), SI: the polynomials sum c_k (s - x)^k from each point to the next; of the last row only x counts."""
+        """Rows (x, c0, ..., c5), SI: the piece from x to the next point is sum c_k (s - x)^k.
+
+        Only x of the last row is used.
+        """
         argument, value = (parse_unit(unit) for unit in self.units)
         x, y = [argument.to_si(a) for a in self.arguments], [value.to_si(v) for v in self.values]
         per = value.to_si(1.0) / argument.to_si(1.0)
@@ -126,18 +130,18 @@ class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
 
 
 class Spline(NoText):
-    """`Spline(table, x, k)`: the k-th derivative, k = 0, 1, 2, of a table's spline at x. Never evaluated."""
+    """`Spline(table, x, k)`: k-th derivative, k = 0, 1, 2, of a table's spline at x. Never evaluated."""
 
     nargs = 3
 
     @classmethod
     def eval(cls, table: Any, argument: Any, order: Any) -> None:
-        """Never evaluate; raises ValueError for a derivative that is not continuous."""
+        """Check the order of the derivative; never evaluate. Raises ValueError."""
         if order not in (0, 1, 2):
             raise ValueError(f"the spline of {table} has two derivatives everywhere; found the {order}th asked for")
 
     def fdiff(self, argindex: int = 2) -> Any:
-        """The next derivative."""
+        """Next derivative."""
         if argindex != 2:
             raise sp.ArgumentIndexError(self, argindex)
         table, argument, order = self.args
@@ -158,16 +162,16 @@ class Spline(NoText):
         return rf"\mathrm{{{name}}}{primes}\left({printer.doprint(argument)}\right)"
 
 
-def _listed(values: Any) -> tuple[Any, ...]:
-    """A sequence's entries; what is none is a fault, which `faults` tells."""
+def _as_tuple(values: Any) -> tuple[Any, ...]:
+    """Entries of a sequence; a single value is wrapped, for `faults` to report."""
     return tuple(values) if isinstance(values, Iterable) else (values,)
 
 
 def _nodes(x: list[float], y: list[float], slopes: Pair | None) -> list[Pair]:
     """First and second derivative of the spline at every point.
 
-    Where two pieces meet their third and fourth derivatives agree; at both ends the second vanishes, and the slope is given or the fourth
-    vanishes too. One pair of unknowns per point, each tied to its neighbours: block elimination, forwards and back.
+    Adjacent pieces agree in their third and fourth derivatives; at both ends the second derivative vanishes, and the
+    slope is given or the fourth vanishes too. Block tridiagonal elimination, two unknowns per point.
     """
     count = len(x)
     rows: list[list[list[float]]] = []  # per point: before, here, after (2 x 2, row by row), right-hand side

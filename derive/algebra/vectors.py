@@ -1,4 +1,4 @@
-"""Three-component vectors of SymPy expressions; structural zeros and ones vanish in every operation."""
+"""Three-component vectors and matrices of SymPy expressions; structural zeros and ones are skipped."""
 
 from __future__ import annotations
 
@@ -11,50 +11,50 @@ ZERO: Vector = (sp.S.Zero, sp.S.Zero, sp.S.Zero)
 
 
 def product(a: Any, b: Any) -> Any:
-    """A b; zeros and ones are seen without SymPy's help, which takes a hundred times longer."""
+    """Product a b; zeros and ones are detected without SymPy, a hundred times faster."""
     if a is ZERO[0] or b is ZERO[0]:
         return ZERO[0]
     if a is sp.S.One or b is sp.S.One:
         return b if a is sp.S.One else a
     if isinstance(a, sp.Symbol) and isinstance(b, sp.Symbol) and (order := a.compare(b)):
-        return sp.Mul(a, b, evaluate=False) if order < 0 else sp.Mul(b, a, evaluate=False)  # as SymPy has it, sooner
+        return sp.Mul(a, b, evaluate=False) if order < 0 else sp.Mul(b, a, evaluate=False)  # as SymPy, faster
     return a * b
 
 
 def total(*given: Any) -> Any:
-    """Sum."""
+    """Sum of terms."""
     terms = [term for term in given if term is not ZERO[0]]
     return terms[0] if len(terms) == 1 else sp.Add(*terms)
 
 
 def less(value: Any, *terms: Any) -> Any:
-    """A value minus the sum of terms, whose opposites are cheaper to make than that of their sum."""
+    """A value minus a sum of terms, each negated by itself, which is cheaper than negating the sum."""
     return total(value, *(-term for term in terms))
 
 
 def add(*vectors: Vector) -> Vector:
-    """Sum."""
+    """Sum of vectors."""
     return tuple(total(*(v[i] for v in vectors)) for i in range(3))
 
 
 def sub(a: Vector, b: Vector) -> Vector:
-    """a - b."""
+    """Difference a - b."""
     return tuple(x if y is ZERO[0] else x - y for x, y in zip(a, b, strict=True))
 
 
 def scale(factor: Any, a: Vector) -> Vector:
-    """factor * a."""
+    """Product factor * a."""
     factor = sp.sympify(factor)
     return tuple(product(factor, x) for x in a)
 
 
 def dot(a: Vector, b: Vector) -> Any:
-    """a . b."""
+    """Scalar product a . b."""
     return total(*(product(x, y) for x, y in zip(a, b, strict=True)))
 
 
 def cross(a: Vector, b: Vector) -> Vector:
-    """A x b."""
+    """Vector product a x b."""
     out = []
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
@@ -64,7 +64,7 @@ def cross(a: Vector, b: Vector) -> Vector:
 
 
 def is_zero(a: Vector) -> bool:
-    """Structurally zero."""
+    """Whether a vector is structurally zero."""
     return all(component == 0 for component in a)
 
 
@@ -78,17 +78,17 @@ IDENTITY: Matrix = (
 
 
 def apply(m: Matrix, a: Vector) -> Vector:
-    """M a."""
+    """Product M a."""
     return (dot(m[0], a), dot(m[1], a), dot(m[2], a))
 
 
 def transpose(m: Matrix) -> Matrix:
-    """Transpose."""
+    """Transpose of a matrix."""
     return tuple(tuple(m[j][i] for j in range(3)) for i in range(3))  # type: ignore[return-value]
 
 
 def multiply(a: Matrix, b: Matrix) -> Matrix:
-    """A b."""
+    """Product A B."""
     columns = transpose(b)
     return tuple(tuple(dot(a[i], columns[j]) for j in range(3)) for i in range(3))  # type: ignore[return-value]
 
@@ -99,7 +99,7 @@ def combine(*matrices: Matrix) -> Matrix:
 
 
 def outer(a: Vector, b: Vector) -> Matrix:
-    """A b^T."""
+    """Outer product a b^T."""
     return (scale(a[0], b), scale(a[1], b), scale(a[2], b))
 
 
@@ -110,7 +110,7 @@ def diagonal(a: Any, b: Any, c: Any) -> Matrix:
 
 
 def rotation(axis: Vector, cosine: Any, sine: Any) -> Matrix:
-    """Rotation about a coordinate axis (one entry +-1): exact zeros and ones."""
+    """Rotation about a coordinate axis (one entry +-1), with exact zeros and ones."""
     k = next(i for i in range(3) if axis[i])
     s = axis[k] * sine
     i, j = (k + 1) % 3, (k + 2) % 3
@@ -122,12 +122,12 @@ def rotation(axis: Vector, cosine: Any, sine: Any) -> Matrix:
 
 
 def along(axis: Vector) -> int | None:
-    """Which coordinate axis a unit vector is parallel to; None if none."""
+    """Index of the coordinate axis that a unit vector is parallel to; None if none."""
     return next((k for k in range(3) if axis[k] in (1, -1)), None)
 
 
 def about(axis: Vector, cosine: Any, sine: Any) -> Matrix:
-    """Rotation about any unit vector (Rodrigues)."""
+    """Rotation about any unit vector (Rodrigues' formula)."""
     if along(axis) is not None:
         return rotation(axis, cosine, sine)
     x, y, z = axis
@@ -136,5 +136,5 @@ def about(axis: Vector, cosine: Any, sine: Any) -> Matrix:
 
 
 def scaled(factor: Any, matrix: Matrix) -> Matrix:
-    """factor * M."""
+    """Product factor * M."""
     return (scale(factor, matrix[0]), scale(factor, matrix[1]), scale(factor, matrix[2]))

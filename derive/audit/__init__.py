@@ -1,1 +1,1 @@
-"""The audit of laws, scenes and programs: units, and the physics that every law owes."""
+"""Audit of laws, scenes and programs: units, and physical admissibility of the laws."""

@@ -1,4 +1,4 @@
-"""The unit audit of a scene: first its laws, as written, with what they are bound to; then every assignment and output of its program."""
+"""Unit audit of a scene: its laws as written and as bound, then every assignment and output."""
 
 from __future__ import annotations
 
@@ -21,10 +21,11 @@ from hertzwerk.derive.units import parse_unit
 
 @dataclass(frozen=True)
 class Finding:
-    """What the audit says of one expression.
+    """Result of the audit for one expression.
 
-    `verdict` is consistent, inconsistent, outside_si (inconsistent, but the law names the units it was fitted in), unchecked (inconsistent,
-    run on purpose), or advice: the units hold, and `reason` is what speaks against the law all the same.
+    `verdict` is consistent, inconsistent, outside_si (inconsistent, but the law names the units it was fitted in),
+    unchecked (inconsistent, run on purpose), or advice: the units are consistent, and `reason` is another objection
+    to the law.
     """
 
     effect: str
@@ -43,13 +44,13 @@ class Finding:
     consistent_exponent: str | None = None
     repair: str | None = None
     grade: str = ""
-    """How sure the law's formula is; R is a reconstruction."""
+    """Reliability of the law's formula, A to C; R is a reconstruction."""
     kind: str = ""
     """Kind of the law (stiffness, damping, friction), or expression, program, form of contact."""
 
     @property
     def sound(self) -> bool:
-        """Whether the units hold."""
+        """Whether the units are consistent."""
         return self.verdict in ("consistent", "advice")
 
     @property
@@ -60,7 +61,7 @@ class Finding:
         return f"{self.reason}; {self.repair}" if self.repair else self.reason
 
     def record(self) -> dict[str, str | None]:
-        """The finding as JSON has it, None for what it has not; a law run unchecked is inconsistent."""
+        """The finding as plain values for JSON, None where empty; a law run unchecked is inconsistent."""
         verdict = "inconsistent" if self.verdict == "unchecked" else self.verdict
         first = {
             "law": self.law or None,
@@ -72,7 +73,7 @@ class Finding:
         return {**first, "verdict": verdict, **{name: getattr(self, name) or None for name in names}}
 
     def __str__(self) -> str:
-        """The finding as it is shown to people; an inconsistent one teaches."""
+        """The finding as it is shown to people, with explanation and remedy."""
         if not self.effect:
             return self.sentence
         lines = [f"{self.effect}, {self.what}: {self.title}"]
@@ -98,7 +99,7 @@ class Finding:
 
 
 class InconsistentUnits(InputError):
-    """A scene whose units do not hold; `findings` are all of them."""
+    """A scene with inconsistent units; `findings` are all of them."""
 
     def __init__(self, scene: Scene, findings: Iterable[Finding]) -> None:
         self.findings = tuple(findings)
@@ -116,7 +117,7 @@ def refuse_inconsistent(scene: Scene, findings: Iterable[Finding]) -> None:
 
 
 def advice_findings(scene: Scene) -> tuple[Finding, ...]:
-    """What speaks against the scene's laws although their units hold."""
+    """Objections to the scene's laws other than their units."""
     return tuple(
         Finding(scene.name, "form of contact", "", "", "", "advice", "", reason=text, kind="form of contact")
         for text in advice(scene)
@@ -124,7 +125,7 @@ def advice_findings(scene: Scene) -> tuple[Finding, ...]:
 
 
 def audit_laws(scene: Scene) -> tuple[Finding, ...]:
-    """One finding per expression of every law the scene calls for."""
+    """One finding per expression of every law in the scene."""
     findings: list[Finding] = []
     for effect in scene.effects:
         for bound in getattr(effect, "laws", ()):
@@ -133,7 +134,7 @@ def audit_laws(scene: Scene) -> tuple[Finding, ...]:
 
 
 def audit_law(law: Law) -> tuple[Finding, ...]:
-    """One finding per definition and expression of a law by itself, every symbol with the unit the law declares for it."""
+    """One finding per definition and expression of a law, with the units it declares."""
     names = {symbol.name: symbol for symbol in law.parameters if symbol.unit == "1"}
     table = {symbol: _dimension(symbol.unit, names) for symbol in law.symbols()}
     wrong = "outside_si" if law.fitted_in else "inconsistent"
@@ -143,7 +144,10 @@ def audit_law(law: Law) -> tuple[Finding, ...]:
 
 
 def _with_culprit(law: Law, findings: list[Finding]) -> list[Finding]:
-    """The findings on a law that states to be consistent, each with the symbol whose unit is wrong, where there is one, as its repair."""
+    """Add to each finding the symbol whose unit is wrong, where there is one, as its repair.
+
+    For laws stated to be consistent.
+    """
     faulty = [finding for finding in findings if finding.verdict != "consistent"]
     if not faulty or law.verdict != "consistent":
         return findings
@@ -160,13 +164,14 @@ def _with_culprit(law: Law, findings: list[Finding]) -> list[Finding]:
         return Row(fault, lambda symbol: powers_in(expression, symbol))
 
     rows = [row(*entry) for entry in (*_definitions(law), *law.expressions())]
-    return mended(findings, culprits(rows, table, {symbol: symbol.unit for symbol in own}))
+    return with_repairs(findings, culprits(rows, table, {symbol: symbol.unit for symbol in own}))
 
 
-def mended(findings: list[Finding], found: Sequence[Culprit]) -> list[Finding]:
-    """The findings on all that symbols stand in, with the likeliest culprits as their repair; beside another exponent, where one would do as well.
+def with_repairs(findings: list[Finding], found: Sequence[Culprit]) -> list[Finding]:
+    """Add the likeliest symbols with a wrong unit to the findings as their repair.
 
-    Where there is no culprit and only one expression is wrong, that is said.
+    Another exponent that would do is kept beside it. If there is no such symbol and only one expression is
+    inconsistent, the repair points to that expression.
     """
     faulty = [finding for finding in findings if finding.verdict != "consistent"]
     alone = len(findings) == 1
@@ -179,7 +184,7 @@ def mended(findings: list[Finding], found: Sequence[Culprit]) -> list[Finding]:
             told = "; or ".join(filter(None, (sentence(best, "it"), finding.repair)))
             hidden = (
                 finding.consistent_exponent is None and not finding.law
-            )  # all symbols are the user's: a number may hide what is missing
+            )  # every symbol has a unit given by the user: a plain number may hide the missing one
             return finding if hidden else replace(finding, repair=told)
         if best:
             return replace(finding, repair=sentence(best, "every expression of the law"), consistent_exponent=None)
@@ -191,12 +196,12 @@ def mended(findings: list[Finding], found: Sequence[Culprit]) -> list[Finding]:
 
 
 def verdict(findings: Iterable[Finding]) -> str:
-    """The verdict of a law: that of its first finding that is not consistent."""
+    """Verdict of a law: that of its first finding that is not consistent."""
     return next((finding.verdict for finding in findings if finding.verdict != "consistent"), "consistent")
 
 
 def _numbers(law: Law) -> list[sp.Symbol]:
-    """What a law defines as a number: computed once, so allowed in an exponent."""
+    """Dimensionless definitions of a law: computed once, so allowed in an exponent."""
     return [symbol for symbol, _ in law.definitions if symbol.unit == "1"]
 
 
@@ -214,7 +219,7 @@ def _law_findings(scene: Scene, effect: str, bound: BoundLaw, unchecked: bool) -
     for row in (*(row for row in _definitions(law) if "^n" not in row[2]), *law.expressions()):
         finding = _law_finding(law, row, table, exponents, constants, {})
         if force_is_wrong and row[0] == "stored energy":
-            continue  # the integral of a wrong force says nothing new
+            continue  # follows from the wrong force
         force_is_wrong = force_is_wrong or (row[0] == "normal force" and finding.verdict != "consistent")
         yield replace(
             finding,
@@ -232,14 +237,17 @@ def _law_finding(
     constants: list[sp.Symbol],
     names: Mapping[str, sp.Symbol],
 ) -> Finding:
-    """What the audit says of one (what, expression, unit) of a law, its `exponents` given and the `names` in units left open."""
+    """Finding of one (what, expression, unit) of a law.
+
+    `exponents` are given values of exponents; `names` are symbols left open in units.
+    """
     what, expression, unit = row
     expected = _dimension(unit, names)
     fault = check(expression.xreplace(exponents), table, expected, constants)
-    lesson = check(expression, table, expected, constants) or fault  # with the exponent left open: what would do
+    lesson = check(expression, table, expected, constants) or fault  # with the exponent left open, for the remedy
     symbols = tuple(
         (s.name, str(table[s]), s.meaning)
-        for s in sorted(_named(_smallest(expression, lesson), table), key=lambda symbol: symbol in STATE)
+        for s in sorted(_symbols_with_units(_smallest(expression, lesson), table), key=lambda symbol: symbol in STATE)
         if s.unit != "1"
     )
     return Finding(
@@ -263,7 +271,7 @@ def _law_finding(
 
 
 def _law_table(scene: Scene, bound: BoundLaw) -> dict[sp.Symbol, Dimension]:
-    """Dimension of every symbol of a bound law: parameters by what is bound to them, the rest as the law declares it."""
+    """Dimensions of a bound law's symbols: of parameters as bound, of all others as declared."""
     parameters = scene.dimensions
     table = dict(parameters)
     for symbol, value in bound.binding.items():
@@ -276,13 +284,13 @@ def _dimension(unit: str, names: Mapping[str, sp.Symbol]) -> Dimension:
     return Dimension.from_unit(parse_unit(unit), names)
 
 
-def _named(expression: Any, table: Mapping[sp.Symbol, Dimension]) -> list[Any]:
-    """The symbols with a unit in an expression, in the order they stand in it."""
+def _symbols_with_units(expression: Any, table: Mapping[sp.Symbol, Dimension]) -> list[Any]:
+    """Symbols with a unit in an expression, in order of appearance."""
     return list(dict.fromkeys(node for node in sp.preorder_traversal(expression) if node in table))
 
 
 def _smallest(expression: Any, fault: DimensionFault | None) -> Any:
-    """The sub-expression a fault names; the whole where there is none."""
+    """Sub-expression named by a fault; the whole expression where there is no fault."""
     if fault is None:
         return expression
     return next((node for node in sp.preorder_traversal(expression) if str(node) == fault.subexpression), expression)
@@ -293,9 +301,9 @@ def _exponent(fault: DimensionFault | None) -> str | None:
 
 
 def audit_program(program: Program) -> tuple[dict[sp.Symbol, str], tuple[Finding, ...]]:
-    """Unit of every symbol of a program, and one finding per assignment or output that is not consistent.
+    """Unit of every symbol of a program, and one finding per inconsistent assignment or output.
 
-    The first finding of a chain is the cause: what depends on it is taken as unknown and passed over.
+    The first finding of a chain is the cause: results that depend on it are taken as unknown and skipped.
     """
     table: dict[sp.Symbol, Dimension] = dict(program.tape.declared)
     constants = [
@@ -335,7 +343,7 @@ def _finding(program: Program, what: str, expression: Any, fault: DimensionFault
     )  # fmt: skip
 
 
-def checked(program: Program) -> tuple[int, int]:
-    """How many assignments and outputs the audit of a program covers."""
+def count_checked(program: Program) -> tuple[int, int]:
+    """Number of assignments and outputs covered by the audit of a program."""
     outputs = sum(len(result.expressions) for function in program.functions for result in function.results)
     return sum(1 for _ in program.assignments()), outputs

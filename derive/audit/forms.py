@@ -1,7 +1,7 @@
-"""Forms of contact: what a pair touches in (a point, a line, a surface), and the laws that are for it.
+"""Forms of contact: the region in which a pair touches (point, line, surface), and laws for it.
 
-A stiffness goes with the form of its contact as it goes with its exponent: Hertz's sphere in a pin's bush is a force like another, of a joint that
-is not there. That is no fault of units, so it is advice: the scene runs.
+A law of another form, such as Hertz's point contact for a pin in a bush, has consistent units but models another
+joint. So it is advice: the scene runs.
 """
 
 from __future__ import annotations
@@ -21,15 +21,15 @@ _TOUCHES = {"point": "at a point", "line": "along a line", "surface": "over a su
 
 
 def form_of(pair: Pair) -> str:
-    """What a pair touches in: "point", "line" or "surface". Raises TypeError for a kind that does not say."""
+    """Form of contact of a pair: "point", "line" or "surface". Raises TypeError if it states none."""
     form = getattr(pair, "form", None)
     if form not in FORMS:
         raise TypeError(f"pair {pair.name}: found the form of contact {form!r}, expected one of {FORMS}")
     return str(form)
 
 
-def fitting(kind: str, pair: Pair, offered: Mapping[str, Any]) -> tuple[str, ...]:
-    """Names of the consistent laws of a kind made for the form of a pair and for what it offers, in the catalogue's order."""
+def fitting_laws(kind: str, pair: Pair, offered: Mapping[str, Any]) -> tuple[str, ...]:
+    """Names of consistent laws of a kind that fit a pair's form and geometry, in catalogue order."""
     form = form_of(pair)
     found = [
         law
@@ -45,7 +45,7 @@ def fitting(kind: str, pair: Pair, offered: Mapping[str, Any]) -> tuple[str, ...
 
 
 def advice(scene: Scene) -> tuple[str, ...]:
-    """One sentence for each law that stands at pairs of another form of contact than its own."""
+    """One sentence for each law used at pairs of another form of contact than its own."""
     places: dict[tuple[str, str, bool], list[str]] = {}
     for effect, law, pair in _laws_at_pairs(scene):
         if form_of(pair) not in law.forms:
@@ -54,7 +54,7 @@ def advice(scene: Scene) -> tuple[str, ...]:
 
 
 def _laws_at_pairs(scene: Scene) -> Iterator[tuple[str, Law, Pair]]:
-    """Effect, law and pair, in declared order."""
+    """Yield effect, law and pair, in declared order."""
     pairs = {pair.name: pair for pair in scene.mechanism.pairs}
     for effect in scene.effects:
         for bound in getattr(effect, "laws", ()):
@@ -68,7 +68,7 @@ def _sentence(scene: Scene, name: str, kind: str, long: bool, effects: list[str]
     pair = next(pair for pair in scene.mechanism.pairs if pair.name == effect.pair)
     form, own = form_of(pair), " or ".join(law.forms)
     offered = scene.geometry(pair.name) | ({} if long else {"L": None})
-    names = ", ".join(fitting(law.kind, pair, offered)) or "none of the catalogue"
+    names = ", ".join(fitting_laws(law.kind, pair, offered)) or "none of the catalogue"
     given = "" if long or form != "line" else ", once the pair has a length"
     return (
         f"{', '.join(effects)}: {name} is a law of {own} contact, and a {kind.replace('_', ' ')} touches {_TOUCHES[form]}; "

@@ -1,9 +1,10 @@
-"""The rescaling audit: an equation between physical quantities holds in every system of units, so numbers tell what symbols must.
+"""Rescaling audit: consistent equations hold in every system of units, tested with numbers.
 
-An expression is evaluated at states that span the range of each of its arguments; then mass, length, time and temperature are scaled by 2, 3, 5
-and 7, together and one at a time, every argument following its declared unit. A consistent result follows its own unit to rounding. A wrong power of
-a unit leaves one factor for all states; a logarithm of a length, a sum of unlike terms or a constant that hides a unit leaves a factor that
-depends on the state. Nothing here looks at the form of an expression: it is the independent check of `dimension`.
+An expression is evaluated at states that span the range of each of its arguments; then mass, length, time and
+temperature are scaled by 2, 3, 5 and 7, together and one at a time, every argument following its declared unit. A
+consistent result follows its own unit to rounding. A wrong power of a unit leaves one factor for all states; a
+logarithm of a length, a sum of unlike terms or a constant that hides a unit leaves a factor that depends on the
+state. The form of the expression is not used: this is the independent check of `dimension`.
 """
 
 from __future__ import annotations
@@ -39,8 +40,8 @@ from hertzwerk.derive.mechanism.parameter import Interval
 from hertzwerk.derive.units import parse_unit
 
 DIGITS = 40
-ROUNDING = mpf(10) ** -25  # what is left of 40 digits after any law's cancellation
-STATES = 11  # prime: each argument meets every one of its eleven values, in an order of its own
+ROUNDING = mpf(10) ** -25  # 40 digits, less the cancellation in any law
+STATES = 11  # prime: each argument takes every one of its eleven values, in an order of its own
 
 FACTORS = (2, 3, 5, 7)
 SCALINGS: dict[str, tuple[int, int, int, int]] = {
@@ -79,7 +80,7 @@ SPANS_OF_UNITS: dict[str, tuple[float, float]] = {
     "N/m^n": (1e6, 1e10),
     "m^(1-k)": (1, 1e2),
 }
-"""Where states are taken, SI, evenly in the logarithm: by its range where that is bounded, by its name, by its unit, else (1/10, 10)."""
+"""Ranges of states, SI, sampled evenly in the logarithm: a symbol's bounded range, else by its name, else by its unit, else (1/10, 10)."""
 
 _SIGNED = (v, s, eps_w, eps_c)
 
@@ -88,7 +89,7 @@ State = Mapping[sp.Symbol, Any]
 
 @dataclass(frozen=True)
 class Rescaling:
-    """What scaling does to one expression: per scaling, and per state, the result over what its unit predicts."""
+    """Scaled results of one expression over those its unit predicts, by scaling and state."""
 
     what: str
     states: tuple[State, ...]
@@ -96,7 +97,7 @@ class Rescaling:
 
     @property
     def deviation(self) -> float:
-        """Largest departure of a ratio from 1."""
+        """Largest deviation of a ratio from 1."""
         return float(max(abs(ratio - 1) for row in self.ratios.values() for ratio in row))
 
     @property
@@ -106,7 +107,7 @@ class Rescaling:
 
     @property
     def excess(self) -> tuple[Fraction, ...] | None:
-        """Powers of mass, length, time, temperature found beyond those expected; None where no power explains all states."""
+        """Powers of mass, length, time, temperature beyond the expected ones; None where none fit all states."""
         powers = []
         for base, name in zip(FACTORS, ("mass", "length", "time", "temperature"), strict=True):
             row = self.ratios[name]
@@ -124,7 +125,7 @@ def rescale(
     dimensions: Mapping[sp.Symbol, Dimension],
     states: Sequence[State],
 ) -> Rescaling:
-    """Scale one expression at `states`, which give a number for every symbol of `dimensions` and of their exponents."""
+    """Scale one expression at `states`, which have values of all symbols, also of those in exponents."""
     with mp.workdps(DIGITS):
         symbols, value = _numeric(expression)
         before = [value(*(state[symbol] for symbol in symbols)) for state in states]
@@ -139,7 +140,7 @@ def rescale(
 
 
 def rescale_law(law: Law) -> tuple[Rescaling, ...]:
-    """Scale every definition and expression of a law, at states in the units it is stated or fitted in."""
+    """Scale every definition and expression of a law, at states in its units."""
     names = {symbol.name: symbol for symbol in law.parameters if symbol.unit == "1"}
     dimensions = {symbol: Dimension.from_unit(parse_unit(symbol.unit), names) for symbol in law.symbols()}
     states = list(states_of(law, dimensions))
@@ -150,16 +151,16 @@ def rescale_law(law: Law) -> tuple[Rescaling, ...]:
 
 
 def states_of(law: Law, dimensions: Mapping[sp.Symbol, Dimension]) -> Iterator[State]:
-    """Numbers for every symbol of a law: the lattice, completed with what the law itself computes."""
+    """Yield values of every symbol of a law: the lattice and the results of the law."""
     with mp.workdps(DIGITS):
         for state in lattice(law, dimensions):
-            yield _completed(law, state)
+            yield _with_law_results(law, state)
 
 
 def lattice(law: Law, dimensions: Mapping[sp.Symbol, Dimension]) -> Iterator[dict[sp.Symbol, Any]]:
-    """Numbers for what a law is given, over the spans, a pair's geometry in proportion; nothing of the law is evaluated."""
+    """Yield values of a law's arguments over their spans, with a consistent geometry of the pair."""
     with mp.workdps(DIGITS):
-        system = _system(law.fitted_in)
+        system = _base_units(law.fitted_in)
         defined = {row.quantity: row.interval for row in law.ranges if row.kind == "defined"}
         for j in range(STATES):
             state: dict[sp.Symbol, Any] = {}
@@ -174,14 +175,14 @@ def lattice(law: Law, dimensions: Mapping[sp.Symbol, Dimension]) -> Iterator[dic
 
 
 def _span(q: Quantity, interval: Interval | None) -> tuple[float, float]:
-    """Where a symbol is sampled: over its whole range if that is bounded and positive, else as listed."""
+    """Sampled range of a symbol: its own where that is bounded and positive, else as listed."""
     if interval is not None and interval.lower and interval.lower > 0 and interval.upper:
         return interval.lower, interval.upper
     return SPANS_OF_SYMBOLS.get(q.name) or SPANS_OF_UNITS.get(q.unit, (0.1, 10.0))
 
 
-def _completed(law: Law, state: dict[sp.Symbol, Any]) -> State:
-    """The state with the law's definitions; a stiffness law's penetration within its reach, and its force."""
+def _with_law_results(law: Law, state: dict[sp.Symbol, Any]) -> State:
+    """Add the law's definitions; for a stiffness law also its force, with the penetration in its reach."""
     for symbol, expression in law.definitions:
         state[symbol] = evaluate(expression, state)
     if isinstance(law, StiffnessLaw):
@@ -192,7 +193,7 @@ def _completed(law: Law, state: dict[sp.Symbol, Any]) -> State:
 
 
 def _in_units(state: State, dimensions: Mapping[sp.Symbol, Dimension], system: Sequence[Any]) -> dict[sp.Symbol, Any]:
-    """Numbers of the same quantities where the units of mass, length, time and temperature are `system` in SI."""
+    """Convert values from SI to a system with the given units of mass, length, time, temperature."""
     if all(unit == 1 for unit in system):
         return dict(state)
     return {
@@ -200,8 +201,11 @@ def _in_units(state: State, dimensions: Mapping[sp.Symbol, Dimension], system: S
     }
 
 
-def _system(fitted_in: str) -> list[Any]:
-    """Units of mass, length, time, temperature [SI] of a list such as "mm, N, MPa"; the second and the kelvin unless it says otherwise."""
+def _base_units(fitted_in: str) -> list[Any]:
+    """SI sizes of the units of mass, length, time, temperature in a list such as "mm, N, MPa".
+
+    The second and the kelvin unless the list determines others.
+    """
     texts = [text.strip() for text in fitted_in.split(",") if text.strip()]
     if not texts:
         return [mpf(1)] * 4
@@ -214,14 +218,14 @@ def _system(fitted_in: str) -> list[Any]:
 
 
 def evaluate(expression: sp.Expr, state: State) -> Any:
-    """Value of an expression by mpmath, at the working precision."""
+    """Evaluate an expression with mpmath, at the working precision."""
     symbols, value = _numeric(expression)
     return value(*(state[symbol] for symbol in symbols))
 
 
 @lru_cache(maxsize=1024)
 def _numeric(expression: sp.Expr) -> tuple[list[sp.Symbol], Callable[..., Any]]:
-    """The expression as a function of mpmath numbers, and its arguments."""
+    """Function of mpmath numbers for an expression, and its arguments."""
     symbols = sorted(expression.free_symbols, key=str)
     return symbols, sp.lambdify(symbols, expression, [{"Where": _choose}, "mpmath"])
 
@@ -231,14 +235,14 @@ def _choose(condition: Any, a: Any, b: Any) -> Any:
 
 
 def _ratio(new: Any, predicted: Any) -> Any:
-    """new/predicted; nothing left of nothing is 1."""
+    """Ratio new/predicted; 1 where both are zero."""
     if predicted == 0:
         return mpf(1) if new == 0 else mp.inf
     return new / predicted
 
 
 def _factor(dimension: Dimension, factors: Sequence[Any], state: State) -> Any:
-    """What a quantity of this dimension is multiplied by; names in its exponents have the state's values."""
+    """Scale factor of a quantity of this dimension; symbols in its exponents have the state's values."""
     total = mpf(1)
     if dimension.every:
         return total

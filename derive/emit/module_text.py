@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from hertzwerk.derive.audit.audit import checked
+from hertzwerk.derive.audit.audit import count_checked
 from hertzwerk.derive.emit.cost import operations
 from hertzwerk.derive.emit.helpers import HELPERS
 from hertzwerk.derive.emit.printer import function_text, prose
@@ -37,13 +37,13 @@ def emit(program: Program, source: str) -> str:
 
 def _header(program: Program, source: str, counts: dict[str, int]) -> str:
     scene = program.scene
-    assignments, outputs = checked(program)
+    assignments, outputs = count_checked(program)
     contacts = ", ".join(f"{name} {count}" for name, count in counts.items() if name.startswith("contact_"))
     unchecked = [effect for effect, _ in program.tables["UNCHECKED"]]
     verdict = (
         f"UNCHECKED, INCONSISTENT LAWS RUN ON PURPOSE IN SI VALUES: {', '.join(unchecked)}"
         if unchecked
-        else f"{assignments} assignments and {outputs} outputs checked, all consistent"
+        else f"{assignments} assignments and {outputs} outputs count_checked, all consistent"
     )
     name = scene.name if source.startswith("derive/") else source or "FILE"
     contact = f"; in contact also {contacts}" if contacts else ""

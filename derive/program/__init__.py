@@ -1,1 +1,1 @@
-"""The straight-line program that a module's functions are slices of."""
+"""The straight-line program, of which the functions of a module are slices."""

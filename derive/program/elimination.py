@@ -1,4 +1,4 @@
-"""Symmetric systems of equations solved by name on a tape: L D L^T without pivoting, written out, structural zeros skipped."""
+"""Solution of symmetric systems on a tape: L D L^T without pivoting, structural zeros skipped."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from hertzwerk.derive.program.program import Tape
 
 
 class Factor:
-    """L D L^T of a symmetric matrix, by name, unrolled on a tape without pivoting; structural zeros are skipped."""
+    """L D L^T of a symmetric matrix with named rows, unrolled on a tape, without pivoting."""
 
     def __init__(self, tape: Tape, order: list[str], matrix: dict[tuple[str, str], Any]) -> None:
         self.names, self._tape = order, tape
@@ -32,7 +32,7 @@ class Factor:
             self.diagonal[row] = tape.let(less(matrix[row, row], *terms), f"D_{label[row]}")
 
     def solve(self, right: dict[str, Any], label: str) -> dict[str, Any]:
-        """The solution for one right-hand side, in the reverse of the order of elimination."""
+        """Solve for one right-hand side by forward and back substitution."""
         tape, order, lower = self._tape, self.names, self._lower
         solved: dict[str, Any] = {}
         for i, row in enumerate(order):
@@ -47,11 +47,11 @@ class Factor:
 
 
 def least_fill(names: list[str], matrix: dict[tuple[str, str], Any]) -> list[str]:
-    """An order of elimination that makes few new entries: always the name that is tied to the fewest others next."""
+    """Order of elimination with little fill-in: next is always the name coupled to the fewest others."""
     tied = {name: {other for other in names if other != name and (name, other) in matrix} for name in names}
     order = []
     while tied:
-        name = min(tied, key=lambda n: len(tied[n]))  # of equals the first declared
+        name = min(tied, key=lambda n: len(tied[n]))  # in case of a tie the first declared
         order.append(name)
         others = tied.pop(name)
         for other in others:

@@ -1,8 +1,9 @@
-"""The straight-line program: inputs with dimensions, assignments in order, functions as slices of them.
+"""The straight-line program: inputs with dimensions, assignments in order, functions.
 
-One `Tape` records the derivation of a whole scene. `let` names an intermediate result once (equal expressions share a symbol), pulls what
-depends on parameters alone out into constants, and never lets an expression swell. A `Function` is the backward slice of the tape that its
-results need; slices that read `c` stop at the constants, so nothing that could be computed once is computed twice.
+One `Tape` records the derivation of a whole scene. `let` names an intermediate result once (equal expressions share a
+symbol), moves subexpressions of parameters alone into constants, and keeps expressions small. A `Function` is the
+backward slice of the tape that its results need; slices that read `c` stop at the constants, so that these are
+computed once per run.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ _STILL = frozenset((PARAMETER,))
 
 @dataclass(frozen=True)
 class Result:
-    """One column vector a function returns: its name, its entries' labels and unit texts, their expressions."""
+    """One column vector returned by a function: labels, unit texts and expressions of its entries."""
 
     name: str
     labels: tuple[str, ...]
@@ -38,7 +39,7 @@ class Result:
 
 @dataclass(frozen=True)
 class Function:
-    """A function of the contract: arguments by group (`t`, `q`, `u`, ...), assignments in order, results."""
+    """A function of the module: arguments by group (`t`, `q`, `u`, ...), assignments in order, results."""
 
     name: str
     summary: str
@@ -50,7 +51,7 @@ class Function:
     def reads(self) -> tuple[sp.Symbol, ...]:
         """The symbols it takes from outside, in order of first use."""
         expressions = [e for _, e in self.body] + [e for result in self.results for e in result.expressions]
-        made = {symbol for symbol, _ in self.body}  # each before it is used
+        made = {symbol for symbol, _ in self.body}  # assigned before use
         return tuple(s for s in symbols_in(*expressions) if s not in made)
 
 
@@ -65,15 +66,15 @@ class Tape:
     """Dimensions of the inputs, and of assignments whose dimension is stated instead of inferred (unchecked laws)."""
     _groups: dict[Any, frozenset[str]] = field(default_factory=dict)
     _known: dict[Any, sp.Symbol] = field(default_factory=dict)
-    _unsigned: set[Any] = field(default_factory=set)
-    """Of what is known: see `_unsigned`."""
+    _sign_free_keys: set[Any] = field(default_factory=set)
+    """Keys of the named expressions, equal for an expression and its negative."""
     _rates: dict[sp.Symbol, Any] = field(default_factory=dict)
     _names: set[str] = field(default_factory=lambda: set(RESERVED))
 
     # -- recording -------------------------------------------------------------------------------------------------
 
     def input(self, name: str, group: str, dimension: Dimension, symbol: sp.Symbol | None = None) -> sp.Symbol:
-        """Declare an input of a group; `symbol` uses an existing one (a Parameter) as it is."""
+        """Declare an input of a group; an existing `symbol` (a Parameter) is used as it is."""
         if symbol is None:
             symbol = sp.Symbol(name if group == "t" else self._unique(name), real=True)
         else:
@@ -84,7 +85,10 @@ class Tape:
         return symbol
 
     def let(self, expression: Any, name: str, dimension: Dimension | None = None) -> Any:
-        """Name an intermediate result; numbers and symbols (also negated) pass through. `dimension` states it unchecked."""
+        """Name an intermediate result; numbers and symbols (also negated) pass through.
+
+        `dimension` states its dimension, which is then not inferred.
+        """
         expression = sp.sympify(expression)
         if dimension is not None:
             symbol = self._assign(expression, name)
@@ -93,15 +97,15 @@ class Tape:
         if expression.is_Atom:
             return expression
         expression = self._hoist(expression)
-        if expression.is_Atom or _opposite(expression).is_Symbol:
+        if expression.is_Atom or _negated_atom(expression).is_Symbol:
             return expression
-        unsigned = _unsigned(expression)
-        if unsigned in self._unsigned:
+        key = _sign_free_key(expression)
+        if key in self._sign_free_keys:
             if -expression in self._known and expression.could_extract_minus_sign():
                 return -self._known[-expression]
             if expression in self._known:
                 return self._known[expression]
-        self._unsigned.add(unsigned)
+        self._sign_free_keys.add(key)
         self._known[expression] = symbol = self._assign(expression, name)
         return symbol
 
@@ -112,19 +116,19 @@ class Tape:
         return symbol
 
     def vector(self, vector: Vector, name: str) -> Vector:
-        """Name the three components."""
+        """Name the three components of a vector."""
         return tuple(self.let(v, f"{name}_{axis}") for v, axis in zip(vector, "xyz", strict=True))
 
     def matrix(self, matrix: Matrix, name: str) -> Matrix:
-        """Name the nine entries."""
+        """Name the nine entries of a matrix."""
         return tuple(self.vector(row, f"{name}_{axis}") for row, axis in zip(matrix, "xyz", strict=True))  # type: ignore[return-value]
 
     def is_constant(self, expression: Any) -> bool:
-        """Whether it depends on parameters alone."""
+        """Whether an expression depends on parameters alone."""
         return self._groups_of(expression) <= _STILL
 
     def written_out(self, expression: Any) -> Any:
-        """An expression over inputs alone, its assignments put in: for constants, which are short."""
+        """Substitute assignments until only inputs remain; for constants, which are short."""
         expression = sp.sympify(expression)
         known = {
             symbol: self.written_out(self.assignments[symbol])
@@ -134,7 +138,7 @@ class Tape:
         return expression.xreplace(known)
 
     def _groups_of(self, expression: Any) -> frozenset[str]:
-        """Groups of the inputs that an expression depends on; known parts are not looked through again."""
+        """Groups of the inputs that an expression depends on, cached for all its parts."""
         found = self._groups.get(expression)
         if found is None:
             if expression.is_Symbol:
@@ -153,7 +157,7 @@ class Tape:
         return name
 
     def _hoist(self, expression: Any) -> Any:
-        """Give parameter-only parts of an expression names of their own, so that they are computed once per run."""
+        """Name the subexpressions of parameters alone, so that they are computed once per run."""
         if expression.is_Atom or self.is_constant(expression):
             return expression
         if expression.is_Mul or expression.is_Add:
@@ -163,11 +167,11 @@ class Tape:
                 (still if self.is_constant(arg) else others).append(arg)
             moving = [self._hoist(arg) for arg in others]
             part = still[0] if len(still) == 1 else expression.func(*still)
-            if not (part.is_Atom or _opposite(part).is_Symbol):
+            if not (part.is_Atom or _negated_atom(part).is_Symbol):
                 sign = -1 if expression.is_Mul and part.could_extract_minus_sign() else 1
                 part = sign * self.let(sign * part, "k1")
             elif all(map(operator.is_, moving, others)):
-                return expression  # there is nothing to take out
+                return expression  # no constant part
             return expression.func(part, *moving)
         if expression.is_Pow:  # an exponent stays as written: the audit compares it with the exponent in a unit
             base = self._hoist(expression.base)
@@ -175,7 +179,7 @@ class Tape:
         return expression.func(*(arg if arg.is_Relational else self._hoist_argument(arg) for arg in expression.args))
 
     def _hoist_argument(self, argument: Any) -> Any:
-        """Of a function: a whole argument that depends on parameters alone is computed once too."""
+        """Name a function's whole argument if it depends on parameters alone, else hoist its parts."""
         if self.is_constant(argument) and not argument.is_number:
             return self.let(argument, "k1")
         return self._hoist(argument)
@@ -183,12 +187,15 @@ class Tape:
     # -- rates of change -------------------------------------------------------------------------------------------
 
     def set_rate(self, symbol: Any, rate: Any) -> None:
-        """State d(symbol)/dt where it is known better than by the chain rule; numbers and expressions are left alone."""
+        """State d(symbol)/dt where a shorter form than the chain rule's is known.
+
+        Numbers and expressions are ignored.
+        """
         if isinstance(symbol, sp.Symbol) and symbol not in self._rates:
             self._rates[symbol] = rate
 
     def rate(self, expression: Any, name: str) -> Any:
-        """D(expression)/dt along the motion, by the chain rule over the tape."""
+        """Derivative d(expression)/dt along the motion, by the chain rule over the tape."""
         terms = (sp.diff(expression, symbol) * self._rate_of(symbol) for symbol in symbols_in(expression))
         return self.let(sp.Add(*terms), name)
 
@@ -205,7 +212,7 @@ class Tape:
     # -- slicing ---------------------------------------------------------------------------------------------------
 
     def function(self, name: str, summary: str, arguments: tuple[str, ...], results: Iterable[Result]) -> Function:
-        """The slice of the tape that `results` need; with `c` among the arguments it stops at the constants."""
+        """Slice of the tape that `results` need; with `c` among the arguments it stops at the constants."""
         results = tuple(results)
         stop = CONSTANT in arguments
         needed: set[sp.Symbol] = set()
@@ -224,21 +231,24 @@ class Tape:
         return function
 
     def constants(self, functions: Iterable[Function]) -> list[sp.Symbol]:
-        """What `functions` read of parameters and parameter-only results: the entries of c, parameters first, in declared order."""
+        """Entries of c: parameters, then constant results that `functions` read, in declared order."""
         wanted = {s for f in functions if CONSTANT in f.arguments for s in f.reads if self.is_constant(s)}
         return [symbol for symbol in (*self.inputs, *self.assignments) if symbol in wanted]
 
 
-def _opposite(expression: Any) -> Any:
-    """The atom that an expression is minus of, or zero; to make the opposite and look takes a hundred times longer."""
+def _negated_atom(expression: Any) -> Any:
+    """The atom whose negative an expression is, else zero; a hundred times faster than negating it."""
     negated = expression.is_Mul and len(expression.args) == 2 and expression.args[0] is sp.S.NegativeOne
     return expression.args[1] if negated and expression.args[1].is_Atom else sp.S.Zero
 
 
-def _unsigned(expression: Any) -> Any:
-    """What an expression has in common with its opposite and hardly any other; to look this up first spares making most of the opposites."""
+def _sign_free_key(expression: Any) -> Any:
+    """A key that an expression shares with its negative and hardly any other expression.
+
+    Looking it up first avoids building most of the negatives.
+    """
     if expression.is_Add:
-        return frozenset(map(_unsigned, expression.args))
+        return frozenset(map(_sign_free_key, expression.args))
     if expression.is_Mul and expression.args[0].is_Number:
         number, *factors = expression.args
         return (*factors,) if number is sp.S.NegativeOne else (*factors, abs(number))
@@ -246,7 +256,7 @@ def _unsigned(expression: Any) -> Any:
 
 
 def symbols_in(*expressions: Any) -> list[sp.Symbol]:
-    """The symbols of expressions in the order they stand there (never in hash order)."""
+    """List the symbols of expressions in order of appearance (never in hash order)."""
     found: dict[sp.Symbol, None] = {}
     pending = [sp.sympify(expression) for expression in reversed(expressions)]
     while pending:
@@ -259,7 +269,7 @@ def symbols_in(*expressions: Any) -> list[sp.Symbol]:
 
 
 def shared(function: Function) -> Function:
-    """The function with sub-expressions that occur twice named once (`x1`, `x2`, ...)."""
+    """Eliminate common subexpressions: those that occur twice are named once (`x1`, `x2`, ...)."""
     count: dict[Any, int] = {}
     for expression in _expressions(function):
         for node in _compound_parts(expression):
@@ -270,7 +280,7 @@ def shared(function: Function) -> Function:
     count_names = 0
 
     def visit(expression: Any, whole: bool = False) -> Any:
-        """Rewrite over the names given so far; a `whole` right-hand side is about to be named by its assignment."""
+        """Rewrite with the names given so far; a `whole` right-hand side is named by its assignment."""
         nonlocal count_names
         if expression in names:
             return names[expression]
@@ -291,7 +301,7 @@ def shared(function: Function) -> Function:
     for symbol, expression in function.body:
         rebuilt = visit(expression, whole=True)
         if rebuilt.is_Symbol:
-            names[symbol] = rebuilt  # the same result has a name already
+            names[symbol] = rebuilt  # the result has a name already
         else:
             names[expression] = symbol
             body.append((symbol, rebuilt))
@@ -309,20 +319,20 @@ def _expressions(function: Function) -> Iterator[Any]:
 
 
 def _compound_parts(expression: Any) -> Iterator[Any]:
-    """Nodes worth a name: no atoms, no plain negations or numbers times a symbol, no reciprocals."""
+    """Yield the nodes worth a name: no atoms, negated atoms, conditions or reciprocals."""
     pending = [expression]
     while pending:
         node = pending.pop()
         if node.is_Atom:
             continue
         pending.extend(node.args)
-        if not (node.is_Relational or (node.is_Pow and node.exp == -1) or _opposite(node) != 0):
+        if not (node.is_Relational or (node.is_Pow and node.exp == -1) or _negated_atom(node) != 0):
             yield node
 
 
 @dataclass(frozen=True)
 class Program:
-    """What derivation yields: the tape, the ports, and the functions of the contract."""
+    """Result of the derivation: the tape, the functions of the module, constants and tables."""
 
     scene: Any
     tape: Tape
@@ -331,11 +341,11 @@ class Program:
     tables: Mapping[str, tuple[Any, ...]]
     """Name of a module-level table (COORDINATES, PAIRS, ...) -> its rows."""
     note: str = ""
-    """Which coordinates these are, and why, where they are not simply those of the joints."""
+    """The choice of coordinates and its reason, where they are chosen automatically."""
     units: Mapping[sp.Symbol, str] = field(default_factory=dict)
     """Unit of every input and assignment, once the audit has passed."""
 
     def assignments(self) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
-        """What some function computes, in order, each once."""
+        """Yield each assignment that some function computes, once, in order."""
         used = {symbol for function in self.functions for symbol, _ in function.body}
         return ((symbol, e) for symbol, e in self.tape.assignments.items() if symbol in used)

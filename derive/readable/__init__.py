@@ -1,1 +1,1 @@
-"""The equations of a scene as people read them: symbols, numbered equations, effects; Markdown, LaTeX, plain values."""
+"""Equations of a scene for readers: symbols, numbered equations, effects; as Markdown, LaTeX, values."""

@@ -1,4 +1,4 @@
-"""Which results of a program are shown, under which title and name: equations before they are written out and numbered."""
+"""Select the results of a program that are shown, with the section, name and meaning of each equation."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.program.program import Function, Program, symbols_in
 from hertzwerk.derive.readable.symbols import Names, contact_title, words
 
-UNSHOWN = ("constants", "scales", "gap_accelerations", "accelerations", "balance", "projection", "poses", "motion", "applied",
+HIDDEN = ("constants", "scales", "gap_accelerations", "accelerations", "balance", "projection", "poses", "motion", "applied",
            "joint_scales", "placed", "joint_constraints")  # fmt: skip
 KINEMATICS, MOTION, LEDGER, ENERGY = "Kinematics", "Equations of motion", "Energy ledger", "Energy"
 LOOPS, OUTPUTS, START = "Closed loops", "Outputs", "Start"
@@ -22,7 +22,10 @@ _RATE = r"\frac{\mathrm{d}}{\mathrm{d}t}"
 
 @dataclass
 class Part:
-    """A term of an equation of motion. `factor` is the acceleration an inertia stands before; `source` the function that gives a force."""
+    """One term of an equation of motion.
+
+    `factor` is the acceleration that an inertia multiplies; `source` the function of the program that gives a force.
+    """
 
     left: bool
     meaning: str
@@ -34,7 +37,10 @@ class Part:
 
 @dataclass
 class Draft:
-    """`name` = `expression`, or the parts of an equation of motion. `symbol` is what it defines, `left` the LaTeX of what is none."""
+    """An equation before numbering: `name` = `expression`, or the parts of an equation of motion.
+
+    `symbol` is the symbol it defines; `left` the LaTeX of its left-hand side where it defines none.
+    """
 
     section: str
     name: str
@@ -47,17 +53,20 @@ class Draft:
     effects: tuple[str, ...] = ()
 
     def expressions(self) -> list[Any]:
-        """What stands in it."""
+        """List the expressions of its right-hand side, or of its parts."""
         return [*([] if self.expression is None else [self.expression]), *(part.expression for part in self.parts)]
 
     def symbols(self) -> list[sp.Symbol]:
-        """The symbols on its right-hand side, or in its parts."""
+        """List the symbols of its right-hand side, or of its parts."""
         factors = [part.factor for part in self.parts if part.factor is not None]
         return list(dict.fromkeys([*(s for e in self.expressions() for s in symbols_in(e)), *factors]))
 
 
 class Drafts:
-    """The drafts of a program, in the order of its functions; `added` are symbols of results that have none in the program."""
+    """Drafts of all equations of a program, in the order of its functions.
+
+    `added` are the symbols introduced for results that have no symbol in the program.
+    """
 
     def __init__(self, program: Program, names: Names) -> None:
         self._program, self._names, self._tape = program, names, program.tape
@@ -65,10 +74,10 @@ class Drafts:
         self.added: dict[sp.Symbol, Any] = {}
 
     def all(self) -> list[Draft]:
-        """Equations of motion, then the results of every other function; what is not known to this module is shown too."""
+        """Equations of motion, then the results of every other function that is not listed in `HIDDEN`."""
         found = [*self._rows()]
         for function in self._program.functions:
-            if function.name in UNSHOWN:
+            if function.name in HIDDEN:
                 continue
             for result in function.results:
                 for label, unit, expression in zip(result.labels, result.units, result.expressions, strict=True):
@@ -79,22 +88,22 @@ class Drafts:
     def _result(self, function: Function, result: str, label: str, unit: str, expression: Any) -> Iterator[Draft]:
         pair = pair_of(function.name)
         if pair and result in ("f", "along"):
-            return  # stands in the equations of motion
-        if pair and result == "dz_along":  # per newton along the sliding velocity, which friction is against
+            return  # shown in the equations of motion
+        if pair and result == "dz_along":  # per newton along the sliding velocity, which friction opposes
             result, expression, unit = "dz", -expression * self._friction_force(pair), unit.replace("W/N", "W")
         if pair and result == "holding_force":
-            yield self._of_modes(pair, function)
+            yield self._friction_with_modes(pair, function)
         if result == "dz":
             if expression != 0:
                 yield self._rate_of_memory(pair, label, unit, expression)
         elif pair or function.name == "gaps":
-            if not expression.is_number:  # one that is never out of its range
+            if not expression.is_number:  # a law without a limited range
                 what = {"G": "gap", "dG": "gap_rate"}.get(result, result)
                 whose = pair or label
                 name = f"{whose}_{what}" if label == whose else f"{whose}_{what}_{label.replace('.', '_')}"
-                yield self._defining(contact_title(whose), name, unit, expression)
+                yield self._definition(contact_title(whose), name, unit, expression)
         elif function.name == "energy" and result == "stored" and expression in self._tape.assignments:
-            yield self._defining(contact_title(label), expression.name, unit, expression)
+            yield self._definition(contact_title(label), expression.name, unit, expression)
         elif function.name == "energy":
             short = {"kinetic": r"\mathrm{kin}", "potential": r"\mathrm{pot}"}.get(label, words((result, label)))
             yield Draft(ENERGY, label, unit, f"{label} energy", expression, left=f"E_{{{short}}}")
@@ -122,16 +131,19 @@ class Drafts:
     def _friction_force(self, pair: str) -> sp.Symbol:
         return sp.Symbol(f"{pair}_friction_force", real=True)
 
-    def _of_modes(self, pair: str, function: Function) -> Draft:
-        """Friction that slides or sticks."""
+    def _friction_with_modes(self, pair: str, function: Function) -> Draft:
+        """Draft of the friction force of a contact with stick and slip."""
         results = {result.name: result.expressions for result in function.results}
         (sliding,), (velocity,) = results["sliding_force"], results["sliding_velocity"]
         sticking, force = sp.Symbol(f"{pair}_sticking_force", real=True), self._friction_force(pair)
         self.added[force] = Where(sp.Ne(velocity, 0), sliding * sp.sign(velocity), sticking)
         return Draft(contact_title(pair), force.name, "N", self._names.meaning(force), force, force)
 
-    def _defining(self, section: str, name: str, unit: str, expression: Any) -> Draft:
-        """What defines the symbol of this name; a new one where the program has the result under another name, or none."""
+    def _definition(self, section: str, name: str, unit: str, expression: Any) -> Draft:
+        """Draft that defines the symbol of this name.
+
+        The symbol is new where the program has the result under another name, or none.
+        """
         symbol = expression
         if expression not in self._tape.assignments or expression.name != name:
             symbol = sp.Symbol(name, real=True)
@@ -154,14 +166,14 @@ class Drafts:
         return Draft(section, f"d/dt {label}", unit, meaning, expression, left=left, effects=effects)
 
     def _port(self, group: str, label: str) -> tuple[str, int]:
-        """Group and place of a coordinate or speed."""
+        """Group and position of a coordinate or speed."""
         table = self._program.tables["COORDINATES" if group == "q" else "SPEEDS"]
         return group, [name for name, _ in table].index(label)
 
     # -- equations of motion ---------------------------------------------------------------------------------------
 
     def _rows(self) -> Iterator[Draft]:
-        """M a + bias = f, row by row; of a driven row also what its drive supplies."""
+        """Yield M a + bias = f, row by row; the row of a driven joint includes the force of its drive."""
         functions = {function.name: function for function in self._program.functions}
         motion, applied = functions["motion"], functions["applied"]
         inputs: dict[str, list[sp.Symbol]] = {}
@@ -170,7 +182,7 @@ class Drafts:
         mass, bias, held = motion.results
         labels, units = applied.results[0].labels, applied.results[0].units
         accelerations = dict(zip(labels, inputs["a"], strict=False))
-        # of a drive on a joint that closes a loop it is the multiplier
+        # the drive of a loop-closing joint is a multiplier
         supplied = dict(zip(labels[len(inputs["a"]) :], inputs.get("reactions", ()), strict=False))
         for i, (row, unit) in enumerate(zip(labels, units, strict=True)):
             parts = [
@@ -203,12 +215,12 @@ class Drafts:
 
 
 def multiplier(constraint: str) -> sp.Symbol:
-    """The force or torque that holds a constraint."""
+    """Symbol of the Lagrange multiplier (force or torque) of a constraint."""
     return sp.Symbol(f"{constraint.replace('.', '_')}_multiplier", real=True)
 
 
 def pair_of(function: str) -> str:
-    """The pair whose contact a function of the contract is; "" for another."""
+    """Name of the pair whose contact a function of the program computes; "" for any other function."""
     return function.removeprefix("contact_") if function.startswith("contact_") else ""
 
 

@@ -1,7 +1,8 @@
-"""From a scene to the equations people read.
+"""Derive the equations of a scene for readers.
 
-They are those of the program that the generated module is made of, before they are solved for the accelerations; every effect's quantities carry a
-mark through the derivation, so that each equation knows what it comes from.
+They are the equations of the program from which the generated module is made, before they are solved for the
+accelerations. Every effect's parameters carry a mark through the derivation, which tells the effects that an equation
+depends on.
 """
 
 from __future__ import annotations
@@ -14,9 +15,10 @@ import sympy as sp
 from hertzwerk.derive.algebra.notation import latex_of, text_of, tidy
 from hertzwerk.derive.audit.audit import audit_laws, audit_program, refuse_inconsistent
 from hertzwerk.derive.declare.scene import Scene
-from hertzwerk.derive.derivation import derive, unsolved
+from hertzwerk.derive.derivation import derive, program_with_motion
 from hertzwerk.derive.module.tables import meanings_of
 from hertzwerk.derive.program.program import Program, symbols_in
+from hertzwerk.derive.readable.attribution import Attribution, sources
 from hertzwerk.derive.readable.drafts import (
     ENERGY,
     KINEMATICS,
@@ -29,14 +31,13 @@ from hertzwerk.derive.readable.drafts import (
     Part,
     multiplier,
 )
-from hertzwerk.derive.readable.entering import Entering, sources
-from hertzwerk.derive.readable.forms import Forms
 from hertzwerk.derive.readable.marks import Marked, marked
 from hertzwerk.derive.readable.record import Effect, Equation, Readable, Section, Symbol, Term
+from hertzwerk.derive.readable.substitution import Substitution
 from hertzwerk.derive.readable.symbols import Names, contact_title, film_title
 
-LINE = 19  # symbols of a sum that stands on one line
-INTEGRAL = 40  # symbols from which a stored energy is shown as the integral it is
+LINE = 19  # most symbols of a sum on one line
+INTEGRAL = 40  # a stored energy of more symbols is shown as an integral
 _NOTES = {
     MOTION: "Inertia on the left; its bias is what speeds and drives bring at zero accelerations. Generalised forces on the right, effect by effect.",
     LEDGER: "Quadratures: energy plus what is dissipated minus what is put in stays constant.",
@@ -45,43 +46,43 @@ _RANKS = {"kg": 1, "kg m^2": 1, "m/s^2": 2, "m": 3, "1/s": 4, "m/s": 5}
 
 
 def equations_of(scene: Scene) -> Readable:
-    """The equations of a scene. Raises InputError where a unit does not hold, and where an effect enters no equation."""
+    """Equations of a scene. Raises InputError for inconsistent units, and for an effect in no equation."""
     refuse_inconsistent(scene, audit_laws(scene))
     marks = marked(scene)
-    program = unsolved(marks.scene)
+    program = program_with_motion(marks.scene)
     units, findings = audit_program(program)
     if findings:
-        derive(scene)  # which says so in the scene's own terms
+        derive(scene)  # raises, in terms of the scene without marks
     return _Reader(scene, marks, program, units).readable()
 
 
 class _Reader:
-    """One scene's program, read for people."""
+    """Converts the program of one scene to a record of equations."""
 
     def __init__(self, scene: Scene, marks: Marked, program: Program, units: dict[sp.Symbol, str]) -> None:
         self.scene, self.marks, self.program, self.tape = scene, marks, program, program.tape
         self.units = units | _port_units(program)
         self.names = Names(program, units, meanings_of(scene))
         self.pairs = tuple(name for name, _ in program.tables["PAIRS"])
-        self.forms = Forms(self.tape, self.names, self.pairs, marks.effect_of)
+        self.forms = Substitution(self.tape, self.names, self.pairs, marks.effect_of)
         self.forms.units |= self.units
-        self.open: tuple[sp.Symbol, ...] = ()  # symbols that no equation defines and no port gives
+        self.open: tuple[sp.Symbol, ...] = ()  # symbols that are neither defined nor input
 
     def readable(self) -> Readable:
-        """The record."""
+        """Make the record."""
         results = Drafts(self.program, self.names)
         unordered = self.forms.complete(results.all(), results.added)
         self.units |= self.forms.units
         titles = self._titles(unordered)
         drafts = [draft for title in titles for draft in unordered if draft.section == title]
-        entering = Entering(self.scene, self.marks, self.forms.of)
+        attribution = Attribution(self.scene, self.marks, self.forms.of)
         for draft in drafts:
-            entering.told_apart(draft)
-        entered = [entering.of(draft, drafts) for draft in drafts]
+            attribution.split_by_effect(draft)
+        entered = [attribution.of(draft, drafts) for draft in drafts]
         shown = {s for draft in drafts for s in (*draft.symbols(), draft.symbol)}
         self.open = self._open(drafts)
         known = (*self.tape.inputs, *self.forms.of, *self.open)
-        self.names.settle(s for s in known if s in shown or self._is_port(s))
+        self.names.assign(s for s in known if s in shown or self._is_port(s))
         made = enumerate(zip(drafts, entered, strict=True), start=1)
         equations = [self._equation(number, draft, effects) for number, (draft, effects) in made]
         of_title = zip(drafts, equations, strict=True)
@@ -101,7 +102,7 @@ class _Reader:
         )
 
     def _titles(self, drafts: list[Draft]) -> list[str]:
-        """Titles in order: what moves, why, the contacts, what else there is, the books, the start."""
+        """Titles in order: kinematics, motion, contacts, others, energy ledger, energy, outputs, start."""
         first = [KINEMATICS, MOTION, *map(contact_title, self.pairs)]
         last = [LEDGER, ENERGY, OUTPUTS, START]
         present = list(dict.fromkeys(draft.section for draft in drafts))
@@ -124,14 +125,14 @@ class _Reader:
                     yield f"- `{effect.name}` is UNCHECKED: its units do not hold."
 
     def _open(self, drafts: list[Draft]) -> tuple[sp.Symbol, ...]:
-        """Symbols that no equation defines and no port gives, such as the force that keeps a contact from sliding."""
+        """Symbols that are neither defined nor input, such as the static friction of a sticking contact."""
         defined = {draft.symbol for draft in drafts} | set(self.tape.inputs)
         return tuple(dict.fromkeys(s for draft in drafts for s in draft.symbols() if s not in defined))
 
     # -- symbols ---------------------------------------------------------------------------------------------------
 
     def _is_port(self, symbol: sp.Symbol) -> bool:
-        """Whether a symbol is listed even if it stands in no equation."""
+        """Whether a symbol is listed even if no equation contains it."""
         return self.tape.inputs.get(symbol) in ("p", "q", "u") and symbol not in self.marks.effect_of
 
     def _states(self, shown: set[Any]) -> Iterator[Symbol]:
@@ -167,7 +168,7 @@ class _Reader:
         return Equation(number, draft.name, latex, text, draft.unit, draft.meaning, effects, expression)
 
     def _integral(self, draft: Draft, left: str) -> tuple[str, str]:
-        """A stored energy that the program integrates by quadrature."""
+        """A stored energy as the integral of the force, where the program uses quadrature."""
         symbols = {symbol.name: symbol for symbol in self.forms.of}
         force, depth = (symbols[draft.name.replace("stored_energy", w)] for w in ("elastic_force", "penetration"))
         of, upto = self.names.latex[force], self.names.latex[depth]
@@ -175,7 +176,7 @@ class _Reader:
         return text, rf"{left} = \int_{{0}}^{{{upto}}} {of}\,\mathrm{{d}}{upto}"
 
     def _lines(self, total: Any) -> Iterator[str]:
-        """A sum, as many terms on a line as it holds."""
+        """Break a sum into lines of at most `LINE` symbols."""
         line: Any = None
         shown = False
         for term in sp.Add.make_args(total):
@@ -200,7 +201,7 @@ class _Reader:
         return Equation(number, draft.name, latex, text, draft.unit, draft.meaning, effects, None, tuple(terms))
 
     def _term(self, part: Part) -> Term:
-        """A term; of inertia the coefficient comes before the acceleration."""
+        """A term; for inertia the coefficient comes before the acceleration."""
         expression = self.marks.plain(part.expression)
         latex = self._latex(expression)
         if part.factor is not None:
@@ -211,7 +212,7 @@ class _Reader:
         return Term(part.left, part.meaning, part.effect, latex, text_of(expression), expression)
 
     def _latex(self, plain: Any) -> str:
-        """In LaTeX, the factors of a product in the order people write them: forces, masses, lengths, rates."""
+        """LaTeX, with factors of a product in the usual order: forces, masses, lengths, rates."""
         ranked = {s: sp.Symbol(f"{self._rank(s)} {s.name}", real=True) for s in symbols_in(plain)}
         return latex_of(plain.xreplace(ranked), {ranked[s]: self.names.latex[s] for s in ranked})
 

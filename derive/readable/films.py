@@ -1,4 +1,4 @@
-"""What the film of a lubricated pair is made of: the words after the effect's name -> letter, subscript, meaning."""
+"""Symbols of a lubrication film: LaTeX letter, subscript and meaning by the rest of the name."""
 
 FILM = {
     "axis": ("a", "", "axis of the bush"),

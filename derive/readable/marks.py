@@ -1,4 +1,7 @@
-"""Which effect a result depends on: each effect's parameters multiplied by a mark of its own, a number 1 that the derivation carries along."""
+"""Trace which effects a result depends on, by marks carried through the derivation.
+
+Each effect's parameters are multiplied by a mark of its own, a symbol of value 1.
+"""
 
 from __future__ import annotations
 
@@ -16,20 +19,21 @@ from hertzwerk.derive.mechanism.parameter import Parameter
 
 @dataclass(frozen=True)
 class Marked:
-    """A scene whose effects' parameters carry marks: `effect_of` mark -> effect."""
+    """A scene whose effects' parameters carry marks; `effect_of` maps each mark to its effect."""
 
     scene: Scene
     effect_of: Mapping[sp.Symbol, str]
 
     def plain(self, expression: Any) -> Any:
-        """An expression without its marks."""
+        """An expression without marks."""
         return sp.sympify(expression).xreplace(dict.fromkeys(self.effect_of, sp.S.One))
 
 
 def marked(scene: Scene) -> Marked:
-    """The scene, its effects told apart even where they share a parameter.
+    """Mark the parameters of a scene's effects, so that effects sharing a parameter stay distinct.
 
-    A parameter that stands in another's unit (N/m^exponent) takes no mark: the unit would no longer hold.
+    A parameter that is an exponent in the unit of another (N/m^exponent) takes no mark: the unit would no longer
+    hold.
     """
     parameters = scene.parameters.values()
     exponents = {name for p in parameters for e in p.parsed_unit.exponents for name in e.names}
@@ -51,7 +55,7 @@ def _changed(record: Any, table: Mapping[Any, Any]) -> dict[str, Any]:
 
 
 def _with(value: Any, table: Mapping[Any, Any]) -> Any:
-    """A value with the marks in its expressions; places, bodies and laws are the mechanism's and the catalogue's, not the effect's."""
+    """Put the marks into the expressions of a value; places, bodies and laws stay as they are."""
     if isinstance(value, sp.Basic):
         return value.xreplace(table)
     if isinstance(value, tuple):

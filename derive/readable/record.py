@@ -1,4 +1,4 @@
-"""The equations of a scene for people: symbols, numbered equations, the effects they come from; as Markdown, LaTeX and plain values."""
+"""Record of a scene's equations: symbols, numbered equations, effects; as Markdown, LaTeX and values."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Symbol:
-    """One symbol; `value` is a parameter's default in its unit, "" for what is no parameter."""
+    """One symbol; `value` is a parameter's default in its unit, "" for other symbols."""
 
     name: str
     latex: str
@@ -21,7 +21,10 @@ class Symbol:
 
 @dataclass(frozen=True)
 class Term:
-    """One term of an equation of motion, on the `left` of its sign of equality or on the right; `effect` is what it comes from, "" for inertia."""
+    """One term of an equation of motion, on the `left` or the right of the equals sign.
+
+    `effect` is the effect it comes from, "" for inertia.
+    """
 
     left: bool
     meaning: str
@@ -33,9 +36,10 @@ class Term:
 
 @dataclass(frozen=True)
 class Equation:
-    """One equation: `name` = `expression`, or an equation of motion, whose `terms` on the left sum up to those on the right.
+    """One equation: `name` = `expression`, or an equation of motion, given by its `terms`.
 
-    `expression` is a SymPy expression over the symbols of the record, None for an equation of motion and where only an integral says it.
+    `expression` is a SymPy expression of the symbols of the record, None for an equation of motion and where the
+    equation is shown as an integral.
     """
 
     number: int
@@ -52,12 +56,12 @@ class Equation:
         return f"$\\displaystyle {self.latex}$"
 
     def markdown(self) -> str:
-        """A line that says what it is, and the equation."""
+        """The meaning and unit in one line, then the equation."""
         unit = "" if self.unit in ("", "1") else f" [{self.unit}]"
         return f"({self.number}) {_escaped(self.meaning or self.name)}{unit}\n\n$${self.latex}$$\n"
 
     def record(self) -> dict[str, Any]:
-        """Plain values."""
+        """The equation as plain values."""
         return {
             **{name: getattr(self, name) for name in ("number", "name", "latex", "text", "unit", "meaning")},
             "effects": list(self.effects),
@@ -67,7 +71,7 @@ class Equation:
 
 @dataclass(frozen=True)
 class Section:
-    """Equations that belong together."""
+    """A group of equations under one title."""
 
     title: str
     note: str
@@ -97,7 +101,7 @@ class Readable:
 
     @property
     def equations(self) -> tuple[Equation, ...]:
-        """All of them, by number."""
+        """All equations, by number."""
         return tuple(equation for section in self.sections for equation in section.equations)
 
     def __getitem__(self, key: int | str) -> Equation:
@@ -114,11 +118,11 @@ class Readable:
         return self.markdown()
 
     def markdown(self) -> str:
-        """The whole as Markdown, its mathematics in LaTeX between dollars."""
+        """The record as Markdown, with LaTeX between dollar signs."""
         return "\n".join(self._lines())
 
     def record(self) -> dict[str, Any]:
-        """Plain values, as JSON has them."""
+        """The record as plain values for JSON."""
         return {
             "name": self.name,
             "summary": self.summary,
@@ -153,7 +157,7 @@ class Readable:
 
 
 def _ranges(numbers: tuple[int, ...]) -> str:
-    """Numbers, those that follow one another as ranges: 1, 3-7."""
+    """Numbers as text, consecutive ones as ranges: 1, 3-7."""
     runs: list[list[int]] = []
     for number in numbers:
         if runs and number == runs[-1][1] + 1:
@@ -164,7 +168,7 @@ def _ranges(numbers: tuple[int, ...]) -> str:
 
 
 def _escaped(text: str) -> str:
-    """Text as it stands in Markdown: no markup, mathematics or HTML begins in it; `_` within words is none."""
+    """Text escaped for Markdown: no markup, mathematics or HTML; `_` within words is none."""
     text = " ".join(text.split()).replace("&", "&amp;").replace("<", "&lt;")
     return re.sub(r"([\\`$]|(?<=\S)\*(?=\S))", r"\\\1", text)
 

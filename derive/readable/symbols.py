@@ -1,4 +1,4 @@
-"""Symbols of a program as engineers write them: a letter for the quantity, whose it is in the subscript, and what it means."""
+"""LaTeX and meaning of a program's symbols: a letter for the quantity, its owner as the subscript."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from hertzwerk.derive.readable.films import FILM, FILM_LANDMARKS
 
 AXES = ("x", "y", "z")
 
-# The last words of a name -> letter; the words before them are the subscript.
+# Last words of a name -> letter; the words before them become the subscript.
 LETTERS = {
     "mass_centre": "s",
     "approach_floor": r"v_{0,\mathrm{min}}",
@@ -56,7 +56,7 @@ LETTERS = {
     "viscosity": r"\eta",
     "boundary_layer": r"h_{0}",
 }
-# What a contact pair is made of: the words after the pair's name -> letter, subscript, meaning.
+# Quantities of a contact pair: the words after the pair's name -> letter, subscript, meaning.
 PAIR = {
     "apart": ("d", "", "from the second place to the first"),
     "e": ("e", "", "eccentricity, across the axis"),
@@ -139,7 +139,7 @@ def film_title(effect: str) -> str:
 
 
 class Names:
-    """LaTeX and meaning of the symbols of a program; two symbols never look the same."""
+    """LaTeX and meaning of the symbols of a program; no two symbols look the same."""
 
     def __init__(self, program: Program, units: dict[sp.Symbol, str], meanings: Mapping[str, str]) -> None:
         self._program, self._units, self._meanings = program, units, meanings
@@ -150,8 +150,8 @@ class Names:
         self._ports = self._port_names()
         self.latex: dict[sp.Symbol, str] = {}
 
-    def settle(self, symbols: Iterable[sp.Symbol]) -> None:
-        """Give each symbol its LaTeX; those that would look the same get their whole names."""
+    def assign(self, symbols: Iterable[sp.Symbol]) -> None:
+        """Give each symbol its LaTeX; symbols that would look the same get their whole names."""
         symbols = list(symbols)
         wanted = {symbol: self._letter(symbol) for symbol in symbols}
         count = Counter(wanted.values())
@@ -160,12 +160,12 @@ class Names:
         }
 
     def meaning(self, symbol: sp.Symbol) -> str:
-        """What a symbol stands for, in words."""
+        """Meaning of a symbol in words."""
         if symbol in self._ports:
             return self._ports[symbol][1]
         if isinstance(symbol, Parameter):
             return str(symbol.meaning or self._meanings.get(symbol.name, ""))
-        owner, rest, axis = self._owned(symbol.name)
+        owner, rest, axis = self._split_owner(symbol.name)
         if owner:
             return self._law_meanings.get(rest) or f"{self._words[owner][rest][2]}{f', {axis}' if axis else ''}"
         text = str(symbol.name).replace("_", " ")
@@ -177,12 +177,12 @@ class Names:
         return "" if not owner else film_title(owner) if self._words[owner] is FILM else contact_title(owner)
 
     def port(self, group: str, place: int) -> str:
-        """LaTeX of an input, by its group and its place in it."""
+        """LaTeX of an input, by its group and position."""
         return self._ports[[s for s, of in self._program.tape.inputs.items() if of == group][place]][0]
 
     def is_landmark(self, symbol: sp.Symbol) -> bool:
-        """Whether readers look for it by name: what a contact is made of, and what its laws define."""
-        owner, rest, _ = self._owned(symbol.name)
+        """Whether readers look for it by name: a quantity of a contact or film, or defined by its laws."""
+        owner, rest, _ = self._split_owner(symbol.name)
         landmarks = FILM_LANDMARKS if owner and self._words[owner] is FILM else LANDMARKS
         return rest in landmarks or rest in self._law_meanings
 
@@ -191,7 +191,7 @@ class Names:
     def _letter(self, symbol: sp.Symbol) -> str:
         if symbol in self._ports:
             return self._ports[symbol][0]
-        owner, rest, axis = self._owned(symbol.name)
+        owner, rest, axis = self._split_owner(symbol.name)
         if owner:
             own = self._words[owner]
             letter, below, _ = own.get(rest) or (*_split(latex_name(sp.Symbol(rest))), "")
@@ -216,8 +216,8 @@ class Names:
     def _turns(self, symbol: sp.Symbol) -> bool:
         return self._units.get(symbol, "") in ("1/s", "rad/s")
 
-    def _owned(self, name: str) -> tuple[str, str, str]:
-        """The pair or film, the words that say what it is of it, and the axis; ("", "", "") for what is of none or not known."""
+    def _split_owner(self, name: str) -> tuple[str, str, str]:
+        """Split a name into its pair or film, the quantity and the axis; ("", "", "") for other names."""
         for owner in self._owners:
             if name.startswith(f"{owner}_"):
                 rest, axis = name[len(owner) + 1 :], ""
@@ -230,7 +230,7 @@ class Names:
     # -- ports -----------------------------------------------------------------------------------------------------
 
     def _port_names(self) -> dict[sp.Symbol, tuple[str, str]]:
-        """Inputs other than parameters -> LaTeX, meaning."""
+        """LaTeX and meaning of the inputs other than parameters."""
         program = self._program
         inputs: dict[str, list[sp.Symbol]] = {}
         for symbol, group in program.tape.inputs.items():
@@ -272,7 +272,7 @@ class Names:
         return found
 
     def _coordinate(self, label: str, unit: str) -> tuple[str, str]:
-        """Letter and subscript of a coordinate `joint.what`."""
+        """Letter and subscript of a coordinate `joint.name`."""
         joint, what = label.rsplit(".", 1)
         name = words(joint.split("_"))
         if what == "travel":
@@ -290,7 +290,7 @@ class Names:
 
 
 def _law_symbols(scene: Any) -> Iterable[tuple[str, str]]:
-    """Defined and geometric symbols of the laws in use: name, meaning."""
+    """Yield name and meaning of the defined and geometric symbols of the laws in use."""
     yield from _LAW.items()
     for effect in scene.effects:
         for bound in getattr(effect, "laws", ()):
@@ -298,18 +298,18 @@ def _law_symbols(scene: Any) -> Iterable[tuple[str, str]]:
 
 
 def _split(latex: str) -> tuple[str, str]:
-    """Letter and subscript."""
+    """Split into letter and subscript."""
     letter, _, below = latex.partition("_")
     return letter, below.removeprefix("{").removesuffix("}") if below.startswith("{") else below
 
 
 def _is_letter(part: str) -> bool:
-    """Whether a name's first part is a letter, Latin or Greek."""
+    """Whether the first part of a name is a letter, Latin or Greek."""
     return len(part) <= 2 or str(sp.latex(sp.Symbol(part))).startswith("\\")
 
 
 def words(parts: Iterable[str]) -> str:
-    """Words upright."""
+    """Words upright in LaTeX."""
     text = r"\,".join(part for part in parts if part)
     return rf"\mathrm{{{text}}}" if text else ""
 

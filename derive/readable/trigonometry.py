@@ -1,4 +1,4 @@
-"""Products of sines and cosines put together, as people write them: cos a cos b + sin a sin b = cos(a - b)."""
+"""Contract products of sines and cosines: cos a cos b + sin a sin b = cos(a - b)."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from typing import Any
 
 import sympy as sp
 
-MOST_TERMS = 80  # of an expanded sum that is looked through
+MOST_TERMS = 80  # of an expanded sum that is searched
 
 
-def contracted(expression: Any, angle: Callable[[Any], Any]) -> Any:
-    """The expression with fewer terms where sums and differences of angles, or cos^2 + sin^2, allow; else as it was.
+def contract_products(expression: Any, angle: Callable[[Any], Any]) -> Any:
+    """Contract products of sines and cosines, and cos^2 + sin^2, where that leaves fewer terms.
 
-    `angle` says how a sum of angles is written.
+    `angle` chooses the form of a sum of angles.
     """
     if not expression.has(sp.sin, sp.cos):
         return expression
@@ -37,7 +37,7 @@ def contracted(expression: Any, angle: Callable[[Any], Any]) -> Any:
 
 
 def _split(term: Any) -> tuple[Any, Counter[Any]]:
-    """The part without sine and cosine, and the sines and cosines."""
+    """Split a term into its factor without sines and cosines, and its sines and cosines."""
     trig: Counter[Any] = Counter()
     rest = []
     for factor in sp.Mul.make_args(term):
@@ -50,7 +50,7 @@ def _split(term: Any) -> tuple[Any, Counter[Any]]:
 
 
 def _contract_one(terms: list[tuple[Any, Counter[Any]]], angle: Callable[[Any], Any]) -> bool:
-    """Put the first pair of terms that allows it together."""
+    """Contract the first pair of terms that can be contract_products; False where there is none."""
     for i, (first, trig) in enumerate(terms):
         for j in range(i + 1, len(terms)):
             second, other = terms[j]
@@ -68,7 +68,7 @@ def _contract_one(terms: list[tuple[Any, Counter[Any]]], angle: Callable[[Any], 
 
 
 def _together(one: Counter[Any], two: Counter[Any], sign: int, angle: Callable[[Any], Any]) -> Any:
-    """`one` + sign * `two` as one sine, cosine or number; None where it is none."""
+    """Contract `one` + sign * `two` to one sine, cosine or number; None where that is impossible."""
     a, b = list(one.elements()), list(two.elements())
     if len(a) != 2 or len(b) != 2:
         return None
@@ -89,7 +89,7 @@ def _together(one: Counter[Any], two: Counter[Any], sign: int, angle: Callable[[
 
 
 def _collect(terms: list[tuple[Any, Counter[Any]]]) -> None:
-    """Add up terms whose sines and cosines are the same and that cancel or double."""
+    """Combine the first two like terms whose coefficients are equal or opposite."""
     for i, (first, trig) in enumerate(terms):
         for j in range(i + 1, len(terms)):
             second, other = terms[j]

@@ -1,1 +1,1 @@
-"""The sheets of laws: formulas, symbols, restitution, cost, for people and for JSON."""
+"""Sheets of laws: formulas, symbols, restitution and cost, for people and for JSON."""

@@ -1,4 +1,4 @@
-"""The band of a reconstruction: what all its candidates say, where the published expression could not be had."""
+"""Spread of the candidates for a reconstructed law, whose published expression was not accessible."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import StiffnessLaw, d
 
 PER_DECADE, FIRST, DECADES = 8, -8, 4  # penetrations of 10 nm to 0.1 mm
-OTHERWISE = ("pin_in_bush",)  # the pair in which a candidate for every pair is shown
+DEFAULT_PAIRS = ("pin_in_bush",)  # for a candidate that holds for every pair
 
 
 @dataclass(frozen=True)
 class Candidate:
-    """One candidate: its forces [N] and local exponents dlnF/dlnd at the band's penetrations."""
+    """Forces [N] and local exponents dlnF/dlnd of one candidate, at the penetrations of the band."""
 
     law: str
     forces: tuple[float, ...]
@@ -28,20 +28,20 @@ class Candidate:
 
 @dataclass(frozen=True)
 class Band:
-    """All candidates at the same penetrations [m], in the example of the sheet."""
+    """All candidates at the same penetrations [m], for the example of the sheet."""
 
     penetrations: tuple[float, ...]
     candidates: tuple[Candidate, ...]
 
     @property
     def spread(self) -> tuple[float, ...]:
-        """Largest force over smallest, at each penetration."""
+        """Ratio of the largest to the smallest force at each penetration."""
         columns = zip(*(candidate.forces for candidate in self.candidates), strict=True)
         return tuple(max(column) / min(column) for column in columns)
 
 
 def band_of(law: StiffnessLaw, example: Callable[[StiffnessLaw], Mapping[Any, Any]]) -> Band | None:
-    """The band of a law of grade R, at numbers for the symbols of each candidate; None for any other law."""
+    """Band of a law of grade R, with values for the symbols of each candidate; None for other laws."""
     if law.grade != "R":
         return None
     depths = tuple(10 ** (FIRST + k / PER_DECADE) for k in range(DECADES * PER_DECADE + 1))
@@ -49,8 +49,8 @@ def band_of(law: StiffnessLaw, example: Callable[[StiffnessLaw], Mapping[Any, An
 
 
 def _candidates(law: StiffnessLaw) -> list[StiffnessLaw]:
-    """Reconstructions that may stand where the law does, itself first."""
-    places = set(law.pairs or OTHERWISE)
+    """Reconstructions that are alternatives to the law, itself first."""
+    places = set(law.pairs or DEFAULT_PAIRS)
     others = [
         other
         for other in LAWS.values()

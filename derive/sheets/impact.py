@@ -1,11 +1,13 @@
-"""The free impact a damping law is tried in: its scene, and the restitution it returns where that is known in closed form.
+"""Free impact of two bodies with a damping law: its scene, and its restitution in closed form.
 
-Two bodies of effective mass m meet at v0 with no other force. With h, any elastic law f(d) (1 + h v/v0) returns the root e_out of
+Two bodies of effective mass m meet at v0 with no other force. With h, any elastic law f(d) (1 + h v/v0) returns the
+root e_out of
 
     h (1 + e_out) = ln((1 + h)/(1 - h e_out)),  y = 1 - h e_out:  y exp(-y) = (1 + h) exp(-1 - h),  so  y = -W_0(-(1 + h) exp(-1 - h)).
 
-K d^n + b sqrt(m K d^(n-1)) v is the linear oscillator v dv/dw = -omega^2 w - 2 zeta omega v in w = d^((n+1)/2), zeta = b/sqrt(2 (n + 1)): it returns
-exp(-pi zeta/s), s = sqrt(1 - zeta^2), where it ends at d = 0, and exp(-zeta acos(zeta)/s) where it is damped while approaching only.
+K d^n + b sqrt(m K d^(n-1)) v is the linear oscillator v dv/dw = -omega^2 w - 2 zeta omega v in w = d^((n+1)/2), zeta
+= b/sqrt(2 (n + 1)): it returns exp(-pi zeta/s), s = sqrt(1 - zeta^2), where it ends at d = 0, and exp(-zeta
+acos(zeta)/s) where it is damped while approaching only.
 """
 
 from __future__ import annotations
@@ -43,9 +45,10 @@ _STIFFNESS = Parameter("stiffness", "N/m^exponent", 1e8, "K of K d^n")
 
 @dataclass(frozen=True)
 class Trial:
-    """A damping law and the scene of its free impact. `parameter` of the scene, in `unit`, is what the law takes: e, or one of its own.
+    """A damping law with the scene of its free impact.
 
-    `exponent` is the n of K d^n to try it beside; `recommended` the range of e as numbers and as text, None for a law that knows no e.
+    `parameter` of the scene, in `unit`, is the law's first parameter: e, or one of its own. `exponent` is the n of
+    the elastic force K d^n; `recommended` the range of e as numbers and as text, None for a law without e.
     """
 
     law: DampingLaw
@@ -57,17 +60,17 @@ class Trial:
     recommended_text: str
 
     def closed(self, e: float) -> float | None:
-        """Restitution out in closed form; None where there is none."""
+        """Restitution in closed form; None where there is none."""
         return restitution_out(self.law, e)
 
     @property
     def limits(self) -> tuple[float | None, float | None]:
-        """Restitution out as e -> 1 and as e -> 0."""
+        """Restitution in closed form as e -> 1 and as e -> 0."""
         return restitution_limits(self.law)
 
 
 def trials() -> Iterator[Trial]:
-    """Every damping law of the catalogue."""
+    """Yield a trial of every damping law of the catalogue."""
     for law in LAWS.values():
         if isinstance(law, DampingLaw):
             e, range_of_e = restitution_symbol(law), law.recommended
@@ -79,17 +82,18 @@ def trials() -> Iterator[Trial]:
             taken, *_ = law.parameters
             text = "" if bounds is None else str(range_of_e)
             yield Trial(
-                law, impact_scene(law), taken.name, _unit_of(law, taken), float(home_exponent(law)), bounds, text
+                law, impact_scene(law), taken.name, _unit_of(law, taken), float(published_exponent(law)), bounds, text
             )
 
 
 def impact_scene(law: DampingLaw) -> Scene:
-    """A ball meets a wall at t = 0, beside K d^n, without gravity; each parameter of the law is one of the scene, of the same name.
+    """Scene of a ball that meets a wall at t = 0, with elastic force K d^n and without gravity.
 
-    A free exponent of the penetration is that of Hertz's point contact.
+    Each parameter of the law is a parameter of the scene, of the same name. A free exponent of the penetration is
+    that of Hertz's point contact.
     """
     ball = Body("ball", mass=_MASS)
-    wall = GROUND.at(0, -_RADIUS, 0)  # so that the gap is the coordinate itself, and rounds with nothing else
+    wall = GROUND.at(0, -_RADIUS, 0)  # so that the gap is the coordinate itself, without rounding
     size = ((_EXPONENT + 1) * _MASS * _SPEED**2 / (2 * _STIFFNESS)) ** (1 / (_EXPONENT + 1))
     given = {
         q.name: POINT_CONTACT if q == law.exponent else Parameter(q.name, _unit_of(law, q), 0.5, q.meaning)
@@ -109,42 +113,46 @@ def impact_scene(law: DampingLaw) -> Scene:
 
 
 def _unit_of(law: DampingLaw, symbol: Quantity) -> str:
-    """Unit of a parameter, a free exponent of the penetration in it being that of Hertz's point contact."""
+    """Unit of a parameter, with a free exponent of the penetration as in Hertz's point contact."""
     if law.exponent not in law.parameters or law.exponent == symbol:
         return str(symbol.unit)
     return str(Dimension.from_unit(parse_unit(symbol.unit), {str(law.exponent): POINT_CONTACT}))
 
 
 def restitution_symbol(law: DampingLaw) -> Quantity | None:
-    """The coefficient of restitution among the law's parameters; None for a law that knows none."""
+    """Coefficient of restitution among the law's parameters; None for a law without."""
     return next((symbol for symbol in law.parameters if symbol.name == "e"), None)
 
 
 def coefficient_at(law: DampingLaw, e: float) -> float:
-    """The factor h at a restitution, or the coefficient that stands for it."""
+    """Factor h, or the coefficient in its place, at a restitution."""
     with mp.workdps(DIGITS):
         return float(_coefficient(law, e))
 
 
 def restitution_out(law: DampingLaw, e: float) -> float | None:
-    """Restitution that comes out where e goes in, beside K d^n of the law's `home_exponent`; None where no closed form is known."""
+    """Restitution of an impact for given e, with K d^n, n = `published_exponent`; None without a closed form."""
     with mp.workdps(DIGITS):
-        return None if restitution_symbol(law) is None else _returned(law, _coefficient(law, e))
+        return None if restitution_symbol(law) is None else _restitution_for(law, _coefficient(law, e))
 
 
 def restitution_limits(law: DampingLaw) -> tuple[float | None, float | None]:
-    """What comes out in the limits e -> 1 and e -> 0, from those of the coefficient."""
+    """Restitution of an impact in the limits e -> 1 and e -> 0."""
     with mp.workdps(DIGITS):
         at_one, at_zero = (
-            None if limit is None else _returned(law, mp.inf if limit is sp.oo else evaluate(limit, {}))
+            None if limit is None else _restitution_for(law, mp.inf if limit is sp.oo else evaluate(limit, {}))
             for limit in (law.at_one, law.at_zero)
         )
         return at_one, at_zero
 
 
-def home_exponent(law: DampingLaw) -> Any:
-    """The n of the stiffness law that a damping law was published beside: m = (n - 1)/2 where it goes with the root of the secant, else 3/2."""
-    return POINT_CONTACT if _root_share(law) is None or law.exponent is None else 2 * law.exponent + 1
+def published_exponent(law: DampingLaw) -> Any:
+    """Exponent n of the stiffness law that a damping law was published with.
+
+    It follows from m = (n - 1)/2 where the damping is proportional to the root of the secant F/d, and is 3/2
+    otherwise.
+    """
+    return POINT_CONTACT if _secant_root_factor(law) is None or law.exponent is None else 2 * law.exponent + 1
 
 
 def _coefficient(law: DampingLaw, e: float) -> Any:
@@ -154,28 +162,28 @@ def _coefficient(law: DampingLaw, e: float) -> Any:
     return evaluate(law.factor, state) if law.factor is not None else state[law.definitions[-1][0]]
 
 
-def _returned(law: DampingLaw, coefficient: Any) -> float | None:
-    """Restitution out, of a value of the coefficient."""
+def _restitution_for(law: DampingLaw, coefficient: Any) -> float | None:
+    """Restitution of an impact for a value of the coefficient."""
     if law.factor is not None:
-        return float(_of_factor(coefficient))
-    share = _root_share(law)
+        return float(_hysteresis_restitution(coefficient))
+    share = _secant_root_factor(law)
     if share is None:
         return None
     multiple, approaching_only = share
-    zeta = coefficient * evaluate(multiple / sp.sqrt(2 * (home_exponent(law) + 1)), {})
+    zeta = coefficient * evaluate(multiple / sp.sqrt(2 * (published_exponent(law) + 1)), {})
     if approaching_only:
-        return float(_damped_while_approaching(zeta))
+        return float(_approach_damped_restitution(zeta))
     return float(mp.exp(-mp.pi * zeta / mp.sqrt(1 - zeta**2))) if zeta < 1 else 0.0
 
 
-def _of_factor(h: Any) -> Any:
+def _hysteresis_restitution(h: Any) -> Any:
     if h == 0 or mp.isinf(h):
         return mpf(h == 0)
     with mp.extradps(DIGITS):  # 1 - y cancels like h
         return (1 + mp.lambertw(-(1 + h) * mp.exp(-1 - h)).real) / h
 
 
-def _damped_while_approaching(zeta: Any) -> Any:
+def _approach_damped_restitution(zeta: Any) -> Any:
     if mp.isinf(zeta):
         return mpf(0)
     if zeta == 1:
@@ -184,8 +192,11 @@ def _damped_while_approaching(zeta: Any) -> Any:
     return mp.exp(-zeta * angle)
 
 
-def _root_share(law: DampingLaw) -> tuple[sp.Expr, bool] | None:
-    """b/xi of a resistance b sqrt(m F/d) v, xi the law's last definition, and whether it acts while approaching only; None for another form."""
+def _secant_root_factor(law: DampingLaw) -> tuple[sp.Expr, bool] | None:
+    """Write the damping force as b sqrt(m F/d) v: (b/xi, whether while approaching only), else None.
+
+    xi is the law's last definition.
+    """
     resistance, approaching_only = law.resistance, False
     if isinstance(resistance, Where) and resistance.args[0] == (v > 0) and resistance.args[2] == 0:
         resistance, approaching_only = resistance.args[1], True

@@ -1,4 +1,7 @@
-"""The sheet of a law: formulas as text and LaTeX, symbols, ranges, local exponent, restitution, cost. Plain values, for people and for JSON."""
+"""Sheet of a law: formulas, symbols, ranges, local exponent, restitution, cost.
+
+All are plain values, for people and for JSON.
+"""
 
 from __future__ import annotations
 
@@ -36,7 +39,7 @@ from hertzwerk.derive.program.program import PARAMETER, Function, Result, Tape, 
 from hertzwerk.derive.sheets.band import Band, band_of
 from hertzwerk.derive.sheets.impact import (
     coefficient_at,
-    home_exponent,
+    published_exponent,
     restitution_limits,
     restitution_out,
     restitution_symbol,
@@ -69,7 +72,10 @@ class Formula:
 
 @dataclass(frozen=True)
 class Entry:
-    """One symbol of a law; `origin` is parameter, definition, pair, contact or memory. Ranges as text, in SI."""
+    """One symbol of a law, with its ranges as text, in SI.
+
+    `origin` is parameter, definition, pair, contact or memory.
+    """
 
     name: str
     unit: str
@@ -81,7 +87,10 @@ class Entry:
 
 @dataclass(frozen=True)
 class Point:
-    """A penetration [m] of the example, with the elastic force [N] (None where the units do not hold) and the local exponent dlnF/dlnd there."""
+    """Elastic force [N] and local exponent dlnF/dlnd at one penetration [m] of the example.
+
+    The force is None where the units are inconsistent.
+    """
 
     penetration: float
     force: float | None
@@ -90,10 +99,12 @@ class Point:
 
 @dataclass(frozen=True)
 class Restitution:
-    """What a damping law returns. `coefficient` names h, or what stands for it; its limits and those of e_out as e -> 1 and e -> 0.
+    """Restitution returned by a damping law.
 
-    Numbers are None where no closed form is known, limits of the coefficient are text such as "3/2" or "oo". `points`: (e, coefficient, e_out).
-    `beside` is the exponent n of the K d^n that it holds beside, "" where it holds beside every elastic law.
+    `coefficient` names h, or the symbol in its place; its limits and those of e_out are as e -> 1 and e -> 0. Numbers
+    are None where no closed form is known, limits of the coefficient are text such as "3/2" or "oo". `points`: (e,
+    coefficient, e_out). `beside` is the exponent n of the K d^n for which it holds, "" where it holds for every
+    elastic law.
     """
 
     coefficient: str
@@ -107,10 +118,10 @@ class Restitution:
 
 @dataclass(frozen=True)
 class Sheet:
-    """Everything the catalogue knows of one law.
+    """Everything the catalogue states of one law.
 
-    `form`: of contact, point, line, surface or any. `band`: of a reconstruction, what its candidates say. `operations`: once per run, then per
-    evaluation, of the text that is generated for it.
+    `form`: of contact, point, line, surface or any. `band`: candidates, for a reconstruction. `operations`: of the
+    generated text, once per run and per evaluation.
     """
 
     name: str
@@ -140,12 +151,12 @@ class Sheet:
     operations: tuple[int, int]
 
     def record(self) -> dict[str, Any]:
-        """The sheet as JSON has it."""
+        """The sheet as plain values for JSON."""
         return asdict(self)
 
 
 def laws_named(names: Iterable[str]) -> tuple[Law, ...]:
-    """The laws of these names; raises InputError with every name that is none and the names like it."""
+    """Laws of these names; raises InputError listing every unknown name and the names like it."""
     faults = [unknown("law", name, LAWS, "as `hertzwerk laws` lists them") for name in names if name not in LAWS]
     if faults:
         raise InputError("laws", faults)
@@ -153,7 +164,7 @@ def laws_named(names: Iterable[str]) -> tuple[Law, ...]:
 
 
 def sheet(law: Law) -> Sheet:
-    """The sheet of a law."""
+    """Make the sheet of a law."""
     damps = isinstance(law, DampingLaw)
     elastic = isinstance(law, StiffnessLaw)
     example = _example(law) if elastic else {}
@@ -226,7 +237,7 @@ def _formulas(law: Law) -> Iterator[Formula]:
 
 
 def _definitions(law: Law) -> tuple[tuple[Quantity, sp.Expr], ...]:
-    """Named intermediate results; the factor of hysteresis damping is the last of them."""
+    """Definitions of a law; the factor of hysteresis damping is the last of them."""
     own = ((h, law.factor),) if isinstance(law, DampingLaw) and law.factor is not None else ()
     return (*law.definitions, *own)
 
@@ -236,7 +247,7 @@ def _resistance(law: DampingLaw) -> sp.Expr:
 
 
 def operations_of(law: Law) -> tuple[int, int]:
-    """Operations of the generated text of a law's force: once per run, and per evaluation."""
+    """Count operations of the generated text of a law's force: once per run, and per evaluation."""
     tape = Tape()
     defined = {symbol for symbol, _ in _definitions(law)}
     expressions = (_resistance(law),) if isinstance(law, DampingLaw) else law.forces
@@ -278,7 +289,7 @@ def _entries(law: Law) -> Iterator[Entry]:
     )
     for symbol in shown:
         if symbol in defined:
-            continue  # has a line of its own
+            continue  # listed among the definitions
         origin = (
             "parameter"
             if symbol in law.parameters
@@ -307,15 +318,16 @@ def _memory(law: Law) -> Iterator[str]:
 
 
 def _constant_exponent(law: StiffnessLaw) -> str:
-    """dlnF/dlnd where it does not depend on d, else ""."""
+    """Local exponent dlnF/dlnd where it does not depend on d, else ""."""
     exponent = sp.simplify(d * sp.diff(law.force, d) / law.force) if not law.force.has(sp.LambertW) else d
     return "" if exponent.has(d) else str(exponent)
 
 
 def _example(law: Law, pairs: tuple[str, ...] | None = None) -> dict[sp.Symbol, Any]:
-    """Numbers for every symbol of a stiffness law in the units it was fitted in: a steel pin in a bush, or rollers; {} where it asks for others.
+    """Values of a stiffness law's symbols for a steel pin in a bush, or rollers, in the law's units.
 
-    `pairs` are those of another law, whose example it is; None for its own.
+    `pairs` are those of the law for whose sheet the example is made; None for its own. Returns {} for a law that
+    takes other symbols.
     """
     if not isinstance(law, StiffnessLaw):
         return {}
@@ -339,7 +351,7 @@ def _example_text(law: Law) -> str:
 
 
 def _unit_of(law: Law, unit: str) -> Any:
-    """Size in SI of the unit that a fitted law takes a quantity in: 1 unless it names one of that dimension."""
+    """Size in SI of the unit in which a fitted law takes a quantity: 1 unless it names one."""
     texts = [text.strip() for text in law.fitted_in.split(",") if text.strip()]
     same = (other.factor for other in map(parse_unit, texts) if other.exponents == parse_unit(unit).exponents)
     return mpf(repr(next(same, 1.0)))
@@ -368,5 +380,5 @@ def _restitution(law: DampingLaw) -> Restitution:
         "" if law.at_zero is None else str(law.at_zero),
         *restitution_limits(law),
         tuple((e, coefficient, out) for e, coefficient, out in rows if out is not None),
-        "" if law.factor is not None else str(home_exponent(law)),
+        "" if law.factor is not None else str(published_exponent(law)),
     )

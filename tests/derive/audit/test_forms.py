@@ -23,7 +23,7 @@ from hertzwerk.derive import (
     Y,
     Z,
 )
-from hertzwerk.derive.audit.forms import advice, fitting, form_of
+from hertzwerk.derive.audit.forms import advice, fitting_laws, form_of
 from hertzwerk.derive.derivation import audit_scene
 from hertzwerk.derive.laws import LAWS, hertz_point, power, smooth_coulomb
 from hertzwerk.derive.laws.law import FORMS, FilmLaw, Law, StiffnessLaw, d
@@ -111,9 +111,9 @@ def test_a_pair_of_the_users_touches_along_a_line_where_it_has_a_length():
     point = CustomPair("touch", *places, 0, (0, 1, 0), (0, 0, 0), radius=Parameter("radius", "m", 0.1))
     line = replace(point, length=Parameter("width", "m", 0.2))
     assert (form_of(point), form_of(line)) == ("point", "line")
-    assert fitting("stiffness", point, point.geometry) == ("hertz_point", "galin_sneddon")
-    assert "popov_line" in fitting("stiffness", line, line.geometry)
-    assert "johnson" not in fitting("stiffness", line, line.geometry)  # which asks for R1 and R2 together
+    assert fitting_laws("stiffness", point, point.geometry) == ("hertz_point", "galin_sneddon")
+    assert "popov_line" in fitting_laws("stiffness", line, line.geometry)
+    assert "johnson" not in fitting_laws("stiffness", line, line.geometry)  # which asks for R1 and R2 together
 
 
 def test_friction_stands_in_every_form():

@@ -1,4 +1,4 @@
-"""Intermediate results written out where they are trivial, named where readers look for them or where they would be too long."""
+"""Substitute trivial intermediate results, and keep those that readers look for or that are long."""
 
 from __future__ import annotations
 
@@ -10,18 +10,19 @@ import sympy as sp
 from hertzwerk.derive.program.program import Tape, symbols_in
 from hertzwerk.derive.readable.drafts import KINEMATICS, Draft
 from hertzwerk.derive.readable.symbols import Names
-from hertzwerk.derive.readable.trigonometry import contracted
+from hertzwerk.derive.readable.trigonometry import contract_products
 
-SMALL = 4  # symbols of an intermediate result that is written out wherever it is used
+SMALL = 4  # most symbols of an intermediate result that is substituted wherever it is used
 SINGLE = 12  # and of one that is used once
-FLAT = 24  # and of an expression that names no intermediate result at all but those readers look for
-WIDEST = 60  # symbols of a sum whose sines and cosines are put together
+FLAT = 24  # and of an expression in landmarks and inputs alone
+WIDEST = 60  # most symbols of a sum whose sines and cosines are contract_products
 
 
-class Forms:
-    """What every intermediate result is, over inputs and over the results that keep their names. `marks` are numbers nobody sees.
+class Substitution:
+    """Intermediate results as functions of inputs and of the results that keep their names.
 
-    `landmarks` are the results readers look for: what the drafts define, the quantities of contacts and laws, angles of sines and cosines.
+    `landmarks` are the results that keep their names because readers look for them: quantities defined by the drafts,
+    quantities of contacts and laws, angles of sines and cosines. `marks` are numbers that are not shown.
     """
 
     def __init__(self, tape: Tape, names: Names, pairs: Iterable[str], marks: Iterable[sp.Symbol]) -> None:
@@ -34,7 +35,7 @@ class Forms:
         self._known: dict[Any, Any] = {}  # form -> landmark
 
     def size(self, expression: Any) -> int:
-        """Symbols that a reader sees."""
+        """Count the symbols a reader sees."""
         if expression.is_Symbol:
             return int(expression not in self._marks)
         if isinstance(expression, sp.sin | sp.cos) and (
@@ -44,7 +45,7 @@ class Forms:
         return sum(map(self.size, expression.args))
 
     def complete(self, roots: list[Draft], added: dict[sp.Symbol, Any]) -> list[Draft]:
-        """The roots, written out, with definitions of all they name, in the order of the derivation."""
+        """Write out the roots and define all they name, in the order of the derivation."""
         self._work_out(roots, added)
         for draft in roots:
             if draft.symbol is not None:
@@ -79,7 +80,7 @@ class Forms:
             self.of[symbol] = form
             size, keep = self.size(form), symbol in self._landmarks
             if form in self._known or (form in self._landmarks and symbol not in asked):
-                self._inlined[symbol] = self._known.get(form, form)  # the same by another name
+                self._inlined[symbol] = self._known.get(form, form)  # equal to a named result
             elif not keep and (size <= SMALL or (size <= SINGLE and uses.get(symbol, 0) == 1)):
                 self._inlined[symbol] = form
             elif keep and not form.is_Atom:
@@ -95,7 +96,7 @@ class Forms:
         self._landmarks |= set(added)
 
     def _needed(self, expressions: Iterable[Any]) -> list[sp.Symbol]:
-        """The assignments that expressions depend on, in the order of the tape."""
+        """Assignments that expressions depend on, in the order of the tape."""
         assignments, found = self._tape.assignments, set()
         pending = [symbol for expression in expressions for symbol in symbols_in(expression)]
         while pending:
@@ -106,7 +107,7 @@ class Forms:
         return [symbol for symbol in assignments if symbol in found]
 
     def _penetrations(self, order: list[sp.Symbol]) -> dict[sp.Symbol, sp.Symbol]:
-        """Gap -> penetration, of the pairs whose penetration is minus the gap and has no name in the program."""
+        """Gap -> penetration, for pairs whose penetration is minus the gap and has no name in the program."""
         named = {symbol.name: symbol for symbol in order}
         return {
             named[f"{pair}_gap"]: sp.Symbol(f"{pair}_penetration", real=True)
@@ -115,7 +116,7 @@ class Forms:
         }
 
     def _flat(self, expression: Any) -> Any:
-        """The expression over landmarks alone, if it stays small."""
+        """The expression as a function of landmarks and inputs alone, if it stays small."""
         flat = expression
         while named := [s for s in symbols_in(flat) if s in self.of and s not in self._landmarks]:
             flat = self._contracted(flat.xreplace({s: self._inlined.get(s, self.of[s]) for s in named}))
@@ -124,18 +125,18 @@ class Forms:
         return flat if self.size(flat) <= max(FLAT, self.size(expression)) else expression
 
     def _final(self, expression: Any) -> Any:
-        """An expression over what keeps its name."""
+        """An expression as a function of the results that keep their names."""
         return self._flat(self._contracted(sp.sympify(expression).xreplace(self._inlined)))
 
     def _whole(self, expression: Any) -> Any:
-        """The same; an intermediate result that is the whole of it is written out, for the left-hand side names it."""
+        """As `_final`, but an expression that is a single intermediate result is always written out."""
         if expression in self.of and expression not in self._landmarks:
             return self._flat(self._inlined.get(expression, self.of[expression]))
         return self._final(expression)
 
     def _contracted(self, expression: Any) -> Any:
         if self.size(expression) <= WIDEST:
-            expression = self._of_unit_length(contracted(expression, self._angle))
+            expression = self._of_unit_length(contract_products(expression, self._angle))
         return expression.xreplace(self._known)
 
     def _angle(self, total: Any) -> Any:
@@ -146,7 +147,7 @@ class Forms:
         return min((total, written), key=self.size)
 
     def _of_unit_length(self, expression: Any) -> Any:
-        """The expression with n_x^2 + n_y^2 = 1 of a normal n, where that makes it shorter."""
+        """Simplify with n_x^2 + n_y^2 + n_z^2 = 1 of a normal n, where that is shorter."""
         for pair in self._pairs:
             names = {f"{pair}_normal_{axis}" for axis in "xyz"}
             normal = [symbol for symbol in self.of if symbol.name in names]
@@ -163,7 +164,10 @@ class Forms:
     # -- definitions -----------------------------------------------------------------------------------------------
 
     def _with_definitions(self, roots: list[Draft]) -> list[Draft]:
-        """The roots and the definitions of what they name: with its pair, with its only user, or among the kinematics."""
+        """The roots, and definitions of all intermediate results they use, each in a section.
+
+        A result is defined with its pair, in the section of its only user, or in the kinematics.
+        """
         drafts = list(roots)
         defined = {draft.symbol for draft in roots}
         for symbol in reversed(list(self.of)):

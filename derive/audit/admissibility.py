@@ -1,4 +1,4 @@
-"""What each kind of contact law owes, at numbers: see `behaviour`, which has the numbers."""
+"""Numerical tests of physical admissibility, one per kind of contact law; see `behaviour`."""
 
 from __future__ import annotations
 
@@ -32,14 +32,16 @@ from hertzwerk.derive.laws.law import (
 )
 from hertzwerk.derive.units import parse_unit
 
-AGREES = mpf("1e-9")  # relative: numbers of an expression and of a derivative taken by differences
-DIFFERENCE = mpf("1e-12")  # relative, far below the distance of the last point from a turning point
-NOTHING = mpf("1e-6")  # part of the force at the end of the range that may be left in the limit of no penetration
-ONSET = mpf("1e-60")  # of the range, that limit
-PARTS = tuple(map(mpf, ("1e-9", "1e-6", "1e-4", "1e-2", *(f"{k / 8}" for k in range(1, 8)), ".999999")))  # of the range
+AGREEMENT = mpf("1e-9")  # relative tolerance of an expression against a finite difference
+DIFFERENCE = mpf("1e-12")  # relative step, far below the distance of the last point from a turning point
+LEFT_AT_ONSET = mpf("1e-6")  # greatest force in the limit of no penetration, relative to that at the end of the range
+ONSET = mpf("1e-60")  # that limit, relative to the range
+FRACTIONS = tuple(
+    map(mpf, ("1e-9", "1e-6", "1e-4", "1e-2", *(f"{k / 8}" for k in range(1, 8)), ".999999"))
+)  # penetrations relative to the range
 SPEEDS = tuple(mpf(10) ** p for p in (-12, -6, -4, -3, -2, -1, 0, 1))  # m/s
-SLOWEST = mpf("1e-15")  # m/s, where the slope at rest is taken by differences
-CURVED = mpf("1e-6")  # relative, what the curvature of friction may leave there
+SLOWEST = mpf("1e-15")  # m/s, finite difference for the slope at rest
+CURVATURE = mpf("1e-6")  # relative tolerance there, for the curvature of friction
 LOADS = (mpf(1), mpf(10_000))  # N
 
 Values = dict[Any, Any]
@@ -47,9 +49,9 @@ Values = dict[Any, Any]
 
 @dataclass(frozen=True)
 class Trial:
-    """A law with a number for all it is given: `values` by symbol, in the units it is stated in, and the penetration `most` it is tried up to.
+    """A law with values by symbol, in the units it is stated in, tested up to the penetration `most`.
 
-    `beside` is a stiffness law with its numbers, which a damping law is tried beside.
+    `beside` is the stiffness law, with its values, to which a damping law is added.
     """
 
     law: Any
@@ -58,19 +60,19 @@ class Trial:
     beside: Trial | None = None
 
     def at(self, state: Mapping[Any, Any]) -> str:
-        """A point in words: the state, then the parameters."""
+        """Describe a point: the state, then the parameters."""
         shown = [*state.items(), *((q, self.values[q]) for q in self.law.parameters if q in self.values)]
         if self.law.fitted_in:
             return ", ".join(f"{q.name} = {mp.nstr(x, 4)}" for q, x in shown) + f", in {self.law.fitted_in}"
         return ", ".join(f"{q.name} = {_with_unit(x, q.unit)}" for q, x in shown)
 
     def fault(self, what: str, state: Mapping[Any, Any], found: str, expected: str, remedy: str) -> Fault:
-        """A fault at a point."""
+        """Make the fault at a point."""
         return Fault(f"law {self.law.name}, {what} at {self.at(state)}", found, expected, remedy)
 
 
-def completed(law: Law, values: Values) -> Values:
-    """With the definitions that need no more than these."""
+def with_definitions(law: Law, values: Values) -> Values:
+    """Add the definitions that can be evaluated from the values."""
     for symbol, expression in law.definitions:
         if all(q in values for q in expression.free_symbols):
             value = number(expression, values)
@@ -79,20 +81,20 @@ def completed(law: Law, values: Values) -> Values:
 
 
 def number(expression: Any, values: Mapping[Any, Any]) -> Any:
-    """A real, finite value, else None."""
+    """Value of an expression if it is real and finite, else None."""
     try:
         value = evaluate(sp.sympify(expression), values)
     except (ZeroDivisionError, ValueError, OverflowError, TypeError):
         return None
     value = mp.mpmathify(value)
     if isinstance(value, mp.mpc):
-        value = value.real if abs(value.imag) <= AGREES * abs(value.real) else mp.nan
+        value = value.real if abs(value.imag) <= AGREEMENT * abs(value.real) else mp.nan
     return value if mp.isfinite(value) else None
 
 
 @lru_cache(maxsize=512)
 def _derivative(expression: Any, symbol: Any) -> Any:
-    """Away from jumps and kinks, as the branches of a generated text are differentiated."""
+    """Derivative away from jumps and kinks, where the branches of generated code are differentiated."""
     slope = sp.diff(expression, symbol).replace(sp.DiracDelta, lambda *_: sp.S.Zero)
     return slope.replace(sp.Heaviside, lambda x, *_: Where(x > 0, 1, 0))
 
@@ -102,14 +104,14 @@ def _with_unit(value: Any, unit: str) -> str:
     return number if unit == "1" else f"{number} {unit}"
 
 
-# -- what each kind owes -----------------------------------------------------------------------------------------------
+# -- tests of each kind ------------------------------------------------------------------------------------------------
 
 
 def faults_of(trial: Trial) -> Iterator[Fault]:
-    """What a law fails of what its kind owes; raises TypeError for a kind that nothing is stated of."""
-    for kind, owed in _OWED.items():
+    """Yield the faults of a law; raises TypeError for an unknown kind of law."""
+    for kind, tests in _TESTS.items():
         if isinstance(trial.law, kind):
-            yield from owed(trial)
+            yield from tests(trial)
             return
     raise TypeError(f"{type(trial.law).__name__} is no kind of law that is known")
 
@@ -130,7 +132,7 @@ def _elastic(trial: Trial) -> Iterator[Fault]:
         yield trial.fault("reach", {}, "no length above 0" if limit is None else f"{mp.nstr(limit, 4)} m", "a penetration above 0",
                           "The reach is the penetration up to which the law is defined.")  # fmt: skip
         return
-    points = [(depth, trial.values | {d: depth}) for depth in (limit * part for part in PARTS)]
+    points = [(depth, trial.values | {d: depth}) for depth in (limit * part for part in FRACTIONS)]
     forces = [number(law.force, values) for _, values in points]
     undefined = [k for k, (_, values) in enumerate(points) if forces[k] is None or number(slope, values) is None]
     if undefined:
@@ -138,12 +140,12 @@ def _elastic(trial: Trial) -> Iterator[Fault]:
         yield _undefined(trial, what, {d: points[undefined[0]][0]})
         return
     left = number(law.force, trial.values | {d: limit * ONSET})
-    if left is None or abs(left) > NOTHING * abs(forces[-1]):
+    if left is None or abs(left) > LEFT_AT_ONSET * abs(forces[-1]):
         found = "no finite real number" if left is None else f"{mp.nstr(left, 4)} N"
         yield trial.fault("force", {d: mpf(0)}, found, "0 N, and no jump at the onset",
                           "A contact begins without a force: leave out what does not vanish with d.")  # fmt: skip
         return
-    falling = _falling(law.force, slope, trial.values, [mpf(0), *(depth for depth, _ in points)], [mpf(0), *forces])
+    falling = _end_of_rise(law.force, slope, trial.values, [mpf(0), *(depth for depth, _ in points)], [mpf(0), *forces])
     if falling is not None:
         force = number(law.force, trial.values | {d: falling})
         found = f"{mp.nstr(force, 4)} N, no longer rising with the penetration"
@@ -154,15 +156,15 @@ def _elastic(trial: Trial) -> Iterator[Fault]:
     if law.relation is not None:
         for (depth, values), force in zip(points, forces, strict=True):
             back = number(law.relation, values | {F: force})
-            if back is None or abs(back - depth) > AGREES * depth:
+            if back is None or abs(back - depth) > AGREEMENT * depth:
                 found = "no finite real number" if back is None else f"{mp.nstr(back, 6)} m"
                 yield trial.fault("relation", {d: depth, F: force}, found, f"{mp.nstr(depth, 6)} m, of which `force` is the force",
                                   "`relation` is d(F) as published, `force` its inverse: one of them is not.")  # fmt: skip
                 return
 
 
-def _falling(force: Any, slope: Any, values: Mapping[Any, Any], depths: list[Any], forces: list[Any]) -> Any:
-    """Least depth known where the force does not rise, by bisection to four digits; None where it rises."""
+def _end_of_rise(force: Any, slope: Any, values: Mapping[Any, Any], depths: list[Any], forces: list[Any]) -> Any:
+    """Least penetration where the force stops rising, bisected to four digits; None if it rises."""
     for k in range(1, len(depths)):
         steep = number(slope, {**values, d: depths[k]})
         if forces[k] > forces[k - 1] and steep is not None and steep > 0:
@@ -179,13 +181,13 @@ def _falling(force: Any, slope: Any, values: Mapping[Any, Any], depths: list[Any
 
 
 def _stored(trial: Trial, points: list[tuple[Any, Values]], forces: list[Any], limit: Any) -> Iterator[Fault]:
-    """The stored energy against the force: its derivative by differences, and its value at the onset."""
+    """Test the stored energy against the force: its derivative by differences, its value at the onset."""
     stored = trial.law.stored
     if stored is None:
         return
     remedy = "Leave `stored` out: it is then the integral, by Gauss's rule."
     left = number(stored, trial.values | {d: limit * ONSET})
-    if left is None or abs(left) > NOTHING * forces[-1] * limit:
+    if left is None or abs(left) > LEFT_AT_ONSET * forces[-1] * limit:
         found = "no finite real number" if left is None else f"{mp.nstr(left, 4)} J"
         yield trial.fault("stored energy", {d: mpf(0)}, found, "0 J before anything is pressed in", remedy)
         return
@@ -198,8 +200,8 @@ def _stored(trial: Trial, points: list[tuple[Any, Values]], forces: list[Any], l
             return
         ratios.append((above - below) / (2 * step) / force)
     worst = max(range(len(points)), key=lambda k: abs(ratios[k] - 1))
-    if abs(ratios[worst] - 1) > AGREES:
-        alike = all(abs(ratio - ratios[0]) <= AGREES * abs(ratios[0]) for ratio in ratios)
+    if abs(ratios[worst] - 1) > AGREEMENT:
+        alike = all(abs(ratio - ratios[0]) <= AGREEMENT * abs(ratios[0]) for ratio in ratios)
         everywhere = f", as everywhere: {mp.nstr(ratios[0], 6)} of it, so a factor is wrong" if alike else ""
         found = f"a derivative of {mp.nstr(ratios[worst] * forces[worst], 6)} N{everywhere}"
         yield trial.fault(
@@ -209,19 +211,19 @@ def _stored(trial: Trial, points: list[tuple[Any, Values]], forces: list[Any], l
 
 
 def _damping(trial: Trial) -> Iterator[Fault]:
-    """The resistance beside an elastic law: against the rate, in and out."""
+    """Test that the damping force opposes the penetration rate."""
     law, partner = trial.law, trial.beside
     if partner is None:
         return
     limit = partner.most if partner.law.reach is None else number(partner.law.reach, partner.values)
     slopes = [_derivative(law.resistance, q) for q in (v, d, F) if law.resistance.has(q)]
     tangent = _derivative(partner.law.force, d)
-    for part in (PARTS[2], PARTS[3], PARTS[7]):
+    for part in (FRACTIONS[2], FRACTIONS[3], FRACTIONS[7]):
         depth = (limit or partner.most) * part
         inside = {**partner.values, d: depth}
         pressed = {d: depth, F: number(partner.law.force, inside), k_t: number(tangent, inside)}
         if None in pressed.values():
-            return  # of the stiffness law, and told there
+            return  # a fault of the stiffness law, reported there
         for onset in (SPEEDS[3], SPEEDS[6]):
             for rate in (sign * speed for speed in SPEEDS for sign in (1, -1)):
                 state = {v: rate, d: depth} | ({v0: onset} if law.resistance.has(v0) else {})
@@ -232,11 +234,11 @@ def _damping(trial: Trial) -> Iterator[Fault]:
                     yield _undefined(trial, what, state)
                     return
                 if resistance * rate < 0:
-                    yield _gives(trial, "damping force", state, resistance, rate)
+                    yield _energy_gain(trial, "damping force", state, resistance, rate)
                     return
 
 
-def _gives(trial: Trial, what: str, state: Mapping[Any, Any], force: Any, speed: Any) -> Fault:
+def _energy_gain(trial: Trial, what: str, state: Mapping[Any, Any], force: Any, speed: Any) -> Fault:
     found = f"{mp.nstr(force, 4)} N at {mp.nstr(speed, 4)} m/s, a power of {mp.nstr(-force * speed, 4)} W put into the motion"
     return trial.fault(what, state, found, "a force of the sign of the speed: it takes energy, and gives none",
                        "A sign is wrong, or a function that is even in the speed stands where an odd one does: tanh, not cos.")  # fmt: skip
@@ -265,9 +267,9 @@ def _friction(trial: Trial) -> Iterator[Fault]:
                 yield _undefined(trial, "slope of the friction force" if slope is None else "friction force", state)
                 return
             if there * speed < 0:
-                yield _gives(trial, "friction force", state, there, speed)
+                yield _energy_gain(trial, "friction force", state, there, speed)
                 return
-            if abs(there + back) > AGREES * abs(there):
+            if abs(there + back) > AGREEMENT * abs(there):
                 yield trial.fault("friction force", state, f"{mp.nstr(there, 6)} N, and {mp.nstr(back, 6)} N at -s",
                                   "an odd function of s: the same against either direction",
                                   "Use s or sign(s) times a function of abs(s).")  # fmt: skip
@@ -284,7 +286,7 @@ def _friction(trial: Trial) -> Iterator[Fault]:
 def _slope_at_rest(trial: Trial, pressed: Values, load: Any) -> Iterator[Fault]:
     law, tiny = trial.law, SLOWEST
     stated, there = number(law.slope, pressed | {s: mpf(0)}), number(law.force, pressed | {s: tiny})
-    if stated is None or there is None or abs(there / tiny - stated) > CURVED * abs(there / tiny):
+    if stated is None or there is None or abs(there / tiny - stated) > CURVATURE * abs(there / tiny):
         found = "no finite real number" if stated is None else f"{mp.nstr(stated, 6)} N s/m"
         expected = "its derivative there" + ("" if there is None else f", {mp.nstr(there / tiny, 6)} N s/m")
         yield trial.fault(
@@ -293,7 +295,7 @@ def _slope_at_rest(trial: Trial, pressed: Values, load: Any) -> Iterator[Fault]:
 
 
 def _bristle(trial: Trial) -> Iterator[Fault]:
-    """Friction with memory: odd in speed and memory together, and against the motion where the memory has settled."""
+    """Test friction with memory: odd in speed and memory together, dissipative in steady sliding."""
     law = trial.law
     ((symbol, rate, size),) = law.memory
     scale = number(size, trial.values)
@@ -313,8 +315,8 @@ def _bristle(trial: Trial) -> Iterator[Fault]:
             if there is None or back is None:
                 yield _undefined(trial, "friction force", state)
             elif there * speed < 0:
-                yield _gives(trial, "friction force of steady sliding", state, there, speed)
-            elif abs(there + back) > AGREES * abs(there):
+                yield _energy_gain(trial, "friction force of steady sliding", state, there, speed)
+            elif abs(there + back) > AGREEMENT * abs(there):
                 yield trial.fault("friction force of steady sliding", state, f"{mp.nstr(there, 6)} N, and {mp.nstr(back, 6)} N back",
                                   "the same against either direction", "Use s or sign(s) times a function of abs(s).")  # fmt: skip
             else:
@@ -326,7 +328,7 @@ def _film(trial: Trial) -> Iterator[Fault]:
     law = trial.law
     for along, across in ((0, 0), (0.3, 0.2), (-0.6, 0.4), (0.1, -0.85), (0.85, 0)):
         state = {eps_w: mpf(along), eps_c: mpf(across)}
-        values = completed(law, {q: x for q, x in trial.values.items() if q not in STATE} | state)
+        values = with_definitions(law, {q: x for q, x in trial.values.items() if q not in STATE} | state)
         for what, expression in (("along", law.along), ("across", law.across), ("couple", law.couple)):
             value = number(expression, values)
             if value is None:
@@ -343,7 +345,7 @@ def _film(trial: Trial) -> Iterator[Fault]:
                 return
 
 
-_OWED: dict[type[Any], Callable[[Trial], Iterator[Fault]]] = {
+_TESTS: dict[type[Any], Callable[[Trial], Iterator[Fault]]] = {
     StiffnessLaw: _elastic,
     DampingLaw: _damping,
     FrictionLaw: _friction,

@@ -1,4 +1,4 @@
-"""Which effects enter which equation, told by the marks on their quantities."""
+"""Attribute equations and their terms to effects, by the marks on the effects' parameters."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ from hertzwerk.derive.readable.symbols import contact_title
 _ELSEWHERE = ("contact", "friction", "drive", "ledger")  # kinds that are no term of `applied`
 
 
-class Entering:
-    """Effects of the equations of one scene; `forms` are the intermediate results, with their marks."""
+class Attribution:
+    """Attribution of the equations of one scene; `forms` are its intermediate results, with their marks."""
 
     def __init__(self, scene: Scene, marked: Marked, forms: Mapping[sp.Symbol, Any]) -> None:
         self._scene, self._marked, self._forms = scene, marked, forms
         self._effects = {effect.name: effect for effect in scene.effects}
         self._pairs = {effect.pair for effect in scene.of_kind("contact")}
 
-    def told_apart(self, draft: Draft) -> None:
+    def split_by_effect(self, draft: Draft) -> None:
         """Split the generalised forces of an equation of motion by effect, in declared order."""
         forces: dict[str, Part] = {}
         for part in draft.parts:
@@ -44,10 +44,14 @@ class Entering:
         draft.parts = [*(part for part in draft.parts if part.left), *known_last]
 
     def of(self, draft: Draft, drafts: list[Draft]) -> tuple[str, ...]:
-        """The effects an equation comes from: whose quantities stand in it, whose term it has, whose contact or book it is of."""
+        """Names of the effects that an equation comes from.
+
+        These are the effects whose parameters it contains, whose term it has, whose contact it describes, and the
+        energy ledger.
+        """
         found = {*draft.effects, *(name for part in draft.parts for name in part.effect.split(", "))}
         for expression in draft.expressions():
-            found |= self._direct(expression)
+            found |= self._effects_in(expression)
         found |= {self._of_contact(pair, draft, drafts) for pair in self._pairs if draft.section == contact_title(pair)}
         if draft.section in (LEDGER, ENERGY):
             found |= {effect.name for effect in self._scene.of_kind("ledger")}
@@ -55,12 +59,12 @@ class Entering:
 
     # -- by the marks ----------------------------------------------------------------------------------------------
 
-    def _direct(self, expression: Any) -> set[str]:
-        """The effects whose quantities stand in an expression."""
+    def _effects_in(self, expression: Any) -> set[str]:
+        """Effects whose parameters an expression contains."""
         return {self._marked.effect_of[s] for s in symbols_in(expression) if s in self._marked.effect_of}
 
-    def _far(self, expression: Any) -> set[str]:
-        """Those it depends on, however far back."""
+    def _dependencies(self, expression: Any) -> set[str]:
+        """Effects that an expression depends on, directly or through intermediate results."""
         reached, pending = set(), symbols_in(expression)
         while pending:
             symbol = pending.pop()
@@ -70,8 +74,8 @@ class Entering:
         return {effect for mark, effect in self._marked.effect_of.items() if mark in reached}
 
     def _owner(self, function: str, term: Any) -> str:
-        """The effect that a term of a generalised force comes from; several only where they stand in one term."""
-        far, pair = self._far(term), pair_of(function)
+        """The effect that a term of a generalised force comes from; several where they share one term."""
+        far, pair = self._dependencies(term), pair_of(function)
         if pair:
             friction = self._friction(pair)
             return friction if friction in far else pair
@@ -81,17 +85,20 @@ class Entering:
         return next((effect.name for effect in self._scene.of_kind("friction") if effect.pair == pair), "")
 
     def _of_contact(self, pair: str, draft: Draft, drafts: list[Draft]) -> str:
-        """Of a contact's equation: friction is what depends on it, and what only that needs; the rest is the normal force's."""
+        """Attribute an equation of a contact to friction or to the normal force.
+
+        To friction belongs what depends on it, and what is used for that alone.
+        """
         friction = self._friction(pair)
-        if not friction or friction in self._far(draft.expression):
+        if not friction or friction in self._dependencies(draft.expression):
             return friction or pair
         users = [other for other in drafts if draft.symbol in other.symbols()]
-        only = all(user.expression is not None and friction in self._far(user.expression) for user in users)
+        only = all(user.expression is not None and friction in self._dependencies(user.expression) for user in users)
         return friction if users and only else pair
 
 
 def sources(scene: Scene) -> Iterator[tuple[Any, str]]:
-    """Every effect with its laws and their sources as text."""
+    """Yield every effect with the sources of its laws as text."""
     for effect in scene.effects:
         laws = dict.fromkeys(bound.law for bound in getattr(effect, "laws", ()))
         yield effect, "; ".join(f"{law.name}: {law.source}, grade {law.grade}" for law in laws)
