@@ -43,7 +43,7 @@ def _header(program: Program, source: str, counts: dict[str, int]) -> str:
     verdict = (
         f"UNCHECKED, INCONSISTENT LAWS RUN ON PURPOSE IN SI VALUES: {', '.join(unchecked)}"
         if unchecked
-        else f"{assignments} assignments and {outputs} outputs count_checked, all consistent"
+        else f"{assignments} assignments and {outputs} outputs checked, all consistent"
     )
     name = scene.name if source.startswith("derive/") else source or "FILE"
     contact = f"; in contact also {contacts}" if contacts else ""
