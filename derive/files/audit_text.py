@@ -13,7 +13,7 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.audit.audit import Finding, mended
+from hertzwerk.derive.audit.audit import Finding, with_repairs
 from hertzwerk.derive.dimension.culprit import Row, culprits
 from hertzwerk.derive.dimension.declared import Declared, dimension_of_unit, examine
 from hertzwerk.derive.dimension.dimension import ONE, Dimension, DimensionFault
@@ -138,7 +138,7 @@ def with_culprit(
 
         return Row(fault, lambda symbol: powers_in_text(expression.root, symbol))
 
-    return mended(
+    return with_repairs(
         findings,
         culprits(
             [row(*text) for text in texts],
