@@ -1,14 +1,15 @@
-"""Unit text: reads `N/m^1.5`, `kg m^2`, `rpm`, `N/m^n` and prints dimensions the same way.
+"""Parse unit text (`N/m^1.5`, `kg m^2`, `rpm`, `N/m^n`) and print dimensions in the same form.
 
 A dimension is four exponents over mass, length, time and temperature (M, L, T, Theta); each is a linear form
-`rational + sum of rational * name`, so that `N/m^n` with a named exponent is a value like any other.
-Angles are dimensionless: that a unit counts one (rad/s, rpm) or none (1/s) is its `angle`, which tells angular speeds from frequencies and decides
-no dimension.
+`rational + sum of rational * name`, so that `N/m^n` with a named exponent is a value like any other. Angles are
+dimensionless: the power of an angle in a unit (rad/s and rpm have one, 1/s has none) is its `angle`, which tells
+angular speeds from frequencies and does not affect the dimension.
 
 This module imports nothing but the standard library and evaluates no text: input is bounded in size, read by a
-recursive descent, and everything else raises `UnitError`, which says what was found, what was expected, the way out.
-Factors are computed with 40 decimal digits and rounded once: mm is the double 0.001, rpm the double nearest pi/30.
-Prefixes and unit values: BIPM, The International System of Units, 9th edition (2019), tables 4, 7 and 8.
+recursive descent, and everything else raises `UnitError`, whose message has what was found, what was expected, and
+the remedy. Factors are computed with 40 decimal digits and rounded once: mm is the double 0.001, rpm the double
+nearest pi/30. Prefixes and unit values: BIPM, The International System of Units, 9th edition (2019), tables 4, 7 and
+8.
 """
 
 from __future__ import annotations
@@ -37,11 +38,11 @@ _PI = Decimal("3.141592653589793238462643383279502884197169")
 
 
 class UnitError(ValueError):
-    """Unit text that cannot be read; the message names the way out."""
+    """Unit text that cannot be read; the message includes a remedy."""
 
 
 def rational(value: int | float | Fraction) -> Fraction:
-    """The fraction meant by a number: 1.5 -> 3/2, 0.1 -> 1/10, if within 1e-12 of a small one; else the float's own."""
+    """Nearest small fraction of a number within 1e-12 (1.5 -> 3/2, 0.1 -> 1/10), else its exact value."""
     if isinstance(value, float) and not math.isfinite(value):
         raise UnitError(f"found the exponent {value!r}, expected a finite number")
     exact = Fraction(value)
@@ -51,7 +52,10 @@ def rational(value: int | float | Fraction) -> Fraction:
 
 @dataclass(frozen=True)
 class Exponent:
-    """A linear form `constant + sum of coefficient * name`, normalised: names sorted, distinct, no zero coefficient."""
+    """Normalised linear form `constant + sum of coefficient * name`.
+
+    Names are sorted and distinct, coefficients not zero.
+    """
 
     constant: Fraction = Fraction(0)
     terms: tuple[tuple[str, Fraction], ...] = ()
@@ -65,16 +69,16 @@ class Exponent:
 
     @classmethod
     def named(cls, name: str) -> Exponent:
-        """The form that is one name."""
+        """The form of a single name."""
         return cls(terms=((name, Fraction(1)),))
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The names the form contains, sorted."""
+        """Names in the form, sorted."""
         return tuple(name for name, _ in self.terms)
 
     def at(self, values: Mapping[str, int | float | Fraction]) -> Exponent:
-        """The form with numbers in place of the names that `values` has."""
+        """Substitute numbers for the names in `values`."""
         known = sum((c * rational(values[name]) for name, c in self.terms if name in values), self.constant)
         return Exponent(known, tuple(term for term in self.terms if term[0] not in values))
 
@@ -123,7 +127,7 @@ def _form(value: Exponent | int | Fraction) -> Exponent:
 
 
 def _number_text(value: Fraction) -> str:
-    """A fraction as people write an exponent: 2, 1.5, 0.25, 1/3."""
+    """Text of a fraction as an exponent: 2, 1.5, 0.25, 1/3."""
     return str(float(value)) if value.denominator != 1 and 10_000 % value.denominator == 0 else str(value)
 
 
@@ -143,21 +147,24 @@ class Unit:
 
     @property
     def free_names(self) -> tuple[str, ...]:
-        """The names that stand in the exponents, sorted."""
+        """Names in the exponents, sorted."""
         return tuple(sorted({name for exponent in self.exponents for name in exponent.names}))
 
     def at(self, values: Mapping[str, int | float | Fraction]) -> Unit:
-        """The unit with numbers for names: `N/m^n` at n = 1.5 is `N/m^1.5`."""
+        """Substitute numbers for names: `N/m^n` at n = 1.5 is `N/m^1.5`."""
         return Unit(self.factor, _four(exponent.at(values) for exponent in self.exponents), self.angle)
 
     def mistaken_for(self, declared: Unit) -> bool:
-        """Whether one counts an angle and the other none, both per power of time alone: an angular speed where a frequency stands, or the reverse."""
+        """Whether an angular speed stands for a frequency, or the reverse.
+
+        Both are powers of time alone; they differ in the power of an angle.
+        """
         mass, length, time, temperature = self.exponents
         per_time = not (mass or length or temperature or time.terms) and time.constant < 0
         return per_time and self.exponents == declared.exponents and self.angle != declared.angle
 
     def to_si(self, value: float) -> float:
-        """A value in this unit as SI: the decimal product rounded once, so that 0.3 mm is the double 0.0003."""
+        """Convert a value to SI: the decimal product rounded once, so that 0.3 mm is the double 0.0003."""
         value = float(value)
         if not math.isfinite(value):
             return value * self.factor
@@ -173,7 +180,7 @@ def _four(exponents: Iterable[Exponent]) -> Exponents:
 
 
 def rate_remedy(unit: Unit, value: float | None = None) -> str:
-    """What to write in place of a rate that was mistaken for another (see `Unit.mistaken_for`): of an angle where it counts none, or of none."""
+    """Remedy for an angular speed in place of a frequency, or the reverse (see `Unit.mistaken_for`)."""
     if unit.exponents[2] != Exponent(Fraction(-1)):
         return "name the angle, as in rad/s^2 or rev/s^2" if not unit.angle else "leave the angle out, as in 1/s^2"
     if not unit.angle:
@@ -188,7 +195,7 @@ def rate_remedy(unit: Unit, value: float | None = None) -> str:
     return f'{plain}: "{rate / (2 * math.pi):.6g} 1/s" of turns, "{rate:.6g} 1/s" of radians'
 
 
-# --- what is known: symbol -> (word, factor to SI, exponents of M, L, T, Theta, takes prefixes) -----------------------
+# --- known units: symbol -> (word, factor to SI, exponents of M, L, T, Theta, takes prefixes) -------------------------
 
 _UNITS: dict[str, tuple[str, Decimal, tuple[int, int, int, int], bool]] = {
     "m": ("metre", Decimal(1), (0, 1, 0, 0), True),
@@ -242,7 +249,10 @@ _COMMON = [*_UNITS, "kg", "mm", "um", "nm", "cm", "km", "ms", "us", "kN", "mN", 
 
 @dataclass(frozen=True)
 class _Product:
-    """A factor in 40 digits and exponents: what the reader multiplies; refuses to leave the range of doubles."""
+    """Intermediate product of the parser: a factor of 40 digits, and exponents.
+
+    Raises UnitError outside the range of doubles.
+    """
 
     factor: Decimal
     exponents: Exponents
@@ -280,7 +290,7 @@ _ONE = _Product(Decimal(1), (Exponent(), Exponent(), Exponent(), Exponent()))
 
 
 def _lookup(name: str) -> _Product | None:
-    """The unit of a symbol, prefix allowed; a whole symbol goes before a prefixed one (min, not milli-in)."""
+    """Unit of a symbol with or without prefix; a symbol without prefix has precedence (min, not milli-in)."""
     name = name.replace("µ", "u").replace("μ", "u")  # both code points of micro
     for cut in (0, 1, 2):
         prefix, symbol = name[:cut], name[cut:]
@@ -293,7 +303,7 @@ def _lookup(name: str) -> _Product | None:
 
 
 def _unknown(name: str) -> str:
-    """Why a symbol is no unit, and what may have been meant."""
+    """Message for a symbol that is no unit, with similar units."""
     bare = name.replace("µ", "u").replace("μ", "u")
     for symbol, reason in _REFUSED.items():
         if bare == symbol or (bare.endswith(symbol) and bare[: -len(symbol)] in _PREFIXES):
@@ -322,7 +332,10 @@ _PLAIN = str.maketrans("⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹−·⋅×", "+-0123456
 
 
 class _Reader:
-    """Recursive descent over `product := power ((* | / | blank) power)*`, `power := atom [^ exponent]`."""
+    """Recursive-descent parser of unit text.
+
+    `product := power ((* | / | blank) power)*`, `power := atom [^ exponent]`.
+    """
 
     def __init__(self, text: str) -> None:
         text = _SUPERSCRIPT.sub(lambda found: f"^({found[0]})", text).translate(_PLAIN).rstrip()
@@ -343,7 +356,7 @@ class _Reader:
         return self.tokens[self.next] if self.next < len(self.tokens) else ("end", "the end")
 
     def take(self, *marks: str) -> str:
-        """The next token's text if it is one of the marks, else nothing."""
+        """Consume the next token if it is one of the marks; its text, else ""."""
         kind, text = self.peek()
         if kind != "mark" or text not in marks:
             return ""
@@ -450,7 +463,7 @@ class _Reader:
 
 
 def parse_unit(text: str) -> Unit:
-    """The unit a text names: `N/m^1.5`, `N/m**(3/2)`, `kg m^2`, `N*s/m`, `rpm`, `N/m^(n+1)`, `1`. Raises UnitError."""
+    """Parse unit text: `N/m^1.5`, `N/m**(3/2)`, `kg m^2`, `rpm`, `N/m^(n+1)`, `1`. Raises UnitError."""
     if not isinstance(text, str):
         raise UnitError(f"found {text!r}, expected unit text such as 'N/m^1.5' ('1' for a plain number)")
     if len(text) > MAX_TEXT:
@@ -476,13 +489,19 @@ _QUANTITY = re.compile(r"\s*([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+
 
 
 def parse_quantity(text: str) -> tuple[float, Unit]:
-    """A number and its unit: `0.2 mm` -> (0.2, mm), `-3e-4` -> (-3e-4, 1). `unit.to_si(value)` is the SI value."""
+    """Parse a number and its unit: `0.2 mm` -> (0.2, mm), `-3e-4` -> (-3e-4, 1). Raises UnitError.
+
+    `unit.to_si(value)` is the SI value.
+    """
     value, unit = split_quantity(text)
     return value, parse_unit(unit)
 
 
 def split_quantity(text: str) -> tuple[float, str]:
-    """A number and the text of its unit, "1" where there is none: `0.2 mm` -> (0.2, "mm"), `-3 / s` -> (-3, "1/ s"). Raises UnitError."""
+    """Split into a number and the text of its unit, "1" where there is none. Raises UnitError.
+
+    `0.2 mm` -> (0.2, "mm"), `-3 / s` -> (-3, "1/ s").
+    """
     if not isinstance(text, str):
         raise UnitError(f"found {text!r}, expected a quantity as text such as '0.2 mm'")
     if len(text) > MAX_TEXT:
@@ -506,9 +525,9 @@ def split_quantity(text: str) -> tuple[float, str]:
 
 
 def unit_text(exponents: Exponents) -> str:
-    """A dimension in readable SI: one derived unit with powers of length and time if there is one: `N/m^1.5`, `N s/m`.
+    """Text of a dimension in SI, with at most one derived unit: `N/m^1.5`, `N s/m`.
 
-    `parse_unit(unit_text(x)).exponents == x` for every x (within the bounds of the reader).
+    `parse_unit(unit_text(x)).exponents == x` for every x (within the bounds of the parser).
     """
     mass, length, time, temperature = exponents
     parts: list[tuple[str, Exponent]] = []
@@ -540,7 +559,7 @@ def unit_text(exponents: Exponents) -> str:
 
 
 def _below(exponent: Exponent) -> bool:
-    """Whether a power belongs under the line: its leading coefficient is negative."""
+    """Whether a power belongs in the denominator: its leading coefficient is negative."""
     return (exponent.terms[0][1] if exponent.terms else exponent.constant) < 0
 
 

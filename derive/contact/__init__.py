@@ -1,1 +1,1 @@
-"""Where surfaces touch, and the forces there."""
+"""Contact geometry of the pairs, and contact forces."""

@@ -1,4 +1,4 @@
-"""Contact pairs: the forces that their laws give where their surfaces touch."""
+"""Contact forces of the pairs, by the laws in use."""
 
 from __future__ import annotations
 
@@ -30,8 +30,11 @@ PURE = Dimension.from_unit(parse_unit("1"), {})
 
 @dataclass(frozen=True)
 class Grip:
-    """Friction whose force depends on slip and stick: generalised force by joint per newton on the first body along the tangent, along which the
-    sliding velocity counts; and the forces [N] while sliding and that are held at rest.
+    """Friction with stick and slip: direction and limits of its force.
+
+    along    generalised force by joint, per newton on the first body along the tangent of the sliding velocity
+    sliding  friction force while sliding [N]
+    holding  greatest friction force at rest [N]
     """
 
     along: dict[str, Any]
@@ -41,10 +44,11 @@ class Grip:
 
 @dataclass(frozen=True)
 class Forces:
-    """What a contact does: generalised forces by joint, dissipated powers [W], normal force [N], sliding velocity [m/s] or None, range.
+    """Forces of a contact: generalised forces by joint, powers [W], normal force [N], sliding velocity [m/s].
 
-    bristle_rate [m/s]: of friction with a bristle, else None. grip: of friction with modes, which `generalised` and `friction_power` then lack.
-    rubbing: what of `generalised` is friction's.
+    `sliding_velocity` is None without friction; `in_range` is 1 within the range of the law, else 0. `bristle_rate`
+    [m/s] is given for friction with a bristle. `grip` is given for friction with modes, which `generalised` and
+    `friction_power` then do not include. `rubbing` is the part of `generalised` due to friction.
     """
 
     generalised: dict[str, Any]
@@ -59,7 +63,7 @@ class Forces:
 
 
 class PairKinematics:
-    """One pair of a scene on its kinematics' tape."""
+    """Contact forces of one pair on its kinematics' tape."""
 
     def __init__(self, kinematics: Kinematics, pair: Pair, geometry: dict[str, Any]) -> None:
         self.kin = kinematics
@@ -75,7 +79,10 @@ class PairKinematics:
         return self.touch.let(expression, what, dimension)
 
     def _law(self, bound: BoundLaw, known: dict[sp.Symbol, Any], unchecked: bool = False) -> dict[sp.Symbol, Any]:
-        """Law symbol -> tape: what the contact knows, bound parameters, geometry, definitions. Unchecked ones have the unit they claim."""
+        """Values of a law's symbols on the tape: state, bound parameters, geometry, definitions.
+
+        Definitions of unchecked laws have the dimension the law declares.
+        """
         values: dict[sp.Symbol, Any] = {**known, **bound.binding}
         for quantity in bound.law.geometry():
             values[quantity] = self.let(self._geometry[quantity], quantity.name)
@@ -96,7 +103,7 @@ class PairKinematics:
         return force, self.let(self._closed(law.work.xreplace(values)), "stored_energy", stated[1])
 
     def _closed(self, expression: Any) -> Any:
-        """The expression while the pair penetrates, else 0."""
+        """The expression in contact, else 0."""
         return Where(self.touch.penetration > 0, expression, 0)
 
     def _resistance(self, contact: Contact, damping: BoundLaw, elastic: Any, approach_speed: Any) -> Any:
@@ -115,14 +122,14 @@ class PairKinematics:
         return self.let(self._closed(law.resistance.xreplace(values)), "resistance", stated)
 
     def forces(self, contact: Contact, friction: Friction | None, approach_speed: Any, bristle: Any = None) -> Forces:
-        """Everything the pair's effects do, from the latched approach speed [m/s] and the bristle's deflection [m] where there are such."""
+        """Forces of the pair, from latched approach speed [m/s] and bristle deflection [m] where it has them."""
         elastic, _ = self.elastic(contact)
         normal_force, normal_power = elastic, sp.S.Zero
         if contact.damping is not None:
             resistance = self._resistance(contact, contact.damping, elastic, approach_speed)
             normal_force = self.let(elastic + resistance, "normal_force")
             normal_power = self.let(resistance * self.touch.penetration_rate, "normal_power")
-        # The line of action passes through the first place's centre: the shorter arm does.
+        # The line of action passes through the first place: its shorter arm suffices.
         push = self._named(scale(normal_force, self.touch.normal), "push")
         generalised = self._on_joints(push, self.touch.position, "push")
         if friction is None:
@@ -160,8 +167,11 @@ class PairKinematics:
         return self.let(Where(self.touch.penetration <= limit, 1, 0), "in_range")
 
     def faults(self, friction: Friction | None, length: float) -> Iterator[Fault]:
-        """Of the pair; a gap that is zero by structure, as that of a cylinder guided at its radius above the plane; and a law with modes or memory
-        needs a direction of sliding that is known: one along a line, as in plane motion."""
+        """Yield faults of the pair and its friction.
+
+        A gap that is constantly zero, as of a cylinder guided at its radius above the plane; a friction law with
+        modes or memory without a known direction of sliding, along one line as in plane motion.
+        """
         yield from self.touch.faults(length)
         if self.touch.gap == 0:
             yield Fault(f"pair {self.pair.name}, gap", "0 m in every position: it never changes",
@@ -198,12 +208,15 @@ class PairKinematics:
         return scale(-force, tangent), sliding, power, rates[0] if rates else None
 
     def bristle_size(self, friction: Friction) -> Any:
-        """What the accuracy of the bristle is measured by [m]."""
+        """Scale of the bristle's error tolerance [m]."""
         ((_, _, size),) = friction.law.law.memory
         return self.let(size.xreplace(friction.law.binding), "bristle_size", METRE if friction.unchecked else None)
 
     def _sliding(self, plane: Vector) -> tuple[Vector, Any]:
-        """Tangent and sliding velocity along it: in the plane the surface speed of each body is its radius times its rate of turn."""
+        """Tangent and sliding velocity along it, in plane motion.
+
+        The surface speed of each body is its radius times its angular velocity.
+        """
         tangent = self._named(cross(plane, self.touch.normal), "tangent")
         spins = [self.kin.motion(place.body).angular_velocity for place in (self.touch.first, self.touch.second)]
         turn = dot(plane, sub(spins[0], spins[1]))
@@ -211,7 +224,7 @@ class PairKinematics:
         return tangent, self.let(sliding, "sliding_velocity")
 
     def _grip(self, friction: Friction, pressing: Any) -> tuple[Grip, Any]:
-        """What a law with modes needs, and the sliding velocity."""
+        """Grip of a friction law with modes, and the sliding velocity."""
         plane = self._plane_of_motion()
         if plane is None:
             raise ValueError(f"{self.pair.name}: no line of sliding, see faults")
@@ -225,7 +238,7 @@ class PairKinematics:
         return Grip(self._on_joints(tangent, self.touch.contact_point, "grip"), *forces), sliding
 
     def _plane_of_motion(self) -> Vector | None:
-        """The coordinate axis across a plane contact, if normal and velocities show it structurally."""
+        """Coordinate axis normal to plane motion at the contact, if normal and velocities show it structurally."""
         rate = self.touch.rate_at(self.touch.contact_point)
         for k in (2, 1, 0):
             if self.touch.normal[k] == 0 and rate[k] == 0:

@@ -1,1 +1,1 @@
-"""Files of the user's: laws in TOML, scenes in Python, and their audit."""
+"""User files: laws in TOML, scenes in Python, and their audit."""

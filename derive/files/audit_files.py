@@ -1,4 +1,4 @@
-"""The audit of the whole catalogue, and of files: Python files that define scenes or laws, TOML files of laws, folders of both."""
+"""Audit of the catalogue, and of files and folders: scenes and laws in Python, laws in TOML."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ _RECORDS = ("StiffnessLaw", "DampingLaw", "FrictionLaw", "FilmLaw")
 
 
 def audit_catalogue() -> tuple[Finding, ...]:
-    """Every law of the catalogue: one finding for a consistent law, else one per expression at fault."""
+    """Audit every law of the catalogue: one finding if consistent, else one per inconsistent expression."""
     return tuple(finding for law in LAWS.values() for finding in _of_law(law))
 
 
 def differing(findings: Iterable[Finding]) -> tuple[str, ...]:
-    """Names of the built-in laws whose verdict in `findings` is not the one the catalogue states."""
+    """Names of built-in laws whose verdict in `findings` differs from the catalogue's."""
     by_law: dict[str, list[Finding]] = {}
     for finding in findings:
         by_law.setdefault(finding.law, []).append(finding)
@@ -48,15 +48,16 @@ def _of_law(law: Law) -> tuple[Finding, ...]:
 
 
 def audit_path(path: str | Path) -> tuple[Finding, ...]:
-    """Every finding on a file or folder. Raises InputError."""
+    """All findings on a file or folder. Raises InputError."""
     return tuple(finding for findings in audit_files(path).values() for finding in findings)
 
 
 def audit_files(path: str | Path) -> dict[Path, tuple[Finding, ...]]:
-    """The findings on a file, or on every file of a folder that has scenes or laws, by file.
+    """Findings by file, on a file or on every file of a folder that has scenes or laws.
 
-    Of a folder the Python files are read first, and executed only if they import hertzwerk and define `scene` or make a law; a file named itself
-    is executed. Raises InputError with the faults of all files, and where there is nothing to audit.
+    In a folder, Python files are parsed first, and executed only if they import hertzwerk and define `scene` or make
+    a law; a file given by name is executed. Raises InputError with the faults of all files, and where there is
+    nothing to audit.
     """
     path = Path(path)
     files = list(_files(path)) if path.is_dir() else [path]
@@ -78,7 +79,7 @@ def audit_files(path: str | Path) -> dict[Path, tuple[Finding, ...]]:
 
 
 def _audit_python(file: Path) -> tuple[Finding, ...]:
-    """The laws a Python file makes by itself, then its scenes."""
+    """Audit the laws made by a Python file, then its scenes."""
     values = {id(value): value for value in names_defined_by(file).values()}.values()
     built_in = {id(law) for law in LAWS.values()}
     laws = [value for value in values if isinstance(value, Law) and id(value) not in built_in]
@@ -94,7 +95,7 @@ def _audit_python(file: Path) -> tuple[Finding, ...]:
 
 
 def _files(folder: Path) -> Iterator[Path]:
-    """The files of a folder that have scenes or laws, sorted; nothing hidden, nothing executed."""
+    """Yield the files of a folder that have scenes or laws, sorted; skips hidden ones, executes nothing."""
     for file in sorted(folder.rglob("*")):
         parts = file.relative_to(folder).parts
         if any(part.startswith(".") or part == "__pycache__" for part in parts) or not file.is_file():
@@ -106,9 +107,9 @@ def _files(folder: Path) -> Iterator[Path]:
 def _has_laws(file: Path) -> bool:
     try:
         if file.stat().st_size > MAX_BYTES:
-            return b"[[law]]" in file.read_bytes()  # to be refused, and said why
+            return b"[[law]]" in file.read_bytes()  # refused later, with the reason
         content = tomllib.loads(file.read_text(encoding="utf-8"))
-    except (OSError, ValueError, RecursionError):  # another tool's to complain of, unless it says it has laws
+    except (OSError, ValueError, RecursionError):  # not a file of laws
         return False
     laws = content.get("law")
     return isinstance(laws, list) and bool(laws)

@@ -1,4 +1,4 @@
-"""The unit audit of one expression's text: its names declared with units or values, its verdict quoted from the text itself.
+"""Unit audit of one expression given as text, with units or values of its names.
 
 audit_expression("K*d**n", {"K": "N/m^1.5", "d": "m"}, {"n": 1.1}, "N") -> Finding
 """
@@ -27,7 +27,7 @@ __all__ = ["audit_expression", "declarations", "finding", "undeclared"]
 
 
 def declarations(units: Iterable[str], values: Iterable[str]) -> tuple[dict[str, str], dict[str, float]]:
-    """Units and values from texts `NAME=UNIT` and `NAME=NUMBER` (a number such as 1.1 or 3/2); raises InputError with every fault."""
+    """Parse texts `NAME=UNIT` and `NAME=NUMBER` (such as 1.1 or 3/2). Raises InputError."""
     faults: list[Fault] = []
     given: dict[str, dict[str, str]] = {"unit": {}, "value": {}}
     for what, texts in (("unit", units), ("value", values)):
@@ -60,11 +60,11 @@ def declarations(units: Iterable[str], values: Iterable[str]) -> tuple[dict[str,
 def audit_expression(
     text: str, units: Mapping[str, str], values: Mapping[str, float] | None = None, expect: str | None = None
 ) -> Finding:
-    """Verdict on one expression's text.
+    """Verdict on one expression given as text.
 
-    `units` declares names (name -> unit text), `values` gives numbers for names of unit 1 (or for names that `units` lacks), `expect` is the
-    unit the result must have; without it the finding's `found` is the unit it has. Raises InputError, listing every fault, for what cannot be
-    read or is not declared.
+    `units` declares names (name -> unit text), `values` gives numbers for names of unit 1 (or for names that `units`
+    lacks), `expect` is the unit the result must have; without it the finding's `found` is the unit it has. Raises
+    InputError, listing every fault, for text that cannot be read and for undeclared names.
     """
     faults: list[Fault] = []
     expression, declared, expected = None, None, None
@@ -89,7 +89,7 @@ def audit_expression(
 
 
 def undeclared(expression: Expression, names: Iterable[str]) -> list[Fault]:
-    """A fault for every name in the text that is not declared."""
+    """Faults of names in the text that are not declared."""
     known = sorted(names)
     faults = []
     for name in expression.names:
@@ -115,13 +115,16 @@ def undeclared(expression: Expression, names: Iterable[str]) -> list[Fault]:
 
 
 Text = tuple[str, Expression, Dimension | None]
-"""What an expression is, its text, the dimension it must have; a "definition of NAME" must have that of the name."""
+"""Description of an expression, its text, its required dimension; a "definition of NAME" must have that of the name."""
 
 
 def with_culprit(
     findings: list[Finding], texts: Sequence[Text], declared: Declared, candidates: Iterable[str]
 ) -> list[Finding]:
-    """The findings on texts of the same names, each with the symbol whose unit is wrong, where there is one, as its repair."""
+    """Add to each finding the symbol whose unit is wrong, where there is one, as its repair.
+
+    The texts share their names.
+    """
     if all(finding.verdict == "consistent" for finding in findings):
         return findings
 
@@ -149,7 +152,7 @@ def with_culprit(
 
 
 def powers_in_text(node: Node, name: str) -> set[Any]:
-    """The powers that a name stands with in a tree and its parts, as far as exponents are numbers."""
+    """Powers of a name in a tree and its parts, as far as exponents are numbers."""
     if node.op == "name":
         return {sp.S.One} if node.name == name else set()
     inside = [powers for arg in node.args if (powers := powers_in_text(arg, name))]
@@ -165,7 +168,7 @@ def powers_in_text(node: Node, name: str) -> set[Any]:
 
 
 def finding(expression: Expression, declared: Declared, expected: Dimension | None, **place: Any) -> Finding:
-    """The finding on one expression; `place` says where it stands (effect, what, law, kind, title, source)."""
+    """Finding on one expression; `place` has its effect, what, law, kind, title, source."""
     try:
         dimension, fault = examine(expression, declared, expected)
     except TextError as error:

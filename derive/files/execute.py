@@ -1,4 +1,4 @@
-"""A Python file of the user's, executed as `python file.py` would: the names it defines."""
+"""Execution of a user's Python file, as by `python file.py`, for the names it defines."""
 
 from __future__ import annotations
 
@@ -15,13 +15,16 @@ _FOLDER: ContextVar[Path | None] = ContextVar("folder of the file that is execut
 
 
 def beside(path: str | Path) -> Path:
-    """A path as a scene file means it, from its own folder; elsewhere as it is."""
+    """Resolve a path relative to the scene file being executed; unchanged elsewhere."""
     folder = _FOLDER.get()
     return Path(path) if folder is None else folder / path
 
 
 def names_defined_by(path: Path) -> dict[str, Any]:
-    """Names defined by a Python file; its folder can be imported from while it runs. Raises InputError for whatever it does wrong."""
+    """Names defined by a Python file, which may import from its folder.
+
+    Raises InputError for any error in the file.
+    """
     try:
         code = compile(path.read_bytes(), str(path), "exec")
     except OSError as error:

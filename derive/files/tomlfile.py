@@ -1,4 +1,4 @@
-"""TOML files of the user's, read in bounded time; imports nothing heavy, so both sides read theirs alike."""
+"""Read TOML files of users in bounded time, for derivation and runtime."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from typing import Any
 from hertzwerk.derive.faults import Fault, InputError, unreadable
 
 MAX_BYTES = 100_000
-"""Of a file: `tomllib` takes time by the square of a dotted key's length."""
+"""Largest file: the time of `tomllib` grows with the square of a dotted key's length."""
 
 
 def read_toml(path: str | Path, content: str) -> dict[str, Any]:
-    """The tables of a file, which should hold `content`. Raises InputError for whatever keeps it from being read."""
+    """Tables of a file that should have `content` (a phrase). Raises InputError if it cannot be read."""
     expected = f"a TOML file with {content}"
     try:
         with Path(path).open("rb") as file:
@@ -27,6 +27,6 @@ def read_toml(path: str | Path, content: str) -> dict[str, Any]:
         found = "tables or arrays nested too deeply"
     except InputError:
         raise
-    except ValueError as error:  # of syntax, of encoding, of numbers with thousands of digits
+    except ValueError as error:  # syntax, encoding, numbers with thousands of digits
         found = str(error)
     raise InputError(str(path), [Fault("file", found, expected)])

@@ -1,1 +1,1 @@
-"""What a generated module holds: its functions and tables, concept by concept."""
+"""Functions and tables of a generated module, by topic."""

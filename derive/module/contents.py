@@ -1,4 +1,4 @@
-"""The program of a system. Reads as the list of what a generated module holds."""
+"""Program of a system: the list of a generated module's functions and tables."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def program_of(system: System) -> Program:
     values = (*constants, *(sp.Float(REGULAR) for _ in softness))
     constants = [*constants, *softness]
     names = tuple(symbol.name for symbol in constants)
-    result = Result("c", names, ("",) * len(names), values)  # of any unit: see CONSTANTS
+    result = Result("c", names, ("",) * len(names), values)  # mixed units: see CONSTANTS
     functions.insert(
         0, system.function("constants", "What depends on the parameters alone, once per run.", "p", result)
     )
@@ -51,7 +51,7 @@ def program_of(system: System) -> Program:
 
 
 def _placement(system: System) -> list[Function]:
-    """From the joints' coordinates to those of the bodies, where these are the module's."""
+    """Functions from joint coordinates to body coordinates, where the module has the latter."""
     joints = system.joints
     if joints is None:
         return []

@@ -1,4 +1,4 @@
-"""A scene in absolute coordinates starts by those of its joints: their kinematics, beside that of the bodies."""
+"""Joint coordinates of a scene in absolute coordinates, in which its start is given."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from hertzwerk.derive.program.program import Tape
 
 
 class Joints:
-    """Of the scene as declared, on the tape of the one in absolute coordinates: where the bodies are at the start."""
+    """Kinematics of the declared scene in joint coordinates, on the tape of the absolute one."""
 
     def __init__(self, tape: Tape, absolute: Absolute) -> None:
         self.absolute = absolute
@@ -22,5 +22,5 @@ class Joints:
 
     @cached_property
     def loops(self) -> tuple[Constraint, ...]:
-        """The loops of the scene as declared."""
+        """Loop constraints of the declared scene."""
         return constraints_of(self.kin)

@@ -1,4 +1,4 @@
-"""The ledger's powers, and energies."""
+"""Energy ledger (powers) and energies."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from hertzwerk.derive.program.program import Function, Result
 
 
 def ledger(system: System) -> Function:
-    """Power put in."""
+    """Power of the drives and force elements."""
     power = [
         system.tape.input(f"{row.key.replace('.', '_')}_reaction_in", "reactions", dimension_of(row.unit)) * row.speed
         for row in system.driven
@@ -28,7 +28,7 @@ def ledger(system: System) -> Function:
 
 
 def energy(system: System) -> Function:
-    """Energies."""
+    """Kinetic, potential and stored energy."""
     stored = [pair.elastic(contact)[1] for pair, contact, _ in system.contacts]
     kinetic = system.equations.kinetic()
     potential = sp.Add(system.equations.potential(), *(e.stored for e in system.elements.values()))

@@ -1,4 +1,4 @@
-"""What closes the loops, and the way back to closed ones."""
+"""Constraints of the loops, and the projection of speeds onto them."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from hertzwerk.derive.program.program import Function
 
 
 def constraints(system: System) -> Function:
-    """What closes the loops."""
+    """Loop constraints and their rates."""
     return _closed(system, "constraints", system.loops, "t q u c")
 
 
 def joint_constraints(system: System, joints: Joints) -> Function:
-    """The same of the scene as declared, by the joints' coordinates."""
+    """Loop constraints of the declared scene, in joint coordinates."""
     return _closed(system, "joint_constraints", joints.loops, "t joints joint_speeds c")
 
 
@@ -30,7 +30,7 @@ def _closed(system: System, name: str, loops: tuple[Constraint, ...], arguments:
 
 
 def projection(system: System) -> Function:
-    """The way back to closed loops."""
+    """Change of speeds that gives the constraints wanted rates."""
     wanted = [
         system.tape.input(f"{row.name.replace('.', '_')}_wanted_rate", "wanted", dimension_of(RATE_UNITS[row.unit]))
         for row in system.loops

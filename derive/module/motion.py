@@ -1,4 +1,4 @@
-"""The equations of motion: kinematic equations, forces that are no contact's, accelerations."""
+"""Equations of motion: kinematic equations, applied forces, accelerations."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def coordinate_rates(system: System) -> Function:
 
 
 def applied(system: System) -> Function:
-    """Forces that are no contact's."""
+    """Generalised forces other than contact forces."""
     weight = {row.key: system.equations.gravity(row) for row in system.rows}
     for effect in system.scene.of_kind("gravity"):
         system.enter(effect.name, weight)
@@ -39,7 +39,7 @@ def applied(system: System) -> Function:
 
 
 def accelerations(system: System) -> Function:
-    """The equations of motion, solved."""
+    """Equations of motion, solved for the accelerations."""
     symbols = {
         row.key: system.tape.input(f"{row.key.replace('.', '_')}_force", "f", dimension_of(row.unit))
         for row in system.rows
@@ -63,7 +63,7 @@ def accelerations(system: System) -> Function:
 
 
 def balance(system: System) -> Function:
-    """What the solved equations of motion leave over: zero by any accelerations and multipliers that solve them."""
+    """Residuals of the equations of motion for given accelerations and multipliers."""
     equations, loops = system.equations, system.loops
     mass = equations.mass_matrix()
     held = [
@@ -96,7 +96,7 @@ def balance(system: System) -> Function:
 
 
 def motion(system: System) -> Function:
-    """What stands in the equations of motion, for people: they are solved in the program."""
+    """Equations of motion before they are solved, for readers."""
     free = [row.key for row in system.equations.free]
     mass = system.equations.mass_matrix()
     keys = [(row.key, column) for row in system.rows for column in free if (row.key, column) in mass]

@@ -1,4 +1,4 @@
-"""Gaps and forces of the pairs."""
+"""Gaps and forces of the contact pairs."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from hertzwerk.derive.program.program import Function, Result
 
 
 def gaps(system: System) -> Function:
-    """Event functions and rates."""
+    """Gaps, the event functions of contact, and their rates."""
     return system.function(
         "gaps",
         "Gap of every pair, positive while open, and its rate; at an onset the rate is minus the approach speed.",
@@ -22,7 +22,7 @@ def gaps(system: System) -> Function:
 
 
 def gap_accelerations(system: System) -> Function:
-    """Second derivatives of the event functions."""
+    """Second derivatives of the gaps."""
     values = [pair.touch.gap_acceleration for pair, _, _ in system.contacts]
     return system.function(
         "gap_accelerations", "Second derivative of every gap.", "t q u a c", system.of_pairs("ddG", "m/s^2", values)
@@ -61,7 +61,10 @@ def contact(system: System, pair: PairKinematics, contact: Contact, friction: Fr
 
 
 def _grip(system: System, friction: Friction, forces: Forces) -> list[Result]:
-    """Of friction with modes, per newton along the tangent: generalised force and dissipated power; the forces of slip and stick."""
+    """Results for friction with stick and slip.
+
+    Per newton along the tangent: generalised force and dissipated power; then the forces of slip and stick.
+    """
     grip, name = forces.grip, friction.pair
     if grip is None:
         raise ValueError(f"{friction.name} has no modes")

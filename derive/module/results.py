@@ -13,29 +13,29 @@ from hertzwerk.derive.motion.loops import Constraint
 from hertzwerk.derive.program.program import Result
 from hertzwerk.derive.units import parse_unit
 
-RATE_UNITS = {"m": "m/s", "1": "1/s"}  # of a constraint, by its unit
-SECOND_UNITS = {"m": "m/s^2", "1": "1/s^2"}  # of its second derivative
-MULTIPLIER_UNITS = {"m": "N", "1": "N m"}  # of the force that holds it
+RATE_UNITS = {"m": "m/s", "1": "1/s"}  # rate of a constraint, by its unit
+SECOND_UNITS = {"m": "m/s^2", "1": "1/s^2"}  # its second derivative
+MULTIPLIER_UNITS = {"m": "N", "1": "N m"}  # its multiplier
 
 
 def ports_of(scene: Scene, kin: Kinematics) -> tuple[list[Port], list[Port]]:
-    """Coordinates, with what drives integrate, and speeds."""
+    """Coordinates, including states of drives, and speeds."""
     coordinates = [port for freedom in scene.free for port in freedom.coordinates]
     coordinates += [state.port for state in kin.drive_states]
     return coordinates, [port for freedom in scene.free for port in freedom.speeds]
 
 
 def vector(name: str, ports: list[Port], values: list[Any]) -> Result:
-    """One entry per port."""
+    """Result with one entry per port."""
     return Result(name, tuple(port.name for port in ports), tuple(port.unit for port in ports), tuple(values))
 
 
 def of_loops(name: str, loops: tuple[Constraint, ...], values: list[Any], units: Mapping[str, str]) -> Result:
-    """One entry per constraint, its unit as `units` has it for the constraint's, or else that one."""
+    """Result with one entry per constraint; `units` maps the constraint's unit to the entry's."""
     labels, of = tuple(row.name for row in loops), tuple(units.get(row.unit, row.unit) for row in loops)
     return Result(name, labels, of, tuple(values))
 
 
 def dimension_of(unit: str) -> Dimension:
-    """Of a unit's text."""
+    """Dimension of a unit's text."""
     return Dimension.from_unit(parse_unit(unit), {})

@@ -1,4 +1,4 @@
-"""Sizes that accuracy is measured by, and the bounds of a run: speeds up to which the laws hold, and the period."""
+"""Scales of tolerances, and bounds of a run: speed limits of the laws, and the period."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from hertzwerk.derive.program.program import Function, Result
 
 
 def scales(system: System) -> Function:
-    """Sizes of everything a tolerance is set for."""
+    """Scales of all quantities that have a tolerance."""
     scales, of_unit = system.scene.scales, sizes_of(system.scene)
     length, speed = sp.sympify(scales.length), sp.sympify(scales.speed)
     mass = system.tape.let(sp.Add(*(sp.sympify(body.mass) for body in system.scene.mechanism.bodies)), "total_mass")
@@ -37,7 +37,7 @@ def scales(system: System) -> Function:
 
 
 def sizes_of(scene: Scene) -> dict[str, Any]:
-    """Of coordinates and speeds, by unit."""
+    """Scales of coordinates and speeds, by unit."""
     scales = scene.scales
     length, speed = sp.sympify(scales.length), sp.sympify(scales.speed)
     if scales.arm is None:
@@ -48,7 +48,7 @@ def sizes_of(scene: Scene) -> dict[str, Any]:
 
 
 def speed_limits(system: System) -> Function:
-    """Ranges of the compliant laws."""
+    """Speeds up to which the compliant laws hold."""
     names, values = tuple(system.limited), tuple(system.limited.values())
     return system.function(
         "speed_limits",
@@ -59,6 +59,6 @@ def speed_limits(system: System) -> Function:
 
 
 def period(system: System) -> Function:
-    """When what depends on time repeats."""
+    """Common period of everything that depends on time."""
     summary = "After what time everything that depends on time repeats."
     return system.function("period", summary, "p", Result("period", ("period",), ("s",), (system.periodic,)))

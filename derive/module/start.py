@@ -1,4 +1,4 @@
-"""Where a run starts, and the way from the joints' coordinates to those of the bodies."""
+"""Initial state, and its conversion from joint to body coordinates."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from hertzwerk.derive.program.program import Function
 
 
 def start(system: System) -> Function:
-    """Initial state, in the joints' coordinates."""
+    """Initial state, in joint coordinates."""
     of = system if system.joints is None else system.joints
     given, free = of.scene.start, of.scene.free
     q = [sp.sympify(value) for freedom in free for value in given.coordinates(freedom)]
@@ -25,7 +25,7 @@ def start(system: System) -> Function:
 
 
 def joint_scales(system: System, joints: Joints) -> Function:
-    """Sizes by which the start is assembled, in the joints' coordinates."""
+    """Scales of joint coordinates and speeds, for assembly at the start."""
     sizes = sizes_of(joints.scene)
     return system.function(
         "joint_scales",
@@ -37,7 +37,7 @@ def joint_scales(system: System, joints: Joints) -> Function:
 
 
 def placed_bodies(system: System, joints: Joints) -> Function:
-    """The way from the joints' coordinates, which say what is given and what follows, to those of the bodies."""
+    """Body coordinates and speeds from those of the joints."""
     q, u = placed(joints.absolute, joints.kin, system.kin)
     return system.function(
         "placed",

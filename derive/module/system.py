@@ -1,4 +1,7 @@
-"""What the functions of a module are made from: kinematics, equations, pairs and force elements of a scene, and the rows of its vectors."""
+"""System of a scene: kinematics, equations, pairs and force elements, and rows of its vectors.
+
+The functions of a module are made from it.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +28,7 @@ from hertzwerk.derive.program.program import Function, Result, Tape
 
 
 class System:
-    """Of one scene, on one tape; the functions of a module are written from it."""
+    """One scene on one tape, from which the functions of a module are made."""
 
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
@@ -62,12 +65,12 @@ class System:
             for _, contact, _ in self.contacts
             if contact.latches
         }
-        # effects that have a term in an equation of motion, found as it is written; a drive takes a coordinate away, a ledger has its quadratures
+        # effects with a term in an equation of motion, noted by `enter`; drives and ledgers need none
         self.entered = {effect.name for effect in scene.effects if effect.kind in ("drive", "ledger")}
         self.joints = Joints(self.tape, scene) if isinstance(scene, Absolute) else None
 
     def _memory(self) -> list[tuple[str, str]]:
-        """Entries of z: (name, unit); first, in the order of the inputs, those that functions read."""
+        """Entries of z as (name, unit); those that functions read come first, in the order of the inputs."""
         bristles = [(f"{name}.bristle", "m") for name in self.bristles]
         if not self.scene.ledger:
             return bristles
@@ -80,60 +83,60 @@ class System:
 
     @cached_property
     def coordinates(self) -> list[Port]:
-        """Rows of q."""
+        """Ports of q."""
         return ports_of(self.scene, self.kin)[0]
 
     @cached_property
     def speeds(self) -> list[Port]:
-        """Rows of u."""
+        """Ports of u."""
         return ports_of(self.scene, self.kin)[1]
 
     @cached_property
     def limited(self) -> dict[str, Any]:
-        """Pair -> approach speed up to which its law holds, where a material's density says."""
+        """Pair -> approach speed up to which its law holds, where a density is known."""
         limits = {contact.name: speed_limit(contact.laws) for _, contact, _ in self.contacts}
         return {name: limit for name, limit in limits.items() if limit is not None}
 
     @cached_property
     def periodic(self) -> Any | None:
-        """After what time everything that depends on time repeats [s], where it does."""
+        """Common period of everything that depends on time [s], else None."""
         return period(self.scene)
 
     @cached_property
     def landmarks(self) -> tuple[Landmark, ...]:
-        """Of the scene as declared: joints that only coordinates ask for are not there."""
+        """Landmarks of the scene as declared, without joints that only absolute coordinates add."""
         return tuple(landmarks_of(self.scene if self.joints is None else self.joints.scene))
 
     def enter(self, effect: str, forces: Mapping[str, Any]) -> None:
-        """Note an effect whose generalised forces are not zero in every row."""
+        """Note an effect that has a generalised force in some row."""
         if any(forces.get(row.key, 0) != 0 for row in self.rows):
             self.entered.add(effect)
 
     # -- functions and their results --------------------------------------------------------------------------------
 
     def function(self, name: str, summary: str, arguments: str, *results: Result) -> Function:
-        """The slice of the tape that the results need; `arguments` are groups, one after another."""
+        """Slice of the tape for the results; `arguments` are groups separated by blanks."""
         return self.tape.function(name, summary, tuple(arguments.split()), results)
 
     def of_coordinates(self, name: str, values: list[Any]) -> Result:
-        """One entry per coordinate."""
+        """Result with one entry per coordinate."""
         return vector(name, self.coordinates, values)
 
     def of_speeds(self, name: str, values: list[Any]) -> Result:
-        """One entry per speed."""
+        """Result with one entry per speed."""
         return vector(name, self.speeds, values)
 
     def of_rows(self, name: str, values: list[Any]) -> Result:
-        """One generalised force per row of the equations of motion."""
+        """Result with one generalised force per row of the equations of motion."""
         return Result(name, tuple(row.key for row in self.rows), self.row_units, tuple(values))
 
     def of_pairs(self, name: str, unit: str, values: list[Any]) -> Result:
-        """One entry per pair, all of one unit."""
+        """Result with one entry per pair, all of one unit."""
         names = tuple(pair.pair.name for pair, _, _ in self.contacts)
         return Result(name, names, (unit,) * len(names), tuple(values))
 
     def of_memory(self, name: str, values: list[Any]) -> Result:
-        """One entry per entry of z."""
+        """Result with one entry per entry of z."""
         return Result(name, tuple(n for n, _ in self.memory), tuple(unit for _, unit in self.memory), tuple(values))
 
     def memory_rates(self, values: list[Any]) -> Result:

@@ -1,4 +1,4 @@
-"""Tables of a module: names, units and roles of what its vectors hold, and what the scene says of itself."""
+"""Tables of a module: names, units and roles of its vectors' entries, and facts about the scene."""
 
 from __future__ import annotations
 
@@ -54,18 +54,18 @@ def tables(system: System) -> Mapping[str, tuple[Any, ...]]:
 
 
 def _advice(scene: Scene) -> dict[str, tuple[str, ...]]:
-    """Table of what speaks against the scene's laws although their units hold; none where nothing does."""
+    """Table of objections to the scene's laws other than units, if there are any."""
     said = advice(scene)
     return {"ADVICE": said} if said else {}
 
 
 def _tables_used(scene: Scene) -> list[Table]:
-    """Tables that stand in some expression of the scene."""
+    """Tables used in the scene's expressions."""
     return list(dict.fromkeys(table for slot in scene.slots() for table in tables_in(slot.value)))
 
 
 def _slips(system: System) -> dict[str, tuple[Any, ...]]:
-    """Table of the pairs whose friction has modes: entries of m behind LATCHES, with their pair; none without such a pair."""
+    """Table of pairs whose friction has modes, if any: their entries of m, after LATCHES, and the pair."""
     rows = [
         (f"{pair.pair.name}.slip", "1", j)
         for j, (pair, _, friction) in enumerate(system.contacts)
@@ -75,7 +75,7 @@ def _slips(system: System) -> dict[str, tuple[Any, ...]]:
 
 
 def _bristle_rows(system: System) -> Iterator[tuple[int, int]]:
-    """Of every bristle: its row of z, and its pair."""
+    """Entry of z and pair of every bristle."""
     entries = [name for name, _ in system.memory]
     for j, (_, _, friction) in enumerate(system.contacts):
         if friction is not None and friction.name in system.bristles:
@@ -83,7 +83,7 @@ def _bristle_rows(system: System) -> Iterator[tuple[int, int]]:
 
 
 def _loop_tables(system: System) -> dict[str, tuple[Any, ...]]:
-    """The constraints, and what of the start is stated and not to be found by assembly."""
+    """Constraints, and values of the start that are given instead of found by assembly."""
     loops = {"CONSTRAINTS": _names(system.loops)} if system.loops else {}
     joints, journals = system.joints, any(pair.pair.kind in JOURNALS for pair, _, _ in system.contacts)
     if joints is None:
@@ -104,7 +104,7 @@ def _loop_tables(system: System) -> dict[str, tuple[Any, ...]]:
 
 
 def _seated(scene: Scene) -> dict[str, tuple[Any, ...]]:
-    """The pairs whose journals rest in their bushes at the start; none where they are centred."""
+    """Pairs whose journals rest in their bushes at the start, if they do."""
     return {"SEATED": tuple(pair.name for pair in scene.mechanism.pairs)} if scene.start.seated else {}
 
 
@@ -113,18 +113,21 @@ def _names(loops: tuple[Constraint, ...]) -> tuple[tuple[str, str], ...]:
 
 
 def _quaternions(ports: list[Port]) -> tuple[int, ...]:
-    """Where quaternions begin."""
+    """Indices at which quaternions begin."""
     return tuple(i for i, port in enumerate(ports) if port.name.endswith(".q0"))
 
 
 def _given(scene: Scene, kin: Kinematics) -> tuple[str, ...]:
-    """What of the start is stated, and not to be found by assembly."""
+    """Values of the start that are given instead of found by assembly."""
     stated = [name for freedom in scene.free for name in scene.start.stated(freedom)]
     return (*stated, *(state.port.name for state in kin.drive_states))
 
 
 def _limits(scene: Scene) -> list[tuple[Any, ...]]:
-    """Ranges of parameters that fill a slot alone: (parameter, kind, lower, upper, lower open, upper open, why)."""
+    """Ranges of parameters: (parameter, kind, lower, upper, lower open, upper open, reason).
+
+    For parameters that are by themselves the value of a quantity.
+    """
     rows: dict[tuple[Any, ...], str] = {}
     for slot in scene.slots():
         if not isinstance(slot.value, Parameter):
@@ -138,7 +141,7 @@ def _limits(scene: Scene) -> list[tuple[Any, ...]]:
 
 
 def meanings_of(scene: Scene) -> dict[str, str]:
-    """What each parameter is: as declared, or else the slot it fills."""
+    """Meaning of each parameter: as declared, or else the quantity it is the value of."""
     meanings: dict[str, str] = {}
     for slot in scene.slots():
         if isinstance(slot.value, Parameter):

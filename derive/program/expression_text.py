@@ -1,7 +1,7 @@
-"""Text of expressions: plain Python over CasADi, the same for every hash seed.
+"""Python text of expressions over CasADi, independent of the hash seed.
 
-SymPy is left here, through one rule per node type; a node without a rule is an error. Powers are strength-reduced
-(`d**(3/2)` -> `d*sqrt(d)`), names are those of the derivation.
+One rule per type of SymPy node; a node without a rule is an error. Powers are strength-reduced (`d**(3/2)` ->
+`d*sqrt(d)`), names are those of the derivation.
 """
 
 from __future__ import annotations

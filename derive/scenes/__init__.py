@@ -1,4 +1,4 @@
-"""The built-in scenes, one module each."""
+"""Built-in scenes, one module each."""
 
 NAMES = (
     "bouncing_ball",

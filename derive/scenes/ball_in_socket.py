@@ -1,6 +1,7 @@
-"""A ball that swings at the bottom of a hollow sphere under its weight: a spherical pendulum whose length is the clearance plus the penetration.
+"""A ball that swings at the bottom of a hollow sphere under its weight.
 
-Closed forms: penetration at rest (m g/K)^(2/3); small oscillation with the period 2 pi sqrt((clearance + penetration)/g). Data: our choice.
+It is a spherical pendulum whose length is the clearance plus the penetration. Closed forms: penetration at rest (m
+g/K)^(2/3); small oscillation with the period 2 pi sqrt((clearance + penetration)/g). Data: our choice.
 """
 
 import sympy as sp

@@ -1,4 +1,4 @@
-"""A ball dropped on a plane: Hertz's law with its stiffness given, Flores' damping."""
+"""A ball dropped on a plane: Hertz's law with given stiffness, damping of Flores et al."""
 
 import sympy as sp
 

@@ -1,8 +1,11 @@
-"""Bricard's mechanism: five uniform rods and the ground along edges of a cube, six hinges across them. Benchmark A04 of the IFToMM library.
+"""Bricard's mechanism: five uniform rods and the ground along edges of a cube, joined by six hinges.
 
-By counting it has no freedom; one of its constraints is redundant, so it has one. Order of the edges, 1 m, 1 kg and gravity as two public codes of
-the benchmark have them (grade B); the rods are slender as in one of them, the other gives them a square section of 0.1 m.
-Source: https://www.iftomm-multibody.org/benchmark, A04; Gonzalez, Dopico, Lugris, Cuadrado, Multibody Syst. Dyn. 16 (2006) 263.
+Benchmark A04 of the IFToMM library. It has one degree of freedom although Gruebler's formula gives none: one of its
+constraints is redundant. Order of the edges, 1 m, 1 kg and gravity as in two public codes of the benchmark (grade B);
+the rods are slender as in one of them, the other gives them a square section of 0.1 m.
+
+Source: https://www.iftomm-multibody.org/benchmark, A04; Gonzalez, Dopico, Lugris, Cuadrado, Multibody Syst. Dyn. 16
+(2006) 263.
 """
 
 from hertzwerk.derive import GROUND, Body, EnergyLedger, Gravity, Mechanism, Parameter, Revolute, Scales, Scene, X, Y, Z

@@ -1,6 +1,8 @@
-"""Two equal point masses on two equal massless rods, one below the other; let go far beyond small vibrations.
+"""Double pendulum of equal masses and massless rods, released far beyond small vibrations.
 
-Its small vibrations are those of the textbooks: w^2 = (2 -+ sqrt 2) g/l, both masses the same way or opposite, the lower sqrt 2 times as far.
+Its small vibrations are those of the textbooks: w^2 = (2 -+ sqrt 2) g/l, both masses in phase or in opposition, the
+lower with sqrt 2 times the amplitude.
+
 Source: Landau, Lifshitz, Mechanics, section 23, problem 2, with both masses and both lengths the same.
 """
 

@@ -1,11 +1,13 @@
-"""A centrifugal governor: two arms with balls on a turning spindle, two rods that lift a collar, a spring that holds it down.
+"""Centrifugal governor: two arms with balls on a spindle, two rods that lift a collar, a spring.
 
-After benchmark A05 of the IFToMM library, a stiff one: there springs of 8e5 N/m with dampers of 4e4 N s/m stand for the lower rods, and shaft, arms
-and slider are prisms of 3000 kg/m^3, with 5 kg on each arm, at 2 pi rad/s (data as the public code MBS-BOS states them, grade B). Here those rods
-are rigid, hinged at both ends, and close two loops. Data of our choice: spindle and collar with moments of inertia of 0.05 and 0.003 kg m^2;
-massless arms of 0.3 m with balls of 2 kg and 4 cm; rods of 0.2 kg and 0.2 m from the middle of the arms; a collar of 1.5 kg; a spring of 400 N/m;
-160 rpm with the arms at 30 degrees, where nothing is in balance. Both loops lie in a plane that turns with the spindle: what a hinge in space
-forbids across it is redundant.
+After benchmark A05 of the IFToMM library, a stiff one: there springs of 8e5 N/m with dampers of 4e4 N s/m replace the
+lower rods, and shaft, arms and slider are prisms of 3000 kg/m^3, with 5 kg on each arm, at 2 pi rad/s (data as in the
+public code MBS-BOS, grade B). Here those rods are rigid, hinged at both ends, and close two loops. Data of our
+choice: spindle and collar with moments of inertia of 0.05 and 0.003 kg m^2; massless arms of 0.3 m with balls of 2 kg
+and 4 cm; rods of 0.2 kg and 0.2 m from the middle of the arms; a collar of 1.5 kg; a spring of 400 N/m; 160 rpm with
+the arms at 30 degrees, which is no equilibrium. Both loops lie in a plane that turns with the spindle: the
+constraints of a hinge across that plane are redundant.
+
 Source: https://www.iftomm-multibody.org/benchmark, A05.
 """
 

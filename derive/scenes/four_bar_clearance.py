@@ -1,7 +1,8 @@
-"""A four-bar linkage, its crank at constant speed, whose coupler and rocker meet in a revolute joint with clearance.
+"""Four-bar linkage with clearance between coupler and rocker, its crank at constant speed.
 
-Data: crank and coupler those of the slider-crank with clearance (grade C); rocker and base of our choice, so that the crank goes round, as are the
-length of the bush and the density. It is none of the four-bars with clearance in print: their data could not be had.
+Data: crank and coupler are those of the slider-crank with clearance (grade C); rocker and base of our choice, so that
+the crank can rotate fully, as are the length of the bush and the density. It is none of the published four-bars with
+clearance: their data were not accessible.
 """
 
 import sympy as sp

@@ -1,7 +1,8 @@
-"""A journal that turns at constant speed in a bush with clearance, under a steady load. Let go from the middle it bounces, climbs the bush against
-its rotation, and settles where the contact force, normal and friction together, holds the load. Data of our choice.
+"""A journal at constant speed in a dry bush with clearance, under a steady load.
 
-The load stands for all forces on the journal, its weight included.
+Released from the middle it bounces, climbs the bush against its rotation, and settles where the contact force, normal
+and friction together, balances the load. The load is the sum of all forces on the journal, its weight included. Data
+of our choice.
 """
 
 from hertzwerk.derive import (  # fmt: skip

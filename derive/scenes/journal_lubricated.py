@@ -1,7 +1,7 @@
-"""A journal that turns at constant speed in a short bearing, carried by its oil film under a steady load. Let go from the middle it settles where
-Ocvirk's short-bearing film holds the load: eccentric, and ahead of the load by the attitude angle. Data of our choice.
+"""A journal at constant speed in a short bearing, carried by its oil film under a steady load.
 
-The load stands for all forces on the journal, its weight included.
+Released from the middle it settles where Ocvirk's short-bearing film balances the load: eccentric, and ahead of the
+load by the attitude angle. The load is the sum of all forces on the journal, its weight included. Data of our choice.
 """
 
 from hertzwerk.derive import (  # fmt: skip

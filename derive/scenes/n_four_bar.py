@@ -1,7 +1,9 @@
-"""N windows of uniform rods, hinged to the ground and to each other: benchmark A02 of the IFToMM library, here with N = 2.
+"""N windows of uniform rods, hinged to the ground and to each other; here N = 2.
 
-Rods of 1 kg and 1 m, upright, the first at 1 m/s, as the public code MBS-BOS states them too (grade B). Lying flat, all rods in one line, it has N +
-1 freedoms instead of one: it passes through singular positions.
+Benchmark A02 of the IFToMM library. Rods of 1 kg and 1 m, upright, the first at 1 m/s, as also in the public code
+MBS-BOS (grade B). Lying flat, all rods in one line, it has N + 1 degrees of freedom instead of one: it passes through
+singular positions.
+
 Source: https://www.iftomm-multibody.org/benchmark, A02; Bayo, Avello, Nonlinear Dynamics 5 (1994) 209.
 """
 
@@ -26,7 +28,7 @@ v = Parameter("speed", "m/s", 1.0, "of the upper hinges at the start")
 
 
 def n_four_bar(windows: int) -> Scene:
-    """The scene with `windows` of them, one after another along X."""
+    """Scene with the given number of windows along X."""
     inertia = m * L**2 / 12
     posts = [Body(f"post_{i}", m, inertia, centre=(0, L / 2, 0)) for i in range(windows + 1)]
     beams = [Body(f"beam_{i}", m, inertia, centre=(L / 2, 0, 0)) for i in range(windows)]

@@ -1,6 +1,7 @@
-"""Newton's cradle: five steel spheres side by side on rigid strings, 2 % of their diameter apart, the first pulled aside and let go.
+"""Newton's cradle: five spheres on rigid strings, slightly apart, the first pulled aside and released.
 
-Linear stiffness and the damping factor that returns the coefficient of restitution exactly, so that a transfer is a row of impacts of two.
+Steel spheres, 2 % of their diameter apart. Linear stiffness and the damping factor that returns the coefficient of
+restitution exactly, so that a transfer is a sequence of impacts of two.
 """
 
 import sympy as sp

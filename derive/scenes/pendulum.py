@@ -1,6 +1,9 @@
-"""A point mass on a massless rod, let go horizontal: benchmark A01 of the IFToMM library. Energy counts from the lowest point.
+"""Simple pendulum released horizontally: benchmark A01 of the IFToMM library.
 
-Source: https://www.iftomm-multibody.org/benchmark, A01; Gonzalez, Dopico, Lugris, Cuadrado, Multibody Syst. Dyn. 16 (2006) 263.
+A point mass on a massless rod. Energy counts from the lowest point.
+
+Source: https://www.iftomm-multibody.org/benchmark, A01; Gonzalez, Dopico, Lugris, Cuadrado, Multibody Syst. Dyn. 16
+(2006) 263.
 """
 
 import sympy as sp

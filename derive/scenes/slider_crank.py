@@ -1,7 +1,8 @@
-"""Slider-crank whose rod and slider meet in a revolute joint with clearance (the example of Wang & Liu 2020, section 6).
+"""Slider-crank with clearance between rod and slider (the example of Wang & Liu 2020, section 6).
 
-Data: the set ascribed to Ravn, Schwab and Flores, from general knowledge of the literature (grade C): none of their papers could be had to compare it
-with. Nor could the data of Wang & Liu. The length of the bush and the density of the steel are our choice.
+Data: the set ascribed to Ravn, Schwab and Flores, from general knowledge of the literature (grade C); none of their
+papers was accessible for comparison, nor were the data of Wang & Liu. The length of the bush and the density of the
+steel are our choice.
 """
 
 from hertzwerk.derive import (  # fmt: skip

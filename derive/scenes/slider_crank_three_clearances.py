@@ -1,7 +1,7 @@
-"""The slider-crank with clearance at the main bearing, the crank pin and the slider pin; crank and rod are free in the plane.
+"""Slider-crank with clearance at main bearing, crank pin and slider pin; crank and rod move freely.
 
-A motor turns the crank at constant speed through a coupling that lets its shaft move sideways: the crank's angle is driven, its place is not.
-Data as with one clearance.
+A motor turns the crank at constant speed through a coupling that lets its shaft move sideways: the crank's angle is
+driven, its position is not. Data as with one clearance.
 """
 
 from hertzwerk.derive import GROUND, ConstantSpeed, EnergyLedger, Mechanism, Planar, Prismatic, Scales, Scene, Start, X

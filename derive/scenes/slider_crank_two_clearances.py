@@ -1,4 +1,4 @@
-"""The slider-crank with clearance at the crank pin and at the slider pin; the rod is free in the plane.
+"""Slider-crank with clearance at crank pin and slider pin; the rod moves freely in the plane.
 
 Source: two clearance joints at once, Flores, Lankarani, J. Comput. Nonlinear Dyn. 7 (2012) 031003; data as with one.
 """
@@ -31,12 +31,12 @@ rubbing = smooth_coulomb(Parameter("friction_coefficient", "1", 0.1), Parameter(
 
 
 def clearance(name: str, pin: Point, bush: Point) -> PinInBush:
-    """A revolute joint with clearance; all have the same size."""
+    """Revolute joint with clearance, of the common size."""
     return PinInBush(name, pin=pin, bush=bush, axis=Z, bush_radius=R, clearance=c, length=b)
 
 
 def effects(*pins: str) -> tuple[Contact | Friction, ...]:
-    """Normal force and friction of each."""
+    """Normal force and friction of each clearance joint."""
     contacts = tuple(Contact(pin, hertz_point(steel, steel), lankarani_nikravesh(e)) for pin in pins)
     return (*contacts, *(Friction(f"{pin}_friction", pin, rubbing) for pin in pins))
 

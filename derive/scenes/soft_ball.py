@@ -1,4 +1,7 @@
-"""A soft ball dropped on a plane; gravity adds 7.9e-4 to the penetration of the first impact. Undamped unless a law is given."""
+"""A soft ball dropped on a plane, undamped unless a law is given.
+
+Gravity adds 7.9e-4 to the penetration of the first impact.
+"""
 
 import sympy as sp
 

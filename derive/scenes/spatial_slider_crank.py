@@ -1,8 +1,8 @@
-"""Spatial slider-crank whose crank and rod meet in a spherical joint with clearance; the crank turns at constant speed.
+"""Spatial slider-crank with clearance in the spherical joint of crank and rod, at constant speed.
 
-Lengths, masses and inertias: the spatial slider-crank of Haug, Computer-Aided Kinematics and Dynamics of Mechanical Systems (1989), 12.2, as two
-public codes have it that agree (grade B). Its crank turns about X, 0.1 m beside and 0.12 m above the line the slider moves along. Speed, ball and
-material are our choice.
+Lengths, masses and inertias: the spatial slider-crank of Haug, Computer-Aided Kinematics and Dynamics of Mechanical
+Systems (1989), 12.2, as in two public codes that agree (grade B). Its crank turns about X, 0.1 m beside and 0.12 m
+above the line the slider moves along. Speed, ball and material are our choice.
 """
 
 import sympy as sp

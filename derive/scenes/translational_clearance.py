@@ -1,7 +1,8 @@
-"""Slider-crank whose slider has clearance in its guide: four corners against two bounded faces; crank, rod and slider move freely.
+"""Slider-crank with clearance in the slider's guide: four corners against two bounded faces.
 
-Data: the set two public codes for rigid contact agree on (grade B), after Flores, Leine, Glocker, Multibody Syst. Dyn. 23 (2010) 165;
-those are rigid. The stiffness, the speed over which friction builds up and the length of the guide are our choice.
+Crank, rod and slider move freely. Data: the set on which two public codes for rigid contact agree (grade B), after
+Flores, Leine, Glocker, Multibody Syst. Dyn. 23 (2010) 165. The stiffness, the speed over which friction builds up and
+the length of the guide are our choice.
 """
 
 import sympy as sp

@@ -1,1 +1,1 @@
-"""Scenes of the hard cases that no built-in scene has."""
+"""Scenes of the hard cases that are no built-in scenes."""

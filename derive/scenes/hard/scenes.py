@@ -1,6 +1,7 @@
-"""Scenes of the hard cases that no built-in scene has: declared here, derived when one is run, never committed.
+"""Scenes of the hard cases that are no built-in scenes; derived when run, never committed.
 
-Free impacts (see `impact.impact_scene`), a ball that grazes, rows of spheres, two bodies of unlike mass, a block on an incline, a chain.
+Free impacts (see `impact.impact_scene`), grazing contact, rows of spheres, bodies of very different mass, a block on
+an incline, a falling chain.
 """
 
 from __future__ import annotations
@@ -37,13 +38,16 @@ FORCE_RELEASED = replace(kelvin_voigt, name="kelvin_voigt_without_pull", release
 
 
 def free_impact(law: DampingLaw) -> Scene:
-    """One impact of a free ball, from gap 0, with its ledger."""
+    """One impact of a free ball, from gap 0, with its energy ledger."""
     scene = impact_scene(law)
     return replace(scene, effects=(*scene.effects, EnergyLedger()), name=f"free_impact_{law.name}")
 
 
 def grazing_ball() -> Scene:
-    """A ball drawn away from the floor it flies towards: it turns round at a gap of its start's choice. The gap is the coordinate itself."""
+    """A ball that approaches a floor and is pulled away from it, reversing at a chosen gap.
+
+    The gap is the coordinate itself.
+    """
     pull = Parameter("pull", "m/s^2", 8, "acceleration away from the floor")
     ball = Body("ball", mass=_MASS)
     depth = ((_EXPONENT + 1) * _MASS * _SPEED**2 / (2 * _STIFFNESS)) ** (1 / (_EXPONENT + 1))
@@ -84,9 +88,10 @@ def row_of_spheres(count: int) -> Scene:
 
 
 def touching_row(count: int) -> Scene:
-    """Equal spheres that touch, pressed together from both ends or not at all, struck at either end; each coordinate begins where its sphere touches.
+    """Equal spheres in contact, optionally compressed from both ends, struck at either end.
 
-    So that a gap is a small difference of large lengths, though the coordinates are small.
+    Each coordinate is zero where its sphere touches the next, so that coordinates are small, while a gap is a small
+    difference of large lengths.
     """
     preload = Parameter("preload", "N", 0, "that presses the row together from both ends")
     last_speed = Parameter("last_speed", "m/s", 0, "of the last sphere at the start")
@@ -119,7 +124,7 @@ def touching_row(count: int) -> Scene:
 
 
 def struck_from_both_sides() -> Scene:
-    """A sphere at rest, and two that meet it at the same instant from both sides."""
+    """A sphere at rest, struck at the same instant from both sides."""
     gap = Parameter("gap", "m", 0.001, "to either side of the sphere in the middle")
     left, middle, right = (Body(name, mass=_MASS) for name in ("left", "middle", "right"))
     law = power(_STIFFNESS, _EXPONENT), flores(_RESTITUTION)
@@ -143,7 +148,7 @@ def struck_from_both_sides() -> Scene:
 
 
 def unlike_masses() -> Scene:
-    """A sphere meets another of quite another mass at rest; the restitution is returned exactly."""
+    """Impact on a sphere of very different mass at rest; the restitution is returned exactly."""
     striker, target = (
         Body(name, mass=Parameter(f"{name}_mass", "kg", 1, "of equal radius")) for name in ("striker", "target")
     )
@@ -163,9 +168,9 @@ def unlike_masses() -> Scene:
 
 
 def incline(friction: BoundLaw) -> Scene:
-    """A block on an incline of 3 in 4, in the incline's axes; it rests in its static penetration, and slides, or not, downhill.
+    """A block on an incline of 3 in 4, in the incline's axes, at its static penetration.
 
-    A light carriage takes it along, without friction of its own.
+    It may slide downhill or stick. A light carriage moves with it, without friction of its own.
     """
     gravity = Parameter("gravity", "m/s^2", 9.81)
     carriage = Body("carriage", mass=_MASS / 1000)
@@ -192,7 +197,10 @@ def incline(friction: BoundLaw) -> Scene:
 
 
 def falling_chain(count: int) -> Scene:
-    """Links that fall on a floor, every joint and both ends with set-valued friction, and come to rest nearly in line."""
+    """Links with set-valued friction at every joint and end that fall on a floor and come to rest.
+
+    They come to rest nearly in line.
+    """
     mass, length, bend = Parameter("mass", "kg", 0.1), Parameter("link_length", "m", 0.1), Parameter("bend", "rad", 0.1)
     inertia, height = (
         Parameter("inertia", "kg m^2", 8e-5),
@@ -229,7 +237,7 @@ def falling_chain(count: int) -> Scene:
 
 
 def _depth(mass: sp.Expr) -> sp.Expr:
-    """Of an elastic impact at the start's speed [m]."""
+    """Penetration of an elastic impact at the start's speed [m]."""
     return ((_EXPONENT + 1) * mass * _SPEED**2 / (2 * _STIFFNESS)) ** (1 / (_EXPONENT + 1))
 
 
