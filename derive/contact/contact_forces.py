@@ -44,11 +44,11 @@ class Grip:
 
 @dataclass(frozen=True)
 class Forces:
-    """Forces of a contact: generalised forces by joint, powers [W], normal force [N], sliding velocity [m/s].
+    """Result of a contact: generalised forces by joint, powers [W], normal force [N], sliding velocity.
 
-    `sliding_velocity` is None without friction; `in_range` is 1 within the range of the law, else 0. `bristle_rate`
-    [m/s] is given for friction with a bristle. `grip` is given for friction with modes, which `generalised` and
-    `friction_power` then do not include. `rubbing` is the part of `generalised` due to friction.
+    `sliding_velocity` [m/s] is None without friction; `in_range` is 1 within the range of the law, else 0.
+    `bristle_rate` [m/s] is given for friction with a bristle. `grip` is given for friction with modes, which
+    `generalised` and `friction_power` then do not include. `rubbing` is the part of `generalised` due to friction.
     """
 
     generalised: dict[str, Any]
@@ -238,7 +238,7 @@ class PairKinematics:
         return Grip(self._on_joints(tangent, self.touch.contact_point, "grip"), *forces), sliding
 
     def _plane_of_motion(self) -> Vector | None:
-        """Coordinate axis normal to plane motion at the contact, if normal and velocities show it structurally."""
+        """Coordinate axis normal to the plane of motion; None where that is not structurally plane."""
         rate = self.touch.rate_at(self.touch.contact_point)
         for k in (2, 1, 0):
             if self.touch.normal[k] == 0 and rate[k] == 0:

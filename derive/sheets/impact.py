@@ -131,7 +131,7 @@ def coefficient_at(law: DampingLaw, e: float) -> float:
 
 
 def restitution_out(law: DampingLaw, e: float) -> float | None:
-    """Restitution of an impact for given e, with K d^n, n = `published_exponent`; None without a closed form."""
+    """Restitution of an impact for given e, with K d^n, n = `published_exponent`; None if not closed."""
     with mp.workdps(DIGITS):
         return None if restitution_symbol(law) is None else _restitution_for(law, _coefficient(law, e))
 
