@@ -1,4 +1,7 @@
-"""Changes of axes: rotations that act on vectors and symmetric matrices entry by entry, and only on the entries somebody asks for."""
+"""Changes of axes by rotations of vectors and symmetric matrices.
+
+They are applied entry by entry, and only to entries that are requested.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +17,7 @@ from hertzwerk.derive.program.program import Tape
 
 
 class Symmetric:
-    """A symmetric 3 x 3 matrix whose entries are worked out, and named, when they are first asked for."""
+    """A symmetric 3 x 3 matrix whose entries are computed, and named, on first request."""
 
     def __init__(self, entry: Callable[[int, int], Any]) -> None:
         self._entry = entry
@@ -27,15 +30,15 @@ class Symmetric:
         return self._known[i, j]
 
     def column(self, j: int) -> Vector:
-        """One column, which is a row too."""
+        """A column, equal to the row of the same index."""
         return (self[0, j], self[1, j], self[2, j])
 
     def named(self, tape: Tape, name: str) -> Symmetric:
-        """The same with every entry named on the tape."""
+        """The same matrix with every entry named on the tape."""
         return Symmetric(lambda i, j: tape.let(self[i, j], f"{name}_{'xyz'[i]}_{'xyz'[j]}"))
 
     def apply(self, a: Vector) -> Vector:
-        """M a; entries that meet a zero are never asked for."""
+        """Product M a; entries multiplied by zero are never requested."""
         return tuple(total(*(product(self[i, j], a[j]) for j in range(3) if a[j] != 0)) for i in range(3))
 
 
@@ -45,13 +48,13 @@ def added(*parts: Symmetric) -> Symmetric:
 
 
 def of_matrix(matrix: Matrix) -> Symmetric:
-    """A symmetric matrix that is known."""
+    """Symmetric matrix from given entries."""
     return Symmetric(lambda i, j: matrix[i][j])
 
 
 @dataclass(frozen=True)
 class Turn:
-    """Rotation about a coordinate axis by an angle whose cosine and (signed) sine are named."""
+    """Rotation about a coordinate axis by an angle with named cosine and (signed) sine."""
 
     k: int
     cosine: Any
@@ -59,15 +62,15 @@ class Turn:
 
     @cached_property
     def matrix(self) -> Matrix:
-        """From the turned axes to those before."""
+        """Rotation matrix from the rotated to the original axes."""
         return rotation(tuple(sp.Integer(int(i == self.k)) for i in range(3)), self.cosine, self.sine)
 
     def out(self, a: Vector) -> Vector:
-        """A vector in the axes before, from the turned ones."""
+        """Components in the original axes, from those in the rotated axes."""
         return self._rotated(a, self.sine)
 
     def back(self, a: Vector) -> Vector:
-        """A vector in the turned axes, from those before."""
+        """Components in the rotated axes, from those in the original axes."""
         return self._rotated(a, -self.sine)
 
     def _rotated(self, a: Vector, sine: Any) -> Vector:
@@ -78,8 +81,11 @@ class Turn:
         return (out[0], out[1], out[2])
 
     def symmetric(self, inner: Symmetric, tape: Tape, name: str) -> Symmetric:
-        """A symmetric matrix in the axes before: with D = J_jj - J_ii and e = s D - 2 c J_ij, J_ii grows by s e, J_jj shrinks by it,
-        and J_ij becomes -c e - J_ij, which is less work than R J R^T."""
+        """Components of a symmetric matrix in the original axes, with fewer operations than R J R^T.
+
+        With D = J_jj - J_ii and e = s D - 2 c J_ij, J_ii grows by s e, J_jj shrinks by it, and J_ij becomes -c e -
+        J_ij.
+        """
         i, j, k = (self.k + 1) % 3, (self.k + 2) % 3, self.k
 
         def swing() -> Any:
@@ -107,15 +113,15 @@ class Fixed:
     matrix: Matrix
 
     def out(self, a: Vector) -> Vector:
-        """A vector in the outer axes."""
+        """Components in the outer axes."""
         return apply(self.matrix, a)
 
     def back(self, a: Vector) -> Vector:
-        """A vector in the inner axes."""
+        """Components in the inner axes."""
         return apply(transpose(self.matrix), a)
 
     def symmetric(self, inner: Symmetric, tape: Tape, name: str) -> Symmetric:
-        """R J R^T."""
+        """Product R J R^T."""
         R = self.matrix
         half = [tape.vector(inner.apply(R[i]), f"{name}_half_{'xyz'[i]}") for i in range(3)]
         return Symmetric(lambda i, j: dot(R[j], half[i]))
@@ -131,19 +137,19 @@ class Change:
     steps: tuple[Step, ...] = ()
 
     def out(self, a: Vector) -> Vector:
-        """A vector in the outer axes."""
+        """Components in the outer axes."""
         for step in reversed(self.steps):
             a = step.out(a)
         return a
 
     def back(self, a: Vector) -> Vector:
-        """A vector in the inner axes."""
+        """Components in the inner axes."""
         for step in self.steps:
             a = step.back(a)
         return a
 
     def symmetric(self, inner: Symmetric, tape: Tape, name: str) -> Symmetric:
-        """A symmetric matrix in the outer axes."""
+        """Components of a symmetric matrix in the outer axes."""
         for step in reversed(self.steps):
             inner = step.symmetric(inner, tape, name).named(tape, name)
         return inner

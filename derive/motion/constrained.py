@@ -1,8 +1,9 @@
-"""Motions of a tree corrected so that its loops stay closed: multipliers by G M^-1 G^T, in steps that refine each other.
+"""Motion of a tree with closed loops: multipliers by G M^-1 G^T, with iterative refinement.
 
-Redundant constraints and singular positions leave G M^-1 G^T singular, so a small part of its diagonal is added to it. What that leaves open is
-measured on the corrected motion itself and corrected again. The part is a constant of each constraint, its softness: a run that makes it huge
-takes the constraint out, as it does, step by step, with what others say already.
+Redundant constraints and singular positions leave G M^-1 G^T singular, so a small fraction of its diagonal is added
+to it. The remaining error is measured on the corrected motion and corrected again. The fraction is a constant of each
+constraint, its softness: a run removes a constraint by making it huge, as it does, step by step, with redundant
+constraints.
 """
 
 from __future__ import annotations
@@ -18,17 +19,17 @@ from hertzwerk.derive.motion.loops import Constraint
 from hertzwerk.derive.program.elimination import Factor, least_fill
 from hertzwerk.derive.program.program import CONSTANT, Tape
 
-REGULAR = 3e-9  # of the diagonal of G M^-1 G^T: what is added where nothing is taken out
+REGULAR = 3e-9  # softness of a constraint that is kept: fraction of the diagonal of G M^-1 G^T that is added
 
 
 class Loops:
-    """The constraints of a mechanism on its mass matrix."""
+    """Constraints of a mechanism with its factored mass matrix."""
 
     def __init__(self, tape: Tape, constraints: tuple[Constraint, ...], mass: Factor) -> None:
         self._tape, self._constraints, self._mass = tape, constraints, mass
         self._names = [constraint.name.replace(".", "_") for constraint in constraints]
         each = list(zip(constraints, self._names, strict=True))
-        self._through = [  # what a unit multiplier does to each speed: M^-1 G^T
+        self._through = [  # M^-1 G^T, the response of each speed to a unit multiplier
             mass.solve({key: constraint.column.get(key, sp.S.Zero) for key in mass.names}, f"by_{name}")
             for constraint, name in each
         ]
@@ -43,7 +44,7 @@ class Loops:
         groups: dict[str, list[Any]] = {}
         for constraint, name in each:
             groups.setdefault(constraint.group, []).append(matrix.get((name, name), sp.S.Zero))
-        for constraint, name in each:  # one alone may vanish in a singular position, its group does not
+        for constraint, name in each:  # a single one may vanish in a singular position, its group does not
             size = tape.let(sp.Add(*groups[constraint.group]), f"{constraint.group.replace('.', '_')}_size")
             softness = tape.input(f"{name}_softness", CONSTANT, ONE)
             matrix[name, name] = tape.let(matrix.get((name, name), sp.S.Zero) + softness * size, f"W_{name}_raised")
@@ -51,7 +52,10 @@ class Loops:
         self._factor = Factor(tape, order, matrix)
 
     def independence(self) -> list[Any]:
-        """What the constraints eliminated before leave of each one, over the size of its group: near a singular position a square."""
+        """Pivot of each constraint after elimination of those before it, relative to the size of its group.
+
+        Near a singular position it is of second order.
+        """
         left = self._factor.diagonal
         return [self._tape.let(left[name] / self._sizes[name], f"{name}_independence") for name in self._names]
 
@@ -63,9 +67,11 @@ class Loops:
         refinements: int,
         lent: Mapping[str, Any] = MappingProxyType({}),
     ) -> tuple[dict[str, Any], list[Any]]:
-        """Speeds or accelerations by row, least far from `motion` in kinetic energy, whose constraints are as `wanted`; and the multipliers.
+        """Motion closest to `motion` in kinetic energy that satisfies the constraints, and the multipliers.
 
-        lent    by row, what the mass matrix has too much: accelerations are found as if what it takes to move it came on top of the forces
+        Speeds or accelerations by row, with the constraints' rates as `wanted`.
+
+        lent    by row, the artificial part of the mass matrix: the forces that accelerate it are added, so that it has no effect
         """
         tape, names = self._tape, self._names
         multipliers = dict.fromkeys(names, sp.S.Zero)
@@ -94,5 +100,5 @@ class Loops:
 
 
 def _seen(constraint: Constraint, motion: dict[str, Any]) -> Any:
-    """A constraint's rate under a motion."""
+    """Rate of a constraint for a given motion."""
     return sp.Add(*(entry * motion[key] for key, entry in constraint.column.items() if key in motion))

@@ -1,7 +1,7 @@
-"""Equations of motion: mass matrix, bias, gravity, accelerations, multipliers of closed loops, drive reactions, energy.
+"""Equations of motion: mass matrix, bias, gravity, accelerations, multipliers, reactions, energy.
 
-Kane's equations by composite bodies: one column of the mass matrix is the momentum of what hangs on a joint under the joint's unit speed, seen by
-the joints below it (Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 6).
+Kane's equations by composite bodies: one column of the mass matrix is the momentum of the subtree of a joint at the
+joint's unit speed, projected on the joints below it (Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 6).
 """
 
 from __future__ import annotations
@@ -22,17 +22,17 @@ from hertzwerk.derive.motion.recursion import Recursion
 from hertzwerk.derive.program.elimination import Factor
 
 REFINEMENTS = (
-    2  # of the multipliers: with constrained.REGULAR, what a singular position and rounding cost together is least
+    2  # of the multipliers: with constrained.REGULAR, minimises the sum of the errors by singularity and by rounding
 )
 
 LENT = sp.Rational(
     1, 10_000
-)  # of the inertia about other axes, or of the mean body: what is lent to a row that has none
-RETURNS = 2  # refinements more where something is lent: each leaves about that part of it
+)  # artificial inertia of a row without any, relative to that about other axes, or of the mean body
+RETURNS = 2  # additional refinements with artificial inertia: each reduces its effect by about the factor LENT
 
 
 class Equations:
-    """Equations of one scene on its kinematics' tape."""
+    """Equations of motion of one scene on its kinematics' tape."""
 
     def __init__(self, kinematics: Kinematics, scene: Scene) -> None:
         self.kin = kinematics
@@ -46,7 +46,7 @@ class Equations:
         self.driven = [row for row in self.rows if not row.free]
         self.constraints = constraints_of(kinematics)
         self.prescribed = [row for _, (row,) in kinematics.prescribed.values()]
-        self._pull = cache(self._pull_in)  # keyed by links, which live as long as this does
+        self._pull = cache(self._pull_in)  # keyed by links, which live as long as this object
         self.mass_matrix = cache(self._mass_matrix)
 
     # -- mass matrix and bias --------------------------------------------------------------------------------------
@@ -56,14 +56,14 @@ class Equations:
         return UNIT if link.kind == "ball" else (self.recursion.axis(link),)
 
     def _columns(self, link: Link) -> dict[tuple[str, str], Any]:
-        """Mass matrix entries of the rows of one link with themselves and those of the links below, by keys."""
+        """Mass matrix entries of a link's rows with themselves and the rows of the links below, by keys."""
         found: dict[tuple[str, str], Any] = {}
         parts = self.recursion
         for i, (row, axis) in enumerate(zip(link.rows, self._axes(link), strict=True)):
             name = row.key.replace(".", "_")
             slides = link.kind == "slide"
             force = scale(parts.mass(link), axis) if slides else cross(axis, parts.moment(link))
-            # seen from the link's own rows first: of an inertia only what somebody asks for is worked out
+            # the link's own rows first: only requested entries of an inertia are computed
             for other, along in zip(link.rows[: i + 1], self._axes(link), strict=False):
                 value = dot(force, along) if slides else dot(parts.inertia(link).apply(axis), along)
                 found[row.key, other.key] = self.tape.let(value, f"M_{name}_{other.key.replace('.', '_')}")
@@ -73,7 +73,7 @@ class Equations:
                 torque = ZERO
             here = link
             while here.parent is not None and here.parent.parent is not None:
-                # what is handed on, in the axes of the parent's run
+                # resolved in the axes of the parent's run
                 arm = parts.arm(here)
                 force = self.tape.vector(here.change.out(force), f"{name}_{here.name}_force")
                 torque = self.tape.vector(add(here.change.out(torque), cross(arm, force)), f"{name}_{here.name}_torque")
@@ -114,7 +114,7 @@ class Equations:
         return dot(self._pull(link), cross(axis, self.recursion.moment(link)))
 
     def _pull_in(self, link: Link) -> Vector:
-        """Gravity in the axes of a link's run."""
+        """Gravity vector in the axes of a link's run."""
         if link.parent is None:
             return self._gravity_vector()
         return self.tape.vector(link.change.back(self._pull(link.parent)), f"{link.name}_gravity")
@@ -126,7 +126,10 @@ class Equations:
         return scale(sp.sympify(effects[0].acceleration), effects[0].direction.unit)
 
     def accelerations(self, forces: dict[str, Any]) -> tuple[list[Any], list[Any]]:
-        """Of the free rows, from M a = f - bias + G^T multipliers and G a + bias of G = 0; and the multipliers, none in a tree."""
+        """Accelerations of the free rows, and the multipliers, which are none in a tree.
+
+        Solves M a = f - bias + G^T multipliers and G a + bias of G = 0.
+        """
         right = {
             row.key: self.tape.let(forces[row.key] - self.bias(row), f"{row.key.replace('.', '_')}_net")
             for row in self.free
@@ -140,26 +143,30 @@ class Equations:
         return [found[row.key] for row in self.free], multipliers
 
     def projection(self, wanted: list[Any]) -> list[Any]:
-        """Speeds v of the free rows, least in kinetic energy, with G v = wanted."""
+        """Speeds v of the free rows with the least kinetic energy that satisfy G v = wanted."""
         still = dict.fromkeys(self._factor.names, sp.S.Zero)
         speeds, _ = self._loops.corrected(still, wanted, "push", 1)
         return [speeds[row.key] for row in self.free]
 
     def independence(self) -> list[Any]:
-        """Of each constraint, 0 where it says what others say: see `constrained`."""
+        """Independence of each constraint, 0 where it is redundant: see `constrained`."""
         return self._loops.independence()
 
     @cached_property
     def _factor(self) -> Factor:
-        """Of the mass matrix of the free rows; leaves first: eliminating a chain from its end keeps the branches' zeros."""
+        """Factored mass matrix of the free rows, leaves first.
+
+        Eliminating a chain from its end keeps the zeros of the branches.
+        """
         lent = {(key, key): value for key, value in self.lent.items()}
         return Factor(self.tape, [row.key for row in self.free][::-1], {**self.mass_matrix(), **lent})
 
     @cached_property
     def lent(self) -> dict[str, Any]:
-        """Mass or inertia lent to rows that have none, where the bodies that constraints tie them to have it: a slender rod's about its own axis.
+        """Artificial mass or inertia of rows without any, such as a slender rod's about its own axis.
 
-        What is lent is given back while the multipliers are refined (`constrained`). That is quick where little is lent.
+        Only with loop constraints, which tie the row to bodies with inertia. Its effect is removed while the
+        multipliers are refined (`constrained`), which converges fast where it is small.
         """
         if not self.constraints:
             return {}
@@ -180,7 +187,10 @@ class Equations:
         return Loops(self.tape, self.constraints, self._factor)
 
     def reactions(self, forces: dict[str, Any], accelerations: list[Any], multipliers: list[Any]) -> list[Any]:
-        """What each drive must supply [N m or N]: its row of M a + bias - f - G^T multipliers; of a joint that closes a loop its multiplier."""
+        """Force or torque that each drive must supply [N m or N].
+
+        That is its row of M a + bias - f - G^T multipliers; for a loop-closing joint it is its multiplier.
+        """
         mass = self.mass_matrix()
         out = []
         for row in self.driven:
@@ -202,7 +212,7 @@ class Equations:
     # -- energy ----------------------------------------------------------------------------------------------------
 
     def kinetic(self) -> Any:
-        """[J]."""
+        """Kinetic energy [J]."""
         half, parts, tape = sp.Rational(1, 2), self.recursion, self.tape
         total = []
         for link in self.links:
@@ -218,7 +228,7 @@ class Equations:
         return tape.let(sp.Add(*total), "kinetic")
 
     def potential(self) -> Any:
-        """Of gravity, zero at the ground's origin [J]."""
+        """Potential energy of gravity, zero at the ground's origin [J]."""
         pull = self._gravity_vector()
         bodies = self.scene.mechanism.bodies
         total = [-sp.sympify(body.mass) * dot(self.kin.centre(body), pull) for body in bodies]

@@ -1,8 +1,9 @@
-"""Poses, velocities, accelerations and partial velocities of the bodies of a tree, in ground axes: for points, contacts and pictures.
+"""Positions, velocities, accelerations and partial velocities of bodies of a tree, in ground axes.
 
-Everything of a body refers to O, the point of its link on its joint, which is fixed in the body: the vector from O to any other point of the body is
-short, so nothing large cancels. Consecutive rotations about parallel axes merge into one angle; structural zeros make plane mechanisms plane. What
-nobody asks for is not worked out. Kane, Levinson, Dynamics: Theory and Applications (1985), chapter 2.
+Everything refers to O, the point of a body's link on its joint, which is fixed in the body: the vector from O to any
+other point of the body is short, so there is no cancellation of large numbers. Consecutive rotations about parallel
+axes merge into one angle; structural zeros make plane mechanisms plane. Only requested terms are computed. Kane,
+Levinson, Dynamics: Theory and Applications (1985), chapter 2.
 """
 
 from __future__ import annotations
@@ -45,7 +46,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Motion:
-    """Of a link: rotation to ground axes, position of O, angular velocity, velocity of O, and their rates (with the generalised accelerations)."""
+    """Rotation to ground axes, position of O, velocities and accelerations of a link.
+
+    The accelerations include the generalised accelerations.
+    """
 
     rotation: Matrix
     origin: Vector
@@ -57,7 +61,10 @@ class Motion:
 
 @dataclass(frozen=True)
 class DriveState:
-    """What a drive integrates, an entry of q without a speed in u: its port, symbol, rate, and value at t = 0."""
+    """State integrated for a drive, an entry of q without a speed in u.
+
+    Its port, symbol, rate, and value at t = 0.
+    """
 
     port: Port
     symbol: sp.Symbol
@@ -108,7 +115,10 @@ class Kinematics:
         self._measured = cache(self._measure)
 
     def _driven(self, freedom: Freedom, scene: Scene, group: str) -> tuple[tuple[Any, ...], tuple[Row, ...]]:
-        """Coordinate, speed and acceleration of a driven freedom: the drive's law and its derivatives, and below it the states that integrate it."""
+        """Coordinate, speed and acceleration of a driven freedom: the drive's law and its derivatives.
+
+        Orders below the law's are states that integrate it.
+        """
         motion = scene.driven[freedom.key].motion
         ports = (*freedom.coordinates, *freedom.speeds, *map(acceleration_of, freedom.speeds))
         names = [port.name.replace(".", "_") for port in ports]
@@ -136,11 +146,14 @@ class Kinematics:
         return self._states[key][0] if key in self._states else self._measured(key).value
 
     def speed(self, key: str) -> Any:
-        """Its rate [rad/s or m/s]."""
+        """Rate of the coordinate [rad/s or m/s]."""
         return self._states[key][1] if key in self._states else self._measured(key).rate
 
     def on_joint(self, key: str, force: Any, name: str) -> dict[str, Any]:
-        """Generalised forces, by row, of a force along a slide or a torque about a turn, on its child; the parent feels the opposite."""
+        """Generalised forces, by row, of a force along a slide or a torque about a turn.
+
+        It acts on the child, its reaction on the parent.
+        """
         if key in self._states:
             return {key: force}
         return {
@@ -154,7 +167,10 @@ class Kinematics:
         return measured(self, key)
 
     def _turned_about(self, body: Frame, k: int) -> Any:
-        """Angle of a body against the ground about a coordinate axis that all turns on the way to it are about [rad]."""
+        """Angle of a body against the ground about a coordinate axis [rad].
+
+        All turns on the way to the body must be about that axis.
+        """
         joint = self.mechanism.joint_of(body)
         if joint is None:
             return sp.S.Zero
@@ -164,7 +180,7 @@ class Kinematics:
         return self.tape.let(total, f"{body.name}_turned")
 
     def expression(self, value: Any) -> Any:
-        """An expression of a scene over the tape: time, and the coordinates and speeds of free and driven freedoms."""
+        """An expression of a scene on the tape: time, and coordinates and speeds of its freedoms."""
         value = as_choice(value)
         return value.xreplace({symbol: self._state(symbol) for symbol in states_in(value)})
 
@@ -179,7 +195,7 @@ class Kinematics:
     # -- links in ground axes --------------------------------------------------------------------------------------
 
     def rotation_of(self, orientation: Orientation, name: str) -> Matrix:
-        """From a link's axes to the ground's; `name` it, where it is new."""
+        """Rotation matrix from a link's axes to the ground's; a new one is named after `name`."""
         if orientation not in self._rotations:
             run, matrix = orientation.run, IDENTITY
             if run.outer is not None:
@@ -193,14 +209,14 @@ class Kinematics:
         return self.rotation_of(link.orientation, link.name)
 
     def _arm(self, link: Link) -> Vector:
-        """From the parent's O to the link's, ground axes [m]."""
+        """Vector from the parent's O to the link's, ground axes [m]."""
         if link.parent is None:
             return ZERO
         return self.tape.vector(apply(self._turned(link.parent), link.offset), f"{link.name}_arm")
 
     def _direction(self, link: Link) -> Vector:
         """Axis of a turn or slide, ground axes."""
-        # an axis of turn stands still in the turn, and a slide keeps its parent's axes
+        # the axis of a turn is fixed in the parent, and a slide keeps its parent's axes
         outer = link.parent if link.parent is not None else link
         local = link.axis
         if link.kind == "turn" and link.orientation.run is not outer.orientation.run:
@@ -245,7 +261,10 @@ class Kinematics:
         return Motion(self._turned(link), origin, w, velocity, alpha, acceleration)
 
     def _bias(self, link: Link) -> tuple[Vector, Vector]:
-        """Angular acceleration, and acceleration of O, at zero generalised accelerations; those of the drives count."""
+        """Angular acceleration, and acceleration of O, at zero generalised accelerations.
+
+        The accelerations of drives are included.
+        """
         if link.parent is None:
             return ZERO, ZERO
         tape, name, w = self.tape, link.name, self.motion_of(link.parent).angular_velocity
@@ -270,31 +289,31 @@ class Kinematics:
         return self.tree.places[body].link
 
     def motion(self, body: Frame) -> Motion:
-        """Of the link that carries a body."""
+        """Motion of the link that carries a body."""
         return self.motion_of(self.link_of(body))
 
     def rotation(self, body: Frame) -> Matrix:
-        """From a body's axes to the ground's."""
+        """Rotation matrix from a body's axes to the ground's."""
         place = self.tree.places[body]
         matrix = self._turned(place.link)
         return matrix if place.axes == IDENTITY else self.tape.matrix(multiply(matrix, place.axes), f"{body.name}_R")
 
     def axes_of(self, point: Point) -> Matrix:
-        """From a point's axes to the ground's."""
+        """Rotation matrix from a point's axes to the ground's."""
         body = self.rotation(point.body)
         return multiply(body, point.axes) if point.turns else body
 
     def direction(self, point: Point, direction: Direction) -> Vector:
-        """A direction given in a point's axes, in ground axes."""
+        """Unit vector in ground axes of a direction given in a point's axes."""
         return apply(self.axes_of(point), direction.unit)
 
     def arm(self, point: Point, name: str) -> Vector:
-        """From its body's O to the point, ground axes [m]."""
+        """Vector from its body's O to the point, ground axes [m]."""
         place = self.tree.places[point.body]
         return self.tape.vector(apply(self._turned(place.link), place.point(point)), f"{name}_arm")
 
     def frame_origin(self, body: Body) -> Vector:
-        """Origin of the body's frame [m]."""
+        """Origin of a body's frame [m]."""
         return add(self.origin_of(self.link_of(body)), self.arm(Point(body), f"{body.name}_frame"))
 
     def centre(self, body: Body) -> Vector:
@@ -324,7 +343,7 @@ class Kinematics:
         return add(motion.velocity, cross(motion.angular_velocity, sub(position, motion.origin)))
 
     def of_force(self, link: Link, force: Vector, position: Vector) -> list[Any]:
-        """What a force at `position`, on a link or beyond it, does in each row of the link [N or N m]."""
+        """Generalised forces in each row of a link, of a force at `position` on the link or its subtree."""
         if link.kind == "slide":
             return [dot(force, self.direction_of(link))]
         arm = sub(position, self.origin_of(link))
@@ -334,17 +353,20 @@ class Kinematics:
         return [dot(axis, moment) for axis in transpose(self._turned(link))]
 
     def partial_turns(self, link: Link) -> list[Vector]:
-        """Partial angular velocities, by each speed of a link, of what is on it or beyond [1]."""
+        """Partial angular velocities of a link and its subtree, by each speed of the link [1]."""
         if link.kind == "slide":
             return [ZERO]
         return [self.direction_of(link)] if link.kind == "turn" else list(transpose(self._turned(link)))
 
     def generalised(self, force: Vector, position: Vector, on: Frame, against: Frame, name: str) -> dict[str, Any]:
-        """Generalised forces, by row, of a force on one body and its reaction on another at the same point; common links cancel."""
+        """Generalised forces, by row, of a force on one body and its reaction on another at the same point.
+
+        Links common to both cancel.
+        """
         return self._between(on, against, lambda link: self.of_force(link, force, position), name)
 
     def generalised_moment(self, moment: Vector, on: Frame, against: Frame, name: str) -> dict[str, Any]:
-        """The same of a moment on one body and its reaction on another."""
+        """Generalised forces, by row, of a moment on one body and its reaction on another."""
         return self._between(on, against, lambda link: [dot(moment, axis) for axis in self.partial_turns(link)], name)
 
     def _between(self, on: Frame, against: Frame, effect: Callable[[Link], list[Any]], name: str) -> dict[str, Any]:
@@ -360,13 +382,13 @@ class Kinematics:
 
 
 def acceleration_of(speed: Port) -> Port:
-    """The port of a speed's rate: `<joint>.speed` -> `<joint>.acceleration`."""
+    """Port of a speed's rate: `<joint>.speed` -> `<joint>.acceleration`."""
     joint, name = speed.name.rsplit(".", 1)
     return Port(f"{joint}.{name.replace('speed', 'acceleration')}", f"{speed.unit}^2")
 
 
 def _quaternion_rates(q: Sequence[Any], half: Sequence[Any]) -> tuple[Any, ...]:
-    """q' = q (0, w/2), the half of w given in the turned axes."""
+    """Quaternion rates q' = q (0, w/2), with w/2 in the rotated axes."""
     (q0, q1, q2, q3), (x, y, z) = q, half
     return (
         -q1 * x - q2 * y - q3 * z,

@@ -1,4 +1,7 @@
-"""After what time everything that depends on time in a scene repeats: drives and forces whose time stands in sines and cosines, or turns an angle."""
+"""Common period of everything in a scene that depends on time.
+
+Time must be the argument of sines and cosines, or turn an angle.
+"""
 
 from __future__ import annotations
 
@@ -14,10 +17,11 @@ _CIRCULAR = (sp.sin, sp.cos, sp.tan)
 
 
 def period(scene: Scene) -> Any | None:
-    """The common period [s], over parameters; None where nothing varies with time, or not everything does so periodically.
+    """Common period [s], a function of parameters; None where nothing varies periodically.
 
-    What a drive does before its last choice of a time does not count: a speed that rises and stays is periodic from then on. A drive of constant
-    speed is periodic if it turns an angle.
+    None too where something varies without a period. The past of a drive, before its last branch at a time, does not
+    count: a speed that rises and stays is periodic from then on. A drive of constant speed is periodic if it turns an
+    angle.
     """
     angles = {freedom.key for freedom in scene.mechanism.freedoms if freedom.units[0] == "rad"}
     frequencies: list[Any] = []
@@ -35,7 +39,7 @@ def period(scene: Scene) -> Any | None:
 
 
 class _Aperiodic(Exception):
-    """Something goes on differently for ever, or in periods that have none in common."""
+    """Dependence on time without a common period."""
 
 
 def _drives(scene: Scene) -> list[str]:
@@ -43,7 +47,7 @@ def _drives(scene: Scene) -> list[str]:
 
 
 def _of_drive(motion: Any, turns: bool) -> list[Any]:
-    """Frequencies [rad/s] of a motion, which may go round where it turns an angle."""
+    """Frequencies [rad/s] of a motion, including its mean rotation if it `turns` an angle."""
     if motion.order == 0:
         steady, others = _split(_later(motion.law))
     elif motion.order == 1 and not motion.law.has(T):
@@ -58,7 +62,7 @@ def _of_drive(motion: Any, turns: bool) -> list[Any]:
 
 
 def _split(expression: Any) -> tuple[Any, list[Any]]:
-    """The factor of time in a sum, and the frequencies of its other terms."""
+    """Factor of time in a sum, and the frequencies of its other terms."""
     steady, others = sp.S.Zero, []
     for term in sp.Add.make_args(sp.expand(expression)):
         rate = sp.diff(term, T)
@@ -70,7 +74,7 @@ def _split(expression: Any) -> tuple[Any, list[Any]]:
 
 
 def _of(expression: Any) -> list[Any]:
-    """Frequencies [rad/s] of what an expression is made of; raises _Aperiodic for time outside sines and cosines."""
+    """Frequencies [rad/s] in an expression; raises _Aperiodic for time outside sines and cosines."""
     if not expression.has(T):
         return []
     if isinstance(expression, _CIRCULAR):
@@ -82,7 +86,7 @@ def _of(expression: Any) -> list[Any]:
 
 
 def _later(expression: Any) -> Any:
-    """What is left of choices between before and after a time."""
+    """Replace branches before and after a time by the later one."""
 
     def chosen(node: Any) -> Any:
         condition, holds, fails = node.args
@@ -98,7 +102,7 @@ def _later(expression: Any) -> Any:
 
 
 def _common(frequencies: list[Any]) -> Any | None:
-    """The frequency that all of them are whole multiples of; None without any, raises _Aperiodic where there is none."""
+    """Greatest common divisor of frequencies; None without any, raises _Aperiodic if there is none."""
     if not frequencies:
         return None
     ratios = [sp.simplify(frequency / frequencies[0]) for frequency in frequencies]

@@ -1,4 +1,4 @@
-"""Numbers for what is on a tape, at random states: to try what the user states of a pair, where symbols cannot tell."""
+"""Numerical evaluation of a tape at random states, to test a user's pair where symbols cannot tell."""
 
 from __future__ import annotations
 
@@ -20,7 +20,10 @@ Numbers = dict[Any, Any]
 
 
 class Probe:
-    """A mechanism's random states: parameters at their defaults, coordinates and speeds of the size of `length` [m] and 1."""
+    """Random states of a mechanism: parameters at their defaults, coordinates and speeds of order 1.
+
+    Lengths are of the order of `length` [m].
+    """
 
     def __init__(self, kinematics: Kinematics, length: float) -> None:
         self.kin = kinematics
@@ -28,7 +31,7 @@ class Probe:
         self._random = random.Random(1)
 
     def values(self, wanted: list[Any], given: Mapping[Any, Any]) -> list[float]:
-        """Values of expressions over the tape; what is given is not looked up there."""
+        """Values of expressions on the tape, with the values `given`."""
         known: Numbers = dict(given)
         return [float(self._value(expression, known)) for expression in wanted]
 
@@ -44,7 +47,7 @@ class Probe:
         return evaluate(expression, known)
 
     def states(self) -> Iterator[Numbers]:
-        """Coordinates and speeds without end; of drives too."""
+        """Yield random coordinates and speeds, of drives too, without end."""
         freedoms = [(freedom, self.kin.motion_of_freedom(freedom)) for freedom in self.kin.mechanism.freedoms]
         while True:
             state: Numbers = {self.kin.t: self._random.uniform(0, 1)}
@@ -68,7 +71,10 @@ class Probe:
         return state
 
     def states_where(self, expression: Any, rate: Any, target: float) -> list[Numbers]:
-        """States at which an expression, whose rate is given, has a value: some, or none where Newton's method finds none."""
+        """States at which an expression with the given rate has the value `target`, by Newton's method.
+
+        Several, or none where the iteration finds none.
+        """
         source = self.states()
         found = (self._moved(next(source), expression, rate, target) for _ in range(_TRIES))
         return [state for state in found if state is not None][:STATES]
@@ -87,7 +93,7 @@ class Probe:
                 step = {s: (target - value) * k / length for s, k in zip(self.kin.u, slopes, strict=True)}
                 moves = self.values(list(self.kin.rates), {**state, **step})
             except (ValueError, TypeError, ZeroDivisionError, OverflowError):
-                return None  # no number there
+                return None  # not defined there
             state = dict(state)
             for symbol, move in zip(self.kin.q, moves, strict=True):
                 state[symbol] += move

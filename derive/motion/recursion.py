@@ -1,11 +1,13 @@
-"""What the equations of motion are made of, by one pass outwards and one inwards over the links, each in axes of its own run.
+"""Terms of the equations of motion by an outward and an inward pass over the links.
 
-What hangs on a joint moves as one rigid body with it (composite bodies: Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 6). The masses
-beyond a joint act on the link before it as one point mass at the joint (augmented bodies: Wittenburg, Dynamics of Multibody Systems (2008)): mass,
-first moment and inertia of an augmented link are constant in its axes, so no mass meets a run-time number where a joint only turns.
+Every term is resolved in the axes of its link's run. The subtree of a joint moves as one rigid body with it
+(composite bodies: Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 6). The masses beyond a joint act on
+the link before it as one point mass at the joint (augmented bodies: Wittenburg, Dynamics of Multibody Systems
+(2008)): mass, first moment and inertia of an augmented link are constant in its axes, so mass parameters are not
+multiplied by run-time quantities where a joint only turns.
 
-Bias quantities are those at zero generalised accelerations; driven joints' accelerations count as bias. About O: `U r` with
-U = [alpha]x + [w]x[w]x is the acceleration, relative to O, of the point at r.
+Bias quantities are those at zero generalised accelerations; driven joints' accelerations count as bias. With U =
+[alpha]x + [w]x[w]x, `U r` is the acceleration, relative to O, of the point at r.
 """
 
 from __future__ import annotations
@@ -47,7 +49,7 @@ Result = TypeVar("Result")
 
 
 def per_link(method: Callable[[Recursion, Link], Result]) -> Callable[[Recursion, Link], Result]:
-    """A method of a recursion that works its result out once for each link."""
+    """Cache a method of a recursion by link."""
 
     @wraps(method)
     def look_up(self: Recursion, link: Link) -> Result:
@@ -61,7 +63,10 @@ def per_link(method: Callable[[Recursion, Link], Result]) -> Callable[[Recursion
 
 @dataclass(frozen=True)
 class Spin:
-    """Angular velocity of a link in its axes, its bias rate, and those without the turn of the link's own joint, about `axis`."""
+    """Angular velocity of a link in its axes, and its bias rate.
+
+    `before` and `alpha_before` are those without the turn of the link's own joint, about `axis`.
+    """
 
     w: Vector
     alpha: Vector
@@ -71,7 +76,7 @@ class Spin:
 
 
 class Recursion:
-    """Of one tree of links; everything is worked out when it is first asked for."""
+    """Terms of one tree of links, each computed on first request."""
 
     def __init__(self, tree: Tree, bodies: Sequence[Body]) -> None:
         self.tree = tree
@@ -96,7 +101,10 @@ class Recursion:
         return mass, moment, inertia
 
     def _about_centre(self, body: Body) -> Matrix:
-        """Inertia about the mass centre, in the link's axes; a scalar is meant about the axis of the joint that turns the body."""
+        """Inertia about the mass centre, in the link's axes.
+
+        A scalar inertia is about the axis of the joint that turns the body.
+        """
         place = self.tree.places[body]
         if isinstance(body.inertia, tuple):
             own = diagonal(*body.inertia)
@@ -110,7 +118,7 @@ class Recursion:
 
     @per_link
     def mass(self, link: Link) -> Any:
-        """Of a link and all that hangs on it [kg]."""
+        """Mass of a link and its subtree [kg]."""
         parts = [self.own(link)[0], *(self.mass(child) for child in self.tree.children[link])]
         return self.tape.let(sp.Add(*parts), f"{link.name}_total_mass")
 
@@ -129,14 +137,14 @@ class Recursion:
 
     @per_link
     def arm(self, link: Link) -> Vector:
-        """From the parent's O to this O, in the axes of the parent's run [m]."""
+        """Vector from the parent's O to this O, in the axes of the parent's run [m]."""
         if link.parent is None:
             return ZERO
         return self.tape.vector(link.parent.orientation.within.out(link.offset), f"{link.name}_arm")
 
     @per_link
     def axis(self, link: Link) -> Vector:
-        """Of a slide or turn, in the axes of its run."""
+        """Axis of a slide or turn, in the axes of its run."""
         return (
             self.tape.vector(link.orientation.within.out(link.axis), f"{link.name}_axis")
             if link.kind == "slide"
@@ -147,13 +155,13 @@ class Recursion:
 
     @per_link
     def moment(self, link: Link) -> Vector:
-        """First moment about O of a link with all that hangs on it [kg m]."""
+        """First moment about O of a link with its subtree [kg m]."""
         parts = [child.change.out(self.moment(child)) for child in self.tree.children[link]]
         return self.tape.vector(add(self.augmented(link)[0], *parts), f"{link.name}_total_moment")
 
     @per_link
     def inertia(self, link: Link) -> Symmetric:
-        """Inertia about O of a link with all that hangs on it [kg m^2]."""
+        """Inertia about O of a link with its subtree [kg m^2]."""
         tape, name = self.tape, link.name
         parts = [self.augmented(link)[1]]
         for child in self.tree.children[link]:
@@ -188,7 +196,10 @@ class Recursion:
 
     @per_link
     def swing(self, link: Link) -> Callable[[Vector], Vector]:
-        """R -> U r. A point on the axis of a link's own turn does not notice the turn: its column of U is that of before."""
+        """The map r -> U r.
+
+        Points on the axis of the link's own turn are not affected by it: their column of U is that before the turn.
+        """
         spin, tape, name = self.spin(link), self.tape, link.name
 
         @cache
@@ -207,12 +218,12 @@ class Recursion:
         return times
 
     def product(self, link: Link, w: Vector, i: int, j: int) -> Any:
-        """w_i w_j, named, so that it is made once."""
+        """Product w_i w_j, named, so that it is computed once."""
         return self.tape.let(product(w[i], w[j]), f"{link.name}_rate_{'xyz'[i]}{'xyz'[j]}")
 
     @per_link
     def jump(self, link: Link) -> Vector:
-        """What a slide adds to the bias acceleration of its O; zero elsewhere."""
+        """Bias acceleration of O due to a slide; zero elsewhere."""
         if link.kind != "slide":
             return ZERO
         (row,), axis = link.rows, self.axis(link)
@@ -233,12 +244,12 @@ class Recursion:
 
     @per_link
     def force(self, link: Link) -> Vector:
-        """Bias force of the composite beyond `mass * bias` [N]."""
+        """Bias force of the composite in addition to `mass * bias` [N]."""
         parts = [child.change.out(self.thrust(child)) for child in self.tree.children[link]]
         return self.tape.vector(add(self.swing(link)(self.augmented(link)[0]), *parts), f"{link.name}_force")
 
     def thrust(self, link: Link) -> Vector:
-        """`force`, and what its slide adds: all that the augmented parent does not know [N]."""
+        """Bias force including the slide's part, which the augmented parent does not contain [N]."""
         return add(self.force(link), scale(self.mass(link), self.jump(link)))
 
     @per_link
@@ -253,7 +264,7 @@ class Recursion:
         return tape.vector(add(*parts), f"{name}_torque")
 
     def _gyroscopic(self, link: Link, J: Symmetric) -> Vector:
-        """J alpha + w x J w, with the products of w that U has already."""
+        """J alpha + w x J w, reusing the products of w in U."""
         spin = self.spin(link)
         w, alpha = spin.w, spin.alpha
         if is_zero(w):
@@ -279,7 +290,7 @@ class Recursion:
 
     @per_link
     def velocity(self, link: Link) -> Vector:
-        """Of O [m/s]."""
+        """Velocity of O [m/s]."""
         if link.parent is None:
             return ZERO
         before = add(self.velocity(link.parent), cross(self.spin(link.parent).w, self.arm(link)))
@@ -288,12 +299,15 @@ class Recursion:
 
 
 def steiner(shift: Vector) -> Matrix:
-    """|r|^2 1 - r r^T."""
+    """Parallel-axis matrix |r|^2 1 - r r^T."""
     return combine(scaled(dot(shift, shift), IDENTITY), scaled(sp.S.NegativeOne, outer(shift, shift)))
 
 
 def _shifted(arm: Vector, moment: Vector) -> Symmetric:
-    """What moving a composite of first moment h by d adds to its inertia, beyond its mass: 2 (d.h) 1 - d h^T - h d^T."""
+    """Change of inertia of a composite of first moment h moved by d: 2 (d.h) 1 - d h^T - h d^T.
+
+    Without the part of its mass.
+    """
 
     def entry(i: int, j: int) -> Any:
         if i != j:

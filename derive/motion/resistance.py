@@ -1,6 +1,7 @@
-"""Motions that no mass resists: axes that coincide, or cancel, with nothing but massless bodies between them.
+"""Motions without inertia: axes that coincide or cancel, with only massless bodies between them.
 
-What is wrong then is the mechanism, not a number: the mass matrix is singular in every position. It is tried at a random one, at the defaults.
+The fault is in the mechanism: its mass matrix is singular in every position. It is tested at a random position, with
+parameters at their defaults.
 """
 
 from __future__ import annotations
@@ -17,13 +18,14 @@ from hertzwerk.derive.motion.kinematics import Kinematics
 from hertzwerk.derive.motion.probe import Probe
 from hertzwerk.derive.program.program import Tape
 
-SINGULAR = 1e-10  # what elimination leaves of a diagonal entry, as a part of it, that counts as nothing
+SINGULAR = 1e-10  # pivot relative to the diagonal entry that counts as zero
 
 
 def resistance_faults(scene: Scene) -> Iterator[Fault]:
-    """One for each motion of the free joints that moves no mass. Only massless bodies make any, so a scene without them costs nothing here.
+    """Yield a fault for each motion of the free joints without inertia.
 
-    Absolute coordinates can do with bodies without an inertia too as long as the joints' coordinates can, which are what is tried.
+    Only massless bodies allow such motions, so other scenes skip the test. In absolute coordinates bodies without
+    inertia are allowed if joint coordinates allow them, which are tested.
     """
     massless = [body.name for body in scene.mechanism.bodies if default_value(body.mass) == 0]
     if isinstance(scene, Absolute):
@@ -50,7 +52,7 @@ def _is_whole(body: Body) -> bool:
 
 
 def _mass_matrix(scene: Scene) -> tuple[list[str], list[list[float]]]:
-    """Of the free freedoms, in numbers, on a tape of its own; and what they are called."""
+    """Names of the free rows, and the mass matrix in numbers."""
     tape = Tape()
     for parameter, dimension in scene.dimensions.items():
         tape.input(parameter.name, "p", dimension, symbol=parameter)
@@ -63,7 +65,7 @@ def _mass_matrix(scene: Scene) -> tuple[list[str], list[list[float]]]:
 
 
 def _null_vectors(matrix: list[list[float]]) -> Iterator[list[int]]:
-    """Of a positive semidefinite matrix: the entries of each that are not zero."""
+    """Yield the indices of the non-zero entries of each null vector of a positive semidefinite matrix."""
     count = len(matrix)
     left = [row[:] for row in matrix]
     lower: list[list[float]] = [[0.0] * count for _ in matrix]
