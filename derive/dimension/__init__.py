@@ -1,1 +1,1 @@
-"""Dimensions: their rules, the audit of expressions and of their text, and the culprit of a wrong unit."""
+"""Dimensions: rules, audit of expressions and of their text, and culprits of wrong units."""

@@ -1,8 +1,8 @@
-"""Whose unit is wrong: of all symbols the one that, in another unit, would make every expression consistent at once.
+"""Find the symbol with the wrong unit: the one that in another unit makes every expression consistent.
 
-A fault says where two dimensions meet that differ, not which is wrong: `K3*d**3` beside `K1*d` may lack a power of d as well as have its K3 in the
-wrong unit. What is tried is each symbol in the unit that would mend the fault, on every expression that it stands in, the definitions and the stored
-energy of a law included: few symbols remain, mostly one.
+A fault states where two dimensions differ, not which is wrong: `K3*d**3` beside `K1*d` may lack a power of d as well
+as have its K3 in the wrong unit. Each symbol is tried in the unit that would repair the fault, in every expression
+that contains it, including the definitions and the stored energy of a law: few symbols remain, mostly one.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ import sympy as sp
 
 from hertzwerk.derive.dimension.dimension import ONE, Dimension, DimensionFault
 
-SHOWN = 2  # of equally likely culprits
+SHOWN = 2  # most equally likely culprits that are named
 
 
 @dataclass(frozen=True)
 class Row:
-    """One expression: its fault under dimensions of the symbols, None where it holds; and the powers that a symbol stands in it with."""
+    """One expression, by its fault for given dimensions of the symbols and the powers of a symbol in it."""
 
     fault: Callable[[Mapping[Any, Dimension]], DimensionFault | None]
     powers: Callable[[Any], Iterable[Any]]
@@ -39,12 +39,12 @@ class Culprit:
 
     @property
     def gain(self) -> int:
-        """How much stranger its unit is than the one needed."""
-        return _strangeness(self.unit) - _strangeness(self.needed)
+        """Difference in complexity between its unit and the needed one."""
+        return _complexity(self.unit) - _complexity(self.needed)
 
     @property
     def plausible(self) -> bool:
-        """Whether somebody would declare the unit needed: whole or half powers, or those of named exponents."""
+        """Whether the needed unit is plausible: whole or half powers, or those of named exponents."""
         return all(not e.is_number or (e.is_Rational and e.q <= 2 and abs(e) <= 6) for e in self.needed.exponents)
 
     def __str__(self) -> str:
@@ -55,9 +55,9 @@ class Culprit:
 def culprits(
     rows: Sequence[Row], dimensions: Mapping[Any, Dimension], candidates: Mapping[Any, str]
 ) -> tuple[Culprit, ...]:
-    """The symbols, of the candidates with their units as declared, of which one other unit would make all rows hold.
+    """Symbols for which one other unit makes all rows consistent, the likeliest first.
 
-    The likeliest first: that whose unit becomes the plainer by it.
+    `candidates` are symbols with their units as declared. The likeliest is that whose unit becomes the simplest.
     """
     missing = list(
         dict.fromkeys(f.missing for row in rows if (f := row.fault(dimensions)) is not None if f.missing is not None)
@@ -76,7 +76,10 @@ def culprits(
 
 
 def likeliest(found: Sequence[Culprit], alone: bool) -> tuple[Culprit, ...]:
-    """Those that nothing tells apart; none where they are too many to name. An expression `alone` tells nothing but where it leaves one symbol."""
+    """The equally likely culprits; () where they are too many to name.
+
+    For a single expression (`alone`), one culprit is evidence only if it is unique.
+    """
     if alone:
         numeric = all(exponent.is_number for culprit in found for exponent in culprit.needed.exponents)
         return tuple(found) if len(found) == 1 and found[0].plausible and numeric else ()
@@ -86,12 +89,12 @@ def likeliest(found: Sequence[Culprit], alone: bool) -> tuple[Culprit, ...]:
 
 
 def sentence(found: Sequence[Culprit], what: str) -> str:
-    """What to change for `what` to be consistent."""
+    """Repair by which `what` becomes consistent."""
     return f"{', or '.join(map(str, found))}, makes {what} consistent"
 
 
 def powers_in(expression: Any, symbol: Any) -> set[Any]:
-    """The powers that a symbol stands with in a SymPy expression and its parts: of d in sqrt(R*d**3) 3 and 3/2."""
+    """Powers of a symbol in a SymPy expression and its parts: of d in sqrt(R*d**3) 3 and 3/2."""
     if expression == symbol:
         return {sp.S.One}
     inside = [powers for arg in expression.args if (powers := powers_in(arg, symbol))]
@@ -103,8 +106,8 @@ def powers_in(expression: Any, symbol: Any) -> set[Any]:
     return found - {sp.S.Zero}
 
 
-def _strangeness(dimension: Dimension) -> int:
-    """Units in the text of a dimension, powers counted again, broken ones twice."""
+def _complexity(dimension: Dimension) -> int:
+    """Complexity of a dimension: units in its text plus powers, fractional ones counted twice."""
     text = str(dimension)
     powers = re.findall(r"\^\(?[^\s/)]+\)?", text)
     return len(re.findall(r"[A-Za-z]+(?![^(]*n)", text)) + len(powers) + sum("." in power for power in powers)
