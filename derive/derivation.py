@@ -11,7 +11,7 @@ from dataclasses import replace
 from hertzwerk.derive.audit.audit import Finding, advice_findings, audit_laws, audit_program, refuse_inconsistent
 from hertzwerk.derive.audit.behaviour import refuse_misbehaving
 from hertzwerk.derive.declare.scene import Scene
-from hertzwerk.derive.emit.cost import of_a_step
+from hertzwerk.derive.emit.cost import operations_per_step
 from hertzwerk.derive.emit.module_text import emit
 from hertzwerk.derive.faults import InputError
 from hertzwerk.derive.module.contents import program_of
@@ -88,7 +88,7 @@ def _choose_coordinates(scene: Scene) -> tuple[System, Program]:
         by_bodies, other = _with_program(System(absolute(scene)))
     except InputError as error:
         return by_joints, replace(tree, note=f"of the joints; the bodies' own cannot be had: {error.faults[0].where}")
-    here, there = of_a_step(tree), of_a_step(other)
+    here, there = operations_per_step(tree), operations_per_step(other)
     both = f"{here} operations a step by those of the joints, {there} by the bodies' own"
     if there < here:
         return by_bodies, replace(other, note=f"absolute, as the cheaper: {both}")

@@ -1,1 +1,1 @@
-"""A program as the text of a generated module."""
+"""Text of a generated module from a program."""

@@ -9,21 +9,22 @@ from hertzwerk.derive.emit.helpers import HELPERS
 from hertzwerk.derive.emit.printer import function_text
 from hertzwerk.derive.program.program import Program
 
-STAGES = 12  # of the default method
-PER_STEP = {  # calls of a step: by its stages; for events; to close loops, with two corrections of the place and one of the speeds
+STAGES = 12  # stages of the default method
+PER_STEP = {  # calls per step: in its stages; for events; to close loops, with two corrections of position and one of speeds
     **dict.fromkeys(("coordinate_rates", "applied", "accelerations", "ledger"), STAGES),
     **dict.fromkeys(("gaps", "gap_accelerations"), 1),
     **{"constraints": 4, "projection": 3},
 }
-# A sign stands close to what it is of, which is no number here; minus has blanks around it.
+# A sign precedes its operand, which is no number here, without a blank; a binary minus is surrounded by blanks.
 _SIGN = re.compile(r"-(?=[A-Za-z_(]|[\d.]+\*\*)")
 _CALL = re.compile(r"\w\(")
 
 
 def operations(text: str) -> int:
-    """Arithmetic operations and function calls in the text of a builder; packing and unpacking cost nothing, nor does the sign of a number.
+    """Count arithmetic operations and function calls in the text of a builder.
 
-    Counted in the text as it is written here: to have Python parse it takes longer than to write it.
+    Packing, unpacking and signs of numbers are not counted. Counting in the text is faster than having Python parse
+    it.
     """
     code = " ".join("".join(text.split('"""')[::2]).split())
     if code.startswith("def "):
@@ -35,10 +36,11 @@ def operations(text: str) -> int:
     return spaced + products + len(_SIGN.findall(code)) + calls + helpers
 
 
-def of_a_step(program: Program) -> int:
-    """Operations of one step of a run, as `auto` compares coordinates by: see PER_STEP; and the force of one pair in half of the stages.
+def operations_per_step(program: Program) -> int:
+    """Operations per step of a run, by which coordinates "auto" are chosen.
 
-    With one pair in contact for half of a run: impacts are short, but steps in them are too, and seldom do two pairs touch at a time.
+    Those of PER_STEP, and the force of one pair in half of the stages: impacts are short, but steps in them are too,
+    and seldom do two pairs touch at a time.
     """
     counts = {function.name: operations(function_text(program, function)) for function in program.functions}
     contacts = [count for name, count in counts.items() if name.startswith("contact_")]
@@ -47,7 +49,7 @@ def of_a_step(program: Program) -> int:
 
 
 def _helper_operations(name: str) -> int:
-    """Of a helper, the three steps of a loop counted."""
+    """Operations of a helper, including the three iterations of a loop."""
     text = HELPERS[name]
     if "    for _" not in text:
         return operations(text)

@@ -1,4 +1,4 @@
-"""Functions that a generated module brings along where its expressions call them: what CasADi lacks."""
+"""Helper functions that CasADi lacks, added to a generated module that calls them."""
 
 HELPERS = {
     "_lambert_w_lower": '''def _lambert_w_lower(x):

@@ -1,4 +1,4 @@
-"""A program as the text of a generated module: header, tables, helpers, functions."""
+"""Text of a generated module: header, tables, helpers, functions."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from hertzwerk.derive.emit.printer import function_text, prose
 from hertzwerk.derive.faults import visible
 from hertzwerk.derive.program.program import Program
 
-FLIGHT = ("applied", "accelerations", "gaps", "gap_accelerations")  # what a right-hand side costs where nothing touches
+FLIGHT = ("applied", "accelerations", "gaps", "gap_accelerations")  # cost of a right-hand side without contact
 
 
 def emit(program: Program, source: str) -> str:
-    """Text of the generated module of a program that has passed the audit; `source` names the scene's file."""
+    """Text of the generated module of an audited program; `source` names the scene's file."""
     scene = program.scene
     functions = {function.name: function_text(program, function) for function in program.functions}
     counts = {name: operations(text) for name, text in functions.items()}
@@ -72,5 +72,5 @@ def _literal(value: Any) -> str:
     if isinstance(value, tuple):
         return f"({', '.join(map(_literal, value))}{',' if len(value) == 1 else ''})"
     if isinstance(value, str):
-        return visible(json.dumps(value, ensure_ascii=False))  # whose escapes are Python's
-    return repr(float(value)) if isinstance(value, float) else repr(value)  # a NumPy float prints otherwise
+        return visible(json.dumps(value, ensure_ascii=False))  # JSON escapes are valid in Python
+    return repr(float(value)) if isinstance(value, float) else repr(value)  # the repr of a NumPy float is different

@@ -1,4 +1,4 @@
-"""Functions of a program as text: one builder over CasADi each, with its docstring."""
+"""Text of a program's functions: one builder over CasADi each, with its docstring."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 
 from hertzwerk.derive.faults import visible
 from hertzwerk.derive.program.expression_text import expression_text
-from hertzwerk.derive.program.program import Function, Program, Result, shared
+from hertzwerk.derive.program.program import Function, Program, Result, eliminate_common_subexpressions
 
 _WIDTH = 116  # columns of the text
 
@@ -32,7 +32,7 @@ _ARGUMENTS = {
 def function_text(program: Program, function: Function) -> str:
     """Text of one builder."""
     unpacked = _unpacked(program, function)
-    function = shared(function)
+    function = eliminate_common_subexpressions(function)
     lines = [f"def {function.name}({', '.join(function.arguments)}):", *_docstring(function)]
     lines += [f"    {line}" for line in unpacked]
     lines += [f"    {symbol.name} = {expression_text(expression)}" for symbol, expression in function.body]
@@ -40,7 +40,7 @@ def function_text(program: Program, function: Function) -> str:
 
 
 def _return(function: Function) -> list[str]:
-    """The return statement; where it is long one result, and where that is long some entries, per line."""
+    """Return statement; if long, one result per line, and if that is long, several lines per result."""
     columns = [_column(result) for result in function.results]
     line = f"    return {', '.join(columns)}"
     if len(line) <= _WIDTH:
@@ -52,7 +52,7 @@ def _return(function: Function) -> list[str]:
 
 
 def _wrapped_lines(code: str, first: str, then: str) -> list[str]:
-    """Code over CasADi's brackets, broken at blanks where it is too long, however long its names are."""
+    """Break code inside CasADi's brackets at blanks where it is too long."""
     return textwrap.wrap(
         code,
         _WIDTH,
@@ -77,7 +77,7 @@ def _docstring(function: Function) -> list[str]:
 
 
 def _prose_lines(text: str, first: str, then: str) -> list[str]:
-    """Text wrapped for a docstring, then made safe: the other way round a break could tear an escape apart."""
+    """Wrap text for a docstring, then escape it: an escape must not be broken."""
     lines = textwrap.wrap(text, _WIDTH, initial_indent=" " * len(first), subsequent_indent=then)
     return [indent + prose(line) for indent, line in zip((first, *[then] * len(lines)), lines, strict=False)]
 
@@ -104,5 +104,5 @@ def _column(result: Result) -> str:
 
 
 def prose(text: str) -> str:
-    """Text of a scene on one line, made safe for a docstring: nothing in it ends the string or is an escape."""
+    """Text of a scene on one line, escaped for a docstring."""
     return visible(" ".join(text.split())).replace("\\", "\\\\").replace('"', "'")

@@ -16,7 +16,7 @@ import sympy as sp
 
 from hertzwerk.derive.dimension.dimension import ONE
 from hertzwerk.derive.motion.loops import Constraint
-from hertzwerk.derive.program.elimination import Factor, least_fill
+from hertzwerk.derive.program.elimination import Factor, minimum_degree_order
 from hertzwerk.derive.program.program import CONSTANT, Tape
 
 REGULAR = 3e-9  # softness of a constraint that is kept: fraction of the diagonal of G M^-1 G^T that is added
@@ -40,7 +40,7 @@ class Loops:
                 if value != 0:
                     matrix[name, other] = matrix[other, name] = value
         self._sizes: dict[str, Any] = {}
-        order = least_fill(self._names, matrix)
+        order = minimum_degree_order(self._names, matrix)
         groups: dict[str, list[Any]] = {}
         for constraint, name in each:
             groups.setdefault(constraint.group, []).append(matrix.get((name, name), sp.S.Zero))

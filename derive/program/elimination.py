@@ -46,7 +46,7 @@ class Factor:
         return result
 
 
-def least_fill(names: list[str], matrix: dict[tuple[str, str], Any]) -> list[str]:
+def minimum_degree_order(names: list[str], matrix: dict[tuple[str, str], Any]) -> list[str]:
     """Order of elimination with little fill-in: next is always the name coupled to the fewest others."""
     tied = {name: {other for other in names if other != name and (name, other) in matrix} for name in names}
     order = []

@@ -268,7 +268,7 @@ def symbols_in(*expressions: Any) -> list[sp.Symbol]:
     return list(found)
 
 
-def shared(function: Function) -> Function:
+def eliminate_common_subexpressions(function: Function) -> Function:
     """Eliminate common subexpressions: those that occur twice are named once (`x1`, `x2`, ...)."""
     count: dict[Any, int] = {}
     for expression in _expressions(function):

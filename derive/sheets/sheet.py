@@ -35,7 +35,7 @@ from hertzwerk.derive.laws.law import (
 )
 from hertzwerk.derive.mechanism.parameter import Interval
 from hertzwerk.derive.program.expression_text import expression_text
-from hertzwerk.derive.program.program import PARAMETER, Function, Result, Tape, shared
+from hertzwerk.derive.program.program import PARAMETER, Function, Result, Tape, eliminate_common_subexpressions
 from hertzwerk.derive.sheets.band import Band, band_of
 from hertzwerk.derive.sheets.impact import (
     coefficient_at,
@@ -268,7 +268,7 @@ def operations_of(law: Law) -> tuple[int, int]:
 
 
 def _count(function: Function) -> int:
-    function = shared(function)
+    function = eliminate_common_subexpressions(function)
     results = (expression for result in function.results for expression in result.expressions)
     return sum(operations(expression_text(e)) for e in (*(e for _, e in function.body), *results))
 

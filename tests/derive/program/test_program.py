@@ -13,7 +13,14 @@ from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.dimension.dimension import ONE
 from hertzwerk.derive.emit.cost import operations
 from hertzwerk.derive.emit.printer import function_text
-from hertzwerk.derive.program.program import Function, Program, Result, Tape, shared, symbols_in
+from hertzwerk.derive.program.program import (
+    Function,
+    Program,
+    Result,
+    Tape,
+    eliminate_common_subexpressions,
+    symbols_in,
+)
 
 
 class Small:
@@ -159,7 +166,7 @@ def test_sharing_never_adds_operations(seed):
     small = Recorded(seed)
     function = small.function(*small.names)
     program = Program(None, small.tape, (function,), tuple(small.tape.constants([function])), {})
-    once = shared(function)
+    once = eliminate_common_subexpressions(function)
     plain = sum(int(sp.count_ops(e)) for _, e in function.body)
     after = sum(int(sp.count_ops(e)) for _, e in once.body)
     assert after <= plain
@@ -176,7 +183,7 @@ def test_sharing_names_what_occurs_twice_once():
         ((a, sp.sin(x + y) * x), (b, sp.sin(x + y) * y)),
         (Result("r", ("", ""), ("", ""), (a + sp.sin(x + y), b)),),
     )
-    once = shared(function)
+    once = eliminate_common_subexpressions(function)
     assert sum(e.has(sp.sin) for _, e in once.body) == 1
     assert not any(sp.sympify(e).has(sp.sin) for e in once.results[0].expressions)
     assert once.reads == function.reads == (x, y) or set(once.reads) == {x, y}
@@ -185,7 +192,7 @@ def test_sharing_names_what_occurs_twice_once():
 def test_sharing_respects_names_that_are_taken():
     x1, y = sp.symbols("x1 y", real=True)
     a = sp.Symbol("a", real=True)
-    once = shared(
+    once = eliminate_common_subexpressions(
         Function("f", "", ("q",), ((a, sp.sin(x1 * y) + sp.cos(x1 * y)),), (Result("r", ("",), ("",), (a + x1,)),))
     )
     assert x1 not in [symbol for symbol, _ in once.body]
