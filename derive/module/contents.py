@@ -9,7 +9,7 @@ from hertzwerk.derive.module import ledger as energy
 from hertzwerk.derive.module import loops, motion, outputs, pairs, scales, start
 from hertzwerk.derive.module.system import System
 from hertzwerk.derive.module.tables import tables
-from hertzwerk.derive.motion.constrained import REGULAR
+from hertzwerk.derive.motion.constrained import SOFTNESS
 from hertzwerk.derive.program.program import CONSTANT, Function, Program, Result
 
 
@@ -39,7 +39,7 @@ def program_of(system: System) -> Program:
         raise InputError(f"scene {system.scene.name}", (_idle_fault(system, name) for name in idle))
     constants = system.tape.constants(functions)
     softness = [symbol for symbol, group in system.tape.inputs.items() if group == CONSTANT]
-    values = (*constants, *(sp.Float(REGULAR) for _ in softness))
+    values = (*constants, *(sp.Float(SOFTNESS) for _ in softness))
     constants = [*constants, *softness]
     names = tuple(symbol.name for symbol in constants)
     result = Result("c", names, ("",) * len(names), values)  # mixed units: see CONSTANTS

@@ -19,7 +19,7 @@ from hertzwerk.derive.motion.loops import Constraint
 from hertzwerk.derive.program.elimination import Factor, minimum_degree_order
 from hertzwerk.derive.program.program import CONSTANT, Tape
 
-REGULAR = 3e-9  # softness of a constraint that is kept: fraction of the diagonal of G M^-1 G^T that is added
+SOFTNESS = 3e-9  # softness of a constraint that is kept: fraction of the diagonal of G M^-1 G^T that is added
 
 
 class Loops:
@@ -36,7 +36,7 @@ class Loops:
         matrix: dict[tuple[str, str], Any] = {}
         for i, (constraint, name) in enumerate(each):
             for other, through in zip(self._names[: i + 1], self._through, strict=False):
-                value = tape.let(_seen(constraint, through), f"W_{name}_{other}")
+                value = tape.let(_constraint_rate(constraint, through), f"W_{name}_{other}")
                 if value != 0:
                     matrix[name, other] = matrix[other, name] = value
         self._sizes: dict[str, Any] = {}
@@ -86,7 +86,7 @@ class Loops:
                     for key, value in motion.items()
                 }
             left = {
-                name: tape.let(value - _seen(constraint, motion), f"{name}_left")
+                name: tape.let(value - _constraint_rate(constraint, motion), f"{name}_left")
                 for constraint, name, value in zip(self._constraints, names, wanted, strict=True)
             }
             more = self._factor.solve(left, label)
@@ -99,6 +99,6 @@ class Loops:
         return motion, list(multipliers.values())
 
 
-def _seen(constraint: Constraint, motion: dict[str, Any]) -> Any:
+def _constraint_rate(constraint: Constraint, motion: dict[str, Any]) -> Any:
     """Rate of a constraint for a given motion."""
     return sp.Add(*(entry * motion[key] for key, entry in constraint.column.items() if key in motion))

@@ -22,13 +22,15 @@ from hertzwerk.derive.motion.recursion import Recursion
 from hertzwerk.derive.program.elimination import Factor
 
 REFINEMENTS = (
-    2  # of the multipliers: with constrained.REGULAR, minimises the sum of the errors by singularity and by rounding
+    2  # of the multipliers: with constrained.SOFTNESS, minimises the sum of the errors by singularity and by rounding
 )
 
 LENT = sp.Rational(
     1, 10_000
 )  # artificial inertia of a row without any, relative to that about other axes, or of the mean body
-RETURNS = 2  # additional refinements with artificial inertia: each reduces its effect by about the factor LENT
+EXTRA_REFINEMENTS = (
+    2  # additional refinements with artificial inertia: each reduces its effect by about the factor LENT
+)
 
 
 class Equations:
@@ -138,7 +140,7 @@ class Equations:
         multipliers: list[Any] = []
         if self.constraints:
             wanted = [-constraint.bias for constraint in self.constraints]
-            refinements = REFINEMENTS + (RETURNS if self.lent else 0)
+            refinements = REFINEMENTS + (EXTRA_REFINEMENTS if self.lent else 0)
             found, multipliers = self._loops.corrected(found, wanted, "acc", refinements, self.lent)
         return [found[row.key] for row in self.free], multipliers
 

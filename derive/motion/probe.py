@@ -55,14 +55,14 @@ class Probe:
                 size = self.length if freedom.kind == "slide" else 1.0
                 self._fill(state, coordinates, size)
                 self._fill(state, speeds, size)
-            yield self._normed(state)
+            yield self._normalised(state)
 
     def _fill(self, state: Numbers, symbols: Any, size: float) -> None:
         for symbol in symbols:
             if isinstance(symbol, sp.Symbol) and not isinstance(symbol, Parameter) and symbol != self.kin.t:
                 state[symbol] = self._random.uniform(-size, size)
 
-    def _normed(self, state: Numbers) -> Numbers:
+    def _normalised(self, state: Numbers) -> Numbers:
         for freedom in self.kin.mechanism.freedoms:
             if not freedom.scalar:
                 quaternion, _ = self.kin.motion_of_freedom(freedom)
@@ -76,10 +76,10 @@ class Probe:
         Several, or none where the iteration finds none.
         """
         source = self.states()
-        found = (self._moved(next(source), expression, rate, target) for _ in range(_TRIES))
+        found = (self._solve(next(source), expression, rate, target) for _ in range(_TRIES))
         return [state for state in found if state is not None][:STATES]
 
-    def _moved(self, state: Numbers, expression: Any, rate: Any, target: float) -> Numbers | None:
+    def _solve(self, state: Numbers, expression: Any, rate: Any, target: float) -> Numbers | None:
         still = dict.fromkeys(self.kin.u, 0.0)
         for _ in range(_CORRECTIONS):
             try:
@@ -97,5 +97,5 @@ class Probe:
             state = dict(state)
             for symbol, move in zip(self.kin.q, moves, strict=True):
                 state[symbol] += move
-            state = self._normed(state)
+            state = self._normalised(state)
         return None

@@ -14,7 +14,7 @@ from hertzwerk.derive.readable.drafts import ENERGY, LEDGER, Draft, Part, pair_o
 from hertzwerk.derive.readable.marks import Marked
 from hertzwerk.derive.readable.symbols import contact_title
 
-_ELSEWHERE = ("contact", "friction", "drive", "ledger")  # kinds that are no term of `applied`
+_NOT_APPLIED = ("contact", "friction", "drive", "ledger")  # kinds that are no term of `applied`
 
 
 class Attribution:
@@ -79,7 +79,7 @@ class Attribution:
         if pair:
             friction = self._friction(pair)
             return friction if friction in far else pair
-        return ", ".join(e.name for e in self._effects.values() if e.name in far and e.kind not in _ELSEWHERE)
+        return ", ".join(e.name for e in self._effects.values() if e.name in far and e.kind not in _NOT_APPLIED)
 
     def _friction(self, pair: str) -> str:
         return next((effect.name for effect in self._scene.of_kind("friction") if effect.pair == pair), "")
