@@ -1,4 +1,4 @@
-"""What a run is looked at by: poses, landmarks, named quantities."""
+"""Results for inspection of a run: poses, landmarks, named quantities."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from hertzwerk.derive.program.program import Function, Result
 
 
 def poses(system: System) -> Function:
-    """Where the bodies are."""
+    """Positions and rotations of the bodies."""
     positions: list[Any] = []
     rotations: list[Any] = []
     names = [body.name for body in system.scene.mechanism.bodies]
@@ -31,7 +31,7 @@ def poses(system: System) -> Function:
 
 
 def landmarks(system: System) -> Function:
-    """What a picture shows."""
+    """Points, directions and sizes for pictures."""
     return system.function(
         "landmarks",
         "What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes of its body.",
@@ -41,7 +41,7 @@ def landmarks(system: System) -> Function:
 
 
 def outputs(system: System) -> Function:
-    """Named quantities of pairs, force elements and joints that close loops."""
+    """Named quantities of pairs, force elements and loop-closing joints."""
     rows = output_rows(system)
     result = Result("y", tuple(n for n, _, _ in rows), tuple(u for _, u, _ in rows), tuple(e for _, _, e in rows))
     return system.function("outputs", "Named quantities, see OUTPUTS.", "t q u c", result)
@@ -55,7 +55,7 @@ def output_rows(system: System) -> list[tuple[str, str, Any]]:
 
 
 def _joint_outputs(system: System) -> list[tuple[str, str, Any]]:
-    """What the joints' coordinates and speeds are, where they can be measured."""
+    """Coordinates and speeds of loop-closing joints, where they are measurable."""
     joints = system.scene.mechanism.closures
     freedoms = [freedom for joint in joints for freedom in joint.freedoms if joint.measures(freedom)]
     rows = [
