@@ -1,1 +1,1 @@
-"""A mechanism's declaration: parameters, bodies, joints, contact pairs."""
+"""Declaration of a mechanism: parameters, bodies, joints, contact pairs."""

@@ -1,6 +1,7 @@
-"""Bodies, the ground, the points and directions fixed in them, and what bodies are made of. Declarations only.
+"""Bodies, the ground, their points and directions, and materials. Declarations only.
 
-Slots for dimensional quantities take a `Parameter`, an expression of parameters, or 0; a bare number has no unit and is a fault.
+Dimensional quantities take a `Parameter`, an expression of parameters, or 0; a bare number has no unit and is a
+fault.
 """
 
 from __future__ import annotations
@@ -28,9 +29,10 @@ Triple = tuple[Any, Any, Any]
 
 @dataclass(frozen=True)
 class Slot:
-    """One quantity a record asks for: where it stands, what was given, its unit, and the ranges (SI) it must and should keep.
+    """One quantity of a record: its place, value and unit, and the ranges (SI) it must and should keep.
 
-    `asked_as` is `<pair>.<symbol>` of what a pair has for its laws alone: where none asks for it, nothing reads it.
+    `asked_as` is `<pair>.<symbol>` for quantities that a pair has for its laws alone: without a law that depends on
+    it, it is unused.
     """
 
     where: str
@@ -56,7 +58,7 @@ class Direction:
 
     @property
     def unit(self) -> Vector:
-        """The unit vector; of X, Y, Z and their opposites in exact integers."""
+        """Unit vector; exact integers for X, Y, Z and their opposites."""
         given: Vector = tuple(sp.sympify(component) for component in self.components)
         nonzero = [component for component in given if component != 0]
         if len(nonzero) == 1 and nonzero[0].is_number:
@@ -69,7 +71,7 @@ class Direction:
         return any(default_value(component) != 0 for component in self.components)
 
     def slots(self, where: str) -> Iterator[Slot]:
-        """The components, in the unit of the first that has one; `where` says whose direction it is."""
+        """Yield the components, in the unit of the first that has one; `where` is the place of the direction."""
         units = (parameter.unit for value in self.components for parameter in parameters_of(value))
         unit = next((unit for unit in units if unit not in ("1", "rad", "deg")), "1")
         for value in self.components:
@@ -91,7 +93,7 @@ class Material:
     density: Scalar | None = None
 
     def slots(self) -> Iterator[Slot]:
-        """The quantities of the material."""
+        """Yield the quantities of the material."""
         yield Slot("material, Young's modulus", self.youngs_modulus, "Pa", POSITIVE)
         yield Slot("material, Poisson's ratio", self.poissons_ratio, "1", Interval(-1, 0.5, open_left=True))
         if self.density is not None:
@@ -100,10 +102,11 @@ class Material:
 
 @dataclass(frozen=True)
 class Body:
-    """A rigid body: mass [kg], inertia about its mass centre [kg m^2], mass centre in its own frame [m].
+    """Rigid body: mass [kg], inertia about its mass centre [kg m^2], mass centre in its own frame [m].
 
-    A scalar inertia is for the axis of the joint that turns the body (plane motion), or the same about every axis where a joint turns it freely; a
-    triple holds the principal values along the frame's axes. A mass of 0 says that the body is massless, which one at the end of a chain cannot be.
+    A scalar inertia is for the axis of the joint that turns the body (plane motion), or the same about every axis
+    where a joint turns it freely; a triple holds the principal values along the frame's axes. A mass of 0 declares a
+    massless body, which the last body of a chain cannot be.
     """
 
     name: str
@@ -112,12 +115,12 @@ class Body:
     centre: Triple = (0, 0, 0)
 
     def at(self, x: Scalar, y: Scalar, z: Scalar) -> Point:
-        """The point fixed in the body at (x, y, z) [m] of its frame."""
+        """Point fixed in the body at (x, y, z) [m] of its frame."""
         return Point(self, (x, y, z))
 
     def slots(self) -> Iterator[Slot]:
-        """The quantities of the body."""
-        massless = is_number(self.mass) and self.mass == 0  # written so; a parameter stays positive
+        """Yield the quantities of the body."""
+        massless = is_number(self.mass) and self.mass == 0  # the number 0; a parameter must be positive
         yield Slot(f"body {self.name}, mass", self.mass, "kg", None if massless else POSITIVE)
         inertia = self.inertia if isinstance(self.inertia, tuple) else (self.inertia,)
         for value in inertia:
@@ -128,12 +131,12 @@ class Body:
 
 @dataclass(frozen=True)
 class Ground:
-    """The frame that does not move."""
+    """The fixed frame."""
 
     name: ClassVar[str] = "ground"
 
     def at(self, x: Scalar, y: Scalar, z: Scalar) -> Point:
-        """The fixed point (x, y, z) [m]."""
+        """Fixed point (x, y, z) [m]."""
         return Point(self, (x, y, z))
 
 
@@ -143,14 +146,17 @@ Frame = Body | Ground
 
 @dataclass(frozen=True)
 class Point:
-    """A point fixed in a body or in the ground, with axes of its own where it is `turned`; else they are its body's."""
+    """Point fixed in a body or the ground, with axes of its own if `turned`, else its body's."""
 
     body: Frame
     position: Triple = (0, 0, 0)
     turns: tuple[tuple[Direction, Scalar], ...] = ()
 
     def turned(self, axis: Direction, angle: Scalar) -> Point:
-        """The same point, its axes turned by a constant angle [rad] about `axis` of those it has; raises InputError for what is no Direction."""
+        """The point with axes turned by a constant angle [rad] about `axis` of the present ones.
+
+        Raises InputError for an axis that is no Direction.
+        """
         if not isinstance(axis, Direction):
             raise InputError(
                 "a turned point", [Fault("axis", repr(axis), "a Direction, such as X, -Y or Direction((1, 0, 1))")]
@@ -159,18 +165,18 @@ class Point:
 
     @property
     def axes(self) -> Matrix:
-        """Rotation from the point's axes to its body's."""
+        """Rotation matrix from the point's axes to its body's."""
         matrix = IDENTITY
         for axis, angle in self.turns:
             matrix = multiply(matrix, about(axis.unit, sp.cos(angle), sp.sin(angle)))
         return matrix
 
     def turned_about(self, k: int) -> Any:
-        """Angle of its axes about a coordinate axis that all its turns are about [rad]."""
+        """Angle of its axes about the coordinate axis common to all its turns [rad]."""
         return sp.Add(*(axis.unit[k] * angle for axis, angle in self.turns))
 
     def slots(self) -> Iterator[Slot]:
-        """The coordinates of the point and the angles of its axes."""
+        """Yield the coordinates of the point and the angles of its axes."""
         for value in self.position:
             yield Slot(f"point of {self.body.name}", value, "m")
         for axis, angle in self.turns:

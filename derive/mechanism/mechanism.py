@@ -1,6 +1,6 @@
-"""What a mechanism is made of: bodies, joints, contact pairs. Declarations only, no equations.
+"""Mechanism: bodies, joints, contact pairs. Declarations only, no equations.
 
-Every record is frozen and knows its own faults; the scene that uses them gathers all faults and refuses to exist while there is one.
+Every record is frozen and checks itself; the scene collects all faults and raises them at once.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ from hertzwerk.derive.mechanism.pairs import Pair
 
 @dataclass(frozen=True)
 class Mechanism:
-    """Bodies joined by joints, and the pairs that may touch.
+    """Bodies connected by joints, and the pairs that may touch.
 
-    The first joint to reach a body carries it: these joints are the tree, whose coordinates are the mechanism's. Any later joint to a body
-    closes a loop, and is a constraint.
+    The first joint to reach a body carries it: these joints are the tree, whose coordinates are the mechanism's. Any
+    later joint to a body closes a loop, and is a constraint.
     """
 
     name: str
@@ -34,12 +34,12 @@ class Mechanism:
 
     @property
     def bodies(self) -> tuple[Body, ...]:
-        """The children of the tree's joints, in their order."""
+        """Children of the tree's joints, in their order."""
         return tuple(joint.child.body for joint in self.tree if isinstance(joint.child.body, Body))
 
     @cached_property
     def tree(self) -> tuple[Joint, ...]:
-        """The joints that carry a body, from the ground outwards."""
+        """Joints that carry a body, from the ground outwards."""
         found: dict[Frame, Joint] = {}
         for joint in self.joints:
             found.setdefault(joint.child.body, joint)
@@ -47,26 +47,29 @@ class Mechanism:
 
     @cached_property
     def closures(self) -> tuple[Joint, ...]:
-        """The joints that close a loop."""
+        """Joints that close a loop."""
         tree = {id(joint) for joint in self.tree}
         return tuple(joint for joint in self.joints if id(joint) not in tree)
 
     def joint_of(self, body: Frame) -> Joint | None:
-        """The joint that carries `body`; None for the ground."""
+        """Joint that carries `body`; None for the ground."""
         return next((joint for joint in self.joints if joint.child.body == body), None)
 
     @property
     def freedoms(self) -> tuple[Freedom, ...]:
-        """Those of the tree's joints, in order."""
+        """Freedoms of the tree's joints, in order."""
         return tuple(freedom for joint in self.tree for freedom in joint.freedoms)
 
     @cached_property
     def plane(self) -> int | None:
-        """Coordinate axis across the plane all bodies move in, by structure: all turns are about it, all slides across it. None in space."""
+        """Coordinate axis normal to the plane of motion of all bodies; None in space.
+
+        By structure: all turns are about it, all slides perpendicular to it.
+        """
         return next((k for k in (2, 1, 0) if all(_stays_across(joint, k) for joint in self.joints)), None)
 
     def slots(self) -> Iterator[Slot]:
-        """Every quantity of the mechanism, in declared order."""
+        """Yield every quantity of the mechanism, in declared order."""
         for body in self.bodies:
             yield from body.slots()
         for part in (*self.joints, *self.pairs):
@@ -74,7 +77,10 @@ class Mechanism:
 
 
 def _stays_across(joint: Joint, k: int) -> bool:
-    """Whether a joint turns about a coordinate axis and slides across it, its points' axes included."""
+    """Whether a joint turns only about a coordinate axis and slides only perpendicular to it.
+
+    The axes of its points are included.
+    """
     turned = (axis for point in (joint.parent, joint.child) for axis, _ in point.turns)
     turns = (freedom.axis for freedom in joint.freedoms if freedom.kind != "slide")
     slides = (freedom.axis for freedom in joint.freedoms if freedom.kind == "slide")

@@ -1,4 +1,4 @@
-"""Parameters: symbols with a unit, a default and a meaning, and the ranges their values must keep."""
+"""Parameters: symbols with a unit, a default and a meaning, and ranges of values."""
 
 from __future__ import annotations
 
@@ -17,23 +17,26 @@ from hertzwerk.derive.units import Unit, UnitError, parse_unit
 
 _READ = ("t", "p", "q", "u", "a", "f", "z", "m", "c", "wanted", "multipliers", "reactions", "joints", "joint_speeds")
 RESERVED = ("ca", *_READ)
-"""Names that generated functions use for their arguments and for CasADi."""
+"""Names of arguments and of CasADi in generated functions."""
 
 TABLE = "_TABLE"
-"""What the names of tables in a module end with."""
+"""Suffix of the names of tables in a generated module."""
 
 
 class Parameter(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
-    """A named constant of a scene; a SymPy symbol, so it is used in expressions as it is.
+    """Named constant of a scene; a SymPy symbol, so it can be used in expressions.
 
-    `unit` is text (`"mm"`, `"N/m^1.5"`, `"N/m^exponent"` with another parameter's name), `default` a number in that unit.
-    Parameters that differ in anything are different symbols; a scene refuses two of one name.
+    `unit` is text (`"mm"`, `"N/m^1.5"`, `"N/m^exponent"` with another parameter's name), `default` a number in that
+    unit. Parameters that differ in anything are different symbols; a scene refuses two of one name.
     """
 
     __slots__ = ("default", "meaning", "unit")
 
     def __new__(cls, name: str, unit: str, default: float, meaning: str = "") -> Parameter:
-        """A symbol of its own: never taken from SymPy's cache, so that equal names with other units stay apart; raises InputError."""
+        """Make a new symbol, never from SymPy's cache; raises InputError for values that are no text.
+
+        Equal names with different units stay distinct.
+        """
         texts = {"name": name, "unit": unit, "meaning": meaning}
         wrong = [
             Fault(f"parameter, {what}", repr(text), "text") for what, text in texts.items() if not isinstance(text, str)
@@ -53,7 +56,7 @@ class Parameter(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
         return (self.name, self.unit, self.default, self.meaning), {}
 
     def faults(self) -> Iterator[Fault]:
-        """Faults of the declaration itself."""
+        """Yield the faults of the declaration itself."""
         where = f"parameter {self.name}"
         yield from name_faults(where, self.name)
         yield from text_faults(f"{where}, meaning", self.meaning)
@@ -71,7 +74,7 @@ class Parameter(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
 
     @property
     def parsed_unit(self) -> Unit:
-        """The unit, read; raises UnitError."""
+        """Parsed unit; raises UnitError."""
         return parse_unit(self.unit)
 
     @property
@@ -111,12 +114,15 @@ Scalar = sp.Expr | float
 
 
 def is_number(value: Any) -> bool:
-    """Whether it is a number or an expression: what a quantity may be. Text is neither, and SymPy would execute it."""
+    """Whether a value is a number or an expression, not text, which SymPy would execute."""
     return isinstance(value, int | float | sp.Expr) and not isinstance(value, bool)
 
 
 def parameters_of(expression: Any) -> list[Parameter]:
-    """Parameters in `expression`, in the order they stand in it (never in hash order); none in what is no expression."""
+    """List the parameters in `expression` in order of appearance (never in hash order).
+
+    [] for values that are no expression.
+    """
     if not isinstance(expression, sp.Basic):
         return []  # numbers, and text, which SymPy would execute
     found = (node for node in sp.preorder_traversal(expression) if isinstance(node, Parameter))
@@ -124,13 +130,13 @@ def parameters_of(expression: Any) -> list[Parameter]:
 
 
 def dimensions_of(parameters: Mapping[str, Parameter]) -> dict[sp.Symbol, Dimension]:
-    """Dimension of every parameter; names in unit exponents (`N/m^exponent`) become the parameters of that name."""
+    """Dimension of every parameter; names in unit exponents (`N/m^exponent`) become its parameters."""
     symbols: dict[str, sp.Symbol] = dict(parameters)
     return {p: Dimension.from_unit(p.parsed_unit, symbols) for p in parameters.values()}
 
 
 def default_value(expression: Any) -> float:
-    """Value of an expression of parameters at their defaults, SI; NaN where it is no real number there."""
+    """Value of an expression at its parameters' defaults, SI; NaN where it is not real."""
     expression = sp.sympify(expression)
     value = expression.xreplace({p: sp.Float(p.si, 17) for p in parameters_of(expression)})
     return float(value) if value.is_number and value.is_real else math.nan

@@ -1,7 +1,8 @@
-"""Absolute coordinates: every body rides on a joint of its own to the ground, and every joint closes a loop.
+"""Absolute coordinates: every body has a joint of its own to the ground, and every joint is a loop.
 
-Same derivation, other tree: the mass matrix is then diagonal in blocks, one per body, and what a chain costs grows with its length. A body that no
-joint turns is not turned, and one whose whole motion is prescribed keeps its driven joint; what is plane by structure stays so.
+The same derivation with another tree: the mass matrix is then block-diagonal, one block per body, and the cost of a
+chain grows with its length. A body that no joint turns is not turned, and one whose whole motion is prescribed keeps
+its driven joint; a plane mechanism remains plane.
 """
 
 from __future__ import annotations
@@ -25,8 +26,10 @@ from hertzwerk.derive.motion.kinematics import Kinematics
 
 @dataclass(frozen=True, init=False)
 class Base(Joint):
-    """Where a body is: translations of its mass centre along axes of the ground, `x`, `y`, `z`; then, where it turns, an `angle` about
-    `normal` or, without one, a quaternion."""
+    """Joint of a body to the ground: translations of its mass centre, then, if it turns, a rotation.
+
+    Translations along axes of the ground, `x`, `y`, `z`; an `angle` about `normal` or, without one, a quaternion.
+    """
 
     slides: tuple[int, ...]
     turns: bool
@@ -38,7 +41,7 @@ class Base(Joint):
 
     @property
     def freedoms(self) -> tuple[Freedom, ...]:
-        """Translations, then the turn."""
+        """Translations, then the rotation."""
         slides = tuple(self.slide(AXES[k], "xyz"[k]) for k in self.slides)
         if not self.turns:
             return slides
@@ -47,20 +50,23 @@ class Base(Joint):
 
 @dataclass(frozen=True)
 class Absolute(Scene):
-    """A sound scene in absolute coordinates; `declared` is the scene it was made from, whose start and quantities are its own."""
+    """A sound scene in absolute coordinates; `declared` is the scene it was made from.
+
+    The start and the quantities are those of `declared`.
+    """
 
     declared: Scene = field(kw_only=True)
 
     def __post_init__(self) -> None:
-        """Sound, since what it was made from is."""
+        """Skip the checks, which `declared` has passed."""
 
     def slots(self) -> Iterator[Slot]:
-        """Every quantity of the scene, in declared order."""
+        """Yield every quantity of the scene, in declared order."""
         return self.declared.slots()
 
 
 def absolute(scene: Scene) -> Absolute:
-    """The scene in absolute coordinates; raises InputError, with every fault, where a body or an effect cannot do with them."""
+    """The scene in absolute coordinates; raises InputError, with every fault, where that is impossible."""
     mechanism, driven = scene.mechanism, scene.driven
     carried: list[Joint] = []
     closing = list(mechanism.closures)
@@ -103,13 +109,13 @@ def _base(mechanism: Mechanism, joint: Joint) -> Base:
 
 
 def _with(triple: Triple, k: int, value: Any) -> Triple:
-    """The triple with another component k."""
+    """The triple with component k replaced."""
     x, y, z = (value if i == k else component for i, component in enumerate(triple))
     return (x, y, z)
 
 
 def _turns(mechanism: Mechanism, body: Frame) -> bool:
-    """Whether some joint on the way to a body turns it."""
+    """Whether some joint on the path to a body turns it."""
     joint = mechanism.joint_of(body)
     if joint is None:
         return False
@@ -117,7 +123,7 @@ def _turns(mechanism: Mechanism, body: Frame) -> bool:
 
 
 def _height(mechanism: Mechanism, body: Frame, k: int) -> Any:
-    """Of a body's origin across the plane of motion [m]."""
+    """Coordinate of a body's origin normal to the plane of motion [m]."""
     joint = mechanism.joint_of(body)
     if joint is None:
         return sp.S.Zero
@@ -132,7 +138,11 @@ def _height(mechanism: Mechanism, body: Frame, k: int) -> Any:
 
 
 def _body_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:
-    """Inertias that are zero without being the number 0 of a body alone (`Equations.lent`) or are about one axis, and the size that angles need."""
+    """Faults of inertias and scales that rotations of bodies need.
+
+    Inertias must not be zero, except the number 0 of a single body (`Equations.lent`), and not be about one axis
+    only.
+    """
     remedy = "Give it one, or keep the joints' coordinates: coordinates='tree'."
     for joint in carried:
         body = joint.child.body
@@ -163,13 +173,13 @@ def _body_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:
 
 
 def _turning_inertias(body: Body, normal: int | None) -> tuple[Any, ...]:
-    """Principal inertias about the axes that a body turns about: one in the plane."""
+    """Principal inertias about the axes a body turns about: one in plane motion."""
     given = body.inertia if isinstance(body.inertia, tuple) else (body.inertia,) * 3
     return given if normal is None else (given[normal],)
 
 
 def _welded_to(body: Frame, carried: list[Joint]) -> list[Body]:
-    """Bodies that are one with a body, seen outwards."""
+    """Bodies welded to a body, outwards."""
     tips = [joint.child.body for joint in carried if not joint.freedoms and joint.parent.body == body]
     return [each for tip in tips if isinstance(tip, Body) for each in (tip, *_welded_to(tip, carried))]
 
@@ -184,7 +194,7 @@ def _about_one_axis(mechanism: Mechanism, body: Frame) -> bool:
 
 
 def _effect_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:
-    """Effects that ask for the coordinate of a joint that has none, and cannot have it measured."""
+    """Faults of effects on a joint's coordinate that is neither a coordinate of the scene nor measurable."""
     kept = [freedom.key for joint in carried for freedom in joint.freedoms]
     closing = {freedom.key: (joint, freedom) for joint in scene.mechanism.tree for freedom in joint.freedoms}
     remedy = "Keep the joints' coordinates: coordinates='tree'."
@@ -221,7 +231,10 @@ def _slots_of(effect: Any, closing: dict[str, tuple[Joint, Freedom]]) -> Iterato
 
 
 def placed(scene: Absolute, joints: Kinematics, bodies: Kinematics) -> tuple[list[Any], list[Any]]:
-    """Coordinates and speeds of the bodies where those of the joints are known: `joints` is the kinematics of the scene as declared."""
+    """Coordinates and speeds of the bodies from those of the joints.
+
+    `joints` is the kinematics of the scene as declared.
+    """
     q: list[Any] = []
     u: list[Any] = []
     links = {link.freedom.key: link for link in joints.tree.links if link.freedom is not None}
@@ -258,7 +271,7 @@ Quaternion = tuple[Any, ...]
 
 
 def _quaternion(kin: Kinematics, body: Frame) -> Quaternion:
-    """From a body's axes to the ground's, along the joints that carry it: no branch has to be chosen."""
+    """Quaternion from a body's axes to the ground's, multiplied along its joints without a branch."""
     joint = kin.mechanism.joint_of(body)
     if joint is None:
         return (sp.S.One, sp.S.Zero, sp.S.Zero, sp.S.Zero)

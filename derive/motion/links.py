@@ -1,10 +1,12 @@
-"""The tree of a mechanism as a chain of links: one per freedom of a joint, the last of which carries the joint's child.
+"""Tree of a mechanism as links: one per freedom of a joint, the last of which carries the child.
 
-Each link has axes of its own, L, and a point O on its joint. A slide keeps its parent's axes; a weld adds no link at all, its child rides on the
-parent's. Where a joint's axis is skew to its parent's axes, constant rotations line the link's axes up with it, so that every turn is one about
-a coordinate axis and no angle meets a full matrix; bodies keep their own axes by a constant `Place`.
+Each link has axes of its own, L, and a point O on its joint. A slide keeps its parent's axes; a weld adds no link,
+its child is fixed to the parent's. Where a joint's axis is skew to its parent's axes, constant rotations align the
+link's axes with it, so that every turn is one about a coordinate axis and no angle is multiplied by a full matrix;
+bodies keep their own axes by a constant `Place`.
 
-Links that turn about parallel axes one after another form a run: their angles add, and all their vectors can be resolved in the same axes.
+Consecutive links that turn about parallel axes form a run: their angles add, and all their vectors can be resolved in
+the same axes.
 """
 
 from __future__ import annotations
@@ -39,12 +41,15 @@ from hertzwerk.derive.motion.axes import Change, Fixed, Turn
 from hertzwerk.derive.program.program import Tape
 
 UNIT: tuple[Vector, Vector, Vector] = IDENTITY
-"""The coordinate axes."""
+"""Coordinate axes."""
 
 
 @dataclass(frozen=True, eq=False)
 class Row:
-    """One speed of the mechanism, and its row in the equations: name and unit of its generalised force, its speed and acceleration."""
+    """One speed of the mechanism, and its row in the equations of motion.
+
+    `key` and `unit` are of its generalised force; `speed` and `acceleration` on the tape.
+    """
 
     key: str
     unit: str
@@ -55,10 +60,11 @@ class Row:
 
 @dataclass(frozen=True, eq=False)
 class Run:
-    """Links that turn about the same axis: `outer` is the orientation their first is fixed in (None: the ground), `constant` lies between.
+    """Links that turn about the same axis.
 
-    A run's vectors are resolved in the axes of its first orientation, turned: bodies there have constant inertia. The run on the ground, and only
-    that, is resolved in the ground's axes, before any turn.
+    `outer` is the orientation in which the first is fixed (None: the ground), `constant` the rotation between. A
+    run's vectors are resolved in the axes of its first orientation, rotated: bodies there have constant inertia. Only
+    the run on the ground is resolved in the ground's axes, before any turn.
     """
 
     outer: Orientation | None
@@ -67,7 +73,7 @@ class Run:
 
     @property
     def change(self) -> Change:
-        """From the axes of this run to those of the outer one."""
+        """Change from the axes of this run to those of the outer one."""
         if self.outer is None:
             return Change()
         between = () if self.constant == IDENTITY else (Fixed(self.constant),)
@@ -76,7 +82,7 @@ class Run:
 
 @dataclass(frozen=True, eq=False)
 class Orientation:
-    """Of a link's axes: in its run, turned by `whole`; against the axes the run is resolved in, by `within`."""
+    """Orientation of a link's axes: in its run by `whole`; against the run's resolution axes by `within`."""
 
     run: Run
     axis: Vector
@@ -88,7 +94,7 @@ class Orientation:
 
 @dataclass(frozen=True, eq=False)
 class Link:
-    """What moves with one freedom.
+    """The part of a mechanism that moves with one freedom.
 
     parent       the link it moves on; None for the ground, which is a link without a freedom
     offset       from the parent's O to this O, in the parent's axes [m]: constant but for the travel of a slide
@@ -108,40 +114,43 @@ class Link:
 
     @property
     def kind(self) -> str:
-        """turn, slide or ball; ground."""
+        """Kind of its freedom: turn, slide or ball; ground."""
         return "ground" if self.freedom is None else self.freedom.kind
 
     @cached_property
     def path(self) -> tuple[Link, ...]:
-        """From the ground outwards to this one, the ground left out."""
+        """Links from the ground to this one, without the ground."""
         return () if self.parent is None else (*self.parent.path, self)
 
     @property
     def change(self) -> Change:
-        """From the axes this link is resolved in to those of its parent."""
+        """Change from the axes in which this link is resolved to those of its parent."""
         same = self.parent is None or self.parent.orientation.run is self.orientation.run
         return Change() if same else self.orientation.run.change
 
 
 @dataclass(frozen=True)
 class Place:
-    """Where a body sits on its link: origin of its frame from the link's O, and its axes, both in the link's axes and constant."""
+    """Position and orientation of a body on its link, both constant in the link's axes.
+
+    `origin` of its frame from the link's O, and its `axes`.
+    """
 
     link: Link
     origin: Vector
     axes: Matrix
 
     def point(self, point: Point) -> Vector:
-        """From the link's O to a point of the body, in the link's axes [m]."""
+        """Vector from the link's O to a point of the body, in the link's axes [m]."""
         return add(self.origin, apply(self.axes, sympified(point.position)))
 
 
 Motion = Mapping[str, tuple[tuple[Any, ...], tuple[Row, ...]]]
-"""Freedom's key -> its coordinates, its rows."""
+"""Coordinates and rows by the key of the freedom."""
 
 
 class Tree:
-    """Links and places of a mechanism whose coordinates and speeds are given."""
+    """Links and places of a mechanism with given coordinates and speeds."""
 
     def __init__(self, tape: Tape, mechanism: Mechanism, motion: Motion) -> None:
         self.tape = tape
@@ -151,13 +160,13 @@ class Tree:
         self.links: list[Link] = []
         self.places: dict[Frame, Place] = {GROUND: Place(self.ground, ZERO, IDENTITY)}
         for joint in mechanism.tree:
-            self._join(joint, motion)
+            self._add_joint(joint, motion)
         self.children: dict[Link, list[Link]] = {link: [] for link in (self.ground, *self.links)}
         for link in self.links:
             if link.parent is not None:
                 self.children[link.parent].append(link)
 
-    def _join(self, joint: Joint, motion: Motion) -> None:
+    def _add_joint(self, joint: Joint, motion: Motion) -> None:
         """Add the links of a joint, and the place of its child."""
         child = joint.child.body
         parent = self.places[joint.parent.body]
@@ -167,18 +176,18 @@ class Tree:
         count = len(joint.freedoms)
         for i, freedom in enumerate(joint.freedoms):
             name = child.name if i == count - 1 else f"{joint.name}_{freedom.coordinates[0].name.rsplit('.', 1)[1]}"
-            link, axes = self._grow(link, joint, freedom, name, anchor, axes, *motion[freedom.key])
+            link, axes = self._add_link(link, joint, freedom, name, anchor, axes, *motion[freedom.key])
             anchor = ZERO
             self.links.append(link)
         body_axes = self._named(multiply(axes, transpose(joint.child.axes)), f"{child.name}_axes")
         origin = sub(anchor, apply(body_axes, sympified(joint.child.position)))
         self.places[child] = Place(link, origin, body_axes)
 
-    def _grow(
+    def _add_link(
         self, parent: Link, joint: Joint, freedom: Freedom, name: str, offset: Vector, axes: Matrix,
         coordinates: tuple[Any, ...], rows: tuple[Row, ...],
     ) -> tuple[Link, Matrix]:  # fmt: skip
-        """The link of one freedom, and the joint's axes in its axes."""
+        """Link of one freedom, and the joint's axes in its axes."""
         if freedom.axis is None:
             matrix = self.tape.matrix(_of_quaternion(self.tape, coordinates, name), f"{name}_R")
             orientation = _ball(parent.orientation, axes, Fixed(matrix))
@@ -190,19 +199,17 @@ class Tree:
             moved = add(offset, scale(q, direction))
             return Link(name, parent, joint, freedom, coordinates, rows, moved, direction, parent.orientation), axes
         constant, inner = IDENTITY, axes
-        if (
-            along(direction) is None and along(freedom.axis.unit) is not None
-        ):  # the joint's axes are turned, the link's follow
+        if along(direction) is None and along(freedom.axis.unit) is not None:  # align the link's axes with the joint's
             constant, inner, direction = axes, IDENTITY, freedom.axis.unit
         elif along(direction) is None:
-            constant = self._named(self._lined_up(direction), f"{name}_lined_up")
+            constant = self._named(self._aligned(direction), f"{name}_lined_up")
             inner = self._named(multiply(transpose(constant), axes), f"{name}_axes")
             direction = UNIT[2]
         orientation = self._turned(parent.orientation, constant, direction, q, name)
         return Link(name, parent, joint, freedom, coordinates, rows, offset, direction, orientation), inner
 
     def _turned(self, parent: Orientation, constant: Matrix, axis: Vector, q: Any, name: str) -> Orientation:
-        """Turn on; about a parallel axis the angles add, and the run goes on."""
+        """Add a turn to an orientation; about a parallel axis the angles add, in the same run."""
         parallel = cross(parent.axis, axis) == ZERO and not _is_ball(parent)
         if constant == IDENTITY and parallel:
             run = parent.run
@@ -227,8 +234,12 @@ class Tree:
         cosine, sine = self.tape.let(sp.cos(angle), f"cos_{name}"), self.tape.let(sp.sin(angle), f"sin_{name}")
         return Change((Turn(k, cosine, axis[k] * sine),))
 
-    def _lined_up(self, direction: Vector) -> Matrix:
-        """A rotation whose third column is the direction; the first is square to the coordinate axis that, at the defaults, is furthest from it."""
+    def _aligned(self, direction: Vector) -> Matrix:
+        """Rotation whose third column is the given direction.
+
+        The first column is perpendicular to the coordinate axis that, at the defaults, is furthest from the
+        direction.
+        """
         sizes = [abs(self._default(component)) for component in direction]
         first = cross(UNIT[sizes.index(min(sizes))], direction)
         first = scale(1 / sp.sqrt(dot(first, first)), first)
@@ -254,7 +265,10 @@ def _ball(parent: Orientation, constant: Matrix, rotation: Fixed) -> Orientation
 
 
 def _of_quaternion(tape: Tape, q: tuple[Any, ...], name: str) -> Matrix:
-    """Rotation of a unit quaternion, in 24 operations; the time loop keeps the norm, or five more would divide by q.q in every evaluation."""
+    """Rotation matrix of a unit quaternion, in 24 operations.
+
+    The time integration keeps the norm, which saves five more operations to divide by q.q in every evaluation.
+    """
     q0, _, q2, q3 = q
     twice = [tape.let(2 * part, f"{name}_twice_q{i}") for i, part in enumerate(q[1:], 1)]
     xx, yy, zz = (tape.let(a * b, f"{name}_q{i}q{i}") for i, (a, b) in enumerate(zip(twice, q[1:], strict=True), 1))

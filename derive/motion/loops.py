@@ -1,8 +1,9 @@
-"""Joints that close loops: constraints on the coordinates of the tree, with their rates and their forces.
+"""Joints that close loops: constraints on the coordinates of the tree, their rates and forces.
 
-A joint whose child another joint carries already closes a loop. What it forbids is written one by one: a point of the child may not leave the
-parent's (along a direction), a direction of the child may not turn towards one of the parent's. What a plane mechanism fulfils by itself vanishes.
-Forces by the same partial velocities as every other force; Kane, Levinson, Dynamics: Theory and Applications (1985), 2.13 and 4.5.
+A joint whose child is already carried by another joint closes a loop. Its constraints are scalar: a point of the
+child coincides with the parent's (along a direction), or a direction of the child keeps its angle to one of the
+parent. Constraints that a plane mechanism fulfils by structure vanish. Their forces follow from the same partial
+velocities as all other forces; Kane, Levinson, Dynamics: Theory and Applications (1985), 2.13 and 4.5.
 """
 
 from __future__ import annotations
@@ -17,11 +18,11 @@ from hertzwerk.derive.algebra.vectors import ZERO, Vector, add, cross, dot, is_z
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.mechanism.bodies import AXES, Direction
 from hertzwerk.derive.mechanism.joints.conditions import (
-    Apart,
     Carried,
+    Coincident,
     KeptAngle,
     Moving,
-    Off,
+    NoDisplacement,
     across,
 )
 from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
@@ -30,10 +31,11 @@ from hertzwerk.derive.motion.kinematics import Kinematics
 
 @dataclass(frozen=True)
 class Constraint:
-    """`value` must be zero, as must its rate; its acceleration is `column` . a + `bias`.
+    """A scalar constraint: `value` and `rate` must be zero; the acceleration is `column` . a + `bias`.
 
-    `column` holds, by row of the equations of motion, the generalised force of a unit multiplier. The constraints of a `group` are components of
-    one vector, or of one unit. Where a drive prescribes it, `drives` is the freedom driven, and the multiplier what the drive supplies.
+    `column` holds, by row of the equations of motion, the generalised force of a unit multiplier. The constraints of
+    a `group` are components of one vector, or of one unit. Where a drive prescribes it, `drives` is the freedom
+    driven, and the multiplier is the drive's force or torque.
     """
 
     name: str
@@ -47,7 +49,10 @@ class Constraint:
 
 
 def constraints_of(kinematics: Kinematics) -> tuple[Constraint, ...]:
-    """The constraints of a mechanism's closing joints, in declared order; raises InputError where one can never be met."""
+    """Constraints of a mechanism's closing joints, in declared order.
+
+    Raises InputError for a constraint that can never be met.
+    """
     mechanism = kinematics.mechanism
     found = [constraint for joint in mechanism.closures for constraint in _Closure(kinematics, joint).constraints()]
     found += [
@@ -70,8 +75,11 @@ def constraints_of(kinematics: Kinematics) -> tuple[Constraint, ...]:
 
 @dataclass(frozen=True)
 class Measured:
-    """The coordinate of a freedom of a closing joint (None for an angle in space, which is known up to whole turns alone) and its rate; its
-    acceleration is `column` . a + `bias`, and `column` holds the generalised forces of a unit force on it."""
+    """Coordinate of a freedom of a closing joint, with its rate.
+
+    The coordinate is None for an angle in space, which is known up to whole turns alone. The acceleration is `column`
+    . a + `bias`, and `column` holds the generalised forces of a unit force on it.
+    """
 
     value: Any
     rate: Any
@@ -80,7 +88,7 @@ class Measured:
 
 
 def measured(kinematics: Kinematics, key: str) -> Measured:
-    """Of the freedom of this key."""
+    """Measured coordinate of the freedom of this key."""
     freedoms = ((joint, freedom) for joint in kinematics.mechanism.closures for freedom in joint.freedoms)
     joint, freedom = next(entry for entry in freedoms if entry[1].key == key)
     return _Closure(kinematics, joint).measured(freedom)
@@ -104,17 +112,17 @@ class _Closure:
         self.apart_bias = self.tape.vector(sub(*bias), f"{name}_apart_bias")
 
     def constraints(self) -> Iterator[Constraint]:
-        """What the joint forbids."""
+        """Yield the constraints of the joint."""
         for forbidden in self.joint.constraints():
-            if isinstance(forbidden, Apart):
+            if isinstance(forbidden, Coincident):
                 yield from (self._meet(k) for k in range(3))
-            elif isinstance(forbidden, Off):
+            elif isinstance(forbidden, NoDisplacement):
                 yield self._off(forbidden.direction, forbidden.label)
             else:
                 yield self._turn(forbidden)
 
     def _meet(self, k: int) -> Constraint:
-        """The two points coincide, along an axis of the ground."""
+        """Both points coincide, along an axis of the ground."""
         label = "xyz"[k]
         return Constraint(
             f"{self.joint.name}.apart_{label}", "m", f"{self.joint.name}.apart",
@@ -122,7 +130,7 @@ class _Closure:
         )  # fmt: skip
 
     def _off(self, direction: Carried, label: str) -> Constraint:
-        """The child's point stays where it is along a direction."""
+        """The child's point has no displacement along a direction."""
         normal, rate, bent = direction.moving(self, label)
         bias = dot(self.apart_bias, normal) + 2 * dot(self.apart_rate, rate) + dot(self.apart, bent)
         return Constraint(
@@ -134,7 +142,7 @@ class _Closure:
         )  # fmt: skip
 
     def fixed(self, side: int, direction: Direction, label: str) -> Moving:
-        """A direction fixed in the child or the parent."""
+        """A direction fixed in the child or the parent, with its rates."""
         vector = self.kin.direction((self.joint.child, self.joint.parent)[side], direction)
         w, alpha = self.motions[side].angular_velocity, self.biases[side]
         rate = self.named(cross(w, vector), f"{label}_rate")
@@ -164,7 +172,7 @@ class _Closure:
         )  # fmt: skip
 
     def measured(self, freedom: Freedom) -> Measured:
-        """How far the child has gone in a freedom of the joint: a travel along the parent's axis, or an angle about the axis of both."""
+        """Displacement along the parent's axis, or angle about the common axis, of a freedom of the joint."""
         axis, label = _axis_of(freedom), freedom.label
         if freedom.kind == "slide":
             travel = self._off(self.joint.carried(axis, self.joint.turns_before(freedom)), label)
@@ -180,7 +188,10 @@ class _Closure:
         )
 
     def _angle(self, axis: Direction, label: str) -> Any:
-        """Of the child against the parent about an axis across the plane of motion; it counts turns. None in space."""
+        """Angle of the child against the parent about an axis normal to the plane of motion; None in space.
+
+        It counts whole turns.
+        """
         k = self.kin.mechanism.plane
         if k is None:
             return None
@@ -189,7 +200,7 @@ class _Closure:
         return self._let(axis.unit[k] * turned, label)
 
     def driven(self, freedom: Freedom) -> Constraint:
-        """The freedom goes as its drive says; of an angle in space the sine of what is left must vanish."""
+        """Constraint of a driven freedom; for an angle in space the sine of the error vanishes."""
         (wanted,), (row,) = self.kin.prescribed[freedom.key]
         found, joint, slides = self.measured(freedom), self.joint, freedom.kind == "slide"
         label = freedom.label
@@ -227,7 +238,7 @@ class _Closure:
 
 
 def _axis_of(freedom: Freedom) -> Direction:
-    """Of a turn or a slide; a ball has none."""
+    """Axis of a turn or a slide; raises TypeError for a ball."""
     if freedom.axis is None:
         raise TypeError(f"{freedom.key} turns about every axis: how far it has turned is no number")
     return freedom.axis

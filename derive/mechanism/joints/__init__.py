@@ -1,4 +1,4 @@
-"""Kinds of joints, one file a kind or family."""
+"""Kinds of joints, one file per kind or family."""
 
 from hertzwerk.derive.mechanism.joints.axial import Cylindrical, Prismatic, Revolute
 from hertzwerk.derive.mechanism.joints.free import Free

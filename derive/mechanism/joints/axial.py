@@ -1,4 +1,4 @@
-"""Joints of one axis: hinge, slide, and both at once."""
+"""Joints with one axis: revolute, prismatic, cylindrical."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
 
 @dataclass(frozen=True, init=False)
 class Axial(Joint):
-    """A joint of one axis."""
+    """Joint with one axis."""
 
     axis: Direction
 
@@ -19,7 +19,7 @@ class Axial(Joint):
 
 
 class Revolute(Axial):
-    """One rotation about `axis`: `angle`."""
+    """Rotation about `axis` by `angle`."""
 
     @property
     def freedoms(self) -> tuple[Freedom, ...]:
@@ -28,7 +28,7 @@ class Revolute(Axial):
 
 
 class Prismatic(Axial):
-    """One translation along `axis`, `travel`; the child keeps the parent's orientation."""
+    """Translation along `axis` by `travel`; the child keeps the parent's orientation."""
 
     @property
     def freedoms(self) -> tuple[Freedom, ...]:
@@ -37,7 +37,7 @@ class Prismatic(Axial):
 
 
 class Cylindrical(Axial):
-    """A translation along `axis` and a rotation about it: `travel`, `angle`."""
+    """Translation along `axis` by `travel` and rotation about it by `angle`."""
 
     @property
     def freedoms(self) -> tuple[Freedom, ...]:

@@ -1,4 +1,4 @@
-"""Conditions that a joint puts on child and parent where it closes a loop, and the directions they are about. Declarations only."""
+"""Conditions of a loop-closing joint on child and parent, and their directions. Declarations only."""
 
 from __future__ import annotations
 
@@ -10,46 +10,46 @@ from hertzwerk.derive.mechanism.bodies import AXES, Direction
 from hertzwerk.derive.mechanism.parameter import default_value
 
 CHILD, PARENT = 0, 1
-PARALLEL = 1e-9  # greatest sine, or cosine, of what counts as parallel, or square
+PARALLEL = 1e-9  # greatest sine, or cosine, of directions that count as parallel, or perpendicular
 
 
 Moving = tuple[Vector, Vector, Vector]
 """A vector in ground axes, its rate, and its second rate at zero generalised accelerations."""
 
 
-class Shown(Protocol):
-    """What child and parent of a joint show of it."""
+class JointMotion(Protocol):
+    """Protocol of the joint's kinematics as its conditions need it."""
 
     def fixed(self, side: int, direction: Direction, label: str) -> Moving:
-        """A direction fixed in the child or the parent."""
+        """A direction fixed in the child or the parent, with its rates."""
 
     def named(self, vector: Vector, what: str) -> Vector:
         """Name a vector."""
 
 
 class Carried(Protocol):
-    """A direction that follows from how child and parent lie."""
+    """Protocol of a direction that depends on the positions of child and parent."""
 
-    def moving(self, shown: Shown, label: str) -> Moving:
+    def moving(self, shown: JointMotion, label: str) -> Moving:
         """The direction and its rates."""
 
-    def moment(self, shown: Shown, label: str, force: Vector) -> Vector:
-        """The moment on the child, against the parent, that does the work of a force at the tip of the direction."""
+    def moment(self, shown: JointMotion, label: str, force: Vector) -> Vector:
+        """Moment on the child, against the parent, with the power of a force at the tip of the direction."""
 
 
 @dataclass(frozen=True)
-class On:
-    """A direction fixed in the child's point or the parent's."""
+class FixedIn:
+    """Direction fixed in the child's point or the parent's."""
 
     side: int
     direction: Direction
 
-    def moving(self, shown: Shown, label: str) -> Moving:
+    def moving(self, shown: JointMotion, label: str) -> Moving:
         """The direction and its rates."""
         return shown.fixed(self.side, self.direction, label)
 
-    def moment(self, shown: Shown, label: str, force: Vector) -> Vector:
-        """None where the parent carries it."""
+    def moment(self, shown: JointMotion, label: str, force: Vector) -> Vector:
+        """Moment on the child; zero for a direction fixed in the parent."""
         return ZERO if self.side == PARENT else cross(self.moving(shown, label)[0], force)
 
 
@@ -60,15 +60,15 @@ class Product:
     first: Carried
     second: Carried
 
-    def moving(self, shown: Shown, label: str) -> Moving:
+    def moving(self, shown: JointMotion, label: str) -> Moving:
         """The product and its rates."""
         (a, da, dda), (b, db, ddb) = self.first.moving(shown, f"{label}_1"), self.second.moving(shown, f"{label}_2")
         rate = shown.named(add(cross(da, b), cross(a, db)), f"{label}_rate")
         bent = add(cross(dda, b), scale(2, cross(da, db)), cross(a, ddb))
         return shown.named(cross(a, b), label), rate, shown.named(bent, f"{label}_bent")
 
-    def moment(self, shown: Shown, label: str, force: Vector) -> Vector:
-        """By the product rule."""
+    def moment(self, shown: JointMotion, label: str, force: Vector) -> Vector:
+        """Moment on the child, by the product rule."""
         a, b = self.first.moving(shown, f"{label}_1")[0], self.second.moving(shown, f"{label}_2")[0]
         first = self.first.moment(shown, f"{label}_1", cross(b, force))
         return add(first, self.second.moment(shown, f"{label}_2", cross(force, a)))
@@ -76,30 +76,30 @@ class Product:
 
 @dataclass(frozen=True)
 class Sum:
-    """Directions times constants, added."""
+    """Linear combination of directions with constant factors."""
 
     parts: tuple[tuple[Any, Carried], ...]
 
-    def moving(self, shown: Shown, label: str) -> Moving:
+    def moving(self, shown: JointMotion, label: str) -> Moving:
         """The sum and its rates."""
         parts = [(factor, part.moving(shown, f"{label}{i}")) for i, (factor, part) in enumerate(self.parts)]
         value, rate, bent = (add(*(scale(factor, part[k]) for factor, part in parts)) for k in range(3))
         return shown.named(value, label), shown.named(rate, f"{label}_rate"), shown.named(bent, f"{label}_bent")
 
-    def moment(self, shown: Shown, label: str, force: Vector) -> Vector:
-        """Part by part."""
+    def moment(self, shown: JointMotion, label: str, force: Vector) -> Vector:
+        """Moment on the child, the sum over all parts."""
         parts = enumerate(self.parts)
         return add(*(scale(factor, part.moment(shown, f"{label}{i}", force)) for i, (factor, part) in parts))
 
 
 @dataclass(frozen=True)
-class Apart:
-    """The two points coincide."""
+class Coincident:
+    """Condition: both points coincide."""
 
 
 @dataclass(frozen=True)
-class Off:
-    """The child's point stays where the parent's is along a direction."""
+class NoDisplacement:
+    """Condition: the child's point has no displacement along a direction."""
 
     direction: Carried
     label: str
@@ -107,18 +107,21 @@ class Off:
 
 @dataclass(frozen=True)
 class KeptAngle:
-    """A direction of the child keeps its angle to one of the parent: where all coordinates are zero, both are in the same axes."""
+    """Condition: a direction of the child keeps its angle to one of the parent.
+
+    Where all coordinates are zero, both are given in the same axes.
+    """
 
     on_child: Direction
     on_parent: Direction
     label: str
 
 
-Forbidden = Apart | Off | KeptAngle
+Condition = Coincident | NoDisplacement | KeptAngle
 
 
 def numbers(direction: Direction) -> tuple[float, float, float]:
-    """The unit vector at the parameters' defaults."""
+    """Components of the unit vector at the parameters' defaults."""
     x, y, z = map(default_value, direction.unit)
     return x, y, z
 
@@ -128,13 +131,13 @@ def parallel(one: Direction, two: Direction) -> bool:
     return all(abs(x) < PARALLEL for x in cross(numbers(one), numbers(two)))
 
 
-def square(one: Direction, two: Direction) -> bool:
-    """Whether two directions are square to each other, at the defaults."""
+def perpendicular(one: Direction, two: Direction) -> bool:
+    """Whether two directions are perpendicular, at the defaults."""
     return bool(abs(dot(numbers(one), numbers(two))) < PARALLEL)
 
 
 def across(direction: Direction) -> list[tuple[Direction, str]]:
-    """Two directions across one and each other, and what to call them."""
+    """Two directions perpendicular to one and each other, with their labels."""
     k = along(direction.unit)
     if k is not None:
         return [(AXES[i], "xyz"[i]) for i in range(3) if i != k]

@@ -1,4 +1,4 @@
-"""The joint that forbids nothing."""
+"""Joint without constraints."""
 
 from __future__ import annotations
 
@@ -10,10 +10,11 @@ from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
 
 
 class Free(Joint):
-    """No constraint: the child's point at `x`, `y`, `z` of the parent's axes, oriented by a unit quaternion `q0`..`q3`.
+    """No constraint: position `x`, `y`, `z` of the child's point, orientation by a quaternion `q0`..`q3`.
 
-    Speeds are those of the point in the parent's axes, `x_speed`.., and the angular velocity in the child's, `angular_speed_x`..: with the point at
-    the mass centre the mass matrix is then constant and diagonal.
+    The position is in the parent's axes. Speeds are those of the point in the parent's axes, `x_speed`.., and the
+    angular velocity in the child's, `angular_speed_x`..: with the point at the mass centre the mass matrix is then
+    constant and diagonal.
     """
 
     absolute: ClassVar[bool] = True
@@ -24,5 +25,5 @@ class Free(Joint):
         return (*(self.slide(axis, name) for axis, name in zip(AXES, "xyz", strict=True)), self.ball())
 
     def landmarks(self) -> Iterator[tuple[str, Point, dict[str, Any]]]:
-        """None: there is nothing to see."""
+        """No landmarks: a free joint is not drawn."""
         return iter(())

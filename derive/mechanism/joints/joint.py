@@ -1,8 +1,9 @@
-"""Joints: what a child may do against its parent, as a chain of freedoms, and what follows from it. Declarations only.
+"""Joints as chains of freedoms between parent and child, and their consequences. Declarations only.
 
-The freedoms go from the parent outwards; each is a turn about a fixed axis, a slide along one, or a ball, which lets the child turn in every way.
-Directions are given in the axes of the joint's point on the parent, which are its body's unless the point is `turned`; they coincide with those of
-the point on the child where all coordinates are zero.
+The freedoms go from the parent outwards; each is a turn about a fixed axis, a slide along one, or a ball, which lets
+the child turn about every axis. Directions are given in the axes of the joint's point on the parent, which are its
+body's unless the point is `turned`; they coincide with those of the point on the child where all coordinates are
+zero.
 """
 
 from __future__ import annotations
@@ -20,21 +21,21 @@ from hertzwerk.derive.mechanism.bodies import AXES, Direction, Frame, Point, Slo
 from hertzwerk.derive.mechanism.joints.conditions import (
     CHILD,
     PARENT,
-    Apart,
     Carried,
-    Forbidden,
+    Coincident,
+    Condition,
+    FixedIn,
     KeptAngle,
-    Off,
-    On,
+    NoDisplacement,
     Product,
     Sum,
     across,
     numbers,
     parallel,
-    square,
+    perpendicular,
 )
 
-RANK = 1e-9  # length of what is left of a unit vector that others span
+RANK = 1e-9  # residual of a unit vector that counts as linearly dependent
 
 
 class Port(NamedTuple):
@@ -48,11 +49,11 @@ class Port(NamedTuple):
 class Freedom:
     """One freedom of a joint.
 
-    key          what drives and starts call it: the joint's name where this is all the joint lets happen, else `<joint>.<coordinate>`
+    key          its name in drives and starts: the joint's name where the joint has one freedom, else `<joint>.<coordinate>`
     axis         of a turn or a slide
-    coordinates  of a turn its angle, of a slide its travel, of a ball the unit quaternion q0 + q1 i + q2 j + q3 k that turns the child's axes
-    speeds       the coordinate's rate; of a ball the angular velocity against the parent in the child's axes, which needs no further rotation
-                 where it is used, in the child's equations; rates of the quaternion follow from it: there are four of them
+    coordinates  of a turn its angle, of a slide its travel, of a ball the unit quaternion q0 + q1 i + q2 j + q3 k of the child's axes
+    speeds       the coordinate's rate; of a ball the angular velocity against the parent in the child's axes, in which the child's
+                 equations are resolved; the four rates of the quaternion follow from it
     forces       generalised force per speed
     """
 
@@ -65,7 +66,7 @@ class Freedom:
 
     @property
     def scalar(self) -> bool:
-        """Whether its one coordinate's rate is its one speed."""
+        """Whether it has one coordinate, whose rate is its speed."""
         return self.kind != "ball"
 
     @property
@@ -75,23 +76,23 @@ class Freedom:
 
     @property
     def units(self) -> tuple[str, str, str]:
-        """Of a scalar one: coordinate, speed, generalised force."""
+        """Units of coordinate, speed and generalised force of a scalar freedom."""
         return self.coordinates[0].unit, self.speeds[0].unit, self.forces[0].unit
 
 
 @dataclass(frozen=True)
 class Joint:
-    """A joint between a parent and a child; both may be given as a body (its origin and axes) or a point.
+    """Joint between a parent and a child, each given as a body (its origin and axes) or a point.
 
-    A kind of joint says its `freedoms`, by `turn`, `slide` and `ball`. What it forbids where it closes a loop, what can be measured of it there,
-    what a picture shows and what can be wrong with it follow from them; a kind that knows better overrides.
+    A kind of joint declares its `freedoms`, by `turn`, `slide` and `ball`. Its constraints where it closes a loop,
+    its measurable coordinates, landmarks and faults follow from them; a kind may override these.
     """
 
     name: str
     parent: Point
     child: Point
     absolute: ClassVar[bool] = False
-    """Whether on the ground its coordinates are a body's own: absolute coordinates keep it."""
+    """Whether its coordinates on the ground are absolute coordinates of the body, so that it is kept."""
 
     def __init__(self, name: str, parent: Frame | Point, child: Frame | Point, **given: Any) -> None:
         for field, value in {"name": name, "parent": _point(parent), "child": _point(child), **given}.items():
@@ -99,18 +100,18 @@ class Joint:
 
     @property
     def freedoms(self) -> tuple[Freedom, ...]:
-        """From the parent outwards."""
+        """Freedoms from the parent outwards."""
         raise NotImplementedError
 
     @property
     def directions(self) -> dict[str, Direction]:
-        """The directions it is declared with, by field."""
+        """Declared directions, by field."""
         return {
             field.name: getattr(self, field.name) for field in fields(self) if field.type in ("Direction", Direction)
         }
 
     def slots(self) -> Iterator[Slot]:
-        """The coordinates of the joint's two points, and its directions."""
+        """Yield the coordinates of the joint's two points, and its directions."""
         yield from self.parent.slots()
         yield from self.child.slots()
         for name, direction in self.directions.items():
@@ -119,15 +120,18 @@ class Joint:
     # -- freedoms ------------------------------------------------------------------------------------------------------
 
     def turn(self, axis: Direction, coordinate: str = "angle", alone: bool = False) -> Freedom:
-        """A turn about an axis; the freedom that a joint has `alone` goes by the joint's name, and its speed is just `speed`."""
+        """Turn about an axis.
+
+        The only freedom of a joint (`alone`) has the joint's name, and its speed is named `speed`.
+        """
         return self._scalar("turn", axis, coordinate, alone, ("rad", "rad/s", "N m"))
 
     def slide(self, axis: Direction, coordinate: str = "travel", alone: bool = False) -> Freedom:
-        """A slide along an axis, named as a turn is."""
+        """Slide along an axis, named as a turn is."""
         return self._scalar("slide", axis, coordinate, alone, ("m", "m/s", "N"))
 
     def ball(self) -> Freedom:
-        """Any rotation: a unit quaternion `q0`..`q3`, and the angular velocity `angular_speed_x`.. in the child's axes."""
+        """Any rotation: quaternion `q0`..`q3`, angular velocity `angular_speed_x`.. in the child's axes."""
         return Freedom(
             "ball",
             f"{self.name}.quaternion",
@@ -149,49 +153,49 @@ class Joint:
 
     @cached_property
     def turning(self) -> tuple[Direction | None, ...]:
-        """Axes of its turns, from the parent outwards; None of a ball."""
+        """Axes of its turns, from the parent outwards; None for a ball."""
         return tuple(freedom.axis for freedom in self.freedoms if freedom.kind != "slide")
 
     @cached_property
     def sliding(self) -> tuple[tuple[Direction, int], ...]:
-        """Axes of its slides, and how many of its turns come before each."""
+        """Axes of its slides, each with the number of turns before it."""
         slides = (freedom for freedom in self.freedoms if freedom.kind == "slide")
         return tuple((slide.axis, self.turns_before(slide)) for slide in slides if slide.axis is not None)
 
     def turns_before(self, freedom: Freedom) -> int:
-        """How many of the joint's turns carry a freedom along."""
+        """Number of the joint's turns that carry a freedom."""
         earlier = self.freedoms[: self.freedoms.index(freedom)]
         return sum(other.kind != "slide" for other in earlier)
 
-    def constraints(self) -> tuple[Forbidden, ...]:
-        """Say what the joint forbids, as its freedoms have it; raises InputError where no rule is known."""
-        return (*self._of_place(), *self._of_turning())
+    def constraints(self) -> tuple[Condition, ...]:
+        """Constraints of the joint by its freedoms; raises InputError where no rule is known."""
+        return (*self._position_constraints(), *self._orientation_constraints())
 
     def unruled(self) -> tuple[Fault, ...]:
-        """Say why what the joint forbids is not known; nothing where it is."""
+        """Faults of a joint whose constraints are not known; () where they are."""
         try:
             self.constraints()
         except InputError as error:
             return error.faults
         return ()
 
-    def _of_place(self) -> Iterator[Forbidden]:
-        """The child's point stays where the slides lead it."""
+    def _position_constraints(self) -> Iterator[Condition]:
+        """Yield the constraints on the position of the child's point."""
         slides = self.sliding
         if not slides:
-            yield Apart()
+            yield Coincident()
         elif len(slides) == 1:
             ((axis, before),) = slides
-            yield from (Off(self.carried(direction, before), label) for direction, label in across(axis))
+            yield from (NoDisplacement(self.carried(direction, before), label) for direction, label in across(axis))
         elif len(slides) == 2:
             (one, before), (two, after) = slides
             if before == after:
-                yield Off(self.carried(Direction(cross(one.unit, two.unit)), before), "normal")
+                yield NoDisplacement(self.carried(Direction(cross(one.unit, two.unit)), before), "normal")
             else:
-                yield Off(Product(self.carried(one, before), self.carried(two, after)), "normal")
+                yield NoDisplacement(Product(self.carried(one, before), self.carried(two, after)), "normal")
 
-    def _of_turning(self) -> Iterator[Forbidden]:
-        """The child keeps the axes that it does not turn about."""
+    def _orientation_constraints(self) -> Iterator[Condition]:
+        """Yield the constraints on the orientation of the child."""
         axes = [axis for axis in self.turning if axis is not None]
         skew = not any(parallel(a, b) for a, b in pairwise(axes))
         if not self.turning:
@@ -204,28 +208,34 @@ class Joint:
             raise self._no_rule("these turns")
 
     def carried(self, direction: Direction, before: int) -> Carried:
-        """A direction that the first of the joint's turns carry along, as child and parent show it; raises InputError where they do not."""
+        """Direction carried by the first turns of the joint, in terms of child and parent.
+
+        Raises InputError where it does not follow from them.
+        """
         if before == 0 or before == len(self.turning):
-            return On(PARENT if before == 0 else CHILD, direction)
+            return FixedIn(PARENT if before == 0 else CHILD, direction)
         axes = [axis for axis in self.turning if axis is not None]
         if len(self.turning) != 2 or len(axes) != 2 or parallel(*axes):
             raise self._no_rule("a slide between these turns")
         first, second = axes
         a, b, d = first.unit, second.unit, direction.unit
         cosine, (da, db, dc) = dot(a, b), (dot(d, a), dot(d, b), dot(d, cross(a, b)))
-        one, two = On(PARENT, first), On(CHILD, second)
+        one, two = FixedIn(PARENT, first), FixedIn(CHILD, second)
         parts = ((da - cosine * db, one), (db - cosine * da, two), (dc, Product(one, two)))
         return Sum(tuple((value / (1 - cosine**2), part) for value, part in parts if value != 0))
 
     def measures(self, freedom: Freedom) -> bool:
-        """Whether it can be told from the bodies how far the child has gone: in its only turn, or in a slide square to all others."""
+        """Whether a freedom's coordinate follows from the positions of the bodies.
+
+        It does for the only turn, and for a slide perpendicular to all others.
+        """
         if freedom.axis is None or not self.constraints():
             return False
         if freedom.kind == "turn":
             return len(self.turning) == 1
         slides = list(self.sliding)
         slides.remove(own := (freedom.axis, self.turns_before(freedom)))
-        return all(before == own[1] and square(axis, own[0]) for axis, before in slides)
+        return all(before == own[1] and perpendicular(axis, own[0]) for axis, before in slides)
 
     def _no_rule(self, what: str) -> InputError:
         chain = ", then ".join(f"{freedom.kind} {freedom.label}" for freedom in self.freedoms)
@@ -236,11 +246,11 @@ class Joint:
         found = f"{chain}: no rule says what {what} forbid where the joint closes a loop"
         return InputError(f"joint {self.name}", [Fault(f"joint {self.name}", found, expected, remedy)])
 
-    # -- what a picture shows ------------------------------------------------------------------------------------------
+    # -- landmarks -----------------------------------------------------------------------------------------------------
 
     @property
     def symbol(self) -> str:
-        """The joint it is drawn as."""
+        """Kind of joint as which it is drawn."""
         if not self.sliding:
             return (
                 "weld"
@@ -253,26 +263,29 @@ class Joint:
         return "cylindrical" if any(parallel(axis, self.sliding[0][0]) for axis in turns) else "prismatic"
 
     def landmarks(self) -> Iterator[tuple[str, Point, dict[str, Any]]]:
-        """Name of each point, the point, and directions there, along the axes of its body: of the slides, else of the turns."""
+        """Yield name, point and directions of each landmark: axes of the slides, else of the turns.
+
+        Directions are along the axes of the point's body.
+        """
         axes = [axis for axis, _ in self.sliding] or [axis for axis in self.turning if axis is not None]
         yield from self.landmarks_with("axis", *axes[:1], *axes[-1:])
 
     def landmarks_with(self, what: str, *directions: Direction) -> Iterator[tuple[str, Point, dict[str, Any]]]:
-        """Its two points with a direction at each, or none."""
+        """Yield its two points with a direction at each, or none."""
         for i, (place, point) in enumerate((("parent", self.parent), ("child", self.child))):
             yield place, point, {what: apply(point.axes, directions[i].unit)} if directions else {}
 
-    # -- what can be wrong with it -------------------------------------------------------------------------------------
+    # -- faults --------------------------------------------------------------------------------------------------------
 
     def faults(self) -> Iterator[Fault]:
-        """Axes that leave the joint fewer freedoms than it claims."""
+        """Yield the fault of freedoms that are not independent."""
         axes = [freedom.axis for freedom in self.freedoms if freedom.axis is not None]
         if all(axis.points for axis in axes) and not self._independent():
             yield Fault(f"joint {self.name}", "freedoms of which one does what others do, as two parallel axes of turns do",
                         "axes that are not parallel", "One rotation about one axis is a Revolute.")  # fmt: skip
 
     def _independent(self) -> bool:
-        """Whether the motions of the freedoms are independent, at some position and the defaults of the parameters."""
+        """Whether the motions of the freedoms are independent at some position, at the defaults."""
         rotation: Matrix = IDENTITY
         place: Vector = ZERO
         known: list[list[float]] = []

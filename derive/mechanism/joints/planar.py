@@ -1,4 +1,4 @@
-"""The joint of a body that stays in a plane."""
+"""Planar joint."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
 class Planar(Joint):
     """Motion in a plane: two translations and the rotation about the `normal`, one of X, Y, Z.
 
-    The translations, `x` and `y`, are along the two axes that follow the normal cyclically (of Z: X and Y); `angle` turns the first to the second.
+    The translations, `x` and `y`, are along the two axes that follow the normal cyclically (for Z: X and Y); `angle`
+    turns the first to the second.
     """
 
     normal: Direction
@@ -33,11 +34,11 @@ class Planar(Joint):
         return (self.slide(AXES[(k + 1) % 3], "x"), self.slide(AXES[(k + 2) % 3], "y"), self.turn(self.normal))
 
     def landmarks(self) -> Iterator[tuple[str, Point, dict[str, Any]]]:
-        """The points, and the normal there."""
+        """Yield the points with the normal."""
         return self.landmarks_with("normal", self.normal, self.normal)
 
     def faults(self) -> Iterator[Fault]:
-        """A normal that is no coordinate axis."""
+        """Yield the fault of a normal that is no coordinate axis."""
         if self.normal.points and along(self.normal.unit) is None:
             yield Fault(f"joint {self.name}", f"the normal {self.normal.components}", "X, Y, Z or the opposite of one",
                         "Turn the joint's points: parent.at(...).turned(axis, angle).")  # fmt: skip

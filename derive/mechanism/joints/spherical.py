@@ -1,4 +1,4 @@
-"""The joint of a ball."""
+"""Spherical joint."""
 
 from __future__ import annotations
 
@@ -6,7 +6,10 @@ from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
 
 
 class Spherical(Joint):
-    """Any rotation about a common point: a unit quaternion `q0`..`q3`, and the angular velocity `angular_speed_x`.. in the child's axes."""
+    """Any rotation about a common point.
+
+    Unit quaternion `q0`..`q3`, angular velocity `angular_speed_x`.. in the child's axes.
+    """
 
     @property
     def freedoms(self) -> tuple[Freedom, ...]:

@@ -1,4 +1,4 @@
-"""The joint of a cross between two shafts."""
+"""Universal (Cardan) joint."""
 
 from __future__ import annotations
 
@@ -10,7 +10,10 @@ from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
 
 @dataclass(frozen=True, init=False)
 class Universal(Joint):
-    """Two rotations: `angle_1` about `first`, fixed in the parent, then `angle_2` about `second`, fixed in the child; the axes need not be square."""
+    """Rotation `angle_1` about `first`, fixed in the parent, then `angle_2` about `second`, in the child.
+
+    The axes need not be perpendicular.
+    """
 
     first: Direction
     second: Direction

@@ -1,4 +1,4 @@
-"""The joint of two bodies that are one."""
+"""Rigid connection of two bodies."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
 
 
 class Weld(Joint):
-    """No freedom: the child is part of its parent."""
+    """No freedom: the child is fixed to its parent."""
 
     @property
     def freedoms(self) -> tuple[Freedom, ...]:
-        """None."""
+        """No freedoms."""
         return ()
