@@ -1,6 +1,7 @@
-"""Contact laws: stiffness, damping, friction and film records, and the catalogue of all of them by name.
+"""Contact laws (stiffness, damping, friction, film) and the catalogue `LAWS` of all of them by name.
 
-Type checkers and editors read `__init__.pyi` beside this file, with the parameters of every law; `hertzwerk laws --stub` writes it.
+Type checkers and editors read `__init__.pyi` beside this file, with the parameters of every law; `hertzwerk laws
+--stub` writes it.
 """
 
 from hertzwerk.derive.laws.catalogue import LAWS

@@ -133,7 +133,7 @@ class Law:
         object.__setattr__(self, "__signature__", self._signature())
 
     def _documentation(self) -> Iterator[str]:
-        """The lines that `help` shows of this law."""
+        """Yield the lines of a law's `help`."""
         names = ", ".join(symbol.name for symbol in self.parameters)
         yield from (f"{self.name}({names}): {self.title} ({self.kind} law, grade {self.grade}).", "")
         yield from (f"{symbol.name} [{symbol.unit}]: {symbol.meaning}" for symbol in self.parameters)
@@ -141,7 +141,7 @@ class Law:
         yield from filter(None, [self.note])
 
     def _signature(self) -> Signature:
-        """What a call takes, for `inspect` and completion."""
+        """Signature of a call, for `inspect` and completion."""
         values = dict(self.defaults)
         return Signature(
             [

@@ -1,4 +1,4 @@
-"""The catalogue written out: as a table for readers (README.md of this folder), and as a stub for type checkers and editors (`__init__.pyi`)."""
+"""The catalogue as text: a table for readers (README.md) and a stub for editors (`__init__.pyi`)."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _NOT_CONSISTENT = {
 
 
 def markdown() -> str:
-    """The catalogue as Markdown, one table for each kind of law."""
+    """The catalogue as Markdown, one table per kind of law."""
     return "\n".join(_markdown()) + "\n"
 
 
@@ -56,7 +56,7 @@ def _row(law: Law) -> str:
 
 
 def stub() -> str:
-    """The text of `__init__.pyi`: one class for each kind and list of parameters, and every law with its documentation."""
+    """Text of `__init__.pyi`: a class per kind and list of parameters, and every documented law."""
     kinds = sorted({type(law).__name__ for law in LAWS.values()})
     classes: dict[str, list[str]] = {}
     for law in LAWS.values():

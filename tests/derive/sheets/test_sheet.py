@@ -15,7 +15,7 @@ from hertzwerk.derive.files.audit_text import audit_expression, declarations
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import GRADES, DampingLaw, StiffnessLaw
 from hertzwerk.derive.mechanism.parameter import Parameter
-from hertzwerk.derive.sheets.impact import home_exponent, restitution_limits, restitution_out, trials
+from hertzwerk.derive.sheets.impact import published_exponent, restitution_limits, restitution_out, trials
 from hertzwerk.derive.sheets.sheet import laws_named, operations_of, sheet
 from reference.closed_forms import FACTORS, exact_factor, factor, restitution
 
@@ -143,12 +143,12 @@ def test_jankowski_returns_the_published_digits():
 )
 def test_closed_forms_against_an_integration_of_the_law_alone(name, e):
     law = DAMPING[name]
-    n = home_exponent(law)
+    n = published_exponent(law)
     alone = Impact(LAWS["power"], law, mass=0.3, speed=0.7, e=e, n=str(float(n)), K="3e7")
     assert restitution_out(law, float(e)) == pytest.approx(alone.restitution, rel=1e-9)
 
 
-def test_home_exponents():
+def test_published_exponents():
     """Of Kelvin and Voigt a spring K d; of the rest Hertz."""
     assert {t.law.name: t.exponent for t in trials() if t.exponent != 1.5} == {"kelvin_voigt": 1.0}
 
