@@ -22,9 +22,9 @@ Array = NDArray[np.float64]
 
 INTERVALS = 12  # of a run
 FEWEST = 4  # intervals that show growth, or none
-ABOVE = 3.0  # times the floor: from there an error is a run's own
-SATURATED = 0.1  # in the scales: larger errors no longer grow as small ones do
-SURE = 2.0  # standard errors
+ABOVE = 3.0  # times the floor: larger errors are the run's own, not the reference's
+SATURATED = 0.1  # in the scales: larger errors no longer grow linearly
+SURE = 2.0  # standard errors by which a growth differs from none
 NOTICED = 2.0  # growth over the whole run by less than this factor is none
 
 

@@ -21,20 +21,22 @@ import numpy as np
 CHECK = 5.0  # tolerance of a run over that of the run that checks it
 LEAST, LOOSEST = 1e-13, 1e-4  # tolerances of a run that is kept; looser ones chatter at contact
 POINTS = 201  # of the grid on which runs are compared
-VALID = 0.01  # of the scales: up to such an error a trajectory is taken for the true one
-CARRIED = (10.0, 1000.0)  # limits of the factor from the tolerance to the end error that the first run is made for
-MARGIN = 6.0  # how far below the request the next run aims: as errors scatter, 90 % of such runs meet it
-HALVED = 4.0  # the spacing of doubles over what a rounding errs by on average
-IN_VAIN = 10.0  # times the request: an error foreseen at the least tolerance that ends the search, as errors scatter
-STUCK = 100.0  # where the tolerance fell by this factor and the error not even by 2, it is rounding that is seen
-SLACK = 3.0  # errors grow intermittently: how much farther than the fitted growth says a tighter run may get
-PER_STEP = 4.0  # roundings of the state that a step errs by: the motion amplifies them as it does the tolerance
-HIDDEN = 4.0  # where all is rounding, as much of two runs that agree by chance is not seen: how far the error may lie above what they differ by
-NEAR = 1.5  # times the tolerance of a run: another whose rounding is its own, and whose error else tells half of it
-ROUNDED = 1 + HIDDEN / 2  # where rounding counts for as much as the tolerance
-MORE = 5.0  # times the steps of a run that a tighter one beside it may take: where it can be made it takes 1.2 to 1.4 times
-MORE_ROUNDED = 2.0  # the same where all is rounding
-DETECTABLE = 1e-3  # of the tolerance: a smaller difference of two runs is rounding, before anything happened
+VALID = 0.01  # of the scales: largest error of a valid trajectory
+CARRIED = (10.0, 1000.0)  # limits of the ratio of end error to tolerance assumed for the first run
+MARGIN = 6.0  # ratio of the request to the error the next run aims at: errors scatter, 90 % of such runs meet it
+HALVED = 4.0  # spacing of doubles over the mean rounding error
+IN_VAIN = 10.0  # times the request: error expected at the least tolerance above which the search ends (errors scatter)
+STUCK = 100.0  # if the tolerance fell by this factor and the error by less than 2, rounding dominates
+SLACK = 3.0  # factor by which a tighter run may get farther than the fitted growth says (errors grow intermittently)
+PER_STEP = 4.0  # rounding error of a step, in roundings of the state; the motion amplifies it as it does the tolerance
+HIDDEN = (
+    4.0  # where rounding dominates two runs may agree by chance: their error may exceed their difference by this factor
+)
+NEAR = 1.5  # times the tolerance of a run: that of a comparison run with independent rounding
+ROUNDED = 1 + HIDDEN / 2  # rounding error equal to the tolerance
+MORE = 5.0  # most steps of a tighter comparison run over those of the run; usual are 1.2 to 1.4
+MORE_ROUNDED = 2.0  # the same where rounding dominates
+DETECTABLE = 1e-3  # of the tolerance: smaller differences of two runs are rounding
 
 
 @dataclass(frozen=True)
@@ -126,7 +128,7 @@ class Verdict(Enum):
     MET = "met"
     UNREACHABLE = "unreachable"  # by any tolerance, although the trajectory is valid to the end
     BEYOND = "beyond"  # the run is longer than its horizon
-    UNKNOWN = "unknown"  # nothing could check the run, or the run has no good end
+    UNKNOWN = "unknown"  # no run to compare with, or the run itself failed
     STOPPED = "stopped"
 
 

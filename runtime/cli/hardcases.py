@@ -159,7 +159,7 @@ def _print_summary(cases: Sequence[HardCase], found: dict[str, dict[str, Result]
     verdicts = {case.name: _worst(list(found[case.name].values())) for case in cases}
     for verdict, label, what in (
         ("passed", "passed", ""),
-        ("known failure", "known", " fail as is known"),
+        ("known failure", "known", " fail in a known way"),
         ("failed", "failed", " fail"),
     ):
         names = [name for name in verdicts if verdicts[name] == verdict]

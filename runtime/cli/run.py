@@ -98,7 +98,7 @@ def run(
 ) -> int:
     """Simulate TARGET, or go on with a run, and write data and plots into one new folder.
 
-    Ctrl-C, or SIGTERM, ends it at once before the first steps (exit code 130); from then on it ends the computing, and what there is is written.
+    Ctrl-C, or SIGTERM, ends it at once before the first steps (exit code 130); afterwards it ends the computing, and results so far are written.
     """
     from hertzwerk.runtime.cli import record
 

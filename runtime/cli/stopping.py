@@ -83,6 +83,6 @@ class Stopping:
         if self._asked is None:
             self._asked = now
             if sys.stderr.isatty():  # not by print: the signal may have come while it was printing
-                os.write(2, b"\nstopping: what there is is written; once more, and it is not\n")
+                os.write(2, b"\nstopping: the results so far are written; another signal discards them\n")
         if self._raises or again:
             raise KeyboardInterrupt

@@ -44,7 +44,7 @@ def _hindrance(out: Path | None) -> str | None:
     if any(out.iterdir()):
         return f"{out}, which has other content"
     if out.samefile(Path.cwd()):
-        return f"{out}, the folder that this works in"
+        return f"{out}, the working folder"
     return f"{out}, a whole file system" if out.is_mount() else unwritable(out.absolute().parent)
 
 

@@ -44,12 +44,12 @@ if TYPE_CHECKING:
 
 GRID = 16  # points of a window
 FIRST_WINDOW = 0.5  # after an event, of length/speed of the scene
-WINDOWS = 20  # of a run at least
-SHORTEST = 1e-9  # window, of the first: below it the integration has failed
+WINDOWS = 20  # least number in a run
+SHORTEST = 1e-9  # of the first window: a shorter one means failure
 MAX_STEPS = 1_000_000  # inside SUNDIALS, per window
 GRIP = 3.0  # beside the modes of a pair, see _Event
-BREAKS_LOOSE = -1e300  # N: what is held by a pair whose force has reached it
-AT_REST = 1e-9  # m/s: a sliding velocity that counts as none at an event
+BREAKS_LOOSE = -1e300  # N: holding force of a pair that breaks loose
+AT_REST = 1e-9  # m/s: largest sliding velocity that counts as rest at an event
 RELATIVE = 1e-14  # the absolute tolerance, in the scene's scales, is the one asked for
 
 

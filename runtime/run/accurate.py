@@ -25,7 +25,7 @@ from hertzwerk.runtime.solution import scales as scaling
 from hertzwerk.runtime.solution.outcome import Outcome, too_long, unknown, unreachable
 from hertzwerk.runtime.solution.scales import Scales
 
-STOPS = (INTERRUPTED, WALL_TIME_LIMIT, EXCEPTION, TOO_MANY_STEPS)  # what ends all runs
+STOPS = (INTERRUPTED, WALL_TIME_LIMIT, EXCEPTION, TOO_MANY_STEPS)  # statuses that end the search
 
 
 def run_to_accuracy(

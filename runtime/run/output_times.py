@@ -14,7 +14,7 @@ from hertzwerk.runtime.model.binding import read_time
 Output: TypeAlias = str | int | Sequence[float] | np.ndarray  # "steps"; points; spacing such as "0.1 ms"; times [s]
 
 MOST = 1_000_000  # rows of a grid
-WHOLE = 1e-9  # of a number of intervals: so close to a whole one it is one
+WHOLE = 1e-9  # relative: a number of intervals this close to a whole one counts as whole
 
 
 def times_of(output: Output, seconds: float, faults: list[Fault]) -> np.ndarray | None:

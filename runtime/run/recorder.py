@@ -11,8 +11,8 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.solution.findings import Observer
     from hertzwerk.runtime.solution.history import History
 
-BLOCK = 2**23  # bytes: enough rows that what is done once for a block does not count
-OVERLAP = 2  # rows that a block begins with although they are known: what happens in a step shows between its rows
+BLOCK = 2**23  # bytes: enough rows that costs per block are negligible
+OVERLAP = 2  # known rows repeated at a block's start: events show between rows
 
 
 class Recorder:

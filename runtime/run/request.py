@@ -24,7 +24,7 @@ from hertzwerk.runtime.start.start_values import dependent, overlap_faults, star
 ACCURACIES, TOLERANCES = (1e-12, 1e-1), (LEAST, 1e-1)
 METHOD: Final = "auto"  # where none is named: bitwise dop853 where nothing is stiff, within 5 % of its time
 MAX_STEPS, MAX_EVENTS = 1_000_000, 100_000
-REMEMBERED = 64  # inputs of a model that need not be read again
+REMEMBERED = 64  # inputs of a model kept as read
 
 Compiled: TypeAlias = bool | Literal["auto"]
 

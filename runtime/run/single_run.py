@@ -27,8 +27,8 @@ from hertzwerk.runtime.solution.outcome import Outcome, outcome
 from hertzwerk.runtime.solution.scales import Scales
 
 APPROACH_FLOOR = 1e-3  # m/s, where a model has latches but no parameter of this name
-LEAST_STEPS = 10  # of a run in contact: where all is at rest, steps grow until a short push would go unnoticed
-ROUGH = LOOSEST  # tolerance of a run that only looks for scales
+LEAST_STEPS = 10  # least steps of a run in contact: at rest, steps grow until a short push would go unnoticed
+ROUGH = LOOSEST  # tolerance of a run that only determines scales
 
 
 @dataclass(frozen=True)

@@ -25,10 +25,10 @@ if TYPE_CHECKING:
 CONFIDENCE = 0.95
 FEWEST, MOST = 8, 30  # blocks
 INTERVALS = 240  # of a run that has no period
-TRANSIENT = 0.1  # part of a run that is left out, in whole intervals
-STEADY = 1e-5  # of a mean: blocks that differ by less are the same, in whatever order
-DOUBT = 1.645  # standard deviations: a correlation above that much is one, on the one-sided level of 5 %
-POWERS = {".dissipated": ".dissipated_power", ".input": ".input_power"}  # of what a ledger holds
+TRANSIENT = 0.1  # part of a run left out as transient, in whole intervals
+STEADY = 1e-5  # of a mean: blocks that differ by less are steady
+DOUBT = 1.645  # standard deviations: correlations above are significant, one-sided at 5 %
+POWERS = {".dissipated": ".dissipated_power", ".input": ".input_power"}  # names of ledger entries and of their rates
 
 
 @dataclass(frozen=True)
@@ -169,7 +169,7 @@ def _averages(run: Solution, sums: Sums, first: int, *, shows_largest: bool) -> 
             reason = f"the run is not longer than its transient and one interval, {(first + 1) * dt:.3g} s"
             return Average(name, unit, None, None, 0, dt, reason)
         if not np.all(np.isfinite(x)):
-            return Average(name, unit, None, None, 0, dt, "the run holds what is not finite")
+            return Average(name, unit, None, None, 0, dt, "the run holds values that are not finite")
         if w is not None and not np.any(w):
             return Average(name, unit, None, None, 0, dt, "no impact after the transient")
         found = estimate(x, w, floor=tolerance * scale)

@@ -32,15 +32,15 @@ class Choices:
         """Take the next accepted steps; see `Observer`."""
         method, stiffness, pressure = (block.part(part)[:, 0] for part in ("method", "stiffness", "pressure"))
         if not fresh:
-            self.made.append(Choice(float(block.t[0]), "explicit", "a run begins so"))
+            self.made.append(Choice(float(block.t[0]), "explicit", "runs begin with explicit steps"))
         first = max(fresh, 1)
         for i in first + np.flatnonzero(method[first:] != method[first - 1 : -1]):
             if method[i] == EXPLICIT and pressure[i] > 0:
-                reason = "a singular position is near, and the Jacobian before it says nothing of what is behind"
+                reason = "a singular position is near, where the Jacobian does not predict the motion beyond"
             elif method[i] == EXPLICIT:
                 reason = f"step x fastest rate fell to {stiffness[i]:.2g}: explicit steps are as long, and cheaper"
             elif stiffness[i] > STIFF:
                 reason = f"step x fastest rate = {stiffness[i]:.2g}: stability holds explicit steps down, not accuracy"
             else:
-                reason = "step after step went over the layer in which friction turns: it sticks"
+                reason = "step after step crossed the layer in which friction reverses: it sticks"
             self.made.append(Choice(float(block.t[i]), "implicit" if method[i] == IMPLICIT else "explicit", reason))

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.solution.history import History
 
 
-MOST_INTERVALS = 10_000  # that sums are kept of
+MOST_INTERVALS = 10_000  # most intervals with sums
 
 
 class Observer(Protocol):
@@ -40,7 +40,7 @@ Seen = TypeVar("Seen", bound=Observer)
 
 
 EPSILON = float(np.finfo(float).eps)
-SMALL = 1e-6  # part of the scene's energy scale that an error is measured by where a run moves less energy
+SMALL = 1e-6  # of the scene's energy scale: least energy that errors are relative to
 
 
 class Balance:

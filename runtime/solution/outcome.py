@@ -127,7 +127,7 @@ def too_long(asked: float, error: ErrorEstimate) -> Outcome:
     )
 
 
-CLOSES = 100  # times its accuracy the ledger of a run closes to at least; a run at a tolerance may leave one tolerance a step
+CLOSES = 100  # times the accuracy: largest error of a run's energy balance; a run at a tolerance may add one tolerance per step
 
 
 def not_closed(unclosed: float, asked: float, tolerance: float, steps: int) -> Outcome | None:

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
     from hertzwerk.runtime.solution.history import History
 
-LAST = 200  # rows that are looked at
-MOST = 0.5  # of these, for something to be the cause
+LAST = 200  # rows examined
+MOST = 0.5  # of these, for a cause to be recognised
 AUTO = 'take method="auto"'
 
 
@@ -33,7 +33,7 @@ def of_steps(method: str, history: History) -> str:
     if explicit and stiff:
         return f"stability holds the steps of {method} down, not accuracy: {AUTO}, or {' or '.join(IMPLICIT)}"
     if explicit and _alternates(found[:, 1:]):
-        return f"step after step of {method} goes over the layer in which friction turns: {AUTO}, or {' or '.join(IMPLICIT)}"
+        return f"step after step of {method} crosses the layer in which friction reverses: {AUTO}, or {' or '.join(IMPLICIT)}"
     if not explicit and not stiff:
         return f"nothing is stiff there, and steps of {method} are shorter than those of dop853: {AUTO}"
     return ""

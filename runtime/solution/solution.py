@@ -26,7 +26,7 @@ from hertzwerk.runtime.solution.scales import Scales
 from hertzwerk.runtime.solution.sums import Sums
 
 CHECKPOINT = "checkpoint"  # in a file, beside the histories
-SAMPLE = 1000  # rows that the size of a CSV is told by
+SAMPLE = 1000  # rows from which the size of a CSV is estimated
 
 __all__ = ["ErrorEstimate", "History", "Impact", "Solution", "Statistics"]
 
@@ -71,7 +71,7 @@ class Solution:
     error: ErrorEstimate | None = field(
         default=None, repr=False
     )  # None for a run at a tolerance, and where nothing could be compared
-    checkpoint: Checkpoint | None = field(default=None, repr=False)  # what a longer run goes on from
+    checkpoint: Checkpoint | None = field(default=None, repr=False)  # state that a longer run continues from
 
     @property
     def model(self) -> Model:

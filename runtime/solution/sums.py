@@ -20,9 +20,9 @@ if TYPE_CHECKING:
 
 
 NODES = ((1 - 5**-0.5) / 2, (1 + 5**-0.5) / 2)  # of Lobatto's rule, with the ends of the step
-BESIDE = 1e-4  # of a step from its end: there the contact lasts for certain
+BESIDE = 1e-4  # of a step, from its end: there the contact certainly lasts
 ROWS = 4096  # looked at at once
-BENT = 3e-3  # part of a mean force by which a parabola may differ from a chord, or a cubic is not trusted
+BENT = 3e-3  # of a mean force: difference of parabola and chord beyond which a cubic is not used
 
 
 @dataclass(frozen=True)

@@ -25,16 +25,16 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-CLOSED = 1e-11  # open by no more than this part of the sizes that meet in a loop
+CLOSED = 1e-11  # residual that counts as closed, relative to the sizes in a loop
 ITERATIONS, HALVINGS = 60, 30
-STALLED = 1e-3  # a step that closes by no more of what was open is the last
+STALLED = 1e-3  # relative reduction of the residual below which iteration stops
 UNDER = "under-determined"
-TRIES = 20  # other places to begin at
+TRIES = 20  # other starting points
 RANK = 1e-9  # singular values below this part of the largest count as zero
-AWAY = 1e-6  # and away from a singular position, which nothing there is near to
-AROUND = 8  # positions near the start that are looked at
-NEAR = 0.3  # rad, or of the size: how far off they are at most
-TOGETHER = 40  # constraints that imply each other, at most: with more, choosing among them at every step costs more than the steps
+AWAY = 1e-6  # the same away from singular positions
+AROUND = 8  # positions near the start that are tried
+NEAR = 0.3  # rad, or relative to the size: their largest distance
+TOGETHER = 40  # most constraints in a dependent group: with more, choosing among them costs more than the steps
 
 
 def assemble(

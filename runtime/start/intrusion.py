@@ -19,10 +19,10 @@ import numpy as np
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Bound, Model
 
-LIMIT = 5.0  # of the scene's speed: impacts in mechanisms are up to 2 or 3 times as fast as what drives them
+LIMIT = 5.0  # times the scene's speed: impacts in mechanisms are up to 2 or 3 times as fast as their drives
 JOURNALS = ("pin_in_bush", "ball_in_socket")
-UNDAMPED = 1e12  # m/s, approach speed at which no damping law resists: what is asked is what the stiffness holds
-STEEPEST = 2.5  # power of the depth that the energy grows with, of Hertz's law
+UNDAMPED = 1e12  # m/s, approach speed at which damping laws vanish: only stiffness acts
+STEEPEST = 2.5  # power of the depth in the energy of Hertz's law
 
 
 @dataclass(frozen=True)

@@ -25,11 +25,11 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Bound, Model
 
 REPETITIONS = 100
-SETTLED = 1e-8  # of the clearance, change of a seat; the next would be far smaller
-NOTHING = 1e-12  # of the scene's force: what is less presses nothing
-SHALLOW = 1e-3  # of the clearance: where the depth is looked for first
-POWER = 1.5  # of the depth, that the force of a law grows with about; later what two depths tell
-UNDAMPED = 1e12  # m/s, approach speed at which no damping law resists
+SETTLED = 1e-8  # of the clearance: change of a seat that ends the iteration
+NOTHING = 1e-12  # of the scene's force: smaller forces press nothing
+SHALLOW = 1e-3  # of the clearance: first depth
+POWER = 1.5  # assumed power of the depth in the force; then from two depths
+UNDAMPED = 1e12  # m/s, approach speed at which damping laws vanish
 
 
 @dataclass
@@ -65,7 +65,7 @@ def seat(
     for _ in range(REPETITIONS):
         forces, loose = closed_forces(model, bound, q, u)
         if loose:
-            return q, u, (_no_seat("their forces as closed joints are not determined: others say the same"),)
+            return q, u, (_no_seat("their forces as closed joints are not determined: constraints are redundant"),)
         wanted = np.zeros(len(forces))
         for each in seats:
             force = float(np.linalg.norm(forces[each.rows]))
@@ -85,7 +85,7 @@ def seat(
         q, u, faults = assemble_at(model, bound, q, u, given, at)
         if settled or faults:
             return q, u, faults
-    return q, u, (_no_seat("where they are pressed changes with where they are"),)
+    return q, u, (_no_seat("their seats do not converge: the direction of their forces changes with their position"),)
 
 
 def closed_forces(model: Model, bound: Bound, q: Array, u: Array) -> tuple[Array, bool]:

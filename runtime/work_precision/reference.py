@@ -25,12 +25,12 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 _highest, *_others = reversed(EXPLICIT)
-METHODS = (_highest, *IMPLICIT, *_others)  # the first two that can: as unlike each other as there are
+METHODS = (_highest, *IMPLICIT, *_others)  # in order of preference; unlike each other
 TOLERANCES = (1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13)
-AGREED = 1e-12  # at the end: no closer agreement is asked for
+AGREED = 1e-12  # at the end: agreement that suffices
 LIMITS = {"max_steps": 300_000, "wall_time": 20.0}  # of each run
 SAMPLES = 400  # equally spaced, and at most so many of the reference's own steps, which lie close where much happens
-KNOWN = 1e-6  # where a reference does not hold up to the end, runs are as long as it is known to this
+KNOWN = 1e-6  # error of the reference up to which shortened runs are made
 
 
 @dataclass(frozen=True)

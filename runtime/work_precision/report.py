@@ -169,10 +169,10 @@ def length(study: Study) -> str:
 def _cost(study: Study) -> str:
     best = study.recommended
     if best is None:
-        return "No run got to an error that the reference can tell: there is nothing to choose by."
+        return "No run reached an error that the reference can measure: no method can be recommended."
     cost = study.decade_cost
     said = (
-        "What ten times more accuracy costs cannot be told"
+        "The cost of ten times more accuracy is unknown"
         if cost is None
         else f"Ten times more accuracy costs {plain(cost)} x the time here"
     )
@@ -198,7 +198,7 @@ def _growth(study: Study) -> str:
     grows, within = study.growth, length(study)
     span = seconds(float(study.reference.t[-1]))
     if grows.kind == "unknown":
-        return f"How errors grow cannot be told: too few of them stand above the floor for long enough in these {span}."
+        return f"The growth of errors is unknown: too few of them exceed the floor for long enough in these {span}."
     known = [f for f in grows.factors if math.isfinite(f)]
     step = seconds(grows.edges[1] - grows.edges[0])
     pace = f"by factors of {plain(min(known))} to {plain(max(known))} from one {step} to the next"

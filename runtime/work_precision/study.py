@@ -21,10 +21,10 @@ Array = NDArray[np.float64]
 
 ACCURACIES = tuple(10.0**-k for k in range(3, 10))
 WALL_TIME = 5.0  # s, of a run
-STARTED = 0.01  # of its local tolerance: from such an error on a run tells growth; before, it may be a free flight without any error
-APART = 0.3  # decades between two errors that a cost is taken from
-TOLD = 3.0  # times the reference's uncertainty: a smaller error cannot be told from none
-FIRST = (0.3, 0.6)  # parts of the work up to the reference, and up to the first of every run
+STARTED = 0.01  # of the local tolerance: least error that shows growth; before it may be a free flight without error
+APART = 0.3  # least decades between two errors that a cost is computed from
+TOLD = 3.0  # times the reference's uncertainty: least measurable error
+FIRST = (0.3, 0.6)  # progress after the reference, and after the first run of each kind
 NOT_TRIED = "not_tried"
 
 

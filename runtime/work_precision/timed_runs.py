@@ -31,13 +31,13 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 MAX_STEPS = 1_000_000
-LATE = ("wall_time_limit", "too_many_steps")  # outcomes after which tighter accuracies would take too long, too
+LATE = ("wall_time_limit", "too_many_steps")  # outcomes after which tighter accuracies would also take too long
 ROUNDS, BUDGET = (
     (3, 9),
     15.0,
-)  # least and most rounds; after the least, no more that would go beyond so many seconds in all
-ONCE = 1.0  # s: what takes longer is not repeated, and neither is what asks for too much
-SHORT, IN_A_ROW = 0.02, 3  # s: what takes less runs so often in a round
+)  # least and most rounds; after the least only within so many seconds in all
+ONCE = 1.0  # s: longer runs are not repeated
+SHORT, IN_A_ROW = 0.02, 3  # s: shorter runs are repeated this often in a round
 
 
 @dataclass(frozen=True)

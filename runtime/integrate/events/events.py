@@ -21,13 +21,15 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
 
 GAP = ("gap", "gap_rate", "gap_acceleration")
-ROUNDINGS = 4  # times the bound of a gap's rounding: an event is found by a few operations more
-LANDING = 1e-2  # a landing is met to this times the tolerance, in the scene's scales
-DOUBT = 0.1  # part of |quintic - cubic| that a graze must stay clear of
-NEAR = 1 / 64  # of a step: how far its end may be moved to land on a surface, by the classical method of order 4
+ROUNDINGS = 4  # times the bound of a gap's rounding: locating an event takes a few operations more
+LANDING = 1e-2  # of the tolerance, in the scene's scales: accuracy of a landing
+DOUBT = 0.1  # of |quintic - cubic|: distance from zero below which a graze is in doubt
+NEAR = 1 / 64  # of a step: most by which its end is moved to land on a surface, by the classical method of order 4
 PARTS = 8  # sub-intervals searched
-BELIEVED = 4  # retakes of one step; where a cubic fits, 1 to 3 land
-LOCATED = 16  # retakes that find a margin's root, or there is none: what nearly redundant friction needs jumps with a step's error
+BELIEVED = 4  # retakes of one step after which cubics give way to chords; where a cubic fits, 1 to 3 land
+LOCATED = (
+    16  # retakes after which a margin counts as rootless: nearly redundant friction forces jump with a step's error
+)
 NEWTON_STEPS = 12  # within one of them, bisecting where Newton would leave the bracket
 NO_EVENT = 2.0  # theta beyond every step
 

@@ -34,8 +34,11 @@ if TYPE_CHECKING:
 Parts = dict[str, Any]  # of a vector, by name
 
 HERTZ = 2.94  # duration of a Hertz impact in depth/speed
-ONSET_STEP, ONSET_POWER = 1.6 * HERTZ, 2 / 7  # of length/speed * tolerance^power: the very first contact's first step
-FINITE = 1e300  # a sum of magnitudes is below it, or something is infinite or undefined
+ONSET_STEP, ONSET_POWER = (
+    1.6 * HERTZ,
+    2 / 7,
+)  # first step of the first contact: ONSET_STEP length/speed tolerance^ONSET_POWER
+FINITE = 1e300  # larger sums of magnitudes, and nan, are not finite
 
 
 def next_modes(model: Model, run: Parts, mode: Any, end: Parts, landed: Any) -> Any:

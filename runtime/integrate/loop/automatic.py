@@ -15,9 +15,9 @@ from hertzwerk.runtime.model.caller import Callers
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.loop.compiled import Program
 
-LOOK = 0.15  # s ahead from which it pays to write the C text and look for its library: 0.01 to 0.06 s
-SURE = 0.1  # part of the compilation's time that must have been run before the pace is believed
-GAIN = 0.8  # part of the time ahead that C saves: it takes a fifth or less
+LOOK = 0.15  # s left from which it pays to write the C text and look for its library, which takes 0.01 to 0.06 s
+SURE = 0.1  # part of the compilation's time that must have been run for the pace to be reliable
+GAIN = 0.8  # part of the time left that C saves
 
 
 @dataclass

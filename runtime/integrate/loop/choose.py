@@ -28,8 +28,8 @@ if TYPE_CHECKING:
 
 EXPLICIT, IMPLICIT = 0.0, 1.0  # the state's `method`
 STIFF = 3.0  # step x rate: an explicit method of order 5 is stable up to 3.3, of order 8 up to 6
-EASY = 1.0  # and what an explicit step could do as well
-REVERSAL = 2.0  # what a step over the turning of friction counts, in stiff steps
+EASY = 1.0  # step x rate below which an explicit step would do as well
+REVERSAL = 2.0  # weight of a step across a friction reversal, in stiff steps
 PATIENCE = 10.0  # stiff steps, less the others, before the method changes; easy ones before it changes back
 # The same by what stages differ by: of 21 scenes at 1e-5 and 1e-8 those with nothing stiff get to 18 at most, the others to more than 250.
 SUSPICIOUS = 20.0

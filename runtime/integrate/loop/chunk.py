@@ -16,8 +16,8 @@ from hertzwerk.runtime.integrate.loop.choose import PATIENCE
 from hertzwerk.runtime.integrate.step.layout import RUNNING, SUSPECT, TOO_MANY_STEPS
 from hertzwerk.runtime.model.caller import Caller, Callers
 
-ROOM = 1.05  # of a step: with less to the end than that it may have been cut to end there
-SIZE = (16, 16)  # attempts per call: so many calls of a function that makes so many attempts
+ROOM = 1.05  # of a step: if less is left to the end, the step may have been cut to end there
+SIZE = (16, 16)  # attempts per call, nested: calls of a function, attempts in it
 # statuses that only the loop can give
 INTERRUPTED, WALL_TIME_LIMIT, EXCEPTION = TOO_MANY_STEPS + 1, TOO_MANY_STEPS + 2, TOO_MANY_STEPS + 3
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 Contacts: TypeAlias = tuple[int, ...] | None  # the pairs in contact; BY_MODE: those whose mode says so
 BY_MODE: Final = None
 IDLE, IN_FLIGHT, IN_CONTACT = range(3)  # IN_FLIGHT: no pair in contact; IN_CONTACT and above: some pair is
-ALONE = 10  # pairs up to which each has a class of its own: every class is built, and compiled, which with 16 takes three times as long
+ALONE = 10  # most pairs with a class each: every class is built and compiled, with 16 pairs three times as long
 
 
 def contact_classes(model: Model) -> tuple[Contacts, ...]:

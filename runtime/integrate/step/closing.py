@@ -17,7 +17,7 @@ from hertzwerk.runtime.model.per_model import per_model
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
 
-ITERATIONS = 2  # Newton's: what a step leaves open is small, its square is below rounding
+ITERATIONS = 2  # Newton's: the residual after a step is small, its square below rounding
 RUNAWAY = 1e3  # speeds over their scales: near a position in which a driven mechanism locks they grow without bound
 LOST = 1e200  # error norm of a step whose end does not close the loops; no other is as large
 

@@ -16,8 +16,8 @@ SHRINK, GROW = 0.2, 3.0  # limits of the factor between steps
 ONSET_ORDER = 2.5  # a force like d^1.5 from zero: the first step's speed error falls with h^2.5 whatever the method
 ONSET_GROW = 3.0  # from a contact's first step to its second
 ROUGHEST = 16.0  # largest factor of `roughness`; 8 to 64 cost the same within a tenth at equal error
-LANDING_PART = 0.7  # of the way back to the surface that a step in contact takes at most, unless it lands
-LANDING_STEP = 1.1  # of the onset's step: the longest step that lands
+LANDING_PART = 0.7  # of the way back to the surface: most that a step in contact covers, unless it lands
+LANDING_STEP = 1.1  # of the onset's step: longest step that lands
 FAR = 1e300
 
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
     from hertzwerk.runtime.model.model import Model
 
-MEAN_OF = 8  # most entries that an error is averaged over: of many bodies most err nothing, and must not excuse the two that collide
+MEAN_OF = 8  # most entries an error is averaged over: many bodies without error must not hide the two that collide
 
 
 @dataclass(frozen=True)

@@ -26,9 +26,9 @@ if TYPE_CHECKING:
 Parts = Mapping[str, Any]
 
 STICK = 0.0  # slip of a pair that sticks
-REDUNDANT = 1e-6  # part of its diagonal that makes W regular: contacts of one body may share one force
-REFINEMENTS = 2  # steps after which that part is gone from what is not redundant
-BREAKS = 0.25  # of the tolerance of a landing: by which lambda exceeds what is held when a pair lets go; a landing aims at half
+REDUNDANT = 1e-6  # relative shift of the diagonal that makes W regular: contacts of one body may share one force
+REFINEMENTS = 2  # iterations that remove the shift's effect where W is regular
+BREAKS = 0.25  # of the landing tolerance: excess of lambda over the holding force at which a pair breaks loose; landings aim at half
 
 
 @dataclass(frozen=True)

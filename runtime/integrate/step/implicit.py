@@ -27,17 +27,17 @@ from hertzwerk.runtime.model.per_model import per_model
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
 
-CONVERGED = 0.05  # of the tolerance: what the iterations may leave in a stage
-ROUNDING = 1e-3  # of that: changes below it are not asked to get smaller
-BACKWARD = 1e-9  # relative residual, row by row, beyond which elimination has amplified rounding: with 5 to 40 unknowns at random it is below 1e-12
-DIVERGED = 1e4  # error norm of a step whose iterations did not converge: it is tried again with the shortest allowed
-FORESEEN = 0.1  # of a sliding velocity's rate: a change beyond it is one
-SINGULAR = 1e300  # a derivative beyond it, or none at all, counts as zero
+CONVERGED = 0.05  # of the tolerance: iteration error allowed in a stage
+ROUNDING = 1e-3  # of that: smaller changes need not contract
+BACKWARD = 1e-9  # largest relative residual of a row; more means that elimination amplified rounding (random systems of 5 to 40: below 1e-12)
+DIVERGED = 1e4  # error norm of a step whose iterations did not converge: it is retried with the largest reduction
+FORESEEN = 0.1  # of a sliding velocity's rate: smaller changes count as none
+SINGULAR = 1e300  # derivatives that are larger, or nan, count as zero
 
 Parts = Mapping[str, Any]
 
 
-LARGE = 2000  # instructions of the right-hand side beyond which a step calls it: written out for every stage it takes long to build and to compile
+LARGE = 2000  # instructions of the right-hand side beyond which steps call it: inlined in every stage it takes long to build and compile
 
 
 @per_model

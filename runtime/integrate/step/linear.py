@@ -18,7 +18,7 @@ from typing import Any
 
 import casadi as ca
 
-PIVOTED = 4  # unknowns up to which rows are exchanged by size; beyond, by structure alone: I - h gamma J is then sparse and near M + h C + h^2 K
+PIVOTED = 4  # most unknowns with row exchanges by size; beyond, the order is structural: I - h gamma J is sparse and near M + h C + h^2 K
 
 
 @dataclass(frozen=True)

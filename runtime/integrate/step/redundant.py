@@ -21,7 +21,7 @@ from hertzwerk.runtime.model.per_model import per_model
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
 
-OUT = 1e20  # softness of a constraint that is taken out
+OUT = 1e20  # softness of a relaxed constraint
 
 
 def relax_redundant(model: Model) -> Callable[[Mapping[str, Any], Mapping[str, Any]], Mapping[str, Any]]:

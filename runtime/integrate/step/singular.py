@@ -26,10 +26,10 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.tableaux.methods import Table
     from hertzwerk.runtime.model.model import Model
 
-NEARBY = 0.05  # of a constraint's square that others leave of it: more is no singular position
-KEPT = 0.25  # of the gap between two nodes: as far off them the position has to lie
-REACH = 2.0  # steps: nearer than that none is implicit; with 1 esdirk shrinks onto the position still, at a tolerance of 1e-13
-AT_ONCE = 0.25  # of the first node: a position so close to the start of a step is behind it as good as over
+NEARBY = 0.05  # independent part of a constraint's square below which a singular position may be near
+KEPT = 0.25  # of the gap between two nodes: distance that the position keeps from both
+REACH = 2.0  # steps: distance below which none is implicit; with 1, esdirk still shrinks onto the position at a tolerance of 1e-13
+AT_ONCE = 0.25  # of the first node: a position this close to the start of a step counts as passed
 
 
 def time_to_singular(model: Model, t: Any, q: Any, dq: Any, c: Any) -> Any:

@@ -23,8 +23,8 @@ from hertzwerk.runtime.model.per_model import per_model
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
 
-TOGETHER = 5  # rounds in which all change that have to; nearly always enough
-ONE_BY_ONE = 3  # rounds for each pair in which one does
+TOGETHER = 5  # rounds in which all violating pairs change; nearly always enough
+ONE_BY_ONE = 3  # rounds per pair in which the first one changes
 ROUNDING = 1e-10  # of the terms of an acceleration, below which it has no sign
 
 
