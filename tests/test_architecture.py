@@ -4,6 +4,7 @@
 """
 
 import ast
+import subprocess
 import sys
 from collections.abc import Iterator
 from functools import cache
@@ -224,13 +225,20 @@ def test_derive_imports_sympy_and_nothing_of_the_other_side():
             "numpy",
             "scipy",
             "matplotlib",
-            "pydantic",
             "hertzwerk.generated",
             "hertzwerk.runtime",
         )
         == []
     )
     assert offenders(sources("derive"), "sympy") != []
+
+
+def test_derive_imports_pydantic_only_where_a_law_file_is_read():
+    assert {file.name for file in sources("derive") if any(reaches(m, "pydantic") for m in modules(file))} == {
+        "lawtable.py"
+    }
+    loaded = "import sys, hertzwerk.derive.files.lawfile; sys.exit('pydantic' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", loaded], check=False).returncode == 0
 
 
 @pytest.mark.parametrize("name", ["units.py", "faults.py", "identifiers.py", "files/tomlfile.py"])

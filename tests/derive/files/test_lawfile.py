@@ -338,6 +338,28 @@ def test_all_faults_of_a_file_come_at_once(file):
         assert part in str(raised.value)
 
 
+def test_all_faults_of_the_tables_come_at_once(file):
+    """Of one law what each entry is by itself, beside what the entries of another mean to each other."""
+    wrong = {
+        "title = ": "title = 3 #",
+        'grade = "C"': "grad = 1",
+        'unit = "mm"': 'unit = "inch"',
+        '"[1, 3]"': "[1, 3]",
+        "default = 20": "default = inf",
+    }
+    text = FOAM
+    for old, new in wrong.items():
+        text = text.replace(old, new)
+    with pytest.raises(InputError) as raised:
+        laws_from(file(text + FRICTION.replace("mu*N", "my*N")))
+    places = {fault.where for fault in raised.value.faults}
+    assert places == {
+        "law foam, title", "law foam", "law foam, symbols.h.unit", "law foam, symbols.n.limits", "law foam, symbols.h.default",
+        "law my_coulomb, force",
+    }  # fmt: skip
+    assert all(fault.found and fault.expected for fault in raised.value.faults)
+
+
 def test_a_file_that_is_none(tmp_path):
     with pytest.raises(InputError, match="no such file"):
         laws_from(tmp_path / "missing.toml")
