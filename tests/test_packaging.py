@@ -12,7 +12,16 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 PACKAGES = ("derive", "generated", "runtime")
-ALONE = ("pyproject.toml", "README.md", "LICENSE", ".gitignore")
+ALONE = (
+    "pyproject.toml",
+    "README.md",
+    "CONTRIBUTING.md",
+    "CHANGELOG.md",
+    "CITATION.cff",
+    "LICENSE",
+    ".gitignore",
+    ".pre-commit-config.yaml",
+)
 TOP = "runtime/package/"  # installed as hertzwerk/
 
 

@@ -1,39 +1,143 @@
-"""The README keeps its promises: a result by line 40, Python that runs, commands that exist, and the picture its example draws."""
+"""Every README keeps its promises: its code runs, its commands and links are there, and what it lists is all there is."""
 
+import inspect
 import re
-import subprocess
-import sys
+import shlex
+import tomllib
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
+
+import hertzwerk.derive
+from hertzwerk.derive.laws.law import Law
+from hertzwerk.derive.scenes import NAMES
+from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.solution import outcome
+from hertzwerk.runtime.validate.scenario import Scenario, load_scenario
 
 ROOT = Path(__file__).parents[1]
-README = (ROOT / "README.md").read_text(encoding="utf-8")
-BLOCKS = re.findall(r"^```(\w+)\n(.*?)^```$", README, re.MULTILINE | re.DOTALL)
-PYTHON = [text for language, text in BLOCKS if language == "python"]
-SHELL = [text for language, text in BLOCKS if language in ("sh", "console")]
-PICTURES = re.findall(r"!\[[^\]]*\]\(([^)]+)\)", README)
+DOCUMENTS = (
+    "README.md",
+    "CONTRIBUTING.md",
+    *(f"{room}/README.md" for room in ("derive", "derive/laws", "derive/scenes", "runtime", "tests")),
+)
+TEXTS = {name: (ROOT / name).read_text(encoding="utf-8") for name in DOCUMENTS}
+LONG = {"accuracy", "effects", "hardcases", "validate"}  # commands that take minutes
+
+
+def blocks(name, *languages):
+    found = re.findall(r"^```(\w+)\n(.*?)^```$", TEXTS[name], re.MULTILINE | re.DOTALL)
+    return [text for language, text in found if language in languages]
+
+
+def write_files(name, folder):
+    """Blocks that begin with the name of a file become that file."""
+    for text in blocks(name, "python", "toml"):
+        if file := re.match(r"# (\w+\.\w+)\n", text):
+            (folder / file[1]).write_text(text, encoding="utf-8")
+
+
+PYTHON = [
+    pytest.param(name, text, id=f"{name}-{i}", marks=pytest.mark.slow if name == "runtime/README.md" else ())
+    for name in DOCUMENTS
+    if name != "CONTRIBUTING.md"  # its blocks are run by test_contributing.py
+    for i, text in enumerate(blocks(name, "python"))
+]
+TOML = [(name, text) for name in DOCUMENTS for text in blocks(name, "toml") if name != "CONTRIBUTING.md"]
+SHELL = {name: [line for text in blocks(name, "sh") for line in text.splitlines()] for name in DOCUMENTS}
+
+
+def commands(name):
+    """Arguments of every command line of hertzwerk that a block shows."""
+    lines = (line for line in SHELL[name] if line.startswith("hertzwerk "))
+    return [shlex.split(line, comments=True)[1:] for line in lines]
+
+
+# -- the first page ----------------------------------------------------------------------------------------------------
 
 
 def test_set_up_example_and_picture_stand_by_line_40():
-    top = "\n".join(README.splitlines()[:40])
-    assert "pip install" in top
-    assert "hertzwerk run slider_crank" in top
-    assert "pytest" in top
-    assert "```python" in top
-    assert PICTURES
-    assert f"({PICTURES[0]})" in top
+    top = "\n".join(TEXTS["README.md"].splitlines()[:40])
+    for promised in ("pip install .", "hertzwerk run slider_crank", "pytest", "```python", ".readme/slider_pin.png)"):
+        assert promised in top
 
 
-def test_the_first_example_is_short():
-    assert len(PYTHON[0].splitlines()) <= 20
+def test_a_newcomer_finishes_it():
+    assert len(TEXTS["README.md"].splitlines()) <= 125
+    assert len(blocks("README.md", "python")[0].splitlines()) <= 20
 
 
-@pytest.mark.parametrize("picture", PICTURES)
-def test_pictures_are_committed_png_files(picture):
-    content = (ROOT / picture).read_bytes()
-    assert content.startswith(b"\x89PNG\r\n\x1a\n")
-    assert len(content) < 500_000
+def test_it_lists_all_commands():
+    assert set(re.findall(r"^\| `hertzwerk (\w+)", TEXTS["README.md"], re.MULTILINE)) == set(main.commands)
+
+
+# -- all pages ---------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("name", "text"), PYTHON)
+def test_python_runs_as_written(name, text, tmp_path, monkeypatch):
+    """Where warnings are errors; what it says it writes, it writes."""
+    monkeypatch.chdir(tmp_path)
+    write_files(name, tmp_path)
+    exec(compile(text, name, "exec"), {"__name__": "__main__"})
+    for picture in re.findall(r'savefig\("([^"]+)"', text):
+        assert (tmp_path / picture).read_bytes().startswith(b"\x89PNG")
+
+
+@pytest.mark.parametrize(("name", "text"), TOML)
+def test_toml_is_read_as_written(name, text, tmp_path):
+    write_files(name, tmp_path)
+    file = tmp_path / re.match(r"# (\S+)\n", text)[1]
+    if "law" in tomllib.loads(text):
+        assert hertzwerk.derive.laws_from(file)
+    else:
+        assert load_scenario(file).checks
+
+
+@pytest.mark.parametrize("name", DOCUMENTS)
+def test_every_command_and_option_it_shows_exists(name):
+    shown = {line.strip("`") for line in re.findall(r"`hertzwerk [a-z][^`]*`", TEXTS[name])}
+    for command, *rest in [*commands(name), *(line.split()[1:] for line in shown)]:
+        if command not in ("COMMAND", "--help"):
+            known = {name for option in main.commands[command].params for name in option.opts} | {"--help"}
+            assert {word for word in rest if word.startswith("--")} <= known, command
+
+
+RUNS = [
+    pytest.param(name, long, marks=pytest.mark.exhaustive if long else pytest.mark.slow)
+    for name in DOCUMENTS
+    for long in (False, True)
+    if any((arguments[0] in LONG or "--restitution" in arguments) == long for arguments in commands(name))
+]
+
+
+@pytest.mark.parametrize(("name", "long"), RUNS)
+def test_commands_run_as_written(name, long, tmp_path, monkeypatch):
+    """In the order they stand in, in one folder."""
+    monkeypatch.chdir(tmp_path)
+    write_files(name, tmp_path)
+    for arguments in commands(name):
+        if (arguments[0] in LONG or "--restitution" in arguments) == long:
+            done = CliRunner().invoke(main, arguments)
+            assert done.exit_code == 0, (arguments, done.output)
+
+
+@pytest.mark.parametrize("name", DOCUMENTS)
+def test_links_lead_somewhere(name):
+    prose = re.sub(r"^```.*?^```$|`[^`\n]*`", "", TEXTS[name], flags=re.MULTILINE | re.DOTALL)
+    targets = re.findall(r"\]\(([^)#]+)[^)]*\)", prose)
+    assert [
+        target for target in targets if "://" not in target and not (ROOT / name).parent.joinpath(target).exists()
+    ] == []
+
+
+def test_pictures_are_small_and_each_is_shown():
+    shown = {Path(target).name for text in TEXTS.values() for target in re.findall(r"!\[[^\]]*\]\(([^)]+)\)", text)}
+    pictures = {path.name: path.read_bytes() for path in (ROOT / ".readme").iterdir()}
+    assert set(pictures) == shown
+    assert all(content.startswith(b"\x89PNG\r\n\x1a\n") and len(content) < 500_000 for content in pictures.values())
 
 
 def test_the_picture_of_all_mechanisms_has_them_all():
@@ -45,28 +149,77 @@ def test_the_picture_of_all_mechanisms_has_them_all():
         assert picture.text["Description"].split() == list(built_in_scenes())
 
 
-@pytest.mark.parametrize("index", range(len(PYTHON)))
-def test_python_runs_as_written(index, tmp_path):
-    """In a folder of its own, warnings as errors; what it says it writes, it writes."""
-    (tmp_path / "example.py").write_text(PYTHON[index], encoding="utf-8")
-    command = [sys.executable, "-W", "error", "example.py"]
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=120, stdin=subprocess.DEVNULL)
-    assert done.returncode == 0, done.stderr
-    for name in re.findall(r'savefig\("([^"]+)"', PYTHON[index]):
-        assert (tmp_path / name).read_bytes().startswith(b"\x89PNG")
+# -- lists that are complete -------------------------------------------------------------------------------------------
 
 
-def test_every_command_it_shows_exists():
-    from hertzwerk.runtime.cli import main
+INNER = {  # of which people write none
+    *("Element", "Effect", "JointEffect", "PairEffect", "Joint", "Freedom", "Interval", "Finding", "Fault"),
+    *("BoundLaw", "Quantity", "Slot", "Varying"),
+}
+DECLARED = [
+    kind
+    for kind in (getattr(hertzwerk.derive, name) for name in dir(hertzwerk.derive))
+    if inspect.isclass(kind) and not issubclass(kind, Law | Exception)
+]
 
-    shown = set(re.findall(r"hertzwerk ([a-z]+)", "\n".join(SHELL)))
-    assert shown
-    assert shown <= set(main.commands)
+
+def written(kind):
+    """A record's signature as the README writes it."""
+    defaults = {"Ground()": "GROUND", "Direction(components=(0, 0, 1))": "Z", "Direction(components=(1, 0, 0))": "X",
+                "Direction(components=(0, 1, 0))": "Y"}  # fmt: skip
+    parts = []
+    for parameter in inspect.signature(kind).parameters.values():
+        if parameter.kind is parameter.VAR_KEYWORD:
+            continue
+        default = "" if parameter.default is parameter.empty else repr(parameter.default)
+        if default == "<factory>":
+            default = {"start": "Start()"}.get(parameter.name, "{}")
+        parts.append(parameter.name + (f"={defaults.get(default, default)}" if default else ""))
+    return f"{kind.__name__}({', '.join(parts)})"
 
 
-def test_every_option_it_shows_exists():
-    from hertzwerk.runtime.cli import main
+@pytest.mark.parametrize(
+    "kind", [kind for kind in DECLARED if kind.__name__ not in INNER], ids=lambda kind: kind.__name__
+)
+def test_every_record_stands_there_with_its_signature(kind):
+    assert f"`{written(kind)}`" in TEXTS["derive/README.md"]
 
-    for command, rest in re.findall(r"hertzwerk ([a-z]+)([^\n|&]*)", "\n".join(SHELL)):
-        known = {name for option in main.commands[command].params for name in option.opts}
-        assert set(re.findall(r"(?<=\s)--[a-z-]+", rest)) <= known | {"--help"}, command
+
+def test_every_public_name_is_explained():
+    assert [name for name in dir(hertzwerk.derive) if not re.search(rf"\b{name}\b", TEXTS["derive/README.md"])] == []
+
+
+def test_every_scene_is_in_the_gallery():
+    assert re.findall(r"^\| `hertzwerk run (\w+)`", TEXTS["derive/scenes/README.md"], re.MULTILINE) == list(NAMES)
+
+
+def test_every_key_of_a_scenario_is_explained():
+    page = TEXTS["derive/README.md"].split("## Scenario files")[1]
+    keys = {key for row in re.findall(r"^\| (`.*?) \|", page, re.MULTILINE) for key in re.findall(r"`(\w+)`", row)}
+    assert keys == set(Scenario.model_fields)
+
+
+def test_every_outcome_is_explained():
+    page = TEXTS["runtime/README.md"].split("## Outcomes")[1].split("\n## ")[0]
+    named = {name for row in re.findall(r"^\| (`.*?) \|", page, re.MULTILINE) for name in re.findall(r"`(\w+)`", row)}
+    literal = re.findall(r'^        "([a-z]+_[a-z_]+)",$', inspect.getsource(outcome), re.MULTILINE)
+    assert len(literal) > 3
+    assert named - {"outcome"} >= {*literal, *(name for name, *_ in outcome._OUTCOMES.values())}
+
+
+def patterns():
+    """The names of histories that the README lists, as regular expressions."""
+    page = TEXTS["runtime/README.md"].split("## Outputs")[1].split("\n## ")[0]
+    for row in re.findall(r"^\| (`.*?) \|", page, re.MULTILINE):
+        for name, more in re.findall(r"`([^`]+)`(\.\.)?", row):
+            pattern = re.sub(r"<\w+>", r"\\w+", name.replace(".", r"\."))
+            yield name, re.sub(r"([xyz]|0)$", {"0": "[0-3]"}.get(pattern[-1], "[xyz]"), pattern) if more else pattern
+
+
+@pytest.mark.slow
+def test_every_history_is_explained():
+    runs = [simulate(load(name), duration=1e-6, tolerance=1e-3) for name in NAMES]
+    runs.append(simulate(load("double_pendulum", coordinates="absolute"), duration=1e-6, tolerance=1e-3))
+    names = {name for run in runs for name in run.names}
+    known = dict(patterns())
+    assert [name for name in sorted(names) if not any(re.fullmatch(pattern, name) for pattern in known.values())] == []
