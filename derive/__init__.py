@@ -7,6 +7,7 @@ if TYPE_CHECKING:  # the list of public names
     from hertzwerk.derive.algebra.functions import Where as Where
     from hertzwerk.derive.algebra.splines import Table as Table
     from hertzwerk.derive.audit.audit import Finding as Finding, InconsistentUnits as InconsistentUnits
+    from hertzwerk.derive.contact.touch import Touch as Touch, touch as touch
     from hertzwerk.derive.declare.scene import (
         Contact as Contact,
         EnergyLedger as EnergyLedger,
@@ -59,6 +60,7 @@ if TYPE_CHECKING:  # the list of public names
         Direction as Direction,
         Material as Material,
         Point as Point,
+        Slot as Slot,
         X as X,
         Y as Y,
         Z as Z,
@@ -83,6 +85,7 @@ if TYPE_CHECKING:  # the list of public names
         CornerOnFace as CornerOnFace,
         CustomPair as CustomPair,
         CylinderOnPlane as CylinderOnPlane,
+        Pair as Pair,
         ParallelCylinders as ParallelCylinders,
         PinInBush as PinInBush,
         RimOnPlane as RimOnPlane,

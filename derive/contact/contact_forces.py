@@ -68,7 +68,7 @@ class PairKinematics:
     def __init__(self, kinematics: Kinematics, pair: Pair, geometry: dict[str, Any]) -> None:
         self.kin = kinematics
         self.pair = pair
-        self.touch = touch(kinematics, pair)
+        self.touch = touch(pair, kinematics)
         self._geometry = {quantity: geometry[quantity.name] for quantity in GEOMETRY if quantity.name in geometry}
 
     def _named(self, vector: Vector, what: str) -> Vector:

@@ -8,13 +8,12 @@ import sympy as sp
 
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.algebra.vectors import Vector, add, cross, dot, scale, sub
-from hertzwerk.derive.contact.touch import Round, touch
+from hertzwerk.derive.contact.touch import touch
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.effects.element import Element
 from hertzwerk.derive.effects.lubrication import Lubrication
 from hertzwerk.derive.laws.law import eps_c, eps_w
-from hertzwerk.derive.mechanism.pairs import PinInBush
 from hertzwerk.derive.motion.kinematics import Kinematics
 from hertzwerk.derive.units import parse_unit
 
@@ -28,10 +27,10 @@ class _Film:
     def __init__(self, effect: Lubrication, kin: Kinematics, scene: Scene) -> None:
         self.effect, self.kin, self.scene = effect, kin, scene
         pair = next(pair for pair in scene.mechanism.pairs if pair.name == effect.pair)
-        place = touch(kin, pair)
-        if not isinstance(place, Round) or not isinstance(pair, PinInBush):
-            raise TypeError(f"{effect.name}: a film at {pair.name}, which is no pin in a bush")
-        self.touch, self.clearance = place, sp.sympify(pair.clearance)
+        if not pair.holds_film:
+            raise TypeError(f"{effect.name}: a film at {pair.name}, which holds none")
+        self.touch: Any = touch(pair, kin)
+        self.clearance = sp.sympify(self.touch.pair.clearance)
         self.layer = sp.sympify(effect.boundary_layer) / self.clearance
 
     def let(self, expression: Any, what: str, stated: str = "") -> Any:

@@ -72,7 +72,8 @@ class Mechanism:
         """Yield every quantity of the mechanism, in declared order."""
         for body in self.bodies:
             yield from body.slots()
-        for part in (*self.joints, *self.pairs):
+        parts: tuple[Joint | Pair, ...] = (*self.joints, *self.pairs)
+        for part in parts:
             yield from part.slots()
 
 

@@ -20,17 +20,6 @@ from hertzwerk.derive.effects.springs import PointDamper, PointSpring
 from hertzwerk.derive.mechanism.bodies import GROUND, Direction, Frame, Point
 from hertzwerk.derive.mechanism.joints import Freedom, Joint
 from hertzwerk.derive.mechanism.mechanism import Mechanism
-from hertzwerk.derive.mechanism.pairs import (
-    BallInSocket,
-    CornerOnFace,
-    CylinderOnPlane,
-    Pair,
-    ParallelCylinders,
-    PinInBush,
-    RimOnPlane,
-    SphereOnPlane,
-    SphereOnSphere,
-)
 from hertzwerk.derive.mechanism.parameter import is_number, parameters_of
 from hertzwerk.derive.program.program import Result
 
@@ -80,9 +69,7 @@ def landmarks_of(scene: Scene) -> Iterator[Landmark]:
     for joint in mechanism.joints:
         yield from (Landmark(joint.name, joint.symbol, *mark) for mark in joint.landmarks())
     for pair, _, _ in scene.contacts:
-        (first, one, of_first), (second, two, of_second) = _of_pair(pair)
-        yield Landmark(pair.name, pair.kind, first, one, of_first)
-        yield Landmark(pair.name, pair.kind, second, two, of_second)
+        yield from (Landmark(pair.name, pair.kind, *mark) for mark in pair.landmarks())
     for effect in scene.effects:
         if hasattr(effect, "joint"):
             yield from _on_joint(effect, mechanism)
@@ -122,69 +109,6 @@ def _on_joint(effect: Any, mechanism: Mechanism) -> Iterator[Landmark]:
 def _freedom(mechanism: Mechanism, key: str) -> tuple[Joint, Freedom]:
     freedoms = ((joint, freedom) for joint in mechanism.joints for freedom in joint.freedoms)
     return next(found for found in freedoms if found[1].key == key)
-
-
-# -- pairs -------------------------------------------------------------------------------------------------------------
-
-Places = tuple[tuple[str, Point, dict[str, Any]], tuple[str, Point, dict[str, Any]]]
-
-
-@singledispatch
-def _of_pair(pair: Pair) -> Places:
-    """Name, point and surface of both places; of a pair of the user's the places alone."""
-    first, second = pair.places
-    return ("first", first, {}), ("second", second, {})
-
-
-@_of_pair.register
-def _(pair: SphereOnPlane) -> Places:
-    return ("sphere", pair.sphere, {"radius": pair.radius}), _plane(pair.plane, pair.normal)
-
-
-@_of_pair.register
-def _(pair: SphereOnSphere) -> Places:
-    return ("first", pair.first, {"radius": pair.radius_first}), ("second", pair.second, {"radius": pair.radius_second})
-
-
-@_of_pair.register
-def _(pair: ParallelCylinders) -> Places:
-    beside = {"radius": pair.radius_second, "axis": _in_body(pair.second, pair.axis), "length": pair.length}
-    return ("first", pair.first, {"radius": pair.radius_first}), ("second", pair.second, beside)
-
-
-@_of_pair.register
-def _(pair: PinInBush) -> Places:
-    bush = {"radius": pair.bush_radius, "axis": _in_body(pair.bush, pair.axis)}
-    return ("pin", pair.pin, {"radius": pair.pin_radius}), ("bush", pair.bush, bush)
-
-
-@_of_pair.register
-def _(pair: BallInSocket) -> Places:
-    return ("ball", pair.ball, {"radius": pair.first_radius}), ("socket", pair.socket, {"radius": pair.socket_radius})
-
-
-@_of_pair.register
-def _(pair: CylinderOnPlane) -> Places:
-    beside = {"radius": pair.radius, "axis": _in_body(pair.cylinder, pair.axis), "length": pair.length}
-    return ("cylinder", pair.cylinder, beside), _plane(pair.plane, pair.normal)
-
-
-@_of_pair.register
-def _(pair: RimOnPlane) -> Places:
-    beside = {"radius": pair.radius, "axis": _in_body(pair.disc, pair.axis)}
-    return ("disc", pair.disc, beside), _plane(pair.plane, pair.normal)
-
-
-@_of_pair.register
-def _(pair: CornerOnFace) -> Places:
-    beside: dict[str, Any] = {"normal": _in_body(pair.face, pair.normal)}
-    if pair.along is not None:
-        beside |= {"along": _in_body(pair.face, pair.along), "length": pair.length}
-    return ("corner", pair.corner, {}), ("face", pair.face, beside)
-
-
-def _plane(point: Point, normal: Direction) -> tuple[str, Point, dict[str, Any]]:
-    return "plane", point, {"normal": _in_body(point, normal)}
 
 
 # -- effects that stand at points of their own -------------------------------------------------------------------------

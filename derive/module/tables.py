@@ -10,7 +10,6 @@ from hertzwerk.derive.audit.forms import advice
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.effects.expression import tables_in
 from hertzwerk.derive.mechanism.joints import Port
-from hertzwerk.derive.mechanism.pairs import JOURNALS
 from hertzwerk.derive.mechanism.parameter import Interval, Parameter
 from hertzwerk.derive.module.outputs import output_rows
 from hertzwerk.derive.module.system import System
@@ -85,7 +84,7 @@ def _bristle_rows(system: System) -> Iterator[tuple[int, int]]:
 def _loop_tables(system: System) -> dict[str, tuple[Any, ...]]:
     """Constraints, and values of the start that are given instead of found by assembly."""
     loops = {"CONSTRAINTS": _names(system.loops)} if system.loops else {}
-    joints, journals = system.joints, any(pair.pair.kind in JOURNALS for pair, _, _ in system.contacts)
+    joints, journals = system.joints, any(pair.pair.journal for pair, _, _ in system.contacts)
     if joints is None:
         given = {"GIVEN": _given(system.scene, system.kin)} if loops or journals else {}
         return loops | given | _seated(system.scene)

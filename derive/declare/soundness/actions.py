@@ -9,7 +9,6 @@ from hertzwerk.derive.effects.drives import Drive
 from hertzwerk.derive.effects.faults import element_faults
 from hertzwerk.derive.faults import Fault, one_of
 from hertzwerk.derive.identifiers import repeated, twice
-from hertzwerk.derive.mechanism.pairs import JOURNALS
 
 if TYPE_CHECKING:
     from hertzwerk.derive.declare.scene import Scene
@@ -101,10 +100,10 @@ def _seat_faults(scene: Scene) -> Iterator[Fault]:
     """A start with seated journals where there is none, or where what a pair would be as a closed joint is not known."""
     if not scene.start.seated:
         return
-    expected = f"pairs that stand for a joint, {' or '.join(JOURNALS)}, each with a contact"
+    expected = "pairs that stand for a joint, pin_in_bush or ball_in_socket, each with a contact"
     pairs, touching = scene.mechanism.pairs, [contact.pair for contact in scene.of_kind("contact")]
-    wrong = [f"{pair.name} ({pair.kind})" for pair in pairs if pair.kind not in JOURNALS]
-    wrong += [f"{pair.name} (no contact)" for pair in pairs if pair.kind in JOURNALS and pair.name not in touching]
+    wrong = [f"{pair.name} ({pair.kind})" for pair in pairs if not pair.journal]
+    wrong += [f"{pair.name} (no contact)" for pair in pairs if pair.journal and pair.name not in touching]
     if wrong or not pairs:
         found = f"seated with {', '.join(wrong)}" if wrong else "seated without a pair that has clearance"
         yield Fault(

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Direction, Point
-from hertzwerk.derive.mechanism.pairs import CustomPair
 from hertzwerk.derive.mechanism.parameter import is_number
 
 if TYPE_CHECKING:
@@ -40,8 +39,5 @@ def directions(scene: Scene) -> Iterator[tuple[str, Any]]:
             if isinstance(point, Point):
                 yield from ((f"joint {joint.name}, turned point, axis", direction) for direction, _ in point.turns)
     for pair in scene.mechanism.pairs:
-        if not isinstance(pair, CustomPair):
-            named = [(name, getattr(pair, name)) for name in ("normal", "axis", "along") if hasattr(pair, name)]
-            named = [(name, direction) for name, direction in named if (name, direction) != ("along", None)]
-            yield from ((f"pair {pair.name}, {name}", direction) for name, direction in named)
+        yield from ((f"pair {pair.name}, {name}", direction) for name, direction in pair.directions.items())
     yield from ((f"effect {effect.name}, direction", effect.direction) for effect in scene.of_kind("gravity"))

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Body
 from hertzwerk.derive.mechanism.joints import Joint
+from hertzwerk.derive.mechanism.pairs import Pair
 
 if TYPE_CHECKING:
     from hertzwerk.derive.declare.scene import Scene
@@ -34,7 +35,7 @@ def shape_faults(scene: Scene) -> Iterator[Fault]:
     else:
         yield from _texts("mechanism", mechanism)
         yield from _all("joints", mechanism.joints, JOINT, lambda joint: isinstance(joint, Joint))
-        yield from _all("pairs", mechanism.pairs, PAIR, lambda pair: hasattr(pair, "places") and hasattr(pair, "kind"))
+        yield from _all("pairs", mechanism.pairs, PAIR, lambda pair: isinstance(pair, Pair))
     yield from _all("effects", scene.effects, EFFECT, _is_effect)
     if not hasattr(scene.scales, "length"):
         yield Fault("scales", shown(scene.scales), "Scales(length=..., speed=...)")

@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from hertzwerk.derive.algebra.vectors import along
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.identifiers import name_faults, repeated
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Frame
 from hertzwerk.derive.mechanism.mechanism import Mechanism
-from hertzwerk.derive.mechanism.pairs import CornerOnFace, PinInBush
-from hertzwerk.derive.mechanism.parameter import default_value
 
 
 def topology_faults(mechanism: Mechanism) -> Iterator[Fault]:
@@ -35,11 +32,7 @@ def topology_faults(mechanism: Mechanism) -> Iterator[Fault]:
         for point in pair.places:
             if point.body != GROUND and mechanism.joint_of(point.body) is None:
                 yield Fault(f"pair {pair.name}", f"body {point.body.name}", "a body that a joint connects")
-        if isinstance(pair, PinInBush) and pair.axis.points and along(pair.axis.unit) is None:
-            yield Fault(f"pair {pair.name}", f"the axis {pair.axis.components}", "X, Y, Z or the opposite of one",
-                        "Turn the bush: body.at(...).turned(axis, angle).")  # fmt: skip
-        if isinstance(pair, CornerOnFace):
-            yield from _face_faults(pair)
+        yield from pair.faults()
         first, second = (place.body for place in pair.places)
         if first == second:
             yield Fault(f"pair {pair.name}", f"both sides on {first.name}", "two different bodies")
@@ -48,20 +41,6 @@ def topology_faults(mechanism: Mechanism) -> Iterator[Fault]:
                 f"pair {pair.name}",
                 f"{first.name} and {second.name}, which are welded",
                 "bodies that can move against each other",
-            )
-
-
-def _face_faults(pair: CornerOnFace) -> Iterator[Fault]:
-    """A face that ends needs a direction in it, and a length."""
-    if (pair.along is None) != (pair.length is None):
-        found = "a length without a direction along the face" if pair.along is None else "a direction without a length"
-        yield Fault(f"pair {pair.name}", found, "both, for a face that ends, or neither")
-    if pair.along is not None:
-        normal, along_face = ([default_value(part) for part in axis.unit] for axis in (pair.normal, pair.along))
-        cosine = sum(a * b for a, b in zip(normal, along_face, strict=True))
-        if abs(cosine) > 1e-9:
-            yield Fault(
-                f"pair {pair.name}, along", f"a direction at a cosine of {cosine:.3g} to the normal", "one square to it"
             )
 
 

@@ -10,7 +10,6 @@ from hertzwerk.derive.effects.faults import type_faults
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.laws.law import BoundLaw, Law
 from hertzwerk.derive.mechanism.bodies import Body, Direction, Ground, Point
-from hertzwerk.derive.mechanism.pairs import CustomPair
 
 if TYPE_CHECKING:
     from hertzwerk.derive.declare.scene import Scene
@@ -39,9 +38,8 @@ def scene_type_faults(scene: Scene) -> Iterator[Fault]:
             if isinstance(place, Point):
                 yield from _is(where, "body", place.body, Body | Ground, "a Body or GROUND")
                 yield from _point(where, place)
-        if isinstance(pair, CustomPair):
-            yield from _three(f"{where}, normal", pair.normal)
-            yield from _three(f"{where}, contact point", pair.contact_point)
+        for what, values in pair.triples.items():
+            yield from _three(f"{where}, {what}", values)
     for where, direction in directions(scene):
         yield from direction_faults(where, direction)
     for effect in scene.of_kind("contact"):

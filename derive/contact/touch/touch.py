@@ -1,0 +1,146 @@
+"""Where two surfaces touch: gap, gap rates, penetration, normal and contact point of every kind of pair.
+
+A pair pushes its first place along the unit vector `normal`. The gap is a smooth event function (no square root where the distance may vanish);
+it equals minus the penetration to first order at contact, so its rate at the onset is minus the approach speed. Penetration and normal proper
+appear in the contact's own function alone, which is evaluated in contact only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property, singledispatch
+from typing import Any, ClassVar
+
+import sympy as sp
+
+from hertzwerk.derive.algebra.vectors import Vector, add, dot, scale, sub
+from hertzwerk.derive.dimension.dimension import Dimension
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.mechanism.pairs.pair import Pair
+from hertzwerk.derive.motion.kinematics import Kinematics
+from hertzwerk.derive.motion.probe import Probe
+
+DEPTH = 1e-4
+"""Penetration at which a user's pair is tried, in lengths of the mechanism."""
+ROUNDING = 1e-7
+"""Relative, of numbers from double precision."""
+
+
+@singledispatch
+def touch(pair: Pair, kinematics: Kinematics) -> Touch:
+    """Give the geometry of a pair on its kinematics' tape; raises InputError for a kind without one."""
+    found = f"{type(pair).__name__}, a kind of pair without equations"
+    remedy = f"touch.register({type(pair).__name__}, ...) on a subclass of Touch with `gap` and `normal`."
+    raise InputError(f"pair {pair.name}", [Fault(f"pair {pair.name}", found, "one whose geometry is known", remedy)])
+
+
+class Touch:
+    """What every pair has: `first` and `second` place, the vector `apart` from the second to the first, and `position`, the point on the line of
+    action that material velocities are taken at [m]."""
+
+    proved: ClassVar[bool] = False
+    """Whether gap and normal are known to fit each other; else they are tried at random states."""
+
+    def __init__(self, pair: Pair, kinematics: Kinematics) -> None:
+        self.kin = kinematics
+        self.tape = kinematics.tape
+        self.pair: Any = pair
+        self.first, self.second = pair.places
+        one, one_rate, one_second = kinematics.point(self.first, f"{pair.name}_{pair.labels[0]}")
+        two, two_rate, two_second = kinematics.point(self.second, f"{pair.name}_{pair.labels[1]}")
+        self.centre, self.base = one, two
+        self.apart = self.named(sub(one, two), "apart")
+        apart_rate = self.named(sub(one_rate, two_rate), "apart_rate")
+        second = self.named(sub(one_second, two_second), "apart_acceleration")
+        for a, b, c in zip(self.apart, apart_rate, second, strict=True):
+            self.tape.set_rate(a, b)
+            self.tape.set_rate(b, c)
+
+    def let(self, expression: Any, what: str, dimension: Dimension | None = None) -> Any:
+        """Name a result of this pair on the tape."""
+        return self.tape.let(expression, f"{self.pair.name}_{what}", dimension)
+
+    def named(self, vector: Vector, what: str) -> Vector:
+        """Name a vector of this pair on the tape."""
+        return self.tape.vector(vector, f"{self.pair.name}_{what}")
+
+    @property
+    def gap(self) -> Any:
+        """Event function, positive while open [m]."""
+        raise NotImplementedError
+
+    @property
+    def penetration(self) -> Any:
+        """[m], positive in contact."""
+        return self.let(-self.gap, "penetration")
+
+    @property
+    def normal(self) -> Vector:
+        """Unit vector along which the first place is pushed."""
+        raise NotImplementedError
+
+    @property
+    def position(self) -> Vector:
+        """The first place: the line of action passes through it [m]."""
+        return self.centre
+
+    @cached_property
+    def gap_rate(self) -> Any:
+        """[m/s]."""
+        return self.tape.rate(self.gap, f"{self.pair.name}_gap_rate")
+
+    @cached_property
+    def gap_acceleration(self) -> Any:
+        """[m/s^2]."""
+        return self.tape.rate(self.gap_rate, f"{self.pair.name}_gap_acceleration")
+
+    @cached_property
+    def contact_point(self) -> Vector:
+        """The point both bodies touch at, on the first body's surface [m]."""
+        return add(self.position, scale(-sp.sympify(self.pair.first_radius), self.normal))
+
+    @cached_property
+    def penetration_rate(self) -> Any:
+        """[m/s]: the material points of both bodies at the first place approach along the normal, which turns with the second."""
+        return self.let(-dot(self.normal, self.relative_rate), "penetration_rate")
+
+    @cached_property
+    def relative_rate(self) -> Vector:
+        """Velocity of the first body's material point at `position` against the second's there [m/s]."""
+        return self.named(self.rate_at(self.position), "relative_rate")
+
+    def rate_at(self, position: Vector) -> Vector:
+        """Velocity of the first body's point at `position` against the second body's [m/s]."""
+        one, two = (self.kin.velocity_at(place.body, position) for place in (self.first, self.second))
+        return sub(one, two)
+
+    def outputs(self) -> list[tuple[str, str, Any]]:
+        """Named quantities of the pair: (name, unit, expression)."""
+        return [(f"{self.pair.name}.gap", "m", -self.penetration)]
+
+    def faults(self, length: float) -> Iterator[Fault]:
+        """Say what only the derived motion shows to be wrong, of gap and normal at random states; `length` [m] is the size of the mechanism."""
+        if self.proved:
+            return
+        where = f"pair {self.pair.name}"
+        probe = Probe(self.kin, length)
+        states = probe.states_where(self.gap, self.gap_rate, -DEPTH * length)
+        if not states:
+            yield Fault(f"{where}, gap", "no position where it is negative", "surfaces that can touch",
+                        "It was followed downhill from random positions: are its signs and units right?")  # fmt: skip
+        for state in states:
+            try:
+                x, y, z, rate, approach = probe.values([*self.normal, self.gap_rate, self.penetration_rate], state)
+            except (ValueError, TypeError, ZeroDivisionError, KeyError):
+                yield Fault(f"{where}, normal", "no number at a position of contact", "a unit vector and a point there")
+                return
+            size = (x * x + y * y + z * z) ** 0.5
+            if abs(size - 1) > ROUNDING:
+                yield Fault(f"{where}, normal", f"a length of {size:.6g} where the gap is closed", "a unit vector",
+                            "Divide it by its length.")  # fmt: skip
+                return
+            if abs(rate + approach) > ROUNDING * (abs(rate) + abs(approach)):
+                yield Fault(f"{where}, gap", f"a rate of {rate:.6g} m/s where the bodies approach at {approach:.6g} m/s",
+                            "the distance of the surfaces, which shrinks as they approach along the normal at the contact point",
+                            "Are normal and contact point along the axes of the second place, and on the side of the first body?")  # fmt: skip
+                return

@@ -1,0 +1,206 @@
+"""Spheres and parallel cylinders, one on or in the other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import sympy as sp
+
+from hertzwerk.derive.algebra.vectors import along
+from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.mechanism.bodies import Direction, Point, Slot
+from hertzwerk.derive.mechanism.pairs.pair import Pair, in_body
+from hertzwerk.derive.mechanism.parameter import POSITIVE, Scalar
+
+
+@dataclass(frozen=True)
+class Round(Pair):
+    """A round surface on or in another."""
+
+    inside: ClassVar[bool] = False
+
+    @property
+    def line(self) -> Direction | None:
+        """Axis of cylinders, in the axes of the second place; None of spheres."""
+        return None
+
+
+@dataclass(frozen=True)
+class SphereOnSphere(Round):
+    """Two spheres that may touch from outside."""
+
+    first: Point
+    second: Point
+    radius_first: Scalar
+    radius_second: Scalar
+    kind: ClassVar[str] = "sphere_on_sphere"
+
+    @property
+    def first_radius(self) -> Any:
+        """From the first place to the contact point [m]."""
+        return self.radius_first
+
+    @property
+    def geometry(self) -> dict[str, Any]:
+        """`R_eff = R1 R2/(R1 + R2)`, both radii, the smaller one and their sum [m]."""
+        r1, r2 = self.radius_first, self.radius_second
+        return {"R_eff": r1 * r2 / (r1 + r2), "R_min": sp.Min(r1, r2), "R_1": r1, "R_2": r2, "dR": r1 + r2}
+
+    def slots(self) -> Iterator[Slot]:
+        """The quantities of the pair."""
+        yield Slot(f"pair {self.name}, first radius", self.radius_first, "m", POSITIVE)
+        yield Slot(f"pair {self.name}, second radius", self.radius_second, "m", POSITIVE)
+        yield from super().slots()
+
+    @property
+    def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
+        """What a picture shows of them."""
+        one, two = {"radius": self.radius_first}, {"radius": self.radius_second}
+        return one, two
+
+
+@dataclass(frozen=True)
+class ParallelCylinders(SphereOnSphere):
+    """Two cylinders that may touch from outside along a line of `length`, axes along `axis` of the second's frame."""
+
+    axis: Direction
+    length: Scalar
+    kind: ClassVar[str] = "parallel_cylinders"
+    form: ClassVar[str] = "line"
+
+    @property
+    def geometry(self) -> dict[str, Any]:
+        """That of two spheres of the same radii, and the length [m]."""
+        return {**super().geometry, "L": self.length}
+
+    def slots(self) -> Iterator[Slot]:
+        """The quantities of the pair."""
+        yield from super().slots()
+        yield Slot(f"pair {self.name}, length", self.length, "m", POSITIVE)
+
+    @property
+    def line(self) -> Direction:
+        """The axis."""
+        return self.axis
+
+    @property
+    def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
+        """What a picture shows of them."""
+        beside = {"radius": self.radius_second, "axis": in_body(self.second, self.axis), "length": self.length}
+        return {"radius": self.radius_first}, beside
+
+
+@dataclass(frozen=True)
+class PinInBush(Round):
+    """A revolute joint with clearance: a pin of radius `bush_radius - clearance` free inside a bush, axes along `axis` of the bush's frame.
+
+    Only laws of line contact ask for its `length`: where none does, it is no parameter of the scene.
+    """
+
+    pin: Point
+    bush: Point
+    axis: Direction
+    bush_radius: Scalar
+    clearance: Scalar
+    length: Scalar | None = None
+    kind: ClassVar[str] = "pin_in_bush"
+    form: ClassVar[str] = "line"
+    inside: ClassVar[bool] = True
+    journal: ClassVar[bool] = True
+    holds_film: ClassVar[bool] = True
+    labels: ClassVar[tuple[str, str]] = ("pin", "bush")
+
+    @property
+    def pin_radius(self) -> Any:
+        """[m]."""
+        return self.bush_radius - self.clearance
+
+    first_radius = pin_radius
+
+    @property
+    def geometry(self) -> dict[str, Any]:
+        """`R_eff = R1 R2/(R1 - R2)` of bush and pin (their difference is the clearance), and the pin's radius [m]."""
+        return {
+            "R_eff": self.bush_radius * self.pin_radius / self.clearance,
+            "R_min": self.pin_radius,
+            "R_1": self.bush_radius,
+            "R_2": self.pin_radius,
+            "dR": self.clearance,
+            **({} if self.length is None else {"L": self.length}),
+        }
+
+    def slots(self) -> Iterator[Slot]:
+        """The quantities of the pair."""
+        yield Slot(f"pair {self.name}, bush radius", self.bush_radius, "m", POSITIVE)
+        yield Slot(f"pair {self.name}, clearance", self.clearance, "m", POSITIVE)
+        if isinstance(self.bush_radius, sp.Expr) and isinstance(self.clearance, sp.Expr):
+            yield Slot(f"pair {self.name}, pin radius (bush radius minus clearance)", self.pin_radius, "m", POSITIVE)
+        if self.length is not None:
+            yield Slot(f"pair {self.name}, length", self.length, "m", POSITIVE, asked_as=f"{self.name}.L")
+        yield from super().slots()
+
+    @property
+    def line(self) -> Direction:
+        """The axis."""
+        return self.axis
+
+    @property
+    def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
+        """What a picture shows of them."""
+        bush = {"radius": self.bush_radius, "axis": in_body(self.bush, self.axis)}
+        return {"radius": self.pin_radius}, bush
+
+    def faults(self) -> Iterator[Fault]:
+        """An axis that is no coordinate axis."""
+        if self.axis.points and along(self.axis.unit) is None:
+            yield Fault(f"pair {self.name}", f"the axis {self.axis.components}", "X, Y, Z or the opposite of one",
+                        "Turn the bush: body.at(...).turned(axis, angle).")  # fmt: skip
+
+
+@dataclass(frozen=True)
+class BallInSocket(Round):
+    """A spherical joint with clearance: a ball of radius `socket_radius - clearance` free inside a hollow sphere."""
+
+    ball: Point
+    socket: Point
+    socket_radius: Scalar
+    clearance: Scalar
+    kind: ClassVar[str] = "ball_in_socket"
+    inside: ClassVar[bool] = True
+    journal: ClassVar[bool] = True
+    labels: ClassVar[tuple[str, str]] = ("ball", "socket")
+
+    @property
+    def first_radius(self) -> Any:
+        """The ball's [m]."""
+        return self.socket_radius - self.clearance
+
+    @property
+    def geometry(self) -> dict[str, Any]:
+        """`R_eff = R1 R2/(R1 - R2)` of socket and ball (their difference is the clearance), and both radii [m]."""
+        ball = self.first_radius
+        return {
+            "R_eff": self.socket_radius * ball / self.clearance,
+            "R_min": ball,
+            "R_1": self.socket_radius,
+            "R_2": ball,
+            "dR": self.clearance,
+        }
+
+    def slots(self) -> Iterator[Slot]:
+        """The quantities of the pair."""
+        yield Slot(f"pair {self.name}, socket radius", self.socket_radius, "m", POSITIVE)
+        yield Slot(f"pair {self.name}, clearance", self.clearance, "m", POSITIVE)
+        if isinstance(self.socket_radius, sp.Expr) and isinstance(self.clearance, sp.Expr):
+            yield Slot(
+                f"pair {self.name}, ball radius (socket radius minus clearance)", self.first_radius, "m", POSITIVE
+            )
+        yield from super().slots()
+
+    @property
+    def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
+        """What a picture shows of them."""
+        one, two = {"radius": self.first_radius}, {"radius": self.socket_radius}
+        return one, two
