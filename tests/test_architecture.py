@@ -21,7 +21,7 @@ HALLS = {("runtime", "integrate"), ("runtime", "pictures")}  # whose sub-folders
 # TYPE_CHECKING too. Rooms of the same side go by their name alone.
 ROOMS = {
     "derive": {
-        ".": "algebra audit declare derivation effects faults files laws mechanism",
+        ".": "algebra audit contact declare derivation effects faults files laws mechanism",
         "algebra": "faults identifiers units",
         "audit": "algebra declare dimension faults laws mechanism program units",
         "contact": "algebra declare dimension effects faults laws mechanism motion units",
