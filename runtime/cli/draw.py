@@ -16,7 +16,7 @@ from hertzwerk.runtime.cli.terminal import GOOD, line, reports_bad_input
 if TYPE_CHECKING:
     from hertzwerk.runtime.pictures.draw.places import Places
 
-TOLERANCE = 1e-6  # local; a picture shows no more
+TOLERANCE = 1e-6  # local; finer than a picture shows
 
 
 @click.command()

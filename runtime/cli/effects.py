@@ -35,7 +35,7 @@ from hertzwerk.runtime.effects.study import percent
 if TYPE_CHECKING:
     from hertzwerk.runtime.effects.study import Change, Row, Study
 
-DEFAULT = 1e-9  # tolerance where the scenario's is finer: an error of so much hides no effect
+DEFAULT = 1e-9  # least default tolerance: an error of this size hides no effect
 
 
 @click.command()

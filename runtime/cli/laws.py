@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from hertzwerk.derive.sheets.sheet import Formula, Restitution, Sheet
     from hertzwerk.runtime.validate.restitution import Curve, Study
 
-SHOWN = (0.1, 0.3, 0.5, 0.7, 0.9)  # restitutions in the table; the files have all
+SHOWN = (0.1, 0.3, 0.5, 0.7, 0.9)  # restitutions in the table; the files contain all
 SHOWN_OWN = (0.01, 0.1, 0.3, 1.0, 3.0)
 
 

@@ -10,7 +10,7 @@ from itertools import zip_longest
 
 GAP = "  "
 PROSE = 100  # columns of prose in a pipe
-WHOLE = 16  # characters up to which a cell is not broken
+WHOLE = 16  # longest cell that is never broken
 
 
 def columns() -> int | None:

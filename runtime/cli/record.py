@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.solution.averages import Average
     from hertzwerk.runtime.solution.solution import Solution
 
-CSV_LIMIT = 50e6  # bytes that are written unasked
+CSV_LIMIT = 50e6  # bytes: larger files are written only on request
 
 
 def summary(solution: Solution, *, averages: bool = False) -> dict[str, Any]:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.cli.terminal import Progress
 
 SIGNALS = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
-AGAIN = 1.0  # s after which a signal is another one, and no second stroke of an impatient hand
+AGAIN = 1.0  # s after which a signal counts as a second one, not as a repeated key stroke
 
 
 class Stopping:

@@ -33,9 +33,9 @@ COLOURS = {
     "remedy": "yellow",
     "written": "cyan",
 }
-BAR_AFTER, BETWEEN = 0.5, 0.1  # s: what is done sooner needs no bar; between two looks of it
-BAR, LONGEST = 30, 1e5  # characters; s: what is foreseen to take longer is not foreseen
-INTERRUPTED = 130  # exit code: as a shell says of what ended by SIGINT
+BAR_AFTER, BETWEEN = 0.5, 0.1  # s: least age of a stage with a bar; between two updates
+BAR, LONGEST = 30, 1e5  # characters; s: longest remaining time that is shown
+INTERRUPTED = 130  # exit code of a process ended by SIGINT, as in a shell
 
 
 def reports_bad_input(command: Callable[..., int]) -> Callable[..., None]:

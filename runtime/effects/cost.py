@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
 FLIGHT = ("applied", "accelerations", "gaps", "gap_accelerations")  # as the header of a generated module counts them
 TRIES = 3  # runs of one round
-ROUNDS, TIMED = (5, 25), 1.5  # of timing: least and most, and the time [s] that the fastest of all of them may take
-INTERVAL = (0.1, 0.9)  # of the shares in all rounds
+ROUNDS, TIMED = (5, 25), 1.5  # least and most rounds of timing, and the time [s] in which more are made
+INTERVAL = (0.1, 0.9)  # quantiles of the shares over the rounds
 
 
 @dataclass(frozen=True)

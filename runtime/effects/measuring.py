@@ -31,15 +31,15 @@ from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.start.start_values import split_values
 
-FINER = 30.0  # the last tolerance is so many times finer than the first
-ROUNDED = 1e-12  # finer tolerances show rounding
-FINEST = ROUNDED * FINER  # that the first tolerance may be
-EIGHTHS = range(9)  # of the way there: the runs past the horizon
-LADDER = (0, 1), (4, 3), (8, 7)  # those of every scene, and what is taken instead of one that does not finish
+FINER = 30.0  # ratio of the first tolerance to the last
+ROUNDED = 1e-12  # least tolerance: finer ones only show rounding
+FINEST = ROUNDED * FINER  # least first tolerance
+EIGHTHS = range(9)  # of the way to the last tolerance: runs past the horizon
+LADDER = (0, 1), (4, 3), (8, 7)  # runs of every scene, each with the substitute if it does not finish
 SAFETY = 2.0  # on the largest difference between the runs of a ladder
-STUDENT = {7: 2.447, 8: 2.365, 9: 2.306}  # quantile of 97.5 % for the mean of so many samples; fewer are too few
+STUDENT = {7: 2.447, 8: 2.365, 9: 2.306}  # quantile of 97.5 % by the number of samples; fewer are too few
 ROUNDING = 1e-13  # relative, of any output
-SAME = 1e-11  # relative: so alike are the accelerations of two scenes with the same motion
+SAME = 1e-11  # relative: largest difference of accelerations of the same motion
 
 
 @dataclass(frozen=True)

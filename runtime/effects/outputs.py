@@ -26,11 +26,11 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.solution.history import History
     from hertzwerk.runtime.solution.solution import Solution
 
-SAMPLES, HALVES = 4_000, (1, 16)  # wanted of a run; half the least and the most parts of one step
+SAMPLES, HALVES = 4_000, (1, 16)  # wanted number in a run; half the least and most parts of a step
 WAY_SAMPLES = 10_000  # for the length of a path, which has cusps
-POINTS, ZOOMS = 17, 4  # an extreme is looked for again among so many points around the largest sample, so many times
-PAST_HORIZON = ("mean_peak_force",)  # of more use there than the largest of all
-AMPLITUDES = 4  # at most, of those taken by themselves
+POINTS, ZOOMS = 17, 4  # points around the largest sample, and refinements, of an extreme
+PAST_HORIZON = ("mean_peak_force",)  # more useful beyond the horizon than the largest of all
+AMPLITUDES = 4  # most that are chosen by default
 
 
 class Samples:

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
     from hertzwerk.runtime.solution.solution import Solution
 
-CORRECTIONS = 20  # of the positions, by Gauss and Newton
-AGREE = 1e-9  # relative: the poses of all bodies and their rates, where they are the same
+CORRECTIONS = 20  # Gauss-Newton iterations of the positions
+AGREE = 1e-9  # relative: largest difference of equal poses and their rates
 
 
 def driven_start(run: Solution, model: Model, parameters: Mapping[str, Value]) -> dict[str, tuple[float, str]]:

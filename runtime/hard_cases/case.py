@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 EXPLICIT, IMPLICIT, METHODS = tuple(methods.EXPLICIT), tuple(methods.IMPLICIT), tuple(methods.IN_GRAPH)
 REFERENCED = tuple(methods.METHODS)  # with SUNDIALS as an independent reference
-MARGIN, EXTRA = 1.5, 20  # of the bound on steps over what was measured
+MARGIN, EXTRA = 1.5, 20  # factor and addend of the bound on steps over the measured number
 
 
 @dataclass(frozen=True)

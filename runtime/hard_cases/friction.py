@@ -115,7 +115,7 @@ def _falling_chain(count: int, *, long: bool) -> HardCase:
     )
 
 
-BEYOND = 0.05  # N, of a weight of a link of 1 N: what nearly straight links need jumps by that with the errors of contact forces
+BEYOND = 0.05  # N, beside a link's weight of 1 N: friction of nearly straight links jumps by this with errors of the contact forces
 BRISTLE = 1e7  # 1/m, stiffness of the bristles per normal force
 LUGRE_SPEED = 0.0388918036404  # m/s, of a block that slides on them from START, after 0.5 s
 

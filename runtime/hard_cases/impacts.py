@@ -9,7 +9,7 @@ from hertzwerk.runtime.hard_cases.case import METHODS, REFERENCED, HardCase, Sou
 
 RELATION = "h (1 + e) = ln((1 + h)/(1 - h e)), Hunt and Crossley 1975"
 TOLERANCE = 1e-8
-PART = 10 * TOLERANCE  # of a known speed or depth, relative to that of the impact
+PART = 10 * TOLERANCE  # tolerance of a known speed or depth, relative to that of the impact
 FLORES, EXACT = Source("free_impact_flores", hard=True), Source("free_impact_exact", hard=True)
 PULLS, RELEASED = (Source(f"free_impact_{name}", hard=True) for name in ("kelvin_voigt", "kelvin_voigt_without_pull"))
 RISTOW, UNLIKE = Source("free_impact_ristow", hard=True), Source("unlike_masses", hard=True)

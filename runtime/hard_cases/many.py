@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 TOLERANCE = 1e-8
 PART = 100 * TOLERANCE  # of a speed after a few impacts
-APART = 1e-6  # m, and so as many seconds
+APART = 1e-6  # m, and as many seconds
 NEARLY = {"left": -0.999758604583, "middle": -0.000482616145, "right": 1.000241220728}  # m/s
 TOUCHING = (-0.071085017086, -0.030273764097, -0.014463629032, 0.127044986067, 0.988777424148)  # m/s, after 20 ms
 FINE, FINEST, TELLING = 1e-12, 1e-13, 1e-10

@@ -30,8 +30,8 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
     from hertzwerk.runtime.solution.solution import Solution
 
-FINER = 100  # than its case is a reference run
-FINEST = 1e-12  # that a reference run is asked for
+FINER = 100  # ratio of a case's tolerance to that of a reference run
+FINEST = 1e-12  # least tolerance of a reference run
 MAX_STEPS, MAX_EVENTS = 20_000_000, 1_000_000
 OUTCOME, SAME = "outcome", "C unlike machine"
 PASSED, FAILED, KNOWN = "passed", "failed", "known failure"

@@ -9,7 +9,7 @@ from pathlib import Path
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.host.scratch import scratch_folder
 
-RUNS = Path("runs")  # where results go that no folder is named for
+RUNS = Path("runs")  # default folder of results
 
 
 def destination_fault(out: Path | None) -> Fault | None:

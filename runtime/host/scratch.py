@@ -22,7 +22,7 @@ if sys.platform != "win32":
 
 _PREFIX = ".hertzwerk-unfinished-"
 _OURS = re.compile(re.escape(_PREFIX) + "[0-9a-f]{16}")
-YOUNG = 60.0  # s in which a maker may still be about to lock what it made
+YOUNG = 60.0  # s: younger files may not be locked yet by their maker
 
 
 @contextlib.contextmanager

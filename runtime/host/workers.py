@@ -24,7 +24,7 @@ from typing import Any, Protocol, TypeVar
 
 # One pool at a time: a process forked while another pool is used would share its pipes, and outlive it.
 _pool = threading.Lock()
-AHEAD = 2  # tasks handed out per worker: none waits for the next, and few are under way where one dies
+AHEAD = 2  # tasks submitted per worker: keeps it busy, and few are lost if it dies
 
 Result = TypeVar("Result")
 Returned = TypeVar("Returned", covariant=True)

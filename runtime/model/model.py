@@ -38,7 +38,7 @@ class Bound:
 Dependent: TypeAlias = tuple[tuple[int, ...], int]
 """Constraints that imply each other, and how many of them are independent."""
 
-SOLVING = ("accelerations", "projection")  # functions that solve for what holds the loops
+SOLVING = ("accelerations", "projection")  # functions that solve for the constraint forces
 
 
 @dataclass(frozen=True)

@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 
 SAMPLES = 2000  # of the whole run, beside the accepted steps
 IMPACT_SAMPLES = 400
-IMPACTS = 200  # sampled through; beyond these a picture of the whole run shows none by itself
+IMPACTS = 200  # most that are sampled; with more a picture of the whole run shows none by itself
 
 _PREFIXES = {"m": (("m", 1.0), ("mm", 1e-3), ("µm", 1e-6)), "s": (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6)),
              "N": (("MN", 1e6), ("kN", 1e3), ("N", 1.0), ("mN", 1e-3)), "J": (("kJ", 1e3), ("J", 1.0), ("mJ", 1e-3), ("µJ", 1e-6)),

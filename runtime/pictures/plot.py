@@ -19,7 +19,7 @@ from matplotlib.patches import Circle
 from numpy.typing import NDArray
 
 from hertzwerk.runtime.pictures.curves import Array, Curves, Scale, impact_curves, scale_of
-from hertzwerk.runtime.pictures.plot_panel import LEGEND_ROOM, caption, legend, lines, nothing, over_time
+from hertzwerk.runtime.pictures.plot_panel import LEGEND_ROOM, caption, empty_panel, legend, lines, over_time
 from hertzwerk.runtime.pictures.plot_style import BLUE, GREY, STYLE, VERMILLION
 
 if TYPE_CHECKING:
@@ -245,11 +245,11 @@ def _journal_path(axis: Axes, curves: Curves, name: str, inside: Sequence[str], 
 
 def _first_impact(axis: Axes, run: Solution, impact: Impact | None) -> None:
     if impact is None:
-        nothing(axis, "no impact")
+        empty_panel(axis, "no impact")
         return
     t, force, _ = impact_curves(run, impact)
     if len(t) < 2:
-        nothing(axis, UNRESOLVED)
+        empty_panel(axis, UNRESOLVED)
         return
     time, start, scale = scale_of("s", t[-1]), scale_of("s", impact.t), scale_of("N", force)
     axis.plot(time(t), scale(force), color=BLUE, linewidth=1.4)
@@ -262,11 +262,11 @@ def _first_impact(axis: Axes, run: Solution, impact: Impact | None) -> None:
 
 def _loop(axis: Axes, run: Solution, impact: Impact | None) -> None:
     if impact is None:
-        nothing(axis, "")
+        empty_panel(axis, "")
         return
     t, force, penetration = impact_curves(run, impact)
     if len(t) < 2:
-        nothing(axis, UNRESOLVED)
+        empty_panel(axis, UNRESOLVED)
         return
     scale, length = scale_of("N", force), scale_of("m", penetration)
     axis.plot(length(penetration), scale(force), color=BLUE, linewidth=1.4)

@@ -78,7 +78,7 @@ def _wide(widths: Sequence[int], columns: int) -> int:
     return sum(int(np.max(column)) for column in np.array_split(widths, columns))
 
 
-def nothing(axis: Axes, text: str) -> None:
+def empty_panel(axis: Axes, text: str) -> None:
     """Write a text in place of a panel."""
     axis.set_axis_off()
     axis.text(0.5, 0.5, plain(text), transform=axis.transAxes, ha="center", color=GREY)

@@ -92,7 +92,7 @@ class Settings:
 
 
 @dataclass(frozen=True)
-class Given:
+class Inputs:
     """Start and extent of a run.
 
     Bound parameters, q (nq,) and u (nu,) with loops closed, duration [s], scales stated by the scene, redundant
@@ -111,7 +111,7 @@ class Given:
 
 def read(
     model: Model, settings: Settings, parameters: Mapping[str, Value], initial: Mapping[str, Value]
-) -> tuple[Given, np.ndarray | None]:
+) -> tuple[Inputs, np.ndarray | None]:
     """Read everything given; return it with the times [s] of an output grid.
 
     Raises InputError with every fault. Text that was read before is not read again.
@@ -127,7 +127,7 @@ def read(
     inside = overlap_faults(model, bound, initial, q, u)
     if inside:
         raise InputError(model.name, inside)
-    given = Given(
+    given = Inputs(
         bound,
         q,
         u,
@@ -160,7 +160,7 @@ def check(
 
 
 @per_model
-def _remembered(_: Model) -> dict[Hashable, Given]:
+def _remembered(_: Model) -> dict[Hashable, Inputs]:
     """Inputs read before, by `_key`."""
     return {}
 

@@ -17,7 +17,7 @@ from hertzwerk.runtime.integrate.step.layout import OUTSIDE_LAW_RANGE
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.run.engine import Engine, engine_for
 from hertzwerk.runtime.run.recorder import BLOCK, Grid, Recorder, Steps
-from hertzwerk.runtime.run.request import Given, Limits, Settings
+from hertzwerk.runtime.run.request import Inputs, Limits, Settings
 from hertzwerk.runtime.run.warnings import approach_speeds
 from hertzwerk.runtime.solution import scales as scaling
 from hertzwerk.runtime.solution.findings import Findings, Observer
@@ -26,7 +26,7 @@ from hertzwerk.runtime.solution.impacts import ApproachSpeeds
 from hertzwerk.runtime.solution.outcome import Outcome, outcome
 from hertzwerk.runtime.solution.scales import Scales
 
-APPROACH_FLOOR = 1e-3  # m/s, where a model has latches but no parameter of this name
+APPROACH_FLOOR = 1e-3  # m/s, default for models with latches but without this parameter
 LEAST_STEPS = 10  # least steps of a run in contact: at rest, steps grow until a short push would go unnoticed
 ROUGH = LOOSEST  # tolerance of a run that only determines scales
 
@@ -38,7 +38,7 @@ class SingleRun:
     model: Model
     method: str
     engine: Engine
-    given: Given
+    given: Inputs
     limits: Limits
     provider: AutomaticCallers | None
     start: Resume | None = None  # what it goes on from; None: the start of the motion
@@ -48,7 +48,7 @@ class SingleRun:
         """Time [s] that the run begins at."""
         return 0.0 if self.start is None else float(self.start.state[self.engine.integrator.layouts.state["t"]][0])
 
-    def before(self, counter: str) -> int:
+    def initial_count(self, counter: str) -> int:
         """Return the value of a counter at the start of the run."""
         return 0 if self.start is None else int(self.start.state[self.engine.counters[counter]])
 
@@ -68,7 +68,7 @@ class SingleRun:
         rough = max(tolerance or 0.0, ROUGH)  # of no run for an accuracy is the tolerance larger
 
         def run(scales: Scales, seen: Observer) -> None:
-            ending = self._shown(rough, scales, [seen], BLOCK)
+            ending = self._observe(rough, scales, [seen], BLOCK)
             if ending.error is not None:
                 raise ending.error
 
@@ -101,7 +101,7 @@ class SingleRun:
         if other is not kept:
             observers.append(other)
         before = (self.provider.compile_s, self.provider.build_s) if self.provider else (0.0, 0.0)
-        ending = self._shown(tolerance, scales, observers, None if times is None else BLOCK, progress)
+        ending = self._observe(tolerance, scales, observers, None if times is None else BLOCK, progress)
         compile_s, build_s = (self.provider.compile_s, self.provider.build_s) if self.provider else (0.0, 0.0)
         return Trace(
             tolerance=tolerance,
@@ -110,7 +110,9 @@ class SingleRun:
             beside=other,
             findings=findings,
             speeds=speeds,
-            counted={name: int(ending.last[row]) - self.before(name) for name, row in self.engine.counters.items()},
+            counted={
+                name: int(ending.last[row]) - self.initial_count(name) for name, row in self.engine.counters.items()
+            },
             compiled=self.provider is not None and self.provider.compiled,
             compile_s=compile_s - before[0],
             build_s=build_s - before[1],
@@ -132,7 +134,7 @@ class SingleRun:
             **vars(limits),
         )
 
-    def _shown(
+    def _observe(
         self,
         tolerance: float,
         scales: Scales,
@@ -152,12 +154,12 @@ class SingleRun:
             "t_end": self.given.seconds,
             "h_max": self.given.seconds / LEAST_STEPS,
             "floor": self.floor,
-            "max_events": self.limits.max_events + self.before("events"),
-            "max_steps": self.limits.max_steps + self.before("steps"),
+            "max_events": self.limits.max_events + self.initial_count("events"),
+            "max_steps": self.limits.max_steps + self.initial_count("steps"),
         }
         for name, value in numbers.items():
             controls[layout[name]] = value
-        state = self._first(controls) if self.start is None else self.start.state.copy()
+        state = self._initial_state(controls) if self.start is None else self.start.state.copy()
         loop = self.engine.march if self.provider is None else partial(self.engine.march, self.provider, integrator)
         if self.start is not None:
             loop = partial(loop, with_choice=self.start.with_choice)
@@ -169,7 +171,7 @@ class SingleRun:
             return ending
         return replace(ending, status=EXCEPTION, error=ending.error or recorder.error, resume=None)
 
-    def _first(self, controls: np.ndarray) -> np.ndarray:
+    def _initial_state(self, controls: np.ndarray) -> np.ndarray:
         """Return the state of the engine at the start of the motion."""
         begin = self.engine.begin.take()
         for place, values in zip(begin.inputs, (0.0, self.given.q, self.given.u, controls), strict=True):
@@ -179,7 +181,7 @@ class SingleRun:
         return state
 
 
-def set_up(model: Model, settings: Settings, given: Given, start: Resume | None = None) -> SingleRun:
+def set_up(model: Model, settings: Settings, given: Inputs, start: Resume | None = None) -> SingleRun:
     """Return the requested run with its engine built.
 
     Raises InputError where C is requested and there is no compiler.

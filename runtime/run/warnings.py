@@ -8,7 +8,7 @@ import numpy as np
 
 from hertzwerk.runtime.integrate.loop.automatic import Code
 from hertzwerk.runtime.model.model import Bound, Model
-from hertzwerk.runtime.solution.history import holding_force
+from hertzwerk.runtime.solution.history import constraint_force
 from hertzwerk.runtime.solution.impacts import ApproachSpeeds, Track
 
 
@@ -25,7 +25,7 @@ def open_forces(model: Model, bound: Bound, q: np.ndarray) -> Iterator[str]:
         return
     from hertzwerk.runtime.start.assembly import undetermined  # a tree needs none
 
-    names = [holding_force(name) for name in undetermined(model, bound, q)]
+    names = [constraint_force(name) for name in undetermined(model, bound, q)]
     if names:
         yield f"redundant constraints leave these forces open, of all that hold the least are given: {', '.join(names)}"
 

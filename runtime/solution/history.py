@@ -105,9 +105,9 @@ class History:
                 return {name: self.part("friction")[:, i]}
         if name in model.constraints:
             return dict(zip(model.constraints, self.map("constraints", "t q u")[0].T, strict=True))
-        held = [holding_force(constraint) for constraint in model.constraints]
+        held = [constraint_force(constraint) for constraint in model.constraints]
         if name in held:
-            (forces,) = self._holding(*(self.part(part) for part in ("t", "y", "mode", "m")))
+            (forces,) = self._constraint_forces(*(self.part(part) for part in ("t", "y", "mode", "m")))
             return dict(zip(held, forces.T, strict=True))
         if name == "energy":
             return {name: np.sum(self.energies, axis=0)}
@@ -173,14 +173,14 @@ class History:
             self.controls[: model.nc], *(known[name] for name in names)
         )  # c comes first
 
-    def _holding(self, *parts: np.ndarray) -> list[np.ndarray]:
-        return _holding(self.model)(self.controls[: self.model.nc], *parts)
+    def _constraint_forces(self, *parts: np.ndarray) -> list[np.ndarray]:
+        return _constraint_forces(self.model)(self.controls[: self.model.nc], *parts)
 
     def at(self, times: np.ndarray) -> History:
         """Return histories at other times [s] within the run; at an event, the state just after it."""
         t = self.part("t")[:, 0]
         if not self.steps:
-            return self._kept(times)
+            return self._rows_at(times)
         if times.ndim != 1 or not np.all((times >= t[0]) & (times <= t[-1])):
             raise ValueError(
                 f"found times outside the run, or not in one row; expected them within {t[0]:g}..{t[-1]:g} s"
@@ -190,7 +190,7 @@ class History:
         found.part("t")[:, 0] = times  # not t + (time - t), which may differ in the last digit
         return found
 
-    def _kept(self, times: np.ndarray) -> History:
+    def _rows_at(self, times: np.ndarray) -> History:
         """Return the rows at times [s] that are among them."""
         index = np.searchsorted(self.t, times)
         if times.ndim != 1 or np.any(index == len(self.t)) or np.any(self.t[index] != times):
@@ -248,7 +248,7 @@ def units_of(model: Model, stored: tuple[str, ...] | None) -> dict[str, str]:
     if model.has_ledger:
         units["energy"] = "J"
     for name, unit in getattr(model.module, "CONSTRAINTS", ()):
-        units |= {name: unit, holding_force(name): "N" if unit == "m" else "N m"}
+        units |= {name: unit, constraint_force(name): "N" if unit == "m" else "N m"}
     return units
 
 
@@ -258,7 +258,7 @@ def _rowwise(model: Model, function: str, constant: int) -> Rowwise:
 
 
 @per_model
-def _holding(model: Model) -> Rowwise:
+def _constraint_forces(model: Model) -> Rowwise:
     return Rowwise(flow(model).holding, constant=4)
 
 
@@ -274,7 +274,7 @@ def _friction_force(slip: str) -> str:
     return f"{slip.removesuffix('.slip')}.friction_force"
 
 
-def holding_force(constraint: str) -> str:
+def constraint_force(constraint: str) -> str:
     """Name the force that holds a constraint.
 
     `pin.apart_x` -> `pin.force_x`, `pin.off_y` -> `pin.force_y`, `pin.turned_x` -> `pin.moment_x`.

@@ -25,7 +25,7 @@ from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.scales import Scales
 from hertzwerk.runtime.solution.sums import Sums
 
-CHECKPOINT = "checkpoint"  # in a file, beside the histories
+CHECKPOINT = "checkpoint"  # name in a file, beside the histories
 SAMPLE = 1000  # rows from which the size of a CSV is estimated
 
 __all__ = ["ErrorEstimate", "History", "Impact", "Solution", "Statistics"]

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 NODES = ((1 - 5**-0.5) / 2, (1 + 5**-0.5) / 2)  # of Lobatto's rule, with the ends of the step
 BESIDE = 1e-4  # of a step, from its end: there the contact certainly lasts
-ROWS = 4096  # looked at at once
+ROWS = 4096  # processed at once
 BENT = 3e-3  # of a mean force: difference of parabola and chord beyond which a cubic is not used
 
 

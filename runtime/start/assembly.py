@@ -49,24 +49,24 @@ def assemble(
     stated = q
     q, faults = _position(loops, stated, given)
     if journals(model) and (faults or not ideal.closed(q)):
-        centred, open_ones = _position(ideal, stated, given)
-        if not open_ones:
+        centred, unclosed = _position(ideal, stated, given)
+        if not unclosed:
             q, faults = centred, ()
         elif not faults and not ideal.inside(q):
-            if any(fault.found.startswith(UNDER) for fault in open_ones):
-                return q, u, open_ones
+            if any(fault.found.startswith(UNDER) for fault in unclosed):
+                return q, u, unclosed
             nearest = _nearest(ideal, stated, given)
             if nearest is None:
-                return q, u, _with_change(ideal, stated, given, open_ones)
+                return q, u, _with_closing_change(ideal, stated, given, unclosed)
             q = nearest
     if faults:
         return q, u, faults
     if not journals(model):
         return q, *_speed(loops, q, u, given)
-    moving, open_ones = _speed(ideal, q, u, given)
-    if open_ones and loops.rows:  # the journals move in their bushes, the loops stay closed
+    moving, unclosed = _speed(ideal, q, u, given)
+    if unclosed and loops.rows:  # the journals move in their bushes, the loops stay closed
         return q, *_speed(loops, q, u, given)
-    under = tuple(fault for fault in open_ones if fault.found.startswith(UNDER))
+    under = tuple(fault for fault in unclosed if fault.found.startswith(UNDER))
     return q, moving, under
 
 
@@ -120,13 +120,15 @@ def _nearest(ideal: _Loops, q: Array, given: Collection[str]) -> Array | None:
     return next((found for found in tries if loops.closed(found) and ideal.inside(found)), None)
 
 
-def _with_change(ideal: _Loops, q: Array, given: Collection[str], faults: tuple[Fault, ...]) -> tuple[Fault, ...]:
+def _with_closing_change(
+    ideal: _Loops, q: Array, given: Collection[str], faults: tuple[Fault, ...]
+) -> tuple[Fault, ...]:
     """Add to faults of an over-determined start the least change of one given coordinate that closes it."""
     ways = []
     for i, name in enumerate(ideal.model.coordinates):
         if name in given and ideal.model.units[name] != "1":
-            found, open_ones = _position(ideal, q, [other for other in given if other != name])
-            if not open_ones:
+            found, unclosed = _position(ideal, q, [other for other in given if other != name])
+            if not unclosed:
                 ways.append((abs(found[i] - q[i]) / ideal.scales[0][i], i, found[i]))
     if not ways:
         return faults
@@ -138,8 +140,8 @@ def _with_change(ideal: _Loops, q: Array, given: Collection[str], faults: tuple[
 
 def undetermined(model: Model, bound: Bound, q: Array) -> tuple[str, ...]:
     """Return the redundant constraints at a position, whose forces the motion leaves undetermined."""
-    open_ones = np.max(np.abs(_implied(_Loops(model, bound), q)), axis=0, initial=0.0) > RANK**0.5
-    return tuple(name for name, is_open in zip(model.constraints, open_ones, strict=True) if is_open)
+    unclosed = np.max(np.abs(_implied(_Loops(model, bound), q)), axis=0, initial=0.0) > RANK**0.5
+    return tuple(name for name, is_open in zip(model.constraints, unclosed, strict=True) if is_open)
 
 
 def dependent(model: Model, bound: Bound, q: Array) -> tuple[Dependent, ...]:
@@ -272,7 +274,7 @@ class _Loops:
             phi[count - len(self.seats) :] -= self.seats
         return phi, *rest  # type: ignore[return-value]
 
-    def open_ones(self, residual: Array, size: Array) -> list[str]:
+    def unclosed(self, residual: Array, size: Array) -> list[str]:
         """Describe what is open, by joint: the worst of each."""
         worst: dict[str, tuple[float, str]] = {}
         for (name, unit), value, least in zip(self.rows, np.abs(residual), size, strict=True):
@@ -320,21 +322,21 @@ def _position(loops: _Loops, q: Array, given: Collection[str]) -> tuple[Array, t
         closed = [x for x in others if np.all(np.abs(loops.at(x, still)[0]) <= size)]
         found = min(closed, key=lambda x: float(np.linalg.norm((x - q) / reach)), default=found)
     phi, _, jacobian, _ = loops.at(found, still)
-    open_ones = loops.open_ones(phi, size)
+    unclosed = loops.unclosed(phi, size)
     closing = jacobian * loops.scales[0] / size[:, None]
     closing = np.vstack([closing, np.max(np.abs(closing)) * _norms(model, found)])
     free = _undetermined(closing[:, unknown], [names[i] for i in unknown])
-    if open_ones:
+    if unclosed:
         remedy = _remedies(
             [name for name in names if name in given],
             loops.drives if not free[0] else [],
             "no place that was tried closes it: check the lengths between its joints, or state positions nearer to one in the scene's Start",
         )
         fault = Fault(
-            "start, positions", f"over-determined or out of reach: {', '.join(open_ones)}", loops.wanted, remedy
+            "start, positions", f"over-determined or out of reach: {', '.join(unclosed)}", loops.wanted, remedy
         )
         return q, (fault,)
-    return found, _under("positions", *free)
+    return found, _under_determined("positions", *free)
 
 
 def _tries(loops: _Loops, q: Array, unknown: list[int], size: Array) -> Iterator[Array]:
@@ -405,7 +407,7 @@ def _speed(loops: _Loops, q: Array, u: Array, given: Collection[str]) -> tuple[A
     weighted = jacobian[:, unknown] * scale[unknown] / size[:, None]
     u = u.copy()
     u[unknown] += scale[unknown] * np.linalg.lstsq(weighted, -rate / size, rcond=RANK)[0]
-    found = loops.open_ones(loops.at(q, u)[1], size)
+    found = loops.unclosed(loops.at(q, u)[1], size)
     kept = [name for name in model.speeds if name in given]
     if found:
         remedy = _remedies(kept, loops.drives, "the mechanism is locked here")
@@ -418,7 +420,7 @@ def _speed(loops: _Loops, q: Array, u: Array, given: Collection[str]) -> tuple[A
             ),
         )
     free = _undetermined(weighted, [model.speeds[i] for i in unknown])
-    return u, _under("speeds", *free)
+    return u, _under_determined("speeds", *free)
 
 
 def _sizes(loops: _Loops, jacobian: Array, values: Array) -> Array:
@@ -453,7 +455,7 @@ def _undetermined(matrix: Array, names: list[str]) -> tuple[int, list[str]]:
     return len(names) - rank, [name for name, part in zip(names, moves, strict=True) if part > np.sqrt(RANK)]
 
 
-def _under(what: str, count: int, names: list[str]) -> tuple[Fault, ...]:
+def _under_determined(what: str, count: int, names: list[str]) -> tuple[Fault, ...]:
     if not count:
         return ()
     more = f"{count} more value{'s' if count > 1 else ''} among them"

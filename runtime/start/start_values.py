@@ -101,13 +101,13 @@ def _assembled(
     if hasattr(whole.module, "GIVEN") and not faults:
         from hertzwerk.runtime.start.assembly import assemble  # a tree without journals needs none
 
-        q, u, open_ones = assemble(whole, bound, q, u, {*whole.module.GIVEN, *values})
-        faults.extend(open_ones)
+        q, u, unclosed = assemble(whole, bound, q, u, {*whole.module.GIVEN, *values})
+        faults.extend(unclosed)
         if hasattr(whole.module, "SEATED") and not faults:
             from hertzwerk.runtime.start.seating import seat
 
-            q, u, open_ones = seat(whole, bound, q, u, {*whole.module.GIVEN, *values})
-            faults.extend(open_ones)
+            q, u, unclosed = seat(whole, bound, q, u, {*whole.module.GIVEN, *values})
+            faults.extend(unclosed)
     return q, u
 
 

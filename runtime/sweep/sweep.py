@@ -25,7 +25,7 @@ from hertzwerk.runtime.sweep.sweep_table import NUMBERS, TEXTS, Row, Sweep, port
 Output = Callable[[Solution], float]
 # outcomes of rows without a run or some of its numbers
 BAD_INPUT, BAD_OUTPUT, NO_NUMBER, FAILED, LOST = "bad_input", "bad_output", "output_no_number", "failed", "lost"
-PROBE = 0.3  # s that the first run may take alone, to foresee how long all of them take
+PROBE = 0.3  # s: longest trial run, from which the time of all is estimated
 
 
 def _sets(given: object) -> list[dict[str, Value]]:

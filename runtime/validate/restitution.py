@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 GRID: Array = np.array([*np.arange(0.05, 0.96, 0.05).round(2), 0.99])
 OWN_GRID: Array = np.array([0.01, 0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.7, 1, 1.5, 2, 3])
 TOLERANCE = 1e-12
-LASTING = 1000  # of a run, in elastic contacts: the slowest rebound is over by then
+LASTING = 1000  # length of a run in elastic contacts: outlasts the slowest rebound
 MAX_STEPS = 5000
 AGREEMENT = 1e-9  # of simulated and closed form
 

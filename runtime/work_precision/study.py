@@ -15,7 +15,7 @@ from hertzwerk.runtime.accuracy.horizon import Growth, crossing, growth
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.integrate.tableaux.methods import IN_GRAPH
 from hertzwerk.runtime.work_precision.reference import Problem, Reference, reference
-from hertzwerk.runtime.work_precision.timed_runs import Made, Try, make, ready, repeat
+from hertzwerk.runtime.work_precision.timed_runs import RunSpec, TimedRun, make, ready, repeat
 
 Array = NDArray[np.float64]
 
@@ -206,14 +206,14 @@ def study(
         held = reference(problem)
     paths = (False, True) if ready(problem, methods) else (False,)
     series = [(method, compiled) for method in methods for compiled in paths]
-    made: list[Made] = []
+    made: list[TimedRun] = []
     rows: list[Row] = []  # of what is not tried
     for i, (method, compiled) in enumerate(series):
         progress(FIRST[0] + (FIRST[1] - FIRST[0]) * i / len(series))
-        late: Made | None = None
+        late: TimedRun | None = None
         for accuracy in accuracies:
             if late is None:
-                made.append(make(Try(problem, method, compiled, accuracy, wall_time), held))
+                made.append(make(RunSpec(problem, method, compiled, accuracy, wall_time), held))
                 late = made[-1] if made[-1].late else None
             else:
                 message = f"with {late.by.accuracy:.0e} {late.outcome.message}"
@@ -256,7 +256,7 @@ def _slope(x: Array, y: Array) -> float | None:
     return median(float((y[j] - y[i]) / (x[j] - x[i])) for i, j in apart) if len(apart) > 1 else None
 
 
-def _row(this: Made, held: Reference, grows: Growth) -> Row:
+def _row(this: TimedRun, held: Reference, grows: Growth) -> Row:
     horizon: float | None = None
     if this.reached:
         left = crossing(held.t, this.departure)

@@ -41,7 +41,7 @@ SHORT, IN_A_ROW = 0.02, 3  # s: shorter runs are repeated this often in a round
 
 
 @dataclass(frozen=True)
-class Try:
+class RunSpec:
     """One way to run the problem; called, it returns the time [s] of the whole call and the run."""
 
     problem: Problem
@@ -64,14 +64,14 @@ class Try:
 
 
 @dataclass
-class Made:
+class TimedRun:
     """Result of a try: outcome, errors, cost and times [s].
 
     error, departure    (n,) at the times of the reference (see `Reference`), nan after the end of the run
     taken               of the time simulated by `auto`, the share of each of its methods
     """
 
-    by: Try
+    by: RunSpec
     outcome: Outcome
     reached: bool  # the end
     error: Array
@@ -105,11 +105,11 @@ def ready(problem: Problem, methods: Sequence[str]) -> bool:
     return True
 
 
-def make(by: Try, held: Reference) -> Made:
+def make(by: RunSpec, held: Reference) -> TimedRun:
     """Run once and measure."""
     by.problem.build(by.method, compiled=by.compiled)
     seconds, run = by()
-    return Made(
+    return TimedRun(
         by=by,
         outcome=run.outcome,
         reached=run.t_end == held.t[-1],
@@ -125,7 +125,7 @@ def make(by: Try, held: Reference) -> Made:
     )
 
 
-def repeat(made: Sequence[Made], progress: Callable[[float], object]) -> None:
+def repeat(made: Sequence[TimedRun], progress: Callable[[float], object]) -> None:
     """Repeat short runs in rounds and add their times."""
     least, most = ROUNDS
     short = [this for this in made if this.times[0] < ONCE and this.outcome.finished]

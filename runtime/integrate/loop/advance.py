@@ -35,7 +35,7 @@ def pairs_by_polynomial(model: Model, contacts: Contacts) -> list[int]:
     return list(range(model.k)) if contacts is BY_MODE or model.k == 1 else list(contacts)
 
 
-def near(model: Model, vectors: Layouts) -> Any:
+def no_event_of_any_pair(model: Model, vectors: Layouts) -> Any:
     """Build the function (state, controls, next) -> 1 if no pair can have an event in the step."""
     vector = (vectors.state, vectors.controls, vectors.state)
     given = [part.symbol(name) for part, name in zip(vector, ("state", "controls", "next"), strict=True)]

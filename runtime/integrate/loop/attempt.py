@@ -11,7 +11,7 @@ import casadi as ca
 
 from hertzwerk.runtime.integrate.events.modes import begin
 from hertzwerk.runtime.integrate.events.settle import reject, settle
-from hertzwerk.runtime.integrate.loop.advance import advance, near
+from hertzwerk.runtime.integrate.loop.advance import advance, no_event_of_any_pair
 from hertzwerk.runtime.integrate.loop.choose import Choosing
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, contact_classes
 from hertzwerk.runtime.integrate.step.explicit import flow
@@ -100,7 +100,7 @@ def _completions(model: Model, vectors: Layouts, table: Table, right: Flow) -> I
     given = special.mx_in()
     if model.k > 1:
         judge = ca.Function.if_else("judge", _unchanged(special), special)
-        yield ca.Function("asked", given, [judge(near(model, vectors)(*given[:3]), *given)])
+        yield ca.Function("asked", given, [judge(no_event_of_any_pair(model, vectors)(*given[:3]), *given)])
     else:
         yield special  # one pair is always asked
     yield special

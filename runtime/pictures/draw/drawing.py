@@ -21,15 +21,15 @@ from hertzwerk.runtime.pictures.plot_style import GREY, VERMILLION
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-LEAST = (3.0, 1.9)  # inches of an axis
-MARGIN = 30.0  # points around what has to be seen
-MORE = 22.0  # where the ground of a spring stands behind what slides
-CROWDED, LEAST_SYMBOL = 28.0, 0.3  # bodies shorter than this, in points, get smaller symbols, down to this part
+LEAST = (3.0, 1.9)  # least size of an axis, inches
+MARGIN = 30.0  # points around the visible parts
+MORE = 22.0  # further points, where a spring's ground stands behind a slider
+CROWDED, LEAST_SYMBOL = 28.0, 0.3  # bodies shorter than this, in points, get symbols smaller by up to this factor
 GHOSTS = 5
-DISTINCT = 0.07  # of the size of the mechanism: ghosts nearer to each other than this, or than half a body, say nothing
+DISTINCT = 0.07  # of the size of the mechanism: least distance of ghosts, if less than half a body
 PATHS = 3
-ROUNDS = 4.0  # of the size of a path: as long as it is shown, once around a circle and on
-MANY = 16  # names that still find a place
+ROUNDS = 4.0  # of the size of a path: longest part shown, once around a circle and more
+MANY = 16  # most names that are placed
 UNITS = (("m", 1.0), ("cm", 1e-2), ("mm", 1e-3), ("µm", 1e-6))
 
 

@@ -11,7 +11,7 @@ from hertzwerk.runtime.pictures.draw.parts import THIN, Parts, across
 from hertzwerk.runtime.pictures.draw.places import Array, Landmark
 from hertzwerk.runtime.pictures.plot_style import VERMILLION
 
-REACH = 13.0  # of what turns around a joint, points
+REACH = 13.0  # radius of symbols around a joint, points
 ARROW = 30.0  # length, points
 
 

@@ -18,10 +18,10 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-WIDTH, HEIGHT = 1.75, 2.2  # inches of an inset, and from one to the next
+WIDTH, HEIGHT = 1.75, 2.2  # inches of an inset, and between two
 MOST = 3
-UNSEEN = 10.0  # points: what is smaller is enlarged
-PART = 0.26  # of the radius that a clearance is shown as, where to scale it would be less than...
+UNSEEN = 10.0  # points: smaller details are enlarged
+PART = 0.26  # of the radius: size of a clearance as shown, if to scale it were less than...
 LEGIBLE = 0.1  # ... this
 
 

@@ -12,9 +12,9 @@ from hertzwerk.runtime.pictures.draw.paper import Paper
 from hertzwerk.runtime.pictures.draw.places import Array
 from hertzwerk.runtime.pictures.plot_style import GREY
 
-RINGS = (9.0, 14.0, 20.0, 28.0, 38.0, 50.0, 66.0)  # distances of a name from what it names, points
+RINGS = (9.0, 14.0, 20.0, 28.0, 38.0, 50.0, 66.0)  # distances of a name from its part, points
 WAYS = 16  # directions
-LEADER = 24.0  # from this distance on a line leads to the name
+LEADER = 24.0  # points: distance from which a line leads to the name
 INK, LIGHT, NAME, EDGE, FAR = (
     1.0,
     0.35,

@@ -23,9 +23,9 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 INK = "#222222"
-ROUND = np.linspace(0, 2 * np.pi, 181)  # of surfaces to scale, which insets enlarge
+ROUND = np.linspace(0, 2 * np.pi, 181)  # angles of surfaces to scale, which insets enlarge
 COARSE = ROUND[::6]
-GHOST = 0.13  # how much of a ghost is seen
+GHOST = 0.13  # opacity of a ghost
 
 
 @dataclass

@@ -15,16 +15,16 @@ from hertzwerk.runtime.pictures.draw.view import View
 from hertzwerk.runtime.pictures.plot_style import CYCLE, GREY
 
 BAR = 3.6  # half the width of a bar, points
-BLOCK = (13.0, 8.5)  # half of what slides, along and across, points
-STUB = 17.0  # half of what is seen of the axis of a joint in space, points
-FOOT = 13.0  # where the ground of a joint stands
+BLOCK = (13.0, 8.5)  # half the size of a slider, along and across, points
+STUB = 17.0  # half the visible axis of a joint in space, points
+FOOT = 13.0  # distance of a joint's ground, points
 SLIDING = ("prismatic", "cylindrical")
 HOLDING = ("revolute", "universal", "spherical", "weld")
 INSIDE = ("pin_in_bush", "ball_in_socket")
 ROUNDS = ("sphere_on_plane", "sphere_on_sphere", "parallel_cylinders", "cylinder_on_plane", "rim_on_plane")
-RIM = 0.25  # of a bush or socket around its hole, in its radius
+RIM = 0.25  # width of a bush or socket around its hole, in radii
 APART = ("gravity", "force", "moment", "planar")  # kinds that shape no body
-THIN = 0.2  # sine of the angle to the view below which a direction is not seen
+THIN = 0.2  # projected length below which a unit direction is not drawn
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
     from hertzwerk.runtime.solution.solution import Solution
 
-PANEL = (6.6, 4.7)  # inches of the mechanism at most
+PANEL = (6.6, 4.7)  # largest size of the mechanism, inches
 DPI = 160
 
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 GROUND = "ground"
-SAMPLES = 1200  # between the steps of a run, and of these
+SAMPLES = 1200  # samples between the steps of a run, and most of the steps
 
 
 @dataclass(frozen=True)

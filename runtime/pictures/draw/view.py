@@ -8,10 +8,10 @@ import numpy as np
 
 from hertzwerk.runtime.pictures.draw.places import Array, Landmark, Places
 
-FLAT = 1e-9  # relative: so little out of its plane a mechanism is plane
+FLAT = 1e-9  # relative: largest deviation of a plane mechanism
 AXES = np.eye(3)
 SPATIAL = ("spherical", "universal", "cylindrical")  # kinds of joints
-STEEP = (0.45, -0.78, 0.42)  # of the view of what is not plane: to the right, to the back, up
+STEEP = (0.45, -0.78, 0.42)  # oblique view of spatial mechanisms: right, back, up
 
 
 @dataclass(frozen=True)

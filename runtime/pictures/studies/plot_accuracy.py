@@ -31,7 +31,7 @@ LOOKS = {
     **dict(zip(IMPLICIT, ((ORANGE, "^"), (GREEN, "D")), strict=False)),
     **dict(zip(AUTOMATIC, (("black", "x"),), strict=False)),
 }
-OTHER = (PURPLE, "v")  # of methods beyond
+OTHER = (PURPLE, "v")  # of other methods
 SHADE = "#ececec"
 LEAST = 1e-16  # departures are drawn down to this
 MAIN: dict[str, Any] = {"linewidth": 1.5, "markersize": 4.5}

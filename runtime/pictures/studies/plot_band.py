@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from hertzwerk.derive.sheets.sheet import Sheet
 
 SHADE = "#dbe9f4"
-DASHES = ("-", "--", "-.", ":", (0, (6, 2, 1, 2, 1, 2)))  # two candidates may be one force
+DASHES = ("-", "--", "-.", ":", (0, (6, 2, 1, 2, 1, 2)))  # two candidates may coincide
 
 
 def png(sheet: Sheet) -> bytes:

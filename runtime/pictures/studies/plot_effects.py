@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.effects.study import Change, Row, Study
 
 SHADE = "#e3e3e3"
-LEAST, MOST = 1e-6, 1e2  # of the relative changes that are shown
+LEAST, MOST = 1e-6, 1e2  # limits of the relative changes shown
 COLUMN, ROW = 2.5, 0.42  # inches
 BELOW = 0.28  # inches from an axis to the legend under it
 CHARACTERS = 38  # of a caption, under each column

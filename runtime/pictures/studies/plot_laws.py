@@ -21,11 +21,11 @@ if TYPE_CHECKING:
 
 COLUMNS = 5
 SHADE = "#dbe9f4"
-SCALE = 0.12  # of all panels, so that they compare; a law that goes further leaves its panel, and is whole below
-STRAYS = 0.1  # a law that goes further from the diagonal is named in the panel of all laws
-LABELS = 0.062  # between two of them
-EXACT = 5e-5  # a smaller deviation is none
-OWN = {  # what a law's own parameter is multiplied by, and what follows
+SCALE = 0.12  # common limit of all panels; a law beyond it is shown whole below
+STRAYS = 0.1  # distance from the diagonal from which a law is named in the panel of all laws
+LABELS = 0.062  # between two labels
+EXACT = 5e-5  # smaller deviations count as none
+OWN = {  # dimensionless form of a law's own parameter, and its trend
     "ristow": (r"$\gamma\,(m^2/K^2v_0)^{1/5}$", "returns more at higher speed"),
     "power_damping": (r"$\chi\,v_0/K$, $m = n$", "returns less at higher speed"),
     "kuwabara_kono": (r"$A\,(K^2v_0/m^2)^{1/5}$", "returns less at higher speed"),
