@@ -15,9 +15,10 @@ from mpmath import mp, mpf
 from scipy.integrate import solve_ivp
 from scipy.special import lambertw
 
-from hertzwerk.derive.emit import printer as emit
+from hertzwerk.derive.emit.helpers import HELPERS
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import F, StiffnessLaw, d, k_t, m_eff, v, v0
+from hertzwerk.derive.program.expression_text import expression_text
 from reference.laws import STEEL
 
 DIGITS = 40
@@ -78,9 +79,9 @@ def emitted(expression: Any, values: Mapping[sp.Symbol, Any], free: sp.Symbol) -
     """As a CasADi function of one symbol, from the text that is generated; the rest are doubles."""
     names = {s.name: ca.SX(float(x)) for s, x in values.items() if s != free}
     scope: dict[str, Any] = {"ca": ca, **names, free.name: ca.SX.sym(free.name)}
-    for helper in emit._HELPERS.values():
+    for helper in HELPERS.values():
         exec(helper, scope)
-    function = ca.Function("f", [scope[free.name]], [eval(emit.expression_text(expression), scope)])
+    function = ca.Function("f", [scope[free.name]], [eval(expression_text(expression), scope)])
     return lambda x: float(function(x))
 
 
