@@ -1,10 +1,11 @@
-"""The pipeline of a run: model and numbers -> bound -> start -> run -> solution.
+"""Pipeline of a run: model and numbers -> bound -> start -> run -> solution.
 
-1. bound     parameters in SI, and everything else that was asked for, read and checked       run/request
-2. start     positions and speeds with loops closed, journals seated                          start/
-3. run       the engine of model and method, its accepted steps                               run/single_run, integrate/
+1. model     a generated module, loaded; its functions are built once                         loading, model/
+2. bound     parameters in SI, and everything else asked for, read and checked                run/request
+3. start     positions and speeds with loops closed, journals seated                          start/
+4. run       the engine of model and method, its accepted steps                               run/single_run, integrate/
              for an accuracy as many runs as it takes to know the error of one                run/accurate, accuracy/
-4. solution  histories, impacts, balance, outcome, warnings                                   solution/
+5. solution  histories, impacts, balance, outcome, warnings                                   solution/
 """
 
 from __future__ import annotations
@@ -36,6 +37,123 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 ACCURACY = 1e-6  # where none is asked for
+
+
+def simulate(
+    model: plain.Model,
+    *,
+    duration: str | float | None = None,
+    accuracy: float | None = None,
+    tolerance: float | None = None,
+    method: str = METHOD,
+    parameters: Mapping[str, Value] | None = None,
+    initial: Mapping[str, Value] | None = None,
+    output: Output = "steps",
+    compiled: Compiled = "auto",
+    max_steps: int = MAX_STEPS,
+    max_events: int = MAX_EVENTS,
+    wall_time: float | None = None,
+    progress: Callable[[float], object] | None = None,
+) -> Solution:
+    """Run a model from its start for a duration (seconds, or text such as "24 ms").
+
+    accuracy    the error asked for at the end, in the scene's scales, 1e-12..1e-1, by default 1e-6: runs at falling tolerance are made until the
+                error of one, by comparison with a tighter one, is known to be so small. `Solution.error` says what it is; where it is more
+                than was asked for, the outcome is "accuracy_unreachable", or "beyond_horizon"; where it is not known, "accuracy_unknown"
+    tolerance   in place of an accuracy the local tolerance, 1e-13..1e-1, of one run without an estimate
+    method      "auto": dop853, and esdirk where stability would hold that down; explicit "dop853", "dopri5"; for what is stiff "esdirk", "rodas";
+                "cvodes", "idas": SUNDIALS, slow, as an independent reference
+    parameters, initial    values in place of the model's, each with its unit: {"clearance": "0.2 mm"}, {"guide.travel": "0.17 m"}
+    output      what is kept: "steps", all that were accepted; or the states at a number of points, start and end included (1000), at a
+                spacing ("0.1 ms"), at times [s] of your own, by dense output of the method's order; memory then does not grow with the run
+    compiled    run the same functions as C; the result is bitwise the same; "auto" does so from where the time to go exceeds the compilation
+    max_steps (accepted; as many may be tried in vain), wall_time [s]    of all runs together, max_events (contacts begun) of each: where to stop,
+                with an outcome that says so
+    progress    called now and then with the fraction done
+
+    Raises InputError, with every fault, for bad input and for nothing else: how the run ended is `Solution.outcome`. What raises anything, memory
+    that runs out or `progress`, ends it with the outcome "exception" once a step was accepted; before, it is raised.
+    """
+    began = time.perf_counter()
+    settings = Settings(
+        duration,
+        accuracy,
+        tolerance,
+        method,
+        compiled,
+        output,
+        max_steps=max_steps,
+        max_events=max_events,
+        wall_time=wall_time,
+    )
+    # 2. bound, 3. start
+    given, times = read(model, settings, {} if parameters is None else parameters, {} if initial is None else initial)
+    # 4. run
+    run = set_up(model, settings, given)
+    scales = run.scales(tolerance)
+    build_s = time.perf_counter() - began
+    if tolerance is not None:
+        return _solution_of(run, run.trace(tolerance, scales, times, progress=progress), scales, build_s)
+    asked = accuracy or ACCURACY
+    ladder_result = run_to_accuracy(run, scales, times, asked, progress)
+    # 5. solution
+    return _solution_of(run, ladder_result.run.kept, scales, build_s, asked, ladder_result)
+
+
+def _solution_of(
+    run: SingleRun,
+    trace: Trace,
+    scales: Scales,
+    build_s: float,
+    asked: float | None = None,
+    ladder_result: LadderResult[Trace] | None = None,
+) -> Solution:
+    """Return the solution of a kept run; for an accuracy with the verdict of those that checked it."""
+    model, bound, counted = run.model, run.given.bound, trace.counted
+    if trace.ending.error is not None and not counted["steps"]:
+        raise trace.ending.error
+    found: tuple[str, ...] = ()
+    result = run.outcome(trace)
+    if ladder_result is not None and asked is not None:
+        result, found = verdict_of(run, ladder_result, asked, result)
+    if trace.ending.status == FINISHED:
+        open_by = trace.findings.energy_unclosed
+        result = not_closed(open_by, asked or trace.tolerance, trace.tolerance, counted["steps"]) or result
+    return Solution(
+        history=trace.kept.history,
+        ends=trace.kept.ends,
+        findings=trace.findings,
+        outcome=result,
+        duration=run.given.seconds,
+        accuracy=asked,
+        tolerance=trace.tolerance,
+        method=run.method,
+        compiled=trace.compiled,
+        parameters=dict(bound.values),
+        statistics=Statistics(
+            steps=counted["steps"],
+            rejected=counted["rejected"],
+            retaken=counted["retaken"],
+            rhs_evaluations=counted["evaluations"],
+            events=counted["events"],
+            wall_s=trace.ending.wall_s - trace.compile_s - trace.build_s,
+            build_s=build_s + trace.build_s,
+            compile_s=trace.compile_s,
+        ),
+        warnings=(
+            *unchecked(model),
+            *open_forces(model, bound, run.given.q),
+            *(() if run.start is not None else pressed(model, bound, run.given.initial, run.given.q, run.given.u)),
+            *bound.warnings,
+            *floored(counted["floored"], run.floor),
+            *too_fast(model, trace.speeds),
+            *uncompiled(run.engine.code),
+            *found,
+        ),
+        scales=scales,
+        error=None if ladder_result is None else ladder_result.error,
+        checkpoint=checkpoint_of(model, trace.ending, run.given.initial),
+    )
 
 
 class Solution(plain_solution.Solution):
@@ -105,120 +223,3 @@ class Solution(plain_solution.Solution):
         from hertzwerk.runtime.pictures.draw import picture
 
         return picture.of_run(self)
-
-
-def simulate(
-    model: plain.Model,
-    *,
-    duration: str | float | None = None,
-    accuracy: float | None = None,
-    tolerance: float | None = None,
-    method: str = METHOD,
-    parameters: Mapping[str, Value] | None = None,
-    initial: Mapping[str, Value] | None = None,
-    output: Output = "steps",
-    compiled: Compiled = "auto",
-    max_steps: int = MAX_STEPS,
-    max_events: int = MAX_EVENTS,
-    wall_time: float | None = None,
-    progress: Callable[[float], object] | None = None,
-) -> Solution:
-    """Run a model from its start for a duration (seconds, or text such as "24 ms").
-
-    accuracy    the error asked for at the end, in the scene's scales, 1e-12..1e-1, by default 1e-6: runs at falling tolerance are made until the
-                error of one, by comparison with a tighter one, is known to be so small. `Solution.error` says what it is; where it is more
-                than was asked for, the outcome is "accuracy_unreachable", or "beyond_horizon"; where it is not known, "accuracy_unknown"
-    tolerance   in place of an accuracy the local tolerance, 1e-13..1e-1, of one run without an estimate
-    method      "auto": dop853, and esdirk where stability would hold that down; explicit "dop853", "dopri5"; for what is stiff "esdirk", "rodas";
-                "cvodes", "idas": SUNDIALS, slow, as an independent reference
-    parameters, initial    values in place of the model's, each with its unit: {"clearance": "0.2 mm"}, {"guide.travel": "0.17 m"}
-    output      what is kept: "steps", all that were accepted; or the states at a number of points, start and end included (1000), at a
-                spacing ("0.1 ms"), at times [s] of your own, by dense output of the method's order; memory then does not grow with the run
-    compiled    run the same functions as C; the result is bitwise the same; "auto" does so from where the time to go exceeds the compilation
-    max_steps (accepted; as many may be tried in vain), wall_time [s]    of all runs together, max_events (contacts begun) of each: where to stop,
-                with an outcome that says so
-    progress    called now and then with the fraction done
-
-    Raises InputError, with every fault, for bad input and for nothing else: how the run ended is `Solution.outcome`. What raises anything, memory
-    that runs out or `progress`, ends it with the outcome "exception" once a step was accepted; before, it is raised.
-    """
-    began = time.perf_counter()
-    settings = Settings(
-        duration,
-        accuracy,
-        tolerance,
-        method,
-        compiled,
-        output,
-        max_steps=max_steps,
-        max_events=max_events,
-        wall_time=wall_time,
-    )
-    # 1. bound, 2. start
-    given, times = read(model, settings, {} if parameters is None else parameters, {} if initial is None else initial)
-    # 3. run
-    run = set_up(model, settings, given)
-    scales = run.scales(tolerance)
-    build_s = time.perf_counter() - began
-    if tolerance is not None:
-        return _solution_of(run, run.trace(tolerance, scales, times, progress=progress), scales, build_s)
-    asked = accuracy or ACCURACY
-    ladder_result = run_to_accuracy(run, scales, times, asked, progress)
-    # 4. solution
-    return _solution_of(run, ladder_result.run.kept, scales, build_s, asked, ladder_result)
-
-
-def _solution_of(
-    run: SingleRun,
-    trace: Trace,
-    scales: Scales,
-    build_s: float,
-    asked: float | None = None,
-    ladder_result: LadderResult[Trace] | None = None,
-) -> Solution:
-    """Return the solution of a kept run; for an accuracy with the verdict of those that checked it."""
-    model, bound, counted = run.model, run.given.bound, trace.counted
-    if trace.ending.error is not None and not counted["steps"]:
-        raise trace.ending.error
-    found: tuple[str, ...] = ()
-    result = run.outcome(trace)
-    if ladder_result is not None and asked is not None:
-        result, found = verdict_of(run, ladder_result, asked, result)
-    if trace.ending.status == FINISHED:
-        open_by = trace.findings.energy_unclosed
-        result = not_closed(open_by, asked or trace.tolerance, trace.tolerance, counted["steps"]) or result
-    return Solution(
-        history=trace.kept.history,
-        ends=trace.kept.ends,
-        findings=trace.findings,
-        outcome=result,
-        duration=run.given.seconds,
-        accuracy=asked,
-        tolerance=trace.tolerance,
-        method=run.method,
-        compiled=trace.compiled,
-        parameters=dict(bound.values),
-        statistics=Statistics(
-            steps=counted["steps"],
-            rejected=counted["rejected"],
-            retaken=counted["retaken"],
-            rhs_evaluations=counted["evaluations"],
-            events=counted["events"],
-            wall_s=trace.ending.wall_s - trace.compile_s - trace.build_s,
-            build_s=build_s + trace.build_s,
-            compile_s=trace.compile_s,
-        ),
-        warnings=(
-            *unchecked(model),
-            *open_forces(model, bound, run.given.q),
-            *(() if run.start is not None else pressed(model, bound, run.given.initial, run.given.q, run.given.u)),
-            *bound.warnings,
-            *floored(counted["floored"], run.floor),
-            *too_fast(model, trace.speeds),
-            *uncompiled(run.engine.code),
-            *found,
-        ),
-        scales=scales,
-        error=None if ladder_result is None else ladder_result.error,
-        checkpoint=checkpoint_of(model, trace.ending, run.given.initial),
-    )

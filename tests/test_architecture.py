@@ -283,26 +283,15 @@ def test_only_build_opens_the_door_to_derive_and_lazily():
                 assert id(node) not in at_import, f"{file} imports {module} when it is imported"
 
 
+COMMANDS = ["accuracy", "audit", "derive", "draw", "effects", "hardcases", "laws", "run"]
 CLI = {
-    f"cli/{name}.py"
-    for name in [
-        "__init__",
-        "accuracy",
-        "audit",
-        "draw",
-        "effects",
-        "hardcases",
-        "laws",
-        "run",
-        "scenes",
-        "target",
-        "terminal",
-    ]
+    *(f"cli/{name}.py" for name in ["__init__", "target", "terminal"]),
+    *(f"cli/commands/{name}.py" for name in COMMANDS),
 }
 PICTURES = {
     "pictures/plot.py",
     *(f"pictures/studies/plot_{name}.py" for name in ["accuracy", "band", "effects", "laws"]),
-    *(f"pictures/draw/{name}.py" for name in ["drawing", "insets", "labels", "paper", "picture", "sheet"]),
+    *(f"pictures/draw/{name}.py" for name in ["drawing", "insets", "labels", "paper", "picture", "gallery"]),
 }
 
 
@@ -339,6 +328,37 @@ def test_no_test_imports_another():
         for module in modules(file)
         if module.split(".")[-1].startswith("test_")
     ] == []
+
+
+# Base names on both sides, or twice in runtime, and the concept that they share.
+SAME_CONCEPT = {
+    "audit": "the audit of units, and the command that prints it",
+    "scales": "sizes that errors are measured by: their equations, and their numbers",
+    "study": "a study's rows and what follows from them, of effects and of work-precision",
+}
+
+
+def repeated(files: list[Path]) -> set[str]:
+    """Base names that occur in both derive and runtime, or more than once in runtime."""
+    derive, runtime = (
+        [file.stem for file in files if file.relative_to(ROOT).parts[0] == side and file.stem != "__init__"]
+        for side in SIDES
+    )
+    return {name for name in runtime if name in derive or runtime.count(name) > 1}
+
+
+def test_a_base_name_stands_for_one_concept():
+    assert repeated(files()) == set(SAME_CONCEPT)
+
+
+def test_a_repeated_base_name_would_be_found():
+    paths = ["derive/a/x.py", "runtime/b/x.py", "runtime/c/y.py", "runtime/d/y.py", "derive/a/z.py", "derive/b/z.py"]
+    assert repeated([ROOT / path for path in paths]) == {"x", "y"}
+
+
+def test_a_room_of_runtime_holds_about_a_dozen_files():
+    sizes = {folder: len(list(folder.glob("*.py"))) for folder in {file.parent for file in sources("runtime")}}
+    assert {str(folder): size for folder, size in sizes.items() if size > 14} == {}
 
 
 def test_a_forbidden_import_would_be_found(tmp_path, monkeypatch):

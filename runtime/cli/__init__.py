@@ -8,14 +8,14 @@ from pathlib import Path
 
 import click
 
-from hertzwerk.runtime.cli.accuracy import accuracy
-from hertzwerk.runtime.cli.audit import audit
-from hertzwerk.runtime.cli.draw import draw
-from hertzwerk.runtime.cli.effects import effects
-from hertzwerk.runtime.cli.hardcases import hardcases
-from hertzwerk.runtime.cli.laws import laws
-from hertzwerk.runtime.cli.run import run, validate
-from hertzwerk.runtime.cli.scenes import derive, list_scenes
+from hertzwerk.runtime.cli.commands.accuracy import accuracy
+from hertzwerk.runtime.cli.commands.audit import audit
+from hertzwerk.runtime.cli.commands.derive import derive, list_scenes
+from hertzwerk.runtime.cli.commands.draw import draw
+from hertzwerk.runtime.cli.commands.effects import effects
+from hertzwerk.runtime.cli.commands.hardcases import hardcases
+from hertzwerk.runtime.cli.commands.laws import laws
+from hertzwerk.runtime.cli.commands.run import run, validate
 
 
 def _open_streams() -> None:
@@ -33,7 +33,7 @@ def _open_streams() -> None:
 
 def _print_version(context: click.Context, _: click.Parameter, wanted: bool) -> None:
     if wanted:
-        from hertzwerk.runtime.cli.record import versions
+        from hertzwerk.runtime.cli.run_folder import versions
 
         click.echo(", ".join(f"{name} {version}" for name, version in versions().items()))
         context.exit()

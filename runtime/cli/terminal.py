@@ -13,7 +13,7 @@ from typing import Any, Self, TypeVar
 import click
 
 from hertzwerk.derive.faults import InputError
-from hertzwerk.runtime.cli import layout
+from hertzwerk.runtime.cli import wrapping
 
 Kept = TypeVar("Kept")
 
@@ -81,14 +81,14 @@ def report_missing(missing: Sequence[str]) -> int:
 
 def _report_error(error: Exception) -> None:
     width = shutil.get_terminal_size().columns if sys.stderr.isatty() else None
-    text = layout.wrapped(f"error  {error}", width, indent=4).removeprefix("error")
+    text = wrapping.wrapped(f"error  {error}", width, indent=4).removeprefix("error")
     click.echo(click.style("error", fg="red") + text, err=True)
 
 
 def line(label: str, text: str) -> None:
     """Print one line of a report, or several under one label."""
-    width = layout.columns()
-    first, *rest = layout.wrapped(text, None if width is None else width - 14).split("\n")
+    width = wrapping.columns()
+    first, *rest = wrapping.wrapped(text, None if width is None else width - 14).split("\n")
     click.echo(f"{click.style(f'{label:<12}', fg=COLOURS.get(label))}  {first}".rstrip())
     for line in rest:
         click.echo(f"{'':14}{line}".rstrip())
@@ -96,16 +96,16 @@ def line(label: str, text: str) -> None:
 
 def print_prose(text: str) -> None:
     """Print prose, broken between words where a terminal ends."""
-    click.echo(layout.wrapped(text, layout.columns()))
+    click.echo(wrapping.wrapped(text, wrapping.columns()))
 
 
 def table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
     """Print aligned columns, in panels where a terminal is too narrow for them."""
-    for panel, lines in enumerate(layout.tabulated(columns, rows, layout.columns())):
+    for panel, lines in enumerate(wrapping.tabulated(columns, rows, wrapping.columns())):
         if panel:
             click.echo()
         for row in lines:
-            click.echo(layout.GAP.join(map(_coloured, row)).rstrip())
+            click.echo(wrapping.GAP.join(map(_coloured, row)).rstrip())
 
 
 def _coloured(cell: str) -> str:

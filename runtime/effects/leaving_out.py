@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from hertzwerk.derive.faults import Fault, InputError, unknown
-from hertzwerk.runtime.effects.cost import cost_of, shares
+from hertzwerk.runtime.effects.compared_outputs import PAST_HORIZON, Output, automatic, chosen, unknown_histories
 from hertzwerk.runtime.effects.measuring import EIGHTHS, LADDER, Bench, Case, Measurement
-from hertzwerk.runtime.effects.outputs import PAST_HORIZON, Output, automatic, chosen, unknown_histories
+from hertzwerk.runtime.effects.scene_cost import cost_of, shares
 from hertzwerk.runtime.effects.smallest import smallest
 from hertzwerk.runtime.effects.starts import driven_start
 from hertzwerk.runtime.effects.study import GONE, NEW, NONE_SEEN, Change, Row, Study

@@ -18,7 +18,7 @@ import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.accuracy.ladder import VALID
-from hertzwerk.runtime.effects.outputs import Output, Samples
+from hertzwerk.runtime.effects.compared_outputs import Output, Samples
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.caller import Rowwise

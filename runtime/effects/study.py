@@ -8,9 +8,9 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.effects.cost import Cost, Share
+    from hertzwerk.runtime.effects.compared_outputs import Output
     from hertzwerk.runtime.effects.measuring import Number
-    from hertzwerk.runtime.effects.outputs import Output
+    from hertzwerk.runtime.effects.scene_cost import Cost, Share
     from hertzwerk.runtime.effects.smallest import Smallest
     from hertzwerk.runtime.solution.outcome import Outcome
 

@@ -2,17 +2,26 @@
 
 from __future__ import annotations
 
-from hertzwerk.runtime.hard_cases import crank, edges, events, friction, impacts, loops, many, rest
 from hertzwerk.runtime.hard_cases.case import HardCase
+from hertzwerk.runtime.hard_cases.cases import (
+    borderline_events,
+    closed_loops,
+    crank,
+    edges,
+    many,
+    rest,
+    single_impacts,
+    sliding,
+)
 
 CASES: tuple[HardCase, ...] = (
-    *impacts.CASES,
+    *single_impacts.CASES,
     *rest.CASES,
-    *events.CASES,
+    *borderline_events.CASES,
     *many.CASES,
     *crank.CASES,
-    *friction.CASES,
-    *loops.CASES,
+    *sliding.CASES,
+    *closed_loops.CASES,
     *edges.CASES,
 )
 BY_NAME = {case.name: case for case in CASES}

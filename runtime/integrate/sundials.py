@@ -21,7 +21,6 @@ from hertzwerk.runtime.host.interrupt import defer_interrupts
 from hertzwerk.runtime.integrate.events.events import ends_with_force
 from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, INTERRUPTED, WALL_TIME_LIMIT, Ending
 from hertzwerk.runtime.integrate.step.explicit import flow
-from hertzwerk.runtime.integrate.step.friction import STICK, pairs_of, slips_in
 from hertzwerk.runtime.integrate.step.layout import (
     CONTACT,
     EVENT_LIMIT,
@@ -37,6 +36,7 @@ from hertzwerk.runtime.integrate.step.layout import (
     Layouts,
 )
 from hertzwerk.runtime.integrate.step.rounding import EPS
+from hertzwerk.runtime.integrate.step.set_valued_friction import STICK, pairs_of, slips_in
 from hertzwerk.runtime.integrate.step.slips import resolve_slips
 
 if TYPE_CHECKING:

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from hertzwerk.runtime.hard_cases import closed, friction
+from hertzwerk.runtime.hard_cases import closed
+from hertzwerk.runtime.hard_cases.cases import sliding
 from hertzwerk.runtime.hard_cases.table import BY_NAME
 from reference import closed_forms
 from reference.slider_crank import reference
@@ -69,13 +70,13 @@ def test_the_touching_row_against_scipy():
 
 def test_sliding_on_bristles_against_scipy():
     """m v' = drive - N (s0 z + s1 z'), z' = v - s0 |v| z/mu, with the load constant."""
-    mu, damping = 0.99 * friction.CRITICAL, 1000.0
+    mu, damping = 0.99 * sliding.CRITICAL, 1000.0
 
     def rates(_, y):
         v, z = y
-        bend = v - friction.BRISTLE * abs(v) * z / mu
-        return [(friction.DRIVE - friction.LOAD * (friction.BRISTLE * z + damping * bend)) / friction.MASS, bend]
+        bend = v - sliding.BRISTLE * abs(v) * z / mu
+        return [(sliding.DRIVE - sliding.LOAD * (sliding.BRISTLE * z + damping * bend)) / sliding.MASS, bend]
 
-    found = solve_ivp(rates, (0, 0.5), [friction.START, 0], method="Radau", rtol=1e-11, atol=[1e-13, 1e-20])
-    assert found.y[0, -1] == pytest.approx(friction.LUGRE_SPEED, abs=1e-9)
-    assert found.y[1, -1] == pytest.approx(mu / friction.BRISTLE, rel=1e-9)
+    found = solve_ivp(rates, (0, 0.5), [sliding.START, 0], method="Radau", rtol=1e-11, atol=[1e-13, 1e-20])
+    assert found.y[0, -1] == pytest.approx(sliding.LUGRE_SPEED, abs=1e-9)
+    assert found.y[1, -1] == pytest.approx(mu / sliding.BRISTLE, rel=1e-9)

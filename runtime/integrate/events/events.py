@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
-from hertzwerk.runtime.integrate.step.friction import margin_tolerances, margins, margins_positive, pairs_of
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, RELEASED, Layouts
 from hertzwerk.runtime.integrate.step.rounding import EPS, gap_rounding
+from hertzwerk.runtime.integrate.step.set_valued_friction import margin_tolerances, margins, margins_positive, pairs_of
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model

@@ -15,7 +15,6 @@ import casadi as ca
 
 from hertzwerk.runtime.integrate.events.events import ends_with_force, pulls, tolerances
 from hertzwerk.runtime.integrate.step.classes import IDLE, class_of
-from hertzwerk.runtime.integrate.step.friction import margin_tolerances, pairs_of, undecided_and_breaking
 from hertzwerk.runtime.integrate.step.layout import (
     CONTACT,
     FLIGHT,
@@ -25,6 +24,7 @@ from hertzwerk.runtime.integrate.step.layout import (
     RUNNING,
     Layouts,
 )
+from hertzwerk.runtime.integrate.step.set_valued_friction import margin_tolerances, pairs_of, undecided_and_breaking
 from hertzwerk.runtime.integrate.step.slips import resolve_slips
 
 if TYPE_CHECKING:

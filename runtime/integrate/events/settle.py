@@ -28,7 +28,6 @@ from hertzwerk.runtime.integrate.step.control import (
     time_to_root,
 )
 from hertzwerk.runtime.integrate.step.explicit import Flow, short_step
-from hertzwerk.runtime.integrate.step.friction import margin_tolerances, undecided_and_breaking
 from hertzwerk.runtime.integrate.step.layout import (
     CONSTRAINT_LOST,
     CONTACT,
@@ -45,6 +44,7 @@ from hertzwerk.runtime.integrate.step.layout import (
     Layouts,
 )
 from hertzwerk.runtime.integrate.step.rounding import EPS
+from hertzwerk.runtime.integrate.step.set_valued_friction import margin_tolerances, undecided_and_breaking
 from hertzwerk.runtime.integrate.step.singular import limited_by_singular
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
 

@@ -10,10 +10,10 @@ import casadi as ca
 
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, Contacts, active_contacts, masked
 from hertzwerk.runtime.integrate.step.closing import LOST, Closing, closing
-from hertzwerk.runtime.integrate.step.friction import forces as friction_forces
-from hertzwerk.runtime.integrate.step.friction import grips, may_slip, pairs_of
 from hertzwerk.runtime.integrate.step.layout import GRIP_PARTS, PAIR_PARTS
 from hertzwerk.runtime.integrate.step.rounding import EPS
+from hertzwerk.runtime.integrate.step.set_valued_friction import forces as friction_forces
+from hertzwerk.runtime.integrate.step.set_valued_friction import grips, may_slip, pairs_of
 from hertzwerk.runtime.integrate.step.singular import time_to_singular
 from hertzwerk.runtime.model.per_model import per_model
 

@@ -17,10 +17,10 @@ import casadi as ca
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, Contacts, active_contacts, masked
 from hertzwerk.runtime.integrate.step.control import SAFETY
 from hertzwerk.runtime.integrate.step.explicit import MEAN_OF, Flow, flow
-from hertzwerk.runtime.integrate.step.friction import forces, grips, may_slip, pairs_of
 from hertzwerk.runtime.integrate.step.layout import CONTACT
 from hertzwerk.runtime.integrate.step.linear import Elimination, solver, solver_of_calls
 from hertzwerk.runtime.integrate.step.rounding import EPS
+from hertzwerk.runtime.integrate.step.set_valued_friction import forces, grips, may_slip, pairs_of
 from hertzwerk.runtime.integrate.tableaux.implicit_tableaux import ITERATIONS, DiagonallyImplicit, Rosenbrock
 from hertzwerk.runtime.model.per_model import per_model
 

@@ -17,7 +17,14 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, active_contacts, masked
-from hertzwerk.runtime.integrate.step.friction import BREAKS, STICK, grips, mobility, slips_in, solve_sticking
+from hertzwerk.runtime.integrate.step.set_valued_friction import (
+    BREAKS,
+    STICK,
+    grips,
+    mobility,
+    slips_in,
+    solve_sticking,
+)
 from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:

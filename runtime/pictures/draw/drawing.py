@@ -11,7 +11,7 @@ from matplotlib.ticker import MaxNLocator
 
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.pictures.curves import Scale, scale_of
-from hertzwerk.runtime.pictures.draw import elements, labels
+from hertzwerk.runtime.pictures.draw import force_symbols, labels
 from hertzwerk.runtime.pictures.draw.paper import INK, Paper, shade
 from hertzwerk.runtime.pictures.draw.parts import Parts
 from hertzwerk.runtime.pictures.draw.places import GROUND, Array, Landmark, Places
@@ -79,7 +79,7 @@ class Drawing:
             parts.draw(paper.faint(), i)
         self._paths(paper)
         parts.draw(paper, 0)
-        elements.draw(parts, paper, 0)
+        force_symbols.draw(parts, paper, 0)
         self._gravity(paper, self.point * symbols)
         if parts.view.names is None:
             self._triad(paper, self.point * symbols)

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from hertzwerk.runtime.cli import main, record
+from hertzwerk.runtime.cli import main, run_folder
 from hertzwerk.runtime.model.build import built_in_scenes
 
 SCENE = """
@@ -438,7 +438,7 @@ def test_a_run_that_cannot_be_written_leaves_nothing_half_done(hertzwerk, monkey
     def fails(*_):
         raise OSError("disk full")
 
-    monkeypatch.setattr(record, "json_text", fails)
+    monkeypatch.setattr(run_folder, "json_text", fails)
     monkeypatch.setattr("hertzwerk.runtime.Solution.save", fails)
     done = hertzwerk("run", "two_spheres", "--no-plots")
     assert done.exit_code == 1

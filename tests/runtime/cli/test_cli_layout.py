@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from hertzwerk.runtime.cli.layout import tabulated, wrapped
+from hertzwerk.runtime.cli.wrapping import tabulated, wrapped
 
 WORDS = st.text(st.characters(codec="ascii", categories=("L", "N", "P")), min_size=1, max_size=12)
 TEXTS = st.lists(WORDS, max_size=12).map(" ".join)

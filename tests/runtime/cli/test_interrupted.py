@@ -21,7 +21,7 @@ import pytest
 from click.testing import CliRunner
 
 from hertzwerk.runtime import Solution
-from hertzwerk.runtime.cli import main, record
+from hertzwerk.runtime.cli import main, run_folder
 
 START = [sys.executable, "-X", "importtime", "-c", "from hertzwerk.runtime.command_line import start; start()"]
 CPU_S = 3.0  # of a processor, from the signal on: the machine may be busy with other things
@@ -251,7 +251,7 @@ def test_a_disk_too_full_for_the_states_still_gets_what_is_known_of_the_run(run,
 
 
 def test_a_large_csv_is_not_written_unasked(run, monkeypatch):
-    monkeypatch.setattr(record, "CSV_LIMIT", 1000)
+    monkeypatch.setattr(run_folder, "CSV_LIMIT", 1000)
     code, said, told = run("--no-plots")
     assert code == 0
     (folder,) = Path("runs").iterdir()

@@ -26,9 +26,9 @@ from hertzwerk.derive import (
 )
 from hertzwerk.runtime import load, study_effects
 from hertzwerk.runtime.effects import measuring
+from hertzwerk.runtime.effects.compared_outputs import automatic, chosen
 from hertzwerk.runtime.effects.leaving_out import _Scenes
 from hertzwerk.runtime.effects.measuring import Bench, Case, Number
-from hertzwerk.runtime.effects.outputs import automatic, chosen
 from hertzwerk.runtime.effects.smallest import smallest
 from hertzwerk.runtime.model import build
 from hertzwerk.runtime.solution.outcome import Outcome

@@ -36,8 +36,8 @@ from hertzwerk.derive.scenes import slider_crank
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.integrate.step.classes import BY_MODE
 from hertzwerk.runtime.integrate.step.explicit import flow
-from hertzwerk.runtime.integrate.step.friction import grips
 from hertzwerk.runtime.integrate.step.implicit import linearised
+from hertzwerk.runtime.integrate.step.set_valued_friction import grips
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.solution.scales import of_parameters
 from hertzwerk.runtime.solution.solution import Solution

@@ -11,7 +11,7 @@ from rows import row
 
 from hertzwerk.derive.scenes.hard.scenes import row_of_spheres, touching_row
 from hertzwerk.runtime import load, simulate
-from hertzwerk.runtime.hard_cases import many
+from hertzwerk.runtime.hard_cases.cases import many
 from hertzwerk.runtime.integrate.events import events
 from hertzwerk.runtime.integrate.step.rounding import bounds, gap_rounding
 

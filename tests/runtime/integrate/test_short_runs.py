@@ -8,7 +8,7 @@ import sympy as sp
 from hertzwerk.derive import JointForce, Parameter, coordinate_of
 from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 from hertzwerk.runtime import Solution, load, simulate
-from hertzwerk.runtime.cli import record
+from hertzwerk.runtime.cli import run_folder
 
 PERIOD = 0.012  # of the crank [s]
 
@@ -25,7 +25,7 @@ def stuck():
 def everything(run, folder):
     """Averages, files, pictures of every pair, the saved run."""
     shown = run.averages()
-    files = record.write(run, folder / "run", plots=True, averages=True).files
+    files = run_folder.write(run, folder / "run", plots=True, averages=True).files
     again = Solution.load(folder / "run" / "states.npz")
     assert again.final == run.final
     assert again.averages() == shown

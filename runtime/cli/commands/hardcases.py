@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from hertzwerk.derive.faults import Fault, InputError, unknown
-from hertzwerk.runtime.cli.layout import GAP, PROSE, columns, wrapped
 from hertzwerk.runtime.cli.terminal import COLOURS, GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
+from hertzwerk.runtime.cli.wrapping import GAP, PROSE, columns, wrapped
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.hard_cases.case import HardCase
@@ -83,7 +83,7 @@ def _chosen(names: Sequence[str], methods: Sequence[str], *, everything: bool) -
 
 
 def _list(cases: Sequence[HardCase], *, as_json: bool) -> int:
-    from hertzwerk.runtime.cli.record import json_text
+    from hertzwerk.runtime.cli.run_folder import json_text
 
     if as_json:
         click.echo(json_text({"cases": [_about(case) for case in cases]}))
@@ -104,7 +104,7 @@ def _about(case: HardCase) -> dict[str, Any]:
 
 
 def _print_json(cases: Sequence[HardCase], found: dict[str, dict[str, Result]], failed: Sequence[Result]) -> None:
-    from hertzwerk.runtime.cli.record import json_text
+    from hertzwerk.runtime.cli.run_folder import json_text
 
     records = [{**_about(case), "results": [r.record() for r in found[case.name].values()]} for case in cases]
     click.echo(json_text({"passed": not failed, "cases": records}))

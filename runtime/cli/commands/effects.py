@@ -73,7 +73,7 @@ def effects(target: str, out: Path | None, no_plots: bool, as_json: bool, **opti
 
     A change is of the scene without the effect, relative to the whole scene. One that is smaller than the error of both is none seen.
     """
-    from hertzwerk.runtime.cli.record import json_text
+    from hertzwerk.runtime.cli.run_folder import json_text
     from hertzwerk.runtime.host.folder import new_folder
 
     wanted = out is not None or not as_json
@@ -138,7 +138,7 @@ def _fraction(text: str, faults: list[Fault]) -> float | None:
 
 
 def _write(study: Study, folder: Path, missing: list[str], *, plots: bool) -> list[str]:
-    from hertzwerk.runtime.cli.record import json_text
+    from hertzwerk.runtime.cli.run_folder import json_text
     from hertzwerk.runtime.host.folder import failures_of
 
     (folder / "effects.json").write_text(json_text(study.record()) + "\n", encoding="utf-8")

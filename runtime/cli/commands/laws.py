@@ -216,7 +216,7 @@ def _print_restitution(found: Restitution) -> None:
 
 
 def _study(names: Sequence[str], out: Path | None, *, plots: bool, as_json: bool) -> int:
-    from hertzwerk.runtime.cli.record import json_text
+    from hertzwerk.runtime.cli.run_folder import json_text
     from hertzwerk.runtime.host.folder import new_folder
     from hertzwerk.runtime.validate.restitution import study
 
@@ -248,7 +248,7 @@ def _study(names: Sequence[str], out: Path | None, *, plots: bool, as_json: bool
 
 
 def _write(found: Study, folder: Path, missing: list[str], *, plots: bool) -> list[str]:
-    from hertzwerk.runtime.cli.record import json_text
+    from hertzwerk.runtime.cli.run_folder import json_text
     from hertzwerk.runtime.host.folder import failures_of
 
     texts = {"restitution.csv": found.csv(), "restitution.json": json_text(found.record()) + "\n"}

@@ -100,7 +100,7 @@ def run(
 
     Ctrl-C, or SIGTERM, ends it at once before the first steps (exit code 130); afterwards it ends the computing, and results so far are written.
     """
-    from hertzwerk.runtime.cli import record
+    from hertzwerk.runtime.cli import run_folder
 
     wanted = out is not None or not as_json
     with (
@@ -116,7 +116,7 @@ def run(
             raise KeyboardInterrupt
         missing: list[str] = []
         written = written_or_none(
-            lambda: record.write(
+            lambda: run_folder.write(
                 solution, out, plots=not no_plots, csv=csv, averages=averages, stopping=stopping, request=request
             ),
             missing,
@@ -125,7 +125,7 @@ def run(
     if written is not None:
         missing += written.missing
     if as_json:
-        click.echo(record.json_text(record.summary(solution, averages=averages)))
+        click.echo(run_folder.json_text(run_folder.summary(solution, averages=averages)))
         return report_missing(missing) if solution.outcome.finished else OTHER_OUTCOME
     _report(solution)
     if written is not None:

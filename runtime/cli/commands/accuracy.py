@@ -42,7 +42,7 @@ def accuracy(target: str, out: Path | None, as_json: bool, **options: Any) -> in
     Each run asks for an error at its end; what it really has is measured against a reference of two independent methods. How errors go along
     the run says how long a trajectory stays the true one, and what ten times more accuracy buys.
     """
-    from hertzwerk.runtime.cli.record import json_text
+    from hertzwerk.runtime.cli.run_folder import json_text
     from hertzwerk.runtime.host.folder import new_folder
     from hertzwerk.runtime.work_precision.reference import NoReferenceError
     from hertzwerk.runtime.work_precision.study import study
@@ -95,7 +95,7 @@ def _problem(
 
 def _write(found: Study, folder: Path, missing: list[str]) -> list[str]:
     """Write data and picture of a study."""
-    from hertzwerk.runtime.cli.record import json_text, versions
+    from hertzwerk.runtime.cli.run_folder import json_text, versions
     from hertzwerk.runtime.host.folder import failures_of
     from hertzwerk.runtime.pictures.studies.plot_accuracy import save
     from hertzwerk.runtime.work_precision.report import csv_text
@@ -128,7 +128,7 @@ def _report(found: Study, written: tuple[Path, list[str]] | None) -> None:
 
 def _without_reference(problem: Problem, error: NoReferenceError, *, as_json: bool) -> int:
     """Report that no two methods reach the end, so that errors cannot be measured."""
-    from hertzwerk.runtime.cli.record import json_text
+    from hertzwerk.runtime.cli.run_folder import json_text
 
     failed = {method: (run.outcome, run.t_end) for method, run in error.runs.items()}
     if as_json:

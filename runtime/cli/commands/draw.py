@@ -46,7 +46,7 @@ def draw(
     from hertzwerk.runtime.host.folder import unwritable
     from hertzwerk.runtime.model.build import built_in_scenes
     from hertzwerk.runtime.pictures.draw import picture
-    from hertzwerk.runtime.pictures.draw.sheet import sheet
+    from hertzwerk.runtime.pictures.draw.gallery import sheet
     from hertzwerk.runtime.solution.solution import write
 
     faults: list[Fault] = []
