@@ -8,35 +8,39 @@ if TYPE_CHECKING:  # the list of public names
     from hertzwerk.derive.algebra.splines import Table as Table
     from hertzwerk.derive.audit.audit import Finding as Finding, InconsistentUnits as InconsistentUnits
     from hertzwerk.derive.contact.touch import Touch as Touch, touch as touch
-    from hertzwerk.derive.declare.scene import (
-        Contact as Contact,
-        EnergyLedger as EnergyLedger,
-        Friction as Friction,
-        Gravity as Gravity,
-        Scales as Scales,
-        Scene as Scene,
-        Start as Start,
-    )
+    from hertzwerk.derive.declare.scene import Scales as Scales, Scene as Scene, Start as Start
     from hertzwerk.derive.derivation import audit_scene as audit_scene, derive as derive, generate as generate
+    from hertzwerk.derive.effects.contacts import Contact as Contact, Friction as Friction
     from hertzwerk.derive.effects.drives import (
         ConstantSpeed as ConstantSpeed,
         Drive as Drive,
         Harmonic as Harmonic,
         Ramp as Ramp,
     )
-    from hertzwerk.derive.effects.element import Element as Element
-    from hertzwerk.derive.effects.elements import element as element
-    from hertzwerk.derive.effects.expression import T as T, coordinate_of as coordinate_of, speed_of as speed_of
+    from hertzwerk.derive.effects.effect import (
+        Effect as Effect,
+        Element as Element,
+        JointEffect as JointEffect,
+        PairEffect as PairEffect,
+    )
+    from hertzwerk.derive.effects.energy_ledger import EnergyLedger as EnergyLedger
+    from hertzwerk.derive.effects.expression import (
+        T as T,
+        Varying as Varying,
+        coordinate_of as coordinate_of,
+        speed_of as speed_of,
+    )
     from hertzwerk.derive.effects.forces import (
         BodyTorque as BodyTorque,
         JointForce as JointForce,
         PointForce as PointForce,
         Potential as Potential,
     )
+    from hertzwerk.derive.effects.gravity import Gravity as Gravity
+    from hertzwerk.derive.effects.joint_friction import JointFriction as JointFriction
     from hertzwerk.derive.effects.lubrication import Lubrication as Lubrication
     from hertzwerk.derive.effects.springs import (
         JointDamper as JointDamper,
-        JointFriction as JointFriction,
         JointSpring as JointSpring,
         PointDamper as PointDamper,
         PointSpring as PointSpring,

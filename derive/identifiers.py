@@ -50,10 +50,3 @@ def repeated(kind: str, names: Iterable[str]) -> Iterator[Fault]:
             yield Fault(
                 f"{kind} {name}", f"{names.count(name)} of this name", "names that are unique", "Rename one of them."
             )
-
-
-def twice(what: str, names: list[str]) -> Iterator[Fault]:
-    """Faults of names that may occur only once."""
-    for name in dict.fromkeys(names):
-        if names.count(name) > 1:
-            yield Fault(f"{what} {name}", f"{names.count(name)}", "one")

@@ -128,8 +128,8 @@ def audit_laws(scene: Scene) -> tuple[Finding, ...]:
     """One finding per expression of every law in the scene."""
     findings: list[Finding] = []
     for effect in scene.effects:
-        for bound in getattr(effect, "laws", ()):
-            findings.extend(_law_findings(scene, effect.name, bound, getattr(effect, "unchecked", False)))
+        for bound in effect.laws:
+            findings.extend(_law_findings(scene, effect.name, bound, effect.unchecked))
     return tuple(findings)
 
 

@@ -58,16 +58,15 @@ def scene_faults(scene: Scene) -> Iterator[Fault]:
     Laws that run unchecked are skipped.
     """
     for effect in scene.effects:
-        if getattr(effect, "unchecked", False):
+        if effect.unchecked:
             continue
-        bounds: tuple[BoundLaw, ...] = getattr(effect, "laws", ())
-        for bound in bounds:
+        for bound in effect.laws:
             if LAWS.get(bound.law.name) is not bound.law:  # laws of the catalogue are covered by the test suite
                 yield from law_faults(bound.law)
-        geometry = scene.geometry(effect.pair) if bounds and hasattr(effect, "pair") else {}
+        geometry = next((scene.geometry(pair) for pair in effect.pairs), {})
         elastic: Trial | None = None
         with mp.workdps(DIGITS):
-            for bound in bounds:
+            for bound in effect.laws:
                 trial = _in_scene(bound, geometry, elastic)
                 if trial is not None:
                     yield from faults_of(trial)

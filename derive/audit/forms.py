@@ -57,15 +57,14 @@ def _laws_at_pairs(scene: Scene) -> Iterator[tuple[str, Law, Pair]]:
     """Yield effect, law and pair, in declared order."""
     pairs = {pair.name: pair for pair in scene.mechanism.pairs}
     for effect in scene.effects:
-        for bound in getattr(effect, "laws", ()):
-            if (pair := pairs.get(getattr(effect, "pair", ""))) is not None:
-                yield effect.name, bound.law, pair
+        for name in effect.pairs:
+            yield from ((effect.name, bound.law, pairs[name]) for bound in effect.laws)
 
 
 def _sentence(scene: Scene, name: str, kind: str, long: bool, effects: list[str]) -> str:
     effect = scene.effect(effects[0])
     law = next(bound.law for bound in effect.laws if bound.law.name == name)
-    pair = next(pair for pair in scene.mechanism.pairs if pair.name == effect.pair)
+    pair = next(pair for pair in scene.mechanism.pairs if pair.name in effect.pairs)
     form, own = form_of(pair), " or ".join(law.forms)
     offered = scene.geometry(pair.name) | ({} if long else {"L": None})
     names = ", ".join(fitting_laws(law.kind, pair, offered)) or "none of the catalogue"

@@ -11,8 +11,8 @@ import sympy as sp
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.algebra.vectors import Vector, cross, dot, scale, sub
 from hertzwerk.derive.contact.touch import touch
-from hertzwerk.derive.declare.scene import Contact, Friction
 from hertzwerk.derive.dimension.dimension import Dimension
+from hertzwerk.derive.effects.contacts import Contact, Friction
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.laws.law import BRISTLE, GEOMETRY, BoundLaw, F, N, Quantity, d, k_t, s, v, v0
 from hertzwerk.derive.mechanism.pairs import Pair

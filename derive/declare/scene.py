@@ -5,21 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any, ClassVar, Literal, Protocol
+from typing import Any, Literal, TypeVar
 
 import sympy as sp
 
 from hertzwerk.derive.declare.soundness.check import faults_of
 from hertzwerk.derive.dimension.dimension import Dimension
-from hertzwerk.derive.effects.drives import AnyDrive, ConstantSpeed, Drive, Harmonic, Ramp
-from hertzwerk.derive.effects.forces import BodyTorque, JointForce, PointForce, Potential
-from hertzwerk.derive.effects.lubrication import Lubrication
-from hertzwerk.derive.effects.springs import JointDamper, JointFriction, JointSpring, PointDamper, PointSpring
+from hertzwerk.derive.effects.contacts import Contact, Friction
+from hertzwerk.derive.effects.drives import AnyDrive
+from hertzwerk.derive.effects.effect import Effect
+from hertzwerk.derive.effects.energy_ledger import EnergyLedger
 from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.derive.laws.catalogue import LAWS
-from hertzwerk.derive.laws.law import APPROACH_SPEED, BoundLaw
+from hertzwerk.derive.laws.law import BoundLaw
 from hertzwerk.derive.laws.law_call import split_call, values_of
-from hertzwerk.derive.mechanism.bodies import Body, Direction, Slot
+from hertzwerk.derive.mechanism.bodies import Body, Slot
 from hertzwerk.derive.mechanism.joints import Freedom
 from hertzwerk.derive.mechanism.mechanism import Mechanism
 from hertzwerk.derive.mechanism.pairs import Pair
@@ -34,133 +34,7 @@ from hertzwerk.derive.mechanism.parameter import (
 )
 from hertzwerk.derive.units import parse_unit
 
-APPROACH_FLOOR = Parameter(
-    "approach_floor", "m/s", 1e-3, "least approach speed a damping law is given; h/v0 is unbounded otherwise"
-)
-
-
-@dataclass(frozen=True)
-class Gravity:
-    """Uniform gravity [m/s^2] along `direction` of the ground frame."""
-
-    name: str
-    acceleration: Scalar
-    direction: Direction
-    kind: ClassVar[str] = "gravity"
-    text: ClassVar[str] = "uniform gravity"
-
-    def slots(self) -> Iterator[Slot]:
-        """The acceleration and the direction."""
-        yield from self.direction.slots(f"effect {self.name}, direction")
-        yield Slot(f"effect {self.name}, acceleration", self.acceleration, "m/s^2")
-
-
-@dataclass(frozen=True)
-class Contact:
-    """Normal force of one pair: a stiffness law and, if called for, a damping law. The effect is named after its pair.
-
-    `effective_mass` is what a damping law that asks for one is given, by default m1 m2/(m1 + m2) of the two bodies.
-    `unchecked=True` lets an inconsistent law run in SI values; module, solution and plots then say so.
-    """
-
-    pair: str
-    stiffness: BoundLaw
-    damping: BoundLaw | None = None
-    approach_floor: Scalar = APPROACH_FLOOR
-    effective_mass: Scalar | None = None
-    unchecked: bool = False
-    kind: ClassVar[str] = "contact"
-
-    @property
-    def name(self) -> str:
-        """The pair's name."""
-        return self.pair
-
-    @property
-    def laws(self) -> tuple[BoundLaw, ...]:
-        """Stiffness, then damping."""
-        return (self.stiffness,) if self.damping is None else (self.stiffness, self.damping)
-
-    @property
-    def latches(self) -> bool:
-        """Whether the approach speed is latched."""
-        return self.damping is not None and APPROACH_SPEED in self.damping.law.memory
-
-    @property
-    def text(self) -> str:
-        """What the effect is, for people."""
-        rebuilt = [bound.law.name for bound in self.laws if bound.law.grade == "R"]
-        label = f", {' and '.join(rebuilt)} a reconstruction (grade R)" if rebuilt else ""
-        return " x ".join(bound.law.name for bound in self.laws) + label + (", UNCHECKED" if self.unchecked else "")
-
-    def slots(self, geometry: dict[str, Any] | None = None) -> Iterator[Slot]:
-        """The parameters of both laws, and what of the pair's geometry they limit."""
-        for bound in self.laws:
-            yield from bound.slots(f"effect {self.name}", geometry or {})
-        if self.effective_mass is not None:
-            yield Slot(f"effect {self.name}, effective mass", self.effective_mass, "kg", POSITIVE)
-        if self.latches:
-            yield Slot(f"effect {self.name}, approach floor", self.approach_floor, "m/s", POSITIVE)
-
-
-@dataclass(frozen=True)
-class Friction:
-    """Friction of one pair, beside its normal force."""
-
-    name: str
-    pair: str
-    law: BoundLaw
-    unchecked: bool = False
-    kind: ClassVar[str] = "friction"
-    takes: ClassVar[str] = "friction"
-
-    @property
-    def text(self) -> str:
-        """What the effect is, for people."""
-        return f"{self.law.law.name} at {self.pair}" + (", UNCHECKED" if self.unchecked else "")
-
-    @property
-    def laws(self) -> tuple[BoundLaw, ...]:
-        """The one law."""
-        return (self.law,)
-
-    def slots(self, geometry: dict[str, Any] | None = None) -> Iterator[Slot]:
-        """The parameters of the law."""
-        yield from self.law.slots(f"effect {self.name}", geometry or {})
-
-
-@dataclass(frozen=True)
-class EnergyLedger:
-    """Quadratures of the energy put in and dissipated, so that energy + dissipated - input must stay constant."""
-
-    name: str = "energy_ledger"
-    kind: ClassVar[str] = "ledger"
-    text: ClassVar[str] = "work put in, energy dissipated per effect"
-
-    def slots(self) -> Iterator[Slot]:
-        """None."""
-        return iter(())
-
-
-class Effect(Protocol):
-    """Anything a scene may call for: a frozen record. What it does is its `element`, see `elements`; a contact, gravity, a drive are built in.
-
-    What else it has says what it is about: a `joint`, whose freedom its slots are given, or a `pair`, whose geometry; `laws`, which are audited; one
-    `law`, of the kind that it `takes`; `unchecked`, where an inconsistent law may run.
-    """
-
-    kind: ClassVar[str]
-
-    @property
-    def name(self) -> str:
-        """Unique in its scene."""
-
-    @property
-    def text(self) -> str:
-        """What the effect is, for people."""
-
-    def slots(self, *about: Any) -> Iterator[Slot]:
-        """The quantities of the effect, in declared order."""
+E = TypeVar("E", bound=Effect)
 
 
 @dataclass(frozen=True)
@@ -284,15 +158,14 @@ class Scene:
             )
         law_name, texts = split_call(law_name)
         law = LAWS.get(law_name)
-        takes = getattr(effect, "takes", None)  # of an effect with one law, its kind
-        fields = ("stiffness", "damping") if effect.kind == "contact" else () if takes is None else (takes,)
+        fields = {kind: name for name, kind in effect.takes.items()}
         if law is None or law.kind not in fields:
             offer = [name for name, other in LAWS.items() if other.kind in fields]
             wanted = unknown(f"{' or '.join(fields) or 'fitting'} law", law_name, offer)
             expected = wanted.expected if offer else "an effect that has a law"
             fault = Fault(f"effect {effect_name}", f"law {law_name!r}", expected, wanted.remedy)
             raise InputError(f"scene {self.name}", [fault])
-        slot = law.kind if takes is None else "law"
+        slot = fields[law.kind]
         bound: BoundLaw | None = getattr(effect, slot)
         given = {s.name: value for s, value in bound.binding.items()} if bound is not None else {}
         given |= {s.name: value for s, value in law.defaults if s.name not in given}
@@ -323,19 +196,24 @@ class Scene:
         """The effect of this name."""
         return next(effect for effect in self.effects if effect.name == name)
 
-    def of_kind(self, kind: str) -> list[Any]:
-        """The effects of one kind, in declared order."""
-        return [effect for effect in self.effects if effect.kind == kind]
+    def all(self, kind: type[E]) -> list[E]:
+        """The effects of one class, in declared order."""
+        return [effect for effect in self.effects if isinstance(effect, kind)]
 
     @property
-    def ledger(self) -> bool:
-        """Whether an energy ledger is called for."""
-        return bool(self.of_kind("ledger"))
+    def ledger(self) -> EnergyLedger | None:
+        """The energy ledger, if one is called for."""
+        return next(iter(self.all(EnergyLedger)), None)
 
     @property
     def driven(self) -> dict[str, AnyDrive]:
         """Drives by the key of the freedom they drive."""
-        return {effect.joint: effect for effect in self.of_kind("drive")}
+        return {effect.joint: effect for effect in self.all(AnyDrive)}
+
+    @cached_property
+    def scalars(self) -> dict[str, Freedom]:
+        """Freedoms of one coordinate by their keys."""
+        return {freedom.key: freedom for freedom in self.mechanism.freedoms if freedom.scalar}
 
     @property
     def free(self) -> tuple[Freedom, ...]:
@@ -358,8 +236,8 @@ class Scene:
     @cached_property
     def contacts(self) -> list[tuple[Pair, Contact, Friction | None]]:
         """The pairs whose contact is called for, in the order of the mechanism's pairs, with their effects."""
-        contacts = {effect.pair: effect for effect in self.of_kind("contact")}
-        frictions = {effect.pair: effect for effect in self.of_kind("friction")}
+        contacts = {effect.pair: effect for effect in self.all(Contact)}
+        frictions = {effect.pair: effect for effect in self.all(Friction)}
         return [
             (pair, contacts[pair.name], frictions.get(pair.name))
             for pair in self.mechanism.pairs
@@ -371,16 +249,12 @@ class Scene:
         pair = next((pair for pair in self.mechanism.pairs if pair.name == pair_name), None)
         if pair is None:
             return {}
-        given = [
-            slot
-            for part in (pair, *(place.body for place in pair.places))
-            if hasattr(part, "slots")
-            for slot in part.slots()
-        ]
+        bodies = [place.body for place in pair.places if isinstance(place.body, Body)]
+        given = [slot for part in (pair, *bodies) for slot in part.slots()]
         if not all(is_number(slot.value) and sp.sympify(slot.value) is not sp.nan for slot in given):
             return {}  # a fault, which the scene reports
-        own = next((e.effective_mass for e in self.of_kind("contact") if e.pair == pair_name), None)
-        masses = [place.body.mass for place in pair.places if isinstance(place.body, Body)]
+        own = next((e.effective_mass for e in self.all(Contact) if e.pair == pair_name), None)
+        masses = [body.mass for body in bodies]
         both = masses[0] if len(masses) == 1 else masses[0] * masses[1] / (masses[0] + masses[1]) if masses else None
         mass = both if own is None else own
         return {**pair.geometry, **({} if mass is None else {"m_eff": mass})}
@@ -388,9 +262,10 @@ class Scene:
     def slots(self) -> Iterator[Slot]:
         """Every quantity that something reads, in declared order: what a pair has for its laws alone, where one asks for it."""
         asked = {
-            f"{getattr(effect, 'pair', '')}.{quantity.name}"
+            f"{pair}.{quantity.name}"
             for effect in self.effects
-            for bound in getattr(effect, "laws", ())
+            for pair in effect.pairs
+            for bound in effect.laws
             for quantity in bound.law.geometry()
         }
         return (slot for slot in self.declarations() if not slot.asked_as or slot.asked_as in asked)
@@ -398,14 +273,9 @@ class Scene:
     def declarations(self) -> Iterator[Slot]:
         """Every quantity of the scene, in declared order."""
         yield from self.mechanism.slots()
-        freedoms = {freedom.key: freedom for freedom in self.mechanism.freedoms if freedom.scalar}
         for effect in self.effects:
-            if hasattr(effect, "pair"):
-                yield from effect.slots(self.geometry(effect.pair))
-            elif not hasattr(effect, "joint"):
-                yield from effect.slots()
-            elif effect.joint in freedoms:  # else a fault, which the scene reports
-                yield from effect.slots(freedoms[effect.joint])
+            if all(key in self.scalars for key in effect.joints):  # else a fault, which the scene reports
+                yield from effect.slots(self)
         for freedom in self.mechanism.freedoms:
             for values, ports, what in (
                 (self.start.position, freedom.coordinates, "position"),
@@ -431,29 +301,3 @@ class Scene:
     def dimensions(self) -> dict[sp.Symbol, Dimension]:
         """Dimension of every parameter."""
         return dimensions_of(self.parameters)
-
-
-__all__ = [
-    "APPROACH_FLOOR",
-    "BodyTorque",
-    "ConstantSpeed",
-    "Contact",
-    "Drive",
-    "EnergyLedger",
-    "Friction",
-    "Gravity",
-    "Harmonic",
-    "JointDamper",
-    "JointForce",
-    "JointFriction",
-    "JointSpring",
-    "Lubrication",
-    "PointDamper",
-    "PointForce",
-    "PointSpring",
-    "Potential",
-    "Ramp",
-    "Scales",
-    "Scene",
-    "Start",
-]

@@ -13,10 +13,10 @@ from typing import Any, ClassVar
 import sympy as sp
 
 from hertzwerk.derive.algebra.functions import Where
+from hertzwerk.derive.effects.effect import NOWHERE, Declared, JointEffect, Kinematics
 from hertzwerk.derive.effects.expression import TIME, T, Varying, as_choice, shown
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Slot
-from hertzwerk.derive.mechanism.joints import Freedom
 from hertzwerk.derive.mechanism.parameter import POSITIVE, Scalar
 
 
@@ -29,8 +29,34 @@ class Motion:
     start: tuple[Any, ...] = ()
 
 
+class AnyDrive(JointEffect):
+    """Base of the drives: `motion` is what a drive declares."""
+
+    kind: ClassVar[str] = "drive"
+    enters: ClassVar[str] = NOWHERE
+    drawn: ClassVar[bool] = True
+
+    @property
+    def motion(self) -> Motion:
+        """The motion of the joint."""
+        raise NotImplementedError
+
+    @property
+    def integrates(self) -> bool:
+        """Whether the motion is integrated with the states."""
+        return False
+
+    @property
+    def only(self) -> str:
+        """One of a joint."""
+        return f"drive of joint {self.joint}"
+
+    def element(self, kin: Kinematics) -> None:
+        """None: the kinematics takes the motion, and the joint's coordinate is gone."""
+
+
 @dataclass(frozen=True)
-class ConstantSpeed:
+class ConstantSpeed(AnyDrive):
     """A drive that turns (or moves) a joint at constant speed, from coordinate 0 at t = 0; removes the joint's coordinate.
 
     Of a joint with several coordinates one is named: `joint="column.angle"`.
@@ -39,7 +65,6 @@ class ConstantSpeed:
     name: str
     joint: str
     speed: Scalar
-    kind: ClassVar[str] = "drive"
 
     @property
     def text(self) -> str:
@@ -51,13 +76,13 @@ class ConstantSpeed:
         """speed t."""
         return Motion(sp.sympify(self.speed) * T)
 
-    def slots(self, freedom: Freedom) -> Iterator[Slot]:
+    def slots(self, scene: Declared) -> Iterator[Slot]:
         """The speed."""
-        yield Slot(f"effect {self.name}, speed", self.speed, freedom.units[1])
+        yield Slot(f"{self.where}, speed", self.speed, self.freedom(scene).units[1])
 
 
 @dataclass(frozen=True)
-class Ramp:
+class Ramp(AnyDrive):
     """A drive from rest at coordinate 0: its speed rises to `speed` within the time `rise`, and stays.
 
     The rise is the polynomial of least degree whose first `smoothness` derivatives vanish at both ends: 0 is a straight line (constant
@@ -69,7 +94,6 @@ class Ramp:
     speed: Scalar
     rise: Scalar
     smoothness: int = 2
-    kind: ClassVar[str] = "drive"
 
     @property
     def text(self) -> str:
@@ -84,19 +108,20 @@ class Ramp:
         way = sp.horner(sp.integrate(sp.expand(x ** (n + 1) * sp.Add(*terms)), x)).subs(x, T / rise)
         return Motion(speed * Where(rise > T, rise * way, T - rise / 2))
 
-    def slots(self, freedom: Freedom) -> Iterator[Slot]:
+    def slots(self, scene: Declared) -> Iterator[Slot]:
         """The final speed and the duration of the rise."""
-        yield Slot(f"effect {self.name}, speed", self.speed, freedom.units[1])
-        yield Slot(f"effect {self.name}, rise", self.rise, "s", POSITIVE)
+        yield Slot(f"{self.where}, speed", self.speed, self.freedom(scene).units[1])
+        yield Slot(f"{self.where}, rise", self.rise, "s", POSITIVE)
 
-    def faults(self) -> Iterator[Fault]:
+    def type_faults(self) -> Iterator[Fault]:
         """A smoothness that is none."""
+        yield from super().type_faults()
         if isinstance(self.smoothness, bool) or not isinstance(self.smoothness, int) or not 0 <= self.smoothness <= 4:
-            yield Fault(f"effect {self.name}, smoothness", repr(self.smoothness), "a whole number from 0 to 4")
+            yield Fault(f"{self.where}, smoothness", repr(self.smoothness), "a whole number from 0 to 4")
 
 
 @dataclass(frozen=True)
-class Harmonic:
+class Harmonic(AnyDrive):
     """A drive at mean + amplitude sin(frequency t + phase), of a joint's coordinate; the frequency in rad/s."""
 
     name: str
@@ -105,7 +130,6 @@ class Harmonic:
     frequency: Scalar
     phase: Scalar = 0
     mean: Scalar = 0
-    kind: ClassVar[str] = "drive"
 
     @property
     def text(self) -> str:
@@ -117,16 +141,16 @@ class Harmonic:
         """The closed form."""
         return Motion(self.mean + self.amplitude * sp.sin(self.frequency * T + self.phase))
 
-    def slots(self, freedom: Freedom) -> Iterator[Slot]:
+    def slots(self, scene: Declared) -> Iterator[Slot]:
         """Amplitude, frequency, phase, mean."""
-        yield Slot(f"effect {self.name}, amplitude", self.amplitude, freedom.units[0])
-        yield Slot(f"effect {self.name}, frequency", self.frequency, "rad/s")
-        yield Slot(f"effect {self.name}, phase", self.phase, "rad")
-        yield Slot(f"effect {self.name}, mean", self.mean, freedom.units[0])
+        yield Slot(f"{self.where}, amplitude", self.amplitude, self.freedom(scene).units[0])
+        yield Slot(f"{self.where}, frequency", self.frequency, "rad/s")
+        yield Slot(f"{self.where}, phase", self.phase, "rad")
+        yield Slot(f"{self.where}, mean", self.mean, self.freedom(scene).units[0])
 
 
 @dataclass(frozen=True)
-class Drive:
+class Drive(AnyDrive):
     """A drive whose position, or speed, or acceleration is an expression of the time T, of parameters and of tables: exactly one of them is given.
 
     A speed is integrated from the coordinate `start`, an acceleration also from the speed `start_speed`. A `Table` has as many continuous
@@ -140,7 +164,6 @@ class Drive:
     acceleration: Scalar | None = None
     start: Scalar = 0
     start_speed: Scalar = 0
-    kind: ClassVar[str] = "drive"
 
     @property
     def _given(self) -> list[tuple[int, str, Any]]:
@@ -153,30 +176,35 @@ class Drive:
         return ", ".join(f"{what} of {self.joint} = {shown(law)}" for _, what, law in self._given)
 
     @property
+    def integrates(self) -> bool:
+        """Unless the position is given."""
+        return self.position is None
+
+    @property
     def motion(self) -> Motion:
         """As declared."""
         order, _, law = self._given[0]
         return Motion(as_choice(law), order, (self.start, self.start_speed)[:order])
 
-    def slots(self, freedom: Freedom) -> Iterator[Slot]:
+    def slots(self, scene: Declared) -> Iterator[Slot]:
         """The law, and what it starts from."""
-        units = (freedom.units[0], freedom.units[1], f"{freedom.units[0]}/s^2")
+        coordinate, rate, _ = self.freedom(scene).units
+        units = (coordinate, rate, f"{coordinate}/s^2")
         for order, what, law in self._given:
-            yield Varying(f"effect {self.name}, {what}", law, units[order], on=(TIME,), derivatives=2 - order)
-        yield Slot(f"effect {self.name}, start", self.start, freedom.units[0])
-        yield Slot(f"effect {self.name}, start speed", self.start_speed, freedom.units[1])
+            yield Varying(f"{self.where}, {what}", law, units[order], on=(TIME,), derivatives=2 - order)
+        yield Slot(f"{self.where}, start", self.start, coordinate)
+        yield Slot(f"{self.where}, start speed", self.start_speed, rate)
 
-    def faults(self) -> Iterator[Fault]:
+    def type_faults(self) -> Iterator[Fault]:
         """Not exactly one law, or a start that its law does not need."""
-        where = f"effect {self.name}"
+        yield from super().type_faults()
         if len(self._given) != 1:
             found = " and ".join(what for _, what, _ in self._given) or "none of them"
-            yield Fault(where, found, "one of position, speed and acceleration", "The others follow from it.")
+            yield Fault(self.where, found, "one of position, speed and acceleration", "The others follow from it.")
             return
         order, what, _ = self._given[0]
         for name, value, needed in (("start", self.start, 1), ("start_speed", self.start_speed, 2)):
             if order < needed and value != 0:
-                yield Fault(where, f"{name} {value} beside a {what}", f"{name} 0", f"The {what} says where it begins.")
-
-
-AnyDrive = ConstantSpeed | Ramp | Harmonic | Drive
+                yield Fault(
+                    self.where, f"{name} {value} beside a {what}", f"{name} 0", f"The {what} says where it begins."
+                )

@@ -1,20 +1,24 @@
-"""Linear springs and dampers, on a joint's coordinate or between two points; friction of a joint under a declared load."""
+"""Linear springs and dampers, on a joint's coordinate or between two points."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
-from hertzwerk.derive.effects.expression import Varying
-from hertzwerk.derive.laws.law import BoundLaw
+import sympy as sp
+
+from hertzwerk.derive.algebra.functions import Where
+from hertzwerk.derive.algebra.vectors import Vector, dot, scale, sub
+from hertzwerk.derive.effects.effect import Declared, Effect, Element, JointEffect, Kinematics, Mark
+from hertzwerk.derive.effects.expression import COORDINATE
+from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Point, Slot
-from hertzwerk.derive.mechanism.joints import Freedom
 from hertzwerk.derive.mechanism.parameter import NOT_NEGATIVE, POSITIVE, Scalar
 
 
 @dataclass(frozen=True)
-class JointSpring:
+class JointSpring(JointEffect):
     """A spring on a joint's coordinate, k (q - rest) [N/m, or N m per rad], torsional on a revolute joint."""
 
     name: str
@@ -22,39 +26,98 @@ class JointSpring:
     stiffness: Scalar
     rest: Scalar = 0
     kind: ClassVar[str] = "spring"
+    asks: ClassVar[str] = COORDINATE
+    drawn: ClassVar[bool] = True
 
     @property
     def text(self) -> str:
         """What the effect is, for people."""
         return f"linear spring of {self.joint}"
 
-    def slots(self, freedom: Freedom) -> Iterator[Slot]:
+    def slots(self, scene: Declared) -> Iterator[Slot]:
         """Stiffness, and the coordinate at which it is at rest."""
-        yield Slot(f"effect {self.name}, stiffness", self.stiffness, _per(freedom, freedom.units[0]), NOT_NEGATIVE)
-        yield Slot(f"effect {self.name}, rest", self.rest, freedom.units[0])
+        coordinate, _, force = self.freedom(scene).units
+        yield Slot(f"{self.where}, stiffness", self.stiffness, f"{force}/({coordinate})", NOT_NEGATIVE)
+        yield Slot(f"{self.where}, rest", self.rest, coordinate)
+
+    def element(self, kin: Kinematics) -> Element:
+        """The force, and the energy stored."""
+        stiffness = sp.sympify(self.stiffness)
+        stretch = kin.tape.let(kin.coordinate(self.joint) - sp.sympify(self.rest), f"{self.name}_stretch")
+        force = kin.tape.let(-stiffness * stretch, f"{self.name}_force")
+        return Element(kin.on_joint(self.joint, force, self.name), stored=stiffness * stretch**2 / 2)
 
 
 @dataclass(frozen=True)
-class JointDamper:
+class JointDamper(JointEffect):
     """Viscous friction of a joint, c q' [N s/m, or N m s per rad]."""
 
     name: str
     joint: str
     damping: Scalar
     kind: ClassVar[str] = "damper"
+    drawn: ClassVar[bool] = True
 
     @property
     def text(self) -> str:
         """What the effect is, for people."""
         return f"viscous damper of {self.joint}"
 
-    def slots(self, freedom: Freedom) -> Iterator[Slot]:
+    def slots(self, scene: Declared) -> Iterator[Slot]:
         """The coefficient."""
-        yield Slot(f"effect {self.name}, damping", self.damping, _per(freedom, freedom.units[1]), NOT_NEGATIVE)
+        _, speed, force = self.freedom(scene).units
+        yield Slot(f"{self.where}, damping", self.damping, f"{force}/({speed})", NOT_NEGATIVE)
+
+    def element(self, kin: Kinematics) -> Element:
+        """The force, and the power dissipated."""
+        speed = kin.speed(self.joint)
+        force = kin.tape.let(-sp.sympify(self.damping) * speed, f"{self.name}_force")
+        return Element(kin.on_joint(self.joint, force, self.name), power=-force * speed)
+
+
+class _BetweenPoints(Effect):
+    """A force along the line through two points, of two bodies."""
+
+    first: Point
+    second: Point
+
+    @property
+    def points(self) -> tuple[Point, ...]:
+        """Both ends."""
+        return self.first, self.second
+
+    def slots(self, scene: Declared) -> Iterator[Slot]:
+        """Those of the points."""
+        yield from self.first.slots()
+        yield from self.second.slots()
+
+    def faults(self, scene: Declared) -> Iterator[Fault]:
+        """Both ends on one body."""
+        yield from super().faults(scene)
+        if self.first.body == self.second.body:
+            yield Fault(self.where, f"both ends on {self.first.body.name}", "points of two different bodies")
+
+    def landmarks(self, scene: Declared) -> Iterator[Mark]:
+        """Both ends."""
+        yield self.kind, "first", self.first, {}
+        yield self.kind, "second", self.second, {}
+
+    def _line(self, kin: Kinematics) -> tuple[Vector, Vector]:
+        """From the first end to the second [m], and its rate [m/s]."""
+        one, one_rate, _ = kin.point(self.first, f"{self.name}_first")
+        two, two_rate, _ = kin.point(self.second, f"{self.name}_second")
+        between = kin.tape.vector(sub(two, one), f"{self.name}_between")
+        return between, kin.tape.vector(sub(two_rate, one_rate), f"{self.name}_rate")
+
+    def _pulled(self, kin: Kinematics, tension: Any, between: Vector) -> dict[str, Any]:
+        """Generalised forces of a tension [N/m] times the vector between the ends, which pulls them together."""
+        force = kin.tape.vector(scale(tension, between), f"{self.name}_force")
+        position, _, _ = kin.point(self.first, f"{self.name}_first")
+        return kin.generalised(force, position, self.first.body, self.second.body, self.name)
 
 
 @dataclass(frozen=True)
-class PointSpring:
+class PointSpring(_BetweenPoints):
     """A spring between two points, k (distance - rest length) along the line through them; without a rest length it needs no direction.
 
     Where the points coincide the direction of a spring with a rest length is undefined, and it pulls nowhere.
@@ -72,22 +135,29 @@ class PointSpring:
         """What the effect is, for people."""
         return f"linear spring between {self.first.body.name} and {self.second.body.name}"
 
-    @property
-    def places(self) -> tuple[Point, Point]:
-        """Both ends."""
-        return self.first, self.second
-
-    def slots(self) -> Iterator[Slot]:
+    def slots(self, scene: Declared) -> Iterator[Slot]:
         """Points, stiffness, rest length."""
-        yield from self.first.slots()
-        yield from self.second.slots()
-        yield Slot(f"effect {self.name}, stiffness", self.stiffness, "N/m", NOT_NEGATIVE)
+        yield from super().slots(scene)
+        yield Slot(f"{self.where}, stiffness", self.stiffness, "N/m", NOT_NEGATIVE)
         if self.rest_length is not None:
-            yield Slot(f"effect {self.name}, rest length", self.rest_length, "m", POSITIVE)
+            yield Slot(f"{self.where}, rest length", self.rest_length, "m", POSITIVE)
+
+    def element(self, kin: Kinematics) -> Element:
+        """The force, and the energy stored."""
+        between, _ = self._line(kin)
+        stiffness = sp.sympify(self.stiffness)
+        squared = kin.tape.let(dot(between, between), f"{self.name}_squared")
+        if self.rest_length is None:
+            return Element(self._pulled(kin, stiffness, between), stored=stiffness * squared / 2)
+        rest = sp.sympify(self.rest_length)
+        # where the ends coincide the length counts as the rest length: nothing is divided by zero, in the derivatives either
+        reach = kin.tape.let(sp.sqrt(Where(squared > 0, squared, rest**2)), f"{self.name}_length")
+        tension = kin.tape.let(stiffness * (1 - rest / reach), f"{self.name}_per_length")
+        return Element(self._pulled(kin, tension, between), stored=stiffness * (sp.sqrt(squared) - rest) ** 2 / 2)
 
 
 @dataclass(frozen=True)
-class PointDamper:
+class PointDamper(_BetweenPoints):
     """A damper between two points, c times the rate of their distance, along the line through them; no force where they coincide."""
 
     name: str
@@ -101,52 +171,16 @@ class PointDamper:
         """What the effect is, for people."""
         return f"viscous damper between {self.first.body.name} and {self.second.body.name}"
 
-    @property
-    def places(self) -> tuple[Point, Point]:
-        """Both ends."""
-        return self.first, self.second
-
-    def slots(self) -> Iterator[Slot]:
+    def slots(self, scene: Declared) -> Iterator[Slot]:
         """Points and coefficient."""
-        yield from self.first.slots()
-        yield from self.second.slots()
-        yield Slot(f"effect {self.name}, damping", self.damping, "N s/m", NOT_NEGATIVE)
+        yield from super().slots(scene)
+        yield Slot(f"{self.where}, damping", self.damping, "N s/m", NOT_NEGATIVE)
 
-
-@dataclass(frozen=True)
-class JointFriction:
-    """Friction of a joint by a law of its sliding velocity: of a prismatic joint its speed, of a revolute one `radius` (of the journal) times it.
-
-    The normal force is declared, an expression if need be (a preload, a weight); the joint's own reaction is not fed back. That neglects how
-    the load varies with the motion, and keeps the accelerations explicit: a reaction depends on the accelerations, which depend on the friction.
-    """
-
-    name: str
-    joint: str
-    law: BoundLaw
-    normal_force: Scalar
-    radius: Scalar | None = None
-    kind: ClassVar[str] = "joint_friction"
-    takes: ClassVar[str] = "friction"
-    unchecked: ClassVar[bool] = False
-
-    @property
-    def text(self) -> str:
-        """What the effect is, for people."""
-        return f"{self.law.law.name} in {self.joint} under a declared normal force"
-
-    @property
-    def laws(self) -> tuple[BoundLaw, ...]:
-        """The one law."""
-        return (self.law,)
-
-    def slots(self, freedom: Freedom) -> Iterator[Slot]:
-        """The parameters of the law, the normal force, the radius."""
-        yield from self.law.slots(f"effect {self.name}", {})
-        yield Varying(f"effect {self.name}, normal force", self.normal_force, "N", NOT_NEGATIVE)
-        if freedom.kind == "turn" and self.radius is not None:
-            yield Slot(f"effect {self.name}, radius", self.radius, "m", POSITIVE)
-
-
-def _per(freedom: Freedom, unit: str) -> str:
-    return f"{freedom.units[2]}/({unit})"
+    def element(self, kin: Kinematics) -> Element:
+        """The force, and the power dissipated."""
+        between, rate = self._line(kin)
+        squared = kin.tape.let(dot(between, between), f"{self.name}_squared")
+        along = kin.tape.let(dot(between, rate), f"{self.name}_along")
+        nonzero = Where(squared > 0, squared, sp.sympify(kin.scene.scales.length) ** 2)
+        drag = kin.tape.let(sp.sympify(self.damping) * along / nonzero, f"{self.name}_per_length")
+        return Element(self._pulled(kin, drag, between), power=drag * along)

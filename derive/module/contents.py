@@ -60,7 +60,7 @@ def _placement(system: System) -> list[Function]:
 
 
 def _idle_fault(system: System, name: str) -> Fault:
-    driven = getattr(system.scene.effect(name), "joint", "") in system.scene.driven
+    driven = any(key in system.scene.driven for key in system.scene.effect(name).joints)
     why = "its joint is driven, whatever acts on it" if driven else "what it acts on cannot move that way"
     return Fault(
         f"effect {name}",

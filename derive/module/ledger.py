@@ -15,9 +15,9 @@ def ledger(system: System) -> Function:
         system.tape.input(f"{row.key.replace('.', '_')}_reaction_in", "reactions", dimension_of(row.unit)) * row.speed
         for row in system.driven
     ]
-    drives = f"{system.scene.of_kind('ledger')[0].name}.input"
     rows = {f"{effect.name}.{e.booked}": e.power for effect, e in system.elements.items() if e.power is not None}
-    rows[drives] = sp.Add(*power)
+    if system.scene.ledger is not None:
+        rows[f"{system.scene.ledger.name}.input"] = sp.Add(*power)
     values = [rows.get(name, sp.S.Zero) for name, _ in system.memory]
     return system.function(
         "ledger",

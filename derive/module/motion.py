@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from hertzwerk.derive.effects.gravity import Gravity
 from hertzwerk.derive.module.results import MULTIPLIER_UNITS, SECOND_UNITS, dimension_of, of_loops
 from hertzwerk.derive.module.system import System
 from hertzwerk.derive.motion.kinematics import acceleration_of
@@ -28,8 +29,8 @@ def coordinate_rates(system: System) -> Function:
 def applied(system: System) -> Function:
     """Generalised forces other than contact forces."""
     weight = {row.key: system.equations.gravity(row) for row in system.rows}
-    for effect in system.scene.of_kind("gravity"):
-        system.enter(effect.name, weight)
+    for gravity in system.scene.all(Gravity):
+        system.enter(gravity.name, weight)
     for effect, e in system.elements.items():
         system.enter(effect.name, e.forces)
     f = [sp.Add(weight[row.key], *(e.forces.get(row.key, 0) for e in system.elements.values())) for row in system.rows]

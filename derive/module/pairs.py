@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from hertzwerk.derive.contact.contact_forces import Forces, PairKinematics
-from hertzwerk.derive.declare.scene import Contact, Friction
+from hertzwerk.derive.effects.contacts import Contact, Friction
 from hertzwerk.derive.module.system import System
 from hertzwerk.derive.program.program import Function, Result
 

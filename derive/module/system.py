@@ -10,18 +10,17 @@ from functools import cached_property
 from typing import Any
 
 from hertzwerk.derive.contact.contact_forces import PairKinematics
-from hertzwerk.derive.declare.scene import Contact, Friction, Scene
-from hertzwerk.derive.effects.element import DISSIPATED
-from hertzwerk.derive.effects.elements import element
+from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.effects.effect import CONTACT, DISSIPATED, NOWHERE
 from hertzwerk.derive.faults import InputError
 from hertzwerk.derive.laws.law import speed_limit
 from hertzwerk.derive.mechanism.joints import Port
 from hertzwerk.derive.module.joints import Joints
 from hertzwerk.derive.module.landmarks import Landmark, landmarks_of
 from hertzwerk.derive.module.results import dimension_of, ports_of, vector
+from hertzwerk.derive.module.surroundings import Surroundings
 from hertzwerk.derive.motion.absolute import Absolute
 from hertzwerk.derive.motion.equations import Equations
-from hertzwerk.derive.motion.kinematics import Kinematics
 from hertzwerk.derive.motion.periods import period
 from hertzwerk.derive.motion.resistance import resistance_faults
 from hertzwerk.derive.program.program import Function, Result, Tape
@@ -35,13 +34,13 @@ class System:
         self.tape = Tape()
         for parameter, dimension in scene.dimensions.items():
             self.tape.input(parameter.name, "p", dimension, symbol=parameter)
-        self.kin = Kinematics(self.tape, scene)
+        self.kin = Surroundings(self.tape, scene)
         self.equations = Equations(self.kin, scene)
         self.contacts = [
             (PairKinematics(self.kin, pair, scene.geometry(pair.name)), contact, friction)
             for pair, contact, friction in scene.contacts
         ]
-        found = {effect: element(effect, self.kin, scene) for effect in scene.effects}
+        found = {effect: effect.element(self.kin) for effect in scene.effects}
         self.elements = {effect: e for effect, e in found.items() if e is not None}
         rows = list(self.equations.free)
         if scene.ledger:
@@ -66,17 +65,17 @@ class System:
             if contact.latches
         }
         # effects with a term in an equation of motion, noted by `enter`; drives and ledgers need none
-        self.entered = {effect.name for effect in scene.effects if effect.kind in ("drive", "ledger")}
+        self.entered = {effect.name for effect in scene.effects if effect.enters == NOWHERE}
         self.joints = Joints(self.tape, scene) if isinstance(scene, Absolute) else None
 
     def _memory(self) -> list[tuple[str, str]]:
         """Entries of z as (name, unit); those that functions read come first, in the order of the inputs."""
         bristles = [(f"{name}.bristle", "m") for name in self.bristles]
-        if not self.scene.ledger:
+        ledger = self.scene.ledger
+        if ledger is None:
             return bristles
-        ledger = self.scene.of_kind("ledger")[0].name
-        drives = [(f"{ledger}.input", "J")] if self.driven else []
-        rows = {effect.name: DISSIPATED for effect in self.scene.effects if isinstance(effect, Contact | Friction)}
+        drives = [(f"{ledger.name}.input", "J")] if self.driven else []
+        rows = {effect.name: DISSIPATED for effect in self.scene.effects if effect.enters == CONTACT}
         rows |= {effect.name: e.booked for effect, e in self.elements.items() if e.power is not None}
         booked = [(f"{e.name}.{rows[e.name]}", "J") for e in self.scene.effects if e.name in rows]
         return bristles + drives + booked

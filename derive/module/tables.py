@@ -27,7 +27,7 @@ def tables(system: System) -> Mapping[str, tuple[Any, ...]]:
     quaternions = _quaternions(system.coordinates)
     return {
         "EFFECTS": tuple((effect.name, effect.kind, effect.text) for effect in scene.effects),
-        "UNCHECKED": tuple((e.name, e.text) for e in scene.effects if getattr(e, "unchecked", False)),
+        "UNCHECKED": tuple((e.name, e.text) for e in scene.effects if e.unchecked),
         **_advice(scene),
         "PARAMETERS": tuple(
             (p.name, p.unit, p.default, p.meaning or meanings.get(p.name, "")) for p in scene.parameters.values()

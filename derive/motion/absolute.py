@@ -199,10 +199,9 @@ def _effect_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:
     closing = {freedom.key: (joint, freedom) for joint in scene.mechanism.tree for freedom in joint.freedoms}
     remedy = "Keep the joints' coordinates: coordinates='tree'."
     for effect in scene.effects:
-        symbols = [symbol for slot in _slots_of(effect, closing) for symbol in states_in(slot.value) if symbol.joint]
+        symbols = [symbol for slot in effect.slots(scene) for symbol in states_in(slot.value) if symbol.joint]
         asked = [(symbol.joint, symbol.what == COORDINATE) for symbol in symbols]
-        if hasattr(effect, "joint"):
-            asked.append((effect.joint, effect.kind == "spring"))
+        asked += [(key, effect.asks == COORDINATE) for key in effect.joints]
         for key, coordinate in asked:
             if key in kept:
                 continue
@@ -219,12 +218,6 @@ def _effect_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:
             elif coordinate and freedom.kind == "turn" and scene.mechanism.plane is None:
                 yield Fault(where, f"the angle of {key}, which in space is known up to whole turns alone", "its speed, or a mechanism that is plane",
                             remedy)  # fmt: skip
-
-
-def _slots_of(effect: Any, closing: dict[str, tuple[Joint, Freedom]]) -> Iterator[Slot]:
-    if hasattr(effect, "joint"):
-        return iter(effect.slots(closing[effect.joint][1]))
-    return iter(() if hasattr(effect, "pair") else effect.slots())
 
 
 # -- from the joints' coordinates --------------------------------------------------------------------------------------

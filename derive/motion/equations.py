@@ -13,6 +13,7 @@ import sympy as sp
 
 from hertzwerk.derive.algebra.vectors import ZERO, Vector, add, cross, dot, is_zero, scale
 from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.effects.gravity import Gravity
 from hertzwerk.derive.motion.axes import of_matrix
 from hertzwerk.derive.motion.constrained import Loops
 from hertzwerk.derive.motion.kinematics import Kinematics
@@ -122,7 +123,7 @@ class Equations:
         return self.tape.vector(link.change.back(self._pull(link.parent)), f"{link.name}_gravity")
 
     def _gravity_vector(self) -> Vector:
-        effects = self.scene.of_kind("gravity")
+        effects = self.scene.all(Gravity)
         if not effects:
             return ZERO
         return scale(sp.sympify(effects[0].acceleration), effects[0].direction.unit)

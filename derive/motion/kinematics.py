@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import sympy as sp
 
@@ -39,9 +39,6 @@ from hertzwerk.derive.mechanism.mechanism import Mechanism
 from hertzwerk.derive.motion.links import Link, Orientation, Row, Tree
 from hertzwerk.derive.program.program import Tape
 from hertzwerk.derive.units import parse_unit
-
-if TYPE_CHECKING:
-    from hertzwerk.derive.motion.loops import Measured
 
 
 @dataclass(frozen=True)
@@ -80,6 +77,7 @@ class Kinematics:
 
     def __init__(self, tape: Tape, scene: Scene, groups: tuple[str, str, str] = ("q", "u", "a")) -> None:
         self.tape = tape
+        self.scene = scene
         self.mechanism: Mechanism = scene.mechanism
         self.t = tape.input("t", "t", Dimension.from_unit(parse_unit("s"), {}))
         tape.set_rate(self.t, sp.S.One)
@@ -102,7 +100,7 @@ class Kinematics:
             if freedom.key not in motion:
                 motion[freedom.key] = self._driven(freedom, scene, groups[0])
         self.prescribed = {freedom.key: self._driven(freedom, scene, groups[0]) for freedom in scene.prescribed}
-        self._states = {key: (q[0], rows[0].speed) for key, (q, rows) in motion.items()}
+        self.states = {key: (q[0], rows[0].speed) for key, (q, rows) in motion.items()}
         self._motions = motion
         self.tree = Tree(tape, scene.mechanism, motion)
         # keyed by links and bodies, which live as long as this does
@@ -112,7 +110,6 @@ class Kinematics:
         self.origin_of = cache(self._origin)
         self.direction_of = cache(self._direction)
         self.turned = cache(self._turned_about)
-        self._measured = cache(self._measure)
 
     def _driven(self, freedom: Freedom, scene: Scene, group: str) -> tuple[tuple[Any, ...], tuple[Row, ...]]:
         """Coordinate, speed and acceleration of a driven freedom: the drive's law and its derivatives.
@@ -142,29 +139,12 @@ class Kinematics:
         return coordinates, tuple(row.speed for row in rows)
 
     def coordinate(self, key: str) -> Any:
-        """Coordinate of a scalar freedom, free, driven or measured on a closing joint [rad or m]."""
-        return self._states[key][0] if key in self._states else self._measured(key).value
+        """Coordinate of a scalar freedom of the tree, free or driven [rad or m]."""
+        return self.states[key][0]
 
     def speed(self, key: str) -> Any:
         """Rate of the coordinate [rad/s or m/s]."""
-        return self._states[key][1] if key in self._states else self._measured(key).rate
-
-    def on_joint(self, key: str, force: Any, name: str) -> dict[str, Any]:
-        """Generalised forces, by row, of a force along a slide or a torque about a turn.
-
-        It acts on the child, its reaction on the parent.
-        """
-        if key in self._states:
-            return {key: force}
-        return {
-            row: self.tape.let(force * share, f"{name}_on_{row.replace('.', '_')}")
-            for row, share in self._measured(key).column.items()
-        }
-
-    def _measure(self, key: str) -> Measured:
-        from hertzwerk.derive.motion.loops import measured  # which is written on this
-
-        return measured(self, key)
+        return self.states[key][1]
 
     def _turned_about(self, body: Frame, k: int) -> Any:
         """Angle of a body against the ground about a coordinate axis [rad].
@@ -291,6 +271,10 @@ class Kinematics:
     def motion(self, body: Frame) -> Motion:
         """Motion of the link that carries a body."""
         return self.motion_of(self.link_of(body))
+
+    def angular_velocity(self, body: Frame) -> Vector:
+        """Angular velocity of a body [rad/s]."""
+        return self.motion(body).angular_velocity
 
     def rotation(self, body: Frame) -> Matrix:
         """Rotation matrix from a body's axes to the ground's."""

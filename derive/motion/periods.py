@@ -26,11 +26,13 @@ def period(scene: Scene) -> Any | None:
     angles = {freedom.key for freedom in scene.mechanism.freedoms if freedom.units[0] == "rad"}
     frequencies: list[Any] = []
     try:
-        for effect in scene.of_kind("drive"):
-            frequencies += _of_drive(effect.motion, effect.joint in angles)
+        for joint, effect in scene.driven.items():
+            frequencies += _of_drive(effect.motion, joint in angles)
         for slot in scene.slots():
             value = as_choice(slot.value)
-            if T in states_in(value) and not any(slot.where.startswith(f"effect {name},") for name in _drives(scene)):
+            if T in states_in(value) and not any(
+                slot.where.startswith(f"{drive.where},") for drive in scene.driven.values()
+            ):
                 frequencies += _of(value)
         common = _common(frequencies)
     except _Aperiodic:
@@ -40,10 +42,6 @@ def period(scene: Scene) -> Any | None:
 
 class _Aperiodic(Exception):
     """Dependence on time without a common period."""
-
-
-def _drives(scene: Scene) -> list[str]:
-    return [effect.name for effect in scene.of_kind("drive")]
 
 
 def _of_drive(motion: Any, turns: bool) -> list[Any]:

@@ -9,12 +9,13 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.effects.contacts import Contact, Friction
+from hertzwerk.derive.effects.effect import APPLIED, Effect
+from hertzwerk.derive.effects.energy_ledger import EnergyLedger
 from hertzwerk.derive.program.program import symbols_in
 from hertzwerk.derive.readable.drafts import ENERGY, LEDGER, Draft, Part, pair_of
 from hertzwerk.derive.readable.marks import Marked
 from hertzwerk.derive.readable.symbols import contact_title
-
-_NOT_APPLIED = ("contact", "friction", "drive", "ledger")  # kinds that are no term of `applied`
 
 
 class Attribution:
@@ -23,7 +24,7 @@ class Attribution:
     def __init__(self, scene: Scene, marked: Marked, forms: Mapping[sp.Symbol, Any]) -> None:
         self._scene, self._marked, self._forms = scene, marked, forms
         self._effects = {effect.name: effect for effect in scene.effects}
-        self._pairs = {effect.pair for effect in scene.of_kind("contact")}
+        self._pairs = {effect.pair for effect in scene.all(Contact)}
 
     def split_by_effect(self, draft: Draft) -> None:
         """Split the generalised forces of an equation of motion by effect, in declared order."""
@@ -54,7 +55,7 @@ class Attribution:
             found |= self._effects_in(expression)
         found |= {self._of_contact(pair, draft, drafts) for pair in self._pairs if draft.section == contact_title(pair)}
         if draft.section in (LEDGER, ENERGY):
-            found |= {effect.name for effect in self._scene.of_kind("ledger")}
+            found |= {effect.name for effect in self._scene.all(EnergyLedger)}
         return tuple(name for name in self._effects if name in found)
 
     # -- by the marks ----------------------------------------------------------------------------------------------
@@ -79,10 +80,10 @@ class Attribution:
         if pair:
             friction = self._friction(pair)
             return friction if friction in far else pair
-        return ", ".join(e.name for e in self._effects.values() if e.name in far and e.kind not in _NOT_APPLIED)
+        return ", ".join(e.name for e in self._effects.values() if e.name in far and e.enters == APPLIED)
 
     def _friction(self, pair: str) -> str:
-        return next((effect.name for effect in self._scene.of_kind("friction") if effect.pair == pair), "")
+        return next((effect.name for effect in self._scene.all(Friction) if effect.pair == pair), "")
 
     def _of_contact(self, pair: str, draft: Draft, drafts: list[Draft]) -> str:
         """Attribute an equation of a contact to friction or to the normal force.
@@ -97,8 +98,8 @@ class Attribution:
         return friction if users and only else pair
 
 
-def sources(scene: Scene) -> Iterator[tuple[Any, str]]:
+def sources(scene: Scene) -> Iterator[tuple[Effect, str]]:
     """Yield every effect with the sources of its laws as text."""
     for effect in scene.effects:
-        laws = dict.fromkeys(bound.law for bound in getattr(effect, "laws", ()))
+        laws = dict.fromkeys(bound.law for bound in effect.laws)
         yield effect, "; ".join(f"{law.name}: {law.source}, grade {law.grade}" for law in laws)

@@ -153,7 +153,7 @@ class Drafts:
     def _rate_of_memory(self, pair: str, label: str, unit: str, expression: Any) -> Draft:
         name, what = label.rsplit(".", 1)
         effects = (name,) if name in self._effects else ()
-        if what == "input" and self._effects[name].kind == "ledger":
+        if what == "input" and self._program.scene.ledger is self._effects[name]:
             left, meaning = rf"\dot{{W}}_{{{words((what,))}}}", "power the drives put in"
         elif what == "input":
             left, meaning = rf"\dot{{W}}_{{{words(name.split('_'))}}}", f"power put in by {name}"
@@ -210,8 +210,9 @@ class Drafts:
             yield Draft(MOTION, f"row {row}", unit, f"motion of {row}", parts=parts)
 
     def _drive_of(self, row: str) -> str:
-        joints = (row, row.rsplit(".", 1)[0])
-        return next((e.name for e in self._effects.values() if e.kind == "drive" and e.joint in joints), "")
+        driven = self._program.scene.driven
+        drive = driven.get(row) or driven.get(row.rsplit(".", 1)[0])
+        return "" if drive is None else drive.name
 
 
 def multiplier(constraint: str) -> sp.Symbol:

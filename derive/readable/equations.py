@@ -34,7 +34,7 @@ from hertzwerk.derive.readable.drafts import (
 from hertzwerk.derive.readable.marks import Marked, marked
 from hertzwerk.derive.readable.record import Effect, Equation, Readable, Section, Symbol, Term
 from hertzwerk.derive.readable.substitution import Substitution
-from hertzwerk.derive.readable.symbols import Names, contact_title, film_title
+from hertzwerk.derive.readable.symbols import Names, contact_title
 
 LINE = 19  # most symbols of a sum on one line
 INTEGRAL = 40  # a stored energy of more symbols is shown as an integral
@@ -113,15 +113,11 @@ class _Reader:
         return "\n".join(self._laws(title)) or _NOTES.get(title, "")
 
     def _laws(self, title: str) -> Iterator[str]:
-        effects: tuple[Any, ...] = self.scene.effects
-        for effect in effects:
-            own = (
-                film_title(effect.name) if effect.kind == "lubrication" else contact_title(getattr(effect, "pair", ""))
-            )
-            if title == own:
-                for bound in getattr(effect, "laws", ()):
+        for effect in self.scene.effects:
+            if title == effect.section:
+                for bound in effect.laws:
                     yield f"- `{effect.name}`: {bound.law.title}. {bound.law.source}, grade {bound.law.grade}."
-                if getattr(effect, "unchecked", False):
+                if effect.unchecked:
                     yield f"- `{effect.name}` is UNCHECKED: its units do not hold."
 
     def _open(self, drafts: list[Draft]) -> tuple[sp.Symbol, ...]:

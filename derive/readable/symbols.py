@@ -12,7 +12,6 @@ from hertzwerk.derive.algebra.notation import latex_name
 from hertzwerk.derive.laws.law import GEOMETRY, Quantity
 from hertzwerk.derive.mechanism.parameter import Parameter
 from hertzwerk.derive.program.program import Program
-from hertzwerk.derive.readable.films import FILM, FILM_LANDMARKS
 
 AXES = ("x", "y", "z")
 
@@ -133,18 +132,14 @@ def contact_title(pair: str) -> str:
     return f"Contact {pair}"
 
 
-def film_title(effect: str) -> str:
-    """Title of a film's section."""
-    return f"Film {effect}"
-
-
 class Names:
     """LaTeX and meaning of the symbols of a program; no two symbols look the same."""
 
     def __init__(self, program: Program, units: dict[sp.Symbol, str], meanings: Mapping[str, str]) -> None:
         self._program, self._units, self._meanings = program, units, meanings
-        films = {effect.name: FILM for effect in program.scene.effects if effect.kind == "lubrication"}
-        self._words = dict.fromkeys((name for name, _ in program.tables["PAIRS"]), PAIR) | films
+        self._effects = {effect.name: effect for effect in program.scene.effects if effect.quantities}
+        words_of = {name: effect.quantities for name, effect in self._effects.items()}
+        self._words = dict.fromkeys((name for name, _ in program.tables["PAIRS"]), PAIR) | words_of
         self._owners = sorted(self._words, key=len, reverse=True)
         self._law_meanings = dict(_law_symbols(program.scene))
         self._ports = self._port_names()
@@ -172,18 +167,18 @@ class Names:
         return f"what holds the constraint {text.removesuffix(' multiplier')}" if symbol.name.endswith(_HOLDS) else text
 
     def title_of(self, symbol: sp.Symbol) -> str:
-        """Title of the section of the contact pair or film a symbol belongs to; "" for none."""
+        """Title of the section of the contact pair or effect a symbol belongs to; "" for none."""
         owner = next((name for name in self._owners if symbol.name.startswith(f"{name}_")), "")
-        return "" if not owner else film_title(owner) if self._words[owner] is FILM else contact_title(owner)
+        return self._effects[owner].section if owner in self._effects else contact_title(owner) if owner else ""
 
     def port(self, group: str, place: int) -> str:
         """LaTeX of an input, by its group and position."""
         return self._ports[[s for s, of in self._program.tape.inputs.items() if of == group][place]][0]
 
     def is_landmark(self, symbol: sp.Symbol) -> bool:
-        """Whether readers look for it by name: a quantity of a contact or film, or defined by its laws."""
+        """Whether readers look for it by name: a quantity of a contact or effect, or defined by its laws."""
         owner, rest, _ = self._split_owner(symbol.name)
-        landmarks = FILM_LANDMARKS if owner and self._words[owner] is FILM else LANDMARKS
+        landmarks = self._effects[owner].sought if owner in self._effects else LANDMARKS
         return rest in landmarks or rest in self._law_meanings
 
     # -- letters ---------------------------------------------------------------------------------------------------
@@ -293,7 +288,7 @@ def _law_symbols(scene: Any) -> Iterable[tuple[str, str]]:
     """Yield name and meaning of the defined and geometric symbols of the laws in use."""
     yield from _LAW.items()
     for effect in scene.effects:
-        for bound in getattr(effect, "laws", ()):
+        for bound in effect.laws:
             yield from ((symbol.name, symbol.meaning) for symbol in bound.law.symbols() if isinstance(symbol, Quantity))
 
 

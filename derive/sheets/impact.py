@@ -21,8 +21,9 @@ from mpmath import mp, mpf
 
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.audit.rescaling import evaluate
-from hertzwerk.derive.declare.scene import Contact, Scales, Scene, Start
+from hertzwerk.derive.declare.scene import Scales, Scene, Start
 from hertzwerk.derive.dimension.dimension import Dimension
+from hertzwerk.derive.effects.contacts import Contact
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import DampingLaw, F, Quantity, d, m_eff, v
 from hertzwerk.derive.laws.stiffness import power

@@ -43,14 +43,13 @@ def faults_of(scene: Scene) -> tuple[Fault, ...]:
     found.extend(broken)
     sound = sound_of(parameters, broken)
     table = dimensions_of(sound)
-    freedoms = {freedom.key: freedom for freedom in scene.mechanism.freedoms if freedom.scalar}
     for slot in scene.declarations():
         if not all(sound.get(parameter.name) == parameter for parameter in parameters_of(slot.value)):
             continue
         if isinstance(slot, Posed):
             found.extend(posed_faults(slot, table))
         elif isinstance(slot, Varying):
-            found.extend(expression_faults(slot, freedoms, table, partial(quantity_faults, table=table)))
+            found.extend(expression_faults(slot, scene.scalars, table, partial(quantity_faults, table=table)))
         else:
             found.extend(quantity_faults(slot, table))
         found.extend(rate_faults(slot))
@@ -74,7 +73,7 @@ def _wording_faults(scene: Scene) -> Iterator[Fault]:
     yield from text_faults("scene, summary", scene.summary)
     for effect in scene.effects:
         yield from text_faults(f"effect {effect.name}, text", effect.text)
-        for law in (bound.law for bound in getattr(effect, "laws", ())):
+        for law in (bound.law for bound in effect.laws):
             where = f"law {law.name}"
             yield from name_faults("law", law.name)
             for what in ("title", "source", "note", "repair", "fitted_in"):
@@ -87,4 +86,4 @@ def _wording_faults(scene: Scene) -> Iterator[Fault]:
 def _expressions(scene: Scene) -> Iterator[Any]:
     """Of every quantity; of effects on joints that are not there too."""
     yield from (slot.value for slot in scene.slots())
-    yield from (value for effect in scene.effects if hasattr(effect, "joint") for value in vars(effect).values())
+    yield from (value for effect in scene.effects for value in vars(effect).values())

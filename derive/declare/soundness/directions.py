@@ -40,4 +40,5 @@ def directions(scene: Scene) -> Iterator[tuple[str, Any]]:
                 yield from ((f"joint {joint.name}, turned point, axis", direction) for direction, _ in point.turns)
     for pair in scene.mechanism.pairs:
         yield from ((f"pair {pair.name}, {name}", direction) for name, direction in pair.directions.items())
-    yield from ((f"effect {effect.name}, direction", effect.direction) for effect in scene.of_kind("gravity"))
+    for effect in scene.effects:
+        yield from ((f"{effect.where}, {name}", direction) for name, direction in effect.directions.items())

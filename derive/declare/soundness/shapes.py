@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields, is_dataclass
 from typing import TYPE_CHECKING, Any
 
+from hertzwerk.derive.effects.effect import Effect
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Body
 from hertzwerk.derive.mechanism.joints import Joint
@@ -52,7 +53,7 @@ def shape_faults(scene: Scene) -> Iterator[Fault]:
 
 
 def _is_effect(effect: Any) -> bool:
-    return is_dataclass(effect) and all(hasattr(effect, name) for name in ("kind", "name", "slots"))
+    return isinstance(effect, Effect) and is_dataclass(effect) and hasattr(effect, "kind")
 
 
 def _all(what: str, records: Any, expected: str, fits: Callable[[Any], bool]) -> Iterator[Fault]:

@@ -6,9 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.declare.soundness.directions import direction_faults, directions
-from hertzwerk.derive.effects.faults import type_faults
 from hertzwerk.derive.faults import Fault
-from hertzwerk.derive.laws.law import BoundLaw, Law
 from hertzwerk.derive.mechanism.bodies import Body, Direction, Ground, Point
 
 if TYPE_CHECKING:
@@ -20,7 +18,7 @@ def scene_type_faults(scene: Scene) -> Iterator[Fault]:
     if scene.coordinates not in ("tree", "absolute", "auto"):
         yield Fault("coordinates", repr(scene.coordinates), "'tree', 'absolute' or 'auto'")
     for effect in scene.effects:
-        yield from type_faults(effect)
+        yield from effect.type_faults()
     for joint in scene.mechanism.joints:
         where = f"joint {joint.name}"
         yield from _is(where, "parent", joint.parent.body, Body | Ground, "a Body, GROUND, or a point of one")
@@ -42,13 +40,6 @@ def scene_type_faults(scene: Scene) -> Iterator[Fault]:
             yield from _three(f"{where}, {what}", values)
     for where, direction in directions(scene):
         yield from direction_faults(where, direction)
-    for effect in scene.of_kind("contact"):
-        yield from _law_faults(effect.name, "stiffness", effect.stiffness)
-        if effect.damping is not None:
-            yield from _law_faults(effect.name, "damping", effect.damping)
-    lawful: list[Any] = [effect for effect in scene.effects if hasattr(effect, "takes")]
-    for effect in lawful:
-        yield from _law_faults(effect.name, effect.takes, effect.law)
 
 
 def _is(where: str, what: str, value: Any, kind: Any, expected: str) -> Iterator[Fault]:
@@ -68,14 +59,3 @@ def _point(where: str, point: Point) -> Iterator[Fault]:
 def _three(where: str, values: Any) -> Iterator[Fault]:
     if not isinstance(values, tuple) or len(values) != 3:
         yield Fault(where, repr(values), "three values, (x, y, z)")
-
-
-def _law_faults(effect: str, kind: str, bound: Any) -> Iterator[Fault]:
-    where = f"effect {effect}, {kind}"
-    if isinstance(bound, Law):
-        names = ", ".join(parameter.name for parameter in bound.parameters)
-        yield Fault(where, f"law {bound.name} without its parameters", f"{bound.name}({names})")
-    elif not isinstance(bound, BoundLaw):
-        yield Fault(where, repr(bound), f"a {kind} law with its parameters")
-    elif bound.law.kind != kind:
-        yield Fault(where, f"{bound.law.name}, a {bound.law.kind} law", f"a {kind} law")

@@ -12,8 +12,11 @@ from itertools import pairwise
 
 import sympy as sp
 
-from hertzwerk.derive.declare.scene import Contact, EnergyLedger, Friction, Gravity, Scales, Scene, Start
+from hertzwerk.derive.declare.scene import Scales, Scene, Start
+from hertzwerk.derive.effects.contacts import Contact, Friction
+from hertzwerk.derive.effects.energy_ledger import EnergyLedger
 from hertzwerk.derive.effects.forces import JointForce
+from hertzwerk.derive.effects.gravity import Gravity
 from hertzwerk.derive.laws import coulomb, exact, flores, kelvin_voigt, lugre, power, ristow, smooth_coulomb
 from hertzwerk.derive.laws.law import BoundLaw, DampingLaw
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Direction, X, Y, Z

@@ -177,8 +177,8 @@ BAD = {
         lambda: drop(effects=(GRAVITY, ConstantSpeed("gravity", "fall", Parameter("w", "m/s", 1.0)))), "effect gravity", "2 of this name", "unique",
     ),
     "two contacts of one pair": (lambda: drop(effects=(BOUNCE, BOUNCE)), "effect floor", "2 of this name", "unique"),
-    "two ledgers": (lambda: drop(effects=(EnergyLedger("one"), EnergyLedger("two"))), "effects", "2 of kind ledger", "at most one"),
-    "two gravities": (lambda: drop(effects=(GRAVITY, replace(GRAVITY, name="more"))), "effects", "2 of kind gravity", "at most one"),
+    "two ledgers": (lambda: drop(effects=(EnergyLedger("one"), EnergyLedger("two"))), "ledger of the scene", "2", "one"),
+    "two gravities": (lambda: drop(effects=(GRAVITY, replace(GRAVITY, name="more"))), "gravity of the scene", "2", "one"),
     "two drives of one joint": (
         lambda: drop(
             joints=(FALL, Prismatic("side", BALL, STRANGER, axis=X)),

@@ -5,13 +5,11 @@ the derivation starts from the velocity midway between the centres. Neither sees
 """
 
 import re
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
-from typing import ClassVar
 
 import numpy as np
 import pytest
-import sympy as sp
 from derived import Derived
 from film import ETA, LENGTH, PIN, C, by_quadrature
 
@@ -20,7 +18,6 @@ from hertzwerk.derive import (
     BallInSocket,
     Body,
     Contact,
-    Element,
     EnergyLedger,
     Free,
     Friction,
@@ -35,17 +32,13 @@ from hertzwerk.derive import (
     X,
     Z,
     audit_path,
-    element,
     generate,
     laws_from,
 )
 from hertzwerk.derive.audit.audit import InconsistentUnits
 from hertzwerk.derive.audit.rescaling import evaluate
-from hertzwerk.derive.effects.expression import Varying
 from hertzwerk.derive.laws import LAWS, flores, long_bearing, power, short_bearing
-from hertzwerk.derive.readable.equations import equations_of
 from hertzwerk.derive.scenes.journal_lubricated import scene as journal
-from hertzwerk.runtime import load, simulate
 
 LAYER = 2e-6  # m
 
@@ -355,61 +348,3 @@ def test_a_film_without_a_contact_law_is_a_film():
         derived("short_bearing").call("applied", t=0.0, q=q, u=u), rel=1e-14
     )
     assert alone.PAIRS == ()
-
-
-# -- a kind of effect of one's own -------------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class AirDrag:
-    """Drag k |v| v of a body's point [k in kg/m]: a kind that hertzwerk does not know."""
-
-    name: str
-    point: object
-    coefficient: object
-    kind: ClassVar[str] = "air_drag"
-    text: ClassVar[str] = "quadratic drag"
-
-    def slots(self):
-        yield Varying(f"effect {self.name}, coefficient", self.coefficient, "kg/m", on=())
-
-
-@element.register
-def _(effect: AirDrag, kin, scene):
-    position, velocity, _ = kin.point(effect.point, f"{effect.name}_point")
-    speed = kin.tape.let(sp.sqrt(sum(v**2 for v in velocity)), f"{effect.name}_speed")
-    force = kin.tape.vector(tuple(-effect.coefficient * speed * v for v in velocity), f"{effect.name}_force")
-    forces = kin.generalised(force, position, effect.point.body, GROUND, effect.name)
-    return Element(forces, power=effect.coefficient * speed**3, outputs=((f"{effect.name}.speed", "m/s", speed),))
-
-
-def test_a_kind_of_effect_that_does_nothing_is_refused():
-    @dataclass(frozen=True)
-    class Mystery(AirDrag):
-        kind: ClassVar[str] = "mystery"
-
-    element.register(Mystery, element.dispatch(object))
-    with pytest.raises(InputError, match="the kind 'mystery', which has no element"):
-        generate(scene(Mystery("x", pin.at(0, 0, 0), Parameter("k", "kg/m", 0.3)), TOUCHING))
-
-
-def test_a_new_kind_of_effect_is_one_record_and_its_element():
-    """v = v0/(1 + k v0 t/m), and the ledger, the outputs, `without` and the audit know of it without a line elsewhere."""
-    k = Parameter("k", "kg/m", 0.3)
-    thrown = Scene(
-        Mechanism("thrown", (Planar("flight", GROUND, pin),)),
-        (AirDrag("air", pin.at(0, 0, 0), k), EnergyLedger()),
-        Scales(length=radius, speed=Parameter("pace", "m/s", 1), arm=radius),
-    )
-    run = simulate(
-        load(thrown),
-        duration=2.0,
-        tolerance=1e-11,
-        initial={"flight.x_speed": (3, "m/s"), "flight.y_speed": (4, "m/s")},
-    )
-    assert run["air.speed"][-1] == pytest.approx(5 / (1 + 0.3 * 5 * 2 / 0.7), rel=1e-9)
-    assert run["air.dissipated"][-1] == pytest.approx(0.35 * (25 - run["air.speed"][-1] ** 2), rel=1e-9)
-    assert not re.search(r"\bair[_.\b]", generate(thrown.without("air")))
-    assert next(effect for effect in equations_of(thrown).effects if effect.name == "air").enters
-    with pytest.raises(InputError, match="kg/m"):
-        replace(thrown, effects=(AirDrag("air", pin.at(0, 0, 0), Parameter("k", "N", 1)),))

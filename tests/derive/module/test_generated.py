@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 from derived import Derived
 
-from hertzwerk.derive import generate
+from hertzwerk.derive import Friction, JointSpring, generate
 from hertzwerk.derive.mechanism.parameter import parameters_of
 from hertzwerk.derive.scenes import NAMES
 
@@ -269,7 +269,7 @@ def test_a_scene_without_an_effect_has_the_module_of_one_that_never_had_it(name)
     assert regenerated(name) == committed(name)
     scene = built_in(name)
     for effect in scene.effects:
-        with_it = [e.name for e in scene.of_kind("friction") if e.pair == effect.name]
+        with_it = [e.name for e in scene.all(Friction) if e.pair == effect.name]
         texts = [
             generate(s, f"derive/scenes/{name}.py")
             for s in (without(scene, effect.name), never_had(name, effect.name, *with_it))
@@ -279,7 +279,7 @@ def test_a_scene_without_an_effect_has_the_module_of_one_that_never_had_it(name)
 
 def without(scene, effect):
     """A scene without an effect and, where that is a contact, its friction."""
-    return scene.without(effect, *(e.name for e in scene.of_kind("friction") if e.pair == effect))
+    return scene.without(effect, *(e.name for e in scene.all(Friction) if e.pair == effect))
 
 
 @pytest.mark.parametrize(("name", "effect"), EFFECTS, ids=[f"{n} without {e}" for n, e in EFFECTS])
@@ -316,14 +316,14 @@ def test_an_effect_left_out_leaves_nothing_behind(name, effect):
         assert f"contact_{effect}" not in functions
         assert not [n for n in assigned if n.startswith(f"{effect}_")]
     if gone.kind == "friction":
-        others = tuple(f"{effect.pair}_" for effect in lean.of_kind("friction"))
+        others = tuple(f"{effect.pair}_" for effect in lean.all(Friction))
         left = [n for n in assigned if n not in still and not n.startswith(others)]
         assert not [n for n in left if "friction" in n or "drag" in n or "sliding" in n]
     if gone.kind == "ledger":
         assert not {"ledger", "energy"} & functions
         assert after.MEMORY == after.DISSIPATED == ()
         assert not [n for n in assigned if "power" in n or "energy" in n.replace("energy_scale", "") or "reaction" in n]
-    if gone.kind == "gravity" and not lean.of_kind("spring"):
+    if gone.kind == "gravity" and not lean.all(JointSpring):
         assert not np.any(after.call("applied", t=1e-3, q=after.start()[0], u=after.start()[1]))
     if gone.kind == "drive":
         assert len(after.SPEEDS) == len(before.SPEEDS) + 1

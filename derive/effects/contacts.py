@@ -1,0 +1,94 @@
+"""Contact of a pair and its friction, each by laws; their equations are those of the room `contact`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import ClassVar
+
+from hertzwerk.derive.effects.effect import CONTACT, Declared, Kinematics, PairEffect
+from hertzwerk.derive.faults import Fault, one_of
+from hertzwerk.derive.laws.law import APPROACH_SPEED, BoundLaw
+from hertzwerk.derive.mechanism.bodies import Slot
+from hertzwerk.derive.mechanism.parameter import POSITIVE, Parameter, Scalar
+
+APPROACH_FLOOR = Parameter(
+    "approach_floor", "m/s", 1e-3, "least approach speed a damping law is given; h/v0 is unbounded otherwise"
+)
+
+
+@dataclass(frozen=True)
+class Contact(PairEffect):
+    """Normal force of one pair: a stiffness law and, if called for, a damping law. The effect is named after its pair.
+
+    `effective_mass` is what a damping law that asks for one is given, by default m1 m2/(m1 + m2) of the two bodies.
+    `unchecked=True` lets an inconsistent law run in SI values; module, solution and plots then say so.
+    """
+
+    pair: str
+    stiffness: BoundLaw
+    damping: BoundLaw | None = None
+    approach_floor: Scalar = APPROACH_FLOOR
+    effective_mass: Scalar | None = None
+    unchecked: bool = False
+    kind: ClassVar[str] = "contact"
+    takes: ClassVar[Mapping[str, str]] = {"stiffness": "stiffness", "damping": "damping"}
+    enters: ClassVar[str] = CONTACT
+
+    @property
+    def name(self) -> str:  # type: ignore[override]  # read-only, as the field of a frozen dataclass
+        """The pair's name."""
+        return self.pair
+
+    @property
+    def latches(self) -> bool:
+        """Whether the approach speed is latched."""
+        return self.damping is not None and APPROACH_SPEED in self.damping.law.memory
+
+    @property
+    def text(self) -> str:
+        """What the effect is, for people."""
+        rebuilt = [bound.law.name for bound in self.laws if bound.law.grade == "R"]
+        label = f", {' and '.join(rebuilt)} a reconstruction (grade R)" if rebuilt else ""
+        return " x ".join(bound.law.name for bound in self.laws) + label + (", UNCHECKED" if self.unchecked else "")
+
+    def slots(self, scene: Declared) -> Iterator[Slot]:
+        """The parameters of both laws, and what of the pair's geometry they limit."""
+        yield from super().slots(scene)
+        if self.effective_mass is not None:
+            yield Slot(f"{self.where}, effective mass", self.effective_mass, "kg", POSITIVE)
+        if self.latches:
+            yield Slot(f"{self.where}, approach floor", self.approach_floor, "m/s", POSITIVE)
+
+    def element(self, kin: Kinematics) -> None:
+        """None: it acts in contact alone."""
+
+
+@dataclass(frozen=True)
+class Friction(PairEffect):
+    """Friction of one pair, beside its normal force."""
+
+    name: str
+    pair: str
+    law: BoundLaw
+    unchecked: bool = False
+    kind: ClassVar[str] = "friction"
+    takes: ClassVar[Mapping[str, str]] = {"law": "friction"}
+    enters: ClassVar[str] = CONTACT
+
+    @property
+    def text(self) -> str:
+        """What the effect is, for people."""
+        return f"{self.law.law.name} at {self.pair}" + (", UNCHECKED" if self.unchecked else "")
+
+    def faults(self, scene: Declared) -> Iterator[Fault]:
+        """A pair without a contact."""
+        contacts = [effect.pair for effect in scene.effects if isinstance(effect, Contact)]
+        if self.pair in contacts:
+            yield from super().faults(scene)
+            return
+        yield Fault(self.where, f"pair {self.pair!r} without a contact", one_of(contacts, "a pair with a Contact"),
+                    "Friction needs a normal force: leave it out too, or add the pair's Contact.")  # fmt: skip
+
+    def element(self, kin: Kinematics) -> None:
+        """None: it acts in contact alone."""

@@ -1,0 +1,47 @@
+"""Kinematics as the effects of a scene see it: coordinates of joints that close loops too, and the places where journals touch."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from hertzwerk.derive.contact.touch import touch
+from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.motion.kinematics import Kinematics
+from hertzwerk.derive.motion.loops import Measured, measured
+from hertzwerk.derive.program.program import Tape
+
+
+class Surroundings(Kinematics):
+    """Kinematics of a scene on whose joints and pairs effects act."""
+
+    def __init__(self, tape: Tape, scene: Scene) -> None:
+        super().__init__(tape, scene)
+        self._measured = cache(self._measure)
+
+    def coordinate(self, key: str) -> Any:
+        """Coordinate of a scalar freedom, free, driven or measured on a closing joint [rad or m]."""
+        return super().coordinate(key) if key in self.states else self._measured(key).value
+
+    def speed(self, key: str) -> Any:
+        """Its rate [rad/s or m/s]."""
+        return super().speed(key) if key in self.states else self._measured(key).rate
+
+    def on_joint(self, key: str, force: Any, name: str) -> dict[str, Any]:
+        """Generalised forces, by row, of a force along a slide or a torque about a turn, on its child; the parent feels the opposite."""
+        if key in self.states:
+            return {key: force}
+        return {
+            row: self.tape.let(force * share, f"{name}_on_{row.replace('.', '_')}")
+            for row, share in self._measured(key).column.items()
+        }
+
+    def journal(self, pair: str) -> Any:
+        """Pin and bush of this name, on the tape; raises TypeError for a pair that holds no film."""
+        found = next(other for other in self.mechanism.pairs if other.name == pair)
+        if not found.holds_film:
+            raise TypeError(f"{pair} is no pin in a bush")
+        return touch(found, self)
+
+    def _measure(self, key: str) -> Measured:
+        return measured(self, key)
