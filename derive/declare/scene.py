@@ -250,7 +250,7 @@ class Scene:
         if pair is None:
             return {}
         bodies = [place.body for place in pair.places if isinstance(place.body, Body)]
-        given = [slot for part in (pair, *bodies) for slot in part.slots()]
+        given = [*pair.slots(), *(slot for body in bodies for slot in body.slots())]
         if not all(is_number(slot.value) and sp.sympify(slot.value) is not sp.nan for slot in given):
             return {}  # a fault, which the scene reports
         own = next((e.effective_mass for e in self.all(Contact) if e.pair == pair_name), None)

@@ -12,7 +12,6 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.algebra.vectors import Vector, apply
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.mechanism.bodies import Point
 from hertzwerk.derive.mechanism.parameter import is_number
@@ -68,8 +67,3 @@ def landmarks_of(scene: Scene) -> Iterator[Landmark]:
     for body in mechanism.bodies:
         if not (is_number(body.mass) and body.mass == 0):
             yield Landmark(body.name, "body", "centre", Point(body, body.centre))
-
-
-def _in_body(point: Point, direction: Direction) -> Vector:
-    """A direction given in a point's axes, in those of its body."""
-    return apply(point.axes, direction.unit)
