@@ -49,15 +49,15 @@ Values = dict[Any, Any]
 
 @dataclass(frozen=True)
 class Trial:
-    """A law with values by symbol, in the units it is stated in, tested up to the penetration `most`.
+    """A law with values by symbol, in the units it is stated in, tested up to `max_penetration`.
 
-    `beside` is the stiffness law, with its values, to which a damping law is added.
+    `stiffness` is the stiffness law, with its values, to which a damping law is added.
     """
 
     law: Any
     values: Values
-    most: Any
-    beside: Trial | None = None
+    max_penetration: Any
+    stiffness: Trial | None = None
 
     def at(self, state: Mapping[Any, Any]) -> str:
         """Describe a point: the state, then the parameters."""
@@ -127,7 +127,7 @@ def _elastic(trial: Trial) -> Iterator[Fault]:
         yield trial.fault("force", {}, f"{law.force}, without d", "a force that rises with the penetration d",
                           "A contact begins without a force: the penetration is the name d.")  # fmt: skip
         return
-    limit = trial.most if law.reach is None else number(law.reach, trial.values)
+    limit = trial.max_penetration if law.reach is None else number(law.reach, trial.values)
     if limit is None or limit <= 0:
         yield trial.fault("reach", {}, "no length above 0" if limit is None else f"{mp.nstr(limit, 4)} m", "a penetration above 0",
                           "The reach is the penetration up to which the law is defined.")  # fmt: skip
@@ -212,14 +212,14 @@ def _stored(trial: Trial, points: list[tuple[Any, Values]], forces: list[Any], l
 
 def _damping(trial: Trial) -> Iterator[Fault]:
     """Test that the damping force opposes the penetration rate."""
-    law, partner = trial.law, trial.beside
+    law, partner = trial.law, trial.stiffness
     if partner is None:
         return
-    limit = partner.most if partner.law.reach is None else number(partner.law.reach, partner.values)
+    limit = partner.max_penetration if partner.law.reach is None else number(partner.law.reach, partner.values)
     slopes = [_derivative(law.resistance, q) for q in (v, d, F) if law.resistance.has(q)]
     tangent = _derivative(partner.law.force, d)
     for part in (FRACTIONS[2], FRACTIONS[3], FRACTIONS[7]):
-        depth = (limit or partner.most) * part
+        depth = (limit or partner.max_penetration) * part
         inside = {**partner.values, d: depth}
         pressed = {d: depth, F: number(partner.law.force, inside), k_t: number(tangent, inside)}
         if None in pressed.values():

@@ -244,10 +244,10 @@ def _law_finding(
     what, expression, unit = row
     expected = _dimension(unit, names)
     fault = check(expression.xreplace(exponents), table, expected, constants)
-    lesson = check(expression, table, expected, constants) or fault  # with the exponent left open, for the remedy
+    general = check(expression, table, expected, constants) or fault  # with the exponent left open, for the remedy
     symbols = tuple(
         (s.name, str(table[s]), s.meaning)
-        for s in sorted(_symbols_with_units(_smallest(expression, lesson), table), key=lambda symbol: symbol in STATE)
+        for s in sorted(_symbols_with_units(_smallest(expression, general), table), key=lambda symbol: symbol in STATE)
         if s.unit != "1"
     )
     return Finding(
@@ -265,8 +265,8 @@ def _law_finding(
         expected=str(expected) if fault is None else fault.expected,
         subexpression="" if fault is None else fault.subexpression,
         reason="" if fault is None else fault.reason,
-        consistent_exponent=_exponent(lesson) if fault is not None else None,
-        repair=None if fault is None or lesson is None else lesson.repair,
+        consistent_exponent=_exponent(general) if fault is not None else None,
+        repair=None if fault is None or general is None else general.repair,
     )
 
 

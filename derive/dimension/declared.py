@@ -1,7 +1,7 @@
-"""The names of a text as declared, and the dimension of a text, or the smallest sub-expression that has none, quoted from it.
+"""Names of an expression's text as declared, and its dimension or smallest sub-expression without one.
 
-Read from its SymPy expression, `d**1`, `m - m + s` or `0*x` would already have collapsed. Exponents are made of numbers and of constant parameters:
-names with unit 1, names given by value.
+The text's own tree is examined: in its SymPy expression, `d**1`, `m - m + s` or `0*x` would already have collapsed.
+Exponents consist of numbers and constant parameters: names with unit 1, names given by value.
 
     examine(expression, declared, expected) -> (dimension, fault), one of them None
 """
@@ -27,20 +27,20 @@ __all__ = ["Declared", "dimension_of_unit", "examine"]
 
 @dataclass(frozen=True)
 class Declared:
-    """What the names of an expression are: a dimension each, and those that are constant parameters, as values exponents may have."""
+    """Declarations of an expression's names: dimensions, and the constants exponents may contain."""
 
     dimensions: Mapping[str, Dimension]
     constants: Mapping[str, Any] = field(default_factory=dict)
-    """Constant name -> its symbol, or the number it is given."""
+    """Constant name -> its symbol, or its given value."""
     symbols: Mapping[str, Any] = field(default_factory=dict)
-    """Constant name -> its symbol, whether a number is given or not."""
+    """Constant name -> its symbol, also where a value is given."""
     units: Mapping[str, str] = field(default_factory=dict)
     """Name -> unit as declared."""
     meanings: Mapping[str, str] = field(default_factory=dict)
 
     @classmethod
     def of(cls, units: Mapping[str, str], values: Mapping[str, float] | None = None) -> Declared:
-        """From unit texts and given numbers; raises InputError with every fault."""
+        """Make from unit texts and given values; raises InputError with every fault."""
         units = {plain_name(name): unit for name, unit in units.items()}
         values = {plain_name(name): value for name, value in (values or {}).items()}
         faults = [*_name_faults([*units, *values]), *_value_faults(values)]
@@ -60,7 +60,7 @@ class Declared:
 
     @property
     def general(self) -> Declared:
-        """The same with every constant left open, its number forgotten."""
+        """The declarations with the given values of constants left open."""
         dimensions = dict(self.dimensions)
         for name, unit in self.units.items():
             dimensions[name] = dimension_of_unit(unit, self.symbols)
@@ -68,7 +68,7 @@ class Declared:
 
 
 def dimension_of_unit(unit: str, constants: Mapping[str, Any]) -> Dimension:
-    """The dimension of a unit's text; the names in its exponents must be constants. Raises UnitError."""
+    """Dimension of a unit's text; names in its exponents must be constants. Raises UnitError."""
     parsed = parse_unit(unit)
     for name in parsed.free_names:
         if name not in constants:
@@ -96,9 +96,10 @@ def _value_faults(values: Mapping[str, float]) -> Iterable[Fault]:
 def examine(
     expression: Expression, declared: Declared, expected: Dimension | None = None
 ) -> tuple[Dimension | None, DimensionFault | None]:
-    """The dimension of an expression, or the fault that keeps it from having one (or the one expected).
+    """Dimension of an expression, or the fault why it has none (or not the expected one).
 
-    Raises TextError for exponents too complex to compare. Where numbers are given for constants, the repair is the one for any number.
+    Raises TextError for exponents too complex to compare. Where values are given for constants, the repair is the one
+    for any value.
     """
     try:
         return Walker(expression, declared.dimensions, declared.constants).result(expected), None
@@ -108,8 +109,10 @@ def examine(
         general = declared.general
         try:
             Walker(expression, general.dimensions, general.constants).result(expected)
-        except DimensionError as error:  # with the exponent left open: what would do
+        except DimensionError as error:  # with the exponent left open, for the repair
             if error.fault.subexpression == fault.subexpression and error.fault.consistent_exponent is not None:
-                lesson = error.fault
-                fault = replace(fault, consistent_exponent=lesson.consistent_exponent, repair=lesson.repair)
+                general_fault = error.fault
+                fault = replace(
+                    fault, consistent_exponent=general_fault.consistent_exponent, repair=general_fault.repair
+                )
     return None, fault

@@ -1,7 +1,7 @@
-"""Dimensions: four exponents over mass, length, time and temperature, and the fault of an expression that has none.
+"""Dimensions: exponents over mass, length, time and temperature; faults of dimension.
 
-Each exponent is a SymPy expression: `[K] = M L^(1-n) T^-2` with symbolic n is a value. Numbers are dimensionless, zero and infinity have every
-dimension. `walker` finds the dimension of an expression.
+Each exponent is a SymPy expression: `[K] = M L^(1-n) T^-2` with symbolic n is a value. Numbers are dimensionless,
+zero and infinity have every dimension. `walker` finds the dimension of an expression.
 """
 
 from __future__ import annotations
@@ -26,7 +26,10 @@ Expr = Any  # a SymPy expression; SymPy is untyped
 
 @dataclass(frozen=True)
 class Dimension:
-    """Exponents over mass, length, time and temperature; `every` marks the dimension of zero, which matches all."""
+    """Exponents over mass, length, time and temperature.
+
+    `every` marks the dimension of zero, which matches all.
+    """
 
     M: Expr = sympy.S.Zero
     L: Expr = sympy.S.Zero
@@ -40,7 +43,7 @@ class Dimension:
 
     @classmethod
     def from_unit(cls, unit: Unit | str, symbols: Mapping[str, Expr] | None = None) -> Dimension:
-        """The dimension of a unit (or its text), the names in its exponents replaced by `symbols` (or numbers)."""
+        """Dimension of a unit (or its text), names in its exponents replaced by `symbols` (or numbers)."""
         unit = parse_unit(unit) if isinstance(unit, str) else unit
         if not unit.free_names:
             return _of_unit(unit)
@@ -61,11 +64,11 @@ class Dimension:
 
     @property
     def dimensionless(self) -> bool:
-        """Whether a plain number has it (zero does)."""
+        """Whether it is the dimension of a number (that of zero is)."""
         return self.every or self == ONE
 
     def matches(self, other: Dimension) -> bool:
-        """Whether the two may be added: equal, or one of them zero's."""
+        """Whether quantities of both dimensions may be added: equal, or one of them zero's."""
         return self.every or other.every or self == other
 
     def __mul__(self, other: Dimension) -> Dimension:
@@ -87,12 +90,12 @@ class Dimension:
 
 @lru_cache(maxsize=4096)
 def _of_unit(unit: Unit) -> Dimension:
-    """Of a unit without names in its exponents."""
+    """Dimension of a unit without names in its exponents."""
     return Dimension(*(canonical(exponent.constant) for exponent in unit.exponents))
 
 
 def canonical(value: Expr) -> Expr:
-    """An exponent in the form in which equal exponents are identical: rational, or a cancelled rational function."""
+    """Canonical form of an exponent, identical for equal ones: rational, or a cancelled quotient."""
     if isinstance(value, sympy.Rational):
         return value
     if isinstance(value, (int, float, Fraction, sympy.Float)):
@@ -117,7 +120,7 @@ def _raise(a: Dimension, exponent: Expr) -> Dimension:
 
 
 def _linear(exponent: Expr) -> Exponent:
-    """A SymPy exponent for printing; what is no name (1/k, k*n) prints in parentheses."""
+    """Linear form of an exponent for printing; terms other than names (1/k, k*n) are in parentheses."""
     if exponent.is_Rational:
         return Exponent(Fraction(exponent.p, exponent.q))
     total = Exponent()
@@ -142,7 +145,7 @@ _QUANTITIES = {
 
 
 def quantity(dimension: Dimension) -> str:
-    """The name of a dimension that has one, a force; else its unit."""
+    """Name of a dimension that has one ("a force"), else its unit."""
     return _QUANTITIES.get(dimension, str(dimension))
 
 
@@ -151,14 +154,19 @@ def quantity(dimension: Dimension) -> str:
 
 @dataclass(frozen=True)
 class DimensionFault:
-    """Why an expression has no dimension, or not the one expected: the smallest sub-expression, and a way out."""
+    """Fault of an expression without a dimension, or not the expected one.
+
+    It names the smallest sub-expression, and a repair.
+    """
 
     subexpression: str
-    operands: tuple[tuple[str, str], ...]  # what the sub-expression is made of: text, unit text
+    operands: tuple[tuple[str, str], ...]  # parts of the sub-expression: text, unit text
     found: str  # unit text
     expected: str  # unit text
     reason: str
-    consistent_exponent: Expr | None = None  # SymPy number: of the symbolic exponent, or of the power named in `repair`
+    consistent_exponent: Expr | None = (
+        None  # SymPy number: value of the symbolic exponent, or of the power named in `repair`
+    )
     repair: str | None = None
     missing: Dimension | None = field(
         default=None, compare=False, repr=False
@@ -172,7 +180,7 @@ class DimensionFault:
 
 
 class DimensionError(PicklableError):
-    """An expression without a dimension; `fault` says where and why."""
+    """An expression without a dimension; `fault` has the place and the reason."""
 
     def __init__(self, fault: DimensionFault) -> None:
         super().__init__(str(fault))

@@ -1,4 +1,4 @@
-"""A text and its tree: quoted by place, exponents bounded, so that hostile text costs no time."""
+"""Text and tree of an expression, with bounds on exponents against hostile text."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from hertzwerk.derive.faults import PicklableError
 
 __all__ = ["Expression", "TextError", "to_sympy"]
 
-MAX_DEGREE = 6  # of an exponent in its names
-MAX_OPERATIONS = 60  # of an exponent of a dimension
+MAX_DEGREE = 6  # degree of an exponent in its names
+MAX_OPERATIONS = 60  # operations in an exponent of a dimension
 
 _COMPLEX = f"an exponent of degree at most {MAX_DEGREE}, made of at most four names"
 
 
 class TextError(PicklableError):
-    """Expression text that cannot be read: `position` (1 is the first character), found, expected, and the way out."""
+    """Expression text that cannot be read: `position` (from 1), found, expected, and remedy."""
 
     def __init__(self, text: str, start: int, found: str, expected: str, remedy: str = "") -> None:
         self.text, self.position, self.found, self.expected, self.remedy = text, start + 1, found, expected, remedy
@@ -43,21 +43,21 @@ class Expression:
     root: Node
 
     def quote(self, node: Node) -> str:
-        """What was written for a node."""
+        """Text of a node."""
         return self.source[node.start : node.end]
 
     @cached_property
     def names(self) -> tuple[str, ...]:
-        """The names in the text, in the order written."""
+        """Names in the text, in the order written."""
         return tuple(dict.fromkeys(node.name for node in self.root.walk() if node.op == "name"))
 
     def __str__(self) -> str:
         return self.source
 
     def part(self, node: Node, kept: Sequence[int]) -> Node:
-        """From the first operand kept to the last, where a text can be cut."""
+        """Part of a sum or product from the first operand kept to the last, as far as the text can be cut."""
         first, last = kept[0], kept[-1]
-        while first > 0 and node.args[first].op == "inverse":  # nothing to divide but what stands before it
+        while first > 0 and node.args[first].op == "inverse":  # a divisor needs its dividend
             first -= 1
         if first == last:
             return node.args[first]
@@ -66,7 +66,7 @@ class Expression:
         return replace(node, start=start, end=end, args=node.args[inside], spans=node.spans[inside])
 
     def value(self, node: Node, constants: Any) -> Any:
-        """An exponent of constants as SymPy has it; bounded, because expanding it is what comparing it costs."""
+        """Exponent of constants as a SymPy expression; bounded, because comparison expands it."""
         names = {part.name for part in node.walk() if part.op == "name"}
         if max(_degree(node)) > MAX_DEGREE or len(names) > 4:
             raise TextError(self.source, node.start, "an exponent too long to compare", _COMPLEX)
@@ -78,7 +78,7 @@ class Expression:
         return exact
 
     def bounded(self, node: Node, dimension: Dimension) -> Dimension:
-        """A dimension whose exponents can still be compared in bounded time; raises TextError."""
+        """The dimension; raises TextError if its exponents cannot be compared in bounded time."""
         if any(not e.is_Rational and e.count_ops() > MAX_OPERATIONS for e in dimension.exponents):
             raise TextError(self.source, node.start, "exponents too long to compare", _COMPLEX)
         return dimension
@@ -104,14 +104,15 @@ def _degree(node: Node) -> tuple[int, int]:
 
 
 def to_sympy(expression: Expression, symbols: Mapping[str, Any], node: Node | None = None) -> Any:
-    """The SymPy expression of a tree (or of one node of it), names replaced by `symbols`; derivatives and integrals stay unevaluated.
+    """SymPy expression of a tree (or one of its nodes), with names replaced by `symbols`.
 
-    Raises KeyError for a name that `symbols` lacks, TextError where SymPy finds the result undefined, as in tan(pi/2).
+    Derivatives and integrals stay unevaluated. Raises KeyError for a name that `symbols` lacks, TextError where SymPy
+    finds the result undefined, as in tan(pi/2).
     """
     node = expression.root if node is None else node
     try:
         result = converted(node, symbols)
-    except (ArithmeticError, TypeError, ValueError):  # SymPy's own of an undefined operand
+    except (ArithmeticError, TypeError, ValueError):  # raised by SymPy for an undefined operand
         result = sp.nan
     if result.has(sp.zoo, sp.nan):
         raise TextError(expression.source, node.start, "an expression without a value", "one that is defined")

@@ -1,10 +1,12 @@
-"""Expression text: Python syntax read into a small tree through a whitelist, never evaluated.
+"""Reader of expression text: Python syntax parsed into a small tree through a whitelist.
 
-`read("K*d**n")` parses with Python's own grammar (`ast`), keeps the nodes named below and refuses everything else with `TextError`:
-the position, what was found, what was expected, the way out. Length, nesting and powers are bounded, and so is every number: one that
-leaves the range of a double (`9**9**9`, `1/0`, `sqrt(-1)`) is refused, which bounds time and memory of whatever is done with the tree.
+`read("K*d**n")` parses with Python's own grammar (`ast`), keeps known nodes and refuses everything else with
+`TextError`: the position, what was found, what was expected, the remedy. Length, nesting and powers are bounded, and
+so is every number: one beyond the range of a double (`9**9**9`, `1/0`, `sqrt(-1)`) is refused, which bounds time and
+memory of later operations on the tree.
 
-The tree keeps what was written (`d**1`, `m - m + s`, the literal 0) and where, so that an audit quotes the text itself.
+The tree keeps operations (`d**1`, `m - m + s`, the literal 0) and positions as written, so that an audit quotes the
+text itself.
 """
 
 from __future__ import annotations
@@ -71,7 +73,7 @@ _NUMERAL = re.compile(r"(?:[0-9][0-9_]*\.?[0-9_]*|\.[0-9][0-9_]*)(?:[eE][-+]?[0-
 
 
 def read(text: str) -> Expression:
-    """The tree of an expression's text. Raises TextError."""
+    """Parse the text of an expression to its tree. Raises TextError."""
     if not isinstance(text, str):
         raise TextError(repr(text)[:60], 0, f"a {type(text).__name__}", "text such as 'K*d**n'")
     source = re.sub(r"[\n\r]", " ", text.strip())
@@ -107,7 +109,7 @@ _WORDS = ("and", "or", "not", "if", "else", "is", "in", "True", "False", "None")
 
 
 class _Reader:
-    """From Python's tree to ours: one method per kind of node, refusing what none is for."""
+    """Converter of Python's tree to ours: one method per kind of node; refuses all others."""
 
     def __init__(self, source: str) -> None:
         self.source = source
@@ -131,7 +133,7 @@ class _Reader:
     # -- nodes --------------------------------------------------------------------------------------------------------
 
     def node(self, node: ast.expr) -> Node:
-        """The node, its value bounded."""
+        """Convert a node; its value is bounded."""
         self.depth += 1
         if self.depth > MAX_DEPTH:
             raise self.refuse(node, f"at most {MAX_DEPTH}", found=f"more than {MAX_DEPTH} nested operations")
@@ -144,7 +146,7 @@ class _Reader:
         return result
 
     def quantity(self, node: ast.expr, scalar: bool = False) -> Node:
-        """A node that is no condition, and no matrix where a scalar belongs."""
+        """Convert a node that must be no condition, and no matrix where a scalar is required."""
         result = self.node(node)
         if result.condition:
             raise self.refuse(result, "a quantity", "a choice is written where(condition, a, b)")
@@ -153,7 +155,7 @@ class _Reader:
         return result
 
     def made(self, op: str, node: ast.expr, args: tuple[Node, ...], **more: Any) -> Node:
-        """A node, with the number it is if all its arguments are numbers."""
+        """Make a node, with its value if all its arguments are numbers."""
         start, end = self.place(node)
         more.setdefault("power", max((arg.power for arg in args), default=1.0))
         more["nested"] = max((arg.nested for arg in args), default=0) + (op in FUNCTIONS)
@@ -238,7 +240,7 @@ class _Reader:
         raise self.refuse(node, "the operations + - * / **")
 
     def chain(self, node: ast.BinOp, signs: tuple[type, ...], make: Callable[[ast.BinOp, list[Node]], Node]) -> Node:
-        """`a + b - c` as one node: operands and where they stand, parentheses included."""
+        """Convert `a + b - c` to one node, with the positions of its operands, parentheses included."""
         spine, here = [node], node
         while (
             isinstance(here.left, ast.BinOp)
@@ -259,7 +261,7 @@ class _Reader:
         return make(node, operands)
 
     def spans(self, node: ast.BinOp, operands: list[Node]) -> tuple[tuple[int, int], ...]:
-        """Where each operand of a chain stands: it ends where its link ends, and starts after the sign before it."""
+        """Positions of the operands of a chain, each from after its sign to the end of its link."""
         ends: list[int] = []
         here: ast.expr = node
         for _ in operands[1:]:
@@ -426,7 +428,7 @@ _INSTEAD = {
 
 
 def _offer(name: str) -> str:
-    """What may have been meant by an unknown function."""
+    """Suggestion for an unknown function."""
     if (instead := _INSTEAD.get(name.lower())) is not None:
         return instead
     same = next((known for known in FUNCTIONS if known.lower() == name.lower()), None)
@@ -463,5 +465,5 @@ _FOLD: dict[str, Callable[..., Any]] = {
 
 
 def plain_name(name: str) -> str:
-    """A name as Python's grammar reads it: two ways of typing the micro sign are one name."""
+    """Normalised form of a name as in Python's grammar: both micro signs are one name."""
     return unicodedata.normalize("NFKC", name)

@@ -1,4 +1,4 @@
-"""Trees and SymPy expressions: what a node means in SymPy, and the tree of a SymPy expression as constructed."""
+"""Conversion of trees to SymPy expressions and back."""
 
 from __future__ import annotations
 
@@ -21,14 +21,17 @@ from hertzwerk.derive.dimension.tree import Node
 
 __all__ = ["SYMPY", "Symbolic", "converted", "symbolic"]
 
-MAX_NESTED = 2  # functions in each other's arguments that SymPy evaluates exactly, where they are of numbers
+MAX_NESTED = 2  # deepest nesting of functions of numbers that SymPy evaluates exactly
 
 
 # --- to SymPy ---------------------------------------------------------------------------------------------------------
 
 
 def converted(node: Node, symbols: Mapping[str, Any]) -> Any:
-    """The SymPy expression of a node, names replaced by `symbols`; raises what SymPy raises of an undefined operand."""
+    """SymPy expression of a node, with names replaced by `symbols`.
+
+    Raises any exception of SymPy for an undefined operand.
+    """
     if node.op == "number":
         return _number(node.number or 0.0)
     if node.op == "name":
@@ -36,7 +39,7 @@ def converted(node: Node, symbols: Mapping[str, Any]) -> Any:
     if node.op in ("pi", "inf"):
         return sp.pi if node.op == "pi" else -sp.oo if node.name else sp.oo
     if node.number is not None and not node.condition and node.nested > MAX_NESTED:
-        return sp.Float(node.number, 17)  # to evaluate cos(cos(...)) exactly takes SymPy time without bound
+        return sp.Float(node.number, 17)  # exact evaluation of cos(cos(...)) takes unbounded time
     args = [converted(arg, symbols) for arg in node.args]
     if node.op == "matrix":
         if node.shape is None:
@@ -52,7 +55,7 @@ def converted(node: Node, symbols: Mapping[str, Any]) -> Any:
 
 
 def _number(value: float) -> Any:
-    """1.5 as 3/2, so that exponents compare exactly; what is no quotient of two short whole numbers stays a double."""
+    """Exact rational of a short decimal (1.5 -> 3/2), so that exponents compare exactly; else a double."""
     fraction = Fraction(repr(value))
     short = abs(fraction.numerator) < _SHORT and fraction.denominator < _SHORT
     return sp.Rational(fraction.numerator, fraction.denominator) if short else sp.Float(value, 17)
@@ -70,7 +73,7 @@ SYMPY: dict[str, Callable[..., Any]] = {
     "<": sp.Lt, "<=": sp.Le, ">": sp.Gt, ">=": sp.Ge, "==": sp.Eq, "!=": sp.Ne, "and": sp.And, "or": sp.Or, "not": sp.Not,
     "det": sp.Determinant, "trace": sp.Trace,
 }  # fmt: skip
-"""Operation -> the SymPy class or function that makes it; the classes are read back as their operations."""
+"""Operation -> the SymPy class or function for it; the classes are read back as their operations."""
 
 _OF_MATRICES: dict[str, Callable[..., Any]] = {
     "sum": lambda *terms: sp.MatAdd(*terms, evaluate=False), "neg": lambda a: sp.MatMul(-1, a, evaluate=False),
@@ -89,16 +92,16 @@ _OPERATIONS: dict[type, str] = {made: op for op, made in SYMPY.items() if isinst
 
 @dataclass(frozen=True)
 class Symbolic:
-    """The tree of a SymPy expression, quoted as SymPy prints it."""
+    """Tree of a SymPy expression, quoted as SymPy prints it."""
 
     root: Node
 
     def quote(self, node: Node) -> str:
-        """The printed expression of a node."""
+        """Printed expression of a node."""
         return str(node.expr)
 
     def part(self, node: Node, kept: Sequence[int]) -> Node:
-        """The product of the factors kept; a sum stays whole, its order being SymPy's."""
+        """Product of the factors kept; a sum stays whole, since its order is SymPy's."""
         if node.op == "sum" or len(kept) == len(node.args):
             return node
         args = tuple(node.args[k] for k in kept)
@@ -109,7 +112,7 @@ class Symbolic:
         return node.expr
 
     def bounded(self, node: Node, dimension: Dimension) -> Dimension:
-        """The dimension itself: SymPy has compared its exponents already."""
+        """The dimension itself: SymPy has already compared its exponents."""
         return dimension
 
     def __str__(self) -> str:
@@ -118,7 +121,7 @@ class Symbolic:
 
 @lru_cache(maxsize=1024)
 def symbolic(expression: Any) -> Symbolic:
-    """The tree of an immutable SymPy expression; what SymPy shares is shared."""
+    """Tree of an immutable SymPy expression; equal sub-expressions share a node."""
     nodes: dict[Any, Node] = {}
 
     def read(expr: Any) -> Node:
@@ -131,7 +134,7 @@ def symbolic(expression: Any) -> Symbolic:
 
 
 def _node(expr: Any, read: Callable[[Any], Node]) -> Node:
-    """One node; what has no operation of its own keeps the name of its SymPy class."""
+    """Make one node; expressions without an operation keep the name of their SymPy class."""
     if isinstance(expr, (sp.Symbol, AppliedUndef)):
         return Node("name", name=expr, expr=expr)
     if isinstance(expr, sp.Number) and expr.is_extended_real and expr is not sp.nan:
@@ -165,5 +168,5 @@ def _node(expr: Any, read: Callable[[Any], Node]) -> Node:
 
 
 def as_immutable(expression: Any) -> Any:
-    """The expression, immutable and of SymPy; raises SympifyError for what is none."""
+    """The expression as an immutable SymPy object; raises SympifyError if it is no expression."""
     return expression.as_immutable() if isinstance(expression, MatrixBase) else sp.sympify(expression, strict=True)

@@ -1,4 +1,4 @@
-"""The tree of an expression, of a text as well as of a SymPy expression: operations as written, nothing simplified."""
+"""Tree of an expression, from text or from SymPy: operations as written, nothing simplified."""
 
 from __future__ import annotations
 
@@ -18,10 +18,11 @@ COMPARISONS = ("<", "<=", ">", ">=", "==", "!=")
 class Node:
     """One operation as written: `source[start:end]` of a text, or the SymPy expression `expr`.
 
-    `op` is number, name, pi, inf, sum, product, neg, inverse, **, @, matrix, a comparison sign, and, or, not, true, or the name of a function.
-    A sum of a text holds `a - b` as (a, neg b), a product `a/b` as (a, inverse b); `spans` are their operands' places, parentheses included.
-    where holds its conditions, then its branches; diff (f, x, x) for the second derivative by x, integrate (f, x) or (f, x, lower, upper), a matrix
-    its entries row by row.
+    `op` is number, name, pi, inf, sum, product, neg, inverse, **, @, matrix, a comparison sign, and, or, not, true,
+    or the name of a function. A sum of a text holds `a - b` as (a, neg b), a product `a/b` as (a, inverse b); `spans`
+    are the positions of their operands, parentheses included. where holds its conditions, then its branches; diff (f,
+    x, x) for the second derivative with respect to x, integrate (f, x) or (f, x, lower, upper), a matrix its entries
+    row by row.
     """
 
     op: str
@@ -43,27 +44,27 @@ class Node:
         return self.op in COMPARISONS or self.op in ("and", "or", "not", "true")
 
     def walk(self) -> Iterator[Node]:
-        """The node and all below it, in the order written."""
+        """Yield the node and all below it, in the order written."""
         yield self
         for arg in self.args:
             yield from arg.walk()
 
 
 class Tree(Protocol):
-    """A tree and what only its origin knows: how a part is quoted, and what an exponent is."""
+    """Protocol of a tree: how a part is quoted, and the value of an exponent."""
 
     @property
     def root(self) -> Node:
-        """The whole."""
+        """Root node."""
 
     def quote(self, node: Node) -> str:
-        """A node in the words of its origin."""
+        """Text of a node in the form of its origin."""
 
     def part(self, node: Node, kept: Sequence[int]) -> Node:
-        """The sum or product of some of a node's operands, as far as it can be quoted."""
+        """Sum or product of some of a node's operands, as far as it can be quoted."""
 
     def value(self, node: Node, constants: Collection[Any]) -> Any:
-        """An exponent of constants as a SymPy expression."""
+        """Exponent of constants as a SymPy expression."""
 
     def bounded(self, node: Node, dimension: Dimension) -> Dimension:
-        """A dimension whose exponents can still be compared in bounded time."""
+        """The dimension, if its exponents can be compared in bounded time."""

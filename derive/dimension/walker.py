@@ -1,7 +1,7 @@
-"""Dimensional audit of one expression: its dimension, or the smallest sub-expression that has none, quoted as written.
+"""Dimensional audit of one expression: its dimension, or the smallest sub-expression without one.
 
-The rules of `rules.SIGNATURES`, walked from the leaves up over the tree of a text or of a SymPy expression; nothing is simplified on the way, and
-nothing evaluated but exponents.
+The rules of `rules.SIGNATURES` are applied from the leaves upwards to the tree of a text or of a SymPy expression;
+nothing is simplified, and only exponents are evaluated.
 
     dimension_of(expr, table, constants) -> Dimension            raises DimensionError, which carries the fault
     check(expr, table, expected, constants) -> DimensionFault | None
@@ -26,7 +26,7 @@ _WHOLE = Signature("alike", "same")
 
 
 class Walker:
-    """The walk over one tree: the first node without a dimension raises DimensionError."""
+    """Walk over one tree; the first node without a dimension raises DimensionError."""
 
     def __init__(self, tree: Tree, table: Mapping[Any, Dimension], constants: Collection[Any]) -> None:
         self.tree = tree
@@ -35,20 +35,22 @@ class Walker:
         self.memo: dict[Node, Dimension] = {}
 
     def result(self, expected: Dimension | None) -> Dimension:
-        """The dimension of the whole, which must be the expected one."""
-        if expected is not None:  # first, so that of two terms the one that is not expected is at fault
+        """Dimension of the whole; raises DimensionError if it is not the expected one."""
+        if (
+            expected is not None
+        ):  # first, so that of two unlike terms the one without the expected dimension is at fault
             self.expect(self.tree.root, expected)
         return self(self.tree.root)
 
     def __call__(self, node: Node) -> Dimension:
-        """The dimension of a node; raises DimensionError."""
+        """Dimension of a node; raises DimensionError."""
         found = self.table.get(node.name) if node.op == "name" else self.memo.get(node)
         if found is None:
             found = self.memo[node] = self.tree.bounded(node, self.rule(node))
         return found
 
     def rule(self, node: Node) -> Dimension:
-        """The dimension by the rule of the operation."""
+        """Dimension by the rule of the operation."""
         rule = SIGNATURES.get(node.op)
         if rule is None:
             known = ("a declared unit", "its unit is not declared")
@@ -66,7 +68,11 @@ class Walker:
         return ONE
 
     def dimensions(self, node: Node, args: Sequence[Node]) -> list[Dimension]:
-        """One per argument; of a sum, logarithms that together are one of a number, log(a) - log(b) = log(a/b), have that of their factors."""
+        """Dimension of each argument.
+
+        In a sum, logarithms that together are one of a number, log(a) - log(b) = log(a/b), have the dimension of
+        their factors.
+        """
         found = [self.logarithm_in(arg) for arg in args] if node.op == "sum" else []
         if not any(found):
             return [self(arg) for arg in args]
@@ -84,7 +90,10 @@ class Walker:
         return dimensions
 
     def logarithm_in(self, node: Node) -> tuple[tuple[Node, ...], Any, Node] | None:
-        """Factors, rational share and argument of a product with one logarithm: 2*x*log(a) -> ((x,), 2, a); None for another node."""
+        """Factors, rational coefficient and argument of a product with one logarithm, else None.
+
+        2*x*log(a) -> ((x,), 2, a).
+        """
         if node.op == "neg":
             found = self.logarithm_in(node.args[0])
             return None if found is None else (found[0], -found[1], found[2])
@@ -97,7 +106,10 @@ class Walker:
         return None if share == 0 else (others, share, logarithms[0].args[0])
 
     def alike(self, node: Node, args: Sequence[Node], expected: Dimension | None = None) -> Dimension:
-        """The one dimension of all arguments; of several the commonest is expected, not a plain number's in a tie."""
+        """Common dimension of all arguments; raises DimensionError if they differ.
+
+        The most frequent one is expected, in a tie not that of a number.
+        """
         dimensions = self.dimensions(node, args)
         if dimensions and all(dimension is dimensions[0] for dimension in dimensions):
             return dimensions[0]
@@ -107,14 +119,14 @@ class Walker:
         expected = expected or max(counts, key=lambda dimension: (counts[dimension], dimension != ONE))
         odd, found = next(pair for pair in zip(args, dimensions, strict=True) if not pair[1].matches(expected))
         beside = next((d for d in dimensions if d == expected), next(d for d in counts if d != found))
-        if node.op == "sum":  # up to the term that no longer fits
+        if node.op == "sum":  # up to the first term that does not fit
             node = self.tree.part(node, range(max(dimensions.index(found), dimensions.index(beside)) + 1))
         noun = NOUNS.get(node.op, node.op)
         reason = f"{self.tree.quote(odd)} is {found} beside {beside}, and {noun} takes operands of one unit"
         raise self.fault(node, found, expected, f"in {self.tree.quote(node)}, {reason}", odd, args)
 
     def pure(self, node: Node, arg: Node, rule: str) -> DimensionError:
-        """The fault of an argument that should be dimensionless."""
+        """Fault of an argument that should be dimensionless."""
         found = self(arg)
         reason = f"in {self.tree.quote(node)}, {self.tree.quote(arg)} is {found}, and {rule}"
         return self.fault(node, found, ONE, reason, arg, (arg,))
@@ -128,7 +140,7 @@ class Walker:
         culprit: Node | None = None,
         operands: Sequence[Node] = (),
     ) -> DimensionError:
-        """A fault at a node, with what would make its culprit right."""
+        """Fault at a node, with a repair of its culprit."""
         exponent, way_out, missing = None, None, None
         if culprit is not None and isinstance(found, Dimension) and isinstance(expected, Dimension):
             exponent, way_out = repair(self, culprit, found, expected)
@@ -140,7 +152,10 @@ class Walker:
         )
 
     def expect(self, node: Node, expected: Dimension) -> None:
-        """Raise unless the node has the dimension: at the wrong term of a sum or branch, where only some are."""
+        """Raise DimensionError unless the node has the dimension.
+
+        The fault is at the wrong term of a sum or branch, where only some are wrong.
+        """
         if node.op == "neg":
             return self.expect(node.args[0], expected)
         terms = _branches(node)
@@ -150,7 +165,7 @@ class Walker:
             term = terms[wrong.index(True)]
             if (
                 not term.args or self.logarithm_in(term) is not None
-            ):  # by itself a symbol is never wrong: quote what it stands in
+            ):  # a symbol by itself is never wrong: quote the sum or branch
                 self.alike(node, terms, expected)
             self.expect(term, expected)
         found = self(node)
@@ -158,8 +173,8 @@ class Walker:
             return None
         if (
             node.op == "product"
-        ):  # a dimensionless sum as factor, (1 + h*v/v0), cannot be at fault and would only hide what is
-            kept = [k for k, factor in enumerate(node.args) if not self.innocent(factor)]
+        ):  # a dimensionless sum as factor, (1 + h*v/v0), cannot be at fault and would only obscure it
+            kept = [k for k, factor in enumerate(node.args) if not self.never_at_fault(factor)]
             node = self.tree.part(node, kept) if kept else node
         factors = node.args if node.op == "product" else (node,)
         bases = [factor.args[0] if factor.op in ("inverse", "**") else factor for factor in factors]
@@ -168,26 +183,26 @@ class Walker:
             node, found, expected, reason, node, [base for base in bases if base.op not in ("number", "pi")]
         )
 
-    def innocent(self, factor: Node) -> bool:
+    def never_at_fault(self, factor: Node) -> bool:
         """Whether a factor is a dimensionless sum, or a power of one."""
         inner = factor.args[0] if factor.op in ("inverse", "**") else factor
         return inner.op == "sum" and self(inner).dimensionless
 
 
 def _branches(node: Node) -> Sequence[Node]:
-    """The parts that must each have the dimension of the whole."""
+    """Operands that must each have the dimension of the whole."""
     if node.op == "where":
         return [arg for arg in node.args if not arg.condition]
     return node.args if SIGNATURES.get(node.op) == _WHOLE else ()
 
 
-# --- the doors of SymPy expressions -----------------------------------------------------------------------------------
+# --- audit of SymPy expressions ---------------------------------------------------------------------------------------
 
 
 def dimension_of(expr: Any, table: Mapping[Any, Dimension], constants: Collection[Any] = ()) -> Dimension:
-    """The dimension of a SymPy expression; `table` declares its symbols, `constants` are those allowed in exponents.
+    """Dimension of a SymPy expression; `table` declares its symbols, `constants` those in exponents.
 
-    Raises DimensionError, whose `fault` names the smallest sub-expression that has no dimension.
+    Raises DimensionError, whose `fault` names the smallest sub-expression without a dimension.
     """
     return Walker(symbolic(as_immutable(expr)), table, constants).result(None)
 
@@ -195,7 +210,7 @@ def dimension_of(expr: Any, table: Mapping[Any, Dimension], constants: Collectio
 def check(
     expr: Any, table: Mapping[Any, Dimension], expected: Dimension, constants: Collection[Any] = ()
 ) -> DimensionFault | None:
-    """The fault that keeps a SymPy expression from having the expected dimension, or None."""
+    """Fault of a SymPy expression that has not the expected dimension, else None."""
     try:
         Walker(symbolic(as_immutable(expr)), table, constants).result(expected)
     except DimensionError as error:

@@ -19,7 +19,7 @@ from hertzwerk.derive.files.tomlfile import MAX_BYTES
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import Law
 
-__all__ = ["audit_catalogue", "audit_files", "audit_path", "differing"]
+__all__ = ["audit_catalogue", "audit_files", "audit_path", "differing_verdicts"]
 
 _RECORDS = ("StiffnessLaw", "DampingLaw", "FrictionLaw", "FilmLaw")
 
@@ -29,7 +29,7 @@ def audit_catalogue() -> tuple[Finding, ...]:
     return tuple(finding for law in LAWS.values() for finding in _of_law(law))
 
 
-def differing(findings: Iterable[Finding]) -> tuple[str, ...]:
+def differing_verdicts(findings: Iterable[Finding]) -> tuple[str, ...]:
     """Names of built-in laws whose verdict in `findings` differs from the catalogue's."""
     by_law: dict[str, list[Finding]] = {}
     for finding in findings:

@@ -41,7 +41,7 @@ def names_defined_by(path: Path) -> dict[str, Any]:
     try:
         exec(code, module.__dict__)
     except (Exception, SystemExit) as error:  # whatever the file does wrong is the file's fault
-        raise _raised(path, error) from error
+        raise _input_error(path, error) from error
     finally:
         _FOLDER.reset(token)
         sys.path.remove(folder)
@@ -49,7 +49,7 @@ def names_defined_by(path: Path) -> dict[str, Any]:
     return module.__dict__
 
 
-def _raised(path: Path, error: BaseException) -> InputError:
+def _input_error(path: Path, error: BaseException) -> InputError:
     frames = [frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
     where = f"{path}, line {frames[-1].lineno}" if frames else str(path)
     if isinstance(error, InputError):

@@ -1,11 +1,11 @@
-"""Own laws from a TOML file: the records of `laws.law`, their expressions read as text and never executed.
+"""User-defined laws from a TOML file; their expressions are parsed and never executed.
 
     [[law]]
     name = "my_foam"
     kind = "stiffness"                # stiffness: force, stored?, reach?, exponent?, relation?     damping: factor or term, exponent?, release?
     title = "Foam pad"                # friction: force, slope? (else its derivative at rest)     film: along, across, couple
     source = "measured, 2024"
-    form = "any"                      # of contact it is for: point, line, surface, any, or a list; a stiffness law must say
+    form = "any"                      # form of contact: point, line, surface, any, or a list; required for a stiffness law
     force = "K*d**n*exp(d/h)"
     exponent = "n"
     reach = "h"
@@ -13,12 +13,13 @@
     symbols.n = { unit = "1", meaning = "exponent", limits = "[1, 3]" }
     symbols.h = { unit = "mm", meaning = "thickness", default = 20 }
     definitions = [{ symbol = "E_eff", unit = "Pa", meaning = "...", expression = "..." }]    # intermediate results, in order
-    ranges.dR = { defined = "[5e-6, 1 mm]", recommended = "..." }                             # a bare bound is in the symbol's own unit
+    ranges.dR = { defined = "[5e-6, 1 mm]", recommended = "..." }                             # a bound without a unit is in the symbol's unit
 
-The parameters are the symbols, in the order written. What a contact supplies (d in a stiffness law; d, v, v0, F, k_t in a damping law; N, s in a
-friction law; epsilon_w, epsilon_c in a film law) and the geometry of its pair (R_eff, dR, L, m_eff, ...) need no declaration. All faults of a file
-come at once: of each table by itself (`lawtable`), and where it has none, of what its entries mean to each other. A law whose units hold is
-tried over its ranges too (`behaviour`): a force that falls, a `stored` that is not its integral are faults.
+The parameters are the symbols, in the order written. The quantities supplied by a contact (d in a stiffness law; d,
+v, v0, F, k_t in a damping law; N, s in a friction law; epsilon_w, epsilon_c in a film law) and the geometry of its
+pair (R_eff, dR, L, m_eff, ...) need no declaration. All faults of a file are reported at once: of each table by
+itself (`lawtable`), and where it has none, of its entries in relation to each other. A law with consistent units is
+tested numerically too (`behaviour`): a force that decreases, a `stored` that is not its integral are faults.
 """
 
 from __future__ import annotations
@@ -55,7 +56,7 @@ __all__ = ["WrittenLaw", "audit_laws_as_written", "laws_from", "read_laws"]
 
 @dataclass(frozen=True)
 class _Kind:
-    """What a law of a kind is: its record, what the contact supplies to it, and its expressions with their units."""
+    """Kind of law: its record, the quantities supplied by a contact, its expressions with their units."""
 
     record: type[Any]
     supplied: tuple[Quantity, ...]
@@ -77,7 +78,7 @@ _PLAIN = ("name", "title", "source", "grade", "verdict", "fitted_in", "repair", 
 
 @dataclass(frozen=True)
 class WrittenLaw:
-    """A law and its expressions as written, for the audit: (what it is, text, unit it must have)."""
+    """A law and its expressions as written, for the audit: (description, text, required unit)."""
 
     law: Law
     texts: tuple[tuple[str, Expression, Dimension], ...]
@@ -85,7 +86,7 @@ class WrittenLaw:
 
 
 def laws_from(path: str | Path) -> dict[str, Law]:
-    """The laws of a TOML file by name, used in a scene like the built-in ones; a scene file names it from its own folder.
+    """Laws of a TOML file by name, for use in a scene; a relative path is from the scene file's folder.
 
     Raises InputError with every fault of the file.
     """
@@ -93,8 +94,8 @@ def laws_from(path: str | Path) -> dict[str, Law]:
 
 
 def read_laws(path: str | Path) -> tuple[WrittenLaw, ...]:
-    """The laws of a TOML file with their texts. Raises InputError with every fault of the file."""
-    from hertzwerk.derive.files.lawtable import validated  # brings pydantic, which a scene without files does not need
+    """Laws of a TOML file with their texts. Raises InputError with every fault of the file."""
+    from hertzwerk.derive.files.lawtable import validated  # imports pydantic, which a scene without files does not need
 
     content = read_toml(path, "tables [[law]]")
     tables = content.get("law")
@@ -122,7 +123,10 @@ def read_laws(path: str | Path) -> tuple[WrittenLaw, ...]:
 
 
 def audit_laws_as_written(path: str | Path) -> tuple[Finding, ...]:
-    """One finding per definition and expression of every law of a TOML file, quoting its text. Raises InputError."""
+    """One finding per definition and expression of the laws of a TOML file, quoting its text.
+
+    Raises InputError.
+    """
     findings: list[Finding] = []
     for written in read_laws(path):
         law = written.law
@@ -149,7 +153,7 @@ def audit_laws_as_written(path: str | Path) -> tuple[Finding, ...]:
 
 
 class _Reader:
-    """The record of a valid [[law]] table: what its entries mean to each other, with every fault of that."""
+    """Converter of a valid [[law]] table to a record; checks its entries against each other."""
 
     def __init__(self, table: LawTable, where: str) -> None:
         self.table = table
@@ -183,7 +187,7 @@ class _Reader:
         common = {**plain, **forms, "parameters": parameters, "definitions": definitions, "defaults": defaults}
         try:
             law = self.kind.record(**common, **self.of_kind(fields, ranges))
-        except (ValueError, TypeError) as error:  # what the record itself refuses
+        except (ValueError, TypeError) as error:  # raised by the record
             self.fault("", str(error), "a law")
         if self.faults:
             return None
@@ -195,7 +199,7 @@ class _Reader:
     # -- symbols ------------------------------------------------------------------------------------------------------
 
     def symbol(self, where: str, written: str, entry: SymbolTable | DefinitionTable) -> Quantity | None:
-        """A declared symbol; None if its name cannot be used."""
+        """Make a declared symbol; None if its name cannot be used."""
         name = plain_name(written)
         if name in RESERVED:
             self.fault(where, f"the name {name!r}, which expressions use themselves", "another name")
@@ -209,7 +213,7 @@ class _Reader:
         return None
 
     def declare(self, symbol: Quantity) -> None:
-        """Make a symbol known to the expressions that follow."""
+        """Add a symbol to those that later expressions may contain."""
         self.quantities[symbol.name] = symbol
         try:
             self.dimensions[symbol.name] = dimension_of_unit(symbol.unit, self.constants)
@@ -218,7 +222,7 @@ class _Reader:
             self.dimensions[symbol.name] = Dimension()
 
     def interval(self, where: str, parts: tuple[str, ...] | None, unit: str) -> Interval | None:
-        """`(0, 1]`, `[5e-6, 1 mm]` or `(0, inf)` in SI, of its brackets and bounds; a bare bound is in `unit`."""
+        """Interval in SI from brackets and bounds; a bound without a unit is in `unit`."""
         if parts is None:
             return None
         bounds: list[float | None] = []
@@ -252,7 +256,7 @@ class _Reader:
     def expression(
         self, where: str, expression: Expression, unit: str, forbidden: Collection[str], extra: Iterable[Quantity] = ()
     ) -> sp.Expr | None:
-        """The SymPy expression of a text, its text kept for the audit."""
+        """SymPy expression of a text, which is kept for the audit."""
         known = self.quantities | {symbol.name: symbol for symbol in extra}
         unknown = undeclared(expression, known)
         for fault in unknown:
@@ -265,7 +269,7 @@ class _Reader:
         try:
             dimension = dimension_of_unit(unit, self.constants)
         except UnitError:
-            return None  # a fault of the symbol that has this unit
+            return None  # a fault of the symbol with this unit
         if unknown or depends:
             return None
         self.texts.append((where, expression, dimension))
@@ -276,7 +280,7 @@ class _Reader:
             return None
 
     def definitions(self) -> tuple[tuple[Quantity, sp.Expr], ...]:
-        """The named intermediate results, each known to those after it."""
+        """Intermediate results, each usable in those after it."""
         found = []
         for row in self.table.definitions:
             where = f"definition of {row.symbol}"
@@ -292,13 +296,13 @@ class _Reader:
         return tuple(found)
 
     def expressions(self) -> dict[str, sp.Expr]:
-        """The expression fields of the kind."""
+        """Expressions of the kind of law."""
         found: dict[str, sp.Expr] = {}
         for key, unit in self.kind.expressions.items():
             written = getattr(self.table, key)
             if written is None:
                 continue
-            extra = (record.F,) if key == "relation" else ()  # which no other expression of a stiffness law knows
+            extra = (record.F,) if key == "relation" else ()  # only in the relation
             for symbol in extra:
                 self.dimensions.setdefault(symbol.name, dimension_of_unit(symbol.unit, {}))
             state = self.state if key in ("exponent", "reach", "factor", "slope") else ()
@@ -309,7 +313,7 @@ class _Reader:
         return found
 
     def of_kind(self, fields: dict[str, sp.Expr], ranges: tuple[Range, ...]) -> dict[str, Any]:
-        """What the record of the kind has beside the common fields."""
+        """Fields of the record that the kind adds to the common ones."""
         if self.table.kind == "friction" and "slope" not in fields:
             return {**fields, "slope": self.slope(fields["force"]), "ranges": ranges}
         if self.table.kind != "damping":
@@ -320,7 +324,7 @@ class _Reader:
                 "memory": (record.APPROACH_SPEED,) if latched else (), **self.table.model_dump(include={"release"})}  # fmt: skip
 
     def slope(self, force: sp.Expr) -> sp.Expr:
-        """Derivative of a friction force at rest, where SymPy's is beyond doubt."""
+        """Derivative of a friction force at rest; a fault where SymPy's may be wrong."""
         derivative = sp.diff(force, record.s)
         doubtful = (sp.sign, sp.Abs, sp.DiracDelta, sp.Heaviside, sp.Derivative, sp.Subs, sp.Max, sp.Min)
         slope = derivative.subs(record.s, 0)
@@ -334,7 +338,7 @@ _GEOMETRY = {symbol.name for symbol in record.GEOMETRY}
 
 
 def _bound(text: str, unit: str) -> float:
-    """A bound in SI; raises UnitError."""
+    """Bound in SI; raises UnitError."""
     value, own = parse_quantity(text)
     bare: Callable[[str], Any] = re.compile(r"[-+\d.eE]+").fullmatch
     if bare(text):

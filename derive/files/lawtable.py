@@ -1,6 +1,7 @@
-"""The tables of a law file as pydantic models: keys, texts and numbers, each by itself. What they mean to each other is `lawfile`'s.
+"""Tables of a law file as pydantic models: each key, text and number by itself.
 
-Imported where a file of laws is read, and nowhere else: pydantic takes a fifth of a second.
+Relations between entries are checked in `lawfile`. Imported only where a file of laws is read: importing pydantic
+takes a fifth of a second.
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ _NOT_IN_LAWS = ("diff", "integrate", "matrix", "@", "transpose", "inv", "det", "
 
 
 class _WrongError(ValueError):
-    """A value that is refused: found, expected, and the way out."""
+    """An invalid value: found, expected, and remedy."""
 
     def __init__(self, found: str, expected: str, remedy: str = "") -> None:
         super().__init__(found)
@@ -77,7 +78,7 @@ def _unit(text: str) -> str:
 
 
 def _interval(text: Any) -> tuple[str, ...]:
-    """Bracket, bound, bound, bracket."""
+    """Parse an interval to bracket, bound, bound, bracket."""
     written = re.fullmatch(r"\s*([\[(])([^,]*),([^,]*)([\])])\s*", text) if isinstance(text, str) else None
     if written is None:
         raise ValueError
@@ -100,7 +101,7 @@ def _forms(given: Any) -> tuple[str, ...]:
 
 
 def _expression(text: Any) -> Expression:
-    """The tree of an expression of a law; raises TextError."""
+    """Parse an expression of a law; raises TextError."""
     expression = read(repr(text) if isinstance(text, (int, float)) and not isinstance(text, bool) else text)
     for node in expression.root.walk():
         written = expression.quote(node)[:40]
@@ -163,7 +164,7 @@ class RangeTable(_Table):
 
 
 class LawTable(_Table):
-    """What every [[law]] may say; the expressions of its kind beside it."""
+    """Fields of every [[law]] table, without the expressions of its kind."""
 
     kind: str
     name: Name
@@ -242,7 +243,7 @@ _ADAPTER: TypeAdapter[LawTable] = TypeAdapter(
 
 
 def validated(where: str, table: Any) -> tuple[LawTable | None, list[Fault]]:
-    """The table of one law, or all its faults."""
+    """Validated table of one law, or None and all its faults."""
     try:
         return _ADAPTER.validate_python(table), []
     except ValidationError as error:
@@ -250,7 +251,7 @@ def validated(where: str, table: Any) -> tuple[LawTable | None, list[Fault]]:
 
 
 def _fault(where: str, row: Any) -> Fault:
-    """What pydantic says of one place, in the words of this project."""
+    """Convert one error of pydantic to a fault."""
     kind, *path = row["loc"] or ("",)
     if kind == "":
         found = (

@@ -140,7 +140,7 @@ def _height(mechanism: Mechanism, body: Frame, k: int) -> Any:
 def _body_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:
     """Faults of inertias and scales that rotations of bodies need.
 
-    Inertias must not be zero, except the number 0 of a single body (`Equations.lent`), and not be about one axis
+    Inertias must not be zero, except the number 0 of a single body (`Equations.artificial_inertia`), and not be about one axis
     only.
     """
     remedy = "Give it one, or keep the joints' coordinates: coordinates='tree'."

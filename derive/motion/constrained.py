@@ -65,20 +65,20 @@ class Loops:
         wanted: list[Any],
         label: str,
         refinements: int,
-        lent: Mapping[str, Any] = MappingProxyType({}),
+        artificial: Mapping[str, Any] = MappingProxyType({}),
     ) -> tuple[dict[str, Any], list[Any]]:
         """Motion closest to `motion` in kinetic energy that satisfies the constraints, and the multipliers.
 
         Speeds or accelerations by row, with the constraints' rates as `wanted`.
 
-        lent    by row, the artificial part of the mass matrix: the forces that accelerate it are added, so that it has no effect
+        artificial  by row, the artificial part of the mass matrix: the forces that accelerate it are added, so that it has no effect
         """
         tape, names = self._tape, self._names
         multipliers = dict.fromkeys(names, sp.S.Zero)
         before = dict.fromkeys(motion, sp.S.Zero)
         for i in range(1 + refinements):
-            if lent and i:
-                given = {key: lent.get(key, sp.S.Zero) * (value - before[key]) for key, value in motion.items()}
+            if artificial and i:
+                given = {key: artificial.get(key, sp.S.Zero) * (value - before[key]) for key, value in motion.items()}
                 back = self._mass.solve(given, f"{label}_back")
                 before = motion
                 motion = {

@@ -26,11 +26,11 @@ REFINEMENTS = (
     2  # of the multipliers: with constrained.SOFTNESS, minimises the sum of the errors by singularity and by rounding
 )
 
-LENT = sp.Rational(
+ARTIFICIAL_RATIO = sp.Rational(
     1, 10_000
 )  # artificial inertia of a row without any, relative to that about other axes, or of the mean body
 EXTRA_REFINEMENTS = (
-    2  # additional refinements with artificial inertia: each reduces its effect by about the factor LENT
+    2  # additional refinements with artificial inertia: each reduces its effect by about the factor ARTIFICIAL_RATIO
 )
 
 
@@ -141,8 +141,8 @@ class Equations:
         multipliers: list[Any] = []
         if self.constraints:
             wanted = [-constraint.bias for constraint in self.constraints]
-            refinements = REFINEMENTS + (EXTRA_REFINEMENTS if self.lent else 0)
-            found, multipliers = self._loops.corrected(found, wanted, "acc", refinements, self.lent)
+            refinements = REFINEMENTS + (EXTRA_REFINEMENTS if self.artificial_inertia else 0)
+            found, multipliers = self._loops.corrected(found, wanted, "acc", refinements, self.artificial_inertia)
         return [found[row.key] for row in self.free], multipliers
 
     def projection(self, wanted: list[Any]) -> list[Any]:
@@ -161,11 +161,11 @@ class Equations:
 
         Eliminating a chain from its end keeps the zeros of the branches.
         """
-        lent = {(key, key): value for key, value in self.lent.items()}
-        return Factor(self.tape, [row.key for row in self.free][::-1], {**self.mass_matrix(), **lent})
+        artificial = {(key, key): value for key, value in self.artificial_inertia.items()}
+        return Factor(self.tape, [row.key for row in self.free][::-1], {**self.mass_matrix(), **artificial})
 
     @cached_property
-    def lent(self) -> dict[str, Any]:
+    def artificial_inertia(self) -> dict[str, Any]:
         """Artificial mass or inertia of rows without any, such as a slender rod's about its own axis.
 
         Only with loop constraints, which tie the row to bodies with inertia. Its effect is removed while the
@@ -182,7 +182,7 @@ class Equations:
             link = self.link_of[row]
             own = [mass[other.key, other.key] for other in link.rows if (other.key, other.key) in mass]
             size = mean if link.kind == "slide" else sp.Add(*own) or mean * sp.sympify(scales.arm) ** 2
-            found[row.key] = self.tape.let(LENT * size, f"{row.key.replace('.', '_')}_lent")
+            found[row.key] = self.tape.let(ARTIFICIAL_RATIO * size, f"{row.key.replace('.', '_')}_lent")
         return found
 
     @cached_property

@@ -195,7 +195,7 @@ class Recursion:
         return Spin(rate, bias, w, alpha, along(axes[0]) if link.kind == "turn" else None)
 
     @per_link
-    def swing(self, link: Link) -> Callable[[Vector], Vector]:
+    def acceleration_map(self, link: Link) -> Callable[[Vector], Vector]:
         """The map r -> U r.
 
         Points on the axis of the link's own turn are not affected by it: their column of U is that before the turn.
@@ -222,7 +222,7 @@ class Recursion:
         return self.tape.let(product(w[i], w[j]), f"{link.name}_rate_{'xyz'[i]}{'xyz'[j]}")
 
     @per_link
-    def jump(self, link: Link) -> Vector:
+    def slide_bias(self, link: Link) -> Vector:
         """Bias acceleration of O due to a slide; zero elsewhere."""
         if link.kind != "slide":
             return ZERO
@@ -237,20 +237,20 @@ class Recursion:
         """Bias acceleration of O [m/s^2]."""
         if link.parent is None:
             return ZERO
-        before = add(self.bias(link.parent), self.swing(link.parent)(self.arm(link)))
-        return self.tape.vector(add(link.change.back(before), self.jump(link)), f"{link.name}_bias")
+        before = add(self.bias(link.parent), self.acceleration_map(link.parent)(self.arm(link)))
+        return self.tape.vector(add(link.change.back(before), self.slide_bias(link)), f"{link.name}_bias")
 
     # -- bias, inwards ---------------------------------------------------------------------------------------------
 
     @per_link
     def force(self, link: Link) -> Vector:
         """Bias force of the composite in addition to `mass * bias` [N]."""
-        parts = [child.change.out(self.thrust(child)) for child in self.tree.children[link]]
-        return self.tape.vector(add(self.swing(link)(self.augmented(link)[0]), *parts), f"{link.name}_force")
+        parts = [child.change.out(self.inward_force(child)) for child in self.tree.children[link]]
+        return self.tape.vector(add(self.acceleration_map(link)(self.augmented(link)[0]), *parts), f"{link.name}_force")
 
-    def thrust(self, link: Link) -> Vector:
+    def inward_force(self, link: Link) -> Vector:
         """Bias force including the slide's part, which the augmented parent does not contain [N]."""
-        return add(self.force(link), scale(self.mass(link), self.jump(link)))
+        return add(self.force(link), scale(self.mass(link), self.slide_bias(link)))
 
     @per_link
     def torque(self, link: Link) -> Vector:
@@ -259,8 +259,8 @@ class Recursion:
         moment, inertia = self.augmented(link)
         parts = [self._gyroscopic(link, inertia), cross(moment, self.bias(link))]
         for child in self.tree.children[link]:
-            thrust = tape.vector(child.change.out(self.thrust(child)), f"{child.name}_turned_force")
-            parts += [child.change.out(self.torque(child)), cross(self.arm(child), thrust)]
+            inward_force = tape.vector(child.change.out(self.inward_force(child)), f"{child.name}_turned_force")
+            parts += [child.change.out(self.torque(child)), cross(self.arm(child), inward_force)]
         return tape.vector(add(*parts), f"{name}_torque")
 
     def _gyroscopic(self, link: Link, J: Symmetric) -> Vector:

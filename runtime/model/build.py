@@ -149,10 +149,10 @@ def audit_text(text: str, units: Sequence[str], values: Sequence[str], expect: s
 def audit_catalogue() -> tuple[tuple[Finding, ...], tuple[str, ...]]:
     """Return findings on every law of the catalogue, and the laws whose recorded verdict differs."""
     from hertzwerk.derive.files.audit_files import audit_catalogue as audited
-    from hertzwerk.derive.files.audit_files import differing
+    from hertzwerk.derive.files.audit_files import differing_verdicts
 
     findings = audited()
-    return findings, differing(findings)
+    return findings, differing_verdicts(findings)
 
 
 def law_summaries() -> tuple[tuple[str, str, str, str, str], ...]:

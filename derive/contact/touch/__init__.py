@@ -1,4 +1,4 @@
-"""Geometry of touching, one file a family of pairs."""
+"""Contact geometry of the pairs, one file per family."""
 
 from hertzwerk.derive.contact.touch.corner import BoundedFace
 from hertzwerk.derive.contact.touch.custom import Custom

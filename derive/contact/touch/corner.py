@@ -1,4 +1,4 @@
-"""Touch of a corner and a face."""
+"""Contact geometry of a corner and a face."""
 
 from __future__ import annotations
 
@@ -15,7 +15,10 @@ from hertzwerk.derive.mechanism.pairs.corner import CornerOnFace
 
 @touch.register(CornerOnFace)
 class BoundedFace(Touch):
-    """A plane face that ends, with the solid below it: the gap is the greater of the height over the face and the way beyond its ends."""
+    """Bounded plane face of a solid.
+
+    The gap is the greater of the height over the face and the distance beyond its ends.
+    """
 
     proved: ClassVar[bool] = True
 
@@ -33,7 +36,7 @@ class BoundedFace(Touch):
 
     @cached_property
     def _ends(self) -> tuple[Any, Any] | None:
-        """Which end is nearer, a condition, and the way beyond it [m]; None where there is none."""
+        """Condition for the nearer end, and the distance beyond it [m]; None for a face without ends."""
         if self._directions[1] is None:
             return None
         way = self.let(dot(self._directions[1], self.apart), "way")
@@ -41,42 +44,45 @@ class BoundedFace(Touch):
         return way > 0, self.let(beyond, "beyond")
 
     def _nearest(self, face: Any, end: Any, what: str) -> Any:
-        """What holds for the face while the corner is nearer to it than to the end, else what holds for the end."""
+        """Choose between values for the face and for its end, by which the corner is nearer to."""
         if self._ends is None:
             return face
         return self.let(Where(self._height > self._ends[1], face, end), what)
 
     def _outwards(self, value: Any, what: str) -> Any:
-        """Along the face, towards the nearer end."""
+        """Component along the face towards the nearer end."""
         return 0 if self._ends is None else self.let(Where(self._ends[0], value, -value), what)
 
     @cached_property
     def gap(self) -> Any:
-        """Of the corner to the solid [m]; beside an edge of it, outside, the greater of both ways, so that it has the right sign everywhere."""
+        """Signed distance of the corner to the solid [m].
+
+        Outside beside an edge it is the greater of both distances, so that its sign is right everywhere.
+        """
         return self._nearest(self._height, None if self._ends is None else self._ends[1], "gap")
 
     @cached_property
     def _rates(self) -> tuple[Any, Any]:
-        """Of the height and of the way [m/s]."""
+        """Rates of the height and of the distance along the face [m/s]."""
         name, line = self.pair.name, self._directions[1]
         height = self.tape.rate(self._height, f"{name}_height_rate")
         return height, 0 if line is None else self.tape.rate(self.let(dot(line, self.apart), "way"), f"{name}_way_rate")
 
     @cached_property
     def gap_rate(self) -> Any:
-        """[m/s]."""
+        """Rate of the gap [m/s]."""
         height, way = self._rates
         return self._nearest(height, self._outwards(way, "beyond_rate"), "gap_rate")
 
     @cached_property
     def gap_acceleration(self) -> Any:
-        """[m/s^2]."""
+        """Second derivative of the gap [m/s^2]."""
         height, way = (self.tape.rate(rate, f"{self.pair.name}_second") for rate in self._rates)
         return self._nearest(height, self._outwards(way, "beyond_acceleration"), "gap_acceleration")
 
     @cached_property
     def normal(self) -> Vector:
-        """The face's; beyond an end outwards there."""
+        """Normal of the face; beyond an end outwards there."""
         normal, along = self._directions
         if self._ends is None or along is None:
             return normal

@@ -1,4 +1,4 @@
-"""Touch of surfaces that the user states."""
+"""Contact geometry of user-defined surfaces."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from hertzwerk.derive.mechanism.pairs.custom import APART, TURN, CustomPair
 
 @touch.register(CustomPair)
 class Custom(Touch):
-    """Surfaces of the user's."""
+    """User-defined surfaces."""
 
     @cached_property
     def _pose(self) -> dict[Any, Any]:
-        """The user's symbols on the tape."""
+        """The user's pose symbols on the tape."""
         back = transpose(self.kin.axes_of(self.second))
         apart = self.named(apply(back, self.apart), "local_apart")
         turn = self.tape.matrix(multiply(back, self.kin.axes_of(self.first)), f"{self.pair.name}_turn")
@@ -34,12 +34,12 @@ class Custom(Touch):
 
     @cached_property
     def gap(self) -> Any:
-        """As stated."""
+        """Gap as declared."""
         return self.let(self._stated(self.pair.gap), "gap")
 
     @cached_property
     def normal(self) -> Vector:
-        """As stated."""
+        """Normal as declared."""
         return self._in_ground(self.pair.normal, "normal")
 
     @cached_property

@@ -1,4 +1,4 @@
-"""Touch of a plane with a sphere, a cylinder, the rim of a disc."""
+"""Contact geometry of a plane with a sphere, a cylinder or the rim of a disc."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Face(Touch):
 
     @cached_property
     def normal(self) -> Vector:
-        """The plane's."""
+        """Normal of the plane."""
         return self.named(self.kin.direction(self.second, self.pair.normal), "direction")
 
     @cached_property
@@ -33,10 +33,10 @@ class Face(Touch):
 
 @touch.register(CylinderOnPlane)
 class LyingCylinder(Face):
-    """A cylinder whose axis stays parallel to the plane."""
+    """Cylinder whose axis stays parallel to the plane."""
 
     def faults(self, length: float) -> Iterator[Fault]:
-        """An axis that may tilt."""
+        """Yield the fault of an axis that may tilt."""
         axis = self.kin.direction(self.first, self.pair.axis)
         if dot(axis, self.normal) != 0:
             yield Fault(f"pair {self.pair.name}", f"a cylinder on {self.first.body.name} that may tilt against the plane",
@@ -46,18 +46,18 @@ class LyingCylinder(Face):
 
 @touch.register(RimOnPlane)
 class Rim(Touch):
-    """The lowest point of a disc's rim over a plane."""
+    """Lowest point of a disc's rim over a plane."""
 
     proved: ClassVar[bool] = True
 
     @cached_property
     def normal(self) -> Vector:
-        """The plane's."""
+        """Normal of the plane."""
         return self.named(self.kin.direction(self.second, self.pair.normal), "direction")
 
     @cached_property
     def _up(self) -> tuple[Vector, Any]:
-        """Of the normal what lies in the disc, and its length [1]."""
+        """Component of the normal in the plane of the disc, and its length [1]."""
         axis = self.named(self.kin.direction(self.first, self.pair.axis), "axis")
         tilt = self.let(dot(self.normal, axis), "tilt")
         up = self.named(sub(self.normal, scale(tilt, axis)), "up")

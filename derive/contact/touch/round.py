@@ -1,4 +1,4 @@
-"""Touch of spheres and parallel cylinders."""
+"""Contact geometry of spheres and parallel cylinders."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Round(Touch):
 
     @cached_property
     def eccentricity(self) -> Vector:
-        """From centre to centre, of cylinders across the axis [m]."""
+        """Vector from centre to centre, for cylinders normal to the axis [m]."""
         if self.pair.line is None:
             return self.apart
         axis = self.named(self.kin.direction(self.second, self.pair.line), "direction")
@@ -29,14 +29,14 @@ class Round(Touch):
 
     @cached_property
     def _reach(self) -> Any:
-        """Centre distance at which contact begins [m]."""
+        """Distance of the centres at which contact begins [m]."""
         if self.pair.inside:
             return sp.sympify(self.pair.clearance)
         return self.let(self.pair.radius_first + self.pair.radius_second, "reach")
 
     @cached_property
     def gap(self) -> Any:
-        """(reach^2 - e.e)/(2 reach) inside, its opposite outside: smooth through the centre."""
+        """(reach^2 - e.e)/(2 reach) inside, its negative outside: smooth through the centre."""
         reach = self._reach
         squared = self.let(dot(self.eccentricity, self.eccentricity), "apart_squared")
         sign = 1 if self.pair.inside else -1
@@ -48,18 +48,18 @@ class Round(Touch):
 
     @cached_property
     def normal(self) -> Vector:
-        """From the other centre, or inside towards it."""
+        """Unit vector from the other centre, or inside towards it."""
         sign = -1 if self.pair.inside else 1
         return self.named(scale(sign / self._distance, self.eccentricity), "normal")
 
     @cached_property
     def penetration(self) -> Any:
-        """Of the true distance [m]."""
+        """Exact penetration, by the distance of the centres [m]."""
         sign = 1 if self.pair.inside else -1
         return self.let(sign * (self._distance - self._reach), "penetration")
 
     def outputs(self) -> list[tuple[str, str, Any]]:
-        """Inside: the eccentricity in the axes of the second; what is zero by structure is left out."""
+        """Eccentricity inside, in the axes of the second place; structural zeros are left out."""
         if not self.pair.inside:
             return super().outputs()
         local = apply(transpose(self.kin.axes_of(self.second)), self.eccentricity)

@@ -1,8 +1,9 @@
-"""Where two surfaces touch: gap, gap rates, penetration, normal and contact point of every kind of pair.
+"""Contact geometry of a pair: gap and its rates, penetration, normal, contact point.
 
-A pair pushes its first place along the unit vector `normal`. The gap is a smooth event function (no square root where the distance may vanish);
-it equals minus the penetration to first order at contact, so its rate at the onset is minus the approach speed. Penetration and normal proper
-appear in the contact's own function alone, which is evaluated in contact only.
+A pair pushes its first place along the unit vector `normal`. The gap is a smooth event function (no square root where
+the distance may vanish); it equals minus the penetration to first order at contact, so its rate at the onset is minus
+the approach speed. Exact penetration and normal appear in the contact's own function alone, which is evaluated in
+contact only.
 """
 
 from __future__ import annotations
@@ -21,25 +22,27 @@ from hertzwerk.derive.motion.kinematics import Kinematics
 from hertzwerk.derive.motion.probe import Probe
 
 DEPTH = 1e-4
-"""Penetration at which a user's pair is tried, in lengths of the mechanism."""
+"""Penetration at which a user's pair is tested, relative to the mechanism's size."""
 ROUNDING = 1e-7
-"""Relative, of numbers from double precision."""
+"""Relative tolerance for rounding in double precision."""
 
 
 @singledispatch
 def touch(pair: Pair, kinematics: Kinematics) -> Touch:
-    """Give the geometry of a pair on its kinematics' tape; raises InputError for a kind without one."""
+    """Contact geometry of a pair on its kinematics' tape; raises InputError for an unknown kind."""
     found = f"{type(pair).__name__}, a kind of pair without equations"
     remedy = f"touch.register({type(pair).__name__}, ...) on a subclass of Touch with `gap` and `normal`."
     raise InputError(f"pair {pair.name}", [Fault(f"pair {pair.name}", found, "one whose geometry is known", remedy)])
 
 
 class Touch:
-    """What every pair has: `first` and `second` place, the vector `apart` from the second to the first, and `position`, the point on the line of
-    action that material velocities are taken at [m]."""
+    """Common part of all pairs: `first` and `second` place, and `apart`, from the second to the first.
+
+    `position` is the point on the line of action at which material velocities are taken [m].
+    """
 
     proved: ClassVar[bool] = False
-    """Whether gap and normal are known to fit each other; else they are tried at random states."""
+    """Whether gap and normal are known to be consistent; else they are tested at random states."""
 
     def __init__(self, pair: Pair, kinematics: Kinematics) -> None:
         self.kin = kinematics
@@ -71,7 +74,7 @@ class Touch:
 
     @property
     def penetration(self) -> Any:
-        """[m], positive in contact."""
+        """Penetration, positive in contact [m]."""
         return self.let(-self.gap, "penetration")
 
     @property
@@ -81,27 +84,30 @@ class Touch:
 
     @property
     def position(self) -> Vector:
-        """The first place: the line of action passes through it [m]."""
+        """First place, through which the line of action passes [m]."""
         return self.centre
 
     @cached_property
     def gap_rate(self) -> Any:
-        """[m/s]."""
+        """Rate of the gap [m/s]."""
         return self.tape.rate(self.gap, f"{self.pair.name}_gap_rate")
 
     @cached_property
     def gap_acceleration(self) -> Any:
-        """[m/s^2]."""
+        """Second derivative of the gap [m/s^2]."""
         return self.tape.rate(self.gap_rate, f"{self.pair.name}_gap_acceleration")
 
     @cached_property
     def contact_point(self) -> Vector:
-        """The point both bodies touch at, on the first body's surface [m]."""
+        """Contact point, on the first body's surface [m]."""
         return add(self.position, scale(-sp.sympify(self.pair.first_radius), self.normal))
 
     @cached_property
     def penetration_rate(self) -> Any:
-        """[m/s]: the material points of both bodies at the first place approach along the normal, which turns with the second."""
+        """Approach speed of both bodies' material points at the first place along the normal [m/s].
+
+        The normal turns with the second body.
+        """
         return self.let(-dot(self.normal, self.relative_rate), "penetration_rate")
 
     @cached_property
@@ -119,7 +125,7 @@ class Touch:
         return [(f"{self.pair.name}.gap", "m", -self.penetration)]
 
     def faults(self, length: float) -> Iterator[Fault]:
-        """Say what only the derived motion shows to be wrong, of gap and normal at random states; `length` [m] is the size of the mechanism."""
+        """Yield faults that only the derived motion shows; `length` [m] is the size of the mechanism."""
         if self.proved:
             return
         where = f"pair {self.pair.name}"

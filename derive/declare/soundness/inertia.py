@@ -1,4 +1,4 @@
-"""Bodies without the mass or inertia that what their joints let them do asks for."""
+"""Faults of bodies that lack the mass or inertia their joints' motions need."""
 
 from __future__ import annotations
 
@@ -15,8 +15,11 @@ from hertzwerk.derive.mechanism.parameter import Parameter, default_value, is_nu
 
 
 def inertia_faults(mechanism: Mechanism, sound: dict[str, Parameter]) -> Iterator[Fault]:
-    """A body turned about its mass centre needs an inertia about the axis; the rest of a principal triple may be zero in plane motion. The last of
-    a chain needs a mass, and an inertia about every axis where it may turn in every way."""
+    """Yield faults of missing masses and inertias.
+
+    A body turned about its mass centre needs an inertia about the axis; other principal inertias may be zero in plane
+    motion. The last body of a chain needs a mass, and an inertia about every axis where it may turn about every axis.
+    """
     if any(True for _ in connection_faults(mechanism)):
         return
     loaded = {rigid_root(mechanism, body) for body in mechanism.bodies if not (is_number(body.mass) and body.mass == 0)}
@@ -65,7 +68,10 @@ def _spins_freely(mechanism: Mechanism, body: Body) -> bool:
 
 
 def _swings(mechanism: Mechanism, body: Body, axis: Direction) -> bool:
-    """Whether the joint that carries a body turns it about an axis that misses its mass centre: then it needs no inertia of its own."""
+    """Whether the joint of a body turns it about an axis that misses its mass centre.
+
+    Then it needs no inertia of its own.
+    """
     joint = mechanism.joint_of(body)
     if joint is None or all(freedom.kind == "slide" for freedom in joint.freedoms):
         return False
@@ -75,7 +81,10 @@ def _swings(mechanism: Mechanism, body: Body, axis: Direction) -> bool:
 
 
 def _turning_axes(mechanism: Mechanism, body: Frame) -> list[Direction | None]:
-    """Axis of the last turn of the nearest joint that turns a body, in the joint's axes; None if that is every axis; empty if nothing turns it."""
+    """Axis of the last turn of the nearest joint that turns a body, in the joint's axes.
+
+    [None] if that is every axis; [] if nothing turns it.
+    """
     joint = mechanism.joint_of(body)
     if joint is None:
         return []

@@ -1,4 +1,4 @@
-"""Parameters and what is given for quantities: names, units, ranges."""
+"""Faults of parameters and quantities: names, units, ranges."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 def declared(scene: Scene) -> tuple[dict[str, Parameter], list[Fault]]:
-    """Parameters by name, and what is wrong with their declarations."""
+    """Parameters by name, and the faults of their declarations."""
     seen: dict[str, Parameter] = {}
     found: list[Fault] = []
     for parameter in (p for slot in scene.declarations() for p in parameters_of(slot.value)):
@@ -49,14 +49,14 @@ def _exponent_faults(parameter: Parameter, seen: dict[str, Parameter]) -> Iterat
 
 
 def sound_of(parameters: dict[str, Parameter], broken: list[Fault]) -> dict[str, Parameter]:
-    """The parameters without a fault, of their own or of one that stands in their unit's exponent."""
+    """Parameters without a fault in their own declaration or that of an exponent in their unit."""
     wrong = {fault.where for fault in broken}
     good = {name: p for name, p in parameters.items() if f"parameter {name}" not in wrong}
     return {name: p for name, p in good.items() if all(other in good for other in p.parsed_unit.free_names)}
 
 
 def quantity_faults(slot: Slot, table: dict[sp.Symbol, Dimension]) -> Iterator[Fault]:
-    """Kind, unit and range of what was given for one quantity."""
+    """Yield faults of the type, unit and range of a quantity's value."""
     if not is_number(slot.value):
         yield Fault(slot.where, repr(slot.value), "a Parameter, an expression of parameters, or a number",
                     "A quantity with a unit is declared: Parameter(name, unit, value).")  # fmt: skip
@@ -87,7 +87,10 @@ def quantity_faults(slot: Slot, table: dict[sp.Symbol, Dimension]) -> Iterator[F
 
 
 def rate_faults(slot: Slot) -> Iterator[Fault]:
-    """A frequency where an angular speed stands, or the reverse: of a parameter, or the values of a table, alone or as a term of a sum."""
+    """Yield faults of a frequency in place of an angular speed, or the reverse.
+
+    For a parameter, or the values of a table, alone or as a term of a sum.
+    """
     declared = parse_unit(slot.unit)
     for term in sp.Add.make_args(sp.sympify(slot.value)) if is_number(slot.value) else ():
         what = -term if term.could_extract_minus_sign() else term
@@ -104,7 +107,7 @@ def rate_faults(slot: Slot) -> Iterator[Fault]:
 
 
 def posed_faults(slot: Posed, table: dict[sp.Symbol, Dimension]) -> Iterator[Fault]:
-    """Of an expression of the pose of a user's pair."""
+    """Yield faults of an expression of the pose in a user's pair."""
     if not is_number(slot.value):
         yield Fault(slot.where, repr(slot.value), "a number, or an expression of APART, TURN and parameters")
         return

@@ -1,4 +1,4 @@
-"""Kinds of contact pairs, one file a family."""
+"""Kinds of contact pairs, one file per family."""
 
 from hertzwerk.derive.mechanism.pairs.corner import CornerOnFace
 from hertzwerk.derive.mechanism.pairs.custom import APART, TURN, CustomPair, Posed, PoseSymbol

@@ -1,4 +1,4 @@
-"""A corner on a face."""
+"""Pair of a corner and a face."""
 
 from __future__ import annotations
 
@@ -14,10 +14,11 @@ from hertzwerk.derive.mechanism.parameter import POSITIVE, Scalar, default_value
 
 @dataclass(frozen=True)
 class CornerOnFace(Pair):
-    """A corner, or any point, of one body that may touch a plane face of another.
+    """Corner, or any point, of one body that may touch a plane face of another.
 
-    `face` is the middle of the face, `normal` points out of its solid, in the frame of `face`. With a `length` the face, and the solid below
-    it, end at length/2 to both sides `along` it: beyond them the corner is free, and from there it meets the end of the solid, not its face.
+    `face` is the middle of the face, `normal` points out of its solid, in the frame of `face`. With a `length` the
+    face, and the solid below it, end at length/2 to both sides `along` it: beyond them the corner is free, and from
+    there it meets the end of the solid, not its face.
     """
 
     corner: Point
@@ -28,14 +29,14 @@ class CornerOnFace(Pair):
     kind: ClassVar[str] = "corner_on_face"
 
     def slots(self) -> Iterator[Slot]:
-        """The quantities of the pair."""
+        """Yield the quantities of the pair."""
         if self.length is not None:
             yield Slot(f"pair {self.name}, length", self.length, "m", POSITIVE)
         yield from super().slots()
 
     @property
     def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
-        """What a picture shows of them."""
+        """Normal, direction and length of the face, for landmarks."""
         beside: dict[str, Any] = {"normal": in_body(self.face, self.normal)}
         if self.along is not None:
             beside |= {"along": in_body(self.face, self.along), "length": self.length}

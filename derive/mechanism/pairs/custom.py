@@ -1,4 +1,4 @@
-"""Surfaces that the user states by expressions."""
+"""Pair of user-defined surfaces, given by expressions."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from hertzwerk.derive.mechanism.parameter import POSITIVE, Scalar
 
 
 class PoseSymbol(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
-    """A coordinate of a pair's first place, or of its axes, in the axes of the second."""
+    """Coordinate of a pair's first place, or of its axes, in the axes of the second."""
 
     __slots__ = ("unit",)
 
     def __new__(cls, name: str, unit: str) -> PoseSymbol:
-        """A symbol of its own: never taken from SymPy's cache."""
+        """Make a new symbol, never from SymPy's cache."""
         self = sp.Symbol.__xnew__(cls, name, real=True)
         self.unit = unit
         return self  # type: ignore[no-any-return]
@@ -32,27 +32,29 @@ class PoseSymbol(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
 
 
 APART = tuple(PoseSymbol(f"apart_{k}", "m") for k in "xyz")
-"""From the second place to the first, along the axes of the second [m]."""
+"""Vector from the second place to the first, along the axes of the second [m]."""
 TURN = tuple(tuple(PoseSymbol(f"turn_{i}{k}", "1") for k in "xyz") for i in "xyz")
 """Rotation from the axes of the first place to those of the second: its columns are the first's axes."""
 
 
 @dataclass(frozen=True)
 class Posed(Slot):
-    """A quantity that may vary with the pose of one body against another: `APART`, `TURN`."""
+    """Quantity that may vary with the pose of one body against another: `APART`, `TURN`."""
 
 
 @dataclass(frozen=True)
 class CustomPair(Pair):
-    """Surfaces of the user's: gap, normal and contact point as expressions of `APART`, `TURN` and parameters, along the axes of the second place.
+    """User-defined surfaces: gap, normal and contact point as expressions of `APART`, `TURN`, parameters.
+
+    All along the axes of the second place.
 
     gap            signed distance of the surfaces [m], negative while they penetrate
     normal         unit vector that pushes the first body, (x, y, z)
-    contact_point  the point both bodies touch at, from the second place, (x, y, z) [m]
+    contact_point  the point of contact, from the second place, (x, y, z) [m]
 
-    The rest is derived. `radius` [m] is that of relative curvature, for laws that ask; `length` [m] that of the line, where they touch along one:
-    else their contact is a point. A gap whose rate is not the speed at which the bodies approach along the normal at the contact point is refused:
-    its forces would not keep the energy.
+    The rest is derived. `radius` [m] is that of relative curvature, for laws that depend on it; `length` [m] that of
+    a line contact: without it the contact is a point. A gap whose rate is not the speed at which the bodies approach
+    along the normal at the contact point is refused: its forces would not conserve energy.
     """
 
     first: Point
@@ -66,17 +68,17 @@ class CustomPair(Pair):
 
     @property
     def form(self) -> str:  # type: ignore[override]  # here it depends on what is given
-        """A line where it has a length."""
+        """Line contact if it has a length, else point contact."""
         return "point" if self.length is None else "line"
 
     @property
     def geometry(self) -> dict[str, Any]:
-        """The radius and the length, if given."""
+        """Radius and length, if given."""
         given = {"R_eff": self.radius, "R_min": self.radius, "L": self.length}
         return {name: value for name, value in given.items() if value is not None}
 
     def slots(self) -> Iterator[Slot]:
-        """The expressions and the places."""
+        """Yield the expressions and the places."""
         yield Posed(f"pair {self.name}, gap", self.gap, "m")
         for what, values, unit in (("normal", self.normal, "1"), ("contact point", self.contact_point, "m")):
             for axis, value in zip("xyz", values, strict=True):

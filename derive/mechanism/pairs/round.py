@@ -1,4 +1,4 @@
-"""Spheres and parallel cylinders, one on or in the other."""
+"""Pairs of spheres and parallel cylinders, one on or in the other."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class SphereOnSphere(Round):
 
     @property
     def first_radius(self) -> Any:
-        """From the first place to the contact point [m]."""
+        """Distance from the first place to the contact point [m]."""
         return self.radius_first
 
     @property
@@ -49,21 +49,24 @@ class SphereOnSphere(Round):
         return {"R_eff": r1 * r2 / (r1 + r2), "R_min": sp.Min(r1, r2), "R_1": r1, "R_2": r2, "dR": r1 + r2}
 
     def slots(self) -> Iterator[Slot]:
-        """The quantities of the pair."""
+        """Yield the quantities of the pair."""
         yield Slot(f"pair {self.name}, first radius", self.radius_first, "m", POSITIVE)
         yield Slot(f"pair {self.name}, second radius", self.radius_second, "m", POSITIVE)
         yield from super().slots()
 
     @property
     def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
-        """What a picture shows of them."""
+        """Radii, for landmarks."""
         one, two = {"radius": self.radius_first}, {"radius": self.radius_second}
         return one, two
 
 
 @dataclass(frozen=True)
 class ParallelCylinders(SphereOnSphere):
-    """Two cylinders that may touch from outside along a line of `length`, axes along `axis` of the second's frame."""
+    """Two cylinders that may touch from outside along a line of `length`.
+
+    Their axes are along `axis` of the second's frame.
+    """
 
     axis: Direction
     length: Scalar
@@ -72,11 +75,11 @@ class ParallelCylinders(SphereOnSphere):
 
     @property
     def geometry(self) -> dict[str, Any]:
-        """That of two spheres of the same radii, and the length [m]."""
+        """Geometry of two spheres of the same radii, and the length [m]."""
         return {**super().geometry, "L": self.length}
 
     def slots(self) -> Iterator[Slot]:
-        """The quantities of the pair."""
+        """Yield the quantities of the pair."""
         yield from super().slots()
         yield Slot(f"pair {self.name}, length", self.length, "m", POSITIVE)
 
@@ -87,16 +90,17 @@ class ParallelCylinders(SphereOnSphere):
 
     @property
     def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
-        """What a picture shows of them."""
+        """Radii, axis and length, for landmarks."""
         beside = {"radius": self.radius_second, "axis": in_body(self.second, self.axis), "length": self.length}
         return {"radius": self.radius_first}, beside
 
 
 @dataclass(frozen=True)
 class PinInBush(Round):
-    """A revolute joint with clearance: a pin of radius `bush_radius - clearance` free inside a bush, axes along `axis` of the bush's frame.
+    """Revolute joint with clearance: a pin of radius `bush_radius - clearance` free inside a bush.
 
-    Only laws of line contact ask for its `length`: where none does, it is no parameter of the scene.
+    Both axes are along `axis` of the bush's frame. Only laws of line contact depend on its `length`: without such a
+    law it is no parameter of the scene.
     """
 
     pin: Point
@@ -114,14 +118,14 @@ class PinInBush(Round):
 
     @property
     def pin_radius(self) -> Any:
-        """[m]."""
+        """Radius of the pin [m]."""
         return self.bush_radius - self.clearance
 
     first_radius = pin_radius
 
     @property
     def geometry(self) -> dict[str, Any]:
-        """`R_eff = R1 R2/(R1 - R2)` of bush and pin (their difference is the clearance), and the pin's radius [m]."""
+        """`R_eff = R1 R2/(R1 - R2)` of bush and pin, both radii, their difference, the length [m]."""
         return {
             "R_eff": self.bush_radius * self.pin_radius / self.clearance,
             "R_min": self.pin_radius,
@@ -132,7 +136,7 @@ class PinInBush(Round):
         }
 
     def slots(self) -> Iterator[Slot]:
-        """The quantities of the pair."""
+        """Yield the quantities of the pair."""
         yield Slot(f"pair {self.name}, bush radius", self.bush_radius, "m", POSITIVE)
         yield Slot(f"pair {self.name}, clearance", self.clearance, "m", POSITIVE)
         if isinstance(self.bush_radius, sp.Expr) and isinstance(self.clearance, sp.Expr):
@@ -148,7 +152,7 @@ class PinInBush(Round):
 
     @property
     def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
-        """What a picture shows of them."""
+        """Radii and axis, for landmarks."""
         bush = {"radius": self.bush_radius, "axis": in_body(self.bush, self.axis)}
         return {"radius": self.pin_radius}, bush
 
@@ -161,7 +165,7 @@ class PinInBush(Round):
 
 @dataclass(frozen=True)
 class BallInSocket(Round):
-    """A spherical joint with clearance: a ball of radius `socket_radius - clearance` free inside a hollow sphere."""
+    """Spherical joint with clearance: a ball of radius `socket_radius - clearance` in a hollow sphere."""
 
     ball: Point
     socket: Point
@@ -174,12 +178,12 @@ class BallInSocket(Round):
 
     @property
     def first_radius(self) -> Any:
-        """The ball's [m]."""
+        """Radius of the ball [m]."""
         return self.socket_radius - self.clearance
 
     @property
     def geometry(self) -> dict[str, Any]:
-        """`R_eff = R1 R2/(R1 - R2)` of socket and ball (their difference is the clearance), and both radii [m]."""
+        """`R_eff = R1 R2/(R1 - R2)` of socket and ball, both radii and their difference [m]."""
         ball = self.first_radius
         return {
             "R_eff": self.socket_radius * ball / self.clearance,
@@ -190,7 +194,7 @@ class BallInSocket(Round):
         }
 
     def slots(self) -> Iterator[Slot]:
-        """The quantities of the pair."""
+        """Yield the quantities of the pair."""
         yield Slot(f"pair {self.name}, socket radius", self.socket_radius, "m", POSITIVE)
         yield Slot(f"pair {self.name}, clearance", self.clearance, "m", POSITIVE)
         if isinstance(self.socket_radius, sp.Expr) and isinstance(self.clearance, sp.Expr):
@@ -201,6 +205,6 @@ class BallInSocket(Round):
 
     @property
     def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
-        """What a picture shows of them."""
+        """Radii, for landmarks."""
         one, two = {"radius": self.first_radius}, {"radius": self.socket_radius}
         return one, two

@@ -20,7 +20,7 @@ from hertzwerk.derive.dimension.expression import to_sympy
 from hertzwerk.derive.dimension.reader import read
 from hertzwerk.derive.dimension.walker import check, dimension_of
 from hertzwerk.derive.faults import InputError
-from hertzwerk.derive.files.audit_files import audit_catalogue, audit_files, audit_path, differing
+from hertzwerk.derive.files.audit_files import audit_catalogue, audit_files, audit_path, differing_verdicts
 from hertzwerk.derive.files.audit_text import audit_expression, declarations
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.units import parse_unit, unit_text
@@ -313,7 +313,7 @@ def test_the_record_of_a_finding():
 def test_every_law_has_the_verdict_it_states():
     findings = audit_catalogue()
     assert {finding.law for finding in findings} == set(LAWS)
-    assert differing(findings) == ()
+    assert differing_verdicts(findings) == ()
     for finding in findings:
         law = LAWS[finding.law]
         assert (finding.kind, finding.source) == (law.kind, law.source)
@@ -332,7 +332,7 @@ def test_a_wrong_statement_is_noticed():
 
     findings = audit_catalogue()
     changed = [replace(f, verdict="inconsistent") if f.law == "hertz_point" else f for f in findings]
-    assert differing(changed) == ("hertz_point",)
+    assert differing_verdicts(changed) == ("hertz_point",)
 
 
 def test_the_mistakes_of_the_literature_are_caught_where_they_are():

@@ -249,7 +249,7 @@ def test_cost_is_linear_without_inertias_too_and_nothing_is_lent_to_who_has_one(
 
 def lent(scene: Scene) -> list[str]:
     """Rows that a mass or an inertia is lent to."""
-    return list(System(absolute(scene)).equations.lent)
+    return list(System(absolute(scene)).equations.artificial_inertia)
 
 
 # -- which coordinates -------------------------------------------------------------------------------------------------
