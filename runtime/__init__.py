@@ -1,4 +1,4 @@
-"""Loads generated models and runs them: `from hertzwerk.runtime import load, simulate`."""
+"""Load generated models and run them: `from hertzwerk.runtime import load, simulate`."""
 
 from typing import TYPE_CHECKING
 

@@ -34,10 +34,10 @@ DURATION = click.option("--duration", metavar="TIME", help='Such as "24 ms" (def
 
 
 class _Methods(click.Option):
-    """An option whose help lists the methods, imported when help is shown: their tables need NumPy."""
+    """Option whose help lists the methods, imported only when help is shown: their tables need NumPy."""
 
     def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
-        """Option and help."""
+        """Return option and help."""
         from hertzwerk.runtime.integrate.tableaux.methods import METHODS
 
         *others, last = METHODS

@@ -160,7 +160,7 @@ def chosen(run: Solution, texts: Sequence[str]) -> tuple[tuple[Output, ...], lis
 
 
 def unknown_histories(model: Model, texts: Sequence[str]) -> list[Fault]:
-    """The faults of outputs of histories that no run of the model has."""
+    """Return the faults of outputs that need histories no run of the model has."""
     names = [name for name in units_of(model, None) if name != "t"]
     parts = (text.partition(".") for text in texts)
     return [unknown("history", name, names) for kind, _, name in parts if kind in _KINDS and name and name not in names]

@@ -84,7 +84,7 @@ def solve(case: HardCase, method: str, *, compiled: Compiled) -> Solution:
 
 @cache
 def model_of(source: Source) -> Model:
-    """The model of a case, loaded once."""
+    """Return the model of a case, loaded once."""
     return source.load()
 
 

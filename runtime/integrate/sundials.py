@@ -310,7 +310,7 @@ class _Run:
         return self.y[:nq], self.y[nq : nq + self.model.nu]
 
     def set_status(self, *, arrives: bool = False) -> None:
-        """Set the status that the state and the counters give."""
+        """Update the status from the state and the counters."""
         if np.any(self.at(self.t, self.y)["in_range"] < 0.5):
             self.status = OUTSIDE_LAW_RANGE
         elif arrives:

@@ -163,7 +163,7 @@ def law_summaries() -> tuple[tuple[str, str, str, str, str], ...]:
 
 
 def law_listing(*, stub: bool) -> str:
-    """The catalogue as Markdown, or as a stub for type checkers."""
+    """Return the catalogue as Markdown, or as a stub for type checkers."""
     from hertzwerk.derive.laws import listing
 
     return listing.stub() if stub else listing.markdown()

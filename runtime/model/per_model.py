@@ -15,10 +15,11 @@ Result = TypeVar("Result")
 
 
 def per_model(function: Callable[[AnyModel, *Others], Result]) -> Callable[[AnyModel, *Others], Result]:
-    """Keep a function's results in the model they are of, by the function itself and its other arguments.
+    """Cache a function's results in its model, by function and further arguments.
 
-    They are freed with the model: a weak table beside it would hold it, because results refer to it. There is no lock, which a forked process
-    could inherit while another thread holds it: two threads may compute the same, and one result stays.
+    They are freed with the model: a weak table beside it would keep it alive, because results refer to it. There is
+    no lock, which a forked process could inherit while another thread holds it: two threads may compute the same, and
+    one result stays.
     """
 
     @wraps(function)

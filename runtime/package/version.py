@@ -1,4 +1,4 @@
-"""The version that is installed."""
+"""Installed version of the package."""
 
 from importlib.metadata import version
 

@@ -56,7 +56,7 @@ class Recorder:
             raise self.error
 
     def _gathered(self) -> np.ndarray:
-        """Join the rows in one array; where memory does not suffice, as many of the first as fit."""
+        """Join the gathered rows in one array; if memory does not suffice, as many of the first as fit."""
         while True:
             try:
                 return np.concatenate(self._parts)

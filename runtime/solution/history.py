@@ -234,7 +234,7 @@ class History:
 
 @per_model
 def units_of(model: Model, stored: tuple[str, ...] | None) -> dict[str, str]:
-    """SI unit text by name; `stored`: what a saved run has, None where there are functions."""
+    """Return the SI unit text by name; `stored`: names of a saved run, None where there are functions."""
     units = {"t": "s", **model.units}
     for name in model.speeds:
         units[acceleration_of(name)] = f"{model.units[name]}^2"  # m/s^2, rad/s^2

@@ -151,7 +151,7 @@ def outcome(status: int, method: str, history: History, *, error: Exception | No
 
 
 def _raised(error: Exception) -> str:
-    """An exception, and the line that raised it."""
+    """Describe an exception and the line that raised it."""
     (*_, last) = traceback.extract_tb(error.__traceback__)
     return (
         f"{type(error).__name__} in {last.name} ({Path(last.filename).name}, line {last.lineno}): {error}".removesuffix(

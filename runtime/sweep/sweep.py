@@ -146,7 +146,7 @@ class _Job:
         return 0.0
 
     def _solve(self, i: int, **options: Any) -> Solution:
-        """Raises InputError, and KeyboardInterrupt where the run was stopped."""
+        """Simulate set i; raises InputError, and KeyboardInterrupt where the run was stopped."""
         parameters, initial = split_values(self.model, self.sets[i])
         solution = simulate(self.model, parameters=parameters, initial=initial, **{**self.settings, **options})
         if solution.outcome.name == "interrupted":

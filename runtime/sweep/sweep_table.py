@@ -112,5 +112,5 @@ class Sweep:
 
 
 def ports(model: Model) -> dict[str, str]:
-    """Unit text of every parameter and state: what a set may name."""
+    """Return the unit text of every parameter and state that a set may name."""
     return {**{name: port.unit for name, port in model.parameters.items()}, **model.joints.units, **model.units}

@@ -116,7 +116,7 @@ class Curve:
 
 @dataclass(frozen=True)
 class Study:
-    """Laws that take e, the best over all e first; then laws with a parameter of their own."""
+    """Curves of the laws that take e, the best over all e first, and of the others."""
 
     curves: tuple[Curve, ...]
     others: tuple[Curve, ...]

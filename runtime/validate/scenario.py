@@ -33,7 +33,7 @@ FOUND_IN_HISTORIES = ("final", "max", "min", "largest")
 
 
 def si(text: str) -> float:
-    """SI value of quantity text such as "24 ms"; raises UnitError."""
+    """Return the SI value of quantity text such as "24 ms"; raises UnitError."""
     value, unit = parse_quantity(text)
     return value * unit.factor
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 @click.command("list")
 @reports_bad_input
 def list_scenes() -> int:
-    """The built-in scenes, with their effects."""
+    """List the built-in scenes with their effects."""
     from hertzwerk.runtime.model.regenerate import generated_names
 
     rows = []
@@ -98,7 +98,7 @@ def _show(targets: Sequence[str], coordinates: str | None, *, as_json: bool) -> 
 
 
 def _compare(modules: Sequence[Derived], folder: Path | None, *, everything: bool) -> int:
-    """Report on each module whether the one in place is what its scene derives to."""
+    """Report for each module whether the one in place equals what its scene derives to."""
     from hertzwerk.runtime.model import regenerate
 
     good = True

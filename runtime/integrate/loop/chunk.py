@@ -67,7 +67,10 @@ class Ending:
 
 
 class CallerProvider(Protocol):
-    """Provider of a run's callers, which may change between two chunks (`automatic.AutomaticCallers`)."""
+    """Provider of a run's callers, which it may change between two chunks.
+
+    `automatic.AutomaticCallers` is one.
+    """
 
     callers: Callers
 

@@ -23,7 +23,7 @@ ALONE = 10  # most pairs with a class each: every class is built and compiled, w
 
 
 def contact_classes(model: Model) -> tuple[Contacts, ...]:
-    """The contacts of the classes IN_FLIGHT, IN_CONTACT, ... in order."""
+    """Return the contacts of the classes IN_FLIGHT, IN_CONTACT, ... in order."""
     alone = tuple((j,) for j in range(model.k if model.k <= ALONE else 0))
     several = () if model.k == len(alone) <= 1 else (BY_MODE,)
     return ((), *alone, *several)

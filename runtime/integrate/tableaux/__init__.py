@@ -1,1 +1,1 @@
-"""Coefficients of the methods, as records that refuse to exist if an order condition fails."""
+"""Coefficients of the methods, checked against their order conditions on construction."""

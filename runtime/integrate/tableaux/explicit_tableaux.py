@@ -18,12 +18,12 @@ Tree: TypeAlias = tuple["Tree", ...]  # a root's subtrees, sorted; a single node
 
 @cache
 def trees(nodes: int) -> tuple[Tree, ...]:
-    """All rooted trees with so many nodes, each once."""
+    """Return all rooted trees of a number of nodes, each once."""
     return tuple(_forests(nodes - 1, nodes - 1))
 
 
 def _forests(nodes: int, largest: int) -> Iterator[Tree]:
-    """Multisets of trees with `nodes` nodes together, none with more than `largest`."""
+    """Yield the multisets of trees with `nodes` nodes together, none with more than `largest`."""
     if nodes == 0:
         yield ()
         return
@@ -41,7 +41,7 @@ def _size(tree: Tree) -> int:
 
 @cache
 def _density(tree: Tree) -> int:
-    """gamma(tree): the nodes of the tree and of all its subtrees, multiplied."""
+    """Return gamma(tree): the product of the node counts of the tree and all its subtrees."""
     return _size(tree) * prod(map(_density, tree))
 
 

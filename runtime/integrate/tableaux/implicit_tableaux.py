@@ -21,7 +21,7 @@ EXCESS = 1e-12  # of 1, allowed to |R| on the axis: rounding
 
 @dataclass(frozen=True)
 class Rosenbrock:
-    """An L-stable Rosenbrock method of s stages, in the form that needs no product with the Jacobian J:
+    """L-stable Rosenbrock method of s stages, in the form without products by the Jacobian J.
 
         (I - h gamma J) U_i = h gamma f(t + alpha_i h, y + sum_j a_ij U_j) + gamma sum_j c_ij U_j + gamma gamma_i h^2 df/dt
         y1 = y + sum_j m_j U_j,  error = sum_j errors_j U_j
@@ -67,7 +67,7 @@ class Rosenbrock:
 
     @property
     def error_order(self) -> int:
-        """Power of the step that the error norm falls with."""
+        """Power of the step in the error norm."""
         return self.error.order + 1
 
 
@@ -98,17 +98,17 @@ class DiagonallyImplicit:
 
     @property
     def gamma(self) -> float:
-        """The diagonal entry of the implicit stages."""
+        """Diagonal entry of the implicit stages."""
         return self.A[-1][-1]
 
     @property
     def stages(self) -> int:
-        """Evaluations of the right-hand side per step, beside the one at its end."""
+        """Evaluations of the right-hand side per step, without the one at its end."""
         return ITERATIONS * (len(self.A) - 1)
 
     @property
     def error_order(self) -> int:
-        """Power of the step that the error norm falls with."""
+        """Power of the step in the error norm."""
         return self.error.order + 1
 
     @cached_property
@@ -128,7 +128,7 @@ class DiagonallyImplicit:
 
 
 def _lagrange(nodes: list[float], own: float, x: float) -> float:
-    """At x, the polynomial that is 1 at its own node and 0 at the others."""
+    """Return the Lagrange polynomial of a node, which is 0 at the others, evaluated at x."""
     return prod((x - other) / (own - other) for other in nodes if other != own)
 
 

@@ -11,13 +11,13 @@ from typing import Any
 
 
 def names() -> tuple[str, ...]:
-    """Names of the built-in scenarios, sorted."""
+    """Return the names of the built-in scenarios, sorted."""
     return tuple(
         sorted(entry.name[:-5] for entry in resources.files(__name__).iterdir() if entry.name.endswith(".toml"))
     )
 
 
 def read(name: str) -> dict[str, Any]:
-    """Contents of a built-in scenario; empty where there is none of that name."""
+    """Return the content of a built-in scenario; empty where there is none of that name."""
     file = resources.files(__name__) / f"{name}.toml"
     return tomllib.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}

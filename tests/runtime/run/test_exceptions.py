@@ -12,6 +12,7 @@ from click.testing import CliRunner
 from hertzwerk.runtime import Solution, load, simulate
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.model import caller
+from hertzwerk.runtime.run.engine import engine_for
 from hertzwerk.runtime.run.recorder import Recorder
 from hertzwerk.runtime.solution import findings
 
@@ -166,7 +167,7 @@ def test_a_run_that_rejects_for_ever_ends(ball, monkeypatch):
         results = evaluate(self)
         (states,) = results
         if states.shape[0] == 256:
-            before, layout = self.inputs[0], ball.once(("engine", "dop853"), lambda: None).integrator.layouts.state
+            before, layout = self.inputs[0], engine_for(ball, "dop853", False).integrator.layouts.state
             states[:] = before
             states[:, layout["accepted"]] = 0
             states[:, layout["rejected"]] += np.arange(1, 257)[:, None]
