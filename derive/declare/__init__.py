@@ -1,1 +1,1 @@
-"""The declaration of a scene, and everything that can be wrong with it."""
+"""Declaration of a scene, and its checks."""

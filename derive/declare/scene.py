@@ -1,4 +1,7 @@
-"""A scene: a mechanism, the effects it is simulated with, each with its law, and its start. What is not called for does not exist downstream."""
+"""Scene: a mechanism, the effects it is simulated with, each with its law, and its start.
+
+Effects that are not declared do not exist downstream.
+"""
 
 from __future__ import annotations
 
@@ -39,15 +42,18 @@ E = TypeVar("E", bound=Effect)
 
 @dataclass(frozen=True)
 class Start:
-    """Coordinates and speeds at t = 0 by name, `<joint>.<name>`; of a joint with one coordinate its own name will do.
+    """Coordinates and speeds at t = 0 by name, `<joint>.<name>`.
 
-    What is named is kept. What is not is found where loops are to be closed and journals to be centred: positions and speeds of the ideal mechanism.
-    Beyond that it is zero, and an orientation that of the parent. `near` has coordinates that are looked for near a value: one way of assembly
-    of two.
+    For a joint with one coordinate, the joint's name suffices.
 
-    With `seated` journals do not start in the middle of their bushes or sockets, but rest in them, held by their contact alone: each lies where the
-    force that its clearance would transmit as a closed joint at that instant presses it, so deep that its elastic normal force is that force, and
-    moves with its bush. A journal that nothing presses is centred. Friction of the contact does not count. What the start names must let them.
+    Given values are kept. Others are found where loops are to be closed and journals to be centred: positions and
+    speeds of the ideal mechanism. Remaining ones are zero, and an orientation is that of the parent. `near` gives
+    starting values of coordinates for the assembly, which select one of several configurations.
+
+    With `seated`, journals do not start in the middle of their bushes or sockets, but rest in them, held by their
+    contact alone: each is displaced along the force that its clearance would transmit as a closed joint at that
+    instant, so deep that its elastic normal force equals that force, and moves with its bush. A journal without such
+    a force is centred. Friction of the contact is neglected. The given values must allow this.
     """
 
     position: Mapping[str, Scalar] = field(default_factory=dict)
@@ -56,7 +62,7 @@ class Start:
     seated: bool = False
 
     def coordinates(self, freedom: Freedom) -> list[Any]:
-        """Values of a freedom's coordinates; a quaternion's are divided by its norm."""
+        """Values of a freedom's coordinates; a quaternion's are normalised."""
         given = [_given({**self.near, **self.position}, port.name, freedom) for port in freedom.coordinates]
         if freedom.scalar:
             return [value or 0 for value in given]
@@ -71,7 +77,7 @@ class Start:
         return [_given(self.speed, port.name, freedom) or 0 for port in freedom.speeds]
 
     def stated(self, freedom: Freedom) -> list[str]:
-        """Names of a freedom's coordinates and speeds that have a value here."""
+        """Names of a freedom's coordinates and speeds with a given value."""
         sides = (self.position, freedom.coordinates), (self.speed, freedom.speeds)
         return [
             port.name for values, ports in sides for port in ports if _given(values, port.name, freedom) is not None
@@ -84,14 +90,14 @@ def _given(values: Mapping[str, Scalar], name: str, freedom: Freedom) -> Any:
 
 @dataclass(frozen=True)
 class Scales:
-    """Sizes that accuracy is measured by: a length [m], a speed [m/s], and the arm [m] that turns a length into an angle."""
+    """Scales of error tolerances: a length [m], a speed [m/s], and the arm [m] of an angle length/arm."""
 
     length: Scalar
     speed: Scalar
     arm: Scalar | None = None
 
     def slots(self) -> Iterator[Slot]:
-        """The sizes."""
+        """Yield the scales."""
         yield Slot("scales, length", self.length, "m", POSITIVE)
         yield Slot("scales, speed", self.speed, "m/s", POSITIVE)
         if self.arm is not None:
@@ -100,10 +106,10 @@ class Scales:
 
 @dataclass(frozen=True)
 class Scene:
-    """A mechanism plus the effects it calls for. Raises InputError, listing every fault, if it is not sound.
+    """A mechanism with its effects. Raises InputError, listing every fault, for unsound declarations.
 
-    coordinates  "tree": those of the joints that carry a body; "absolute": of every body, all joints are constraints; "auto": of both what
-                 takes fewer operations
+    coordinates  "tree": of the joints that carry a body; "absolute": of every body, all joints are constraints;
+                 "auto": whichever takes fewer operations
 
     `without`, `replace`, `with_law`, `named` and `with_coordinates` give new scenes; nothing is mutated.
     """
@@ -128,27 +134,28 @@ class Scene:
     # -- variations ------------------------------------------------------------------------------------------------
 
     def without(self, *names: str) -> Scene:
-        """The scene without these effects; raises InputError for a name that is none."""
+        """The scene without these effects; raises InputError for an unknown name."""
         self._must_exist(names)
         return replace(self, effects=tuple(effect for effect in self.effects if effect.name not in names))
 
     def replace(self, **effects: Effect) -> Scene:
-        """The scene with these effects exchanged, by name."""
+        """The scene with these effects replaced, by name."""
         self._must_exist(effects)
         return replace(self, effects=tuple(effects.get(effect.name, effect) for effect in self.effects))
 
     def named(self, name: str, summary: str = "") -> Scene:
-        """The same scene under another name."""
+        """The scene under another name."""
         return replace(self, name=name, summary=summary or self.summary)
 
     def with_coordinates(self, coordinates: str) -> Scene:
-        """The same scene in other coordinates; raises InputError for a word that is none of the three."""
+        """The scene in other coordinates; raises InputError for an unknown kind of coordinates."""
         return replace(self, coordinates=coordinates)  # type: ignore[arg-type]  # which the new scene checks
 
     def with_law(self, effect_name: str, law_name: str) -> Scene:
-        """The scene with one law of one effect exchanged for the law `law_name`, given the same parameters by name.
+        """The scene with one law of an effect replaced by the law `law_name`, with the same parameters.
 
-        What the effect does not have stands with the name: `power_damping(chi=1e5 N s/m^2.5, m=1.5)`.
+        Parameters the effect does not have are given with the name: `power_damping(chi=1e5 N s/m^2.5, m=1.5)`. Raises
+        InputError.
         """
         self._must_exist((effect_name,))
         effect = self.effect(effect_name)
@@ -181,7 +188,7 @@ class Scene:
         materials = bound.materials if bound is not None else ()
         kept = tuple(
             m for m in materials if m.youngs_modulus in other.values
-        )  # whose density limits the speed of impacts
+        )  # their density limits the speed of impacts
         return self.replace(**{effect_name: replace(effect, **{slot: replace(other, materials=kept)})})
 
     def _must_exist(self, names: Any) -> None:
@@ -197,12 +204,12 @@ class Scene:
         return next(effect for effect in self.effects if effect.name == name)
 
     def all(self, kind: type[E]) -> list[E]:
-        """The effects of one class, in declared order."""
+        """Effects of one class, in declared order."""
         return [effect for effect in self.effects if isinstance(effect, kind)]
 
     @property
     def ledger(self) -> EnergyLedger | None:
-        """The energy ledger, if one is called for."""
+        """Whether the scene has an energy ledger."""
         return next(iter(self.all(EnergyLedger)), None)
 
     @property
@@ -212,12 +219,12 @@ class Scene:
 
     @cached_property
     def scalars(self) -> dict[str, Freedom]:
-        """Freedoms of one coordinate by their keys."""
+        """Freedoms with one coordinate, by their keys."""
         return {freedom.key: freedom for freedom in self.mechanism.freedoms if freedom.scalar}
 
     @property
     def free(self) -> tuple[Freedom, ...]:
-        """The freedoms that keep their coordinates."""
+        """Freedoms that are not driven."""
         return tuple(freedom for freedom in self.mechanism.freedoms if freedom.key not in self.driven)
 
     @property
@@ -228,14 +235,14 @@ class Scene:
 
     @cached_property
     def size(self) -> float:
-        """The greatest length among the parameters at their defaults [m], or that of the scales."""
+        """Greatest length among the parameters at their defaults [m], or that of the scales."""
         metre = parse_unit("m").exponents
         lengths = [abs(p.si) for p in self.parameters.values() if p.parsed_unit.exponents == metre]
         return max(lengths) or abs(default_value(self.scales.length)) if lengths else default_value(self.scales.length)
 
     @cached_property
     def contacts(self) -> list[tuple[Pair, Contact, Friction | None]]:
-        """The pairs whose contact is called for, in the order of the mechanism's pairs, with their effects."""
+        """Pairs with a contact, in the order of the mechanism's pairs, with their effects."""
         contacts = {effect.pair: effect for effect in self.all(Contact)}
         frictions = {effect.pair: effect for effect in self.all(Friction)}
         return [
@@ -245,14 +252,14 @@ class Scene:
         ]
 
     def geometry(self, pair_name: str) -> dict[str, Any]:
-        """What a pair offers its laws by name (`R_eff`, `L`, ...), and the effective mass `m_eff` of its bodies; empty for no pair."""
+        """Geometry of a pair by name (`R_eff`, `L`, ...) and effective mass `m_eff`; {} for an unknown pair."""
         pair = next((pair for pair in self.mechanism.pairs if pair.name == pair_name), None)
         if pair is None:
             return {}
         bodies = [place.body for place in pair.places if isinstance(place.body, Body)]
         given = [*pair.slots(), *(slot for body in bodies for slot in body.slots())]
         if not all(is_number(slot.value) and sp.sympify(slot.value) is not sp.nan for slot in given):
-            return {}  # a fault, which the scene reports
+            return {}  # a fault reported by the scene
         own = next((e.effective_mass for e in self.all(Contact) if e.pair == pair_name), None)
         masses = [body.mass for body in bodies]
         both = masses[0] if len(masses) == 1 else masses[0] * masses[1] / (masses[0] + masses[1]) if masses else None
@@ -260,7 +267,10 @@ class Scene:
         return {**pair.geometry, **({} if mass is None else {"m_eff": mass})}
 
     def slots(self) -> Iterator[Slot]:
-        """Every quantity that something reads, in declared order: what a pair has for its laws alone, where one asks for it."""
+        """Yield every quantity that is used, in declared order.
+
+        Geometry that a pair has for its laws alone is included only if a law depends on it.
+        """
         asked = {
             f"{pair}.{quantity.name}"
             for effect in self.effects
@@ -271,10 +281,10 @@ class Scene:
         return (slot for slot in self.declarations() if not slot.asked_as or slot.asked_as in asked)
 
     def declarations(self) -> Iterator[Slot]:
-        """Every quantity of the scene, in declared order."""
+        """Yield every quantity of the scene, in declared order."""
         yield from self.mechanism.slots()
         for effect in self.effects:
-            if all(key in self.scalars for key in effect.joints):  # else a fault, which the scene reports
+            if all(key in self.scalars for key in effect.joints):  # else a fault reported by the scene
                 yield from effect.slots(self)
         for freedom in self.mechanism.freedoms:
             for values, ports, what in (
@@ -290,7 +300,7 @@ class Scene:
 
     @cached_property
     def parameters(self) -> dict[str, Parameter]:
-        """All parameters that something reads by name, in declared order."""
+        """Parameters in use by name, in declared order."""
         found: dict[str, Parameter] = {}
         for slot in self.slots():
             for parameter in parameters_of(slot.value):

@@ -1,1 +1,1 @@
-"""Effects that move a mechanism beside gravity and contact: drives, forces, springs, dampers, friction of joints."""
+"""Effects: drives, forces, springs, dampers, friction, films, gravity, contact; one file per kind."""

@@ -1,4 +1,4 @@
-"""Contact of a pair and its friction, each by laws; their equations are those of the room `contact`."""
+"""Contact of a pair, and its friction; their equations are in `contact`."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ APPROACH_FLOOR = Parameter(
 
 @dataclass(frozen=True)
 class Contact(PairEffect):
-    """Normal force of one pair: a stiffness law and, if called for, a damping law. The effect is named after its pair.
+    """Normal force of one pair: a stiffness law and optionally a damping law; named after its pair.
 
-    `effective_mass` is what a damping law that asks for one is given, by default m1 m2/(m1 + m2) of the two bodies.
+    `effective_mass` is for damping laws that depend on it, by default m1 m2/(m1 + m2) of the two bodies.
     `unchecked=True` lets an inconsistent law run in SI values; module, solution and plots then say so.
     """
 
@@ -37,7 +37,7 @@ class Contact(PairEffect):
 
     @property
     def name(self) -> str:  # type: ignore[override]  # read-only, as the field of a frozen dataclass
-        """The pair's name."""
+        """Name of the pair."""
         return self.pair
 
     @property
@@ -47,13 +47,13 @@ class Contact(PairEffect):
 
     @property
     def text(self) -> str:
-        """What the effect is, for people."""
+        """Description for people."""
         rebuilt = [bound.law.name for bound in self.laws if bound.law.grade == "R"]
         label = f", {' and '.join(rebuilt)} a reconstruction (grade R)" if rebuilt else ""
         return " x ".join(bound.law.name for bound in self.laws) + label + (", UNCHECKED" if self.unchecked else "")
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
-        """The parameters of both laws, and what of the pair's geometry they limit."""
+        """Yield the parameters of both laws, and the quantities of the pair's geometry they limit."""
         yield from super().slots(scene)
         if self.effective_mass is not None:
             yield Slot(f"{self.where}, effective mass", self.effective_mass, "kg", POSITIVE)
@@ -61,12 +61,12 @@ class Contact(PairEffect):
             yield Slot(f"{self.where}, approach floor", self.approach_floor, "m/s", POSITIVE)
 
     def element(self, kin: Kinematics) -> None:
-        """None: it acts in contact alone."""
+        """No element: it acts in contact alone."""
 
 
 @dataclass(frozen=True)
 class Friction(PairEffect):
-    """Friction of one pair, beside its normal force."""
+    """Friction of one pair, in addition to its normal force."""
 
     name: str
     pair: str
@@ -78,11 +78,11 @@ class Friction(PairEffect):
 
     @property
     def text(self) -> str:
-        """What the effect is, for people."""
+        """Description for people."""
         return f"{self.law.law.name} at {self.pair}" + (", UNCHECKED" if self.unchecked else "")
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
-        """A pair without a contact."""
+        """Yield faults of a pair without a contact."""
         contacts = [effect.pair for effect in scene.effects if isinstance(effect, Contact)]
         if self.pair in contacts:
             yield from super().faults(scene)
@@ -91,4 +91,4 @@ class Friction(PairEffect):
                     "Friction needs a normal force: leave it out too, or add the pair's Contact.")  # fmt: skip
 
     def element(self, kin: Kinematics) -> None:
-        """None: it acts in contact alone."""
+        """No element: it acts in contact alone."""

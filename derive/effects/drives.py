@@ -1,7 +1,8 @@
-"""Drives: the motion of a joint as a function of time, its rate and acceleration derived from one declaration. A driven joint has no freedom.
+"""Drives: the motion of a joint as a function of time. A driven joint has no freedom.
 
-A declared position is a closed form. A declared speed or acceleration is integrated with the states, from a position (and speed) at t = 0.
-How smooth a motion is decides how well a method of high order goes over it: a run keeps its accuracy at a kink, with shorter steps.
+A declared position is a closed form. A declared speed or acceleration is integrated with the states, from a position
+(and speed) at t = 0. The smoothness of a motion affects methods of high order: at a kink a run keeps its accuracy by
+shorter steps.
 """
 
 from __future__ import annotations
@@ -22,7 +23,10 @@ from hertzwerk.derive.mechanism.parameter import POSITIVE, Scalar
 
 @dataclass(frozen=True)
 class Motion:
-    """A drive's declaration: `law` is the derivative of this order of the position, by time; `start` what the lower ones are at t = 0."""
+    """Motion of a drive: `law` is the derivative of order `order` of the position with respect to time.
+
+    `start` holds the values of the lower derivatives at t = 0.
+    """
 
     law: Any
     order: int = 0
@@ -30,7 +34,7 @@ class Motion:
 
 
 class AnyDrive(JointEffect):
-    """Base of the drives: `motion` is what a drive declares."""
+    """Base class of drives, which declare their `motion`."""
 
     kind: ClassVar[str] = "drive"
     enters: ClassVar[str] = NOWHERE
@@ -38,7 +42,7 @@ class AnyDrive(JointEffect):
 
     @property
     def motion(self) -> Motion:
-        """The motion of the joint."""
+        """Motion of the joint."""
         raise NotImplementedError
 
     @property
@@ -48,18 +52,18 @@ class AnyDrive(JointEffect):
 
     @property
     def only(self) -> str:
-        """One of a joint."""
+        """Description of the one on a joint."""
         return f"drive of joint {self.joint}"
 
     def element(self, kin: Kinematics) -> None:
-        """None: the kinematics takes the motion, and the joint's coordinate is gone."""
+        """No element: the kinematics contains the motion, and the joint's coordinate is removed."""
 
 
 @dataclass(frozen=True)
 class ConstantSpeed(AnyDrive):
-    """A drive that turns (or moves) a joint at constant speed, from coordinate 0 at t = 0; removes the joint's coordinate.
+    """Drive at constant speed, from coordinate 0 at t = 0; removes the joint's coordinate.
 
-    Of a joint with several coordinates one is named: `joint="column.angle"`.
+    For a joint with several coordinates one is named: `joint="column.angle"`.
     """
 
     name: str
@@ -68,25 +72,26 @@ class ConstantSpeed(AnyDrive):
 
     @property
     def text(self) -> str:
-        """What the effect is, for people."""
+        """Description for people."""
         return f"constant speed of {self.joint}"
 
     @property
     def motion(self) -> Motion:
-        """speed t."""
+        """Position speed t."""
         return Motion(sp.sympify(self.speed) * T)
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
-        """The speed."""
+        """Yield the speed."""
         yield Slot(f"{self.where}, speed", self.speed, self.freedom(scene).units[1])
 
 
 @dataclass(frozen=True)
 class Ramp(AnyDrive):
-    """A drive from rest at coordinate 0: its speed rises to `speed` within the time `rise`, and stays.
+    """Drive from rest at coordinate 0: its speed rises to `speed` within the time `rise`, and stays.
 
-    The rise is the polynomial of least degree whose first `smoothness` derivatives vanish at both ends: 0 is a straight line (constant
-    acceleration, which jumps at both ends), 2 has a continuous acceleration and jerk. The way of the rise is speed rise/2 in any case.
+    The rise is the polynomial of least degree whose first `smoothness` derivatives vanish at both ends: 0 is a
+    straight line (constant acceleration, which jumps at both ends), 2 has a continuous acceleration and jerk. The
+    displacement of the rise is speed rise/2 in any case.
     """
 
     name: str
@@ -97,24 +102,24 @@ class Ramp(AnyDrive):
 
     @property
     def text(self) -> str:
-        """What the effect is, for people."""
+        """Description for people."""
         return f"speed of {self.joint} rising to a constant, {self.smoothness} derivatives of it continuous"
 
     @property
     def motion(self) -> Motion:
-        """The integral of the rise, then a constant speed."""
+        """Integral of the rise, then a constant speed."""
         speed, rise, n, x = sp.sympify(self.speed), sp.sympify(self.rise), self.smoothness, sp.Dummy("x")
         terms = (sp.binomial(n + k, k) * sp.binomial(2 * n + 1, n - k) * (-x) ** k for k in range(n + 1))
         way = sp.horner(sp.integrate(sp.expand(x ** (n + 1) * sp.Add(*terms)), x)).subs(x, T / rise)
         return Motion(speed * Where(rise > T, rise * way, T - rise / 2))
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
-        """The final speed and the duration of the rise."""
+        """Yield the final speed and the duration of the rise."""
         yield Slot(f"{self.where}, speed", self.speed, self.freedom(scene).units[1])
         yield Slot(f"{self.where}, rise", self.rise, "s", POSITIVE)
 
     def type_faults(self) -> Iterator[Fault]:
-        """A smoothness that is none."""
+        """Yield the fault of an invalid smoothness."""
         yield from super().type_faults()
         if isinstance(self.smoothness, bool) or not isinstance(self.smoothness, int) or not 0 <= self.smoothness <= 4:
             yield Fault(f"{self.where}, smoothness", repr(self.smoothness), "a whole number from 0 to 4")
@@ -122,7 +127,7 @@ class Ramp(AnyDrive):
 
 @dataclass(frozen=True)
 class Harmonic(AnyDrive):
-    """A drive at mean + amplitude sin(frequency t + phase), of a joint's coordinate; the frequency in rad/s."""
+    """Drive of a joint's coordinate at mean + amplitude sin(frequency t + phase); frequency in rad/s."""
 
     name: str
     joint: str
@@ -133,7 +138,7 @@ class Harmonic(AnyDrive):
 
     @property
     def text(self) -> str:
-        """What the effect is, for people."""
+        """Description for people."""
         return f"harmonic motion of {self.joint}"
 
     @property
@@ -142,7 +147,7 @@ class Harmonic(AnyDrive):
         return Motion(self.mean + self.amplitude * sp.sin(self.frequency * T + self.phase))
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Amplitude, frequency, phase, mean."""
+        """Yield amplitude, frequency, phase, mean."""
         yield Slot(f"{self.where}, amplitude", self.amplitude, self.freedom(scene).units[0])
         yield Slot(f"{self.where}, frequency", self.frequency, "rad/s")
         yield Slot(f"{self.where}, phase", self.phase, "rad")
@@ -151,10 +156,10 @@ class Harmonic(AnyDrive):
 
 @dataclass(frozen=True)
 class Drive(AnyDrive):
-    """A drive whose position, or speed, or acceleration is an expression of the time T, of parameters and of tables: exactly one of them is given.
+    """Drive with position, speed or acceleration as an expression of the time T, parameters and tables.
 
-    A speed is integrated from the coordinate `start`, an acceleration also from the speed `start_speed`. A `Table` has as many continuous
-    derivatives as it says: given for the position, the acceleration is continuous.
+    Exactly one of them is given. A speed is integrated from the coordinate `start`, an acceleration also from the
+    speed `start_speed`. A `Table` given for the position has a continuous acceleration.
     """
 
     name: str
@@ -172,22 +177,22 @@ class Drive(AnyDrive):
 
     @property
     def text(self) -> str:
-        """What the effect is, for people."""
+        """Description for people."""
         return ", ".join(f"{what} of {self.joint} = {shown(law)}" for _, what, law in self._given)
 
     @property
     def integrates(self) -> bool:
-        """Unless the position is given."""
+        """Whether a speed or acceleration is given."""
         return self.position is None
 
     @property
     def motion(self) -> Motion:
-        """As declared."""
+        """Motion as declared."""
         order, _, law = self._given[0]
         return Motion(as_choice(law), order, (self.start, self.start_speed)[:order])
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
-        """The law, and what it starts from."""
+        """Yield the law and the initial values."""
         coordinate, rate, _ = self.freedom(scene).units
         units = (coordinate, rate, f"{coordinate}/s^2")
         for order, what, law in self._given:
@@ -196,7 +201,7 @@ class Drive(AnyDrive):
         yield Slot(f"{self.where}, start speed", self.start_speed, rate)
 
     def type_faults(self) -> Iterator[Fault]:
-        """Not exactly one law, or a start that its law does not need."""
+        """Yield faults of several laws or none, and of initial values the law does not need."""
         yield from super().type_faults()
         if len(self._given) != 1:
             found = " and ".join(what for _, what, _ in self._given) or "none of them"

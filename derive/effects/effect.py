@@ -1,6 +1,6 @@
-"""Effects: what a scene calls for beside its mechanism. Each kind is a frozen dataclass derived from `Effect`, its declaration beside what it does.
+"""Base classes of effects; each kind is a frozen dataclass with its declaration and its forces.
 
-A kind of effect of one's own is one such class: what it is asked for and does not have is as declared here.
+A user-defined kind of effect is one such class; the defaults are declared here.
 """
 
 from __future__ import annotations
@@ -24,13 +24,16 @@ DISSIPATED, INPUT = "dissipated", "input"
 APPLIED, CONTACT, NOWHERE = "applied", "contact", ""
 
 Mark = tuple[str, str, Point, Mapping[str, Any]]
-"""A landmark of an effect: kind, place, point, and directions and sizes beside it."""
+"""Landmark of an effect: kind, place, point, and directions and sizes there."""
 
 
 @dataclass(frozen=True)
 class Element:
-    """Generalised forces by joint [N m or N]; stored energy [J]; power [W] that the energy ledger books as `DISSIPATED` or `INPUT`, None where the
-    element stores; outputs (name, unit, expression)."""
+    """Generalised forces by joint [N m or N], stored energy [J], power [W] and outputs of an effect.
+
+    The energy ledger books `power` as `DISSIPATED` or `INPUT`; None for an element that only stores energy. Outputs
+    are (name, unit, expression).
+    """
 
     forces: Mapping[str, Any] = field(default_factory=dict)
     stored: Any = sp.S.Zero
@@ -40,7 +43,7 @@ class Element:
 
 
 class Declared(Protocol):
-    """The scene as its effects see it."""
+    """Protocol of the scene as needed by its effects."""
 
     @property
     def mechanism(self) -> Mechanism:
@@ -52,18 +55,18 @@ class Declared(Protocol):
 
     @property
     def scales(self) -> Any:
-        """`length` [m] and `speed` [m/s] that accuracy is measured by."""
+        """Scales of error tolerances: `length` [m] and `speed` [m/s]."""
 
     @property
     def scalars(self) -> Mapping[str, Freedom]:
-        """Freedoms of one coordinate by their keys."""
+        """Freedoms with one coordinate by their keys."""
 
     def geometry(self, pair: str) -> Mapping[str, Any]:
-        """Quantities that a pair offers its laws, by name; empty for no pair."""
+        """Geometry of a pair by name; empty for an unknown pair."""
 
 
 class Journal(Protocol):
-    """A pin in its bush on the tape: both places, the bush's centre, and from there to the pin's [m]."""
+    """Protocol of a pin in its bush: places, the bush's centre, and from there to the pin's [m]."""
 
     pair: Any
     first: Point
@@ -73,41 +76,47 @@ class Journal(Protocol):
 
     @property
     def eccentricity(self) -> Vector:
-        """`apart` without its part along the axis [m]."""
+        """Component of `apart` normal to the axis [m]."""
 
     def rate_at(self, position: Vector) -> Vector:
         """Velocity of the first body's point at `position` against the second body's [m/s]."""
 
 
 class Kinematics(Protocol):
-    """Motion of a mechanism as the equations of its effects see it: vectors in ground axes, in SI, results named on the tape."""
+    """Protocol of a mechanism's kinematics as needed by its effects.
+
+    Vectors in ground axes, in SI, results named on the tape.
+    """
 
     tape: Tape
 
     @property
     def scene(self) -> Declared:
-        """The scene that moves."""
+        """The scene."""
 
     def expression(self, value: Any) -> Any:
-        """An expression of a scene over the tape."""
+        """An expression of a scene on the tape."""
 
     def coordinate(self, key: str) -> Any:
         """Coordinate of a freedom [rad or m]."""
 
     def speed(self, key: str) -> Any:
-        """Its rate [rad/s or m/s]."""
+        """Rate of the coordinate [rad/s or m/s]."""
 
     def on_joint(self, key: str, force: Any, name: str) -> dict[str, Any]:
-        """Generalised forces of a force along a slide or a torque about a turn, on its child; the parent feels the opposite."""
+        """Generalised forces of a force along a slide or a torque about a turn.
+
+        It acts on the child, its reaction on the parent.
+        """
 
     def point(self, point: Point, name: str) -> tuple[Vector, Vector, Vector]:
         """Position, velocity, acceleration of a point [m, m/s, m/s^2]."""
 
     def rotation(self, body: Frame) -> Matrix:
-        """From a body's axes to the ground's."""
+        """Rotation matrix from a body's axes to the ground's."""
 
     def direction(self, point: Point, direction: Direction) -> Vector:
-        """A direction given in a point's axes."""
+        """Unit vector of a direction given in a point's axes."""
 
     def angular_velocity(self, body: Frame) -> Vector:
         """Angular velocity of a body [rad/s]."""
@@ -123,12 +132,12 @@ class Kinematics(Protocol):
 
 
 class Effect:
-    """Base of every effect; a kind is a frozen dataclass derived from it, with a `name`, unique in its scene, and a `kind`.
+    """Base class of effects; a kind has a `name`, unique in its scene, and a `kind`.
 
     takes       fields that hold a law -> the kind of law they take
-    asks        COORDINATE or SPEED of its joints: coordinates of those that close loops cannot always be had
-    enters      function of a module that its generalised forces stand in: APPLIED, CONTACT, or NOWHERE for what has none
-    quantities  words after its name -> letter, subscript, meaning of a quantity, for people; `sought`: those looked for by name
+    asks        COORDINATE or SPEED of its joints; coordinates of loop-closing joints are not always available
+    enters      function of a module that has its generalised forces: APPLIED, CONTACT, or NOWHERE for effects without
+    quantities  words after its name -> letter, subscript, meaning of a quantity, for readers; `sought`: those shown by name
     unchecked   whether an inconsistent law may run
     """
 
@@ -143,7 +152,7 @@ class Effect:
 
     @property
     def text(self) -> str:
-        """What the effect is, for people."""
+        """Description for people."""
         return self.kind.replace("_", " ")
 
     @property
@@ -173,7 +182,7 @@ class Effect:
 
     @property
     def directions(self) -> Mapping[str, Direction]:
-        """Directions by what they are called."""
+        """Directions by name."""
         return {}
 
     @property
@@ -183,20 +192,20 @@ class Effect:
 
     @property
     def section(self) -> str:
-        """Title of the section that equations for people show its laws in."""
+        """Title of the section with its laws in the equations for readers."""
         return ""
 
     @property
     def only(self) -> str:
-        """Of what there can be one in a scene, such as "drive of joint crank"; "" for any number."""
+        """Description of which only one may exist in a scene ("drive of joint crank"); "" for any number."""
         return ""
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Quantities in declared order; asked for only where its joints are freedoms of the scene."""
+        """Yield its quantities in declared order; called only if its joints are freedoms of the scene."""
         return iter(())
 
     def type_faults(self) -> Iterator[Fault]:
-        """Fields of the wrong type, so that nothing else can be asked of them."""
+        """Yield faults of fields of the wrong type, which prevent all other checks."""
         for point in self.points:
             if not isinstance(point, Point):
                 yield Fault(self.where, repr(point), "a point of a body: body.at(x, y, z)")
@@ -208,7 +217,7 @@ class Effect:
                 yield from _law_faults(f"{self.where}, {kind}", kind, bound)
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
-        """What does not fit the scene, beyond quantities."""
+        """Yield faults of an effect that does not fit the scene, beyond quantities."""
         for body in self.frames:
             if body != GROUND and body not in scene.mechanism.bodies:
                 names = [b.name for b in scene.mechanism.bodies]
@@ -217,18 +226,21 @@ class Effect:
                 )
 
     def element(self, kin: Kinematics) -> Element | None:
-        """Forces, energy and outputs of the effect; None for what other parts of the derivation see to. Raises InputError for a kind without one."""
+        """Forces, energy and outputs; None for effects handled elsewhere in the derivation.
+
+        Raises InputError for a kind without an element.
+        """
         found = f"the kind {self.kind!r}, which has no element"
         raise InputError(self.where, [Fault(self.where, found, "one that says what it does",
                          f"def element(self, kin): return Element(...), in {type(self).__name__}.")])  # fmt: skip
 
     def landmarks(self, scene: Declared) -> Iterator[Mark]:
-        """Marks of a picture."""
+        """Yield the landmarks of a picture."""
         return iter(())
 
 
 class JointEffect(Effect):
-    """An effect on a `joint` with one coordinate, or on one of several: "column.angle".
+    """Effect on a `joint` with one coordinate, or on one of several: "column.angle".
 
     drawn  whether a picture shows it on the joint
     """
@@ -238,7 +250,7 @@ class JointEffect(Effect):
 
     @property
     def joints(self) -> tuple[str, ...]:
-        """The one joint."""
+        """The joint."""
         return (self.joint,)
 
     def freedom(self, scene: Declared) -> Freedom:
@@ -246,13 +258,13 @@ class JointEffect(Effect):
         return scene.scalars[self.joint]
 
     def type_faults(self) -> Iterator[Fault]:
-        """A joint that is no name."""
+        """Yield faults of a joint that is no name."""
         if not isinstance(self.joint, str):
             yield Fault(self.where, f"joint {self.joint!r}", "the name of a joint")
         yield from super().type_faults()
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
-        """A joint that is not there, or has not just one coordinate."""
+        """Yield faults of a joint that is missing, or has not just one coordinate."""
         if self.joint not in scene.scalars:
             closing = self.joint in [joint.name for joint in scene.mechanism.closures]
             known = self.joint in [joint.name for joint in scene.mechanism.joints]
@@ -263,7 +275,7 @@ class JointEffect(Effect):
         yield from super().faults(scene)
 
     def landmarks(self, scene: Declared) -> Iterator[Mark]:
-        """Of a turn its axis; of a slide both points, and the axis."""
+        """Yield the axis of a turn, or both points and the axis of a slide."""
         freedoms = ((joint, freedom) for joint in scene.mechanism.joints for freedom in joint.freedoms)
         joint, freedom = next(found for found in freedoms if found[1].key == self.joint)
         if not self.drawn or freedom.axis is None:
@@ -278,32 +290,32 @@ class JointEffect(Effect):
 
 
 class PairEffect(Effect):
-    """An effect at a `pair`, one of its kind there."""
+    """Effect at a `pair`, one of its kind there."""
 
     pair: str
 
     @property
     def pairs(self) -> tuple[str, ...]:
-        """The one pair."""
+        """The pair."""
         return (self.pair,)
 
     @property
     def only(self) -> str:
-        """One of a kind at a pair."""
+        """Description of one kind at a pair."""
         return f"{self.kind} of pair {self.pair}"
 
     @property
     def section(self) -> str:
-        """That of the contact."""
+        """Title of the contact's section."""
         return f"Contact {self.pair}"
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Parameters of the laws, and what of the pair's geometry they limit."""
+        """Yield the parameters of the laws, and the quantities of the pair's geometry they limit."""
         for bound in self.laws:
             yield from bound.slots(self.where, dict(scene.geometry(self.pair)))
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
-        """A pair that is not there, or not the one that a law was made for."""
+        """Yield faults of a pair that is missing, or not the kind a law was made for."""
         pairs = {pair.name: pair for pair in scene.mechanism.pairs}
         if self.pair not in pairs:
             yield Fault(self.where, f"pair {self.pair!r}", one_of(pairs, "a pair of the mechanism, which has none"))
@@ -323,7 +335,7 @@ class PairEffect(Effect):
 
 
 def axes_faults(where: str, axes: Any, what: str, components: Any) -> Iterator[Fault]:
-    """Faults of a vector that is no triple, or is given along the axes of no frame."""
+    """Yield faults of a vector that is no triple, or whose axes are no frame."""
     if not isinstance(components, tuple) or len(components) != 3:
         yield Fault(f"{where}, {what}", repr(components), "three values, (x, y, z)")
     if not isinstance(axes, Body | Ground):

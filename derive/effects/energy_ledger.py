@@ -1,4 +1,4 @@
-"""The energy ledger: work put in and energy dissipated, integrated with the states."""
+"""Energy ledger: work put in and energy dissipated, integrated with the states."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from hertzwerk.derive.effects.effect import NOWHERE, Effect, Kinematics
 
 @dataclass(frozen=True)
 class EnergyLedger(Effect):
-    """Quadratures of the energy put in and dissipated, so that energy + dissipated - input must stay constant."""
+    """Quadratures of energy input and dissipation: energy + dissipated - input must stay constant."""
 
     name: str = "energy_ledger"
     kind: ClassVar[str] = "ledger"
@@ -18,13 +18,13 @@ class EnergyLedger(Effect):
 
     @property
     def text(self) -> str:
-        """What the effect is, for people."""
+        """Description for people."""
         return "work put in, energy dissipated per effect"
 
     @property
     def only(self) -> str:
-        """One in a scene."""
+        """Description of the one in a scene."""
         return "ledger of the scene"
 
     def element(self, kin: Kinematics) -> None:
-        """None: it books what others do."""
+        """No element: it books those of other effects."""

@@ -1,4 +1,4 @@
-"""What an effect's expression may depend on: time, coordinates and speeds of joints, parameters, tables; and its faults.
+"""Symbols that expressions of an effect may contain, and faults of such expressions.
 
 T                     time
 coordinate_of(joint)  coordinate of a joint, by its name [rad or m]
@@ -34,7 +34,7 @@ class StateSymbol(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
     __slots__ = ("joint", "what")
 
     def __new__(cls, name: str, what: str, joint: str) -> StateSymbol:
-        """A symbol of its own: never taken from SymPy's cache."""
+        """Make a new symbol, never from SymPy's cache."""
         self = sp.Symbol.__xnew__(cls, name, real=True)
         self.what = what
         self.joint = joint
@@ -51,13 +51,13 @@ T = StateSymbol("t", TIME, "")
 
 
 def coordinate_of(joint: str) -> StateSymbol:
-    """The coordinate of the joint of this name [rad or m]; raises InputError for what is no text."""
+    """Coordinate of the joint of this name [rad or m]; raises InputError if the name is no text."""
     _must_be_text("coordinate_of", joint)
     return StateSymbol(f"{joint}.coordinate", COORDINATE, joint)
 
 
 def speed_of(joint: str) -> StateSymbol:
-    """The rate of the coordinate of the joint of this name [rad/s or m/s]; raises InputError for what is no text."""
+    """Rate of the coordinate of the joint of this name [rad/s or m/s]; raises InputError if no text."""
     _must_be_text("speed_of", joint)
     return StateSymbol(f"{joint}.speed", SPEED, joint)
 
@@ -71,15 +71,15 @@ def _must_be_text(function: str, joint: object) -> None:
 
 @dataclass(frozen=True)
 class Varying(Slot):
-    """A quantity that may vary with some of time, coordinates and speeds."""
+    """Quantity that may vary with some of time, coordinates and speeds."""
 
     on: tuple[str, ...] = (TIME, COORDINATE, SPEED)
     derivatives: int = 0
-    """How often it is differentiated by time."""
+    """Number of time derivatives that are taken of it."""
 
 
 def as_choice(value: Any) -> Any:
-    """A SymPy expression, its Piecewise as choices that can be differentiated; what is no number passes."""
+    """SymPy expression with Piecewise replaced by differentiable branches; other values pass."""
     if not is_number(value):
         return value
     expression = sp.sympify(value)
@@ -98,14 +98,14 @@ def _choice(piecewise: Any) -> Any:
 
 
 def states_in(expression: Any) -> list[StateSymbol]:
-    """Time, coordinates and speeds an expression depends on, in the order they stand in it (never in hash order)."""
+    """List time, coordinates and speeds in an expression in order of appearance (never in hash order)."""
     if not isinstance(expression, sp.Basic):
         return []
     return list(dict.fromkeys(node for node in sp.preorder_traversal(expression) if isinstance(node, StateSymbol)))
 
 
 def tables_in(expression: Any) -> list[Table]:
-    """Its tables, in the order they stand in it."""
+    """List the tables in an expression in order of appearance."""
     if not isinstance(expression, sp.Basic):
         return []
     return list(dict.fromkeys(node for node in sp.preorder_traversal(expression) if isinstance(node, Table)))
@@ -120,7 +120,7 @@ def state_dimension(symbol: StateSymbol, freedoms: Mapping[str, Freedom]) -> Dim
 
 
 def shown(value: Any) -> str:
-    """An expression as it is shown to people."""
+    """Text of an expression for people."""
     return text_of(sp.sympify(value)) if is_number(value) else repr(value)
 
 
@@ -130,7 +130,10 @@ def expression_faults(
     table: Mapping[sp.Symbol, Dimension],
     constant: Callable[[Slot], Iterator[Fault]],
 ) -> Iterator[Fault]:
-    """What is wrong with the expression in a slot: `table` has the dimensions of all sound parameters, `constant` judges what does not vary."""
+    """Yield faults of the expression in a slot.
+
+    `table` has the dimensions of all sound parameters; `constant` checks quantities that do not vary.
+    """
     if not is_number(slot.value) or not (states_in(slot.value) or tables_in(slot.value)):
         yield from constant(slot)
         return
@@ -172,7 +175,10 @@ def expression_faults(
 
 
 def table_faults(expressions: Iterable[Any]) -> Iterator[Fault]:
-    """What is wrong with the tables in these expressions, by themselves and beside each other; a module writes their names in capitals."""
+    """Yield faults of tables in these expressions, and of names that are equal in capitals.
+
+    Modules write names of tables in capitals.
+    """
     seen: dict[str, Table] = {}
     for table in (table for expression in expressions for table in tables_in(expression)):
         yield from table.faults()
@@ -182,7 +188,7 @@ def table_faults(expressions: Iterable[Any]) -> Iterator[Fault]:
 
 
 def smoothness_faults(slot: Slot, value: Any) -> Iterator[Fault]:
-    """An operation no module can hold, in the expression or in a derivative by time that is asked for."""
+    """Yield faults of an expression or its time derivatives that generated code cannot contain."""
     derivatives = getattr(slot, "derivatives", 0)
     for order in range(derivatives + 1):
         of = ("", "the first derivative of ", "the second derivative of ")[order]

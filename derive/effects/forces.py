@@ -1,6 +1,7 @@
-"""Forces and torques given by an expression of time, coordinates, speeds and parameters; and the forces of a potential.
+"""Forces and torques given by expressions, and forces of a potential.
 
-What a force or torque does is booked as input, positive or negative. What a potential does is stored: it belongs to the energy.
+Expressions of time, coordinates, speeds and parameters. The power of a force or torque is booked as input, positive
+or negative. A potential is stored energy.
 """
 
 from __future__ import annotations
@@ -23,7 +24,10 @@ Components = tuple[Any, Any, Any]
 
 @dataclass(frozen=True)
 class JointForce(JointEffect):
-    """A force [N] along a prismatic joint, or a torque [N m] about a revolute one, on its child; the parent feels the opposite."""
+    """Force [N] along a prismatic joint, or torque [N m] about a revolute one.
+
+    It acts on the child, its reaction on the parent.
+    """
 
     name: str
     joint: str
@@ -33,22 +37,22 @@ class JointForce(JointEffect):
 
     @property
     def text(self) -> str:
-        """What the effect is, for people."""
+        """Description for people."""
         return f"force on {self.joint} = {shown(self.force)}"
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
-        """The force."""
+        """Yield the force."""
         yield Varying(f"{self.where}, force", self.force, self.freedom(scene).units[2])
 
     def element(self, kin: Kinematics) -> Element:
-        """The force, and its power put in."""
+        """Force, and its power as input."""
         force = kin.tape.let(kin.expression(self.force), f"{self.name}_force")
         return Element(kin.on_joint(self.joint, force, self.name), power=force * kin.speed(self.joint), booked=INPUT)
 
 
 @dataclass(frozen=True)
 class PointForce(Effect):
-    """A force (x, y, z) [N] on a point of a body, its components along the axes of the frame `axes`; it comes from outside the mechanism."""
+    """External force (x, y, z) [N] on a point of a body, in the axes of the frame `axes`."""
 
     name: str
     point: Point
@@ -58,52 +62,52 @@ class PointForce(Effect):
 
     @property
     def text(self) -> str:
-        """What the effect is, for people."""
+        """Description for people."""
         return f"force on {self.point.body.name} = ({', '.join(map(shown, self.force))}) in axes of {self.axes.name}"
 
     @property
     def points(self) -> tuple[Point, ...]:
-        """The one point."""
+        """The point of application."""
         return (self.point,)
 
     @property
     def frames(self) -> tuple[Frame, ...]:
-        """The body, and that whose axes are used."""
+        """The body, and the frame of the components."""
         return self.point.body, self.axes
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
-        """The point and the three components."""
+        """Yield the point and the three components."""
         yield from self.point.slots()
         for axis, value in zip("xyz", self.force, strict=True):
             yield Varying(f"{self.where}, force along {axis}", value, "N")
 
     def type_faults(self) -> Iterator[Fault]:
-        """A force of other than three components, axes of no frame."""
+        """Yield faults of components and axes."""
         yield from super().type_faults()
         yield from axes_faults(self.where, self.axes, "force", self.force)
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
-        """A force on the ground."""
+        """Yield the fault of a force on the ground."""
         yield from super().faults(scene)
         if self.point.body == GROUND:
             yield Fault(self.where, "a force on the ground", "a force on a body")
 
     def element(self, kin: Kinematics) -> Element:
-        """The force, and its power put in."""
+        """Force, and its power as input."""
         force = _resolved(self.force, self.axes, kin, f"{self.name}_force")
         position, velocity, _ = kin.point(self.point, f"{self.name}_point")
         forces = kin.generalised(force, position, self.point.body, GROUND, self.name)
         return Element(forces, power=dot(force, velocity), booked=INPUT)
 
     def landmarks(self, scene: Declared) -> Iterator[Mark]:
-        """The point, and the force where it depends on parameters alone."""
+        """Yield the point, and the force if it depends on parameters alone."""
         yield "force", "point", self.point, {}
         yield from _constant("force", self.axes, self.force)
 
 
 @dataclass(frozen=True)
 class BodyTorque(Effect):
-    """A torque (x, y, z) [N m] on a body, its components along the axes of the frame `axes`; it comes from outside the mechanism."""
+    """External torque (x, y, z) [N m] on a body, in the axes of the frame `axes`."""
 
     name: str
     body: Body
@@ -113,40 +117,40 @@ class BodyTorque(Effect):
 
     @property
     def text(self) -> str:
-        """What the effect is, for people."""
+        """Description for people."""
         return f"torque on {self.body.name} = ({', '.join(map(shown, self.torque))}) in axes of {self.axes.name}"
 
     @property
     def frames(self) -> tuple[Frame, ...]:
-        """The body, and that whose axes are used."""
+        """The body, and the frame of the components."""
         return self.body, self.axes
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
-        """The three components."""
+        """Yield the three components."""
         for axis, value in zip("xyz", self.torque, strict=True):
             yield Varying(f"{self.where}, torque about {axis}", value, "N m")
 
     def type_faults(self) -> Iterator[Fault]:
-        """No body, a torque of other than three components, axes of no frame."""
+        """Yield faults of the body, components and axes."""
         if not isinstance(self.body, Body):
             yield Fault(self.where, repr(self.body), "a Body")
         yield from axes_faults(self.where, self.axes, "torque", self.torque)
 
     def element(self, kin: Kinematics) -> Element:
-        """The torque, and its power put in."""
+        """Torque, and its power as input."""
         torque = _resolved(self.torque, self.axes, kin, f"{self.name}_torque")
         forces = kin.generalised_moment(torque, self.body, GROUND, self.name)
         return Element(forces, power=dot(torque, kin.angular_velocity(self.body)), booked=INPUT)
 
     def landmarks(self, scene: Declared) -> Iterator[Mark]:
-        """The mass centre, and the torque where it depends on parameters alone."""
+        """Yield the mass centre, and the torque if it depends on parameters alone."""
         yield "moment", "centre", Point(self.body, self.body.centre), {}
         yield from _constant("moment", self.axes, self.torque)
 
 
 @dataclass(frozen=True)
 class Potential(Effect):
-    """Stored energy [J], an expression of coordinates; its forces are minus its derivatives, so the two cannot disagree."""
+    """Stored energy [J], an expression of coordinates; its forces are minus its derivatives."""
 
     name: str
     energy: Scalar
@@ -154,15 +158,15 @@ class Potential(Effect):
 
     @property
     def text(self) -> str:
-        """What the effect is, for people."""
+        """Description for people."""
         return f"forces of the energy {shown(self.energy)}"
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
-        """The energy."""
+        """Yield the energy."""
         yield Varying(f"{self.where}, energy", self.energy, "J", on=(COORDINATE,))
 
     def element(self, kin: Kinematics) -> Element:
-        """Minus the derivatives of the energy, which is stored."""
+        """Forces, minus the derivatives of the energy, and the stored energy."""
         energy = as_choice(self.energy)
         forces: dict[str, Any] = {}
         for symbol in states_in(energy):
@@ -180,7 +184,7 @@ def _resolved(components: Components, axes: Frame, kin: Kinematics, name: str) -
 
 
 def _constant(kind: str, axes: Frame, components: Components) -> Iterator[Mark]:
-    """A force or moment that depends on parameters alone: its components, along the axes of their frame."""
+    """Landmark of a force or moment that depends on parameters alone, along the axes of its frame."""
     values = tuple(sp.sympify(component) for component in components)
     if all(value.free_symbols <= set(parameters_of(value)) for value in values):
         yield kind, "axes", Point(axes), {kind: values}

@@ -1,4 +1,4 @@
-"""Gravity, uniform over the mechanism."""
+"""Uniform gravity."""
 
 from __future__ import annotations
 
@@ -22,27 +22,27 @@ class Gravity(Effect):
 
     @property
     def text(self) -> str:
-        """What the effect is, for people."""
+        """Description for people."""
         return "uniform gravity"
 
     @property
     def directions(self) -> Mapping[str, Direction]:
-        """The one direction."""
+        """The direction of gravity."""
         return {"direction": self.direction}
 
     @property
     def only(self) -> str:
-        """One in a scene."""
+        """Description of the one in a scene."""
         return "gravity of the scene"
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
-        """The acceleration and the direction."""
+        """Yield the acceleration and the direction."""
         yield from self.direction.slots(f"{self.where}, direction")
         yield Slot(f"{self.where}, acceleration", self.acceleration, "m/s^2")
 
     def element(self, kin: Kinematics) -> None:
-        """None: the equations of motion weigh whole branches at once."""
+        """No element: the equations of motion include gravity of whole subtrees."""
 
     def landmarks(self, scene: Declared) -> Iterator[Mark]:
-        """The direction."""
+        """Yield the direction."""
         yield "gravity", "direction", Point(GROUND), {"axis": self.direction.unit}

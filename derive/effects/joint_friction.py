@@ -1,4 +1,4 @@
-"""Friction of a joint, under a declared load."""
+"""Friction of a joint under a declared normal force."""
 
 from __future__ import annotations
 
@@ -18,10 +18,12 @@ from hertzwerk.derive.mechanism.parameter import NOT_NEGATIVE, POSITIVE, Scalar
 
 @dataclass(frozen=True)
 class JointFriction(JointEffect):
-    """Friction of a joint by a law of its sliding velocity: of a prismatic joint its speed, of a revolute one `radius` (of the journal) times it.
+    """Friction of a joint by a law of its sliding velocity under a declared normal force.
 
-    The normal force is declared, an expression if need be (a preload, a weight); the joint's own reaction is not fed back. That neglects how
-    the load varies with the motion, and keeps the accelerations explicit: a reaction depends on the accelerations, which depend on the friction.
+    The sliding velocity is the speed of a prismatic joint, or `radius` (of the journal) times that of a revolute one.
+    The normal force is an expression if need be (a preload, a weight); the joint's own reaction is not fed back. That
+    neglects its variation with the motion, and keeps the accelerations explicit: a reaction depends on the
+    accelerations, which depend on the friction.
     """
 
     name: str
@@ -34,18 +36,18 @@ class JointFriction(JointEffect):
 
     @property
     def text(self) -> str:
-        """What the effect is, for people."""
+        """Description for people."""
         return f"{self.law.law.name} in {self.joint} under a declared normal force"
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
-        """The parameters of the law, the normal force, the radius."""
+        """Yield the parameters of the law, the normal force, the radius."""
         yield from self.law.slots(self.where, {})
         yield Varying(f"{self.where}, normal force", self.normal_force, "N", NOT_NEGATIVE)
         if self.freedom(scene).kind == "turn" and self.radius is not None:
             yield Slot(f"{self.where}, radius", self.radius, "m", POSITIVE)
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
-        """A radius of a slide or none of a turn; a law that needs a contact."""
+        """Yield faults of the radius, and of a law that needs a contact."""
         yield from super().faults(scene)
         kind, law = self.freedom(scene).kind if self.joint in scene.scalars else "", self.law.law
         if kind == "slide" and self.radius is not None:
@@ -58,7 +60,7 @@ class JointFriction(JointEffect):
                         "smooth_coulomb, stribeck and brown_mcphee do.")  # fmt: skip
 
     def element(self, kin: Kinematics) -> Element:
-        """The drag of the law at the sliding velocity, and the power dissipated."""
+        """Friction force at the sliding velocity, and the dissipated power."""
         arm = sp.S.One if self.radius is None else sp.sympify(self.radius)
         sliding = kin.tape.let(arm * kin.speed(self.joint), f"{self.name}_sliding_velocity")
         law, values = self.law.law, {**self.law.binding, N: kin.expression(self.normal_force), s: sliding}

@@ -1,9 +1,10 @@
-"""Hydrodynamic lubrication of a pin in its bush: a fluid film that gives way to dry contact where the surfaces touch.
+"""Hydrodynamic lubrication of a pin in its bush, with transition to dry contact.
 
-The film is a force of its own, in flight as in contact. While it is thicker than two boundary layers (the height of the asperities) it is that of
-its law. Closer, the eccentricity the law is given stays behind the true one, so that the film never gets thinner than one layer and its force stays
-finite. From contact on it fades, and is gone at a penetration of one layer, where the contact law is all there is: the transition of Flores,
-Lankarani, Ambrosio, Claro, Proc. IMechE K 218 (2004) 183, whose dry force needs no weight here because it begins at zero by itself.
+The film is a force of its own, in flight as in contact. While it is thicker than two boundary layers (the height of
+the asperities) it is that of its law. Closer, the eccentricity passed to the law is limited, so that the film never
+gets thinner than one layer and its force stays finite. From contact on it fades, and vanishes at a penetration of one
+layer, where only the contact law acts: the transition of Flores, Lankarani, Ambrosio, Claro, Proc. IMechE K 218
+(2004) 183, whose dry force needs no weight here because it begins at zero by itself.
 """
 
 from __future__ import annotations
@@ -69,7 +70,10 @@ SOUGHT = (
 
 @dataclass(frozen=True)
 class Lubrication(PairEffect):
-    """The film of one pair; `boundary_layer` [m] is the thickness at which the asperities of both surfaces meet, less than half the clearance."""
+    """Film of one pair; `boundary_layer` [m] is the thickness at which the asperities meet.
+
+    It is less than half the clearance.
+    """
 
     name: str
     pair: str
@@ -83,16 +87,16 @@ class Lubrication(PairEffect):
 
     @property
     def text(self) -> str:
-        """What the effect is, for people."""
+        """Description for people."""
         return f"{self.law.law.name} film at {self.pair}" + (", UNCHECKED" if self.unchecked else "")
 
     @property
     def section(self) -> str:
-        """One of its own."""
+        """Title of the film's own section."""
         return f"Film {self.name}"
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
-        """The parameters of the law, the boundary layer, and that against the clearance."""
+        """Yield the parameters of the law, the boundary layer, and its ratio to the clearance."""
         yield from super().slots(scene)
         yield Slot(f"{self.where}, boundary layer", self.boundary_layer, "m", POSITIVE)
         geometry = scene.geometry(self.pair)
@@ -103,12 +107,15 @@ class Lubrication(PairEffect):
             )  # fmt: skip
 
     def element(self, kin: Kinematics) -> Element:
-        """The element of the film; outputs: size of its force [N], least thickness [m], which is a boundary layer where that is more."""
+        """Element of the film; outputs: size of its force [N], least thickness [m].
+
+        The thickness is at least a boundary layer.
+        """
         return _Film(self, kin).element()
 
 
 class _Film:
-    """Force midway between the centres, its couple, and the power dissipated, on the tape."""
+    """Film on the tape: force midway between the centres, couple, and dissipated power."""
 
     def __init__(self, effect: Lubrication, kin: Kinematics) -> None:
         self.effect, self.kin = effect, kin
@@ -117,7 +124,7 @@ class _Film:
         self.layer = sp.sympify(effect.boundary_layer) / self.clearance
 
     def let(self, expression: Any, what: str, stated: str = "") -> Any:
-        """Name a result on the tape; of an unchecked law the unit it claims."""
+        """Name a result on the tape; with an unchecked law it has the stated unit."""
         dimension = Dimension.from_unit(parse_unit(stated), {}) if stated and self.effect.unchecked else None
         return self.kin.tape.let(expression, f"{self.effect.name}_{what}", dimension)
 
@@ -153,12 +160,15 @@ class _Film:
 
     @property
     def _squared(self) -> Any:
-        """Of the eccentricity [m^2]."""
+        """Squared eccentricity [m^2]."""
         return self.let(dot(self.touch.eccentricity, self.touch.eccentricity), "e_squared")
 
     def _closeness(self) -> tuple[Any, Any]:
-        """What the eccentricity is multiplied by [1/m], 1/clearance up to a film of two layers, so that the film is never thinner than one; and the
-        share of the film that is left in contact."""
+        """Factor from eccentricity to its ratio [1/m], and the share of the film that remains in contact.
+
+        The factor is 1/clearance up to a film of two boundary layers, and less beyond, so that the film is never
+        thinner than one.
+        """
         layer, clearance = self.layer, self.clearance
         free = self.let(1 - 2 * layer, "free")
         squared = self.let(self._squared / clearance**2, "epsilon_squared")
@@ -172,7 +182,7 @@ class _Film:
         return self.let(limited / (ratio * clearance), "per_e"), self.let(share, "share")
 
     def _drags(self, squeeze: Vector, across: Vector, near: Any) -> list[Any]:
-        """Of the law, at the place of the pin: along, across, against the spin."""
+        """Drags by the law at the position of the pin: along, across, against the spin."""
         bound, e = self.effect.law, self.touch.eccentricity
         squared = self.let(dot(squeeze, squeeze), "squeeze_squared")
         pace = sp.sympify(self.kin.scene.scales.speed)

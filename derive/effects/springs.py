@@ -1,4 +1,4 @@
-"""Linear springs and dampers, on a joint's coordinate or between two points."""
+"""Linear springs and dampers of a joint or between two points."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from hertzwerk.derive.mechanism.parameter import NOT_NEGATIVE, POSITIVE, Scalar
 
 @dataclass(frozen=True)
 class JointSpring(JointEffect):
-    """A spring on a joint's coordinate, k (q - rest) [N/m, or N m per rad], torsional on a revolute joint."""
+    """Spring k (q - rest) on a joint's coordinate [N/m, or N m per rad], torsional on a revolute joint."""
 
     name: str
     joint: str
@@ -31,17 +31,17 @@ class JointSpring(JointEffect):
 
     @property
     def text(self) -> str:
-        """What the effect is, for people."""
+        """Description for people."""
         return f"linear spring of {self.joint}"
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Stiffness, and the coordinate at which it is at rest."""
+        """Yield the stiffness, and the coordinate at rest."""
         coordinate, _, force = self.freedom(scene).units
         yield Slot(f"{self.where}, stiffness", self.stiffness, f"{force}/({coordinate})", NOT_NEGATIVE)
         yield Slot(f"{self.where}, rest", self.rest, coordinate)
 
     def element(self, kin: Kinematics) -> Element:
-        """The force, and the energy stored."""
+        """Force, and the stored energy."""
         stiffness = sp.sympify(self.stiffness)
         stretch = kin.tape.let(kin.coordinate(self.joint) - sp.sympify(self.rest), f"{self.name}_stretch")
         force = kin.tape.let(-stiffness * stretch, f"{self.name}_force")
@@ -60,23 +60,23 @@ class JointDamper(JointEffect):
 
     @property
     def text(self) -> str:
-        """What the effect is, for people."""
+        """Description for people."""
         return f"viscous damper of {self.joint}"
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
-        """The coefficient."""
+        """Yield the coefficient."""
         _, speed, force = self.freedom(scene).units
         yield Slot(f"{self.where}, damping", self.damping, f"{force}/({speed})", NOT_NEGATIVE)
 
     def element(self, kin: Kinematics) -> Element:
-        """The force, and the power dissipated."""
+        """Force, and the dissipated power."""
         speed = kin.speed(self.joint)
         force = kin.tape.let(-sp.sympify(self.damping) * speed, f"{self.name}_force")
         return Element(kin.on_joint(self.joint, force, self.name), power=-force * speed)
 
 
 class _BetweenPoints(Effect):
-    """A force along the line through two points, of two bodies."""
+    """Force along the line through two points, of two bodies."""
 
     first: Point
     second: Point
@@ -87,30 +87,30 @@ class _BetweenPoints(Effect):
         return self.first, self.second
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Those of the points."""
+        """Yield the quantities of the points."""
         yield from self.first.slots()
         yield from self.second.slots()
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
-        """Both ends on one body."""
+        """Yield the fault of both ends on one body."""
         yield from super().faults(scene)
         if self.first.body == self.second.body:
             yield Fault(self.where, f"both ends on {self.first.body.name}", "points of two different bodies")
 
     def landmarks(self, scene: Declared) -> Iterator[Mark]:
-        """Both ends."""
+        """Yield both ends."""
         yield self.kind, "first", self.first, {}
         yield self.kind, "second", self.second, {}
 
     def _line(self, kin: Kinematics) -> tuple[Vector, Vector]:
-        """From the first end to the second [m], and its rate [m/s]."""
+        """Vector from the first end to the second [m], and its rate [m/s]."""
         one, one_rate, _ = kin.point(self.first, f"{self.name}_first")
         two, two_rate, _ = kin.point(self.second, f"{self.name}_second")
         between = kin.tape.vector(sub(two, one), f"{self.name}_between")
         return between, kin.tape.vector(sub(two_rate, one_rate), f"{self.name}_rate")
 
     def _pulled(self, kin: Kinematics, tension: Any, between: Vector) -> dict[str, Any]:
-        """Generalised forces of a tension [N/m] times the vector between the ends, which pulls them together."""
+        """Generalised forces of a tension per length [N/m] that pulls both ends together."""
         force = kin.tape.vector(scale(tension, between), f"{self.name}_force")
         position, _, _ = kin.point(self.first, f"{self.name}_first")
         return kin.generalised(force, position, self.first.body, self.second.body, self.name)
@@ -118,9 +118,9 @@ class _BetweenPoints(Effect):
 
 @dataclass(frozen=True)
 class PointSpring(_BetweenPoints):
-    """A spring between two points, k (distance - rest length) along the line through them; without a rest length it needs no direction.
+    """Spring k (distance - rest length) between two points, along the line through them.
 
-    Where the points coincide the direction of a spring with a rest length is undefined, and it pulls nowhere.
+    Where the points coincide the direction of a spring with a rest length is undefined, and its force is zero.
     """
 
     name: str
@@ -132,18 +132,18 @@ class PointSpring(_BetweenPoints):
 
     @property
     def text(self) -> str:
-        """What the effect is, for people."""
+        """Description for people."""
         return f"linear spring between {self.first.body.name} and {self.second.body.name}"
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Points, stiffness, rest length."""
+        """Yield points, stiffness, rest length."""
         yield from super().slots(scene)
         yield Slot(f"{self.where}, stiffness", self.stiffness, "N/m", NOT_NEGATIVE)
         if self.rest_length is not None:
             yield Slot(f"{self.where}, rest length", self.rest_length, "m", POSITIVE)
 
     def element(self, kin: Kinematics) -> Element:
-        """The force, and the energy stored."""
+        """Force, and the stored energy."""
         between, _ = self._line(kin)
         stiffness = sp.sympify(self.stiffness)
         squared = kin.tape.let(dot(between, between), f"{self.name}_squared")
@@ -158,7 +158,10 @@ class PointSpring(_BetweenPoints):
 
 @dataclass(frozen=True)
 class PointDamper(_BetweenPoints):
-    """A damper between two points, c times the rate of their distance, along the line through them; no force where they coincide."""
+    """Damper between two points, c times the rate of their distance, along the line through them.
+
+    No force where they coincide.
+    """
 
     name: str
     first: Point
@@ -168,16 +171,16 @@ class PointDamper(_BetweenPoints):
 
     @property
     def text(self) -> str:
-        """What the effect is, for people."""
+        """Description for people."""
         return f"viscous damper between {self.first.body.name} and {self.second.body.name}"
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Points and coefficient."""
+        """Yield points and coefficient."""
         yield from super().slots(scene)
         yield Slot(f"{self.where}, damping", self.damping, "N s/m", NOT_NEGATIVE)
 
     def element(self, kin: Kinematics) -> Element:
-        """The force, and the power dissipated."""
+        """Force, and the dissipated power."""
         between, rate = self._line(kin)
         squared = kin.tape.let(dot(between, between), f"{self.name}_squared")
         along = kin.tape.let(dot(between, rate), f"{self.name}_along")

@@ -1,7 +1,7 @@
-"""Landmarks: what a picture of a mechanism shows of its joints, pairs, force elements and bodies, fixed in the bodies and constant there.
+"""Landmarks: points, directions and sizes for pictures of joints, pairs, force elements and bodies.
 
-Where they are follows from the poses of the bodies, so a run pays nothing for them. What a scene does not call for has none: a pair without
-contact, a joint that forbids nothing, a body without mass.
+They are constant in the bodies' frames. Their positions follow from the poses of the bodies, at no cost for a run. A
+pair without contact, a joint without constraints, a body without mass have none.
 """
 
 from __future__ import annotations
@@ -18,16 +18,16 @@ from hertzwerk.derive.mechanism.parameter import is_number
 from hertzwerk.derive.program.program import Result
 
 UNITS = {"axis": "1", "normal": "1", "along": "1", "force": "N", "moment": "N m", "radius": "m", "length": "m"}
-"""Of what a landmark has beside its point."""
+"""Units of a landmark's directions and sizes."""
 
 
 @dataclass(frozen=True)
 class Landmark:
-    """A point of a body or the ground, what it belongs to, and directions and sizes there.
+    """A point of a body or the ground, the part it belongs to, and directions and sizes there.
 
     part    name of the joint, pair, effect or body
-    kind    what that is: revolute, pin_in_bush, spring, turn_drive (an effect on a joint that turns), body
-    place   which of its points this is: parent or child, pin or bush, first or second, centre
+    kind    kind of the part: revolute, pin_in_bush, spring, turn_drive (an effect on a joint that turns), body
+    place   role of the point: parent or child, pin or bush, first or second, centre
     beside  directions (three components along the body's axes) and sizes, named as in `UNITS`
     """
 
@@ -39,12 +39,12 @@ class Landmark:
 
     @property
     def row(self) -> tuple[Any, ...]:
-        """Of the table LANDMARKS: part, kind, place, body, names of what is beside the point."""
+        """Row of the table LANDMARKS: part, kind, place, body, names of directions and sizes."""
         return self.part, self.kind, self.place, self.point.body.name, tuple(self.beside)
 
     @property
     def result(self) -> Result:
-        """The point's coordinates along its body's axes, then what is beside it."""
+        """Coordinates of the point along its body's axes, then directions and sizes."""
         rows = [(axis, "m", value) for axis, value in zip("xyz", self.point.position, strict=True)]
         for what, value in self.beside.items():
             if isinstance(value, tuple):
@@ -56,7 +56,7 @@ class Landmark:
 
 
 def landmarks_of(scene: Scene) -> Iterator[Landmark]:
-    """Of the joints, of the pairs that contact is called for, of the effects, and of the bodies with mass, in declared order."""
+    """Yield landmarks of joints, pairs with contact, effects, and bodies with mass, in declared order."""
     mechanism = scene.mechanism
     for joint in mechanism.joints:
         yield from (Landmark(joint.name, joint.symbol, *mark) for mark in joint.landmarks())

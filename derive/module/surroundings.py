@@ -1,4 +1,4 @@
-"""Kinematics as the effects of a scene see it: coordinates of joints that close loops too, and the places where journals touch."""
+"""Kinematics as effects need it, with coordinates of closing joints and geometry of journals."""
 
 from __future__ import annotations
 
@@ -24,11 +24,14 @@ class Surroundings(Kinematics):
         return super().coordinate(key) if key in self.states else self._measured(key).value
 
     def speed(self, key: str) -> Any:
-        """Its rate [rad/s or m/s]."""
+        """Rate of the coordinate [rad/s or m/s]."""
         return super().speed(key) if key in self.states else self._measured(key).rate
 
     def on_joint(self, key: str, force: Any, name: str) -> dict[str, Any]:
-        """Generalised forces, by row, of a force along a slide or a torque about a turn, on its child; the parent feels the opposite."""
+        """Generalised forces, by row, of a force along a slide or a torque about a turn.
+
+        It acts on the child, its reaction on the parent.
+        """
         if key in self.states:
             return {key: force}
         return {

@@ -1,1 +1,1 @@
-"""What is wrong with a scene, before anything is derived from it."""
+"""Checks of a scene's declarations, before anything is derived from it."""

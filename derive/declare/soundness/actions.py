@@ -1,4 +1,4 @@
-"""Effects without what they act on, or in each other's way; a start that is given to what is not free."""
+"""Faults of effects without a subject or in conflict, and of start values of coordinates not free."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def effect_faults(scene: Scene) -> Iterator[Fault]:
-    """Effects that lack what they act on, or stand in each other's way."""
+    """Yield faults of effects whose subject is missing, or that are in conflict."""
     yield from repeated("effect", [effect.name for effect in scene.effects])
     for effect in scene.effects:
         yield from effect.faults(scene)
@@ -28,7 +28,7 @@ def effect_faults(scene: Scene) -> Iterator[Fault]:
 
 
 def start_faults(scene: Scene) -> Iterator[Fault]:
-    """Positions and speeds given to what is not free, and the size that angles need."""
+    """Yield faults of positions and speeds given to coordinates not free, and of a missing arm."""
     of_joints = [freedom.key for freedom in scene.free if freedom.scalar]
     for given, ports in (("position", "coordinates"), ("near", "coordinates"), ("speed", "speeds")):
         full = [port.name for freedom in scene.free for port in getattr(freedom, ports)]
@@ -44,7 +44,7 @@ def start_faults(scene: Scene) -> Iterator[Fault]:
                     one_of((*of_joints, *short), "nothing, because no joint is free"),
                 )
     yield from _seat_faults(scene)
-    # a drive that is integrated keeps a coordinate of its own
+    # an integrated drive has a coordinate of its own
     moving = [
         freedom for freedom in scene.mechanism.freedoms if freedom in scene.free or scene.driven[freedom.key].integrates
     ]
@@ -54,7 +54,7 @@ def start_faults(scene: Scene) -> Iterator[Fault]:
 
 
 def _seat_faults(scene: Scene) -> Iterator[Fault]:
-    """A start with seated journals where there is none, or where what a pair would be as a closed joint is not known."""
+    """Faults of a seated start without journals, or with pairs that do not replace a joint."""
     if not scene.start.seated:
         return
     expected = "pairs that stand for a joint, pin_in_bush or ball_in_socket, each with a contact"

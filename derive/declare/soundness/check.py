@@ -1,6 +1,7 @@
-"""What is wrong with a scene: every fault of its declarations at once, found before anything is derived.
+"""Check of a scene: every fault of its declarations at once, before anything is derived.
 
-In order: types, topology, effects, start, parameters, quantities. A stage that needs sound input from an earlier one looks only at what is sound.
+In order: types, topology, effects, start, parameters, quantities. A stage that needs sound input from an earlier one
+skips what is not.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
 
 
 def faults_of(scene: Scene) -> tuple[Fault, ...]:
-    """Every fault of a scene, each once."""
+    """Faults of a scene, each once."""
     wrong_types = tuple(shape_faults(scene)) or tuple(scene_type_faults(scene))
     if wrong_types:
         return tuple(dict.fromkeys(wrong_types))
@@ -59,7 +60,7 @@ def faults_of(scene: Scene) -> tuple[Fault, ...]:
 
 
 def _parts(scene: Scene) -> Iterator[tuple[str, tuple[Any, ...]]]:
-    """What has a name, by its kind."""
+    """Yield named parts by kind."""
     mechanism = scene.mechanism
     yield "mechanism", (mechanism,)
     yield "body", mechanism.bodies
@@ -69,7 +70,7 @@ def _parts(scene: Scene) -> Iterator[tuple[str, tuple[Any, ...]]]:
 
 
 def _wording_faults(scene: Scene) -> Iterator[Fault]:
-    """What is shown to people and cannot be; names that laws bring along."""
+    """Faults of texts that cannot be printed, and of names in laws."""
     yield from text_faults("scene, summary", scene.summary)
     for effect in scene.effects:
         yield from text_faults(f"effect {effect.name}, text", effect.text)
@@ -84,6 +85,6 @@ def _wording_faults(scene: Scene) -> Iterator[Fault]:
 
 
 def _expressions(scene: Scene) -> Iterator[Any]:
-    """Of every quantity; of effects on joints that are not there too."""
+    """Expressions of every quantity, also of effects on missing joints."""
     yield from (slot.value for slot in scene.slots())
     yield from (value for effect in scene.effects for value in vars(effect).values())

@@ -1,4 +1,4 @@
-"""Directions that are none, or point nowhere."""
+"""Faults of directions: of the wrong type, or of zero length."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def direction_faults(where: str, value: Any) -> Iterator[Fault]:
-    """What is no direction."""
+    """Yield faults of a value that is no direction."""
     if not isinstance(value, Direction):
         yield Fault(where, repr(value), "a Direction, such as X, -Y or Direction((1, 0, 1))")
     elif not (
@@ -24,7 +24,7 @@ def direction_faults(where: str, value: Any) -> Iterator[Fault]:
 
 
 def length_faults(scene: Scene) -> Iterator[Fault]:
-    """Directions that point nowhere."""
+    """Yield faults of directions of zero length."""
     for where, direction in directions(scene):
         if not direction.points:
             yield Fault(where, "a direction of length 0", "one that points somewhere",
@@ -32,7 +32,7 @@ def length_faults(scene: Scene) -> Iterator[Fault]:
 
 
 def directions(scene: Scene) -> Iterator[tuple[str, Any]]:
-    """Every direction that is declared, and where."""
+    """Yield every declared direction, and its place."""
     for joint in scene.mechanism.joints:
         yield from ((f"joint {joint.name}, {name}", direction) for name, direction in joint.directions.items())
         for point in (joint.parent, joint.child):

@@ -1,4 +1,7 @@
-"""Records that are none, in places made for others: so far from a scene that not even their names can be asked for."""
+"""Faults of entries that are not even records of the expected kind.
+
+Their names cannot be read, so all other checks are skipped.
+"""
 
 from __future__ import annotations
 
@@ -19,14 +22,14 @@ TEXTS = (
     "name",
     "pair",
     "summary",
-)  # fields of any record that are text; what a joint of an effect must be the effect says
+)  # text fields of any record; the type of an effect's joint is stated by the effect
 EFFECT = "an effect, such as Gravity(...), Contact(...), JointSpring(...), Drive(...), EnergyLedger()"
 PAIR = "a pair, such as PinInBush(...), SphereOnPlane(...)"
 JOINT = "a joint, such as Revolute(...), Prismatic(...)"
 
 
 def shape_faults(scene: Scene) -> Iterator[Fault]:
-    """What a scene is made of that is no record of its kind, or holds what can change."""
+    """Yield faults of entries that are no record of their kind, or contain mutable values."""
     mechanism, start = scene.mechanism, scene.start
     for name in ("name", "summary", "coordinates"):
         if not isinstance(getattr(scene, name), str):
@@ -57,7 +60,7 @@ def _is_effect(effect: Any) -> bool:
 
 
 def _all(what: str, records: Any, expected: str, fits: Callable[[Any], bool]) -> Iterator[Fault]:
-    """Of what must be a tuple of records of one kind."""
+    """Faults of a value that should be a tuple of records of one kind."""
     if not isinstance(records, tuple):
         yield Fault(what, shown(records), f"a tuple; each entry is {expected}", "A tuple of one has a comma: (entry,).")
         return
@@ -77,7 +80,10 @@ def _texts(where: str, record: Any) -> Iterator[Fault]:
 
 
 def _changing(where: str, record: Any) -> Iterator[Fault]:
-    """Lists, dictionaries and arrays within a record: a scene is compared and must not change; a body's are said of the body."""
+    """Faults of lists, dictionaries and arrays within a record, and in the bodies of a joint.
+
+    A scene is compared and must not change.
+    """
     if isinstance(record, Joint):
         for point in (record.parent, record.child):
             body = getattr(point, "body", None)
@@ -85,7 +91,7 @@ def _changing(where: str, record: Any) -> Iterator[Fault]:
                 yield from _texts(f"body {body.name}" if isinstance(body.name, str) else "body", body)
                 yield from _changing(f"body {body.name}", body)
                 if not _constant(body):
-                    return  # it is in the joint too
+                    return  # not reported again for the joint
     for entry in fields(record) if is_dataclass(record) and not isinstance(record, type) else ():
         value = getattr(record, entry.name)
         if entry.name == "unchecked" and not isinstance(value, bool):
@@ -104,6 +110,6 @@ def _constant(value: Any) -> bool:
 
 
 def shown(value: Any) -> str:
-    """What was found, in a line."""
+    """Representation of a value in one line."""
     text = " ".join(repr(value).split())
     return text if len(text) <= 80 else f"{text[:77]}..."

@@ -1,4 +1,4 @@
-"""Joints and pairs that cannot be, connect nothing, or connect what is one."""
+"""Faults of joints and pairs that are impossible, connect nothing, or connect a rigid whole."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from hertzwerk.derive.mechanism.mechanism import Mechanism
 
 
 def topology_faults(mechanism: Mechanism) -> Iterator[Fault]:
-    """Joints and pairs that cannot be, or connect nothing."""
+    """Yield faults of joints and pairs that are impossible or connect nothing."""
     yield from name_faults("mechanism", mechanism.name)
     for body in dict.fromkeys(body.name for body in mechanism.bodies):
         yield from name_faults("body", body)
@@ -45,7 +45,7 @@ def topology_faults(mechanism: Mechanism) -> Iterator[Fault]:
 
 
 def connection_faults(mechanism: Mechanism) -> Iterator[Fault]:
-    """Joints that are not in order from the ground outwards."""
+    """Yield faults of joints that are not in order from the ground outwards."""
     reached: list[Frame] = [GROUND]
     names: dict[str, Body] = {}
     for joint in mechanism.joints:
@@ -71,6 +71,6 @@ def connection_faults(mechanism: Mechanism) -> Iterator[Fault]:
 
 
 def rigid_root(mechanism: Mechanism, body: Frame) -> Frame:
-    """The first of the bodies that are welded to each other, from the ground outwards."""
+    """The innermost of the bodies that are welded to each other."""
     joint = mechanism.joint_of(body)
     return rigid_root(mechanism, joint.parent.body) if joint is not None and not joint.freedoms else body

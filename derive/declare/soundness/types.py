@@ -1,4 +1,4 @@
-"""Declarations of the wrong type: nothing else can be asked of them."""
+"""Faults of declarations of the wrong type, which prevent all other checks."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def scene_type_faults(scene: Scene) -> Iterator[Fault]:
-    """What is not of the type that everything else relies on."""
+    """Yield faults of values of the wrong type."""
     if scene.coordinates not in ("tree", "absolute", "auto"):
         yield Fault("coordinates", repr(scene.coordinates), "'tree', 'absolute' or 'auto'")
     for effect in scene.effects:
