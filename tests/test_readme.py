@@ -153,7 +153,19 @@ def test_the_picture_of_all_mechanisms_has_them_all():
 
 
 INNER = {  # of which people write none
-    *("Element", "Effect", "JointEffect", "PairEffect", "Joint", "Freedom", "Interval", "Finding", "Fault"),
+    *(
+        "Element",
+        "Effect",
+        "JointEffect",
+        "PairEffect",
+        "Joint",
+        "Pair",
+        "Touch",
+        "Freedom",
+        "Interval",
+        "Finding",
+        "Fault",
+    ),
     *("BoundLaw", "Quantity", "Slot", "Varying"),
 }
 DECLARED = [
