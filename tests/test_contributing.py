@@ -1,0 +1,201 @@
+"""The recipes of CONTRIBUTING.md, followed in temporary files: what each makes works like what is built in."""
+
+import re
+import shutil
+import sys
+import tomllib
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+from hertzwerk.derive import (
+    GROUND,
+    LAWS,
+    Body,
+    EnergyLedger,
+    Free,
+    Gravity,
+    InputError,
+    Mechanism,
+    Parameter,
+    Prismatic,
+    Revolute,
+    Scales,
+    Scene,
+    Start,
+    X,
+    Y,
+    Z,
+)
+from hertzwerk.derive.audit.audit import audit_law
+from hertzwerk.derive.audit.behaviour import faults_if_consistent
+from hertzwerk.derive.files.execute import names_defined_by
+from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.integrate.tableaux.methods import METHODS
+
+PAGE = (Path(__file__).parents[1] / "CONTRIBUTING.md").read_text(encoding="utf-8")
+RECIPES = dict(re.findall(r"^## An? (\w+)\n(.*?)(?=^## |\Z)", PAGE, re.MULTILINE | re.DOTALL))
+
+
+@pytest.fixture
+def made(tmp_path):
+    """A recipe's files in a temporary folder, and the names that its Python file defines."""
+
+    def follow(recipe):
+        for file, text in re.findall(r"^```\w+\n# (\S+)\n(.*?)^```$", RECIPES[recipe], re.MULTILINE | re.DOTALL):
+            (tmp_path / file).write_text(text, encoding="utf-8")
+        (file,) = tmp_path.glob("*.py")
+        return names_defined_by(file)
+
+    return follow
+
+
+def test_there_are_six_recipes_of_fewer_than_ten_steps():
+    assert list(RECIPES) == ["law", "joint", "effect", "method", "command", "scene"]
+    for name, text in RECIPES.items():
+        steps = re.findall(r"^(\d+)\. ", text, re.MULTILINE)
+        assert 0 < len(steps) < 10, name
+        assert steps == [str(i + 1) for i in range(len(steps))]
+
+
+@pytest.mark.parametrize("name", RECIPES)
+def test_every_file_that_a_recipe_names_is_there(name):
+    """But for the one it is about, NAME; a star stands for several."""
+    root = Path(__file__).parents[1]
+    paths = {
+        path
+        for path in re.findall(r"(?:`|> )((?:derive|runtime|tests|\.readme)/[\w./*]+)", RECIPES[name])
+        if "NAME" not in path
+    }
+    assert paths
+    assert [path for path in paths if not list(root.glob(path.rstrip("/")))] == []
+
+
+def test_a_law(made, monkeypatch):
+    law = made("law")["hardening"]
+    assert all(finding.verdict == "consistent" for finding in audit_law(law))
+    assert list(faults_if_consistent(law)) == []
+    softening = replace(law, name="softening", force=-law.force, stored=-law.stored)
+    assert list(faults_if_consistent(softening)) != []
+    monkeypatch.setitem(LAWS, law.name, law)  # the catalogue finds it in its file
+    shown = CliRunner().invoke(main, ["laws", "hardening"])
+    assert shown.exit_code == 0
+    assert "Duffing 1918" in shown.stdout
+    run = simulate(load("soft_ball", laws={"floor": "hardening(k=2e4 N/m, h=1 mm)"}), duration="0.5 s", tolerance=1e-9)
+    assert run.outcome.finished
+    assert run.energy_residual < 1e-7
+    depth, force = run["floor.penetration"], run["floor.normal_force"]
+    inside = depth > 0
+    assert inside.any()
+    assert force[inside] == pytest.approx(2e4 * depth[inside] * (1 + (depth[inside] / 1e-3) ** 2), rel=1e-9)
+
+
+@pytest.mark.parametrize("coordinates", ["tree", "absolute"])
+@pytest.mark.parametrize("closing", [False, True])
+def test_a_joint(made, closing, coordinates):
+    """In every role as a slide and a pin through a body without mass."""
+    kind = made("joint")["PinInSlot"]
+    size, pace = Parameter("size", "m", 0.3), Parameter("pace", "m/s", 1.0)
+    body, between = (
+        Body("body", Parameter("mass", "kg", 1), Parameter("J", "kg m^2", 0.02), (size, 0, 0)),
+        Body("between", 0),
+    )
+    turn, travel = Parameter("turn", "rad/s", 2.0), Parameter("travel_speed", "m/s", 0.5)
+    effects = Gravity("gravity", Parameter("g", "m/s^2", 9.81), -Y), EnergyLedger()
+
+    def motion(*joints, coordinates="tree", **speed):
+        scene = Scene(
+            Mechanism("slot", joints), effects, Scales(size, pace, size), Start(speed=speed)
+        ).with_coordinates(coordinates)
+        run = simulate(load(scene), duration=0.5, tolerance=1e-11)
+        assert run.outcome.finished
+        q = run.history.part("y")[-1][: run.model.nq]
+        positions = run.model.function("poses")(run.t[-1], q, run.history.controls[: run.model.nc])[0]
+        return np.array(positions)[:3, 0]
+
+    own = kind("own", GROUND, body, X, Z)
+    first = [Free("free", GROUND, body)] if closing else []
+    speed = (
+        {"free.x_speed": travel, "free.angular_speed_z": turn} if closing else {"own.travel": travel, "own.angle": turn}
+    )
+    built_in = motion(Prismatic("slide", GROUND, between, X), Revolute("pin", between, body, Z), slide=travel, pin=turn)
+    assert motion(*first, own, coordinates=coordinates, **speed) == pytest.approx(built_in, abs=1e-8)
+
+
+def test_an_effect(made):
+    """Against the closed form of a body that drag alone slows, v0/(1 + c v0 t/m); and its units are proven."""
+    kind = made("effect")["AirDrag"]
+    mass, pace, size = Parameter("mass", "kg", 2), Parameter("pace", "m/s", 5), Parameter("size", "m", 1)
+    sled = Mechanism("sled", (Prismatic("slide", GROUND, Body("sled", mass), axis=X),))
+
+    def scene(drag):
+        return Scene(
+            sled, (kind("air", "slide", drag), EnergyLedger()), Scales(size, pace), Start(speed={"slide": pace})
+        )
+
+    run = simulate(load(scene(Parameter("drag", "kg/m", 0.3))), duration=3.0, tolerance=1e-11)
+    assert run["slide.speed"] == pytest.approx(5 / (1 + 0.3 * 5 * run.t / 2), rel=1e-9)
+    assert run["air.dissipated"][-1] == pytest.approx(2 * 5**2 / 2 - run["energy"][-1], rel=1e-8)
+    with pytest.raises(InputError, match="effect air, drag"):
+        scene(Parameter("drag", "kg", 0.3))
+
+
+def test_a_method(made, monkeypatch):
+    monkeypatch.setitem(METHODS, "bogacki_shampine", (made("method")["bogacki_shampine"],))
+    model = load("pendulum")
+    errors = []
+    for tolerance in (1e-6, 1e-9):
+        run = simulate(model, duration=1.0, tolerance=tolerance, method="bogacki_shampine")
+        exact = simulate(model, duration=1.0, tolerance=1e-12, method="dop853").final["hinge.angle"]
+        errors.append((run.statistics.steps, abs(run.final["hinge.angle"] - exact)))
+    (few, large), (many, small) = errors
+    assert np.log(large / small) / np.log(many / few) == pytest.approx(3, abs=0.3)
+    with pytest.raises(InputError, match="bogacki_shampin"):
+        simulate(model, duration=1.0, method="bogacki_shampin")
+
+
+def test_a_command(made, monkeypatch):
+    command = made("command")["freedoms"]
+    monkeypatch.setitem(main.commands, command.name, command)
+    done = CliRunner().invoke(main, ["freedoms", "double_pendulum"])
+    assert (done.exit_code, done.stdout) == (0, "double_pendulum: 2\n")
+    assert CliRunner().invoke(main, ["freedoms", "nothing"]).exit_code == 2
+    assert "freedoms" in CliRunner().invoke(main, ["--help"]).stdout
+
+
+def test_a_scene(made, tmp_path, monkeypatch):
+    made("scene")
+    monkeypatch.chdir(tmp_path)
+    written = CliRunner().invoke(main, ["derive", "my_pendulum.py", "--out", "generated"])
+    assert written.exit_code == 0, written.output
+    assert (tmp_path / "generated" / "my_pendulum.py").is_file()
+    scenario = tmp_path / "my_pendulum.toml"
+    assert CliRunner().invoke(main, ["validate", scenario.name]).exit_code == 0
+    scenario.write_text(scenario.read_text().replace("1e-3 rad", "1.1e-3 rad"))
+    assert CliRunner().invoke(main, ["validate", scenario.name]).exit_code == 1
+
+
+def test_hooks_are_local_and_fetch_nothing():
+    """Their commands are those of the development environment."""
+    hooks = (Path(__file__).parents[1] / ".pre-commit-config.yaml").read_text(encoding="utf-8")
+    assert re.findall(r"repo: (\S+)", hooks) == ["local"]
+    entries = [entry.split() for entry in re.findall(r"entry: (.*)", hooks)]
+    assert [entry[:2] for entry in entries] == [
+        ["ruff", "check"],
+        ["ruff", "format"],
+        ["mypy", "-p"],
+        ["hertzwerk", "derive"],
+    ]
+    assert re.findall(r"language: (\S+)", hooks) == ["system"] * len(entries)
+    assert all(shutil.which(entry[0], path=str(Path(sys.executable).parent)) for entry in entries)
+
+
+def test_the_citation_and_the_change_log_are_of_this_version():
+    root = Path(__file__).parents[1]
+    version = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))["project"]["version"]
+    assert f"\nversion: {version}\n" in (root / "CITATION.cff").read_text(encoding="utf-8")
+    assert f"\n## {version}\n" in (root / "CHANGELOG.md").read_text(encoding="utf-8")
