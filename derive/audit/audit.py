@@ -12,6 +12,7 @@ from hertzwerk.derive.audit.forms import advice
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.dimension.culprit import Culprit, Row, culprits, likeliest, powers_in, sentence
 from hertzwerk.derive.dimension.dimension import ONE, Dimension, DimensionError, DimensionFault
+from hertzwerk.derive.dimension.symbolic import symbolic
 from hertzwerk.derive.dimension.walker import check, dimension_of
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.laws.law import GEOMETRY, STATE, BoundLaw, Law
@@ -161,7 +162,7 @@ def _with_culprit(law: Law, findings: list[Finding]) -> list[Finding]:
             expected = dimensions[defined[what]] if what in defined else _dimension(unit, names)
             return check(expression, dimensions, expected, [s for s in own if dimensions[s] == ONE])
 
-        return Row(fault, lambda symbol: powers_in(expression, symbol))
+        return Row(fault, lambda symbol: powers_in(symbolic(expression).root, symbol))
 
     rows = [row(*entry) for entry in (*_definitions(law), *law.expressions())]
     return with_repairs(findings, culprits(rows, table, {symbol: symbol.unit for symbol in own}))

@@ -15,7 +15,8 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.dimension.dimension import ONE, Dimension, DimensionFault
+from hertzwerk.derive.dimension.dimension import ONE, Dimension, DimensionFault, canonical
+from hertzwerk.derive.dimension.tree import Node
 
 SHOWN = 2  # most equally likely culprits that are named
 
@@ -93,16 +94,20 @@ def sentence(found: Sequence[Culprit], what: str) -> str:
     return f"{', or '.join(map(str, found))}, makes {what} consistent"
 
 
-def powers_in(expression: Any, symbol: Any) -> set[Any]:
-    """Powers of a symbol in a SymPy expression and its parts: of d in sqrt(R*d**3) 3 and 3/2."""
-    if expression == symbol:
-        return {sp.S.One}
-    inside = [powers for arg in expression.args if (powers := powers_in(arg, symbol))]
+def powers_in(node: Node, name: Any) -> set[Any]:
+    """Powers of a name in a tree and its parts: of d in sqrt(R*d**3) 3 and 3/2."""
+    if node.op == "name":
+        return {sp.S.One} if node.name == name else set()
+    inside = [powers for arg in node.args if (powers := powers_in(arg, name))]
     found = set().union(*inside)
-    if expression.is_Mul and len(inside) > 1:
+    if node.op == "product" and len(inside) > 1:
         found |= {sp.Add(*powers) for powers in product(*inside)}
-    if expression.is_Pow and symbol not in expression.exp.free_symbols:
-        found |= {power * expression.exp for power in powers_in(expression.base, symbol)}
+    exponent = {"inverse": sp.S.NegativeOne, "sqrt": sp.S.Half}.get(node.op)
+    if node.op == "**" and name not in {part.name for part in node.args[1].walk()}:
+        number = node.args[1].number
+        exponent = node.args[1].expr if number is None else canonical(number)
+    if exponent is not None:
+        found |= {power * exponent for power in found}
     return found - {sp.S.Zero}
 
 

@@ -6,29 +6,20 @@ for n = 3/2`.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from typing import Any, Protocol
+from collections.abc import Iterable
+from typing import Any
 
 import sympy as sp
 from sympy.solvers.solveset import NonlinearError
 
 from hertzwerk.derive.dimension.dimension import ONE, Dimension, canonical, quantity
-from hertzwerk.derive.dimension.tree import Node, Tree
+from hertzwerk.derive.dimension.rules import Walk
+from hertzwerk.derive.dimension.tree import Node
 
 __all__ = ["repair"]
 
 Offer = tuple[Any, str | None]
 """The exponent, if one would do, and a sentence."""
-
-
-class Walk(Protocol):
-    """What a repair may ask."""
-
-    tree: Tree
-    table: Mapping[Any, Dimension]
-
-    def __call__(self, node: Node) -> Dimension:
-        """The dimension of a node."""
 
 
 def repair(walk: Walk, culprit: Node, found: Dimension, expected: Dimension) -> Offer:

@@ -14,7 +14,7 @@ import sympy as sp
 from hertzwerk.derive.dimension.dimension import ONE, ZERO, Dimension, DimensionError, canonical
 from hertzwerk.derive.dimension.tree import COMPARISONS, Node, Tree
 
-__all__ = ["NOUNS", "SIGNATURES", "Signature"]
+__all__ = ["NOUNS", "SIGNATURES", "Signature", "Walk"]
 
 
 @dataclass(frozen=True)
@@ -26,9 +26,10 @@ class Signature:
 
 
 class Walk(Protocol):
-    """What a rule may ask: the dimension of an argument, a common one of several, and faults."""
+    """What a rule or a repair may ask: the dimension of an argument, a common one of several, and faults."""
 
     tree: Tree
+    table: Mapping[Any, Dimension]
     constants: Collection[Any]
 
     def __call__(self, node: Node) -> Dimension:

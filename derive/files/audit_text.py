@@ -8,20 +8,18 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
-from itertools import product
 from typing import Any
 
 import sympy as sp
 
 from hertzwerk.derive.audit.audit import Finding, with_repairs
-from hertzwerk.derive.dimension.culprit import Row, culprits
+from hertzwerk.derive.dimension.culprit import Row, culprits, powers_in
 from hertzwerk.derive.dimension.declared import Declared, dimension_of_unit, examine
 from hertzwerk.derive.dimension.dimension import ONE, Dimension, DimensionFault
 from hertzwerk.derive.dimension.expression import Expression, TextError
 from hertzwerk.derive.dimension.reader import NAMES_TOO, plain_name, read
-from hertzwerk.derive.dimension.tree import Node
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.derive.units import Unit, UnitError, parse_unit, rational
+from hertzwerk.derive.units import Unit, UnitError, parse_unit
 
 __all__ = ["audit_expression", "declarations", "finding", "undeclared"]
 
@@ -139,7 +137,7 @@ def with_culprit(
             except TextError:
                 return DimensionFault(str(expression), (), "unknown", "", "an exponent that cannot be compared")
 
-        return Row(fault, lambda symbol: powers_in_text(expression.root, symbol))
+        return Row(fault, lambda symbol: powers_in(expression.root, symbol))
 
     return with_repairs(
         findings,
@@ -149,22 +147,6 @@ def with_culprit(
             {name: declared.units.get(name, "1") for name in candidates},
         ),
     )
-
-
-def powers_in_text(node: Node, name: str) -> set[Any]:
-    """Powers of a name in a tree and its parts, as far as exponents are numbers."""
-    if node.op == "name":
-        return {sp.S.One} if node.name == name else set()
-    inside = [powers for arg in node.args if (powers := powers_in_text(arg, name))]
-    found = set().union(*inside)
-    if node.op == "product" and len(inside) > 1:
-        found |= {sp.Add(*powers) for powers in product(*inside)}
-    exponent = {"inverse": sp.S.NegativeOne, "sqrt": sp.Rational(1, 2)}.get(node.op)
-    if node.op == "**" and node.args[1].number is not None:
-        exponent = sp.Rational(rational(node.args[1].number))
-    if exponent is not None:
-        found |= {power * exponent for power in found}
-    return found - {sp.S.Zero}
 
 
 def finding(expression: Expression, declared: Declared, expected: Dimension | None, **place: Any) -> Finding:
