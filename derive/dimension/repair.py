@@ -1,7 +1,7 @@
-"""Ways out of a wrong dimension: the value of a constant exponent, another exponent on one factor, or what is missing.
+"""Repairs of a wrong dimension: a value of a constant exponent, another power, a missing factor.
 
-In a text the sentence is on what is written there; in a SymPy expression, whose order is SymPy's, it teaches: `K is N/m^1.5: K*d**n is a force only
-for n = 3/2`.
+For a text the sentence refers to the text; for a SymPy expression, whose order is SymPy's, it explains: `K is
+N/m^1.5: K*d**n is a force only for n = 3/2`.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ from hertzwerk.derive.dimension.tree import Node
 __all__ = ["repair"]
 
 Offer = tuple[Any, str | None]
-"""The exponent, if one would do, and a sentence."""
+"""Exponent that makes the units consistent, if there is one, and a sentence."""
 
 
 def repair(walk: Walk, culprit: Node, found: Dimension, expected: Dimension) -> Offer:
-    """What would give the culprit the expected dimension."""
+    """Find a repair that gives the culprit the expected dimension."""
     missing = expected / found
     symbols = {symbol for exponent in missing.exponents for symbol in exponent.free_symbols}
     if symbols:
@@ -84,7 +84,10 @@ def _operands(node: Node) -> tuple[Node, ...]:
 
 
 def _factors(node: Node, power: Any) -> Iterable[tuple[Any, Any]]:
-    """(name, exponent) of the factors of a product that are powers of a name, as far as exponents are numbers."""
+    """Yield (name, exponent) of the factors of a product that are powers of a name.
+
+    As far as exponents are numbers.
+    """
     if node.op == "name":
         yield node.name, power
     elif node.op in ("product", "neg"):
@@ -97,7 +100,10 @@ def _factors(node: Node, power: Any) -> Iterable[tuple[Any, Any]]:
 
 
 def _only_for(walk: Walk, culprit: Node, factor: Node, symbol: Any, value: Any, expected: Dimension) -> str:
-    """`K is N/m^1.5: K*d**n is a force only for n = 3/2`, of a factor d**n, or one with a number for n, which is then told: `, not 1`."""
+    """Sentence such as `K is N/m^1.5: K*d**n is a force only for n = 3/2`, for a factor d**n.
+
+    A number in place of n is named at the end: `, not 1`.
+    """
     base, power = factor.expr.as_base_exp()
     names = {str(name) for name in culprit.expr.free_symbols}
     name = symbol or sp.Symbol("p" if "n" in names else "n")
@@ -111,7 +117,7 @@ def _only_for(walk: Walk, culprit: Node, factor: Node, symbol: Any, value: Any, 
 
 
 def _lacking(walk: Walk, culprit: Node, found: Dimension, missing: Dimension) -> str:
-    """What is missing, and the number that may hide it."""
+    """Sentence on the missing factor, and on the number that may hide it."""
     culprit = culprit.args[0] if culprit.op == "neg" else culprit
     if found == ONE and not culprit.args:
         return f"{walk.tree.quote(culprit)} would need the unit {missing}"

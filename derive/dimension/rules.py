@@ -1,6 +1,7 @@
-"""The rules of dimensions as data: one row per operation; an operation without a row is an error, never a guess.
+"""Rules of dimensions, one per operation; an operation without a rule is an error.
 
-A dimensional base takes a rational exponent or one made of constant parameters; a product with a literal 0 has every dimension, as 0 has.
+A dimensional base takes a rational exponent or one of constant parameters; a product with a literal 0 has every
+dimension, as 0 has.
 """
 
 from __future__ import annotations
@@ -19,27 +20,27 @@ __all__ = ["NOUNS", "SIGNATURES", "Signature", "Walk"]
 
 @dataclass(frozen=True)
 class Signature:
-    """What an operation asks of its arguments (one common dimension, none, or nothing) and which dimension it then has."""
+    """Rule of an operation: the dimensions of its arguments (equal, none, any), and its own."""
 
     arguments: Literal["alike", "pure", "any"]
     result: Literal["same", "one"]
 
 
 class Walk(Protocol):
-    """What a rule or a repair may ask: the dimension of an argument, a common one of several, and faults."""
+    """Protocol of the walker as rules and repairs need it."""
 
     tree: Tree
     table: Mapping[Any, Dimension]
     constants: Collection[Any]
 
     def __call__(self, node: Node) -> Dimension:
-        """The dimension of a node."""
+        """Dimension of a node."""
 
     def alike(self, node: Node, args: Sequence[Node]) -> Dimension:
-        """The one dimension of all arguments."""
+        """Common dimension of all arguments."""
 
     def pure(self, node: Node, arg: Node, rule: str) -> DimensionError:
-        """The fault of an argument that should be dimensionless."""
+        """Fault of an argument that should be dimensionless."""
 
     def fault(
         self,

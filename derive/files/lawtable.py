@@ -1,7 +1,7 @@
 """Tables of a law file as pydantic models: each key, text and number by itself.
 
 Relations between entries are checked in `lawfile`. Imported only where a file of laws is read: importing pydantic
-takes a fifth of a second.
+takes a good part of a second.
 """
 
 from __future__ import annotations
