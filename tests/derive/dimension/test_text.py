@@ -304,7 +304,7 @@ def test_random_texts_are_read_or_refused(tmp_path, monkeypatch):
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_a_hundred_thousand_random_texts_are_read_or_refused(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     accepted, slowest = _fuzz(100_000, 2)
