@@ -9,6 +9,7 @@ Calling a law binds its parameters, in order or by name; a `Material` fills a pa
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from inspect import Parameter as Argument
@@ -130,7 +131,8 @@ class Law:
                 f"law {self.name}: found {found}, expected some of {FORMS}; FORMS itself where it is for all of them"
             )
         object.__setattr__(self, "__doc__", "\n".join(self._documentation()))
-        object.__setattr__(self, "__signature__", self._signature())
+        with suppress(ValueError):  # names that are none, or stand twice: the scene that uses the law tells them
+            object.__setattr__(self, "__signature__", self._signature())
 
     def _documentation(self) -> Iterator[str]:
         """Yield the lines of a law's `help`."""
