@@ -29,10 +29,10 @@ if TYPE_CHECKING:
 
 
 def built_in_scenes() -> tuple[str, ...]:
-    """Names of the scenes that `hertzwerk.derive.scenes` declares, sorted; imports nothing."""
-    folder = resources.files("hertzwerk.derive") / "scenes"
-    files = (entry.name for entry in folder.iterdir())
-    return tuple(sorted(name[:-3] for name in files if name.endswith(".py") and not name.startswith("_")))
+    """Names of the scenes that `hertzwerk.derive.scenes` declares, sorted; imports no SymPy."""
+    from hertzwerk.derive.scenes import NAMES
+
+    return NAMES
 
 
 def is_file(target: str | Path) -> bool:
