@@ -51,7 +51,7 @@ def _constant(walk: Walk, culprit: Node, expected: Dimension, missing: Dimension
 
 
 def _power(walk: Walk, culprit: Node, expected: Dimension, missing: Dimension) -> Offer | None:
-    """Another exponent on one factor; a bare name is the likeliest to lack its own: d in E*sqrt(R)*d."""
+    """Another exponent on one factor: of a bare name first, d in E*sqrt(R)*d, then the least, L in L**2."""
     powers: dict[Any, list[Any]] = {}
     for name, exponent in _factors(culprit, sp.S.One):
         powers.setdefault(name, []).append(exponent)
@@ -64,10 +64,10 @@ def _power(walk: Walk, culprit: Node, expected: Dimension, missing: Dimension) -
         step = _logarithm(missing, dimension)
         # a smaller or larger power, or the factor on the wrong side of the line; no other change of sign
         if step is not None and ((step + exponent) * exponent > 0 or step == -2 * exponent):
-            offers.append((exponent == 1, place, name, step + exponent))
+            offers.append((exponent == 1, -abs(step + exponent), place, name, step + exponent))
     if not offers:
         return None
-    _, _, name, exponent = max(offers, key=lambda offer: offer[:2])
+    *_, name, exponent = max(offers, key=lambda offer: offer[:3])
     if culprit.expr is not None:
         for factor in _operands(culprit):
             if factor.name == name or (factor.op == "**" and factor.args[0].name == name):

@@ -156,14 +156,14 @@ _pereira = pereira_internal_si
 
 # contact-laws.md, section 5: law, sub-expression as written, found, expected, exponent that would do
 MISTAKES = {
-    "1 Bai-Zhao, n = 3/2": (LAWS["bai_zhao"], "sqrt(2)*pi*E_eff*d**(3/2)*sqrt(d/(d + dR)**3)*(2*d + 3*dR)/8", "N/m^0.5", "N", "2"),
+    "1 Bai-Zhao, n = 3/2": (LAWS["bai_zhao"], "sqrt(2)*pi*E_eff*d**(3/2)*sqrt(d/(d + dR)**3)*(2*d + 3*dR)/8", "N/m^0.5", "N", None),
     "2 Hertz with a fitted n": (LAWS["lankarani_nikravesh_cylinders"], "K*d**n", "N m^(n-1.5)", "N", "3/2"),
     "3 Pereira, length plus number": (LAWS["pereira_internal"], "a*dR + b", "1", "m", None),
     "3 Pereira, length plus number, outside": (LAWS["pereira_external"], "a*dR + b", "1", "m", None),
     "3 Pereira, logarithm of a length": (LAWS["pereira_internal"], "log(1000*dR)", "m", "1", None),
     "3 Pereira, power of a length": (LAWS["pereira_internal"], "Y/dR**(1/200)", "1/m^0.005", "1", None),
     "4 Goldsmith, m = 1": (LAWS["goldsmith"], "log(L/(F*R_eff*sigma))", "1/m^2", "1", "3"),
-    "5 Liu without a length": (LAWS["liu"], "pi*E_eff*d*sqrt(d/(2*d + 2*dR))/2", "N/m", "N", "2"),
+    "5 Liu without a length": (LAWS["liu"], "pi*E_eff*d*sqrt(d/(2*d + 2*dR))/2", "N/m", "N", None),
     "6 damping factor of another n": (own(term=chi * d * v), "chi*d*v", "N/m^0.5", "N", "3/2"),
     "7 radius dropped": (own(force=sp.Rational(4, 3) * E * sp.sqrt(d) * d), "4*E*d**(3/2)/3", "N/m^0.5", "N", "2"),
     "8 Lee-Wang, (K/v0)^2": (

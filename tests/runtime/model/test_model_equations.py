@@ -82,7 +82,7 @@ def test_a_model_shows_the_scene_it_was_loaded_from(tmp_path):
 
 
 def test_the_readme_shows_an_equation_as_it_is():
-    text = (Path(__file__).parents[3] / "README.md").read_text(encoding="utf-8")
+    text = (Path(__file__).parents[3] / "derive" / "README.md").read_text(encoding="utf-8")
     excerpt = text.split("```math\n")[1].split("\n```")[0]
     assert excerpt == load("slider_crank").equations()["row crank_pin"].latex
 

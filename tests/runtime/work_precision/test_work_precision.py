@@ -227,7 +227,7 @@ def test_a_method_that_takes_too_long_is_said_to_and_not_tried_further(unstable,
     table = accuracy_report.rows(found)
     assert table[0][7].startswith("more than")
     assert table[1][-1] == "not tried"
-    assert "No run got to an error" in accuracy_report.conclusions(found)[0]
+    assert "No run reached an error" in accuracy_report.conclusions(found)[0]
 
 
 def test_an_accuracy_that_rounding_forbids_is_said_to_be_with_its_floor(model, quick):
