@@ -359,7 +359,13 @@ def rescaled(request):
     return Rescaled(built_in(request.param))
 
 
-@pytest.mark.parametrize("factors", FACTORS.values(), ids=FACTORS)
+@pytest.mark.parametrize(
+    "factors",
+    [
+        pytest.param(factors, id=name, marks=[] if name == "together" else pytest.mark.exhaustive)
+        for name, factors in FACTORS.items()
+    ],
+)
 def test_consistent_scenes_do_not_depend_on_the_units(rescaled, factors):
     """Penetrations of 1e-4 m are differences of 0.1 m: rounding leaves 1e-12 of them, and forces go with their power.
 

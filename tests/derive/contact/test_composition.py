@@ -192,8 +192,10 @@ def test_any_friction(friction):
     check_forces("parallel_cylinders", "wang_liu_external", "exact", friction)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("stiffness", STIFFNESS)
+@pytest.mark.parametrize(
+    "stiffness",
+    [pytest.param(s, marks=pytest.mark.exhaustive if i % 6 else pytest.mark.slow) for i, s in enumerate(STIFFNESS)],
+)
 def test_any_with_any(stiffness):
     """Every stiffness with every damping and every friction: audited, derived and generated."""
     for i, damping in enumerate(DAMPING):

@@ -146,7 +146,7 @@ def motion(declared):
 
 
 @pytest.mark.parametrize(
-    "name", [name if name in FAST else pytest.param(name, marks=pytest.mark.slow) for name in CHAINS]
+    "name", [name if name in FAST else pytest.param(name, marks=pytest.mark.exhaustive) for name in CHAINS]
 )
 def test_a_joint_of_ones_own_moves_alike_in_all_three_roles_and_as_built_in_joints_do(chain, name):
     word, *axes = CHAINS[name]

@@ -131,7 +131,7 @@ def of_random_trees(count):
 
 
 @pytest.mark.slow
-@of_random_trees(10)
+@of_random_trees(3)
 @given(trees())
 def test_random_trees_equal_kanes_method(tree):
     check_random_tree(tree)

@@ -101,8 +101,9 @@ def test_accelerations_and_drive_reactions_equal_kanes_method(name):
     assert deviation(TREES[name], derived_of(name)) < 1e-10
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", range(30))
+@pytest.mark.parametrize(
+    "seed", [pytest.param(n, marks=pytest.mark.slow if n < 6 else pytest.mark.exhaustive) for n in range(30)]
+)
 def test_random_trees_equal_kanes_method(seed):
     rng = np.random.default_rng(seed)
     n = int(rng.integers(2, 5))

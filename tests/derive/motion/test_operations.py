@@ -19,8 +19,14 @@ def test_operation_counts_are_those_of_the_baseline():
     assert not changes, "\n".join([*changes, f"if that is meant, accept it: {ACCEPT}"])
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("name", [name for name, (n, _) in CHAINS.items() if 3 <= n <= 6])
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=pytest.mark.slow if n == 3 else pytest.mark.exhaustive)
+        for name, (n, _) in CHAINS.items()
+        if 3 <= n <= 6
+    ],
+)
 def test_a_chain_takes_fewer_operations_than_kanes_method_and_cse(name):
     """Theirs are mass matrix and forcing alone; ours solve for the accelerations too."""
     n, axes = CHAINS[name]

@@ -79,7 +79,8 @@ def on_terminal(command, **environment):
 
 
 @pytest.mark.parametrize(
-    "command", ["list", "laws", "hardcases --list", "laws flores", pytest.param(HARDCASES, marks=pytest.mark.slow)]
+    "command",
+    ["list", "laws", "hardcases --list", "laws flores", pytest.param(HARDCASES, marks=pytest.mark.exhaustive)],
 )
 def test_commands_fit_80_columns(command):
     lines = re.sub(r"\x1b\[[0-9;]*m", "", on_terminal(command)).split("\n")
