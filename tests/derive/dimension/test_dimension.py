@@ -416,15 +416,30 @@ def test_declared_applied_functions():
     assert dimension_of(f.diff(t, 2), TABLE | {f: dim("m")}) == dim("m/s^2")
 
 
-def test_a_thousand_assignments_take_well_under_a_second():
+def least_time(work):
+    """Processor time of the fastest of three."""
+    times = []
+    for _ in range(3):
+        begun = time.process_time()
+        work()
+        times.append(time.process_time() - begun)
+    return min(times)
+
+
+def test_checking_a_thousand_assignments_costs_a_few_walks_of_sympy():
     symbols = sp.symbols("x0:1001")
     table = TABLE | dict.fromkeys(symbols, dim("m"))
     program = [
         symbols[i] * m * sin(theta * i) + symbols[i + 1] * m + (v**2 + g * d * i) / g * m for i in range(1000)
     ]  # fmt: skip
-    begun = time.process_time()
-    assert all(check(expression, table, dim("kg m"), CONSTANTS) is None for expression in program)
-    assert time.process_time() - begun < 0.5  # about 0.04 s on the machine it was written on
+
+    def checked():
+        assert all(check(expression, table, dim("kg m"), CONSTANTS) is None for expression in program)
+
+    def walked():
+        assert all(sum(1 for _ in sp.preorder_traversal(expression)) > 9 for expression in program)
+
+    assert least_time(checked) < 15 * least_time(walked)  # 4 to 5 times, as measured
 
 
 # --- Where ----------------------------------------------------------------------------------------------------------
