@@ -11,7 +11,8 @@ class WithTests(sdist):
         for folder in ("tests", ".ci", ".readme"):
             self.filelist.graft(folder)
         for text in (
-            "derive/**/README.md",
+            "derive/README.md",
+            "derive/*/README.md",
             "runtime/README.md",
             "C*.md",
             "CITATION.cff",

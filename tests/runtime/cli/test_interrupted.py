@@ -277,7 +277,7 @@ def test_a_large_csv_is_not_written_unasked(run, monkeypatch):
 )
 def test_a_folder_that_cannot_be_written_is_refused_before_anything_is_computed(tmp_path, monkeypatch, command, out):
     monkeypatch.chdir(tmp_path)
-    for place in ("run.single_run.SingleRun.trace", "simulation.engine_for", "run.engine.engine_for"):
+    for place in ("run.single_run.SingleRun.trace", "run.single_run.engine_for", "run.engine.engine_for"):
         monkeypatch.setattr(f"hertzwerk.runtime.{place}", fails)
     Path("file").touch()
     Path("target").mkdir()
