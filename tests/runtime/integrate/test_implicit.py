@@ -426,7 +426,7 @@ def test_derivatives_of_a_constrained_motion_are_those_of_how_it_is_solved_for(s
     y, c = run.history.part("y")[-1], run.history.controls[: swung.nc]
     q, u = y[: swung.nq], y[swung.nq : swung.nq + swung.nu]
     f = np.array(swung.function("applied")(0, q, u, c)).ravel() + np.linspace(-1, 1, swung.nu)
-    found = implicit._of_motion(swung)
+    found = implicit._motion_derivatives(swung)
     t, *symbols = (ca.SX.sym(name, found.numel_in(i)) for i, name in enumerate("tyfc"))
     q, u, _ = ca.vertsplit(symbols[0], [0, swung.nq, swung.nq + swung.nu, y.size])
     a, _, multipliers = swung.function("accelerations").call([t, q, u, *symbols[1:]])

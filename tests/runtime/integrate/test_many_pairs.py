@@ -10,7 +10,7 @@ from handmade import point
 
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.integrate.events import events
-from hertzwerk.runtime.integrate.loop.advance import advance, near
+from hertzwerk.runtime.integrate.loop.advance import advance, no_event_of_any_pair
 from hertzwerk.runtime.integrate.loop.attempt import integrator
 from hertzwerk.runtime.integrate.step import classes
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, contact_classes
@@ -90,7 +90,7 @@ def test_a_pair_far_from_contact_costs_no_event_polynomial(monkeypatch):
             asked = each(lambda model, c=contacts: advance(model, layouts(model), table, c))
         assert lean < asked - 20
         assert lean < 60  # of which half is for the time of the next landing
-    assert each(lambda model: near(model, layouts(model))) > 40  # called where a pair may be near
+    assert each(lambda model: no_event_of_any_pair(model, layouts(model))) > 40  # called where a pair may be near
 
 
 def test_far_means_clear():
