@@ -130,7 +130,7 @@ def of_random_trees(count):
     return settings(max_examples=count, derandomize=True, database=None, suppress_health_check=[HealthCheck.too_slow])
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive  # 50 s a tree
 @of_random_trees(3)
 @given(trees())
 def test_random_trees_equal_kanes_method(tree):

@@ -225,6 +225,7 @@ def test_assembly_faults_are_the_same_in_words(scene):
     assert texts[0] == texts[1]
 
 
+@pytest.mark.exhaustive
 def test_compiled_is_bitwise_the_same():
     model = load(n_four_bar(2).with_coordinates("absolute"))
     one, two = (simulate(model, duration=0.5, tolerance=1e-8, compiled=compiled) for compiled in (False, True))

@@ -147,7 +147,7 @@ def test_very_stiff_bristles_take_few_implicit_steps(model, method):
     assert run.energy_residual < 1e-5
 
 
-@pytest.mark.parametrize("method", ["dop853", "esdirk"])
+@pytest.mark.parametrize("method", ["dop853", pytest.param("esdirk", marks=pytest.mark.exhaustive)])
 def test_compiled_is_bitwise_the_virtual_machine(model, method):
     given = {
         "duration": "50 ms",

@@ -292,7 +292,9 @@ def test_the_command_line(tmp_path, monkeypatch):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["slider_crank", "slider_crank_frictionless"])
+@pytest.mark.parametrize(
+    "name", ["slider_crank_frictionless", pytest.param("slider_crank", marks=pytest.mark.exhaustive)]
+)
 def test_memory_does_not_grow_with_the_run(name):
     """Lasting contact (with friction the pin stays in contact) and repeated impacts; these are kept, some hundred bytes each."""
     program = Path(__file__).parents[2] / "benchmarks" / "memory.py"
