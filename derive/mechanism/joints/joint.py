@@ -95,6 +95,8 @@ class Joint:
     """Whether its coordinates on the ground are absolute coordinates of the body, so that it is kept."""
 
     def __init__(self, name: str, parent: Frame | Point, child: Frame | Point, **given: Any) -> None:
+        if unknown := given.keys() - {field.name for field in fields(self)}:
+            raise TypeError(f"{type(self).__name__}: found {', '.join(sorted(unknown))}, which it has no field for")
         for field, value in {"name": name, "parent": _point(parent), "child": _point(child), **given}.items():
             object.__setattr__(self, field, value)
 

@@ -420,3 +420,9 @@ def test_a_massless_body_between_others_is_one_that_only_carries():
     one = Derived(scene(Universal("joint", GROUND, BODY, X, Y)))
     given = {"q": [0.3, -0.4], "u": [1.0, 2.0], "f": [0.5, -0.6]}
     assert two.call("accelerations", **given)[0] == pytest.approx(one.call("accelerations", **given)[0], rel=1e-13)
+
+
+@pytest.mark.parametrize("joint", [Spherical, Free, Weld])
+def test_a_joint_takes_no_field_it_does_not_have(joint):
+    with pytest.raises(TypeError, match="axis"):
+        joint("hinge", GROUND, Body("rod", Parameter("mass", "kg", 1)), axis=Z)
