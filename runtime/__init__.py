@@ -11,8 +11,8 @@ if TYPE_CHECKING:  # the list of public names
     from hertzwerk.runtime.solution.impacts import Impact as Impact
     from hertzwerk.runtime.solution.outcome import Outcome as Outcome
     from hertzwerk.runtime.solution.solution import Statistics as Statistics
-    from hertzwerk.runtime.sweep.sweep import simulate_many as simulate_many
-    from hertzwerk.runtime.sweep.sweep_table import Sweep as Sweep
+    from hertzwerk.runtime.sweeps.batch import simulate_many as simulate_many
+    from hertzwerk.runtime.sweeps.sweep_table import Sweep as Sweep
 else:
     from hertzwerk.names import handed_on
 

@@ -44,7 +44,7 @@ ROOMS = {
         "units": "",
     },
     "runtime": {
-        ".": "derive/faults effects loading model simulation solution sweep",
+        ".": "derive/faults effects loading model simulation solution sweeps",
         "accuracy": "",
         "cli": "accuracy derive/audit derive/faults derive/sheets effects hard_cases host integrate/tableaux loading "
         "model pictures pictures/draw pictures/studies run simulation solution start validate work_precision",
@@ -68,7 +68,7 @@ ROOMS = {
         "simulation": "accuracy derive/faults integrate/step loading model pictures pictures/draw run solution start",
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults integrate/step integrate/tableaux model",
-        "sweep": "derive/faults host model run simulation solution start",
+        "sweeps": "derive/faults host model run simulation solution start",
         "validate": "derive/faults derive/files derive/sheets derive/units integrate/tableaux loading model run "
         "simulation solution",
         "work_precision": "accuracy derive/faults host integrate/loop integrate/tableaux model run simulation solution",

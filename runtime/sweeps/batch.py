@@ -20,7 +20,7 @@ from hertzwerk.runtime.run.request import METHOD, Compiled, Settings
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.start.start_values import split_values
-from hertzwerk.runtime.sweep.sweep_table import NUMBERS, TEXTS, Row, Sweep, ports
+from hertzwerk.runtime.sweeps.sweep_table import NUMBERS, TEXTS, Row, Sweep, ports
 
 Output = Callable[[Solution], float]
 # outcomes of rows without a run or some of its numbers
