@@ -14,7 +14,7 @@ from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import StiffnessLaw, d
 
 PER_DECADE, FIRST, DECADES = 8, -8, 4  # penetrations of 10 nm to 0.1 mm
-DEFAULT_PAIRS = ("pin_in_bush",)  # for a candidate that holds for every pair
+DEFAULT_PAIRS = ("pin_in_bush",)  # of the example of a law that holds for every pair
 
 
 @dataclass(frozen=True)

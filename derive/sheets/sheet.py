@@ -36,7 +36,7 @@ from hertzwerk.derive.laws.law import (
 from hertzwerk.derive.mechanism.parameter import Interval
 from hertzwerk.derive.program.expression_text import expression_text
 from hertzwerk.derive.program.program import PARAMETER, Function, Result, Tape, eliminate_common_subexpressions
-from hertzwerk.derive.sheets.band import Band, band_of
+from hertzwerk.derive.sheets.band import DEFAULT_PAIRS, Band, band_of
 from hertzwerk.derive.sheets.impact import (
     coefficient_at,
     published_exponent,
@@ -50,9 +50,13 @@ RELEASES = {
     "force": "the contact ends where the normal force falls to zero",
     "gap": "the contact ends where the gap opens; the law may pull before",
 }
-INSIDE = {"E_1": "207e9", "E_2": "207e9", "nu_1": "0.3", "nu_2": "0.3", "c_b": "1.1283791670955126",
-          "R_1": "0.010", "R_2": "0.0095", "R_min": "0.0095", "dR": "0.0005", "R_eff": "0.19", "L": "0.015"}  # fmt: skip
-OUTSIDE = {**INSIDE, "dR": "0.0195", "R_eff": repr(0.010 * 0.0095 / 0.0195)}
+EXAMPLE = {"E_1": "207e9", "E_2": "207e9", "nu_1": "0.3", "nu_2": "0.3", "c_b": "1.1283791670955126",
+          "R_1": "0.010", "R_2": "0.0095", "R_min": "0.0095", "L": "0.015"}  # fmt: skip
+EXAMPLES = {
+    "pin_in_bush": ("pin in bush", {"dR": "0.0005", "R_eff": "0.19"}),
+    "parallel_cylinders": ("rollers side by side", {"dR": "0.0195", "R_eff": repr(0.010 * 0.0095 / 0.0195)}),
+}
+"""Name and geometry of the example, by the kind of pair that a law is made for; a law for other kinds has no example."""
 DEPTHS = (1e-8, 1e-7, 1e-6, 1e-5, 1e-4)  # m, of the example
 RESTITUTIONS = (0.99, 0.9, 0.7, 0.5, 0.3, 0.1, 0.05)
 
@@ -192,7 +196,9 @@ def sheet(law: Law) -> Sheet:
         local_exponent=_constant_exponent(law) if isinstance(law, StiffnessLaw) else "",
         example=_example_text(law) if example else "",
         points=tuple(_points(law, example)) if isinstance(law, StiffnessLaw) and example else (),
-        band=band_of(law, lambda other: _example(other, law.pairs)) if isinstance(law, StiffnessLaw) else None,
+        band=band_of(law, lambda other: _example(other, law.pairs))
+        if isinstance(law, StiffnessLaw) and example
+        else None,
         restitution=_restitution(law) if isinstance(law, DampingLaw) and restitution_symbol(law) else None,
         operations=operations_of(law),
     )
@@ -324,14 +330,15 @@ def _constant_exponent(law: StiffnessLaw) -> str:
 
 
 def _example(law: Law, pairs: tuple[str, ...] | None = None) -> dict[sp.Symbol, Any]:
-    """Values of a stiffness law's symbols for a steel pin in a bush, or rollers, in the law's units.
+    """Values of a stiffness law's symbols for steel bodies of its kind of pair, in the law's units.
 
     `pairs` are those of the law for whose sheet the example is made; None for its own. Returns {} for a law that
-    takes other symbols.
+    takes other symbols, or is made for other kinds than EXAMPLES has.
     """
-    if not isinstance(law, StiffnessLaw):
+    kind = _kind_of_example(law.pairs if pairs is None else pairs)
+    if not isinstance(law, StiffnessLaw) or kind is None:
         return {}
-    numbers = {**(OUTSIDE if "parallel_cylinders" in (law.pairs if pairs is None else pairs) else INSIDE)}
+    numbers = EXAMPLE | EXAMPLES[kind][1]
     numbers |= {symbol.name: repr(parameter.si) for symbol, parameter in law.defaults}
     defined = {symbol for symbol, _ in law.definitions}
     asked = [symbol for symbol in law.symbols() if symbol not in defined and symbol not in STATE]
@@ -344,8 +351,13 @@ def _example(law: Law, pairs: tuple[str, ...] | None = None) -> dict[sp.Symbol, 
     return values
 
 
+def _kind_of_example(pairs: tuple[str, ...]) -> str | None:
+    return next((kind for kind in pairs or DEFAULT_PAIRS if kind in EXAMPLES), None)
+
+
 def _example_text(law: Law) -> str:
-    where = "rollers side by side" if "parallel_cylinders" in law.pairs else "pin in bush"
+    kind = _kind_of_example(law.pairs)
+    where = "" if kind is None else EXAMPLES[kind][0]
     c_b = ", c_b = 2/sqrt(pi)" if any(q.name == "c_b" for q in law.parameters) else ""
     return f"steel (207 GPa, 0.3), {where}, R1/R2 = 10/9.5 mm, L = 15 mm{c_b}"
 

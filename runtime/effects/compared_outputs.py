@@ -114,7 +114,7 @@ def named(run: Solution) -> tuple[Output, ...]:
             Output("impact_rate", "1/s", "contacts begun per time", _impact_rate),
             Output("mean_peak_force", "N", "mean of the largest normal force of each contact", _mean_peak_force),
         ]
-    journals = _journals(model)
+    journals = [tuple(model.outputs[i] for i in rows) for rows in model.journals.values()]
     if journals:
         parts = tuple(part for journal in journals for part in journal)
         meaning = "way of the pin or ball within its bearing" + (", all of them" if len(journals) > 1 else "")
@@ -232,13 +232,6 @@ def _rates_of_outputs(model: Model) -> Rowwise:
     moves = ca.vertcat(1, model.function("coordinate_rates")(t, q, u, c))
     rates = ca.jtimes(model.function("outputs")(t, q, u, c), ca.vertcat(t, q), moves)
     return Rowwise(ca.Function("output_rates", [t, q, u, c], [ca.densify(rates)]), constant=3)
-
-
-def _journals(model: Model) -> list[tuple[str, ...]]:
-    of_pairs = (
-        tuple(name for name in model.outputs if name.startswith(f"{pair}.eccentricity_")) for pair in model.pairs
-    )
-    return [parts for parts in of_pairs if parts]
 
 
 def _coordinates(model: Model) -> list[str]:

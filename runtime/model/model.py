@@ -80,6 +80,12 @@ class Model:
         self.slips: tuple[tuple[str, str, int], ...] = getattr(module, "SLIPS", ())
         self.ns, self.k, self.nc = len(self.slips), len(self.pairs), len(module.CONSTANTS)
         self.nm = len(self.latches) + self.ns
+        rows = {
+            pair: tuple(i for i, name in enumerate(self.outputs) if name.startswith(f"{pair}.eccentricity_"))
+            for pair in self.pairs
+        }
+        self.journals: dict[str, tuple[int, ...]] = {pair: found for pair, found in rows.items() if found}
+        """Of each pair that is a joint with clearance: the rows of the outputs that are its eccentricity."""
         self.quaternions: tuple[int, ...] = getattr(module, "QUATERNIONS", ())
         """Rows of q where one begins."""
         self.constraints: tuple[str, ...] = tuple(row[0] for row in getattr(module, "CONSTRAINTS", ()))

@@ -147,7 +147,7 @@ class History:
         They are the same but for a pin in a bush: there G = (c^2 - e^2)/(2 c), the distance c - e to first order
         only; c follows from G and e.
         """
-        eccentricity = [self[name] for name in self.model.outputs if name.startswith(f"{pair}.eccentricity_")]
+        eccentricity = [self[self.model.outputs[i]] for i in self.model.journals.get(pair, ())]
         if not eccentricity:
             return event
         e = np.sqrt(sum(part * part for part in eccentricity))

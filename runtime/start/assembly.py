@@ -87,8 +87,8 @@ def assemble_at(
 
 
 def journals(model: Model) -> list[int]:
-    """Return the outputs that are zero in closed clearances: eccentricities of pins and balls."""
-    return [i for i, name in enumerate(model.outputs) if ".eccentricity_" in name]
+    """Return the rows of the outputs that are zero in closed clearances: the eccentricities of all journals."""
+    return [row for rows in model.journals.values() for row in rows]
 
 
 @per_model

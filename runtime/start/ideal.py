@@ -1,12 +1,12 @@
 """Motion of the ideal mechanism, every clearance closed, as a reference for runs with clearance.
 
-A pin in a bush, or a ball in a socket, reports its eccentricity in the outputs of the model. Where these
+A joint with clearance reports its eccentricity in the outputs of the model. Where these
 eccentricities and the constraints of closed loops are together as many as the speeds, the ideal motion is their
 common zero e(t, q) = 0, found by Newton's method and followed in time; its speeds and accelerations solve the first
 and second time derivative of the same equations, which are linear in them. Where they are fewer, the mechanism
-without clearance still moves by its masses and forces, and its motion does not follow from geometry alone. A corner
-on a face is not a joint that could be closed. A coordinate that a drive integrates has no speed to be solved for: it
-is integrated here too. Nothing else of the model enters: no mass, no force.
+without clearance still moves by its masses and forces, and its motion does not follow from geometry alone. A
+coordinate that a drive integrates has no speed to be solved for: it is integrated here too. Nothing else of the model
+enters: no mass, no force.
 """
 
 from __future__ import annotations
@@ -21,13 +21,13 @@ from numpy.typing import NDArray
 
 from hertzwerk.runtime.integrate.step.explicit import unit_quaternions
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import dop853
+from hertzwerk.runtime.start.assembly import journals
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
 
 Array = NDArray[np.float64]
 
-_CLEARANCES = ("pin_in_bush", "ball_in_socket", "corner_on_face")  # pairs that stand for a joint
 _CORRECTIONS = 4  # Newton's, in one step in time
 _CONTRACTION = 0.25  # of the second correction over the first (Deuflhard's test): a step that stays on its branch
 _ROUNDING = 1e-12  # the last correction, relative to 1 + |q|
@@ -63,7 +63,7 @@ def ideal_motion(model: Model, times: Sequence[float] | Array, q: Array, c: Arra
     """Follow the ideal mechanism through increasing times from an approximate position q (nq,).
 
     c (nc,) are the model's constants for the run's parameters. None where eccentricities and constraints do not
-    determine the coordinates: no pin in a bush, fewer or more of them than the coordinates need (see
+    determine the coordinates: no joint with clearance, fewer or more of them than the coordinates need (see
     `unknown_because`), a mechanism that cannot be assembled, or one that locks on the way.
     """
     closure = None if unknown_because(model) else _Closure.of(model)
@@ -83,23 +83,17 @@ def ideal_motion(model: Model, times: Sequence[float] | Array, q: Array, c: Arra
 
 def has_clearance(model: Model) -> bool:
     """Return whether some pair models a joint with clearance."""
-    return any(kind in _CLEARANCES for _, kind in model.module.PAIRS)
+    return bool(model.journals)
 
 
 def unknown_because(model: Model) -> str:
     """Explain why geometry alone does not determine the ideal motion; empty where it may."""
     if not has_clearance(model):
-        return "it has no joint with clearance"
-    if any(kind == "corner_on_face" for _, kind in model.module.PAIRS):
-        return "a corner on a face is no joint that could be closed"
-    found = len(_eccentricities(model)) + model.nl
+        return "it has no joint with clearance that could be closed"
+    found = len(journals(model)) + model.nl
     if found != model.nu:
         return f"closed clearances and loops make {found} equations for {model.nu} freedoms, so it moves by its masses and forces"
     return ""
-
-
-def _eccentricities(model: Model) -> list[int]:
-    return [i for i, name in enumerate(model.outputs) if ".eccentricity_" in name]
 
 
 @dataclass(frozen=True)
@@ -125,7 +119,7 @@ class _Closure:
         t, q, u, c = (ca.SX.sym(name, outputs.sparsity_in(i)) for i, name in enumerate("tquc"))
         a, dt = ca.SX.sym("a", u.sparsity()), ca.SX.sym("dt")
         dq = rates(t, q, u, c)
-        e = outputs(t, q, u, c)[_eccentricities(model)]
+        e = outputs(t, q, u, c)[journals(model)]
         if model.nl:
             e = ca.vertcat(e, model.function("constraints")(t, q, u, c)[0])
         e_dot = ca.jtimes(e, ca.vertcat(t, q), ca.vertcat(1, dq))

@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Bound, Model
 
 LIMIT = 5.0  # times the scene's speed: impacts in mechanisms are up to 2 or 3 times as fast as their drives
-JOURNALS = ("pin_in_bush", "ball_in_socket")
 UNDAMPED = 1e12  # m/s, approach speed at which damping laws vanish: only stiffness acts
 STEEPEST = 2.5  # power of the depth in the energy of Hertz's law
 
@@ -86,11 +85,11 @@ def _depth(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray, j: int, gap
 
     A journal's event function is quadratic in the eccentricity.
     """
-    names = [i for i, name in enumerate(model.outputs) if name.startswith(f"{model.pairs[j]}.eccentricity_")]
-    if not names:
+    rows = model.journals.get(model.pairs[j])
+    if rows is None:
         return -gap, 1.0
     y = np.array(model.function("outputs")(0.0, q, u, bound.c)).ravel()
-    eccentricity = float(np.linalg.norm(y[names]))
+    eccentricity = float(np.linalg.norm(y[list(rows)]))
     reach = gap + math.hypot(gap, eccentricity)
     return eccentricity - reach, eccentricity / reach
 
@@ -101,13 +100,13 @@ def _size(model: Model, bound: Bound, j: int) -> float:
     0 where it has no such size.
     """
     places = model.function("landmarks")(bound.p) if hasattr(model.module, "LANDMARKS") else ()
-    name, kind = model.module.PAIRS[j]
+    name = model.pairs[j]
     radii = [
         float(place[3])  # behind the point
         for row, place in zip(getattr(model.module, "LANDMARKS", ()), places, strict=True)
         if row[0] == name and row[4][:1] == ("radius",)
     ]
-    if kind in JOURNALS and len(radii) == 2:
+    if name in model.journals and len(radii) == 2:
         return abs(radii[0] - radii[1])
     return min(radii, default=0.0) / 2
 

@@ -11,7 +11,6 @@ from __future__ import annotations
 import math
 from collections.abc import Collection
 from dataclasses import dataclass
-from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
@@ -19,7 +18,7 @@ import numpy as np
 
 from hertzwerk.derive.faults import Fault
 from hertzwerk.runtime.model.per_model import per_model
-from hertzwerk.runtime.start.assembly import RANK, Array, assemble_at, eccentricities, journals, placed
+from hertzwerk.runtime.start.assembly import RANK, Array, assemble_at, eccentricities, placed
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Bound, Model
@@ -119,9 +118,9 @@ def _initial_seats(model: Model, bound: Bound, q: Array, u: Array) -> list[_Seat
     there = 0.0, *placed(model, bound, q, u), bound.c
     e = np.array(eccentricities(model)(*there)[0]).ravel()
     gaps = dict(zip(model.pairs, np.array(model.function("gaps")(*there)[0]).ravel(), strict=True))
-    names, seats = [model.outputs[i].rsplit(".", 1)[0] for i in journals(model)], []
-    for pair, group in groupby(range(len(names)), names.__getitem__):
-        rows = list(group)
+    seats, count = [], 0
+    for pair, own in model.journals.items():
+        rows = list(range(count, count := count + len(own)))
         clearance = gaps[pair] + math.hypot(gaps[pair], float(np.linalg.norm(e[rows])))  # of (c^2 - e^2)/2c
         seats.append(_Seat(pair, rows, clearance, SHALLOW * clearance))
     return seats

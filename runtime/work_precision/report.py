@@ -24,7 +24,6 @@ COLUMNS = (
     "valid for",
     "outcome",
 )
-CLEARANCES = ("pin_in_bush", "ball_in_socket")  # pairs whose clearance is the scale of lengths
 FAR = 10
 FIELDS = ("method", "compiled", "accuracy", "error", "estimate", "steps", "rhs_evaluations", "time", "horizon")
 
@@ -162,8 +161,7 @@ def csv_text(study: Study) -> str:
 
 def length(study: Study) -> str:
     """Describe the limit that defines a valid trajectory."""
-    kinds = {kind for _, kind in study.problem.model.module.PAIRS}
-    return "1 % of the clearance" if kinds & set(CLEARANCES) else "1 % of the scene's length"
+    return "1 % of the clearance" if study.problem.model.journals else "1 % of the scene's length"
 
 
 def _cost(study: Study) -> str:

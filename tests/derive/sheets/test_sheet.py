@@ -2,6 +2,7 @@
 
 import json
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -269,3 +270,9 @@ def test_reconstructions_show_the_band_of_their_candidates(sheets):
     assert at["wang_liu_internal"] == pytest.approx(2 * 1339.92, abs=0.01)
     assert inside.spread[micrometre] == pytest.approx(2 * 1339.92 / 84.660, rel=1e-5)
     assert sheets["johnson"].band is None
+
+
+def test_a_law_for_pairs_of_ones_own_has_no_example_of_another_kind():
+    law = replace(LAWS["wang_liu_internal"], pairs=("dome",))
+    assert sheet(LAWS["wang_liu_internal"]).example
+    assert (sheet(law).example, sheet(law).points, sheet(law).band) == ("", (), None)
