@@ -11,7 +11,7 @@ import sympy as sp
 from mpmath import mp, mpf
 
 from hertzwerk.derive.algebra.functions import Where
-from hertzwerk.derive.audit.rescaling import evaluate
+from hertzwerk.derive.audit.numeric import evaluate
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.laws.law import (
     STATE,

@@ -141,19 +141,13 @@ def audit_law(law: Law) -> tuple[Finding, ...]:
     wrong = "outside_si" if law.fitted_in else "inconsistent"
     rows = [*_definitions(law), *law.expressions()]
     found = [_law_finding(law, row, table, {}, [*names.values(), *_numbers(law)], names) for row in rows]
-    return tuple(replace(f, verdict=wrong) if f.verdict != "consistent" else f for f in _with_culprit(law, found))
+    if law.verdict == "consistent" and verdict(found) != "consistent":
+        found = with_repairs(found, _culprits(law, table, names))
+    return tuple(replace(f, verdict=wrong) if f.verdict != "consistent" else f for f in found)
 
 
-def _with_culprit(law: Law, findings: list[Finding]) -> list[Finding]:
-    """Add to each finding the symbol whose unit is wrong, where there is one, as its repair.
-
-    For laws stated to be consistent.
-    """
-    faulty = [finding for finding in findings if finding.verdict != "consistent"]
-    if not faulty or law.verdict != "consistent":
-        return findings
-    names = {symbol.name: symbol for symbol in law.parameters if symbol.unit == "1"}
-    table = {symbol: _dimension(symbol.unit, names) for symbol in law.symbols()}
+def _culprits(law: Law, table: Mapping[sp.Symbol, Dimension], names: Mapping[str, sp.Symbol]) -> Sequence[Culprit]:
+    """Symbols of a law by whose unit alone its faults would go."""
     own = [symbol for symbol in table if symbol not in (*STATE, *GEOMETRY) or symbol in law.parameters]
     defined = {f"definition of {symbol.name}": symbol for symbol, _ in law.definitions}
 
@@ -165,7 +159,7 @@ def _with_culprit(law: Law, findings: list[Finding]) -> list[Finding]:
         return Row(fault, lambda symbol: powers_in(symbolic(expression).root, symbol))
 
     rows = [row(*entry) for entry in (*_definitions(law), *law.expressions())]
-    return with_repairs(findings, culprits(rows, table, {symbol: symbol.unit for symbol in own}))
+    return culprits(rows, table, {symbol: symbol.unit for symbol in own})
 
 
 def with_repairs(findings: list[Finding], found: Sequence[Culprit]) -> list[Finding]:

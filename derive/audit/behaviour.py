@@ -16,7 +16,7 @@ from mpmath import mp, mpf
 
 from hertzwerk.derive.audit.admissibility import Trial, Values, faults_of, with_definitions
 from hertzwerk.derive.audit.audit import audit_law, verdict
-from hertzwerk.derive.audit.rescaling import lattice
+from hertzwerk.derive.audit.numeric import lattice
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.laws import LAWS
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from hertzwerk.derive.declare.scene import Scene
 
 DIGITS = 30
-SETS = 3  # parameter sets over the ranges of a law, out of the eleven of the rescaling audit
+SETS = 3  # parameter sets over the ranges of a law, out of the eleven of the lattice
 DEFAULT_DEPTH = mpf("1e-3")  # m, where neither law nor pair limits the penetration
 ADDED_STIFFNESS = mpf("1e9")  # N/m^1.5, of the elastic force added to a damping law that is tested without a scene
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.audit.rescaling import evaluate
+from hertzwerk.derive.audit.numeric import evaluate
 from hertzwerk.derive.mechanism.parameter import Parameter
 from hertzwerk.derive.motion.kinematics import Kinematics
 from hertzwerk.derive.program.program import symbols_in

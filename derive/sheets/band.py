@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 from mpmath import mp, mpf
 
-from hertzwerk.derive.audit.rescaling import evaluate
+from hertzwerk.derive.audit.numeric import evaluate
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import StiffnessLaw, d
 

@@ -20,7 +20,7 @@ import sympy as sp
 from mpmath import mp, mpf
 
 from hertzwerk.derive.algebra.functions import Where
-from hertzwerk.derive.audit.rescaling import evaluate
+from hertzwerk.derive.audit.numeric import evaluate
 from hertzwerk.derive.declare.scene import Scales, Scene, Start
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.effects.contacts import Contact

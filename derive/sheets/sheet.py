@@ -13,7 +13,7 @@ import sympy as sp
 from mpmath import mp, mpf
 
 from hertzwerk.derive.algebra.notation import latex_name, latex_of, text_of
-from hertzwerk.derive.audit.rescaling import evaluate
+from hertzwerk.derive.audit.numeric import evaluate
 from hertzwerk.derive.dimension.dimension import ONE
 from hertzwerk.derive.emit.cost import operations
 from hertzwerk.derive.faults import InputError, unknown

@@ -4,9 +4,10 @@ import pytest
 import sympy as sp
 from expressions import CONSISTENT, INCONSISTENT, STATE, UNITS
 from mpmath import mp, mpf
+from rescaling import ROUNDING, rescale
 
 from hertzwerk.derive.algebra.functions import Where
-from hertzwerk.derive.audit.rescaling import DIGITS, ROUNDING, rescale
+from hertzwerk.derive.audit.numeric import DIGITS
 from hertzwerk.derive.dimension.dimension import ONE, Dimension
 from hertzwerk.derive.dimension.expression import to_sympy
 from hertzwerk.derive.dimension.reader import read

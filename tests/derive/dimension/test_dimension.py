@@ -7,12 +7,12 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mp, mpf
+from rescaling import ROUNDING, rescale
 from sympy import Max, Min, Rational, acos, atan, atan2, cos, cosh, exp, log, pi, sign, sin, sqrt, tan, tanh
 from sympy.core.function import AppliedUndef
 
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.algebra.splines import Table
-from hertzwerk.derive.audit.rescaling import ROUNDING, rescale
 from hertzwerk.derive.dimension.dimension import ONE, ZERO, Dimension, DimensionError
 from hertzwerk.derive.dimension.rules import SIGNATURES
 from hertzwerk.derive.dimension.symbolic import as_immutable, symbolic

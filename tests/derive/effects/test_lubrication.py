@@ -36,7 +36,7 @@ from hertzwerk.derive import (
     laws_from,
 )
 from hertzwerk.derive.audit.audit import InconsistentUnits
-from hertzwerk.derive.audit.rescaling import evaluate
+from hertzwerk.derive.audit.numeric import evaluate
 from hertzwerk.derive.laws import LAWS, flores, long_bearing, power, short_bearing
 from hertzwerk.derive.scenes.journal_lubricated import scene as journal
 

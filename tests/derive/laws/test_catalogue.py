@@ -9,6 +9,7 @@ import pytest
 import sympy as sp
 from drop import drop
 from mpmath import mp, mpf
+from rescaling import SCALINGS, rescale_law, states_of
 
 from hertzwerk.derive import (  # fmt: skip
     GROUND,
@@ -31,7 +32,7 @@ from hertzwerk.derive import (  # fmt: skip
     generate,
 )
 from hertzwerk.derive.audit.audit import audit_law, audit_laws, verdict
-from hertzwerk.derive.audit.rescaling import SCALINGS, STATES, rescale_law, states_of
+from hertzwerk.derive.audit.numeric import STATES
 from hertzwerk.derive.dimension.dimension import Dimension, DimensionError
 from hertzwerk.derive.dimension.walker import dimension_of
 from hertzwerk.derive.laws import LAWS, flores, johnson, pereira_internal_si, power
