@@ -67,7 +67,7 @@ ROOMS = {
         "run": "accuracy derive/faults integrate integrate/loop integrate/step integrate/tableaux model solution start",
         "simulation": "accuracy derive/faults integrate/step loading model pictures pictures/draw run solution start",
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
-        "start": "derive/faults integrate/step integrate/tableaux model",
+        "start": "derive/faults host integrate/step integrate/tableaux model",
         "sweeps": "derive/faults host model run simulation solution start",
         "validate": "derive/faults derive/files derive/sheets derive/units integrate/tableaux loading model run "
         "simulation solution",

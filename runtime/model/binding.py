@@ -36,8 +36,25 @@ class Reading:
     faults: tuple[Fault, ...]
 
 
-def read_parameters(ports: Mapping[str, Port], limits: Sequence[Limit], parameters: Mapping[str, Value]) -> Reading:
+class Declared:
+    """Parameters and their limits as a module declares them, with the defaults read once.
+
+    si, texts  defaults in SI, and as (value, unit)
+    followers  parameters whose unit depends on another one, by the name of that one
+    """
+
+    def __init__(self, ports: Mapping[str, Port], limits: Sequence[Limit]) -> None:
+        self.ports, self.limits = ports, limits
+        units = {name: parse_unit(port.unit) for name, port in ports.items()}
+        self.si = {name: unit.to_si(ports[name].default) for name, unit in units.items()}
+        self.texts = {name: (port.default, port.unit) for name, port in ports.items()}
+        free = {name: unit.free_names for name, unit in units.items()}
+        self.followers = {name: tuple(other for other in ports if name in free[other]) for name in ports}
+
+
+def read_parameters(declared: Declared, parameters: Mapping[str, Value]) -> Reading:
     """Read `parameters` over the defaults."""
+    ports = declared.ports
     faults: list[Fault] = []
     given: dict[str, tuple[float, Unit, str]] = {}
     for name, value in named_values("parameters", parameters, faults).items():
@@ -48,19 +65,19 @@ def read_parameters(ports: Mapping[str, Port], limits: Sequence[Limit], paramete
             given[name] = read(value)
         except UnitError as error:
             faults.append(Fault(name, shown(value), _value_in(ports[name].unit), str(error)))
-    si, texts = {}, {}
-    for name, port in ports.items():
-        value, unit, text = given.get(name, (port.default, parse_unit(port.unit), port.unit))
+    si, texts = dict(declared.si), dict(declared.texts)
+    for name, (value, unit, text) in given.items():
         si[name], texts[name] = unit.to_si(value), (value, text)
+    concerned = {*given, *(follower for name in given for follower in declared.followers[name])}
     for name, port in ports.items():
-        fault = _unit_fault(port, ports, given, si)
+        fault = _unit_fault(port, ports, given, si) if name in concerned else None
         if fault is None and not math.isfinite(si[name]):
             fault = Fault(name, _text(*texts[name]), "a finite number")
         if fault is not None:
             faults.append(fault)
     judged = set(ports) - {fault.where for fault in faults}
     warnings = []
-    for limit in limits:
+    for limit in declared.limits:
         name, kind, *_, why = limit
         if name not in judged or _inside(si[name], limit):
             continue

@@ -42,6 +42,15 @@ class Callers:
     function: Any
     _free: list[Caller] = field(default_factory=list)
 
+    def __call__(self, *arguments: float | np.ndarray) -> list[np.ndarray]:
+        """Evaluate on numbers and vectors; a result of one column is a vector, any other has its shape (rows, columns)."""
+        caller = self.take()
+        for place, value in zip(caller.inputs, arguments, strict=True):
+            place[:] = value
+        results = [x[0].copy() if len(x) == 1 else x.T.copy() for x in caller()]
+        self.give_back(caller)
+        return results
+
     def take(self) -> Caller:
         """Return a caller for exclusive use."""
         try:

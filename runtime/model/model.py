@@ -13,7 +13,8 @@ import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.runtime.host.lazy import cached_property
-from hertzwerk.runtime.model.binding import Port, Value, read_parameters
+from hertzwerk.runtime.model.binding import Declared, Port, Value, read_parameters
+from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
@@ -106,6 +107,10 @@ class Model:
         return {row[0]: row[1] for rows in (module.COORDINATES, module.SPEEDS, module.MEMORY) for row in rows}
 
     @cached_property
+    def _declared(self) -> Declared:
+        return Declared(self.parameters, self.module.LIMITS)
+
+    @cached_property
     def joints(self) -> Model:
         """Model by the joints' coordinates, in which starts are given: itself, unless in absolute coordinates."""
         module = self.module
@@ -136,6 +141,14 @@ class Model:
             known = [*filter(self.has, _INPUTS), *(f"contact_{pair}" for pair in self.pairs)]
             raise InputError(self.name, [unknown("function", name, known)])
         return self._build(name)
+
+    def evaluate(self, name: str, *arguments: float | np.ndarray) -> list[np.ndarray]:
+        """Evaluate one of the module's functions on numbers and vectors, in SI; its results as vectors."""
+        return self._callers(name)(*arguments)
+
+    @per_model
+    def _callers(self, name: str) -> Callers:
+        return Callers(self.function(name))
 
     def has(self, name: str) -> bool:
         """Return whether the module has a builder of this name."""
@@ -175,7 +188,7 @@ class Model:
 
     def period(self, bound: Bound) -> float | None:
         """Return the period [s] of everything that depends on time; None where nothing does."""
-        found = float(self.function("period")(bound.p)) if hasattr(self.module, "period") else math.inf
+        found = float(self.evaluate("period", bound.p)[0][0]) if hasattr(self.module, "period") else math.inf
         return found if math.isfinite(found) else None  # a drive that stands still has none
 
     def equations(self) -> Readable:
@@ -201,11 +214,11 @@ class Model:
 
     def check(self, parameters: Mapping[str, Value]) -> tuple[Bound | None, list[Fault]]:
         """Bind parameters, returning the faults as a value: no Bound where there is one."""
-        reading = read_parameters(self.parameters, self.module.LIMITS, parameters)
+        reading = read_parameters(self._declared, parameters)
         if reading.faults:
             return None, list(reading.faults)
         p = np.array(list(reading.si.values()))
-        c = np.array(self.function("constants")(p)).ravel()
+        (c,) = self.evaluate("constants", p)
         faults = list(dict.fromkeys(
             self._undefined(name, unit, float(value))
             for (name, unit), value in zip(self.module.CONSTANTS, c, strict=True)

@@ -33,7 +33,7 @@ def open_forces(model: Model, bound: Bound, q: np.ndarray) -> Iterator[str]:
 def approach_speeds(model: Model, bound: Bound) -> Iterator[ApproachSpeeds]:
     """Yield observers of the pairs whose compliant law has a speed limit [m/s] (material with a density)."""
     pairs = getattr(model.module, "SPEED_LIMITED", ())
-    limits = np.array(model.function("speed_limits")(bound.p)).ravel() if pairs else ()
+    limits = model.evaluate("speed_limits", bound.p)[0] if pairs else ()
     for pair, limit in zip(pairs, limits, strict=True):
         yield ApproachSpeeds(float(limit), Track(model.pairs.index(pair)))
 

@@ -15,6 +15,7 @@ from hertzwerk.runtime.integrate.loop.chunk import Resume
 from hertzwerk.runtime.integrate.step.layout import layouts
 from hertzwerk.runtime.integrate.tableaux.methods import IN_GRAPH
 from hertzwerk.runtime.model.binding import Value
+from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.loop.chunk import Ending
@@ -72,6 +73,7 @@ def checkpoint_of(model: Model, ending: Ending, initial: Mapping[str, Value]) ->
     return Checkpoint(ending.resume, dict(layouts(model).state.sizes), digest(model), dict(initial))
 
 
+@per_model
 def digest(model: Model) -> str:
     """Return the digest of a generated module's text."""
     file = getattr(model.module, "__file__", None) or ""

@@ -71,7 +71,7 @@ def _largest(n: int, scales: Scales, y: np.ndarray, reference: np.ndarray) -> np
 
 def of_parameters(model: Model, bound: Bound) -> Scales:
     """Return the scales that the scene states."""
-    *parts, scene = (np.array(x).ravel() for x in model.function("scales")(bound.p))
+    *parts, scene = model.evaluate("scales", bound.p)
     return Scales(np.concatenate(parts), scene)
 
 

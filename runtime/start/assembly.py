@@ -17,6 +17,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.derive.faults import Fault
+from hertzwerk.runtime.host.lazy import cached_property
+from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.start.intrusion import deep_overlaps
 
@@ -105,7 +107,7 @@ def placed(model: Model, bound: Bound, q: Array, u: Array) -> tuple[Array, Array
     """Return a model's coordinates and speeds from those of its joints at the start."""
     if model.joints is model:
         return q, u
-    q, u = (np.array(x).ravel() for x in model.function("placed")(0.0, q, u, bound.c))
+    q, u = model.evaluate("placed", 0.0, q, u, bound.c)
     return q, u
 
 
@@ -180,7 +182,7 @@ def _nearby(model: Model, bound: Bound, q: Array) -> Iterator[tuple[float, Array
     size, reach = _sizes(loops, jacobian, q), _reach(model, jacobian)
     _, values, vectors = np.linalg.svd(jacobian * reach / size[:, None])
     free = vectors[int(np.sum(values > RANK * values[0])) :]
-    *_, scene = (np.array(x).ravel() for x in model.function("scales")(bound.p))
+    *_, scene = model.evaluate("scales", bound.p)
     rng, every = np.random.default_rng(0), list(range(model.nq))
     for _ in range(AROUND):
         later = _Loops(model, bound, float(NEAR * rng.uniform(0.5, 1) * scene[0] / scene[1]))
@@ -222,7 +224,7 @@ class _Loops:
     whole: Model | None = None
     seats: Array | None = None
 
-    @property
+    @cached_property
     def rows(self) -> tuple[tuple[str, str], ...]:
         """Name and unit of every constraint."""
         closed = () if self.whole is None else tuple(self.whole.module.OUTPUTS[i] for i in journals(self.whole))
@@ -247,10 +249,10 @@ class _Loops:
         q, u = placed(self.whole, self.bound, q, np.zeros(self.model.nu))
         return not deep_overlaps(self.whole, self.bound, q, u)
 
-    @property
+    @cached_property
     def scales(self) -> tuple[Array, Array]:
         """Scales of coordinates and speeds."""
-        sq, su, *_ = (np.array(x).ravel() for x in self.model.function("scales")(self.bound.p))
+        sq, su, *_ = self.model.evaluate("scales", self.bound.p)
         return sq, su
 
     @property
@@ -260,19 +262,11 @@ class _Loops:
 
     def at(self, q: Array, u: Array) -> tuple[Array, Array, Array, Array]:
         """Return constraints (nl,), rates (nl,), and their derivatives (nl, nq) by q, (nl, nu) by u."""
-        model, count = self.model, len(self.rows)
-        function = _loops_of(model) if self.whole is None else _journals_of(self.whole, model)
-        phi, *rest = (
-            np.array(x).reshape(shape)
-            for x, shape in zip(
-                function(self.t, q, u, self.bound.c),
-                ((count,), (count,), (count, model.nq), (count, model.nu)),
-                strict=True,
-            )
-        )
+        evaluate = _loops_of(self.model) if self.whole is None else _journals_of(self.whole, self.model)
+        phi, rate, by_q, by_u = evaluate(self.t, q, u, self.bound.c)
         if self.seats is not None:
-            phi[count - len(self.seats) :] -= self.seats
-        return phi, *rest  # type: ignore[return-value]
+            phi[len(phi) - len(self.seats) :] -= self.seats
+        return phi, rate, by_q.reshape(len(phi), self.model.nq), by_u.reshape(len(phi), self.model.nu)
 
     def unclosed(self, residual: Array, size: Array) -> list[str]:
         """Describe what is open, by joint: the worst of each."""
@@ -285,16 +279,16 @@ class _Loops:
 
 
 @per_model
-def _loops_of(model: Model) -> Any:
+def _loops_of(model: Model) -> Callers:
     return _residuals(model, None)
 
 
 @per_model
-def _journals_of(whole: Model, model: Model) -> Any:
+def _journals_of(whole: Model, model: Model) -> Callers:
     return _residuals(model, whole)
 
 
-def _residuals(model: Model, whole: Model | None) -> Any:
+def _residuals(model: Model, whole: Model | None) -> Callers:
     """Build the function (t, q, u, c) -> constraints, rates and their derivatives, see `_Loops.at`."""
     t, q, u, c = ca.SX.sym("t"), ca.SX.sym("q", model.nq), ca.SX.sym("u", model.nu), ca.SX.sym("c", model.nc)
     sides = [model.function("constraints")(t, q, u, c)] if model.nl else []
@@ -302,7 +296,8 @@ def _residuals(model: Model, whole: Model | None) -> Any:
         joints = (q, u) if whole.joints is whole else whole.function("placed")(t, q, u, c)
         sides.append(eccentricities(whole)(t, *joints, c))
     phi, rate = (ca.vertcat(*(side[k] for side in sides)) for k in (0, 1))
-    return ca.Function("loops", [t, q, u, c], [phi, rate, ca.jacobian(phi, q), ca.jacobian(rate, u)])
+    results = (phi, rate, ca.jacobian(phi, q), ca.jacobian(rate, u))
+    return Callers(ca.Function("loops", [t, q, u, c], [ca.densify(x) for x in results]))
 
 
 def _position(loops: _Loops, q: Array, given: Collection[str]) -> tuple[Array, tuple[Fault, ...]]:

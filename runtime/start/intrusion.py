@@ -48,25 +48,25 @@ def deep_overlaps(
     """
     if not model.k:
         return ()
-    gap, rate = (np.array(x).ravel() for x in model.function("gaps")(0.0, q, u, bound.c))
+    gap, rate = model.evaluate("gaps", 0.0, q, u, bound.c)
     inside = [j for j in range(model.k) if gap[j] < 0]
     if not inside:
         return ()
-    applied = np.array(model.function("applied")(0.0, q, u, bound.c)).ravel()
+    (applied,) = model.evaluate("applied", 0.0, q, u, bound.c)
     pressed, found = applied.copy(), []
     for j in inside:
         z, m = np.zeros(model.nz), np.full(model.nm, UNDAMPED)
-        forces, _, _, _, in_range, *_ = model.function(f"contact_{model.pairs[j]}")(0.0, q, u, z, m, bound.c)
-        pressed += np.array(forces).ravel()
-        found.append((j, float(in_range) >= 0.5))
+        forces, _, _, _, in_range, *_ = model.evaluate(f"contact_{model.pairs[j]}", 0.0, q, u, z, m, bound.c)
+        pressed += forces
+        found.append((j, float(in_range[0]) >= 0.5))
     own = _accelerations(model, bound, q, u, applied)
     out = _accelerations(model, bound, q, u, pressed) - own
     intrusions = []
-    for j, in_range in found:
+    for j, is_in_range in found:
         depth, slope = _depth(model, bound, q, u, j, float(gap[j]))
         speed = math.sqrt(max(depth * float(out[j]) / slope, 0.0))
         scene = _scene_speed(model, bound, float(rate[j]), float(own[j]), depth)
-        if not in_range:
+        if not is_in_range:
             intrusions.append(Intrusion(model.pairs[j], depth, None, speed))
         elif 0 < limit * scene < speed and (shallow or depth > _size(model, bound, j)):
             allowed = depth * (limit * scene / speed) ** (2 / STEEPEST)
@@ -76,8 +76,8 @@ def deep_overlaps(
 
 def _accelerations(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray, forces: np.ndarray) -> np.ndarray:
     """Return the second derivatives of all gaps under generalised forces [m/s^2]."""
-    a = np.array(model.function("accelerations")(0.0, q, u, forces, bound.c)[0]).ravel()
-    return np.array(model.function("gap_accelerations")(0.0, q, u, a, bound.c)).ravel()
+    a, *_ = model.evaluate("accelerations", 0.0, q, u, forces, bound.c)
+    return model.evaluate("gap_accelerations", 0.0, q, u, a, bound.c)[0]
 
 
 def _depth(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray, j: int, gap: float) -> tuple[float, float]:
@@ -88,7 +88,7 @@ def _depth(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray, j: int, gap
     rows = model.journals.get(model.pairs[j])
     if rows is None:
         return -gap, 1.0
-    y = np.array(model.function("outputs")(0.0, q, u, bound.c)).ravel()
+    (y,) = model.evaluate("outputs", 0.0, q, u, bound.c)
     eccentricity = float(np.linalg.norm(y[list(rows)]))
     reach = gap + math.hypot(gap, eccentricity)
     return eccentricity - reach, eccentricity / reach
@@ -116,7 +116,7 @@ def _scene_speed(model: Model, bound: Bound, rate: float, acceleration: float, d
 
     The largest of its scale, of the rate of the gap and of the speed that loads reach over the depth.
     """
-    *_, scene = (np.array(x).ravel() for x in model.function("scales")(bound.p))
+    *_, scene = model.evaluate("scales", bound.p)
     length, speed = (float(x) if math.isfinite(x) else 0.0 for x in scene[:2])
     loads = math.sqrt(abs(acceleration) * (depth + max(length, 0.0))) if math.isfinite(acceleration) else 0.0
     return max(speed, abs(rate) if math.isfinite(rate) else 0.0, loads)

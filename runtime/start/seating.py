@@ -59,7 +59,7 @@ def seat(
 
     q, u: joints with the journals centred.
     """
-    seats, scale = _initial_seats(model, bound, q, u), float(np.array(model.function("scales")(bound.p)[3]).ravel()[2])
+    seats, scale = _initial_seats(model, bound, q, u), float(model.evaluate("scales", bound.p)[3][2])
     at: Array | None = None
     for _ in range(REPETITIONS):
         forces, loose = closed_forces(model, bound, q, u)
@@ -117,7 +117,7 @@ def _initial_seats(model: Model, bound: Bound, q: Array, u: Array) -> list[_Seat
     """Return the journals with initial depths."""
     there = 0.0, *placed(model, bound, q, u), bound.c
     e = np.array(eccentricities(model)(*there)[0]).ravel()
-    gaps = dict(zip(model.pairs, np.array(model.function("gaps")(*there)[0]).ravel(), strict=True))
+    gaps = dict(zip(model.pairs, model.evaluate("gaps", *there)[0], strict=True))
     seats, count = [], 0
     for pair, own in model.journals.items():
         rows = list(range(count, count := count + len(own)))
@@ -129,7 +129,7 @@ def _initial_seats(model: Model, bound: Bound, q: Array, u: Array) -> list[_Seat
 def _elastic_force(model: Model, bound: Bound, q: Array, u: Array, pair: str) -> float:
     """Return the normal force [N] of a pair at constant gap."""
     z, m = np.zeros(model.nz), np.full(model.nm, UNDAMPED)
-    return float(model.function(f"contact_{pair}")(0.0, *placed(model, bound, q, u), z, m, bound.c)[2])
+    return float(model.evaluate(f"contact_{pair}", 0.0, *placed(model, bound, q, u), z, m, bound.c)[2][0])
 
 
 @per_model

@@ -57,7 +57,7 @@ def _placed(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray) -> tuple[n
     """Return a model's coordinates and speeds from those of its joints."""
     if model.joints is model:
         return q, u
-    q, u = (np.array(x).ravel() for x in model.function("placed")(0.0, q, u, bound.c))
+    q, u = model.evaluate("placed", 0.0, q, u, bound.c)
     return q, u
 
 
@@ -78,7 +78,7 @@ def _assembled(
             faults.append(fault)
     if bound is None:
         return np.zeros(model.nq), np.zeros(model.nu)
-    start = np.concatenate([np.array(x).ravel() for x in model.function("start")(bound.p)])
+    start = np.concatenate(model.evaluate("start", bound.p))
     for i, name in enumerate(names):
         start[i] = values.get(name, start[i])
         if not math.isfinite(start[i]) and name not in values:
@@ -147,12 +147,12 @@ def _separating_change(model: Model, bound: Bound, initial: Mapping[str, Value],
     """Suggest the coordinate whose least change, in the scene's scales, separates a pair's surfaces."""
     joints, j = model.joints, model.pairs.index(pair)
     stated, still = _assembled(model, bound, initial, [])
-    sizes = np.array(joints.function("scales")(bound.p)[0]).ravel()
+    sizes = joints.evaluate("scales", bound.p)[0]
 
     def gap(i: int, change: float) -> float:
         q = stated.copy()
         q[i] += change
-        return float(model.function("gaps")(0.0, *_placed(model, bound, q, still), bound.c)[0][j])
+        return float(model.evaluate("gaps", 0.0, *_placed(model, bound, q, still), bound.c)[0][j])
 
     ways = []
     for i, name in enumerate(joints.coordinates) if not joints.nl else ():  # in a loop nothing changes alone
