@@ -7,7 +7,20 @@ if TYPE_CHECKING:  # the list of public names
     from hertzwerk.derive.algebra.functions import Where as Where
     from hertzwerk.derive.algebra.splines import Table as Table
     from hertzwerk.derive.audit.audit import Finding as Finding, InconsistentUnits as InconsistentUnits
-    from hertzwerk.derive.contact.touch import Touch as Touch, touch as touch
+    from hertzwerk.derive.contact.pairs.corner import CornerOnFace as CornerOnFace
+    from hertzwerk.derive.contact.pairs.custom import CustomPair as CustomPair
+    from hertzwerk.derive.contact.pairs.flat import (
+        CylinderOnPlane as CylinderOnPlane,
+        RimOnPlane as RimOnPlane,
+        SphereOnPlane as SphereOnPlane,
+    )
+    from hertzwerk.derive.contact.pairs.round import (
+        BallInSocket as BallInSocket,
+        ParallelCylinders as ParallelCylinders,
+        PinInBush as PinInBush,
+        SphereOnSphere as SphereOnSphere,
+    )
+    from hertzwerk.derive.contact.touch import Touch as Touch
     from hertzwerk.derive.declare.scene import Scales as Scales, Scene as Scene, Start as Start
     from hertzwerk.derive.derivation import audit_scene as audit_scene, derive as derive, generate as generate
     from hertzwerk.derive.effects.contacts import Contact as Contact, Friction as Friction
@@ -69,34 +82,21 @@ if TYPE_CHECKING:  # the list of public names
         Y as Y,
         Z as Z,
     )
-    from hertzwerk.derive.mechanism.joints import (
+    from hertzwerk.derive.mechanism.joints.axial import (
         Cylindrical as Cylindrical,
-        Free as Free,
-        Freedom as Freedom,
-        Joint as Joint,
-        Planar as Planar,
         Prismatic as Prismatic,
         Revolute as Revolute,
-        Spherical as Spherical,
-        Universal as Universal,
-        Weld as Weld,
     )
+    from hertzwerk.derive.mechanism.joints.free import Free as Free
+    from hertzwerk.derive.mechanism.joints.joint import Freedom as Freedom, Joint as Joint
+    from hertzwerk.derive.mechanism.joints.planar import Planar as Planar
+    from hertzwerk.derive.mechanism.joints.spherical import Spherical as Spherical
+    from hertzwerk.derive.mechanism.joints.universal import Universal as Universal
+    from hertzwerk.derive.mechanism.joints.weld import Weld as Weld
     from hertzwerk.derive.mechanism.mechanism import Mechanism as Mechanism
-    from hertzwerk.derive.mechanism.pairs import (
-        APART as APART,
-        TURN as TURN,
-        BallInSocket as BallInSocket,
-        CornerOnFace as CornerOnFace,
-        CustomPair as CustomPair,
-        CylinderOnPlane as CylinderOnPlane,
-        Pair as Pair,
-        ParallelCylinders as ParallelCylinders,
-        PinInBush as PinInBush,
-        RimOnPlane as RimOnPlane,
-        SphereOnPlane as SphereOnPlane,
-        SphereOnSphere as SphereOnSphere,
-    )
+    from hertzwerk.derive.mechanism.pair import Pair as Pair
     from hertzwerk.derive.mechanism.parameter import Interval as Interval, Parameter as Parameter
+    from hertzwerk.derive.mechanism.pose import APART as APART, TURN as TURN
 else:
     from hertzwerk.names import handed_on
 

@@ -39,8 +39,8 @@ ROOMS = {
         "motion": "algebra audit declare dimension effects faults mechanism program units",
         "program": "algebra dimension mechanism",
         "readable": "algebra audit declare derivation effects laws mechanism module program",
-        "scenes": ". declare effects laws mechanism sheets",
-        "sheets": "algebra audit declare dimension effects emit faults laws mechanism program units",
+        "scenes": ". contact declare effects laws mechanism sheets",
+        "sheets": "algebra audit contact declare dimension effects emit faults laws mechanism program units",
         "units": "",
     },
     "runtime": {

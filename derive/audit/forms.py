@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import FORMS, Law
-from hertzwerk.derive.mechanism.pairs import Pair
+from hertzwerk.derive.mechanism.pair import Pair
 
 if TYPE_CHECKING:
     from hertzwerk.derive.declare.scene import Scene

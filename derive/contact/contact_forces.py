@@ -10,12 +10,12 @@ import sympy as sp
 
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.algebra.vectors import Vector, cross, dot, scale, sub
-from hertzwerk.derive.contact.touch import touch
+from hertzwerk.derive.contact.touch import Touch
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.effects.contacts import Contact, Friction
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.laws.law import BRISTLE, GEOMETRY, BoundLaw, F, N, Quantity, d, k_t, s, v, v0
-from hertzwerk.derive.mechanism.pairs import Pair
+from hertzwerk.derive.mechanism.pair import Pair
 from hertzwerk.derive.motion.kinematics import Kinematics
 from hertzwerk.derive.units import parse_unit
 
@@ -68,7 +68,7 @@ class PairKinematics:
     def __init__(self, kinematics: Kinematics, pair: Pair, geometry: dict[str, Any]) -> None:
         self.kin = kinematics
         self.pair = pair
-        self.touch = touch(pair, kinematics)
+        self.touch: Touch = pair.touch(kinematics)
         self._geometry = {quantity: geometry[quantity.name] for quantity in GEOMETRY if quantity.name in geometry}
 
     def _named(self, vector: Vector, what: str) -> Vector:

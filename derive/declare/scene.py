@@ -23,9 +23,9 @@ from hertzwerk.derive.laws.catalogue import LAWS
 from hertzwerk.derive.laws.law import BoundLaw
 from hertzwerk.derive.laws.law_call import split_call, values_of
 from hertzwerk.derive.mechanism.bodies import Body, Slot
-from hertzwerk.derive.mechanism.joints import Freedom
+from hertzwerk.derive.mechanism.joints.joint import Freedom
 from hertzwerk.derive.mechanism.mechanism import Mechanism
-from hertzwerk.derive.mechanism.pairs import Pair
+from hertzwerk.derive.mechanism.pair import Pair
 from hertzwerk.derive.mechanism.parameter import (
     POSITIVE,
     Parameter,

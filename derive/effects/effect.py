@@ -16,7 +16,7 @@ from hertzwerk.derive.effects.expression import SPEED
 from hertzwerk.derive.faults import Fault, InputError, one_of
 from hertzwerk.derive.laws.law import BoundLaw, Law
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Direction, Frame, Ground, Point, Slot
-from hertzwerk.derive.mechanism.joints import Freedom
+from hertzwerk.derive.mechanism.joints.joint import Freedom
 from hertzwerk.derive.mechanism.mechanism import Mechanism
 from hertzwerk.derive.program.program import Tape
 

@@ -20,7 +20,7 @@ from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.dimension.walker import check
 from hertzwerk.derive.faults import Fault, InputError, one_of
 from hertzwerk.derive.mechanism.bodies import Slot
-from hertzwerk.derive.mechanism.joints import Freedom
+from hertzwerk.derive.mechanism.joints.joint import Freedom
 from hertzwerk.derive.mechanism.parameter import Parameter, is_number
 from hertzwerk.derive.program.expression_text import EmitError, expression_text
 from hertzwerk.derive.units import parse_unit, unit_text

@@ -11,8 +11,8 @@ from functools import cached_property
 
 from hertzwerk.derive.algebra.vectors import along
 from hertzwerk.derive.mechanism.bodies import Body, Frame, Slot
-from hertzwerk.derive.mechanism.joints import Freedom, Joint
-from hertzwerk.derive.mechanism.pairs import Pair
+from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
+from hertzwerk.derive.mechanism.pair import Pair
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from typing import Any
 
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.dimension.dimension import Dimension
-from hertzwerk.derive.mechanism.joints import Port
+from hertzwerk.derive.mechanism.joints.joint import Port
 from hertzwerk.derive.motion.kinematics import Kinematics
 from hertzwerk.derive.motion.loops import Constraint
 from hertzwerk.derive.program.program import Result

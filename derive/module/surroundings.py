@@ -5,7 +5,6 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from hertzwerk.derive.contact.touch import touch
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.motion.kinematics import Kinematics
 from hertzwerk.derive.motion.loops import Measured, measured
@@ -44,7 +43,7 @@ class Surroundings(Kinematics):
         found = next(other for other in self.mechanism.pairs if other.name == pair)
         if not found.holds_film:
             raise TypeError(f"{pair} is no pin in a bush")
-        return touch(found, self)
+        return found.touch(self)
 
     def _measure(self, key: str) -> Measured:
         return measured(self, key)

@@ -14,7 +14,7 @@ from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.effects.effect import CONTACT, DISSIPATED, NOWHERE
 from hertzwerk.derive.faults import InputError
 from hertzwerk.derive.laws.law import speed_limit
-from hertzwerk.derive.mechanism.joints import Port
+from hertzwerk.derive.mechanism.joints.joint import Port
 from hertzwerk.derive.module.joints import Joints
 from hertzwerk.derive.module.landmarks import Landmark, landmarks_of
 from hertzwerk.derive.module.results import dimension_of, ports_of, vector

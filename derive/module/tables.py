@@ -9,7 +9,7 @@ from hertzwerk.derive.algebra.splines import Table
 from hertzwerk.derive.audit.forms import advice
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.effects.expression import tables_in
-from hertzwerk.derive.mechanism.joints import Port
+from hertzwerk.derive.mechanism.joints.joint import Port
 from hertzwerk.derive.mechanism.parameter import Interval, Parameter
 from hertzwerk.derive.module.outputs import output_rows
 from hertzwerk.derive.module.system import System

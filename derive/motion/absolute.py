@@ -18,7 +18,7 @@ from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.effects.expression import COORDINATE, states_in
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.mechanism.bodies import AXES, GROUND, Body, Frame, Point, Slot, Triple
-from hertzwerk.derive.mechanism.joints import Freedom, Joint
+from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
 from hertzwerk.derive.mechanism.mechanism import Mechanism
 from hertzwerk.derive.mechanism.parameter import default_value
 from hertzwerk.derive.motion.kinematics import Kinematics

@@ -34,7 +34,7 @@ from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.effects.expression import COORDINATE, TIME, StateSymbol, T, as_choice, states_in
 from hertzwerk.derive.mechanism.bodies import Body, Direction, Frame, Point
-from hertzwerk.derive.mechanism.joints import Freedom, Port
+from hertzwerk.derive.mechanism.joints.joint import Freedom, Port
 from hertzwerk.derive.mechanism.mechanism import Mechanism
 from hertzwerk.derive.motion.links import Link, Orientation, Row, Tree
 from hertzwerk.derive.program.program import Tape

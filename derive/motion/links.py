@@ -34,7 +34,7 @@ from hertzwerk.derive.algebra.vectors import (
     transpose,
 )
 from hertzwerk.derive.mechanism.bodies import GROUND, Frame, Point
-from hertzwerk.derive.mechanism.joints import Freedom, Joint
+from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
 from hertzwerk.derive.mechanism.mechanism import Mechanism
 from hertzwerk.derive.mechanism.parameter import default_value
 from hertzwerk.derive.motion.axes import Change, Fixed, Turn

@@ -21,6 +21,7 @@ from mpmath import mp, mpf
 
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.audit.numeric import evaluate
+from hertzwerk.derive.contact.pairs.flat import SphereOnPlane
 from hertzwerk.derive.declare.scene import Scales, Scene, Start
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.effects.contacts import Contact
@@ -28,9 +29,8 @@ from hertzwerk.derive.laws import LAWS
 from hertzwerk.derive.laws.law import DampingLaw, F, Quantity, d, m_eff, v
 from hertzwerk.derive.laws.stiffness import power
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Y
-from hertzwerk.derive.mechanism.joints import Prismatic
+from hertzwerk.derive.mechanism.joints.axial import Prismatic
 from hertzwerk.derive.mechanism.mechanism import Mechanism
-from hertzwerk.derive.mechanism.pairs import SphereOnPlane
 from hertzwerk.derive.mechanism.parameter import Parameter
 from hertzwerk.derive.units import parse_unit
 

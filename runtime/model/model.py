@@ -86,7 +86,7 @@ class Model:
             for pair in self.pairs
         }
         self.journals: dict[str, tuple[int, ...]] = {pair: found for pair, found in rows.items() if found}
-        """Of each pair that is a joint with clearance: the rows of the outputs that are its eccentricity."""
+        """Rows of the outputs that are the eccentricity of a pair, by the name of a pair that is a joint with clearance."""
         self.quaternions: tuple[int, ...] = getattr(module, "QUATERNIONS", ())
         """Rows of q where one begins."""
         self.constraints: tuple[str, ...] = tuple(row[0] for row in getattr(module, "CONSTRAINTS", ()))

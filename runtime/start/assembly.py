@@ -89,7 +89,7 @@ def assemble_at(
 
 
 def journals(model: Model) -> list[int]:
-    """Return the rows of the outputs that are zero in closed clearances: the eccentricities of all journals."""
+    """Return the rows of the outputs that vanish in closed clearances: all eccentricities."""
     return [row for rows in model.journals.values() for row in rows]
 
 

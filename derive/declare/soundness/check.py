@@ -20,8 +20,8 @@ from hertzwerk.derive.declare.soundness.types import scene_type_faults
 from hertzwerk.derive.effects.expression import Varying, expression_faults, table_faults
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.identifiers import name_faults, text_faults
-from hertzwerk.derive.mechanism.pairs import Posed
 from hertzwerk.derive.mechanism.parameter import dimensions_of, parameters_of
+from hertzwerk.derive.mechanism.pose import Posed
 
 if TYPE_CHECKING:
     from hertzwerk.derive.declare.scene import Scene

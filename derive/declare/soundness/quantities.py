@@ -14,8 +14,8 @@ from hertzwerk.derive.dimension.walker import check
 from hertzwerk.derive.effects.expression import as_choice, smoothness_faults, tables_in
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Slot
-from hertzwerk.derive.mechanism.pairs import Posed, PoseSymbol
 from hertzwerk.derive.mechanism.parameter import Parameter, default_value, is_number, parameters_of
+from hertzwerk.derive.mechanism.pose import Posed, PoseSymbol
 from hertzwerk.derive.units import parse_unit, rate_remedy, unit_text
 
 if TYPE_CHECKING:

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 from hertzwerk.derive.effects.effect import Effect
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Body
-from hertzwerk.derive.mechanism.joints import Joint
-from hertzwerk.derive.mechanism.pairs import Pair
+from hertzwerk.derive.mechanism.joints.joint import Joint
+from hertzwerk.derive.mechanism.pair import Pair
 
 if TYPE_CHECKING:
     from hertzwerk.derive.declare.scene import Scene

@@ -12,6 +12,8 @@ from itertools import pairwise
 
 import sympy as sp
 
+from hertzwerk.derive.contact.pairs.flat import SphereOnPlane
+from hertzwerk.derive.contact.pairs.round import SphereOnSphere
 from hertzwerk.derive.declare.scene import Scales, Scene, Start
 from hertzwerk.derive.effects.contacts import Contact, Friction
 from hertzwerk.derive.effects.energy_ledger import EnergyLedger
@@ -20,9 +22,9 @@ from hertzwerk.derive.effects.gravity import Gravity
 from hertzwerk.derive.laws import coulomb, exact, flores, kelvin_voigt, lugre, power, ristow, smooth_coulomb
 from hertzwerk.derive.laws.law import BoundLaw, DampingLaw
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Direction, X, Y, Z
-from hertzwerk.derive.mechanism.joints import Planar, Prismatic, Revolute
+from hertzwerk.derive.mechanism.joints.axial import Prismatic, Revolute
+from hertzwerk.derive.mechanism.joints.planar import Planar
 from hertzwerk.derive.mechanism.mechanism import Mechanism
-from hertzwerk.derive.mechanism.pairs import SphereOnPlane, SphereOnSphere
 from hertzwerk.derive.mechanism.parameter import Parameter
 from hertzwerk.derive.sheets.impact import impact_scene
 

@@ -11,7 +11,9 @@ from derived import Derived
 from hertzwerk.derive import Contact, Parameter, audit_scene, derive, generate
 from hertzwerk.derive.algebra.vectors import dot, scale
 from hertzwerk.derive.audit.audit import InconsistentUnits, audit_program
-from hertzwerk.derive.contact.touch import Face, Round, Touch
+from hertzwerk.derive.contact.pairs.flat import Face
+from hertzwerk.derive.contact.pairs.round import RoundTouch
+from hertzwerk.derive.contact.touch import Touch
 from hertzwerk.derive.derivation import derivation_of
 from hertzwerk.derive.laws import LAWS, hunt_crossley, lankarani_nikravesh, power
 from hertzwerk.derive.module.system import System
@@ -192,8 +194,8 @@ def no_arm(gravity, self, row):
 SEEDED = {
     # step: (owner, name, fault, what the first finding names)
     "penetration instead of its rate": (Touch, "penetration_rate", lambda f, self: self.penetration, "slider_pin_normal_force"),
-    "a gap in millimetres": (Round, "gap", lambda f, self: self.let(1000 * f(self) + 1, "gap"), "slider_pin_gap"),
-    "a gap squared": (Round, "gap", lambda f, self: self.let(f(self) ** 2, "gap"), "output gaps.G[slider_pin]"),
+    "a gap in millimetres": (RoundTouch, "gap", lambda f, self: self.let(1000 * f(self) + 1, "gap"), "slider_pin_gap"),
+    "a gap squared": (RoundTouch, "gap", lambda f, self: self.let(f(self) ** 2, "gap"), "output gaps.G[slider_pin]"),
     "gravity without its arm": (Equations, "gravity", no_arm, "output applied.f[crank_pin]"),
     "no inertia in the bias": (Equations, "bias", lambda f, self, row: row.speed**2, "crank_pin_net"),
     "kinetic energy with a speed once": (

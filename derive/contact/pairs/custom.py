@@ -1,45 +1,20 @@
-"""Pair of user-defined surfaces, given by expressions."""
+"""Pair of user-defined surfaces, given by expressions, and how they touch."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, ClassVar
 
-import sympy as sp
-
+from hertzwerk.derive.algebra.vectors import Vector, add, apply, multiply, transpose
+from hertzwerk.derive.contact.touch import Touch
+from hertzwerk.derive.effects.expression import as_choice
 from hertzwerk.derive.mechanism.bodies import Point, Slot
-from hertzwerk.derive.mechanism.pairs.pair import Components, Pair
+from hertzwerk.derive.mechanism.pair import Components, Pair
 from hertzwerk.derive.mechanism.parameter import POSITIVE, Scalar
-
-
-class PoseSymbol(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
-    """Coordinate of a pair's first place, or of its axes, in the axes of the second."""
-
-    __slots__ = ("unit",)
-
-    def __new__(cls, name: str, unit: str) -> PoseSymbol:
-        """Make a new symbol, never from SymPy's cache."""
-        self = sp.Symbol.__xnew__(cls, name, real=True)
-        self.unit = unit
-        return self  # type: ignore[no-any-return]
-
-    def _hashable_content(self) -> tuple[Any, ...]:
-        return (self.name, self.unit)
-
-    def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
-        return (self.name, self.unit), {}
-
-
-APART = tuple(PoseSymbol(f"apart_{k}", "m") for k in "xyz")
-"""Vector from the second place to the first, along the axes of the second [m]."""
-TURN = tuple(tuple(PoseSymbol(f"turn_{i}{k}", "1") for k in "xyz") for i in "xyz")
-"""Rotation from the axes of the first place to those of the second: its columns are the first's axes."""
-
-
-@dataclass(frozen=True)
-class Posed(Slot):
-    """Quantity that may vary with the pose of one body against another: `APART`, `TURN`."""
+from hertzwerk.derive.mechanism.pose import APART, TURN, Posed
+from hertzwerk.derive.motion.kinematics import Kinematics
 
 
 @dataclass(frozen=True)
@@ -88,3 +63,43 @@ class CustomPair(Pair):
         if self.length is not None:
             yield Slot(f"pair {self.name}, length", self.length, "m", POSITIVE, asked_as=f"{self.name}.L")
         yield from super().slots()
+
+    def touch(self, kinematics: Kinematics) -> Touch:
+        """Contact geometry on the kinematics' tape."""
+        return CustomTouch(self, kinematics)
+
+
+class CustomTouch(Touch):
+    """User-defined surfaces."""
+
+    @cached_property
+    def _pose(self) -> dict[Any, Any]:
+        """The user's pose symbols on the tape."""
+        back = transpose(self.kin.axes_of(self.second))
+        apart = self.named(apply(back, self.apart), "local_apart")
+        turn = self.tape.matrix(multiply(back, self.kin.axes_of(self.first)), f"{self.pair.name}_turn")
+        rows = zip(TURN, turn, strict=True)
+        return dict(zip(APART, apart, strict=True)) | {s: v for row in rows for s, v in zip(*row, strict=True)}
+
+    def _stated(self, value: Any) -> Any:
+        return as_choice(value).xreplace(self._pose)
+
+    def _in_ground(self, components: Any, what: str) -> Vector:
+        x, y, z = (self._stated(value) for value in components)
+        local = self.named((x, y, z), f"local_{what}")
+        return self.named(apply(self.kin.axes_of(self.second), local), what)
+
+    @cached_property
+    def gap(self) -> Any:
+        """Gap as declared."""
+        return self.let(self._stated(self.pair.gap), "gap")
+
+    @cached_property
+    def normal(self) -> Vector:
+        """Normal as declared."""
+        return self._in_ground(self.pair.normal, "normal")
+
+    @cached_property
+    def position(self) -> Vector:
+        """The contact point."""
+        return add(self.base, self._in_ground(self.pair.contact_point, "contact_arm"))

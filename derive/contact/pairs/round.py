@@ -1,18 +1,21 @@
-"""Pairs of spheres and parallel cylinders, one on or in the other."""
+"""Pairs of spheres and parallel cylinders, one on or in the other, and how they touch."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, ClassVar
 
 import sympy as sp
 
-from hertzwerk.derive.algebra.vectors import along
+from hertzwerk.derive.algebra.vectors import Vector, along, apply, dot, scale, sub, transpose
+from hertzwerk.derive.contact.touch import Touch
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Direction, Point, Slot
-from hertzwerk.derive.mechanism.pairs.pair import Pair, in_body
+from hertzwerk.derive.mechanism.pair import Pair, in_body
 from hertzwerk.derive.mechanism.parameter import POSITIVE, Scalar
+from hertzwerk.derive.motion.kinematics import Kinematics
 
 
 @dataclass(frozen=True)
@@ -25,6 +28,10 @@ class Round(Pair):
     def line(self) -> Direction | None:
         """Axis of cylinders, in the axes of the second place; None of spheres."""
         return None
+
+    def touch(self, kinematics: Kinematics) -> Touch:
+        """Contact geometry on the kinematics' tape."""
+        return RoundTouch(self, kinematics)
 
 
 @dataclass(frozen=True)
@@ -208,3 +215,61 @@ class BallInSocket(Round):
         """Radii, for landmarks."""
         one, two = {"radius": self.first_radius}, {"radius": self.socket_radius}
         return one, two
+
+
+class RoundTouch(Touch):
+    """Spheres or parallel cylinders, one on or in the other."""
+
+    proved: ClassVar[bool] = True
+
+    @cached_property
+    def eccentricity(self) -> Vector:
+        """Vector from centre to centre, for cylinders normal to the axis [m]."""
+        if self.pair.line is None:
+            return self.apart
+        axis = self.named(self.kin.direction(self.second, self.pair.line), "direction")
+        along = self.let(dot(self.apart, axis), "along")
+        return self.named(sub(self.apart, scale(along, axis)), "e")
+
+    @cached_property
+    def _reach(self) -> Any:
+        """Distance of the centres at which contact begins [m]."""
+        if self.pair.inside:
+            return sp.sympify(self.pair.clearance)
+        return self.let(self.pair.radius_first + self.pair.radius_second, "reach")
+
+    @cached_property
+    def gap(self) -> Any:
+        """(reach^2 - e.e)/(2 reach) inside, its negative outside: smooth through the centre."""
+        reach = self._reach
+        squared = self.let(dot(self.eccentricity, self.eccentricity), "apart_squared")
+        sign = 1 if self.pair.inside else -1
+        return self.let(sign * (reach**2 - squared) / (2 * reach), "gap")
+
+    @cached_property
+    def _distance(self) -> Any:
+        return self.let(sp.sqrt(self.let(dot(self.eccentricity, self.eccentricity), "apart_squared")), "distance")
+
+    @cached_property
+    def normal(self) -> Vector:
+        """Unit vector from the other centre, or inside towards it."""
+        sign = -1 if self.pair.inside else 1
+        return self.named(scale(sign / self._distance, self.eccentricity), "normal")
+
+    @cached_property
+    def penetration(self) -> Any:
+        """Exact penetration, by the distance of the centres [m]."""
+        sign = 1 if self.pair.inside else -1
+        return self.let(sign * (self._distance - self._reach), "penetration")
+
+    def outputs(self) -> list[tuple[str, str, Any]]:
+        """Eccentricity inside, in the axes of the second place; structural zeros are left out."""
+        if not self.pair.inside:
+            return super().outputs()
+        local = apply(transpose(self.kin.axes_of(self.second)), self.eccentricity)
+        line = self.pair.line
+        across = [k for k in range(3) if (local[k] != 0 if line is None else line.components[k] == 0)]
+        return [
+            (f"{self.pair.name}.eccentricity_{'xyz'[k]}", "m", self.let(local[k], f"eccentricity_{'xyz'[k]}"))
+            for k in across
+        ]

@@ -30,7 +30,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import ClassVar
 
-from hertzwerk.derive import Direction, Pair, Point, Slot, Touch, touch
+from hertzwerk.derive import Direction, Pair, Point, Slot, Touch
 from hertzwerk.derive.algebra.vectors import dot
 
 
@@ -56,8 +56,10 @@ class Dome(Pair):
     def geometry(self):
         return {"R_eff": self.radius, "R_min": self.radius}
 
+    def touch(self, kinematics):
+        return OnPlane(self, kinematics)
 
-@touch.register(Dome)
+
 class OnPlane(Touch):
     """The height of the middle, less the radius."""
 
@@ -76,10 +78,19 @@ class OnPlane(Touch):
 class Steep(Dome):
     """A dome whose gap is twice the distance."""
 
+    def touch(self, kinematics):
+        return TooSteep(self, kinematics)
 
-@touch.register(Steep)
+
 class TooSteep(OnPlane):
     SIZE = 2
+
+
+@dataclass(frozen=True)
+class Sleeve(Dome):
+    """A dome that claims to replace a joint."""
+
+    journal: ClassVar[bool] = True
 
 
 @dataclass(frozen=True)
@@ -137,6 +148,11 @@ def test_a_pair_of_ones_own_offers_its_geometry_to_laws(kinds):
 def test_a_gap_that_is_no_distance_is_found_at_random_states(kinds):
     with pytest.raises(InputError, match=r"pair touch, gap: found a rate of .* where the bodies approach at"):
         generate(scene(kinds["Steep"]("touch", *PLACES, Y, RADIUS)))
+
+
+def test_a_journal_that_cannot_be_centred_is_refused(kinds):
+    with pytest.raises(InputError, match="pair touch: found a journal without an eccentricity"):
+        generate(scene(kinds["Sleeve"]("touch", *PLACES, Y, RADIUS)))
 
 
 def test_a_direction_of_ones_own_is_checked(kinds):

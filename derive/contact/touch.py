@@ -9,15 +9,15 @@ contact only.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import cached_property, singledispatch
+from functools import cached_property
 from typing import Any, ClassVar
 
 import sympy as sp
 
 from hertzwerk.derive.algebra.vectors import Vector, add, dot, scale, sub
 from hertzwerk.derive.dimension.dimension import Dimension
-from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.derive.mechanism.pairs.pair import Pair
+from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.mechanism.pair import Pair
 from hertzwerk.derive.motion.kinematics import Kinematics
 from hertzwerk.derive.motion.probe import Probe
 
@@ -25,14 +25,6 @@ DEPTH = 1e-4
 """Penetration at which a user's pair is tested, relative to the mechanism's size."""
 ROUNDING = 1e-7
 """Relative tolerance for rounding in double precision."""
-
-
-@singledispatch
-def touch(pair: Pair, kinematics: Kinematics) -> Touch:
-    """Contact geometry of a pair on its kinematics' tape; raises InputError for an unknown kind."""
-    found = f"{type(pair).__name__}, a kind of pair without equations"
-    remedy = f"touch.register({type(pair).__name__}, ...) on a subclass of Touch with `gap` and `normal`."
-    raise InputError(f"pair {pair.name}", [Fault(f"pair {pair.name}", found, "one whose geometry is known", remedy)])
 
 
 class Touch:
@@ -129,6 +121,9 @@ class Touch:
         if self.proved:
             return
         where = f"pair {self.pair.name}"
+        if self.pair.journal and not any(".eccentricity_" in name for name, *_ in self.outputs()):
+            yield Fault(where, "a journal without an eccentricity", "outputs of its Touch, PAIR.eccentricity_x, _y, _z, that "
+                        "vanish where it is centred")  # fmt: skip
         probe = Probe(self.kin, length)
         states = probe.states_where(self.gap, self.gap_rate, -DEPTH * length)
         if not states:

@@ -1,7 +1,7 @@
 """Contact pairs: surfaces of two bodies that may touch. Declarations only, no equations.
 
-A pair pushes its first place along a unit vector out of the second's solid. Its contact geometry is in
-`contact.touch`.
+A pair pushes its first place along a unit vector out of the second's solid. A kind is one class with its geometry of
+touching, in `contact.pairs`; the defaults are declared here.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from dataclasses import dataclass, fields
 from typing import Any, ClassVar
 
 from hertzwerk.derive.algebra.vectors import Vector, apply
-from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.mechanism.bodies import Direction, Point, Slot
 
 Components = tuple[Any, Any, Any]
@@ -24,7 +24,8 @@ class Pair:
     kind          text for tables and laws that are made for one kind
     form          how the surfaces touch, at a "point", along a "line" or over a "surface": laws are made for one of them
     first_radius  distance from the first place to the contact point [m]
-    journal       whether it replaces a joint, which the start closes
+    journal       whether it replaces a joint, which the start closes: its outputs then hold its eccentricity e, and its
+                  gap is (c^2 - e.e)/(2 c), c its clearance
     holds_film    whether a lubrication may act on it
     labels        names of the two places in the equations
     """
@@ -86,6 +87,14 @@ class Pair:
     def faults(self) -> Iterator[Fault]:
         """Yield faults of the pair by itself."""
         yield from ()
+
+    def touch(self, kinematics: Any) -> Any:
+        """Contact geometry on the kinematics' tape, a `Touch`; raises InputError for a kind that has none."""
+        found = f"{type(self).__name__}, a kind of pair without equations"
+        remedy = f"{type(self).__name__}.touch, which returns a subclass of Touch with `gap` and `normal`."
+        raise InputError(
+            f"pair {self.name}", [Fault(f"pair {self.name}", found, "one whose geometry is known", remedy)]
+        )
 
 
 def in_body(point: Point, direction: Direction) -> Vector:

@@ -1,0 +1,39 @@
+"""Symbols of the pose of one body against another, which user-defined surfaces are expressed by."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.mechanism.bodies import Slot
+
+
+class PoseSymbol(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
+    """Coordinate of a pair's first place, or of its axes, in the axes of the second."""
+
+    __slots__ = ("unit",)
+
+    def __new__(cls, name: str, unit: str) -> PoseSymbol:
+        """Make a new symbol, never from SymPy's cache."""
+        self = sp.Symbol.__xnew__(cls, name, real=True)
+        self.unit = unit
+        return self  # type: ignore[no-any-return]
+
+    def _hashable_content(self) -> tuple[Any, ...]:
+        return (self.name, self.unit)
+
+    def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
+        return (self.name, self.unit), {}
+
+
+APART = tuple(PoseSymbol(f"apart_{k}", "m") for k in "xyz")
+"""Vector from the second place to the first, along the axes of the second [m]."""
+TURN = tuple(tuple(PoseSymbol(f"turn_{i}{k}", "1") for k in "xyz") for i in "xyz")
+"""Rotation from the axes of the first place to those of the second: its columns are the first's axes."""
+
+
+@dataclass(frozen=True)
+class Posed(Slot):
+    """Quantity that may vary with the pose of one body against another: `APART`, `TURN`."""
