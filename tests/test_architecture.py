@@ -47,7 +47,7 @@ ROOMS = {
         ".": "derive/faults effects loading model simulation solution sweeps",
         "accuracy": "",
         "cli": "accuracy derive/audit derive/faults derive/sheets effects hard_cases host integrate/tableaux loading "
-        "model pictures pictures/draw pictures/studies run simulation solution start validate work_precision",
+        "model pictures pictures/draw pictures/studies run simulation solution start studies validate work_precision",
         "command_line": "cli",
         "effects": "accuracy derive/declare derive/faults integrate/step loading model run simulation solution start",
         "hard_cases": "host integrate/loop integrate/step integrate/tableaux loading model run simulation solution",
@@ -63,11 +63,12 @@ ROOMS = {
         "package": "derive/declare derive/faults loading simulation",
         "pictures": "host solution start",
         "pictures/draw": "derive/faults host model pictures run solution start",
-        "pictures/studies": "accuracy derive/sheets effects integrate/tableaux pictures validate work_precision",
+        "pictures/studies": "accuracy derive/sheets effects integrate/tableaux pictures studies validate work_precision",
         "run": "accuracy derive/faults integrate integrate/loop integrate/step integrate/tableaux model solution start",
         "simulation": "accuracy derive/faults integrate/step loading model pictures pictures/draw run solution start",
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults host integrate/step integrate/tableaux model",
+        "studies": "derive/faults derive/sheets effects loading model pictures simulation solution",
         "sweeps": "derive/faults host model run simulation solution start",
         "validate": "derive/faults derive/files derive/sheets derive/units integrate/tableaux loading model run "
         "simulation solution",
@@ -280,14 +281,14 @@ def test_only_build_opens_the_door_to_derive_and_lazily():
                 assert id(node) not in at_import, f"{file} imports {module} when it is imported"
 
 
-COMMANDS = ["accuracy", "audit", "derive", "draw", "effects", "hardcases", "laws", "run"]
+COMMANDS = ["accuracy", "audit", "derive", "draw", "effects", "hardcases", "laws", "run", "studies"]
 CLI = {
     *(f"cli/{name}.py" for name in ["__init__", "target", "terminal"]),
     *(f"cli/commands/{name}.py" for name in COMMANDS),
 }
 PICTURES = {
     "pictures/plot.py",
-    *(f"pictures/studies/plot_{name}.py" for name in ["accuracy", "band", "effects", "laws"]),
+    *(f"pictures/studies/plot_{name}.py" for name in ["accuracy", "band", "effects", "laws", "page"]),
     *(f"pictures/draw/{name}.py" for name in ["drawing", "insets", "labels", "paper", "picture", "gallery"]),
 }
 

@@ -54,8 +54,8 @@ def made(tmp_path):
     return follow
 
 
-def test_there_are_six_recipes_of_fewer_than_ten_steps():
-    assert list(RECIPES) == ["law", "joint", "effect", "method", "command", "scene"]
+def test_there_are_seven_recipes_of_fewer_than_ten_steps():
+    assert list(RECIPES) == ["law", "joint", "effect", "method", "command", "scene", "study"]
     for name, text in RECIPES.items():
         steps = re.findall(r"^(\d+)\. ", text, re.MULTILINE)
         assert 0 < len(steps) < 10, name
@@ -177,6 +177,21 @@ def test_a_scene(made, tmp_path, monkeypatch):
     assert CliRunner().invoke(main, ["validate", scenario.name]).exit_code == 0
     scenario.write_text(scenario.read_text().replace("1e-3 rad", "1.1e-3 rad"))
     assert CliRunner().invoke(main, ["validate", scenario.name]).exit_code == 1
+
+
+def test_a_study(made, tmp_path, monkeypatch):
+    """Against Hertz; with a wrong one the command says so."""
+    made("study")
+    monkeypatch.chdir(tmp_path)
+    done = CliRunner().invoke(main, ["study", "my_study.py", "--quick", "--out", "drops"])
+    assert done.exit_code == 0, done.output
+    assert "holds" in done.stdout
+    written = {"study.md", "study.json", "forces.csv", "forces.png", "forces.svg"}
+    assert {path.name for path in (tmp_path / "drops").iterdir()} == written
+    file = tmp_path / "my_study.py"
+    file.write_text(file.read_text().replace("depths**1.5", "1.002 * depths**1.5"))
+    wrong = CliRunner().invoke(main, ["study", "my_study.py", "--quick"])
+    assert (wrong.exit_code, "fails" in wrong.stdout) == (1, True)
 
 
 def test_hooks_are_local_and_fetch_nothing():

@@ -24,7 +24,7 @@ DOCUMENTS = (
     *(f"{room}/README.md" for room in ("derive", "derive/laws", "derive/scenes", "runtime", "tests")),
 )
 TEXTS = {name: (ROOT / name).read_text(encoding="utf-8") for name in DOCUMENTS}
-LONG = {"accuracy", "effects", "hardcases", "validate"}  # commands that take minutes
+LONG = {"accuracy", "effects", "hardcases", "study", "validate"}  # commands that take minutes
 
 
 def blocks(name, *languages):

@@ -16,6 +16,7 @@ from hertzwerk.runtime.cli.commands.effects import effects
 from hertzwerk.runtime.cli.commands.hardcases import hardcases
 from hertzwerk.runtime.cli.commands.laws import laws
 from hertzwerk.runtime.cli.commands.run import run, validate
+from hertzwerk.runtime.cli.commands.studies import study
 
 
 def _open_streams() -> None:
@@ -58,5 +59,5 @@ def main() -> None:
         click.get_current_context().color = False
 
 
-for command in (list_scenes, laws, derive, audit, run, draw, effects, validate, accuracy, hardcases):
+for command in (list_scenes, laws, derive, audit, run, draw, effects, validate, accuracy, hardcases, study):
     main.add_command(command)

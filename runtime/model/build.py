@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from hertzwerk.derive.audit.audit import Finding
     from hertzwerk.derive.declare.scene import Scene
     from hertzwerk.derive.readable.record import Readable
+    from hertzwerk.derive.sheets.comparison import ExponentUnit, ForceCurve
     from hertzwerk.derive.sheets.impact import Trial
     from hertzwerk.derive.sheets.sheet import Sheet
 
@@ -46,10 +47,9 @@ def scene_from(target: str | Path) -> Scene:
     The file is executed, as `python file.py` would.
     """
     from hertzwerk.derive.declare.scene import Scene
-    from hertzwerk.derive.files.execute import names_defined_by
 
     if is_file(target):
-        content = names_defined_by(Path(target))
+        content = defined_by(Path(target))
         scene = content.get("scene")
         if not isinstance(scene, Scene):
             found = "no `scene`" if scene is None else f"`scene` of type {type(scene).__name__}"
@@ -59,6 +59,13 @@ def scene_from(target: str | Path) -> Scene:
     module = __import__(f"hertzwerk.derive.scenes.{target}", fromlist=["scene"])
     built_in: Scene = module.scene
     return built_in
+
+
+def defined_by(path: Path) -> dict[str, Any]:
+    """Return the names that a Python file defines, which is executed; raises InputError."""
+    from hertzwerk.derive.files.execute import names_defined_by
+
+    return names_defined_by(path)
 
 
 def source_of(target: str | Path) -> str:
@@ -181,6 +188,48 @@ def impact_trials() -> tuple[Trial, ...]:
     from hertzwerk.derive.sheets.impact import trials
 
     return tuple(trials())
+
+
+def exponent_unit(exponent: float) -> ExponentUnit:
+    """Return the unit of Hertz's K d^n with another exponent."""
+    from hertzwerk.derive.sheets import comparison
+
+    return comparison.exponent_unit(exponent)
+
+
+def force_curve(law: str, penetrations: Sequence[float], clearance: float, exponent: float | None = None) -> ForceCurve:
+    """Return the forces of a stiffness law over penetrations [m]; see `comparison.force_curve`."""
+    from hertzwerk.derive.sheets import comparison
+
+    return comparison.force_curve(law, penetrations, clearance, exponent)
+
+
+def build_compared(name: str, contact: str, law: str | None) -> ModuleType:
+    """Return the module of a built-in scene with another stiffness law, from the cache if possible.
+
+    Laws with inconsistent units run unchecked. None is Hertz's stiffness with a free `exponent`.
+    """
+
+    def scene() -> Scene:
+        from hertzwerk.derive.sheets import comparison
+
+        base = scene_from(name)
+        if law is None:
+            return comparison.with_open_exponent(base, contact)
+        return comparison.with_stiffness(base, contact, law)
+
+    return _module(name, _cached_text(("compared", name, contact, law), scene, source_of(name)))
+
+
+def build_dropped(form: str, damping: str) -> ModuleType:
+    """Return the module of a sphere or a cylinder dropped on another, from the cache if possible."""
+
+    def scene() -> Scene:
+        from hertzwerk.derive.sheets.comparison import dropped
+
+        return dropped(form, damping)
+
+    return _module(f"dropped_{form}", _cached_text(("dropped", form, damping), scene, "derive/sheets/comparison.py"))
 
 
 def build_built_in(

@@ -1,0 +1,77 @@
+"""`hertzwerk study`: comparisons with figures, tables and verdicts, the paper's and users' own."""
+
+from __future__ import annotations
+
+import shlex
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from hertzwerk.derive.faults import InputError
+from hertzwerk.runtime.cli.target import JSON, unwritable_faults
+from hertzwerk.runtime.cli.terminal import (
+    GOOD,
+    OTHER_OUTCOME,
+    Progress,
+    line,
+    report_missing,
+    reports_bad_input,
+    written_or_none,
+)
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.studies.page import Page
+
+
+@click.command()
+@click.argument("name", required=False)
+@click.option("--quick", is_flag=True, help="Fewer cases and shorter runs: seconds instead of minutes.")
+@click.option(
+    "--out", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/NAME-study-NNN)."
+)
+@JSON
+@reports_bad_input
+def study(name: str | None, quick: bool, out: Path | None, as_json: bool) -> int:
+    """Make the study NAME, or that of a Python file that defines `study`: figures, tables, verdicts.
+
+    Without NAME, list the built-in studies. Exit code 1 where a number differs from the independent one it is compared
+    with.
+    """
+    from hertzwerk.runtime.cli import page_folder
+    from hertzwerk.runtime.cli.run_folder import json_text
+    from hertzwerk.runtime.studies.known_studies import NAMES, study_of
+
+    if name is None:
+        for known in NAMES:
+            line(known, study_of(known).question)
+        return GOOD
+    wanted = out is not None or not as_json
+    found = study_of(name)
+    if faults := unwritable_faults(out, wanted=wanted):
+        raise InputError("study", faults)
+    with Progress(f"study {found.name}", shown=not as_json and sys.stderr.isatty()) as progress:
+        page = found.run(quick, progress)
+    about = {"study": found.name, "question": found.question, "quick": quick}
+    about |= {"command": shlex.join(["hertzwerk", "study", name, *(["--quick"] if quick else [])])}
+    missing: list[str] = []
+    written = written_or_none(lambda: page_folder.write(page, found.name, out, about, missing), missing, wanted=wanted)
+    if as_json:
+        click.echo(json_text({**about, **page.record()}))
+    else:
+        _report(page)
+        if written is not None:
+            line("written", f"{written[0]}/ ({', '.join(written[1])})")
+    code = report_missing(missing)
+    return code if page.holds else OTHER_OUTCOME
+
+
+def _report(page: Page) -> None:
+    """Print the verdicts of a page, and what its sources lack."""
+    from hertzwerk.runtime.cli.page_folder import MARKS
+
+    for verdict in page.verdicts:
+        line(MARKS[verdict.holds], f"{verdict.text} ({verdict.source})")
+    for text in page.lacking:
+        line("lacking", text)

@@ -1,0 +1,93 @@
+"""Page of a study on disk: one new folder with figures, tables, a Markdown page, JSON."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from hertzwerk.runtime.cli.run_folder import json_text, versions
+from hertzwerk.runtime.host.folder import failures_of, new_folder
+from hertzwerk.runtime.studies.page import Cell, Page, Table, Verdict
+
+COLUMNS = 80  # of prose
+MARKS = {True: "holds", False: "fails", None: "found"}
+
+
+def write(
+    page: Page, name: str, out: Path | None, about: Mapping[str, Any], missing: list[str]
+) -> tuple[Path, list[str]]:
+    """Write a page to `out`, or to the next free runs/<name>-study-NNN; return folder and files.
+
+    about: what made it, beside the versions. A figure that fails is left out, and told in `missing`.
+    """
+    return new_folder(f"{name}-study", out, lambda folder: _fill(folder, page, about, missing))
+
+
+def _fill(folder: Path, page: Page, about: Mapping[str, Any], missing: list[str]) -> list[str]:
+    from hertzwerk.runtime.pictures.studies.plot_page import save
+
+    files: list[str] = []
+    for table in page.tables:
+        (folder / f"{table.name}.csv").write_text(table.csv(), encoding="utf-8")
+        files.append(f"{table.name}.csv")
+    for chart in page.charts:
+        missing += failures_of(f"{chart.name}.svg", lambda chart=chart: files.extend(save(chart, folder)))  # type: ignore[misc]
+    record = {**about, "versions": versions(), **page.record()}
+    texts = {"study.json": json_text(record) + "\n", "study.md": markdown(page)}
+    for name, text in texts.items():
+        (folder / name).write_text(text, encoding="utf-8")
+    return ["study.md", *files, "study.json"]
+
+
+def markdown(page: Page) -> str:
+    """Return a page as Markdown, prose within 80 columns; tables with few digits."""
+    return "\n\n".join(_parts(page)) + "\n"
+
+
+def _parts(page: Page) -> Iterator[str]:
+    yield f"# {page.title}"
+    yield from map(_prose, page.paragraphs)
+    if page.lacking:
+        yield "\n".join(_prose(text, "> ") for text in page.lacking)
+    if page.verdicts:
+        yield "## Verdicts"
+        yield "\n".join(_prose(said(verdict), "- ", "  ") for verdict in page.verdicts)
+    for chart in page.charts:
+        yield f"## {chart.title}"
+        yield f"![{chart.title}]({chart.name}.svg)"
+        if chart.note:
+            yield _prose(chart.note)
+    for table in page.tables:
+        yield f"## {table.title}"
+        yield "\n".join(_lines(table))
+
+
+def said(verdict: Verdict) -> str:
+    """Return a verdict as a sentence with its source."""
+    return f"**{MARKS[verdict.holds]}**: {verdict.text}. *{verdict.source}*"
+
+
+def _prose(text: str, first: str = "", rest: str | None = None) -> str:
+    return textwrap.fill(
+        text, COLUMNS, initial_indent=first, subsequent_indent=first if rest is None else rest,
+        break_long_words=False, break_on_hyphens=False,
+    )  # fmt: skip
+
+
+def _lines(table: Table) -> Iterator[str]:
+    rows: list[Sequence[str]] = [table.columns, ["---"] * len(table.header), *shown(table)]
+    return ("| " + " | ".join(row) + " |" for row in rows)
+
+
+def shown(table: Table) -> list[list[str]]:
+    """Return the cells of a table as text with few digits."""
+    return [[cell_text(cell) for cell in row] for row in table.rows]
+
+
+def cell_text(cell: Cell) -> str:
+    """Return a cell as text: numbers with four digits, nothing for a missing one."""
+    if cell is None or cell != cell:
+        return ""
+    return f"{cell:.4g}" if isinstance(cell, float) else str(cell)

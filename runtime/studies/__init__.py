@@ -1,0 +1,1 @@
+"""Comparisons as one command each: a sweep, its pictures and its verdicts."""

@@ -1,0 +1,126 @@
+"""Pages of studies: what they refuse, how they are written, and the command that makes them."""
+
+import json
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.cli.page_folder import markdown
+from hertzwerk.runtime.pictures.studies.plot_page import figure
+from hertzwerk.runtime.studies.known_studies import NAMES, study_of
+from hertzwerk.runtime.studies.page import Axis, Chart, Curve, Page, Panel, Table, Verdict, compared
+
+FILE = """
+from hertzwerk.runtime.studies.page import Page, Study, compared
+
+def run(quick, progress):
+    return Page("Own", (f"quick: {quick}",), verdicts=(compared("one", 1.0, LIMIT, 0.1, "me"),))
+
+study = Study("own", "Is one near two?", run)
+"""
+
+
+@pytest.fixture
+def hertzwerk(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return lambda *arguments: CliRunner().invoke(main, ["study", *arguments], catch_exceptions=False)
+
+
+def page(**fields):
+    given = {"title": "A page", "paragraphs": ("word " * 40,), **fields}
+    return Page(**given)
+
+
+def chart(labels):
+    x = np.linspace(1, 10, 5)
+    curves = tuple(Curve(label, x, x * (k + 1), half_width=x / 10) for k, label in enumerate(labels))
+    return Chart(
+        "lines", "Lines", (Panel("a", Axis("x", "m"), Axis("y", "N", log=True), curves, marks=((2, "here"),)),)
+    )
+
+
+def test_comparisons_hold_or_fail_by_their_numbers():
+    assert compared("x", 1.0009, 1.0, 1e-3, "a source").holds
+    assert not compared("x", 1.0011, 1.0, 1e-3, "a source").holds
+    assert not compared("x", float("nan"), 1.0, 1e-3, "a source").holds
+    assert page(verdicts=(Verdict("found", "s"), Verdict("holds", "s", True))).holds
+    assert not page(verdicts=(Verdict("found", "s"), Verdict("fails", "s", False))).holds
+
+
+def test_malformed_parts_are_refused():
+    with pytest.raises(ValueError, match="row of 1 cells"):
+        Table("t", "T", (("a", ""), ("b", "m")), ((1,),))
+    with pytest.raises(ValueError, match="equal lengths"):
+        Curve("c", [1, 2], [1])
+
+
+def test_markdown_fits_80_columns_and_tables_keep_all_digits_in_csv():
+    table = Table("t", "T", (("a", "m"), ("b", ""), ("c", "")), ((1 / 3, None, "text"),))
+    text = markdown(page(tables=(table,), lacking=("gone " * 30,), verdicts=(Verdict("found " * 30, "here"),)))
+    assert all(len(line) <= 80 for line in text.splitlines())
+    assert "| 0.3333 |  | text |" in text
+    assert table.csv() == "a [m],b,c\n0.33333333333333331,,text\n"
+
+
+@pytest.mark.parametrize("count", [1, 3, 12])
+def test_a_legend_names_every_curve_and_lies_over_none(count):
+    labels = [f"law {k}" for k in range(count)]
+    drawn = figure(chart(labels))
+    drawn.draw_without_rendering()
+    (axis,) = drawn.axes
+    legends = [*drawn.legends, *filter(None, [axis.get_legend()])]
+    if count == 1:
+        assert legends == []
+        return
+    (legend,) = legends
+    assert [text.get_text() for text in legend.get_texts()] == labels
+    assert not legend.get_window_extent().overlaps(axis.get_window_extent())
+    assert not legend.get_window_extent().overlaps(axis.title.get_window_extent())
+    styles = {(line.get_color(), line.get_linestyle()) for line in axis.lines if line.get_label() in labels}
+    assert len(styles) == count
+
+
+def test_the_list(hertzwerk):
+    done = hertzwerk()
+    assert done.exit_code == 0
+    assert [line.split()[0] for line in done.stdout.splitlines()] == list(NAMES)
+    assert all(study_of(name).name == name for name in NAMES)
+
+
+def test_a_study_of_ones_own_is_written_once(hertzwerk, tmp_path):
+    (tmp_path / "own.py").write_text(FILE.replace("LIMIT", "1.05"))
+    done = hertzwerk("own.py", "--quick", "--out", "here")
+    assert done.exit_code == 0, done.output
+    record = json.loads((tmp_path / "here" / "study.json").read_text())
+    assert record["command"] == "hertzwerk study own.py --quick"
+    assert record["paragraphs"] == ["quick: True"]
+    assert record["verdicts"][0]["holds"] is True
+    assert "versions" in record
+    again = hertzwerk("own.py", "--quick", "--out", "here")
+    assert (again.exit_code, "never overwrites" in again.output) == (2, True)
+    assert hertzwerk("own.py").exit_code == 0
+    assert (tmp_path / "runs" / "own-study-001" / "study.md").is_file()
+
+
+def test_a_failed_comparison_ends_with_exit_code_1(hertzwerk, tmp_path):
+    (tmp_path / "own.py").write_text(FILE.replace("LIMIT", "2.0"))
+    done = hertzwerk("own.py", "--json")
+    assert done.exit_code == 1
+    assert json.loads(done.stdout)["verdicts"][0]["holds"] is False
+    assert not (tmp_path / "runs").exists()
+
+
+@pytest.mark.parametrize(
+    ("content", "said"), [("study = 3", "`study` of type int"), ("", "no `study`"), ("1/0", "ZeroDivisionError")]
+)
+def test_files_without_a_study_are_refused(hertzwerk, tmp_path, content, said):
+    (tmp_path / "own.py").write_text(content)
+    done = hertzwerk("own.py")
+    assert (done.exit_code, said in done.output) == (2, True)
+
+
+def test_an_unknown_name_has_suggestions(hertzwerk):
+    done = hertzwerk("exponent")
+    assert (done.exit_code, "did you mean exponents" in done.output) == (2, True)
