@@ -12,6 +12,7 @@ if TYPE_CHECKING:  # the list of public names
     from hertzwerk.runtime.solution.outcome import Outcome as Outcome
     from hertzwerk.runtime.solution.solution import Statistics as Statistics
     from hertzwerk.runtime.sweeps.batch import simulate_many as simulate_many
+    from hertzwerk.runtime.sweeps.parameter_sweep import sweep as sweep
     from hertzwerk.runtime.sweeps.sweep_table import Sweep as Sweep
 else:
     from hertzwerk.names import handed_on

@@ -69,7 +69,7 @@ ROOMS = {
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults host integrate/step integrate/tableaux model",
         "studies": "derive/faults derive/sheets effects loading model pictures simulation solution",
-        "sweeps": "derive/faults host model run simulation solution start",
+        "sweeps": "derive/declare derive/faults derive/units host loading model run simulation solution start",
         "validate": "derive/faults derive/files derive/sheets derive/units integrate/tableaux loading model run "
         "simulation solution",
         "work_precision": "accuracy derive/faults host integrate/loop integrate/tableaux model run simulation solution",

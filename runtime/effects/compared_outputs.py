@@ -19,6 +19,7 @@ from hertzwerk.derive.faults import Fault, unknown
 from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.solution.history import acceleration_of, units_of
+from hertzwerk.runtime.solution.samples import Samples
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
@@ -26,46 +27,9 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.solution.history import History
     from hertzwerk.runtime.solution.solution import Solution
 
-SAMPLES, HALVES = 4_000, (1, 16)  # wanted number in a run; half the least and most parts of a step
 WAY_SAMPLES = 10_000  # for the length of a path, which has cusps
-POINTS, ZOOMS = 17, 4  # points around the largest sample, and refinements, of an extreme
 PAST_HORIZON = ("mean_peak_force",)  # more useful beyond the horizon than the largest of all
 AMPLITUDES = 4  # most that are chosen by default
-
-
-class Samples:
-    """Histories of a run over times `t` (n,) that divide every step into an even number of parts."""
-
-    def __init__(self, run: Solution, wanted: int = SAMPLES) -> None:
-        self.run = run
-        ends = np.unique(run.t)  # an event may leave two rows at its time
-        self._steps = np.diff(ends)
-        half = int(np.clip(wanted // max(2 * len(self._steps), 1), *HALVES))
-        within = ends[:-1, None] + self._steps[:, None] * np.arange(2 * half) / (2 * half)
-        self.t = np.append(np.minimum(within, ends[1:, None]).ravel(), ends[-1])
-        self.history = run.at(self.t)
-
-    def __getitem__(self, name: str) -> np.ndarray:
-        return self.history[name]
-
-    def highest(self, of: Callable[[History], np.ndarray]) -> float:
-        """Return the largest value of a quantity in the run, refined around the largest sample."""
-        times, values = self.t, of(self.history)
-        largest = float(np.max(values))
-        for _ in range(ZOOMS):
-            i = int(np.argmax(values))
-            times = np.linspace(times[max(i - 1, 0)], times[min(i + 1, len(times) - 1)], POINTS)
-            values = of(self.run.at(times))
-            largest = max(largest, float(np.max(values)))
-        return largest
-
-    def integral(self, values: np.ndarray) -> float:
-        """Integrate values at the times over time [s], by Simpson's rule."""
-        parts = (len(values) - 1) // len(self._steps)
-        weights = np.tile([2.0, 4.0], parts // 2)
-        weights[0] = 1
-        by_step = values[:-1].reshape(-1, parts) @ weights + values[parts::parts]
-        return float(by_step @ self._steps) / (3 * parts)
 
 
 @dataclass(frozen=True)
@@ -182,7 +146,7 @@ def _lowest(samples: Samples, name: str) -> float:
 _KINDS: dict[str, tuple[str, Callable[[Samples, str], float]]] = {
     "max": ("largest", _highest),
     "min": ("least", _lowest),
-    "mean": ("mean over time of", lambda s, name: s.integral(s[name]) / (s.t[-1] - s.t[0])),
+    "mean": ("mean over time of", lambda s, name: s.mean(s[name])),
     "amplitude": ("half the range of", lambda s, name: (_highest(s, name) - _lowest(s, name)) / 2),
 }
 

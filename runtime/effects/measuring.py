@@ -18,7 +18,7 @@ import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.accuracy.ladder import VALID
-from hertzwerk.runtime.effects.compared_outputs import Output, Samples
+from hertzwerk.runtime.effects.compared_outputs import Output
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.caller import Rowwise
@@ -28,6 +28,7 @@ from hertzwerk.runtime.run.request import TOLERANCES, Settings, check
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.solution import scales
 from hertzwerk.runtime.solution.outcome import Outcome
+from hertzwerk.runtime.solution.samples import Samples
 from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.start.start_values import split_values
 

@@ -4,28 +4,32 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Iterable, Mapping
+from collections import deque
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass, field
 from typing import Any
 
-import numpy as np
-
 from hertzwerk.derive.faults import Fault, InputError, shown
+from hertzwerk.derive.units import parse_unit
 from hertzwerk.runtime.host.workers import Flag, LocalFlag, cores, results
 from hertzwerk.runtime.model.binding import Value, read_state
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.run.engine import prepare
 from hertzwerk.runtime.run.request import METHOD, Compiled, Settings
 from hertzwerk.runtime.simulation import simulate
+from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.start.start_values import split_values
-from hertzwerk.runtime.sweeps.sweep_table import NUMBERS, TEXTS, Row, Sweep, ports
+from hertzwerk.runtime.sweeps.outputs import Measured, NotANumberError, Output, finals, of_every_run, own
+from hertzwerk.runtime.sweeps.sweep_table import TEXTS, Row, Sweep, columns_of
 
-Output = Callable[[Solution], float]
+Own = Callable[[Solution], float]
 # outcomes of rows without a run or some of its numbers
 BAD_INPUT, BAD_OUTPUT, NO_NUMBER, FAILED, LOST = "bad_input", "bad_output", "output_no_number", "failed", "lost"
 PROBE = 0.3  # s: longest trial run, from which the time of all is estimated
+COMPLETE = Outcome("finished", "every row is there", "")
+INTERRUPTED = Outcome("interrupted", "stopped by the user", "the rows that were done are there")
 
 
 def _sets(given: object) -> list[dict[str, Value]]:
@@ -54,7 +58,7 @@ def simulate_many(
     method: str = METHOD,
     compiled: Compiled = "auto",
     workers: int | None = None,
-    outputs: Mapping[str, Output] | None = None,
+    outputs: Mapping[str, Own] | None = None,
     progress: Callable[[float], object] | None = None,
     **limits: Any,
 ) -> Sweep:
@@ -79,33 +83,72 @@ def simulate_many(
     Settings(duration, accuracy, tolerance, method, compiled, **limits).check(model)
     _check(model, workers, outputs or {})
     settings = {"duration": duration, "accuracy": accuracy, "tolerance": tolerance, "method": method, **limits}
-    job = _Job(model, sets, settings, dict(outputs or {}))
-    most = min(workers or cores(), max(len(sets), 1))
+    wanted = [
+        *of_every_run(model),
+        *(own(name, function) for name, function in (outputs or {}).items()),
+        *finals(model),
+    ]
+    units = ports(model)
+    varied = {name: units[name] for name in dict.fromkeys(name for values in sets for name in values) if name in units}
+    results = {name: unit for output in wanted for name, unit in output.columns.items()}
+    batch = Batch(model, sets, settings, wanted, compiled, workers)
     rows: dict[int, Row] = {}
     interrupted = False
     try:
-        foreseen = job.probe(rows, most) if compiled == "auto" else 0.0
-        _refuse_arrays(model, rows)
-        job.settings["compiled"] = prepare(model, method, compiled, foreseen)
-        left = [i for i in range(len(sets)) if i not in rows]
-        at_once = min(most, max(len(left), 1))
-        with closing(results(job, left, at_once)) as done:  # its workers end here, whatever is raised
+        with closing(batch.rows(range(len(sets)))) as done:  # its workers end here, whatever is raised
             for row in done:
                 rows[row.index] = row
-                _refuse_arrays(model, rows)
                 if progress is not None:
                     progress(len(rows) / len(sets))
     except KeyboardInterrupt:
         interrupted = True
     return Sweep(
-        model=model,
+        scene=model.name,
         rows=tuple(rows[i] for i in sorted(rows)),
-        output_names=tuple(job.outputs),
-        interrupted=interrupted,
-        workers=most,
-        compiled=bool(job.settings.get("compiled")),
+        columns=columns_of(varied, {**results, "wall_s": "s"}),
+        varied=tuple(varied),
+        outcome=INTERRUPTED if interrupted else COMPLETE,
+        workers=batch.workers,
+        compiled=batch.compiled,
         wall_s=time.perf_counter() - began,
     )
+
+
+class Batch:
+    """Runs of one model, each a row.
+
+    sets    values of every row, parameters and initial states alike
+    settings    arguments of `simulate` for all of them
+    compiled    as asked for; once rows were made, whether they are
+    workers    processes
+    """
+
+    def __init__(
+        self,
+        model: Model,
+        sets: Sequence[Mapping[str, Value]],
+        settings: Mapping[str, Any],
+        outputs: Sequence[Output],
+        compiled: Compiled,
+        workers: int | None,
+    ) -> None:
+        self._job = _Job(model, [dict(values) for values in sets], dict(settings), list(outputs))
+        self._asked = compiled
+        self.workers = min(workers or cores(), max(len(sets), 1))
+        self.compiled = False
+
+    def rows(self, wanted: Sequence[int]) -> Generator[Row, None, None]:
+        """Yield the rows of these sets as they are done; close it to end the workers.
+
+        Raises InputError for input that is bad for every run, or where the first row shows that an output is not a
+        number, and KeyboardInterrupt.
+        """
+        job, left = self._job, deque(wanted)
+        if self._asked == "auto":
+            yield from _first_a_number(job, job.probe(left, self.workers))
+        self.compiled = job.settings["compiled"] = prepare(job.model, job.settings["method"], self._asked, job.foreseen)
+        with closing(results(job, list(left), min(self.workers, max(len(left), 1)))) as done:
+            yield from _first_a_number(job, done)
 
 
 @dataclass
@@ -115,8 +158,10 @@ class _Job:
     model: Model
     sets: list[dict[str, Value]]
     settings: dict[str, Any]
-    outputs: Mapping[str, Output]
+    outputs: list[Output]
     stop: Flag = field(default_factory=LocalFlag)
+    foreseen: float = 0.0
+    begun: bool = False
 
     def do(self, i: int) -> Row:
         """Run set i; raises KeyboardInterrupt where it was stopped."""
@@ -129,21 +174,29 @@ class _Job:
         """Return the row of a run whose process died twice."""
         return Row(i, self.sets[i], LOST, "its process died, and died again where it ran alone")
 
-    def probe(self, rows: dict[int, Row], cores: int) -> float:
-        """Run the first good set for at most PROBE [s]; estimate the uncompiled time [s] of the rest."""
-        for i in range(len(self.sets)):
+    def probe(self, left: deque[int], cores: int) -> Iterator[Row]:
+        """Run the first good set for at most PROBE [s] to estimate the uncompiled time `foreseen` [s] of the rest.
+
+        Yield the rows that are done, taken from `left`.
+        """
+        while left:
+            i = left[0]
             try:
                 solution = self._solve(i, compiled=False, wall_time=min(PROBE, self.settings.get("wall_time") or PROBE))
             except Exception as error:  # as in `do`
-                rows[i] = self._without_run(i, error)
+                left.popleft()
+                yield self._without_run(i, error)
                 continue
-            if solution.outcome.name != "wall_time_limit":
-                rows[i] = self._row(i, solution)
-            done = max(solution.t_end / solution.duration, 1e-9) if i not in rows else 1.0
+            whole = solution.outcome.name != "wall_time_limit"
+            if whole:
+                left.popleft()
+            done = 1.0 if whole else max(solution.t_end / solution.duration, 1e-9)
             wall_s = solution.statistics.wall_s + (solution.error.pilot_s if solution.error is not None else 0.0)
             one = min(wall_s / done, self.settings.get("wall_time") or math.inf)
-            return one * math.ceil((len(self.sets) - len(rows)) / cores)
-        return 0.0
+            self.foreseen = one * math.ceil(len(left) / cores)
+            if whole:
+                yield self._row(i, solution)
+            return
 
     def _solve(self, i: int, **options: Any) -> Solution:
         """Simulate set i; raises InputError, and KeyboardInterrupt where the run was stopped."""
@@ -165,30 +218,24 @@ class _Job:
 
     def _row(self, i: int, solution: Solution) -> Row:
         outcome, message = solution.outcome.name, "" if solution.outcome.finished else solution.outcome.message
-        outputs: dict[str, float] = {}
-        for name, output in self.outputs.items():
+        measured = Measured(solution)
+        numbers: dict[str, float] = {}
+        for output in self.outputs:
             try:
-                found = output(solution)
-                if np.ndim(found):
-                    outcome, message = NO_NUMBER, f"output {name} returned an array of shape {np.shape(found)}"
-                else:
-                    outputs[name] = float(found)
+                numbers.update(zip(output.columns, output.of(measured), strict=True))
+            except NotANumberError as error:
+                outcome, message = NO_NUMBER, str(error)
             except (Exception, SystemExit) as error:  # a row says so: hours of other runs are not lost for it
-                outcome, message = BAD_OUTPUT, f"output {name} raised {type(error).__name__}: {error}"
+                outcome, message = BAD_OUTPUT, f"output {output.name} raised {type(error).__name__}: {error}"
         return Row(
             index=i,
             given=self.sets[i],
             outcome=outcome,
             message=message,
             values=self._values(self.sets[i]),
-            impacts=len(solution.impacts),
-            peak_force=max((impact.peak_force for impact in solution.impacts), default=0.0),
-            energy_residual=solution.energy_residual,
-            error_estimate=solution.error.end if solution.error is not None else None,
-            final=solution.final,
-            outputs=outputs,
+            outputs=numbers,
             warnings=solution.warnings,
-            statistics=solution.statistics,
+            wall_s=solution.statistics.wall_s,
         )
 
     def _values(self, given: Mapping[str, Value]) -> dict[str, float]:
@@ -201,15 +248,17 @@ class _Job:
         }
 
 
-def _refuse_arrays(model: Model, rows: Mapping[int, Row]) -> None:
-    """Raise InputError where the first row shows that an output is not a number."""
-    first = next(iter(rows.values()), None)
-    if len(rows) == 1 and first is not None and first.outcome == NO_NUMBER:
-        remedy = 'one number of a history: lambda run: np.ptp(run["guide.travel"]); several are several outputs'
-        raise InputError(model.name, [Fault("outputs", first.message, "a number", remedy)])
+def _first_a_number(job: _Job, rows: Iterable[Row]) -> Iterator[Row]:
+    """Yield rows; raise InputError where the first of all shows that an output is not a number."""
+    for row in rows:
+        if not job.begun and row.outcome == NO_NUMBER:
+            remedy = 'one number of a history: lambda run: np.ptp(run["guide.travel"]); several are several outputs'
+            raise InputError(job.model.name, [Fault("outputs", row.message, "a number", remedy)])
+        job.begun = True
+        yield row
 
 
-def _check(model: Model, workers: object, outputs: Mapping[str, Output]) -> None:
+def _check(model: Model, workers: object, outputs: Mapping[str, Own]) -> None:
     faults = [
         Fault(f"outputs[{name!r}]", repr(output), "a name, and a function of the Solution")
         for name, output in outputs.items()
@@ -219,7 +268,7 @@ def _check(model: Model, workers: object, outputs: Mapping[str, Output]) -> None
         raise InputError(model.name, faults)
     if workers is not None and not (isinstance(workers, int) and not isinstance(workers, bool) and workers > 0):
         faults.append(Fault("workers", repr(workers), "a positive whole number", "None takes every core"))
-    taken = {*NUMBERS, *TEXTS, *ports(model)}
+    taken = {*TEXTS, *ports(model), "wall_s", *(name for output in of_every_run(model) for name in output.columns)}
     faults += [
         Fault(f"outputs[{name!r}]", "the name of another column", "a name of its own")
         for name in outputs
@@ -227,3 +276,18 @@ def _check(model: Model, workers: object, outputs: Mapping[str, Output]) -> None
     ]
     if faults:
         raise InputError(model.name, faults)
+
+
+def ports(model: Model) -> dict[str, str]:
+    """Return the SI unit text of every parameter and state that a set may name."""
+    declared = {**{name: port.unit for name, port in model.parameters.items()}, **model.joints.units, **model.units}
+    return {name: si_text(unit) for name, unit in declared.items()}
+
+
+def si_text(unit: str) -> str:
+    """Return the text of a unit's SI unit, angles named: mm -> m, rpm -> rad/s, "" for a number."""
+    read = parse_unit(unit)
+    text = str(read)
+    if read.angle == 1:
+        return text.replace("1", "rad", 1)
+    return "" if text == "1" else text

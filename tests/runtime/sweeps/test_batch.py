@@ -43,10 +43,10 @@ def test_rows_are_the_single_runs_bitwise_in_order(ball, workers, compiled):
     for row, values in zip(sweep, sets, strict=True):
         run = simulate(ball, parameters=values, **SETTINGS)
         assert row.final == run.final
-        assert row.impacts == len(run.impacts)
-        assert row.peak_force == max(impact.peak_force for impact in run.impacts)
-        assert (row.energy_residual, row.warnings) == (run.energy_residual, run.warnings)
-        assert row.statistics.steps == run.statistics.steps
+        assert row["impacts"] == len(run.impacts)
+        assert row["peak_force"] == max(impact.peak_force for impact in run.impacts)
+        assert (row["energy_residual"], row.warnings) == (run.energy_residual, run.warnings)
+        assert row["steps"] == run.statistics.steps
     assert np.allclose(sweep["drop_height"], 1.5 - 0.1 * np.arange(7), rtol=1e-15, atol=0)
     assert np.all(np.diff(sweep["peak_force"]) < 0)
 

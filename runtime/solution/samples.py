@@ -1,0 +1,54 @@
+"""Histories of a run between its steps, dense enough for extremes and integrals."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.solution.history import History
+    from hertzwerk.runtime.solution.solution import Solution
+
+SAMPLES, HALVES = 4_000, (1, 16)  # wanted number in a run; half the least and most parts of a step
+POINTS, ZOOMS = 17, 4  # points around the largest sample, and refinements, of an extreme
+
+
+class Samples:
+    """Histories of a run over times `t` (n,) that divide every step into an even number of parts."""
+
+    def __init__(self, run: Solution, wanted: int = SAMPLES) -> None:
+        self.run = run
+        ends = np.unique(run.t)  # an event may leave two rows at its time
+        self._steps = np.diff(ends)
+        half = int(np.clip(wanted // max(2 * len(self._steps), 1), *HALVES))
+        within = ends[:-1, None] + self._steps[:, None] * np.arange(2 * half) / (2 * half)
+        self.t = np.append(np.minimum(within, ends[1:, None]).ravel(), ends[-1])
+        self.history = run.at(self.t)
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        return self.history[name]
+
+    def highest(self, of: Callable[[History], np.ndarray]) -> float:
+        """Return the largest value of a quantity in the run, refined around the largest sample."""
+        times, values = self.t, of(self.history)
+        largest = float(np.max(values))
+        for _ in range(ZOOMS):
+            i = int(np.argmax(values))
+            times = np.linspace(times[max(i - 1, 0)], times[min(i + 1, len(times) - 1)], POINTS)
+            values = of(self.run.at(times))
+            largest = max(largest, float(np.max(values)))
+        return largest
+
+    def integral(self, values: np.ndarray) -> float:
+        """Integrate values at the times over time [s], by Simpson's rule."""
+        parts = (len(values) - 1) // len(self._steps)
+        weights = np.tile([2.0, 4.0], parts // 2)
+        weights[0] = 1
+        by_step = values[:-1].reshape(-1, parts) @ weights + values[parts::parts]
+        return float(by_step @ self._steps) / (3 * parts)
+
+    def mean(self, values: np.ndarray) -> float:
+        """Average values at the times over time."""
+        return self.integral(values) / float(self.t[-1] - self.t[0])

@@ -1,0 +1,227 @@
+"""Design of a sweep: ranges and lists of values, and the points of their grid, their pairs, or samples.
+
+"0.05..0.5 mm:10"        ten values, equally spaced, ends included
+"1e6..1e9 N/m:7 log"     seven values, of equal ratios
+"0.1, 0.2, 0.4 mm"       these; one unit for all, or one each
+"0.05..0.5 mm"           a range to be sampled, "... log" on a logarithmic scale
+
+Values of a range are computed in exact or extended precision and rounded once: 0.05..0.5 mm:10 and :19 share ten.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from decimal import Context, Decimal
+from fractions import Fraction
+from typing import TypeAlias
+
+import numpy as np
+
+from hertzwerk.derive.faults import Fault, shown, unknown
+from hertzwerk.derive.units import UnitError, parse_unit
+from hertzwerk.runtime.model.binding import Value, read
+
+Given: TypeAlias = tuple[float, str]  # a number and its unit
+Varied: TypeAlias = str | Value | Sequence[Value]
+
+MOST = 1_000_000  # points
+LARGEST = 300  # power of ten
+SAMPLERS = ("latin", "sobol")
+_NUMBER = r"[-+]?(?:[0-9]+(?:\.[0-9]+)?|\.[0-9]+)(?:[eE][-+]?[0-9]{1,3})?"
+_RANGE = re.compile(
+    rf"\s*({_NUMBER})\s*\.\.\s*({_NUMBER})\s*([^:]*?)\s*(?::\s*([0-9]{{1,9}})\s*)?((?<![^\s0-9])log)?\s*"
+)
+_DIGITS = Context(prec=40)
+EXPECTED = 'a range "0.05..0.5 mm:10", "1e6..1e9 N/m:7 log", or values "0.1, 0.2, 0.4 mm"'
+
+
+@dataclass(frozen=True)
+class Range:
+    """Range of one parameter, ends included, in `unit`; `log`: equal parts are equal ratios."""
+
+    low: Fraction
+    high: Fraction
+    unit: str
+    log: bool
+
+    def at(self, part: Fraction) -> Given:
+        """Return the value at a part of the way, 0..1, rounded once."""
+        if not self.log:
+            return float(self.low + part * (self.high - self.low)), self.unit
+        low, high, way = (_DIGITS.divide(x.numerator, x.denominator) for x in (self.low, self.high, part))
+        rise = _DIGITS.multiply(way, _DIGITS.ln(_DIGITS.divide(high, low)))
+        return float(_DIGITS.multiply(low, _DIGITS.exp(rise))), self.unit
+
+
+Axis: TypeAlias = tuple[Given, ...] | Range
+"""Values of one parameter, or a range to be sampled."""
+
+
+@dataclass(frozen=True)
+class Design:
+    """Axes of a sweep by name, and how its points follow from them; raises nothing: `read_design` checks.
+
+    zip    points pair the values of the axes, first with first; otherwise they are all combinations
+    sample    number of points drawn from the axes by `sampler` with `seed`; None where all values are taken
+    """
+
+    axes: Mapping[str, Axis]
+    zip: bool = False
+    sample: int | None = None
+    sampler: str = "latin"
+    seed: int = 0
+
+    def points(self) -> list[dict[str, Given]]:
+        """Return the values of every point by name, in order: of a grid the last name varies fastest."""
+        names = list(self.axes)
+        if self.sample is not None:
+            rows: Iterable[Iterable[Given]] = self._samples(self.sample)
+        else:
+            lists = [axis for axis in self.axes.values() if not isinstance(axis, Range)]
+            rows = zip(*lists, strict=True) if self.zip else itertools.product(*lists)
+        return [dict(zip(names, row, strict=True)) for row in rows]
+
+    def _samples(self, count: int) -> Iterable[Iterable[Given]]:
+        from scipy.stats import qmc  # slow to import
+
+        sampler = {"latin": qmc.LatinHypercube, "sobol": qmc.Sobol}[self.sampler]
+        for row in sampler(len(self.axes), rng=self.seed).random(count):
+            yield (_drawn(axis, float(part)) for axis, part in zip(self.axes.values(), row, strict=True))
+
+
+def _drawn(axis: Axis, part: float) -> Given:
+    """Return the value of an axis at a part 0..1 of it."""
+    return axis.at(Fraction(part)) if isinstance(axis, Range) else axis[min(int(part * len(axis)), len(axis) - 1)]
+
+
+def read_design(
+    over: object,
+    *,
+    zip: bool = False,
+    sample: object = None,
+    sampler: object = "latin",
+    seed: object = 0,
+    faults: list[Fault],
+) -> Design:
+    """Read what is varied; bad input is appended to `faults`."""
+    axes: dict[str, Axis] = {}
+    if not isinstance(over, Mapping) or not over:
+        faults.append(Fault("over", shown(over), 'values by name, such as {"clearance": "0.05..0.5 mm:10"}'))
+    else:
+        for name, values in over.items():
+            axis = _axis(f"over[{name!r}]", values, sample is not None, faults)
+            if axis is not None:
+                axes[name] = axis
+    if sample is not None and not (_whole(sample) and 0 < sample <= MOST):  # type: ignore[operator]
+        faults.append(Fault("sample", shown(sample), f"a number of points, 1 to {MOST:,}"))
+        sample = None
+    if not isinstance(sampler, str) or sampler not in SAMPLERS:
+        faults.append(unknown("sampler", sampler, SAMPLERS))
+    elif sampler == "sobol" and isinstance(sample, int) and sample & (sample - 1):
+        below = 1 << (sample.bit_length() - 1)
+        faults.append(
+            Fault("sample", str(sample), f"a power of two, as Sobol points are balanced: {below} or {2 * below}")
+        )
+    if not (_whole(seed) and 0 <= seed < 2**63):  # type: ignore[operator]
+        faults.append(Fault("seed", shown(seed), "a whole number from 0 on"))
+    if not isinstance(zip, bool):
+        faults.append(Fault("zip", shown(zip), "True or False"))
+    if zip is True and sample is not None:
+        faults.append(Fault("zip", "beside sample", "one of the two", "samples already take one value of each"))
+    counts = {name: len(axis) for name, axis in axes.items() if not isinstance(axis, Range)}
+    if zip is True and len(set(counts.values())) > 1:
+        found = ", ".join(f"{count} of {name}" for name, count in counts.items())
+        faults.append(Fault("zip", found, "equally many values of each"))
+    if not zip and sample is None and math.prod(counts.values()) > MOST:
+        faults.append(Fault("over", f"{math.prod(counts.values()):,} points", f"at most {MOST:,}", "sample them"))
+    if faults:
+        return Design({})
+    return Design(axes, zip, sample, str(sampler), seed)  # type: ignore[arg-type]
+
+
+def _whole(value: object) -> bool:
+    return isinstance(value, int) and not isinstance(value, bool)
+
+
+def _axis(where: str, values: object, sampled: bool, faults: list[Fault]) -> Axis | None:
+    """Read the values of one name; bad input is appended to `faults`."""
+    if isinstance(values, str):
+        written = values.replace("−", "-")
+        if ".." in written:
+            return _range(where, written, sampled, faults)
+        return _listed(where, _with_shared_unit(written.split(",")), faults)
+    if isinstance(values, tuple) and len(values) == 2 and isinstance(values[1], str) and _is_number(values[0]):
+        return _listed(where, [values], faults)
+    if isinstance(values, Sequence | np.ndarray):
+        return _listed(where, list(values), faults)
+    return _listed(where, [values], faults)
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, int | float | np.number) and not isinstance(value, bool)
+
+
+def _with_shared_unit(parts: list[str]) -> list[str]:
+    """Return the parts of a list, each with the unit of the last one where no other has any."""
+    *others, last = parts
+    unit = re.fullmatch(rf"\s*{_NUMBER}(.*)", last)
+    if unit is not None and all(re.fullmatch(rf"\s*{_NUMBER}\s*", part) for part in others):
+        return [*(f"{part} {unit[1]}" for part in others), last]
+    return parts
+
+
+def _listed(where: str, values: Sequence[object], faults: list[Fault]) -> tuple[Given, ...] | None:
+    """Read values of a list."""
+    found: list[Given] = []
+    wrong = []
+    for value in values:
+        try:
+            number, _, unit = read(value)  # type: ignore[arg-type]
+        except UnitError as error:
+            wrong.append(Fault(where, shown(value), EXPECTED, str(error)))
+        else:
+            found.append((number, unit))
+    if not values:
+        wrong.append(Fault(where, "no value", EXPECTED))
+    faults += wrong
+    return None if wrong else tuple(found)
+
+
+def _range(where: str, text: str, sampled: bool, faults: list[Fault]) -> Axis | None:
+    """Read a range: its values, or the range itself where it is sampled."""
+    written = _RANGE.fullmatch(text)
+    if written is None:
+        faults.append(Fault(where, shown(text), EXPECTED))
+        return None
+    low, high, unit, count, log = written.groups()
+    if max(abs(Decimal(end).adjusted()) for end in (low, high)) > LARGEST:
+        faults.append(Fault(where, shown(text), f"numbers within 1e{LARGEST}"))
+        return None
+    found = Range(_exact(low), _exact(high), unit or "1", log is not None)
+    before = len(faults)
+    try:
+        parse_unit(found.unit)
+    except UnitError as error:
+        faults.append(Fault(where, shown(text), EXPECTED, str(error)))
+    if not found.low < found.high:
+        faults.append(Fault(where, f"{low}..{high}", "the smaller end first"))
+    if found.log and not found.low > 0:
+        faults.append(Fault(where, shown(text), "ends above zero, as the values have equal ratios"))
+    if sampled and count is not None:
+        faults.append(Fault(where, shown(text), "a range without a number of values", "sample is the number of points"))
+    if not sampled and count is None:
+        expected = f'a number of values after it, such as "{text.strip()}:10"'
+        faults.append(Fault(where, shown(text), expected, "or sample=200: points within it"))
+    elif not sampled and not 2 <= int(count) <= MOST:
+        faults.append(Fault(where, f"{count} values", f"2 to {MOST:,}, ends included"))
+    if len(faults) > before:
+        return None
+    return found if sampled else tuple(found.at(Fraction(i, int(count) - 1)) for i in range(int(count)))
+
+
+def _exact(text: str) -> Fraction:
+    return Fraction(Decimal(text))

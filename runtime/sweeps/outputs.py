@@ -1,0 +1,243 @@
+"""Outputs of a sweep's row by name: numbers of a run, with their units and what each of them needs of it.
+
+`known` lists the names that a model has. A row computes only what is asked for: `Output.needs` says what that is.
+"""
+
+from __future__ import annotations
+
+import enum
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from hertzwerk.derive.faults import Fault, shown, unknown
+from hertzwerk.runtime.host.lazy import cached_property
+from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.solution.averages import POWERS, Average
+from hertzwerk.runtime.solution.history import units_of
+from hertzwerk.runtime.solution.impacts import Impact
+from hertzwerk.runtime.solution.samples import Samples
+from hertzwerk.runtime.solution.solution import Solution
+
+
+class Needs(enum.Flag):
+    """Parts of a run that an output is computed from; the end alone where there are none."""
+
+    END = 0
+    IMPACTS = enum.auto()  # contacts: onsets and peaks
+    BALANCE = enum.auto()  # of energy, at every step
+    SUMS = enum.auto()  # of forces and energies over intervals
+    STEPS = enum.auto()  # every accepted step, kept
+
+
+class Measured:
+    """A run, and what several outputs of it share."""
+
+    def __init__(self, run: Solution) -> None:
+        self.run = run
+
+    @cached_property
+    def samples(self) -> Samples:
+        """Histories between the steps."""
+        return Samples(self.run)
+
+    @cached_property
+    def averages(self) -> Mapping[str, Average]:
+        """Averages after the transient, by name."""
+        return {average.name: average for average in self.run.averages()}
+
+    def impacts(self, pair: str | None) -> list[Impact]:
+        """Contacts of one pair, or of all."""
+        return [impact for impact in self.run.impacts if pair in (None, impact.contact)]
+
+
+@dataclass(frozen=True)
+class Output:
+    """Numbers of a run under one name: a column each, with its unit.
+
+    of    the numbers in the order of the columns; nan where a run has none
+    """
+
+    columns: Mapping[str, str]
+    needs: Needs
+    of: Callable[[Measured], tuple[float, ...]]
+
+    @property
+    def name(self) -> str:
+        """Name that is asked for: that of the first column."""
+        return next(iter(self.columns))
+
+
+class NotANumberError(TypeError):
+    """An output that is not one number."""
+
+
+_OTHERWISE = "a history with .max, .min, .mean, .rms or .peak_to_peak"
+
+
+def own(name: str, function: Callable[[Solution], float]) -> Output:
+    """Return the output of a user's function of the Solution."""
+
+    def of(measured: Measured) -> tuple[float, ...]:
+        found = function(measured.run)
+        if np.ndim(found):
+            raise NotANumberError(f"output {name} returned an array of shape {np.shape(found)}")
+        return (float(found),)
+
+    return Output({name: ""}, Needs.IMPACTS | Needs.BALANCE | Needs.SUMS | Needs.STEPS, of)
+
+
+def known(model: Model) -> dict[str, Output]:
+    """Return every output that a model has, by name."""
+    return {output.name: output for output in _known(model)}
+
+
+def chosen(model: Model, names: object, faults: list[Fault]) -> list[Output]:
+    """Return the outputs of these names; bad input is appended to `faults`."""
+    if isinstance(names, str) or not isinstance(names, Sequence):
+        faults.append(
+            Fault("outputs", shown(names), 'a list of names, such as ["energy_residual", "final.guide.travel"]')
+        )
+        return []
+    there = known(model)
+    faults += [unknown("sweep output", name, there, _OTHERWISE) for name in names if not isinstance(name, str)]
+    texts = list(dict.fromkeys(name for name in names if isinstance(name, str)))
+    faults += [unknown("sweep output", name, there, _OTHERWISE) for name in texts if name not in there]
+    faults += [Fault("outputs", f"{name} twice", "each once") for name in texts if names.count(name) > 1]
+    return [there[name] for name in texts if name in there]
+
+
+def of_every_run(model: Model) -> list[Output]:
+    """Return contacts, peak force, energy residual, error and cost, which every run has a column for."""
+    return [*_of_contacts(None), _ENERGY_RESIDUAL, *_OF_RUN]
+
+
+def finals(model: Model) -> list[Output]:
+    """Return every state at the end."""
+    return [_final(f"final.{name}", name, unit) for name, unit in model.units.items()]
+
+
+def _known(model: Model) -> Iterator[Output]:
+    yield from finals(model)
+    for name in model.memory:
+        for end, title in POWERS.items():
+            if name.endswith(end):
+                yield _final(name, name, model.units[name])
+                yield _average(name.removesuffix(end) + title, "W")
+    if model.k:
+        yield from _of_contacts(None)
+    for j, pair in enumerate(model.pairs):
+        yield from _of_contacts(pair)
+        yield _penetration(pair)
+        yield _impulse(pair, j)
+        yield from (_average(f"{pair}.{name}", unit, f"{pair}.{of}") for name, (unit, of) in _AVERAGES.items())
+    if model.has_ledger:
+        yield _ENERGY_RESIDUAL
+    yield from _OF_RUN
+    for name, unit in units_of(model, None).items():
+        if name != "t":
+            yield from (_reduced(name, unit, kind) for kind in _REDUCERS)
+
+
+# -- what they are -----------------------------------------------------------------------------------------------------
+
+
+def _number(name: str, unit: str, needs: Needs, of: Callable[[Measured], float | None]) -> Output:
+    def one(measured: Measured) -> tuple[float, ...]:
+        found = of(measured)
+        return (math.nan if found is None else float(found),)
+
+    return Output({name: unit}, needs, one)
+
+
+def _final(name: str, state: str, unit: str) -> Output:
+    return _number(name, unit, Needs.END, lambda measured: measured.run.final[state])
+
+
+_ENERGY_RESIDUAL = _number("energy_residual", "", Needs.BALANCE, lambda measured: measured.run.energy_residual)
+_OF_RUN = (
+    _number("error", "", Needs.END, lambda m: None if m.run.error is None else m.run.error.end),
+    _number("steps", "", Needs.END, lambda m: m.run.statistics.steps),
+    _number("rhs_evaluations", "", Needs.END, lambda m: m.run.statistics.rhs_evaluations),
+)
+
+
+def _of_contacts(pair: str | None) -> Iterator[Output]:
+    """Yield number and largest force of the contacts of a pair, or of all."""
+    before = "" if pair is None else f"{pair}."
+    yield _number(f"{before}impacts", "", Needs.IMPACTS, lambda measured: len(measured.impacts(pair)))
+    yield _number(
+        f"{before}peak_force",
+        "N",
+        Needs.IMPACTS,
+        lambda measured: max((impact.peak_force for impact in measured.impacts(pair)), default=0.0),
+    )
+
+
+def _penetration(pair: str) -> Output:
+    return _number(
+        f"{pair}.max_penetration",
+        "m",
+        Needs.IMPACTS,
+        lambda measured: max((impact.peak_penetration for impact in measured.impacts(pair)), default=0.0),
+    )
+
+
+def _impulse(pair: str, j: int) -> Output:
+    def of(measured: Measured) -> float:
+        run = measured.run
+        return float(run.findings.sums(run.t_end - run.t_start).impulse[:, j].sum())
+
+    return _number(f"{pair}.impulse", "N s", Needs.STEPS, of)
+
+
+_AVERAGES = {  # of a pair: names, units, and the names of `run.averages()`
+    "impact_rate": ("1/s", "impact_rate"),
+    "mean_force": ("N", "normal_force"),
+    "mean_peak_force": ("N", "peak_force"),
+    "mean_largest_force": ("N", "largest_force"),
+}
+
+
+def _average(name: str, unit: str, average: str | None = None) -> Output:
+    """Return a mean after the transient, and half the width of its 95 % confidence interval."""
+
+    def of(measured: Measured) -> tuple[float, ...]:
+        found = measured.averages.get(average or name)
+        values = (None, None) if found is None else (found.mean, found.half_width)
+        return tuple(math.nan if value is None else value for value in values)
+
+    return Output({name: unit, f"{name}.half_width": unit}, Needs.IMPACTS | Needs.SUMS, of)
+
+
+def _mean(samples: Samples, name: str) -> float:
+    return samples.mean(samples[name])
+
+
+def _root_mean_square(samples: Samples, name: str) -> float:
+    return math.sqrt(samples.mean(np.square(samples[name])))
+
+
+def _highest(samples: Samples, name: str) -> float:
+    return samples.highest(lambda history: history[name])
+
+
+def _lowest(samples: Samples, name: str) -> float:
+    return -samples.highest(lambda history: -history[name])
+
+
+_REDUCERS: dict[str, Callable[[Samples, str], float]] = {
+    "max": _highest,
+    "min": _lowest,
+    "mean": _mean,
+    "rms": _root_mean_square,
+    "peak_to_peak": lambda samples, name: _highest(samples, name) - _lowest(samples, name),
+}
+
+
+def _reduced(name: str, unit: str, kind: str) -> Output:
+    reducer: Any = _REDUCERS[kind]
+    return _number(f"{name}.{kind}", unit, Needs.STEPS, lambda measured: reducer(measured.samples, name))

@@ -1,0 +1,196 @@
+"""Parameter sweep: a run for every point of a design, and outputs by name.
+
+1. model     a scene or a variation of it                       loading
+2. design    values of every point                              sweeps/design
+3. outputs   numbers of a run, by name or by own functions      sweeps/outputs
+4. rows      a run each, on all cores                           sweeps/batch
+5. table     sorted by point                                    sweeps/sweep_table
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import closing
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from hertzwerk.derive.faults import Fault, InputError, shown, unknown
+from hertzwerk.runtime.loading import load
+from hertzwerk.runtime.model import model as plain
+from hertzwerk.runtime.model.binding import Value, named_values
+from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, Settings, check
+from hertzwerk.runtime.solution.solution import Solution
+from hertzwerk.runtime.start.start_values import split_values
+from hertzwerk.runtime.sweeps.batch import COMPLETE, INTERRUPTED, Batch, ports
+from hertzwerk.runtime.sweeps.design import Given, Varied, read_design
+from hertzwerk.runtime.sweeps.outputs import Output, chosen, finals, own
+from hertzwerk.runtime.sweeps.sweep_table import TEXTS, Row, Sweep, columns_of
+
+if TYPE_CHECKING:
+    from hertzwerk.derive.declare.scene import Scene
+
+
+def sweep(
+    target: str | Path | Scene | plain.Model,
+    over: Mapping[str, Varied],
+    *,
+    zip: bool = False,
+    sample: int | None = None,
+    sampler: str = "latin",
+    seed: int = 0,
+    values: Mapping[str, Value] | None = None,
+    without: Sequence[str] = (),
+    laws: Mapping[str, str] | None = None,
+    coordinates: str | None = None,
+    outputs: Sequence[str] = (),
+    functions: Mapping[str, Callable[[Solution], float]] | None = None,
+    duration: str | float | None = None,
+    accuracy: float | None = None,
+    tolerance: float | None = None,
+    method: str = METHOD,
+    compiled: Compiled = "auto",
+    max_steps: int = MAX_STEPS,
+    max_events: int = MAX_EVENTS,
+    wall_time: float | None = None,
+    workers: int | None = None,
+    progress: Callable[[float], object] | None = None,
+) -> Sweep:
+    """Run a model at every point of a design, on all cores; return the table of its outputs.
+
+    target    a Model, or what `load` takes; without, laws, coordinates    a variation, as `load` takes it
+    over    what is varied, parameters and initial states alike: "0.05..0.5 mm:10" (ten values), "1e6..1e9 N/m:7 log",
+            "0.1, 0.2, 0.4 mm", or a list of values; all combinations, the last name fastest
+    zip    the first value of each name together, then the second of each, and so on
+    sample    number of points instead, spread by a "latin" hypercube or a "sobol" sequence (sampler) with a seed over
+              ranges "0.05..0.5 mm", "1e6..1e9 N/m log", and lists
+    values    other values in place of the model's, the same for all points
+    outputs    names such as "final.guide.travel", "slider_pin.peak_force", "slider_pin.impact_rate" (with half the
+               width of its 95 % interval as a column more), "guide.travel.max"; by default every final state
+    functions    further outputs, functions of the Solution: {"stroke": lambda run: np.ptp(run["guide.travel"])}
+    workers    processes, by default as many as there are cores
+    progress    called now and then with the fraction of rows done
+
+    The other arguments are those of `simulate`. A row that cannot run, does not finish, or whose output raises has
+    that as its outcome. Ctrl-C returns the rows that are done. Raises InputError with every fault of what is bad for
+    every row.
+    """
+    began = time.perf_counter()
+    model = _model(target, without, laws, coordinates)
+    settings: dict[str, Any] = {
+        **{"duration": duration, "accuracy": accuracy, "tolerance": tolerance, "method": method},
+        **{"max_steps": max_steps, "max_events": max_events, "wall_time": wall_time},
+    }
+    faults: list[Fault] = []
+    design = read_design(over, zip=zip, sample=sample, sampler=sampler, seed=seed, faults=faults)
+    fixed = dict(named_values("values", {} if values is None else values, faults))
+    varied = _varied(model, over, fixed, faults)
+    wanted = _outputs(model, outputs, functions, varied, faults)
+    if workers is not None and not (isinstance(workers, int) and not isinstance(workers, bool) and workers > 0):
+        faults.append(Fault("workers", shown(workers), "a positive whole number", "None takes every core"))
+    try:
+        Settings(**settings, compiled=compiled).check(model)
+    except InputError as error:
+        faults += error.faults
+    if faults:
+        raise InputError(f"sweep of {model.name}", faults)
+    plan = Plan(model, design.points(), fixed, varied, wanted, settings)
+    plan.check()
+    batch = Batch(model, plan.sets(), settings, wanted, compiled, workers)
+    rows: dict[int, Row] = {}
+    outcome = COMPLETE
+    try:
+        with closing(batch.rows(range(len(plan.points)))) as done:
+            for row in done:
+                rows[row.index] = row
+                if progress is not None:
+                    progress(len(rows) / len(plan.points))
+    except KeyboardInterrupt:
+        outcome = INTERRUPTED
+    return Sweep(
+        scene=model.name,
+        rows=tuple(rows[i] for i in sorted(rows)),
+        columns=plan.columns,
+        varied=tuple(varied),
+        outcome=outcome,
+        workers=batch.workers,
+        compiled=batch.compiled,
+        wall_s=time.perf_counter() - began,
+    )
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Everything a sweep computes: points over a model, what is the same for all, outputs, settings of the runs."""
+
+    model: plain.Model
+    points: Sequence[Mapping[str, Given]]
+    fixed: Mapping[str, Value]
+    varied: Mapping[str, str]
+    outputs: Sequence[Output]
+    settings: Mapping[str, Any]
+
+    @property
+    def columns(self) -> dict[str, str]:
+        """Columns of the table with their units."""
+        return columns_of(self.varied, {name: unit for output in self.outputs for name, unit in output.columns.items()})
+
+    def sets(self) -> list[dict[str, Value]]:
+        """Return the values of every row."""
+        return [{**self.fixed, **point} for point in self.points]
+
+    def check(self) -> None:
+        """Raise InputError where not one row can run, with the faults of the first."""
+        first: InputError | None = None
+        for values in self.sets():
+            try:
+                check(self.model, Settings(**self.settings), *split_values(self.model, values))
+            except InputError as error:
+                first = first or error
+            else:
+                return
+        if first is not None:
+            raise first
+
+
+def _model(target: Any, without: Sequence[str], laws: Mapping[str, str] | None, coordinates: str | None) -> plain.Model:
+    """Return the model of a target; raises InputError."""
+    if not isinstance(target, plain.Model):
+        return load(target, without=without, laws=laws, coordinates=coordinates)
+    if without or laws or coordinates is not None:
+        found, expected = f"a Model, {target.name}, and a variation of it", "a scene that is to be varied"
+        raise InputError("sweep", [Fault("target", found, expected, "give the variation to load")])
+    return target
+
+
+def _varied(model: plain.Model, over: object, fixed: Mapping[str, Value], faults: list[Fault]) -> dict[str, str]:
+    """Return the units of the names that are varied; bad input is appended to `faults`."""
+    units = {name: unit for name, unit in ports(model).items() if name not in model.memory}
+    names = list(over) if isinstance(over, Mapping) else []
+    faults += [
+        unknown("parameter or state", name, units)
+        for name in (*names, *fixed)
+        if not isinstance(name, str) or name not in units
+    ]
+    faults += [Fault(name, "among values and over", "one of the two") for name in names if name in fixed]
+    return {name: units[name] for name in names if name in units}
+
+
+def _outputs(
+    model: plain.Model, names: Sequence[str], functions: object, varied: Mapping[str, str], faults: list[Fault]
+) -> list[Output]:
+    """Return the outputs that are asked for; bad input is appended to `faults`."""
+    if functions is not None and not isinstance(functions, Mapping):
+        faults.append(Fault("functions", shown(functions), "a dictionary of functions of the Solution"))
+        functions = None
+    found = finals(model) if not names and not functions else chosen(model, names, faults)
+    taken = {*varied, *TEXTS, *(name for output in found for name in output.columns)}
+    for name, function in (functions or {}).items():
+        if not (isinstance(name, str) and name and callable(function)):
+            faults.append(Fault(f"functions[{name!r}]", shown(function), "a name, and a function of the Solution"))
+        elif name in taken:
+            faults.append(Fault(f"functions[{name!r}]", "the name of another column", "a name of its own"))
+        else:
+            found.append(own(name, function))
+    return found
