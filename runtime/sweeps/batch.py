@@ -21,7 +21,7 @@ from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.start.start_values import split_values
-from hertzwerk.runtime.sweeps.outputs import Measured, NotANumberError, Output, finals, of_every_run, own
+from hertzwerk.runtime.sweeps.row_outputs import Measured, NotANumberError, Output, finals, of_every_run, own
 from hertzwerk.runtime.sweeps.sweep_table import TEXTS, Row, Sweep, columns_of
 
 Own = Callable[[Solution], float]
@@ -175,7 +175,7 @@ class _Job:
         return Row(i, self.sets[i], LOST, "its process died, and died again where it ran alone")
 
     def probe(self, left: deque[int], cores: int) -> Iterator[Row]:
-        """Run the first good set for at most PROBE [s] to estimate the uncompiled time `foreseen` [s] of the rest.
+        """Run the first good set for at most PROBE [s] to foresee the uncompiled time [s] of the rest.
 
         Yield the rows that are done, taken from `left`.
         """

@@ -1,4 +1,4 @@
-"""Design of a sweep: ranges and lists of values, and the points of their grid, their pairs, or samples.
+"""Design of a sweep: ranges and lists of values, and the points of their grid, pairs or samples.
 
 "0.05..0.5 mm:10"        ten values, equally spaced, ends included
 "1e6..1e9 N/m:7 log"     seven values, of equal ratios

@@ -2,7 +2,7 @@
 
 1. model     a scene or a variation of it                       loading
 2. design    values of every point                              sweeps/design
-3. outputs   numbers of a run, by name or by own functions      sweeps/outputs
+3. outputs   numbers of a run, by name or by own functions      sweeps/row_outputs
 4. rows      a run each, on all cores                           sweeps/batch
 5. table     sorted by point                                    sweeps/sweep_table
 """
@@ -25,7 +25,7 @@ from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.start.start_values import split_values
 from hertzwerk.runtime.sweeps.batch import COMPLETE, INTERRUPTED, Batch, ports
 from hertzwerk.runtime.sweeps.design import Given, Varied, read_design
-from hertzwerk.runtime.sweeps.outputs import Output, chosen, finals, own
+from hertzwerk.runtime.sweeps.row_outputs import Output, chosen, finals, own
 from hertzwerk.runtime.sweeps.sweep_table import TEXTS, Row, Sweep, columns_of
 
 if TYPE_CHECKING:
@@ -122,7 +122,7 @@ def sweep(
 
 @dataclass(frozen=True)
 class Plan:
-    """Everything a sweep computes: points over a model, what is the same for all, outputs, settings of the runs."""
+    """Everything a sweep computes: points, what is the same for all, outputs, settings of the runs."""
 
     model: plain.Model
     points: Sequence[Mapping[str, Given]]

@@ -21,7 +21,7 @@ TEXTS = ("outcome", "message", "warnings")
 
 @dataclass(frozen=True)
 class Row:
-    """One run: `given` values as given, `values` in SI, `outputs` by column; wall_s of its integration [s].
+    """One run: `given` values as given, `values` in SI, `outputs` by column; wall_s: integration [s].
 
     Where there is no run, `outcome` is "bad_input", "failed" (by an error of ours) or "lost" (its process died), with
     the reason in `message`.

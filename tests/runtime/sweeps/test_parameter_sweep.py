@@ -7,7 +7,7 @@ import pytest
 
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import load, simulate, sweep
-from hertzwerk.runtime.sweeps.outputs import Needs, known
+from hertzwerk.runtime.sweeps.row_outputs import Needs, known
 
 BALL = {"duration": "2 s", "tolerance": 1e-9}
 CRANK = {"duration": "240 ms", "tolerance": 1e-6}

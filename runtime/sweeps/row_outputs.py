@@ -1,4 +1,4 @@
-"""Outputs of a sweep's row by name: numbers of a run, with their units and what each of them needs of it.
+"""Outputs of a row by name: numbers of a run, with their units and what each needs of it.
 
 `known` lists the names that a model has. A row computes only what is asked for: `Output.needs` says what that is.
 """
