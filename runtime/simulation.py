@@ -28,6 +28,7 @@ from hertzwerk.runtime.run.single_run import SingleRun, Trace, set_up
 from hertzwerk.runtime.run.warnings import floored, open_forces, too_fast, unchecked, uncompiled
 from hertzwerk.runtime.solution import solution as plain_solution
 from hertzwerk.runtime.solution.checkpoint import checkpoint_of, parameters_of, resumable
+from hertzwerk.runtime.solution.history import History
 from hertzwerk.runtime.solution.outcome import not_closed
 from hertzwerk.runtime.solution.scales import Scales
 from hertzwerk.runtime.solution.solution import Statistics
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 ACCURACY = 1e-6  # where none is asked for
+REPEATABLE = 100_000  # most steps of a run that is made again for a picture
 
 
 def simulate(
@@ -211,6 +213,22 @@ class Solution(plain_solution.Solution):
         told = f"goes on from t = {run.begin:.9g} s at the tolerance {self.tolerance:.2g} of the run before, without an estimate of its error{before}"
         part = _solution_of(run, trace, self.scales, build_s)
         return replace(part, warnings=(*part.warnings, told))
+
+    def with_steps(self) -> Solution:
+        """Return the run with every accepted step: itself, or one made again that is bitwise the same.
+
+        Itself too where only its rows are left: of a saved run, a continuation, or more than 100,000 steps.
+        """
+        kept, many = self.checkpoint, self.statistics.steps > REPEATABLE
+        if self.history.steps or self.history.integrator is None or kept is None or self.t_start > 0 or many:
+            return self
+        given = parameters_of(self, self.model)
+        tried = max(self.statistics.steps, self.statistics.rejected + self.statistics.retaken)
+        settings = Settings(self.duration, None, self.tolerance, self.method, max_steps=tried + 1)
+        inputs, _ = read(self.model, settings, given, kept.initial)
+        found = set_up(self.model, settings, inputs).trace(self.tolerance, self.scales, None).kept.history
+        rows = found.rows[found.t <= self.t_end]
+        return replace(self, history=History(self.model, rows, found.controls, found.integrator))
 
     def plot(self, *names: str) -> Figure:
         """Draw the overview, one contact pair, or the named histories; raises KeyError for an unknown name."""

@@ -61,7 +61,7 @@ ROOMS = {
         "model": "derive/audit derive/declare derive/derivation derive/faults derive/files derive/laws derive/readable "
         "derive/scenes derive/sheets derive/units host",
         "package": "derive/declare derive/faults loading simulation",
-        "pictures": "host solution start",
+        "pictures": "host model solution start",
         "pictures/draw": "derive/faults host model pictures run solution start",
         "pictures/studies": "accuracy derive/sheets effects integrate/tableaux pictures studies validate work_precision",
         "run": "accuracy derive/faults integrate integrate/loop integrate/step integrate/tableaux model solution start",

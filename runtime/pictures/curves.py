@@ -1,4 +1,4 @@
-"""Curves of a solution for pictures: dense histories beside the ideal mechanism's, in readable units."""
+"""Curves of a solution for pictures: dense histories beside the ideal mechanism's."""
 
 from __future__ import annotations
 
@@ -7,8 +7,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.interpolate import CubicHermiteSpline, CubicSpline
 
 from hertzwerk.runtime.host.lazy import cached_property
+from hertzwerk.runtime.pictures.prefixes import Scale, scale_of
+from hertzwerk.runtime.pictures.sampling import Rows, dense, end_of
 from hertzwerk.runtime.solution.history import acceleration_of
 from hertzwerk.runtime.start.ideal import IdealMotion, has_clearance, ideal_motion, unknown_because
 
@@ -19,73 +22,59 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-SAMPLES = 2000  # of the whole run, beside the accepted steps
 IMPACT_SAMPLES = 400
-IMPACTS = 200  # most that are sampled; with more a picture of the whole run shows none by itself
-
-_PREFIXES = {"m": (("m", 1.0), ("mm", 1e-3), ("µm", 1e-6)), "s": (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6)),
-             "N": (("MN", 1e6), ("kN", 1e3), ("N", 1.0), ("mN", 1e-3)), "J": (("kJ", 1e3), ("J", 1.0), ("mJ", 1e-3), ("µJ", 1e-6)),
-             "m/s": (("m/s", 1.0), ("mm/s", 1e-3)), "m/s^2": (("km/s²", 1e3), ("m/s²", 1.0))}  # fmt: skip
-
-
-@dataclass(frozen=True)
-class Scale:
-    """Unit to show a quantity in: its text and its size in SI."""
-
-    unit: str
-    factor: float
-
-    def __call__(self, values: Any) -> Any:
-        """Convert SI values to this unit."""
-        return np.asarray(values) / self.factor
-
-
-def scale_of(unit: str, values: Any) -> Scale:
-    """Return the largest prefix that keeps the largest of the values above 0.2."""
-    largest = float(np.nanmax(np.abs(values), initial=0.0))
-    steps = _PREFIXES.get(unit, ((unit, 1.0),))
-    return Scale(*next((step for step in steps if largest >= 0.2 * step[1]), steps[-1] if largest else steps[0]))
+KNOTS = 2000  # most times at which the ideal mechanism is assembled; between them splines
+FROM_ROWS = (
+    "Drawn from the rows that were kept, with straight lines between them: of each contact its onset, peak and end."
+)
 
 
 @dataclass(frozen=True)
 class Motion:
-    """Curve of a joint: names of its coordinate, speed and acceleration, and their units."""
+    """Curve of a joint: names of its coordinate, speed and acceleration, and their units.
+
+    Of a coordinate that a drive integrates there is the first alone.
+    """
 
     joint: str
-    names: tuple[str, str, str]
-    units: tuple[str, str, str]
+    names: tuple[str, ...]
+    units: tuple[str, ...]
 
 
 @dataclass(frozen=True)
 class Curves:
-    """Densely sampled histories of a run: `curves[name]`, SI, over `t` [s]; `time` is the unit of t."""
+    """Densely sampled histories of a run: `curves[name]`, SI, over `t` [s]; `time` is the unit of t.
+
+    run: with its steps, where they were kept or the run could be made again.
+    """
 
     run: Solution
     t: Array
-    sampled: History
+    sampled: History | Rows
     time: Scale
 
     @classmethod
     def of(cls, run: Solution) -> Curves:
         """Sample a run between its accepted steps and through its impacts.
 
-        A saved run, or one that kept a grid, has only its rows.
+        A run that kept a grid is made again for them; a saved one, or a very long one, has only its rows.
         """
+        run = run.with_steps()
         if not len(run.t):
             raise ValueError(
                 f"found no rows to draw: the run stopped at t = {run.t_end:g} s, before the first time asked for"
             )
-        time = scale_of("s", run.t[-1])
-        if not run.history.steps:
-            return cls(run, run.t, run.history, time)
-        rows = run.t[:: 1 + len(run.t) // (5 * SAMPLES)]
-        whole = np.linspace(run.t[0], run.t[-1], SAMPLES)
-        through = [i.t + i.duration * np.linspace(0, 1, 25) for i in run.impacts[:IMPACTS] if i.duration is not None]
-        t = np.unique(np.clip(np.concatenate([rows, whole, *through]), run.t[0], run.t[-1]))
-        return cls(run, t, run.at(t), time)
+        sampled = dense(run) if run.history.steps else Rows(run)
+        return cls(run, sampled.t, sampled, scale_of("s", run.t[-1]))
 
     def __getitem__(self, name: str) -> Array:
         return self.sampled[name]
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Remarks on how the curves were found, and why there is no ideal mechanism beside them."""
+        from_rows = () if self.run.history.steps else (FROM_ROWS,)
+        return (*from_rows, *([self.no_ideal] if self.no_ideal else []))
 
     @cached_property
     def ideal(self) -> IdealMotion | None:
@@ -94,7 +83,9 @@ class Curves:
         if run.history.integrator is None:
             return None
         start = np.array([run[name][0] for name in run.model.coordinates])
-        return ideal_motion(run.model, self.t, start, run.history.controls[: run.model.nc])
+        knots = self.t if len(self.t) <= KNOTS else np.linspace(self.t[0], self.t[-1], KNOTS)
+        found = ideal_motion(run.model, knots, start, run.history.controls[: run.model.nc])
+        return found if found is None or knots is self.t else _between(found, self.t)
 
     @property
     def no_ideal(self) -> str:
@@ -106,25 +97,51 @@ class Curves:
 
     @property
     def motions(self) -> list[Motion]:
-        """Joints to show: those that travel, else those that turn, else the quaternions' vector parts.
-
-        The last beside the angular speeds.
-        """
+        """Motions of all joints; of quaternions the vector parts, beside the angular speeds."""
         model, units = self.run.model, self.run.history.units
-        scalar_parts = (name for i, name in enumerate(model.coordinates) if i not in model.quaternions)
+        scalar_parts = [name for i, name in enumerate(model.coordinates) if i not in model.quaternions]
         motions = []
-        for coordinate, speed in zip(scalar_parts, model.speeds, strict=False):  # then, what drives integrate
+        for i, coordinate in enumerate(scalar_parts):
             joint, _, name = coordinate.rpartition(".")
-            names = (coordinate, speed, acceleration_of(speed))
-            label = joint if speed == f"{joint}.speed" else f"{joint} {name}"
-            motions.append(Motion(label, names, (units[names[0]], units[names[1]], units[names[2]])))
-        shown = next(unit for unit in ("m", "rad", "1") if any(motion.units[0] == unit for motion in motions))
-        return [motion for motion in motions if motion.units[0] == shown]
+            speed = model.speeds[i] if i < len(model.speeds) else None  # then, what drives integrate
+            names = (coordinate,) if speed is None else (coordinate, speed, acceleration_of(speed))
+            label = joint if speed in (f"{joint}.speed", None) else f"{joint} {name}"
+            motions.append(Motion(label, names, tuple(units[name] for name in names)))
+        return motions
+
+    @property
+    def kinds(self) -> dict[str, list[Motion]]:
+        """Motions by the unit of their coordinate: lengths, angles, parts of quaternions."""
+        found: dict[str, list[Motion]] = {unit: [] for unit in ("m", "rad", "1")}
+        for motion in self.motions:
+            found.setdefault(motion.units[0], []).append(motion)
+        return {unit: motions for unit, motions in found.items() if motions}
+
+    def size(self, names: tuple[str, ...]) -> float:
+        """Return the scale of some states [SI], below 1e-12 of which a change is rounding; 0 where none is known."""
+        states, scales = self.run.states, self.run.scales.state
+        known = [float(scales[states.index(name)]) for name in names if name in states and len(scales) == len(states)]
+        return max(known, default=0.0)
+
+
+def _between(ideal: IdealMotion, t: Array) -> IdealMotion:
+    """Interpolate the ideal motion by splines, of positions and speeds with their known slopes."""
+    u: Any = CubicHermiteSpline(ideal.t, ideal.u, ideal.acceleration)
+    q: Any = CubicSpline(ideal.t, ideal.q)
+    positions = q(t)
+    for i, coordinate in enumerate(ideal.coordinates):
+        joint, _, name = coordinate.rpartition(".")
+        speed = f"{joint}.speed" if f"{joint}.speed" in ideal.speeds else f"{joint}.{name}_speed"
+        if speed in ideal.speeds:
+            slope = ideal.u[:, ideal.speeds.index(speed)]
+            positions[:, i] = CubicHermiteSpline(ideal.t, ideal.q[:, i], slope)(t)
+    rates: Any = CubicSpline(ideal.t, ideal.acceleration)
+    return IdealMotion(t, positions, u(t), rates(t), ideal.coordinates, ideal.speeds)
 
 
 def impact_curves(run: Solution, impact: Impact) -> tuple[Array, Array, Array]:
     """Return time since the onset [s], normal force [N] and penetration [m] of one impact."""
-    end = run.t[-1] if impact.duration is None else min(impact.t + impact.duration, run.t[-1])
+    end = end_of(impact, run)
     if not run.history.steps:
         chosen = np.flatnonzero((run.t >= impact.t) & (run.t <= end))
         t, sampled = run.t[chosen], run.history

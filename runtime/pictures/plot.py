@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import cache, partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 import matplotlib as mpl
 import numpy as np
@@ -18,9 +18,12 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle
 from numpy.typing import NDArray
 
-from hertzwerk.runtime.pictures.curves import Array, Curves, Scale, impact_curves, scale_of
-from hertzwerk.runtime.pictures.plot_panel import LEGEND_ROOM, caption, empty_panel, legend, lines, over_time
+from hertzwerk.runtime.pictures.curves import Array, Curves, impact_curves
+from hertzwerk.runtime.pictures.films import films
+from hertzwerk.runtime.pictures.plot_panel import CONSTANT, LEGEND_ROOM, caption, empty_panel, legend, lines, over_time
 from hertzwerk.runtime.pictures.plot_style import BLUE, GREY, STYLE, VERMILLION
+from hertzwerk.runtime.pictures.prefixes import Scale, scale_of
+from hertzwerk.runtime.solution.history import History
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -28,8 +31,15 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.solution.impacts import Impact
     from hertzwerk.runtime.solution.solution import Solution
 
-UNRESOLVED = "the rows that were kept do not resolve the first impact"
+UNRESOLVED = "the rows that were kept do not resolve the first impact,\nwhose peak is {:.4g} {}"
+KINDS = {"m": ("Position", "Speed", "Acceleration"), "rad": ("Angle", "Angular speed", "Angular acceleration"),
+         "1": ("Quaternion", "Angular speed", "Angular acceleration")}  # fmt: skip
+NOTHING = 1e-9  # of the energy moved: less is put in or lost where it is conserved
+HEIGHT, LOW = 3.1, 2.6  # inches of a row of panels, and of one of many
 PEAKS_CUT = 2.5  # accelerations are shown up to this multiple of the ideal mechanism's
+
+
+Panel: TypeAlias = Callable[["Axes", Curves], object]
 
 
 def plot(run: Solution, *names: str) -> Figure:
@@ -53,7 +63,7 @@ def histories(run: Solution, *names: str) -> Figure:
         for axis, name in zip(axes, names, strict=True):
             scale = lines(axis, curves, run.history.units.get(name, "1"), {name: curves[name]})
             over_time(axis, curves, f"{name} [{scale.unit}]")
-        caption(figure, run, run.model.module.SUMMARY)
+        caption(figure, run, run.model.module.SUMMARY, curves.notes)
     return figure
 
 
@@ -90,29 +100,32 @@ def pages(run: Solution) -> dict[str, Callable[[Path], None]]:
 
 
 def _overview(curves: Curves) -> Figure:
-    panels: list[Callable[[Axes, Curves], None]] = [_positions, _speeds]
-    if curves.ideal is not None:
-        panels += [_deviations, _accelerations]
+    panels: list[Panel] = []
+    for unit in curves.kinds:
+        orders = (0, 1) if curves.kinds[unit][0].units[1:] else (0,)
+        panels += [partial(_motion, unit=unit, order=order) for order in orders]
+        if curves.ideal is not None:
+            panels += [partial(_deviations, unit=unit), partial(_accelerations, unit=unit)]
     if curves.run.model.pairs:
         panels.append(_forces)
     if curves.run.energy_residual is not None:
         panels.append(_energy)
     with mpl.rc_context({**STYLE, "axes.titlepad": LEGEND_ROOM}):
         rows = (len(panels) + 1) // 2
-        figure = Figure(figsize=(12.5, 3.1 * rows + 0.6), layout="constrained")
+        figure = Figure(figsize=(12.5, (HEIGHT if rows < 4 else LOW) * rows + 0.6), layout="constrained")
         axes = figure.subplots(rows, 2, squeeze=False).ravel()
         for draw, axis in zip(panels, axes, strict=False):
             draw(axis, curves)
         for axis in axes[len(panels) :]:
             axis.set_visible(False)
-        caption(figure, curves.run, curves.run.model.module.SUMMARY, curves.no_ideal)
+        caption(figure, curves.run, curves.run.model.module.SUMMARY, curves.notes)
     return figure
 
 
 def _pair(curves: Curves, name: str) -> Figure:
-    run = curves.run
+    run, film = curves.run, films(curves.run.model).get(name)
     impact = next((impact for impact in run.impacts if impact.contact == name), None)
-    with mpl.rc_context(STYLE):
+    with mpl.rc_context({**STYLE, "axes.titlepad": LEGEND_ROOM if film else mpl.rcParams["axes.titlepad"]}):
         figure = Figure(figsize=(12.5, 6.4), layout="constrained")
         inside = [output for output in run.model.outputs if output.startswith(f"{name}.eccentricity_")]
         if len(inside) > 1:
@@ -122,93 +135,133 @@ def _pair(curves: Curves, name: str) -> Figure:
             for column, view in enumerate(views):
                 _journal_path(figure.add_subplot(grid[:, column]), curves, name, inside, view)
             _normal_force(figure.add_subplot(grid[0, -1]), curves, name)
-            _first_impact(figure.add_subplot(grid[1, -1]), run, impact)
+            below = figure.add_subplot(grid[1, -1])
+            if impact is None and film is not None:
+                _thickness(below, curves, film)
+            else:
+                _first_impact(below, run, impact)
         else:
             grid = figure.add_gridspec(2, 2)
             _gap(figure.add_subplot(grid[0, :]), curves, name)
             _first_impact(figure.add_subplot(grid[1, 0]), run, impact)
             _loop(figure.add_subplot(grid[1, 1]), run, impact)
-        laws = [text for effect, _, text in run.model.module.EFFECTS if effect == name]
-        caption(figure, run, ", ".join([name, *laws]))
+        laws = [text for effect, _, text in run.model.module.EFFECTS if effect in (name, film)]
+        caption(figure, run, ", ".join([name, *laws]), [note for note in curves.notes if note != curves.no_ideal])
     return figure
 
 
 # ---- panels ----------------------------------------------------------------------------------------------------------
 
 
-def _positions(axis: Axes, curves: Curves) -> None:
-    _motion(axis, curves, 0, "Position")
-
-
-def _speeds(axis: Axes, curves: Curves) -> None:
-    _motion(axis, curves, 1, "Speed")
-
-
-def _accelerations(axis: Axes, curves: Curves) -> None:
+def _accelerations(axis: Axes, curves: Curves, unit: str) -> None:
     """Draw accelerations with the axis limited to the ideal mechanism's; marks show the cut peaks.
 
     Peaks of an impact are ten times those of the mechanism.
     """
-    scale = _motion(axis, curves, 2, "Acceleration")
-    values = scale([curves[motion.names[2]] for motion in curves.motions])
-    limit = PEAKS_CUT * float(np.max(np.abs(scale(_ideal(curves, 2)))))
+    scale = _motion(axis, curves, unit, 2)
+    motions = [motion for motion in curves.kinds[unit] if motion.units[2:]]
+    values = scale([curves[motion.names[2]] for motion in motions])
+    limit = PEAKS_CUT * float(np.max(np.abs(scale(_ideal(curves, unit, 2)))))
     largest = float(np.max(np.abs(values)))
     if largest <= limit or limit == 0:  # nothing to cut, or an ideal mechanism at rest
         return
     axis.set_ylim(-limit, limit)
-    axis.set_title(f"Acceleration [{scale.unit}], cut at the marks (largest peak {largest:.0f})")
+    axis.set_title(f"{KINDS[unit][2]} [{scale.unit}], cut (peak {largest:.0f})")
     legend(axis)
     for sign, marker in ((1, "^"), (-1, "v")):
         peaks = _peaks(np.max(sign * values, axis=0), limit)
+        if not len(peaks):  # a line without points would stand in the corner, unclipped
+            continue
         marks = np.full(len(peaks), sign * 0.97 * limit)
         axis.plot(curves.time(curves.t[peaks]), marks, marker, color=VERMILLION, markersize=4, clip_on=False)
 
 
-def _motion(axis: Axes, curves: Curves, order: int, title: str) -> Scale:
-    """Draw positions (order 0), speeds (1) or accelerations (2), over the ideal mechanism's."""
-    values = {motion.joint: curves[motion.names[order]] for motion in curves.motions}
-    scale = lines(axis, curves, curves.motions[0].units[order], values, _ideal(curves, order))
-    over_time(axis, curves, f"{title} [{scale.unit}]")
+def _motion(axis: Axes, curves: Curves, unit: str, order: int) -> Scale:
+    """Draw positions (order 0), speeds (1) or accelerations (2) of a kind, over the ideal mechanism's."""
+    motions = [motion for motion in curves.kinds[unit] if len(motion.names) > order]
+    names = tuple(motion.names[order] for motion in motions)
+    values = {motion.joint: curves[name] for motion, name in zip(motions, names, strict=True)}
+    ideal = _ideal(curves, unit, order)
+    scale = lines(axis, curves, motions[0].units[order], values, ideal, size=curves.size(names))
+    over_time(axis, curves, _titled(KINDS[unit][order], scale, curves, list(values)))
     return scale
 
 
-def _ideal(curves: Curves, order: int) -> list[Array]:
+def _titled(title: str, scale: Scale, curves: Curves, labels: Sequence[str]) -> str:
+    """Return the title of a panel, with the name of its only curve, which needs no legend."""
+    alone = f" of {labels[0]}" if len(labels) == 1 and curves.ideal is None else ""
+    return f"{title}{alone} [{scale.unit}]" if scale.unit != "1" else f"{title}{alone}"
+
+
+def _ideal(curves: Curves, unit: str, order: int) -> list[Array]:
     ideal = curves.ideal
     if ideal is None:
         return []
+    names = [motion.names for motion in curves.kinds[unit] if len(motion.names) > order]
     if order == 2:
-        return [ideal.acceleration_of(motion.names[1]) for motion in curves.motions]
-    return [ideal[motion.names[order]] for motion in curves.motions]
+        return [ideal.acceleration_of(name[1]) for name in names]
+    return [ideal[name[order]] for name in names]
 
 
-def _deviations(axis: Axes, curves: Curves) -> None:
-    positions = zip(curves.motions, _ideal(curves, 0), strict=True)
+def _deviations(axis: Axes, curves: Curves, unit: str) -> None:
+    positions = zip(curves.kinds[unit], _ideal(curves, unit, 0), strict=True)
     values = {motion.joint: curves[motion.names[0]] - ideal for motion, ideal in positions}
-    scale = lines(axis, curves, curves.motions[0].units[0], values)
-    over_time(axis, curves, f"Position minus that of the ideal mechanism [{scale.unit}]")
+    size = curves.size(tuple(motion.names[0] for motion in curves.kinds[unit]))
+    scale = lines(axis, curves, unit, values, size=size)
+    over_time(axis, curves, f"{KINDS[unit][0]} minus that of the ideal mechanism [{scale.unit}]")
 
 
 def _forces(axis: Axes, curves: Curves) -> None:
-    scale = lines(axis, curves, "N", {name: curves[f"{name}.normal_force"] for name in curves.run.model.pairs})
+    oils = films(curves.run.model)
+    contacts = {name: curves[f"{name}.normal_force"] for name in curves.run.model.pairs}
+    scale = lines(axis, curves, "N", contacts | {f"film, {oil}": curves[f"{oil}.force"] for oil in oils.values()})
     axis.set_ylim(bottom=0)
-    over_time(axis, curves, f"Contact force [{scale.unit}]")
+    title = (
+        "Contact and film force"
+        if oils
+        else f"Contact force{f' of {next(iter(contacts))}' if len(contacts) == 1 else ''}"
+    )
+    over_time(axis, curves, f"{title} [{scale.unit}]")
 
 
 def _normal_force(axis: Axes, curves: Curves, name: str) -> None:
-    scale = lines(axis, curves, "N", {name: curves[f"{name}.normal_force"]})
+    film = films(curves.run.model).get(name)
+    values = {"contact": curves[f"{name}.normal_force"]}
+    scale = lines(axis, curves, "N", values | ({"film": curves[f"{film}.force"]} if film else {}))
     axis.set_ylim(bottom=0)
-    over_time(axis, curves, f"Normal force [{scale.unit}]")
+    over_time(axis, curves, f"{'Film and normal force' if film else 'Normal force'} [{scale.unit}]")
+
+
+def _thickness(axis: Axes, curves: Curves, film: str) -> None:
+    scale = lines(axis, curves, "m", {film: curves[f"{film}.thickness"]})
+    axis.set_ylim(bottom=0)
+    over_time(axis, curves, f"Least thickness of the film [{scale.unit}]; no contact")
 
 
 def _energy(axis: Axes, curves: Curves) -> None:
+    """Draw energies since the start; where nothing is put in or lost, kinetic and potential energy.
+
+    Their sum is then constant but for the error of the run, which the title states.
+    """
     parts = {"mechanical": curves["energy"] - curves["energy"][0]}
     for name in curves.run.model.memory:
         owner, _, what = name.rpartition(".")
         label = {"dissipated": f"loss, {owner}", "input": "drives' work"}.get(what)
         if label is not None:
             parts[label] = curves[name]
-    scale = lines(axis, curves, "J", {label: values for label, values in parts.items() if np.any(values)})
-    over_time(axis, curves, f"Energy since the start [{scale.unit}], ledger closed to {curves.run.energy_residual:.1g}")
+    residual = curves.run.energy_residual or 0.0
+    told, moved = f"ledger closed to {residual:.1g}", float(np.max(np.abs(list(parts.values()))))
+    conserved = max((float(np.max(np.abs(values))) for values in list(parts.values())[1:]), default=0.0)
+    if isinstance(curves.sampled, History):
+        kinetic, potential = curves.sampled.energies
+        moved = max(float(np.max(kinetic)), float(np.ptp(potential)), moved)
+        if conserved <= NOTHING * moved:
+            parts = {"kinetic": kinetic - kinetic[0], "potential": potential - potential[0], **parts}
+            told = f"constant to {max(residual, CONSTANT):.1g}"
+    drawn = {label: values for label, values in parts.items() if np.max(np.abs(values)) > NOTHING * moved}
+    drawn["mechanical"] = parts["mechanical"]
+    scale = lines(axis, curves, "J", drawn, size=moved)
+    over_time(axis, curves, f"Energy since the start [{scale.unit}], {told}")
 
 
 def _gap(axis: Axes, curves: Curves, name: str) -> None:
@@ -228,10 +281,13 @@ def _journal_path(axis: Axes, curves: Curves, name: str, inside: Sequence[str], 
     axis.add_patch(Circle((0, 0), radius, label="clearance circle", **look))
     segments = np.stack([points[:-1], points[1:]], axis=1)
     touching = gap[:-1] + gap[1:] < 0
+    apart = "on the film" if name in films(curves.run.model) else "free flight"
     for chosen, colour, width, label in (
-        (~touching, BLUE, 0.8, "free flight"),
+        (~touching, BLUE, 0.8, apart),
         (touching, VERMILLION, 1.0, "in contact" + (" (outside the circle: penetration)" if len(inside) == 2 else "")),
     ):
+        if not np.any(chosen):
+            continue
         axis.add_collection(LineCollection(list(segments[chosen]), colors=colour, linewidths=width, label=label))
     axis.plot(*points[0], "o", color="black", markersize=4, label="start")
     reach = 1.08 * max(radius, float(np.max(np.hypot(*points.T))))
@@ -249,7 +305,8 @@ def _first_impact(axis: Axes, run: Solution, impact: Impact | None) -> None:
         return
     t, force, _ = impact_curves(run, impact)
     if len(t) < 2:
-        empty_panel(axis, UNRESOLVED)
+        scale = scale_of("N", impact.peak_force)
+        empty_panel(axis, UNRESOLVED.format(impact.peak_force / scale.factor, scale.unit))
         return
     time, start, scale = scale_of("s", t[-1]), scale_of("s", impact.t), scale_of("N", force)
     axis.plot(time(t), scale(force), color=BLUE, linewidth=1.4)
@@ -266,7 +323,8 @@ def _loop(axis: Axes, run: Solution, impact: Impact | None) -> None:
         return
     t, force, penetration = impact_curves(run, impact)
     if len(t) < 2:
-        empty_panel(axis, UNRESOLVED)
+        scale = scale_of("N", impact.peak_force)
+        empty_panel(axis, UNRESOLVED.format(impact.peak_force / scale.factor, scale.unit))
         return
     scale, length = scale_of("N", force), scale_of("m", penetration)
     axis.plot(length(penetration), scale(force), color=BLUE, linewidth=1.4)

@@ -5,12 +5,15 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Mapping, Sequence
 from itertools import cycle, product
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+import matplotlib as mpl
 import numpy as np
 
-from hertzwerk.runtime.pictures.curves import Array, Curves, Scale, scale_of
+from hertzwerk.runtime.pictures.curves import Array, Curves
 from hertzwerk.runtime.pictures.plot_style import CYCLE, GREY, ORANGE, VERMILLION, plain
+from hertzwerk.runtime.pictures.prefixes import Scale, scale_of
+from hertzwerk.runtime.pictures.title import differences, title_of, write_title
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -21,30 +24,72 @@ if TYPE_CHECKING:
 LEGEND_ROOM = 22  # points between a panel and its title
 LEGEND_ROW = 13  # points that a further row of the legend takes
 LEGEND_WIDTH, LEGEND_HANDLE = 66, 6  # characters beside each other above a panel; what the line before a label takes
+MANY, NAMED = 12, 6  # curves of a panel that are told apart by colour and dash; of more, those that are named
+RESTS = 1e-2  # of the curves: less motion of the ideal mechanism is not what a unit is chosen by
+CONSTANT = 1e-12  # relative: less change than this is rounding, and not drawn
 
 
-def caption(figure: Figure, run: Solution, subtitle: str, note: str = "") -> None:
-    """Write the title, and below the panels the outcome, warnings and notes."""
-    figure.suptitle(f"{run.model.name}: {subtitle}", x=0.01, ha="left", fontsize=12.5, fontweight="bold")
-    notes = [] if run.outcome.finished else [f"{run.outcome.name}: {run.outcome.message}"]
-    notes += run.warnings  # unchecked laws among them
-    notes += [note] if note else []
-    if notes:
-        text = "\n".join(line for note in notes for line in textwrap.wrap(note, 150))
+def caption(figure: Figure, run: Solution, subtitle: str, notes: Sequence[str] = ()) -> None:
+    """Write the title, what differs from the scene's own, and below the panels outcome, warnings and notes."""
+    width, height = figure.get_size_inches()
+    used = write_title(figure, title_of(run.model, subtitle), differences(run))
+    layout: Any = figure.get_layout_engine()
+    layout.set(rect=(0, 0, 1, 1 - used / height))
+    told = [] if run.outcome.finished else [f"{run.outcome.name}: {run.outcome.message}"]
+    told += [*run.warnings, *notes]  # unchecked laws among them
+    if told:
+        text = "\n".join(line for note in told for line in textwrap.wrap(note, int(12 * width)))
         figure.supxlabel(plain(text), x=0.01, ha="left", fontsize=9, color=VERMILLION)
 
 
-def lines(axis: Axes, curves: Curves, unit: str, values: Mapping[str, Array], ideal: Sequence[Array] = ()) -> Scale:
-    """Draw labelled histories in a common unit over those of the ideal mechanism; return the unit."""
+def lines(
+    axis: Axes,
+    curves: Curves,
+    unit: str,
+    values: Mapping[str, Array],
+    ideal: Sequence[Array] = (),
+    *,
+    size: float = 0.0,
+) -> Scale:
+    """Draw labelled histories in a common unit over those of the ideal mechanism; return the unit.
+
+    size: scale of the quantity, SI; curves that change by less than 1e-12 of it, or of themselves, are flat and said
+    to be constant.
+    """
     time = curves.time(curves.t)
-    scale = scale_of(unit, list(ideal) or list(values.values()))
+    largest = [
+        max((float(np.nanmax(np.abs(x), initial=0.0)) for x in some), default=0.0) for some in (ideal, values.values())
+    ]
+    scale = scale_of(unit, largest[0] if largest[0] > RESTS * largest[1] else largest[1])
     for history in ideal:
         axis.plot(time, scale(history), color=ORANGE, linewidth=2.6, alpha=0.75, label="ideal mechanism")
-    looks = product(("-", "--", ":"), CYCLE)  # when the colours have run out, dashed
     marker = "" if len(time) > 1 else "o"  # of a run without a step there is one point
-    for (style, colour), (label, history) in zip(cycle(looks), values.items(), strict=False):
-        axis.plot(time, scale(history), color=colour, linestyle=style, marker=marker, label=label)
+    looks = _looks(len(values))
+    named = {*np.linspace(0, len(values) - 1, NAMED).round().astype(int)} if len(values) > MANY else None
+    for i, ((style, colour), (label, history)) in enumerate(zip(looks, values.items(), strict=False)):
+        shown = label if named is None or i in named else "_"
+        axis.plot(time, scale(history), color=colour, linestyle=style, marker=marker, label=shown)
+    _flatten(axis, scale, [*values.values(), *ideal], size)
     return scale
+
+
+def _looks(count: int) -> Any:
+    """Return line style and colour of so many curves: told apart, or of very many in the order of a colour map."""
+    if count > MANY:
+        return (("-", mpl.colormaps["viridis"](i / count)) for i in range(count))
+    return cycle(product(("-", "--", ":"), CYCLE))  # when the colours have run out, dashed
+
+
+def _flatten(axis: Axes, scale: Scale, histories: Sequence[Array], size: float) -> None:
+    """Set the limits of a panel whose curves all are constant but for rounding, and say that they are."""
+    largest = max([size, *(float(np.nanmax(np.abs(history), initial=0.0)) for history in histories)])
+    if not histories or any(np.ptp(history) > CONSTANT * largest for history in histories):
+        return
+    low, high = (float(pick(histories)) / scale.factor for pick in (np.min, np.max))
+    reach = 0.1 * max(abs(low), abs(high)) or size / scale.factor or 1.0
+    axis.set_ylim(low - reach, high + reach)
+    text = f"constant to {CONSTANT:g}" if len(histories[0]) > 1 else ""
+    axis.text(0.99, 0.95, text, transform=axis.transAxes, ha="right", va="top", color=GREY)
 
 
 def over_time(axis: Axes, curves: Curves, title: str) -> None:

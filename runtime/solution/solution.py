@@ -134,6 +134,10 @@ class Solution:
         """Every state at the end, SI."""
         return {name: float(self.ends[name][-1]) for name in self.states}
 
+    def with_steps(self) -> Solution:
+        """Return the run with its accepted steps, where it has them or can be made again; else itself."""
+        return self
+
     @property
     def impacts(self) -> tuple[Impact, ...]:
         """Every contact in the order of its onset."""

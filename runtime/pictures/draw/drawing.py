@@ -10,13 +10,13 @@ import numpy as np
 from matplotlib.ticker import MaxNLocator
 
 from hertzwerk.runtime.host.lazy import cached_property
-from hertzwerk.runtime.pictures.curves import Scale, scale_of
 from hertzwerk.runtime.pictures.draw import force_symbols, labels
 from hertzwerk.runtime.pictures.draw.paper import INK, Paper, shade
 from hertzwerk.runtime.pictures.draw.parts import Parts
 from hertzwerk.runtime.pictures.draw.places import GROUND, Array, Landmark, Places
 from hertzwerk.runtime.pictures.draw.view import view_of
 from hertzwerk.runtime.pictures.plot_style import GREY, VERMILLION
+from hertzwerk.runtime.pictures.prefixes import Scale, scale_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -85,7 +85,7 @@ class Drawing:
             self._triad(paper, self.point * symbols)
         else:
             self._scales(axis)
-        labels.place(paper, list(self._names(paper, size)), self.frame, self.point)
+        labels.place(paper, [*self._names(paper, size), *self._times(paper, size)], self.frame, self.point)
 
     def caption(self) -> str:
         """Describe the drawing."""
@@ -152,6 +152,22 @@ class Drawing:
                 yield labels.Label(name, np.array([(a + b) / 2, a + 0.3 * (b - a), a + 0.7 * (b - a)]), INK, size - 1)
             elif kind in ("force", "moment", "turn_drive", "slide_drive", "turn_force", "slide_force"):
                 yield labels.Label(name, parts.at(marks[0], 0)[None], VERMILLION, size - 1)
+
+    def _times(self, paper: Paper, size: float) -> Iterator[labels.Label]:
+        """Yield the times of the faint positions, each beside the body that has moved most."""
+        parts = self.parts
+        if not self.ghosts:
+            return
+        time = scale_of("s", parts.places.t[-1])
+        for i in self.ghosts:
+            moved = {body: self._moved(body, i) for body in parts.places.bodies[1:]}
+            anchors = parts.beside(paper, max(moved, key=lambda body: moved[body]), i)
+            yield labels.Label(f"{time(parts.places.t[i]):.3g} {time.unit}", anchors, GREY, size - 1.5)
+
+    def _moved(self, body: str, i: int) -> float:
+        """Return how far a body is from its start on the paper."""
+        start, later = (self.parts.corners(body, k) for k in (0, i))
+        return float(np.max(np.abs(np.mean(later, axis=0) - np.mean(start, axis=0)))) if len(start) else 0.0
 
     def _gravity(self, paper: Paper, p: float) -> None:
         """Draw gravity's arrow in the corner with the least ink."""

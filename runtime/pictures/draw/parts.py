@@ -8,11 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from hertzwerk.runtime.host.lazy import cached_property
-from hertzwerk.runtime.pictures.curves import Scale
 from hertzwerk.runtime.pictures.draw.paper import INK, ROUND, Paper, hull
 from hertzwerk.runtime.pictures.draw.places import GROUND, Array, Landmark, Places
 from hertzwerk.runtime.pictures.draw.view import View
 from hertzwerk.runtime.pictures.plot_style import CYCLE, GREY
+from hertzwerk.runtime.pictures.prefixes import Scale
 
 BAR = 3.6  # half the width of a bar, points
 BLOCK = (13.0, 8.5)  # half the size of a slider, along and across, points

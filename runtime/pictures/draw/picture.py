@@ -15,6 +15,7 @@ from hertzwerk.runtime.pictures.draw import insets
 from hertzwerk.runtime.pictures.draw.drawing import Drawing
 from hertzwerk.runtime.pictures.draw.places import Array, Places
 from hertzwerk.runtime.pictures.plot_style import GREY, STYLE, VERMILLION, plain
+from hertzwerk.runtime.pictures.title import differences, differences_of, title_height, title_of, write_title
 from hertzwerk.runtime.run.warnings import unchecked
 
 if TYPE_CHECKING:
@@ -28,7 +29,7 @@ DPI = 160
 
 def of_run(run: Solution) -> Figure:
     """Draw the mechanism of a run, at its start and later; raises InputError for a saved run."""
-    return figure(Places.over(run), notes_on(run))
+    return figure(Places.over(run), notes_on(run), differences(run))
 
 
 def notes_on(run: Solution) -> tuple[str, ...]:
@@ -38,11 +39,12 @@ def notes_on(run: Solution) -> tuple[str, ...]:
 
 def of_start(model: Model, parameters: Mapping[str, Value] | None, initial: Mapping[str, Value] | None) -> Figure:
     """Draw a mechanism at its start; raises InputError."""
-    return figure(Places.at_start(model, parameters, initial), unchecked(model))
+    places = Places.at_start(model, parameters, initial)
+    return figure(places, unchecked(model), differences_of(model, parameters or {}, initial or {}))
 
 
-def figure(places: Places, warnings: Sequence[str]) -> Figure:
-    """Draw the picture on a page of its own, with insets."""
+def figure(places: Places, warnings: Sequence[str], differs: str = "") -> Figure:
+    """Draw the picture on a page of its own, with insets; `differs`: how it differs from the scene's own numbers."""
     drawing = Drawing.of(places, PANEL)
     shown = list(insets.clearances(drawing.parts, drawing.point))
     row = len(shown) > 1  # of insets below, else one beside
@@ -52,11 +54,11 @@ def figure(places: Places, warnings: Sequence[str]) -> Figure:
     across = left + width + beside
     caption = textwrap.wrap(drawing.caption(), int(15.5 * across))
     cautions = [line for text in warnings for line in textwrap.wrap(text, int(15.5 * across))]
-    title = textwrap.wrap(": ".join(filter(None, (places.model.name, places.model.module.SUMMARY))), int(9.8 * across))
+    title = title_of(places.model, places.model.module.SUMMARY)
     foot = 0.14 + 0.165 * (len(caption) + len(cautions))
     low = foot + below + (insets.HEIGHT if row else 0.0)
     top = max(low + height, low + insets.HEIGHT) + 0.15
-    tall = top + 0.22 * len(title)
+    tall = top + title_height(across, title, differs)
 
     def fraction(x: float, y: float, w: float, h: float) -> tuple[float, float, float, float]:
         return x / across, y / tall, w / across, h / tall
@@ -73,8 +75,8 @@ def figure(places: Places, warnings: Sequence[str]) -> Figure:
             spots = [(x, foot + 0.4) for x in _spread(np.array(wanted), left, left + width - insets.WIDTH)]
         for (x, y), inset in zip(spots, shown, strict=False):
             inset.on(page, axis, fraction(x, y, insets.WIDTH, insets.WIDTH), drawing.point, row)
+        write_title(page, title, differs)
         texts: tuple[tuple[list[str], float, dict[str, Any]], ...] = (
-            (title, tall - 0.06, {"va": "top", "fontsize": 12, "fontweight": "bold"}),
             (caption, 0.07 + 0.165 * len(cautions), {"va": "bottom", "fontsize": 8.5, "color": GREY}),
             (cautions, 0.07, {"va": "bottom", "fontsize": 8.5, "color": VERMILLION}),
         )

@@ -70,10 +70,11 @@ class Places:
 
     @classmethod
     def over(cls, run: Solution) -> Places:
-        """Return the places over a run, between its accepted steps or at the rows of a grid.
+        """Return the places over a run, between its accepted steps; of a run too long to be made again, at its rows.
 
         Raises InputError for a saved run.
         """
+        run = run.with_steps()
         if run.history.integrator is None:
             raise _without_functions(run.model)
         if run.history.steps and len(run.t) > 1:

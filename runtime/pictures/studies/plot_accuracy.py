@@ -16,8 +16,8 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from hertzwerk.runtime.accuracy.horizon import crossing
 from hertzwerk.runtime.accuracy.ladder import VALID
 from hertzwerk.runtime.integrate.tableaux.methods import AUTOMATIC, EXPLICIT, IMPLICIT
-from hertzwerk.runtime.pictures.curves import scale_of
 from hertzwerk.runtime.pictures.plot_style import BLUE, GREEN, GREY, ORANGE, PURPLE, SKY, STYLE, VERMILLION, plain
+from hertzwerk.runtime.pictures.prefixes import scale_of
 from hertzwerk.runtime.work_precision.report import conclusions, length, seconds, warnings
 from hertzwerk.runtime.work_precision.timed_runs import LATE
 

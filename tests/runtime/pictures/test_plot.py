@@ -10,7 +10,8 @@ from hertzwerk.derive import Contact
 from hertzwerk.derive.laws import power
 from hertzwerk.runtime import Solution, load, simulate
 from hertzwerk.runtime.model.build import scene_from
-from hertzwerk.runtime.pictures.curves import Curves, scale_of
+from hertzwerk.runtime.pictures.curves import Curves
+from hertzwerk.runtime.pictures.prefixes import scale_of
 
 C = 0.5e-3  # clearance [m]
 
@@ -53,7 +54,7 @@ def test_journal_path_leaves_the_clearance_circle_by_the_penetration_only(crank)
 def test_overview_shows_slider_and_ideal_mechanism(crank):
     figure = crank.plot()
     titles = [axis.get_title("left") for axis in figure.axes if axis.get_visible()]
-    for wanted in ("Position", "Speed", "Acceleration", "ideal", "Contact force [kN]", "Energy"):
+    for wanted in ("Position", "Speed", "Acceleration", "ideal", "Contact force of slider_pin [kN]", "Energy"):
         assert any(wanted in title for title in titles), wanted
     (axis,) = (axis for axis in figure.axes if axis.get_title("left").startswith("Position ["))
     ideal, real = (line.get_ydata() for line in axis.get_lines())
@@ -157,7 +158,8 @@ def test_a_parameter_outside_its_recommended_range_is_told_on_the_picture():
 @pytest.mark.parametrize(
     ("unit", "values", "shown"),
     [("m", [0.5e-3], "mm"), ("m", [78e-6], "µm"), ("m", [1.2], "m"), ("N", [46e3], "kN"), ("N", [3.0], "N"),
-     ("s", [0.024], "ms"), ("s", [5.0], "s"), ("rad", [0.1], "rad"), ("m", [0.0], "m"), ("J", [np.nan, 2.0], "J")],
+     ("s", [0.024], "ms"), ("s", [5.0], "s"), ("rad", [0.1], "rad"), ("m", [0.0], "m"), ("J", [np.nan, 2.0], "J"),
+     ("N", [290.0], "N"), ("N", [0.0], "N"), ("rad", [2e-3], "mrad"), ("m/s^2", [3e5], "km/s²"), ("kg m^2", [2e-4], "kg m²")],
 )  # fmt: skip
 def test_units_are_those_a_person_reads(unit, values, shown):
     scale = scale_of(unit, values)
