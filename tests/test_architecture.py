@@ -288,6 +288,7 @@ CLI = {
 }
 PICTURES = {
     "pictures/plot.py",
+    "pictures/plot_panel.py",
     *(f"pictures/studies/plot_{name}.py" for name in ["accuracy", "band", "effects", "laws", "page"]),
     *(f"pictures/draw/{name}.py" for name in ["drawing", "insets", "labels", "paper", "picture", "gallery"]),
 }

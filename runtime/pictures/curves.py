@@ -118,7 +118,7 @@ class Curves:
         return {unit: motions for unit, motions in found.items() if motions}
 
     def size(self, names: tuple[str, ...]) -> float:
-        """Return the scale of some states [SI], below 1e-12 of which a change is rounding; 0 where none is known."""
+        """Return the scale of some states [SI]; 0 where none is known."""
         states, scales = self.run.states, self.run.scales.state
         known = [float(scales[states.index(name)]) for name in names if name in states and len(scales) == len(states)]
         return max(known, default=0.0)

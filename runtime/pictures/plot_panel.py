@@ -30,7 +30,7 @@ CONSTANT = 1e-12  # relative: less change than this is rounding, and not drawn
 
 
 def caption(figure: Figure, run: Solution, subtitle: str, notes: Sequence[str] = ()) -> None:
-    """Write the title, what differs from the scene's own, and below the panels outcome, warnings and notes."""
+    """Write title and differences from the scene; below the panels outcome, warnings and notes."""
     width, height = figure.get_size_inches()
     used = write_title(figure, title_of(run.model, subtitle), differences(run))
     layout: Any = figure.get_layout_engine()
@@ -74,7 +74,7 @@ def lines(
 
 
 def _looks(count: int) -> Any:
-    """Return line style and colour of so many curves: told apart, or of very many in the order of a colour map."""
+    """Return line styles and colours of curves: different ones, of very many those of a colour map."""
     if count > MANY:
         return (("-", mpl.colormaps["viridis"](i / count)) for i in range(count))
     return cycle(product(("-", "--", ":"), CYCLE))  # when the colours have run out, dashed

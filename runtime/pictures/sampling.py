@@ -23,7 +23,7 @@ TOLD_APART = 1000  # parts of a run in which a picture shows one impact of each 
 
 
 def dense(run: Solution) -> History:
-    """Return histories of a run that kept its steps, sampled so finely that a picture of them is smooth and whole."""
+    """Return histories of a run with its steps, fine enough for a smooth picture with every peak."""
     found = run.at(_times(run))
     peaks = np.setdiff1d(np.concatenate([np.zeros(0), *_near_peaks(run, found)]), found.t)
     rows = np.concatenate([found.rows, run.at(peaks).rows]) if len(peaks) else found.rows
@@ -83,7 +83,7 @@ def _near_peaks(run: Solution, found: History) -> Iterator[Array]:
 
 
 class Rows:
-    """Histories of a run of which rows alone are known: these, and of each contact its onset, peak and end."""
+    """Histories of a run of which only rows are known, with onset, peak and end of each contact."""
 
     def __init__(self, run: Solution) -> None:
         self._run = run

@@ -44,7 +44,10 @@ def of_start(model: Model, parameters: Mapping[str, Value] | None, initial: Mapp
 
 
 def figure(places: Places, warnings: Sequence[str], differs: str = "") -> Figure:
-    """Draw the picture on a page of its own, with insets; `differs`: how it differs from the scene's own numbers."""
+    """Draw the picture on a page of its own, with insets.
+
+    differs: the numbers and effects that are not the scene's own.
+    """
     drawing = Drawing.of(places, PANEL)
     shown = list(insets.clearances(drawing.parts, drawing.point))
     row = len(shown) > 1  # of insets below, else one beside

@@ -70,9 +70,9 @@ class Places:
 
     @classmethod
     def over(cls, run: Solution) -> Places:
-        """Return the places over a run, between its accepted steps; of a run too long to be made again, at its rows.
+        """Return the places over a run, between its accepted steps.
 
-        Raises InputError for a saved run.
+        Of a run too long to be made again, at its rows. Raises InputError for a saved run.
         """
         run = run.with_steps()
         if run.history.integrator is None:
