@@ -100,10 +100,10 @@ CONSTANTS = (
     ("stiffness", "N/m"),
     ("left_wall_second_arm_x", "m"),
     ("right_wall_second_arm_x", "m"),
-    ("k1", "N/m"),
+    ("half_stiffness", "N/m"),
     ("left_wall_hysteresis_factor", "1"),
-    ("k2", "1/kg"),
-    ("k3", "kg"),
+    ("inverse_mass", "1/kg"),
+    ("half_mass", "kg"),
 )
 
 OPERATIONS = (
@@ -130,8 +130,8 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (8,): radius, stiffness, left_wall_second_arm_x, right_wall_second_arm_x, k1, left_wall_hysteresis_factor,
-            k2, k3
+        c (8,): radius, stiffness, left_wall_second_arm_x, right_wall_second_arm_x, half_stiffness,
+            left_wall_hysteresis_factor, inverse_mass, half_mass
     """
     mass = p[0]
     radius = p[1]
@@ -140,12 +140,12 @@ def constants(p):
     restitution = p[4]
     left_wall_second_arm_x = -gap - radius
     right_wall_second_arm_x = gap + radius
-    k1 = stiffness/2
+    half_stiffness = stiffness/2
     left_wall_hysteresis_factor = 3/2 - 3*restitution/2
-    k2 = 1/mass
-    k3 = mass/2
-    return ca.vertcat(radius, stiffness, left_wall_second_arm_x, right_wall_second_arm_x, k1,
-        left_wall_hysteresis_factor, k2, k3)
+    inverse_mass = 1/mass
+    half_mass = mass/2
+    return ca.vertcat(radius, stiffness, left_wall_second_arm_x, right_wall_second_arm_x, half_stiffness,
+        left_wall_hysteresis_factor, inverse_mass, half_mass)
 
 
 def start(p):
@@ -174,9 +174,9 @@ def scales(p):
     stiffness = p[3]
     speed = p[6]
     energy_scale = speed*speed*mass/2
-    x1 = mass/stiffness
-    force_scale = energy_scale/(ca.sqrt(x1)*speed)
-    x2 = ca.sqrt(x1)
+    mass_over_stiffness = mass/stiffness
+    force_scale = energy_scale/(ca.sqrt(mass_over_stiffness)*speed)
+    x2 = ca.sqrt(mass_over_stiffness)
     x3 = x2*speed
     return (
         ca.vertcat(x3),
@@ -314,9 +314,9 @@ def accelerations(t, q, u, f, c):
         a (1,): track.acceleration [m/s^2]
         reactions (0,): empty
     """
-    k2 = c[6]
+    inverse_mass = c[6]
     track_force = f[0]
-    track_acc = k2*track_force
+    track_acc = inverse_mass*track_force
     return ca.vertcat(track_acc), ca.vertcat()
 
 
@@ -342,17 +342,17 @@ def energy(t, q, u, c):
     radius = c[0]
     left_wall_second_arm_x = c[2]
     right_wall_second_arm_x = c[3]
-    k1 = c[4]
-    k3 = c[7]
+    half_stiffness = c[4]
+    half_mass = c[7]
     track_travel = q[0]
     track_speed = u[0]
     left_wall_apart_x = track_travel - left_wall_second_arm_x
     right_wall_apart_x = track_travel - right_wall_second_arm_x
     left_wall_gap = left_wall_apart_x - radius
     right_wall_gap = -right_wall_apart_x - radius
-    left_wall_stored_energy = ca.if_else(-left_wall_gap > 0, k1*left_wall_gap*left_wall_gap, 0)
-    right_wall_stored_energy = ca.if_else(-right_wall_gap > 0, k1*right_wall_gap*right_wall_gap, 0)
-    kinetic = k3*track_speed*track_speed
+    left_wall_stored_energy = ca.if_else(-left_wall_gap > 0, half_stiffness*left_wall_gap*left_wall_gap, 0)
+    right_wall_stored_energy = ca.if_else(-right_wall_gap > 0, half_stiffness*right_wall_gap*right_wall_gap, 0)
+    kinetic = half_mass*track_speed*track_speed
     return ca.vertcat(kinetic), ca.vertcat(0), ca.vertcat(left_wall_stored_energy, right_wall_stored_energy)
 
 

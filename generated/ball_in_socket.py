@@ -107,14 +107,14 @@ CONSTANTS = (
     ("clearance", "m"),
     ("gravity", "m/s^2"),
     ("stiffness", "N/m^1.5"),
-    ("k1", "m^2"),
-    ("k2", "1/m"),
-    ("k3", "N/m^1.5"),
-    ("k4", "1/kg"),
-    ("k5", "1/(kg m^2)"),
-    ("k6", "kg m^2"),
-    ("k7", "kg"),
-    ("k8", "N"),
+    ("clearance_squared", "m^2"),
+    ("half_inverse_clearance", "1/m"),
+    ("two_fifths_of_stiffness", "N/m^1.5"),
+    ("inverse_mass", "1/kg"),
+    ("inverse_ball_I_z_z", "1/(kg m^2)"),
+    ("half_ball_I_z_z", "kg m^2"),
+    ("half_mass", "kg"),
+    ("gravity_times_mass", "N"),
 )
 
 OPERATIONS = (
@@ -140,23 +140,26 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (12,): mass, clearance, gravity, stiffness, k1, k2, k3, k4, k5, k6, k7, k8
+        c (12,): mass, clearance, gravity, stiffness, clearance_squared, half_inverse_clearance,
+            two_fifths_of_stiffness, inverse_mass, inverse_ball_I_z_z, half_ball_I_z_z, half_mass,
+            gravity_times_mass
     """
     mass = p[0]
     clearance = p[1]
     socket_radius = p[2]
     gravity = p[3]
     stiffness = p[4]
-    k1 = clearance*clearance
-    k2 = 1/(2*clearance)
-    k3 = 2*stiffness/5
+    clearance_squared = clearance*clearance
+    half_inverse_clearance = 1/(2*clearance)
+    two_fifths_of_stiffness = 2*stiffness/5
     ball_I_z_z = 2*(socket_radius - clearance)**2*mass/5
-    k4 = 1/mass
-    k5 = 1/ball_I_z_z
-    k6 = ball_I_z_z/2
-    k7 = mass/2
-    k8 = gravity*mass
-    return ca.vertcat(mass, clearance, gravity, stiffness, k1, k2, k3, k4, k5, k6, k7, k8)
+    inverse_mass = 1/mass
+    inverse_ball_I_z_z = 1/ball_I_z_z
+    half_ball_I_z_z = ball_I_z_z/2
+    half_mass = mass/2
+    gravity_times_mass = gravity*mass
+    return ca.vertcat(mass, clearance, gravity, stiffness, clearance_squared, half_inverse_clearance,
+        two_fifths_of_stiffness, inverse_mass, inverse_ball_I_z_z, half_ball_I_z_z, half_mass, gravity_times_mass)
 
 
 def start(p):
@@ -173,8 +176,8 @@ def start(p):
     gravity = p[3]
     stiffness = p[4]
     start_angle = p[5]
-    x1 = gravity*mass/stiffness
-    x2 = x1**(2/3)
+    gravity_times_mass_over_stiffness = gravity*mass/stiffness
+    x2 = gravity_times_mass_over_stiffness**(2/3)
     return (
         ca.vertcat((x2 + clearance)*ca.sin(start_angle), 0, (-x2 - clearance)*ca.cos(start_angle), 1, 0, 0, 0),
         ca.vertcat(0, 0, 0, 0, 0, 0),
@@ -199,12 +202,12 @@ def scales(p):
     stiffness = p[4]
     start_angle = p[5]
     energy_scale = start_angle*start_angle*clearance*gravity*mass/2
-    x1 = gravity*mass/stiffness
-    force_scale = energy_scale/x1**(2/3)
-    x2 = x1**(2/3)
+    gravity_times_mass_over_stiffness = gravity*mass/stiffness
+    force_scale = energy_scale/gravity_times_mass_over_stiffness**(2/3)
+    x2 = gravity_times_mass_over_stiffness**(2/3)
     x3 = x2/(2*socket_radius)
-    x4 = clearance*gravity
-    x5 = ca.sqrt(x4)
+    clearance_times_gravity = clearance*gravity
+    x5 = ca.sqrt(clearance_times_gravity)
     x6 = x5*start_angle
     x7 = x5*start_angle/socket_radius
     return (
@@ -253,8 +256,8 @@ def gaps(t, q, u, c):
         G (1,): ball_joint [m]
         dG (1,): ball_joint [m/s]
     """
-    k1 = c[4]
-    k2 = c[5]
+    clearance_squared = c[4]
+    half_inverse_clearance = c[5]
     float_x = q[0]
     float_y = q[1]
     float_z = q[2]
@@ -262,9 +265,9 @@ def gaps(t, q, u, c):
     float_y_speed = u[1]
     float_z_speed = u[2]
     ball_joint_apart_squared = float_x*float_x + float_y*float_y + float_z*float_z
-    ball_joint_gap = k2*(k1 - ball_joint_apart_squared)
+    ball_joint_gap = half_inverse_clearance*(clearance_squared - ball_joint_apart_squared)
     ball_joint_apart_squared_rate = 2*float_x*float_x_speed + 2*float_y*float_y_speed + 2*float_z*float_z_speed
-    ball_joint_gap_rate = -ball_joint_apart_squared_rate*k2
+    ball_joint_gap_rate = -ball_joint_apart_squared_rate*half_inverse_clearance
     return ca.vertcat(ball_joint_gap), ca.vertcat(ball_joint_gap_rate)
 
 
@@ -275,7 +278,7 @@ def gap_accelerations(t, q, u, a, c):
     Returns, each a column vector:
         ddG (1,): ball_joint [m/s^2]
     """
-    k2 = c[5]
+    half_inverse_clearance = c[5]
     float_x = q[0]
     float_y = q[1]
     float_z = q[2]
@@ -286,7 +289,7 @@ def gap_accelerations(t, q, u, a, c):
     float_y_acceleration = a[1]
     float_z_acceleration = a[2]
     ball_joint_apart_squared_rate_rate = 2*float_x_speed*float_x_speed + 2*float_y_speed*float_y_speed + 2*float_z_speed*float_z_speed + 2*float_x*float_x_acceleration + 2*float_y*float_y_acceleration + 2*float_z*float_z_acceleration
-    ball_joint_gap_rate_rate = -ball_joint_apart_squared_rate_rate*k2
+    ball_joint_gap_rate_rate = -ball_joint_apart_squared_rate_rate*half_inverse_clearance
     return ca.vertcat(ball_joint_gap_rate_rate)
 
 
@@ -350,20 +353,20 @@ def accelerations(t, q, u, f, c):
             float.angular_acceleration_z [rad/s^2]
         reactions (0,): empty
     """
-    k4 = c[7]
-    k5 = c[8]
+    inverse_mass = c[7]
+    inverse_ball_I_z_z = c[8]
     float_x_force = f[0]
     float_y_force = f[1]
     float_z_force = f[2]
     float_moment_x_force = f[3]
     float_moment_y_force = f[4]
     float_moment_z_force = f[5]
-    float_x_acc = float_x_force*k4
-    float_y_acc = float_y_force*k4
-    float_z_acc = float_z_force*k4
-    float_moment_x_acc = float_moment_x_force*k5
-    float_moment_y_acc = float_moment_y_force*k5
-    float_moment_z_acc = float_moment_z_force*k5
+    float_x_acc = float_x_force*inverse_mass
+    float_y_acc = float_y_force*inverse_mass
+    float_z_acc = float_z_force*inverse_mass
+    float_moment_x_acc = float_moment_x_force*inverse_ball_I_z_z
+    float_moment_y_acc = float_moment_y_force*inverse_ball_I_z_z
+    float_moment_z_acc = float_moment_z_force*inverse_ball_I_z_z
     return (
         ca.vertcat(float_x_acc, float_y_acc, float_z_acc, float_moment_x_acc, float_moment_y_acc,
             float_moment_z_acc),
@@ -391,10 +394,10 @@ def energy(t, q, u, c):
         stored (1,): ball_joint [J]
     """
     clearance = c[1]
-    k3 = c[6]
-    k6 = c[9]
-    k7 = c[10]
-    k8 = c[11]
+    two_fifths_of_stiffness = c[6]
+    half_ball_I_z_z = c[9]
+    half_mass = c[10]
+    gravity_times_mass = c[11]
     float_x = q[0]
     float_y = q[1]
     float_z = q[2]
@@ -418,26 +421,26 @@ def energy(t, q, u, c):
     ball_q0q2 = ball_twice_q2*float_q0
     ball_q0q3 = ball_twice_q3*float_q0
     ball_R_x_x = 1 - ball_q2q2 - ball_q3q3
-    x1 = ball_twice_q1*float_q2
-    ball_R_x_y = x1 - ball_q0q3
-    x2 = ball_twice_q1*float_q3
-    ball_R_x_z = ball_q0q2 + x2
-    ball_R_y_x = ball_q0q3 + x1
+    ball_twice_q1_times_float_q2 = ball_twice_q1*float_q2
+    ball_R_x_y = ball_twice_q1_times_float_q2 - ball_q0q3
+    ball_twice_q1_times_float_q3 = ball_twice_q1*float_q3
+    ball_R_x_z = ball_q0q2 + ball_twice_q1_times_float_q3
+    ball_R_y_x = ball_q0q3 + ball_twice_q1_times_float_q2
     ball_R_y_y = 1 - ball_q1q1 - ball_q3q3
-    x3 = ball_twice_q2*float_q3
-    ball_R_y_z = x3 - ball_q0q1
-    ball_R_z_x = x2 - ball_q0q2
-    ball_R_z_y = ball_q0q1 + x3
+    ball_twice_q2_times_float_q3 = ball_twice_q2*float_q3
+    ball_R_y_z = ball_twice_q2_times_float_q3 - ball_q0q1
+    ball_R_z_x = ball_twice_q1_times_float_q3 - ball_q0q2
+    ball_R_z_y = ball_q0q1 + ball_twice_q2_times_float_q3
     ball_R_z_z = 1 - ball_q1q1 - ball_q2q2
     ball_joint_apart_squared = float_x*float_x + float_y*float_y + float_z*float_z
     ball_joint_distance = ca.sqrt(ball_joint_apart_squared)
     ball_joint_penetration = ball_joint_distance - clearance
-    ball_joint_stored_energy = ca.if_else(ball_joint_penetration > 0, k3*ball_joint_penetration*ball_joint_penetration*ca.sqrt(ball_joint_penetration), 0)
+    ball_joint_stored_energy = ca.if_else(ball_joint_penetration > 0, two_fifths_of_stiffness*ball_joint_penetration*ball_joint_penetration*ca.sqrt(ball_joint_penetration), 0)
     ball_velocity_x = ball_R_x_x*float_x_speed + ball_R_y_x*float_y_speed + ball_R_z_x*float_z_speed
     ball_velocity_y = ball_R_x_y*float_x_speed + ball_R_y_y*float_y_speed + ball_R_z_y*float_z_speed
     ball_velocity_z = ball_R_x_z*float_x_speed + ball_R_y_z*float_y_speed + ball_R_z_z*float_z_speed
-    kinetic = k6*float_angular_speed_x*float_angular_speed_x + k6*float_angular_speed_y*float_angular_speed_y + k6*float_angular_speed_z*float_angular_speed_z + k7*(ball_velocity_x*ball_velocity_x + ball_velocity_y*ball_velocity_y + ball_velocity_z*ball_velocity_z)
-    potential = float_z*k8
+    kinetic = half_ball_I_z_z*float_angular_speed_x*float_angular_speed_x + half_ball_I_z_z*float_angular_speed_y*float_angular_speed_y + half_ball_I_z_z*float_angular_speed_z*float_angular_speed_z + half_mass*(ball_velocity_x*ball_velocity_x + ball_velocity_y*ball_velocity_y + ball_velocity_z*ball_velocity_z)
+    potential = float_z*gravity_times_mass
     return ca.vertcat(kinetic), ca.vertcat(potential), ca.vertcat(ball_joint_stored_energy)
 
 
@@ -467,16 +470,16 @@ def poses(t, q, c):
     ball_q0q2 = ball_twice_q2*float_q0
     ball_q0q3 = ball_twice_q3*float_q0
     ball_R_x_x = 1 - ball_q2q2 - ball_q3q3
-    x1 = ball_twice_q1*float_q2
-    ball_R_x_y = x1 - ball_q0q3
-    x2 = ball_twice_q1*float_q3
-    ball_R_x_z = ball_q0q2 + x2
-    ball_R_y_x = ball_q0q3 + x1
+    ball_twice_q1_times_float_q2 = ball_twice_q1*float_q2
+    ball_R_x_y = ball_twice_q1_times_float_q2 - ball_q0q3
+    ball_twice_q1_times_float_q3 = ball_twice_q1*float_q3
+    ball_R_x_z = ball_q0q2 + ball_twice_q1_times_float_q3
+    ball_R_y_x = ball_q0q3 + ball_twice_q1_times_float_q2
     ball_R_y_y = 1 - ball_q1q1 - ball_q3q3
-    x3 = ball_twice_q2*float_q3
-    ball_R_y_z = x3 - ball_q0q1
-    ball_R_z_x = x2 - ball_q0q2
-    ball_R_z_y = ball_q0q1 + x3
+    ball_twice_q2_times_float_q3 = ball_twice_q2*float_q3
+    ball_R_y_z = ball_twice_q2_times_float_q3 - ball_q0q1
+    ball_R_z_x = ball_twice_q1_times_float_q3 - ball_q0q2
+    ball_R_z_y = ball_q0q1 + ball_twice_q2_times_float_q3
     ball_R_z_z = 1 - ball_q1q1 - ball_q2q2
     return (
         ca.vertcat(float_x, float_y, float_z),

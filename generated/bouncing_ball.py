@@ -96,9 +96,9 @@ CONSTANTS = (
     ("exponent", "1"),
     ("k1", "N/m^exponent"),
     ("floor_hysteresis_factor", "1"),
-    ("k2", "1/kg"),
-    ("k3", "kg"),
-    ("k4", "N"),
+    ("inverse_mass", "1/kg"),
+    ("half_mass", "kg"),
+    ("gravity_times_mass", "N"),
 )
 
 OPERATIONS = (
@@ -124,7 +124,8 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (10,): mass, radius, gravity, stiffness, exponent, k1, floor_hysteresis_factor, k2, k3, k4
+        c (10,): mass, radius, gravity, stiffness, exponent, k1, floor_hysteresis_factor, inverse_mass, half_mass,
+            gravity_times_mass
     """
     mass = p[0]
     radius = p[1]
@@ -134,10 +135,11 @@ def constants(p):
     restitution = p[5]
     k1 = stiffness/(1 + exponent)
     floor_hysteresis_factor = (8 - 8*restitution)/(5*restitution)
-    k2 = 1/mass
-    k3 = mass/2
-    k4 = gravity*mass
-    return ca.vertcat(mass, radius, gravity, stiffness, exponent, k1, floor_hysteresis_factor, k2, k3, k4)
+    inverse_mass = 1/mass
+    half_mass = mass/2
+    gravity_times_mass = gravity*mass
+    return ca.vertcat(mass, radius, gravity, stiffness, exponent, k1, floor_hysteresis_factor, inverse_mass,
+        half_mass, gravity_times_mass)
 
 
 def start(p):
@@ -169,14 +171,14 @@ def scales(p):
     exponent = p[4]
     drop_height = p[7]
     energy_scale = drop_height*gravity*mass
-    x1 = 1 + exponent
-    x2 = x1*drop_height*gravity*mass/stiffness
-    force_scale = energy_scale*x2**(-1/x1)
-    x3 = x2**(1/x1)
-    x4 = ca.sqrt(2)
-    x5 = drop_height*gravity
-    x6 = ca.sqrt(x5)
-    x7 = x4*x6
+    one_plus_exponent = 1 + exponent
+    x2 = one_plus_exponent*drop_height*gravity*mass/stiffness
+    force_scale = energy_scale*x2**(-1/one_plus_exponent)
+    x3 = x2**(1/one_plus_exponent)
+    sqrt_2 = ca.sqrt(2)
+    drop_height_times_gravity = drop_height*gravity
+    x6 = ca.sqrt(drop_height_times_gravity)
+    x7 = sqrt_2*x6
     return ca.vertcat(x3), ca.vertcat(x7), ca.vertcat(energy_scale), ca.vertcat(x3, x7, force_scale, energy_scale)
 
 
@@ -270,9 +272,9 @@ def accelerations(t, q, u, f, c):
         a (1,): vertical.acceleration [m/s^2]
         reactions (0,): empty
     """
-    k2 = c[7]
+    inverse_mass = c[7]
     vertical_force = f[0]
-    vertical_acc = k2*vertical_force
+    vertical_acc = inverse_mass*vertical_force
     return ca.vertcat(vertical_acc), ca.vertcat()
 
 
@@ -298,14 +300,14 @@ def energy(t, q, u, c):
     radius = c[1]
     exponent = c[4]
     k1 = c[5]
-    k3 = c[8]
-    k4 = c[9]
+    half_mass = c[8]
+    gravity_times_mass = c[9]
     vertical_travel = q[0]
     vertical_speed = u[0]
     floor_gap = vertical_travel - radius
     floor_stored_energy = ca.if_else(-floor_gap > 0, k1*(-floor_gap)**(1 + exponent), 0)
-    kinetic = k3*vertical_speed*vertical_speed
-    potential = k4*vertical_travel
+    kinetic = half_mass*vertical_speed*vertical_speed
+    potential = gravity_times_mass*vertical_travel
     return ca.vertcat(kinetic), ca.vertcat(potential), ca.vertcat(floor_stored_energy)
 
 

@@ -112,15 +112,15 @@ CONSTANTS = (
     ("rod_c_I_x_x", "kg m^2"),
     ("rod_d_I_z_z", "kg m^2"),
     ("rod_e_I_x_x", "kg m^2"),
-    ("k1", "kg m^2"),
-    ("k2", "m"),
-    ("k3", "kg m^2"),
+    ("twice_rod_b_I_x_x", "kg m^2"),
+    ("twice_length", "m"),
+    ("rod_d_I_z_z_plus_rod_e_I_x_x", "kg m^2"),
     ("rod_a_I_y_y", "kg m^2"),
-    ("k4", "1/(kg m^2)"),
-    ("k5", "kg m^2"),
-    ("k6", "kg"),
-    ("k7", "m"),
-    ("k8", "N"),
+    ("inverse_rod_e_I_x_x", "1/(kg m^2)"),
+    ("half_rod_e_I_x_x", "kg m^2"),
+    ("half_mass", "kg"),
+    ("half_length", "m"),
+    ("gravity_times_mass", "N"),
     ("hinge_f_apart_x_softness", "1"),
     ("hinge_f_apart_y_softness", "1"),
     ("hinge_f_apart_z_softness", "1"),
@@ -153,8 +153,10 @@ def constants(p):
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
         c (24,): length, gravity, rod_e_h_y, rod_d_h_x, rod_c_h_z, rod_b_h_y, rod_b_I_x_x, rod_c_I_x_x, rod_d_I_z_z,
-            rod_e_I_x_x, k1, k2, k3, rod_a_I_y_y, k4, k5, k6, k7, k8, hinge_f_apart_x_softness,
-            hinge_f_apart_y_softness, hinge_f_apart_z_softness, hinge_f_turned_y_softness, hinge_f_turned_z_softness
+            rod_e_I_x_x, twice_rod_b_I_x_x, twice_length, rod_d_I_z_z_plus_rod_e_I_x_x, rod_a_I_y_y,
+            inverse_rod_e_I_x_x, half_rod_e_I_x_x, half_mass, half_length, gravity_times_mass,
+            hinge_f_apart_x_softness, hinge_f_apart_y_softness, hinge_f_apart_z_softness, hinge_f_turned_y_softness,
+            hinge_f_turned_z_softness
     """
     mass = p[0]
     length = p[1]
@@ -166,22 +168,24 @@ def constants(p):
     rod_c_total_mass = rod_d_total_mass + mass
     rod_b_h_y = -rod_c_total_mass*length - length*mass/2
     rod_b_total_mass = rod_c_total_mass + mass
-    x1 = length*length
-    x2 = x1*mass/3
-    rod_b_I_x_x = x2 + rod_c_total_mass*x1
-    rod_c_I_x_x = x2 + rod_d_total_mass*x1
-    rod_d_I_z_z = 4*x1*mass/3
-    k1 = 2*rod_b_I_x_x
-    k2 = 2*length
-    k3 = rod_d_I_z_z + x2
-    rod_a_I_y_y = x2 + rod_b_total_mass*x1
-    k4 = 1/x2
-    k5 = x2/2
-    k6 = mass/2
-    k7 = length/2
-    k8 = gravity*mass
+    length_squared = length*length
+    rod_e_I_x_x = length_squared*mass/3
+    rod_b_I_x_x = rod_e_I_x_x + rod_c_total_mass*length_squared
+    rod_c_I_x_x = rod_e_I_x_x + rod_d_total_mass*length_squared
+    rod_d_I_z_z = 4*length_squared*mass/3
+    twice_rod_b_I_x_x = 2*rod_b_I_x_x
+    twice_length = 2*length
+    rod_d_I_z_z_plus_rod_e_I_x_x = rod_d_I_z_z + rod_e_I_x_x
+    rod_a_I_y_y = rod_e_I_x_x + rod_b_total_mass*length_squared
+    inverse_rod_e_I_x_x = 1/rod_e_I_x_x
+    half_rod_e_I_x_x = rod_e_I_x_x/2
+    half_mass = mass/2
+    half_length = length/2
+    gravity_times_mass = gravity*mass
     return ca.vertcat(length, gravity, rod_e_h_y, rod_d_h_x, rod_c_h_z, rod_b_h_y, rod_b_I_x_x, rod_c_I_x_x,
-        rod_d_I_z_z, x2, k1, k2, k3, rod_a_I_y_y, k4, k5, k6, k7, k8, 3e-09, 3e-09, 3e-09, 3e-09, 3e-09)
+        rod_d_I_z_z, rod_e_I_x_x, twice_rod_b_I_x_x, twice_length, rod_d_I_z_z_plus_rod_e_I_x_x, rod_a_I_y_y,
+        inverse_rod_e_I_x_x, half_rod_e_I_x_x, half_mass, half_length, gravity_times_mass, 3e-09, 3e-09, 3e-09,
+        3e-09, 3e-09)
 
 
 def start(p):
@@ -215,10 +219,11 @@ def scales(p):
     total_mass = 5*mass
     energy_scale = total_mass*speed_scale*speed_scale/2
     force_scale = energy_scale/length
-    x1 = speed_scale/length
+    speed_scale_over_length = speed_scale/length
     return (
         ca.vertcat(1, 1, 1, 1, 1),
-        ca.vertcat(x1, x1, x1, x1, x1),
+        ca.vertcat(speed_scale_over_length, speed_scale_over_length, speed_scale_over_length,
+            speed_scale_over_length, speed_scale_over_length),
         ca.vertcat(),
         ca.vertcat(length, speed_scale, force_scale, energy_scale),
     )
@@ -322,11 +327,11 @@ def accelerations(t, q, u, f, c):
     rod_c_I_x_x = c[7]
     rod_d_I_z_z = c[8]
     rod_e_I_x_x = c[9]
-    k1 = c[10]
-    k2 = c[11]
-    k3 = c[12]
+    twice_rod_b_I_x_x = c[10]
+    twice_length = c[11]
+    rod_d_I_z_z_plus_rod_e_I_x_x = c[12]
     rod_a_I_y_y = c[13]
-    k4 = c[14]
+    inverse_rod_e_I_x_x = c[14]
     hinge_f_apart_x_softness = c[19]
     hinge_f_apart_y_softness = c[20]
     hinge_f_apart_z_softness = c[21]
@@ -462,24 +467,24 @@ def accelerations(t, q, u, f, c):
     hinge_f_apart_bias_y = rod_e_bias_y + hinge_f_child_arm_rate_x*rod_e_rate_z + hinge_f_child_arm_x*rod_e_angular_bias_z - hinge_f_child_arm_rate_z*rod_e_rate_x - hinge_f_child_arm_z*rod_e_angular_bias_x
     hinge_f_apart_bias_z = rod_e_bias_z + hinge_f_child_arm_rate_y*rod_e_rate_x + hinge_f_child_arm_y*rod_e_angular_bias_x - hinge_f_child_arm_rate_x*rod_e_rate_y - hinge_f_child_arm_x*rod_e_angular_bias_y
     hinge_f_x_on_hinge_a = hinge_f_child_arm_z + rod_e_z
-    x1 = hinge_f_child_arm_y + rod_e_y
-    hinge_f_x_on_hinge_b = -cos_rod_a*x1
-    x2 = hinge_f_child_arm_z + rod_e_z - rod_c_z
+    hinge_f_child_arm_y_plus_rod_e_y = hinge_f_child_arm_y + rod_e_y
+    hinge_f_x_on_hinge_b = -cos_rod_a*hinge_f_child_arm_y_plus_rod_e_y
+    hinge_f_child_arm_z_plus_rod_e_z_minus_rod_c_z = hinge_f_child_arm_z + rod_e_z - rod_c_z
     x3 = hinge_f_child_arm_y + rod_e_y - rod_c_arm_y
-    hinge_f_x_on_hinge_c = sin_rod_b*x2 - rod_b_R_z_x*x3
-    x4 = hinge_f_child_arm_z + rod_e_z - rod_d_z
-    x5 = hinge_f_child_arm_y + rod_e_y - rod_d_y
-    hinge_f_x_on_hinge_d = rod_c_R_y_y*x4 - rod_c_R_z_y*x5
+    hinge_f_x_on_hinge_c = sin_rod_b*hinge_f_child_arm_z_plus_rod_e_z_minus_rod_c_z - rod_b_R_z_x*x3
+    hinge_f_child_arm_z_plus_rod_e_z_minus_rod_d_z = hinge_f_child_arm_z + rod_e_z - rod_d_z
+    hinge_f_child_arm_y_plus_rod_e_y_minus_rod_d_y = hinge_f_child_arm_y + rod_e_y - rod_d_y
+    hinge_f_x_on_hinge_d = rod_c_R_y_y*hinge_f_child_arm_z_plus_rod_e_z_minus_rod_d_z - rod_c_R_z_y*hinge_f_child_arm_y_plus_rod_e_y_minus_rod_d_y
     hinge_f_x_on_hinge_e = hinge_f_child_arm_z*rod_d_R_y_z - hinge_f_child_arm_y*rod_d_R_z_z
     hinge_f_y_on_hinge_b = cos_rod_a*(hinge_f_child_arm_x + rod_e_x - rod_b_arm_x) - sin_rod_a*(hinge_f_child_arm_z + rod_e_z - rod_b_arm_z)
-    x6 = hinge_f_child_arm_x + rod_e_x - rod_c_x
-    hinge_f_y_on_hinge_c = rod_b_R_z_x*x6 - rod_b_R_x_x*x2
-    x7 = hinge_f_child_arm_x + rod_e_x - rod_d_x
-    hinge_f_y_on_hinge_d = rod_c_R_z_y*x7 - rod_c_R_x_y*x4
+    hinge_f_child_arm_x_plus_rod_e_x_minus_rod_c_x = hinge_f_child_arm_x + rod_e_x - rod_c_x
+    hinge_f_y_on_hinge_c = rod_b_R_z_x*hinge_f_child_arm_x_plus_rod_e_x_minus_rod_c_x - rod_b_R_x_x*hinge_f_child_arm_z_plus_rod_e_z_minus_rod_c_z
+    hinge_f_child_arm_x_plus_rod_e_x_minus_rod_d_x = hinge_f_child_arm_x + rod_e_x - rod_d_x
+    hinge_f_y_on_hinge_d = rod_c_R_z_y*hinge_f_child_arm_x_plus_rod_e_x_minus_rod_d_x - rod_c_R_x_y*hinge_f_child_arm_z_plus_rod_e_z_minus_rod_d_z
     hinge_f_y_on_hinge_e = hinge_f_child_arm_x*rod_d_R_z_z - hinge_f_child_arm_z*rod_d_R_x_z
-    hinge_f_z_on_hinge_b = sin_rod_a*x1
-    hinge_f_z_on_hinge_c = rod_b_R_x_x*x3 - sin_rod_b*x6
-    hinge_f_z_on_hinge_d = rod_c_R_x_y*x5 - rod_c_R_y_y*x7
+    hinge_f_z_on_hinge_b = sin_rod_a*hinge_f_child_arm_y_plus_rod_e_y
+    hinge_f_z_on_hinge_c = rod_b_R_x_x*x3 - sin_rod_b*hinge_f_child_arm_x_plus_rod_e_x_minus_rod_c_x
+    hinge_f_z_on_hinge_d = rod_c_R_x_y*hinge_f_child_arm_y_plus_rod_e_y_minus_rod_d_y - rod_c_R_y_y*hinge_f_child_arm_x_plus_rod_e_x_minus_rod_d_x
     hinge_f_z_on_hinge_e = hinge_f_child_arm_y*rod_d_R_x_z - hinge_f_child_arm_x*rod_d_R_y_z
     hinge_f_turned_y_bias = rod_e_R_x_x*rod_e_angular_bias_z + rod_e_rate_x*(rod_e_R_x_x*rod_e_rate_y - rod_e_R_y_x*rod_e_rate_x) + rod_e_rate_z*(rod_e_R_z_x*rod_e_rate_y - rod_e_R_y_x*rod_e_rate_z) - rod_e_R_z_x*rod_e_angular_bias_x
     hinge_f_turned_y_on_hinge_b = cos_rod_a*rod_e_R_x_x - rod_e_R_z_x*sin_rod_a
@@ -491,15 +496,15 @@ def accelerations(t, q, u, f, c):
     hinge_f_turned_z_on_hinge_c = rod_b_R_x_x*rod_e_R_y_x - rod_e_R_x_x*sin_rod_b
     hinge_f_turned_z_on_hinge_d = rod_c_R_x_y*rod_e_R_y_x - rod_c_R_y_y*rod_e_R_x_x
     hinge_f_turned_z_on_hinge_e = rod_d_R_x_z*rod_e_R_y_x - rod_d_R_y_z*rod_e_R_x_x
-    x8 = -rod_e_h_y*sin_rod_e
-    rod_d_total_moment_x = rod_d_h_x + x8
+    rod_e_turned_moment_x = -rod_e_h_y*sin_rod_e
+    rod_d_total_moment_x = rod_d_h_x + rod_e_turned_moment_x
     rod_d_total_moment_y = cos_rod_e*rod_e_h_y
     rod_c_total_moment_x = cos_rod_d*rod_d_total_moment_x
-    x9 = -rod_d_total_moment_x*sin_rod_d
-    rod_c_total_moment_z = rod_c_h_z + x9
-    x10 = cos_rod_c*rod_d_total_moment_y
-    x11 = -rod_c_total_moment_z*sin_rod_c
-    rod_b_total_moment_y = rod_b_h_y + x10 + x11
+    rod_d_turned_moment_z = -rod_d_total_moment_x*sin_rod_d
+    rod_c_total_moment_z = rod_c_h_z + rod_d_turned_moment_z
+    cos_rod_c_times_rod_d_total_moment_y = cos_rod_c*rod_d_total_moment_y
+    minus_rod_c_total_moment_z_times_sin_rod_c = -rod_c_total_moment_z*sin_rod_c
+    rod_b_total_moment_y = rod_b_h_y + cos_rod_c_times_rod_d_total_moment_y + minus_rod_c_total_moment_z_times_sin_rod_c
     rod_b_total_moment_z = cos_rod_c*rod_c_total_moment_z + rod_d_total_moment_y*sin_rod_c
     rod_a_rate_yy = hinge_a_speed*hinge_a_speed
     rod_b_w_x = hinge_a_speed*sin_rod_b
@@ -543,9 +548,9 @@ def accelerations(t, q, u, f, c):
     rod_d_rate_zx = rod_d_w_x*rod_d_w_z
     rod_d_U_z_x = rod_d_rate_zx - rod_c_angular_bias_y_2
     rod_d_force_x = cos_rod_e*rod_e_force_x + rod_d_U_x_x*rod_d_h_x - rod_e_force_y*sin_rod_e
-    x12 = cos_rod_e*rod_e_force_y
-    x13 = rod_e_force_x*sin_rod_e
-    rod_d_force_y = x12 + x13 + rod_d_U_y_x*rod_d_h_x
+    cos_rod_e_times_rod_e_force_y = cos_rod_e*rod_e_force_y
+    rod_e_force_x_times_sin_rod_e = rod_e_force_x*sin_rod_e
+    rod_d_force_y = cos_rod_e_times_rod_e_force_y + rod_e_force_x_times_sin_rod_e + rod_d_U_y_x*rod_d_h_x
     rod_d_force_z = rod_e_force_z + rod_d_U_z_x*rod_d_h_x
     rod_c_rate_xz = rod_c_rate_x_2*rod_c_w_z
     rod_c_U_x_z = rod_c_angular_bias_y_2 + rod_c_rate_xz
@@ -554,9 +559,9 @@ def accelerations(t, q, u, f, c):
     rod_c_rate_xx = rod_c_rate_x_2*rod_c_rate_x_2
     rod_c_rate_yy = rod_c_w_y*rod_c_w_y
     rod_c_U_z_z = -rod_c_rate_xx - rod_c_rate_yy
-    x14 = cos_rod_d*rod_d_force_x
-    x15 = rod_d_force_z*sin_rod_d
-    rod_c_force_x = x14 + x15 + rod_c_U_x_z*rod_c_h_z
+    cos_rod_d_times_rod_d_force_x = cos_rod_d*rod_d_force_x
+    rod_d_force_z_times_sin_rod_d = rod_d_force_z*sin_rod_d
+    rod_c_force_x = cos_rod_d_times_rod_d_force_x + rod_d_force_z_times_sin_rod_d + rod_c_U_x_z*rod_c_h_z
     rod_c_force_y = rod_d_force_y + rod_c_U_y_z*rod_c_h_z
     rod_c_force_z = cos_rod_d*rod_d_force_z + rod_c_U_z_z*rod_c_h_z - rod_d_force_x*sin_rod_d
     rod_b_rate_xy = rod_b_w_x*rod_b_w_y
@@ -566,37 +571,37 @@ def accelerations(t, q, u, f, c):
     rod_b_U_z_y = 2*rod_b_angular_bias_x_2
     rod_b_force_x = rod_c_force_x + rod_b_h_y*rod_b_rate_xy
     rod_b_force_y = cos_rod_c*rod_c_force_y + rod_b_U_y_y*rod_b_h_y - rod_c_force_z*sin_rod_c
-    x16 = cos_rod_c*rod_c_force_z
-    x17 = rod_c_force_y*sin_rod_c
-    rod_b_force_z = x16 + x17 + rod_b_U_z_y*rod_b_h_y
-    x18 = cos_rod_b*rod_b_force_x
-    x19 = -rod_b_force_y*sin_rod_b
-    x20 = x18 + x19
+    cos_rod_c_times_rod_c_force_z = cos_rod_c*rod_c_force_z
+    rod_c_force_y_times_sin_rod_c = rod_c_force_y*sin_rod_c
+    rod_b_force_z = cos_rod_c_times_rod_c_force_z + rod_c_force_y_times_sin_rod_c + rod_b_U_z_y*rod_b_h_y
+    cos_rod_b_times_rod_b_force_x = cos_rod_b*rod_b_force_x
+    minus_rod_b_force_y_times_sin_rod_b = -rod_b_force_y*sin_rod_b
+    x20 = cos_rod_b_times_rod_b_force_x + minus_rod_b_force_y_times_sin_rod_b
     rod_b_turned_force_x = cos_rod_a*x20 + rod_b_force_z*sin_rod_a
     rod_b_turned_force_z = cos_rod_a*rod_b_force_z - sin_rod_a*x20
-    x21 = rod_a_rate_yy*rod_b_arm_z*sin_rod_a
+    rod_a_rate_yy_times_rod_b_arm_z_times_sin_rod_a = rod_a_rate_yy*rod_b_arm_z*sin_rod_a
     x22 = -cos_rod_a*rod_a_rate_yy*rod_b_arm_x
-    x23 = x21 + x22
+    x23 = rod_a_rate_yy_times_rod_b_arm_z_times_sin_rod_a + x22
     rod_b_bias_x_2 = cos_rod_b*x23
     rod_b_bias_y = -sin_rod_b*x23
     rod_b_bias_z_2 = -cos_rod_a*rod_a_rate_yy*rod_b_arm_z - rod_a_rate_yy*rod_b_arm_x*sin_rod_a
-    rod_c_turned_force_z = x16 + x17
+    rod_c_turned_force_z = cos_rod_c_times_rod_c_force_z + rod_c_force_y_times_sin_rod_c
     rod_c_bias_x_2 = rod_b_bias_x_2 - rod_b_rate_xy*length
-    x24 = -rod_b_U_y_y*length
-    x25 = rod_b_bias_y + x24
-    x26 = -rod_b_U_z_y*length
-    x27 = rod_b_bias_z_2 + x26
+    minus_rod_b_U_y_y_times_length = -rod_b_U_y_y*length
+    x25 = rod_b_bias_y + minus_rod_b_U_y_y_times_length
+    minus_rod_b_U_z_y_times_length = -rod_b_U_z_y*length
+    x27 = rod_b_bias_z_2 + minus_rod_b_U_z_y_times_length
     rod_c_bias_y_2 = cos_rod_c*x25 + sin_rod_c*x27
     rod_c_bias_z_2 = cos_rod_c*x27 - sin_rod_c*x25
-    rod_d_turned_force_x = x14 + x15
-    x28 = rod_c_U_x_z*length
-    x29 = rod_c_bias_x_2 + x28
-    x30 = rod_c_U_z_z*length
-    x31 = rod_c_bias_z_2 + x30
+    rod_d_turned_force_x = cos_rod_d_times_rod_d_force_x + rod_d_force_z_times_sin_rod_d
+    rod_c_U_x_z_times_length = rod_c_U_x_z*length
+    x29 = rod_c_bias_x_2 + rod_c_U_x_z_times_length
+    rod_c_U_z_z_times_length = rod_c_U_z_z*length
+    x31 = rod_c_bias_z_2 + rod_c_U_z_z_times_length
     rod_d_bias_x_2 = cos_rod_d*x29 - sin_rod_d*x31
     rod_d_bias_y_2 = rod_c_bias_y_2 + rod_c_U_y_z*length
     rod_d_bias_z_2 = cos_rod_d*x31 + sin_rod_d*x29
-    rod_e_turned_force_y = x12 + x13
+    rod_e_turned_force_y = cos_rod_e_times_rod_e_force_y + rod_e_force_x_times_sin_rod_e
     rod_e_bias_x_2 = cos_rod_e*(rod_d_bias_x_2 - rod_d_U_x_x*length) + sin_rod_e*(rod_d_bias_y_2 - rod_d_U_y_x*length)
     rod_e_bias_z_2 = rod_d_bias_z_2 - rod_d_U_z_x*length
     rod_e_torque_x = rod_e_I_x_x*rod_e_angular_bias_x_2 + rod_e_I_x_x*rod_e_rate_zy + rod_e_bias_z_2*rod_e_h_y
@@ -607,7 +612,7 @@ def accelerations(t, q, u, f, c):
     rod_c_torque_x = cos_rod_d*rod_d_torque_x + rod_b_angular_bias_x_2*rod_c_I_x_x + rod_d_torque_z*sin_rod_d - rod_c_I_x_x*rod_c_rate_yz - rod_c_bias_y_2*rod_c_h_z - rod_d_force_y*length
     rod_c_torque_y = rod_d_torque_y + rod_c_I_x_x*rod_c_angular_bias_y_2 + rod_c_I_x_x*rod_c_rate_xz + rod_c_bias_x_2*rod_c_h_z + rod_d_turned_force_x*length
     rod_c_torque_z = cos_rod_d*rod_d_torque_z - rod_d_torque_x*sin_rod_d
-    rod_b_torque_x = rod_c_torque_x + k1*rod_b_angular_bias_x_2 + rod_b_bias_z_2*rod_b_h_y - rod_c_turned_force_z*length
+    rod_b_torque_x = rod_c_torque_x + twice_rod_b_I_x_x*rod_b_angular_bias_x_2 + rod_b_bias_z_2*rod_b_h_y - rod_c_turned_force_z*length
     rod_b_torque_y = cos_rod_c*rod_c_torque_y - rod_c_torque_z*sin_rod_c
     rod_b_torque_z = cos_rod_c*rod_c_torque_z + rod_c_force_x*length + rod_c_torque_y*sin_rod_c - rod_b_I_x_x*rod_b_rate_xy - rod_b_bias_x_2*rod_b_h_y
     rod_a_torque_y = cos_rod_b*rod_b_torque_y + rod_b_arm_z*rod_b_turned_force_x + rod_b_torque_x*sin_rod_b - rod_b_arm_x*rod_b_turned_force_z
@@ -616,10 +621,10 @@ def accelerations(t, q, u, f, c):
     hinge_c_net = hinge_c_force - rod_c_torque_x
     hinge_d_net = hinge_d_force - rod_d_torque_y
     hinge_e_net = hinge_e_force - rod_e_torque_z
-    rod_c_turned_moment_y = x10 + x11
-    x32 = cos_rod_b*rod_c_total_moment_x
-    x33 = -rod_b_total_moment_y*sin_rod_b
-    x34 = x32 + x33
+    rod_c_turned_moment_y = cos_rod_c_times_rod_d_total_moment_y + minus_rod_c_total_moment_z_times_sin_rod_c
+    cos_rod_b_times_rod_c_total_moment_x = cos_rod_b*rod_c_total_moment_x
+    minus_rod_b_total_moment_y_times_sin_rod_b = -rod_b_total_moment_y*sin_rod_b
+    x34 = cos_rod_b_times_rod_c_total_moment_x + minus_rod_b_total_moment_y_times_sin_rod_b
     rod_b_turned_moment_x = cos_rod_a*x34 + rod_b_total_moment_z*sin_rod_a
     rod_b_turned_moment_z = cos_rod_a*rod_b_total_moment_z - sin_rod_a*x34
     rod_e_turned_J_swing = -rod_e_I_x_x*sin_rod_e
@@ -627,8 +632,8 @@ def accelerations(t, q, u, f, c):
     rod_d_total_J_x_y = rod_e_turned_J_x_y + rod_d_total_moment_y*length
     rod_d_turned_J_x_y = cos_rod_d*rod_d_total_J_x_y
     rod_e_turned_J_x_x = rod_e_I_x_x + rod_e_turned_J_swing*sin_rod_e
-    x35 = -k2*x8
-    rod_d_total_J_z_z = k3 + x35
+    x35 = -twice_length*rod_e_turned_moment_x
+    rod_d_total_J_z_z = rod_d_I_z_z_plus_rod_e_I_x_x + x35
     rod_d_turned_J_swing = sin_rod_d*(rod_e_turned_J_x_x - rod_d_total_J_z_z)
     rod_d_turned_J_x_z = -cos_rod_d*rod_d_turned_J_swing
     rod_c_total_J_x_z = rod_d_turned_J_x_z - rod_c_total_moment_x*length
@@ -636,7 +641,7 @@ def accelerations(t, q, u, f, c):
     rod_b_total_J_x_y = rod_c_turned_J_x_y + rod_c_total_moment_x*length
     rod_e_turned_J_y_y = -rod_e_turned_J_swing*sin_rod_e
     rod_d_total_J_y_y = rod_d_I_z_z + rod_e_turned_J_y_y + x35
-    x36 = k2*x9
+    x36 = twice_length*rod_d_turned_moment_z
     rod_c_total_J_y_y = rod_c_I_x_x + rod_d_total_J_y_y + x36
     rod_d_turned_J_y_z = -rod_d_total_J_x_y*sin_rod_d
     rod_c_total_J_y_z = rod_d_turned_J_y_z - rod_d_total_moment_y*length
@@ -645,7 +650,7 @@ def accelerations(t, q, u, f, c):
     rod_c_turned_J_y_y = rod_c_total_J_y_y + rod_c_turned_J_swing*sin_rod_c
     rod_d_turned_J_x_x = rod_e_turned_J_x_x - rod_d_turned_J_swing*sin_rod_d
     rod_c_total_J_x_x = rod_c_I_x_x + rod_d_turned_J_x_x + x36
-    x37 = -k2*rod_c_turned_moment_y
+    x37 = -twice_length*rod_c_turned_moment_y
     rod_b_total_J_x_x = rod_b_I_x_x + rod_c_total_J_x_x + x37
     rod_b_turned_J_swing = sin_rod_b*(rod_c_turned_J_y_y - rod_b_total_J_x_x) - 2*cos_rod_b*rod_b_total_J_x_y
     rod_c_turned_J_x_z = cos_rod_c*rod_c_total_J_x_z + rod_d_turned_J_x_y*sin_rod_c
@@ -655,9 +660,9 @@ def accelerations(t, q, u, f, c):
     rod_a_total_J_y_y = rod_a_I_y_y + rod_b_turned_J_y_y + 2*rod_b_arm_x*rod_b_turned_moment_x + 2*rod_b_arm_z*rod_b_turned_moment_z
     rod_c_turned_J_z_z = rod_d_turned_J_z_z - rod_c_turned_J_swing*sin_rod_c
     rod_b_total_J_z_z = rod_b_I_x_x + rod_c_turned_J_z_z + x37
-    x38 = -cos_rod_b*rod_b_total_moment_y
-    x39 = -rod_c_total_moment_x*sin_rod_b
-    x40 = x38 + x39
+    minus_cos_rod_b_times_rod_b_total_moment_y = -cos_rod_b*rod_b_total_moment_y
+    minus_rod_c_total_moment_x_times_sin_rod_b = -rod_c_total_moment_x*sin_rod_b
+    x40 = minus_cos_rod_b_times_rod_b_total_moment_y + minus_rod_c_total_moment_x_times_sin_rod_b
     hinge_b_rod_b_force_x = cos_rod_a*x40
     hinge_b_rod_b_force_z = -sin_rod_a*x40
     hinge_b_rod_b_torque_y = cos_rod_b*rod_b_total_J_y_z + hinge_b_rod_b_force_x*rod_b_arm_z + rod_c_turned_J_x_z*sin_rod_b - hinge_b_rod_b_force_z*rod_b_arm_x
@@ -665,46 +670,46 @@ def accelerations(t, q, u, f, c):
     hinge_c_rod_b_force_x = rod_c_turned_moment_y*sin_rod_a + cos_rod_a*rod_b_total_moment_z*sin_rod_b
     hinge_c_rod_b_force_z = cos_rod_a*rod_c_turned_moment_y - rod_b_total_moment_z*sin_rod_a*sin_rod_b
     hinge_c_rod_b_torque_y = cos_rod_b*rod_c_turned_J_x_y + hinge_c_rod_b_force_x*rod_b_arm_z + hinge_c_rod_c_torque_x*sin_rod_b - hinge_c_rod_b_force_z*rod_b_arm_x
-    x41 = x9*length
-    hinge_d_rod_d_torque_y = rod_d_total_J_y_y + x41
+    rod_d_turned_moment_z_times_length = rod_d_turned_moment_z*length
+    hinge_d_rod_d_torque_y = rod_d_total_J_y_y + rod_d_turned_moment_z_times_length
     hinge_d_rod_c_force_y = rod_c_total_moment_x*sin_rod_c
     hinge_d_rod_c_force_z = -cos_rod_c*rod_c_total_moment_x
     hinge_d_rod_c_torque_x = rod_d_turned_J_x_y - hinge_d_rod_c_force_z*length
     hinge_d_rod_c_torque_y = cos_rod_c*hinge_d_rod_d_torque_y - rod_d_turned_J_y_z*sin_rod_c
-    hinge_d_rod_c_torque_z = x41 + cos_rod_c*rod_d_turned_J_y_z + hinge_d_rod_d_torque_y*sin_rod_c
-    x42 = cos_rod_b*x9
-    x43 = -hinge_d_rod_c_force_y*sin_rod_b
-    x44 = x42 + x43
+    hinge_d_rod_c_torque_z = rod_d_turned_moment_z_times_length + cos_rod_c*rod_d_turned_J_y_z + hinge_d_rod_d_torque_y*sin_rod_c
+    cos_rod_b_times_rod_d_turned_moment_z = cos_rod_b*rod_d_turned_moment_z
+    minus_hinge_d_rod_c_force_y_times_sin_rod_b = -hinge_d_rod_c_force_y*sin_rod_b
+    x44 = cos_rod_b_times_rod_d_turned_moment_z + minus_hinge_d_rod_c_force_y_times_sin_rod_b
     hinge_d_rod_b_force_x = cos_rod_a*x44 + hinge_d_rod_c_force_z*sin_rod_a
     hinge_d_rod_b_force_z = cos_rod_a*hinge_d_rod_c_force_z - sin_rod_a*x44
     hinge_d_rod_b_torque_y = cos_rod_b*hinge_d_rod_c_torque_y + hinge_d_rod_b_force_x*rod_b_arm_z + hinge_d_rod_c_torque_x*sin_rod_b - hinge_d_rod_b_force_z*rod_b_arm_x
-    x45 = -x8*length
-    hinge_e_rod_e_torque_z = rod_e_I_x_x + x45
+    minus_rod_e_turned_moment_x_times_length = -rod_e_turned_moment_x*length
+    hinge_e_rod_e_torque_z = rod_e_I_x_x + minus_rod_e_turned_moment_x_times_length
     hinge_e_rod_d_force_x = -cos_rod_d*rod_d_total_moment_y
     hinge_e_rod_d_force_z = rod_d_total_moment_y*sin_rod_d
-    hinge_e_rod_d_torque_x = x45 + hinge_e_rod_e_torque_z*sin_rod_d
+    hinge_e_rod_d_torque_x = minus_rod_e_turned_moment_x_times_length + hinge_e_rod_e_torque_z*sin_rod_d
     hinge_e_rod_d_torque_y = hinge_e_rod_d_force_x*length
     hinge_e_rod_d_torque_z = cos_rod_d*hinge_e_rod_e_torque_z
-    hinge_e_rod_c_force_y = cos_rod_c*x8 - hinge_e_rod_d_force_z*sin_rod_c
-    hinge_e_rod_c_force_z = cos_rod_c*hinge_e_rod_d_force_z + sin_rod_c*x8
+    hinge_e_rod_c_force_y = cos_rod_c*rod_e_turned_moment_x - hinge_e_rod_d_force_z*sin_rod_c
+    hinge_e_rod_c_force_z = cos_rod_c*hinge_e_rod_d_force_z + sin_rod_c*rod_e_turned_moment_x
     hinge_e_rod_c_torque_x = hinge_e_rod_d_torque_x - hinge_e_rod_c_force_z*length
     hinge_e_rod_c_torque_y = cos_rod_c*hinge_e_rod_d_torque_y - hinge_e_rod_d_torque_z*sin_rod_c
     hinge_e_rod_c_torque_z = hinge_e_rod_d_torque_y + cos_rod_c*hinge_e_rod_d_torque_z + hinge_e_rod_d_torque_y*sin_rod_c
-    x46 = cos_rod_b*hinge_e_rod_d_force_x
-    x47 = -hinge_e_rod_c_force_y*sin_rod_b
-    x48 = x46 + x47
+    cos_rod_b_times_hinge_e_rod_d_force_x = cos_rod_b*hinge_e_rod_d_force_x
+    minus_hinge_e_rod_c_force_y_times_sin_rod_b = -hinge_e_rod_c_force_y*sin_rod_b
+    x48 = cos_rod_b_times_hinge_e_rod_d_force_x + minus_hinge_e_rod_c_force_y_times_sin_rod_b
     hinge_e_rod_b_force_x = cos_rod_a*x48 + hinge_e_rod_c_force_z*sin_rod_a
     hinge_e_rod_b_force_z = cos_rod_a*hinge_e_rod_c_force_z - sin_rod_a*x48
     hinge_e_rod_b_torque_y = cos_rod_b*hinge_e_rod_c_torque_y + hinge_e_rod_b_force_x*rod_b_arm_z + hinge_e_rod_c_torque_x*sin_rod_b - hinge_e_rod_b_force_z*rod_b_arm_x
-    l_hinge_c_hinge_e = hinge_e_rod_d_torque_x*k4
+    l_hinge_c_hinge_e = hinge_e_rod_d_torque_x*inverse_rod_e_I_x_x
     l_hinge_c_hinge_d = rod_d_turned_J_x_y/rod_d_total_J_y_y
     D_hinge_c = rod_c_total_J_x_x - hinge_e_rod_d_torque_x*l_hinge_c_hinge_e - l_hinge_c_hinge_d*rod_d_turned_J_x_y
-    l_hinge_b_hinge_e = hinge_e_rod_c_torque_z*k4
+    l_hinge_b_hinge_e = hinge_e_rod_c_torque_z*inverse_rod_e_I_x_x
     l_hinge_b_hinge_d = hinge_d_rod_c_torque_z/rod_d_total_J_y_y
     L_hinge_b_hinge_c = rod_c_turned_J_x_z - hinge_d_rod_c_torque_z*l_hinge_c_hinge_d - hinge_e_rod_c_torque_z*l_hinge_c_hinge_e
     l_hinge_b_hinge_c = L_hinge_b_hinge_c/D_hinge_c
     D_hinge_b = rod_b_total_J_z_z - L_hinge_b_hinge_c*l_hinge_b_hinge_c - hinge_d_rod_c_torque_z*l_hinge_b_hinge_d - hinge_e_rod_c_torque_z*l_hinge_b_hinge_e
-    l_hinge_a_hinge_e = hinge_e_rod_b_torque_y*k4
+    l_hinge_a_hinge_e = hinge_e_rod_b_torque_y*inverse_rod_e_I_x_x
     l_hinge_a_hinge_d = hinge_d_rod_b_torque_y/rod_d_total_J_y_y
     L_hinge_a_hinge_c = hinge_c_rod_b_torque_y - hinge_d_rod_b_torque_y*l_hinge_c_hinge_d - hinge_e_rod_b_torque_y*l_hinge_c_hinge_e
     l_hinge_a_hinge_c = L_hinge_a_hinge_c/D_hinge_c
@@ -718,7 +723,7 @@ def accelerations(t, q, u, f, c):
     hinge_b_acc = y_hinge_b/D_hinge_b - hinge_a_acc*l_hinge_a_hinge_b
     hinge_c_acc = y_hinge_c/D_hinge_c - hinge_a_acc*l_hinge_a_hinge_c - hinge_b_acc*l_hinge_b_hinge_c
     hinge_d_acc = hinge_d_net/rod_d_total_J_y_y - hinge_a_acc*l_hinge_a_hinge_d - hinge_b_acc*l_hinge_b_hinge_d - hinge_c_acc*l_hinge_c_hinge_d
-    hinge_e_acc = hinge_e_net*k4 - hinge_a_acc*l_hinge_a_hinge_e - hinge_b_acc*l_hinge_b_hinge_e - hinge_c_acc*l_hinge_c_hinge_e
+    hinge_e_acc = hinge_e_net*inverse_rod_e_I_x_x - hinge_a_acc*l_hinge_a_hinge_e - hinge_b_acc*l_hinge_b_hinge_e - hinge_c_acc*l_hinge_c_hinge_e
     y_hinge_c_2 = hinge_f_x_on_hinge_c - hinge_f_x_on_hinge_d*l_hinge_c_hinge_d - hinge_f_x_on_hinge_e*l_hinge_c_hinge_e
     y_hinge_b_2 = hinge_f_x_on_hinge_b - hinge_f_x_on_hinge_d*l_hinge_b_hinge_d - hinge_f_x_on_hinge_e*l_hinge_b_hinge_e - l_hinge_b_hinge_c*y_hinge_c_2
     y_hinge_a_2 = hinge_f_x_on_hinge_a - hinge_f_x_on_hinge_d*l_hinge_a_hinge_d - hinge_f_x_on_hinge_e*l_hinge_a_hinge_e - l_hinge_a_hinge_b*y_hinge_b_2 - l_hinge_a_hinge_c*y_hinge_c_2
@@ -726,7 +731,7 @@ def accelerations(t, q, u, f, c):
     hinge_b_by_hinge_f_apart_x = y_hinge_b_2/D_hinge_b - hinge_a_by_hinge_f_apart_x*l_hinge_a_hinge_b
     hinge_c_by_hinge_f_apart_x = y_hinge_c_2/D_hinge_c - hinge_a_by_hinge_f_apart_x*l_hinge_a_hinge_c - hinge_b_by_hinge_f_apart_x*l_hinge_b_hinge_c
     hinge_d_by_hinge_f_apart_x = hinge_f_x_on_hinge_d/rod_d_total_J_y_y - hinge_a_by_hinge_f_apart_x*l_hinge_a_hinge_d - hinge_b_by_hinge_f_apart_x*l_hinge_b_hinge_d - hinge_c_by_hinge_f_apart_x*l_hinge_c_hinge_d
-    hinge_e_by_hinge_f_apart_x = hinge_f_x_on_hinge_e*k4 - hinge_a_by_hinge_f_apart_x*l_hinge_a_hinge_e - hinge_b_by_hinge_f_apart_x*l_hinge_b_hinge_e - hinge_c_by_hinge_f_apart_x*l_hinge_c_hinge_e
+    hinge_e_by_hinge_f_apart_x = hinge_f_x_on_hinge_e*inverse_rod_e_I_x_x - hinge_a_by_hinge_f_apart_x*l_hinge_a_hinge_e - hinge_b_by_hinge_f_apart_x*l_hinge_b_hinge_e - hinge_c_by_hinge_f_apart_x*l_hinge_c_hinge_e
     y_hinge_c_3 = hinge_f_y_on_hinge_c - hinge_f_y_on_hinge_d*l_hinge_c_hinge_d - hinge_f_y_on_hinge_e*l_hinge_c_hinge_e
     y_hinge_b_3 = hinge_f_y_on_hinge_b - hinge_f_y_on_hinge_d*l_hinge_b_hinge_d - hinge_f_y_on_hinge_e*l_hinge_b_hinge_e - l_hinge_b_hinge_c*y_hinge_c_3
     y_hinge_a_3 = -hinge_f_y_on_hinge_d*l_hinge_a_hinge_d - hinge_f_y_on_hinge_e*l_hinge_a_hinge_e - l_hinge_a_hinge_b*y_hinge_b_3 - l_hinge_a_hinge_c*y_hinge_c_3
@@ -734,7 +739,7 @@ def accelerations(t, q, u, f, c):
     hinge_b_by_hinge_f_apart_y = y_hinge_b_3/D_hinge_b - hinge_a_by_hinge_f_apart_y*l_hinge_a_hinge_b
     hinge_c_by_hinge_f_apart_y = y_hinge_c_3/D_hinge_c - hinge_a_by_hinge_f_apart_y*l_hinge_a_hinge_c - hinge_b_by_hinge_f_apart_y*l_hinge_b_hinge_c
     hinge_d_by_hinge_f_apart_y = hinge_f_y_on_hinge_d/rod_d_total_J_y_y - hinge_a_by_hinge_f_apart_y*l_hinge_a_hinge_d - hinge_b_by_hinge_f_apart_y*l_hinge_b_hinge_d - hinge_c_by_hinge_f_apart_y*l_hinge_c_hinge_d
-    hinge_e_by_hinge_f_apart_y = hinge_f_y_on_hinge_e*k4 - hinge_a_by_hinge_f_apart_y*l_hinge_a_hinge_e - hinge_b_by_hinge_f_apart_y*l_hinge_b_hinge_e - hinge_c_by_hinge_f_apart_y*l_hinge_c_hinge_e
+    hinge_e_by_hinge_f_apart_y = hinge_f_y_on_hinge_e*inverse_rod_e_I_x_x - hinge_a_by_hinge_f_apart_y*l_hinge_a_hinge_e - hinge_b_by_hinge_f_apart_y*l_hinge_b_hinge_e - hinge_c_by_hinge_f_apart_y*l_hinge_c_hinge_e
     y_hinge_c_4 = hinge_f_z_on_hinge_c - hinge_f_z_on_hinge_d*l_hinge_c_hinge_d - hinge_f_z_on_hinge_e*l_hinge_c_hinge_e
     y_hinge_b_4 = hinge_f_z_on_hinge_b - hinge_f_z_on_hinge_d*l_hinge_b_hinge_d - hinge_f_z_on_hinge_e*l_hinge_b_hinge_e - l_hinge_b_hinge_c*y_hinge_c_4
     y_hinge_a_4 = -hinge_f_apart_x - hinge_f_z_on_hinge_d*l_hinge_a_hinge_d - hinge_f_z_on_hinge_e*l_hinge_a_hinge_e - l_hinge_a_hinge_b*y_hinge_b_4 - l_hinge_a_hinge_c*y_hinge_c_4
@@ -742,7 +747,7 @@ def accelerations(t, q, u, f, c):
     hinge_b_by_hinge_f_apart_z = y_hinge_b_4/D_hinge_b - hinge_a_by_hinge_f_apart_z*l_hinge_a_hinge_b
     hinge_c_by_hinge_f_apart_z = y_hinge_c_4/D_hinge_c - hinge_a_by_hinge_f_apart_z*l_hinge_a_hinge_c - hinge_b_by_hinge_f_apart_z*l_hinge_b_hinge_c
     hinge_d_by_hinge_f_apart_z = hinge_f_z_on_hinge_d/rod_d_total_J_y_y - hinge_a_by_hinge_f_apart_z*l_hinge_a_hinge_d - hinge_b_by_hinge_f_apart_z*l_hinge_b_hinge_d - hinge_c_by_hinge_f_apart_z*l_hinge_c_hinge_d
-    hinge_e_by_hinge_f_apart_z = hinge_f_z_on_hinge_e*k4 - hinge_a_by_hinge_f_apart_z*l_hinge_a_hinge_e - hinge_b_by_hinge_f_apart_z*l_hinge_b_hinge_e - hinge_c_by_hinge_f_apart_z*l_hinge_c_hinge_e
+    hinge_e_by_hinge_f_apart_z = hinge_f_z_on_hinge_e*inverse_rod_e_I_x_x - hinge_a_by_hinge_f_apart_z*l_hinge_a_hinge_e - hinge_b_by_hinge_f_apart_z*l_hinge_b_hinge_e - hinge_c_by_hinge_f_apart_z*l_hinge_c_hinge_e
     y_hinge_c_5 = hinge_f_turned_y_on_hinge_c - hinge_f_turned_y_on_hinge_d*l_hinge_c_hinge_d - hinge_f_turned_y_on_hinge_e*l_hinge_c_hinge_e
     y_hinge_b_5 = hinge_f_turned_y_on_hinge_b - hinge_f_turned_y_on_hinge_d*l_hinge_b_hinge_d - hinge_f_turned_y_on_hinge_e*l_hinge_b_hinge_e - l_hinge_b_hinge_c*y_hinge_c_5
     y_hinge_a_5 = -hinge_f_turned_y_on_hinge_d*l_hinge_a_hinge_d - hinge_f_turned_y_on_hinge_e*l_hinge_a_hinge_e - l_hinge_a_hinge_b*y_hinge_b_5 - l_hinge_a_hinge_c*y_hinge_c_5
@@ -750,7 +755,7 @@ def accelerations(t, q, u, f, c):
     hinge_b_by_hinge_f_turned_y = y_hinge_b_5/D_hinge_b - hinge_a_by_hinge_f_turned_y*l_hinge_a_hinge_b
     hinge_c_by_hinge_f_turned_y = y_hinge_c_5/D_hinge_c - hinge_a_by_hinge_f_turned_y*l_hinge_a_hinge_c - hinge_b_by_hinge_f_turned_y*l_hinge_b_hinge_c
     hinge_d_by_hinge_f_turned_y = hinge_f_turned_y_on_hinge_d/rod_d_total_J_y_y - hinge_a_by_hinge_f_turned_y*l_hinge_a_hinge_d - hinge_b_by_hinge_f_turned_y*l_hinge_b_hinge_d - hinge_c_by_hinge_f_turned_y*l_hinge_c_hinge_d
-    hinge_e_by_hinge_f_turned_y = hinge_f_turned_y_on_hinge_e*k4 - hinge_a_by_hinge_f_turned_y*l_hinge_a_hinge_e - hinge_b_by_hinge_f_turned_y*l_hinge_b_hinge_e - hinge_c_by_hinge_f_turned_y*l_hinge_c_hinge_e
+    hinge_e_by_hinge_f_turned_y = hinge_f_turned_y_on_hinge_e*inverse_rod_e_I_x_x - hinge_a_by_hinge_f_turned_y*l_hinge_a_hinge_e - hinge_b_by_hinge_f_turned_y*l_hinge_b_hinge_e - hinge_c_by_hinge_f_turned_y*l_hinge_c_hinge_e
     y_hinge_c_6 = hinge_f_turned_z_on_hinge_c - hinge_f_turned_z_on_hinge_d*l_hinge_c_hinge_d - hinge_f_turned_z_on_hinge_e*l_hinge_c_hinge_e
     y_hinge_b_6 = hinge_f_turned_z_on_hinge_b - hinge_f_turned_z_on_hinge_d*l_hinge_b_hinge_d - hinge_f_turned_z_on_hinge_e*l_hinge_b_hinge_e - l_hinge_b_hinge_c*y_hinge_c_6
     y_hinge_a_6 = -rod_e_R_x_x - hinge_f_turned_z_on_hinge_d*l_hinge_a_hinge_d - hinge_f_turned_z_on_hinge_e*l_hinge_a_hinge_e - l_hinge_a_hinge_b*y_hinge_b_6 - l_hinge_a_hinge_c*y_hinge_c_6
@@ -758,7 +763,7 @@ def accelerations(t, q, u, f, c):
     hinge_b_by_hinge_f_turned_z = y_hinge_b_6/D_hinge_b - hinge_a_by_hinge_f_turned_z*l_hinge_a_hinge_b
     hinge_c_by_hinge_f_turned_z = y_hinge_c_6/D_hinge_c - hinge_a_by_hinge_f_turned_z*l_hinge_a_hinge_c - hinge_b_by_hinge_f_turned_z*l_hinge_b_hinge_c
     hinge_d_by_hinge_f_turned_z = hinge_f_turned_z_on_hinge_d/rod_d_total_J_y_y - hinge_a_by_hinge_f_turned_z*l_hinge_a_hinge_d - hinge_b_by_hinge_f_turned_z*l_hinge_b_hinge_d - hinge_c_by_hinge_f_turned_z*l_hinge_c_hinge_d
-    hinge_e_by_hinge_f_turned_z = hinge_f_turned_z_on_hinge_e*k4 - hinge_a_by_hinge_f_turned_z*l_hinge_a_hinge_e - hinge_b_by_hinge_f_turned_z*l_hinge_b_hinge_e - hinge_c_by_hinge_f_turned_z*l_hinge_c_hinge_e
+    hinge_e_by_hinge_f_turned_z = hinge_f_turned_z_on_hinge_e*inverse_rod_e_I_x_x - hinge_a_by_hinge_f_turned_z*l_hinge_a_hinge_e - hinge_b_by_hinge_f_turned_z*l_hinge_b_hinge_e - hinge_c_by_hinge_f_turned_z*l_hinge_c_hinge_e
     W_hinge_f_apart_x_hinge_f_apart_x = hinge_a_by_hinge_f_apart_x*hinge_f_x_on_hinge_a + hinge_b_by_hinge_f_apart_x*hinge_f_x_on_hinge_b + hinge_c_by_hinge_f_apart_x*hinge_f_x_on_hinge_c + hinge_d_by_hinge_f_apart_x*hinge_f_x_on_hinge_d + hinge_e_by_hinge_f_apart_x*hinge_f_x_on_hinge_e
     W_hinge_f_apart_y_hinge_f_apart_x = hinge_b_by_hinge_f_apart_x*hinge_f_y_on_hinge_b + hinge_c_by_hinge_f_apart_x*hinge_f_y_on_hinge_c + hinge_d_by_hinge_f_apart_x*hinge_f_y_on_hinge_d + hinge_e_by_hinge_f_apart_x*hinge_f_y_on_hinge_e
     W_hinge_f_apart_y_hinge_f_apart_y = hinge_b_by_hinge_f_apart_y*hinge_f_y_on_hinge_b + hinge_c_by_hinge_f_apart_y*hinge_f_y_on_hinge_c + hinge_d_by_hinge_f_apart_y*hinge_f_y_on_hinge_d + hinge_e_by_hinge_f_apart_y*hinge_f_y_on_hinge_e
@@ -1028,10 +1033,10 @@ def projection(t, q, wanted, c):
     rod_c_I_x_x = c[7]
     rod_d_I_z_z = c[8]
     rod_e_I_x_x = c[9]
-    k2 = c[11]
-    k3 = c[12]
+    twice_length = c[11]
+    rod_d_I_z_z_plus_rod_e_I_x_x = c[12]
     rod_a_I_y_y = c[13]
-    k4 = c[14]
+    inverse_rod_e_I_x_x = c[14]
     hinge_f_apart_x_softness = c[19]
     hinge_f_apart_y_softness = c[20]
     hinge_f_apart_z_softness = c[21]
@@ -1103,24 +1108,24 @@ def projection(t, q, wanted, c):
     hinge_f_child_arm_z = rod_e_R_z_y*length
     hinge_f_apart_x = hinge_f_child_arm_x + rod_e_x
     hinge_f_x_on_hinge_a = hinge_f_child_arm_z + rod_e_z
-    x1 = hinge_f_child_arm_y + rod_e_y
-    hinge_f_x_on_hinge_b = -cos_rod_a*x1
-    x2 = hinge_f_child_arm_z + rod_e_z - rod_c_z
+    hinge_f_child_arm_y_plus_rod_e_y = hinge_f_child_arm_y + rod_e_y
+    hinge_f_x_on_hinge_b = -cos_rod_a*hinge_f_child_arm_y_plus_rod_e_y
+    hinge_f_child_arm_z_plus_rod_e_z_minus_rod_c_z = hinge_f_child_arm_z + rod_e_z - rod_c_z
     x3 = hinge_f_child_arm_y + rod_e_y - rod_c_arm_y
-    hinge_f_x_on_hinge_c = sin_rod_b*x2 - rod_b_R_z_x*x3
-    x4 = hinge_f_child_arm_z + rod_e_z - rod_d_z
-    x5 = hinge_f_child_arm_y + rod_e_y - rod_d_y
-    hinge_f_x_on_hinge_d = rod_c_R_y_y*x4 - rod_c_R_z_y*x5
+    hinge_f_x_on_hinge_c = sin_rod_b*hinge_f_child_arm_z_plus_rod_e_z_minus_rod_c_z - rod_b_R_z_x*x3
+    hinge_f_child_arm_z_plus_rod_e_z_minus_rod_d_z = hinge_f_child_arm_z + rod_e_z - rod_d_z
+    hinge_f_child_arm_y_plus_rod_e_y_minus_rod_d_y = hinge_f_child_arm_y + rod_e_y - rod_d_y
+    hinge_f_x_on_hinge_d = rod_c_R_y_y*hinge_f_child_arm_z_plus_rod_e_z_minus_rod_d_z - rod_c_R_z_y*hinge_f_child_arm_y_plus_rod_e_y_minus_rod_d_y
     hinge_f_x_on_hinge_e = hinge_f_child_arm_z*rod_d_R_y_z - hinge_f_child_arm_y*rod_d_R_z_z
     hinge_f_y_on_hinge_b = cos_rod_a*(hinge_f_child_arm_x + rod_e_x - rod_b_arm_x) - sin_rod_a*(hinge_f_child_arm_z + rod_e_z - rod_b_arm_z)
-    x6 = hinge_f_child_arm_x + rod_e_x - rod_c_x
-    hinge_f_y_on_hinge_c = rod_b_R_z_x*x6 - rod_b_R_x_x*x2
-    x7 = hinge_f_child_arm_x + rod_e_x - rod_d_x
-    hinge_f_y_on_hinge_d = rod_c_R_z_y*x7 - rod_c_R_x_y*x4
+    hinge_f_child_arm_x_plus_rod_e_x_minus_rod_c_x = hinge_f_child_arm_x + rod_e_x - rod_c_x
+    hinge_f_y_on_hinge_c = rod_b_R_z_x*hinge_f_child_arm_x_plus_rod_e_x_minus_rod_c_x - rod_b_R_x_x*hinge_f_child_arm_z_plus_rod_e_z_minus_rod_c_z
+    hinge_f_child_arm_x_plus_rod_e_x_minus_rod_d_x = hinge_f_child_arm_x + rod_e_x - rod_d_x
+    hinge_f_y_on_hinge_d = rod_c_R_z_y*hinge_f_child_arm_x_plus_rod_e_x_minus_rod_d_x - rod_c_R_x_y*hinge_f_child_arm_z_plus_rod_e_z_minus_rod_d_z
     hinge_f_y_on_hinge_e = hinge_f_child_arm_x*rod_d_R_z_z - hinge_f_child_arm_z*rod_d_R_x_z
-    hinge_f_z_on_hinge_b = sin_rod_a*x1
-    hinge_f_z_on_hinge_c = rod_b_R_x_x*x3 - sin_rod_b*x6
-    hinge_f_z_on_hinge_d = rod_c_R_x_y*x5 - rod_c_R_y_y*x7
+    hinge_f_z_on_hinge_b = sin_rod_a*hinge_f_child_arm_y_plus_rod_e_y
+    hinge_f_z_on_hinge_c = rod_b_R_x_x*x3 - sin_rod_b*hinge_f_child_arm_x_plus_rod_e_x_minus_rod_c_x
+    hinge_f_z_on_hinge_d = rod_c_R_x_y*hinge_f_child_arm_y_plus_rod_e_y_minus_rod_d_y - rod_c_R_y_y*hinge_f_child_arm_x_plus_rod_e_x_minus_rod_d_x
     hinge_f_z_on_hinge_e = hinge_f_child_arm_y*rod_d_R_x_z - hinge_f_child_arm_x*rod_d_R_y_z
     hinge_f_turned_y_on_hinge_b = cos_rod_a*rod_e_R_x_x - rod_e_R_z_x*sin_rod_a
     hinge_f_turned_y_on_hinge_c = rod_b_R_z_x*rod_e_R_x_x - rod_b_R_x_x*rod_e_R_z_x
@@ -1130,20 +1135,20 @@ def projection(t, q, wanted, c):
     hinge_f_turned_z_on_hinge_c = rod_b_R_x_x*rod_e_R_y_x - rod_e_R_x_x*sin_rod_b
     hinge_f_turned_z_on_hinge_d = rod_c_R_x_y*rod_e_R_y_x - rod_c_R_y_y*rod_e_R_x_x
     hinge_f_turned_z_on_hinge_e = rod_d_R_x_z*rod_e_R_y_x - rod_d_R_y_z*rod_e_R_x_x
-    x8 = -rod_e_h_y*sin_rod_e
-    rod_d_total_moment_x = rod_d_h_x + x8
+    rod_e_turned_moment_x = -rod_e_h_y*sin_rod_e
+    rod_d_total_moment_x = rod_d_h_x + rod_e_turned_moment_x
     rod_d_total_moment_y = cos_rod_e*rod_e_h_y
     rod_c_total_moment_x = cos_rod_d*rod_d_total_moment_x
-    x9 = -rod_d_total_moment_x*sin_rod_d
-    rod_c_total_moment_z = rod_c_h_z + x9
-    x10 = cos_rod_c*rod_d_total_moment_y
-    x11 = -rod_c_total_moment_z*sin_rod_c
-    rod_b_total_moment_y = rod_b_h_y + x10 + x11
+    rod_d_turned_moment_z = -rod_d_total_moment_x*sin_rod_d
+    rod_c_total_moment_z = rod_c_h_z + rod_d_turned_moment_z
+    cos_rod_c_times_rod_d_total_moment_y = cos_rod_c*rod_d_total_moment_y
+    minus_rod_c_total_moment_z_times_sin_rod_c = -rod_c_total_moment_z*sin_rod_c
+    rod_b_total_moment_y = rod_b_h_y + cos_rod_c_times_rod_d_total_moment_y + minus_rod_c_total_moment_z_times_sin_rod_c
     rod_b_total_moment_z = cos_rod_c*rod_c_total_moment_z + rod_d_total_moment_y*sin_rod_c
-    rod_c_turned_moment_y = x10 + x11
-    x12 = cos_rod_b*rod_c_total_moment_x
-    x13 = -rod_b_total_moment_y*sin_rod_b
-    x14 = x12 + x13
+    rod_c_turned_moment_y = cos_rod_c_times_rod_d_total_moment_y + minus_rod_c_total_moment_z_times_sin_rod_c
+    cos_rod_b_times_rod_c_total_moment_x = cos_rod_b*rod_c_total_moment_x
+    minus_rod_b_total_moment_y_times_sin_rod_b = -rod_b_total_moment_y*sin_rod_b
+    x14 = cos_rod_b_times_rod_c_total_moment_x + minus_rod_b_total_moment_y_times_sin_rod_b
     rod_b_turned_moment_x = cos_rod_a*x14 + rod_b_total_moment_z*sin_rod_a
     rod_b_turned_moment_z = cos_rod_a*rod_b_total_moment_z - sin_rod_a*x14
     rod_e_turned_J_swing = -rod_e_I_x_x*sin_rod_e
@@ -1151,8 +1156,8 @@ def projection(t, q, wanted, c):
     rod_d_total_J_x_y = rod_e_turned_J_x_y + rod_d_total_moment_y*length
     rod_d_turned_J_x_y = cos_rod_d*rod_d_total_J_x_y
     rod_e_turned_J_x_x = rod_e_I_x_x + rod_e_turned_J_swing*sin_rod_e
-    x15 = -k2*x8
-    rod_d_total_J_z_z = k3 + x15
+    x15 = -twice_length*rod_e_turned_moment_x
+    rod_d_total_J_z_z = rod_d_I_z_z_plus_rod_e_I_x_x + x15
     rod_d_turned_J_swing = sin_rod_d*(rod_e_turned_J_x_x - rod_d_total_J_z_z)
     rod_d_turned_J_x_z = -cos_rod_d*rod_d_turned_J_swing
     rod_c_total_J_x_z = rod_d_turned_J_x_z - rod_c_total_moment_x*length
@@ -1160,7 +1165,7 @@ def projection(t, q, wanted, c):
     rod_b_total_J_x_y = rod_c_turned_J_x_y + rod_c_total_moment_x*length
     rod_e_turned_J_y_y = -rod_e_turned_J_swing*sin_rod_e
     rod_d_total_J_y_y = rod_d_I_z_z + rod_e_turned_J_y_y + x15
-    x16 = k2*x9
+    x16 = twice_length*rod_d_turned_moment_z
     rod_c_total_J_y_y = rod_c_I_x_x + rod_d_total_J_y_y + x16
     rod_d_turned_J_y_z = -rod_d_total_J_x_y*sin_rod_d
     rod_c_total_J_y_z = rod_d_turned_J_y_z - rod_d_total_moment_y*length
@@ -1169,7 +1174,7 @@ def projection(t, q, wanted, c):
     rod_c_turned_J_y_y = rod_c_total_J_y_y + rod_c_turned_J_swing*sin_rod_c
     rod_d_turned_J_x_x = rod_e_turned_J_x_x - rod_d_turned_J_swing*sin_rod_d
     rod_c_total_J_x_x = rod_c_I_x_x + rod_d_turned_J_x_x + x16
-    x17 = -k2*rod_c_turned_moment_y
+    x17 = -twice_length*rod_c_turned_moment_y
     rod_b_total_J_x_x = rod_b_I_x_x + rod_c_total_J_x_x + x17
     rod_b_turned_J_swing = sin_rod_b*(rod_c_turned_J_y_y - rod_b_total_J_x_x) - 2*cos_rod_b*rod_b_total_J_x_y
     rod_c_turned_J_x_z = cos_rod_c*rod_c_total_J_x_z + rod_d_turned_J_x_y*sin_rod_c
@@ -1179,9 +1184,9 @@ def projection(t, q, wanted, c):
     rod_a_total_J_y_y = rod_a_I_y_y + rod_b_turned_J_y_y + 2*rod_b_arm_x*rod_b_turned_moment_x + 2*rod_b_arm_z*rod_b_turned_moment_z
     rod_c_turned_J_z_z = rod_d_turned_J_z_z - rod_c_turned_J_swing*sin_rod_c
     rod_b_total_J_z_z = rod_b_I_x_x + rod_c_turned_J_z_z + x17
-    x18 = -cos_rod_b*rod_b_total_moment_y
-    x19 = -rod_c_total_moment_x*sin_rod_b
-    x20 = x18 + x19
+    minus_cos_rod_b_times_rod_b_total_moment_y = -cos_rod_b*rod_b_total_moment_y
+    minus_rod_c_total_moment_x_times_sin_rod_b = -rod_c_total_moment_x*sin_rod_b
+    x20 = minus_cos_rod_b_times_rod_b_total_moment_y + minus_rod_c_total_moment_x_times_sin_rod_b
     hinge_b_rod_b_force_x = cos_rod_a*x20
     hinge_b_rod_b_force_z = -sin_rod_a*x20
     hinge_b_rod_b_torque_y = cos_rod_b*rod_b_total_J_y_z + hinge_b_rod_b_force_x*rod_b_arm_z + rod_c_turned_J_x_z*sin_rod_b - hinge_b_rod_b_force_z*rod_b_arm_x
@@ -1189,46 +1194,46 @@ def projection(t, q, wanted, c):
     hinge_c_rod_b_force_x = rod_c_turned_moment_y*sin_rod_a + cos_rod_a*rod_b_total_moment_z*sin_rod_b
     hinge_c_rod_b_force_z = cos_rod_a*rod_c_turned_moment_y - rod_b_total_moment_z*sin_rod_a*sin_rod_b
     hinge_c_rod_b_torque_y = cos_rod_b*rod_c_turned_J_x_y + hinge_c_rod_b_force_x*rod_b_arm_z + hinge_c_rod_c_torque_x*sin_rod_b - hinge_c_rod_b_force_z*rod_b_arm_x
-    x21 = x9*length
-    hinge_d_rod_d_torque_y = rod_d_total_J_y_y + x21
+    rod_d_turned_moment_z_times_length = rod_d_turned_moment_z*length
+    hinge_d_rod_d_torque_y = rod_d_total_J_y_y + rod_d_turned_moment_z_times_length
     hinge_d_rod_c_force_y = rod_c_total_moment_x*sin_rod_c
     hinge_d_rod_c_force_z = -cos_rod_c*rod_c_total_moment_x
     hinge_d_rod_c_torque_x = rod_d_turned_J_x_y - hinge_d_rod_c_force_z*length
     hinge_d_rod_c_torque_y = cos_rod_c*hinge_d_rod_d_torque_y - rod_d_turned_J_y_z*sin_rod_c
-    hinge_d_rod_c_torque_z = x21 + cos_rod_c*rod_d_turned_J_y_z + hinge_d_rod_d_torque_y*sin_rod_c
-    x22 = cos_rod_b*x9
-    x23 = -hinge_d_rod_c_force_y*sin_rod_b
-    x24 = x22 + x23
+    hinge_d_rod_c_torque_z = rod_d_turned_moment_z_times_length + cos_rod_c*rod_d_turned_J_y_z + hinge_d_rod_d_torque_y*sin_rod_c
+    cos_rod_b_times_rod_d_turned_moment_z = cos_rod_b*rod_d_turned_moment_z
+    minus_hinge_d_rod_c_force_y_times_sin_rod_b = -hinge_d_rod_c_force_y*sin_rod_b
+    x24 = cos_rod_b_times_rod_d_turned_moment_z + minus_hinge_d_rod_c_force_y_times_sin_rod_b
     hinge_d_rod_b_force_x = cos_rod_a*x24 + hinge_d_rod_c_force_z*sin_rod_a
     hinge_d_rod_b_force_z = cos_rod_a*hinge_d_rod_c_force_z - sin_rod_a*x24
     hinge_d_rod_b_torque_y = cos_rod_b*hinge_d_rod_c_torque_y + hinge_d_rod_b_force_x*rod_b_arm_z + hinge_d_rod_c_torque_x*sin_rod_b - hinge_d_rod_b_force_z*rod_b_arm_x
-    x25 = -x8*length
-    hinge_e_rod_e_torque_z = rod_e_I_x_x + x25
+    minus_rod_e_turned_moment_x_times_length = -rod_e_turned_moment_x*length
+    hinge_e_rod_e_torque_z = rod_e_I_x_x + minus_rod_e_turned_moment_x_times_length
     hinge_e_rod_d_force_x = -cos_rod_d*rod_d_total_moment_y
     hinge_e_rod_d_force_z = rod_d_total_moment_y*sin_rod_d
-    hinge_e_rod_d_torque_x = x25 + hinge_e_rod_e_torque_z*sin_rod_d
+    hinge_e_rod_d_torque_x = minus_rod_e_turned_moment_x_times_length + hinge_e_rod_e_torque_z*sin_rod_d
     hinge_e_rod_d_torque_y = hinge_e_rod_d_force_x*length
     hinge_e_rod_d_torque_z = cos_rod_d*hinge_e_rod_e_torque_z
-    hinge_e_rod_c_force_y = cos_rod_c*x8 - hinge_e_rod_d_force_z*sin_rod_c
-    hinge_e_rod_c_force_z = cos_rod_c*hinge_e_rod_d_force_z + sin_rod_c*x8
+    hinge_e_rod_c_force_y = cos_rod_c*rod_e_turned_moment_x - hinge_e_rod_d_force_z*sin_rod_c
+    hinge_e_rod_c_force_z = cos_rod_c*hinge_e_rod_d_force_z + sin_rod_c*rod_e_turned_moment_x
     hinge_e_rod_c_torque_x = hinge_e_rod_d_torque_x - hinge_e_rod_c_force_z*length
     hinge_e_rod_c_torque_y = cos_rod_c*hinge_e_rod_d_torque_y - hinge_e_rod_d_torque_z*sin_rod_c
     hinge_e_rod_c_torque_z = hinge_e_rod_d_torque_y + cos_rod_c*hinge_e_rod_d_torque_z + hinge_e_rod_d_torque_y*sin_rod_c
-    x26 = cos_rod_b*hinge_e_rod_d_force_x
-    x27 = -hinge_e_rod_c_force_y*sin_rod_b
-    x28 = x26 + x27
+    cos_rod_b_times_hinge_e_rod_d_force_x = cos_rod_b*hinge_e_rod_d_force_x
+    minus_hinge_e_rod_c_force_y_times_sin_rod_b = -hinge_e_rod_c_force_y*sin_rod_b
+    x28 = cos_rod_b_times_hinge_e_rod_d_force_x + minus_hinge_e_rod_c_force_y_times_sin_rod_b
     hinge_e_rod_b_force_x = cos_rod_a*x28 + hinge_e_rod_c_force_z*sin_rod_a
     hinge_e_rod_b_force_z = cos_rod_a*hinge_e_rod_c_force_z - sin_rod_a*x28
     hinge_e_rod_b_torque_y = cos_rod_b*hinge_e_rod_c_torque_y + hinge_e_rod_b_force_x*rod_b_arm_z + hinge_e_rod_c_torque_x*sin_rod_b - hinge_e_rod_b_force_z*rod_b_arm_x
-    l_hinge_c_hinge_e = hinge_e_rod_d_torque_x*k4
+    l_hinge_c_hinge_e = hinge_e_rod_d_torque_x*inverse_rod_e_I_x_x
     l_hinge_c_hinge_d = rod_d_turned_J_x_y/rod_d_total_J_y_y
     D_hinge_c = rod_c_total_J_x_x - hinge_e_rod_d_torque_x*l_hinge_c_hinge_e - l_hinge_c_hinge_d*rod_d_turned_J_x_y
-    l_hinge_b_hinge_e = hinge_e_rod_c_torque_z*k4
+    l_hinge_b_hinge_e = hinge_e_rod_c_torque_z*inverse_rod_e_I_x_x
     l_hinge_b_hinge_d = hinge_d_rod_c_torque_z/rod_d_total_J_y_y
     L_hinge_b_hinge_c = rod_c_turned_J_x_z - hinge_d_rod_c_torque_z*l_hinge_c_hinge_d - hinge_e_rod_c_torque_z*l_hinge_c_hinge_e
     l_hinge_b_hinge_c = L_hinge_b_hinge_c/D_hinge_c
     D_hinge_b = rod_b_total_J_z_z - L_hinge_b_hinge_c*l_hinge_b_hinge_c - hinge_d_rod_c_torque_z*l_hinge_b_hinge_d - hinge_e_rod_c_torque_z*l_hinge_b_hinge_e
-    l_hinge_a_hinge_e = hinge_e_rod_b_torque_y*k4
+    l_hinge_a_hinge_e = hinge_e_rod_b_torque_y*inverse_rod_e_I_x_x
     l_hinge_a_hinge_d = hinge_d_rod_b_torque_y/rod_d_total_J_y_y
     L_hinge_a_hinge_c = hinge_c_rod_b_torque_y - hinge_d_rod_b_torque_y*l_hinge_c_hinge_d - hinge_e_rod_b_torque_y*l_hinge_c_hinge_e
     l_hinge_a_hinge_c = L_hinge_a_hinge_c/D_hinge_c
@@ -1242,7 +1247,7 @@ def projection(t, q, wanted, c):
     hinge_b_by_hinge_f_apart_x = y_hinge_b_2/D_hinge_b - hinge_a_by_hinge_f_apart_x*l_hinge_a_hinge_b
     hinge_c_by_hinge_f_apart_x = y_hinge_c_2/D_hinge_c - hinge_a_by_hinge_f_apart_x*l_hinge_a_hinge_c - hinge_b_by_hinge_f_apart_x*l_hinge_b_hinge_c
     hinge_d_by_hinge_f_apart_x = hinge_f_x_on_hinge_d/rod_d_total_J_y_y - hinge_a_by_hinge_f_apart_x*l_hinge_a_hinge_d - hinge_b_by_hinge_f_apart_x*l_hinge_b_hinge_d - hinge_c_by_hinge_f_apart_x*l_hinge_c_hinge_d
-    hinge_e_by_hinge_f_apart_x = hinge_f_x_on_hinge_e*k4 - hinge_a_by_hinge_f_apart_x*l_hinge_a_hinge_e - hinge_b_by_hinge_f_apart_x*l_hinge_b_hinge_e - hinge_c_by_hinge_f_apart_x*l_hinge_c_hinge_e
+    hinge_e_by_hinge_f_apart_x = hinge_f_x_on_hinge_e*inverse_rod_e_I_x_x - hinge_a_by_hinge_f_apart_x*l_hinge_a_hinge_e - hinge_b_by_hinge_f_apart_x*l_hinge_b_hinge_e - hinge_c_by_hinge_f_apart_x*l_hinge_c_hinge_e
     y_hinge_c_3 = hinge_f_y_on_hinge_c - hinge_f_y_on_hinge_d*l_hinge_c_hinge_d - hinge_f_y_on_hinge_e*l_hinge_c_hinge_e
     y_hinge_b_3 = hinge_f_y_on_hinge_b - hinge_f_y_on_hinge_d*l_hinge_b_hinge_d - hinge_f_y_on_hinge_e*l_hinge_b_hinge_e - l_hinge_b_hinge_c*y_hinge_c_3
     y_hinge_a_3 = -hinge_f_y_on_hinge_d*l_hinge_a_hinge_d - hinge_f_y_on_hinge_e*l_hinge_a_hinge_e - l_hinge_a_hinge_b*y_hinge_b_3 - l_hinge_a_hinge_c*y_hinge_c_3
@@ -1250,7 +1255,7 @@ def projection(t, q, wanted, c):
     hinge_b_by_hinge_f_apart_y = y_hinge_b_3/D_hinge_b - hinge_a_by_hinge_f_apart_y*l_hinge_a_hinge_b
     hinge_c_by_hinge_f_apart_y = y_hinge_c_3/D_hinge_c - hinge_a_by_hinge_f_apart_y*l_hinge_a_hinge_c - hinge_b_by_hinge_f_apart_y*l_hinge_b_hinge_c
     hinge_d_by_hinge_f_apart_y = hinge_f_y_on_hinge_d/rod_d_total_J_y_y - hinge_a_by_hinge_f_apart_y*l_hinge_a_hinge_d - hinge_b_by_hinge_f_apart_y*l_hinge_b_hinge_d - hinge_c_by_hinge_f_apart_y*l_hinge_c_hinge_d
-    hinge_e_by_hinge_f_apart_y = hinge_f_y_on_hinge_e*k4 - hinge_a_by_hinge_f_apart_y*l_hinge_a_hinge_e - hinge_b_by_hinge_f_apart_y*l_hinge_b_hinge_e - hinge_c_by_hinge_f_apart_y*l_hinge_c_hinge_e
+    hinge_e_by_hinge_f_apart_y = hinge_f_y_on_hinge_e*inverse_rod_e_I_x_x - hinge_a_by_hinge_f_apart_y*l_hinge_a_hinge_e - hinge_b_by_hinge_f_apart_y*l_hinge_b_hinge_e - hinge_c_by_hinge_f_apart_y*l_hinge_c_hinge_e
     y_hinge_c_4 = hinge_f_z_on_hinge_c - hinge_f_z_on_hinge_d*l_hinge_c_hinge_d - hinge_f_z_on_hinge_e*l_hinge_c_hinge_e
     y_hinge_b_4 = hinge_f_z_on_hinge_b - hinge_f_z_on_hinge_d*l_hinge_b_hinge_d - hinge_f_z_on_hinge_e*l_hinge_b_hinge_e - l_hinge_b_hinge_c*y_hinge_c_4
     y_hinge_a_4 = -hinge_f_apart_x - hinge_f_z_on_hinge_d*l_hinge_a_hinge_d - hinge_f_z_on_hinge_e*l_hinge_a_hinge_e - l_hinge_a_hinge_b*y_hinge_b_4 - l_hinge_a_hinge_c*y_hinge_c_4
@@ -1258,7 +1263,7 @@ def projection(t, q, wanted, c):
     hinge_b_by_hinge_f_apart_z = y_hinge_b_4/D_hinge_b - hinge_a_by_hinge_f_apart_z*l_hinge_a_hinge_b
     hinge_c_by_hinge_f_apart_z = y_hinge_c_4/D_hinge_c - hinge_a_by_hinge_f_apart_z*l_hinge_a_hinge_c - hinge_b_by_hinge_f_apart_z*l_hinge_b_hinge_c
     hinge_d_by_hinge_f_apart_z = hinge_f_z_on_hinge_d/rod_d_total_J_y_y - hinge_a_by_hinge_f_apart_z*l_hinge_a_hinge_d - hinge_b_by_hinge_f_apart_z*l_hinge_b_hinge_d - hinge_c_by_hinge_f_apart_z*l_hinge_c_hinge_d
-    hinge_e_by_hinge_f_apart_z = hinge_f_z_on_hinge_e*k4 - hinge_a_by_hinge_f_apart_z*l_hinge_a_hinge_e - hinge_b_by_hinge_f_apart_z*l_hinge_b_hinge_e - hinge_c_by_hinge_f_apart_z*l_hinge_c_hinge_e
+    hinge_e_by_hinge_f_apart_z = hinge_f_z_on_hinge_e*inverse_rod_e_I_x_x - hinge_a_by_hinge_f_apart_z*l_hinge_a_hinge_e - hinge_b_by_hinge_f_apart_z*l_hinge_b_hinge_e - hinge_c_by_hinge_f_apart_z*l_hinge_c_hinge_e
     y_hinge_c_5 = hinge_f_turned_y_on_hinge_c - hinge_f_turned_y_on_hinge_d*l_hinge_c_hinge_d - hinge_f_turned_y_on_hinge_e*l_hinge_c_hinge_e
     y_hinge_b_5 = hinge_f_turned_y_on_hinge_b - hinge_f_turned_y_on_hinge_d*l_hinge_b_hinge_d - hinge_f_turned_y_on_hinge_e*l_hinge_b_hinge_e - l_hinge_b_hinge_c*y_hinge_c_5
     y_hinge_a_5 = -hinge_f_turned_y_on_hinge_d*l_hinge_a_hinge_d - hinge_f_turned_y_on_hinge_e*l_hinge_a_hinge_e - l_hinge_a_hinge_b*y_hinge_b_5 - l_hinge_a_hinge_c*y_hinge_c_5
@@ -1266,7 +1271,7 @@ def projection(t, q, wanted, c):
     hinge_b_by_hinge_f_turned_y = y_hinge_b_5/D_hinge_b - hinge_a_by_hinge_f_turned_y*l_hinge_a_hinge_b
     hinge_c_by_hinge_f_turned_y = y_hinge_c_5/D_hinge_c - hinge_a_by_hinge_f_turned_y*l_hinge_a_hinge_c - hinge_b_by_hinge_f_turned_y*l_hinge_b_hinge_c
     hinge_d_by_hinge_f_turned_y = hinge_f_turned_y_on_hinge_d/rod_d_total_J_y_y - hinge_a_by_hinge_f_turned_y*l_hinge_a_hinge_d - hinge_b_by_hinge_f_turned_y*l_hinge_b_hinge_d - hinge_c_by_hinge_f_turned_y*l_hinge_c_hinge_d
-    hinge_e_by_hinge_f_turned_y = hinge_f_turned_y_on_hinge_e*k4 - hinge_a_by_hinge_f_turned_y*l_hinge_a_hinge_e - hinge_b_by_hinge_f_turned_y*l_hinge_b_hinge_e - hinge_c_by_hinge_f_turned_y*l_hinge_c_hinge_e
+    hinge_e_by_hinge_f_turned_y = hinge_f_turned_y_on_hinge_e*inverse_rod_e_I_x_x - hinge_a_by_hinge_f_turned_y*l_hinge_a_hinge_e - hinge_b_by_hinge_f_turned_y*l_hinge_b_hinge_e - hinge_c_by_hinge_f_turned_y*l_hinge_c_hinge_e
     y_hinge_c_6 = hinge_f_turned_z_on_hinge_c - hinge_f_turned_z_on_hinge_d*l_hinge_c_hinge_d - hinge_f_turned_z_on_hinge_e*l_hinge_c_hinge_e
     y_hinge_b_6 = hinge_f_turned_z_on_hinge_b - hinge_f_turned_z_on_hinge_d*l_hinge_b_hinge_d - hinge_f_turned_z_on_hinge_e*l_hinge_b_hinge_e - l_hinge_b_hinge_c*y_hinge_c_6
     y_hinge_a_6 = -rod_e_R_x_x - hinge_f_turned_z_on_hinge_d*l_hinge_a_hinge_d - hinge_f_turned_z_on_hinge_e*l_hinge_a_hinge_e - l_hinge_a_hinge_b*y_hinge_b_6 - l_hinge_a_hinge_c*y_hinge_c_6
@@ -1274,7 +1279,7 @@ def projection(t, q, wanted, c):
     hinge_b_by_hinge_f_turned_z = y_hinge_b_6/D_hinge_b - hinge_a_by_hinge_f_turned_z*l_hinge_a_hinge_b
     hinge_c_by_hinge_f_turned_z = y_hinge_c_6/D_hinge_c - hinge_a_by_hinge_f_turned_z*l_hinge_a_hinge_c - hinge_b_by_hinge_f_turned_z*l_hinge_b_hinge_c
     hinge_d_by_hinge_f_turned_z = hinge_f_turned_z_on_hinge_d/rod_d_total_J_y_y - hinge_a_by_hinge_f_turned_z*l_hinge_a_hinge_d - hinge_b_by_hinge_f_turned_z*l_hinge_b_hinge_d - hinge_c_by_hinge_f_turned_z*l_hinge_c_hinge_d
-    hinge_e_by_hinge_f_turned_z = hinge_f_turned_z_on_hinge_e*k4 - hinge_a_by_hinge_f_turned_z*l_hinge_a_hinge_e - hinge_b_by_hinge_f_turned_z*l_hinge_b_hinge_e - hinge_c_by_hinge_f_turned_z*l_hinge_c_hinge_e
+    hinge_e_by_hinge_f_turned_z = hinge_f_turned_z_on_hinge_e*inverse_rod_e_I_x_x - hinge_a_by_hinge_f_turned_z*l_hinge_a_hinge_e - hinge_b_by_hinge_f_turned_z*l_hinge_b_hinge_e - hinge_c_by_hinge_f_turned_z*l_hinge_c_hinge_e
     W_hinge_f_apart_x_hinge_f_apart_x = hinge_a_by_hinge_f_apart_x*hinge_f_x_on_hinge_a + hinge_b_by_hinge_f_apart_x*hinge_f_x_on_hinge_b + hinge_c_by_hinge_f_apart_x*hinge_f_x_on_hinge_c + hinge_d_by_hinge_f_apart_x*hinge_f_x_on_hinge_d + hinge_e_by_hinge_f_apart_x*hinge_f_x_on_hinge_e
     W_hinge_f_apart_y_hinge_f_apart_x = hinge_b_by_hinge_f_apart_x*hinge_f_y_on_hinge_b + hinge_c_by_hinge_f_apart_x*hinge_f_y_on_hinge_c + hinge_d_by_hinge_f_apart_x*hinge_f_y_on_hinge_d + hinge_e_by_hinge_f_apart_x*hinge_f_y_on_hinge_e
     W_hinge_f_apart_y_hinge_f_apart_y = hinge_b_by_hinge_f_apart_y*hinge_f_y_on_hinge_b + hinge_c_by_hinge_f_apart_y*hinge_f_y_on_hinge_c + hinge_d_by_hinge_f_apart_y*hinge_f_y_on_hinge_d + hinge_e_by_hinge_f_apart_y*hinge_f_y_on_hinge_e
@@ -1383,10 +1388,10 @@ def energy(t, q, u, c):
     """
     length = c[0]
     rod_e_h_y = c[2]
-    k5 = c[15]
-    k6 = c[16]
-    k7 = c[17]
-    k8 = c[18]
+    half_rod_e_I_x_x = c[15]
+    half_mass = c[16]
+    half_length = c[17]
+    gravity_times_mass = c[18]
     hinge_a_angle = q[0]
     hinge_b_angle = q[1]
     hinge_c_angle = q[2]
@@ -1428,33 +1433,33 @@ def energy(t, q, u, c):
     rod_d_rate_y_2 = hinge_d_speed + rod_c_w_y
     rod_e_w_x = cos_rod_e*rod_d_w_x + rod_d_rate_y_2*sin_rod_e
     rod_e_rate_z_2 = hinge_e_speed + rod_d_w_z
-    x1 = cos_rod_a*hinge_a_speed*rod_b_arm_z
-    x2 = hinge_a_speed*rod_b_arm_x*sin_rod_a
-    x3 = x1 + x2
+    cos_rod_a_times_hinge_a_speed_times_rod_b_arm_z = cos_rod_a*hinge_a_speed*rod_b_arm_z
+    hinge_a_speed_times_rod_b_arm_x_times_sin_rod_a = hinge_a_speed*rod_b_arm_x*sin_rod_a
+    x3 = cos_rod_a_times_hinge_a_speed_times_rod_b_arm_z + hinge_a_speed_times_rod_b_arm_x_times_sin_rod_a
     rod_b_velocity_x = cos_rod_b*x3
     rod_b_velocity_y = -sin_rod_b*x3
     rod_b_velocity_z = hinge_a_speed*rod_b_arm_z*sin_rod_a - cos_rod_a*hinge_a_speed*rod_b_arm_x
     rod_c_velocity_x_2 = rod_b_velocity_x + hinge_b_speed*length
-    x4 = -rod_b_w_x*length
-    x5 = rod_b_velocity_z + x4
+    minus_rod_b_w_x_times_length = -rod_b_w_x*length
+    x5 = rod_b_velocity_z + minus_rod_b_w_x_times_length
     rod_c_velocity_y = cos_rod_c*rod_b_velocity_y + sin_rod_c*x5
     rod_c_velocity_z_2 = cos_rod_c*x5 - rod_b_velocity_y*sin_rod_c
-    x6 = rod_c_w_y*length
-    x7 = rod_c_velocity_x_2 + x6
+    rod_c_w_y_times_length = rod_c_w_y*length
+    x7 = rod_c_velocity_x_2 + rod_c_w_y_times_length
     rod_d_velocity_x_2 = cos_rod_d*x7 - rod_c_velocity_z_2*sin_rod_d
     rod_d_velocity_y_2 = rod_c_velocity_y - rod_c_rate_x_2*length
     rod_d_velocity_z_2 = cos_rod_d*rod_c_velocity_z_2 + sin_rod_d*x7
-    x8 = -rod_d_w_z*length
-    x9 = rod_d_velocity_y_2 + x8
+    minus_rod_d_w_z_times_length = -rod_d_w_z*length
+    x9 = rod_d_velocity_y_2 + minus_rod_d_w_z_times_length
     rod_e_velocity_x_2 = cos_rod_e*rod_d_velocity_x_2 + sin_rod_e*x9
     rod_e_velocity_y_2 = cos_rod_e*x9 - rod_d_velocity_x_2*sin_rod_e
     rod_e_velocity_z_2 = rod_d_velocity_z_2 + rod_d_rate_y_2*length
-    kinetic = k5*hinge_a_speed*hinge_a_speed + k5*hinge_b_speed*hinge_b_speed + k5*rod_b_w_x*rod_b_w_x + k5*rod_c_rate_x_2*rod_c_rate_x_2 + k5*rod_c_w_y*rod_c_w_y + k5*rod_d_rate_y_2*rod_d_rate_y_2 + k5*rod_d_w_z*rod_d_w_z + k5*rod_e_rate_z_2*rod_e_rate_z_2 + k5*rod_e_w_x*rod_e_w_x + k6*(rod_b_velocity_x*rod_b_velocity_x + rod_b_velocity_y*rod_b_velocity_y + rod_b_velocity_z*rod_b_velocity_z) + k6*(rod_c_velocity_x_2*rod_c_velocity_x_2 + rod_c_velocity_y*rod_c_velocity_y + rod_c_velocity_z_2*rod_c_velocity_z_2) + k6*(rod_d_velocity_x_2*rod_d_velocity_x_2 + rod_d_velocity_y_2*rod_d_velocity_y_2 + rod_d_velocity_z_2*rod_d_velocity_z_2) + k6*(rod_e_velocity_x_2*rod_e_velocity_x_2 + rod_e_velocity_y_2*rod_e_velocity_y_2 + rod_e_velocity_z_2*rod_e_velocity_z_2) + hinge_b_speed*rod_b_velocity_x*rod_e_h_y + rod_c_velocity_x_2*rod_c_w_y*rod_e_h_y + rod_d_rate_y_2*rod_d_velocity_z_2*rod_e_h_y + rod_e_h_y*rod_e_velocity_z_2*rod_e_w_x - rod_b_velocity_z*rod_b_w_x*rod_e_h_y - rod_c_rate_x_2*rod_c_velocity_y*rod_e_h_y - rod_d_velocity_y_2*rod_d_w_z*rod_e_h_y - rod_e_h_y*rod_e_rate_z_2*rod_e_velocity_x_2
-    rod_b_centre_arm_y = -cos_rod_b*k7
-    rod_c_centre_arm_y = k7*rod_c_R_y_z
-    rod_d_centre_arm_y = -k7*rod_d_R_y_x
-    rod_e_centre_arm_y = k7*rod_e_R_y_y
-    potential = k8*rod_b_centre_arm_y + k8*(rod_c_arm_y + rod_c_centre_arm_y) + k8*(rod_d_centre_arm_y + rod_d_y) + k8*(rod_e_centre_arm_y + rod_e_y)
+    kinetic = half_rod_e_I_x_x*hinge_a_speed*hinge_a_speed + half_rod_e_I_x_x*hinge_b_speed*hinge_b_speed + half_rod_e_I_x_x*rod_b_w_x*rod_b_w_x + half_rod_e_I_x_x*rod_c_rate_x_2*rod_c_rate_x_2 + half_rod_e_I_x_x*rod_c_w_y*rod_c_w_y + half_rod_e_I_x_x*rod_d_rate_y_2*rod_d_rate_y_2 + half_rod_e_I_x_x*rod_d_w_z*rod_d_w_z + half_rod_e_I_x_x*rod_e_rate_z_2*rod_e_rate_z_2 + half_rod_e_I_x_x*rod_e_w_x*rod_e_w_x + half_mass*(rod_b_velocity_x*rod_b_velocity_x + rod_b_velocity_y*rod_b_velocity_y + rod_b_velocity_z*rod_b_velocity_z) + half_mass*(rod_c_velocity_x_2*rod_c_velocity_x_2 + rod_c_velocity_y*rod_c_velocity_y + rod_c_velocity_z_2*rod_c_velocity_z_2) + half_mass*(rod_d_velocity_x_2*rod_d_velocity_x_2 + rod_d_velocity_y_2*rod_d_velocity_y_2 + rod_d_velocity_z_2*rod_d_velocity_z_2) + half_mass*(rod_e_velocity_x_2*rod_e_velocity_x_2 + rod_e_velocity_y_2*rod_e_velocity_y_2 + rod_e_velocity_z_2*rod_e_velocity_z_2) + hinge_b_speed*rod_b_velocity_x*rod_e_h_y + rod_c_velocity_x_2*rod_c_w_y*rod_e_h_y + rod_d_rate_y_2*rod_d_velocity_z_2*rod_e_h_y + rod_e_h_y*rod_e_velocity_z_2*rod_e_w_x - rod_b_velocity_z*rod_b_w_x*rod_e_h_y - rod_c_rate_x_2*rod_c_velocity_y*rod_e_h_y - rod_d_velocity_y_2*rod_d_w_z*rod_e_h_y - rod_e_h_y*rod_e_rate_z_2*rod_e_velocity_x_2
+    rod_b_centre_arm_y = -cos_rod_b*half_length
+    rod_c_centre_arm_y = half_length*rod_c_R_y_z
+    rod_d_centre_arm_y = -half_length*rod_d_R_y_x
+    rod_e_centre_arm_y = half_length*rod_e_R_y_y
+    potential = gravity_times_mass*rod_b_centre_arm_y + gravity_times_mass*(rod_c_arm_y + rod_c_centre_arm_y) + gravity_times_mass*(rod_d_centre_arm_y + rod_d_y) + gravity_times_mass*(rod_e_centre_arm_y + rod_e_y)
     return ca.vertcat(kinetic), ca.vertcat(potential), ca.vertcat()
 
 
@@ -1579,7 +1584,7 @@ def landmarks(p):
     """
     length = p[1]
     x1 = length/2
-    x2 = -length/2
+    minus_half_length = -length/2
     return (
         ca.vertcat(0, 0, 0, 0, 1, 0),
         ca.vertcat(0, 0, 0, 0, 1, 0),
@@ -1595,8 +1600,8 @@ def landmarks(p):
         ca.vertcat(0, length, 0, 1, 0, 0),
         ca.vertcat(0, 0, 0, 0, -1, 0),
         ca.vertcat(x1, 0, 0),
-        ca.vertcat(0, x2, 0),
+        ca.vertcat(0, minus_half_length, 0),
         ca.vertcat(0, 0, x1),
-        ca.vertcat(x2, 0, 0),
+        ca.vertcat(minus_half_length, 0, 0),
         ca.vertcat(0, x1, 0),
     )

@@ -77,11 +77,11 @@ CONSTANTS = (
     ("lower_h_y", "kg m"),
     ("upper_h_y", "kg m"),
     ("lower_I_z_z", "kg m^2"),
-    ("k1", "kg m^2"),
-    ("k2", "1/(kg m^2)"),
-    ("k3", "kg m^2"),
-    ("k4", "kg"),
-    ("k5", "N"),
+    ("lower_I_z_z_plus_upper_I_z_z", "kg m^2"),
+    ("inverse_lower_I_z_z", "1/(kg m^2)"),
+    ("half_lower_I_z_z", "kg m^2"),
+    ("half_mass", "kg"),
+    ("gravity_times_mass", "N"),
 )
 
 OPERATIONS = (
@@ -106,22 +106,24 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (10,): length, gravity, lower_h_y, upper_h_y, lower_I_z_z, k1, k2, k3, k4, k5
+        c (10,): length, gravity, lower_h_y, upper_h_y, lower_I_z_z, lower_I_z_z_plus_upper_I_z_z,
+            inverse_lower_I_z_z, half_lower_I_z_z, half_mass, gravity_times_mass
     """
     mass = p[0]
     length = p[1]
     gravity = p[2]
     lower_h_y = -length*mass
     upper_h_y = -2*length*mass
-    x1 = length*length
-    upper_I_z_z = 2*x1*mass
-    lower_I_z_z = x1*mass
-    k1 = lower_I_z_z + upper_I_z_z
-    k2 = 1/lower_I_z_z
-    k3 = lower_I_z_z/2
-    k4 = mass/2
-    k5 = gravity*mass
-    return ca.vertcat(length, gravity, lower_h_y, upper_h_y, lower_I_z_z, k1, k2, k3, k4, k5)
+    length_squared = length*length
+    upper_I_z_z = 2*length_squared*mass
+    lower_I_z_z = length_squared*mass
+    lower_I_z_z_plus_upper_I_z_z = lower_I_z_z + upper_I_z_z
+    inverse_lower_I_z_z = 1/lower_I_z_z
+    half_lower_I_z_z = lower_I_z_z/2
+    half_mass = mass/2
+    gravity_times_mass = gravity*mass
+    return ca.vertcat(length, gravity, lower_h_y, upper_h_y, lower_I_z_z, lower_I_z_z_plus_upper_I_z_z,
+        inverse_lower_I_z_z, half_lower_I_z_z, half_mass, gravity_times_mass)
 
 
 def start(p):
@@ -153,8 +155,8 @@ def scales(p):
     total_mass = 2*mass
     energy_scale = total_mass*gravity*length/2
     force_scale = energy_scale/length
-    x1 = gravity*length
-    x2 = ca.sqrt(x1)
+    gravity_times_length = gravity*length
+    x2 = ca.sqrt(gravity_times_length)
     x3 = x2/length
     return ca.vertcat(1, 1), ca.vertcat(x3, x3), ca.vertcat(), ca.vertcat(length, x2, force_scale, energy_scale)
 
@@ -224,8 +226,8 @@ def accelerations(t, q, u, f, c):
     length = c[0]
     lower_h_y = c[2]
     lower_I_z_z = c[4]
-    k1 = c[5]
-    k2 = c[6]
+    lower_I_z_z_plus_upper_I_z_z = c[5]
+    inverse_lower_I_z_z = c[6]
     shoulder_angle_2 = q[0]
     elbow_angle_2 = q[1]
     shoulder_speed = u[0]
@@ -252,13 +254,13 @@ def accelerations(t, q, u, f, c):
     upper_torque_z = lower_torque_z + lower_arm_x*lower_force_y - lower_arm_y*lower_force_x
     shoulder_net = shoulder_force - upper_torque_z
     elbow_net = elbow_force - lower_torque_z
-    upper_total_J_z_z = k1 + 2*lower_arm_x*lower_moment_x + 2*lower_arm_y*lower_moment_y
+    upper_total_J_z_z = lower_I_z_z_plus_upper_I_z_z + 2*lower_arm_x*lower_moment_x + 2*lower_arm_y*lower_moment_y
     elbow_lower_torque_z = lower_I_z_z + lower_arm_x*lower_moment_x + lower_arm_y*lower_moment_y
-    l_shoulder_elbow = elbow_lower_torque_z*k2
+    l_shoulder_elbow = elbow_lower_torque_z*inverse_lower_I_z_z
     D_shoulder = upper_total_J_z_z - elbow_lower_torque_z*l_shoulder_elbow
     y_shoulder = shoulder_net - elbow_net*l_shoulder_elbow
     shoulder_acc = y_shoulder/D_shoulder
-    elbow_acc = elbow_net*k2 - l_shoulder_elbow*shoulder_acc
+    elbow_acc = elbow_net*inverse_lower_I_z_z - l_shoulder_elbow*shoulder_acc
     return ca.vertcat(shoulder_acc, elbow_acc), ca.vertcat()
 
 
@@ -283,9 +285,9 @@ def energy(t, q, u, c):
     """
     length = c[0]
     lower_h_y = c[2]
-    k3 = c[7]
-    k4 = c[8]
-    k5 = c[9]
+    half_lower_I_z_z = c[7]
+    half_mass = c[8]
+    gravity_times_mass = c[9]
     shoulder_angle_2 = q[0]
     elbow_angle_2 = q[1]
     shoulder_speed = u[0]
@@ -302,9 +304,9 @@ def energy(t, q, u, c):
     lower_arm_y = -cos_upper*length
     lower_velocity_x = -lower_arm_y*shoulder_speed
     lower_velocity_y = lower_arm_x*shoulder_speed
-    kinetic = k3*lower_rate_z*lower_rate_z + k3*shoulder_speed*shoulder_speed + k4*(lower_velocity_x*lower_velocity_x + lower_velocity_y*lower_velocity_y) + lower_moment_x*lower_rate_z*lower_velocity_y - lower_moment_y*lower_rate_z*lower_velocity_x
+    kinetic = half_lower_I_z_z*lower_rate_z*lower_rate_z + half_lower_I_z_z*shoulder_speed*shoulder_speed + half_mass*(lower_velocity_x*lower_velocity_x + lower_velocity_y*lower_velocity_y) + lower_moment_x*lower_rate_z*lower_velocity_y - lower_moment_y*lower_rate_z*lower_velocity_x
     lower_centre_arm_y = -cos_lower*length
-    potential = k5*lower_arm_y + k5*(lower_arm_y + lower_centre_arm_y)
+    potential = gravity_times_mass*lower_arm_y + gravity_times_mass*(lower_arm_y + lower_centre_arm_y)
     return ca.vertcat(kinetic), ca.vertcat(potential), ca.vertcat()
 
 

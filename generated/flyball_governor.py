@@ -145,31 +145,31 @@ CONSTANTS = (
     ("gravity", "m/s^2"),
     ("spring_stiffness", "N/m"),
     ("spring_rest", "m"),
-    ("k1", "m"),
+    ("half_arm_length", "m"),
     ("right_rod_h_y", "kg m"),
     ("right_arm_h_y", "kg m"),
     ("right_arm_I_x_x", "kg m^2"),
     ("right_arm_I_y_y", "kg m^2"),
     ("right_rod_I_x_x", "kg m^2"),
-    ("k2", "kg m^2"),
+    ("right_arm_I_x_x_minus_right_arm_I_y_y", "kg m^2"),
     ("k3", "m"),
-    ("k4", "kg m^2"),
-    ("k5", "kg m^2"),
-    ("k6", "1/(kg m^2)"),
-    ("k7", "1/kg"),
+    ("spindle_I_y_y_plus_collar_inertia", "kg m^2"),
+    ("right_arm_I_x_x_plus_right_rod_I_x_x", "kg m^2"),
+    ("inverse_right_rod_I_x_x", "1/(kg m^2)"),
+    ("inverse_collar_mass", "1/kg"),
     ("right_arm_h_y_2", "kg m"),
-    ("k8", "kg m^2"),
-    ("k9", "kg m^2"),
-    ("k10", "kg m^2"),
-    ("k11", "kg"),
-    ("k12", "kg m^2"),
-    ("k13", "kg m^2"),
-    ("k14", "kg"),
-    ("k15", "kg"),
-    ("k16", "m"),
-    ("k17", "N"),
-    ("k18", "N"),
-    ("k19", "N"),
+    ("half_right_arm_I_x_x_2", "kg m^2"),
+    ("half_right_arm_I_y_y", "kg m^2"),
+    ("half_right_rod_I_x_x", "kg m^2"),
+    ("half_collar_mass", "kg"),
+    ("half_collar_inertia", "kg m^2"),
+    ("half_spindle_inertia", "kg m^2"),
+    ("half_ball_mass", "kg"),
+    ("half_rod_mass", "kg"),
+    ("half_rod_length", "m"),
+    ("collar_mass_times_gravity", "N"),
+    ("ball_mass_times_gravity", "N"),
+    ("gravity_times_rod_mass", "N"),
     ("right_foot_apart_x_softness", "1"),
     ("right_foot_apart_y_softness", "1"),
     ("right_foot_apart_z_softness", "1"),
@@ -202,9 +202,13 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (38,): arm_length, rod_length, collar_mass, offset, gravity, spring_stiffness, spring_rest, k1,
-            right_rod_h_y, right_arm_h_y, right_arm_I_x_x, right_arm_I_y_y, right_rod_I_x_x, k2, k3, k4, k5, k6, k7,
-            right_arm_h_y_2, k8, k9, k10, k11, k12, k13, k14, k15, k16, k17, k18, k19, right_foot_apart_x_softness,
+        c (38,): arm_length, rod_length, collar_mass, offset, gravity, spring_stiffness, spring_rest,
+            half_arm_length, right_rod_h_y, right_arm_h_y, right_arm_I_x_x, right_arm_I_y_y, right_rod_I_x_x,
+            right_arm_I_x_x_minus_right_arm_I_y_y, k3, spindle_I_y_y_plus_collar_inertia,
+            right_arm_I_x_x_plus_right_rod_I_x_x, inverse_right_rod_I_x_x, inverse_collar_mass, right_arm_h_y_2,
+            half_right_arm_I_x_x_2, half_right_arm_I_y_y, half_right_rod_I_x_x, half_collar_mass,
+            half_collar_inertia, half_spindle_inertia, half_ball_mass, half_rod_mass, half_rod_length,
+            collar_mass_times_gravity, ball_mass_times_gravity, gravity_times_rod_mass, right_foot_apart_x_softness,
             right_foot_apart_y_softness, right_foot_apart_z_softness, left_foot_apart_x_softness,
             left_foot_apart_y_softness, left_foot_apart_z_softness
     """
@@ -220,40 +224,44 @@ def constants(p):
     gravity = p[10]
     spring_stiffness = p[11]
     spring_rest = p[12]
-    k1 = arm_length/2
+    half_arm_length = arm_length/2
     right_rod_h_y = -rod_length*rod_mass/2
-    x1 = -arm_length*ball_mass
-    right_arm_h_y = x1 - arm_length*rod_mass/2
+    right_arm_h_y_2 = -arm_length*ball_mass
+    right_arm_h_y = right_arm_h_y_2 - arm_length*rod_mass/2
     right_arm_total_mass = ball_mass + rod_mass
-    x2 = arm_length*arm_length
-    x3 = x2*ball_mass
-    x4 = ball_radius*ball_radius
-    x5 = 2*x4*ball_mass/5
-    right_arm_I_x_x = x3 + x5 + x2*rod_mass/4
+    arm_length_squared = arm_length*arm_length
+    arm_length_squared_times_ball_mass = arm_length_squared*ball_mass
+    ball_radius_squared = ball_radius*ball_radius
+    right_arm_I_y_y = 2*ball_radius_squared*ball_mass/5
+    right_arm_I_x_x = arm_length_squared_times_ball_mass + right_arm_I_y_y + arm_length_squared*rod_mass/4
     right_rod_I_x_x = rod_length*rod_length*rod_mass/3
-    k2 = right_arm_I_x_x - x5
-    k3 = 2*k1
+    right_arm_I_x_x_minus_right_arm_I_y_y = right_arm_I_x_x - right_arm_I_y_y
+    k3 = 2*half_arm_length
     spindle_I_y_y = 2*right_arm_total_mass*offset*offset + spindle_inertia
-    k4 = spindle_I_y_y + collar_inertia
-    k5 = right_arm_I_x_x + right_rod_I_x_x
-    k6 = 1/right_rod_I_x_x
-    k7 = 1/collar_mass
-    right_arm_I_x_x_2 = x3 + x5
-    k8 = right_arm_I_x_x_2/2
-    k9 = x5/2
-    k10 = right_rod_I_x_x/2
-    k11 = collar_mass/2
-    k12 = collar_inertia/2
-    k13 = spindle_inertia/2
-    k14 = ball_mass/2
-    k15 = rod_mass/2
-    k16 = rod_length/2
-    k17 = collar_mass*gravity
-    k18 = ball_mass*gravity
-    k19 = gravity*rod_mass
-    return ca.vertcat(arm_length, rod_length, collar_mass, offset, gravity, spring_stiffness, spring_rest, k1,
-        right_rod_h_y, right_arm_h_y, right_arm_I_x_x, x5, right_rod_I_x_x, k2, k3, k4, k5, k6, k7, x1, k8, k9, k10,
-        k11, k12, k13, k14, k15, k16, k17, k18, k19, 3e-09, 3e-09, 3e-09, 3e-09, 3e-09, 3e-09)
+    spindle_I_y_y_plus_collar_inertia = spindle_I_y_y + collar_inertia
+    right_arm_I_x_x_plus_right_rod_I_x_x = right_arm_I_x_x + right_rod_I_x_x
+    inverse_right_rod_I_x_x = 1/right_rod_I_x_x
+    inverse_collar_mass = 1/collar_mass
+    right_arm_I_x_x_2 = arm_length_squared_times_ball_mass + right_arm_I_y_y
+    half_right_arm_I_x_x_2 = right_arm_I_x_x_2/2
+    half_right_arm_I_y_y = right_arm_I_y_y/2
+    half_right_rod_I_x_x = right_rod_I_x_x/2
+    half_collar_mass = collar_mass/2
+    half_collar_inertia = collar_inertia/2
+    half_spindle_inertia = spindle_inertia/2
+    half_ball_mass = ball_mass/2
+    half_rod_mass = rod_mass/2
+    half_rod_length = rod_length/2
+    collar_mass_times_gravity = collar_mass*gravity
+    ball_mass_times_gravity = ball_mass*gravity
+    gravity_times_rod_mass = gravity*rod_mass
+    return ca.vertcat(arm_length, rod_length, collar_mass, offset, gravity, spring_stiffness, spring_rest,
+        half_arm_length, right_rod_h_y, right_arm_h_y, right_arm_I_x_x, right_arm_I_y_y, right_rod_I_x_x,
+        right_arm_I_x_x_minus_right_arm_I_y_y, k3, spindle_I_y_y_plus_collar_inertia,
+        right_arm_I_x_x_plus_right_rod_I_x_x, inverse_right_rod_I_x_x, inverse_collar_mass, right_arm_h_y_2,
+        half_right_arm_I_x_x_2, half_right_arm_I_y_y, half_right_rod_I_x_x, half_collar_mass, half_collar_inertia,
+        half_spindle_inertia, half_ball_mass, half_rod_mass, half_rod_length, collar_mass_times_gravity,
+        ball_mass_times_gravity, gravity_times_rod_mass, 3e-09, 3e-09, 3e-09, 3e-09, 3e-09, 3e-09)
 
 
 def start(p):
@@ -270,14 +278,15 @@ def start(p):
     rod_length = p[6]
     start_speed = p[13]
     start_angle = p[14]
-    x1 = ca.sin(start_angle)
-    x2 = x1*arm_length/(2*rod_length)
+    sin_start_angle = ca.sin(start_angle)
+    x2 = sin_start_angle*arm_length/(2*rod_length)
     x3 = ca.asin(x2)
     x4 = -x3
     x5 = x4 - start_angle
     return (
         ca.vertcat(0, start_angle, x5, start_angle, x5, -ca.sqrt(1 -
-            x1*x1*arm_length*arm_length/(4*rod_length*rod_length))*rod_length - arm_length*ca.cos(start_angle)/2),
+            sin_start_angle*sin_start_angle*arm_length*arm_length/(4*rod_length*rod_length))*rod_length -
+            arm_length*ca.cos(start_angle)/2),
         ca.vertcat(start_speed, 0, 0, 0, 0, 0),
     )
 
@@ -303,12 +312,12 @@ def scales(p):
     total_mass = 2*ball_mass + 2*rod_mass + collar_mass + spindle_mass
     energy_scale = total_mass*arm_length*arm_length*start_speed*start_speed/2
     force_scale = energy_scale/arm_length
-    x1 = arm_length*start_speed
+    arm_length_times_start_speed = arm_length*start_speed
     return (
         ca.vertcat(1, 1, 1, 1, 1, arm_length),
-        ca.vertcat(start_speed, start_speed, start_speed, start_speed, start_speed, x1),
+        ca.vertcat(start_speed, start_speed, start_speed, start_speed, start_speed, arm_length_times_start_speed),
         ca.vertcat(),
-        ca.vertcat(arm_length, x1, force_scale, energy_scale),
+        ca.vertcat(arm_length, arm_length_times_start_speed, force_scale, energy_scale),
     )
 
 
@@ -393,10 +402,12 @@ def applied(t, q, u, c):
     right_arm_gravity_y = -cos_right_arm*gravity
     left_arm_gravity_x = sin_left_arm*gravity
     left_arm_gravity_y = -cos_left_arm*gravity
-    x1 = right_arm_gravity_y*right_rod_moment_x
-    x2 = -left_arm_gravity_y*left_rod_moment_x
-    return ca.vertcat(0, x1 - right_arm_gravity_x*right_arm_total_moment_y, x1 -
-        right_arm_gravity_x*right_rod_moment_y, x2 + left_arm_gravity_x*left_arm_total_moment_y, x2 +
+    right_arm_gravity_y_times_right_rod_moment_x = right_arm_gravity_y*right_rod_moment_x
+    minus_left_arm_gravity_y_times_left_rod_moment_x = -left_arm_gravity_y*left_rod_moment_x
+    return ca.vertcat(0, right_arm_gravity_y_times_right_rod_moment_x -
+        right_arm_gravity_x*right_arm_total_moment_y, right_arm_gravity_y_times_right_rod_moment_x -
+        right_arm_gravity_x*right_rod_moment_y, minus_left_arm_gravity_y_times_left_rod_moment_x +
+        left_arm_gravity_x*left_arm_total_moment_y, minus_left_arm_gravity_y_times_left_rod_moment_x +
         left_arm_gravity_x*left_rod_moment_y, spring_force - collar_mass*gravity)
 
 
@@ -414,18 +425,18 @@ def accelerations(t, q, u, f, c):
     """
     rod_length = c[1]
     offset = c[3]
-    k1 = c[7]
+    half_arm_length = c[7]
     right_rod_h_y = c[8]
     right_arm_h_y = c[9]
     right_arm_I_x_x = c[10]
     right_arm_I_y_y = c[11]
     right_rod_I_x_x = c[12]
-    k2 = c[13]
+    right_arm_I_x_x_minus_right_arm_I_y_y = c[13]
     k3 = c[14]
-    k4 = c[15]
-    k5 = c[16]
-    k6 = c[17]
-    k7 = c[18]
+    spindle_I_y_y_plus_collar_inertia = c[15]
+    right_arm_I_x_x_plus_right_rod_I_x_x = c[16]
+    inverse_right_rod_I_x_x = c[17]
+    inverse_collar_mass = c[18]
     right_foot_apart_x_softness = c[32]
     right_foot_apart_y_softness = c[33]
     right_foot_apart_z_softness = c[34]
@@ -474,9 +485,9 @@ def accelerations(t, q, u, f, c):
     right_arm_turning_z = cos_spindle*right_hinge_speed
     right_arm_R_x_y = -cos_spindle*sin_right_arm
     right_arm_R_z_y = sin_right_arm*sin_spindle
-    right_rod_arm_x = -k1*right_arm_R_x_y
-    right_rod_arm_y = -cos_right_arm*k1
-    right_rod_arm_z = -k1*right_arm_R_z_y
+    right_rod_arm_x = -half_arm_length*right_arm_R_x_y
+    right_rod_arm_y = -cos_right_arm*half_arm_length
+    right_rod_arm_z = -half_arm_length*right_arm_R_z_y
     right_rod_arm_rate_x = right_rod_arm_z*spindle_speed - right_arm_turning_z*right_rod_arm_y
     right_rod_arm_rate_y = right_arm_turning_z*right_rod_arm_x - right_arm_turning_x*right_rod_arm_z
     right_rod_arm_rate_z = right_arm_turning_x*right_rod_arm_y - right_rod_arm_x*spindle_speed
@@ -507,12 +518,12 @@ def accelerations(t, q, u, f, c):
     right_foot_apart_bias_x = right_rod_bias_x + right_foot_child_arm_rate_z*spindle_speed + right_foot_child_arm_z*right_rod_angular_bias_y - right_arm_arm_rate_z*spindle_speed - right_foot_child_arm_rate_y*right_rod_rate_z - right_foot_child_arm_y*right_rod_angular_bias_z
     right_foot_apart_bias_y = right_rod_bias_y + right_foot_child_arm_rate_x*right_rod_rate_z + right_foot_child_arm_x*right_rod_angular_bias_z - right_foot_child_arm_rate_z*right_rod_rate_x - right_foot_child_arm_z*right_rod_angular_bias_x
     right_foot_apart_bias_z = right_rod_bias_z + right_arm_arm_rate_x*spindle_speed + right_foot_child_arm_rate_y*right_rod_rate_x + right_foot_child_arm_y*right_rod_angular_bias_x - right_foot_child_arm_rate_x*spindle_speed - right_foot_child_arm_x*right_rod_angular_bias_y
-    x1 = right_foot_child_arm_y + right_rod_arm_y
-    right_foot_x_on_right_hinge = -cos_spindle*x1
+    right_foot_child_arm_y_plus_right_rod_arm_y = right_foot_child_arm_y + right_rod_arm_y
+    right_foot_x_on_right_hinge = -cos_spindle*right_foot_child_arm_y_plus_right_rod_arm_y
     right_foot_x_on_right_knee = -cos_spindle*right_foot_child_arm_y
     right_foot_y_on_right_hinge = cos_spindle*(right_foot_child_arm_x + right_rod_x - right_arm_arm_x) - sin_spindle*(right_foot_child_arm_z + right_rod_z - right_arm_arm_z)
     right_foot_y_on_right_knee = cos_spindle*right_foot_child_arm_x - right_foot_child_arm_z*sin_spindle
-    right_foot_z_on_right_hinge = sin_spindle*x1
+    right_foot_z_on_right_hinge = sin_spindle*right_foot_child_arm_y_plus_right_rod_arm_y
     right_foot_z_on_right_knee = right_foot_child_arm_y*sin_spindle
     left_arm_arm_z = sin_spindle*offset
     left_arm_arm_rate_x = left_arm_arm_z*spindle_speed
@@ -521,9 +532,9 @@ def accelerations(t, q, u, f, c):
     left_arm_turning_z = -cos_spindle*left_hinge_speed
     left_arm_R_x_y = cos_spindle*sin_left_arm
     left_arm_R_z_y = -sin_left_arm*sin_spindle
-    left_rod_arm_x = -k1*left_arm_R_x_y
-    left_rod_arm_y = -cos_left_arm*k1
-    left_rod_arm_z = -k1*left_arm_R_z_y
+    left_rod_arm_x = -half_arm_length*left_arm_R_x_y
+    left_rod_arm_y = -cos_left_arm*half_arm_length
+    left_rod_arm_z = -half_arm_length*left_arm_R_z_y
     left_rod_arm_rate_x = left_rod_arm_z*spindle_speed - left_arm_turning_z*left_rod_arm_y
     left_rod_arm_rate_y = left_arm_turning_z*left_rod_arm_x - left_arm_turning_x*left_rod_arm_z
     left_rod_arm_rate_z = left_arm_turning_x*left_rod_arm_y - left_rod_arm_x*spindle_speed
@@ -554,12 +565,12 @@ def accelerations(t, q, u, f, c):
     left_foot_apart_bias_x = left_rod_bias_x + left_foot_child_arm_rate_z*spindle_speed + left_foot_child_arm_z*left_rod_angular_bias_y - left_arm_arm_rate_z*spindle_speed - left_foot_child_arm_rate_y*left_rod_rate_z - left_foot_child_arm_y*left_rod_angular_bias_z
     left_foot_apart_bias_y = left_rod_bias_y + left_foot_child_arm_rate_x*left_rod_rate_z + left_foot_child_arm_x*left_rod_angular_bias_z - left_foot_child_arm_rate_z*left_rod_rate_x - left_foot_child_arm_z*left_rod_angular_bias_x
     left_foot_apart_bias_z = left_rod_bias_z + left_arm_arm_rate_x*spindle_speed + left_foot_child_arm_rate_y*left_rod_rate_x + left_foot_child_arm_y*left_rod_angular_bias_x - left_foot_child_arm_rate_x*spindle_speed - left_foot_child_arm_x*left_rod_angular_bias_y
-    x2 = left_foot_child_arm_y + left_rod_arm_y
-    left_foot_x_on_left_hinge = cos_spindle*x2
+    left_foot_child_arm_y_plus_left_rod_arm_y = left_foot_child_arm_y + left_rod_arm_y
+    left_foot_x_on_left_hinge = cos_spindle*left_foot_child_arm_y_plus_left_rod_arm_y
     left_foot_x_on_left_knee = cos_spindle*left_foot_child_arm_y
     left_foot_y_on_left_hinge = sin_spindle*(left_foot_child_arm_z + left_rod_z - left_arm_arm_z) - cos_spindle*(left_foot_child_arm_x + left_rod_x + right_arm_arm_x)
     left_foot_y_on_left_knee = left_foot_child_arm_z*sin_spindle - cos_spindle*left_foot_child_arm_x
-    left_foot_z_on_left_hinge = -sin_spindle*x2
+    left_foot_z_on_left_hinge = -sin_spindle*left_foot_child_arm_y_plus_left_rod_arm_y
     left_foot_z_on_left_knee = -left_foot_child_arm_y*sin_spindle
     right_rod_moment_x = -right_rod_h_y*sin_right_rod_turn
     right_rod_moment_y = cos_right_rod_turn*right_rod_h_y
@@ -594,9 +605,9 @@ def accelerations(t, q, u, f, c):
     right_arm_force_x = right_rod_force_x + right_arm_h_y*right_rod_rate_xy
     right_arm_force_y = right_rod_force_y + right_arm_U_y_y*right_arm_h_y
     right_arm_force_z = right_rod_force_z + right_arm_U_z_y*right_arm_h_y
-    x3 = cos_right_arm*right_arm_force_x
-    x4 = -right_arm_force_y*sin_right_arm
-    x5 = x3 + x4
+    cos_right_arm_times_right_arm_force_x = cos_right_arm*right_arm_force_x
+    minus_right_arm_force_y_times_sin_right_arm = -right_arm_force_y*sin_right_arm
+    x5 = cos_right_arm_times_right_arm_force_x + minus_right_arm_force_y_times_sin_right_arm
     right_arm_turned_force_x = cos_spindle*x5 + right_arm_force_z*sin_spindle
     right_arm_turned_force_z = cos_spindle*right_arm_force_z - sin_spindle*x5
     x6 = -cos_spindle*right_arm_arm_x*spindle_rate_yy
@@ -609,15 +620,15 @@ def accelerations(t, q, u, f, c):
     right_rod_J_x_x = right_rod_I_x_x + right_rod_J_swing*sin_right_rod_turn
     right_rod_J_y_y = -right_rod_J_swing*sin_right_rod_turn
     right_rod_J_x_y = -cos_right_rod_turn*right_rod_J_swing
-    right_rod_bias_x_2 = right_arm_bias_x_2 - k1*right_rod_rate_xy
-    right_rod_bias_y_2 = right_arm_bias_y - k1*right_arm_U_y_y
-    right_rod_bias_z_2 = right_arm_bias_z_2 - k1*right_arm_U_z_y
+    right_rod_bias_x_2 = right_arm_bias_x_2 - half_arm_length*right_rod_rate_xy
+    right_rod_bias_y_2 = right_arm_bias_y - half_arm_length*right_arm_U_y_y
+    right_rod_bias_z_2 = right_arm_bias_z_2 - half_arm_length*right_arm_U_z_y
     right_rod_torque_x = right_rod_J_x_x*right_rod_angular_bias_x_2 + right_rod_J_x_y*(right_rod_angular_bias_y_2 - right_rod_rate_zx) + right_rod_bias_z_2*right_rod_moment_y + right_rod_rate_zy*(right_rod_I_x_x - right_rod_J_y_y)
     right_rod_torque_y = right_rod_J_x_y*right_rod_U_z_y + right_rod_J_y_y*right_rod_angular_bias_y_2 + right_rod_rate_zx*(right_rod_J_x_x - right_rod_I_x_x) - right_rod_bias_z_2*right_rod_moment_x
     right_rod_torque_z = right_rod_J_x_y*(right_rod_rate_xx - right_rod_rate_yy) + right_rod_bias_y_2*right_rod_moment_x + right_rod_rate_xy*(right_rod_J_y_y - right_rod_J_x_x) - right_rod_bias_x_2*right_rod_moment_y
-    right_arm_torque_x = right_rod_torque_x + k2*right_arm_angular_bias_x_2 + right_arm_I_x_x*right_arm_angular_bias_x_2 + right_arm_bias_z_2*right_arm_h_y - k1*right_rod_force_z
+    right_arm_torque_x = right_rod_torque_x + right_arm_I_x_x_minus_right_arm_I_y_y*right_arm_angular_bias_x_2 + right_arm_I_x_x*right_arm_angular_bias_x_2 + right_arm_bias_z_2*right_arm_h_y - half_arm_length*right_rod_force_z
     right_arm_torque_y = right_rod_torque_y + right_arm_I_y_y*right_arm_angular_bias_y
-    right_arm_torque_z = right_rod_torque_z + k1*right_rod_force_x - k2*right_rod_rate_xy - right_arm_bias_x_2*right_arm_h_y
+    right_arm_torque_z = right_rod_torque_z + half_arm_length*right_rod_force_x - right_arm_I_x_x_minus_right_arm_I_y_y*right_rod_rate_xy - right_arm_bias_x_2*right_arm_h_y
     left_arm_w_x = -sin_left_arm*spindle_speed
     left_arm_w_y = cos_left_arm*spindle_speed
     left_arm_angular_bias_x_2 = -left_arm_w_y*left_hinge_speed
@@ -644,9 +655,9 @@ def accelerations(t, q, u, f, c):
     left_arm_force_x = left_rod_force_x + left_rod_rate_xy*right_arm_h_y
     left_arm_force_y = left_rod_force_y + left_arm_U_y_y*right_arm_h_y
     left_arm_force_z = left_rod_force_z + left_arm_U_z_y*right_arm_h_y
-    x9 = cos_left_arm*left_arm_force_x
-    x10 = left_arm_force_y*sin_left_arm
-    x11 = x10 + x9
+    cos_left_arm_times_left_arm_force_x = cos_left_arm*left_arm_force_x
+    left_arm_force_y_times_sin_left_arm = left_arm_force_y*sin_left_arm
+    x11 = left_arm_force_y_times_sin_left_arm + cos_left_arm_times_left_arm_force_x
     left_arm_turned_force_x = cos_spindle*x11 + left_arm_force_z*sin_spindle
     left_arm_turned_force_z = cos_spindle*left_arm_force_z - sin_spindle*x11
     x12 = cos_spindle*right_arm_arm_x*spindle_rate_yy
@@ -658,78 +669,78 @@ def accelerations(t, q, u, f, c):
     left_rod_J_x_x = right_rod_I_x_x - left_rod_J_swing*sin_left_rod_turn
     left_rod_J_y_y = left_rod_J_swing*sin_left_rod_turn
     left_rod_J_x_y = -cos_left_rod_turn*left_rod_J_swing
-    left_rod_bias_x_2 = left_arm_bias_x_2 - k1*left_rod_rate_xy
-    left_rod_bias_y_2 = left_arm_bias_y - k1*left_arm_U_y_y
-    left_rod_bias_z_2 = -right_arm_bias_z_2 - k1*left_arm_U_z_y
+    left_rod_bias_x_2 = left_arm_bias_x_2 - half_arm_length*left_rod_rate_xy
+    left_rod_bias_y_2 = left_arm_bias_y - half_arm_length*left_arm_U_y_y
+    left_rod_bias_z_2 = -right_arm_bias_z_2 - half_arm_length*left_arm_U_z_y
     left_rod_torque_x = left_rod_J_x_x*left_rod_angular_bias_x_2 + left_rod_J_x_y*(left_rod_angular_bias_y_2 - left_rod_rate_zx) + left_rod_bias_z_2*left_rod_moment_y + left_rod_rate_zy*(right_rod_I_x_x - left_rod_J_y_y)
     left_rod_torque_y = left_rod_J_x_y*left_rod_U_z_y + left_rod_J_y_y*left_rod_angular_bias_y_2 + left_rod_rate_zx*(left_rod_J_x_x - right_rod_I_x_x) - left_rod_bias_z_2*left_rod_moment_x
     left_rod_torque_z = left_rod_J_x_y*(left_rod_rate_xx - left_rod_rate_yy) + left_rod_bias_y_2*left_rod_moment_x + left_rod_rate_xy*(left_rod_J_y_y - left_rod_J_x_x) - left_rod_bias_x_2*left_rod_moment_y
-    left_arm_torque_x = left_rod_torque_x + k2*left_arm_angular_bias_x_2 + left_arm_angular_bias_x_2*right_arm_I_x_x - k1*left_rod_force_z - right_arm_bias_z_2*right_arm_h_y
+    left_arm_torque_x = left_rod_torque_x + right_arm_I_x_x_minus_right_arm_I_y_y*left_arm_angular_bias_x_2 + left_arm_angular_bias_x_2*right_arm_I_x_x - half_arm_length*left_rod_force_z - right_arm_bias_z_2*right_arm_h_y
     left_arm_torque_y = left_rod_torque_y + left_arm_angular_bias_y*right_arm_I_y_y
-    left_arm_torque_z = left_rod_torque_z + k1*left_rod_force_x - k2*left_rod_rate_xy - left_arm_bias_x_2*right_arm_h_y
+    left_arm_torque_z = left_rod_torque_z + half_arm_length*left_rod_force_x - right_arm_I_x_x_minus_right_arm_I_y_y*left_rod_rate_xy - left_arm_bias_x_2*right_arm_h_y
     spindle_torque_y = cos_left_arm*left_arm_torque_y + cos_right_arm*right_arm_torque_y + left_arm_arm_z*left_arm_turned_force_x + left_arm_turned_force_z*right_arm_arm_x + right_arm_torque_x*sin_right_arm - left_arm_arm_z*right_arm_turned_force_x - left_arm_torque_x*sin_left_arm - right_arm_arm_x*right_arm_turned_force_z
     spindle_net = spindle_force - spindle_torque_y
     right_hinge_net = right_hinge_force - right_arm_torque_z
     right_knee_net = right_knee_force - right_rod_torque_z
     left_hinge_net = left_arm_torque_z + left_hinge_force
     left_knee_net = left_knee_force + left_rod_torque_z
-    x15 = cos_right_arm*right_rod_moment_x
+    cos_right_arm_times_right_rod_moment_x = cos_right_arm*right_rod_moment_x
     x16 = -right_arm_total_moment_y*sin_right_arm
-    x17 = x15 + x16
+    x17 = cos_right_arm_times_right_rod_moment_x + x16
     right_arm_turned_moment_x = cos_spindle*x17
     right_arm_turned_moment_z = -sin_spindle*x17
-    x18 = cos_left_arm*left_rod_moment_x
-    x19 = left_arm_total_moment_y*sin_left_arm
-    x20 = x18 + x19
+    cos_left_arm_times_left_rod_moment_x = cos_left_arm*left_rod_moment_x
+    left_arm_total_moment_y_times_sin_left_arm = left_arm_total_moment_y*sin_left_arm
+    x20 = cos_left_arm_times_left_rod_moment_x + left_arm_total_moment_y_times_sin_left_arm
     left_arm_turned_moment_x = cos_spindle*x20
     left_arm_turned_moment_z = -sin_spindle*x20
-    right_arm_total_J_x_y = right_rod_J_x_y + k1*right_rod_moment_x
+    right_arm_total_J_x_y = right_rod_J_x_y + half_arm_length*right_rod_moment_x
     right_arm_total_J_y_y = right_arm_I_y_y + right_rod_J_y_y
     x21 = -k3*right_rod_moment_y
     right_arm_total_J_x_x = right_arm_I_x_x + right_rod_J_x_x + x21
     right_arm_turned_J_swing = sin_right_arm*(right_arm_total_J_y_y - right_arm_total_J_x_x) - 2*cos_right_arm*right_arm_total_J_x_y
-    left_arm_total_J_x_y = left_rod_J_x_y + k1*left_rod_moment_x
+    left_arm_total_J_x_y = left_rod_J_x_y + half_arm_length*left_rod_moment_x
     left_arm_total_J_y_y = left_rod_J_y_y + right_arm_I_y_y
     x22 = -k3*left_rod_moment_y
     left_arm_total_J_x_x = left_rod_J_x_x + right_arm_I_x_x + x22
     left_arm_turned_J_swing = -sin_left_arm*(left_arm_total_J_y_y - left_arm_total_J_x_x) - 2*cos_left_arm*left_arm_total_J_x_y
     right_arm_turned_J_y_y = right_arm_total_J_y_y - right_arm_turned_J_swing*sin_right_arm
     left_arm_turned_J_y_y = left_arm_total_J_y_y + left_arm_turned_J_swing*sin_left_arm
-    spindle_total_J_y_y = k4 + left_arm_turned_J_y_y + right_arm_turned_J_y_y + 2*left_arm_arm_z*left_arm_turned_moment_z + 2*right_arm_arm_x*right_arm_turned_moment_x - 2*left_arm_arm_z*right_arm_turned_moment_z - 2*left_arm_turned_moment_x*right_arm_arm_x
-    right_arm_total_J_z_z = k5 + x21
+    spindle_total_J_y_y = spindle_I_y_y_plus_collar_inertia + left_arm_turned_J_y_y + right_arm_turned_J_y_y + 2*left_arm_arm_z*left_arm_turned_moment_z + 2*right_arm_arm_x*right_arm_turned_moment_x - 2*left_arm_arm_z*right_arm_turned_moment_z - 2*left_arm_turned_moment_x*right_arm_arm_x
+    right_arm_total_J_z_z = right_arm_I_x_x_plus_right_rod_I_x_x + x21
     x23 = -cos_right_arm*right_arm_total_moment_y
-    x24 = -right_rod_moment_x*sin_right_arm
-    x25 = x23 + x24
+    minus_right_rod_moment_x_times_sin_right_arm = -right_rod_moment_x*sin_right_arm
+    x25 = x23 + minus_right_rod_moment_x_times_sin_right_arm
     right_hinge_right_arm_force_x = cos_spindle*x25
     right_hinge_right_arm_force_z = -sin_spindle*x25
     right_hinge_right_arm_torque_y = -left_arm_arm_z*right_hinge_right_arm_force_x - right_arm_arm_x*right_hinge_right_arm_force_z
-    right_knee_right_rod_torque_z = right_rod_I_x_x - k1*right_rod_moment_y
-    x26 = -cos_right_arm*right_rod_moment_y
-    x27 = x24 + x26
+    right_knee_right_rod_torque_z = right_rod_I_x_x - half_arm_length*right_rod_moment_y
+    minus_cos_right_arm_times_right_rod_moment_y = -cos_right_arm*right_rod_moment_y
+    x27 = minus_right_rod_moment_x_times_sin_right_arm + minus_cos_right_arm_times_right_rod_moment_y
     right_knee_right_arm_force_x = cos_spindle*x27
     right_knee_right_arm_force_z = -sin_spindle*x27
     right_knee_right_arm_torque_y = -left_arm_arm_z*right_knee_right_arm_force_x - right_arm_arm_x*right_knee_right_arm_force_z
-    left_arm_total_J_z_z = k5 + x22
-    x28 = cos_left_arm*left_arm_total_moment_y
-    x29 = -left_rod_moment_x*sin_left_arm
-    x30 = x28 + x29
+    left_arm_total_J_z_z = right_arm_I_x_x_plus_right_rod_I_x_x + x22
+    cos_left_arm_times_left_arm_total_moment_y = cos_left_arm*left_arm_total_moment_y
+    minus_left_rod_moment_x_times_sin_left_arm = -left_rod_moment_x*sin_left_arm
+    x30 = cos_left_arm_times_left_arm_total_moment_y + minus_left_rod_moment_x_times_sin_left_arm
     left_hinge_left_arm_force_x = cos_spindle*x30
     left_hinge_left_arm_force_z = -sin_spindle*x30
     left_hinge_left_arm_torque_y = left_arm_arm_z*left_hinge_left_arm_force_x + left_hinge_left_arm_force_z*right_arm_arm_x
-    left_knee_left_rod_torque_z = k1*left_rod_moment_y - right_rod_I_x_x
-    x31 = cos_left_arm*left_rod_moment_y
-    x32 = x29 + x31
+    left_knee_left_rod_torque_z = half_arm_length*left_rod_moment_y - right_rod_I_x_x
+    cos_left_arm_times_left_rod_moment_y = cos_left_arm*left_rod_moment_y
+    x32 = minus_left_rod_moment_x_times_sin_left_arm + cos_left_arm_times_left_rod_moment_y
     left_knee_left_arm_force_x = cos_spindle*x32
     left_knee_left_arm_force_z = -sin_spindle*x32
     left_knee_left_arm_torque_y = left_arm_arm_z*left_knee_left_arm_force_x + left_knee_left_arm_force_z*right_arm_arm_x
-    l_left_hinge_left_knee = -k6*left_knee_left_rod_torque_z
+    l_left_hinge_left_knee = -inverse_right_rod_I_x_x*left_knee_left_rod_torque_z
     D_left_hinge = left_arm_total_J_z_z + l_left_hinge_left_knee*left_knee_left_rod_torque_z
-    l_right_hinge_right_knee = k6*right_knee_right_rod_torque_z
+    l_right_hinge_right_knee = inverse_right_rod_I_x_x*right_knee_right_rod_torque_z
     D_right_hinge = right_arm_total_J_z_z - l_right_hinge_right_knee*right_knee_right_rod_torque_z
-    l_spindle_left_knee = k6*left_knee_left_arm_torque_y
+    l_spindle_left_knee = inverse_right_rod_I_x_x*left_knee_left_arm_torque_y
     L_spindle_left_hinge = left_hinge_left_arm_torque_y - l_left_hinge_left_knee*left_knee_left_arm_torque_y
     l_spindle_left_hinge = L_spindle_left_hinge/D_left_hinge
-    l_spindle_right_knee = k6*right_knee_right_arm_torque_y
+    l_spindle_right_knee = inverse_right_rod_I_x_x*right_knee_right_arm_torque_y
     L_spindle_right_hinge = right_hinge_right_arm_torque_y - l_right_hinge_right_knee*right_knee_right_arm_torque_y
     l_spindle_right_hinge = L_spindle_right_hinge/D_right_hinge
     D_spindle = spindle_total_J_y_y - L_spindle_left_hinge*l_spindle_left_hinge - L_spindle_right_hinge*l_spindle_right_hinge - l_spindle_left_knee*left_knee_left_arm_torque_y - l_spindle_right_knee*right_knee_right_arm_torque_y
@@ -738,29 +749,29 @@ def accelerations(t, q, u, f, c):
     y_spindle = spindle_net - l_spindle_left_hinge*y_left_hinge - l_spindle_left_knee*left_knee_net - l_spindle_right_hinge*y_right_hinge - l_spindle_right_knee*right_knee_net
     spindle_acc = y_spindle/D_spindle
     right_hinge_acc = y_right_hinge/D_right_hinge - l_spindle_right_hinge*spindle_acc
-    right_knee_acc = k6*right_knee_net - l_right_hinge_right_knee*right_hinge_acc - l_spindle_right_knee*spindle_acc
+    right_knee_acc = inverse_right_rod_I_x_x*right_knee_net - l_right_hinge_right_knee*right_hinge_acc - l_spindle_right_knee*spindle_acc
     left_hinge_acc = y_left_hinge/D_left_hinge - l_spindle_left_hinge*spindle_acc
-    left_knee_acc = k6*left_knee_net - l_left_hinge_left_knee*left_hinge_acc - l_spindle_left_knee*spindle_acc
-    guide_acc = guide_force*k7
+    left_knee_acc = inverse_right_rod_I_x_x*left_knee_net - l_left_hinge_left_knee*left_hinge_acc - l_spindle_left_knee*spindle_acc
+    guide_acc = guide_force*inverse_collar_mass
     y_right_hinge_2 = right_foot_x_on_right_hinge - l_right_hinge_right_knee*right_foot_x_on_right_knee
     y_spindle_2 = -l_spindle_right_hinge*y_right_hinge_2 - l_spindle_right_knee*right_foot_x_on_right_knee
     spindle_by_right_foot_apart_x = y_spindle_2/D_spindle
     right_hinge_by_right_foot_apart_x = y_right_hinge_2/D_right_hinge - l_spindle_right_hinge*spindle_by_right_foot_apart_x
-    right_knee_by_right_foot_apart_x = k6*right_foot_x_on_right_knee - l_right_hinge_right_knee*right_hinge_by_right_foot_apart_x - l_spindle_right_knee*spindle_by_right_foot_apart_x
+    right_knee_by_right_foot_apart_x = inverse_right_rod_I_x_x*right_foot_x_on_right_knee - l_right_hinge_right_knee*right_hinge_by_right_foot_apart_x - l_spindle_right_knee*spindle_by_right_foot_apart_x
     left_hinge_by_right_foot_apart_x = -l_spindle_left_hinge*spindle_by_right_foot_apart_x
     left_knee_by_right_foot_apart_x = -l_left_hinge_left_knee*left_hinge_by_right_foot_apart_x - l_spindle_left_knee*spindle_by_right_foot_apart_x
     y_right_hinge_3 = right_foot_y_on_right_hinge - l_right_hinge_right_knee*right_foot_y_on_right_knee
     y_spindle_3 = -l_spindle_right_hinge*y_right_hinge_3 - l_spindle_right_knee*right_foot_y_on_right_knee
     spindle_by_right_foot_apart_y = y_spindle_3/D_spindle
     right_hinge_by_right_foot_apart_y = y_right_hinge_3/D_right_hinge - l_spindle_right_hinge*spindle_by_right_foot_apart_y
-    right_knee_by_right_foot_apart_y = k6*right_foot_y_on_right_knee - l_right_hinge_right_knee*right_hinge_by_right_foot_apart_y - l_spindle_right_knee*spindle_by_right_foot_apart_y
+    right_knee_by_right_foot_apart_y = inverse_right_rod_I_x_x*right_foot_y_on_right_knee - l_right_hinge_right_knee*right_hinge_by_right_foot_apart_y - l_spindle_right_knee*spindle_by_right_foot_apart_y
     left_hinge_by_right_foot_apart_y = -l_spindle_left_hinge*spindle_by_right_foot_apart_y
     left_knee_by_right_foot_apart_y = -l_left_hinge_left_knee*left_hinge_by_right_foot_apart_y - l_spindle_left_knee*spindle_by_right_foot_apart_y
     y_right_hinge_4 = right_foot_z_on_right_hinge - l_right_hinge_right_knee*right_foot_z_on_right_knee
     y_spindle_4 = -l_spindle_right_hinge*y_right_hinge_4 - l_spindle_right_knee*right_foot_z_on_right_knee
     spindle_by_right_foot_apart_z = y_spindle_4/D_spindle
     right_hinge_by_right_foot_apart_z = y_right_hinge_4/D_right_hinge - l_spindle_right_hinge*spindle_by_right_foot_apart_z
-    right_knee_by_right_foot_apart_z = k6*right_foot_z_on_right_knee - l_right_hinge_right_knee*right_hinge_by_right_foot_apart_z - l_spindle_right_knee*spindle_by_right_foot_apart_z
+    right_knee_by_right_foot_apart_z = inverse_right_rod_I_x_x*right_foot_z_on_right_knee - l_right_hinge_right_knee*right_hinge_by_right_foot_apart_z - l_spindle_right_knee*spindle_by_right_foot_apart_z
     left_hinge_by_right_foot_apart_z = -l_spindle_left_hinge*spindle_by_right_foot_apart_z
     left_knee_by_right_foot_apart_z = -l_left_hinge_left_knee*left_hinge_by_right_foot_apart_z - l_spindle_left_knee*spindle_by_right_foot_apart_z
     y_left_hinge_2 = left_foot_x_on_left_hinge - l_left_hinge_left_knee*left_foot_x_on_left_knee
@@ -769,24 +780,24 @@ def accelerations(t, q, u, f, c):
     right_hinge_by_left_foot_apart_x = -l_spindle_right_hinge*spindle_by_left_foot_apart_x
     right_knee_by_left_foot_apart_x = -l_right_hinge_right_knee*right_hinge_by_left_foot_apart_x - l_spindle_right_knee*spindle_by_left_foot_apart_x
     left_hinge_by_left_foot_apart_x = y_left_hinge_2/D_left_hinge - l_spindle_left_hinge*spindle_by_left_foot_apart_x
-    left_knee_by_left_foot_apart_x = k6*left_foot_x_on_left_knee - l_left_hinge_left_knee*left_hinge_by_left_foot_apart_x - l_spindle_left_knee*spindle_by_left_foot_apart_x
+    left_knee_by_left_foot_apart_x = inverse_right_rod_I_x_x*left_foot_x_on_left_knee - l_left_hinge_left_knee*left_hinge_by_left_foot_apart_x - l_spindle_left_knee*spindle_by_left_foot_apart_x
     y_left_hinge_3 = left_foot_y_on_left_hinge - l_left_hinge_left_knee*left_foot_y_on_left_knee
     y_spindle_6 = -l_spindle_left_hinge*y_left_hinge_3 - l_spindle_left_knee*left_foot_y_on_left_knee
     spindle_by_left_foot_apart_y = y_spindle_6/D_spindle
     right_hinge_by_left_foot_apart_y = -l_spindle_right_hinge*spindle_by_left_foot_apart_y
     right_knee_by_left_foot_apart_y = -l_right_hinge_right_knee*right_hinge_by_left_foot_apart_y - l_spindle_right_knee*spindle_by_left_foot_apart_y
     left_hinge_by_left_foot_apart_y = y_left_hinge_3/D_left_hinge - l_spindle_left_hinge*spindle_by_left_foot_apart_y
-    left_knee_by_left_foot_apart_y = k6*left_foot_y_on_left_knee - l_left_hinge_left_knee*left_hinge_by_left_foot_apart_y - l_spindle_left_knee*spindle_by_left_foot_apart_y
+    left_knee_by_left_foot_apart_y = inverse_right_rod_I_x_x*left_foot_y_on_left_knee - l_left_hinge_left_knee*left_hinge_by_left_foot_apart_y - l_spindle_left_knee*spindle_by_left_foot_apart_y
     y_left_hinge_4 = left_foot_z_on_left_hinge - l_left_hinge_left_knee*left_foot_z_on_left_knee
     y_spindle_7 = -l_spindle_left_hinge*y_left_hinge_4 - l_spindle_left_knee*left_foot_z_on_left_knee
     spindle_by_left_foot_apart_z = y_spindle_7/D_spindle
     right_hinge_by_left_foot_apart_z = -l_spindle_right_hinge*spindle_by_left_foot_apart_z
     right_knee_by_left_foot_apart_z = -l_right_hinge_right_knee*right_hinge_by_left_foot_apart_z - l_spindle_right_knee*spindle_by_left_foot_apart_z
     left_hinge_by_left_foot_apart_z = y_left_hinge_4/D_left_hinge - l_spindle_left_hinge*spindle_by_left_foot_apart_z
-    left_knee_by_left_foot_apart_z = k6*left_foot_z_on_left_knee - l_left_hinge_left_knee*left_hinge_by_left_foot_apart_z - l_spindle_left_knee*spindle_by_left_foot_apart_z
+    left_knee_by_left_foot_apart_z = inverse_right_rod_I_x_x*left_foot_z_on_left_knee - l_left_hinge_left_knee*left_hinge_by_left_foot_apart_z - l_spindle_left_knee*spindle_by_left_foot_apart_z
     W_right_foot_apart_x_right_foot_apart_x = right_foot_x_on_right_hinge*right_hinge_by_right_foot_apart_x + right_foot_x_on_right_knee*right_knee_by_right_foot_apart_x
     W_right_foot_apart_y_right_foot_apart_x = right_foot_y_on_right_hinge*right_hinge_by_right_foot_apart_x + right_foot_y_on_right_knee*right_knee_by_right_foot_apart_x
-    W_right_foot_apart_y_right_foot_apart_y = k7 + right_foot_y_on_right_hinge*right_hinge_by_right_foot_apart_y + right_foot_y_on_right_knee*right_knee_by_right_foot_apart_y
+    W_right_foot_apart_y_right_foot_apart_y = inverse_collar_mass + right_foot_y_on_right_hinge*right_hinge_by_right_foot_apart_y + right_foot_y_on_right_knee*right_knee_by_right_foot_apart_y
     W_right_foot_apart_z_right_foot_apart_x = right_foot_z_on_right_hinge*right_hinge_by_right_foot_apart_x + right_foot_z_on_right_knee*right_knee_by_right_foot_apart_x
     W_right_foot_apart_z_right_foot_apart_y = right_foot_z_on_right_hinge*right_hinge_by_right_foot_apart_y + right_foot_z_on_right_knee*right_knee_by_right_foot_apart_y
     W_right_foot_apart_z_right_foot_apart_z = right_foot_z_on_right_hinge*right_hinge_by_right_foot_apart_z + right_foot_z_on_right_knee*right_knee_by_right_foot_apart_z
@@ -795,10 +806,10 @@ def accelerations(t, q, u, f, c):
     W_left_foot_apart_x_right_foot_apart_z = left_foot_x_on_left_hinge*left_hinge_by_right_foot_apart_z + left_foot_x_on_left_knee*left_knee_by_right_foot_apart_z
     W_left_foot_apart_x_left_foot_apart_x = left_foot_x_on_left_hinge*left_hinge_by_left_foot_apart_x + left_foot_x_on_left_knee*left_knee_by_left_foot_apart_x
     W_left_foot_apart_y_right_foot_apart_x = left_foot_y_on_left_hinge*left_hinge_by_right_foot_apart_x + left_foot_y_on_left_knee*left_knee_by_right_foot_apart_x
-    W_left_foot_apart_y_right_foot_apart_y = k7 + left_foot_y_on_left_hinge*left_hinge_by_right_foot_apart_y + left_foot_y_on_left_knee*left_knee_by_right_foot_apart_y
+    W_left_foot_apart_y_right_foot_apart_y = inverse_collar_mass + left_foot_y_on_left_hinge*left_hinge_by_right_foot_apart_y + left_foot_y_on_left_knee*left_knee_by_right_foot_apart_y
     W_left_foot_apart_y_right_foot_apart_z = left_foot_y_on_left_hinge*left_hinge_by_right_foot_apart_z + left_foot_y_on_left_knee*left_knee_by_right_foot_apart_z
     W_left_foot_apart_y_left_foot_apart_x = left_foot_y_on_left_hinge*left_hinge_by_left_foot_apart_x + left_foot_y_on_left_knee*left_knee_by_left_foot_apart_x
-    W_left_foot_apart_y_left_foot_apart_y = k7 + left_foot_y_on_left_hinge*left_hinge_by_left_foot_apart_y + left_foot_y_on_left_knee*left_knee_by_left_foot_apart_y
+    W_left_foot_apart_y_left_foot_apart_y = inverse_collar_mass + left_foot_y_on_left_hinge*left_hinge_by_left_foot_apart_y + left_foot_y_on_left_knee*left_knee_by_left_foot_apart_y
     W_left_foot_apart_z_right_foot_apart_x = left_foot_z_on_left_hinge*left_hinge_by_right_foot_apart_x + left_foot_z_on_left_knee*left_knee_by_right_foot_apart_x
     W_left_foot_apart_z_right_foot_apart_y = left_foot_z_on_left_hinge*left_hinge_by_right_foot_apart_y + left_foot_z_on_left_knee*left_knee_by_right_foot_apart_y
     W_left_foot_apart_z_right_foot_apart_z = left_foot_z_on_left_hinge*left_hinge_by_right_foot_apart_z + left_foot_z_on_left_knee*left_knee_by_right_foot_apart_z
@@ -865,7 +876,7 @@ def accelerations(t, q, u, f, c):
     right_knee_acc_2 = right_knee_acc + left_foot_apart_x_acc*right_knee_by_left_foot_apart_x + left_foot_apart_y_acc*right_knee_by_left_foot_apart_y + left_foot_apart_z_acc*right_knee_by_left_foot_apart_z + right_foot_apart_x_acc*right_knee_by_right_foot_apart_x + right_foot_apart_y_acc*right_knee_by_right_foot_apart_y + right_foot_apart_z_acc*right_knee_by_right_foot_apart_z
     left_hinge_acc_2 = left_hinge_acc + left_foot_apart_x_acc*left_hinge_by_left_foot_apart_x + left_foot_apart_y_acc*left_hinge_by_left_foot_apart_y + left_foot_apart_z_acc*left_hinge_by_left_foot_apart_z + left_hinge_by_right_foot_apart_x*right_foot_apart_x_acc + left_hinge_by_right_foot_apart_y*right_foot_apart_y_acc + left_hinge_by_right_foot_apart_z*right_foot_apart_z_acc
     left_knee_acc_2 = left_knee_acc + left_foot_apart_x_acc*left_knee_by_left_foot_apart_x + left_foot_apart_y_acc*left_knee_by_left_foot_apart_y + left_foot_apart_z_acc*left_knee_by_left_foot_apart_z + left_knee_by_right_foot_apart_x*right_foot_apart_x_acc + left_knee_by_right_foot_apart_y*right_foot_apart_y_acc + left_knee_by_right_foot_apart_z*right_foot_apart_z_acc
-    guide_acc_2 = guide_acc - k7*left_foot_apart_y_acc - k7*right_foot_apart_y_acc
+    guide_acc_2 = guide_acc - inverse_collar_mass*left_foot_apart_y_acc - inverse_collar_mass*right_foot_apart_y_acc
     right_foot_apart_x_left_2 = -right_foot_apart_bias_x - right_foot_x_on_right_hinge*right_hinge_acc_2 - right_foot_x_on_right_knee*right_knee_acc_2
     right_foot_apart_y_left_2 = guide_acc_2 - right_foot_apart_bias_y - right_foot_y_on_right_hinge*right_hinge_acc_2 - right_foot_y_on_right_knee*right_knee_acc_2
     right_foot_apart_z_left_2 = -right_foot_apart_bias_z - right_foot_z_on_right_hinge*right_hinge_acc_2 - right_foot_z_on_right_knee*right_knee_acc_2
@@ -894,7 +905,7 @@ def accelerations(t, q, u, f, c):
     right_knee_acc_3 = right_knee_acc_2 + left_foot_apart_x_acc_2*right_knee_by_left_foot_apart_x + left_foot_apart_y_acc_2*right_knee_by_left_foot_apart_y + left_foot_apart_z_acc_2*right_knee_by_left_foot_apart_z + right_foot_apart_x_acc_2*right_knee_by_right_foot_apart_x + right_foot_apart_y_acc_2*right_knee_by_right_foot_apart_y + right_foot_apart_z_acc_2*right_knee_by_right_foot_apart_z
     left_hinge_acc_3 = left_hinge_acc_2 + left_foot_apart_x_acc_2*left_hinge_by_left_foot_apart_x + left_foot_apart_y_acc_2*left_hinge_by_left_foot_apart_y + left_foot_apart_z_acc_2*left_hinge_by_left_foot_apart_z + left_hinge_by_right_foot_apart_x*right_foot_apart_x_acc_2 + left_hinge_by_right_foot_apart_y*right_foot_apart_y_acc_2 + left_hinge_by_right_foot_apart_z*right_foot_apart_z_acc_2
     left_knee_acc_3 = left_knee_acc_2 + left_foot_apart_x_acc_2*left_knee_by_left_foot_apart_x + left_foot_apart_y_acc_2*left_knee_by_left_foot_apart_y + left_foot_apart_z_acc_2*left_knee_by_left_foot_apart_z + left_knee_by_right_foot_apart_x*right_foot_apart_x_acc_2 + left_knee_by_right_foot_apart_y*right_foot_apart_y_acc_2 + left_knee_by_right_foot_apart_z*right_foot_apart_z_acc_2
-    guide_acc_3 = guide_acc_2 - k7*left_foot_apart_y_acc_2 - k7*right_foot_apart_y_acc_2
+    guide_acc_3 = guide_acc_2 - inverse_collar_mass*left_foot_apart_y_acc_2 - inverse_collar_mass*right_foot_apart_y_acc_2
     right_foot_apart_x_left_3 = -right_foot_apart_bias_x - right_foot_x_on_right_hinge*right_hinge_acc_3 - right_foot_x_on_right_knee*right_knee_acc_3
     right_foot_apart_y_left_3 = guide_acc_3 - right_foot_apart_bias_y - right_foot_y_on_right_hinge*right_hinge_acc_3 - right_foot_y_on_right_knee*right_knee_acc_3
     right_foot_apart_z_left_3 = -right_foot_apart_bias_z - right_foot_z_on_right_hinge*right_hinge_acc_3 - right_foot_z_on_right_knee*right_knee_acc_3
@@ -923,7 +934,7 @@ def accelerations(t, q, u, f, c):
     right_knee_acc_4 = right_knee_acc_3 + left_foot_apart_x_acc_4*right_knee_by_left_foot_apart_x + left_foot_apart_y_acc_4*right_knee_by_left_foot_apart_y + left_foot_apart_z_acc_4*right_knee_by_left_foot_apart_z + right_foot_apart_x_acc_4*right_knee_by_right_foot_apart_x + right_foot_apart_y_acc_4*right_knee_by_right_foot_apart_y + right_foot_apart_z_acc_4*right_knee_by_right_foot_apart_z
     left_hinge_acc_4 = left_hinge_acc_3 + left_foot_apart_x_acc_4*left_hinge_by_left_foot_apart_x + left_foot_apart_y_acc_4*left_hinge_by_left_foot_apart_y + left_foot_apart_z_acc_4*left_hinge_by_left_foot_apart_z + left_hinge_by_right_foot_apart_x*right_foot_apart_x_acc_4 + left_hinge_by_right_foot_apart_y*right_foot_apart_y_acc_4 + left_hinge_by_right_foot_apart_z*right_foot_apart_z_acc_4
     left_knee_acc_4 = left_knee_acc_3 + left_foot_apart_x_acc_4*left_knee_by_left_foot_apart_x + left_foot_apart_y_acc_4*left_knee_by_left_foot_apart_y + left_foot_apart_z_acc_4*left_knee_by_left_foot_apart_z + left_knee_by_right_foot_apart_x*right_foot_apart_x_acc_4 + left_knee_by_right_foot_apart_y*right_foot_apart_y_acc_4 + left_knee_by_right_foot_apart_z*right_foot_apart_z_acc_4
-    guide_acc_4 = guide_acc_3 - k7*left_foot_apart_y_acc_4 - k7*right_foot_apart_y_acc_4
+    guide_acc_4 = guide_acc_3 - inverse_collar_mass*left_foot_apart_y_acc_4 - inverse_collar_mass*right_foot_apart_y_acc_4
     return (
         ca.vertcat(spindle_acc_4, right_hinge_acc_4, right_knee_acc_4, left_hinge_acc_4, left_knee_acc_4,
             guide_acc_4),
@@ -945,7 +956,7 @@ def constraints(t, q, u, c):
     """
     rod_length = c[1]
     offset = c[3]
-    k1 = c[7]
+    half_arm_length = c[7]
     spindle_angle = q[0]
     right_hinge_angle = q[1]
     right_knee_angle = q[2]
@@ -978,9 +989,9 @@ def constraints(t, q, u, c):
     right_arm_turning_z = cos_spindle*right_hinge_speed
     right_arm_R_x_y = -cos_spindle*sin_right_arm
     right_arm_R_z_y = sin_right_arm*sin_spindle
-    right_rod_arm_x = -k1*right_arm_R_x_y
-    right_rod_arm_y = -cos_right_arm*k1
-    right_rod_arm_z = -k1*right_arm_R_z_y
+    right_rod_arm_x = -half_arm_length*right_arm_R_x_y
+    right_rod_arm_y = -cos_right_arm*half_arm_length
+    right_rod_arm_z = -half_arm_length*right_arm_R_z_y
     right_rod_arm_rate_x = right_rod_arm_z*spindle_speed - right_arm_turning_z*right_rod_arm_y
     right_rod_arm_rate_y = right_arm_turning_z*right_rod_arm_x - right_arm_turning_x*right_rod_arm_z
     right_rod_arm_rate_z = right_arm_turning_x*right_rod_arm_y - right_rod_arm_x*spindle_speed
@@ -1013,9 +1024,9 @@ def constraints(t, q, u, c):
     left_arm_turning_z = -cos_spindle*left_hinge_speed
     left_arm_R_x_y = cos_spindle*sin_left_arm
     left_arm_R_z_y = -sin_left_arm*sin_spindle
-    left_rod_arm_x = -k1*left_arm_R_x_y
-    left_rod_arm_y = -cos_left_arm*k1
-    left_rod_arm_z = -k1*left_arm_R_z_y
+    left_rod_arm_x = -half_arm_length*left_arm_R_x_y
+    left_rod_arm_y = -cos_left_arm*half_arm_length
+    left_rod_arm_z = -half_arm_length*left_arm_R_z_y
     left_rod_arm_rate_x = left_rod_arm_z*spindle_speed - left_arm_turning_z*left_rod_arm_y
     left_rod_arm_rate_y = left_arm_turning_z*left_rod_arm_x - left_arm_turning_x*left_rod_arm_z
     left_rod_arm_rate_z = left_arm_turning_x*left_rod_arm_y - left_rod_arm_x*spindle_speed
@@ -1062,17 +1073,17 @@ def projection(t, q, wanted, c):
     """
     rod_length = c[1]
     offset = c[3]
-    k1 = c[7]
+    half_arm_length = c[7]
     right_rod_h_y = c[8]
     right_arm_h_y = c[9]
     right_arm_I_x_x = c[10]
     right_arm_I_y_y = c[11]
     right_rod_I_x_x = c[12]
     k3 = c[14]
-    k4 = c[15]
-    k5 = c[16]
-    k6 = c[17]
-    k7 = c[18]
+    spindle_I_y_y_plus_collar_inertia = c[15]
+    right_arm_I_x_x_plus_right_rod_I_x_x = c[16]
+    inverse_right_rod_I_x_x = c[17]
+    inverse_collar_mass = c[18]
     right_foot_apart_x_softness = c[32]
     right_foot_apart_y_softness = c[33]
     right_foot_apart_z_softness = c[34]
@@ -1112,9 +1123,9 @@ def projection(t, q, wanted, c):
     right_arm_arm_z = -sin_spindle*offset
     right_arm_R_x_y = -cos_spindle*sin_right_arm
     right_arm_R_z_y = sin_right_arm*sin_spindle
-    right_rod_arm_x = -k1*right_arm_R_x_y
-    right_rod_arm_y = -cos_right_arm*k1
-    right_rod_arm_z = -k1*right_arm_R_z_y
+    right_rod_arm_x = -half_arm_length*right_arm_R_x_y
+    right_rod_arm_y = -cos_right_arm*half_arm_length
+    right_rod_arm_z = -half_arm_length*right_arm_R_z_y
     right_rod_x = right_arm_arm_x + right_rod_arm_x
     right_rod_z = right_arm_arm_z + right_rod_arm_z
     right_rod_R_x_y = -cos_spindle*sin_right_rod
@@ -1122,19 +1133,19 @@ def projection(t, q, wanted, c):
     right_foot_child_arm_x = -right_rod_R_x_y*rod_length
     right_foot_child_arm_y = -cos_right_rod*rod_length
     right_foot_child_arm_z = -right_rod_R_z_y*rod_length
-    x1 = right_foot_child_arm_y + right_rod_arm_y
-    right_foot_x_on_right_hinge = -cos_spindle*x1
+    right_foot_child_arm_y_plus_right_rod_arm_y = right_foot_child_arm_y + right_rod_arm_y
+    right_foot_x_on_right_hinge = -cos_spindle*right_foot_child_arm_y_plus_right_rod_arm_y
     right_foot_x_on_right_knee = -cos_spindle*right_foot_child_arm_y
     right_foot_y_on_right_hinge = cos_spindle*(right_foot_child_arm_x + right_rod_x - right_arm_arm_x) - sin_spindle*(right_foot_child_arm_z + right_rod_z - right_arm_arm_z)
     right_foot_y_on_right_knee = cos_spindle*right_foot_child_arm_x - right_foot_child_arm_z*sin_spindle
-    right_foot_z_on_right_hinge = sin_spindle*x1
+    right_foot_z_on_right_hinge = sin_spindle*right_foot_child_arm_y_plus_right_rod_arm_y
     right_foot_z_on_right_knee = right_foot_child_arm_y*sin_spindle
     left_arm_arm_z = sin_spindle*offset
     left_arm_R_x_y = cos_spindle*sin_left_arm
     left_arm_R_z_y = -sin_left_arm*sin_spindle
-    left_rod_arm_x = -k1*left_arm_R_x_y
-    left_rod_arm_y = -cos_left_arm*k1
-    left_rod_arm_z = -k1*left_arm_R_z_y
+    left_rod_arm_x = -half_arm_length*left_arm_R_x_y
+    left_rod_arm_y = -cos_left_arm*half_arm_length
+    left_rod_arm_z = -half_arm_length*left_arm_R_z_y
     left_rod_x = left_rod_arm_x - right_arm_arm_x
     left_rod_z = left_arm_arm_z + left_rod_arm_z
     left_rod_R_x_y = cos_spindle*sin_left_rod
@@ -1142,12 +1153,12 @@ def projection(t, q, wanted, c):
     left_foot_child_arm_x = -left_rod_R_x_y*rod_length
     left_foot_child_arm_y = -cos_left_rod*rod_length
     left_foot_child_arm_z = -left_rod_R_z_y*rod_length
-    x2 = left_foot_child_arm_y + left_rod_arm_y
-    left_foot_x_on_left_hinge = cos_spindle*x2
+    left_foot_child_arm_y_plus_left_rod_arm_y = left_foot_child_arm_y + left_rod_arm_y
+    left_foot_x_on_left_hinge = cos_spindle*left_foot_child_arm_y_plus_left_rod_arm_y
     left_foot_x_on_left_knee = cos_spindle*left_foot_child_arm_y
     left_foot_y_on_left_hinge = sin_spindle*(left_foot_child_arm_z + left_rod_z - left_arm_arm_z) - cos_spindle*(left_foot_child_arm_x + left_rod_x + right_arm_arm_x)
     left_foot_y_on_left_knee = left_foot_child_arm_z*sin_spindle - cos_spindle*left_foot_child_arm_x
-    left_foot_z_on_left_hinge = -sin_spindle*x2
+    left_foot_z_on_left_hinge = -sin_spindle*left_foot_child_arm_y_plus_left_rod_arm_y
     left_foot_z_on_left_knee = -left_foot_child_arm_y*sin_spindle
     right_rod_moment_x = -right_rod_h_y*sin_right_rod_turn
     right_rod_moment_y = cos_right_rod_turn*right_rod_h_y
@@ -1163,63 +1174,63 @@ def projection(t, q, wanted, c):
     left_rod_J_x_x = right_rod_I_x_x - left_rod_J_swing*sin_left_rod_turn
     left_rod_J_y_y = left_rod_J_swing*sin_left_rod_turn
     left_rod_J_x_y = -cos_left_rod_turn*left_rod_J_swing
-    x3 = cos_right_arm*right_rod_moment_x
+    cos_right_arm_times_right_rod_moment_x = cos_right_arm*right_rod_moment_x
     x4 = -right_arm_total_moment_y*sin_right_arm
-    x5 = x3 + x4
+    x5 = cos_right_arm_times_right_rod_moment_x + x4
     right_arm_turned_moment_x = cos_spindle*x5
     right_arm_turned_moment_z = -sin_spindle*x5
-    x6 = cos_left_arm*left_rod_moment_x
-    x7 = left_arm_total_moment_y*sin_left_arm
-    x8 = x6 + x7
+    cos_left_arm_times_left_rod_moment_x = cos_left_arm*left_rod_moment_x
+    left_arm_total_moment_y_times_sin_left_arm = left_arm_total_moment_y*sin_left_arm
+    x8 = cos_left_arm_times_left_rod_moment_x + left_arm_total_moment_y_times_sin_left_arm
     left_arm_turned_moment_x = cos_spindle*x8
     left_arm_turned_moment_z = -sin_spindle*x8
-    right_arm_total_J_x_y = right_rod_J_x_y + k1*right_rod_moment_x
+    right_arm_total_J_x_y = right_rod_J_x_y + half_arm_length*right_rod_moment_x
     right_arm_total_J_y_y = right_arm_I_y_y + right_rod_J_y_y
     x9 = -k3*right_rod_moment_y
     right_arm_total_J_x_x = right_arm_I_x_x + right_rod_J_x_x + x9
     right_arm_turned_J_swing = sin_right_arm*(right_arm_total_J_y_y - right_arm_total_J_x_x) - 2*cos_right_arm*right_arm_total_J_x_y
-    left_arm_total_J_x_y = left_rod_J_x_y + k1*left_rod_moment_x
+    left_arm_total_J_x_y = left_rod_J_x_y + half_arm_length*left_rod_moment_x
     left_arm_total_J_y_y = left_rod_J_y_y + right_arm_I_y_y
     x10 = -k3*left_rod_moment_y
     left_arm_total_J_x_x = left_rod_J_x_x + right_arm_I_x_x + x10
     left_arm_turned_J_swing = -sin_left_arm*(left_arm_total_J_y_y - left_arm_total_J_x_x) - 2*cos_left_arm*left_arm_total_J_x_y
     right_arm_turned_J_y_y = right_arm_total_J_y_y - right_arm_turned_J_swing*sin_right_arm
     left_arm_turned_J_y_y = left_arm_total_J_y_y + left_arm_turned_J_swing*sin_left_arm
-    spindle_total_J_y_y = k4 + left_arm_turned_J_y_y + right_arm_turned_J_y_y + 2*left_arm_arm_z*left_arm_turned_moment_z + 2*right_arm_arm_x*right_arm_turned_moment_x - 2*left_arm_arm_z*right_arm_turned_moment_z - 2*left_arm_turned_moment_x*right_arm_arm_x
-    right_arm_total_J_z_z = k5 + x9
+    spindle_total_J_y_y = spindle_I_y_y_plus_collar_inertia + left_arm_turned_J_y_y + right_arm_turned_J_y_y + 2*left_arm_arm_z*left_arm_turned_moment_z + 2*right_arm_arm_x*right_arm_turned_moment_x - 2*left_arm_arm_z*right_arm_turned_moment_z - 2*left_arm_turned_moment_x*right_arm_arm_x
+    right_arm_total_J_z_z = right_arm_I_x_x_plus_right_rod_I_x_x + x9
     x11 = -cos_right_arm*right_arm_total_moment_y
-    x12 = -right_rod_moment_x*sin_right_arm
-    x13 = x11 + x12
+    minus_right_rod_moment_x_times_sin_right_arm = -right_rod_moment_x*sin_right_arm
+    x13 = x11 + minus_right_rod_moment_x_times_sin_right_arm
     right_hinge_right_arm_force_x = cos_spindle*x13
     right_hinge_right_arm_force_z = -sin_spindle*x13
     right_hinge_right_arm_torque_y = -left_arm_arm_z*right_hinge_right_arm_force_x - right_arm_arm_x*right_hinge_right_arm_force_z
-    right_knee_right_rod_torque_z = right_rod_I_x_x - k1*right_rod_moment_y
-    x14 = -cos_right_arm*right_rod_moment_y
-    x15 = x12 + x14
+    right_knee_right_rod_torque_z = right_rod_I_x_x - half_arm_length*right_rod_moment_y
+    minus_cos_right_arm_times_right_rod_moment_y = -cos_right_arm*right_rod_moment_y
+    x15 = minus_right_rod_moment_x_times_sin_right_arm + minus_cos_right_arm_times_right_rod_moment_y
     right_knee_right_arm_force_x = cos_spindle*x15
     right_knee_right_arm_force_z = -sin_spindle*x15
     right_knee_right_arm_torque_y = -left_arm_arm_z*right_knee_right_arm_force_x - right_arm_arm_x*right_knee_right_arm_force_z
-    left_arm_total_J_z_z = k5 + x10
-    x16 = cos_left_arm*left_arm_total_moment_y
-    x17 = -left_rod_moment_x*sin_left_arm
-    x18 = x16 + x17
+    left_arm_total_J_z_z = right_arm_I_x_x_plus_right_rod_I_x_x + x10
+    cos_left_arm_times_left_arm_total_moment_y = cos_left_arm*left_arm_total_moment_y
+    minus_left_rod_moment_x_times_sin_left_arm = -left_rod_moment_x*sin_left_arm
+    x18 = cos_left_arm_times_left_arm_total_moment_y + minus_left_rod_moment_x_times_sin_left_arm
     left_hinge_left_arm_force_x = cos_spindle*x18
     left_hinge_left_arm_force_z = -sin_spindle*x18
     left_hinge_left_arm_torque_y = left_arm_arm_z*left_hinge_left_arm_force_x + left_hinge_left_arm_force_z*right_arm_arm_x
-    left_knee_left_rod_torque_z = k1*left_rod_moment_y - right_rod_I_x_x
-    x19 = cos_left_arm*left_rod_moment_y
-    x20 = x17 + x19
+    left_knee_left_rod_torque_z = half_arm_length*left_rod_moment_y - right_rod_I_x_x
+    cos_left_arm_times_left_rod_moment_y = cos_left_arm*left_rod_moment_y
+    x20 = minus_left_rod_moment_x_times_sin_left_arm + cos_left_arm_times_left_rod_moment_y
     left_knee_left_arm_force_x = cos_spindle*x20
     left_knee_left_arm_force_z = -sin_spindle*x20
     left_knee_left_arm_torque_y = left_arm_arm_z*left_knee_left_arm_force_x + left_knee_left_arm_force_z*right_arm_arm_x
-    l_left_hinge_left_knee = -k6*left_knee_left_rod_torque_z
+    l_left_hinge_left_knee = -inverse_right_rod_I_x_x*left_knee_left_rod_torque_z
     D_left_hinge = left_arm_total_J_z_z + l_left_hinge_left_knee*left_knee_left_rod_torque_z
-    l_right_hinge_right_knee = k6*right_knee_right_rod_torque_z
+    l_right_hinge_right_knee = inverse_right_rod_I_x_x*right_knee_right_rod_torque_z
     D_right_hinge = right_arm_total_J_z_z - l_right_hinge_right_knee*right_knee_right_rod_torque_z
-    l_spindle_left_knee = k6*left_knee_left_arm_torque_y
+    l_spindle_left_knee = inverse_right_rod_I_x_x*left_knee_left_arm_torque_y
     L_spindle_left_hinge = left_hinge_left_arm_torque_y - l_left_hinge_left_knee*left_knee_left_arm_torque_y
     l_spindle_left_hinge = L_spindle_left_hinge/D_left_hinge
-    l_spindle_right_knee = k6*right_knee_right_arm_torque_y
+    l_spindle_right_knee = inverse_right_rod_I_x_x*right_knee_right_arm_torque_y
     L_spindle_right_hinge = right_hinge_right_arm_torque_y - l_right_hinge_right_knee*right_knee_right_arm_torque_y
     l_spindle_right_hinge = L_spindle_right_hinge/D_right_hinge
     D_spindle = spindle_total_J_y_y - L_spindle_left_hinge*l_spindle_left_hinge - L_spindle_right_hinge*l_spindle_right_hinge - l_spindle_left_knee*left_knee_left_arm_torque_y - l_spindle_right_knee*right_knee_right_arm_torque_y
@@ -1227,21 +1238,21 @@ def projection(t, q, wanted, c):
     y_spindle_2 = -l_spindle_right_hinge*y_right_hinge_2 - l_spindle_right_knee*right_foot_x_on_right_knee
     spindle_by_right_foot_apart_x = y_spindle_2/D_spindle
     right_hinge_by_right_foot_apart_x = y_right_hinge_2/D_right_hinge - l_spindle_right_hinge*spindle_by_right_foot_apart_x
-    right_knee_by_right_foot_apart_x = k6*right_foot_x_on_right_knee - l_right_hinge_right_knee*right_hinge_by_right_foot_apart_x - l_spindle_right_knee*spindle_by_right_foot_apart_x
+    right_knee_by_right_foot_apart_x = inverse_right_rod_I_x_x*right_foot_x_on_right_knee - l_right_hinge_right_knee*right_hinge_by_right_foot_apart_x - l_spindle_right_knee*spindle_by_right_foot_apart_x
     left_hinge_by_right_foot_apart_x = -l_spindle_left_hinge*spindle_by_right_foot_apart_x
     left_knee_by_right_foot_apart_x = -l_left_hinge_left_knee*left_hinge_by_right_foot_apart_x - l_spindle_left_knee*spindle_by_right_foot_apart_x
     y_right_hinge_3 = right_foot_y_on_right_hinge - l_right_hinge_right_knee*right_foot_y_on_right_knee
     y_spindle_3 = -l_spindle_right_hinge*y_right_hinge_3 - l_spindle_right_knee*right_foot_y_on_right_knee
     spindle_by_right_foot_apart_y = y_spindle_3/D_spindle
     right_hinge_by_right_foot_apart_y = y_right_hinge_3/D_right_hinge - l_spindle_right_hinge*spindle_by_right_foot_apart_y
-    right_knee_by_right_foot_apart_y = k6*right_foot_y_on_right_knee - l_right_hinge_right_knee*right_hinge_by_right_foot_apart_y - l_spindle_right_knee*spindle_by_right_foot_apart_y
+    right_knee_by_right_foot_apart_y = inverse_right_rod_I_x_x*right_foot_y_on_right_knee - l_right_hinge_right_knee*right_hinge_by_right_foot_apart_y - l_spindle_right_knee*spindle_by_right_foot_apart_y
     left_hinge_by_right_foot_apart_y = -l_spindle_left_hinge*spindle_by_right_foot_apart_y
     left_knee_by_right_foot_apart_y = -l_left_hinge_left_knee*left_hinge_by_right_foot_apart_y - l_spindle_left_knee*spindle_by_right_foot_apart_y
     y_right_hinge_4 = right_foot_z_on_right_hinge - l_right_hinge_right_knee*right_foot_z_on_right_knee
     y_spindle_4 = -l_spindle_right_hinge*y_right_hinge_4 - l_spindle_right_knee*right_foot_z_on_right_knee
     spindle_by_right_foot_apart_z = y_spindle_4/D_spindle
     right_hinge_by_right_foot_apart_z = y_right_hinge_4/D_right_hinge - l_spindle_right_hinge*spindle_by_right_foot_apart_z
-    right_knee_by_right_foot_apart_z = k6*right_foot_z_on_right_knee - l_right_hinge_right_knee*right_hinge_by_right_foot_apart_z - l_spindle_right_knee*spindle_by_right_foot_apart_z
+    right_knee_by_right_foot_apart_z = inverse_right_rod_I_x_x*right_foot_z_on_right_knee - l_right_hinge_right_knee*right_hinge_by_right_foot_apart_z - l_spindle_right_knee*spindle_by_right_foot_apart_z
     left_hinge_by_right_foot_apart_z = -l_spindle_left_hinge*spindle_by_right_foot_apart_z
     left_knee_by_right_foot_apart_z = -l_left_hinge_left_knee*left_hinge_by_right_foot_apart_z - l_spindle_left_knee*spindle_by_right_foot_apart_z
     y_left_hinge_2 = left_foot_x_on_left_hinge - l_left_hinge_left_knee*left_foot_x_on_left_knee
@@ -1250,24 +1261,24 @@ def projection(t, q, wanted, c):
     right_hinge_by_left_foot_apart_x = -l_spindle_right_hinge*spindle_by_left_foot_apart_x
     right_knee_by_left_foot_apart_x = -l_right_hinge_right_knee*right_hinge_by_left_foot_apart_x - l_spindle_right_knee*spindle_by_left_foot_apart_x
     left_hinge_by_left_foot_apart_x = y_left_hinge_2/D_left_hinge - l_spindle_left_hinge*spindle_by_left_foot_apart_x
-    left_knee_by_left_foot_apart_x = k6*left_foot_x_on_left_knee - l_left_hinge_left_knee*left_hinge_by_left_foot_apart_x - l_spindle_left_knee*spindle_by_left_foot_apart_x
+    left_knee_by_left_foot_apart_x = inverse_right_rod_I_x_x*left_foot_x_on_left_knee - l_left_hinge_left_knee*left_hinge_by_left_foot_apart_x - l_spindle_left_knee*spindle_by_left_foot_apart_x
     y_left_hinge_3 = left_foot_y_on_left_hinge - l_left_hinge_left_knee*left_foot_y_on_left_knee
     y_spindle_6 = -l_spindle_left_hinge*y_left_hinge_3 - l_spindle_left_knee*left_foot_y_on_left_knee
     spindle_by_left_foot_apart_y = y_spindle_6/D_spindle
     right_hinge_by_left_foot_apart_y = -l_spindle_right_hinge*spindle_by_left_foot_apart_y
     right_knee_by_left_foot_apart_y = -l_right_hinge_right_knee*right_hinge_by_left_foot_apart_y - l_spindle_right_knee*spindle_by_left_foot_apart_y
     left_hinge_by_left_foot_apart_y = y_left_hinge_3/D_left_hinge - l_spindle_left_hinge*spindle_by_left_foot_apart_y
-    left_knee_by_left_foot_apart_y = k6*left_foot_y_on_left_knee - l_left_hinge_left_knee*left_hinge_by_left_foot_apart_y - l_spindle_left_knee*spindle_by_left_foot_apart_y
+    left_knee_by_left_foot_apart_y = inverse_right_rod_I_x_x*left_foot_y_on_left_knee - l_left_hinge_left_knee*left_hinge_by_left_foot_apart_y - l_spindle_left_knee*spindle_by_left_foot_apart_y
     y_left_hinge_4 = left_foot_z_on_left_hinge - l_left_hinge_left_knee*left_foot_z_on_left_knee
     y_spindle_7 = -l_spindle_left_hinge*y_left_hinge_4 - l_spindle_left_knee*left_foot_z_on_left_knee
     spindle_by_left_foot_apart_z = y_spindle_7/D_spindle
     right_hinge_by_left_foot_apart_z = -l_spindle_right_hinge*spindle_by_left_foot_apart_z
     right_knee_by_left_foot_apart_z = -l_right_hinge_right_knee*right_hinge_by_left_foot_apart_z - l_spindle_right_knee*spindle_by_left_foot_apart_z
     left_hinge_by_left_foot_apart_z = y_left_hinge_4/D_left_hinge - l_spindle_left_hinge*spindle_by_left_foot_apart_z
-    left_knee_by_left_foot_apart_z = k6*left_foot_z_on_left_knee - l_left_hinge_left_knee*left_hinge_by_left_foot_apart_z - l_spindle_left_knee*spindle_by_left_foot_apart_z
+    left_knee_by_left_foot_apart_z = inverse_right_rod_I_x_x*left_foot_z_on_left_knee - l_left_hinge_left_knee*left_hinge_by_left_foot_apart_z - l_spindle_left_knee*spindle_by_left_foot_apart_z
     W_right_foot_apart_x_right_foot_apart_x = right_foot_x_on_right_hinge*right_hinge_by_right_foot_apart_x + right_foot_x_on_right_knee*right_knee_by_right_foot_apart_x
     W_right_foot_apart_y_right_foot_apart_x = right_foot_y_on_right_hinge*right_hinge_by_right_foot_apart_x + right_foot_y_on_right_knee*right_knee_by_right_foot_apart_x
-    W_right_foot_apart_y_right_foot_apart_y = k7 + right_foot_y_on_right_hinge*right_hinge_by_right_foot_apart_y + right_foot_y_on_right_knee*right_knee_by_right_foot_apart_y
+    W_right_foot_apart_y_right_foot_apart_y = inverse_collar_mass + right_foot_y_on_right_hinge*right_hinge_by_right_foot_apart_y + right_foot_y_on_right_knee*right_knee_by_right_foot_apart_y
     W_right_foot_apart_z_right_foot_apart_x = right_foot_z_on_right_hinge*right_hinge_by_right_foot_apart_x + right_foot_z_on_right_knee*right_knee_by_right_foot_apart_x
     W_right_foot_apart_z_right_foot_apart_y = right_foot_z_on_right_hinge*right_hinge_by_right_foot_apart_y + right_foot_z_on_right_knee*right_knee_by_right_foot_apart_y
     W_right_foot_apart_z_right_foot_apart_z = right_foot_z_on_right_hinge*right_hinge_by_right_foot_apart_z + right_foot_z_on_right_knee*right_knee_by_right_foot_apart_z
@@ -1276,10 +1287,10 @@ def projection(t, q, wanted, c):
     W_left_foot_apart_x_right_foot_apart_z = left_foot_x_on_left_hinge*left_hinge_by_right_foot_apart_z + left_foot_x_on_left_knee*left_knee_by_right_foot_apart_z
     W_left_foot_apart_x_left_foot_apart_x = left_foot_x_on_left_hinge*left_hinge_by_left_foot_apart_x + left_foot_x_on_left_knee*left_knee_by_left_foot_apart_x
     W_left_foot_apart_y_right_foot_apart_x = left_foot_y_on_left_hinge*left_hinge_by_right_foot_apart_x + left_foot_y_on_left_knee*left_knee_by_right_foot_apart_x
-    W_left_foot_apart_y_right_foot_apart_y = k7 + left_foot_y_on_left_hinge*left_hinge_by_right_foot_apart_y + left_foot_y_on_left_knee*left_knee_by_right_foot_apart_y
+    W_left_foot_apart_y_right_foot_apart_y = inverse_collar_mass + left_foot_y_on_left_hinge*left_hinge_by_right_foot_apart_y + left_foot_y_on_left_knee*left_knee_by_right_foot_apart_y
     W_left_foot_apart_y_right_foot_apart_z = left_foot_y_on_left_hinge*left_hinge_by_right_foot_apart_z + left_foot_y_on_left_knee*left_knee_by_right_foot_apart_z
     W_left_foot_apart_y_left_foot_apart_x = left_foot_y_on_left_hinge*left_hinge_by_left_foot_apart_x + left_foot_y_on_left_knee*left_knee_by_left_foot_apart_x
-    W_left_foot_apart_y_left_foot_apart_y = k7 + left_foot_y_on_left_hinge*left_hinge_by_left_foot_apart_y + left_foot_y_on_left_knee*left_knee_by_left_foot_apart_y
+    W_left_foot_apart_y_left_foot_apart_y = inverse_collar_mass + left_foot_y_on_left_hinge*left_hinge_by_left_foot_apart_y + left_foot_y_on_left_knee*left_knee_by_left_foot_apart_y
     W_left_foot_apart_z_right_foot_apart_x = left_foot_z_on_left_hinge*left_hinge_by_right_foot_apart_x + left_foot_z_on_left_knee*left_knee_by_right_foot_apart_x
     W_left_foot_apart_z_right_foot_apart_y = left_foot_z_on_left_hinge*left_hinge_by_right_foot_apart_y + left_foot_z_on_left_knee*left_knee_by_right_foot_apart_y
     W_left_foot_apart_z_right_foot_apart_z = left_foot_z_on_left_hinge*left_hinge_by_right_foot_apart_z + left_foot_z_on_left_knee*left_knee_by_right_foot_apart_z
@@ -1335,7 +1346,7 @@ def projection(t, q, wanted, c):
     right_foot_apart_z_push = y_right_foot_apart_z_4/D_right_foot_apart_z - l_left_foot_apart_x_right_foot_apart_z*left_foot_apart_x_push - l_left_foot_apart_y_right_foot_apart_z*left_foot_apart_y_push - l_left_foot_apart_z_right_foot_apart_z*left_foot_apart_z_push
     right_foot_apart_y_push = y_right_foot_apart_y_4/D_right_foot_apart_y - l_left_foot_apart_x_right_foot_apart_y*left_foot_apart_x_push - l_left_foot_apart_y_right_foot_apart_y*left_foot_apart_y_push - l_left_foot_apart_z_right_foot_apart_y*left_foot_apart_z_push - l_right_foot_apart_z_right_foot_apart_y*right_foot_apart_z_push
     right_foot_apart_x_push = right_foot_apart_x_wanted_rate/W_right_foot_apart_x_raised - l_left_foot_apart_x_right_foot_apart_x*left_foot_apart_x_push - l_left_foot_apart_y_right_foot_apart_x*left_foot_apart_y_push - l_left_foot_apart_z_right_foot_apart_x*left_foot_apart_z_push - l_right_foot_apart_y_right_foot_apart_x*right_foot_apart_y_push - l_right_foot_apart_z_right_foot_apart_x*right_foot_apart_z_push
-    guide_push = -k7*left_foot_apart_y_push - k7*right_foot_apart_y_push
+    guide_push = -inverse_collar_mass*left_foot_apart_y_push - inverse_collar_mass*right_foot_apart_y_push
     left_knee_push = left_foot_apart_x_push*left_knee_by_left_foot_apart_x + left_foot_apart_y_push*left_knee_by_left_foot_apart_y + left_foot_apart_z_push*left_knee_by_left_foot_apart_z + left_knee_by_right_foot_apart_x*right_foot_apart_x_push + left_knee_by_right_foot_apart_y*right_foot_apart_y_push + left_knee_by_right_foot_apart_z*right_foot_apart_z_push
     left_hinge_push = left_foot_apart_x_push*left_hinge_by_left_foot_apart_x + left_foot_apart_y_push*left_hinge_by_left_foot_apart_y + left_foot_apart_z_push*left_hinge_by_left_foot_apart_z + left_hinge_by_right_foot_apart_x*right_foot_apart_x_push + left_hinge_by_right_foot_apart_y*right_foot_apart_y_push + left_hinge_by_right_foot_apart_z*right_foot_apart_z_push
     right_knee_push = left_foot_apart_x_push*right_knee_by_left_foot_apart_x + left_foot_apart_y_push*right_knee_by_left_foot_apart_y + left_foot_apart_z_push*right_knee_by_left_foot_apart_z + right_foot_apart_x_push*right_knee_by_right_foot_apart_x + right_foot_apart_y_push*right_knee_by_right_foot_apart_y + right_foot_apart_z_push*right_knee_by_right_foot_apart_z
@@ -1358,7 +1369,7 @@ def projection(t, q, wanted, c):
     right_foot_apart_z_push_2 = y_right_foot_apart_z_5/D_right_foot_apart_z - l_left_foot_apart_x_right_foot_apart_z*left_foot_apart_x_push_2 - l_left_foot_apart_y_right_foot_apart_z*left_foot_apart_y_push_2 - l_left_foot_apart_z_right_foot_apart_z*left_foot_apart_z_push_2
     right_foot_apart_y_push_2 = y_right_foot_apart_y_5/D_right_foot_apart_y - l_left_foot_apart_x_right_foot_apart_y*left_foot_apart_x_push_2 - l_left_foot_apart_y_right_foot_apart_y*left_foot_apart_y_push_2 - l_left_foot_apart_z_right_foot_apart_y*left_foot_apart_z_push_2 - l_right_foot_apart_z_right_foot_apart_y*right_foot_apart_z_push_2
     right_foot_apart_x_push_2 = right_foot_apart_x_left_4/W_right_foot_apart_x_raised - l_left_foot_apart_x_right_foot_apart_x*left_foot_apart_x_push_2 - l_left_foot_apart_y_right_foot_apart_x*left_foot_apart_y_push_2 - l_left_foot_apart_z_right_foot_apart_x*left_foot_apart_z_push_2 - l_right_foot_apart_y_right_foot_apart_x*right_foot_apart_y_push_2 - l_right_foot_apart_z_right_foot_apart_x*right_foot_apart_z_push_2
-    guide_push_2 = guide_push - k7*left_foot_apart_y_push_2 - k7*right_foot_apart_y_push_2
+    guide_push_2 = guide_push - inverse_collar_mass*left_foot_apart_y_push_2 - inverse_collar_mass*right_foot_apart_y_push_2
     left_knee_push_2 = left_knee_push + left_foot_apart_x_push_2*left_knee_by_left_foot_apart_x + left_foot_apart_y_push_2*left_knee_by_left_foot_apart_y + left_foot_apart_z_push_2*left_knee_by_left_foot_apart_z + left_knee_by_right_foot_apart_x*right_foot_apart_x_push_2 + left_knee_by_right_foot_apart_y*right_foot_apart_y_push_2 + left_knee_by_right_foot_apart_z*right_foot_apart_z_push_2
     left_hinge_push_2 = left_hinge_push + left_foot_apart_x_push_2*left_hinge_by_left_foot_apart_x + left_foot_apart_y_push_2*left_hinge_by_left_foot_apart_y + left_foot_apart_z_push_2*left_hinge_by_left_foot_apart_z + left_hinge_by_right_foot_apart_x*right_foot_apart_x_push_2 + left_hinge_by_right_foot_apart_y*right_foot_apart_y_push_2 + left_hinge_by_right_foot_apart_z*right_foot_apart_z_push_2
     right_knee_push_2 = right_knee_push + left_foot_apart_x_push_2*right_knee_by_left_foot_apart_x + left_foot_apart_y_push_2*right_knee_by_left_foot_apart_y + left_foot_apart_z_push_2*right_knee_by_left_foot_apart_z + right_foot_apart_x_push_2*right_knee_by_right_foot_apart_x + right_foot_apart_y_push_2*right_knee_by_right_foot_apart_y + right_foot_apart_z_push_2*right_knee_by_right_foot_apart_z
@@ -1402,22 +1413,22 @@ def energy(t, q, u, c):
     offset = c[3]
     spring_stiffness = c[5]
     spring_rest = c[6]
-    k1 = c[7]
+    half_arm_length = c[7]
     right_rod_h_y = c[8]
     right_rod_I_x_x = c[12]
     right_arm_h_y_2 = c[19]
-    k8 = c[20]
-    k9 = c[21]
-    k10 = c[22]
-    k11 = c[23]
-    k12 = c[24]
-    k13 = c[25]
-    k14 = c[26]
-    k15 = c[27]
-    k16 = c[28]
-    k17 = c[29]
-    k18 = c[30]
-    k19 = c[31]
+    half_right_arm_I_x_x_2 = c[20]
+    half_right_arm_I_y_y = c[21]
+    half_right_rod_I_x_x = c[22]
+    half_collar_mass = c[23]
+    half_collar_inertia = c[24]
+    half_spindle_inertia = c[25]
+    half_ball_mass = c[26]
+    half_rod_mass = c[27]
+    half_rod_length = c[28]
+    collar_mass_times_gravity = c[29]
+    ball_mass_times_gravity = c[30]
+    gravity_times_rod_mass = c[31]
     spindle_angle = q[0]
     right_hinge_angle = q[1]
     right_knee_angle = q[2]
@@ -1447,9 +1458,9 @@ def energy(t, q, u, c):
     cos_left_rod_turn = ca.cos(left_rod_turn)
     sin_left_rod_turn = ca.sin(left_rod_turn)
     right_arm_arm_x = cos_spindle*offset
-    right_rod_arm_y = -cos_right_arm*k1
+    right_rod_arm_y = -cos_right_arm*half_arm_length
     left_arm_arm_z = sin_spindle*offset
-    left_rod_arm_y = -cos_left_arm*k1
+    left_rod_arm_y = -cos_left_arm*half_arm_length
     spring_stretch = guide_travel + spring_rest
     right_rod_moment_x = -right_rod_h_y*sin_right_rod_turn
     right_rod_moment_y = cos_right_rod_turn*right_rod_h_y
@@ -1475,25 +1486,25 @@ def energy(t, q, u, c):
     right_arm_velocity_x = cos_right_arm*x3
     right_arm_velocity_y = -sin_right_arm*x3
     right_arm_velocity_z = -cos_spindle*right_arm_arm_x*spindle_speed - left_arm_arm_z*sin_spindle*spindle_speed
-    right_rod_velocity_x_2 = right_arm_velocity_x + k1*right_hinge_speed
-    right_rod_velocity_z_2 = right_arm_velocity_z - k1*right_arm_w_x
+    right_rod_velocity_x_2 = right_arm_velocity_x + half_arm_length*right_hinge_speed
+    right_rod_velocity_z_2 = right_arm_velocity_z - half_arm_length*right_arm_w_x
     x4 = cos_spindle*left_arm_arm_z*spindle_speed
     x5 = -right_arm_arm_x*sin_spindle*spindle_speed
     x6 = x4 + x5
     left_arm_velocity_x = cos_left_arm*x6
     left_arm_velocity_y = sin_left_arm*x6
     left_arm_velocity_z = cos_spindle*right_arm_arm_x*spindle_speed + left_arm_arm_z*sin_spindle*spindle_speed
-    left_rod_velocity_x_2 = left_arm_velocity_x - k1*left_hinge_speed
-    left_rod_velocity_z_2 = left_arm_velocity_z - k1*left_arm_w_x
-    x7 = spindle_speed*spindle_speed
-    x8 = left_arm_velocity_y*left_arm_velocity_y
-    x9 = right_arm_velocity_y*right_arm_velocity_y
-    kinetic = k10*left_rod_rate_z_2*left_rod_rate_z_2 + k10*right_rod_rate_z_2*right_rod_rate_z_2 + k11*guide_speed*guide_speed + k12*x7 + k13*x7 + k14*(x8 + left_arm_velocity_x*left_arm_velocity_x + left_arm_velocity_z*left_arm_velocity_z) + k14*(x9 + right_arm_velocity_x*right_arm_velocity_x + right_arm_velocity_z*right_arm_velocity_z) + k15*(x8 + left_rod_velocity_x_2*left_rod_velocity_x_2 + left_rod_velocity_z_2*left_rod_velocity_z_2) + k15*(x9 + right_rod_velocity_x_2*right_rod_velocity_x_2 + right_rod_velocity_z_2*right_rod_velocity_z_2) + k8*left_arm_w_x*left_arm_w_x + k8*left_hinge_speed*left_hinge_speed + k8*right_arm_w_x*right_arm_w_x + k8*right_hinge_speed*right_hinge_speed + k9*left_arm_w_y*left_arm_w_y + k9*right_arm_w_y*right_arm_w_y + left_rod_velocity_z_2*(left_arm_w_x*left_rod_moment_y - left_arm_w_y*left_rod_moment_x) + right_rod_velocity_z_2*(right_arm_w_x*right_rod_moment_y - right_arm_w_y*right_rod_moment_x) + left_arm_w_x*(left_arm_w_x*left_rod_J_x_x + left_arm_w_y*left_rod_J_x_y)/2 + left_arm_w_y*(left_arm_w_x*left_rod_J_x_y + left_arm_w_y*left_rod_J_y_y)/2 + right_arm_w_x*(right_arm_w_x*right_rod_J_x_x + right_arm_w_y*right_rod_J_x_y)/2 + right_arm_w_y*(right_arm_w_x*right_rod_J_x_y + right_arm_w_y*right_rod_J_y_y)/2 + left_arm_velocity_x*left_hinge_speed*right_arm_h_y_2 + left_arm_velocity_y*left_rod_moment_x*left_rod_rate_z_2 + left_arm_velocity_z*left_arm_w_x*right_arm_h_y_2 + right_arm_h_y_2*right_arm_velocity_z*right_arm_w_x + right_arm_velocity_y*right_rod_moment_x*right_rod_rate_z_2 - left_rod_moment_y*left_rod_rate_z_2*left_rod_velocity_x_2 - right_arm_h_y_2*right_arm_velocity_x*right_hinge_speed - right_rod_moment_y*right_rod_rate_z_2*right_rod_velocity_x_2
+    left_rod_velocity_x_2 = left_arm_velocity_x - half_arm_length*left_hinge_speed
+    left_rod_velocity_z_2 = left_arm_velocity_z - half_arm_length*left_arm_w_x
+    spindle_speed_squared = spindle_speed*spindle_speed
+    left_arm_velocity_y_squared = left_arm_velocity_y*left_arm_velocity_y
+    right_arm_velocity_y_squared = right_arm_velocity_y*right_arm_velocity_y
+    kinetic = half_right_rod_I_x_x*left_rod_rate_z_2*left_rod_rate_z_2 + half_right_rod_I_x_x*right_rod_rate_z_2*right_rod_rate_z_2 + half_collar_mass*guide_speed*guide_speed + half_collar_inertia*spindle_speed_squared + half_spindle_inertia*spindle_speed_squared + half_ball_mass*(left_arm_velocity_y_squared + left_arm_velocity_x*left_arm_velocity_x + left_arm_velocity_z*left_arm_velocity_z) + half_ball_mass*(right_arm_velocity_y_squared + right_arm_velocity_x*right_arm_velocity_x + right_arm_velocity_z*right_arm_velocity_z) + half_rod_mass*(left_arm_velocity_y_squared + left_rod_velocity_x_2*left_rod_velocity_x_2 + left_rod_velocity_z_2*left_rod_velocity_z_2) + half_rod_mass*(right_arm_velocity_y_squared + right_rod_velocity_x_2*right_rod_velocity_x_2 + right_rod_velocity_z_2*right_rod_velocity_z_2) + half_right_arm_I_x_x_2*left_arm_w_x*left_arm_w_x + half_right_arm_I_x_x_2*left_hinge_speed*left_hinge_speed + half_right_arm_I_x_x_2*right_arm_w_x*right_arm_w_x + half_right_arm_I_x_x_2*right_hinge_speed*right_hinge_speed + half_right_arm_I_y_y*left_arm_w_y*left_arm_w_y + half_right_arm_I_y_y*right_arm_w_y*right_arm_w_y + left_rod_velocity_z_2*(left_arm_w_x*left_rod_moment_y - left_arm_w_y*left_rod_moment_x) + right_rod_velocity_z_2*(right_arm_w_x*right_rod_moment_y - right_arm_w_y*right_rod_moment_x) + left_arm_w_x*(left_arm_w_x*left_rod_J_x_x + left_arm_w_y*left_rod_J_x_y)/2 + left_arm_w_y*(left_arm_w_x*left_rod_J_x_y + left_arm_w_y*left_rod_J_y_y)/2 + right_arm_w_x*(right_arm_w_x*right_rod_J_x_x + right_arm_w_y*right_rod_J_x_y)/2 + right_arm_w_y*(right_arm_w_x*right_rod_J_x_y + right_arm_w_y*right_rod_J_y_y)/2 + left_arm_velocity_x*left_hinge_speed*right_arm_h_y_2 + left_arm_velocity_y*left_rod_moment_x*left_rod_rate_z_2 + left_arm_velocity_z*left_arm_w_x*right_arm_h_y_2 + right_arm_h_y_2*right_arm_velocity_z*right_arm_w_x + right_arm_velocity_y*right_rod_moment_x*right_rod_rate_z_2 - left_rod_moment_y*left_rod_rate_z_2*left_rod_velocity_x_2 - right_arm_h_y_2*right_arm_velocity_x*right_hinge_speed - right_rod_moment_y*right_rod_rate_z_2*right_rod_velocity_x_2
     right_arm_centre_arm_y = -cos_right_arm*arm_length
-    right_rod_centre_arm_y = -cos_right_rod*k16
+    right_rod_centre_arm_y = -cos_right_rod*half_rod_length
     left_arm_centre_arm_y = -cos_left_arm*arm_length
-    left_rod_centre_arm_y = -cos_left_rod*k16
-    potential = guide_travel*k17 + k18*left_arm_centre_arm_y + k18*right_arm_centre_arm_y + k19*(left_rod_arm_y + left_rod_centre_arm_y) + k19*(right_rod_arm_y + right_rod_centre_arm_y)
+    left_rod_centre_arm_y = -cos_left_rod*half_rod_length
+    potential = guide_travel*collar_mass_times_gravity + ball_mass_times_gravity*left_arm_centre_arm_y + ball_mass_times_gravity*right_arm_centre_arm_y + gravity_times_rod_mass*(left_rod_arm_y + left_rod_centre_arm_y) + gravity_times_rod_mass*(right_rod_arm_y + right_rod_centre_arm_y)
     return (
         ca.vertcat(kinetic),
         ca.vertcat(potential + spring_stretch*spring_stretch*spring_stiffness/2),
@@ -1522,7 +1533,7 @@ def poses(t, q, c):
             collar.R_zx [1], collar.R_zy [1], collar.R_zz [1]
     """
     offset = c[3]
-    k1 = c[7]
+    half_arm_length = c[7]
     spindle_angle = q[0]
     right_hinge_angle = q[1]
     right_knee_angle = q[2]
@@ -1547,9 +1558,9 @@ def poses(t, q, c):
     right_arm_R_x_y = -cos_spindle*sin_right_arm
     right_arm_R_z_x = -cos_right_arm*sin_spindle
     right_arm_R_z_y = sin_right_arm*sin_spindle
-    right_rod_arm_x = -k1*right_arm_R_x_y
-    right_rod_arm_y = -cos_right_arm*k1
-    right_rod_arm_z = -k1*right_arm_R_z_y
+    right_rod_arm_x = -half_arm_length*right_arm_R_x_y
+    right_rod_arm_y = -cos_right_arm*half_arm_length
+    right_rod_arm_z = -half_arm_length*right_arm_R_z_y
     right_rod_x = right_arm_arm_x + right_rod_arm_x
     right_rod_z = right_arm_arm_z + right_rod_arm_z
     right_rod_R_x_x = cos_right_rod*cos_spindle
@@ -1561,9 +1572,9 @@ def poses(t, q, c):
     left_arm_R_x_y = cos_spindle*sin_left_arm
     left_arm_R_z_x = -cos_left_arm*sin_spindle
     left_arm_R_z_y = -sin_left_arm*sin_spindle
-    left_rod_arm_x = -k1*left_arm_R_x_y
-    left_rod_arm_y = -cos_left_arm*k1
-    left_rod_arm_z = -k1*left_arm_R_z_y
+    left_rod_arm_x = -half_arm_length*left_arm_R_x_y
+    left_rod_arm_y = -cos_left_arm*half_arm_length
+    left_rod_arm_z = -half_arm_length*left_arm_R_z_y
     left_rod_x = left_rod_arm_x - right_arm_arm_x
     left_rod_z = left_arm_arm_z + left_rod_arm_z
     left_rod_R_x_x = cos_left_rod*cos_spindle
@@ -1628,18 +1639,18 @@ def landmarks(p):
     arm_length = p[4]
     rod_length = p[6]
     offset = p[9]
-    x1 = -arm_length/2
-    x2 = -rod_length/2
+    minus_half_arm_length = -arm_length/2
+    minus_half_rod_length = -rod_length/2
     return (
         ca.vertcat(0, 0, 0, 0, 1, 0),
         ca.vertcat(0, 0, 0, 0, 1, 0),
         ca.vertcat(offset, 0, 0, 0, 0, 1),
         ca.vertcat(0, 0, 0, 0, 0, 1),
-        ca.vertcat(0, x1, 0, 0, 0, 1),
+        ca.vertcat(0, minus_half_arm_length, 0, 0, 0, 1),
         ca.vertcat(0, 0, 0, 0, 0, 1),
         ca.vertcat(-offset, 0, 0, 0, 0, -1),
         ca.vertcat(0, 0, 0, 0, 0, -1),
-        ca.vertcat(0, x1, 0, 0, 0, -1),
+        ca.vertcat(0, minus_half_arm_length, 0, 0, 0, -1),
         ca.vertcat(0, 0, 0, 0, 0, -1),
         ca.vertcat(0, 0, 0, 0, 1, 0),
         ca.vertcat(0, 0, 0, 0, 1, 0),
@@ -1652,8 +1663,8 @@ def landmarks(p):
         ca.vertcat(0, 0, 0),
         ca.vertcat(0, 0, 0),
         ca.vertcat(0, -arm_length, 0),
-        ca.vertcat(0, x2, 0),
+        ca.vertcat(0, minus_half_rod_length, 0),
         ca.vertcat(0, -arm_length, 0),
-        ca.vertcat(0, x2, 0),
+        ca.vertcat(0, minus_half_rod_length, 0),
         ca.vertcat(0, 0, 0),
     )

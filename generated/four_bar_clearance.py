@@ -153,28 +153,28 @@ CONSTANTS = (
     ("crank_speed", "1/s"),
     ("gravity", "m/s^2"),
     ("friction_coefficient", "1"),
-    ("k1", "m^2"),
-    ("k2", "1/m"),
+    ("clearance_squared", "m^2"),
+    ("half_inverse_clearance", "1/m"),
     ("rocker_pin_R_min", "m"),
     ("rocker_pin_K", "N/m^1.5"),
-    ("k3", "N/m^1.5"),
+    ("two_fifths_of_rocker_pin_K", "N/m^1.5"),
     ("rocker_pin_hysteresis_factor", "1"),
-    ("k4", "s/m"),
+    ("inverse_friction_speed", "s/m"),
     ("coupler_h_x", "kg m"),
     ("rocker_h_x", "kg m"),
     ("crank_h_x", "kg m"),
     ("crank_rate_zz", "1/s^2"),
     ("coupler_I_z_z", "kg m^2"),
-    ("k6", "1/(kg m^2)"),
-    ("k7", "1/(kg m^2)"),
-    ("k8", "kg m^2"),
-    ("k9", "kg m^2"),
-    ("k10", "kg"),
-    ("k11", "J"),
-    ("k12", "m"),
-    ("k13", "m"),
-    ("k14", "N"),
-    ("k15", "N"),
+    ("inverse_coupler_I_z_z", "1/(kg m^2)"),
+    ("inverse_rocker_I_z_z", "1/(kg m^2)"),
+    ("half_coupler_I_z_z", "kg m^2"),
+    ("half_rocker_I_z_z", "kg m^2"),
+    ("half_coupler_mass", "kg"),
+    ("half_crank_speed_squared_times_crank_inertia", "J"),
+    ("half_coupler_length", "m"),
+    ("half_rocker_length", "m"),
+    ("gravity_times_rocker_mass", "N"),
+    ("coupler_mass_times_gravity", "N"),
 )
 
 OPERATIONS = (
@@ -203,9 +203,11 @@ def constants(p):
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
         c (30,): coupler_length, rocker_length, crank_length, base_length, clearance, crank_speed, gravity,
-            friction_coefficient, k1, k2, rocker_pin_R_min, rocker_pin_K, k3, rocker_pin_hysteresis_factor, k4,
-            coupler_h_x, rocker_h_x, crank_h_x, crank_rate_zz, coupler_I_z_z, k6, k7, k8, k9, k10, k11, k12, k13,
-            k14, k15
+            friction_coefficient, clearance_squared, half_inverse_clearance, rocker_pin_R_min, rocker_pin_K,
+            two_fifths_of_rocker_pin_K, rocker_pin_hysteresis_factor, inverse_friction_speed, coupler_h_x,
+            rocker_h_x, crank_h_x, crank_rate_zz, coupler_I_z_z, inverse_coupler_I_z_z, inverse_rocker_I_z_z,
+            half_coupler_I_z_z, half_rocker_I_z_z, half_coupler_mass, half_crank_speed_squared_times_crank_inertia,
+            half_coupler_length, half_rocker_length, gravity_times_rocker_mass, coupler_mass_times_gravity
     """
     crank_inertia = p[1]
     coupler_mass = p[2]
@@ -225,34 +227,37 @@ def constants(p):
     restitution = p[17]
     friction_coefficient = p[19]
     friction_speed = p[20]
-    k1 = clearance*clearance
-    k2 = 1/(2*clearance)
-    x1 = bush_radius - clearance
-    rocker_pin_R_eff = x1*bush_radius/clearance
+    clearance_squared = clearance*clearance
+    half_inverse_clearance = 1/(2*clearance)
+    rocker_pin_R_min = bush_radius - clearance
+    rocker_pin_R_eff = rocker_pin_R_min*bush_radius/clearance
     rocker_pin_E_eff = youngs_modulus/(2*(1 - poissons_ratio*poissons_ratio))
     rocker_pin_K = 4*rocker_pin_E_eff*ca.sqrt(rocker_pin_R_eff)/3
-    k3 = 2*rocker_pin_K/5
+    two_fifths_of_rocker_pin_K = 2*rocker_pin_K/5
     rocker_pin_hysteresis_factor = (8 - 8*restitution)/(5*restitution)
-    k4 = 1/friction_speed
+    inverse_friction_speed = 1/friction_speed
     coupler_h_x = coupler_length*coupler_mass/2
     rocker_h_x = rocker_length*rocker_mass/2
     crank_h_x = coupler_mass*crank_length
     crank_rate_zz = crank_speed*crank_speed
     coupler_I_z_z = coupler_length*coupler_length*coupler_mass/4 + coupler_inertia
     rocker_I_z_z = rocker_length*rocker_length*rocker_mass/4 + rocker_inertia
-    k6 = 1/coupler_I_z_z
-    k7 = 1/rocker_I_z_z
-    k8 = coupler_I_z_z/2
-    k9 = rocker_I_z_z/2
-    k10 = coupler_mass/2
-    k11 = crank_rate_zz*crank_inertia/2
-    k12 = coupler_length/2
-    k13 = rocker_length/2
-    k14 = gravity*rocker_mass
-    k15 = coupler_mass*gravity
+    inverse_coupler_I_z_z = 1/coupler_I_z_z
+    inverse_rocker_I_z_z = 1/rocker_I_z_z
+    half_coupler_I_z_z = coupler_I_z_z/2
+    half_rocker_I_z_z = rocker_I_z_z/2
+    half_coupler_mass = coupler_mass/2
+    half_crank_speed_squared_times_crank_inertia = crank_rate_zz*crank_inertia/2
+    half_coupler_length = coupler_length/2
+    half_rocker_length = rocker_length/2
+    gravity_times_rocker_mass = gravity*rocker_mass
+    coupler_mass_times_gravity = coupler_mass*gravity
     return ca.vertcat(coupler_length, rocker_length, crank_length, base_length, clearance, crank_speed, gravity,
-        friction_coefficient, k1, k2, x1, rocker_pin_K, k3, rocker_pin_hysteresis_factor, k4, coupler_h_x,
-        rocker_h_x, crank_h_x, crank_rate_zz, coupler_I_z_z, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15)
+        friction_coefficient, clearance_squared, half_inverse_clearance, rocker_pin_R_min, rocker_pin_K,
+        two_fifths_of_rocker_pin_K, rocker_pin_hysteresis_factor, inverse_friction_speed, coupler_h_x, rocker_h_x,
+        crank_h_x, crank_rate_zz, coupler_I_z_z, inverse_coupler_I_z_z, inverse_rocker_I_z_z, half_coupler_I_z_z,
+        half_rocker_I_z_z, half_coupler_mass, half_crank_speed_squared_times_crank_inertia, half_coupler_length,
+        half_rocker_length, gravity_times_rocker_mass, coupler_mass_times_gravity)
 
 
 def start(p):
@@ -268,19 +273,19 @@ def start(p):
     crank_length = p[8]
     base_length = p[9]
     crank_speed = p[12]
-    x1 = base_length - crank_length
-    x2 = x1*x1
-    x3 = coupler_length*coupler_length
-    x4 = rocker_length*rocker_length
-    x5 = -x4
-    x6 = x2 + x3 + x5
-    x7 = x6/(2*x1*coupler_length)
+    base_length_minus_crank_length = base_length - crank_length
+    x2 = base_length_minus_crank_length*base_length_minus_crank_length
+    coupler_length_squared = coupler_length*coupler_length
+    rocker_length_squared = rocker_length*rocker_length
+    minus_rocker_length_squared = -rocker_length_squared
+    x6 = x2 + coupler_length_squared + minus_rocker_length_squared
+    x7 = x6/(2*base_length_minus_crank_length*coupler_length)
     x8 = ca.acos(x7)
-    x9 = -x3
-    x10 = x2 + x4 + x9
-    x11 = x10/(2*x1*rocker_length)
+    minus_coupler_length_squared = -coupler_length_squared
+    x10 = x2 + rocker_length_squared + minus_coupler_length_squared
+    x11 = x10/(2*base_length_minus_crank_length*rocker_length)
     x12 = ca.acos(x11)
-    x13 = 1/(x1*x1)
+    x13 = 1/(base_length_minus_crank_length*base_length_minus_crank_length)
     x14 = x12 + x8
     x15 = ca.sin(x14)
     return (
@@ -311,10 +316,10 @@ def scales(p):
     total_mass = coupler_mass + crank_mass + rocker_mass
     energy_scale = total_mass*crank_length*crank_length*crank_speed*crank_speed/2
     force_scale = energy_scale/clearance
-    x1 = clearance/coupler_length
+    clearance_over_coupler_length = clearance/coupler_length
     x2 = crank_length*crank_speed/coupler_length
     return (
-        ca.vertcat(x1, x1),
+        ca.vertcat(clearance_over_coupler_length, clearance_over_coupler_length),
         ca.vertcat(x2, x2),
         ca.vertcat(energy_scale, energy_scale, energy_scale),
         ca.vertcat(clearance, crank_length*crank_speed, force_scale, energy_scale),
@@ -346,8 +351,8 @@ def gaps(t, q, u, c):
     crank_length = c[2]
     base_length = c[3]
     crank_speed = c[5]
-    k1 = c[8]
-    k2 = c[9]
+    clearance_squared = c[8]
+    half_inverse_clearance = c[9]
     crank_pin_angle = q[0]
     rocker_bearing_angle = q[1]
     crank_pin_speed = u[0]
@@ -378,9 +383,9 @@ def gaps(t, q, u, c):
     rocker_pin_apart_rate_x = coupler_arm_rate_x + rocker_pin_pin_arm_rate_x - rocker_pin_bush_arm_rate_x
     rocker_pin_apart_rate_y = coupler_arm_rate_y + rocker_pin_pin_arm_rate_y - rocker_pin_bush_arm_rate_y
     rocker_pin_apart_squared = rocker_pin_apart_x*rocker_pin_apart_x + rocker_pin_apart_y*rocker_pin_apart_y
-    rocker_pin_gap = k2*(k1 - rocker_pin_apart_squared)
+    rocker_pin_gap = half_inverse_clearance*(clearance_squared - rocker_pin_apart_squared)
     rocker_pin_apart_squared_rate = 2*rocker_pin_apart_rate_x*rocker_pin_apart_x + 2*rocker_pin_apart_rate_y*rocker_pin_apart_y
-    rocker_pin_gap_rate = -k2*rocker_pin_apart_squared_rate
+    rocker_pin_gap_rate = -half_inverse_clearance*rocker_pin_apart_squared_rate
     return ca.vertcat(rocker_pin_gap), ca.vertcat(rocker_pin_gap_rate)
 
 
@@ -396,7 +401,7 @@ def gap_accelerations(t, q, u, a, c):
     crank_length = c[2]
     base_length = c[3]
     crank_speed = c[5]
-    k2 = c[9]
+    half_inverse_clearance = c[9]
     crank_pin_angle = q[0]
     rocker_bearing_angle = q[1]
     crank_pin_speed = u[0]
@@ -433,7 +438,7 @@ def gap_accelerations(t, q, u, a, c):
     rocker_pin_apart_acceleration_x = coupler_acceleration_x + rocker_bearing_acceleration*rocker_pin_bush_arm_y + rocker_bearing_speed*rocker_pin_bush_arm_rate_y - coupler_rate_z*rocker_pin_pin_arm_rate_y - crank_pin_acceleration*rocker_pin_pin_arm_y
     rocker_pin_apart_acceleration_y = coupler_acceleration_y + coupler_rate_z*rocker_pin_pin_arm_rate_x + crank_pin_acceleration*rocker_pin_pin_arm_x - rocker_bearing_acceleration*rocker_pin_bush_arm_x - rocker_bearing_speed*rocker_pin_bush_arm_rate_x
     rocker_pin_apart_squared_rate_rate = 2*rocker_pin_apart_rate_x*rocker_pin_apart_rate_x + 2*rocker_pin_apart_rate_y*rocker_pin_apart_rate_y + 2*rocker_pin_apart_acceleration_x*rocker_pin_apart_x + 2*rocker_pin_apart_acceleration_y*rocker_pin_apart_y
-    rocker_pin_gap_rate_rate = -k2*rocker_pin_apart_squared_rate_rate
+    rocker_pin_gap_rate_rate = -half_inverse_clearance*rocker_pin_apart_squared_rate_rate
     return ca.vertcat(rocker_pin_gap_rate_rate)
 
 
@@ -459,7 +464,7 @@ def contact_rocker_pin(t, q, u, z, m, c):
     rocker_pin_R_min = c[10]
     rocker_pin_K = c[11]
     rocker_pin_hysteresis_factor = c[13]
-    k4 = c[14]
+    inverse_friction_speed = c[14]
     crank_pin_angle = q[0]
     rocker_bearing_angle = q[1]
     crank_pin_speed = u[0]
@@ -499,21 +504,21 @@ def contact_rocker_pin(t, q, u, z, m, c):
     rocker_pin_normal_power = rocker_pin_penetration_rate*rocker_pin_resistance
     rocker_pin_push_x = rocker_pin_normal_force*rocker_pin_normal_x
     rocker_pin_push_y = rocker_pin_normal_force*rocker_pin_normal_y
-    x2 = -coupler_arm_y - rocker_pin_pin_arm_y
-    rocker_pin_push_on_main_bearing = rocker_pin_push_x*x2 + rocker_pin_push_y*(coupler_arm_x + rocker_pin_pin_arm_x)
+    minus_coupler_arm_y_minus_rocker_pin_pin_arm_y = -coupler_arm_y - rocker_pin_pin_arm_y
+    rocker_pin_push_on_main_bearing = rocker_pin_push_x*minus_coupler_arm_y_minus_rocker_pin_pin_arm_y + rocker_pin_push_y*(coupler_arm_x + rocker_pin_pin_arm_x)
     rocker_pin_push_on_crank_pin = rocker_pin_pin_arm_x*rocker_pin_push_y - rocker_pin_pin_arm_y*rocker_pin_push_x
-    rocker_pin_push_on_rocker_bearing = -rocker_pin_push_x*x2 - rocker_pin_push_y*x1
+    rocker_pin_push_on_rocker_bearing = -rocker_pin_push_x*minus_coupler_arm_y_minus_rocker_pin_pin_arm_y - rocker_pin_push_y*x1
     rocker_pin_sliding_velocity = rocker_pin_normal_x*rocker_pin_relative_rate_y - rocker_pin_R_min*(coupler_rate_z - rocker_bearing_speed) - rocker_pin_normal_y*rocker_pin_relative_rate_x
-    rocker_pin_friction_force = rocker_pin_normal_force*friction_coefficient*ca.tanh(k4*rocker_pin_sliding_velocity)
+    rocker_pin_friction_force = rocker_pin_normal_force*friction_coefficient*ca.tanh(inverse_friction_speed*rocker_pin_sliding_velocity)
     rocker_pin_friction_power = rocker_pin_friction_force*rocker_pin_sliding_velocity
     rocker_pin_drag_x = rocker_pin_friction_force*rocker_pin_normal_y
     rocker_pin_drag_y = -rocker_pin_friction_force*rocker_pin_normal_x
-    x3 = rocker_pin_R_min*rocker_pin_normal_y
-    x4 = x3 - coupler_arm_y - rocker_pin_pin_arm_y
-    x5 = -rocker_pin_R_min*rocker_pin_normal_x
-    rocker_pin_drag_on_main_bearing = rocker_pin_drag_x*x4 + rocker_pin_drag_y*(coupler_arm_x + rocker_pin_pin_arm_x + x5)
-    rocker_pin_drag_on_crank_pin = rocker_pin_drag_x*(x3 - rocker_pin_pin_arm_y) + rocker_pin_drag_y*(rocker_pin_pin_arm_x + x5)
-    rocker_pin_drag_on_rocker_bearing = -rocker_pin_drag_x*x4 - rocker_pin_drag_y*(coupler_arm_x + rocker_pin_pin_arm_x + x5 - base_length)
+    rocker_pin_R_min_times_rocker_pin_normal_y = rocker_pin_R_min*rocker_pin_normal_y
+    x4 = rocker_pin_R_min_times_rocker_pin_normal_y - coupler_arm_y - rocker_pin_pin_arm_y
+    minus_rocker_pin_R_min_times_rocker_pin_normal_x = -rocker_pin_R_min*rocker_pin_normal_x
+    rocker_pin_drag_on_main_bearing = rocker_pin_drag_x*x4 + rocker_pin_drag_y*(coupler_arm_x + rocker_pin_pin_arm_x + minus_rocker_pin_R_min_times_rocker_pin_normal_x)
+    rocker_pin_drag_on_crank_pin = rocker_pin_drag_x*(rocker_pin_R_min_times_rocker_pin_normal_y - rocker_pin_pin_arm_y) + rocker_pin_drag_y*(rocker_pin_pin_arm_x + minus_rocker_pin_R_min_times_rocker_pin_normal_x)
+    rocker_pin_drag_on_rocker_bearing = -rocker_pin_drag_x*x4 - rocker_pin_drag_y*(coupler_arm_x + rocker_pin_pin_arm_x + minus_rocker_pin_R_min_times_rocker_pin_normal_x - base_length)
     rocker_pin_in_range = ca.if_else(rocker_pin_penetration <= rocker_pin_R_min, 1, 0)
     return (
         ca.vertcat(rocker_pin_drag_on_crank_pin + rocker_pin_push_on_crank_pin, rocker_pin_drag_on_rocker_bearing +
@@ -564,8 +569,8 @@ def accelerations(t, q, u, f, c):
     coupler_h_x = c[15]
     crank_rate_zz = c[18]
     coupler_I_z_z = c[19]
-    k6 = c[20]
-    k7 = c[21]
+    inverse_coupler_I_z_z = c[20]
+    inverse_rocker_I_z_z = c[21]
     crank_pin_angle = q[0]
     crank_pin_speed = u[0]
     crank_pin_force = f[0]
@@ -588,8 +593,8 @@ def accelerations(t, q, u, f, c):
     coupler_torque_z = coupler_bias_y*coupler_moment_x - coupler_bias_x*coupler_moment_y
     crank_pin_net = crank_pin_force - coupler_torque_z
     crank_pin_coupler_torque_z = coupler_I_z_z + coupler_arm_x*coupler_moment_x + coupler_arm_y*coupler_moment_y
-    crank_pin_acc = crank_pin_net*k6
-    rocker_bearing_acc = k7*rocker_bearing_force
+    crank_pin_acc = crank_pin_net*inverse_coupler_I_z_z
+    rocker_bearing_acc = inverse_rocker_I_z_z*rocker_bearing_force
     coupler_force_x = -coupler_moment_x*coupler_rate_zz
     coupler_force_y = -coupler_moment_y*coupler_rate_zz
     crank_torque_z = coupler_torque_z + coupler_arm_x*coupler_force_y - coupler_arm_y*coupler_force_x
@@ -624,16 +629,16 @@ def energy(t, q, u, c):
     base_length = c[3]
     clearance = c[4]
     crank_speed = c[5]
-    k3 = c[12]
+    two_fifths_of_rocker_pin_K = c[12]
     coupler_h_x = c[15]
-    k8 = c[22]
-    k9 = c[23]
-    k10 = c[24]
-    k11 = c[25]
-    k12 = c[26]
-    k13 = c[27]
-    k14 = c[28]
-    k15 = c[29]
+    half_coupler_I_z_z = c[22]
+    half_rocker_I_z_z = c[23]
+    half_coupler_mass = c[24]
+    half_crank_speed_squared_times_crank_inertia = c[25]
+    half_coupler_length = c[26]
+    half_rocker_length = c[27]
+    gravity_times_rocker_mass = c[28]
+    coupler_mass_times_gravity = c[29]
     crank_pin_angle = q[0]
     rocker_bearing_angle = q[1]
     crank_pin_speed = u[0]
@@ -660,13 +665,13 @@ def energy(t, q, u, c):
     rocker_pin_apart_squared = rocker_pin_apart_x*rocker_pin_apart_x + rocker_pin_apart_y*rocker_pin_apart_y
     rocker_pin_distance = ca.sqrt(rocker_pin_apart_squared)
     rocker_pin_penetration = rocker_pin_distance - clearance
-    rocker_pin_stored_energy = ca.if_else(rocker_pin_penetration > 0, k3*rocker_pin_penetration*rocker_pin_penetration*ca.sqrt(rocker_pin_penetration), 0)
+    rocker_pin_stored_energy = ca.if_else(rocker_pin_penetration > 0, two_fifths_of_rocker_pin_K*rocker_pin_penetration*rocker_pin_penetration*ca.sqrt(rocker_pin_penetration), 0)
     coupler_moment_x = cos_coupler*coupler_h_x
     coupler_moment_y = coupler_h_x*sin_coupler
-    kinetic = k11 + k10*(coupler_arm_rate_x*coupler_arm_rate_x + coupler_arm_rate_y*coupler_arm_rate_y) + k8*coupler_rate_z*coupler_rate_z + k9*rocker_bearing_speed*rocker_bearing_speed + coupler_arm_rate_y*coupler_moment_x*coupler_rate_z - coupler_arm_rate_x*coupler_moment_y*coupler_rate_z
-    coupler_centre_arm_y = k12*sin_coupler
-    rocker_centre_arm_y = k13*sin_rocker
-    potential = k14*rocker_centre_arm_y + k15*(coupler_arm_y + coupler_centre_arm_y)
+    kinetic = half_crank_speed_squared_times_crank_inertia + half_coupler_mass*(coupler_arm_rate_x*coupler_arm_rate_x + coupler_arm_rate_y*coupler_arm_rate_y) + half_coupler_I_z_z*coupler_rate_z*coupler_rate_z + half_rocker_I_z_z*rocker_bearing_speed*rocker_bearing_speed + coupler_arm_rate_y*coupler_moment_x*coupler_rate_z - coupler_arm_rate_x*coupler_moment_y*coupler_rate_z
+    coupler_centre_arm_y = half_coupler_length*sin_coupler
+    rocker_centre_arm_y = half_rocker_length*sin_rocker
+    potential = gravity_times_rocker_mass*rocker_centre_arm_y + coupler_mass_times_gravity*(coupler_arm_y + coupler_centre_arm_y)
     return ca.vertcat(kinetic), ca.vertcat(potential), ca.vertcat(rocker_pin_stored_energy)
 
 

@@ -117,16 +117,16 @@ CONSTANTS = (
     ("contact_stiffness", "N/m^exponent"),
     ("exponent", "1"),
     ("friction_coefficient", "1"),
-    ("k1", "m^2"),
-    ("k2", "1/m"),
+    ("clearance_squared", "m^2"),
+    ("half_inverse_clearance", "1/m"),
     ("k3", "N/m^exponent"),
     ("bearing_hysteresis_factor", "1"),
     ("k4", "m/s"),
-    ("k5", "s/m"),
-    ("k6", "m"),
-    ("k7", "1/kg"),
-    ("k8", "kg"),
-    ("k9", "J"),
+    ("inverse_friction_speed", "s/m"),
+    ("bush_radius_minus_clearance", "m"),
+    ("inverse_mass", "1/kg"),
+    ("half_mass", "kg"),
+    ("half_speed_squared_times_inertia", "J"),
 )
 
 OPERATIONS = (
@@ -153,8 +153,9 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (16,): clearance, speed, load, contact_stiffness, exponent, friction_coefficient, k1, k2, k3,
-            bearing_hysteresis_factor, k4, k5, k6, k7, k8, k9
+        c (16,): clearance, speed, load, contact_stiffness, exponent, friction_coefficient, clearance_squared,
+            half_inverse_clearance, k3, bearing_hysteresis_factor, k4, inverse_friction_speed,
+            bush_radius_minus_clearance, inverse_mass, half_mass, half_speed_squared_times_inertia
     """
     mass = p[0]
     inertia = p[1]
@@ -167,18 +168,19 @@ def constants(p):
     restitution = p[8]
     friction_coefficient = p[10]
     friction_speed = p[11]
-    k1 = clearance*clearance
-    k2 = 1/(2*clearance)
+    clearance_squared = clearance*clearance
+    half_inverse_clearance = 1/(2*clearance)
     k3 = contact_stiffness/(1 + exponent)
     bearing_hysteresis_factor = (8 - 8*restitution)/(5*restitution)
-    x1 = bush_radius - clearance
-    k4 = -x1*speed
-    k5 = 1/friction_speed
-    k7 = 1/mass
-    k8 = mass/2
-    k9 = speed*speed*inertia/2
-    return ca.vertcat(clearance, speed, load, contact_stiffness, exponent, friction_coefficient, k1, k2, k3,
-        bearing_hysteresis_factor, k4, k5, x1, k7, k8, k9)
+    bush_radius_minus_clearance = bush_radius - clearance
+    k4 = -bush_radius_minus_clearance*speed
+    inverse_friction_speed = 1/friction_speed
+    inverse_mass = 1/mass
+    half_mass = mass/2
+    half_speed_squared_times_inertia = speed*speed*inertia/2
+    return ca.vertcat(clearance, speed, load, contact_stiffness, exponent, friction_coefficient, clearance_squared,
+        half_inverse_clearance, k3, bearing_hysteresis_factor, k4, inverse_friction_speed,
+        bush_radius_minus_clearance, inverse_mass, half_mass, half_speed_squared_times_inertia)
 
 
 def start(p):
@@ -208,12 +210,12 @@ def scales(p):
     speed = p[4]
     energy_scale = bush_radius*bush_radius*speed*speed*mass/2
     force_scale = energy_scale/clearance
-    x1 = bush_radius*speed
+    bush_radius_times_speed = bush_radius*speed
     return (
         ca.vertcat(clearance, clearance),
-        ca.vertcat(x1, x1),
+        ca.vertcat(bush_radius_times_speed, bush_radius_times_speed),
         ca.vertcat(energy_scale, energy_scale, energy_scale, energy_scale),
-        ca.vertcat(clearance, x1, force_scale, energy_scale),
+        ca.vertcat(clearance, bush_radius_times_speed, force_scale, energy_scale),
     )
 
 
@@ -237,16 +239,16 @@ def gaps(t, q, u, c):
         G (1,): bearing [m]
         dG (1,): bearing [m/s]
     """
-    k1 = c[6]
-    k2 = c[7]
+    clearance_squared = c[6]
+    half_inverse_clearance = c[7]
     shaft_x = q[0]
     shaft_y = q[1]
     shaft_x_speed = u[0]
     shaft_y_speed = u[1]
     bearing_apart_squared = shaft_x*shaft_x + shaft_y*shaft_y
-    bearing_gap = k2*(k1 - bearing_apart_squared)
+    bearing_gap = half_inverse_clearance*(clearance_squared - bearing_apart_squared)
     bearing_apart_squared_rate = 2*shaft_x*shaft_x_speed + 2*shaft_y*shaft_y_speed
-    bearing_gap_rate = -bearing_apart_squared_rate*k2
+    bearing_gap_rate = -bearing_apart_squared_rate*half_inverse_clearance
     return ca.vertcat(bearing_gap), ca.vertcat(bearing_gap_rate)
 
 
@@ -257,7 +259,7 @@ def gap_accelerations(t, q, u, a, c):
     Returns, each a column vector:
         ddG (1,): bearing [m/s^2]
     """
-    k2 = c[7]
+    half_inverse_clearance = c[7]
     shaft_x = q[0]
     shaft_y = q[1]
     shaft_x_speed = u[0]
@@ -265,7 +267,7 @@ def gap_accelerations(t, q, u, a, c):
     shaft_x_acceleration = a[0]
     shaft_y_acceleration = a[1]
     bearing_apart_squared_rate_rate = 2*shaft_x_speed*shaft_x_speed + 2*shaft_y_speed*shaft_y_speed + 2*shaft_x*shaft_x_acceleration + 2*shaft_y*shaft_y_acceleration
-    bearing_gap_rate_rate = -bearing_apart_squared_rate_rate*k2
+    bearing_gap_rate_rate = -bearing_apart_squared_rate_rate*half_inverse_clearance
     return ca.vertcat(bearing_gap_rate_rate)
 
 
@@ -287,8 +289,8 @@ def contact_bearing(t, q, u, z, m, c):
     friction_coefficient = c[5]
     bearing_hysteresis_factor = c[9]
     k4 = c[10]
-    k5 = c[11]
-    k6 = c[12]
+    inverse_friction_speed = c[11]
+    bush_radius_minus_clearance = c[12]
     shaft_x = q[0]
     shaft_y = q[1]
     shaft_x_speed = u[0]
@@ -307,11 +309,11 @@ def contact_bearing(t, q, u, z, m, c):
     bearing_push_x = bearing_normal_force*bearing_normal_x
     bearing_push_y = bearing_normal_force*bearing_normal_y
     bearing_sliding_velocity = k4 + bearing_normal_x*shaft_y_speed - bearing_normal_y*shaft_x_speed
-    bearing_friction_force = bearing_normal_force*friction_coefficient*ca.tanh(bearing_sliding_velocity*k5)
+    bearing_friction_force = bearing_normal_force*friction_coefficient*ca.tanh(bearing_sliding_velocity*inverse_friction_speed)
     bearing_friction_power = bearing_friction_force*bearing_sliding_velocity
     bearing_drag_x = bearing_friction_force*bearing_normal_y
     bearing_drag_y = -bearing_friction_force*bearing_normal_x
-    bearing_drag_on_shaft_angle = bearing_drag_x*bearing_normal_y*k6 - bearing_drag_y*bearing_normal_x*k6
+    bearing_drag_on_shaft_angle = bearing_drag_x*bearing_normal_y*bush_radius_minus_clearance - bearing_drag_y*bearing_normal_x*bush_radius_minus_clearance
     return (
         ca.vertcat(bearing_drag_x + bearing_push_x, bearing_drag_y + bearing_push_y, bearing_drag_on_shaft_angle),
         ca.vertcat(0, 0, bearing_normal_power, bearing_friction_power),
@@ -340,12 +342,12 @@ def accelerations(t, q, u, f, c):
         a (2,): shaft.x_acceleration [m/s^2], shaft.y_acceleration [m/s^2]
         reactions (1,): shaft.angle.reaction [N m]
     """
-    k7 = c[13]
+    inverse_mass = c[13]
     shaft_x_force = f[0]
     shaft_y_force = f[1]
     shaft_angle_force = f[2]
-    shaft_x_acc = k7*shaft_x_force
-    shaft_y_acc = k7*shaft_y_force
+    shaft_x_acc = inverse_mass*shaft_x_force
+    shaft_y_acc = inverse_mass*shaft_y_force
     return ca.vertcat(shaft_x_acc, shaft_y_acc), ca.vertcat(-shaft_angle_force)
 
 
@@ -375,8 +377,8 @@ def energy(t, q, u, c):
     clearance = c[0]
     exponent = c[4]
     k3 = c[8]
-    k8 = c[14]
-    k9 = c[15]
+    half_mass = c[14]
+    half_speed_squared_times_inertia = c[15]
     shaft_x = q[0]
     shaft_y = q[1]
     shaft_x_speed = u[0]
@@ -385,7 +387,7 @@ def energy(t, q, u, c):
     bearing_distance = ca.sqrt(bearing_apart_squared)
     bearing_penetration = bearing_distance - clearance
     bearing_stored_energy = ca.if_else(bearing_penetration > 0, k3*bearing_penetration**(1 + exponent), 0)
-    kinetic = k9 + k8*(shaft_x_speed*shaft_x_speed + shaft_y_speed*shaft_y_speed)
+    kinetic = half_speed_squared_times_inertia + half_mass*(shaft_x_speed*shaft_x_speed + shaft_y_speed*shaft_y_speed)
     return ca.vertcat(kinetic), ca.vertcat(0), ca.vertcat(bearing_stored_energy)
 
 

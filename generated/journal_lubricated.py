@@ -118,25 +118,25 @@ CONSTANTS = (
     ("load", "N"),
     ("contact_stiffness", "N/m^1.5"),
     ("boundary_layer", "m"),
-    ("k1", "1/s"),
+    ("half_speed", "1/s"),
     ("oil_free", "1"),
-    ("k2", "1/m^2"),
-    ("k3", "1"),
-    ("k4", "1"),
-    ("k5", "1"),
-    ("k6", "1"),
-    ("k7", "1/m"),
-    ("k8", "m^2/s^2"),
-    ("k9", "1"),
+    ("inverse_clearance_squared", "1/m^2"),
+    ("oil_free_squared", "1"),
+    ("half_clearance_over_boundary_layer", "1"),
+    ("twice_boundary_layer_over_clearance", "1"),
+    ("clearance_over_boundary_layer", "1"),
+    ("inverse_clearance", "1/m"),
+    ("bush_radius_squared_times_speed_squared", "m^2/s^2"),
+    ("half_pi", "1"),
     ("k10", "N s/m"),
     ("k11", "J s"),
-    ("k12", "m^2"),
-    ("k13", "1/m"),
-    ("k14", "N/m^1.5"),
+    ("clearance_squared", "m^2"),
+    ("half_inverse_clearance", "1/m"),
+    ("two_fifths_of_contact_stiffness", "N/m^1.5"),
     ("bearing_hysteresis_factor", "1"),
-    ("k15", "1/kg"),
-    ("k16", "kg"),
-    ("k17", "J"),
+    ("inverse_mass", "1/kg"),
+    ("half_mass", "kg"),
+    ("half_speed_squared_times_inertia", "J"),
 )
 
 OPERATIONS = (
@@ -163,8 +163,12 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (24,): clearance, speed, load, contact_stiffness, boundary_layer, k1, oil_free, k2, k3, k4, k5, k6, k7,
-            k8, k9, k10, k11, k12, k13, k14, bearing_hysteresis_factor, k15, k16, k17
+        c (24,): clearance, speed, load, contact_stiffness, boundary_layer, half_speed, oil_free,
+            inverse_clearance_squared, oil_free_squared, half_clearance_over_boundary_layer,
+            twice_boundary_layer_over_clearance, clearance_over_boundary_layer, inverse_clearance,
+            bush_radius_squared_times_speed_squared, half_pi, k10, k11, clearance_squared, half_inverse_clearance,
+            two_fifths_of_contact_stiffness, bearing_hysteresis_factor, inverse_mass, half_mass,
+            half_speed_squared_times_inertia
     """
     mass = p[0]
     inertia = p[1]
@@ -177,29 +181,33 @@ def constants(p):
     restitution = p[8]
     viscosity = p[10]
     boundary_layer = p[11]
-    k1 = speed/2
+    half_speed = speed/2
     oil_free = 1 - 2*boundary_layer/clearance
-    k2 = 1/(clearance*clearance)
-    k3 = oil_free*oil_free
-    k4 = clearance/(2*boundary_layer)
-    k5 = 2*boundary_layer/clearance
-    k6 = clearance/boundary_layer
-    k7 = 1/clearance
-    x1 = speed*speed
-    k8 = x1*bush_radius*bush_radius
-    k9 = 3.141592653589793/2
-    x2 = bush_radius - clearance
-    k10 = x2*length*length*length*viscosity/(clearance*clearance*clearance)
-    k11 = 2*3.141592653589793*k7*x2*x2*x2*length*viscosity
-    k12 = clearance*clearance
-    k13 = k7/2
-    k14 = 2*contact_stiffness/5
+    inverse_clearance_squared = 1/(clearance*clearance)
+    oil_free_squared = oil_free*oil_free
+    half_clearance_over_boundary_layer = clearance/(2*boundary_layer)
+    twice_boundary_layer_over_clearance = 2*boundary_layer/clearance
+    clearance_over_boundary_layer = clearance/boundary_layer
+    inverse_clearance = 1/clearance
+    speed_squared = speed*speed
+    bush_radius_squared_times_speed_squared = speed_squared*bush_radius*bush_radius
+    half_pi = 3.141592653589793/2
+    bush_radius_minus_clearance = bush_radius - clearance
+    k10 = bush_radius_minus_clearance*length*length*length*viscosity/(clearance*clearance*clearance)
+    k11 = 2*3.141592653589793*inverse_clearance*bush_radius_minus_clearance*bush_radius_minus_clearance*bush_radius_minus_clearance*length*viscosity
+    clearance_squared = clearance*clearance
+    half_inverse_clearance = inverse_clearance/2
+    two_fifths_of_contact_stiffness = 2*contact_stiffness/5
     bearing_hysteresis_factor = (8 - 8*restitution)/(5*restitution)
-    k15 = 1/mass
-    k16 = mass/2
-    k17 = x1*inertia/2
-    return ca.vertcat(clearance, speed, load, contact_stiffness, boundary_layer, k1, oil_free, k2, k3, k4, k5, k6,
-        k7, k8, k9, k10, k11, k12, k13, k14, bearing_hysteresis_factor, k15, k16, k17)
+    inverse_mass = 1/mass
+    half_mass = mass/2
+    half_speed_squared_times_inertia = speed_squared*inertia/2
+    return ca.vertcat(clearance, speed, load, contact_stiffness, boundary_layer, half_speed, oil_free,
+        inverse_clearance_squared, oil_free_squared, half_clearance_over_boundary_layer,
+        twice_boundary_layer_over_clearance, clearance_over_boundary_layer, inverse_clearance,
+        bush_radius_squared_times_speed_squared, half_pi, k10, k11, clearance_squared, half_inverse_clearance,
+        two_fifths_of_contact_stiffness, bearing_hysteresis_factor, inverse_mass, half_mass,
+        half_speed_squared_times_inertia)
 
 
 def start(p):
@@ -229,12 +237,12 @@ def scales(p):
     speed = p[5]
     energy_scale = bush_radius*bush_radius*speed*speed*mass/2
     force_scale = energy_scale/clearance
-    x1 = bush_radius*speed
+    bush_radius_times_speed = bush_radius*speed
     return (
         ca.vertcat(clearance, clearance),
-        ca.vertcat(x1, x1),
+        ca.vertcat(bush_radius_times_speed, bush_radius_times_speed),
         ca.vertcat(energy_scale, energy_scale, energy_scale, energy_scale),
-        ca.vertcat(clearance, x1, force_scale, energy_scale),
+        ca.vertcat(clearance, bush_radius_times_speed, force_scale, energy_scale),
     )
 
 
@@ -258,16 +266,16 @@ def gaps(t, q, u, c):
         G (1,): bearing [m]
         dG (1,): bearing [m/s]
     """
-    k12 = c[17]
-    k13 = c[18]
+    clearance_squared = c[17]
+    half_inverse_clearance = c[18]
     shaft_x = q[0]
     shaft_y = q[1]
     shaft_x_speed = u[0]
     shaft_y_speed = u[1]
     oil_e_squared = shaft_x*shaft_x + shaft_y*shaft_y
-    bearing_gap = k13*(k12 - oil_e_squared)
+    bearing_gap = half_inverse_clearance*(clearance_squared - oil_e_squared)
     oil_e_squared_rate = 2*shaft_x*shaft_x_speed + 2*shaft_y*shaft_y_speed
-    bearing_gap_rate = -k13*oil_e_squared_rate
+    bearing_gap_rate = -half_inverse_clearance*oil_e_squared_rate
     return ca.vertcat(bearing_gap), ca.vertcat(bearing_gap_rate)
 
 
@@ -278,7 +286,7 @@ def gap_accelerations(t, q, u, a, c):
     Returns, each a column vector:
         ddG (1,): bearing [m/s^2]
     """
-    k13 = c[18]
+    half_inverse_clearance = c[18]
     shaft_x = q[0]
     shaft_y = q[1]
     shaft_x_speed = u[0]
@@ -286,7 +294,7 @@ def gap_accelerations(t, q, u, a, c):
     shaft_x_acceleration = a[0]
     shaft_y_acceleration = a[1]
     oil_e_squared_rate_rate = 2*shaft_x_speed*shaft_x_speed + 2*shaft_y_speed*shaft_y_speed + 2*shaft_x*shaft_x_acceleration + 2*shaft_y*shaft_y_acceleration
-    bearing_gap_rate_rate = -k13*oil_e_squared_rate_rate
+    bearing_gap_rate_rate = -half_inverse_clearance*oil_e_squared_rate_rate
     return ca.vertcat(bearing_gap_rate_rate)
 
 
@@ -342,45 +350,45 @@ def applied(t, q, u, c):
     speed = c[1]
     load = c[2]
     boundary_layer = c[4]
-    k1 = c[5]
+    half_speed = c[5]
     oil_free = c[6]
-    k2 = c[7]
-    k3 = c[8]
-    k4 = c[9]
-    k5 = c[10]
-    k6 = c[11]
-    k7 = c[12]
-    k8 = c[13]
-    k9 = c[14]
+    inverse_clearance_squared = c[7]
+    oil_free_squared = c[8]
+    half_clearance_over_boundary_layer = c[9]
+    twice_boundary_layer_over_clearance = c[10]
+    clearance_over_boundary_layer = c[11]
+    inverse_clearance = c[12]
+    bush_radius_squared_times_speed_squared = c[13]
+    half_pi = c[14]
     k10 = c[15]
     k11 = c[16]
     shaft_x = q[0]
     shaft_y = q[1]
     shaft_x_speed = u[0]
     shaft_y_speed = u[1]
-    oil_squeeze_x = shaft_x_speed + k1*shaft_y
-    oil_squeeze_y = shaft_y_speed - k1*shaft_x
+    oil_squeeze_x = shaft_x_speed + half_speed*shaft_y
+    oil_squeeze_y = shaft_y_speed - half_speed*shaft_x
     oil_e_squared = shaft_x*shaft_x + shaft_y*shaft_y
-    oil_epsilon_squared = k2*oil_e_squared
-    base = ca.if_else(oil_epsilon_squared > oil_free*oil_free, oil_epsilon_squared, k3)
+    oil_epsilon_squared = inverse_clearance_squared*oil_e_squared
+    base = ca.if_else(oil_epsilon_squared > oil_free*oil_free, oil_epsilon_squared, oil_free_squared)
     oil_epsilon = ca.sqrt(base)
-    oil_thinning = ca.if_else(oil_epsilon_squared < 1, k4*(oil_epsilon - oil_free), 1)
-    oil_limited = oil_free + k5*oil_thinning*(1 - oil_thinning*oil_thinning*(1 - oil_thinning/2))
-    oil_sinking = ca.if_else(oil_epsilon_squared > 1, k6*(oil_epsilon - 1), 0)
-    oil_per_e = k7*oil_limited/oil_epsilon
+    oil_thinning = ca.if_else(oil_epsilon_squared < 1, half_clearance_over_boundary_layer*(oil_epsilon - oil_free), 1)
+    oil_limited = oil_free + twice_boundary_layer_over_clearance*oil_thinning*(1 - oil_thinning*oil_thinning*(1 - oil_thinning/2))
+    oil_sinking = ca.if_else(oil_epsilon_squared > 1, clearance_over_boundary_layer*(oil_epsilon - 1), 0)
+    oil_per_e = inverse_clearance*oil_limited/oil_epsilon
     oil_share = ca.if_else(oil_epsilon_squared < (1 + boundary_layer/clearance)**2, 1 - oil_sinking*oil_sinking*(3 - 2*oil_sinking), 0)
     oil_squeeze_squared = oil_squeeze_x*oil_squeeze_x + oil_squeeze_y*oil_squeeze_y
-    base_2 = ca.if_else(oil_squeeze_squared > 0, oil_squeeze_squared, k8)
+    base_2 = ca.if_else(oil_squeeze_squared > 0, oil_squeeze_squared, bush_radius_squared_times_speed_squared)
     oil_squeeze_speed = ca.sqrt(base_2)
     oil_epsilon_w = oil_per_e*(oil_squeeze_x*shaft_x + oil_squeeze_y*shaft_y)/oil_squeeze_speed
     oil_epsilon_c = oil_per_e*(oil_squeeze_x*shaft_y - oil_squeeze_y*shaft_x)/oil_squeeze_speed
-    x1 = oil_epsilon_w*oil_epsilon_w
-    oil_S = 1 - x1 - oil_epsilon_c*oil_epsilon_c
+    oil_epsilon_w_squared = oil_epsilon_w*oil_epsilon_w
+    oil_S = 1 - oil_epsilon_w_squared - oil_epsilon_c*oil_epsilon_c
     oil_q = ca.sqrt(oil_S)
-    oil_A = k9 + ca.atan(oil_epsilon_w/oil_q)
-    x2 = 1/(oil_S*oil_S)
-    oil_drag_along = k10*x2*(oil_A*(oil_S + 3*x1) + 3*oil_epsilon_w*oil_q)/oil_q
-    oil_drag_across = k10*oil_epsilon_c*x2*(oil_q*(2 + x1/(oil_S + x1)) + 3*oil_A*oil_epsilon_w)/oil_q
+    oil_A = half_pi + ca.atan(oil_epsilon_w/oil_q)
+    inverse_oil_S_squared = 1/(oil_S*oil_S)
+    oil_drag_along = k10*inverse_oil_S_squared*(oil_A*(oil_S + 3*oil_epsilon_w_squared) + 3*oil_epsilon_w*oil_q)/oil_q
+    oil_drag_across = k10*oil_epsilon_c*inverse_oil_S_squared*(oil_q*(2 + oil_epsilon_w_squared/(oil_S + oil_epsilon_w_squared)) + 3*oil_A*oil_epsilon_w)/oil_q
     oil_drag_spin = k11/oil_q
     oil_force_x = -oil_share*(oil_drag_along*oil_squeeze_x - oil_drag_across*oil_squeeze_y)
     oil_force_y = -oil_share*(oil_drag_across*oil_squeeze_x + oil_drag_along*oil_squeeze_y)
@@ -397,12 +405,12 @@ def accelerations(t, q, u, f, c):
         a (2,): shaft.x_acceleration [m/s^2], shaft.y_acceleration [m/s^2]
         reactions (1,): shaft.angle.reaction [N m]
     """
-    k15 = c[21]
+    inverse_mass = c[21]
     shaft_x_force = f[0]
     shaft_y_force = f[1]
     shaft_angle_force = f[2]
-    shaft_x_acc = k15*shaft_x_force
-    shaft_y_acc = k15*shaft_y_force
+    shaft_x_acc = inverse_mass*shaft_x_force
+    shaft_y_acc = inverse_mass*shaft_y_force
     return ca.vertcat(shaft_x_acc, shaft_y_acc), ca.vertcat(-shaft_angle_force)
 
 
@@ -417,16 +425,16 @@ def ledger(t, q, u, reactions, c):
     speed = c[1]
     load = c[2]
     boundary_layer = c[4]
-    k1 = c[5]
+    half_speed = c[5]
     oil_free = c[6]
-    k2 = c[7]
-    k3 = c[8]
-    k4 = c[9]
-    k5 = c[10]
-    k6 = c[11]
-    k7 = c[12]
-    k8 = c[13]
-    k9 = c[14]
+    inverse_clearance_squared = c[7]
+    oil_free_squared = c[8]
+    half_clearance_over_boundary_layer = c[9]
+    twice_boundary_layer_over_clearance = c[10]
+    clearance_over_boundary_layer = c[11]
+    inverse_clearance = c[12]
+    bush_radius_squared_times_speed_squared = c[13]
+    half_pi = c[14]
     k10 = c[15]
     k11 = c[16]
     shaft_x = q[0]
@@ -434,29 +442,29 @@ def ledger(t, q, u, reactions, c):
     shaft_x_speed = u[0]
     shaft_y_speed = u[1]
     shaft_angle_reaction_in = reactions[0]
-    oil_squeeze_x = shaft_x_speed + k1*shaft_y
-    oil_squeeze_y = shaft_y_speed - k1*shaft_x
+    oil_squeeze_x = shaft_x_speed + half_speed*shaft_y
+    oil_squeeze_y = shaft_y_speed - half_speed*shaft_x
     oil_e_squared = shaft_x*shaft_x + shaft_y*shaft_y
-    oil_epsilon_squared = k2*oil_e_squared
-    base = ca.if_else(oil_epsilon_squared > oil_free*oil_free, oil_epsilon_squared, k3)
+    oil_epsilon_squared = inverse_clearance_squared*oil_e_squared
+    base = ca.if_else(oil_epsilon_squared > oil_free*oil_free, oil_epsilon_squared, oil_free_squared)
     oil_epsilon = ca.sqrt(base)
-    oil_thinning = ca.if_else(oil_epsilon_squared < 1, k4*(oil_epsilon - oil_free), 1)
-    oil_limited = oil_free + k5*oil_thinning*(1 - oil_thinning*oil_thinning*(1 - oil_thinning/2))
-    oil_sinking = ca.if_else(oil_epsilon_squared > 1, k6*(oil_epsilon - 1), 0)
-    oil_per_e = k7*oil_limited/oil_epsilon
+    oil_thinning = ca.if_else(oil_epsilon_squared < 1, half_clearance_over_boundary_layer*(oil_epsilon - oil_free), 1)
+    oil_limited = oil_free + twice_boundary_layer_over_clearance*oil_thinning*(1 - oil_thinning*oil_thinning*(1 - oil_thinning/2))
+    oil_sinking = ca.if_else(oil_epsilon_squared > 1, clearance_over_boundary_layer*(oil_epsilon - 1), 0)
+    oil_per_e = inverse_clearance*oil_limited/oil_epsilon
     oil_share = ca.if_else(oil_epsilon_squared < (1 + boundary_layer/clearance)**2, 1 - oil_sinking*oil_sinking*(3 - 2*oil_sinking), 0)
     oil_squeeze_squared = oil_squeeze_x*oil_squeeze_x + oil_squeeze_y*oil_squeeze_y
-    base_2 = ca.if_else(oil_squeeze_squared > 0, oil_squeeze_squared, k8)
+    base_2 = ca.if_else(oil_squeeze_squared > 0, oil_squeeze_squared, bush_radius_squared_times_speed_squared)
     oil_squeeze_speed = ca.sqrt(base_2)
     oil_epsilon_w = oil_per_e*(oil_squeeze_x*shaft_x + oil_squeeze_y*shaft_y)/oil_squeeze_speed
     oil_epsilon_c = oil_per_e*(oil_squeeze_x*shaft_y - oil_squeeze_y*shaft_x)/oil_squeeze_speed
-    x1 = oil_epsilon_w*oil_epsilon_w
-    oil_S = 1 - x1 - oil_epsilon_c*oil_epsilon_c
+    oil_epsilon_w_squared = oil_epsilon_w*oil_epsilon_w
+    oil_S = 1 - oil_epsilon_w_squared - oil_epsilon_c*oil_epsilon_c
     oil_q = ca.sqrt(oil_S)
-    oil_A = k9 + ca.atan(oil_epsilon_w/oil_q)
-    x2 = 1/(oil_S*oil_S)
-    oil_drag_along = k10*x2*(oil_A*(oil_S + 3*x1) + 3*oil_epsilon_w*oil_q)/oil_q
-    oil_drag_across = k10*oil_epsilon_c*x2*(oil_q*(2 + x1/(oil_S + x1)) + 3*oil_A*oil_epsilon_w)/oil_q
+    oil_A = half_pi + ca.atan(oil_epsilon_w/oil_q)
+    inverse_oil_S_squared = 1/(oil_S*oil_S)
+    oil_drag_along = k10*inverse_oil_S_squared*(oil_A*(oil_S + 3*oil_epsilon_w_squared) + 3*oil_epsilon_w*oil_q)/oil_q
+    oil_drag_across = k10*oil_epsilon_c*inverse_oil_S_squared*(oil_q*(2 + oil_epsilon_w_squared/(oil_S + oil_epsilon_w_squared)) + 3*oil_A*oil_epsilon_w)/oil_q
     oil_drag_spin = k11/oil_q
     oil_force_x = -oil_share*(oil_drag_along*oil_squeeze_x - oil_drag_across*oil_squeeze_y)
     oil_force_y = -oil_share*(oil_drag_across*oil_squeeze_x + oil_drag_along*oil_squeeze_y)
@@ -475,9 +483,9 @@ def energy(t, q, u, c):
         stored (1,): bearing [J]
     """
     clearance = c[0]
-    k14 = c[19]
-    k16 = c[22]
-    k17 = c[23]
+    two_fifths_of_contact_stiffness = c[19]
+    half_mass = c[22]
+    half_speed_squared_times_inertia = c[23]
     shaft_x = q[0]
     shaft_y = q[1]
     shaft_x_speed = u[0]
@@ -485,8 +493,8 @@ def energy(t, q, u, c):
     oil_e_squared = shaft_x*shaft_x + shaft_y*shaft_y
     oil_e_size = ca.sqrt(oil_e_squared)
     bearing_penetration = oil_e_size - clearance
-    bearing_stored_energy = ca.if_else(bearing_penetration > 0, k14*bearing_penetration*bearing_penetration*ca.sqrt(bearing_penetration), 0)
-    kinetic = k17 + k16*(shaft_x_speed*shaft_x_speed + shaft_y_speed*shaft_y_speed)
+    bearing_stored_energy = ca.if_else(bearing_penetration > 0, two_fifths_of_contact_stiffness*bearing_penetration*bearing_penetration*ca.sqrt(bearing_penetration), 0)
+    kinetic = half_speed_squared_times_inertia + half_mass*(shaft_x_speed*shaft_x_speed + shaft_y_speed*shaft_y_speed)
     return ca.vertcat(kinetic), ca.vertcat(0), ca.vertcat(bearing_stored_energy)
 
 
@@ -520,44 +528,44 @@ def outputs(t, q, u, c):
     """
     clearance = c[0]
     boundary_layer = c[4]
-    k1 = c[5]
+    half_speed = c[5]
     oil_free = c[6]
-    k2 = c[7]
-    k3 = c[8]
-    k4 = c[9]
-    k5 = c[10]
-    k6 = c[11]
-    k7 = c[12]
-    k8 = c[13]
-    k9 = c[14]
+    inverse_clearance_squared = c[7]
+    oil_free_squared = c[8]
+    half_clearance_over_boundary_layer = c[9]
+    twice_boundary_layer_over_clearance = c[10]
+    clearance_over_boundary_layer = c[11]
+    inverse_clearance = c[12]
+    bush_radius_squared_times_speed_squared = c[13]
+    half_pi = c[14]
     k10 = c[15]
     shaft_x = q[0]
     shaft_y = q[1]
     shaft_x_speed = u[0]
     shaft_y_speed = u[1]
-    oil_squeeze_x = shaft_x_speed + k1*shaft_y
-    oil_squeeze_y = shaft_y_speed - k1*shaft_x
+    oil_squeeze_x = shaft_x_speed + half_speed*shaft_y
+    oil_squeeze_y = shaft_y_speed - half_speed*shaft_x
     oil_e_squared = shaft_x*shaft_x + shaft_y*shaft_y
-    oil_epsilon_squared = k2*oil_e_squared
-    base = ca.if_else(oil_epsilon_squared > oil_free*oil_free, oil_epsilon_squared, k3)
+    oil_epsilon_squared = inverse_clearance_squared*oil_e_squared
+    base = ca.if_else(oil_epsilon_squared > oil_free*oil_free, oil_epsilon_squared, oil_free_squared)
     oil_epsilon = ca.sqrt(base)
-    oil_thinning = ca.if_else(oil_epsilon_squared < 1, k4*(oil_epsilon - oil_free), 1)
-    oil_limited = oil_free + k5*oil_thinning*(1 - oil_thinning*oil_thinning*(1 - oil_thinning/2))
-    oil_sinking = ca.if_else(oil_epsilon_squared > 1, k6*(oil_epsilon - 1), 0)
-    oil_per_e = k7*oil_limited/oil_epsilon
+    oil_thinning = ca.if_else(oil_epsilon_squared < 1, half_clearance_over_boundary_layer*(oil_epsilon - oil_free), 1)
+    oil_limited = oil_free + twice_boundary_layer_over_clearance*oil_thinning*(1 - oil_thinning*oil_thinning*(1 - oil_thinning/2))
+    oil_sinking = ca.if_else(oil_epsilon_squared > 1, clearance_over_boundary_layer*(oil_epsilon - 1), 0)
+    oil_per_e = inverse_clearance*oil_limited/oil_epsilon
     oil_share = ca.if_else(oil_epsilon_squared < (1 + boundary_layer/clearance)**2, 1 - oil_sinking*oil_sinking*(3 - 2*oil_sinking), 0)
     oil_squeeze_squared = oil_squeeze_x*oil_squeeze_x + oil_squeeze_y*oil_squeeze_y
-    base_2 = ca.if_else(oil_squeeze_squared > 0, oil_squeeze_squared, k8)
+    base_2 = ca.if_else(oil_squeeze_squared > 0, oil_squeeze_squared, bush_radius_squared_times_speed_squared)
     oil_squeeze_speed = ca.sqrt(base_2)
     oil_epsilon_w = oil_per_e*(oil_squeeze_x*shaft_x + oil_squeeze_y*shaft_y)/oil_squeeze_speed
     oil_epsilon_c = oil_per_e*(oil_squeeze_x*shaft_y - oil_squeeze_y*shaft_x)/oil_squeeze_speed
-    x1 = oil_epsilon_w*oil_epsilon_w
-    oil_S = 1 - x1 - oil_epsilon_c*oil_epsilon_c
+    oil_epsilon_w_squared = oil_epsilon_w*oil_epsilon_w
+    oil_S = 1 - oil_epsilon_w_squared - oil_epsilon_c*oil_epsilon_c
     oil_q = ca.sqrt(oil_S)
-    oil_A = k9 + ca.atan(oil_epsilon_w/oil_q)
-    x2 = 1/(oil_S*oil_S)
-    oil_drag_along = k10*x2*(oil_A*(oil_S + 3*x1) + 3*oil_epsilon_w*oil_q)/oil_q
-    oil_drag_across = k10*oil_epsilon_c*x2*(oil_q*(2 + x1/(oil_S + x1)) + 3*oil_A*oil_epsilon_w)/oil_q
+    oil_A = half_pi + ca.atan(oil_epsilon_w/oil_q)
+    inverse_oil_S_squared = 1/(oil_S*oil_S)
+    oil_drag_along = k10*inverse_oil_S_squared*(oil_A*(oil_S + 3*oil_epsilon_w_squared) + 3*oil_epsilon_w*oil_q)/oil_q
+    oil_drag_across = k10*oil_epsilon_c*inverse_oil_S_squared*(oil_q*(2 + oil_epsilon_w_squared/(oil_S + oil_epsilon_w_squared)) + 3*oil_A*oil_epsilon_w)/oil_q
     oil_force_x = -oil_share*(oil_drag_along*oil_squeeze_x - oil_drag_across*oil_squeeze_y)
     oil_force_y = -oil_share*(oil_drag_across*oil_squeeze_x + oil_drag_along*oil_squeeze_y)
     oil_e_size = ca.sqrt(oil_e_squared)

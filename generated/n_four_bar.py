@@ -111,12 +111,12 @@ CONSTANTS = (
     ("beam_0_h_x", "kg m"),
     ("post_0_h_y", "kg m"),
     ("beam_0_I_z_z", "kg m^2"),
-    ("k1", "kg m^2"),
-    ("k2", "1/(kg m^2)"),
-    ("k3", "kg m^2"),
-    ("k4", "kg"),
-    ("k5", "m"),
-    ("k6", "N"),
+    ("beam_0_I_z_z_plus_post_0_I_z_z", "kg m^2"),
+    ("inverse_beam_0_I_z_z", "1/(kg m^2)"),
+    ("half_beam_0_I_z_z", "kg m^2"),
+    ("half_mass", "kg"),
+    ("half_length", "m"),
+    ("gravity_times_mass", "N"),
     ("right_0_apart_x_softness", "1"),
     ("right_0_apart_y_softness", "1"),
     ("right_1_apart_x_softness", "1"),
@@ -147,8 +147,10 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (16,): length, gravity, post_2_arm_x, beam_0_h_x, post_0_h_y, beam_0_I_z_z, k1, k2, k3, k4, k5, k6,
-            right_0_apart_x_softness, right_0_apart_y_softness, right_1_apart_x_softness, right_1_apart_y_softness
+        c (16,): length, gravity, post_2_arm_x, beam_0_h_x, post_0_h_y, beam_0_I_z_z,
+            beam_0_I_z_z_plus_post_0_I_z_z, inverse_beam_0_I_z_z, half_beam_0_I_z_z, half_mass, half_length,
+            gravity_times_mass, right_0_apart_x_softness, right_0_apart_y_softness, right_1_apart_x_softness,
+            right_1_apart_y_softness
     """
     mass = p[0]
     length = p[1]
@@ -156,17 +158,18 @@ def constants(p):
     post_2_arm_x = 2*length
     beam_0_h_x = length*mass/2
     post_0_h_y = 3*length*mass/2
-    x1 = length*length
-    post_0_I_z_z = 4*x1*mass/3
-    beam_0_I_z_z = x1*mass/3
-    k1 = beam_0_I_z_z + post_0_I_z_z
-    k2 = 1/beam_0_I_z_z
-    k3 = beam_0_I_z_z/2
-    k4 = mass/2
-    k5 = length/2
-    k6 = gravity*mass
-    return ca.vertcat(length, gravity, post_2_arm_x, beam_0_h_x, post_0_h_y, beam_0_I_z_z, k1, k2, k3, k4, k5, k6,
-        3e-09, 3e-09, 3e-09, 3e-09)
+    length_squared = length*length
+    post_0_I_z_z = 4*length_squared*mass/3
+    beam_0_I_z_z = length_squared*mass/3
+    beam_0_I_z_z_plus_post_0_I_z_z = beam_0_I_z_z + post_0_I_z_z
+    inverse_beam_0_I_z_z = 1/beam_0_I_z_z
+    half_beam_0_I_z_z = beam_0_I_z_z/2
+    half_mass = mass/2
+    half_length = length/2
+    gravity_times_mass = gravity*mass
+    return ca.vertcat(length, gravity, post_2_arm_x, beam_0_h_x, post_0_h_y, beam_0_I_z_z,
+        beam_0_I_z_z_plus_post_0_I_z_z, inverse_beam_0_I_z_z, half_beam_0_I_z_z, half_mass, half_length,
+        gravity_times_mass, 3e-09, 3e-09, 3e-09, 3e-09)
 
 
 def start(p):
@@ -200,10 +203,10 @@ def scales(p):
     total_mass = 5*mass
     energy_scale = total_mass*speed*speed/2
     force_scale = energy_scale/length
-    x1 = speed/length
+    speed_over_length = speed/length
     return (
         ca.vertcat(1, 1, 1, 1, 1),
-        ca.vertcat(x1, x1, x1, x1, x1),
+        ca.vertcat(speed_over_length, speed_over_length, speed_over_length, speed_over_length, speed_over_length),
         ca.vertcat(),
         ca.vertcat(length, speed, force_scale, energy_scale),
     )
@@ -293,8 +296,8 @@ def accelerations(t, q, u, f, c):
     post_2_arm_x = c[2]
     beam_0_h_x = c[3]
     beam_0_I_z_z = c[5]
-    k1 = c[6]
-    k2 = c[7]
+    beam_0_I_z_z_plus_post_0_I_z_z = c[6]
+    inverse_beam_0_I_z_z = c[7]
     right_0_apart_x_softness = c[12]
     right_0_apart_y_softness = c[13]
     right_1_apart_x_softness = c[14]
@@ -389,39 +392,39 @@ def accelerations(t, q, u, f, c):
     foot_1_net = foot_1_force - post_1_torque_z
     left_0_net = left_0_force - beam_0_torque_z
     left_1_net = left_1_force - beam_1_torque_z
-    post_0_total_J_z_z = k1 + 2*beam_0_arm_x*beam_0_moment_x + 2*beam_0_arm_y*beam_0_moment_y
-    post_1_total_J_z_z = k1 + 2*beam_1_moment_x*right_0_parent_arm_x + 2*beam_1_moment_y*right_0_parent_arm_y
+    post_0_total_J_z_z = beam_0_I_z_z_plus_post_0_I_z_z + 2*beam_0_arm_x*beam_0_moment_x + 2*beam_0_arm_y*beam_0_moment_y
+    post_1_total_J_z_z = beam_0_I_z_z_plus_post_0_I_z_z + 2*beam_1_moment_x*right_0_parent_arm_x + 2*beam_1_moment_y*right_0_parent_arm_y
     left_0_beam_0_torque_z = beam_0_I_z_z + beam_0_arm_x*beam_0_moment_x + beam_0_arm_y*beam_0_moment_y
     left_1_beam_1_torque_z = beam_0_I_z_z + beam_1_moment_x*right_0_parent_arm_x + beam_1_moment_y*right_0_parent_arm_y
-    l_foot_1_left_1 = k2*left_1_beam_1_torque_z
+    l_foot_1_left_1 = inverse_beam_0_I_z_z*left_1_beam_1_torque_z
     D_foot_1 = post_1_total_J_z_z - l_foot_1_left_1*left_1_beam_1_torque_z
-    l_foot_0_left_0 = k2*left_0_beam_0_torque_z
+    l_foot_0_left_0 = inverse_beam_0_I_z_z*left_0_beam_0_torque_z
     D_foot_0 = post_0_total_J_z_z - l_foot_0_left_0*left_0_beam_0_torque_z
     y_foot_1 = foot_1_net - l_foot_1_left_1*left_1_net
     y_foot_0 = foot_0_net - l_foot_0_left_0*left_0_net
     foot_0_acc = y_foot_0/D_foot_0
     foot_1_acc = y_foot_1/D_foot_1
-    foot_2_acc = foot_2_force*k2
-    left_0_acc = k2*left_0_net - foot_0_acc*l_foot_0_left_0
-    left_1_acc = k2*left_1_net - foot_1_acc*l_foot_1_left_1
+    foot_2_acc = foot_2_force*inverse_beam_0_I_z_z
+    left_0_acc = inverse_beam_0_I_z_z*left_0_net - foot_0_acc*l_foot_0_left_0
+    left_1_acc = inverse_beam_0_I_z_z*left_1_net - foot_1_acc*l_foot_1_left_1
     y_foot_2 = right_0_x_on_foot_0 + l_foot_0_left_0*right_0_child_arm_y
     foot_0_by_right_0_apart_x = y_foot_2/D_foot_0
     foot_1_by_right_0_apart_x = right_0_x_on_foot_1/D_foot_1
-    left_0_by_right_0_apart_x = -foot_0_by_right_0_apart_x*l_foot_0_left_0 - k2*right_0_child_arm_y
+    left_0_by_right_0_apart_x = -foot_0_by_right_0_apart_x*l_foot_0_left_0 - inverse_beam_0_I_z_z*right_0_child_arm_y
     left_1_by_right_0_apart_x = -foot_1_by_right_0_apart_x*l_foot_1_left_1
     y_foot_3 = right_0_y_on_foot_0 - l_foot_0_left_0*right_0_child_arm_x
     foot_0_by_right_0_apart_y = y_foot_3/D_foot_0
     foot_1_by_right_0_apart_y = right_0_y_on_foot_1/D_foot_1
-    left_0_by_right_0_apart_y = k2*right_0_child_arm_x - foot_0_by_right_0_apart_y*l_foot_0_left_0
+    left_0_by_right_0_apart_y = inverse_beam_0_I_z_z*right_0_child_arm_x - foot_0_by_right_0_apart_y*l_foot_0_left_0
     left_1_by_right_0_apart_y = -foot_1_by_right_0_apart_y*l_foot_1_left_1
     y_foot_4 = right_1_x_on_foot_1 + l_foot_1_left_1*right_1_child_arm_y
     foot_1_by_right_1_apart_x = y_foot_4/D_foot_1
-    foot_2_by_right_1_apart_x = k2*right_1_x_on_foot_2
-    left_1_by_right_1_apart_x = -foot_1_by_right_1_apart_x*l_foot_1_left_1 - k2*right_1_child_arm_y
+    foot_2_by_right_1_apart_x = inverse_beam_0_I_z_z*right_1_x_on_foot_2
+    left_1_by_right_1_apart_x = -foot_1_by_right_1_apart_x*l_foot_1_left_1 - inverse_beam_0_I_z_z*right_1_child_arm_y
     y_foot_5 = right_1_y_on_foot_1 - l_foot_1_left_1*right_1_child_arm_x
     foot_1_by_right_1_apart_y = y_foot_5/D_foot_1
-    foot_2_by_right_1_apart_y = k2*right_1_y_on_foot_2
-    left_1_by_right_1_apart_y = k2*right_1_child_arm_x - foot_1_by_right_1_apart_y*l_foot_1_left_1
+    foot_2_by_right_1_apart_y = inverse_beam_0_I_z_z*right_1_y_on_foot_2
+    left_1_by_right_1_apart_y = inverse_beam_0_I_z_z*right_1_child_arm_x - foot_1_by_right_1_apart_y*l_foot_1_left_1
     W_right_0_apart_x_right_0_apart_x = foot_0_by_right_0_apart_x*right_0_x_on_foot_0 + foot_1_by_right_0_apart_x*right_0_x_on_foot_1 - left_0_by_right_0_apart_x*right_0_child_arm_y
     W_right_0_apart_y_right_0_apart_x = foot_0_by_right_0_apart_x*right_0_y_on_foot_0 + foot_1_by_right_0_apart_x*right_0_y_on_foot_1 + left_0_by_right_0_apart_x*right_0_child_arm_x
     W_right_0_apart_y_right_0_apart_y = foot_0_by_right_0_apart_y*right_0_y_on_foot_0 + foot_1_by_right_0_apart_y*right_0_y_on_foot_1 + left_0_by_right_0_apart_y*right_0_child_arm_x
@@ -596,8 +599,8 @@ def projection(t, q, wanted, c):
     post_2_arm_x = c[2]
     beam_0_h_x = c[3]
     beam_0_I_z_z = c[5]
-    k1 = c[6]
-    k2 = c[7]
+    beam_0_I_z_z_plus_post_0_I_z_z = c[6]
+    inverse_beam_0_I_z_z = c[7]
     right_0_apart_x_softness = c[12]
     right_0_apart_y_softness = c[13]
     right_1_apart_x_softness = c[14]
@@ -641,32 +644,32 @@ def projection(t, q, wanted, c):
     beam_0_moment_y = beam_0_h_x*sin_beam_0
     beam_1_moment_x = beam_0_h_x*cos_beam_1
     beam_1_moment_y = beam_0_h_x*sin_beam_1
-    post_0_total_J_z_z = k1 + 2*beam_0_arm_x*beam_0_moment_x + 2*beam_0_arm_y*beam_0_moment_y
-    post_1_total_J_z_z = k1 + 2*beam_1_moment_x*right_0_parent_arm_x + 2*beam_1_moment_y*right_0_parent_arm_y
+    post_0_total_J_z_z = beam_0_I_z_z_plus_post_0_I_z_z + 2*beam_0_arm_x*beam_0_moment_x + 2*beam_0_arm_y*beam_0_moment_y
+    post_1_total_J_z_z = beam_0_I_z_z_plus_post_0_I_z_z + 2*beam_1_moment_x*right_0_parent_arm_x + 2*beam_1_moment_y*right_0_parent_arm_y
     left_0_beam_0_torque_z = beam_0_I_z_z + beam_0_arm_x*beam_0_moment_x + beam_0_arm_y*beam_0_moment_y
     left_1_beam_1_torque_z = beam_0_I_z_z + beam_1_moment_x*right_0_parent_arm_x + beam_1_moment_y*right_0_parent_arm_y
-    l_foot_1_left_1 = k2*left_1_beam_1_torque_z
+    l_foot_1_left_1 = inverse_beam_0_I_z_z*left_1_beam_1_torque_z
     D_foot_1 = post_1_total_J_z_z - l_foot_1_left_1*left_1_beam_1_torque_z
-    l_foot_0_left_0 = k2*left_0_beam_0_torque_z
+    l_foot_0_left_0 = inverse_beam_0_I_z_z*left_0_beam_0_torque_z
     D_foot_0 = post_0_total_J_z_z - l_foot_0_left_0*left_0_beam_0_torque_z
     y_foot_2 = right_0_x_on_foot_0 + l_foot_0_left_0*right_0_child_arm_y
     foot_0_by_right_0_apart_x = y_foot_2/D_foot_0
     foot_1_by_right_0_apart_x = right_0_x_on_foot_1/D_foot_1
-    left_0_by_right_0_apart_x = -foot_0_by_right_0_apart_x*l_foot_0_left_0 - k2*right_0_child_arm_y
+    left_0_by_right_0_apart_x = -foot_0_by_right_0_apart_x*l_foot_0_left_0 - inverse_beam_0_I_z_z*right_0_child_arm_y
     left_1_by_right_0_apart_x = -foot_1_by_right_0_apart_x*l_foot_1_left_1
     y_foot_3 = right_0_y_on_foot_0 - l_foot_0_left_0*right_0_child_arm_x
     foot_0_by_right_0_apart_y = y_foot_3/D_foot_0
     foot_1_by_right_0_apart_y = right_0_y_on_foot_1/D_foot_1
-    left_0_by_right_0_apart_y = k2*right_0_child_arm_x - foot_0_by_right_0_apart_y*l_foot_0_left_0
+    left_0_by_right_0_apart_y = inverse_beam_0_I_z_z*right_0_child_arm_x - foot_0_by_right_0_apart_y*l_foot_0_left_0
     left_1_by_right_0_apart_y = -foot_1_by_right_0_apart_y*l_foot_1_left_1
     y_foot_4 = right_1_x_on_foot_1 + l_foot_1_left_1*right_1_child_arm_y
     foot_1_by_right_1_apart_x = y_foot_4/D_foot_1
-    foot_2_by_right_1_apart_x = k2*right_1_x_on_foot_2
-    left_1_by_right_1_apart_x = -foot_1_by_right_1_apart_x*l_foot_1_left_1 - k2*right_1_child_arm_y
+    foot_2_by_right_1_apart_x = inverse_beam_0_I_z_z*right_1_x_on_foot_2
+    left_1_by_right_1_apart_x = -foot_1_by_right_1_apart_x*l_foot_1_left_1 - inverse_beam_0_I_z_z*right_1_child_arm_y
     y_foot_5 = right_1_y_on_foot_1 - l_foot_1_left_1*right_1_child_arm_x
     foot_1_by_right_1_apart_y = y_foot_5/D_foot_1
-    foot_2_by_right_1_apart_y = k2*right_1_y_on_foot_2
-    left_1_by_right_1_apart_y = k2*right_1_child_arm_x - foot_1_by_right_1_apart_y*l_foot_1_left_1
+    foot_2_by_right_1_apart_y = inverse_beam_0_I_z_z*right_1_y_on_foot_2
+    left_1_by_right_1_apart_y = inverse_beam_0_I_z_z*right_1_child_arm_x - foot_1_by_right_1_apart_y*l_foot_1_left_1
     W_right_0_apart_x_right_0_apart_x = foot_0_by_right_0_apart_x*right_0_x_on_foot_0 + foot_1_by_right_0_apart_x*right_0_x_on_foot_1 - left_0_by_right_0_apart_x*right_0_child_arm_y
     W_right_0_apart_y_right_0_apart_x = foot_0_by_right_0_apart_x*right_0_y_on_foot_0 + foot_1_by_right_0_apart_x*right_0_y_on_foot_1 + left_0_by_right_0_apart_x*right_0_child_arm_x
     W_right_0_apart_y_right_0_apart_y = foot_0_by_right_0_apart_y*right_0_y_on_foot_0 + foot_1_by_right_0_apart_y*right_0_y_on_foot_1 + left_0_by_right_0_apart_y*right_0_child_arm_x
@@ -755,10 +758,10 @@ def energy(t, q, u, c):
     """
     length = c[0]
     beam_0_h_x = c[3]
-    k3 = c[8]
-    k4 = c[9]
-    k5 = c[10]
-    k6 = c[11]
+    half_beam_0_I_z_z = c[8]
+    half_mass = c[9]
+    half_length = c[10]
+    gravity_times_mass = c[11]
     foot_0_angle = q[0]
     foot_1_angle = q[1]
     foot_2_angle = q[2]
@@ -794,13 +797,13 @@ def energy(t, q, u, c):
     beam_0_moment_y = beam_0_h_x*sin_beam_0
     beam_1_moment_x = beam_0_h_x*cos_beam_1
     beam_1_moment_y = beam_0_h_x*sin_beam_1
-    kinetic = k3*beam_0_rate_z*beam_0_rate_z + k3*beam_1_rate_z*beam_1_rate_z + k3*foot_0_speed*foot_0_speed + k3*foot_1_speed*foot_1_speed + k3*foot_2_speed*foot_2_speed + k4*(beam_0_arm_rate_x*beam_0_arm_rate_x + beam_0_arm_rate_y*beam_0_arm_rate_y) + k4*(right_0_parent_arm_rate_x*right_0_parent_arm_rate_x + right_0_parent_arm_rate_y*right_0_parent_arm_rate_y) + beam_0_arm_rate_y*beam_0_moment_x*beam_0_rate_z + beam_1_moment_x*beam_1_rate_z*right_0_parent_arm_rate_y - beam_0_arm_rate_x*beam_0_moment_y*beam_0_rate_z - beam_1_moment_y*beam_1_rate_z*right_0_parent_arm_rate_x
-    post_0_centre_arm_y = cos_post_0*k5
-    post_1_centre_arm_y = cos_post_1*k5
-    post_2_centre_arm_y = cos_post_2*k5
-    beam_0_centre_arm_y = k5*sin_beam_0
-    beam_1_centre_arm_y = k5*sin_beam_1
-    potential = k6*post_0_centre_arm_y + k6*post_1_centre_arm_y + k6*post_2_centre_arm_y + k6*(beam_0_arm_y + beam_0_centre_arm_y) + k6*(beam_1_centre_arm_y + right_0_parent_arm_y)
+    kinetic = half_beam_0_I_z_z*beam_0_rate_z*beam_0_rate_z + half_beam_0_I_z_z*beam_1_rate_z*beam_1_rate_z + half_beam_0_I_z_z*foot_0_speed*foot_0_speed + half_beam_0_I_z_z*foot_1_speed*foot_1_speed + half_beam_0_I_z_z*foot_2_speed*foot_2_speed + half_mass*(beam_0_arm_rate_x*beam_0_arm_rate_x + beam_0_arm_rate_y*beam_0_arm_rate_y) + half_mass*(right_0_parent_arm_rate_x*right_0_parent_arm_rate_x + right_0_parent_arm_rate_y*right_0_parent_arm_rate_y) + beam_0_arm_rate_y*beam_0_moment_x*beam_0_rate_z + beam_1_moment_x*beam_1_rate_z*right_0_parent_arm_rate_y - beam_0_arm_rate_x*beam_0_moment_y*beam_0_rate_z - beam_1_moment_y*beam_1_rate_z*right_0_parent_arm_rate_x
+    post_0_centre_arm_y = cos_post_0*half_length
+    post_1_centre_arm_y = cos_post_1*half_length
+    post_2_centre_arm_y = cos_post_2*half_length
+    beam_0_centre_arm_y = half_length*sin_beam_0
+    beam_1_centre_arm_y = half_length*sin_beam_1
+    potential = gravity_times_mass*post_0_centre_arm_y + gravity_times_mass*post_1_centre_arm_y + gravity_times_mass*post_2_centre_arm_y + gravity_times_mass*(beam_0_arm_y + beam_0_centre_arm_y) + gravity_times_mass*(beam_1_centre_arm_y + right_0_parent_arm_y)
     return ca.vertcat(kinetic), ca.vertcat(potential), ca.vertcat()
 
 

@@ -148,19 +148,19 @@ CONSTANTS = (
     ("stiffness", "N/m"),
     ("ball_1_arm_x", "m"),
     ("ball_2_arm_x", "m"),
-    ("k1", "m"),
+    ("ball_1_arm_x_minus_ball_2_arm_x", "m"),
     ("ball_3_arm_x", "m"),
-    ("k2", "m"),
+    ("ball_2_arm_x_minus_ball_3_arm_x", "m"),
     ("ball_4_arm_x", "m"),
-    ("k3", "m"),
+    ("ball_3_arm_x_minus_ball_4_arm_x", "m"),
     ("contact_0_reach", "m"),
-    ("k4", "m^2"),
-    ("k5", "1/m"),
-    ("k6", "N/m"),
+    ("minus_contact_0_reach_squared", "m^2"),
+    ("half_inverse_contact_0_reach", "1/m"),
+    ("half_stiffness", "N/m"),
     ("contact_0_hysteresis_factor", "1"),
     ("ball_0_h_y", "kg m"),
-    ("k7", "1/(kg m^2)"),
-    ("k8", "kg m^2"),
+    ("inverse_ball_0_I_z_z", "1/(kg m^2)"),
+    ("half_ball_0_I_z_z", "kg m^2"),
     ("k9", "N"),
 )
 
@@ -190,8 +190,10 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (19,): length, gravity, stiffness, ball_1_arm_x, ball_2_arm_x, k1, ball_3_arm_x, k2, ball_4_arm_x, k3,
-            contact_0_reach, k4, k5, k6, contact_0_hysteresis_factor, ball_0_h_y, k7, k8, k9
+        c (19,): length, gravity, stiffness, ball_1_arm_x, ball_2_arm_x, ball_1_arm_x_minus_ball_2_arm_x,
+            ball_3_arm_x, ball_2_arm_x_minus_ball_3_arm_x, ball_4_arm_x, ball_3_arm_x_minus_ball_4_arm_x,
+            contact_0_reach, minus_contact_0_reach_squared, half_inverse_contact_0_reach, half_stiffness,
+            contact_0_hysteresis_factor, ball_0_h_y, inverse_ball_0_I_z_z, half_ball_0_I_z_z, k9
     """
     radius = p[0]
     density = p[1]
@@ -202,49 +204,51 @@ def constants(p):
     restitution = p[6]
     ball_1_arm_x = 2*radius*spacing
     ball_2_arm_x = 4*radius*spacing
-    k1 = ball_1_arm_x - ball_2_arm_x
+    ball_1_arm_x_minus_ball_2_arm_x = ball_1_arm_x - ball_2_arm_x
     ball_3_arm_x = 6*radius*spacing
-    k2 = ball_2_arm_x - ball_3_arm_x
+    ball_2_arm_x_minus_ball_3_arm_x = ball_2_arm_x - ball_3_arm_x
     ball_4_arm_x = 8*radius*spacing
-    k3 = ball_3_arm_x - ball_4_arm_x
+    ball_3_arm_x_minus_ball_4_arm_x = ball_3_arm_x - ball_4_arm_x
     contact_0_reach = 2*radius
-    k4 = -contact_0_reach*contact_0_reach
-    k5 = 1/(2*contact_0_reach)
-    k6 = stiffness/2
-    x1 = 1 + restitution
-    contact_0_y = (1 - restitution)/x1
-    contact_0_r = 2*restitution/x1
+    minus_contact_0_reach_squared = -contact_0_reach*contact_0_reach
+    half_inverse_contact_0_reach = 1/(2*contact_0_reach)
+    half_stiffness = stiffness/2
+    one_plus_restitution = 1 + restitution
+    contact_0_y = (1 - restitution)/one_plus_restitution
+    contact_0_r = 2*restitution/one_plus_restitution
     contact_0_t_0 = contact_0_y*(3 + 2*contact_0_y**6/5 - 6*contact_0_y*contact_0_y/5 - contact_0_y**4/5)/(contact_0_r*(1 + contact_0_y))
-    x2 = contact_0_t_0**6
-    x3 = contact_0_t_0**4
-    x4 = contact_0_t_0*contact_0_t_0
-    contact_0_q_0 = (34459425 + contact_0_t_0**8 + 990*x2 + 135135*x3 + 4729725*x4)/(11486475 + 44*x2 + 12870*x3 + 810810*x4)
+    contact_0_t_0_to_the_6 = contact_0_t_0**6
+    contact_0_t_0_to_the_4 = contact_0_t_0**4
+    contact_0_t_0_squared = contact_0_t_0*contact_0_t_0
+    contact_0_q_0 = (34459425 + contact_0_t_0**8 + 990*contact_0_t_0_to_the_6 + 135135*contact_0_t_0_to_the_4 + 4729725*contact_0_t_0_squared)/(11486475 + 44*contact_0_t_0_to_the_6 + 12870*contact_0_t_0_to_the_4 + 810810*contact_0_t_0_squared)
     contact_0_w_0 = 1/ca.fmax(1, contact_0_t_0)
     contact_0_c_0 = 2/(ca.exp(2/contact_0_w_0) - 1)
-    contact_0_t_1 = contact_0_t_0 + ca.if_else(contact_0_t_0 < 1, (contact_0_y - contact_0_t_0/contact_0_q_0)/(1 - 2/contact_0_q_0 - x4/(contact_0_q_0*contact_0_q_0)), (contact_0_w_0 - contact_0_c_0 - contact_0_r)/(contact_0_w_0*contact_0_w_0 - contact_0_c_0*(2 + contact_0_c_0)))
-    x5 = contact_0_t_1**6
-    x6 = contact_0_t_1**4
-    x7 = contact_0_t_1*contact_0_t_1
-    contact_0_q_1 = (34459425 + contact_0_t_1**8 + 990*x5 + 135135*x6 + 4729725*x7)/(11486475 + 44*x5 + 12870*x6 + 810810*x7)
+    contact_0_t_1 = contact_0_t_0 + ca.if_else(contact_0_t_0 < 1, (contact_0_y - contact_0_t_0/contact_0_q_0)/(1 - 2/contact_0_q_0 - contact_0_t_0_squared/(contact_0_q_0*contact_0_q_0)), (contact_0_w_0 - contact_0_c_0 - contact_0_r)/(contact_0_w_0*contact_0_w_0 - contact_0_c_0*(2 + contact_0_c_0)))
+    contact_0_t_1_to_the_6 = contact_0_t_1**6
+    contact_0_t_1_to_the_4 = contact_0_t_1**4
+    contact_0_t_1_squared = contact_0_t_1*contact_0_t_1
+    contact_0_q_1 = (34459425 + contact_0_t_1**8 + 990*contact_0_t_1_to_the_6 + 135135*contact_0_t_1_to_the_4 + 4729725*contact_0_t_1_squared)/(11486475 + 44*contact_0_t_1_to_the_6 + 12870*contact_0_t_1_to_the_4 + 810810*contact_0_t_1_squared)
     contact_0_w_1 = 1/ca.fmax(1, contact_0_t_1)
     contact_0_c_1 = 2/(ca.exp(2/contact_0_w_1) - 1)
-    contact_0_t_2 = contact_0_t_1 + ca.if_else(contact_0_t_1 < 1, (contact_0_y - contact_0_t_1/contact_0_q_1)/(1 - 2/contact_0_q_1 - x7/(contact_0_q_1*contact_0_q_1)), (contact_0_w_1 - contact_0_c_1 - contact_0_r)/(contact_0_w_1*contact_0_w_1 - contact_0_c_1*(2 + contact_0_c_1)))
-    x8 = contact_0_t_2**6
-    x9 = contact_0_t_2**4
-    x10 = contact_0_t_2*contact_0_t_2
-    contact_0_q_2 = (34459425 + contact_0_t_2**8 + 990*x8 + 135135*x9 + 4729725*x10)/(11486475 + 44*x8 + 12870*x9 + 810810*x10)
+    contact_0_t_2 = contact_0_t_1 + ca.if_else(contact_0_t_1 < 1, (contact_0_y - contact_0_t_1/contact_0_q_1)/(1 - 2/contact_0_q_1 - contact_0_t_1_squared/(contact_0_q_1*contact_0_q_1)), (contact_0_w_1 - contact_0_c_1 - contact_0_r)/(contact_0_w_1*contact_0_w_1 - contact_0_c_1*(2 + contact_0_c_1)))
+    contact_0_t_2_to_the_6 = contact_0_t_2**6
+    contact_0_t_2_to_the_4 = contact_0_t_2**4
+    contact_0_t_2_squared = contact_0_t_2*contact_0_t_2
+    contact_0_q_2 = (34459425 + contact_0_t_2**8 + 990*contact_0_t_2_to_the_6 + 135135*contact_0_t_2_to_the_4 + 4729725*contact_0_t_2_squared)/(11486475 + 44*contact_0_t_2_to_the_6 + 12870*contact_0_t_2_to_the_4 + 810810*contact_0_t_2_squared)
     contact_0_w_2 = 1/ca.fmax(1, contact_0_t_2)
     contact_0_c_2 = 2/(ca.exp(2/contact_0_w_2) - 1)
-    contact_0_t_3 = contact_0_t_2 + ca.if_else(contact_0_t_2 < 1, (contact_0_y - contact_0_t_2/contact_0_q_2)/(1 - 2/contact_0_q_2 - x10/(contact_0_q_2*contact_0_q_2)), (contact_0_w_2 - contact_0_c_2 - contact_0_r)/(contact_0_w_2*contact_0_w_2 - contact_0_c_2*(2 + contact_0_c_2)))
-    contact_0_hysteresis_factor = 2*contact_0_t_3/x1
-    x11 = radius*radius*radius
-    ball_0_h_y = -4*3.141592653589793*x11*density*length/3
-    ball_0_I_z_z = 8*3.141592653589793*radius**5*density/15 + 4*3.141592653589793*x11*length*length*density/3
-    k7 = 1/ball_0_I_z_z
-    k8 = ball_0_I_z_z/2
-    k9 = 4*3.141592653589793*x11*density*gravity/3
-    return ca.vertcat(length, gravity, stiffness, ball_1_arm_x, ball_2_arm_x, k1, ball_3_arm_x, k2, ball_4_arm_x,
-        k3, contact_0_reach, k4, k5, k6, contact_0_hysteresis_factor, ball_0_h_y, k7, k8, k9)
+    contact_0_t_3 = contact_0_t_2 + ca.if_else(contact_0_t_2 < 1, (contact_0_y - contact_0_t_2/contact_0_q_2)/(1 - 2/contact_0_q_2 - contact_0_t_2_squared/(contact_0_q_2*contact_0_q_2)), (contact_0_w_2 - contact_0_c_2 - contact_0_r)/(contact_0_w_2*contact_0_w_2 - contact_0_c_2*(2 + contact_0_c_2)))
+    contact_0_hysteresis_factor = 2*contact_0_t_3/one_plus_restitution
+    radius_cubed = radius*radius*radius
+    ball_0_h_y = -4*3.141592653589793*radius_cubed*density*length/3
+    ball_0_I_z_z = 8*3.141592653589793*radius**5*density/15 + 4*3.141592653589793*radius_cubed*length*length*density/3
+    inverse_ball_0_I_z_z = 1/ball_0_I_z_z
+    half_ball_0_I_z_z = ball_0_I_z_z/2
+    k9 = 4*3.141592653589793*radius_cubed*density*gravity/3
+    return ca.vertcat(length, gravity, stiffness, ball_1_arm_x, ball_2_arm_x, ball_1_arm_x_minus_ball_2_arm_x,
+        ball_3_arm_x, ball_2_arm_x_minus_ball_3_arm_x, ball_4_arm_x, ball_3_arm_x_minus_ball_4_arm_x,
+        contact_0_reach, minus_contact_0_reach_squared, half_inverse_contact_0_reach, half_stiffness,
+        contact_0_hysteresis_factor, ball_0_h_y, inverse_ball_0_I_z_z, half_ball_0_I_z_z, k9)
 
 
 def start(p):
@@ -280,27 +284,27 @@ def scales(p):
     gravity = p[4]
     stiffness = p[5]
     start_angle = p[8]
-    x1 = radius*radius*radius
-    total_mass = 20*3.141592653589793*x1*density/3
-    x2 = ca.cos(start_angle)
-    x3 = -x2
-    x4 = 1 + x3
+    radius_cubed = radius*radius*radius
+    total_mass = 20*3.141592653589793*radius_cubed*density/3
+    cos_start_angle = ca.cos(start_angle)
+    minus_cos_start_angle = -cos_start_angle
+    x4 = 1 + minus_cos_start_angle
     energy_scale = total_mass*x4*gravity*length
-    x5 = ca.sqrt(3)
-    x6 = x1*density/stiffness
+    sqrt_3 = ca.sqrt(3)
+    radius_cubed_times_density_over_stiffness = radius_cubed*density/stiffness
     x7 = x4*gravity*length
-    force_scale = energy_scale*x5/(2*ca.sqrt(3.141592653589793)*ca.sqrt(x6)*ca.sqrt(x7))
-    x8 = ca.sqrt(3.141592653589793)
-    x9 = ca.sqrt(x6)
+    force_scale = energy_scale*sqrt_3/(2*ca.sqrt(3.141592653589793)*ca.sqrt(radius_cubed_times_density_over_stiffness)*ca.sqrt(x7))
+    sqrt_pi = ca.sqrt(3.141592653589793)
+    x9 = ca.sqrt(radius_cubed_times_density_over_stiffness)
     x10 = ca.sqrt(x7)
-    x11 = 2*x10*x5*x8*x9/(3*length)
-    x12 = ca.sqrt(2)
-    x13 = x10*x12/length
+    x11 = 2*x10*sqrt_3*sqrt_pi*x9/(3*length)
+    sqrt_2 = ca.sqrt(2)
+    x13 = x10*sqrt_2/length
     return (
         ca.vertcat(x11, x11, x11, x11, x11),
         ca.vertcat(x13, x13, x13, x13, x13),
         ca.vertcat(energy_scale, energy_scale, energy_scale, energy_scale),
-        ca.vertcat(2*x10*x5*x8*x9/3, x10*x12, force_scale, energy_scale),
+        ca.vertcat(2*x10*sqrt_3*sqrt_pi*x9/3, x10*sqrt_2, force_scale, energy_scale),
     )
 
 
@@ -330,11 +334,11 @@ def gaps(t, q, u, c):
     """
     length = c[0]
     ball_1_arm_x = c[3]
-    k1 = c[5]
-    k2 = c[7]
-    k3 = c[9]
-    k4 = c[11]
-    k5 = c[12]
+    ball_1_arm_x_minus_ball_2_arm_x = c[5]
+    ball_2_arm_x_minus_ball_3_arm_x = c[7]
+    ball_3_arm_x_minus_ball_4_arm_x = c[9]
+    minus_contact_0_reach_squared = c[11]
+    half_inverse_contact_0_reach = c[12]
     string_0_angle = q[0]
     string_1_angle = q[1]
     string_2_angle = q[2]
@@ -371,7 +375,7 @@ def gaps(t, q, u, c):
     contact_1_second_arm_y = -cos_ball_2*length
     contact_1_second_arm_rate_x = -contact_1_second_arm_y*string_2_speed
     contact_1_second_arm_rate_y = contact_1_second_arm_x*string_2_speed
-    contact_1_apart_x = contact_0_second_arm_x + k1 - contact_1_second_arm_x
+    contact_1_apart_x = contact_0_second_arm_x + ball_1_arm_x_minus_ball_2_arm_x - contact_1_second_arm_x
     contact_1_apart_y = contact_0_second_arm_y - contact_1_second_arm_y
     contact_1_apart_rate_x = contact_0_second_arm_rate_x - contact_1_second_arm_rate_x
     contact_1_apart_rate_y = contact_0_second_arm_rate_y - contact_1_second_arm_rate_y
@@ -379,7 +383,7 @@ def gaps(t, q, u, c):
     contact_2_second_arm_y = -cos_ball_3*length
     contact_2_second_arm_rate_x = -contact_2_second_arm_y*string_3_speed
     contact_2_second_arm_rate_y = contact_2_second_arm_x*string_3_speed
-    contact_2_apart_x = contact_1_second_arm_x + k2 - contact_2_second_arm_x
+    contact_2_apart_x = contact_1_second_arm_x + ball_2_arm_x_minus_ball_3_arm_x - contact_2_second_arm_x
     contact_2_apart_y = contact_1_second_arm_y - contact_2_second_arm_y
     contact_2_apart_rate_x = contact_1_second_arm_rate_x - contact_2_second_arm_rate_x
     contact_2_apart_rate_y = contact_1_second_arm_rate_y - contact_2_second_arm_rate_y
@@ -387,26 +391,26 @@ def gaps(t, q, u, c):
     contact_3_second_arm_y = -cos_ball_4*length
     contact_3_second_arm_rate_x = -contact_3_second_arm_y*string_4_speed
     contact_3_second_arm_rate_y = contact_3_second_arm_x*string_4_speed
-    contact_3_apart_x = contact_2_second_arm_x + k3 - contact_3_second_arm_x
+    contact_3_apart_x = contact_2_second_arm_x + ball_3_arm_x_minus_ball_4_arm_x - contact_3_second_arm_x
     contact_3_apart_y = contact_2_second_arm_y - contact_3_second_arm_y
     contact_3_apart_rate_x = contact_2_second_arm_rate_x - contact_3_second_arm_rate_x
     contact_3_apart_rate_y = contact_2_second_arm_rate_y - contact_3_second_arm_rate_y
     contact_0_apart_squared = contact_0_apart_x*contact_0_apart_x + contact_0_apart_y*contact_0_apart_y
-    contact_0_gap = k5*(contact_0_apart_squared + k4)
+    contact_0_gap = half_inverse_contact_0_reach*(contact_0_apart_squared + minus_contact_0_reach_squared)
     contact_1_apart_squared = contact_1_apart_x*contact_1_apart_x + contact_1_apart_y*contact_1_apart_y
-    contact_1_gap = k5*(contact_1_apart_squared + k4)
+    contact_1_gap = half_inverse_contact_0_reach*(contact_1_apart_squared + minus_contact_0_reach_squared)
     contact_2_apart_squared = contact_2_apart_x*contact_2_apart_x + contact_2_apart_y*contact_2_apart_y
-    contact_2_gap = k5*(contact_2_apart_squared + k4)
+    contact_2_gap = half_inverse_contact_0_reach*(contact_2_apart_squared + minus_contact_0_reach_squared)
     contact_3_apart_squared = contact_3_apart_x*contact_3_apart_x + contact_3_apart_y*contact_3_apart_y
-    contact_3_gap = k5*(contact_3_apart_squared + k4)
+    contact_3_gap = half_inverse_contact_0_reach*(contact_3_apart_squared + minus_contact_0_reach_squared)
     contact_0_apart_squared_rate = 2*contact_0_apart_rate_x*contact_0_apart_x + 2*contact_0_apart_rate_y*contact_0_apart_y
-    contact_0_gap_rate = contact_0_apart_squared_rate*k5
+    contact_0_gap_rate = contact_0_apart_squared_rate*half_inverse_contact_0_reach
     contact_1_apart_squared_rate = 2*contact_1_apart_rate_x*contact_1_apart_x + 2*contact_1_apart_rate_y*contact_1_apart_y
-    contact_1_gap_rate = contact_1_apart_squared_rate*k5
+    contact_1_gap_rate = contact_1_apart_squared_rate*half_inverse_contact_0_reach
     contact_2_apart_squared_rate = 2*contact_2_apart_rate_x*contact_2_apart_x + 2*contact_2_apart_rate_y*contact_2_apart_y
-    contact_2_gap_rate = contact_2_apart_squared_rate*k5
+    contact_2_gap_rate = contact_2_apart_squared_rate*half_inverse_contact_0_reach
     contact_3_apart_squared_rate = 2*contact_3_apart_rate_x*contact_3_apart_x + 2*contact_3_apart_rate_y*contact_3_apart_y
-    contact_3_gap_rate = contact_3_apart_squared_rate*k5
+    contact_3_gap_rate = contact_3_apart_squared_rate*half_inverse_contact_0_reach
     return (
         ca.vertcat(contact_0_gap, contact_1_gap, contact_2_gap, contact_3_gap),
         ca.vertcat(contact_0_gap_rate, contact_1_gap_rate, contact_2_gap_rate, contact_3_gap_rate),
@@ -422,10 +426,10 @@ def gap_accelerations(t, q, u, a, c):
     """
     length = c[0]
     ball_1_arm_x = c[3]
-    k1 = c[5]
-    k2 = c[7]
-    k3 = c[9]
-    k5 = c[12]
+    ball_1_arm_x_minus_ball_2_arm_x = c[5]
+    ball_2_arm_x_minus_ball_3_arm_x = c[7]
+    ball_3_arm_x_minus_ball_4_arm_x = c[9]
+    half_inverse_contact_0_reach = c[12]
     string_0_angle = q[0]
     string_1_angle = q[1]
     string_2_angle = q[2]
@@ -469,7 +473,7 @@ def gap_accelerations(t, q, u, a, c):
     contact_1_second_arm_y = -cos_ball_2*length
     contact_1_second_arm_rate_x = -contact_1_second_arm_y*string_2_speed
     contact_1_second_arm_rate_y = contact_1_second_arm_x*string_2_speed
-    contact_1_apart_x = contact_0_second_arm_x + k1 - contact_1_second_arm_x
+    contact_1_apart_x = contact_0_second_arm_x + ball_1_arm_x_minus_ball_2_arm_x - contact_1_second_arm_x
     contact_1_apart_y = contact_0_second_arm_y - contact_1_second_arm_y
     contact_1_apart_rate_x = contact_0_second_arm_rate_x - contact_1_second_arm_rate_x
     contact_1_apart_rate_y = contact_0_second_arm_rate_y - contact_1_second_arm_rate_y
@@ -479,7 +483,7 @@ def gap_accelerations(t, q, u, a, c):
     contact_2_second_arm_y = -cos_ball_3*length
     contact_2_second_arm_rate_x = -contact_2_second_arm_y*string_3_speed
     contact_2_second_arm_rate_y = contact_2_second_arm_x*string_3_speed
-    contact_2_apart_x = contact_1_second_arm_x + k2 - contact_2_second_arm_x
+    contact_2_apart_x = contact_1_second_arm_x + ball_2_arm_x_minus_ball_3_arm_x - contact_2_second_arm_x
     contact_2_apart_y = contact_1_second_arm_y - contact_2_second_arm_y
     contact_2_apart_rate_x = contact_1_second_arm_rate_x - contact_2_second_arm_rate_x
     contact_2_apart_rate_y = contact_1_second_arm_rate_y - contact_2_second_arm_rate_y
@@ -489,20 +493,20 @@ def gap_accelerations(t, q, u, a, c):
     contact_3_second_arm_y = -cos_ball_4*length
     contact_3_second_arm_rate_x = -contact_3_second_arm_y*string_4_speed
     contact_3_second_arm_rate_y = contact_3_second_arm_x*string_4_speed
-    contact_3_apart_x = contact_2_second_arm_x + k3 - contact_3_second_arm_x
+    contact_3_apart_x = contact_2_second_arm_x + ball_3_arm_x_minus_ball_4_arm_x - contact_3_second_arm_x
     contact_3_apart_y = contact_2_second_arm_y - contact_3_second_arm_y
     contact_3_apart_rate_x = contact_2_second_arm_rate_x - contact_3_second_arm_rate_x
     contact_3_apart_rate_y = contact_2_second_arm_rate_y - contact_3_second_arm_rate_y
     contact_3_apart_acceleration_x = contact_3_second_arm_rate_y*string_4_speed + contact_3_second_arm_y*string_4_acceleration - contact_2_second_arm_rate_y*string_3_speed - contact_2_second_arm_y*string_3_acceleration
     contact_3_apart_acceleration_y = contact_2_second_arm_rate_x*string_3_speed + contact_2_second_arm_x*string_3_acceleration - contact_3_second_arm_rate_x*string_4_speed - contact_3_second_arm_x*string_4_acceleration
     contact_0_apart_squared_rate_rate = 2*contact_0_apart_rate_x*contact_0_apart_rate_x + 2*contact_0_apart_rate_y*contact_0_apart_rate_y + 2*contact_0_apart_acceleration_x*contact_0_apart_x + 2*contact_0_apart_acceleration_y*contact_0_apart_y
-    contact_0_gap_rate_rate = contact_0_apart_squared_rate_rate*k5
+    contact_0_gap_rate_rate = contact_0_apart_squared_rate_rate*half_inverse_contact_0_reach
     contact_1_apart_squared_rate_rate = 2*contact_1_apart_rate_x*contact_1_apart_rate_x + 2*contact_1_apart_rate_y*contact_1_apart_rate_y + 2*contact_1_apart_acceleration_x*contact_1_apart_x + 2*contact_1_apart_acceleration_y*contact_1_apart_y
-    contact_1_gap_rate_rate = contact_1_apart_squared_rate_rate*k5
+    contact_1_gap_rate_rate = contact_1_apart_squared_rate_rate*half_inverse_contact_0_reach
     contact_2_apart_squared_rate_rate = 2*contact_2_apart_rate_x*contact_2_apart_rate_x + 2*contact_2_apart_rate_y*contact_2_apart_rate_y + 2*contact_2_apart_acceleration_x*contact_2_apart_x + 2*contact_2_apart_acceleration_y*contact_2_apart_y
-    contact_2_gap_rate_rate = contact_2_apart_squared_rate_rate*k5
+    contact_2_gap_rate_rate = contact_2_apart_squared_rate_rate*half_inverse_contact_0_reach
     contact_3_apart_squared_rate_rate = 2*contact_3_apart_rate_x*contact_3_apart_rate_x + 2*contact_3_apart_rate_y*contact_3_apart_rate_y + 2*contact_3_apart_acceleration_x*contact_3_apart_x + 2*contact_3_apart_acceleration_y*contact_3_apart_y
-    contact_3_gap_rate_rate = contact_3_apart_squared_rate_rate*k5
+    contact_3_gap_rate_rate = contact_3_apart_squared_rate_rate*half_inverse_contact_0_reach
     return ca.vertcat(contact_0_gap_rate_rate, contact_1_gap_rate_rate, contact_2_gap_rate_rate,
         contact_3_gap_rate_rate)
 
@@ -547,8 +551,8 @@ def contact_contact_0(t, q, u, z, m, c):
     contact_0_normal_x = contact_0_apart_x/contact_0_distance
     contact_0_normal_y = contact_0_apart_y/contact_0_distance
     contact_0_relative_rate_x = contact_0_first_arm_y*string_1_speed - contact_0_first_arm_y*string_0_speed
-    x1 = contact_0_first_arm_x - ball_1_arm_x
-    contact_0_relative_rate_y = contact_0_first_arm_x*string_0_speed - string_1_speed*x1
+    contact_0_first_arm_x_minus_ball_1_arm_x = contact_0_first_arm_x - ball_1_arm_x
+    contact_0_relative_rate_y = contact_0_first_arm_x*string_0_speed - string_1_speed*contact_0_first_arm_x_minus_ball_1_arm_x
     contact_0_penetration_rate = -contact_0_normal_x*contact_0_relative_rate_x - contact_0_normal_y*contact_0_relative_rate_y
     contact_0_resistance = contact_0_elastic_force*contact_0_hysteresis_factor*contact_0_penetration_rate/contact_0_approach_speed
     contact_0_normal_force = contact_0_elastic_force + contact_0_resistance
@@ -556,7 +560,7 @@ def contact_contact_0(t, q, u, z, m, c):
     contact_0_push_x = contact_0_normal_force*contact_0_normal_x
     contact_0_push_y = contact_0_normal_force*contact_0_normal_y
     contact_0_push_on_string_0 = contact_0_first_arm_x*contact_0_push_y - contact_0_first_arm_y*contact_0_push_x
-    contact_0_push_on_string_1 = contact_0_first_arm_y*contact_0_push_x - contact_0_push_y*x1
+    contact_0_push_on_string_1 = contact_0_first_arm_y*contact_0_push_x - contact_0_push_y*contact_0_first_arm_x_minus_ball_1_arm_x
     return (
         ca.vertcat(contact_0_push_on_string_0, contact_0_push_on_string_1, 0, 0, 0),
         ca.vertcat(contact_0_normal_power, 0, 0, 0),
@@ -581,7 +585,7 @@ def contact_contact_1(t, q, u, z, m, c):
     """
     length = c[0]
     stiffness = c[2]
-    k1 = c[5]
+    ball_1_arm_x_minus_ball_2_arm_x = c[5]
     contact_0_reach = c[10]
     contact_0_hysteresis_factor = c[14]
     string_1_angle = q[1]
@@ -597,7 +601,7 @@ def contact_contact_1(t, q, u, z, m, c):
     contact_0_second_arm_y = -cos_ball_1*length
     contact_1_second_arm_x = sin_ball_2*length
     contact_1_second_arm_y = -cos_ball_2*length
-    contact_1_apart_x = contact_0_second_arm_x + k1 - contact_1_second_arm_x
+    contact_1_apart_x = contact_0_second_arm_x + ball_1_arm_x_minus_ball_2_arm_x - contact_1_second_arm_x
     contact_1_apart_y = contact_0_second_arm_y - contact_1_second_arm_y
     contact_1_apart_squared = contact_1_apart_x*contact_1_apart_x + contact_1_apart_y*contact_1_apart_y
     contact_1_distance = ca.sqrt(contact_1_apart_squared)
@@ -606,7 +610,7 @@ def contact_contact_1(t, q, u, z, m, c):
     contact_1_normal_x = contact_1_apart_x/contact_1_distance
     contact_1_normal_y = contact_1_apart_y/contact_1_distance
     contact_1_relative_rate_x = contact_0_second_arm_y*string_2_speed - contact_0_second_arm_y*string_1_speed
-    x1 = contact_0_second_arm_x + k1
+    x1 = contact_0_second_arm_x + ball_1_arm_x_minus_ball_2_arm_x
     contact_1_relative_rate_y = contact_0_second_arm_x*string_1_speed - string_2_speed*x1
     contact_1_penetration_rate = -contact_1_normal_x*contact_1_relative_rate_x - contact_1_normal_y*contact_1_relative_rate_y
     contact_1_resistance = contact_0_hysteresis_factor*contact_1_elastic_force*contact_1_penetration_rate/contact_1_approach_speed
@@ -640,7 +644,7 @@ def contact_contact_2(t, q, u, z, m, c):
     """
     length = c[0]
     stiffness = c[2]
-    k2 = c[7]
+    ball_2_arm_x_minus_ball_3_arm_x = c[7]
     contact_0_reach = c[10]
     contact_0_hysteresis_factor = c[14]
     string_2_angle = q[2]
@@ -656,7 +660,7 @@ def contact_contact_2(t, q, u, z, m, c):
     contact_1_second_arm_y = -cos_ball_2*length
     contact_2_second_arm_x = sin_ball_3*length
     contact_2_second_arm_y = -cos_ball_3*length
-    contact_2_apart_x = contact_1_second_arm_x + k2 - contact_2_second_arm_x
+    contact_2_apart_x = contact_1_second_arm_x + ball_2_arm_x_minus_ball_3_arm_x - contact_2_second_arm_x
     contact_2_apart_y = contact_1_second_arm_y - contact_2_second_arm_y
     contact_2_apart_squared = contact_2_apart_x*contact_2_apart_x + contact_2_apart_y*contact_2_apart_y
     contact_2_distance = ca.sqrt(contact_2_apart_squared)
@@ -665,7 +669,7 @@ def contact_contact_2(t, q, u, z, m, c):
     contact_2_normal_x = contact_2_apart_x/contact_2_distance
     contact_2_normal_y = contact_2_apart_y/contact_2_distance
     contact_2_relative_rate_x = contact_1_second_arm_y*string_3_speed - contact_1_second_arm_y*string_2_speed
-    x1 = contact_1_second_arm_x + k2
+    x1 = contact_1_second_arm_x + ball_2_arm_x_minus_ball_3_arm_x
     contact_2_relative_rate_y = contact_1_second_arm_x*string_2_speed - string_3_speed*x1
     contact_2_penetration_rate = -contact_2_normal_x*contact_2_relative_rate_x - contact_2_normal_y*contact_2_relative_rate_y
     contact_2_resistance = contact_0_hysteresis_factor*contact_2_elastic_force*contact_2_penetration_rate/contact_2_approach_speed
@@ -699,7 +703,7 @@ def contact_contact_3(t, q, u, z, m, c):
     """
     length = c[0]
     stiffness = c[2]
-    k3 = c[9]
+    ball_3_arm_x_minus_ball_4_arm_x = c[9]
     contact_0_reach = c[10]
     contact_0_hysteresis_factor = c[14]
     string_3_angle = q[3]
@@ -715,7 +719,7 @@ def contact_contact_3(t, q, u, z, m, c):
     contact_2_second_arm_y = -cos_ball_3*length
     contact_3_second_arm_x = sin_ball_4*length
     contact_3_second_arm_y = -cos_ball_4*length
-    contact_3_apart_x = contact_2_second_arm_x + k3 - contact_3_second_arm_x
+    contact_3_apart_x = contact_2_second_arm_x + ball_3_arm_x_minus_ball_4_arm_x - contact_3_second_arm_x
     contact_3_apart_y = contact_2_second_arm_y - contact_3_second_arm_y
     contact_3_apart_squared = contact_3_apart_x*contact_3_apart_x + contact_3_apart_y*contact_3_apart_y
     contact_3_distance = ca.sqrt(contact_3_apart_squared)
@@ -724,7 +728,7 @@ def contact_contact_3(t, q, u, z, m, c):
     contact_3_normal_x = contact_3_apart_x/contact_3_distance
     contact_3_normal_y = contact_3_apart_y/contact_3_distance
     contact_3_relative_rate_x = contact_2_second_arm_y*string_4_speed - contact_2_second_arm_y*string_3_speed
-    x1 = contact_2_second_arm_x + k3
+    x1 = contact_2_second_arm_x + ball_3_arm_x_minus_ball_4_arm_x
     contact_3_relative_rate_y = contact_2_second_arm_x*string_3_speed - string_4_speed*x1
     contact_3_penetration_rate = -contact_3_normal_x*contact_3_relative_rate_x - contact_3_normal_y*contact_3_relative_rate_y
     contact_3_resistance = contact_0_hysteresis_factor*contact_3_elastic_force*contact_3_penetration_rate/contact_3_approach_speed
@@ -780,17 +784,17 @@ def accelerations(t, q, u, f, c):
             string_3.acceleration [rad/s^2], string_4.acceleration [rad/s^2]
         reactions (0,): empty
     """
-    k7 = c[16]
+    inverse_ball_0_I_z_z = c[16]
     string_0_force = f[0]
     string_1_force = f[1]
     string_2_force = f[2]
     string_3_force = f[3]
     string_4_force = f[4]
-    string_0_acc = k7*string_0_force
-    string_1_acc = k7*string_1_force
-    string_2_acc = k7*string_2_force
-    string_3_acc = k7*string_3_force
-    string_4_acc = k7*string_4_force
+    string_0_acc = inverse_ball_0_I_z_z*string_0_force
+    string_1_acc = inverse_ball_0_I_z_z*string_1_force
+    string_2_acc = inverse_ball_0_I_z_z*string_2_force
+    string_3_acc = inverse_ball_0_I_z_z*string_3_force
+    string_4_acc = inverse_ball_0_I_z_z*string_4_force
     return ca.vertcat(string_0_acc, string_1_acc, string_2_acc, string_3_acc, string_4_acc), ca.vertcat()
 
 
@@ -816,12 +820,12 @@ def energy(t, q, u, c):
     """
     length = c[0]
     ball_1_arm_x = c[3]
-    k1 = c[5]
-    k2 = c[7]
-    k3 = c[9]
+    ball_1_arm_x_minus_ball_2_arm_x = c[5]
+    ball_2_arm_x_minus_ball_3_arm_x = c[7]
+    ball_3_arm_x_minus_ball_4_arm_x = c[9]
     contact_0_reach = c[10]
-    k6 = c[13]
-    k8 = c[17]
+    half_stiffness = c[13]
+    half_ball_0_I_z_z = c[17]
     k9 = c[18]
     string_0_angle = q[0]
     string_1_angle = q[1]
@@ -851,15 +855,15 @@ def energy(t, q, u, c):
     contact_0_apart_y = contact_0_first_arm_y - contact_0_second_arm_y
     contact_1_second_arm_x = sin_ball_2*length
     contact_1_second_arm_y = -cos_ball_2*length
-    contact_1_apart_x = contact_0_second_arm_x + k1 - contact_1_second_arm_x
+    contact_1_apart_x = contact_0_second_arm_x + ball_1_arm_x_minus_ball_2_arm_x - contact_1_second_arm_x
     contact_1_apart_y = contact_0_second_arm_y - contact_1_second_arm_y
     contact_2_second_arm_x = sin_ball_3*length
     contact_2_second_arm_y = -cos_ball_3*length
-    contact_2_apart_x = contact_1_second_arm_x + k2 - contact_2_second_arm_x
+    contact_2_apart_x = contact_1_second_arm_x + ball_2_arm_x_minus_ball_3_arm_x - contact_2_second_arm_x
     contact_2_apart_y = contact_1_second_arm_y - contact_2_second_arm_y
     contact_3_second_arm_x = sin_ball_4*length
     contact_3_second_arm_y = -cos_ball_4*length
-    contact_3_apart_x = contact_2_second_arm_x + k3 - contact_3_second_arm_x
+    contact_3_apart_x = contact_2_second_arm_x + ball_3_arm_x_minus_ball_4_arm_x - contact_3_second_arm_x
     contact_3_apart_y = contact_2_second_arm_y - contact_3_second_arm_y
     contact_0_apart_squared = contact_0_apart_x*contact_0_apart_x + contact_0_apart_y*contact_0_apart_y
     contact_1_apart_squared = contact_1_apart_x*contact_1_apart_x + contact_1_apart_y*contact_1_apart_y
@@ -867,17 +871,17 @@ def energy(t, q, u, c):
     contact_3_apart_squared = contact_3_apart_x*contact_3_apart_x + contact_3_apart_y*contact_3_apart_y
     contact_0_distance = ca.sqrt(contact_0_apart_squared)
     contact_0_penetration = contact_0_reach - contact_0_distance
-    contact_0_stored_energy = ca.if_else(contact_0_penetration > 0, k6*contact_0_penetration*contact_0_penetration, 0)
+    contact_0_stored_energy = ca.if_else(contact_0_penetration > 0, half_stiffness*contact_0_penetration*contact_0_penetration, 0)
     contact_1_distance = ca.sqrt(contact_1_apart_squared)
     contact_1_penetration = contact_0_reach - contact_1_distance
-    contact_1_stored_energy = ca.if_else(contact_1_penetration > 0, k6*contact_1_penetration*contact_1_penetration, 0)
+    contact_1_stored_energy = ca.if_else(contact_1_penetration > 0, half_stiffness*contact_1_penetration*contact_1_penetration, 0)
     contact_2_distance = ca.sqrt(contact_2_apart_squared)
     contact_2_penetration = contact_0_reach - contact_2_distance
-    contact_2_stored_energy = ca.if_else(contact_2_penetration > 0, k6*contact_2_penetration*contact_2_penetration, 0)
+    contact_2_stored_energy = ca.if_else(contact_2_penetration > 0, half_stiffness*contact_2_penetration*contact_2_penetration, 0)
     contact_3_distance = ca.sqrt(contact_3_apart_squared)
     contact_3_penetration = contact_0_reach - contact_3_distance
-    contact_3_stored_energy = ca.if_else(contact_3_penetration > 0, k6*contact_3_penetration*contact_3_penetration, 0)
-    kinetic = k8*string_0_speed*string_0_speed + k8*string_1_speed*string_1_speed + k8*string_2_speed*string_2_speed + k8*string_3_speed*string_3_speed + k8*string_4_speed*string_4_speed
+    contact_3_stored_energy = ca.if_else(contact_3_penetration > 0, half_stiffness*contact_3_penetration*contact_3_penetration, 0)
+    kinetic = half_ball_0_I_z_z*string_0_speed*string_0_speed + half_ball_0_I_z_z*string_1_speed*string_1_speed + half_ball_0_I_z_z*string_2_speed*string_2_speed + half_ball_0_I_z_z*string_3_speed*string_3_speed + half_ball_0_I_z_z*string_4_speed*string_4_speed
     potential = k9*(contact_0_first_arm_y + length) + k9*(contact_0_second_arm_y + length) + k9*(contact_1_second_arm_y + length) + k9*(contact_2_second_arm_y + length) + k9*(contact_3_second_arm_y + length)
     return (
         ca.vertcat(kinetic),
@@ -943,9 +947,9 @@ def outputs(t, q, u, c):
     """
     length = c[0]
     ball_1_arm_x = c[3]
-    k1 = c[5]
-    k2 = c[7]
-    k3 = c[9]
+    ball_1_arm_x_minus_ball_2_arm_x = c[5]
+    ball_2_arm_x_minus_ball_3_arm_x = c[7]
+    ball_3_arm_x_minus_ball_4_arm_x = c[9]
     contact_0_reach = c[10]
     string_0_angle = q[0]
     string_1_angle = q[1]
@@ -970,15 +974,15 @@ def outputs(t, q, u, c):
     contact_0_apart_y = contact_0_first_arm_y - contact_0_second_arm_y
     contact_1_second_arm_x = sin_ball_2*length
     contact_1_second_arm_y = -cos_ball_2*length
-    contact_1_apart_x = contact_0_second_arm_x + k1 - contact_1_second_arm_x
+    contact_1_apart_x = contact_0_second_arm_x + ball_1_arm_x_minus_ball_2_arm_x - contact_1_second_arm_x
     contact_1_apart_y = contact_0_second_arm_y - contact_1_second_arm_y
     contact_2_second_arm_x = sin_ball_3*length
     contact_2_second_arm_y = -cos_ball_3*length
-    contact_2_apart_x = contact_1_second_arm_x + k2 - contact_2_second_arm_x
+    contact_2_apart_x = contact_1_second_arm_x + ball_2_arm_x_minus_ball_3_arm_x - contact_2_second_arm_x
     contact_2_apart_y = contact_1_second_arm_y - contact_2_second_arm_y
     contact_3_second_arm_x = sin_ball_4*length
     contact_3_second_arm_y = -cos_ball_4*length
-    contact_3_apart_x = contact_2_second_arm_x + k3 - contact_3_second_arm_x
+    contact_3_apart_x = contact_2_second_arm_x + ball_3_arm_x_minus_ball_4_arm_x - contact_3_second_arm_x
     contact_3_apart_y = contact_2_second_arm_y - contact_3_second_arm_y
     contact_0_apart_squared = contact_0_apart_x*contact_0_apart_x + contact_0_apart_y*contact_0_apart_y
     contact_1_apart_squared = contact_1_apart_x*contact_1_apart_x + contact_1_apart_y*contact_1_apart_y

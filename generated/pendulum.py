@@ -68,9 +68,9 @@ CONSTANTS = (
     ("length", "m"),
     ("gravity", "m/s^2"),
     ("bob_h_y", "kg m"),
-    ("k1", "1/(kg m^2)"),
-    ("k2", "kg m^2"),
-    ("k3", "N"),
+    ("inverse_bob_I_z_z", "1/(kg m^2)"),
+    ("half_bob_I_z_z", "kg m^2"),
+    ("gravity_times_mass", "N"),
 )
 
 OPERATIONS = (
@@ -95,17 +95,17 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (6,): length, gravity, bob_h_y, k1, k2, k3
+        c (6,): length, gravity, bob_h_y, inverse_bob_I_z_z, half_bob_I_z_z, gravity_times_mass
     """
     mass = p[0]
     length = p[1]
     gravity = p[2]
     bob_h_y = -length*mass
     bob_I_z_z = length*length*mass
-    k1 = 1/bob_I_z_z
-    k2 = bob_I_z_z/2
-    k3 = gravity*mass
-    return ca.vertcat(length, gravity, bob_h_y, k1, k2, k3)
+    inverse_bob_I_z_z = 1/bob_I_z_z
+    half_bob_I_z_z = bob_I_z_z/2
+    gravity_times_mass = gravity*mass
+    return ca.vertcat(length, gravity, bob_h_y, inverse_bob_I_z_z, half_bob_I_z_z, gravity_times_mass)
 
 
 def start(p):
@@ -135,8 +135,8 @@ def scales(p):
     gravity = p[2]
     energy_scale = gravity*length*mass/2
     force_scale = energy_scale/length
-    x1 = gravity*length
-    x2 = ca.sqrt(x1)
+    gravity_times_length = gravity*length
+    x2 = ca.sqrt(gravity_times_length)
     return ca.vertcat(1), ca.vertcat(x2/length), ca.vertcat(), ca.vertcat(length, x2, force_scale, energy_scale)
 
 
@@ -195,9 +195,9 @@ def accelerations(t, q, u, f, c):
         a (1,): hinge.acceleration [rad/s^2]
         reactions (0,): empty
     """
-    k1 = c[3]
+    inverse_bob_I_z_z = c[3]
     hinge_force = f[0]
-    hinge_acc = hinge_force*k1
+    hinge_acc = hinge_force*inverse_bob_I_z_z
     return ca.vertcat(hinge_acc), ca.vertcat()
 
 
@@ -221,14 +221,14 @@ def energy(t, q, u, c):
         stored (0,): empty
     """
     length = c[0]
-    k2 = c[4]
-    k3 = c[5]
+    half_bob_I_z_z = c[4]
+    gravity_times_mass = c[5]
     hinge_angle = q[0]
     hinge_speed = u[0]
     cos_bob = ca.cos(hinge_angle)
-    kinetic = k2*hinge_speed*hinge_speed
+    kinetic = half_bob_I_z_z*hinge_speed*hinge_speed
     bob_centre_arm_y = -cos_bob*length
-    potential = k3*(bob_centre_arm_y + length)
+    potential = gravity_times_mass*(bob_centre_arm_y + length)
     return ca.vertcat(kinetic), ca.vertcat(potential), ca.vertcat()
 
 

@@ -148,24 +148,24 @@ CONSTANTS = (
     ("crank_speed", "1/s"),
     ("gravity", "m/s^2"),
     ("friction_coefficient", "1"),
-    ("k1", "m^2"),
-    ("k2", "1/m"),
+    ("clearance_squared", "m^2"),
+    ("half_inverse_clearance", "1/m"),
     ("slider_pin_R_min", "m"),
     ("slider_pin_K", "N/m^1.5"),
-    ("k3", "N/m^1.5"),
+    ("two_fifths_of_slider_pin_K", "N/m^1.5"),
     ("slider_pin_hysteresis_factor", "1"),
-    ("k4", "s/m"),
+    ("inverse_friction_speed", "s/m"),
     ("rod_h_x", "kg m"),
     ("crank_h_x", "kg m"),
     ("crank_rate_zz", "1/s^2"),
     ("rod_I_z_z", "kg m^2"),
-    ("k6", "1/(kg m^2)"),
-    ("k7", "1/kg"),
-    ("k8", "kg m^2"),
-    ("k9", "kg"),
-    ("k10", "kg"),
-    ("k11", "J"),
-    ("k12", "N"),
+    ("inverse_rod_I_z_z", "1/(kg m^2)"),
+    ("inverse_slider_mass", "1/kg"),
+    ("half_rod_I_z_z", "kg m^2"),
+    ("half_slider_mass", "kg"),
+    ("half_rod_mass", "kg"),
+    ("half_crank_speed_squared_times_crank_inertia", "J"),
+    ("gravity_times_rod_mass", "N"),
 )
 
 OPERATIONS = (
@@ -194,8 +194,10 @@ def constants(p):
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
         c (25,): rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity, friction_coefficient,
-            k1, k2, slider_pin_R_min, slider_pin_K, k3, slider_pin_hysteresis_factor, k4, rod_h_x, crank_h_x,
-            crank_rate_zz, rod_I_z_z, k6, k7, k8, k9, k10, k11, k12
+            clearance_squared, half_inverse_clearance, slider_pin_R_min, slider_pin_K, two_fifths_of_slider_pin_K,
+            slider_pin_hysteresis_factor, inverse_friction_speed, rod_h_x, crank_h_x, crank_rate_zz, rod_I_z_z,
+            inverse_rod_I_z_z, inverse_slider_mass, half_rod_I_z_z, half_slider_mass, half_rod_mass,
+            half_crank_speed_squared_times_crank_inertia, gravity_times_rod_mass
     """
     crank_inertia = p[1]
     rod_mass = p[2]
@@ -213,29 +215,31 @@ def constants(p):
     restitution = p[15]
     friction_coefficient = p[17]
     friction_speed = p[18]
-    k1 = clearance*clearance
-    k2 = 1/(2*clearance)
-    x1 = bush_radius - clearance
-    slider_pin_R_eff = x1*bush_radius/clearance
+    clearance_squared = clearance*clearance
+    half_inverse_clearance = 1/(2*clearance)
+    slider_pin_R_min = bush_radius - clearance
+    slider_pin_R_eff = slider_pin_R_min*bush_radius/clearance
     slider_pin_E_eff = youngs_modulus/(2*(1 - poissons_ratio*poissons_ratio))
     slider_pin_K = 4*slider_pin_E_eff*ca.sqrt(slider_pin_R_eff)/3
-    k3 = 2*slider_pin_K/5
+    two_fifths_of_slider_pin_K = 2*slider_pin_K/5
     slider_pin_hysteresis_factor = 3/4 - 3*restitution*restitution/4
-    k4 = 1/friction_speed
+    inverse_friction_speed = 1/friction_speed
     rod_h_x = rod_mass*rod_mass_centre
     crank_h_x = crank_radius*rod_mass
     crank_rate_zz = crank_speed*crank_speed
     rod_I_z_z = rod_mass_centre*rod_mass_centre*rod_mass + rod_inertia
-    k6 = 1/rod_I_z_z
-    k7 = 1/slider_mass
-    k8 = rod_I_z_z/2
-    k9 = slider_mass/2
-    k10 = rod_mass/2
-    k11 = crank_rate_zz*crank_inertia/2
-    k12 = gravity*rod_mass
+    inverse_rod_I_z_z = 1/rod_I_z_z
+    inverse_slider_mass = 1/slider_mass
+    half_rod_I_z_z = rod_I_z_z/2
+    half_slider_mass = slider_mass/2
+    half_rod_mass = rod_mass/2
+    half_crank_speed_squared_times_crank_inertia = crank_rate_zz*crank_inertia/2
+    gravity_times_rod_mass = gravity*rod_mass
     return ca.vertcat(rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity,
-        friction_coefficient, k1, k2, x1, slider_pin_K, k3, slider_pin_hysteresis_factor, k4, rod_h_x, crank_h_x,
-        crank_rate_zz, rod_I_z_z, k6, k7, k8, k9, k10, k11, k12)
+        friction_coefficient, clearance_squared, half_inverse_clearance, slider_pin_R_min, slider_pin_K,
+        two_fifths_of_slider_pin_K, slider_pin_hysteresis_factor, inverse_friction_speed, rod_h_x, crank_h_x,
+        crank_rate_zz, rod_I_z_z, inverse_rod_I_z_z, inverse_slider_mass, half_rod_I_z_z, half_slider_mass,
+        half_rod_mass, half_crank_speed_squared_times_crank_inertia, gravity_times_rod_mass)
 
 
 def start(p):
@@ -272,12 +276,12 @@ def scales(p):
     total_mass = crank_mass + rod_mass + slider_mass
     energy_scale = total_mass*crank_radius*crank_radius*crank_speed*crank_speed/2
     force_scale = energy_scale/clearance
-    x1 = crank_radius*crank_speed
+    crank_radius_times_crank_speed = crank_radius*crank_speed
     return (
         ca.vertcat(clearance/rod_length, clearance),
-        ca.vertcat(crank_radius*crank_speed/rod_length, x1),
+        ca.vertcat(crank_radius*crank_speed/rod_length, crank_radius_times_crank_speed),
         ca.vertcat(energy_scale, energy_scale, energy_scale),
-        ca.vertcat(clearance, x1, force_scale, energy_scale),
+        ca.vertcat(clearance, crank_radius_times_crank_speed, force_scale, energy_scale),
     )
 
 
@@ -304,8 +308,8 @@ def gaps(t, q, u, c):
     crank_radius = c[1]
     rod_length = c[3]
     crank_speed = c[4]
-    k1 = c[7]
-    k2 = c[8]
+    clearance_squared = c[7]
+    half_inverse_clearance = c[8]
     crank_pin_angle = q[0]
     guide_travel = q[1]
     crank_pin_speed = u[0]
@@ -330,9 +334,9 @@ def gaps(t, q, u, c):
     slider_pin_apart_rate_x = rod_arm_rate_x + slider_pin_pin_arm_rate_x - guide_speed
     slider_pin_apart_rate_y = rod_arm_rate_y + slider_pin_pin_arm_rate_y
     slider_pin_apart_squared = slider_pin_apart_x*slider_pin_apart_x + slider_pin_apart_y*slider_pin_apart_y
-    slider_pin_gap = k2*(k1 - slider_pin_apart_squared)
+    slider_pin_gap = half_inverse_clearance*(clearance_squared - slider_pin_apart_squared)
     slider_pin_apart_squared_rate = 2*slider_pin_apart_rate_x*slider_pin_apart_x + 2*slider_pin_apart_rate_y*slider_pin_apart_y
-    slider_pin_gap_rate = -k2*slider_pin_apart_squared_rate
+    slider_pin_gap_rate = -half_inverse_clearance*slider_pin_apart_squared_rate
     return ca.vertcat(slider_pin_gap), ca.vertcat(slider_pin_gap_rate)
 
 
@@ -346,7 +350,7 @@ def gap_accelerations(t, q, u, a, c):
     crank_radius = c[1]
     rod_length = c[3]
     crank_speed = c[4]
-    k2 = c[8]
+    half_inverse_clearance = c[8]
     crank_pin_angle = q[0]
     guide_travel = q[1]
     crank_pin_speed = u[0]
@@ -377,7 +381,7 @@ def gap_accelerations(t, q, u, a, c):
     slider_pin_apart_acceleration_x = rod_acceleration_x - guide_acceleration - crank_pin_acceleration*slider_pin_pin_arm_y - rod_rate_z*slider_pin_pin_arm_rate_y
     slider_pin_apart_acceleration_y = rod_acceleration_y + crank_pin_acceleration*slider_pin_pin_arm_x + rod_rate_z*slider_pin_pin_arm_rate_x
     slider_pin_apart_squared_rate_rate = 2*slider_pin_apart_rate_x*slider_pin_apart_rate_x + 2*slider_pin_apart_rate_y*slider_pin_apart_rate_y + 2*slider_pin_apart_acceleration_x*slider_pin_apart_x + 2*slider_pin_apart_acceleration_y*slider_pin_apart_y
-    slider_pin_gap_rate_rate = -k2*slider_pin_apart_squared_rate_rate
+    slider_pin_gap_rate_rate = -half_inverse_clearance*slider_pin_apart_squared_rate_rate
     return ca.vertcat(slider_pin_gap_rate_rate)
 
 
@@ -401,7 +405,7 @@ def contact_slider_pin(t, q, u, z, m, c):
     slider_pin_R_min = c[9]
     slider_pin_K = c[10]
     slider_pin_hysteresis_factor = c[12]
-    k4 = c[13]
+    inverse_friction_speed = c[13]
     crank_pin_angle = q[0]
     guide_travel = q[1]
     crank_pin_speed = u[0]
@@ -439,14 +443,14 @@ def contact_slider_pin(t, q, u, z, m, c):
     slider_pin_push_on_main_bearing = slider_pin_push_x*(-rod_arm_y - slider_pin_pin_arm_y) + slider_pin_push_y*(rod_arm_x + slider_pin_pin_arm_x)
     slider_pin_push_on_crank_pin = slider_pin_pin_arm_x*slider_pin_push_y - slider_pin_pin_arm_y*slider_pin_push_x
     slider_pin_sliding_velocity = slider_pin_normal_x*slider_pin_relative_rate_y - rod_rate_z*slider_pin_R_min - slider_pin_normal_y*slider_pin_relative_rate_x
-    slider_pin_friction_force = slider_pin_normal_force*friction_coefficient*ca.tanh(k4*slider_pin_sliding_velocity)
+    slider_pin_friction_force = slider_pin_normal_force*friction_coefficient*ca.tanh(inverse_friction_speed*slider_pin_sliding_velocity)
     slider_pin_friction_power = slider_pin_friction_force*slider_pin_sliding_velocity
     slider_pin_drag_x = slider_pin_friction_force*slider_pin_normal_y
     slider_pin_drag_y = -slider_pin_friction_force*slider_pin_normal_x
-    x1 = slider_pin_R_min*slider_pin_normal_y
-    x2 = -slider_pin_R_min*slider_pin_normal_x
-    slider_pin_drag_on_main_bearing = slider_pin_drag_x*(x1 - rod_arm_y - slider_pin_pin_arm_y) + slider_pin_drag_y*(rod_arm_x + slider_pin_pin_arm_x + x2)
-    slider_pin_drag_on_crank_pin = slider_pin_drag_x*(x1 - slider_pin_pin_arm_y) + slider_pin_drag_y*(slider_pin_pin_arm_x + x2)
+    slider_pin_R_min_times_slider_pin_normal_y = slider_pin_R_min*slider_pin_normal_y
+    minus_slider_pin_R_min_times_slider_pin_normal_x = -slider_pin_R_min*slider_pin_normal_x
+    slider_pin_drag_on_main_bearing = slider_pin_drag_x*(slider_pin_R_min_times_slider_pin_normal_y - rod_arm_y - slider_pin_pin_arm_y) + slider_pin_drag_y*(rod_arm_x + slider_pin_pin_arm_x + minus_slider_pin_R_min_times_slider_pin_normal_x)
+    slider_pin_drag_on_crank_pin = slider_pin_drag_x*(slider_pin_R_min_times_slider_pin_normal_y - slider_pin_pin_arm_y) + slider_pin_drag_y*(slider_pin_pin_arm_x + minus_slider_pin_R_min_times_slider_pin_normal_x)
     slider_pin_in_range = ca.if_else(slider_pin_penetration <= slider_pin_R_min, 1, 0)
     return (
         ca.vertcat(slider_pin_drag_on_crank_pin + slider_pin_push_on_crank_pin, -slider_pin_drag_x -
@@ -493,8 +497,8 @@ def accelerations(t, q, u, f, c):
     rod_h_x = c[14]
     crank_rate_zz = c[16]
     rod_I_z_z = c[17]
-    k6 = c[18]
-    k7 = c[19]
+    inverse_rod_I_z_z = c[18]
+    inverse_slider_mass = c[19]
     crank_pin_angle = q[0]
     crank_pin_speed = u[0]
     crank_pin_force = f[0]
@@ -517,8 +521,8 @@ def accelerations(t, q, u, f, c):
     rod_torque_z = rod_bias_y*rod_moment_x - rod_bias_x*rod_moment_y
     crank_pin_net = crank_pin_force - rod_torque_z
     crank_pin_rod_torque_z = rod_I_z_z + rod_arm_x*rod_moment_x + rod_arm_y*rod_moment_y
-    crank_pin_acc = crank_pin_net*k6
-    guide_acc = guide_force*k7
+    crank_pin_acc = crank_pin_net*inverse_rod_I_z_z
+    guide_acc = guide_force*inverse_slider_mass
     rod_force_x = -rod_moment_x*rod_rate_zz
     rod_force_y = -rod_moment_y*rod_rate_zz
     crank_torque_z = rod_torque_z + rod_arm_x*rod_force_y - rod_arm_y*rod_force_x
@@ -552,13 +556,13 @@ def energy(t, q, u, c):
     clearance = c[2]
     rod_length = c[3]
     crank_speed = c[4]
-    k3 = c[11]
+    two_fifths_of_slider_pin_K = c[11]
     rod_h_x = c[14]
-    k8 = c[20]
-    k9 = c[21]
-    k10 = c[22]
-    k11 = c[23]
-    k12 = c[24]
+    half_rod_I_z_z = c[20]
+    half_slider_mass = c[21]
+    half_rod_mass = c[22]
+    half_crank_speed_squared_times_crank_inertia = c[23]
+    gravity_times_rod_mass = c[24]
     crank_pin_angle = q[0]
     guide_travel = q[1]
     crank_pin_speed = u[0]
@@ -581,12 +585,12 @@ def energy(t, q, u, c):
     slider_pin_apart_squared = slider_pin_apart_x*slider_pin_apart_x + slider_pin_apart_y*slider_pin_apart_y
     slider_pin_distance = ca.sqrt(slider_pin_apart_squared)
     slider_pin_penetration = slider_pin_distance - clearance
-    slider_pin_stored_energy = ca.if_else(slider_pin_penetration > 0, k3*slider_pin_penetration*slider_pin_penetration*ca.sqrt(slider_pin_penetration), 0)
+    slider_pin_stored_energy = ca.if_else(slider_pin_penetration > 0, two_fifths_of_slider_pin_K*slider_pin_penetration*slider_pin_penetration*ca.sqrt(slider_pin_penetration), 0)
     rod_moment_x = cos_rod*rod_h_x
     rod_moment_y = rod_h_x*sin_rod
-    kinetic = k11 + k10*(rod_arm_rate_x*rod_arm_rate_x + rod_arm_rate_y*rod_arm_rate_y) + k8*rod_rate_z*rod_rate_z + k9*guide_speed*guide_speed + rod_arm_rate_y*rod_moment_x*rod_rate_z - rod_arm_rate_x*rod_moment_y*rod_rate_z
+    kinetic = half_crank_speed_squared_times_crank_inertia + half_rod_mass*(rod_arm_rate_x*rod_arm_rate_x + rod_arm_rate_y*rod_arm_rate_y) + half_rod_I_z_z*rod_rate_z*rod_rate_z + half_slider_mass*guide_speed*guide_speed + rod_arm_rate_y*rod_moment_x*rod_rate_z - rod_arm_rate_x*rod_moment_y*rod_rate_z
     rod_centre_arm_y = sin_rod*rod_mass_centre
-    potential = k12*(rod_arm_y + rod_centre_arm_y)
+    potential = gravity_times_rod_mass*(rod_arm_y + rod_centre_arm_y)
     return ca.vertcat(kinetic), ca.vertcat(potential), ca.vertcat(slider_pin_stored_energy)
 
 

@@ -140,23 +140,23 @@ CONSTANTS = (
     ("rod_length", "m"),
     ("crank_speed", "1/s"),
     ("gravity", "m/s^2"),
-    ("k1", "m^2"),
-    ("k2", "1/m"),
+    ("clearance_squared", "m^2"),
+    ("half_inverse_clearance", "1/m"),
     ("slider_pin_R_min", "m"),
     ("slider_pin_K", "N/m^1.5"),
-    ("k3", "N/m^1.5"),
+    ("two_fifths_of_slider_pin_K", "N/m^1.5"),
     ("slider_pin_hysteresis_factor", "1"),
     ("rod_h_x", "kg m"),
     ("crank_h_x", "kg m"),
     ("crank_rate_zz", "1/s^2"),
     ("rod_I_z_z", "kg m^2"),
-    ("k5", "1/(kg m^2)"),
-    ("k6", "1/kg"),
-    ("k7", "kg m^2"),
-    ("k8", "kg"),
-    ("k9", "kg"),
-    ("k10", "J"),
-    ("k11", "N"),
+    ("inverse_rod_I_z_z", "1/(kg m^2)"),
+    ("inverse_slider_mass", "1/kg"),
+    ("half_rod_I_z_z", "kg m^2"),
+    ("half_slider_mass", "kg"),
+    ("half_rod_mass", "kg"),
+    ("half_crank_speed_squared_times_crank_inertia", "J"),
+    ("gravity_times_rod_mass", "N"),
 )
 
 OPERATIONS = (
@@ -184,9 +184,11 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (23,): rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity, k1, k2,
-            slider_pin_R_min, slider_pin_K, k3, slider_pin_hysteresis_factor, rod_h_x, crank_h_x, crank_rate_zz,
-            rod_I_z_z, k5, k6, k7, k8, k9, k10, k11
+        c (23,): rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity, clearance_squared,
+            half_inverse_clearance, slider_pin_R_min, slider_pin_K, two_fifths_of_slider_pin_K,
+            slider_pin_hysteresis_factor, rod_h_x, crank_h_x, crank_rate_zz, rod_I_z_z, inverse_rod_I_z_z,
+            inverse_slider_mass, half_rod_I_z_z, half_slider_mass, half_rod_mass,
+            half_crank_speed_squared_times_crank_inertia, gravity_times_rod_mass
     """
     crank_inertia = p[1]
     rod_mass = p[2]
@@ -202,28 +204,30 @@ def constants(p):
     youngs_modulus = p[12]
     poissons_ratio = p[13]
     restitution = p[15]
-    k1 = clearance*clearance
-    k2 = 1/(2*clearance)
-    x1 = bush_radius - clearance
-    slider_pin_R_eff = x1*bush_radius/clearance
+    clearance_squared = clearance*clearance
+    half_inverse_clearance = 1/(2*clearance)
+    slider_pin_R_min = bush_radius - clearance
+    slider_pin_R_eff = slider_pin_R_min*bush_radius/clearance
     slider_pin_E_eff = youngs_modulus/(2*(1 - poissons_ratio*poissons_ratio))
     slider_pin_K = 4*slider_pin_E_eff*ca.sqrt(slider_pin_R_eff)/3
-    k3 = 2*slider_pin_K/5
+    two_fifths_of_slider_pin_K = 2*slider_pin_K/5
     slider_pin_hysteresis_factor = 3/4 - 3*restitution*restitution/4
     rod_h_x = rod_mass*rod_mass_centre
     crank_h_x = crank_radius*rod_mass
     crank_rate_zz = crank_speed*crank_speed
     rod_I_z_z = rod_mass_centre*rod_mass_centre*rod_mass + rod_inertia
-    k5 = 1/rod_I_z_z
-    k6 = 1/slider_mass
-    k7 = rod_I_z_z/2
-    k8 = slider_mass/2
-    k9 = rod_mass/2
-    k10 = crank_rate_zz*crank_inertia/2
-    k11 = gravity*rod_mass
-    return ca.vertcat(rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity, k1, k2, x1,
-        slider_pin_K, k3, slider_pin_hysteresis_factor, rod_h_x, crank_h_x, crank_rate_zz, rod_I_z_z, k5, k6, k7,
-        k8, k9, k10, k11)
+    inverse_rod_I_z_z = 1/rod_I_z_z
+    inverse_slider_mass = 1/slider_mass
+    half_rod_I_z_z = rod_I_z_z/2
+    half_slider_mass = slider_mass/2
+    half_rod_mass = rod_mass/2
+    half_crank_speed_squared_times_crank_inertia = crank_rate_zz*crank_inertia/2
+    gravity_times_rod_mass = gravity*rod_mass
+    return ca.vertcat(rod_mass_centre, crank_radius, clearance, rod_length, crank_speed, gravity, clearance_squared,
+        half_inverse_clearance, slider_pin_R_min, slider_pin_K, two_fifths_of_slider_pin_K,
+        slider_pin_hysteresis_factor, rod_h_x, crank_h_x, crank_rate_zz, rod_I_z_z, inverse_rod_I_z_z,
+        inverse_slider_mass, half_rod_I_z_z, half_slider_mass, half_rod_mass,
+        half_crank_speed_squared_times_crank_inertia, gravity_times_rod_mass)
 
 
 def start(p):
@@ -260,12 +264,12 @@ def scales(p):
     total_mass = crank_mass + rod_mass + slider_mass
     energy_scale = total_mass*crank_radius*crank_radius*crank_speed*crank_speed/2
     force_scale = energy_scale/clearance
-    x1 = crank_radius*crank_speed
+    crank_radius_times_crank_speed = crank_radius*crank_speed
     return (
         ca.vertcat(clearance/rod_length, clearance),
-        ca.vertcat(crank_radius*crank_speed/rod_length, x1),
+        ca.vertcat(crank_radius*crank_speed/rod_length, crank_radius_times_crank_speed),
         ca.vertcat(energy_scale, energy_scale),
-        ca.vertcat(clearance, x1, force_scale, energy_scale),
+        ca.vertcat(clearance, crank_radius_times_crank_speed, force_scale, energy_scale),
     )
 
 
@@ -292,8 +296,8 @@ def gaps(t, q, u, c):
     crank_radius = c[1]
     rod_length = c[3]
     crank_speed = c[4]
-    k1 = c[6]
-    k2 = c[7]
+    clearance_squared = c[6]
+    half_inverse_clearance = c[7]
     crank_pin_angle = q[0]
     guide_travel = q[1]
     crank_pin_speed = u[0]
@@ -318,9 +322,9 @@ def gaps(t, q, u, c):
     slider_pin_apart_rate_x = rod_arm_rate_x + slider_pin_pin_arm_rate_x - guide_speed
     slider_pin_apart_rate_y = rod_arm_rate_y + slider_pin_pin_arm_rate_y
     slider_pin_apart_squared = slider_pin_apart_x*slider_pin_apart_x + slider_pin_apart_y*slider_pin_apart_y
-    slider_pin_gap = k2*(k1 - slider_pin_apart_squared)
+    slider_pin_gap = half_inverse_clearance*(clearance_squared - slider_pin_apart_squared)
     slider_pin_apart_squared_rate = 2*slider_pin_apart_rate_x*slider_pin_apart_x + 2*slider_pin_apart_rate_y*slider_pin_apart_y
-    slider_pin_gap_rate = -k2*slider_pin_apart_squared_rate
+    slider_pin_gap_rate = -half_inverse_clearance*slider_pin_apart_squared_rate
     return ca.vertcat(slider_pin_gap), ca.vertcat(slider_pin_gap_rate)
 
 
@@ -334,7 +338,7 @@ def gap_accelerations(t, q, u, a, c):
     crank_radius = c[1]
     rod_length = c[3]
     crank_speed = c[4]
-    k2 = c[7]
+    half_inverse_clearance = c[7]
     crank_pin_angle = q[0]
     guide_travel = q[1]
     crank_pin_speed = u[0]
@@ -365,7 +369,7 @@ def gap_accelerations(t, q, u, a, c):
     slider_pin_apart_acceleration_x = rod_acceleration_x - guide_acceleration - crank_pin_acceleration*slider_pin_pin_arm_y - rod_rate_z*slider_pin_pin_arm_rate_y
     slider_pin_apart_acceleration_y = rod_acceleration_y + crank_pin_acceleration*slider_pin_pin_arm_x + rod_rate_z*slider_pin_pin_arm_rate_x
     slider_pin_apart_squared_rate_rate = 2*slider_pin_apart_rate_x*slider_pin_apart_rate_x + 2*slider_pin_apart_rate_y*slider_pin_apart_rate_y + 2*slider_pin_apart_acceleration_x*slider_pin_apart_x + 2*slider_pin_apart_acceleration_y*slider_pin_apart_y
-    slider_pin_gap_rate_rate = -k2*slider_pin_apart_squared_rate_rate
+    slider_pin_gap_rate_rate = -half_inverse_clearance*slider_pin_apart_squared_rate_rate
     return ca.vertcat(slider_pin_gap_rate_rate)
 
 
@@ -469,8 +473,8 @@ def accelerations(t, q, u, f, c):
     rod_h_x = c[12]
     crank_rate_zz = c[14]
     rod_I_z_z = c[15]
-    k5 = c[16]
-    k6 = c[17]
+    inverse_rod_I_z_z = c[16]
+    inverse_slider_mass = c[17]
     crank_pin_angle = q[0]
     crank_pin_speed = u[0]
     crank_pin_force = f[0]
@@ -493,8 +497,8 @@ def accelerations(t, q, u, f, c):
     rod_torque_z = rod_bias_y*rod_moment_x - rod_bias_x*rod_moment_y
     crank_pin_net = crank_pin_force - rod_torque_z
     crank_pin_rod_torque_z = rod_I_z_z + rod_arm_x*rod_moment_x + rod_arm_y*rod_moment_y
-    crank_pin_acc = crank_pin_net*k5
-    guide_acc = guide_force*k6
+    crank_pin_acc = crank_pin_net*inverse_rod_I_z_z
+    guide_acc = guide_force*inverse_slider_mass
     rod_force_x = -rod_moment_x*rod_rate_zz
     rod_force_y = -rod_moment_y*rod_rate_zz
     crank_torque_z = rod_torque_z + rod_arm_x*rod_force_y - rod_arm_y*rod_force_x
@@ -528,13 +532,13 @@ def energy(t, q, u, c):
     clearance = c[2]
     rod_length = c[3]
     crank_speed = c[4]
-    k3 = c[10]
+    two_fifths_of_slider_pin_K = c[10]
     rod_h_x = c[12]
-    k7 = c[18]
-    k8 = c[19]
-    k9 = c[20]
-    k10 = c[21]
-    k11 = c[22]
+    half_rod_I_z_z = c[18]
+    half_slider_mass = c[19]
+    half_rod_mass = c[20]
+    half_crank_speed_squared_times_crank_inertia = c[21]
+    gravity_times_rod_mass = c[22]
     crank_pin_angle = q[0]
     guide_travel = q[1]
     crank_pin_speed = u[0]
@@ -557,12 +561,12 @@ def energy(t, q, u, c):
     slider_pin_apart_squared = slider_pin_apart_x*slider_pin_apart_x + slider_pin_apart_y*slider_pin_apart_y
     slider_pin_distance = ca.sqrt(slider_pin_apart_squared)
     slider_pin_penetration = slider_pin_distance - clearance
-    slider_pin_stored_energy = ca.if_else(slider_pin_penetration > 0, k3*slider_pin_penetration*slider_pin_penetration*ca.sqrt(slider_pin_penetration), 0)
+    slider_pin_stored_energy = ca.if_else(slider_pin_penetration > 0, two_fifths_of_slider_pin_K*slider_pin_penetration*slider_pin_penetration*ca.sqrt(slider_pin_penetration), 0)
     rod_moment_x = cos_rod*rod_h_x
     rod_moment_y = rod_h_x*sin_rod
-    kinetic = k10 + k7*rod_rate_z*rod_rate_z + k8*guide_speed*guide_speed + k9*(rod_arm_rate_x*rod_arm_rate_x + rod_arm_rate_y*rod_arm_rate_y) + rod_arm_rate_y*rod_moment_x*rod_rate_z - rod_arm_rate_x*rod_moment_y*rod_rate_z
+    kinetic = half_crank_speed_squared_times_crank_inertia + half_rod_I_z_z*rod_rate_z*rod_rate_z + half_slider_mass*guide_speed*guide_speed + half_rod_mass*(rod_arm_rate_x*rod_arm_rate_x + rod_arm_rate_y*rod_arm_rate_y) + rod_arm_rate_y*rod_moment_x*rod_rate_z - rod_arm_rate_x*rod_moment_y*rod_rate_z
     rod_centre_arm_y = sin_rod*rod_mass_centre
-    potential = k11*(rod_arm_y + rod_centre_arm_y)
+    potential = gravity_times_rod_mass*(rod_arm_y + rod_centre_arm_y)
     return ca.vertcat(kinetic), ca.vertcat(potential), ca.vertcat(slider_pin_stored_energy)
 
 

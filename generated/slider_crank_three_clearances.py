@@ -190,25 +190,25 @@ CONSTANTS = (
     ("crank_speed", "1/s"),
     ("gravity", "m/s^2"),
     ("friction_coefficient", "1"),
-    ("k1", "m^2"),
-    ("k2", "1/m"),
+    ("clearance_squared", "m^2"),
+    ("half_inverse_clearance", "1/m"),
     ("main_bearing_R_min", "m"),
     ("main_bearing_K", "N/m^1.5"),
-    ("k3", "N/m^1.5"),
+    ("two_fifths_of_main_bearing_K", "N/m^1.5"),
     ("main_bearing_hysteresis_factor", "1"),
     ("k4", "m/s"),
-    ("k5", "s/m"),
+    ("inverse_friction_speed", "s/m"),
     ("rod_h_x", "kg m"),
-    ("k6", "1/(kg m^2)"),
-    ("k7", "1/kg"),
-    ("k8", "1/kg"),
-    ("k9", "kg m^2"),
-    ("k10", "kg"),
-    ("k11", "kg"),
-    ("k12", "kg"),
-    ("k13", "J"),
-    ("k14", "N"),
-    ("k15", "N"),
+    ("inverse_rod_I_z_z", "1/(kg m^2)"),
+    ("inverse_crank_mass", "1/kg"),
+    ("inverse_slider_mass", "1/kg"),
+    ("half_rod_I_z_z", "kg m^2"),
+    ("half_slider_mass", "kg"),
+    ("half_crank_mass", "kg"),
+    ("half_rod_mass", "kg"),
+    ("half_crank_speed_squared_times_crank_inertia", "J"),
+    ("crank_mass_times_gravity", "N"),
+    ("gravity_times_rod_mass", "N"),
 )
 
 OPERATIONS = (
@@ -239,8 +239,11 @@ def constants(p):
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
         c (28,): crank_mass, rod_mass, rod_mass_centre, clearance, crank_radius, rod_length, crank_speed, gravity,
-            friction_coefficient, k1, k2, main_bearing_R_min, main_bearing_K, k3, main_bearing_hysteresis_factor,
-            k4, k5, rod_h_x, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15
+            friction_coefficient, clearance_squared, half_inverse_clearance, main_bearing_R_min, main_bearing_K,
+            two_fifths_of_main_bearing_K, main_bearing_hysteresis_factor, k4, inverse_friction_speed, rod_h_x,
+            inverse_rod_I_z_z, inverse_crank_mass, inverse_slider_mass, half_rod_I_z_z, half_slider_mass,
+            half_crank_mass, half_rod_mass, half_crank_speed_squared_times_crank_inertia, crank_mass_times_gravity,
+            gravity_times_rod_mass
     """
     crank_mass = p[0]
     crank_inertia = p[1]
@@ -259,31 +262,34 @@ def constants(p):
     restitution = p[15]
     friction_coefficient = p[17]
     friction_speed = p[18]
-    k1 = clearance*clearance
-    k2 = 1/(2*clearance)
-    x1 = bush_radius - clearance
-    main_bearing_R_eff = x1*bush_radius/clearance
+    clearance_squared = clearance*clearance
+    half_inverse_clearance = 1/(2*clearance)
+    main_bearing_R_min = bush_radius - clearance
+    main_bearing_R_eff = main_bearing_R_min*bush_radius/clearance
     main_bearing_E_eff = youngs_modulus/(2*(1 - poissons_ratio*poissons_ratio))
     main_bearing_K = 4*main_bearing_E_eff*ca.sqrt(main_bearing_R_eff)/3
-    k3 = 2*main_bearing_K/5
+    two_fifths_of_main_bearing_K = 2*main_bearing_K/5
     main_bearing_hysteresis_factor = 3/4 - 3*restitution*restitution/4
-    k4 = -x1*crank_speed
-    k5 = 1/friction_speed
+    k4 = -main_bearing_R_min*crank_speed
+    inverse_friction_speed = 1/friction_speed
     rod_h_x = rod_mass*rod_mass_centre
     rod_I_z_z = rod_mass_centre*rod_mass_centre*rod_mass + rod_inertia
-    k6 = 1/rod_I_z_z
-    k7 = 1/crank_mass
-    k8 = 1/slider_mass
-    k9 = rod_I_z_z/2
-    k10 = slider_mass/2
-    k11 = crank_mass/2
-    k12 = rod_mass/2
-    k13 = crank_speed*crank_speed*crank_inertia/2
-    k14 = crank_mass*gravity
-    k15 = gravity*rod_mass
+    inverse_rod_I_z_z = 1/rod_I_z_z
+    inverse_crank_mass = 1/crank_mass
+    inverse_slider_mass = 1/slider_mass
+    half_rod_I_z_z = rod_I_z_z/2
+    half_slider_mass = slider_mass/2
+    half_crank_mass = crank_mass/2
+    half_rod_mass = rod_mass/2
+    half_crank_speed_squared_times_crank_inertia = crank_speed*crank_speed*crank_inertia/2
+    crank_mass_times_gravity = crank_mass*gravity
+    gravity_times_rod_mass = gravity*rod_mass
     return ca.vertcat(crank_mass, rod_mass, rod_mass_centre, clearance, crank_radius, rod_length, crank_speed,
-        gravity, friction_coefficient, k1, k2, x1, main_bearing_K, k3, main_bearing_hysteresis_factor, k4, k5,
-        rod_h_x, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15)
+        gravity, friction_coefficient, clearance_squared, half_inverse_clearance, main_bearing_R_min,
+        main_bearing_K, two_fifths_of_main_bearing_K, main_bearing_hysteresis_factor, k4, inverse_friction_speed,
+        rod_h_x, inverse_rod_I_z_z, inverse_crank_mass, inverse_slider_mass, half_rod_I_z_z, half_slider_mass,
+        half_crank_mass, half_rod_mass, half_crank_speed_squared_times_crank_inertia, crank_mass_times_gravity,
+        gravity_times_rod_mass)
 
 
 def start(p):
@@ -329,13 +335,14 @@ def scales(p):
     total_mass = crank_mass + rod_mass + slider_mass
     energy_scale = total_mass*crank_radius*crank_radius*crank_speed*crank_speed/2
     force_scale = energy_scale/clearance
-    x1 = crank_radius*crank_speed
+    crank_radius_times_crank_speed = crank_radius*crank_speed
     return (
         ca.vertcat(clearance, clearance, clearance, clearance, clearance/rod_length, clearance),
-        ca.vertcat(x1, x1, x1, x1, crank_radius*crank_speed/rod_length, x1),
+        ca.vertcat(crank_radius_times_crank_speed, crank_radius_times_crank_speed, crank_radius_times_crank_speed,
+            crank_radius_times_crank_speed, crank_radius*crank_speed/rod_length, crank_radius_times_crank_speed),
         ca.vertcat(energy_scale, energy_scale, energy_scale, energy_scale, energy_scale, energy_scale,
             energy_scale),
-        ca.vertcat(clearance, x1, force_scale, energy_scale),
+        ca.vertcat(clearance, crank_radius_times_crank_speed, force_scale, energy_scale),
     )
 
 
@@ -368,8 +375,8 @@ def gaps(t, q, u, c):
     crank_radius = c[4]
     rod_length = c[5]
     crank_speed = c[6]
-    k1 = c[9]
-    k2 = c[10]
+    clearance_squared = c[9]
+    half_inverse_clearance = c[10]
     crank_plane_x = q[0]
     crank_plane_y = q[1]
     rod_plane_x = q[2]
@@ -404,17 +411,17 @@ def gaps(t, q, u, c):
     slider_pin_apart_rate_x = rod_plane_x_speed + slider_pin_pin_arm_rate_x - guide_speed
     slider_pin_apart_rate_y = rod_plane_y_speed + slider_pin_pin_arm_rate_y
     main_bearing_apart_squared = crank_plane_x*crank_plane_x + crank_plane_y*crank_plane_y
-    main_bearing_gap = k2*(k1 - main_bearing_apart_squared)
+    main_bearing_gap = half_inverse_clearance*(clearance_squared - main_bearing_apart_squared)
     crank_pin_apart_squared = crank_pin_apart_x*crank_pin_apart_x + crank_pin_apart_y*crank_pin_apart_y
-    crank_pin_gap = k2*(k1 - crank_pin_apart_squared)
+    crank_pin_gap = half_inverse_clearance*(clearance_squared - crank_pin_apart_squared)
     slider_pin_apart_squared = slider_pin_apart_x*slider_pin_apart_x + slider_pin_apart_y*slider_pin_apart_y
-    slider_pin_gap = k2*(k1 - slider_pin_apart_squared)
+    slider_pin_gap = half_inverse_clearance*(clearance_squared - slider_pin_apart_squared)
     main_bearing_apart_squared_rate = 2*crank_plane_x*crank_plane_x_speed + 2*crank_plane_y*crank_plane_y_speed
-    main_bearing_gap_rate = -k2*main_bearing_apart_squared_rate
+    main_bearing_gap_rate = -half_inverse_clearance*main_bearing_apart_squared_rate
     crank_pin_apart_squared_rate = 2*crank_pin_apart_rate_x*crank_pin_apart_x + 2*crank_pin_apart_rate_y*crank_pin_apart_y
-    crank_pin_gap_rate = -crank_pin_apart_squared_rate*k2
+    crank_pin_gap_rate = -crank_pin_apart_squared_rate*half_inverse_clearance
     slider_pin_apart_squared_rate = 2*slider_pin_apart_rate_x*slider_pin_apart_x + 2*slider_pin_apart_rate_y*slider_pin_apart_y
-    slider_pin_gap_rate = -k2*slider_pin_apart_squared_rate
+    slider_pin_gap_rate = -half_inverse_clearance*slider_pin_apart_squared_rate
     return (
         ca.vertcat(main_bearing_gap, crank_pin_gap, slider_pin_gap),
         ca.vertcat(main_bearing_gap_rate, crank_pin_gap_rate, slider_pin_gap_rate),
@@ -431,7 +438,7 @@ def gap_accelerations(t, q, u, a, c):
     crank_radius = c[4]
     rod_length = c[5]
     crank_speed = c[6]
-    k2 = c[10]
+    half_inverse_clearance = c[10]
     crank_plane_x = q[0]
     crank_plane_y = q[1]
     rod_plane_x = q[2]
@@ -476,11 +483,11 @@ def gap_accelerations(t, q, u, a, c):
     slider_pin_apart_acceleration_x = rod_plane_x_acceleration - guide_acceleration - rod_plane_angle_acceleration*slider_pin_pin_arm_y - rod_plane_angle_speed*slider_pin_pin_arm_rate_y
     slider_pin_apart_acceleration_y = rod_plane_y_acceleration + rod_plane_angle_acceleration*slider_pin_pin_arm_x + rod_plane_angle_speed*slider_pin_pin_arm_rate_x
     main_bearing_apart_squared_rate_rate = 2*crank_plane_x_speed*crank_plane_x_speed + 2*crank_plane_y_speed*crank_plane_y_speed + 2*crank_plane_x*crank_plane_x_acceleration + 2*crank_plane_y*crank_plane_y_acceleration
-    main_bearing_gap_rate_rate = -k2*main_bearing_apart_squared_rate_rate
+    main_bearing_gap_rate_rate = -half_inverse_clearance*main_bearing_apart_squared_rate_rate
     crank_pin_apart_squared_rate_rate = 2*crank_pin_apart_rate_x*crank_pin_apart_rate_x + 2*crank_pin_apart_rate_y*crank_pin_apart_rate_y + 2*crank_pin_apart_acceleration_x*crank_pin_apart_x + 2*crank_pin_apart_acceleration_y*crank_pin_apart_y
-    crank_pin_gap_rate_rate = -crank_pin_apart_squared_rate_rate*k2
+    crank_pin_gap_rate_rate = -crank_pin_apart_squared_rate_rate*half_inverse_clearance
     slider_pin_apart_squared_rate_rate = 2*slider_pin_apart_rate_x*slider_pin_apart_rate_x + 2*slider_pin_apart_rate_y*slider_pin_apart_rate_y + 2*slider_pin_apart_acceleration_x*slider_pin_apart_x + 2*slider_pin_apart_acceleration_y*slider_pin_apart_y
-    slider_pin_gap_rate_rate = -k2*slider_pin_apart_squared_rate_rate
+    slider_pin_gap_rate_rate = -half_inverse_clearance*slider_pin_apart_squared_rate_rate
     return ca.vertcat(main_bearing_gap_rate_rate, crank_pin_gap_rate_rate, slider_pin_gap_rate_rate)
 
 
@@ -505,7 +512,7 @@ def contact_main_bearing(t, q, u, z, m, c):
     main_bearing_K = c[12]
     main_bearing_hysteresis_factor = c[14]
     k4 = c[15]
-    k5 = c[16]
+    inverse_friction_speed = c[16]
     crank_plane_x = q[0]
     crank_plane_y = q[1]
     crank_plane_x_speed = u[0]
@@ -524,7 +531,7 @@ def contact_main_bearing(t, q, u, z, m, c):
     main_bearing_push_x = main_bearing_normal_force*main_bearing_normal_x
     main_bearing_push_y = main_bearing_normal_force*main_bearing_normal_y
     main_bearing_sliding_velocity = k4 + crank_plane_y_speed*main_bearing_normal_x - crank_plane_x_speed*main_bearing_normal_y
-    main_bearing_friction_force = main_bearing_normal_force*friction_coefficient*ca.tanh(k5*main_bearing_sliding_velocity)
+    main_bearing_friction_force = main_bearing_normal_force*friction_coefficient*ca.tanh(inverse_friction_speed*main_bearing_sliding_velocity)
     main_bearing_friction_power = main_bearing_friction_force*main_bearing_sliding_velocity
     main_bearing_drag_x = main_bearing_friction_force*main_bearing_normal_y
     main_bearing_drag_y = -main_bearing_friction_force*main_bearing_normal_x
@@ -562,7 +569,7 @@ def contact_crank_pin(t, q, u, z, m, c):
     main_bearing_R_min = c[11]
     main_bearing_K = c[12]
     main_bearing_hysteresis_factor = c[14]
-    k5 = c[16]
+    inverse_friction_speed = c[16]
     crank_plane_x = q[0]
     crank_plane_y = q[1]
     rod_plane_x = q[2]
@@ -597,14 +604,14 @@ def contact_crank_pin(t, q, u, z, m, c):
     crank_pin_push_on_crank_plane_angle = crank_pin_pin_arm_x*crank_pin_push_y - crank_pin_pin_arm_y*crank_pin_push_x
     crank_pin_push_on_rod_plane_angle = -crank_pin_apart_x*crank_pin_push_y - crank_pin_push_x*(rod_plane_y - crank_pin_pin_arm_y - crank_plane_y)
     crank_pin_sliding_velocity = crank_pin_normal_x*crank_pin_relative_rate_y - crank_pin_normal_y*crank_pin_relative_rate_x - main_bearing_R_min*(crank_speed - rod_plane_angle_speed)
-    crank_pin_friction_force = crank_pin_normal_force*friction_coefficient*ca.tanh(crank_pin_sliding_velocity*k5)
+    crank_pin_friction_force = crank_pin_normal_force*friction_coefficient*ca.tanh(crank_pin_sliding_velocity*inverse_friction_speed)
     crank_pin_friction_power = crank_pin_friction_force*crank_pin_sliding_velocity
     crank_pin_drag_x = crank_pin_friction_force*crank_pin_normal_y
     crank_pin_drag_y = -crank_pin_friction_force*crank_pin_normal_x
-    x1 = crank_pin_normal_y*main_bearing_R_min
+    crank_pin_normal_y_times_main_bearing_R_min = crank_pin_normal_y*main_bearing_R_min
     x2 = -crank_pin_normal_x*main_bearing_R_min
-    crank_pin_drag_on_crank_plane_angle = crank_pin_drag_x*(x1 - crank_pin_pin_arm_y) + crank_pin_drag_y*(crank_pin_pin_arm_x + x2)
-    crank_pin_drag_on_rod_plane_angle = -crank_pin_drag_x*(rod_plane_y + x1 - crank_pin_pin_arm_y - crank_plane_y) - crank_pin_drag_y*(crank_pin_pin_arm_x + crank_plane_x + x2 - rod_plane_x)
+    crank_pin_drag_on_crank_plane_angle = crank_pin_drag_x*(crank_pin_normal_y_times_main_bearing_R_min - crank_pin_pin_arm_y) + crank_pin_drag_y*(crank_pin_pin_arm_x + x2)
+    crank_pin_drag_on_rod_plane_angle = -crank_pin_drag_x*(rod_plane_y + crank_pin_normal_y_times_main_bearing_R_min - crank_pin_pin_arm_y - crank_plane_y) - crank_pin_drag_y*(crank_pin_pin_arm_x + crank_plane_x + x2 - rod_plane_x)
     crank_pin_in_range = ca.if_else(crank_pin_penetration <= main_bearing_R_min, 1, 0)
     return (
         ca.vertcat(crank_pin_drag_x + crank_pin_push_x, crank_pin_drag_y + crank_pin_push_y, -crank_pin_drag_x -
@@ -639,7 +646,7 @@ def contact_slider_pin(t, q, u, z, m, c):
     main_bearing_R_min = c[11]
     main_bearing_K = c[12]
     main_bearing_hysteresis_factor = c[14]
-    k5 = c[16]
+    inverse_friction_speed = c[16]
     rod_plane_x = q[2]
     rod_plane_y = q[3]
     rod_plane_angle = q[4]
@@ -671,7 +678,7 @@ def contact_slider_pin(t, q, u, z, m, c):
     slider_pin_push_y = slider_pin_normal_force*slider_pin_normal_y
     slider_pin_push_on_rod_plane_angle = slider_pin_pin_arm_x*slider_pin_push_y - slider_pin_pin_arm_y*slider_pin_push_x
     slider_pin_sliding_velocity = slider_pin_normal_x*slider_pin_relative_rate_y - main_bearing_R_min*rod_plane_angle_speed - slider_pin_normal_y*slider_pin_relative_rate_x
-    slider_pin_friction_force = slider_pin_normal_force*friction_coefficient*ca.tanh(k5*slider_pin_sliding_velocity)
+    slider_pin_friction_force = slider_pin_normal_force*friction_coefficient*ca.tanh(inverse_friction_speed*slider_pin_sliding_velocity)
     slider_pin_friction_power = slider_pin_friction_force*slider_pin_sliding_velocity
     slider_pin_drag_x = slider_pin_friction_force*slider_pin_normal_y
     slider_pin_drag_y = -slider_pin_friction_force*slider_pin_normal_x
@@ -718,9 +725,9 @@ def accelerations(t, q, u, f, c):
     """
     rod_mass = c[1]
     rod_h_x = c[17]
-    k6 = c[18]
-    k7 = c[19]
-    k8 = c[20]
+    inverse_rod_I_z_z = c[18]
+    inverse_crank_mass = c[19]
+    inverse_slider_mass = c[20]
     rod_plane_angle = q[4]
     rod_plane_angle_speed = u[4]
     crank_plane_x_force = f[0]
@@ -739,20 +746,20 @@ def accelerations(t, q, u, f, c):
     rod_force_y = -rod_moment_y*rod_rate_zz
     rod_plane_x_net = rod_plane_x_force - rod_force_x
     rod_plane_y_net = rod_plane_y_force - rod_force_y
-    l_rod_plane_y_rod_plane_angle = k6*rod_moment_x
+    l_rod_plane_y_rod_plane_angle = inverse_rod_I_z_z*rod_moment_x
     D_rod_plane_y = rod_mass - l_rod_plane_y_rod_plane_angle*rod_moment_x
-    l_rod_plane_x_rod_plane_angle = -k6*rod_moment_y
+    l_rod_plane_x_rod_plane_angle = -inverse_rod_I_z_z*rod_moment_y
     L_rod_plane_x_rod_plane_y = l_rod_plane_y_rod_plane_angle*rod_moment_y
     l_rod_plane_x_rod_plane_y = L_rod_plane_x_rod_plane_y/D_rod_plane_y
     D_rod_plane_x = l_rod_plane_x_rod_plane_angle*rod_moment_y + rod_mass - L_rod_plane_x_rod_plane_y*l_rod_plane_x_rod_plane_y
     y_rod_plane_y = rod_plane_y_net - l_rod_plane_y_rod_plane_angle*rod_plane_angle_force
     y_rod_plane_x = rod_plane_x_net - l_rod_plane_x_rod_plane_angle*rod_plane_angle_force - l_rod_plane_x_rod_plane_y*y_rod_plane_y
-    crank_plane_x_acc = crank_plane_x_force*k7
-    crank_plane_y_acc = crank_plane_y_force*k7
+    crank_plane_x_acc = crank_plane_x_force*inverse_crank_mass
+    crank_plane_y_acc = crank_plane_y_force*inverse_crank_mass
     rod_plane_x_acc = y_rod_plane_x/D_rod_plane_x
     rod_plane_y_acc = y_rod_plane_y/D_rod_plane_y - l_rod_plane_x_rod_plane_y*rod_plane_x_acc
-    rod_plane_angle_acc = k6*rod_plane_angle_force - l_rod_plane_x_rod_plane_angle*rod_plane_x_acc - l_rod_plane_y_rod_plane_angle*rod_plane_y_acc
-    guide_acc = guide_force*k8
+    rod_plane_angle_acc = inverse_rod_I_z_z*rod_plane_angle_force - l_rod_plane_x_rod_plane_angle*rod_plane_x_acc - l_rod_plane_y_rod_plane_angle*rod_plane_y_acc
+    guide_acc = guide_force*inverse_slider_mass
     return (
         ca.vertcat(crank_plane_x_acc, crank_plane_y_acc, rod_plane_x_acc, rod_plane_y_acc, rod_plane_angle_acc,
             guide_acc),
@@ -788,15 +795,15 @@ def energy(t, q, u, c):
     crank_radius = c[4]
     rod_length = c[5]
     crank_speed = c[6]
-    k3 = c[13]
+    two_fifths_of_main_bearing_K = c[13]
     rod_h_x = c[17]
-    k9 = c[21]
-    k10 = c[22]
-    k11 = c[23]
-    k12 = c[24]
-    k13 = c[25]
-    k14 = c[26]
-    k15 = c[27]
+    half_rod_I_z_z = c[21]
+    half_slider_mass = c[22]
+    half_crank_mass = c[23]
+    half_rod_mass = c[24]
+    half_crank_speed_squared_times_crank_inertia = c[25]
+    crank_mass_times_gravity = c[26]
+    gravity_times_rod_mass = c[27]
     crank_plane_x = q[0]
     crank_plane_y = q[1]
     rod_plane_x = q[2]
@@ -827,18 +834,18 @@ def energy(t, q, u, c):
     slider_pin_apart_squared = slider_pin_apart_x*slider_pin_apart_x + slider_pin_apart_y*slider_pin_apart_y
     main_bearing_distance = ca.sqrt(main_bearing_apart_squared)
     main_bearing_penetration = main_bearing_distance - clearance
-    main_bearing_stored_energy = ca.if_else(main_bearing_penetration > 0, k3*main_bearing_penetration*main_bearing_penetration*ca.sqrt(main_bearing_penetration), 0)
+    main_bearing_stored_energy = ca.if_else(main_bearing_penetration > 0, two_fifths_of_main_bearing_K*main_bearing_penetration*main_bearing_penetration*ca.sqrt(main_bearing_penetration), 0)
     crank_pin_distance = ca.sqrt(crank_pin_apart_squared)
     crank_pin_penetration = crank_pin_distance - clearance
-    crank_pin_stored_energy = ca.if_else(crank_pin_penetration > 0, k3*crank_pin_penetration*crank_pin_penetration*ca.sqrt(crank_pin_penetration), 0)
+    crank_pin_stored_energy = ca.if_else(crank_pin_penetration > 0, two_fifths_of_main_bearing_K*crank_pin_penetration*crank_pin_penetration*ca.sqrt(crank_pin_penetration), 0)
     slider_pin_distance = ca.sqrt(slider_pin_apart_squared)
     slider_pin_penetration = slider_pin_distance - clearance
-    slider_pin_stored_energy = ca.if_else(slider_pin_penetration > 0, k3*slider_pin_penetration*slider_pin_penetration*ca.sqrt(slider_pin_penetration), 0)
+    slider_pin_stored_energy = ca.if_else(slider_pin_penetration > 0, two_fifths_of_main_bearing_K*slider_pin_penetration*slider_pin_penetration*ca.sqrt(slider_pin_penetration), 0)
     rod_moment_x = cos_rod*rod_h_x
     rod_moment_y = rod_h_x*sin_rod
-    kinetic = k13 + k10*guide_speed*guide_speed + k11*(crank_plane_x_speed*crank_plane_x_speed + crank_plane_y_speed*crank_plane_y_speed) + k12*(rod_plane_x_speed*rod_plane_x_speed + rod_plane_y_speed*rod_plane_y_speed) + k9*rod_plane_angle_speed*rod_plane_angle_speed + rod_moment_x*rod_plane_angle_speed*rod_plane_y_speed - rod_moment_y*rod_plane_angle_speed*rod_plane_x_speed
+    kinetic = half_crank_speed_squared_times_crank_inertia + half_slider_mass*guide_speed*guide_speed + half_crank_mass*(crank_plane_x_speed*crank_plane_x_speed + crank_plane_y_speed*crank_plane_y_speed) + half_rod_mass*(rod_plane_x_speed*rod_plane_x_speed + rod_plane_y_speed*rod_plane_y_speed) + half_rod_I_z_z*rod_plane_angle_speed*rod_plane_angle_speed + rod_moment_x*rod_plane_angle_speed*rod_plane_y_speed - rod_moment_y*rod_plane_angle_speed*rod_plane_x_speed
     rod_centre_arm_y = sin_rod*rod_mass_centre
-    potential = crank_plane_y*k14 + k15*(rod_centre_arm_y + rod_plane_y)
+    potential = crank_plane_y*crank_mass_times_gravity + gravity_times_rod_mass*(rod_centre_arm_y + rod_plane_y)
     return (
         ca.vertcat(kinetic),
         ca.vertcat(potential),
@@ -923,8 +930,8 @@ def speed_limits(p):
     """
     youngs_modulus = p[12]
     density = p[14]
-    x1 = youngs_modulus/density
-    x2 = ca.sqrt(x1)
+    youngs_modulus_over_density = youngs_modulus/density
+    x2 = ca.sqrt(youngs_modulus_over_density)
     x3 = 1e-05*x2
     return ca.vertcat(x3, x3, x3)
 
@@ -969,7 +976,7 @@ def landmarks(p):
     clearance = p[7]
     crank_radius = p[8]
     rod_length = p[9]
-    x1 = bush_radius - clearance
+    bush_radius_minus_clearance = bush_radius - clearance
     return (
         ca.vertcat(0, 0, 0, 0, 0, 1),
         ca.vertcat(0, 0, 0, 0, 0, 1),
@@ -977,11 +984,11 @@ def landmarks(p):
         ca.vertcat(0, 0, 0, 0, 0, 1),
         ca.vertcat(0, 0, 0, 1, 0, 0),
         ca.vertcat(0, 0, 0, 1, 0, 0),
-        ca.vertcat(0, 0, 0, x1),
+        ca.vertcat(0, 0, 0, bush_radius_minus_clearance),
         ca.vertcat(0, 0, 0, bush_radius, 0, 0, 1),
-        ca.vertcat(crank_radius, 0, 0, x1),
+        ca.vertcat(crank_radius, 0, 0, bush_radius_minus_clearance),
         ca.vertcat(0, 0, 0, bush_radius, 0, 0, 1),
-        ca.vertcat(rod_length, 0, 0, x1),
+        ca.vertcat(rod_length, 0, 0, bush_radius_minus_clearance),
         ca.vertcat(0, 0, 0, bush_radius, 0, 0, 1),
         ca.vertcat(0, 0, 0, 0, 0, 1),
         ca.vertcat(0, 0, 0, 0, -1, 0),

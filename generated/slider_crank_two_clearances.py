@@ -170,21 +170,21 @@ CONSTANTS = (
     ("crank_speed", "1/s"),
     ("gravity", "m/s^2"),
     ("friction_coefficient", "1"),
-    ("k1", "m^2"),
-    ("k2", "1/m"),
+    ("clearance_squared", "m^2"),
+    ("half_inverse_clearance", "1/m"),
     ("crank_pin_R_min", "m"),
     ("crank_pin_K", "N/m^1.5"),
-    ("k3", "N/m^1.5"),
+    ("two_fifths_of_crank_pin_K", "N/m^1.5"),
     ("crank_pin_hysteresis_factor", "1"),
-    ("k4", "s/m"),
+    ("inverse_friction_speed", "s/m"),
     ("rod_h_x", "kg m"),
-    ("k5", "1/(kg m^2)"),
-    ("k6", "1/kg"),
-    ("k7", "kg m^2"),
-    ("k8", "kg"),
-    ("k9", "kg"),
-    ("k10", "J"),
-    ("k11", "N"),
+    ("inverse_rod_I_z_z", "1/(kg m^2)"),
+    ("inverse_slider_mass", "1/kg"),
+    ("half_rod_I_z_z", "kg m^2"),
+    ("half_slider_mass", "kg"),
+    ("half_rod_mass", "kg"),
+    ("half_crank_speed_squared_times_crank_inertia", "J"),
+    ("gravity_times_rod_mass", "N"),
 )
 
 OPERATIONS = (
@@ -214,8 +214,10 @@ def constants(p):
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
         c (23,): rod_mass, rod_mass_centre, clearance, crank_radius, rod_length, crank_speed, gravity,
-            friction_coefficient, k1, k2, crank_pin_R_min, crank_pin_K, k3, crank_pin_hysteresis_factor, k4,
-            rod_h_x, k5, k6, k7, k8, k9, k10, k11
+            friction_coefficient, clearance_squared, half_inverse_clearance, crank_pin_R_min, crank_pin_K,
+            two_fifths_of_crank_pin_K, crank_pin_hysteresis_factor, inverse_friction_speed, rod_h_x,
+            inverse_rod_I_z_z, inverse_slider_mass, half_rod_I_z_z, half_slider_mass, half_rod_mass,
+            half_crank_speed_squared_times_crank_inertia, gravity_times_rod_mass
     """
     crank_inertia = p[1]
     rod_mass = p[2]
@@ -233,27 +235,29 @@ def constants(p):
     restitution = p[15]
     friction_coefficient = p[17]
     friction_speed = p[18]
-    k1 = clearance*clearance
-    k2 = 1/(2*clearance)
-    x1 = bush_radius - clearance
-    crank_pin_R_eff = x1*bush_radius/clearance
+    clearance_squared = clearance*clearance
+    half_inverse_clearance = 1/(2*clearance)
+    crank_pin_R_min = bush_radius - clearance
+    crank_pin_R_eff = crank_pin_R_min*bush_radius/clearance
     crank_pin_E_eff = youngs_modulus/(2*(1 - poissons_ratio*poissons_ratio))
     crank_pin_K = 4*crank_pin_E_eff*ca.sqrt(crank_pin_R_eff)/3
-    k3 = 2*crank_pin_K/5
+    two_fifths_of_crank_pin_K = 2*crank_pin_K/5
     crank_pin_hysteresis_factor = 3/4 - 3*restitution*restitution/4
-    k4 = 1/friction_speed
+    inverse_friction_speed = 1/friction_speed
     rod_h_x = rod_mass*rod_mass_centre
     rod_I_z_z = rod_mass_centre*rod_mass_centre*rod_mass + rod_inertia
-    k5 = 1/rod_I_z_z
-    k6 = 1/slider_mass
-    k7 = rod_I_z_z/2
-    k8 = slider_mass/2
-    k9 = rod_mass/2
-    k10 = crank_speed*crank_speed*crank_inertia/2
-    k11 = gravity*rod_mass
+    inverse_rod_I_z_z = 1/rod_I_z_z
+    inverse_slider_mass = 1/slider_mass
+    half_rod_I_z_z = rod_I_z_z/2
+    half_slider_mass = slider_mass/2
+    half_rod_mass = rod_mass/2
+    half_crank_speed_squared_times_crank_inertia = crank_speed*crank_speed*crank_inertia/2
+    gravity_times_rod_mass = gravity*rod_mass
     return ca.vertcat(rod_mass, rod_mass_centre, clearance, crank_radius, rod_length, crank_speed, gravity,
-        friction_coefficient, k1, k2, x1, crank_pin_K, k3, crank_pin_hysteresis_factor, k4, rod_h_x, k5, k6, k7, k8,
-        k9, k10, k11)
+        friction_coefficient, clearance_squared, half_inverse_clearance, crank_pin_R_min, crank_pin_K,
+        two_fifths_of_crank_pin_K, crank_pin_hysteresis_factor, inverse_friction_speed, rod_h_x, inverse_rod_I_z_z,
+        inverse_slider_mass, half_rod_I_z_z, half_slider_mass, half_rod_mass,
+        half_crank_speed_squared_times_crank_inertia, gravity_times_rod_mass)
 
 
 def start(p):
@@ -294,12 +298,13 @@ def scales(p):
     total_mass = crank_mass + rod_mass + slider_mass
     energy_scale = total_mass*crank_radius*crank_radius*crank_speed*crank_speed/2
     force_scale = energy_scale/clearance
-    x1 = crank_radius*crank_speed
+    crank_radius_times_crank_speed = crank_radius*crank_speed
     return (
         ca.vertcat(clearance, clearance, clearance/rod_length, clearance),
-        ca.vertcat(x1, x1, crank_radius*crank_speed/rod_length, x1),
+        ca.vertcat(crank_radius_times_crank_speed, crank_radius_times_crank_speed,
+            crank_radius*crank_speed/rod_length, crank_radius_times_crank_speed),
         ca.vertcat(energy_scale, energy_scale, energy_scale, energy_scale, energy_scale),
-        ca.vertcat(clearance, x1, force_scale, energy_scale),
+        ca.vertcat(clearance, crank_radius_times_crank_speed, force_scale, energy_scale),
     )
 
 
@@ -328,8 +333,8 @@ def gaps(t, q, u, c):
     crank_radius = c[3]
     rod_length = c[4]
     crank_speed = c[5]
-    k1 = c[8]
-    k2 = c[9]
+    clearance_squared = c[8]
+    half_inverse_clearance = c[9]
     rod_plane_x = q[0]
     rod_plane_y = q[1]
     rod_plane_angle = q[2]
@@ -360,13 +365,13 @@ def gaps(t, q, u, c):
     slider_pin_apart_rate_x = rod_plane_x_speed + slider_pin_pin_arm_rate_x - guide_speed
     slider_pin_apart_rate_y = rod_plane_y_speed + slider_pin_pin_arm_rate_y
     crank_pin_apart_squared = crank_pin_apart_x*crank_pin_apart_x + crank_pin_apart_y*crank_pin_apart_y
-    crank_pin_gap = k2*(k1 - crank_pin_apart_squared)
+    crank_pin_gap = half_inverse_clearance*(clearance_squared - crank_pin_apart_squared)
     slider_pin_apart_squared = slider_pin_apart_x*slider_pin_apart_x + slider_pin_apart_y*slider_pin_apart_y
-    slider_pin_gap = k2*(k1 - slider_pin_apart_squared)
+    slider_pin_gap = half_inverse_clearance*(clearance_squared - slider_pin_apart_squared)
     crank_pin_apart_squared_rate = 2*crank_pin_apart_rate_x*crank_pin_apart_x + 2*crank_pin_apart_rate_y*crank_pin_apart_y
-    crank_pin_gap_rate = -crank_pin_apart_squared_rate*k2
+    crank_pin_gap_rate = -crank_pin_apart_squared_rate*half_inverse_clearance
     slider_pin_apart_squared_rate = 2*slider_pin_apart_rate_x*slider_pin_apart_x + 2*slider_pin_apart_rate_y*slider_pin_apart_y
-    slider_pin_gap_rate = -k2*slider_pin_apart_squared_rate
+    slider_pin_gap_rate = -half_inverse_clearance*slider_pin_apart_squared_rate
     return ca.vertcat(crank_pin_gap, slider_pin_gap), ca.vertcat(crank_pin_gap_rate, slider_pin_gap_rate)
 
 
@@ -380,7 +385,7 @@ def gap_accelerations(t, q, u, a, c):
     crank_radius = c[3]
     rod_length = c[4]
     crank_speed = c[5]
-    k2 = c[9]
+    half_inverse_clearance = c[9]
     rod_plane_x = q[0]
     rod_plane_y = q[1]
     rod_plane_angle = q[2]
@@ -419,9 +424,9 @@ def gap_accelerations(t, q, u, a, c):
     slider_pin_apart_acceleration_x = rod_plane_x_acceleration - guide_acceleration - rod_plane_angle_acceleration*slider_pin_pin_arm_y - rod_plane_angle_speed*slider_pin_pin_arm_rate_y
     slider_pin_apart_acceleration_y = rod_plane_y_acceleration + rod_plane_angle_acceleration*slider_pin_pin_arm_x + rod_plane_angle_speed*slider_pin_pin_arm_rate_x
     crank_pin_apart_squared_rate_rate = 2*crank_pin_apart_rate_x*crank_pin_apart_rate_x + 2*crank_pin_apart_rate_y*crank_pin_apart_rate_y + 2*crank_pin_apart_acceleration_x*crank_pin_apart_x + 2*crank_pin_apart_acceleration_y*crank_pin_apart_y
-    crank_pin_gap_rate_rate = -crank_pin_apart_squared_rate_rate*k2
+    crank_pin_gap_rate_rate = -crank_pin_apart_squared_rate_rate*half_inverse_clearance
     slider_pin_apart_squared_rate_rate = 2*slider_pin_apart_rate_x*slider_pin_apart_rate_x + 2*slider_pin_apart_rate_y*slider_pin_apart_rate_y + 2*slider_pin_apart_acceleration_x*slider_pin_apart_x + 2*slider_pin_apart_acceleration_y*slider_pin_apart_y
-    slider_pin_gap_rate_rate = -k2*slider_pin_apart_squared_rate_rate
+    slider_pin_gap_rate_rate = -half_inverse_clearance*slider_pin_apart_squared_rate_rate
     return ca.vertcat(crank_pin_gap_rate_rate, slider_pin_gap_rate_rate)
 
 
@@ -445,7 +450,7 @@ def contact_crank_pin(t, q, u, z, m, c):
     crank_pin_R_min = c[10]
     crank_pin_K = c[11]
     crank_pin_hysteresis_factor = c[13]
-    k4 = c[14]
+    inverse_friction_speed = c[14]
     rod_plane_x = q[0]
     rod_plane_y = q[1]
     rod_plane_x_speed = u[0]
@@ -476,14 +481,14 @@ def contact_crank_pin(t, q, u, z, m, c):
     crank_pin_push_on_main_bearing = crank_pin_pin_arm_x*crank_pin_push_y - crank_pin_pin_arm_y*crank_pin_push_x
     crank_pin_push_on_rod_plane_angle = -crank_pin_apart_x*crank_pin_push_y - crank_pin_push_x*(rod_plane_y - crank_pin_pin_arm_y)
     crank_pin_sliding_velocity = crank_pin_normal_x*crank_pin_relative_rate_y - crank_pin_R_min*(crank_speed - rod_plane_angle_speed) - crank_pin_normal_y*crank_pin_relative_rate_x
-    crank_pin_friction_force = crank_pin_normal_force*friction_coefficient*ca.tanh(crank_pin_sliding_velocity*k4)
+    crank_pin_friction_force = crank_pin_normal_force*friction_coefficient*ca.tanh(crank_pin_sliding_velocity*inverse_friction_speed)
     crank_pin_friction_power = crank_pin_friction_force*crank_pin_sliding_velocity
     crank_pin_drag_x = crank_pin_friction_force*crank_pin_normal_y
     crank_pin_drag_y = -crank_pin_friction_force*crank_pin_normal_x
-    x1 = crank_pin_R_min*crank_pin_normal_y
-    x2 = -crank_pin_R_min*crank_pin_normal_x
-    crank_pin_drag_on_main_bearing = crank_pin_drag_x*(x1 - crank_pin_pin_arm_y) + crank_pin_drag_y*(crank_pin_pin_arm_x + x2)
-    crank_pin_drag_on_rod_plane_angle = -crank_pin_drag_x*(rod_plane_y + x1 - crank_pin_pin_arm_y) - crank_pin_drag_y*(crank_pin_pin_arm_x + x2 - rod_plane_x)
+    crank_pin_R_min_times_crank_pin_normal_y = crank_pin_R_min*crank_pin_normal_y
+    minus_crank_pin_R_min_times_crank_pin_normal_x = -crank_pin_R_min*crank_pin_normal_x
+    crank_pin_drag_on_main_bearing = crank_pin_drag_x*(crank_pin_R_min_times_crank_pin_normal_y - crank_pin_pin_arm_y) + crank_pin_drag_y*(crank_pin_pin_arm_x + minus_crank_pin_R_min_times_crank_pin_normal_x)
+    crank_pin_drag_on_rod_plane_angle = -crank_pin_drag_x*(rod_plane_y + crank_pin_R_min_times_crank_pin_normal_y - crank_pin_pin_arm_y) - crank_pin_drag_y*(crank_pin_pin_arm_x + minus_crank_pin_R_min_times_crank_pin_normal_x - rod_plane_x)
     crank_pin_in_range = ca.if_else(crank_pin_penetration <= crank_pin_R_min, 1, 0)
     return (
         ca.vertcat(-crank_pin_drag_x - crank_pin_push_x, -crank_pin_drag_y - crank_pin_push_y,
@@ -515,7 +520,7 @@ def contact_slider_pin(t, q, u, z, m, c):
     crank_pin_R_min = c[10]
     crank_pin_K = c[11]
     crank_pin_hysteresis_factor = c[13]
-    k4 = c[14]
+    inverse_friction_speed = c[14]
     rod_plane_x = q[0]
     rod_plane_y = q[1]
     rod_plane_angle = q[2]
@@ -547,7 +552,7 @@ def contact_slider_pin(t, q, u, z, m, c):
     slider_pin_push_y = slider_pin_normal_force*slider_pin_normal_y
     slider_pin_push_on_rod_plane_angle = slider_pin_pin_arm_x*slider_pin_push_y - slider_pin_pin_arm_y*slider_pin_push_x
     slider_pin_sliding_velocity = slider_pin_normal_x*slider_pin_relative_rate_y - crank_pin_R_min*rod_plane_angle_speed - slider_pin_normal_y*slider_pin_relative_rate_x
-    slider_pin_friction_force = slider_pin_normal_force*friction_coefficient*ca.tanh(k4*slider_pin_sliding_velocity)
+    slider_pin_friction_force = slider_pin_normal_force*friction_coefficient*ca.tanh(inverse_friction_speed*slider_pin_sliding_velocity)
     slider_pin_friction_power = slider_pin_friction_force*slider_pin_sliding_velocity
     slider_pin_drag_x = slider_pin_friction_force*slider_pin_normal_y
     slider_pin_drag_y = -slider_pin_friction_force*slider_pin_normal_x
@@ -591,8 +596,8 @@ def accelerations(t, q, u, f, c):
     """
     rod_mass = c[0]
     rod_h_x = c[15]
-    k5 = c[16]
-    k6 = c[17]
+    inverse_rod_I_z_z = c[16]
+    inverse_slider_mass = c[17]
     rod_plane_angle = q[2]
     rod_plane_angle_speed = u[2]
     rod_plane_x_force = f[0]
@@ -609,9 +614,9 @@ def accelerations(t, q, u, f, c):
     rod_force_y = -rod_moment_y*rod_rate_zz
     rod_plane_x_net = rod_plane_x_force - rod_force_x
     rod_plane_y_net = rod_plane_y_force - rod_force_y
-    l_rod_plane_y_rod_plane_angle = k5*rod_moment_x
+    l_rod_plane_y_rod_plane_angle = inverse_rod_I_z_z*rod_moment_x
     D_rod_plane_y = rod_mass - l_rod_plane_y_rod_plane_angle*rod_moment_x
-    l_rod_plane_x_rod_plane_angle = -k5*rod_moment_y
+    l_rod_plane_x_rod_plane_angle = -inverse_rod_I_z_z*rod_moment_y
     L_rod_plane_x_rod_plane_y = l_rod_plane_y_rod_plane_angle*rod_moment_y
     l_rod_plane_x_rod_plane_y = L_rod_plane_x_rod_plane_y/D_rod_plane_y
     D_rod_plane_x = l_rod_plane_x_rod_plane_angle*rod_moment_y + rod_mass - L_rod_plane_x_rod_plane_y*l_rod_plane_x_rod_plane_y
@@ -619,8 +624,8 @@ def accelerations(t, q, u, f, c):
     y_rod_plane_x = rod_plane_x_net - l_rod_plane_x_rod_plane_angle*rod_plane_angle_force - l_rod_plane_x_rod_plane_y*y_rod_plane_y
     rod_plane_x_acc = y_rod_plane_x/D_rod_plane_x
     rod_plane_y_acc = y_rod_plane_y/D_rod_plane_y - l_rod_plane_x_rod_plane_y*rod_plane_x_acc
-    rod_plane_angle_acc = k5*rod_plane_angle_force - l_rod_plane_x_rod_plane_angle*rod_plane_x_acc - l_rod_plane_y_rod_plane_angle*rod_plane_y_acc
-    guide_acc = guide_force*k6
+    rod_plane_angle_acc = inverse_rod_I_z_z*rod_plane_angle_force - l_rod_plane_x_rod_plane_angle*rod_plane_x_acc - l_rod_plane_y_rod_plane_angle*rod_plane_y_acc
+    guide_acc = guide_force*inverse_slider_mass
     return (
         ca.vertcat(rod_plane_x_acc, rod_plane_y_acc, rod_plane_angle_acc, guide_acc),
         ca.vertcat(-main_bearing_force),
@@ -654,13 +659,13 @@ def energy(t, q, u, c):
     crank_radius = c[3]
     rod_length = c[4]
     crank_speed = c[5]
-    k3 = c[12]
+    two_fifths_of_crank_pin_K = c[12]
     rod_h_x = c[15]
-    k7 = c[18]
-    k8 = c[19]
-    k9 = c[20]
-    k10 = c[21]
-    k11 = c[22]
+    half_rod_I_z_z = c[18]
+    half_slider_mass = c[19]
+    half_rod_mass = c[20]
+    half_crank_speed_squared_times_crank_inertia = c[21]
+    gravity_times_rod_mass = c[22]
     rod_plane_x = q[0]
     rod_plane_y = q[1]
     rod_plane_angle = q[2]
@@ -686,15 +691,15 @@ def energy(t, q, u, c):
     slider_pin_apart_squared = slider_pin_apart_x*slider_pin_apart_x + slider_pin_apart_y*slider_pin_apart_y
     crank_pin_distance = ca.sqrt(crank_pin_apart_squared)
     crank_pin_penetration = crank_pin_distance - clearance
-    crank_pin_stored_energy = ca.if_else(crank_pin_penetration > 0, k3*crank_pin_penetration*crank_pin_penetration*ca.sqrt(crank_pin_penetration), 0)
+    crank_pin_stored_energy = ca.if_else(crank_pin_penetration > 0, two_fifths_of_crank_pin_K*crank_pin_penetration*crank_pin_penetration*ca.sqrt(crank_pin_penetration), 0)
     slider_pin_distance = ca.sqrt(slider_pin_apart_squared)
     slider_pin_penetration = slider_pin_distance - clearance
-    slider_pin_stored_energy = ca.if_else(slider_pin_penetration > 0, k3*slider_pin_penetration*slider_pin_penetration*ca.sqrt(slider_pin_penetration), 0)
+    slider_pin_stored_energy = ca.if_else(slider_pin_penetration > 0, two_fifths_of_crank_pin_K*slider_pin_penetration*slider_pin_penetration*ca.sqrt(slider_pin_penetration), 0)
     rod_moment_x = cos_rod*rod_h_x
     rod_moment_y = rod_h_x*sin_rod
-    kinetic = k10 + k7*rod_plane_angle_speed*rod_plane_angle_speed + k8*guide_speed*guide_speed + k9*(rod_plane_x_speed*rod_plane_x_speed + rod_plane_y_speed*rod_plane_y_speed) + rod_moment_x*rod_plane_angle_speed*rod_plane_y_speed - rod_moment_y*rod_plane_angle_speed*rod_plane_x_speed
+    kinetic = half_crank_speed_squared_times_crank_inertia + half_rod_I_z_z*rod_plane_angle_speed*rod_plane_angle_speed + half_slider_mass*guide_speed*guide_speed + half_rod_mass*(rod_plane_x_speed*rod_plane_x_speed + rod_plane_y_speed*rod_plane_y_speed) + rod_moment_x*rod_plane_angle_speed*rod_plane_y_speed - rod_moment_y*rod_plane_angle_speed*rod_plane_x_speed
     rod_centre_arm_y = sin_rod*rod_mass_centre
-    potential = k11*(rod_centre_arm_y + rod_plane_y)
+    potential = gravity_times_rod_mass*(rod_centre_arm_y + rod_plane_y)
     return ca.vertcat(kinetic), ca.vertcat(potential), ca.vertcat(crank_pin_stored_energy, slider_pin_stored_energy)
 
 
@@ -770,8 +775,8 @@ def speed_limits(p):
     """
     youngs_modulus = p[12]
     density = p[14]
-    x1 = youngs_modulus/density
-    x2 = ca.sqrt(x1)
+    youngs_modulus_over_density = youngs_modulus/density
+    x2 = ca.sqrt(youngs_modulus_over_density)
     x3 = 1e-05*x2
     return ca.vertcat(x3, x3)
 
@@ -814,7 +819,7 @@ def landmarks(p):
     clearance = p[7]
     crank_radius = p[8]
     rod_length = p[9]
-    x1 = bush_radius - clearance
+    bush_radius_minus_clearance = bush_radius - clearance
     return (
         ca.vertcat(0, 0, 0, 0, 0, 1),
         ca.vertcat(0, 0, 0, 0, 0, 1),
@@ -822,9 +827,9 @@ def landmarks(p):
         ca.vertcat(0, 0, 0, 0, 0, 1),
         ca.vertcat(0, 0, 0, 1, 0, 0),
         ca.vertcat(0, 0, 0, 1, 0, 0),
-        ca.vertcat(crank_radius, 0, 0, x1),
+        ca.vertcat(crank_radius, 0, 0, bush_radius_minus_clearance),
         ca.vertcat(0, 0, 0, bush_radius, 0, 0, 1),
-        ca.vertcat(rod_length, 0, 0, x1),
+        ca.vertcat(rod_length, 0, 0, bush_radius_minus_clearance),
         ca.vertcat(0, 0, 0, bush_radius, 0, 0, 1),
         ca.vertcat(0, 0, 0, 0, 0, 1),
         ca.vertcat(0, 0, 0, 0, -1, 0),

@@ -85,10 +85,10 @@ CONSTANTS = (
     ("radius", "m"),
     ("gravity", "m/s^2"),
     ("stiffness", "N/m^1.5"),
-    ("k1", "N/m^1.5"),
-    ("k2", "1/kg"),
-    ("k3", "kg"),
-    ("k4", "N"),
+    ("two_fifths_of_stiffness", "N/m^1.5"),
+    ("inverse_mass", "1/kg"),
+    ("half_mass", "kg"),
+    ("gravity_times_mass", "N"),
 )
 
 OPERATIONS = (
@@ -114,17 +114,19 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (8,): mass, radius, gravity, stiffness, k1, k2, k3, k4
+        c (8,): mass, radius, gravity, stiffness, two_fifths_of_stiffness, inverse_mass, half_mass,
+            gravity_times_mass
     """
     mass = p[0]
     radius = p[1]
     gravity = p[2]
     stiffness = p[3]
-    k1 = 2*stiffness/5
-    k2 = 1/mass
-    k3 = mass/2
-    k4 = gravity*mass
-    return ca.vertcat(mass, radius, gravity, stiffness, k1, k2, k3, k4)
+    two_fifths_of_stiffness = 2*stiffness/5
+    inverse_mass = 1/mass
+    half_mass = mass/2
+    gravity_times_mass = gravity*mass
+    return ca.vertcat(mass, radius, gravity, stiffness, two_fifths_of_stiffness, inverse_mass, half_mass,
+        gravity_times_mass)
 
 
 def start(p):
@@ -161,10 +163,10 @@ def scales(p):
     x3 = 5**(2/5)
     x4 = x1**(2/5)
     x5 = x2*x3*x4/2
-    x6 = ca.sqrt(2)
-    x7 = drop_height*gravity
-    x8 = ca.sqrt(x7)
-    x9 = x6*x8
+    sqrt_2 = ca.sqrt(2)
+    drop_height_times_gravity = drop_height*gravity
+    x8 = ca.sqrt(drop_height_times_gravity)
+    x9 = sqrt_2*x8
     return ca.vertcat(x5), ca.vertcat(x9), ca.vertcat(energy_scale), ca.vertcat(x5, x9, force_scale, energy_scale)
 
 
@@ -251,9 +253,9 @@ def accelerations(t, q, u, f, c):
         a (1,): vertical.acceleration [m/s^2]
         reactions (0,): empty
     """
-    k2 = c[5]
+    inverse_mass = c[5]
     vertical_force = f[0]
-    vertical_acc = k2*vertical_force
+    vertical_acc = inverse_mass*vertical_force
     return ca.vertcat(vertical_acc), ca.vertcat()
 
 
@@ -277,15 +279,15 @@ def energy(t, q, u, c):
         stored (1,): floor [J]
     """
     radius = c[1]
-    k1 = c[4]
-    k3 = c[6]
-    k4 = c[7]
+    two_fifths_of_stiffness = c[4]
+    half_mass = c[6]
+    gravity_times_mass = c[7]
     vertical_travel = q[0]
     vertical_speed = u[0]
     floor_gap = vertical_travel - radius
-    floor_stored_energy = ca.if_else(-floor_gap > 0, k1*(-floor_gap)**2*ca.sqrt(-floor_gap), 0)
-    kinetic = k3*vertical_speed*vertical_speed
-    potential = k4*vertical_travel
+    floor_stored_energy = ca.if_else(-floor_gap > 0, two_fifths_of_stiffness*(-floor_gap)**2*ca.sqrt(-floor_gap), 0)
+    kinetic = half_mass*vertical_speed*vertical_speed
+    potential = gravity_times_mass*vertical_travel
     return ca.vertcat(kinetic), ca.vertcat(potential), ca.vertcat(floor_stored_energy)
 
 

@@ -152,28 +152,28 @@ CONSTANTS = (
     ("crank_length", "m"),
     ("crank_speed", "1/s"),
     ("gravity", "m/s^2"),
-    ("k1", "m^2"),
-    ("k2", "1/m"),
+    ("clearance_squared", "m^2"),
+    ("half_inverse_clearance", "1/m"),
     ("crank_ball_R_min", "m"),
     ("crank_ball_K", "N/m^1.5"),
-    ("k3", "N/m^1.5"),
+    ("two_fifths_of_crank_ball_K", "N/m^1.5"),
     ("crank_ball_hysteresis_factor", "1"),
     ("slider_total_mass", "kg"),
     ("rod_h_x", "kg m"),
     ("rod_I_z_z", "kg m^2"),
-    ("k4", "kg m^2"),
-    ("k5", "kg m^2"),
-    ("k6", "kg m^2"),
-    ("k7", "1/(kg m^2)"),
-    ("k8", "kg m^2"),
-    ("k9", "kg m^2"),
-    ("k10", "kg"),
-    ("k11", "kg m^2"),
-    ("k12", "kg"),
-    ("k13", "J"),
-    ("k14", "m"),
-    ("k15", "N"),
-    ("k16", "J"),
+    ("rod_I_y_y_minus_rod_I_z_z", "kg m^2"),
+    ("rod_inertia_x_minus_rod_I_z_z", "kg m^2"),
+    ("rod_inertia_x_minus_rod_I_y_y", "kg m^2"),
+    ("inverse_rod_I_y_y", "1/(kg m^2)"),
+    ("half_rod_I_y_y", "kg m^2"),
+    ("half_rod_I_z_z", "kg m^2"),
+    ("half_slider_mass", "kg"),
+    ("half_rod_inertia_x", "kg m^2"),
+    ("half_rod_mass", "kg"),
+    ("half_crank_speed_squared_times_crank_inertia_x", "J"),
+    ("half_rod_length", "m"),
+    ("gravity_times_rod_mass", "N"),
+    ("bearing_z_times_crank_mass_times_gravity", "J"),
 )
 
 OPERATIONS = (
@@ -201,9 +201,13 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (30,): rod_inertia_x, rod_length, bearing_y, bearing_z, clearance, crank_length, crank_speed, gravity, k1,
-            k2, crank_ball_R_min, crank_ball_K, k3, crank_ball_hysteresis_factor, slider_total_mass, rod_h_x,
-            rod_I_z_z, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16
+        c (30,): rod_inertia_x, rod_length, bearing_y, bearing_z, clearance, crank_length, crank_speed, gravity,
+            clearance_squared, half_inverse_clearance, crank_ball_R_min, crank_ball_K, two_fifths_of_crank_ball_K,
+            crank_ball_hysteresis_factor, slider_total_mass, rod_h_x, rod_I_z_z, rod_I_y_y_minus_rod_I_z_z,
+            rod_inertia_x_minus_rod_I_z_z, rod_inertia_x_minus_rod_I_y_y, inverse_rod_I_y_y, half_rod_I_y_y,
+            half_rod_I_z_z, half_slider_mass, half_rod_inertia_x, half_rod_mass,
+            half_crank_speed_squared_times_crank_inertia_x, half_rod_length, gravity_times_rod_mass,
+            bearing_z_times_crank_mass_times_gravity
     """
     crank_mass = p[0]
     crank_inertia_x = p[1]
@@ -223,36 +227,40 @@ def constants(p):
     youngs_modulus = p[17]
     poissons_ratio = p[18]
     restitution = p[20]
-    k1 = clearance*clearance
-    k2 = 1/(2*clearance)
-    x1 = socket_radius - clearance
-    crank_ball_R_eff = x1*socket_radius/clearance
+    clearance_squared = clearance*clearance
+    half_inverse_clearance = 1/(2*clearance)
+    crank_ball_R_min = socket_radius - clearance
+    crank_ball_R_eff = crank_ball_R_min*socket_radius/clearance
     crank_ball_E_eff = youngs_modulus/(2*(1 - poissons_ratio*poissons_ratio))
     crank_ball_K = 4*crank_ball_E_eff*ca.sqrt(crank_ball_R_eff)/3
-    k3 = 2*crank_ball_K/5
+    two_fifths_of_crank_ball_K = 2*crank_ball_K/5
     crank_ball_hysteresis_factor = (8 - 8*restitution)/(5*restitution)
     slider_total_mass = rod_mass + slider_mass
     rod_h_x = -rod_length*rod_mass/2
-    x2 = rod_length*rod_length
-    x3 = x2*rod_mass/4
-    rod_I_z_z = x3 + rod_inertia_z
-    rod_I_y_y = x3 + rod_inertia_y
-    k4 = rod_I_y_y - rod_I_z_z
-    k5 = rod_inertia_x - rod_I_z_z
-    k6 = rod_inertia_x - rod_I_y_y
-    k7 = 1/rod_I_y_y
-    k8 = rod_I_y_y/2
-    k9 = rod_I_z_z/2
-    k10 = slider_mass/2
-    k11 = rod_inertia_x/2
-    k12 = rod_mass/2
-    k13 = crank_speed*crank_speed*crank_inertia_x/2
-    k14 = rod_length/2
-    k15 = gravity*rod_mass
-    k16 = bearing_z*crank_mass*gravity
+    rod_length_squared = rod_length*rod_length
+    quarter_of_rod_length_squared_times_rod_mass = rod_length_squared*rod_mass/4
+    rod_I_z_z = quarter_of_rod_length_squared_times_rod_mass + rod_inertia_z
+    rod_I_y_y = quarter_of_rod_length_squared_times_rod_mass + rod_inertia_y
+    rod_I_y_y_minus_rod_I_z_z = rod_I_y_y - rod_I_z_z
+    rod_inertia_x_minus_rod_I_z_z = rod_inertia_x - rod_I_z_z
+    rod_inertia_x_minus_rod_I_y_y = rod_inertia_x - rod_I_y_y
+    inverse_rod_I_y_y = 1/rod_I_y_y
+    half_rod_I_y_y = rod_I_y_y/2
+    half_rod_I_z_z = rod_I_z_z/2
+    half_slider_mass = slider_mass/2
+    half_rod_inertia_x = rod_inertia_x/2
+    half_rod_mass = rod_mass/2
+    half_crank_speed_squared_times_crank_inertia_x = crank_speed*crank_speed*crank_inertia_x/2
+    half_rod_length = rod_length/2
+    gravity_times_rod_mass = gravity*rod_mass
+    bearing_z_times_crank_mass_times_gravity = bearing_z*crank_mass*gravity
     return ca.vertcat(rod_inertia_x, rod_length, bearing_y, bearing_z, clearance, crank_length, crank_speed,
-        gravity, k1, k2, x1, crank_ball_K, k3, crank_ball_hysteresis_factor, slider_total_mass, rod_h_x, rod_I_z_z,
-        k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14, k15, k16)
+        gravity, clearance_squared, half_inverse_clearance, crank_ball_R_min, crank_ball_K,
+        two_fifths_of_crank_ball_K, crank_ball_hysteresis_factor, slider_total_mass, rod_h_x, rod_I_z_z,
+        rod_I_y_y_minus_rod_I_z_z, rod_inertia_x_minus_rod_I_z_z, rod_inertia_x_minus_rod_I_y_y, inverse_rod_I_y_y,
+        half_rod_I_y_y, half_rod_I_z_z, half_slider_mass, half_rod_inertia_x, half_rod_mass,
+        half_crank_speed_squared_times_crank_inertia_x, half_rod_length, gravity_times_rod_mass,
+        bearing_z_times_crank_mass_times_gravity)
 
 
 def start(p):
@@ -268,16 +276,16 @@ def start(p):
     bearing_z = p[11]
     crank_length = p[14]
     crank_speed = p[15]
-    x1 = rod_length*rod_length
-    x2 = bearing_z + crank_length
-    x3 = x2*x2
+    rod_length_squared = rod_length*rod_length
+    bearing_z_plus_crank_length = bearing_z + crank_length
+    x3 = bearing_z_plus_crank_length*bearing_z_plus_crank_length
     x4 = -x3
-    x5 = bearing_y*bearing_y
-    x6 = -x5
-    x7 = x1 + x4 + x6
+    bearing_y_squared = bearing_y*bearing_y
+    minus_bearing_y_squared = -bearing_y_squared
+    x7 = rod_length_squared + x4 + minus_bearing_y_squared
     x8 = 1/ca.sqrt(x7)
     return (
-        ca.vertcat(ca.sqrt(x7), -ca.atan(x8*bearing_y), ca.asin(x2/rod_length)),
+        ca.vertcat(ca.sqrt(x7), -ca.atan(x8*bearing_y), ca.asin(bearing_z_plus_crank_length/rod_length)),
         ca.vertcat(x8*bearing_y*crank_length*crank_speed, x8*crank_length*crank_speed, 0),
     )
 
@@ -302,14 +310,15 @@ def scales(p):
     total_mass = crank_mass + rod_mass + slider_mass
     energy_scale = total_mass*crank_length*crank_length*crank_speed*crank_speed/2
     force_scale = energy_scale/clearance
-    x1 = clearance/rod_length
-    x2 = crank_length*crank_speed
-    x3 = crank_length*crank_speed/rod_length
+    clearance_over_rod_length = clearance/rod_length
+    crank_length_times_crank_speed = crank_length*crank_speed
+    crank_length_times_crank_speed_over_rod_length = crank_length*crank_speed/rod_length
     return (
-        ca.vertcat(clearance, x1, x1),
-        ca.vertcat(x2, x3, x3),
+        ca.vertcat(clearance, clearance_over_rod_length, clearance_over_rod_length),
+        ca.vertcat(crank_length_times_crank_speed, crank_length_times_crank_speed_over_rod_length,
+            crank_length_times_crank_speed_over_rod_length),
         ca.vertcat(energy_scale, energy_scale),
-        ca.vertcat(clearance, x2, force_scale, energy_scale),
+        ca.vertcat(clearance, crank_length_times_crank_speed, force_scale, energy_scale),
     )
 
 
@@ -339,8 +348,8 @@ def gaps(t, q, u, c):
     bearing_z = c[3]
     crank_length = c[5]
     crank_speed = c[6]
-    k1 = c[8]
-    k2 = c[9]
+    clearance_squared = c[8]
+    half_inverse_clearance = c[9]
     guide_travel = q[0]
     slider_joint_angle_1 = q[1]
     slider_joint_angle_2 = q[2]
@@ -375,9 +384,9 @@ def gaps(t, q, u, c):
     crank_ball_apart_rate_y = crank_ball_ball_arm_rate_y - crank_ball_socket_arm_rate_y
     crank_ball_apart_rate_z = crank_ball_ball_arm_rate_z - crank_ball_socket_arm_rate_z
     crank_ball_apart_squared = crank_ball_apart_x*crank_ball_apart_x + crank_ball_apart_y*crank_ball_apart_y + crank_ball_apart_z*crank_ball_apart_z
-    crank_ball_gap = k2*(k1 - crank_ball_apart_squared)
+    crank_ball_gap = half_inverse_clearance*(clearance_squared - crank_ball_apart_squared)
     crank_ball_apart_squared_rate = 2*crank_ball_apart_rate_x*crank_ball_apart_x + 2*crank_ball_apart_rate_y*crank_ball_apart_y + 2*crank_ball_apart_rate_z*crank_ball_apart_z
-    crank_ball_gap_rate = -crank_ball_apart_squared_rate*k2
+    crank_ball_gap_rate = -crank_ball_apart_squared_rate*half_inverse_clearance
     return ca.vertcat(crank_ball_gap), ca.vertcat(crank_ball_gap_rate)
 
 
@@ -393,7 +402,7 @@ def gap_accelerations(t, q, u, a, c):
     bearing_z = c[3]
     crank_length = c[5]
     crank_speed = c[6]
-    k2 = c[9]
+    half_inverse_clearance = c[9]
     guide_travel = q[0]
     slider_joint_angle_1 = q[1]
     slider_joint_angle_2 = q[2]
@@ -436,7 +445,7 @@ def gap_accelerations(t, q, u, a, c):
     crank_ball_apart_acceleration_y = crank_ball_ball_arm_rate_x*slider_joint_angle_1_speed + crank_ball_ball_arm_x*slider_joint_angle_1_acceleration + crank_ball_socket_arm_rate_z*crank_speed - crank_ball_ball_arm_rate_z*rod_turning_x - crank_ball_ball_arm_z*rod_angular_acceleration_x
     crank_ball_apart_acceleration_z = crank_ball_ball_arm_rate_y*rod_turning_x + crank_ball_ball_arm_y*rod_angular_acceleration_x - crank_ball_ball_arm_rate_x*rod_turning_y - crank_ball_ball_arm_x*rod_angular_acceleration_y - crank_ball_socket_arm_rate_y*crank_speed
     crank_ball_apart_squared_rate_rate = 2*crank_ball_apart_rate_x*crank_ball_apart_rate_x + 2*crank_ball_apart_rate_y*crank_ball_apart_rate_y + 2*crank_ball_apart_rate_z*crank_ball_apart_rate_z + 2*crank_ball_apart_acceleration_x*crank_ball_apart_x + 2*crank_ball_apart_acceleration_y*crank_ball_apart_y + 2*crank_ball_apart_acceleration_z*crank_ball_apart_z
-    crank_ball_gap_rate_rate = -crank_ball_apart_squared_rate_rate*k2
+    crank_ball_gap_rate_rate = -crank_ball_apart_squared_rate_rate*half_inverse_clearance
     return ca.vertcat(crank_ball_gap_rate_rate)
 
 
@@ -496,8 +505,8 @@ def contact_crank_ball(t, q, u, z, m, c):
     crank_ball_normal_z = -crank_ball_apart_z/crank_ball_distance
     crank_ball_relative_rate_x = guide_speed + crank_ball_ball_arm_z*rod_turning_y - crank_ball_ball_arm_y*slider_joint_angle_1_speed
     crank_ball_relative_rate_y = crank_ball_ball_arm_x*slider_joint_angle_1_speed + (crank_ball_ball_arm_z - bearing_z)*crank_speed - crank_ball_ball_arm_z*rod_turning_x
-    x1 = crank_ball_ball_arm_y - bearing_y
-    crank_ball_relative_rate_z = crank_ball_ball_arm_y*rod_turning_x - crank_ball_ball_arm_x*rod_turning_y - x1*crank_speed
+    crank_ball_ball_arm_y_minus_bearing_y = crank_ball_ball_arm_y - bearing_y
+    crank_ball_relative_rate_z = crank_ball_ball_arm_y*rod_turning_x - crank_ball_ball_arm_x*rod_turning_y - crank_ball_ball_arm_y_minus_bearing_y*crank_speed
     crank_ball_penetration_rate = -crank_ball_normal_x*crank_ball_relative_rate_x - crank_ball_normal_y*crank_ball_relative_rate_y - crank_ball_normal_z*crank_ball_relative_rate_z
     crank_ball_resistance = crank_ball_elastic_force*crank_ball_hysteresis_factor*crank_ball_penetration_rate/crank_ball_approach_speed
     crank_ball_normal_force = crank_ball_elastic_force + crank_ball_resistance
@@ -507,7 +516,7 @@ def contact_crank_ball(t, q, u, z, m, c):
     crank_ball_push_z = crank_ball_normal_force*crank_ball_normal_z
     crank_ball_push_on_slider_joint_angle_1 = crank_ball_ball_arm_x*crank_ball_push_y - crank_ball_ball_arm_y*crank_ball_push_x
     crank_ball_push_on_slider_joint_angle_2 = crank_ball_push_z*(-cos_slider_joint_angle_1*crank_ball_ball_arm_x - crank_ball_ball_arm_y*sin_slider_joint_angle_1) + cos_slider_joint_angle_1*crank_ball_ball_arm_z*crank_ball_push_x + crank_ball_ball_arm_z*crank_ball_push_y*sin_slider_joint_angle_1
-    crank_ball_push_on_main_bearing = -crank_ball_push_y*(bearing_z - crank_ball_ball_arm_z) - crank_ball_push_z*x1
+    crank_ball_push_on_main_bearing = -crank_ball_push_y*(bearing_z - crank_ball_ball_arm_z) - crank_ball_push_z*crank_ball_ball_arm_y_minus_bearing_y
     crank_ball_in_range = ca.if_else(crank_ball_penetration <= crank_ball_R_min, 1, 0)
     return (
         ca.vertcat(crank_ball_push_x, crank_ball_push_on_slider_joint_angle_1,
@@ -547,10 +556,10 @@ def accelerations(t, q, u, f, c):
     slider_total_mass = c[14]
     rod_h_x = c[15]
     rod_I_z_z = c[16]
-    k4 = c[17]
-    k5 = c[18]
-    k6 = c[19]
-    k7 = c[20]
+    rod_I_y_y_minus_rod_I_z_z = c[17]
+    rod_inertia_x_minus_rod_I_z_z = c[18]
+    rod_inertia_x_minus_rod_I_y_y = c[19]
+    inverse_rod_I_y_y = c[20]
     slider_joint_angle_1 = q[1]
     slider_joint_angle_2 = q[2]
     slider_joint_angle_1_speed = u[1]
@@ -579,22 +588,22 @@ def accelerations(t, q, u, f, c):
     slider_joint_angle_1_force_x = cos_slider_joint_angle_1*(cos_rod*rod_force_x + rod_force_z*sin_rod) - rod_force_y*sin_slider_joint_angle_1
     guide_net = guide_force - slider_joint_angle_1_force_x
     rod_rate_yz = rod_w_z*slider_joint_angle_2_speed
-    rod_torque_x = rod_angular_bias_x*rod_inertia_x - k4*rod_rate_yz
-    rod_torque_y = k5*rod_rate_zx
-    rod_torque_z = rod_I_z_z*rod_angular_bias_z - k6*rod_angular_bias_z
+    rod_torque_x = rod_angular_bias_x*rod_inertia_x - rod_I_y_y_minus_rod_I_z_z*rod_rate_yz
+    rod_torque_y = rod_inertia_x_minus_rod_I_z_z*rod_rate_zx
+    rod_torque_z = rod_I_z_z*rod_angular_bias_z - rod_inertia_x_minus_rod_I_y_y*rod_angular_bias_z
     slider_joint_angle_1_torque_z = cos_rod*rod_torque_z - rod_torque_x*sin_rod
     slider_joint_angle_1_net = slider_joint_angle_1_force - slider_joint_angle_1_torque_z
     slider_joint_angle_2_net = slider_joint_angle_2_force - rod_torque_y
-    rod_turned_J_swing = k5*sin_rod
+    rod_turned_J_swing = rod_inertia_x_minus_rod_I_z_z*sin_rod
     rod_turned_J_z_z = rod_I_z_z + rod_turned_J_swing*sin_rod
     slider_joint_angle_2_rod_force_x = -cos_slider_joint_angle_1*rod_h_x*sin_rod
-    l_guide_slider_joint_angle_2 = k7*slider_joint_angle_2_rod_force_x
+    l_guide_slider_joint_angle_2 = inverse_rod_I_y_y*slider_joint_angle_2_rod_force_x
     l_guide_slider_joint_angle_1 = -slider_joint_angle_1_total_moment_y/rod_turned_J_z_z
     D_guide = slider_total_mass + l_guide_slider_joint_angle_1*slider_joint_angle_1_total_moment_y - l_guide_slider_joint_angle_2*slider_joint_angle_2_rod_force_x
     y_guide = guide_net - l_guide_slider_joint_angle_1*slider_joint_angle_1_net - l_guide_slider_joint_angle_2*slider_joint_angle_2_net
     guide_acc = y_guide/D_guide
     slider_joint_angle_1_acc = slider_joint_angle_1_net/rod_turned_J_z_z - guide_acc*l_guide_slider_joint_angle_1
-    slider_joint_angle_2_acc = k7*slider_joint_angle_2_net - guide_acc*l_guide_slider_joint_angle_2
+    slider_joint_angle_2_acc = inverse_rod_I_y_y*slider_joint_angle_2_net - guide_acc*l_guide_slider_joint_angle_2
     return (
         ca.vertcat(guide_acc, slider_joint_angle_1_acc, slider_joint_angle_2_acc),
         ca.vertcat(-main_bearing_force),
@@ -628,17 +637,17 @@ def energy(t, q, u, c):
     clearance = c[4]
     crank_length = c[5]
     crank_speed = c[6]
-    k3 = c[12]
+    two_fifths_of_crank_ball_K = c[12]
     rod_h_x = c[15]
-    k8 = c[21]
-    k9 = c[22]
-    k10 = c[23]
-    k11 = c[24]
-    k12 = c[25]
-    k13 = c[26]
-    k14 = c[27]
-    k15 = c[28]
-    k16 = c[29]
+    half_rod_I_y_y = c[21]
+    half_rod_I_z_z = c[22]
+    half_slider_mass = c[23]
+    half_rod_inertia_x = c[24]
+    half_rod_mass = c[25]
+    half_crank_speed_squared_times_crank_inertia_x = c[26]
+    half_rod_length = c[27]
+    gravity_times_rod_mass = c[28]
+    bearing_z_times_crank_mass_times_gravity = c[29]
     guide_travel = q[0]
     slider_joint_angle_1 = q[1]
     slider_joint_angle_2 = q[2]
@@ -665,15 +674,15 @@ def energy(t, q, u, c):
     crank_ball_apart_squared = crank_ball_apart_x*crank_ball_apart_x + crank_ball_apart_y*crank_ball_apart_y + crank_ball_apart_z*crank_ball_apart_z
     crank_ball_distance = ca.sqrt(crank_ball_apart_squared)
     crank_ball_penetration = crank_ball_distance - clearance
-    crank_ball_stored_energy = ca.if_else(crank_ball_penetration > 0, k3*crank_ball_penetration*crank_ball_penetration*ca.sqrt(crank_ball_penetration), 0)
+    crank_ball_stored_energy = ca.if_else(crank_ball_penetration > 0, two_fifths_of_crank_ball_K*crank_ball_penetration*crank_ball_penetration*ca.sqrt(crank_ball_penetration), 0)
     rod_w_x = -sin_rod*slider_joint_angle_1_speed
     rod_w_z = cos_rod*slider_joint_angle_1_speed
     rod_velocity_x = cos_rod*cos_slider_joint_angle_1*guide_speed
     rod_velocity_y = -guide_speed*sin_slider_joint_angle_1
     rod_velocity_z = cos_slider_joint_angle_1*guide_speed*sin_rod
-    kinetic = k13 + k10*guide_speed*guide_speed + k11*rod_w_x*rod_w_x + k12*(rod_velocity_x*rod_velocity_x + rod_velocity_y*rod_velocity_y + rod_velocity_z*rod_velocity_z) + k8*slider_joint_angle_2_speed*slider_joint_angle_2_speed + k9*rod_w_z*rod_w_z + rod_h_x*rod_velocity_y*rod_w_z - rod_h_x*rod_velocity_z*slider_joint_angle_2_speed
-    rod_centre_arm_z = k14*sin_rod
-    potential = k16 + k15*rod_centre_arm_z
+    kinetic = half_crank_speed_squared_times_crank_inertia_x + half_slider_mass*guide_speed*guide_speed + half_rod_inertia_x*rod_w_x*rod_w_x + half_rod_mass*(rod_velocity_x*rod_velocity_x + rod_velocity_y*rod_velocity_y + rod_velocity_z*rod_velocity_z) + half_rod_I_y_y*slider_joint_angle_2_speed*slider_joint_angle_2_speed + half_rod_I_z_z*rod_w_z*rod_w_z + rod_h_x*rod_velocity_y*rod_w_z - rod_h_x*rod_velocity_z*slider_joint_angle_2_speed
+    rod_centre_arm_z = half_rod_length*sin_rod
+    potential = bearing_z_times_crank_mass_times_gravity + gravity_times_rod_mass*rod_centre_arm_z
     return ca.vertcat(kinetic), ca.vertcat(potential), ca.vertcat(crank_ball_stored_energy)
 
 

@@ -173,27 +173,27 @@ CONSTANTS = (
     ("friction_coefficient", "1"),
     ("rear_lower_second_arm_y", "m"),
     ("rear_upper_second_arm_y", "m"),
-    ("k1", "m"),
-    ("k2", "N/m^1.5"),
+    ("minus_half_guide_length", "m"),
+    ("two_fifths_of_stiffness", "N/m^1.5"),
     ("rear_lower_hysteresis_factor", "1"),
-    ("k3", "s/m"),
+    ("inverse_friction_speed", "s/m"),
     ("rod_h_x", "kg m"),
     ("crank_h_x", "kg m"),
     ("rod_total_J_z_z", "kg m^2"),
-    ("k4", "kg m^2"),
-    ("k5", "1/(kg m^2)"),
-    ("k6", "1/(kg m^2)"),
+    ("crank_I_z_z_plus_rod_total_J_z_z", "kg m^2"),
+    ("inverse_D_crank_pin", "1/(kg m^2)"),
+    ("inverse_slider_inertia", "1/(kg m^2)"),
     ("rod_h_x_2", "kg m"),
-    ("k7", "kg m^2"),
-    ("k8", "kg m^2"),
-    ("k9", "kg m^2"),
-    ("k10", "kg"),
-    ("k11", "kg"),
-    ("k12", "m"),
-    ("k13", "m"),
-    ("k14", "N"),
-    ("k15", "N"),
-    ("k16", "N"),
+    ("half_crank_I_z_z_2", "kg m^2"),
+    ("half_rod_I_z_z_2", "kg m^2"),
+    ("half_slider_inertia", "kg m^2"),
+    ("half_rod_mass", "kg"),
+    ("half_slider_mass", "kg"),
+    ("half_crank_length", "m"),
+    ("half_rod_length", "m"),
+    ("crank_mass_times_gravity", "N"),
+    ("gravity_times_slider_mass", "N"),
+    ("gravity_times_rod_mass", "N"),
 )
 
 OPERATIONS = (
@@ -223,9 +223,12 @@ def constants(p):
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
         c (31,): crank_length, rod_length, slider_inertia, half_length, half_width, gravity, stiffness,
-            friction_coefficient, rear_lower_second_arm_y, rear_upper_second_arm_y, k1, k2,
-            rear_lower_hysteresis_factor, k3, rod_h_x, crank_h_x, rod_total_J_z_z, k4, k5, k6, rod_h_x_2, k7, k8,
-            k9, k10, k11, k12, k13, k14, k15, k16
+            friction_coefficient, rear_lower_second_arm_y, rear_upper_second_arm_y, minus_half_guide_length,
+            two_fifths_of_stiffness, rear_lower_hysteresis_factor, inverse_friction_speed, rod_h_x, crank_h_x,
+            rod_total_J_z_z, crank_I_z_z_plus_rod_total_J_z_z, inverse_D_crank_pin, inverse_slider_inertia,
+            rod_h_x_2, half_crank_I_z_z_2, half_rod_I_z_z_2, half_slider_inertia, half_rod_mass, half_slider_mass,
+            half_crank_length, half_rod_length, crank_mass_times_gravity, gravity_times_slider_mass,
+            gravity_times_rod_mass
     """
     crank_mass = p[0]
     crank_inertia = p[1]
@@ -246,41 +249,44 @@ def constants(p):
     friction_speed = p[17]
     rear_lower_second_arm_y = -clearance - half_width
     rear_upper_second_arm_y = clearance + half_width
-    k1 = -guide_length/2
-    k2 = 2*stiffness/5
+    minus_half_guide_length = -guide_length/2
+    two_fifths_of_stiffness = 2*stiffness/5
     rear_lower_hysteresis_factor = (8 - 8*restitution)/(5*restitution)
-    k3 = 1/friction_speed
-    x1 = rod_length*rod_mass/2
-    rod_h_x = x1 + rod_length*slider_mass
+    inverse_friction_speed = 1/friction_speed
+    rod_h_x_2 = rod_length*rod_mass/2
+    rod_h_x = rod_h_x_2 + rod_length*slider_mass
     rod_total_mass = rod_mass + slider_mass
     crank_h_x = rod_total_mass*crank_length + crank_length*crank_mass/2
-    x2 = crank_length*crank_length
-    x3 = x2*crank_mass/4
-    crank_I_z_z = x3 + rod_total_mass*x2 + crank_inertia
-    x4 = rod_length*rod_length
-    x5 = x4*rod_mass/4
-    rod_I_z_z = x5 + x4*slider_mass + rod_inertia
+    crank_length_squared = crank_length*crank_length
+    quarter_of_crank_length_squared_times_crank_mass = crank_length_squared*crank_mass/4
+    crank_I_z_z = quarter_of_crank_length_squared_times_crank_mass + rod_total_mass*crank_length_squared + crank_inertia
+    rod_length_squared = rod_length*rod_length
+    quarter_of_rod_length_squared_times_rod_mass = rod_length_squared*rod_mass/4
+    rod_I_z_z = quarter_of_rod_length_squared_times_rod_mass + rod_length_squared*slider_mass + rod_inertia
     rod_total_J_z_z = rod_I_z_z + slider_inertia
-    k4 = crank_I_z_z + rod_total_J_z_z
+    crank_I_z_z_plus_rod_total_J_z_z = crank_I_z_z + rod_total_J_z_z
     D_crank_pin = rod_total_J_z_z - slider_inertia
-    k5 = 1/D_crank_pin
-    k6 = 1/slider_inertia
-    crank_I_z_z_2 = x3 + crank_inertia
-    rod_I_z_z_2 = x5 + rod_inertia
-    k7 = crank_I_z_z_2/2
-    k8 = rod_I_z_z_2/2
-    k9 = slider_inertia/2
-    k10 = rod_mass/2
-    k11 = slider_mass/2
-    k12 = crank_length/2
-    k13 = rod_length/2
-    k14 = crank_mass*gravity
-    k15 = gravity*slider_mass
-    k16 = gravity*rod_mass
+    inverse_D_crank_pin = 1/D_crank_pin
+    inverse_slider_inertia = 1/slider_inertia
+    crank_I_z_z_2 = quarter_of_crank_length_squared_times_crank_mass + crank_inertia
+    rod_I_z_z_2 = quarter_of_rod_length_squared_times_rod_mass + rod_inertia
+    half_crank_I_z_z_2 = crank_I_z_z_2/2
+    half_rod_I_z_z_2 = rod_I_z_z_2/2
+    half_slider_inertia = slider_inertia/2
+    half_rod_mass = rod_mass/2
+    half_slider_mass = slider_mass/2
+    half_crank_length = crank_length/2
+    half_rod_length = rod_length/2
+    crank_mass_times_gravity = crank_mass*gravity
+    gravity_times_slider_mass = gravity*slider_mass
+    gravity_times_rod_mass = gravity*rod_mass
     return ca.vertcat(crank_length, rod_length, slider_inertia, half_length, half_width, gravity, stiffness,
-        friction_coefficient, rear_lower_second_arm_y, rear_upper_second_arm_y, k1, k2,
-        rear_lower_hysteresis_factor, k3, rod_h_x, crank_h_x, rod_total_J_z_z, k4, k5, k6, x1, k7, k8, k9, k10, k11,
-        k12, k13, k14, k15, k16)
+        friction_coefficient, rear_lower_second_arm_y, rear_upper_second_arm_y, minus_half_guide_length,
+        two_fifths_of_stiffness, rear_lower_hysteresis_factor, inverse_friction_speed, rod_h_x, crank_h_x,
+        rod_total_J_z_z, crank_I_z_z_plus_rod_total_J_z_z, inverse_D_crank_pin, inverse_slider_inertia, rod_h_x_2,
+        half_crank_I_z_z_2, half_rod_I_z_z_2, half_slider_inertia, half_rod_mass, half_slider_mass,
+        half_crank_length, half_rod_length, crank_mass_times_gravity, gravity_times_slider_mass,
+        gravity_times_rod_mass)
 
 
 def start(p):
@@ -318,11 +324,12 @@ def scales(p):
     total_mass = crank_mass + rod_mass + slider_mass
     energy_scale = total_mass*crank_length*crank_length*crank_speed*crank_speed/2
     force_scale = energy_scale/clearance
-    x1 = clearance/rod_length
-    x2 = crank_length*crank_speed/rod_length
+    clearance_over_rod_length = clearance/rod_length
+    crank_length_times_crank_speed_over_rod_length = crank_length*crank_speed/rod_length
     return (
-        ca.vertcat(x1, x1, x1),
-        ca.vertcat(x2, x2, x2),
+        ca.vertcat(clearance_over_rod_length, clearance_over_rod_length, clearance_over_rod_length),
+        ca.vertcat(crank_length_times_crank_speed_over_rod_length, crank_length_times_crank_speed_over_rod_length,
+            crank_length_times_crank_speed_over_rod_length),
         ca.vertcat(energy_scale, energy_scale, energy_scale, energy_scale, energy_scale, energy_scale, energy_scale,
             energy_scale),
         ca.vertcat(clearance, crank_length*crank_speed, force_scale, energy_scale),
@@ -356,7 +363,7 @@ def gaps(t, q, u, c):
     half_width = c[4]
     rear_lower_second_arm_y = c[8]
     rear_upper_second_arm_y = c[9]
-    k1 = c[10]
+    minus_half_guide_length = c[10]
     main_bearing_angle = q[0]
     crank_pin_angle = q[1]
     slider_pin_angle = q[2]
@@ -385,53 +392,53 @@ def gaps(t, q, u, c):
     slider_y = rod_arm_y + slider_arm_y
     slider_velocity_x = rod_arm_rate_x + slider_arm_rate_x
     slider_velocity_y = rod_arm_rate_y + slider_arm_rate_y
-    x1 = sin_slider*half_width
-    x2 = -cos_slider*half_length
-    rear_lower_first_arm_x = x1 + x2
-    x3 = -cos_slider*half_width
-    x4 = -sin_slider*half_length
-    rear_lower_first_arm_y = x3 + x4
+    sin_slider_times_half_width = sin_slider*half_width
+    minus_cos_slider_times_half_length = -cos_slider*half_length
+    rear_lower_first_arm_x = sin_slider_times_half_width + minus_cos_slider_times_half_length
+    minus_cos_slider_times_half_width = -cos_slider*half_width
+    minus_sin_slider_times_half_length = -sin_slider*half_length
+    rear_lower_first_arm_y = minus_cos_slider_times_half_width + minus_sin_slider_times_half_length
     rear_lower_first_arm_rate_x = -rear_lower_first_arm_y*slider_rate_z
     rear_lower_first_arm_rate_y = rear_lower_first_arm_x*slider_rate_z
     rear_lower_apart_x = rear_lower_first_arm_x + slider_x - rod_length
     rear_lower_apart_y = rear_lower_first_arm_y + slider_y - rear_lower_second_arm_y
     rear_lower_apart_rate_x = rear_lower_first_arm_rate_x + slider_velocity_x
     rear_lower_apart_rate_y = rear_lower_first_arm_rate_y + slider_velocity_y
-    x5 = -sin_slider*half_width
-    rear_upper_first_arm_x = x2 + x5
-    x6 = cos_slider*half_width
-    rear_upper_first_arm_y = x4 + x6
+    minus_sin_slider_times_half_width = -sin_slider*half_width
+    rear_upper_first_arm_x = minus_cos_slider_times_half_length + minus_sin_slider_times_half_width
+    cos_slider_times_half_width = cos_slider*half_width
+    rear_upper_first_arm_y = minus_sin_slider_times_half_length + cos_slider_times_half_width
     rear_upper_first_arm_rate_x = -rear_upper_first_arm_y*slider_rate_z
     rear_upper_first_arm_rate_y = rear_upper_first_arm_x*slider_rate_z
     rear_upper_apart_x = rear_upper_first_arm_x + slider_x - rod_length
     rear_upper_apart_y = rear_upper_first_arm_y + slider_y - rear_upper_second_arm_y
     rear_upper_apart_rate_x = rear_upper_first_arm_rate_x + slider_velocity_x
     rear_upper_apart_rate_y = rear_upper_first_arm_rate_y + slider_velocity_y
-    x7 = cos_slider*half_length
-    front_lower_first_arm_x = x1 + x7
-    x8 = sin_slider*half_length
-    front_lower_first_arm_y = x3 + x8
+    cos_slider_times_half_length = cos_slider*half_length
+    front_lower_first_arm_x = sin_slider_times_half_width + cos_slider_times_half_length
+    sin_slider_times_half_length = sin_slider*half_length
+    front_lower_first_arm_y = minus_cos_slider_times_half_width + sin_slider_times_half_length
     front_lower_first_arm_rate_x = -front_lower_first_arm_y*slider_rate_z
     front_lower_first_arm_rate_y = front_lower_first_arm_x*slider_rate_z
     front_lower_apart_x = front_lower_first_arm_x + slider_x - rod_length
     front_lower_apart_y = front_lower_first_arm_y + rear_upper_second_arm_y + slider_y
     front_lower_apart_rate_x = front_lower_first_arm_rate_x + slider_velocity_x
     front_lower_apart_rate_y = front_lower_first_arm_rate_y + slider_velocity_y
-    front_upper_first_arm_x = x5 + x7
-    front_upper_first_arm_y = x6 + x8
+    front_upper_first_arm_x = minus_sin_slider_times_half_width + cos_slider_times_half_length
+    front_upper_first_arm_y = cos_slider_times_half_width + sin_slider_times_half_length
     front_upper_first_arm_rate_x = -front_upper_first_arm_y*slider_rate_z
     front_upper_first_arm_rate_y = front_upper_first_arm_x*slider_rate_z
     front_upper_apart_x = front_upper_first_arm_x + slider_x - rod_length
     front_upper_apart_y = front_upper_first_arm_y + slider_y - rear_upper_second_arm_y
     front_upper_apart_rate_x = front_upper_first_arm_rate_x + slider_velocity_x
     front_upper_apart_rate_y = front_upper_first_arm_rate_y + slider_velocity_y
-    rear_lower_beyond = k1 + ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_x, -rear_lower_apart_x)
+    rear_lower_beyond = minus_half_guide_length + ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_x, -rear_lower_apart_x)
     rear_lower_gap = ca.if_else(rear_lower_apart_y > rear_lower_beyond, rear_lower_apart_y, rear_lower_beyond)
-    rear_upper_beyond = k1 + ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_x, -rear_upper_apart_x)
+    rear_upper_beyond = minus_half_guide_length + ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_x, -rear_upper_apart_x)
     rear_upper_gap = ca.if_else(-rear_upper_apart_y > rear_upper_beyond, -rear_upper_apart_y, rear_upper_beyond)
-    front_lower_beyond = k1 + ca.if_else(front_lower_apart_x > 0, front_lower_apart_x, -front_lower_apart_x)
+    front_lower_beyond = minus_half_guide_length + ca.if_else(front_lower_apart_x > 0, front_lower_apart_x, -front_lower_apart_x)
     front_lower_gap = ca.if_else(front_lower_apart_y > front_lower_beyond, front_lower_apart_y, front_lower_beyond)
-    front_upper_beyond = k1 + ca.if_else(front_upper_apart_x > 0, front_upper_apart_x, -front_upper_apart_x)
+    front_upper_beyond = minus_half_guide_length + ca.if_else(front_upper_apart_x > 0, front_upper_apart_x, -front_upper_apart_x)
     front_upper_gap = ca.if_else(-front_upper_apart_y > front_upper_beyond, -front_upper_apart_y, front_upper_beyond)
     rear_lower_beyond_rate = ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_rate_x, -rear_lower_apart_rate_x)
     rear_lower_gap_rate = ca.if_else(rear_lower_apart_y > rear_lower_beyond, rear_lower_apart_rate_y, rear_lower_beyond_rate)
@@ -460,7 +467,7 @@ def gap_accelerations(t, q, u, a, c):
     half_width = c[4]
     rear_lower_second_arm_y = c[8]
     rear_upper_second_arm_y = c[9]
-    k1 = c[10]
+    minus_half_guide_length = c[10]
     main_bearing_angle = q[0]
     crank_pin_angle = q[1]
     slider_pin_angle = q[2]
@@ -496,50 +503,50 @@ def gap_accelerations(t, q, u, a, c):
     slider_y = rod_arm_y + slider_arm_y
     slider_acceleration_x = rod_acceleration_x - rod_angular_acceleration_z*slider_arm_y - rod_rate_z*slider_arm_rate_y
     slider_acceleration_y = rod_acceleration_y + rod_angular_acceleration_z*slider_arm_x + rod_rate_z*slider_arm_rate_x
-    x1 = sin_slider*half_width
-    x2 = -cos_slider*half_length
-    rear_lower_first_arm_x = x1 + x2
-    x3 = -cos_slider*half_width
-    x4 = -sin_slider*half_length
-    rear_lower_first_arm_y = x3 + x4
+    sin_slider_times_half_width = sin_slider*half_width
+    minus_cos_slider_times_half_length = -cos_slider*half_length
+    rear_lower_first_arm_x = sin_slider_times_half_width + minus_cos_slider_times_half_length
+    minus_cos_slider_times_half_width = -cos_slider*half_width
+    minus_sin_slider_times_half_length = -sin_slider*half_length
+    rear_lower_first_arm_y = minus_cos_slider_times_half_width + minus_sin_slider_times_half_length
     rear_lower_first_arm_rate_x = -rear_lower_first_arm_y*slider_rate_z
     rear_lower_first_arm_rate_y = rear_lower_first_arm_x*slider_rate_z
     rear_lower_apart_x = rear_lower_first_arm_x + slider_x - rod_length
     rear_lower_apart_y = rear_lower_first_arm_y + slider_y - rear_lower_second_arm_y
     rear_lower_apart_acceleration_x = slider_acceleration_x - rear_lower_first_arm_rate_y*slider_rate_z - rear_lower_first_arm_y*slider_angular_acceleration_z
     rear_lower_apart_acceleration_y = slider_acceleration_y + rear_lower_first_arm_rate_x*slider_rate_z + rear_lower_first_arm_x*slider_angular_acceleration_z
-    x5 = -sin_slider*half_width
-    rear_upper_first_arm_x = x2 + x5
-    x6 = cos_slider*half_width
-    rear_upper_first_arm_y = x4 + x6
+    minus_sin_slider_times_half_width = -sin_slider*half_width
+    rear_upper_first_arm_x = minus_cos_slider_times_half_length + minus_sin_slider_times_half_width
+    cos_slider_times_half_width = cos_slider*half_width
+    rear_upper_first_arm_y = minus_sin_slider_times_half_length + cos_slider_times_half_width
     rear_upper_first_arm_rate_x = -rear_upper_first_arm_y*slider_rate_z
     rear_upper_first_arm_rate_y = rear_upper_first_arm_x*slider_rate_z
     rear_upper_apart_x = rear_upper_first_arm_x + slider_x - rod_length
     rear_upper_apart_y = rear_upper_first_arm_y + slider_y - rear_upper_second_arm_y
     rear_upper_apart_acceleration_x = slider_acceleration_x - rear_upper_first_arm_rate_y*slider_rate_z - rear_upper_first_arm_y*slider_angular_acceleration_z
     rear_upper_apart_acceleration_y = slider_acceleration_y + rear_upper_first_arm_rate_x*slider_rate_z + rear_upper_first_arm_x*slider_angular_acceleration_z
-    x7 = cos_slider*half_length
-    front_lower_first_arm_x = x1 + x7
-    x8 = sin_slider*half_length
-    front_lower_first_arm_y = x3 + x8
+    cos_slider_times_half_length = cos_slider*half_length
+    front_lower_first_arm_x = sin_slider_times_half_width + cos_slider_times_half_length
+    sin_slider_times_half_length = sin_slider*half_length
+    front_lower_first_arm_y = minus_cos_slider_times_half_width + sin_slider_times_half_length
     front_lower_first_arm_rate_x = -front_lower_first_arm_y*slider_rate_z
     front_lower_first_arm_rate_y = front_lower_first_arm_x*slider_rate_z
     front_lower_apart_x = front_lower_first_arm_x + slider_x - rod_length
     front_lower_apart_y = front_lower_first_arm_y + rear_upper_second_arm_y + slider_y
     front_lower_apart_acceleration_x = slider_acceleration_x - front_lower_first_arm_rate_y*slider_rate_z - front_lower_first_arm_y*slider_angular_acceleration_z
     front_lower_apart_acceleration_y = slider_acceleration_y + front_lower_first_arm_rate_x*slider_rate_z + front_lower_first_arm_x*slider_angular_acceleration_z
-    front_upper_first_arm_x = x5 + x7
-    front_upper_first_arm_y = x6 + x8
+    front_upper_first_arm_x = minus_sin_slider_times_half_width + cos_slider_times_half_length
+    front_upper_first_arm_y = cos_slider_times_half_width + sin_slider_times_half_length
     front_upper_first_arm_rate_x = -front_upper_first_arm_y*slider_rate_z
     front_upper_first_arm_rate_y = front_upper_first_arm_x*slider_rate_z
     front_upper_apart_x = front_upper_first_arm_x + slider_x - rod_length
     front_upper_apart_y = front_upper_first_arm_y + slider_y - rear_upper_second_arm_y
     front_upper_apart_acceleration_x = slider_acceleration_x - front_upper_first_arm_rate_y*slider_rate_z - front_upper_first_arm_y*slider_angular_acceleration_z
     front_upper_apart_acceleration_y = slider_acceleration_y + front_upper_first_arm_rate_x*slider_rate_z + front_upper_first_arm_x*slider_angular_acceleration_z
-    rear_lower_beyond = k1 + ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_x, -rear_lower_apart_x)
-    rear_upper_beyond = k1 + ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_x, -rear_upper_apart_x)
-    front_lower_beyond = k1 + ca.if_else(front_lower_apart_x > 0, front_lower_apart_x, -front_lower_apart_x)
-    front_upper_beyond = k1 + ca.if_else(front_upper_apart_x > 0, front_upper_apart_x, -front_upper_apart_x)
+    rear_lower_beyond = minus_half_guide_length + ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_x, -rear_lower_apart_x)
+    rear_upper_beyond = minus_half_guide_length + ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_x, -rear_upper_apart_x)
+    front_lower_beyond = minus_half_guide_length + ca.if_else(front_lower_apart_x > 0, front_lower_apart_x, -front_lower_apart_x)
+    front_upper_beyond = minus_half_guide_length + ca.if_else(front_upper_apart_x > 0, front_upper_apart_x, -front_upper_apart_x)
     rear_lower_beyond_acceleration = ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_acceleration_x, -rear_lower_apart_acceleration_x)
     rear_lower_gap_acceleration = ca.if_else(rear_lower_apart_y > rear_lower_beyond, rear_lower_apart_acceleration_y, rear_lower_beyond_acceleration)
     rear_upper_beyond_acceleration = ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_acceleration_x, -rear_upper_apart_acceleration_x)
@@ -573,9 +580,9 @@ def contact_rear_lower(t, q, u, z, m, c):
     stiffness = c[6]
     friction_coefficient = c[7]
     rear_lower_second_arm_y = c[8]
-    k1 = c[10]
+    minus_half_guide_length = c[10]
     rear_lower_hysteresis_factor = c[12]
-    k3 = c[13]
+    inverse_friction_speed = c[13]
     main_bearing_angle = q[0]
     crank_pin_angle = q[1]
     slider_pin_angle = q[2]
@@ -609,7 +616,7 @@ def contact_rear_lower(t, q, u, z, m, c):
     rear_lower_first_arm_y = -cos_slider*half_width - sin_slider*half_length
     rear_lower_apart_x = rear_lower_first_arm_x + slider_x - rod_length
     rear_lower_apart_y = rear_lower_first_arm_y + slider_y - rear_lower_second_arm_y
-    rear_lower_beyond = k1 + ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_x, -rear_lower_apart_x)
+    rear_lower_beyond = minus_half_guide_length + ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_x, -rear_lower_apart_x)
     rear_lower_gap = ca.if_else(rear_lower_apart_y > rear_lower_beyond, rear_lower_apart_y, rear_lower_beyond)
     rear_lower_elastic_force = ca.if_else(-rear_lower_gap > 0, (-rear_lower_gap)**1*ca.sqrt(-rear_lower_gap)*stiffness, 0)
     rear_lower_end_x = ca.if_else(rear_lower_apart_x > 0, 1, -1)
@@ -623,19 +630,19 @@ def contact_rear_lower(t, q, u, z, m, c):
     rear_lower_normal_power = rear_lower_penetration_rate*rear_lower_resistance
     rear_lower_push_x = rear_lower_normal_force*rear_lower_normal_x
     rear_lower_push_y = rear_lower_normal_force*rear_lower_normal_y
-    x1 = -rear_lower_first_arm_y - slider_y
-    x2 = rear_lower_first_arm_x + slider_x
-    rear_lower_push_on_main_bearing = rear_lower_push_x*x1 + rear_lower_push_y*x2
+    minus_rear_lower_first_arm_y_minus_slider_y = -rear_lower_first_arm_y - slider_y
+    rear_lower_first_arm_x_plus_slider_x = rear_lower_first_arm_x + slider_x
+    rear_lower_push_on_main_bearing = rear_lower_push_x*minus_rear_lower_first_arm_y_minus_slider_y + rear_lower_push_y*rear_lower_first_arm_x_plus_slider_x
     x3 = rod_arm_y - rear_lower_first_arm_y - slider_y
     x4 = rear_lower_first_arm_x + slider_x - rod_arm_x
     rear_lower_push_on_crank_pin = rear_lower_push_x*x3 + rear_lower_push_y*x4
     rear_lower_push_on_slider_pin = rear_lower_first_arm_x*rear_lower_push_y - rear_lower_first_arm_y*rear_lower_push_x
     rear_lower_sliding_velocity = rear_lower_normal_x*rear_lower_relative_rate_y - rear_lower_normal_y*rear_lower_relative_rate_x
-    rear_lower_friction_force = rear_lower_normal_force*friction_coefficient*ca.tanh(k3*rear_lower_sliding_velocity)
+    rear_lower_friction_force = rear_lower_normal_force*friction_coefficient*ca.tanh(inverse_friction_speed*rear_lower_sliding_velocity)
     rear_lower_friction_power = rear_lower_friction_force*rear_lower_sliding_velocity
     rear_lower_drag_x = rear_lower_friction_force*rear_lower_normal_y
     rear_lower_drag_y = -rear_lower_friction_force*rear_lower_normal_x
-    rear_lower_drag_on_main_bearing = rear_lower_drag_x*x1 + rear_lower_drag_y*x2
+    rear_lower_drag_on_main_bearing = rear_lower_drag_x*minus_rear_lower_first_arm_y_minus_slider_y + rear_lower_drag_y*rear_lower_first_arm_x_plus_slider_x
     rear_lower_drag_on_crank_pin = rear_lower_drag_x*x3 + rear_lower_drag_y*x4
     rear_lower_drag_on_slider_pin = rear_lower_drag_y*rear_lower_first_arm_x - rear_lower_drag_x*rear_lower_first_arm_y
     return (
@@ -669,9 +676,9 @@ def contact_rear_upper(t, q, u, z, m, c):
     stiffness = c[6]
     friction_coefficient = c[7]
     rear_upper_second_arm_y = c[9]
-    k1 = c[10]
+    minus_half_guide_length = c[10]
     rear_lower_hysteresis_factor = c[12]
-    k3 = c[13]
+    inverse_friction_speed = c[13]
     main_bearing_angle = q[0]
     crank_pin_angle = q[1]
     slider_pin_angle = q[2]
@@ -705,7 +712,7 @@ def contact_rear_upper(t, q, u, z, m, c):
     rear_upper_first_arm_y = cos_slider*half_width - sin_slider*half_length
     rear_upper_apart_x = rear_upper_first_arm_x + slider_x - rod_length
     rear_upper_apart_y = rear_upper_first_arm_y + slider_y - rear_upper_second_arm_y
-    rear_upper_beyond = k1 + ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_x, -rear_upper_apart_x)
+    rear_upper_beyond = minus_half_guide_length + ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_x, -rear_upper_apart_x)
     rear_upper_gap = ca.if_else(-rear_upper_apart_y > rear_upper_beyond, -rear_upper_apart_y, rear_upper_beyond)
     rear_upper_elastic_force = ca.if_else(-rear_upper_gap > 0, (-rear_upper_gap)**1*ca.sqrt(-rear_upper_gap)*stiffness, 0)
     rear_upper_end_x = ca.if_else(rear_upper_apart_x > 0, 1, -1)
@@ -719,19 +726,19 @@ def contact_rear_upper(t, q, u, z, m, c):
     rear_upper_normal_power = rear_upper_penetration_rate*rear_upper_resistance
     rear_upper_push_x = rear_upper_normal_force*rear_upper_normal_x
     rear_upper_push_y = rear_upper_normal_force*rear_upper_normal_y
-    x1 = -rear_upper_first_arm_y - slider_y
-    x2 = rear_upper_first_arm_x + slider_x
-    rear_upper_push_on_main_bearing = rear_upper_push_x*x1 + rear_upper_push_y*x2
+    minus_rear_upper_first_arm_y_minus_slider_y = -rear_upper_first_arm_y - slider_y
+    rear_upper_first_arm_x_plus_slider_x = rear_upper_first_arm_x + slider_x
+    rear_upper_push_on_main_bearing = rear_upper_push_x*minus_rear_upper_first_arm_y_minus_slider_y + rear_upper_push_y*rear_upper_first_arm_x_plus_slider_x
     x3 = rod_arm_y - rear_upper_first_arm_y - slider_y
     x4 = rear_upper_first_arm_x + slider_x - rod_arm_x
     rear_upper_push_on_crank_pin = rear_upper_push_x*x3 + rear_upper_push_y*x4
     rear_upper_push_on_slider_pin = rear_upper_first_arm_x*rear_upper_push_y - rear_upper_first_arm_y*rear_upper_push_x
     rear_upper_sliding_velocity = rear_upper_normal_x*rear_upper_relative_rate_y - rear_upper_normal_y*rear_upper_relative_rate_x
-    rear_upper_friction_force = rear_upper_normal_force*friction_coefficient*ca.tanh(k3*rear_upper_sliding_velocity)
+    rear_upper_friction_force = rear_upper_normal_force*friction_coefficient*ca.tanh(inverse_friction_speed*rear_upper_sliding_velocity)
     rear_upper_friction_power = rear_upper_friction_force*rear_upper_sliding_velocity
     rear_upper_drag_x = rear_upper_friction_force*rear_upper_normal_y
     rear_upper_drag_y = -rear_upper_friction_force*rear_upper_normal_x
-    rear_upper_drag_on_main_bearing = rear_upper_drag_x*x1 + rear_upper_drag_y*x2
+    rear_upper_drag_on_main_bearing = rear_upper_drag_x*minus_rear_upper_first_arm_y_minus_slider_y + rear_upper_drag_y*rear_upper_first_arm_x_plus_slider_x
     rear_upper_drag_on_crank_pin = rear_upper_drag_x*x3 + rear_upper_drag_y*x4
     rear_upper_drag_on_slider_pin = rear_upper_drag_y*rear_upper_first_arm_x - rear_upper_drag_x*rear_upper_first_arm_y
     return (
@@ -765,9 +772,9 @@ def contact_front_lower(t, q, u, z, m, c):
     stiffness = c[6]
     friction_coefficient = c[7]
     rear_upper_second_arm_y = c[9]
-    k1 = c[10]
+    minus_half_guide_length = c[10]
     rear_lower_hysteresis_factor = c[12]
-    k3 = c[13]
+    inverse_friction_speed = c[13]
     main_bearing_angle = q[0]
     crank_pin_angle = q[1]
     slider_pin_angle = q[2]
@@ -801,7 +808,7 @@ def contact_front_lower(t, q, u, z, m, c):
     front_lower_first_arm_y = sin_slider*half_length - cos_slider*half_width
     front_lower_apart_x = front_lower_first_arm_x + slider_x - rod_length
     front_lower_apart_y = front_lower_first_arm_y + rear_upper_second_arm_y + slider_y
-    front_lower_beyond = k1 + ca.if_else(front_lower_apart_x > 0, front_lower_apart_x, -front_lower_apart_x)
+    front_lower_beyond = minus_half_guide_length + ca.if_else(front_lower_apart_x > 0, front_lower_apart_x, -front_lower_apart_x)
     front_lower_gap = ca.if_else(front_lower_apart_y > front_lower_beyond, front_lower_apart_y, front_lower_beyond)
     front_lower_elastic_force = ca.if_else(-front_lower_gap > 0, (-front_lower_gap)**1*ca.sqrt(-front_lower_gap)*stiffness, 0)
     front_lower_end_x = ca.if_else(front_lower_apart_x > 0, 1, -1)
@@ -815,19 +822,19 @@ def contact_front_lower(t, q, u, z, m, c):
     front_lower_normal_power = front_lower_penetration_rate*front_lower_resistance
     front_lower_push_x = front_lower_normal_force*front_lower_normal_x
     front_lower_push_y = front_lower_normal_force*front_lower_normal_y
-    x1 = -front_lower_first_arm_y - slider_y
-    x2 = front_lower_first_arm_x + slider_x
-    front_lower_push_on_main_bearing = front_lower_push_x*x1 + front_lower_push_y*x2
+    minus_front_lower_first_arm_y_minus_slider_y = -front_lower_first_arm_y - slider_y
+    front_lower_first_arm_x_plus_slider_x = front_lower_first_arm_x + slider_x
+    front_lower_push_on_main_bearing = front_lower_push_x*minus_front_lower_first_arm_y_minus_slider_y + front_lower_push_y*front_lower_first_arm_x_plus_slider_x
     x3 = rod_arm_y - front_lower_first_arm_y - slider_y
     x4 = front_lower_first_arm_x + slider_x - rod_arm_x
     front_lower_push_on_crank_pin = front_lower_push_x*x3 + front_lower_push_y*x4
     front_lower_push_on_slider_pin = front_lower_first_arm_x*front_lower_push_y - front_lower_first_arm_y*front_lower_push_x
     front_lower_sliding_velocity = front_lower_normal_x*front_lower_relative_rate_y - front_lower_normal_y*front_lower_relative_rate_x
-    front_lower_friction_force = front_lower_normal_force*friction_coefficient*ca.tanh(front_lower_sliding_velocity*k3)
+    front_lower_friction_force = front_lower_normal_force*friction_coefficient*ca.tanh(front_lower_sliding_velocity*inverse_friction_speed)
     front_lower_friction_power = front_lower_friction_force*front_lower_sliding_velocity
     front_lower_drag_x = front_lower_friction_force*front_lower_normal_y
     front_lower_drag_y = -front_lower_friction_force*front_lower_normal_x
-    front_lower_drag_on_main_bearing = front_lower_drag_x*x1 + front_lower_drag_y*x2
+    front_lower_drag_on_main_bearing = front_lower_drag_x*minus_front_lower_first_arm_y_minus_slider_y + front_lower_drag_y*front_lower_first_arm_x_plus_slider_x
     front_lower_drag_on_crank_pin = front_lower_drag_x*x3 + front_lower_drag_y*x4
     front_lower_drag_on_slider_pin = front_lower_drag_y*front_lower_first_arm_x - front_lower_drag_x*front_lower_first_arm_y
     return (
@@ -862,9 +869,9 @@ def contact_front_upper(t, q, u, z, m, c):
     stiffness = c[6]
     friction_coefficient = c[7]
     rear_upper_second_arm_y = c[9]
-    k1 = c[10]
+    minus_half_guide_length = c[10]
     rear_lower_hysteresis_factor = c[12]
-    k3 = c[13]
+    inverse_friction_speed = c[13]
     main_bearing_angle = q[0]
     crank_pin_angle = q[1]
     slider_pin_angle = q[2]
@@ -898,7 +905,7 @@ def contact_front_upper(t, q, u, z, m, c):
     front_upper_first_arm_y = cos_slider*half_width + sin_slider*half_length
     front_upper_apart_x = front_upper_first_arm_x + slider_x - rod_length
     front_upper_apart_y = front_upper_first_arm_y + slider_y - rear_upper_second_arm_y
-    front_upper_beyond = k1 + ca.if_else(front_upper_apart_x > 0, front_upper_apart_x, -front_upper_apart_x)
+    front_upper_beyond = minus_half_guide_length + ca.if_else(front_upper_apart_x > 0, front_upper_apart_x, -front_upper_apart_x)
     front_upper_gap = ca.if_else(-front_upper_apart_y > front_upper_beyond, -front_upper_apart_y, front_upper_beyond)
     front_upper_elastic_force = ca.if_else(-front_upper_gap > 0, (-front_upper_gap)**1*ca.sqrt(-front_upper_gap)*stiffness, 0)
     front_upper_end_x = ca.if_else(front_upper_apart_x > 0, 1, -1)
@@ -912,19 +919,19 @@ def contact_front_upper(t, q, u, z, m, c):
     front_upper_normal_power = front_upper_penetration_rate*front_upper_resistance
     front_upper_push_x = front_upper_normal_force*front_upper_normal_x
     front_upper_push_y = front_upper_normal_force*front_upper_normal_y
-    x1 = -front_upper_first_arm_y - slider_y
-    x2 = front_upper_first_arm_x + slider_x
-    front_upper_push_on_main_bearing = front_upper_push_x*x1 + front_upper_push_y*x2
+    minus_front_upper_first_arm_y_minus_slider_y = -front_upper_first_arm_y - slider_y
+    front_upper_first_arm_x_plus_slider_x = front_upper_first_arm_x + slider_x
+    front_upper_push_on_main_bearing = front_upper_push_x*minus_front_upper_first_arm_y_minus_slider_y + front_upper_push_y*front_upper_first_arm_x_plus_slider_x
     x3 = rod_arm_y - front_upper_first_arm_y - slider_y
     x4 = front_upper_first_arm_x + slider_x - rod_arm_x
     front_upper_push_on_crank_pin = front_upper_push_x*x3 + front_upper_push_y*x4
     front_upper_push_on_slider_pin = front_upper_first_arm_x*front_upper_push_y - front_upper_first_arm_y*front_upper_push_x
     front_upper_sliding_velocity = front_upper_normal_x*front_upper_relative_rate_y - front_upper_normal_y*front_upper_relative_rate_x
-    front_upper_friction_force = front_upper_normal_force*friction_coefficient*ca.tanh(front_upper_sliding_velocity*k3)
+    front_upper_friction_force = front_upper_normal_force*friction_coefficient*ca.tanh(front_upper_sliding_velocity*inverse_friction_speed)
     front_upper_friction_power = front_upper_friction_force*front_upper_sliding_velocity
     front_upper_drag_x = front_upper_friction_force*front_upper_normal_y
     front_upper_drag_y = -front_upper_friction_force*front_upper_normal_x
-    front_upper_drag_on_main_bearing = front_upper_drag_x*x1 + front_upper_drag_y*x2
+    front_upper_drag_on_main_bearing = front_upper_drag_x*minus_front_upper_first_arm_y_minus_slider_y + front_upper_drag_y*front_upper_first_arm_x_plus_slider_x
     front_upper_drag_on_crank_pin = front_upper_drag_x*x3 + front_upper_drag_y*x4
     front_upper_drag_on_slider_pin = front_upper_drag_y*front_upper_first_arm_x - front_upper_drag_x*front_upper_first_arm_y
     return (
@@ -972,9 +979,9 @@ def accelerations(t, q, u, f, c):
     slider_inertia = c[2]
     rod_h_x = c[14]
     rod_total_J_z_z = c[16]
-    k4 = c[17]
-    k5 = c[18]
-    k6 = c[19]
+    crank_I_z_z_plus_rod_total_J_z_z = c[17]
+    inverse_D_crank_pin = c[18]
+    inverse_slider_inertia = c[19]
     main_bearing_angle = q[0]
     crank_pin_angle = q[1]
     main_bearing_speed = u[0]
@@ -1002,16 +1009,16 @@ def accelerations(t, q, u, f, c):
     crank_torque_z = rod_torque_z + rod_arm_x*rod_force_y - rod_arm_y*rod_force_x
     main_bearing_net = main_bearing_force - crank_torque_z
     crank_pin_net = crank_pin_force - rod_torque_z
-    crank_total_J_z_z = k4 + 2*rod_arm_x*rod_moment_x + 2*rod_arm_y*rod_moment_y
+    crank_total_J_z_z = crank_I_z_z_plus_rod_total_J_z_z + 2*rod_arm_x*rod_moment_x + 2*rod_arm_y*rod_moment_y
     crank_pin_rod_torque_z = rod_total_J_z_z + rod_arm_x*rod_moment_x + rod_arm_y*rod_moment_y
     L_main_bearing_crank_pin = crank_pin_rod_torque_z - slider_inertia
-    l_main_bearing_crank_pin = L_main_bearing_crank_pin*k5
+    l_main_bearing_crank_pin = L_main_bearing_crank_pin*inverse_D_crank_pin
     D_main_bearing = crank_total_J_z_z - slider_inertia - L_main_bearing_crank_pin*l_main_bearing_crank_pin
     y_crank_pin = crank_pin_net - slider_pin_force
     y_main_bearing = main_bearing_net - slider_pin_force - l_main_bearing_crank_pin*y_crank_pin
     main_bearing_acc = y_main_bearing/D_main_bearing
-    crank_pin_acc = k5*y_crank_pin - l_main_bearing_crank_pin*main_bearing_acc
-    slider_pin_acc = k6*slider_pin_force - crank_pin_acc - main_bearing_acc
+    crank_pin_acc = inverse_D_crank_pin*y_crank_pin - l_main_bearing_crank_pin*main_bearing_acc
+    slider_pin_acc = inverse_slider_inertia*slider_pin_force - crank_pin_acc - main_bearing_acc
     return ca.vertcat(main_bearing_acc, crank_pin_acc, slider_pin_acc), ca.vertcat()
 
 
@@ -1042,19 +1049,19 @@ def energy(t, q, u, c):
     half_width = c[4]
     rear_lower_second_arm_y = c[8]
     rear_upper_second_arm_y = c[9]
-    k1 = c[10]
-    k2 = c[11]
+    minus_half_guide_length = c[10]
+    two_fifths_of_stiffness = c[11]
     rod_h_x_2 = c[20]
-    k7 = c[21]
-    k8 = c[22]
-    k9 = c[23]
-    k10 = c[24]
-    k11 = c[25]
-    k12 = c[26]
-    k13 = c[27]
-    k14 = c[28]
-    k15 = c[29]
-    k16 = c[30]
+    half_crank_I_z_z_2 = c[21]
+    half_rod_I_z_z_2 = c[22]
+    half_slider_inertia = c[23]
+    half_rod_mass = c[24]
+    half_slider_mass = c[25]
+    half_crank_length = c[26]
+    half_rod_length = c[27]
+    crank_mass_times_gravity = c[28]
+    gravity_times_slider_mass = c[29]
+    gravity_times_rod_mass = c[30]
     main_bearing_angle = q[0]
     crank_pin_angle = q[1]
     slider_pin_angle = q[2]
@@ -1079,50 +1086,50 @@ def energy(t, q, u, c):
     slider_rate_z = rod_rate_z + slider_pin_speed
     slider_x = rod_arm_x + slider_arm_x
     slider_y = rod_arm_y + slider_arm_y
-    x1 = sin_slider*half_width
-    x2 = -cos_slider*half_length
-    rear_lower_first_arm_x = x1 + x2
-    x3 = -cos_slider*half_width
-    x4 = -sin_slider*half_length
-    rear_lower_first_arm_y = x3 + x4
+    sin_slider_times_half_width = sin_slider*half_width
+    minus_cos_slider_times_half_length = -cos_slider*half_length
+    rear_lower_first_arm_x = sin_slider_times_half_width + minus_cos_slider_times_half_length
+    minus_cos_slider_times_half_width = -cos_slider*half_width
+    minus_sin_slider_times_half_length = -sin_slider*half_length
+    rear_lower_first_arm_y = minus_cos_slider_times_half_width + minus_sin_slider_times_half_length
     rear_lower_apart_x = rear_lower_first_arm_x + slider_x - rod_length
     rear_lower_apart_y = rear_lower_first_arm_y + slider_y - rear_lower_second_arm_y
-    x5 = -sin_slider*half_width
-    rear_upper_first_arm_x = x2 + x5
-    x6 = cos_slider*half_width
-    rear_upper_first_arm_y = x4 + x6
+    minus_sin_slider_times_half_width = -sin_slider*half_width
+    rear_upper_first_arm_x = minus_cos_slider_times_half_length + minus_sin_slider_times_half_width
+    cos_slider_times_half_width = cos_slider*half_width
+    rear_upper_first_arm_y = minus_sin_slider_times_half_length + cos_slider_times_half_width
     rear_upper_apart_x = rear_upper_first_arm_x + slider_x - rod_length
     rear_upper_apart_y = rear_upper_first_arm_y + slider_y - rear_upper_second_arm_y
-    x7 = cos_slider*half_length
-    front_lower_first_arm_x = x1 + x7
-    x8 = sin_slider*half_length
-    front_lower_first_arm_y = x3 + x8
+    cos_slider_times_half_length = cos_slider*half_length
+    front_lower_first_arm_x = sin_slider_times_half_width + cos_slider_times_half_length
+    sin_slider_times_half_length = sin_slider*half_length
+    front_lower_first_arm_y = minus_cos_slider_times_half_width + sin_slider_times_half_length
     front_lower_apart_x = front_lower_first_arm_x + slider_x - rod_length
     front_lower_apart_y = front_lower_first_arm_y + rear_upper_second_arm_y + slider_y
-    front_upper_first_arm_x = x5 + x7
-    front_upper_first_arm_y = x6 + x8
+    front_upper_first_arm_x = minus_sin_slider_times_half_width + cos_slider_times_half_length
+    front_upper_first_arm_y = cos_slider_times_half_width + sin_slider_times_half_length
     front_upper_apart_x = front_upper_first_arm_x + slider_x - rod_length
     front_upper_apart_y = front_upper_first_arm_y + slider_y - rear_upper_second_arm_y
-    rear_lower_beyond = k1 + ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_x, -rear_lower_apart_x)
+    rear_lower_beyond = minus_half_guide_length + ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_x, -rear_lower_apart_x)
     rear_lower_gap = ca.if_else(rear_lower_apart_y > rear_lower_beyond, rear_lower_apart_y, rear_lower_beyond)
-    rear_upper_beyond = k1 + ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_x, -rear_upper_apart_x)
+    rear_upper_beyond = minus_half_guide_length + ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_x, -rear_upper_apart_x)
     rear_upper_gap = ca.if_else(-rear_upper_apart_y > rear_upper_beyond, -rear_upper_apart_y, rear_upper_beyond)
-    front_lower_beyond = k1 + ca.if_else(front_lower_apart_x > 0, front_lower_apart_x, -front_lower_apart_x)
+    front_lower_beyond = minus_half_guide_length + ca.if_else(front_lower_apart_x > 0, front_lower_apart_x, -front_lower_apart_x)
     front_lower_gap = ca.if_else(front_lower_apart_y > front_lower_beyond, front_lower_apart_y, front_lower_beyond)
-    front_upper_beyond = k1 + ca.if_else(front_upper_apart_x > 0, front_upper_apart_x, -front_upper_apart_x)
+    front_upper_beyond = minus_half_guide_length + ca.if_else(front_upper_apart_x > 0, front_upper_apart_x, -front_upper_apart_x)
     front_upper_gap = ca.if_else(-front_upper_apart_y > front_upper_beyond, -front_upper_apart_y, front_upper_beyond)
-    rear_lower_stored_energy = ca.if_else(-rear_lower_gap > 0, k2*(-rear_lower_gap)**2*ca.sqrt(-rear_lower_gap), 0)
-    rear_upper_stored_energy = ca.if_else(-rear_upper_gap > 0, k2*(-rear_upper_gap)**2*ca.sqrt(-rear_upper_gap), 0)
-    front_lower_stored_energy = ca.if_else(-front_lower_gap > 0, k2*(-front_lower_gap)**2*ca.sqrt(-front_lower_gap), 0)
-    front_upper_stored_energy = ca.if_else(-front_upper_gap > 0, k2*(-front_upper_gap)**2*ca.sqrt(-front_upper_gap), 0)
+    rear_lower_stored_energy = ca.if_else(-rear_lower_gap > 0, two_fifths_of_stiffness*(-rear_lower_gap)**2*ca.sqrt(-rear_lower_gap), 0)
+    rear_upper_stored_energy = ca.if_else(-rear_upper_gap > 0, two_fifths_of_stiffness*(-rear_upper_gap)**2*ca.sqrt(-rear_upper_gap), 0)
+    front_lower_stored_energy = ca.if_else(-front_lower_gap > 0, two_fifths_of_stiffness*(-front_lower_gap)**2*ca.sqrt(-front_lower_gap), 0)
+    front_upper_stored_energy = ca.if_else(-front_upper_gap > 0, two_fifths_of_stiffness*(-front_upper_gap)**2*ca.sqrt(-front_upper_gap), 0)
     rod_moment_x_2 = cos_rod*rod_h_x_2
     rod_moment_y_2 = rod_h_x_2*sin_rod
     slider_velocity_x_2 = rod_arm_rate_x - rod_rate_z*slider_arm_y
     slider_velocity_y_2 = rod_arm_rate_y + rod_rate_z*slider_arm_x
-    kinetic = k10*(rod_arm_rate_x*rod_arm_rate_x + rod_arm_rate_y*rod_arm_rate_y) + k11*(slider_velocity_x_2*slider_velocity_x_2 + slider_velocity_y_2*slider_velocity_y_2) + k7*main_bearing_speed*main_bearing_speed + k8*rod_rate_z*rod_rate_z + k9*slider_rate_z*slider_rate_z + rod_arm_rate_y*rod_moment_x_2*rod_rate_z - rod_arm_rate_x*rod_moment_y_2*rod_rate_z
-    crank_centre_arm_y = k12*sin_crank
-    rod_centre_arm_y = k13*sin_rod
-    potential = crank_centre_arm_y*k14 + k15*slider_y + k16*(rod_arm_y + rod_centre_arm_y)
+    kinetic = half_rod_mass*(rod_arm_rate_x*rod_arm_rate_x + rod_arm_rate_y*rod_arm_rate_y) + half_slider_mass*(slider_velocity_x_2*slider_velocity_x_2 + slider_velocity_y_2*slider_velocity_y_2) + half_crank_I_z_z_2*main_bearing_speed*main_bearing_speed + half_rod_I_z_z_2*rod_rate_z*rod_rate_z + half_slider_inertia*slider_rate_z*slider_rate_z + rod_arm_rate_y*rod_moment_x_2*rod_rate_z - rod_arm_rate_x*rod_moment_y_2*rod_rate_z
+    crank_centre_arm_y = half_crank_length*sin_crank
+    rod_centre_arm_y = half_rod_length*sin_rod
+    potential = crank_centre_arm_y*crank_mass_times_gravity + gravity_times_slider_mass*slider_y + gravity_times_rod_mass*(rod_arm_y + rod_centre_arm_y)
     return (
         ca.vertcat(kinetic),
         ca.vertcat(potential),
@@ -1183,7 +1190,7 @@ def outputs(t, q, u, c):
     half_width = c[4]
     rear_lower_second_arm_y = c[8]
     rear_upper_second_arm_y = c[9]
-    k1 = c[10]
+    minus_half_guide_length = c[10]
     main_bearing_angle = q[0]
     crank_pin_angle = q[1]
     slider_pin_angle = q[2]
@@ -1201,37 +1208,37 @@ def outputs(t, q, u, c):
     slider_arm_y = sin_rod*rod_length
     slider_x = rod_arm_x + slider_arm_x
     slider_y = rod_arm_y + slider_arm_y
-    x1 = sin_slider*half_width
-    x2 = -cos_slider*half_length
-    rear_lower_first_arm_x = x1 + x2
-    x3 = -cos_slider*half_width
-    x4 = -sin_slider*half_length
-    rear_lower_first_arm_y = x3 + x4
+    sin_slider_times_half_width = sin_slider*half_width
+    minus_cos_slider_times_half_length = -cos_slider*half_length
+    rear_lower_first_arm_x = sin_slider_times_half_width + minus_cos_slider_times_half_length
+    minus_cos_slider_times_half_width = -cos_slider*half_width
+    minus_sin_slider_times_half_length = -sin_slider*half_length
+    rear_lower_first_arm_y = minus_cos_slider_times_half_width + minus_sin_slider_times_half_length
     rear_lower_apart_x = rear_lower_first_arm_x + slider_x - rod_length
     rear_lower_apart_y = rear_lower_first_arm_y + slider_y - rear_lower_second_arm_y
-    x5 = -sin_slider*half_width
-    rear_upper_first_arm_x = x2 + x5
-    x6 = cos_slider*half_width
-    rear_upper_first_arm_y = x4 + x6
+    minus_sin_slider_times_half_width = -sin_slider*half_width
+    rear_upper_first_arm_x = minus_cos_slider_times_half_length + minus_sin_slider_times_half_width
+    cos_slider_times_half_width = cos_slider*half_width
+    rear_upper_first_arm_y = minus_sin_slider_times_half_length + cos_slider_times_half_width
     rear_upper_apart_x = rear_upper_first_arm_x + slider_x - rod_length
     rear_upper_apart_y = rear_upper_first_arm_y + slider_y - rear_upper_second_arm_y
-    x7 = cos_slider*half_length
-    front_lower_first_arm_x = x1 + x7
-    x8 = sin_slider*half_length
-    front_lower_first_arm_y = x3 + x8
+    cos_slider_times_half_length = cos_slider*half_length
+    front_lower_first_arm_x = sin_slider_times_half_width + cos_slider_times_half_length
+    sin_slider_times_half_length = sin_slider*half_length
+    front_lower_first_arm_y = minus_cos_slider_times_half_width + sin_slider_times_half_length
     front_lower_apart_x = front_lower_first_arm_x + slider_x - rod_length
     front_lower_apart_y = front_lower_first_arm_y + rear_upper_second_arm_y + slider_y
-    front_upper_first_arm_x = x5 + x7
-    front_upper_first_arm_y = x6 + x8
+    front_upper_first_arm_x = minus_sin_slider_times_half_width + cos_slider_times_half_length
+    front_upper_first_arm_y = cos_slider_times_half_width + sin_slider_times_half_length
     front_upper_apart_x = front_upper_first_arm_x + slider_x - rod_length
     front_upper_apart_y = front_upper_first_arm_y + slider_y - rear_upper_second_arm_y
-    rear_lower_beyond = k1 + ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_x, -rear_lower_apart_x)
+    rear_lower_beyond = minus_half_guide_length + ca.if_else(rear_lower_apart_x > 0, rear_lower_apart_x, -rear_lower_apart_x)
     rear_lower_gap = ca.if_else(rear_lower_apart_y > rear_lower_beyond, rear_lower_apart_y, rear_lower_beyond)
-    rear_upper_beyond = k1 + ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_x, -rear_upper_apart_x)
+    rear_upper_beyond = minus_half_guide_length + ca.if_else(rear_upper_apart_x > 0, rear_upper_apart_x, -rear_upper_apart_x)
     rear_upper_gap = ca.if_else(-rear_upper_apart_y > rear_upper_beyond, -rear_upper_apart_y, rear_upper_beyond)
-    front_lower_beyond = k1 + ca.if_else(front_lower_apart_x > 0, front_lower_apart_x, -front_lower_apart_x)
+    front_lower_beyond = minus_half_guide_length + ca.if_else(front_lower_apart_x > 0, front_lower_apart_x, -front_lower_apart_x)
     front_lower_gap = ca.if_else(front_lower_apart_y > front_lower_beyond, front_lower_apart_y, front_lower_beyond)
-    front_upper_beyond = k1 + ca.if_else(front_upper_apart_x > 0, front_upper_apart_x, -front_upper_apart_x)
+    front_upper_beyond = minus_half_guide_length + ca.if_else(front_upper_apart_x > 0, front_upper_apart_x, -front_upper_apart_x)
     front_upper_gap = ca.if_else(-front_upper_apart_y > front_upper_beyond, -front_upper_apart_y, front_upper_beyond)
     return ca.vertcat(rear_lower_gap, rear_upper_gap, front_lower_gap, front_upper_gap)
 
@@ -1271,8 +1278,8 @@ def landmarks(p):
     half_length = p[9]
     half_width = p[10]
     clearance = p[11]
-    x1 = -clearance - half_width
-    x2 = clearance + half_width
+    minus_clearance_minus_half_width = -clearance - half_width
+    clearance_plus_half_width = clearance + half_width
     return (
         ca.vertcat(0, 0, 0, 0, 0, 1),
         ca.vertcat(0, 0, 0, 0, 0, 1),
@@ -1281,13 +1288,13 @@ def landmarks(p):
         ca.vertcat(rod_length, 0, 0, 0, 0, 1),
         ca.vertcat(0, 0, 0, 0, 0, 1),
         ca.vertcat(-half_length, -half_width, 0),
-        ca.vertcat(rod_length, x1, 0, 0, 1, 0, 1, 0, 0, guide_length),
+        ca.vertcat(rod_length, minus_clearance_minus_half_width, 0, 0, 1, 0, 1, 0, 0, guide_length),
         ca.vertcat(-half_length, half_width, 0),
-        ca.vertcat(rod_length, x2, 0, 0, -1, 0, 1, 0, 0, guide_length),
+        ca.vertcat(rod_length, clearance_plus_half_width, 0, 0, -1, 0, 1, 0, 0, guide_length),
         ca.vertcat(half_length, -half_width, 0),
-        ca.vertcat(rod_length, x1, 0, 0, 1, 0, 1, 0, 0, guide_length),
+        ca.vertcat(rod_length, minus_clearance_minus_half_width, 0, 0, 1, 0, 1, 0, 0, guide_length),
         ca.vertcat(half_length, half_width, 0),
-        ca.vertcat(rod_length, x2, 0, 0, -1, 0, 1, 0, 0, guide_length),
+        ca.vertcat(rod_length, clearance_plus_half_width, 0, 0, -1, 0, 1, 0, 0, guide_length),
         ca.vertcat(0, 0, 0, 0, -1, 0),
         ca.vertcat(crank_length/2, 0, 0),
         ca.vertcat(rod_length/2, 0, 0),

@@ -101,13 +101,13 @@ LANDMARKS = (
 CONSTANTS = (
     ("radius", "m"),
     ("spheres_reach", "m"),
-    ("k1", "m^2"),
-    ("k2", "1/m"),
+    ("minus_spheres_reach_squared", "m^2"),
+    ("half_inverse_spheres_reach", "1/m"),
     ("spheres_K", "N/m^1.5"),
-    ("k3", "N/m^1.5"),
+    ("two_fifths_of_spheres_K", "N/m^1.5"),
     ("spheres_hysteresis_factor", "1"),
-    ("k4", "1/kg"),
-    ("k5", "kg"),
+    ("inverse_mass", "1/kg"),
+    ("half_mass", "kg"),
 )
 
 OPERATIONS = (
@@ -134,7 +134,8 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (9,): radius, spheres_reach, k1, k2, spheres_K, k3, spheres_hysteresis_factor, k4, k5
+        c (9,): radius, spheres_reach, minus_spheres_reach_squared, half_inverse_spheres_reach, spheres_K,
+            two_fifths_of_spheres_K, spheres_hysteresis_factor, inverse_mass, half_mass
     """
     mass = p[0]
     radius = p[1]
@@ -142,16 +143,17 @@ def constants(p):
     poissons_ratio = p[3]
     restitution = p[5]
     spheres_reach = 2*radius
-    k1 = -spheres_reach*spheres_reach
-    k2 = 1/(2*spheres_reach)
+    minus_spheres_reach_squared = -spheres_reach*spheres_reach
+    half_inverse_spheres_reach = 1/(2*spheres_reach)
     spheres_R_eff = radius/2
     spheres_E_eff = youngs_modulus/(2*(1 - poissons_ratio*poissons_ratio))
     spheres_K = 4*spheres_E_eff*ca.sqrt(spheres_R_eff)/3
-    k3 = 2*spheres_K/5
+    two_fifths_of_spheres_K = 2*spheres_K/5
     spheres_hysteresis_factor = (8 - 8*restitution)/(5*restitution)
-    k4 = 1/mass
-    k5 = mass/2
-    return ca.vertcat(radius, spheres_reach, k1, k2, spheres_K, k3, spheres_hysteresis_factor, k4, k5)
+    inverse_mass = 1/mass
+    half_mass = mass/2
+    return ca.vertcat(radius, spheres_reach, minus_spheres_reach_squared, half_inverse_spheres_reach, spheres_K,
+        two_fifths_of_spheres_K, spheres_hysteresis_factor, inverse_mass, half_mass)
 
 
 def start(p):
@@ -185,11 +187,11 @@ def scales(p):
     speed = p[7]
     total_mass = 2*mass
     energy_scale = total_mass*speed*speed/2
-    x1 = 1/ca.sqrt(radius)
-    x2 = poissons_ratio*poissons_ratio
-    x3 = -2*x2
-    x4 = 2 + x3
-    x5 = x1*x4*mass/youngs_modulus
+    inverse_sqrt_radius = 1/ca.sqrt(radius)
+    poissons_ratio_squared = poissons_ratio*poissons_ratio
+    minus_twice_poissons_ratio_squared = -2*poissons_ratio_squared
+    x4 = 2 + minus_twice_poissons_ratio_squared
+    x5 = inverse_sqrt_radius*x4*mass/youngs_modulus
     x6 = ca.fabs(speed)
     force_scale = 2*energy_scale*2**(4/5)*15**(3/5)/(15*x5**(2/5)*x6**(4/5))
     x7 = 2**(1/5)
@@ -225,8 +227,8 @@ def gaps(t, q, u, c):
         G (1,): spheres [m]
         dG (1,): spheres [m/s]
     """
-    k1 = c[2]
-    k2 = c[3]
+    minus_spheres_reach_squared = c[2]
+    half_inverse_spheres_reach = c[3]
     striker_path_travel = q[0]
     target_path_travel = q[1]
     striker_path_speed = u[0]
@@ -234,9 +236,9 @@ def gaps(t, q, u, c):
     spheres_apart_x = striker_path_travel - target_path_travel
     spheres_apart_rate_x = striker_path_speed - target_path_speed
     spheres_apart_squared = spheres_apart_x*spheres_apart_x
-    spheres_gap = k2*(k1 + spheres_apart_squared)
+    spheres_gap = half_inverse_spheres_reach*(minus_spheres_reach_squared + spheres_apart_squared)
     spheres_apart_squared_rate = 2*spheres_apart_rate_x*spheres_apart_x
-    spheres_gap_rate = k2*spheres_apart_squared_rate
+    spheres_gap_rate = half_inverse_spheres_reach*spheres_apart_squared_rate
     return ca.vertcat(spheres_gap), ca.vertcat(spheres_gap_rate)
 
 
@@ -247,7 +249,7 @@ def gap_accelerations(t, q, u, a, c):
     Returns, each a column vector:
         ddG (1,): spheres [m/s^2]
     """
-    k2 = c[3]
+    half_inverse_spheres_reach = c[3]
     striker_path_travel = q[0]
     target_path_travel = q[1]
     striker_path_speed = u[0]
@@ -258,7 +260,7 @@ def gap_accelerations(t, q, u, a, c):
     spheres_apart_rate_x = striker_path_speed - target_path_speed
     spheres_apart_acceleration_x = striker_path_acceleration - target_path_acceleration
     spheres_apart_squared_rate_rate = 2*spheres_apart_rate_x*spheres_apart_rate_x + 2*spheres_apart_acceleration_x*spheres_apart_x
-    spheres_gap_rate_rate = k2*spheres_apart_squared_rate_rate
+    spheres_gap_rate_rate = half_inverse_spheres_reach*spheres_apart_squared_rate_rate
     return ca.vertcat(spheres_gap_rate_rate)
 
 
@@ -323,11 +325,11 @@ def accelerations(t, q, u, f, c):
         a (2,): striker_path.acceleration [m/s^2], target_path.acceleration [m/s^2]
         reactions (0,): empty
     """
-    k4 = c[7]
+    inverse_mass = c[7]
     striker_path_force = f[0]
     target_path_force = f[1]
-    striker_path_acc = k4*striker_path_force
-    target_path_acc = k4*target_path_force
+    striker_path_acc = inverse_mass*striker_path_force
+    target_path_acc = inverse_mass*target_path_force
     return ca.vertcat(striker_path_acc, target_path_acc), ca.vertcat()
 
 
@@ -351,8 +353,8 @@ def energy(t, q, u, c):
         stored (1,): spheres [J]
     """
     spheres_reach = c[1]
-    k3 = c[5]
-    k5 = c[8]
+    two_fifths_of_spheres_K = c[5]
+    half_mass = c[8]
     striker_path_travel = q[0]
     target_path_travel = q[1]
     striker_path_speed = u[0]
@@ -361,8 +363,8 @@ def energy(t, q, u, c):
     spheres_apart_squared = spheres_apart_x*spheres_apart_x
     spheres_distance = ca.sqrt(spheres_apart_squared)
     spheres_penetration = spheres_reach - spheres_distance
-    spheres_stored_energy = ca.if_else(spheres_penetration > 0, k3*spheres_penetration*spheres_penetration*ca.sqrt(spheres_penetration), 0)
-    kinetic = k5*striker_path_speed*striker_path_speed + k5*target_path_speed*target_path_speed
+    spheres_stored_energy = ca.if_else(spheres_penetration > 0, two_fifths_of_spheres_K*spheres_penetration*spheres_penetration*ca.sqrt(spheres_penetration), 0)
+    kinetic = half_mass*striker_path_speed*striker_path_speed + half_mass*target_path_speed*target_path_speed
     return ca.vertcat(kinetic), ca.vertcat(0), ca.vertcat(spheres_stored_energy)
 
 

@@ -21,7 +21,9 @@ def emit(program: Program, source: str) -> str:
     functions = {function.name: function_text(program, function) for function in program.functions}
     counts = {name: operations(text) for name, text in functions.items()}
     tables = dict(program.tables)
-    tables["CONSTANTS"] = tuple((symbol.name, program.units[symbol]) for symbol in program.constants)
+    tables["CONSTANTS"] = tuple(
+        (program.names.get(symbol.name, symbol.name), program.units[symbol]) for symbol in program.constants
+    )
     tables["OPERATIONS"] = tuple(counts.items())
     parts = [
         _header(program, source, counts),

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
+from collections.abc import Mapping
 from typing import Any
 
 from hertzwerk.derive.faults import visible
 from hertzwerk.derive.program.expression_text import expression_text
+from hertzwerk.derive.program.naming import names_in_words
 from hertzwerk.derive.program.program import Function, Program, Result, eliminate_common_subexpressions
 
 _WIDTH = 116  # columns of the text
+_NAME = re.compile(r"[^\W\d]\w*")
 
 _ARGUMENTS = {
     "t": "t [s]",
@@ -33,15 +37,31 @@ def function_text(program: Program, function: Function) -> str:
     """Text of one builder."""
     unpacked = _unpacked(program, function)
     function = eliminate_common_subexpressions(function)
+    names = _names(program, function)
     lines = [f"def {function.name}({', '.join(function.arguments)}):", *_docstring(function)]
-    lines += [f"    {line}" for line in unpacked]
-    lines += [f"    {symbol.name} = {expression_text(expression)}" for symbol, expression in function.body]
-    return "\n".join([*lines, *_return(function)])
+    code = [*unpacked, *(f"{symbol.name} = {expression_text(expression)}" for symbol, expression in function.body)]
+    lines += [f"    {_renamed(line, names)}" for line in code]
+    return "\n".join([*lines, *_return(function, names)])
 
 
-def _return(function: Function) -> list[str]:
+def _names(program: Program, function: Function) -> dict[str, str]:
+    """Names that stand for numbered ones in the text: of the assignment that is equal, else in words."""
+    named = {
+        x.name: program.names.get(symbol.name, symbol.name)
+        for x, symbol in function.shared.items()
+        if symbol is not None
+    }
+    unnamed = [(symbol, e) for symbol, e in function.body if symbol in function.shared and symbol.name not in named]
+    return names_in_words(unnamed, {**program.names, **named}, program.tape.names)
+
+
+def _renamed(code: str, names: Mapping[str, str]) -> str:
+    return _NAME.sub(lambda name: names.get(name[0], name[0]), code)
+
+
+def _return(function: Function, names: Mapping[str, str]) -> list[str]:
     """Return statement; if long, one result per line, and if that is long, several lines per result."""
-    columns = [_column(result) for result in function.results]
+    columns = [_renamed(_column(result), names) for result in function.results]
     line = f"    return {', '.join(columns)}"
     if len(line) <= _WIDTH:
         return [line]

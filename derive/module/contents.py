@@ -10,6 +10,7 @@ from hertzwerk.derive.module import loops, motion, outputs, pairs, scales, start
 from hertzwerk.derive.module.system import System
 from hertzwerk.derive.module.tables import tables
 from hertzwerk.derive.motion.constrained import SOFTNESS
+from hertzwerk.derive.program.naming import names_in_words
 from hertzwerk.derive.program.program import CONSTANT, Function, Program, Result
 
 
@@ -41,13 +42,14 @@ def program_of(system: System) -> Program:
     softness = [symbol for symbol, group in system.tape.inputs.items() if group == CONSTANT]
     values = (*constants, *(sp.Float(SOFTNESS) for _ in softness))
     constants = [*constants, *softness]
-    names = tuple(symbol.name for symbol in constants)
+    words = names_in_words(((s, system.tape.assignments[s]) for s in system.tape.numbered), {}, system.tape.names)
+    names = tuple(words.get(symbol.name, symbol.name) for symbol in constants)
     result = Result("c", names, ("",) * len(names), values)  # mixed units: see CONSTANTS
     functions.insert(
         0, system.function("constants", "What depends on the parameters alone, once per run.", "p", result)
     )
     note = "" if system.joints is None else "absolute"
-    return Program(system.scene, system.tape, tuple(functions), tuple(constants), tables(system), note)
+    return Program(system.scene, system.tape, tuple(functions), tuple(constants), tables(system), note, words)
 
 
 def _placement(system: System) -> list[Function]:

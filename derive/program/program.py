@@ -11,7 +11,7 @@ from __future__ import annotations
 import keyword
 import operator
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -23,6 +23,8 @@ from hertzwerk.derive.mechanism.parameter import RESERVED, TABLE
 
 PARAMETER = "p"
 CONSTANT = "c"
+NUMBERED = "k1"
+"""Name of the first constant that has none of its own."""
 _NO_GROUPS: frozenset[str] = frozenset()
 _STILL = frozenset((PARAMETER,))
 
@@ -46,6 +48,8 @@ class Function:
     arguments: tuple[str, ...]
     body: tuple[tuple[sp.Symbol, sp.Expr], ...]
     results: tuple[Result, ...]
+    shared: Mapping[sp.Symbol, sp.Symbol | None] = field(default_factory=dict)
+    """Numbered symbol of a shared subexpression -> the assignment whose whole value it is, if there is one."""
 
     @cached_property
     def reads(self) -> tuple[sp.Symbol, ...]:
@@ -64,12 +68,15 @@ class Tape:
     assignments: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
     declared: dict[sp.Symbol, Dimension] = field(default_factory=dict)
     """Dimensions of the inputs, and of assignments whose dimension is stated instead of inferred (unchecked laws)."""
+    names: set[str] = field(default_factory=lambda: set(RESERVED))
+    """Names in use."""
+    numbered: list[sp.Symbol] = field(default_factory=list)
+    """Assignments of constants that have no name but a number."""
     _groups: dict[Any, frozenset[str]] = field(default_factory=dict)
     _known: dict[Any, sp.Symbol] = field(default_factory=dict)
     _sign_free_keys: set[Any] = field(default_factory=set)
     """Keys of the named expressions, equal for an expression and its negative."""
     _rates: dict[sp.Symbol, Any] = field(default_factory=dict)
-    _names: set[str] = field(default_factory=lambda: set(RESERVED))
 
     # -- recording -------------------------------------------------------------------------------------------------
 
@@ -78,7 +85,7 @@ class Tape:
         if symbol is None:
             symbol = sp.Symbol(name if group == "t" else self._unique(name), real=True)
         else:
-            self._names.add(name)
+            self.names.add(name)
         self.inputs[symbol] = group
         self.declared[symbol] = dimension
         self._groups[symbol] = frozenset((group,))
@@ -111,6 +118,8 @@ class Tape:
 
     def _assign(self, expression: Any, name: str) -> sp.Symbol:
         symbol = sp.Symbol(self._unique(name), real=True)
+        if name == NUMBERED:
+            self.numbered.append(symbol)
         self.assignments[symbol] = expression
         self._groups[symbol] = self._groups_of(expression)
         return symbol
@@ -150,10 +159,10 @@ class Tape:
     def _unique(self, name: str) -> str:
         name = f"{name}_" if keyword.iskeyword(name) else name
         base, count = (name[:-1], 1) if name[-1].isdigit() else (f"{name}_", 1)
-        while name in self._names or name.endswith(TABLE):
+        while name in self.names or name.endswith(TABLE):
             count += 1
             name = f"{base}{count}"
-        self._names.add(name)
+        self.names.add(name)
         return name
 
     def _hoist(self, expression: Any) -> Any:
@@ -169,7 +178,7 @@ class Tape:
             part = still[0] if len(still) == 1 else expression.func(*still)
             if not (part.is_Atom or _negated_atom(part).is_Symbol):
                 sign = -1 if expression.is_Mul and part.could_extract_minus_sign() else 1
-                part = sign * self.let(sign * part, "k1")
+                part = sign * self.let(sign * part, NUMBERED)
             elif all(map(operator.is_, moving, others)):
                 return expression  # no constant part
             return expression.func(part, *moving)
@@ -181,7 +190,7 @@ class Tape:
     def _hoist_argument(self, argument: Any) -> Any:
         """Name a function's whole argument if it depends on parameters alone, else hoist its parts."""
         if self.is_constant(argument) and not argument.is_number:
-            return self.let(argument, "k1")
+            return self.let(argument, NUMBERED)
         return self._hoist(argument)
 
     # -- rates of change -------------------------------------------------------------------------------------------
@@ -275,6 +284,7 @@ def eliminate_common_subexpressions(function: Function) -> Function:
         for node in _compound_parts(expression):
             count[node] = count.get(node, 0) + 1
     names: dict[Any, sp.Symbol] = {}
+    shared: dict[sp.Symbol, sp.Symbol | None] = {}
     body: list[tuple[sp.Symbol, sp.Expr]] = []
     taken = {symbol.name for symbol in (*function.reads, *(symbol for symbol, _ in function.body))}
     count_names = 0
@@ -294,21 +304,24 @@ def eliminate_common_subexpressions(function: Function) -> Function:
         count_names += 1
         while f"x{count_names}" in taken:
             count_names += 1
-        names[expression] = sp.Symbol(f"x{count_names}", real=True)
-        body.append((names[expression], rebuilt))
-        return names[expression]
+        names[expression] = new = sp.Symbol(f"x{count_names}", real=True)
+        shared[new] = None
+        body.append((new, rebuilt))
+        return new
 
     for symbol, expression in function.body:
         rebuilt = visit(expression, whole=True)
         if rebuilt.is_Symbol:
             names[symbol] = rebuilt  # the result has a name already
+            if rebuilt in shared:
+                shared[rebuilt] = shared[rebuilt] or symbol
         else:
             names[expression] = symbol
             body.append((symbol, rebuilt))
     results = tuple(
         Result(r.name, r.labels, r.units, tuple(visit(sp.sympify(e)) for e in r.expressions)) for r in function.results
     )
-    return Function(function.name, function.summary, function.arguments, tuple(body), results)
+    return replace(function, body=tuple(body), results=results, shared=shared)
 
 
 def _expressions(function: Function) -> Iterator[Any]:
@@ -342,6 +355,8 @@ class Program:
     """Name of a module-level table (COORDINATES, PAIRS, ...) -> its rows."""
     note: str = ""
     """The choice of coordinates and its reason, where they are chosen automatically."""
+    names: Mapping[str, str] = field(default_factory=dict)
+    """Numbered constant -> its name in words, in the text of the module."""
     units: Mapping[sp.Symbol, str] = field(default_factory=dict)
     """Unit of every input and assignment, once the audit has passed."""
 
