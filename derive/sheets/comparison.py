@@ -5,13 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Any
 
 import sympy as sp
 from mpmath import mp, mpf
 
 from hertzwerk.derive.audit.audit import audit_law
-from hertzwerk.derive.audit.numeric import evaluate
+from hertzwerk.derive.audit.numeric import evaluate, scale_factor
 from hertzwerk.derive.contact.pairs.round import ParallelCylinders, SphereOnSphere
 from hertzwerk.derive.declare.scene import Scales, Scene, Start
 from hertzwerk.derive.dimension.dimension import Dimension
@@ -67,10 +68,10 @@ def exponent_unit(exponent: float) -> ExponentUnit:
 
 @dataclass(frozen=True)
 class ForceCurve:
-    """Forces [N] of a law's formula with SI values, at penetrations [m]: steel pin in its bush.
+    """Forces [N] of a law's formula, SI values put in, at penetrations and clearances [m]: a steel pin in its bush.
 
-    Forces are nan beyond the reach [m] of the law, and where the formula has no real value. `unit`: that of the force
-    as the audit finds it. `ranges`: those the law states, as text.
+    Forces are nan beyond the reach [m] of the law at that clearance, and where the formula has no real value. `in_mm`:
+    the same with mm, N, MPa put in. `unit`: that of the force as the audit finds it. `ranges`: those the law states.
     """
 
     law: str
@@ -80,14 +81,18 @@ class ForceCurve:
     unit: str
     source: str
     ranges: str
-    reach: float
     forces: tuple[float, ...]
+    in_mm: tuple[float, ...]
+    reach: tuple[float, ...]
+
+
+SI, MILLIMETRES = (mpf(1),) * 4, (mpf(1000), mpf("0.001"), mpf(1), mpf(1))  # units of mass, length, time, temperature
 
 
 def force_curve(
-    name: str, penetrations: Sequence[float], clearance: float, exponent: float | None = None
+    name: str, penetrations: Sequence[float], clearances: Sequence[float], exponent: float | None = None
 ) -> ForceCurve:
-    """Evaluate a stiffness law with SI values over penetrations [m], at a clearance [m].
+    """Evaluate a stiffness law at points of penetration and clearance [m]; raises TypeError for another law.
 
     `exponent`: of a law that leaves it open.
     """
@@ -95,22 +100,42 @@ def force_curve(
     if not isinstance(law, StiffnessLaw):
         raise TypeError(f"found {name}, a {law.kind} law, expected a stiffness law")
     with mp.workdps(DIGITS):
-        values = _values(law, mpf(repr(clearance)), exponent)
-        reach = mp.inf if law.reach is None else evaluate(law.reach, values)
-        forces = tuple(
-            _real(evaluate(law.force, {**values, d: x})) if x < reach else math.nan
-            for x in (mpf(repr(float(x))) for x in penetrations)
-        )
-    finding = next(f for f in audit_law(law) if f.what == "normal force")
+        rows = [
+            _at(law, mpf(repr(float(x))), mpf(repr(float(c))), exponent)
+            for x, c in zip(penetrations, clearances, strict=True)
+        ]
+        forces, in_mm, reach = (tuple(column) for column in zip(*rows, strict=True))
+    unit = _unit(law, exponent)
     ranges = "; ".join(
         f"{row.quantity.name} [{row.quantity.unit}] in {row.interval} ({row.kind})" for row in law.ranges
     )
-    return ForceCurve(
-        name, law.title, law.grade, law.verdict, finding.found, law.source, ranges, float(reach), forces
-    )  # fmt: skip
+    return ForceCurve(name, law.title, law.grade, law.verdict, unit, law.source, ranges, forces, in_mm, reach)
 
 
-def _values(law: StiffnessLaw, clearance: Any, exponent: float | None) -> dict[sp.Symbol, Any]:
+def _unit(law: StiffnessLaw, exponent: float | None) -> str:
+    """Unit of the force as the audit finds it, or what it finds wrong within the formula."""
+    findings = {finding.what: finding for finding in audit_law(law)}
+    printed = findings["normal force"], findings.get("penetration", findings["normal force"])
+    wrong = next((finding for finding in printed if finding.verdict != "consistent"), None)
+    if wrong is None:
+        return "N"
+    if wrong.expected != "N":
+        return wrong.reason
+    given = {} if exponent is None else {"n": sp.Rational(str(exponent))}
+    return str(Dimension.from_unit(wrong.found, given))
+
+
+def _at(law: StiffnessLaw, depth: Any, clearance: Any, exponent: float | None) -> tuple[float, float, float]:
+    """Force of a law at one point [N], the same with mm, N, MPa put in, and its reach there [m]."""
+    si, in_mm = (_values(law, clearance, exponent, units) for units in (SI, MILLIMETRES))
+    reach = mp.inf if law.reach is None else evaluate(law.reach, si)
+    forces = (evaluate(law.force, {**v, d: depth / u}) for v, u in ((si, 1), (in_mm, MILLIMETRES[1])))
+    first, second = (_real(force) if depth < reach else math.nan for force in forces)
+    return first, second, float(reach)
+
+
+@lru_cache(maxsize=8)
+def _values(law: StiffnessLaw, clearance: Any, exponent: float | None, units: Sequence[Any]) -> dict[sp.Symbol, Any]:
     """Values of a law's symbols for the pin in its bush of the sheets' example, with another clearance."""
     bush = mpf(EXAMPLE["R_1"])
     pin = bush - clearance
@@ -118,9 +143,15 @@ def _values(law: StiffnessLaw, clearance: Any, exponent: float | None) -> dict[s
     numbers |= {symbol.name: mpf(repr(parameter.si)) for symbol, parameter in law.defaults}
     numbers |= {"R_2": pin, "R_min": pin, "dR": clearance, "R_eff": bush * pin / clearance}
     numbers |= {} if exponent is None else {"n": mpf(repr(exponent))}
-    values: dict[sp.Symbol, Any] = {s: numbers[s.name] for s in (*law.parameters, *law.geometry())}
+    values: dict[sp.Symbol, Any] = {
+        s: numbers[s.name] / scale_factor(Dimension.from_unit(s.unit), units, {})
+        for s in (*law.parameters, *law.geometry())
+    }
     for symbol, expression in law.definitions:
-        values[symbol] = evaluate(expression, values)
+        try:
+            values[symbol] = evaluate(expression, values)
+        except ZeroDivisionError:  # ln(1000 dR) of a millimetre, put in in metres, is the logarithm of 1
+            values[symbol] = mp.nan
     return values
 
 

@@ -197,11 +197,13 @@ def exponent_unit(exponent: float) -> ExponentUnit:
     return comparison.exponent_unit(exponent)
 
 
-def force_curve(law: str, penetrations: Sequence[float], clearance: float, exponent: float | None = None) -> ForceCurve:
-    """Return the forces of a stiffness law over penetrations [m]; see `comparison.force_curve`."""
+def force_curve(
+    law: str, penetrations: Sequence[float], clearances: Sequence[float], exponent: float | None = None
+) -> ForceCurve:
+    """Return the forces of a stiffness law at penetrations and clearances [m]; see `comparison.force_curve`."""
     from hertzwerk.derive.sheets import comparison
 
-    return comparison.force_curve(law, penetrations, clearance, exponent)
+    return comparison.force_curve(law, penetrations, clearances, exponent)
 
 
 def build_compared(name: str, contact: str, law: str | None) -> ModuleType:

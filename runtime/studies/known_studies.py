@@ -8,7 +8,7 @@ from pathlib import Path
 from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.runtime.studies.page import Study
 
-NAMES = ("exponents",)
+NAMES = ("exponents", "stiffness")
 """Built-in studies: NAME is `STUDY` of `study_NAME.py`."""
 
 

@@ -20,12 +20,16 @@ Cell = str | int | float | None
 
 @dataclass(frozen=True)
 class Axis:
-    """Quantity along an axis, in `unit`; `history`: the history of a run that it shows, for measurements."""
+    """Quantity along an axis, in `unit`; `history`: the history of a run that it shows, for measurements.
+
+    `labels`: names of the positions 0, 1, ... where it shows no quantity.
+    """
 
     name: str
     unit: str = ""
     log: bool = False
     history: str = ""
+    labels: tuple[str, ...] = ()
 
     def __str__(self) -> str:
         return f"{self.name} [{self.unit}]" if self.unit else self.name

@@ -15,12 +15,23 @@ import numpy as np
 
 from hertzwerk.runtime.pictures.curves import Curves, impact_curves
 from hertzwerk.runtime.simulation import simulate
-from hertzwerk.runtime.studies.crank_runs import PIN, crank_with, measure
-from hertzwerk.runtime.studies.page import Axis, Cell, Chart, Curve, Page, Panel, Progress, Study, Table, Verdict
+from hertzwerk.runtime.studies.crank_runs import (
+    CLEARANCE,
+    OUTPUTS,
+    PENETRATION,
+    PIN,
+    TURN,
+    cells,
+    crank_with,
+    header,
+    measure,
+)
+from hertzwerk.runtime.studies.page import Axis, Chart, Curve, Page, Panel, Progress, Study, Table, Verdict
 from hertzwerk.runtime.studies.page import compared as compare
 
 if TYPE_CHECKING:
     from hertzwerk.derive.sheets.comparison import ExponentUnit
+    from hertzwerk.runtime.effects.measuring import Measurement
     from hertzwerk.runtime.model.binding import Value
     from hertzwerk.runtime.solution.solution import Solution
 
@@ -30,10 +41,8 @@ DRAWN = (1.0, 1.5, 2.0)
 STIFFNESS = 4 / 3 * 207e9 / (2 * (1 - 0.3**2)) * math.sqrt(0.010 * 0.0095 / 0.0005)  # N/m^1.5, the pin in its bush
 MASS, SPEED, RESTITUTION = 0.21 * 0.14 / (0.21 + 0.14), 1.0, 0.9  # kg of rod and slider, m/s
 DAMPING = 3 / 4 * (1 - RESTITUTION**2)  # h of Lankarani and Nikravesh
-CLEARANCE, TURN = 0.5e-3, "12 ms"
 UNNOTICED, SUNK = 0.02, 0.5  # of the clearance: penetrations that no picture shows; that are no small deformation
 TOLERANCE, AGREEMENT, SAME = 1e-11, 1e-6, 1e-12
-OUTPUTS = ("peak_force", f"max.{PIN}.penetration", "impact_rate", "peak_acceleration")
 PAPER = "Wang, Liu, Mech. Mach. Theory 153 (2020) 103986"
 RELATION = "free impact in closed form: K dmax^(n+1)/(n+1) = m v0^2 (h - ln(1 + h))/h^2"
 
@@ -69,7 +78,7 @@ def run(quick: bool, progress: Progress) -> Page:
     progress(0.1)
     model, rows, drawn = crank_with(None), [], {}
     for i, n in enumerate(exponents):
-        found = measure(model, TURN, {"exponent": n}, OUTPUTS, 1e-8)
+        found = measure(model, {"exponent": n})
         kept = simulate(model, duration=TURN, tolerance=1e-9, parameters={"exponent": n})
         rows.append((n, found, kept.statistics.steps))
         if n in DRAWN:
@@ -104,7 +113,7 @@ def _impacts(exponents: tuple[float, ...]) -> list[Impact]:
     return found
 
 
-def _page(impacts: list[Impact], rows: list[tuple[float, Any, int]], drawn: Mapping[float, Solution]) -> Page:
+def _page(impacts: list[Impact], rows: list[tuple[float, Measurement, int]], drawn: Mapping[float, Solution]) -> Page:
     return Page(
         title="Hertz's stiffness with n from 1 to 2, its number kept",
         paragraphs=(
@@ -143,31 +152,17 @@ def _impact_table(impacts: list[Impact]) -> Table:
     ))  # fmt: skip
 
 
-def _crank_table(rows: list[tuple[float, Any, int]]) -> Table:
-    units = (
-        ("peak force", "kN", 1e3),
-        ("penetration", "µm", 1e-6),
-        ("impact rate", "1/s", 1.0),
-        ("acceleration", "km/s²", 1e3),
+def _crank_table(rows: list[tuple[float, Measurement, int]]) -> Table:
+    columns = (("n", ""), ("outcome", ""), *header(), ("penetration/clearance", ""), ("deformation", ""), ("steps", ""))
+    table = (
+        (n, found.outcome.name, *cells(found), _share(found), _called(_share(found)), steps) for n, found, steps in rows
     )
-    header = [("n", ""), ("outcome", "")]
-    for name, unit, _ in units:
-        header += [(name, unit), (f"{name} ±", unit)]
-    header += [("penetration/clearance", ""), ("deformation", ""), ("steps", "")]
-    table = []
-    for n, found, steps in rows:
-        cells: list[Cell] = [n, found.outcome.name]
-        for output, (_, _, factor) in zip(OUTPUTS, units, strict=True):
-            number = found.numbers.get(output)
-            cells += [None, None] if number is None else [number.value / factor, number.error / factor]
-        share = _share(found)
-        table.append((*cells, share, _called(share), steps))
-    return Table("slider_crank", "One revolution of the slider-crank", tuple(header), tuple(table))
+    return Table("slider_crank", "One revolution of the slider-crank", columns, tuple(table))
 
 
-def _share(found: Any) -> float | None:
+def _share(found: Measurement) -> float | None:
     """Return the largest penetration over the clearance; None where the run failed."""
-    number = found.numbers.get(OUTPUTS[1])
+    number = found.numbers.get(PENETRATION)
     return None if number is None else float(number.value / CLEARANCE)
 
 
@@ -203,7 +198,7 @@ def _impact_chart(impacts: list[Impact]) -> Chart:
     )  # fmt: skip
 
 
-def _crank_chart(rows: list[tuple[float, Any, int]], drawn: Mapping[float, Solution]) -> Chart:
+def _crank_chart(rows: list[tuple[float, Measurement, int]], drawn: Mapping[float, Solution]) -> Chart:
     done = [(n, found) for n, found, _ in rows if len(found.numbers) == len(OUTPUTS)]
     n, exponent = np.array([row[0] for row in done]), Axis("exponent n")
     parted = [f"{x:g}" for x, found in done if found.past_horizon]
@@ -226,7 +221,7 @@ def _crank_chart(rows: list[tuple[float, Any, int]], drawn: Mapping[float, Solut
         (
             Panel("Largest contact force", exponent, Axis("peak force", "kN", log=True), (over_n("peak_force", 1e3),)),
             Panel("Largest penetration", exponent, Axis("penetration/clearance", log=True), (
-                over_n(OUTPUTS[1], CLEARANCE),
+                over_n(PENETRATION, CLEARANCE),
                 Curve(f"unnoticed below {UNNOTICED:g}", ends[::-1], np.full(2, UNNOTICED), look="dashed"),
                 Curve(f"sunk above {SUNK:g}", ends, np.full(2, SUNK), look="dashed"),
             )),
@@ -269,7 +264,7 @@ def _impact_verdicts(impacts: list[Impact]) -> tuple[Verdict, ...]:
     )  # fmt: skip
 
 
-def _crank_verdicts(rows: list[tuple[float, Any, int]]) -> tuple[Verdict, ...]:
+def _crank_verdicts(rows: list[tuple[float, Measurement, int]]) -> tuple[Verdict, ...]:
     called: dict[str, list[str]] = {}
     for n, found, _ in rows:
         called.setdefault(_called(_share(found)), []).append(f"{n:g}")

@@ -21,9 +21,10 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.studies.page import Chart, Curve, Panel
 
 WIDE, HIGH = 5.4, 3.5  # inches of a panel
+COLOURS = tuple(colour for colour in CYCLE if colour != ORANGE)  # which references have
 DASHES = ("-", "--", ":", "-.")
 CHARACTERS = 17  # of a caption, per inch
-LABEL = 0.085  # inches that a character of a legend takes
+LABEL = 0.08  # inches that a character of a legend takes
 FORMATS = ("png", "svg")
 FEW_DECADES, MANY_DECADES = 2.0, 6.0  # of a logarithmic axis
 
@@ -53,12 +54,11 @@ def figure(chart: Chart) -> Figure:
             if not shared and len(axis.get_legend_handles_labels()[1]) > 1:
                 axis.set_title(plain(panel.title), pad=LEGEND_ROOM)
                 legend(axis)
-        if shared:
-            _legend_below(page)
         page.suptitle(plain(chart.title), x=0.01, ha="left", fontsize=12.5, fontweight="bold")
-        if chart.note:
-            note = "\n".join(textwrap.wrap(chart.note, int(CHARACTERS * WIDE * columns)))
-            page.supxlabel(plain(note), x=0.01, ha="left", fontsize=9, color=GREY)
+        if shared:
+            _legend_below(page, chart.note)
+        elif chart.note:
+            page.supxlabel(_wrapped(chart.note, page), x=0.01, ha="left", fontsize=9, color=GREY)
     return page
 
 
@@ -67,7 +67,7 @@ def _looks(chart: Chart) -> dict[str, dict[str, Any]]:
     labels = dict.fromkeys(
         c.label for panel in chart.panels for c in panel.curves if c.look not in ("reference", "dashed")
     )
-    styles = list(product(DASHES, CYCLE))
+    styles = list(product(DASHES, COLOURS))
     return {
         label: {"linestyle": styles[i % len(styles)][0], "color": styles[i % len(styles)][1]}
         for i, label in enumerate(labels)
@@ -76,7 +76,7 @@ def _looks(chart: Chart) -> dict[str, dict[str, Any]]:
 
 def _draw(axis: Axes, panel: Panel, looks: dict[str, dict[str, Any]]) -> None:
     for curve in panel.curves:
-        _curve(axis, curve, looks.get(curve.label, {}))
+        _curve(axis, curve, looks.get(curve.label, {}), across=bool(panel.y.labels))
     axis.set(title=plain(panel.title), xlabel=plain(str(panel.x)), ylabel=plain(str(panel.y)))
     if panel.x.log:
         axis.set_xscale("log")
@@ -90,6 +90,9 @@ def _draw(axis: Axes, panel: Panel, looks: dict[str, dict[str, Any]]) -> None:
     ):
         if log:
             _log_ticks(ticks, limits)
+    if panel.y.labels:
+        axis.set_yticks(range(len(panel.y.labels)), panel.y.labels)
+        axis.set_ylim(len(panel.y.labels) - 0.4, -0.6)
     for x, text in panel.marks:
         axis.axvline(x, color=GREY, linewidth=0.9, linestyle=":")
         axis.annotate(
@@ -110,7 +113,8 @@ def _log_ticks(ticks: Any, limits: tuple[float, float]) -> None:
     ticks.set_minor_formatter(NullFormatter())
 
 
-def _curve(axis: Axes, curve: Curve, look: dict[str, Any]) -> None:
+def _curve(axis: Axes, curve: Curve, look: dict[str, Any], *, across: bool) -> None:
+    """Draw a curve; `across`: its errors are of x, the positions along y being names."""
     label = plain(curve.label)
     if curve.look == "reference":
         axis.plot(curve.x, curve.y, color=ORANGE, linewidth=2.6, alpha=0.75, label=label)
@@ -127,21 +131,31 @@ def _curve(axis: Axes, curve: Curve, look: dict[str, Any]) -> None:
     marker = {"line": "", "dots": "o", "both": "o"}[curve.look]
     size = 2.0 if len(curve.x) > 60 else 4.0
     axis.plot(curve.x, curve.y, marker=marker, markersize=size, label=label, **style)
-    if curve.half_width is not None:
-        low, high = curve.y - curve.half_width, curve.y + curve.half_width
-        if lined:
-            axis.fill_between(curve.x, low, high, color=look["color"], alpha=0.15, linewidth=0)
-        else:
-            axis.vlines(curve.x, low, high, color=look["color"], linewidth=1.0)
+    if curve.half_width is None:
+        return
+    if across:
+        axis.hlines(curve.y, curve.x - curve.half_width, curve.x + curve.half_width, color=look["color"], linewidth=1.0)
+        return
+    low, high = curve.y - curve.half_width, curve.y + curve.half_width
+    if lined:
+        axis.fill_between(curve.x, low, high, color=look["color"], alpha=0.15, linewidth=0)
+    else:
+        axis.vlines(curve.x, low, high, color=look["color"], linewidth=1.0)
 
 
-def _legend_below(page: Figure) -> None:
-    """Draw one legend of all labels below the panels."""
+def _wrapped(note: str, page: Figure) -> str:
+    return plain("\n".join(textwrap.wrap(note, int(CHARACTERS * page.get_figwidth()))))
+
+
+def _legend_below(page: Figure, note: str) -> None:
+    """Draw one legend of all labels below the panels, under the note."""
     handles: dict[str, Any] = {}
     for axis in page.axes:
         for handle, label in zip(*axis.get_legend_handles_labels(), strict=True):
             handles.setdefault(label, handle)
-    width = LABEL * (max(map(len, handles)) + 6)
-    page.legend(
-        list(handles.values()), list(handles), loc="outside lower left", ncols=max(1, int(page.get_figwidth() // width))
-    )
+    width = LABEL * (max(map(len, handles)) + 5)
+    legend = page.legend(
+        list(handles.values()), list(handles), loc="outside lower left", ncols=max(1, int(page.get_figwidth() // width)),
+        title=_wrapped(note, page) or None, title_fontsize=9, alignment="left",
+    )  # fmt: skip
+    legend.get_title().set_color(GREY)
