@@ -21,7 +21,7 @@ if sys.platform != "win32":
     import fcntl
 
 _PREFIX = ".hertzwerk-unfinished-"
-_OURS = re.compile(re.escape(_PREFIX) + "[0-9a-f]{16}")
+UNFINISHED = re.compile(re.escape(_PREFIX) + "[0-9a-f]{16}")
 YOUNG = 60.0  # s: younger files may not be locked yet by their maker
 
 
@@ -58,7 +58,7 @@ def sweep(parent: Path) -> None:
         return
     with contextlib.suppress(OSError):
         for entry in os.scandir(parent):
-            if _OURS.fullmatch(entry.name) and _abandoned(entry):
+            if UNFINISHED.fullmatch(entry.name) and _abandoned(entry):
                 if entry.is_dir(follow_symlinks=False):
                     shutil.rmtree(entry.path, ignore_errors=True)
                 else:

@@ -11,9 +11,11 @@ from typing import Final, Literal, TypeAlias
 import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.units import UnitError, parse_quantity
 from hertzwerk.runtime.accuracy.ladder import LEAST
 from hertzwerk.runtime.integrate.tableaux.methods import METHODS
 from hertzwerk.runtime.model.binding import Value, read_time
+from hertzwerk.runtime.model.drive_speed import drive_speed
 from hertzwerk.runtime.model.model import Bound, Dependent, Model
 from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.run.output_times import Output, times_of
@@ -60,7 +62,7 @@ class Settings:
     def check(self, model: Model) -> None:
         """Raise InputError for input that is bad whatever the parameters of the run."""
         faults = self.faults()
-        times_of(self.output, read_duration(self.duration, faults), faults)
+        times_of(self.output, read_duration(model, {}, self.duration, faults), faults)
         if faults:
             raise InputError(model.name, faults)
 
@@ -119,7 +121,7 @@ def read(
     faults = settings.faults()
     known, key = _remembered(model), _key((settings.duration, parameters, initial))
     given = None if faults else known.get(key)
-    seconds = read_duration(settings.duration, faults) if given is None else given.seconds
+    seconds = read_duration(model, parameters, settings.duration, faults) if given is None else given.seconds
     times = times_of(settings.output, seconds, faults)
     if given is not None and not faults:
         return given, times
@@ -176,18 +178,48 @@ def _key(value: object) -> Hashable:
     return (type(value), value) if isinstance(value, str | int | None) else object()
 
 
-def read_duration(duration: str | float | None, faults: list[Fault]) -> float:
-    """Return a duration in seconds; bad input is appended to `faults`."""
+def read_duration(
+    model: Model, parameters: Mapping[str, Value], duration: str | float | None, faults: list[Fault]
+) -> float:
+    """Return a duration in seconds, of revolutions with these parameters; bad input is appended to `faults`."""
     expected = 'a positive time, such as "24 ms" or a number of seconds'
     with contextlib.suppress(ValueError, TypeError):
         duration = (
             float(duration) if isinstance(duration, str) else duration
         )  # on a command line "24" is 24 s, as 24 is
     if isinstance(duration, str):
-        return read_time("duration", duration, expected, faults)
+        turned = _angle(duration)
+        if turned is None:
+            return read_time("duration", duration, expected, faults)
+        return _time_to_turn(model, parameters, turned, duration, faults)
     if duration is not None and _real(duration) and 0 < duration < math.inf:
         return float(duration)
     faults.append(Fault("duration", "none" if duration is None else shown(duration), expected))
+    return math.nan
+
+
+def _angle(text: str) -> float | None:
+    """Return the radians of text such as "200 rev"; None if it is no angle."""
+    try:
+        value, unit = parse_quantity(text)
+    except UnitError:
+        return None
+    return unit.to_si(value) if unit.dimensionless and unit.angle == 1 else None
+
+
+def _time_to_turn(model: Model, parameters: Mapping[str, Value], angle: float, text: str, faults: list[Fault]) -> float:
+    """Return the time [s] in which the drive of a scene turns through an angle [rad]."""
+    bound = model.check(parameters)[0]
+    if bound is None:
+        return math.nan  # its faults are found where the parameters are read
+    speed = drive_speed(model, bound)
+    if speed is not None and 0 < angle < math.inf:
+        return angle / speed
+    if speed is None:
+        expected = "a time: revolutions are those of a scene with one drive of constant speed"
+        faults.append(Fault("duration", shown(text), expected, 'such as "24 ms"'))
+    else:
+        faults.append(Fault("duration", shown(text), 'a positive time or angle, such as "24 ms" or "200 rev"'))
     return math.nan
 
 

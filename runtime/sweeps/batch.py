@@ -22,13 +22,12 @@ from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.start.start_values import split_values
 from hertzwerk.runtime.sweeps.row_outputs import Measured, NotANumberError, Output, finals, of_every_run, own
-from hertzwerk.runtime.sweeps.sweep_table import TEXTS, Row, Sweep, columns_of
+from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, TEXTS, Row, Sweep, columns_of
 
 Own = Callable[[Solution], float]
 # outcomes of rows without a run or some of its numbers
 BAD_INPUT, BAD_OUTPUT, NO_NUMBER, FAILED, LOST = "bad_input", "bad_output", "output_no_number", "failed", "lost"
 PROBE = 0.3  # s: longest trial run, from which the time of all is estimated
-COMPLETE = Outcome("finished", "every row is there", "")
 INTERRUPTED = Outcome("interrupted", "stopped by the user", "the rows that were done are there")
 
 

@@ -48,6 +48,12 @@ class Range:
     unit: str
     log: bool
 
+    def __str__(self) -> str:
+        ends = "..".join(
+            format(Decimal(end.numerator) / Decimal(end.denominator), "g") for end in (self.low, self.high)
+        )
+        return f"{ends} {self.unit}{' log' if self.log else ''}"
+
     def at(self, part: Fraction) -> Given:
         """Return the value at a part of the way, 0..1, rounded once."""
         if not self.log:

@@ -4,15 +4,19 @@
 2. design    values of every point                              sweeps/design
 3. outputs   numbers of a run, by name or by own functions      sweeps/row_outputs
 4. rows      a run each, on all cores                           sweeps/batch
+             stored once done, where a folder is named          sweeps/definition, sweeps/store
 5. table     sorted by point                                    sweeps/sweep_table
 """
 
 from __future__ import annotations
 
+import hashlib
+import sqlite3
 import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import closing
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -21,15 +25,21 @@ from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.model import model as plain
 from hertzwerk.runtime.model.binding import Value, named_values
 from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, Settings, check
+from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.start.start_values import split_values
-from hertzwerk.runtime.sweeps.batch import COMPLETE, INTERRUPTED, Batch, ports
+from hertzwerk.runtime.sweeps.batch import INTERRUPTED, Batch, ports
+from hertzwerk.runtime.sweeps.definition import as_text, axes_of, keys_of, target_of, text_of, versions
 from hertzwerk.runtime.sweeps.design import Given, Varied, read_design
+from hertzwerk.runtime.sweeps.own_functions import digest
 from hertzwerk.runtime.sweeps.row_outputs import Output, chosen, finals, own
-from hertzwerk.runtime.sweeps.sweep_table import TEXTS, Row, Sweep, columns_of
+from hertzwerk.runtime.sweeps.store import TABLE, Store, opened, read_rows
+from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, TEXTS, Row, Sweep, columns_of
 
 if TYPE_CHECKING:
     from hertzwerk.derive.declare.scene import Scene
+
+NOT_STORED = "not_stored"  # outcome of a sweep
 
 
 def sweep(
@@ -55,6 +65,8 @@ def sweep(
     max_events: int = MAX_EVENTS,
     wall_time: float | None = None,
     workers: int | None = None,
+    into: str | Path | None = None,
+    widen: bool = False,
     progress: Callable[[float], object] | None = None,
 ) -> Sweep:
     """Run a model at every point of a design, on all cores; return the table of its outputs.
@@ -70,11 +82,14 @@ def sweep(
                width of its 95 % interval as a column more), "guide.travel.max"; by default every final state
     functions    further outputs, functions of the Solution: {"stroke": lambda run: np.ptp(run["guide.travel"])}
     workers    processes, by default as many as there are cores
+    into    folder in which every row is stored once it is done; where it holds rows of the same sweep, those that are
+            missing are computed. A folder of another definition is refused, unless it is to be taken in its place
+            (widen): rows that are the same stay, the others are computed
     progress    called now and then with the fraction of rows done
 
     The other arguments are those of `simulate`. A row that cannot run, does not finish, or whose output raises has
-    that as its outcome. Ctrl-C returns the rows that are done. Raises InputError with every fault of what is bad for
-    every row.
+    that as its outcome. Ctrl-C returns the rows that are done, a full disk those that are stored. Raises InputError
+    with every fault of what is bad for every row.
     """
     began = time.perf_counter()
     model = _model(target, without, laws, coordinates)
@@ -98,26 +113,88 @@ def sweep(
     plan = Plan(model, design.points(), fixed, varied, wanted, settings)
     plan.check()
     batch = Batch(model, plan.sets(), settings, wanted, compiled, workers)
+    made = partial(
+        Sweep,
+        scene=model.name,
+        columns=plan.columns,
+        varied=tuple(varied),
+        workers=batch.workers,
+    )
+    if into is None:
+        rows, outcome = _in_memory(batch, len(plan.points), progress)
+        return made(rows=rows, outcome=outcome, compiled=batch.compiled, wall_s=time.perf_counter() - began)
+    folder, text = Path(into), text_of(model)
+    same = {
+        "outputs": [output.name for output in wanted if output.name not in (functions or {})],
+        "functions": {name: digest(name, function) for name, function in (functions or {}).items()},
+        "text": hashlib.sha256(text.encode()).hexdigest()[:16],
+        "versions": versions(),
+    }
+    definition = {
+        **{"scene": model.name, **target_of(target, model), "over": axes_of(design)},
+        **{"zip": zip, "sample": sample, "sampler": sampler, "seed": seed},
+        **{"values": {name: as_text(value) for name, value in fixed.items()}, **settings, **same},
+        **{"columns": plan.columns, "varied": list(varied)},
+    }
+    keys = keys_of(model, plan.sets(), settings, same)
+    with opened(folder) as store:
+        store.define(definition, text, keys, plan.points, widen=widen)
+        outcome = _stored(batch, store, keys, progress)
+        table = made(
+            rows=tuple(read_rows(folder)[0]),
+            outcome=outcome,
+            compiled=batch.compiled,
+            wall_s=time.perf_counter() - began,
+        )
+        if outcome.name != NOT_STORED:
+            try:
+                table.to_csv(folder / TABLE, overwrite=True)
+            except OSError as error:
+                table = replace(table, outcome=_not_stored(error))
+    return table
+
+
+def _in_memory(batch: Batch, count: int, progress: Callable[[float], object] | None) -> tuple[tuple[Row, ...], Outcome]:
+    """Return the rows that are done, and how it ended."""
     rows: dict[int, Row] = {}
     outcome = COMPLETE
     try:
-        with closing(batch.rows(range(len(plan.points)))) as done:
+        with closing(batch.rows(range(count))) as done:  # its workers end here, whatever is raised
             for row in done:
                 rows[row.index] = row
                 if progress is not None:
-                    progress(len(rows) / len(plan.points))
+                    progress(len(rows) / count)
     except KeyboardInterrupt:
         outcome = INTERRUPTED
-    return Sweep(
-        scene=model.name,
-        rows=tuple(rows[i] for i in sorted(rows)),
-        columns=plan.columns,
-        varied=tuple(varied),
-        outcome=outcome,
-        workers=batch.workers,
-        compiled=batch.compiled,
-        wall_s=time.perf_counter() - began,
-    )
+    return tuple(rows[i] for i in sorted(rows)), outcome
+
+
+def _stored(batch: Batch, store: Store, keys: Sequence[str], progress: Callable[[float], object] | None) -> Outcome:
+    """Compute and store the rows that are missing, each once; return how it ended."""
+    places = {key: i for i, key in reversed(list(enumerate(keys)))}
+    left = sorted(i for key, i in places.items() if key not in store.stored)
+    count = len(places) - len(left)
+    if not left:
+        return COMPLETE
+    try:
+        with closing(batch.rows(left)) as done:
+            if progress is not None:
+                progress(count / len(places))
+            for row in done:
+                store.add(keys[row.index], row)
+                count += 1
+                if progress is not None:
+                    progress(count / len(places))
+    except KeyboardInterrupt:
+        return Outcome("interrupted", "stopped by the user", f"the rows that were done are stored; {store.go_on}")
+    except sqlite3.Error as error:
+        return _not_stored(error)
+    return COMPLETE
+
+
+def _not_stored(error: Exception) -> Outcome:
+    remedy = "make space, then start it again: the rows that are stored stay, and the others are computed"
+    return Outcome(NOT_STORED, f"what was computed could not be stored: {error}", remedy)
 
 
 @dataclass(frozen=True)

@@ -16,6 +16,7 @@ from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import write
 
+COMPLETE = Outcome("finished", "every row is there", "")
 TEXTS = ("outcome", "message", "warnings")
 
 
@@ -65,9 +66,16 @@ class Sweep:
     columns: Mapping[str, str]
     varied: tuple[str, ...]
     outcome: Outcome
-    workers: int
-    compiled: bool
-    wall_s: float
+    workers: int = 0  # of a table that was loaded
+    compiled: bool = False
+    wall_s: float = math.nan
+
+    @classmethod
+    def load(cls, folder: str | Path) -> Sweep:
+        """Read the rows that a sweep has stored in a folder, also while it goes on; raises InputError."""
+        from hertzwerk.runtime.sweeps import store
+
+        return store.loaded(Path(folder))
 
     def __len__(self) -> int:
         return len(self.rows)
@@ -110,7 +118,9 @@ class Sweep:
 
     def __str__(self) -> str:
         finished = sum(row.outcome == "finished" for row in self.rows)
-        text = f"{len(self.rows)} runs, {finished} finished, in {self.wall_s:.3g} s on {self.workers} cores"
+        text = f"{len(self.rows)} runs, {finished} finished"
+        if self.workers:
+            text += f", in {self.wall_s:.3g} s on {self.workers} cores"
         return text if self.outcome.finished else f"{text}; {self.outcome.name}"
 
 

@@ -1,0 +1,169 @@
+"""Definition of a sweep as plain data: what a store keeps, what is compared, and the key of every row.
+
+Two rows have one key if nothing that could change their numbers differs: the generated text, the parameters and the
+start in SI, the settings, the outputs with the code of own functions, and the versions.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import linecache
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
+from importlib import metadata, resources
+from pathlib import Path
+from typing import Any
+
+from hertzwerk.derive.faults import Fault, InputError, shown
+from hertzwerk.derive.units import UnitError
+from hertzwerk.runtime.model.binding import Value, read, read_state
+from hertzwerk.runtime.model.build import derive_digest, is_file
+from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.run.request import read_duration
+from hertzwerk.runtime.start.start_values import split_values
+from hertzwerk.runtime.sweeps.design import Axis, Design, Range
+
+COMPUTING = ("accuracy", "integrate", "model", "run", "solution", "start", "sweeps")  # rooms that numbers depend on
+ARGUMENTS = (  # of `sweep`, and names in a definition
+    *(
+        "target",
+        "without",
+        "laws",
+        "coordinates",
+        "zip",
+        "sample",
+        "sampler",
+        "seed",
+        "outputs",
+        "duration",
+        "accuracy",
+    ),
+    *("tolerance", "method", "max_steps", "max_events", "wall_time"),
+)
+FOLLOW = ("columns", "varied")  # from the rest
+LIBRARIES = ("hertzwerk", "casadi", "numpy", "scipy")
+WIDEN = "widen=True, or --widen, keeps the rows that are the same and computes the others; or take another folder"
+
+
+def text_of(model: Model) -> str:
+    """Return the text of a model's generated module; raises InputError where there is none."""
+    text = "".join(linecache.getlines(getattr(model.module, "__file__", None) or ""))
+    if not text:
+        expected = "a model that `load` returned"
+        raise InputError(model.name, [Fault("into", "a model whose generated text is not known", expected)])
+    return text
+
+
+@cache
+def versions() -> dict[str, str]:
+    """Return the versions of everything that computes, and the digest of our own code."""
+    with resources.as_file(resources.files("hertzwerk.runtime")) as folder:
+        code = "".join(derive_digest(folder / room) for room in COMPUTING)
+    return {
+        **{name: metadata.version(name) for name in LIBRARIES},
+        "code": hashlib.sha256(code.encode()).hexdigest()[:16],
+    }
+
+
+def target_of(target: object, model: Model) -> dict[str, Any]:
+    """Return the scene of a model and its variation as plain data; no target where it was made in Python."""
+    origin = model.declaration
+    named = target if isinstance(target, str | Path) or origin is None else origin.target
+    place = str(Path(named).resolve()) if isinstance(named, str | Path) and is_file(named) else named
+    return {
+        "target": place if isinstance(place, str) else None,
+        "without": [] if origin is None else list(origin.without),
+        "laws": {} if origin is None else dict(origin.laws),
+        "coordinates": None if origin is None else origin.coordinates,
+    }
+
+
+def as_text(value: Any) -> str:
+    """Return a value with its unit as text that reads back exactly."""
+    try:
+        number, _, unit = read(value)
+    except UnitError:
+        return shown(value)  # of a row that says so
+    return f"{number!r}" if unit == "1" else f"{number!r} {unit}"
+
+
+def axes_of(design: Design) -> dict[str, str]:
+    """Return the axes of a design as text that reads back exactly."""
+    return {name: _axis(axis) for name, axis in design.axes.items()}
+
+
+def _axis(axis: Axis) -> str:
+    if isinstance(axis, Range):
+        return str(axis)
+    shared = len({unit for _, unit in axis}) == 1
+    return ", ".join(
+        [*(repr(value) if shared else as_text((value, unit)) for value, unit in axis[:-1]), as_text(axis[-1])]
+    )
+
+
+def differences(before: Mapping[str, Any], now: Mapping[str, Any]) -> list[Fault]:
+    """Return a fault for everything in which a definition differs from that of a store."""
+    had, has = (
+        {name: value for name, value in _flat(part) if name.partition(".")[0] not in FOLLOW} for part in (before, now)
+    )
+    return [
+        Fault(name, _told(has.get(name)), f"{_told(had.get(name))}, as of the sweep there", WIDEN)
+        for name in {**had, **has}
+        if had.get(name) != has.get(name)
+    ]
+
+
+def _flat(part: Mapping[str, Any], before: str = "") -> Iterator[tuple[str, Any]]:
+    for name, value in part.items():
+        if isinstance(value, Mapping):
+            yield from _flat(value, f"{before}{name}.")
+        else:
+            yield f"{before}{name}", value
+
+
+def _told(value: Any) -> str:
+    """Return a value as a message shows it; of many values their number and ends."""
+    if isinstance(value, str) and value.count(", ") > 3:
+        first, *_, last = values = value.split(", ")
+        return f"{len(values)} values, {first} to {last}"
+    return "none" if value is None else shown(value)
+
+
+def keys_of(
+    model: Model, sets: Sequence[Mapping[str, Value]], settings: Mapping[str, Any], about: Mapping[str, Any]
+) -> list[str]:
+    """Return the key of every set of values; `about`: what is the same for all, plain data."""
+    others = repr(sorted({**about, **{name: value for name, value in settings.items() if name != "duration"}}.items()))
+    return [
+        hashlib.sha256(f"{others}\n{_numbers(model, values, settings['duration'])}".encode()).hexdigest()[:32]
+        for values in sets
+    ]
+
+
+def _numbers(model: Model, values: Mapping[str, Value], duration: Any) -> Any:
+    """Return everything a run of these values depends on in SI, or as given where that cannot be read."""
+    parameters, initial = split_values(model, values)
+    faults: list[Fault] = []
+    try:
+        bound = model.bind(parameters)
+        seconds = read_duration(model, parameters, duration, faults)
+    except InputError:
+        return sorted(map(repr, values.items()))
+    start = {name: read_state(name, model.joints.units[name], value) for name, value in sorted(initial.items())}
+    if faults or any(fault is not None for _, fault in start.values()):
+        return sorted(map(repr, values.items()))
+    return [x.hex() for x in bound.p.tolist()], [(name, si.hex()) for name, (si, _) in start.items()], seconds.hex()
+
+
+def arguments_of(definition: Mapping[str, Any], folder: Path) -> dict[str, Any]:
+    """Return the arguments of `sweep` that go on with a stored definition; raises InputError for one made in Python."""
+    faults = []
+    way_out = f"go on in Python, by the same call: sweep(..., into={str(folder)!r})"
+    if definition["functions"]:
+        found = f"functions of its own: {', '.join(definition['functions'])}"
+        faults.append(Fault(str(folder), found, "outputs by name", way_out))
+    if definition["target"] is None:
+        faults.append(Fault(str(folder), "a scene made in Python", "the name of a scene, or its file", way_out))
+    if faults:
+        raise InputError("sweep", faults)
+    return {name: definition[name] for name in ARGUMENTS}

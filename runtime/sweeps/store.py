@@ -1,0 +1,259 @@
+"""Store of a sweep: one folder that survives whatever ends the process that fills it.
+
+definition.json    what is computed, by which versions
+model.py           text of the model's generated module
+rows.sqlite        points, and a row for each that is done
+table.csv          the table, written whenever the computing ends
+
+Only the process that holds `lock` writes. A row is one transaction of SQLite in WAL mode: once `add` returns it is with the
+operating system, so that no end of the process loses it, and half a row is never read. A commit does not wait for the
+disk, which would cost as much as a short run (synchronous=NORMAL); a thread has what was committed written through
+every SYNC seconds, log first, so that a loss of power costs the rows of the last second.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import sqlite3
+import sys
+import threading
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import closing, contextmanager, suppress
+from pathlib import Path
+from typing import Any
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.host.folder import unwritable
+from hertzwerk.runtime.host.scratch import UNFINISHED, write_atomically
+from hertzwerk.runtime.solution.outcome import Outcome
+from hertzwerk.runtime.sweeps.definition import differences
+from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, Row, Sweep
+
+DEFINITION, MODEL, ROWS, TABLE, LOCK = "definition.json", "model.py", "rows.sqlite", "table.csv", "lock"
+OURS = {
+    DEFINITION,
+    MODEL,
+    TABLE,
+    *(f"{name}{end}" for name in (ROWS, LOCK) for end in ("", "-wal", "-shm", "-journal")),
+}
+SYNC = 0.5  # s between two writes to the disk
+PATIENCE = 30.0  # s to wait for a reader
+_TABLES = """
+CREATE TABLE IF NOT EXISTS points (number INTEGER PRIMARY KEY, key TEXT NOT NULL, given TEXT NOT NULL);
+CREATE TABLE IF NOT EXISTS rows (
+    key TEXT PRIMARY KEY, outcome TEXT NOT NULL, message TEXT NOT NULL,
+    si TEXT NOT NULL, outputs TEXT NOT NULL, warnings TEXT NOT NULL, wall_s REAL
+);
+"""
+
+
+class Store:
+    """Open store of the one process that fills it; `stored` are the keys of the rows that are there."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self._rows = _connected(folder / ROWS)
+        self._rows.execute("PRAGMA journal_mode=WAL")
+        self._rows.execute("PRAGMA synchronous=NORMAL")
+        self._rows.executescript(_TABLES)
+        self.stored = {key for (key,) in self._rows.execute("SELECT key FROM rows")}
+        self._syncing = _Syncing(folder / ROWS)
+
+    @property
+    def go_on(self) -> str:
+        """Phrase: how to go on."""
+        return f"the same call, or hertzwerk sweep --resume {self.folder}, goes on"
+
+    def define(
+        self,
+        definition: Mapping[str, Any],
+        text: str,
+        keys: Sequence[str],
+        points: Sequence[Mapping[str, Any]],
+        *,
+        widen: bool,
+    ) -> None:
+        """Keep what is computed: definition, text of the model, key and given values of every point in order.
+
+        Raises InputError with every difference where there is another definition that is not to be widened.
+        """
+        before, now = read_definition(self.folder), json.loads(json.dumps(definition))
+        if before is not None and not widen:
+            faults = differences(before, now)
+            if faults:
+                raise InputError(f"sweep in {self.folder}", faults)
+        if before != now:
+            _write_definition(self.folder, now, text)
+        self._plan(keys, points)
+
+    def _plan(self, keys: Sequence[str], points: Sequence[Mapping[str, Any]]) -> None:
+        given = [(i, key, json.dumps(values)) for i, (key, values) in enumerate(zip(keys, points, strict=True))]
+        if self._rows.execute("SELECT * FROM points ORDER BY number").fetchall() == given:
+            return
+        self._rows.execute("BEGIN IMMEDIATE")
+        self._rows.execute("DELETE FROM points")
+        self._rows.executemany("INSERT INTO points VALUES (?, ?, ?)", given)
+        self._rows.execute("COMMIT")
+
+    def add(self, key: str, row: Row) -> None:
+        """Store a row; raises sqlite3.Error where that is not possible, as on a full disk, or it is there."""
+        if self._syncing.error is not None:
+            raise self._syncing.error
+        texts = (json.dumps(_nulled(part)) for part in (row.values, row.outputs))
+        entry = (key, row.outcome, row.message, *texts, json.dumps(row.warnings), row.wall_s)
+        self._rows.execute("INSERT INTO rows VALUES (?, ?, ?, ?, ?, ?, ?)", entry)
+        self.stored.add(key)
+        self._syncing.pending.set()
+
+    def close(self) -> None:
+        """Write everything through and close."""
+        self._syncing.end()
+        self._rows.close()
+
+
+class _Syncing(threading.Thread):
+    """Thread that has committed rows written to the disk; `error`: why it could not."""
+
+    def __init__(self, file: Path) -> None:
+        super().__init__(daemon=True)
+        self._file, self._ending = file, threading.Event()
+        self.pending = threading.Event()
+        self.error: sqlite3.Error | None = None
+        self.start()
+
+    def run(self) -> None:
+        """Check every SYNC seconds, until told to end."""
+        try:
+            with closing(_connected(self._file)) as connection:
+                while not self._ending.wait(SYNC):
+                    if self.pending.is_set():
+                        self.pending.clear()
+                        connection.execute("PRAGMA wal_checkpoint(PASSIVE)")
+        except sqlite3.Error as error:
+            self.error = error
+
+    def end(self) -> None:
+        """End; what is left is written when the last connection closes."""
+        self._ending.set()
+        self.join()
+
+
+def _connected(file: Path) -> sqlite3.Connection:
+    return sqlite3.connect(file, timeout=PATIENCE, isolation_level=None)
+
+
+def _nulled(numbers: Mapping[str, float]) -> dict[str, float | None]:
+    """Return numbers with null, which JSON has, in place of nan, which it has not."""
+    return {name: None if math.isnan(value) else value for name, value in numbers.items()}
+
+
+@contextmanager
+def opened(folder: Path) -> Iterator[Store]:
+    """Open or make the store in a folder, for this process alone; raises InputError."""
+    fault = _fault(folder)
+    if fault is not None:
+        raise InputError("sweep", [fault])
+    folder.mkdir(parents=True, exist_ok=True)
+    with closing(sqlite3.connect(folder / LOCK, timeout=0, isolation_level=None)) as lock:
+        try:
+            lock.execute("BEGIN EXCLUSIVE")  # ends with the process, however that ends, and no fork inherits it
+        except sqlite3.OperationalError as error:
+            expected, way_out = "a folder that no other process works on", "wait for its end, or take another folder"
+            raise InputError("sweep", [Fault(str(folder), f"one in use ({error})", expected, way_out)]) from error
+        try:
+            with closing(Store(folder)) as store:
+                yield store
+        except sqlite3.Error as error:
+            raise OSError(f"{folder / ROWS}: {error}") from error
+
+
+def _fault(folder: Path) -> Fault | None:
+    """Return the fault of a folder that can hold no store."""
+    expected = "a new or empty folder, or one of a sweep"
+    try:
+        if not folder.exists():
+            reason = unwritable(folder)
+        elif not folder.is_dir():
+            reason = f"{folder}, which is a file"
+        else:
+            others = sorted({path.name for path in folder.iterdir() if not UNFINISHED.fullmatch(path.name)} - OURS)
+            reason = f"{folder}, which has other content ({others[0]})" if others else unwritable(folder)
+    except (OSError, ValueError) as error:
+        reason = f"{folder}: {error}"
+    return None if reason is None else Fault("into", reason, expected)
+
+
+def _write_definition(folder: Path, definition: Mapping[str, Any], text: str) -> None:
+    """Write what is computed, durably: the definition last, so that where it is there the rest is."""
+    write_atomically(folder / MODEL, text.encode())
+    write_atomically(folder / DEFINITION, (json.dumps(definition, indent=2) + "\n").encode())
+    if sys.platform != "win32":  # there folders cannot be opened
+        descriptor = os.open(folder, os.O_RDONLY)
+        with suppress(OSError):  # of file systems that cannot
+            os.fsync(descriptor)
+        os.close(descriptor)
+
+
+def read_definition(folder: Path) -> dict[str, Any] | None:
+    """Return the definition in a folder, None where there is none; raises InputError for one that is no such."""
+    file = folder / DEFINITION
+    if not file.is_file():
+        return None
+    try:
+        found = json.loads(file.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise InputError("sweep", [Fault(str(file), str(error), "a definition as a sweep wrote it")]) from error
+    if not isinstance(found, dict):
+        raise InputError("sweep", [Fault(str(file), "no definition", "a definition as a sweep wrote it")])
+    return found
+
+
+def loaded(folder: Path) -> Sweep:
+    """Return the table of the rows in a folder; raises InputError where there is no sweep."""
+    definition = read_definition(folder)
+    if definition is None:
+        raise InputError("sweep", [Fault(str(folder), "no sweep", "a folder that a sweep was stored in")])
+    rows, count = read_rows(folder)
+    missing = count - len(rows)
+    outcome = Outcome("incomplete", f"{missing:,} of {count:,} rows are missing", f"hertzwerk sweep --resume {folder}")
+    return Sweep(
+        scene=definition["scene"],
+        rows=tuple(rows),
+        columns=definition["columns"],
+        varied=tuple(definition["varied"]),
+        outcome=outcome if missing else COMPLETE,
+    )
+
+
+def read_rows(folder: Path) -> tuple[list[Row], int]:
+    """Return the rows in a folder in the order of the points, and how many points there are."""
+    file = folder / ROWS
+    if not file.is_file():
+        return [], 0
+    with closing(_connected(file)) as connection:
+        (count,) = connection.execute("SELECT count(*) FROM points").fetchone()
+        found = connection.execute(
+            "SELECT number, given, outcome, message, si, outputs, warnings, wall_s "
+            "FROM points JOIN rows USING (key) ORDER BY number"
+        )
+        return [_row(*entry) for entry in found], count
+
+
+def _row(number: int, given: str, outcome: str, message: str, si: str, outputs: str, warnings: str, wall_s: Any) -> Row:
+    values, numbers = (
+        {name: math.nan if value is None else value for name, value in json.loads(part).items()}
+        for part in (si, outputs)
+    )
+    texts = {name: tuple(value) if isinstance(value, list) else value for name, value in json.loads(given).items()}
+    return Row(
+        index=number,
+        given=texts,
+        outcome=outcome,
+        message=message,
+        values=values,
+        outputs=numbers,
+        warnings=tuple(json.loads(warnings)),
+        wall_s=math.nan if wall_s is None else wall_s,
+    )

@@ -1,0 +1,339 @@
+"""A store loses nothing: kills at random moments, a full disk, another definition, another process; and computes nothing twice."""
+
+import json
+import os
+import random
+import shutil
+import signal
+import sqlite3
+import subprocess
+import sys
+import time
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from hertzwerk.derive.faults import InputError
+from hertzwerk.runtime import Sweep, load, sweep
+from hertzwerk.runtime.sweeps import store
+from hertzwerk.runtime.sweeps.sweep_table import Row
+
+BALL = {"duration": "2 s", "tolerance": 1e-8, "compiled": False, "workers": 1}
+OVER = {"drop_height": "0.5..1.5 m:5"}
+
+
+@pytest.fixture(scope="module")
+def ball():
+    return load("bouncing_ball")
+
+
+@pytest.fixture
+def counted(tmp_path):
+    """A function for `sweep` that tells which rows were computed."""
+    heights = []
+    file = str(tmp_path / "computed")
+
+    def height(run):
+        with open(file, "a") as log:  # noqa: PTH123
+            log.write(f"{run.initial['vertical.travel']!r}\n")
+        return 0.0
+
+    def computed():
+        lines = Path(file).read_text().split() if Path(file).exists() else []
+        new = lines[len(heights) :]
+        heights.extend(new)
+        return len(new)
+
+    return height, computed
+
+
+def table(folder):
+    return (folder / store.TABLE).read_bytes()
+
+
+def same(one, other):
+    assert one.columns == other.columns
+    assert [(row.index, row.given) for row in one] == [(row.index, row.given) for row in other]
+    for name in one.names:
+        np.testing.assert_array_equal(one[name], other[name])
+
+
+def test_what_is_stored_is_what_a_sweep_returns_and_is_not_computed_again(ball, tmp_path, counted):
+    height, computed = counted
+    how = {
+        **BALL,
+        "outputs": ["floor.peak_force", "floor.impact_rate", "final.vertical.speed"],
+        "functions": {"n": height},
+    }
+    plain = sweep(ball, OVER, **how)
+    assert computed() == 5
+    kept = sweep(ball, OVER, into=tmp_path / "a", **how)
+    assert computed() == 5
+    same(plain, kept)
+    same(kept, Sweep.load(tmp_path / "a"))
+    again = sweep(ball, OVER, into=tmp_path / "a", **how)
+    assert computed() == 0
+    same(kept, again)
+    assert again.outcome.finished
+    assert (tmp_path / "a" / "model.py").read_text() == Path(ball.module.__file__).read_text()
+
+
+def test_a_wider_sweep_computes_what_is_new_alone_once_it_is_allowed_to(ball, tmp_path, counted):
+    height, computed = counted
+    how = {**BALL, "functions": {"n": height}}
+    sweep(ball, OVER, into=tmp_path / "a", **how)
+    wider = {"drop_height": "0.5..1.5 m:9"}
+    with pytest.raises(InputError) as refused:
+        sweep(ball, wider, into=tmp_path / "a", **how)
+    (fault,) = refused.value.faults
+    assert (fault.where, fault.found) == ("over.drop_height", "9 values, 0.5 to 1.5 m")
+    assert fault.expected.startswith("5 values, 0.5 to 1.5 m")
+    computed()
+    widened = sweep(ball, wider, into=tmp_path / "a", widen=True, **how)
+    assert computed() == 4
+    same(widened, sweep(ball, wider, **how))
+
+
+def test_what_would_change_the_numbers_is_computed_anew(ball, tmp_path, counted):
+    """Laws, settings, values, outputs, own functions; and the same numbers in other units are the same."""
+    height, computed = counted
+    over = {"drop_height": "0.5, 1 m"}
+    how = {**BALL, "functions": {"n": height}, "into": tmp_path / "a"}
+    sweep("bouncing_ball", over, **how)
+    computed()
+    for change in (
+        {"laws": {"floor": "hunt_crossley"}},
+        {"tolerance": 1e-7},
+        {"duration": "1 s"},
+        {"values": {"radius": "21 mm"}},
+        {"outputs": ["impacts"]},
+        {"functions": {"n": lambda run: height(run) + 1}},
+    ):
+        with pytest.raises(InputError, match="as of the sweep there"):
+            sweep("bouncing_ball", over, **{**how, **change})
+        sweep("bouncing_ball", over, widen=True, **{**how, **change})
+        assert computed() == 2, change
+    sweep("bouncing_ball", {"drop_height": "500, 1000 mm"}, widen=True, **{**how, "duration": "2000 ms"})
+    assert computed() == 0
+
+
+def test_rows_that_fail_are_rows(ball, tmp_path):
+    how = {**BALL, "into": tmp_path / "a", "max_steps": 60}
+    for _ in range(2):
+        found = sweep(ball, {"mass": "-1, 1 kg", "drop_height": "0.5 m"}, **how)
+        assert list(found["outcome"]) == ["bad_input", "too_many_steps"]
+        assert all(found["message"])
+
+
+def test_equal_points_share_a_row(ball, tmp_path, counted):
+    height, computed = counted
+    found = sweep(ball, {"drop_height": "1, 1 m"}, functions={"n": height}, into=tmp_path / "a", **BALL)
+    assert (len(found), computed()) == (2, 1)
+    assert found.rows[0].outputs == found.rows[1].outputs
+
+
+def test_a_folder_of_something_else_is_left_alone(ball, tmp_path):
+    (tmp_path / "mine.txt").write_text("mine")
+    with pytest.raises(InputError, match=r"other content \(mine\.txt\)"):
+        sweep(ball, OVER, into=tmp_path, **BALL)
+    assert [path.name for path in tmp_path.iterdir()] == ["mine.txt"]
+    with pytest.raises(InputError, match="which is a file"):
+        sweep(ball, OVER, into=tmp_path / "mine.txt", **BALL)
+    with pytest.raises(InputError, match="no sweep"):
+        Sweep.load(tmp_path)
+    folder = tmp_path / "a"
+    sweep(ball, OVER, into=folder, **BALL)
+    (folder / store.DEFINITION).write_text("{")
+    with pytest.raises(InputError, match="a definition as a sweep wrote it"):
+        sweep(ball, OVER, into=folder, **BALL)
+
+
+def test_a_second_process_is_refused_and_readers_are_not(tmp_path):
+    code = """
+import sys
+from pathlib import Path
+from hertzwerk.runtime.sweeps.store import opened
+with opened(Path(sys.argv[1])) as store:
+    print("open", flush=True)
+    sys.stdin.readline()
+"""
+    folder = tmp_path / "a"
+    sweep("bouncing_ball", OVER, into=folder, **BALL)
+    with subprocess.Popen(
+        [sys.executable, "-c", code, str(folder)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    ) as other:
+        other.stdout.readline()
+        with pytest.raises(InputError, match="one in use"):
+            sweep("bouncing_ball", OVER, into=folder, **BALL)
+        assert len(Sweep.load(folder)) == 5
+        other.kill()
+    assert len(sweep("bouncing_ball", OVER, into=folder, **BALL)) == 5
+    with store.opened(folder), pytest.raises(InputError, match="one in use"), store.opened(folder):
+        pass
+
+
+def row(i):
+    return Row(i, {}, "finished", outputs={"x": float(i)})
+
+
+def on_disk(folder, elsewhere):
+    """Rows in the database file alone, without its log: what the disk has been told to keep."""
+    shutil.copyfile(folder / store.ROWS, elsewhere)
+    try:
+        with sqlite3.connect(elsewhere) as copy:
+            return [key for (key,) in copy.execute("SELECT key FROM rows ORDER BY key")]
+    except sqlite3.DatabaseError:
+        return []
+
+
+@pytest.mark.parametrize("broken", [False, True])
+def test_a_row_is_written_through_though_no_other_follows(tmp_path, monkeypatch, broken):
+    """Without the thread, the seeded fault, it stays in the log; within a second is what the interval allows."""
+    if broken:
+        monkeypatch.setattr(store._Syncing, "run", lambda self: None)
+    with store.opened(tmp_path / "a") as opened:
+        opened.add("k", row(0))
+        deadline = time.monotonic() + (2 if broken else 30)
+        while (found := on_disk(tmp_path / "a", tmp_path / "copy")) != ["k"] and time.monotonic() < deadline:
+            time.sleep(0.05)
+    assert found == ([] if broken else ["k"])
+    assert store.SYNC < 1
+
+
+def test_a_row_that_is_there_cannot_be_stored_again(tmp_path):
+    with store.opened(tmp_path / "a") as opened:
+        opened.add("k", row(0))
+        with pytest.raises(sqlite3.IntegrityError):
+            opened.add("k", row(0))
+
+
+def test_a_row_comes_back_bitwise(tmp_path):
+    outputs = {"x": 0.1 + 0.2, "y": -0.0, "z": float("nan"), "u": float("inf"), "v": 5e-324}
+    written = Row(0, {"a": (0.1, "mm"), "b": "2"}, "failed", "why", {"a": 1e-4}, outputs, ("one", "two"), 0.25)
+    with store.opened(tmp_path / "a") as opened:
+        opened._plan(["k"], [written.given])
+        opened.add("k", written)
+    ((read,), count) = store.read_rows(tmp_path / "a")
+    assert count == 1
+    assert repr(read) == repr(written)
+
+
+# -- a full disk -------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("how", ["pages", "tmpfs"])
+def test_a_full_disk_ends_with_an_outcome_and_goes_on_with_space(ball, tmp_path, monkeypatch, counted, how):
+    height, computed = counted
+    folder = tmp_path / "disk" / "a"
+    over = {"drop_height": "0.5..1.5 m:120"}
+    long = {**BALL, "duration": "0.3 s", "functions": {"n": height}, "outputs": ["floor.peak_force"]}
+    connected = store._connected
+    if how == "pages":
+
+        def limited(file):
+            connection = connected(file)
+            if file.name == store.ROWS:
+                connection.execute("PRAGMA max_page_count = 9")
+            return connection
+
+        monkeypatch.setattr(store, "_connected", limited)
+    else:
+        folder.parent.mkdir()
+        mount = ["mount", "-t", "tmpfs", "-o", "size=200k", "none", str(folder.parent)]
+        if os.getuid() or shutil.which("mount") is None or subprocess.run(mount, capture_output=True).returncode:
+            pytest.skip("no right to mount a small disk")
+    try:
+        ended = sweep(ball, over, into=folder, **long)
+        assert ended.outcome.name == "not_stored"
+        assert "disk is full" in ended.outcome.message
+        assert 0 < len(ended) < 120
+        monkeypatch.undo()
+        if how == "tmpfs":
+            subprocess.run(["mount", "-o", "remount,size=8m", str(folder.parent)], check=True)
+        before = computed()
+        assert before <= len(ended) + 1
+        whole = sweep(ball, over, into=folder, **long)
+        assert whole.outcome.finished
+        assert computed() == 120 - len(ended)
+        same(whole, sweep(ball, over, **long))
+    finally:
+        if how == "tmpfs":
+            subprocess.run(["umount", str(folder.parent)], check=False)
+
+
+# -- kills -------------------------------------------------------------------------------------------------------------
+
+DRIVER = """
+import os, sys
+from hertzwerk.runtime import sweep
+
+def note(run):
+    with open(sys.argv[2], "a") as log:
+        log.write(f"{sys.argv[3]} {run.parameters['drop_height'][0]!r}\\n")
+    return run.final["vertical.travel"]
+
+sweep("bouncing_ball", {"drop_height": f"0.5..1.5 m:{sys.argv[4]}"}, duration="3 s", tolerance=1e-10, compiled=False,
+      outputs=["floor.peak_force", "floor.impact_rate"], functions={"note": note}, workers=2, into=sys.argv[1])
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="processes are forked")
+@pytest.mark.parametrize(
+    ("kills", "rows", "longest"),
+    [
+        pytest.param(3, 60, 1.5, marks=pytest.mark.slow),
+        pytest.param(50, 1500, 1.5, marks=pytest.mark.exhaustive),
+    ],
+)
+def test_kills_at_random_moments_lose_nothing_and_repeat_what_was_in_flight_alone(tmp_path, kills, rows, longest):
+    (tmp_path / "driver.py").write_text(DRIVER)
+    chance = random.Random(f"{kills} kills")
+
+    def start(folder, log, session):
+        arguments = [str(tmp_path / "driver.py"), str(folder), str(log), str(session), str(rows)]
+        return subprocess.Popen([sys.executable, *arguments], start_new_session=True)
+
+    folder, log = tmp_path / "killed", tmp_path / "log"
+    stored = []  # the heights whose rows are there, before every session
+    session = 0
+    while len(stored) < kills:
+        process = start(folder, log, session)
+        time.sleep(chance.uniform(0.3, longest))
+        assert process.poll() is None, "the sweep ended before it was killed: more rows, or shorter pauses"
+        if chance.random() < 0.5:
+            os.kill(process.pid, signal.SIGKILL)  # its workers see to themselves
+        else:
+            os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
+        stored.append({row.given["drop_height"][0] for row in store.read_rows(folder)[0]})
+        session += 1
+    assert start(folder, log, session).wait(600) == 0
+    assert start(tmp_path / "whole", tmp_path / "other", 0).wait(600) == 0
+
+    computed = [line.split() for line in log.read_text().splitlines()]
+    again = [(int(when), float(height)) for when, height in computed]
+    assert all(height not in stored[when - 1] for when, height in again if when), "a stored row was computed again"
+    assert all(before <= after for before, after in pairwise(stored)), "a row was lost"
+    heights = [height for _, height in again]
+    assert len(set(heights)) == rows
+    in_flight = 4  # two for each worker
+    assert len(heights) - rows <= in_flight * kills
+    with sqlite3.connect(folder / store.ROWS) as database:
+        assert database.execute("SELECT count(*), count(DISTINCT key) FROM rows").fetchone() == (rows, rows)
+    assert table(folder) == table(tmp_path / "whole")
+    print(
+        f"{kills} kills, rows stored before them {[len(each) for each in stored]}, {len(heights) - rows} computed again"
+    )
+
+
+def test_definitions_are_plain_and_say_where_they_come_from(ball, tmp_path):
+    sweep(
+        load("bouncing_ball", laws={"floor": "hunt_crossley"}), {"mass": "0.1..0.2 kg:2"}, into=tmp_path / "a", **BALL
+    )
+    told = json.loads((tmp_path / "a" / store.DEFINITION).read_text())
+    assert (told["target"], told["laws"]) == ("bouncing_ball", {"floor": "hunt_crossley"})
+    assert told["over"] == {"mass": "0.1, 0.2 kg"}
+    assert told["seed"] == 0
+    assert {"hertzwerk", "casadi", "numpy"} <= set(told["versions"])
