@@ -64,7 +64,7 @@ ROOMS = {
         "pictures": "host model solution start",
         "pictures/draw": "derive/faults host model pictures run solution start",
         "pictures/studies": "accuracy derive/sheets effects integrate/tableaux pictures studies validate work_precision",
-        "run": "accuracy derive/faults integrate integrate/loop integrate/step integrate/tableaux model solution start",
+        "run": "accuracy derive/faults derive/units integrate integrate/loop integrate/step integrate/tableaux model solution start",
         "simulation": "accuracy derive/faults integrate/step loading model pictures pictures/draw run solution start",
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults host integrate/step integrate/tableaux model",

@@ -15,7 +15,7 @@ SAME = 1e-9  # relative
 
 
 def drive_speed(model: Model, bound: Bound) -> float | None:
-    """Return the angular speed [rad/s] of a scene's only drive; None for none, several, or a varying speed."""
+    """Return the angular speed [rad/s] of a scene's only drive; None where it varies, or there are others."""
     if [kind for _, kind, _ in model.module.EFFECTS].count("drive") != 1:
         return None
     speeds = _speeds(model)
@@ -32,7 +32,7 @@ def drive_speed(model: Model, bound: Bound) -> float | None:
 
 @per_model
 def _speeds(model: Model) -> Callable[[float, np.ndarray], np.ndarray]:
-    """Return the function (t, c) -> angular speeds [rad/s] of the bodies where nothing but the drive moves."""
+    """Return the function (t, c) -> speeds [rad/s] of the bodies where nothing but the drive moves."""
     t, c = ca.SX.sym("t"), ca.SX.sym("c", model.nc)
     if model.has("placed"):
         joints = model.joints

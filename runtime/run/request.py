@@ -181,7 +181,7 @@ def _key(value: object) -> Hashable:
 def read_duration(
     model: Model, parameters: Mapping[str, Value], duration: str | float | None, faults: list[Fault]
 ) -> float:
-    """Return a duration in seconds, of revolutions with these parameters; bad input is appended to `faults`."""
+    """Return a duration [s], that of revolutions with these parameters; faults are appended."""
     expected = 'a positive time, such as "24 ms" or a number of seconds'
     with contextlib.suppress(ValueError, TypeError):
         duration = (

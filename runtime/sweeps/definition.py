@@ -156,7 +156,7 @@ def _numbers(model: Model, values: Mapping[str, Value], duration: Any) -> Any:
 
 
 def arguments_of(definition: Mapping[str, Any], folder: Path) -> dict[str, Any]:
-    """Return the arguments of `sweep` that go on with a stored definition; raises InputError for one made in Python."""
+    """Return the arguments of `sweep` that go on with a definition; raises InputError for one of Python."""
     faults = []
     way_out = f"go on in Python, by the same call: sweep(..., into={str(folder)!r})"
     if definition["functions"]:

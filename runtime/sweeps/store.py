@@ -197,7 +197,7 @@ def _write_definition(folder: Path, definition: Mapping[str, Any], text: str) ->
 
 
 def read_definition(folder: Path) -> dict[str, Any] | None:
-    """Return the definition in a folder, None where there is none; raises InputError for one that is no such."""
+    """Return the definition in a folder, None where there is none; raises InputError for a broken one."""
     file = folder / DEFINITION
     if not file.is_file():
         return None
