@@ -37,7 +37,7 @@ if TYPE_CHECKING:  # the list of public names
         PairEffect as PairEffect,
     )
     from hertzwerk.derive.effects.energy_ledger import EnergyLedger as EnergyLedger
-    from hertzwerk.derive.effects.expression import (
+    from hertzwerk.derive.effects.state_expression import (
         T as T,
         Varying as Varying,
         coordinate_of as coordinate_of,

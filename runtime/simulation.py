@@ -22,12 +22,13 @@ from hertzwerk.runtime.loading import Model
 from hertzwerk.runtime.model import model as plain
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.run.accurate import run_to_accuracy, verdict_of
+from hertzwerk.runtime.run.continuation import parameters_of, resumable
 from hertzwerk.runtime.run.output_times import Output
 from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, Settings, read
 from hertzwerk.runtime.run.single_run import SingleRun, Trace, set_up
 from hertzwerk.runtime.run.warnings import floored, open_forces, too_fast, unchecked, uncompiled
 from hertzwerk.runtime.solution import solution as plain_solution
-from hertzwerk.runtime.solution.checkpoint import checkpoint_of, parameters_of, resumable
+from hertzwerk.runtime.solution.checkpoint import checkpoint_of
 from hertzwerk.runtime.solution.history import History
 from hertzwerk.runtime.solution.outcome import not_closed
 from hertzwerk.runtime.solution.scales import Scales

@@ -15,7 +15,7 @@ import sympy as sp
 
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.effects.effect import NOWHERE, Declared, JointEffect, Kinematics
-from hertzwerk.derive.effects.expression import TIME, T, Varying, as_choice, shown
+from hertzwerk.derive.effects.state_expression import TIME, T, Varying, as_choice, shown
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Slot
 from hertzwerk.derive.mechanism.parameter import POSITIVE, Scalar

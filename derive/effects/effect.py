@@ -12,7 +12,7 @@ from typing import Any, ClassVar, Protocol
 import sympy as sp
 
 from hertzwerk.derive.algebra.vectors import Matrix, Vector, apply
-from hertzwerk.derive.effects.expression import SPEED
+from hertzwerk.derive.effects.state_expression import SPEED
 from hertzwerk.derive.faults import Fault, InputError, one_of
 from hertzwerk.derive.laws.law import BoundLaw, Law
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Direction, Frame, Ground, Point, Slot

@@ -14,7 +14,7 @@ import sympy as sp
 
 from hertzwerk.derive.algebra.vectors import Vector, apply, dot
 from hertzwerk.derive.effects.effect import INPUT, Declared, Effect, Element, JointEffect, Kinematics, Mark, axes_faults
-from hertzwerk.derive.effects.expression import COORDINATE, Varying, as_choice, shown, states_in
+from hertzwerk.derive.effects.state_expression import COORDINATE, Varying, as_choice, shown, states_in
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Frame, Point, Slot
 from hertzwerk.derive.mechanism.parameter import Scalar, parameters_of

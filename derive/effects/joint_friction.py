@@ -9,7 +9,7 @@ from typing import ClassVar
 import sympy as sp
 
 from hertzwerk.derive.effects.effect import Declared, Element, JointEffect, Kinematics
-from hertzwerk.derive.effects.expression import Varying
+from hertzwerk.derive.effects.state_expression import Varying
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.laws.law import BoundLaw, FrictionLaw, N, s
 from hertzwerk.derive.mechanism.bodies import Slot

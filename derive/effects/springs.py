@@ -11,7 +11,7 @@ import sympy as sp
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.algebra.vectors import Vector, dot, scale, sub
 from hertzwerk.derive.effects.effect import Declared, Effect, Element, JointEffect, Kinematics, Mark
-from hertzwerk.derive.effects.expression import COORDINATE
+from hertzwerk.derive.effects.state_expression import COORDINATE
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Point, Slot
 from hertzwerk.derive.mechanism.parameter import NOT_NEGATIVE, POSITIVE, Scalar

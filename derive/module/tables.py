@@ -8,7 +8,7 @@ from typing import Any
 from hertzwerk.derive.algebra.splines import Table
 from hertzwerk.derive.audit.forms import advice
 from hertzwerk.derive.declare.scene import Scene
-from hertzwerk.derive.effects.expression import tables_in
+from hertzwerk.derive.effects.state_expression import tables_in
 from hertzwerk.derive.mechanism.joints.joint import Port
 from hertzwerk.derive.mechanism.parameter import Interval, Parameter
 from hertzwerk.derive.module.outputs import output_rows

@@ -15,7 +15,7 @@ import sympy as sp
 
 from hertzwerk.derive.algebra.vectors import Vector, apply, transpose
 from hertzwerk.derive.declare.scene import Scene
-from hertzwerk.derive.effects.expression import COORDINATE, states_in
+from hertzwerk.derive.effects.state_expression import COORDINATE, states_in
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.mechanism.bodies import AXES, GROUND, Body, Frame, Point, Slot, Triple
 from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint

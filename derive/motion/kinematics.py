@@ -32,7 +32,7 @@ from hertzwerk.derive.algebra.vectors import (
 )
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.dimension.dimension import Dimension
-from hertzwerk.derive.effects.expression import COORDINATE, TIME, StateSymbol, T, as_choice, states_in
+from hertzwerk.derive.effects.state_expression import COORDINATE, TIME, StateSymbol, T, as_choice, states_in
 from hertzwerk.derive.mechanism.bodies import Body, Direction, Frame, Point
 from hertzwerk.derive.mechanism.joints.joint import Freedom, Port
 from hertzwerk.derive.mechanism.mechanism import Mechanism

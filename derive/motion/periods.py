@@ -11,7 +11,7 @@ import sympy as sp
 
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.declare.scene import Scene
-from hertzwerk.derive.effects.expression import T, as_choice, states_in
+from hertzwerk.derive.effects.state_expression import T, as_choice, states_in
 
 _CIRCULAR = (sp.sin, sp.cos, sp.tan)
 

@@ -32,7 +32,7 @@ from hertzwerk.derive.readable.drafts import (
     multiplier,
 )
 from hertzwerk.derive.readable.marks import Marked, marked
-from hertzwerk.derive.readable.record import Effect, Equation, Readable, Section, Symbol, Term
+from hertzwerk.derive.readable.record import EffectEntry, Equation, Readable, Section, Symbol, Term
 from hertzwerk.derive.readable.substitution import Substitution
 from hertzwerk.derive.readable.symbols import Names, contact_title
 
@@ -93,7 +93,9 @@ class _Reader:
             self.scene.name,
             self.scene.summary,
             tuple(
-                Effect(effect.name, effect.text, source, tuple(e.number for e in equations if effect.name in e.effects))
+                EffectEntry(
+                    effect.name, effect.text, source, tuple(e.number for e in equations if effect.name in e.effects)
+                )
                 for effect, source in sources(self.scene)
             ),
             tuple(self._states(shown)),

@@ -79,7 +79,7 @@ class Section:
 
 
 @dataclass(frozen=True)
-class Effect:
+class EffectEntry:
     """One effect of the scene, with its law and source, and the numbers of the equations it enters."""
 
     name: str
@@ -94,7 +94,7 @@ class Readable:
 
     name: str
     summary: str
-    effects: tuple[Effect, ...]
+    effects: tuple[EffectEntry, ...]
     states: tuple[Symbol, ...]
     parameters: tuple[Symbol, ...]
     sections: tuple[Section, ...]

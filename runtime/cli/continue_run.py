@@ -135,7 +135,7 @@ def _differences(
 
 def _value_differences(before: Solution, model: Model, values: Mapping[str, str]) -> list[Fault]:
     """Return faults for parameters and initial states that differ from the run's."""
-    from hertzwerk.runtime.solution.checkpoint import parameters_of
+    from hertzwerk.runtime.run.continuation import parameters_of
     from hertzwerk.runtime.start.start_values import split_values
 
     faults: list[Fault] = []

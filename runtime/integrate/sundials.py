@@ -19,6 +19,7 @@ from scipy.optimize import brentq
 
 from hertzwerk.runtime.host.interrupt import defer_interrupts
 from hertzwerk.runtime.integrate.events.events import ends_with_force
+from hertzwerk.runtime.integrate.events.slips import resolve_slips
 from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, INTERRUPTED, WALL_TIME_LIMIT, Ending
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.layout import (
@@ -37,7 +38,6 @@ from hertzwerk.runtime.integrate.step.layout import (
 )
 from hertzwerk.runtime.integrate.step.rounding import EPS
 from hertzwerk.runtime.integrate.step.set_valued_friction import STICK, pairs_of, slips_in
-from hertzwerk.runtime.integrate.step.slips import resolve_slips
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model

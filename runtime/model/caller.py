@@ -43,7 +43,10 @@ class Callers:
     _free: list[Caller] = field(default_factory=list)
 
     def __call__(self, *arguments: float | np.ndarray) -> list[np.ndarray]:
-        """Evaluate on numbers and vectors; a result of one column is a vector, any other has its shape (rows, columns)."""
+        """Evaluate on numbers and vectors.
+
+        A result of one column is a vector, any other has its shape (rows, columns).
+        """
         caller = self.take()
         for place, value in zip(caller.inputs, arguments, strict=True):
             place[:] = value

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from functools import wraps
-from typing import TYPE_CHECKING, TypeVar, TypeVarTuple
+from typing import Any, Protocol, TypeVar, TypeVarTuple
 
-if TYPE_CHECKING:
-    from hertzwerk.runtime.model.model import Model
 
-AnyModel = TypeVar("AnyModel", bound="Model")
+class Caching(Protocol):
+    """Model with a place for results: function and further arguments -> result."""
+
+    known: dict[Hashable, Any]
+
+
+AnyModel = TypeVar("AnyModel", bound=Caching)
 Others = TypeVarTuple("Others")
 Result = TypeVar("Result")
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from hertzwerk.runtime.pictures.plot_style import GREY, plain
-from hertzwerk.runtime.solution.checkpoint import parameters_of
+from hertzwerk.runtime.run.continuation import parameters_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -19,12 +19,13 @@ from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.model.binding import read_time
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.solution.solution import Solution
+    from hertzwerk.runtime.model.model import Model
+    from hertzwerk.runtime.solution.findings import Findings
+    from hertzwerk.runtime.solution.scales import Scales
     from hertzwerk.runtime.solution.sums import Sums
 
 CONFIDENCE = 0.95
 FEWEST, MOST = 8, 30  # blocks
-INTERVALS = 240  # of a run that has no period
 TRANSIENT = 0.1  # part of a run left out as transient, in whole intervals
 STEADY = 1e-5  # of a mean: blocks that differ by less are steady
 DOUBT = 1.645  # standard deviations: correlations above are significant, one-sided at 5 %
@@ -111,9 +112,23 @@ def _spread(means: np.ndarray) -> float:
     return float(np.std(means, ddof=1)) / math.sqrt(len(means))
 
 
-def averages(
-    run: Solution, *, interval: str | float | None = None, skip: str | float | None = None
-) -> tuple[Average, ...]:
+@dataclass(frozen=True)
+class Run:
+    """Parts of a run that averages are taken from.
+
+    start, end    times [s] at which it began and ended
+    tolerance     local, relative to `scales`
+    """
+
+    model: Model
+    findings: Findings
+    scales: Scales
+    tolerance: float
+    start: float
+    end: float
+
+
+def averages(run: Run, *, interval: str | float | None = None, skip: str | float | None = None) -> tuple[Average, ...]:
     """Average a run: impacts and forces of every pair, then power of every effect in the ledger.
 
     <pair>.impact_rate      impacts per time [1/s], by their onsets
@@ -132,7 +147,7 @@ def averages(
     asked, skipped = (_seconds(name, value, faults) for name, value in (("interval", interval), ("skip", skip)))
     if skip == 0:
         skipped = 0.0
-    span = run.t_end - run.t_start
+    span = run.end - run.start
     if not faults and asked is not None and asked > span:
         faults.append(Fault("interval", f"{asked:g} s", f"at most the run's {span:g} s"))
     if not faults and skipped is not None and skipped >= span:
@@ -156,7 +171,7 @@ def _seconds(name: str, value: str | float | None, faults: list[Fault]) -> float
     return None
 
 
-def _averages(run: Solution, sums: Sums, first: int, *, shows_largest: bool) -> Iterator[Average]:
+def _averages(run: Run, sums: Sums, first: int, *, shows_largest: bool) -> Iterator[Average]:
     """Yield the averages of the intervals from `first` on."""
     model, dt, tolerance = run.model, sums.interval, run.tolerance
     force, energy = float(run.scales.scene[2]), float(run.scales.scene[3])
@@ -176,8 +191,8 @@ def _averages(run: Solution, sums: Sums, first: int, *, shows_largest: bool) -> 
         return Average(name, unit, found.mean, found.half_width, found.blocks, found.intervals * dt, found.reason)
 
     for j, pair in enumerate(model.pairs):
-        impacts = [impact for impact in run.impacts if impact.contact == pair]
-        places = np.floor((np.array([impact.t for impact in impacts]) - run.t_start) / dt * (1 + 1e-12)).astype(int)
+        impacts = [impact for impact in run.findings.impacts if impact.contact == pair]
+        places = np.floor((np.array([impact.t for impact in impacts]) - run.start) / dt * (1 + 1e-12)).astype(int)
         within = places < sums.count
         peaks = np.array([impact.peak_force for impact in impacts])
         hits, forces = (

@@ -13,7 +13,6 @@ import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.host.lazy import cached_property
-from hertzwerk.runtime.solution.averages import INTERVALS
 from hertzwerk.runtime.solution.choices import Choice, Choices
 from hertzwerk.runtime.solution.impacts import Contacts, Impact
 from hertzwerk.runtime.solution.sums import Summing, Sums
@@ -23,6 +22,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.solution.history import History
 
 
+INTERVALS = 240  # with sums, of a run that has no period
 MOST_INTERVALS = 10_000  # most intervals with sums
 
 

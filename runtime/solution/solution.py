@@ -15,7 +15,7 @@ from hertzwerk.runtime.accuracy.ladder import ErrorEstimate
 from hertzwerk.runtime.host.scratch import write_atomically
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.solution import saved
-from hertzwerk.runtime.solution.averages import Average, averages
+from hertzwerk.runtime.solution.averages import Average, Run, averages
 from hertzwerk.runtime.solution.checkpoint import Checkpoint
 from hertzwerk.runtime.solution.choices import Choice
 from hertzwerk.runtime.solution.findings import Findings
@@ -158,7 +158,8 @@ class Solution:
 
         See `hertzwerk.runtime.solution.averages.averages`.
         """
-        return averages(self, interval=interval, skip=skip)
+        run = Run(self.model, self.findings, self.scales, self.tolerance, self.t_start, self.t_end)
+        return averages(run, interval=interval, skip=skip)
 
     def __str__(self) -> str:
         statistics, count = self.statistics, len(self.impacts)

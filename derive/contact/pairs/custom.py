@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 
 from hertzwerk.derive.algebra.vectors import Vector, add, apply, multiply, transpose
 from hertzwerk.derive.contact.touch import Touch
-from hertzwerk.derive.effects.expression import as_choice
+from hertzwerk.derive.effects.state_expression import as_choice
 from hertzwerk.derive.mechanism.bodies import Point, Slot
 from hertzwerk.derive.mechanism.pair import Components, Pair
 from hertzwerk.derive.mechanism.parameter import POSITIVE, Scalar

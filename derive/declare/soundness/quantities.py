@@ -11,7 +11,7 @@ import sympy as sp
 from hertzwerk.derive.algebra.splines import Spline
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.dimension.walker import check
-from hertzwerk.derive.effects.expression import as_choice, smoothness_faults, tables_in
+from hertzwerk.derive.effects.state_expression import as_choice, smoothness_faults, tables_in
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Slot
 from hertzwerk.derive.mechanism.parameter import Parameter, default_value, is_number, parameters_of

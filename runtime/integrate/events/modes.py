@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.integrate.events.events import ends_with_force, pulls, tolerances
+from hertzwerk.runtime.integrate.events.slips import resolve_slips
 from hertzwerk.runtime.integrate.step.classes import IDLE, class_of
 from hertzwerk.runtime.integrate.step.layout import (
     CONTACT,
@@ -25,7 +26,6 @@ from hertzwerk.runtime.integrate.step.layout import (
     Layouts,
 )
 from hertzwerk.runtime.integrate.step.set_valued_friction import margin_tolerances, pairs_of, undecided_and_breaking
-from hertzwerk.runtime.integrate.step.slips import resolve_slips
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.step.explicit import Flow

@@ -40,7 +40,7 @@ from hertzwerk.derive import (
     Z,
 )
 from hertzwerk.derive.algebra.functions import Where
-from hertzwerk.derive.effects.expression import T as TIME
+from hertzwerk.derive.effects.state_expression import T as TIME
 from hertzwerk.derive.laws import LAWS, flores, power, smooth_coulomb
 from hertzwerk.derive.readable.equations import equations_of
 from hertzwerk.runtime.model.build import built_in_scenes

@@ -5,7 +5,7 @@ import pytest
 
 from hertzwerk.derive.scenes.hard.scenes import falling_chain
 from hertzwerk.runtime import load, simulate
-from hertzwerk.runtime.integrate.step import slips
+from hertzwerk.runtime.integrate.events import slips
 
 COUNT = 4
 
