@@ -58,8 +58,7 @@ def _flat(results: Sequence[Any]) -> list[np.ndarray]:
 @per_model
 def _motion(model: Model) -> Any:
     """Build the CasADi function (t, q, u, c) -> poses of all bodies, and their rates."""
-    sizes = {"t": 1, "q": model.nq, "u": model.nu, "c": model.nc}
-    t, q, u, c = symbols = [ca.SX.sym(name, size) for name, size in sizes.items()]
+    t, q, u, c = symbols = model.symbols("t q u c")
     poses = ca.vertcat(*model.function("poses")(t, q, c))
     moves = ca.vertcat(1, model.function("coordinate_rates")(t, q, u, c))
     return ca.Function("motion", symbols, [poses, ca.jtimes(poses, ca.vertcat(t, q), moves)])
@@ -68,8 +67,7 @@ def _motion(model: Model) -> Any:
 @per_model
 def _motion_of_joints(model: Model) -> Any:
     """Build the function (t, q, u, c), q and u of joints -> poses, their rates, derivatives by q and u."""
-    sizes = {"t": 1, "q": model.joints.nq, "u": model.joints.nu, "c": model.nc}
-    t, q, u, c = symbols = [ca.SX.sym(name, size) for name, size in sizes.items()]
+    t, q, u, c = symbols = model.symbols("t joints joint_speeds c")
     placed = (q, u) if model.joints is model else model.function("placed")(t, q, u, c)
     poses, rates = _motion(model)(t, *placed, c)
     return ca.Function("motion_of_joints", symbols, [poses, rates, ca.jacobian(poses, q), ca.jacobian(rates, u)])

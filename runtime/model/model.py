@@ -155,13 +155,33 @@ class Model:
         listed = name in _INPUTS or name.removeprefix("contact_") in self.pairs
         return listed and callable(getattr(self.module, name, None))
 
-    @per_model
-    def _build(self, name: str) -> Any:
-        sizes = {
+    def placed(self, bound: Bound, q: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return the coordinates and speeds at the start from those of the joints."""
+        if self.joints is self:
+            return q, u
+        q, u = self.evaluate("placed", 0.0, q, u, bound.c)
+        return q, u
+
+    def symbols(self, names: str, kind: Any = ca.SX) -> list[Any]:
+        """Return CasADi symbols of arguments of the module's functions, as in "t q u c"; y is (q, u, z)."""
+        return [kind.sym(name, self._size(name)) for name in names.split()]
+
+    def parts(self, y: Any) -> list[Any]:
+        """Return the parts (q, u, z) of a vector of states, or of their errors."""
+        return ca.vertsplit(y, [0, self.nq, self.nq + self.nu, y.numel()])
+
+    def _size(self, name: str) -> int:
+        if name == "f":
+            return int(self.function("applied").size1_out(0))
+        if name == "reactions":
+            return int(self.function("accelerations").size1_out(1))
+        return {
             "t": 1,
             "q": self.nq,
             "u": self.nu,
             "z": self.nz,
+            "y": self.nq + self.nu + self.nz,
+            "mode": self.k,
             "m": self.nm,
             "c": self.nc,
             "p": len(self.parameters),
@@ -170,21 +190,20 @@ class Model:
             "multipliers": self.nl,
             "joints": self.joints.nq,
             "joint_speeds": self.joints.nu,
-        }
-        inputs = _INPUTS["contact" if name.startswith("contact_") else name].split()
-        if "f" in inputs:
-            sizes["f"] = self.function("applied").size1_out(0)
-        if "reactions" in inputs:
-            sizes["reactions"] = self.function("accelerations").size1_out(1)
-        symbols = [ca.SX.sym(symbol, sizes[symbol]) for symbol in inputs]
-        given = dict(zip(inputs, symbols, strict=True))
+        }[name]
+
+    @per_model
+    def _build(self, name: str) -> Any:
+        inputs = _INPUTS["contact" if name.startswith("contact_") else name]
+        symbols = self.symbols(inputs)
+        given = dict(zip(inputs.split(), symbols, strict=True))
         if name in SOLVING and self.nl and not self.dependent:
             # a softness that never changes is a number, and what it multiplies is made once
-            softness = self.module.constants(ca.SX.sym("p", sizes["p"]))[self.nc - self.nl :]
+            softness = self.module.constants(*self.symbols("p"))[self.nc - self.nl :]
             given["c"] = ca.vertcat(given["c"][: self.nc - self.nl], softness)
         results = getattr(self.module, name)(*given.values())
         columns = [ca.densify(ca.vec(ca.SX(x))) for x in (results if isinstance(results, tuple) else (results,))]
-        return ca.Function(name, symbols, ca.cse(columns), inputs, [f"o{i}" for i in range(len(columns))])
+        return ca.Function(name, symbols, ca.cse(columns), inputs.split(), [f"o{i}" for i in range(len(columns))])
 
     def period(self, bound: Bound) -> float | None:
         """Return the period [s] of everything that depends on time; None where nothing does."""

@@ -96,19 +96,10 @@ def journals(model: Model) -> list[int]:
 @per_model
 def eccentricities(model: Model) -> Any:
     """Return the CasADi function (t, q, u, c) -> eccentricities of all journals, and their rates."""
-    sizes = {"t": 1, "q": model.nq, "u": model.nu, "c": model.nc}
-    t, q, *_ = at = [ca.SX.sym(name, size) for name, size in sizes.items()]
+    t, q, *_ = at = model.symbols("t q u c")
     e = model.function("outputs")(*at)[journals(model)]
     rates = ca.vertcat(1, model.function("coordinate_rates")(*at))
     return ca.Function("eccentricities", at, [e, ca.jtimes(e, ca.vertcat(t, q), rates)])
-
-
-def placed(model: Model, bound: Bound, q: Array, u: Array) -> tuple[Array, Array]:
-    """Return a model's coordinates and speeds from those of its joints at the start."""
-    if model.joints is model:
-        return q, u
-    q, u = model.evaluate("placed", 0.0, q, u, bound.c)
-    return q, u
 
 
 def _nearest(ideal: _Loops, q: Array, given: Collection[str]) -> Array | None:
@@ -246,7 +237,7 @@ class _Loops:
         """Return whether every journal of the whole model is in its bush, but for a plausible penetration."""
         if self.whole is None:
             return True
-        q, u = placed(self.whole, self.bound, q, np.zeros(self.model.nu))
+        q, u = self.whole.placed(self.bound, q, np.zeros(self.model.nu))
         return not deep_overlaps(self.whole, self.bound, q, u)
 
     @cached_property
@@ -290,7 +281,7 @@ def _journals_of(whole: Model, model: Model) -> Callers:
 
 def _residuals(model: Model, whole: Model | None) -> Callers:
     """Build the function (t, q, u, c) -> constraints, rates and their derivatives, see `_Loops.at`."""
-    t, q, u, c = ca.SX.sym("t"), ca.SX.sym("q", model.nq), ca.SX.sym("u", model.nu), ca.SX.sym("c", model.nc)
+    t, q, u, c = model.symbols("t q u c")
     sides = [model.function("constraints")(t, q, u, c)] if model.nl else []
     if whole is not None and journals(whole):
         joints = (q, u) if whole.joints is whole else whole.function("placed")(t, q, u, c)

@@ -18,7 +18,7 @@ import numpy as np
 
 from hertzwerk.derive.faults import Fault
 from hertzwerk.runtime.model.per_model import per_model
-from hertzwerk.runtime.start.assembly import RANK, Array, assemble_at, eccentricities, placed
+from hertzwerk.runtime.start.assembly import RANK, Array, assemble_at, eccentricities
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Bound, Model
@@ -93,7 +93,7 @@ def closed_forces(model: Model, bound: Bound, q: Array, u: Array) -> tuple[Array
     They act along the eccentricities, caused by loads, gravity, inertia and drives at t = 0, in coordinates and
     speeds of the joints; no contact acts.
     """
-    at = placed(model, bound, q, u)
+    at = model.placed(bound, q, u)
     jacobian, applied = (np.array(x) for x in _moves(model)(0.0, *at, bound.c))
 
     def second(forces: Array) -> Array:
@@ -115,7 +115,7 @@ def closed_forces(model: Model, bound: Bound, q: Array, u: Array) -> tuple[Array
 
 def _initial_seats(model: Model, bound: Bound, q: Array, u: Array) -> list[_Seat]:
     """Return the journals with initial depths."""
-    there = 0.0, *placed(model, bound, q, u), bound.c
+    there = 0.0, *model.placed(bound, q, u), bound.c
     e = np.array(eccentricities(model)(*there)[0]).ravel()
     gaps = dict(zip(model.pairs, model.evaluate("gaps", *there)[0], strict=True))
     seats, count = [], 0
@@ -129,23 +129,21 @@ def _initial_seats(model: Model, bound: Bound, q: Array, u: Array) -> list[_Seat
 def _elastic_force(model: Model, bound: Bound, q: Array, u: Array, pair: str) -> float:
     """Return the normal force [N] of a pair at constant gap."""
     z, m = np.zeros(model.nz), np.full(model.nm, UNDAMPED)
-    return float(model.evaluate(f"contact_{pair}", 0.0, *placed(model, bound, q, u), z, m, bound.c)[2][0])
+    return float(model.evaluate(f"contact_{pair}", 0.0, *model.placed(bound, q, u), z, m, bound.c)[2][0])
 
 
 @per_model
 def _moves(model: Model) -> Any:
     """Return the CasADi function (t, q, u, c) -> Jacobian of the eccentricities' rates, applied forces."""
-    sizes = {"t": 1, "q": model.nq, "u": model.nu, "c": model.nc}
-    _, _, u, _ = at = [ca.SX.sym(name, size) for name, size in sizes.items()]
+    _, _, u, _ = at = model.symbols("t q u c")
     return ca.Function("moves", at, [ca.jacobian(eccentricities(model)(*at)[1], u), model.function("applied")(*at)])
 
 
 @per_model
 def _second_rates(model: Model) -> Any:
     """Return the CasADi function (t, q, u, a, c) -> second derivatives of the eccentricities."""
-    sizes = {"t": 1, "q": model.nq, "u": model.nu, "c": model.nc}
-    t, q, u, c = at = [ca.SX.sym(name, size) for name, size in sizes.items()]
-    a = ca.SX.sym("a", model.nu)
+    t, q, u, c = at = model.symbols("t q u c")
+    (a,) = model.symbols("a")
     way = ca.vertcat(1, model.function("coordinate_rates")(*at), a)
     second = ca.jtimes(eccentricities(model)(*at)[1], ca.vertcat(t, q, u), way)
     return ca.Function("second_rates", [t, q, u, a, c], [second])

@@ -50,15 +50,7 @@ def read_start(
     In absolute coordinates both are given for the joints and converted.
     """
     q, u = _assembled(model, bound, initial, faults)
-    return (q, u) if bound is None or faults else _placed(model, bound, q, u)
-
-
-def _placed(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return a model's coordinates and speeds from those of its joints."""
-    if model.joints is model:
-        return q, u
-    q, u = model.evaluate("placed", 0.0, q, u, bound.c)
-    return q, u
+    return (q, u) if bound is None or faults else model.placed(bound, q, u)
 
 
 def _assembled(
@@ -152,7 +144,7 @@ def _separating_change(model: Model, bound: Bound, initial: Mapping[str, Value],
     def gap(i: int, change: float) -> float:
         q = stated.copy()
         q[i] += change
-        return float(model.evaluate("gaps", 0.0, *_placed(model, bound, q, still), bound.c)[0][j])
+        return float(model.evaluate("gaps", 0.0, *model.placed(bound, q, still), bound.c)[0][j])
 
     ways = []
     for i, name in enumerate(joints.coordinates) if not joints.nl else ():  # in a loop nothing changes alone

@@ -112,7 +112,7 @@ def polynomials(model: Model, layouts: Layouts) -> Any:
     polynomial, falling from above, has a root and goes on to -margin; a graze whose minimum is below doubt is
     resolved by a shorter step. suspect: 1 where any of this is possible; ending: 1 where `endings` has an event.
     """
-    arguments, (start, run, end) = _step(layouts)
+    arguments, (start, run, end) = layouts.symbols("state controls next")
     h = start["h"]
     tol, tol_rate, tol_force = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
     before, after = signed_gaps(start["mode"], start), signed_gaps(start["mode"], end)
@@ -143,7 +143,7 @@ def endings(model: Model, layouts: Layouts) -> Any:
     below zero, so that the landing is beyond it. Where stiff damping makes the force, its rate is dominated by the
     velocity error of a step: after BELIEVED retakes the chord replaces the cubic.
     """
-    arguments, (start, run, end) = _step(layouts)
+    arguments, (start, run, end) = layouts.symbols("state controls next")
     h = start["h"]
     tolerance = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
     rows, aim = [ca.SX(1)] * 6, ca.SX(0)
@@ -186,13 +186,6 @@ def _slipping(
     falls = (start["mode"][pairs_of(model)] == CONTACT) * (cubic[0] > -small / 2) * (lowest < -small)
     falls *= start["retakes"] < LOCATED
     return falls, cubic, small
-
-
-def _step(layouts: Layouts) -> tuple[list[Any], list[dict[str, Any]]]:
-    """Return symbols of (state, controls, next), and their parts."""
-    parts = (layouts.state, layouts.controls, layouts.state)
-    arguments = [layout.symbol(name) for layout, name in zip(parts, ("state", "controls", "next"), strict=True)]
-    return arguments, [layout.split(vector) for layout, vector in zip(parts, arguments, strict=True)]
 
 
 def search(k: int) -> Any:

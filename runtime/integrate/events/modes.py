@@ -73,10 +73,7 @@ def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
 
     The derivatives follow the new modes; the ledger, bristles and slips are updated.
     """
-    layouts = (vectors.state, vectors.state, vectors.controls)
-    names = ("before", "after", "controls")
-    arguments = [layout.symbol(name) for layout, name in zip(layouts, names, strict=True)]
-    before, after, run = (layout.split(vector) for layout, vector in zip(layouts, arguments, strict=True))
+    arguments, (before, after, run) = vectors.symbols("before after controls")
     y = after["y"]
     if model.has_ledger:
         y = _book_stored_energy(model, after["t"], y, run["c"], before["mode"], after["mode"])
@@ -100,7 +97,7 @@ def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
     resumed = ca.Function("resumed", [*arguments[1:], m, y], [vectors.state.join(new)])
     given = booked.mx_in()
     slips = resolve_slips(model).call(booked.call(given))
-    return ca.Function("switch", given, [resumed(*given[1:], *slips)], [*names], ["next"])
+    return ca.Function("switch", given, [resumed(*given[1:], *slips)], ["before", "after", "controls"], ["next"])
 
 
 def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
@@ -108,7 +105,7 @@ def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
 
     Overlapping pairs are in contact, or released where their law would pull.
     """
-    t, q, u = ca.SX.sym("t"), ca.SX.sym("q", model.nq), ca.SX.sym("u", model.nu)
+    t, q, u = model.symbols("t q u")
     controls = vectors.controls.symbol("controls")
     run = vectors.controls.split(controls)
     y = ca.vertcat(q, u, ca.SX.zeros(model.nz))

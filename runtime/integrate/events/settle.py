@@ -91,7 +91,7 @@ def settle(model: Model, vectors: Layouts, table: Table, right: Flow) -> Any:
 
 def reject(vectors: Layouts, table: Table) -> Any:
     """Build the function (state, controls, next, verdict) -> the old state with a shorter step to try."""
-    arguments, (old, _, end, judged) = _arguments(vectors)
+    arguments, (old, _, end, judged) = vectors.symbols("state controls next verdict")
     h, error = old["h"], judged["error"]
     finite = is_finite(end) * (error < FINITE)  # false for NaN
     in_contact = old["class"] >= IN_CONTACT
@@ -123,21 +123,13 @@ def _if(condition: Any, function: Any, otherwise: list[float], *arguments: Any) 
     return ca.Function.if_else("branch", function, constant)(condition, *arguments)
 
 
-def _arguments(vectors: Layouts) -> tuple[list[Any], list[Parts]]:
-    """Return symbols of (state, controls, next, verdict), and their parts."""
-    names = ("state", "controls", "next", "verdict")
-    parts = (vectors.state, vectors.controls, vectors.state, vectors.verdict)
-    arguments = [part.symbol(name) for part, name in zip(parts, names, strict=True)]
-    return arguments, [part.split(vector) for part, vector in zip(parts, arguments, strict=True)]
-
-
 def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
     """Build the function that returns theta of a step's first event and a move delta [s] of its end.
 
     Arguments: state, controls, next, verdict, theta of the gaps (k), theta of the other endings (k + ns). delta leads
     to a surface close by, or is 0.
     """
-    arguments, (old, run, end, _) = _arguments(vectors)
+    arguments, (old, run, end, _) = vectors.symbols("state controls next verdict")
     at_gap, at_force = ca.SX.sym("at_gap", model.k), ca.SX.sym("at_force", model.k + model.ns)
     tol, _, _ = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
     times = time_to_root(*signed_gaps(old["mode"], end))
@@ -158,7 +150,7 @@ def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
 
 def _nudge(model: Model, vectors: Layouts, right: Flow) -> Any:
     """Build the function (state, controls, next, verdict, delta) -> (next, verdict) delta [s] later."""
-    arguments, (old, run, end, verdict) = _arguments(vectors)
+    arguments, (old, run, end, verdict) = vectors.symbols("state controls next verdict")
     delta = ca.SX.sym("delta")
     moved = short_step(right, old, end, run, delta)
     in_range = moved.pop("in_range")
@@ -172,7 +164,7 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
     Accepts the step or retakes it to its first event. switched: 1 if a pair changes its mode, so that the right-hand
     side has to be evaluated again.
     """
-    arguments, (old, run, end, judged) = _arguments(vectors)
+    arguments, (old, run, end, judged) = vectors.symbols("state controls next verdict")
     theta, delta = ca.SX.sym("theta"), ca.SX.sym("delta")
     moved, finite = delta != 0, is_finite(end)
     aimed, retake = old["h"] * theta, theta < 1

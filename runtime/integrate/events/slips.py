@@ -45,11 +45,7 @@ def resolve_slips(model: Model) -> Any:
     part of the tolerance. Sticking pairs are brought to rest by impulses, whose work is booked as friction's.
     """
     n = model.ns
-    sizes = (1, model.nq + model.nu + model.nz, model.k, model.nm, model.nc, n, n, n)
-    given = [
-        ca.MX.sym(name, size)
-        for name, size in zip(("t", "y", "mode", "m", "c", "asked", "rate", "force"), sizes, strict=True)
-    ]
+    given = [*model.symbols("t y mode m c", ca.MX), *(ca.MX.sym(name, n) for name in ("asked", "rate", "force"))]
     if not n:
         return ca.Function("directed", given, [given[3], given[1]])
     slip, _ = pivoting(n)(*_problem(model)(*given))
@@ -79,10 +75,9 @@ def _problem(model: Model) -> Any:
     open: pairs in contact that do not slide; b includes the friction of the others.
     """
     n = model.ns
-    t, y, mode = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz), ca.SX.sym("mode", model.k)
-    m, c = ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc)
+    t, y, mode, m, c = model.symbols("t y mode m c")
     asked, rate, force = (ca.SX.sym(name, n) for name in ("asked", "rate", "force"))
-    q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
+    q, u, z = model.parts(y)
     now = grips(model, BY_MODE, t, y, mode, m, c)
     f = model.function("applied")(t, q, u, c)
     for _, contact, active in active_contacts(model, BY_MODE, mode):
@@ -129,9 +124,8 @@ def _round(n: int, *, one: bool) -> Any:
 
 def _at_rest(model: Model) -> Any:
     """Build the function (t, y, mode, m, c, slip (n)) -> (m, y): set slips, stop sticking pairs."""
-    t, y, mode = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz), ca.SX.sym("mode", model.k)
-    m, c, slip = ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc), ca.SX.sym("slip", model.ns)
-    q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
+    (t, y, mode, m, c), slip = model.symbols("t y mode m c"), ca.SX.sym("slip", model.ns)
+    q, u, z = model.parts(y)
     latches, _ = ca.vertsplit(m, [0, slips_in(model).start, model.nm])
     new = ca.vertcat(latches, slip)
     now = grips(model, BY_MODE, t, y, mode, new, c)

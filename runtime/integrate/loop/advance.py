@@ -37,9 +37,7 @@ def pairs_by_polynomial(model: Model, contacts: Contacts) -> list[int]:
 
 def no_event_of_any_pair(model: Model, vectors: Layouts) -> Any:
     """Build the function (state, controls, next) -> 1 if no pair can have an event in the step."""
-    vector = (vectors.state, vectors.controls, vectors.state)
-    given = [part.symbol(name) for part, name in zip(vector, ("state", "controls", "next"), strict=True)]
-    old, run, end = (part.split(x) for part, x in zip(vector, given, strict=True))
+    given, (old, run, end) = vectors.symbols("state controls next")
     clear = all_of(no_event_possible(model, run, old["mode"], old, end, list(range(model.k))))
     return ca.Function("near", given, [ca.cse(clear)], ["state", "controls", "next"], ["clear"])
 
@@ -52,10 +50,9 @@ def advance(
     next: the state after the step if the verdict is plain; otherwise its t, y, dy and pair parts are those of the end
     of the step.
     """
-    state, controls = vectors.state.symbol("state"), vectors.controls.symbol("controls")
-    old, run = vectors.state.split(state), vectors.controls.split(controls)
+    given, (old, run) = vectors.symbols("state controls")
     poll()  # each part takes up to a second of a large model
-    given, seen = [state, controls], dict[str, Any]()
+    seen: dict[str, Any] = {}
     mode = old["mode"] if contacts is BY_MODE else modes(model, contacts)
     implicit = not isinstance(table, RungeKutta)
     by_calls = uses_calls(model) and (implicit or choosing is Choosing.EVERY_STEP)

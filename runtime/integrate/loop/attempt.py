@@ -44,12 +44,11 @@ class Integrator:
     def step(self, method: int = 0) -> Any:
         """Return (state, controls, h) -> trial, by the table of a method; built on first use."""
         if method not in self._steps:
-            vectors, h = self.layouts, ca.SX.sym("h")
-            state, controls = vectors.state.symbol("state"), vectors.controls.symbol("controls")
-            start, run = vectors.state.split(state), vectors.controls.split(controls)
-            trial = vectors.trial.join(stepper(self.model, self.tables[method], BY_MODE)(start, run, h))
+            h = ca.SX.sym("h")
+            given, (start, run) = self.layouts.symbols("state controls")
+            trial = self.layouts.trial.join(stepper(self.model, self.tables[method], BY_MODE)(start, run, h))
             names = ["state", "controls", "h"]
-            self._steps[method] = ca.Function("step", [state, controls, h], [ca.cse(trial)], names, ["trial"])
+            self._steps[method] = ca.Function("step", [*given, h], [ca.cse(trial)], names, ["trial"])
         return self._steps[method]
 
 

@@ -105,9 +105,7 @@ def suspicion(
 
 def fastest(model: Model) -> Any:
     """Build the function (state, controls) -> step times fastest rate, and sliding velocities [m/s]."""
-    vectors = layouts(model)
-    given = [part.symbol(name) for part, name in ((vectors.state, "state"), (vectors.controls, "controls"))]
-    old, run = (part.split(x) for part, x in zip((vectors.state, vectors.controls), given, strict=True))
+    given, (old, run) = layouts(model).symbols("state controls")
     at = (old["mode"], old["m"], run["c"])
     J, _ = linearised(model)(old["t"], old["y"], *at)
     v, *_ = sliding(model)(old["t"], old["y"], old["dy"], *at)

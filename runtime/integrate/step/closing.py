@@ -63,8 +63,8 @@ def closing(model: Model) -> Closing | None:
 @per_model
 def _closed(model: Model) -> Any:
     """Build the function (t, y, c) -> (projected y, residuals, their rounding bounds, their rates (nl))."""
-    t, y, c = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz), ca.SX.sym("c", model.nc)
-    q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
+    t, y, c = model.symbols("t y c")
+    q, u, z = model.parts(y)
     constraints, project = model.function("constraints"), model.function("projection")
     rates, still = model.function("coordinate_rates"), ca.SX.zeros(model.nu)
     phi, _ = constraints(t, q, u, c)
@@ -80,11 +80,9 @@ def _closed(model: Model) -> Any:
 @per_model
 def _along(model: Model) -> Any:
     """Build the function (t, y, error (ny), c) -> error projected onto the constraints' tangent space."""
-    ny = model.nq + model.nu + model.nz
-    t, y, error, c = ca.SX.sym("t"), ca.SX.sym("y", ny), ca.SX.sym("error", ny), ca.SX.sym("c", model.nc)
-    parts = [0, model.nq, model.nq + model.nu, ny]
-    q, u, _ = ca.vertsplit(y, parts)
-    dq, du, dz = ca.vertsplit(error, parts)
+    t, y, c = model.symbols("t y c")
+    error = ca.SX.sym("error", y.numel())
+    (q, u, _), (dq, du, dz) = model.parts(y), model.parts(error)
     constraints, project = model.function("constraints"), model.function("projection")
     rates, still = model.function("coordinate_rates"), ca.SX.zeros(model.nu)
     phi, rate = constraints(t, q, u, c)

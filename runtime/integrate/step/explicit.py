@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
     from hertzwerk.runtime.model.model import Model
 
+ARGUMENTS = "t y mode m c"
+"""Arguments of the functions of a step: time, state, and the pairs' modes, latches and constants."""
 MEAN_OF = 8  # most entries an error is averaged over: many bodies without error must not hide the two that collide
 
 
@@ -69,8 +71,7 @@ def flow(model: Model, contacts: Contacts = BY_MODE) -> Flow:
 
 @per_model
 def _flow(model: Model, contacts: Contacts) -> Flow:
-    t, q, u, z = ca.SX.sym("t"), ca.SX.sym("q", model.nq), ca.SX.sym("u", model.nu), ca.SX.sym("z", model.nz)
-    mode, m, c = ca.SX.sym("mode", model.k), ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc)
+    t, q, u, z, mode, m, c = model.symbols("t q u z mode m c")
     y = ca.vertcat(q, u, z)
     f = model.function("applied")(t, q, u, c)
     dz = ca.SX.zeros(model.nz)
@@ -106,8 +107,7 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
         friction[grip.places] = found
         margin[grip.places] = ca.if_else(grip.sticks, held, grip.slip * grip.velocity)
         margin_rate[grip.places] = ca.if_else(grip.sticks, of_held, sliding)
-    arguments = [t, y, mode, m, c]
-    names = ["t", "y", "mode", "m", "c"]
+    arguments, names = [t, y, mode, m, c], ARGUMENTS.split()
     return Flow(
         quaternions=model.quaternions,
         rates=ca.Function("rates", arguments, [ca.cse(dy)], names, ["dy"]),

@@ -16,7 +16,7 @@ import casadi as ca
 
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, Contacts, active_contacts, masked
 from hertzwerk.runtime.integrate.step.control import SAFETY
-from hertzwerk.runtime.integrate.step.explicit import MEAN_OF, Flow, flow
+from hertzwerk.runtime.integrate.step.explicit import ARGUMENTS, MEAN_OF, Flow, flow
 from hertzwerk.runtime.integrate.step.layout import CONTACT
 from hertzwerk.runtime.integrate.step.linear import Elimination, solver, solver_of_calls
 from hertzwerk.runtime.integrate.step.rounding import EPS
@@ -60,8 +60,7 @@ def linearised(model: Model, contacts: Contacts = BY_MODE) -> Any:
 @per_model
 def _linearised_by_calls(model: Model, contacts: Contacts) -> Any:
     """Build the function `linearised` (MX) from functions shared by all classes of attempts."""
-    t, y = ca.MX.sym("t"), ca.MX.sym("y", model.nq + model.nu + model.nz)
-    mode, m, c = ca.MX.sym("mode", model.k), ca.MX.sym("m", model.nm), ca.MX.sym("c", model.nc)
+    t, y, mode, m, c = given = model.symbols(ARGUMENTS, ca.MX)
     f, df = _applied_derivatives(model)(t, y, c)
     dz = ca.DM(model.nz, y.numel() + 1)
     for j, pair in enumerate(model.pairs):
@@ -72,15 +71,14 @@ def _linearised_by_calls(model: Model, contacts: Contacts) -> Any:
     direct, mobility = _motion_derivatives(model)(t, y, f, c)
     J = direct + ca.mtimes(mobility, df) + ca.vertcat(ca.DM(model.nq + model.nu, y.numel() + 1), dz)
     n = y.numel()
-    names = ["t", "y", "mode", "m", "c"]
-    return ca.Function("linearised", [t, y, mode, m, c], [J[:, :n], ca.densify(J[:, n])], names, ["J", "dt"])
+    return ca.Function("linearised", given, [J[:, :n], ca.densify(J[:, n])], ARGUMENTS.split(), ["J", "dt"])
 
 
 @per_model
 def _applied_derivatives(model: Model) -> Any:
     """Build the CasADi function (t, y, c) -> applied forces and their derivatives by (y, t)."""
-    t, y, c = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz), ca.SX.sym("c", model.nc)
-    q, u, _ = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
+    t, y, c = model.symbols("t y c")
+    q, u, _ = model.parts(y)
     f = model.function("applied")(t, q, u, c)
     return ca.Function("of_applied", [t, y, c], ca.cse([f, ca.jacobian(f, ca.vertcat(y, t))]))
 
@@ -91,9 +89,8 @@ def _contact_derivatives(model: Model, pair: str) -> Any:
 
     The derivatives are those of the force and of the rates of z; all are 0 unless active.
     """
-    t, y = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz)
-    q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
-    m, c, active = ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc), ca.SX.sym("active")
+    (t, y, m, c), active = model.symbols("t y m c"), ca.SX.sym("active")
+    q, u, z = model.parts(y)
     f, dz, *_ = model.function(f"contact_{pair}")(t, q, u, z, m, c)
     x = ca.vertcat(y, t)
     found = [masked(active, f), _masked_finite(ca.jacobian(f, x), active), _masked_finite(ca.jacobian(dz, x), active)]
@@ -103,9 +100,8 @@ def _contact_derivatives(model: Model, pair: str) -> Any:
 @per_model
 def _motion_derivatives(model: Model) -> Any:
     """Build the function (t, y, f, c) -> derivatives of the right-hand side by (y, t) and by forces f."""
-    t, y = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz)
-    q, u, _ = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
-    f, c = ca.SX.sym("f", model.function("applied").size1_out(0)), ca.SX.sym("c", model.nc)
+    t, y, f, c = model.symbols("t y f c")
+    q, u, _ = model.parts(y)
     a, reactions, *multipliers = model.function("accelerations").call([t, q, u, f, c])
     power = model.function("ledger")(t, q, u, reactions, c) if model.has_ledger else ca.SX(model.nz, 1)
     dq, x = model.function("coordinate_rates")(t, q, u, c), ca.vertcat(y, t)
@@ -138,9 +134,8 @@ def _implicit_derivatives(
 
 @per_model
 def _linearised(model: Model, contacts: Contacts) -> Any:
-    t, y = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz)
-    q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
-    mode, m, c = ca.SX.sym("mode", model.k), ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc)
+    t, y, mode, m, c = arguments = model.symbols(ARGUMENTS)
+    q, u, z = model.parts(y)
     x = ca.vertcat(y, t)
     f = model.function("applied")(t, q, u, c)
     df, dz = ca.jacobian(f, x), ca.SX(model.nz, x.numel())
@@ -175,9 +170,8 @@ def _linearised(model: Model, contacts: Contacts) -> Any:
     J = direct + ca.mtimes(mobility, ca.vertcat(*of_given)) + ca.vertcat(ca.SX(model.nq + model.nu, x.numel()), dz)
     J = ca.sparsify(J)
     n = y.numel()
-    names = ["t", "y", "mode", "m", "c"]
     results = ca.cse([J[:, :n], ca.densify(J[:, n])])
-    return ca.Function("linearised", [t, y, mode, m, c], results, names, ["J", "dt"])
+    return ca.Function("linearised", arguments, results, ARGUMENTS.split(), ["J", "dt"])
 
 
 def sliding(model: Model, contacts: Contacts = BY_MODE) -> Any:
@@ -190,9 +184,9 @@ def sliding(model: Model, contacts: Contacts = BY_MODE) -> Any:
 
 @per_model
 def _sliding(model: Model, contacts: Contacts) -> Any:
-    t, y, dy = ca.SX.sym("t"), *(ca.SX.sym(name, model.nq + model.nu + model.nz) for name in ("y", "dy"))
-    q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
-    mode, m, c = ca.SX.sym("mode", model.k), ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc)
+    t, y, mode, m, c = model.symbols(ARGUMENTS)
+    dy = ca.SX.sym("dy", y.numel())
+    q, u, z = model.parts(y)
     velocities = [ca.SX(0, 1)]
     for j, contact, active in active_contacts(model, contacts, mode):
         if j not in pairs_of(model):

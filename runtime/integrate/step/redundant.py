@@ -42,8 +42,8 @@ def relax_redundant(model: Model) -> Callable[[Mapping[str, Any], Mapping[str, A
 @per_model
 def _softness(model: Model) -> Any:
     """Build the function (t, q, c, scales of speeds (nu), length) -> softness of each constraint (nl)."""
-    t, q, c = ca.SX.sym("t"), ca.SX.sym("q", model.nq), ca.SX.sym("c", model.nc)
-    u, size, length = ca.SX.sym("u", model.nu), ca.SX.sym("size", model.nu), ca.SX.sym("length")
+    t, q, u, c = model.symbols("t q u c")
+    size, length = ca.SX.sym("size", model.nu), ca.SX.sym("length")
     _, rate = model.function("constraints")(t, q, u, c)
     rows = ca.mtimes(ca.jacobian(rate, u), ca.diag(size))
     softness = c[model.nc - model.nl :]

@@ -86,9 +86,8 @@ def pair_grip(model: Model, j: int) -> Any:
 
     In order: along, power, sliding, holding, velocity, drift.
     """
-    t, y = ca.SX.sym("t"), ca.SX.sym("y", model.nq + model.nu + model.nz)
-    m, c = ca.SX.sym("m", model.nm), ca.SX.sym("c", model.nc)
-    q, u, z = ca.vertsplit(y, [0, model.nq, model.nq + model.nu, y.numel()])
+    t, y, m, c = model.symbols("t y m c")
+    q, u, z = model.parts(y)
     _, _, _, velocity, _, along, power, sliding, holding = model.function(f"contact_{model.pairs[j]}")(t, q, u, z, m, c)
     dq = model.function("coordinate_rates")(t, q, u, c)
     drift = ca.jtimes(velocity, ca.vertcat(t, y), ca.vertcat(1, dq, ca.SX.zeros(model.nu + model.nz)))
@@ -103,10 +102,9 @@ def forces(model: Model, n: int) -> Any:
     Arguments: t, q, u, f, along, drift, slipping (n), sticks (n), c. f: all other generalised forces; slipping: the
     forces of the slipping pairs along the tangents.
     """
-    t, q, u = ca.SX.sym("t"), ca.SX.sym("q", model.nq), ca.SX.sym("u", model.nu)
-    nf = model.function("applied").size1_out(0)
-    f, along, drift = ca.SX.sym("f", nf), ca.SX.sym("along", nf, n), ca.SX.sym("drift", n)
-    slipping, sticks, c = ca.SX.sym("slipping", n), ca.SX.sym("sticks", n), ca.SX.sym("c", model.nc)
+    t, q, u, f, c = model.symbols("t q u f c")
+    along = ca.SX.sym("along", f.numel(), n)
+    drift, slipping, sticks = (ca.SX.sym(name, n) for name in ("drift", "slipping", "sticks"))
     slides = ca.if_else(sticks, 0, slipping)
     a = model.function("accelerations").call([t, q, u, f + ca.mtimes(along, slides), c])[0]
     W = ca.mtimes(along[: model.nu, :].T, mobility(model, t, q, u, along, c))
