@@ -4,8 +4,13 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:  # the list of public names
     from hertzwerk.derive.faults import Fault as Fault, InputError as InputError
+    from hertzwerk.runtime.comparing import Comparison as Comparison, compare as compare
     from hertzwerk.runtime.effects.leaving_out import study_effects as study_effects
     from hertzwerk.runtime.loading import Model as Model, load as load
+    from hertzwerk.runtime.measured.measurement import (
+        Measurement as Measurement,
+        read_measurement as read_measurement,
+    )
     from hertzwerk.runtime.model.model import Bound as Bound
     from hertzwerk.runtime.simulation import Solution as Solution, simulate as simulate
     from hertzwerk.runtime.solution.impacts import Impact as Impact

@@ -45,11 +45,12 @@ ROOMS = {
         "units": "",
     },
     "runtime": {
-        ".": "derive/faults effects loading model simulation solution sweeps",
+        ".": "comparing derive/faults effects loading measured model simulation solution sweeps",
         "accuracy": "",
         "cli": "accuracy derive/audit derive/faults derive/sheets effects hard_cases host integrate/tableaux loading "
         "model pictures pictures/draw pictures/studies run simulation solution start studies validate work_precision",
         "command_line": "cli",
+        "comparing": "measured model pictures/studies solution",
         "effects": "accuracy derive/declare derive/faults integrate/step loading model run simulation solution start",
         "hard_cases": "host integrate/loop integrate/step integrate/tableaux loading model run simulation solution",
         "host": "derive/faults",
@@ -59,12 +60,14 @@ ROOMS = {
         "integrate/step": "host integrate/tableaux model",
         "integrate/tableaux": "host",
         "loading": "derive/declare derive/faults model pictures/draw",
+        "measured": "derive/faults derive/units host model solution",
         "model": "derive/audit derive/declare derive/derivation derive/faults derive/files derive/laws derive/readable "
         "derive/scenes derive/sheets derive/units host",
         "package": "derive/declare derive/faults loading simulation",
         "pictures": "host model run solution start",
         "pictures/draw": "derive/faults host model pictures run solution start",
-        "pictures/studies": "accuracy derive/sheets effects integrate/tableaux pictures studies validate work_precision",
+        "pictures/studies": "accuracy derive/sheets effects integrate/tableaux measured pictures studies validate "
+        "work_precision",
         "run": "accuracy derive/faults derive/units integrate integrate/loop integrate/step integrate/tableaux model solution start",
         "simulation": "accuracy derive/faults integrate/step loading model pictures pictures/draw run solution start",
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
@@ -332,7 +335,7 @@ CLI = {
 PICTURES = {
     "pictures/plot.py",
     "pictures/plot_panel.py",
-    *(f"pictures/studies/plot_{name}.py" for name in ["accuracy", "band", "effects", "laws", "page"]),
+    *(f"pictures/studies/plot_{name}.py" for name in ["accuracy", "band", "comparison", "effects", "laws", "page"]),
     *(f"pictures/draw/{name}.py" for name in ["drawing", "insets", "labels", "paper", "picture", "gallery"]),
 }
 

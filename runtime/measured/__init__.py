@@ -1,0 +1,1 @@
+"""Measured data beside a run: reading, instrument, alignment, errors, statistics."""

@@ -1,0 +1,212 @@
+"""Measured data: a time column and columns with units, read from CSV with every fault and its line."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hertzwerk.derive.faults import Fault, InputError, shown, unknown, unreadable
+from hertzwerk.derive.units import Unit, UnitError, parse_unit
+
+Array = NDArray[np.float64]
+
+TIMES = ("t", "time")  # names of a time column, in any case
+MISSING = ("", "nan")  # cells without a sample, in any case
+LISTED = 20  # most faulty lines that are listed
+HEADING = re.compile(r"(?P<name>[^\[\]]*[^\[\]\s])\s*\[(?P<unit>[^\[\]]*)\]")
+DELIMITERS = (",", ";", "\t")
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """Measured columns over time; refuses to exist with faults (InputError).
+
+    times     [s], shape (n,), increasing; n is at least 2
+    columns   by name, shape (n,), in `units`; nan where a sample is missing
+    units     unit text of every column
+    source    path of the file; empty for data of another origin
+    """
+
+    times: Array
+    columns: Mapping[str, Array]
+    units: Mapping[str, str]
+    source: str = ""
+
+    def __post_init__(self) -> None:
+        times = np.asarray(self.times, dtype=float)
+        columns = {name: np.asarray(values, dtype=float) for name, values in self.columns.items()}
+        object.__setattr__(self, "times", times)
+        object.__setattr__(self, "columns", columns)
+        faults = [
+            Fault(name, f"values of shape {values.shape}", f"one for each of the {times.size} times")
+            for name, values in columns.items()
+            if values.shape != times.shape
+        ]
+        if times.ndim != 1 or times.size < 2 or not np.all(np.isfinite(times)) or np.any(np.diff(times) <= 0):
+            faults.append(Fault("times", shown(self.times), "two or more finite times, increasing"))
+        for name in columns:
+            try:
+                parse_unit(self.units.get(name, ""))
+            except UnitError as error:
+                faults.append(Fault(name, shown(self.units.get(name)), "a unit", str(error)))
+        if faults:
+            raise InputError(self.source or "measurement", faults)
+
+    def si(self, name: str) -> Array:
+        """Return a column in SI; raises KeyError for an unknown name."""
+        return self.columns[name] * self.unit(name).factor
+
+    def unit(self, name: str) -> Unit:
+        """Return the unit of a column; raises KeyError for an unknown name."""
+        return parse_unit(self.units[name])
+
+
+def read_measurement(path: str | Path, columns: Sequence[str] | None = None) -> Measurement:
+    """Read measured data from CSV, headed `name [unit]`, with a time column `t [s]` or `time [ms]`.
+
+    Separated by commas, semicolons or tabs, with decimal points; lines that begin with # are left out, and a cell that
+    is empty or nan is a missing sample. `columns` names those that are read, by default all. Raises InputError with
+    every fault and its line: units that cannot be read, cells that are no numbers, times that are missing, repeated
+    or fall.
+    """
+    path = Path(path)
+    try:
+        text = path.read_text(encoding="utf-8-sig")
+    except (OSError, ValueError) as error:
+        no_text = isinstance(error, UnicodeDecodeError)
+        found: Exception = ValueError("bytes that are no UTF-8 text") if no_text else error
+        raise InputError("measurement", [unreadable(path, found, "a CSV file")]) from error
+    lines = [(i, line) for i, line in enumerate(text.splitlines(), 1) if line.strip() and line.lstrip()[0] != "#"]
+    if not lines:
+        expected = "a line of headings, name [unit], and lines of numbers"
+        raise InputError(str(path), [Fault(str(path), "no lines", expected)])
+    faults: list[Fault] = []
+    (first, heading), *rows = lines
+    delimiter = max(DELIMITERS, key=heading.count)
+    headings = _cells_of(heading, delimiter)
+    chosen = _chosen(f"{path.name}, line {first}", headings, columns, faults)
+    cells = _Cells(path.name, headings, chosen)
+    values = cells.read([(number, _cells_of(line, delimiter)) for number, line in rows])
+    faults += cells.faults
+    if not faults and len(values) < 2:
+        faults.append(Fault(str(path), f"{len(values)} lines of numbers", "two or more"))
+    if faults:
+        raise InputError(str(path), faults)
+    (_, _, unit), *others = chosen
+    times, *measured = values.T
+    empty = [name for (_, name, _), each in zip(others, measured, strict=True) if not np.any(np.isfinite(each))]
+    if empty:
+        raise InputError(
+            str(path), [Fault(f"{path.name}, {name}", "no sample", "a column of numbers") for name in empty]
+        )
+    return Measurement(
+        times * parse_unit(unit).factor,
+        {name: each for (_, name, _), each in zip(others, measured, strict=True)},
+        {name: text for _, name, text in others},
+        str(path),
+    )
+
+
+Chosen = tuple[int, str, str]  # place in a line, name and unit text of a column that is read
+
+
+def _chosen(where: str, headings: Sequence[str], columns: Sequence[str] | None, faults: list[Fault]) -> list[Chosen]:
+    """Return the columns to be read, time first; faults of their headings are appended."""
+    found = [HEADING.fullmatch(heading) for heading in headings]
+    names = [match["name"].strip() if match else heading for match, heading in zip(found, headings, strict=True)]
+    times = [name for name in names if name.lower() in TIMES]
+    if len(times) != 1:
+        expected = "one time column, such as t [s] or time [ms]"
+        faults.append(Fault(where, f"{', '.join(times) or 'none'} among {shown(', '.join(names))}", expected))
+    wanted = [name for name in names if name not in times] if columns is None else list(dict.fromkeys(columns))
+    chosen: list[Chosen] = []
+    for name in [*times[:1], *wanted]:
+        if name not in names:
+            faults.append(unknown("column", name, [each for each in names if each not in times]))
+            continue
+        if names.count(name) > 1:
+            faults.append(Fault(f"{where}, {name}", f"{names.count(name)} columns of this name", "one"))
+        place = names.index(name)
+        match = found[place]
+        unit = match["unit"].strip() if match else ""
+        try:
+            exponents = parse_unit(unit).exponents
+        except UnitError as error:
+            is_given = bool(match and unit)
+            remedy = str(error) if is_given else "[1] for a plain number"
+            faults.append(Fault(f"{where}, {name}", shown(headings[place]), "name [unit]", remedy))
+            continue
+        if name in times and exponents != parse_unit("s").exponents:
+            faults.append(Fault(f"{where}, {name}", f"[{unit}]", "a unit of time"))
+        chosen.append((place, name, unit))
+    return chosen
+
+
+class _Cells:
+    """Reader of the numbers of chosen columns; the first is time. `faults` has those of the first lines."""
+
+    def __init__(self, file: str, headings: Sequence[str], chosen: Sequence[Chosen]) -> None:
+        self._file, self._count, self._chosen = file, len(headings), chosen
+        self._found: list[Fault] = []
+        self._more = 0
+
+    @property
+    def faults(self) -> list[Fault]:
+        """Faults of the first lines, and the number of others."""
+        more = [Fault(self._file, f"{self._more} faults more", "none")] if self._more else []
+        return [*self._found, *more]
+
+    def read(self, rows: Sequence[tuple[int, list[str]]]) -> Array:
+        """Return the numbers, shape (rows, columns), of numbered lines."""
+        values = np.full((len(rows), len(self._chosen)), np.nan)
+        before: tuple[float, str] | None = None
+        for i, (number, row) in enumerate(rows):
+            where = f"{self._file}, line {number}"
+            if len(row) != self._count:
+                self._add(Fault(where, f"{len(row)} cells", f"{self._count}, as there are headings", _comma(row)))
+                continue
+            for k, (place, name, _) in enumerate(self._chosen):
+                cell = row[place]
+                if cell.lower() not in MISSING:
+                    values[i, k] = self._number(f"{where}, {name}", cell)
+            if not self._chosen or self._chosen[0][1].lower() not in TIMES:
+                continue
+            time, cell = float(values[i, 0]), row[self._chosen[0][0]]
+            if cell.lower() in MISSING:
+                self._add(Fault(where, "no time", "a time in every line"))
+            elif before is not None and time <= before[0]:
+                what = "repeated" if time == before[0] else f"after {before[1]}"
+                self._add(Fault(where, f"the time {cell}, {what}", "times that increase from line to line"))
+            elif np.isfinite(time):
+                before = time, cell
+        return values
+
+    def _number(self, where: str, cell: str) -> float:
+        try:
+            value = float(cell)
+        except ValueError:
+            value = np.inf
+        if np.isfinite(value):
+            return value
+        self._add(Fault(where, shown(cell), "a finite number, or nothing where a sample is missing", _comma([cell])))
+        return np.nan
+
+    def _add(self, fault: Fault) -> None:
+        if len(self._found) < LISTED:
+            self._found.append(fault)
+        else:
+            self._more += 1
+
+
+def _cells_of(line: str, delimiter: str) -> list[str]:
+    return [cell.strip().strip('"').strip() for cell in line.split(delimiter)]
+
+
+def _comma(cells: Sequence[str]) -> str:
+    """Return a remedy for cells with decimal commas; empty where there are none."""
+    return "write decimal points in place of commas" if any(re.fullmatch(r"[-+\d]+,\d+", c) for c in cells) else ""

@@ -1,0 +1,88 @@
+"""Residual of a measured signal against a run, and whether the stated noise explains it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+LEVEL = 0.01  # chance with which noise alone is taken for a difference
+
+
+@dataclass(frozen=True)
+class Residual:
+    """Measured less run, over the samples of a window.
+
+    samples, end     their number, and the run time [s] of the last
+    rms, mean, peak  of the residual (peak: largest size), in the signal's SI unit
+    variation        standard deviation of the measured signal
+    correlation      of measured and run; nan where one of them does not vary
+    noise            standard deviation stated for the measurement; None where none is
+    independent      samples that the residual is worth, by its autocorrelation
+    largest          rms that noise alone exceeds with a chance of 1 %; None without noise
+    """
+
+    samples: int
+    end: float
+    rms: float
+    mean: float
+    peak: float
+    variation: float
+    correlation: float
+    noise: float | None = None
+    independent: float = math.nan
+    largest: float | None = None
+
+    @property
+    def explained(self) -> bool | None:
+        """Return whether noise alone explains the residual; None where none is stated."""
+        return None if self.largest is None else self.rms <= self.largest
+
+
+def residual_of(times: Array, measured: Array, run: Array, noise: float | None) -> Residual:
+    """Compare a measured signal (n,) with a run's at run times (n,) [s]; noise: its standard deviation."""
+    residual = measured - run
+    independent = _independent(residual)
+    spreads = np.std(measured), np.std(run)
+    product = float(np.mean((measured - np.mean(measured)) * (run - np.mean(run))))
+    return Residual(
+        samples=len(times),
+        end=float(times[-1]),
+        rms=math.sqrt(float(np.mean(residual**2))),
+        mean=float(np.mean(residual)),
+        peak=float(np.max(np.abs(residual))),
+        variation=float(spreads[0]),
+        correlation=product / float(spreads[0] * spreads[1]) if min(spreads) > 0 else math.nan,
+        noise=noise,
+        independent=independent,
+        largest=None if noise is None else noise * _largest_ratio(independent),
+    )
+
+
+def _independent(residual: Array) -> float:
+    """Return the number of independent samples that tell the variance as well, by Bartlett's formula.
+
+    n / (1 + 2 sum of squared autocorrelations), up to the first that is within two standard errors of none.
+    """
+    n = len(residual)
+    centred = residual - np.mean(residual)
+    size = 1 << (2 * n - 1).bit_length()
+    power = np.abs(np.fft.rfft(centred, size)) ** 2
+    products = np.fft.irfft(power, size)[: n // 2]
+    if not products.size or products[0] <= 0:
+        return float(n)
+    correlations = products[1:] / products[0]
+    gone = np.flatnonzero(np.abs(correlations) < 2 / math.sqrt(n))
+    known = correlations[: gone[0] if len(gone) else len(correlations)]
+    return max(n / (1 + 2 * float(known @ known)), 2.0)
+
+
+def _largest_ratio(independent: float) -> float:
+    """Return the rms over its standard deviation that noise exceeds with the chance LEVEL (chi-squared)."""
+    from scipy.special import chdtri  # slow to import
+
+    return math.sqrt(float(chdtri(independent, LEVEL)) / independent)
