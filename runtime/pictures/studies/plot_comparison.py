@@ -11,15 +11,16 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from hertzwerk.runtime.pictures.curves import scale_of
 from hertzwerk.runtime.pictures.plot_panel import LEGEND_ROOM, empty_panel, legend
 from hertzwerk.runtime.pictures.plot_style import BLUE, GREY, ORANGE, STYLE, VERMILLION, plain
+from hertzwerk.runtime.pictures.prefixes import scale_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from hertzwerk.runtime.measured.compared import Compared, Signal
-    from hertzwerk.runtime.pictures.curves import Array, Scale
+    from hertzwerk.runtime.pictures.curves import Array
+    from hertzwerk.runtime.pictures.prefixes import Scale
 
 SHADE = "#f1ece4"  # beyond the horizon
 CLOSE = 40  # samples around the largest measured value, each side, that its panel shows
