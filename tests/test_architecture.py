@@ -327,7 +327,7 @@ def test_only_build_opens_the_door_to_derive_and_lazily():
                 assert id(node) not in at_import, f"{file} imports {module} when it is imported"
 
 
-COMMANDS = ["accuracy", "audit", "derive", "draw", "effects", "hardcases", "laws", "run", "studies"]
+COMMANDS = ["accuracy", "audit", "derive", "draw", "effects", "hardcases", "laws", "run", "studies", "sweep"]
 CLI = {
     *(f"cli/{name}.py" for name in ["__init__", "target", "terminal"]),
     *(f"cli/commands/{name}.py" for name in COMMANDS),
@@ -342,7 +342,11 @@ PICTURES = {
 
 @pytest.mark.parametrize(
     ("libraries", "home"),
-    [(("matplotlib",), PICTURES), (("click", "rich"), CLI), (("pydantic",), {"validate/scenario.py"})],
+    [
+        (("matplotlib",), PICTURES),
+        (("click", "rich"), CLI),
+        (("pydantic",), {"validate/scenario.py", "sweeps/sweep_file.py"}),
+    ],
 )
 def test_heavy_libraries_have_one_importer(libraries, home):
     importers = {

@@ -15,6 +15,7 @@ from hertzwerk.derive.scenes import NAMES
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.solution import outcome
+from hertzwerk.runtime.sweeps.sweep_file import read_sweep
 from hertzwerk.runtime.validate.scenario import Scenario, load_scenario
 
 ROOT = Path(__file__).parents[1]
@@ -92,6 +93,8 @@ def test_toml_is_read_as_written(name, text, tmp_path):
     file = tmp_path / re.match(r"# (\S+)\n", text)[1]
     if "law" in tomllib.loads(text):
         assert hertzwerk.derive.laws_from(file)
+    elif "over" in tomllib.loads(text):
+        assert read_sweep(file)["outputs"]
     else:
         assert load_scenario(file).checks
 

@@ -17,6 +17,7 @@ from hertzwerk.runtime.cli.commands.hardcases import hardcases
 from hertzwerk.runtime.cli.commands.laws import laws
 from hertzwerk.runtime.cli.commands.run import run, validate
 from hertzwerk.runtime.cli.commands.studies import study
+from hertzwerk.runtime.cli.commands.sweep import sweep
 
 
 def _open_streams() -> None:
@@ -59,5 +60,5 @@ def main() -> None:
         click.get_current_context().color = False
 
 
-for command in (list_scenes, laws, derive, audit, run, draw, effects, validate, accuracy, hardcases, study):
+for command in (list_scenes, laws, derive, audit, run, sweep, draw, effects, validate, accuracy, hardcases, study):
     main.add_command(command)

@@ -25,20 +25,8 @@ from hertzwerk.runtime.sweeps.design import Axis, Design, Range
 
 COMPUTING = ("accuracy", "integrate", "model", "run", "solution", "start", "sweeps")  # rooms that numbers depend on
 ARGUMENTS = (  # of `sweep`, and names in a definition
-    *(
-        "target",
-        "without",
-        "laws",
-        "coordinates",
-        "zip",
-        "sample",
-        "sampler",
-        "seed",
-        "outputs",
-        "duration",
-        "accuracy",
-    ),
-    *("tolerance", "method", "max_steps", "max_events", "wall_time"),
+    *("target", "over", "values", "without", "laws", "coordinates", "zip", "sample", "sampler", "seed", "outputs"),
+    *("duration", "accuracy", "tolerance", "method", "max_steps", "max_events", "wall_time"),
 )
 FOLLOW = ("columns", "varied")  # from the rest
 LIBRARIES = ("hertzwerk", "casadi", "numpy", "scipy")

@@ -1,0 +1,254 @@
+"""`hertzwerk sweep`: a run for every point of a design, stored row by row, resumed where it ended."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from contextlib import ExitStack
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.cli.continue_run import limits_of
+from hertzwerk.runtime.cli.target import BY_METHOD, DURATION, JSON, LAW, SET, WITHOUT, assignments, number
+from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.sweeps.sweep_table import Sweep
+
+_OPTIONS = {
+    **{"settings": "--set", "laws": "--law", "outputs": "--output"},
+    **{"max_steps": "--max-steps", "wall_time": "--wall-time"},
+}  # where they are not called as their arguments
+
+
+@click.command()
+@click.argument("target", required=False)
+@click.option(
+    "--over",
+    metavar="NAME=VALUES",
+    multiple=True,
+    help='What is varied: clearance="0.05..0.5 mm:10", stiffness="1e6..1e9 N/m:7 log", restitution=0.5,0.7,0.9.',
+)
+@click.option("--zip", is_flag=True, help="Take the first values together, then the second, and so on.")
+@click.option("--sample", metavar="NUMBER", help='So many points spread over ranges: clearance="0.05..0.5 mm".')
+@click.option("--sampler", metavar="NAME", help="latin (hypercube, the default) or sobol (a power of two).")
+@click.option("--seed", metavar="NUMBER", help="Of the samples (default: 0).")
+@click.option(
+    "--output",
+    "outputs",
+    metavar="NAME",
+    multiple=True,
+    help="A column: final.guide.travel, slider_pin.peak_force, slider_pin.impact_rate, guide.travel.max (default: final states).",
+)
+@SET
+@WITHOUT
+@LAW
+@click.option("--coordinates", metavar="NAME", help="tree, absolute or auto; derives the variation.")
+@DURATION
+@click.option("--accuracy", metavar="NUMBER", help="Error asked for at the end (default: the scenario's).")
+@click.option("--tolerance", metavar="NUMBER", help="In its place the local tolerance of one run each.")
+@BY_METHOD
+@click.option("--max-steps", metavar="NUMBER", help="Stop a row after so many accepted steps (default: 1000000).")
+@click.option("--wall-time", metavar="TIME", help='Stop a row after so long on the clock, such as "10 min".')
+@click.option(
+    "--into",
+    metavar="DIR",
+    type=click.Path(path_type=Path),
+    help="Folder to store rows in, new or of this sweep (default: the next runs/SCENE-sweep-NNN).",
+)
+@click.option(
+    "--resume", metavar="DIR", type=click.Path(path_type=Path), help="Compute the rows that are missing in a folder."
+)
+@click.option(
+    "--widen", is_flag=True, help="Change what the folder is to hold; rows that are the same are kept, not computed."
+)
+@click.option("--workers", metavar="NUMBER", help="Processes (default: one for each core).")
+@JSON
+@reports_bad_input
+def sweep(
+    target: str | None,
+    resume: Path | None,
+    into: Path | None,
+    widen: bool,
+    workers: str | None,
+    as_json: bool,
+    **options: Any,
+) -> int:
+    """Run TARGET at every point of a design, on all cores, and store each row as it is done.
+
+    TARGET may be a TOML file with the same keys. Whatever ends it, Ctrl-C, a kill, a full disk, --resume DIR goes on.
+    """
+    from hertzwerk.runtime.host.interrupt import raise_interrupts
+    from hertzwerk.runtime.sweeps.parameter_sweep import sweep as swept
+
+    faults: list[Fault] = []
+    processes = _whole("--workers", workers, faults)
+    arguments = _arguments(target, resume, into, options, faults)
+    folder = resume or into or (None if as_json else _next_folder(arguments["target"]))
+    with ExitStack() as stack:
+        progress = stack.enter_context(Progress(str(arguments["target"]), shown=not as_json and sys.stderr.isatty()))
+        progress.stage("building")
+        begun: list[float] = []
+
+        def rows(fraction: float) -> None:
+            if not begun:
+                begun.append(fraction)
+                progress.stage("rows", fraction)
+                stack.enter_context(raise_interrupts())  # from here on there is something to tell when it is stopped
+            progress(fraction)
+
+        found = swept(**arguments, into=folder, widen=widen, workers=processes, progress=rows)
+    whole = found.outcome.finished and set(found.counts()) <= {"finished"}
+    if as_json:
+        from hertzwerk.runtime.cli.run_folder import json_text
+
+        click.echo(json_text({**_record(found), "into": folder and str(folder)}))
+    else:
+        _report(found, folder)
+    return GOOD if whole else OTHER_OUTCOME
+
+
+def _arguments(
+    target: str | None, resume: Path | None, into: Path | None, options: dict[str, Any], faults: list[Fault]
+) -> dict[str, Any]:
+    """Return the arguments of the sweep, of a folder, a file or the command line; raises InputError."""
+    file = target is not None and target.endswith(".toml")
+    if resume is not None or file:
+        where = "--resume" if resume is not None else str(target)
+        given = [_OPTIONS.get(name, f"--{name}") for name, value in options.items() if value not in (None, (), False)]
+        given += ["TARGET"] if resume is not None and target is not None else []
+        given += ["--into"] if resume is not None and into is not None else []
+        if given:
+            found, expected = (
+                f"{', '.join(given)} beside it",
+                "the whole definition there; beside it --workers, --widen, --json",
+            )
+            faults.append(Fault(where, found, expected))
+        if faults:
+            raise InputError("sweep", faults)
+        if resume is None:
+            from hertzwerk.runtime.sweeps.sweep_file import read_sweep
+
+            return read_sweep(Path(str(target)))
+        from hertzwerk.runtime.sweeps.definition import arguments_of
+        from hertzwerk.runtime.sweeps.store import read_definition
+
+        definition = read_definition(resume)
+        if definition is None:
+            raise InputError("sweep", [Fault("--resume", f"{resume}, without a sweep", "the folder of a sweep")])
+        return arguments_of(definition, resume)
+    if target is None:
+        expected = "a scene, a file, or --resume DIR"
+        faults.append(Fault("TARGET", "none", expected, "`hertzwerk list` names the scenes"))
+    arguments = _read(str(target), options, faults)
+    if faults:
+        raise InputError("sweep", faults)
+    return arguments
+
+
+def _read(target: str, options: dict[str, Any], faults: list[Fault]) -> dict[str, Any]:
+    """Return the arguments of the sweep that options state; bad input is appended to `faults`."""
+    from hertzwerk.runtime.run.request import METHOD
+    from hertzwerk.runtime.validate import scenarios
+
+    numbers = scenarios.read(target) if target in scenarios.names() else {}
+    accuracy, tolerance = (
+        None if text is None else number(text) for text in (options["accuracy"], options["tolerance"])
+    )
+    default = None if tolerance is not None else numbers.get("accuracy")
+    sample, seed = (_whole(f"--{name}", options[name], faults) for name in ("sample", "seed"))
+    return {
+        "target": target,
+        "over": assignments("--over", options["over"], faults),
+        "zip": options["zip"],
+        "sample": sample,
+        "sampler": options["sampler"] or "latin",
+        "seed": seed or 0,
+        "values": assignments("--set", options["settings"], faults),
+        "without": options["without"],
+        "laws": assignments("--law", options["laws"], faults),
+        "coordinates": options["coordinates"],
+        "outputs": options["outputs"],
+        "duration": options["duration"] or numbers.get("duration"),
+        "accuracy": default if accuracy is None else accuracy,
+        "tolerance": tolerance,
+        "method": options["method"] or numbers.get("method", METHOD),
+        **limits_of(options["max_steps"], options["wall_time"], faults),
+    }
+
+
+def _whole(option: str, text: str | None, faults: list[Fault]) -> int | None:
+    """Return the whole number that an option states; bad input is appended to `faults`."""
+    if text is None:
+        return None
+    if text.isdecimal() and len(text) < 16:
+        return int(text)
+    faults.append(Fault(option, repr(text), "a whole number"))
+    return None
+
+
+def _next_folder(target: str) -> Path:
+    """Return the next free runs/SCENE-sweep-NNN."""
+    from hertzwerk.runtime.host.folder import RUNS
+
+    count = 1
+    while (path := RUNS / f"{Path(target).stem}-sweep-{count:03d}").exists():
+        count += 1
+    return path
+
+
+# -- as people and programs read it ------------------------------------------------------------------------------------
+
+
+def _record(found: Sweep) -> dict[str, Any]:
+    """Return the table and how the sweep ended as plain data."""
+    return {
+        "scene": found.scene,
+        "outcome": found.outcome.name,
+        "message": found.outcome.message,
+        "remedy": found.outcome.remedy,
+        "rows": len(found),
+        "outcomes": found.counts(),
+        "units": dict(found.columns),
+        "table": {name: found[name].tolist() for name in found.names},
+        "wall_s": found.wall_s,
+        "workers": found.workers,
+    }
+
+
+def _report(found: Sweep, folder: Path | None) -> None:
+    """Print a sweep in a few lines."""
+    line(
+        found.scene,
+        f"{len(found)} rows over {', '.join(found.varied)}, in {_time(found.wall_s)} on {found.workers} processes",
+    )
+    messages = {row.outcome: row.message for row in reversed(found.rows)}
+    for outcome, count in found.counts().items():
+        line(outcome, f"{count} rows" if outcome == "finished" else f"{count} rows, as the first: {messages[outcome]}")
+    outputs = [name for name in found.columns if name not in ("outcome", "message", "warnings", *found.varied)]
+    if found.rows and outputs:
+        click.echo()
+        table(("output", "unit", "least", "largest"), [_extremes(found, name) for name in outputs])
+        click.echo()
+    warned = sum(bool(row.warnings) for row in found)
+    if warned:
+        line("warning", f"{warned} rows have some: the last column of the table")
+    if not found.outcome.finished:
+        line(found.outcome.name, found.outcome.message)
+        line("remedy", found.outcome.remedy)
+    if folder is not None:
+        line("written", f"{folder}/ (table.csv, rows.sqlite, definition.json, model.py)")
+
+
+def _extremes(found: Sweep, name: str) -> Sequence[str]:
+    values = sorted(value for value in found[name].tolist() if value == value)
+    ends = (f"{values[0]:.6g}", f"{values[-1]:.6g}") if values else ("none", "none")
+    return (name, found.unit(name), *ends)
+
+
+def _time(seconds: float) -> str:
+    minutes, rest = divmod(round(seconds), 60)
+    return f"{seconds:.3g} s" if seconds < 60 else f"{minutes // 60}:{minutes % 60:02d}:{rest:02d} h"

@@ -1,0 +1,88 @@
+"""Sweep files: the definition of a sweep in TOML, with the keys of `sweep`, to be kept in a repository.
+
+target = "slider_crank"
+duration = "200 rev"
+outputs = ["slider_pin.peak_force", "slider_pin.impact_rate"]
+[over]
+clearance = "0.05..0.5 mm:10"
+restitution = [0.5, 0.7, 0.9]
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from pydantic import BaseModel, ConfigDict, ValidationError
+
+from hertzwerk.derive.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.files.tomlfile import read_toml
+from hertzwerk.runtime.model.build import is_file
+from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD
+
+Quantity = str | float
+
+
+class SweepFile(BaseModel):
+    """Arguments of `sweep` that a file may state; what they mean is checked there."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, strict=True)
+
+    target: str
+    over: dict[str, Quantity | list[Quantity]]
+    zip: bool = False
+    sample: int | None = None
+    sampler: str = "latin"
+    seed: int = 0
+    values: dict[str, Quantity] = {}
+    without: list[str] = []
+    laws: dict[str, str] = {}
+    coordinates: str | None = None
+    outputs: list[str] = []
+    duration: Quantity
+    accuracy: float | None = None
+    tolerance: float | None = None
+    method: str = METHOD
+    max_steps: int = MAX_STEPS
+    max_events: int = MAX_EVENTS
+    wall_time: float | None = None
+
+
+def read_sweep(path: Path) -> dict[str, Any]:
+    """Return the arguments of `sweep` that a file states; raises InputError with every fault.
+
+    The file of a scene is named relative to the folder of the file.
+    """
+    content = read_toml(path, "target, over, duration and outputs")
+    try:
+        found = SweepFile.model_validate(content)
+    except ValidationError as error:
+        # of a union every member has its say about one place
+        faults = {_place(row["loc"]): row for row in error.errors(include_url=False)}
+        raise InputError(str(path), [_fault(place, row) for place, row in faults.items()]) from error
+    arguments = dict(found)
+    if is_file(found.target):
+        arguments["target"] = str(path.parent / found.target)
+    return arguments
+
+
+EXPECTED = {
+    "over": 'values by name, such as clearance = "0.05..0.5 mm:10" or restitution = [0.5, 0.7]',
+    "values": 'values by name, such as radius = "20 mm"',
+    "laws": 'laws by the names of effects, such as floor = "flores"',
+    "target": "the name of a scene, or its file",
+    "duration": 'a time or revolutions, such as "24 ms" or "200 rev"',
+}
+
+
+def _place(path: tuple[Any, ...]) -> str:
+    """Return the key at fault, with the name within a table; the rest is of pydantic's own."""
+    return ".".join(map(str, path[: 2 if path[0] in ("over", "values", "laws") else 1]))
+
+
+def _fault(place: str, row: Any) -> Fault:
+    head, _, rest = place.partition(".")
+    if row["type"] == "extra_forbidden" and not rest:
+        return unknown("key", place, SweepFile.model_fields)
+    found = "none" if row["type"] == "missing" else shown(row["input"])
+    return Fault(place, found, EXPECTED.get(head, row["msg"].removeprefix("Input should be ")))

@@ -1,0 +1,216 @@
+"""`hertzwerk sweep`: options, a file and Python make the same table; Ctrl-C, and what is done afterwards; bad input at once."""
+
+import json
+import os
+import pty
+import re
+import signal
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+from hertzwerk.derive.faults import InputError
+from hertzwerk.runtime import Sweep, sweep
+from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.sweeps.sweep_file import SweepFile, read_sweep
+
+OPTIONS = [
+    *("--over", "drop_height=0.5..1 m:3", "--over", "restitution=0.5,0.7", "--set", "radius=21 mm"),
+    *("--law", "floor=flores", "--output", "floor.peak_force", "--output", "floor.impact_rate"),
+    *("--duration", "1 s", "--tolerance", "1e-7"),
+]
+FILE = """
+target = "bouncing_ball"
+duration = "1 s"
+tolerance = 1e-7
+outputs = ["floor.peak_force", "floor.impact_rate"]
+[over]
+drop_height = "0.5..1 m:3"
+restitution = [0.5, 0.7]
+[values]
+radius = "21 mm"
+[laws]
+floor = "flores"
+"""
+
+
+@pytest.fixture(autouse=True)
+def _elsewhere(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+
+
+def run(*arguments):
+    return CliRunner().invoke(main, ["sweep", *map(str, arguments)])
+
+
+@pytest.mark.slow
+def test_options_a_file_and_python_make_the_same_table(tmp_path):
+    (tmp_path / "study.toml").write_text(FILE)
+    done = run("bouncing_ball", *OPTIONS)
+    assert (done.exit_code, done.stderr) == (0, "")
+    assert "finished      6 rows" in done.stdout
+    first = tmp_path / "runs" / "bouncing_ball-sweep-001"
+    assert str(first.relative_to(tmp_path)) in done.stdout
+    assert run("study.toml", "--into", "filed", "--workers", "1").exit_code == 0
+    table = (first / "table.csv").read_bytes()
+    assert (tmp_path / "filed" / "table.csv").read_bytes() == table
+    over = {"drop_height": ["0.5 m", "0.75 m", "1 m"], "restitution": (0.5, 0.7)}
+    python = sweep(
+        *("bouncing_ball", over),
+        values={"radius": "21 mm"},
+        laws={"floor": "flores"},
+        outputs=["floor.peak_force", "floor.impact_rate"],
+        duration=1.0,
+        tolerance=1e-7,
+    )
+    assert python.to_csv(tmp_path / "python.csv").read_bytes() == table
+
+
+def test_json_is_one_object_and_writes_nothing_unasked(tmp_path):
+    done = run("bouncing_ball", *OPTIONS, "--json")
+    assert done.exit_code == 0
+    told = json.loads(done.stdout)
+    assert (told["rows"], told["outcomes"], told["into"]) == (6, {"finished": 6}, None)
+    assert told["units"]["floor.impact_rate.half_width"] == "1/s"
+    assert told["table"]["restitution"] == [0.5, 0.7] * 3
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_rows_that_fail_are_told_and_are_another_outcome():
+    done = run("bouncing_ball", "--over", "mass=-1,1 kg", "--duration", "0.1 s", "--tolerance", "1e-5", "--into", "a")
+    assert done.exit_code == 1
+    assert re.search(r"bad_input +1 rows, as the first: mass: found -1 kg", done.stdout)
+
+
+def test_samples_are_those_of_their_seed():
+    arguments = ("bouncing_ball", "--over", "drop_height=0.5..1 m", "--sample", 4, "--duration", "0.1 s", "--json")
+    first, same, other = (
+        json.loads(run(*arguments, "--seed", seed).stdout)["table"]["drop_height"] for seed in (3, 3, 4)
+    )
+    assert first == same != other
+    assert np.array_equal(np.sort(np.floor((np.array(first) - 0.5) * 8)), np.arange(4))
+
+
+def test_a_folder_goes_on_with_its_own_definition_and_with_no_other(tmp_path):
+    assert run("bouncing_ball", *OPTIONS, "--into", "a").exit_code == 0
+    table = (tmp_path / "a" / "table.csv").read_bytes()
+    assert run("--resume", "a").exit_code == 0
+    assert (tmp_path / "a" / "table.csv").read_bytes() == table
+    wider = [option.replace("1 m:3", "1 m:5") for option in OPTIONS]
+    refused = run("bouncing_ball", *wider, "--into", "a")
+    assert refused.exit_code == 2
+    assert "over.drop_height: found 5 values, 0.5 to 1.0 m" in refused.stderr
+    assert run("bouncing_ball", *wider, "--into", "a", "--widen").exit_code == 0
+    assert len(Sweep.load("a")) == 10
+
+
+def test_what_was_made_in_python_goes_on_there():
+    sweep("bouncing_ball", {"mass": "1 kg"}, functions={"n": len_of}, into="a", duration=0.1, tolerance=1e-4, workers=1)
+    done = run("--resume", "a")
+    assert done.exit_code == 2
+    assert "functions of its own: n" in done.stderr
+    assert "sweep(..., into='a')" in done.stderr
+
+
+def len_of(solution):
+    return len(solution.t)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        ([], ["TARGET"]),
+        (["--resume", "nowhere"], ["--resume"]),
+        (["--resume", "a", "bouncing_ball", "--over", "mass=1 kg"], ["--over, TARGET beside it"]),
+        (["file.toml", "--law", "a=b"], ["--law beside it"]),
+        (["file.toml"], ["no such file"]),
+        (["bouncing_ball", "--over", "mass", "--sample", "few", "--workers", "x"], ["'mass'", "--sample", "--workers"]),
+        (
+            ["bouncing_ball", "--over", "mas=1 kg", "--output", "floor.peak", "--duration", "1 kg", "--tolerance", "x"],
+            ["did you mean mass", "did you mean floor.peak_force", "'1 kg'", "'x'"],
+        ),
+    ],
+)
+def test_bad_input_is_told_at_once_and_nothing_is_written(tmp_path, arguments, told):
+    done = run(*arguments)
+    assert done.exit_code == 2
+    for each in told:
+        assert each in re.sub(r"\s+", " ", done.stderr)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_file_with_faults_is_refused_with_all_of_them(tmp_path):
+    file = tmp_path / "study.toml"
+    file.write_text('targt = "x"\nduration = true\noutputs = "a"\nsample = "3"\nover = {mass = {a = 1}}\n')
+    with pytest.raises(InputError) as caught:
+        read_sweep(file)
+    assert {fault.where for fault in caught.value.faults} == {
+        "targt",
+        "target",
+        "duration",
+        "outputs",
+        "sample",
+        "over.mass",
+    }
+    assert "did you mean target?" in str(caught.value)
+
+
+def test_the_scene_of_a_file_stands_beside_it(tmp_path):
+    (tmp_path / "inner").mkdir()
+    (tmp_path / "inner" / "study.toml").write_text('target = "my.py"\nduration = 1.0\nover = {mass = "1 kg"}\n')
+    assert read_sweep(tmp_path / "inner" / "study.toml")["target"] == str(tmp_path / "inner" / "my.py")
+
+
+def test_a_file_has_the_keys_of_sweep():
+    import inspect
+
+    keys = set(inspect.signature(sweep).parameters)
+    assert keys - set(SweepFile.model_fields) == {"into", "widen", "workers", "functions", "progress", "compiled"}
+    assert set(SweepFile.model_fields) <= keys
+
+
+@pytest.mark.slow
+def test_ctrl_c_keeps_what_is_done_and_says_how_to_go_on(tmp_path):
+    """On a terminal of 80 columns, without colours where they are not wanted."""
+    arguments = [
+        "sweep",
+        "slider_crank",
+        "--over",
+        "clearance=0.1..0.5 mm:400",
+        "--duration",
+        "10 rev",
+        "--tolerance",
+        "1e-9",
+    ]
+    code = "from hertzwerk.runtime.command_line import start; start()"
+    environment = {**os.environ, "COLUMNS": "80", "TERM": "xterm", "NO_COLOR": "1"}
+    mine, its = pty.openpty()
+    process = subprocess.Popen(
+        [sys.executable, "-c", code, *arguments, "--into", "a"],
+        stdin=its, stdout=its, stderr=its, env=environment, preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
+    )  # fmt: skip
+    os.close(its)
+    said = b""
+    while not re.search(rb"rows  \[#*-*\] +[1-9]\d* ?%  \d+:\d\d to go", said):
+        said += os.read(mine, 65536)
+    process.send_signal(signal.SIGINT)
+    while True:
+        try:
+            chunk = os.read(mine, 65536)
+        except OSError:
+            break
+        if not chunk:
+            break
+        said += chunk
+    os.close(mine)
+    assert process.wait(60) == 1
+    text = said.decode()
+    assert "\x1b" not in text
+    assert all(len(line) <= 80 for part in text.split("\n") for line in part.split("\r"))
+    assert "hertzwerk sweep --resume a" in re.sub(r"\s+", " ", text)
+    count = len(Sweep.load("a"))
+    assert 0 < count < 400
+    assert Sweep.load("a").outcome.message == f"{400 - count} of 400 rows are missing"
