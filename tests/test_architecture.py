@@ -48,7 +48,8 @@ ROOMS = {
         ".": "comparing derive/faults effects loading measured model simulation solution sweeps",
         "accuracy": "",
         "cli": "accuracy derive/audit derive/faults derive/sheets effects hard_cases host integrate/tableaux loading "
-        "model pictures pictures/draw pictures/studies run simulation solution start studies validate work_precision",
+        "model pictures pictures/draw pictures/studies run simulation solution start studies sweeps validate "
+        "work_precision",
         "command_line": "cli",
         "comparing": "measured model pictures/studies solution",
         "effects": "accuracy derive/declare derive/faults integrate/step loading model run simulation solution start",
@@ -73,7 +74,7 @@ ROOMS = {
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults host integrate/step integrate/tableaux model",
         "studies": "derive/faults derive/sheets effects loading model pictures simulation solution",
-        "sweeps": "derive/declare derive/faults derive/units host loading model run simulation solution start",
+        "sweeps": "derive/declare derive/faults derive/files derive/units host loading model run simulation solution start",
         "validate": "derive/faults derive/files derive/sheets derive/units integrate/tableaux loading model run "
         "simulation solution",
         "work_precision": "accuracy derive/faults host integrate/loop integrate/tableaux model run simulation solution",

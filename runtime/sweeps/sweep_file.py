@@ -1,4 +1,4 @@
-"""Sweep files: the definition of a sweep in TOML, with the keys of `sweep`, to be kept in a repository.
+"""Sweep files: the definition of a sweep in TOML, with the keys of `sweep`, to be kept.
 
 target = "slider_crank"
 duration = "200 rev"
