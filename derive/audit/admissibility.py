@@ -36,9 +36,8 @@ AGREEMENT = mpf("1e-9")  # relative tolerance of an expression against a finite 
 DIFFERENCE = mpf("1e-12")  # relative step, far below the distance of the last point from a turning point
 LEFT_AT_ONSET = mpf("1e-6")  # greatest force in the limit of no penetration, relative to that at the end of the range
 ONSET = mpf("1e-60")  # that limit, relative to the range
-FRACTIONS = tuple(
-    map(mpf, ("1e-9", "1e-6", "1e-4", "1e-2", *(f"{k / 8}" for k in range(1, 8)), ".999999"))
-)  # penetrations relative to the range
+# penetrations relative to the range
+FRACTIONS = tuple(map(mpf, ("1e-9", "1e-6", "1e-4", "1e-2", *(f"{k / 8}" for k in range(1, 8)), ".999999")))
 SPEEDS = tuple(mpf(10) ** p for p in (-12, -6, -4, -3, -2, -1, 0, 1))  # m/s
 SLOWEST = mpf("1e-15")  # m/s, finite difference for the slope at rest
 CURVATURE = mpf("1e-6")  # relative tolerance there, for the curvature of friction
@@ -139,9 +138,9 @@ def _elastic(trial: Trial) -> Iterator[Fault]:
         what = "force" if forces[undefined[0]] is None else "slope of the force"
         yield _undefined(trial, what, {d: points[undefined[0]][0]})
         return
-    left = number(law.force, trial.values | {d: limit * ONSET})
-    if left is None or abs(left) > LEFT_AT_ONSET * abs(forces[-1]):
-        found = "no finite real number" if left is None else f"{mp.nstr(left, 4)} N"
+    at_onset = number(law.force, trial.values | {d: limit * ONSET})
+    if at_onset is None or abs(at_onset) > LEFT_AT_ONSET * abs(forces[-1]):
+        found = "no finite real number" if at_onset is None else f"{mp.nstr(at_onset, 4)} N"
         yield trial.fault("force", {d: mpf(0)}, found, "0 N, and no jump at the onset",
                           "A contact begins without a force: leave out what does not vanish with d.")  # fmt: skip
         return
@@ -186,9 +185,9 @@ def _stored(trial: Trial, points: list[tuple[Any, Values]], forces: list[Any], l
     if stored is None:
         return
     remedy = "Leave `stored` out: it is then the integral, by Gauss's rule."
-    left = number(stored, trial.values | {d: limit * ONSET})
-    if left is None or abs(left) > LEFT_AT_ONSET * forces[-1] * limit:
-        found = "no finite real number" if left is None else f"{mp.nstr(left, 4)} J"
+    at_onset = number(stored, trial.values | {d: limit * ONSET})
+    if at_onset is None or abs(at_onset) > LEFT_AT_ONSET * forces[-1] * limit:
+        found = "no finite real number" if at_onset is None else f"{mp.nstr(at_onset, 4)} J"
         yield trial.fault("stored energy", {d: mpf(0)}, found, "0 J before anything is pressed in", remedy)
         return
     ratios = []
@@ -277,9 +276,9 @@ def _friction(trial: Trial) -> Iterator[Fault]:
         if not law.modes:
             yield from _slope_at_rest(trial, pressed, load)
     if law.holding is not None:
-        held = number(law.holding, {**trial.values, N: LOADS[0]})
-        if held is None or held < 0:
-            found = "no finite real number" if held is None else f"{mp.nstr(held, 4)} N"
+        holding = number(law.holding, {**trial.values, N: LOADS[0]})
+        if holding is None or holding < 0:
+            found = "no finite real number" if holding is None else f"{mp.nstr(holding, 4)} N"
             yield trial.fault("force held at rest", {N: LOADS[0]}, found, "a force, not below 0", "A sign is wrong.")
 
 

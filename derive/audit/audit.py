@@ -176,11 +176,10 @@ def with_repairs(findings: list[Finding], found: Sequence[Culprit]) -> list[Find
         if finding.verdict == "consistent":
             return finding
         if best and alone:
-            told = "; or ".join(filter(None, (sentence(best, "it"), finding.repair)))
-            hidden = (
-                finding.consistent_exponent is None and not finding.law
-            )  # every symbol has a unit given by the user: a plain number may hide the missing one
-            return finding if hidden else replace(finding, repair=told)
+            repair = "; or ".join(filter(None, (sentence(best, "it"), finding.repair)))
+            # every symbol has a unit given by the user: a plain number may hide the missing one
+            all_given = finding.consistent_exponent is None and not finding.law
+            return finding if all_given else replace(finding, repair=repair)
         if best:
             return replace(finding, repair=sentence(best, "every expression of the law"), consistent_exponent=None)
         only = f"every other expression of the law holds, so that it is the {finding.what} that is wrong"

@@ -90,19 +90,19 @@ def _over_range(law: Law) -> Iterator[Trial]:
     states = tuple(lattice(law, dimensions))
     for state in states[:: len(states) // SETS]:
         values = with_definitions(law, state | defaults)
-        beside = None
+        elastic = None
         if isinstance(law, DampingLaw):
             hertz = LAWS["power"]
             K, n = hertz.parameters
-            beside = Trial(hertz, {K: ADDED_STIFFNESS, n: mpf("1.5")}, DEFAULT_DEPTH)
-        yield Trial(law, values, state[R_min], beside)
+            elastic = Trial(hertz, {K: ADDED_STIFFNESS, n: mpf("1.5")}, DEFAULT_DEPTH)
+        yield Trial(law, values, state[R_min], elastic)
 
 
 def _bounded(q: Any) -> bool:
     return q.limit is not None and None not in (q.limit.lower, q.limit.upper)
 
 
-def _in_scene(bound: BoundLaw, geometry: dict[str, Any], beside: Trial | None) -> Trial | None:
+def _in_scene(bound: BoundLaw, geometry: dict[str, Any], elastic: Trial | None) -> Trial | None:
     """Trial at the defaults of the scene's parameters; None where one has no finite value.
 
     Missing values are reported elsewhere.
@@ -112,4 +112,4 @@ def _in_scene(bound: BoundLaw, geometry: dict[str, Any], beside: Trial | None) -
     values: Values = {q: mpf(repr(default_value(x))) for q, x in given.items() if x is not None}
     if not all(mp.isfinite(x) for x in values.values()) or any(q not in values for q in law.geometry()):
         return None
-    return Trial(law, with_definitions(law, values), values.get(R_min, DEFAULT_DEPTH), beside)
+    return Trial(law, with_definitions(law, values), values.get(R_min, DEFAULT_DEPTH), elastic)

@@ -186,9 +186,8 @@ class Scene:
             raise InputError(f"scene {self.name}", [fault])
         other = law(**{symbol.name: given[symbol.name] for symbol in law.parameters})
         materials = bound.materials if bound is not None else ()
-        kept = tuple(
-            m for m in materials if m.youngs_modulus in other.values
-        )  # their density limits the speed of impacts
+        # their density limits the speed of impacts
+        kept = tuple(m for m in materials if m.youngs_modulus in other.values)
         return self.replace(**{effect_name: replace(effect, **{slot: replace(other, materials=kept)})})
 
     def _must_exist(self, names: Any) -> None:

@@ -164,13 +164,11 @@ class DimensionFault:
     found: str  # unit text
     expected: str  # unit text
     reason: str
-    consistent_exponent: Expr | None = (
-        None  # SymPy number: value of the symbolic exponent, or of the power named in `repair`
-    )
+    # SymPy number: value of the symbolic exponent, or of the power named in `repair`
+    consistent_exponent: Expr | None = None
     repair: str | None = None
-    missing: Dimension | None = field(
-        default=None, compare=False, repr=False
-    )  # expected over found, where these are dimensions
+    # expected over found, where these are dimensions
+    missing: Dimension | None = field(default=None, compare=False, repr=False)
 
     def __str__(self) -> str:
         lines = [f"{self.subexpression}: {self.reason}"]

@@ -123,10 +123,10 @@ def _lacking(walk: Walk, culprit: Node, found: Dimension, missing: Dimension) ->
         return f"{walk.tree.quote(culprit)} would need the unit {missing}"
     factors = culprit.args if culprit.op == "product" else ()
     numbers = [node for node in factors if node.number is not None and node.op in ("number", "neg")]
-    hidden = ""
+    caution = ""
     if len(numbers) == 1 and abs(numbers[0].number) not in (0, 1):
-        hidden = f"; if the number {walk.tree.quote(numbers[0])} hides it, declare it with its unit"
-    return f"a factor of unit {missing} is missing{hidden}"
+        caution = f"; if the number {walk.tree.quote(numbers[0])} hides it, declare it with its unit"
+    return f"a factor of unit {missing} is missing{caution}"
 
 
 def _unit(dimension: Dimension) -> str:

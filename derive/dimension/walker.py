@@ -118,11 +118,11 @@ class Walker:
             return next(iter(counts), ZERO)
         expected = expected or max(counts, key=lambda dimension: (counts[dimension], dimension != ONE))
         odd, found = next(pair for pair in zip(args, dimensions, strict=True) if not pair[1].matches(expected))
-        beside = next((d for d in dimensions if d == expected), next(d for d in counts if d != found))
+        other = next((d for d in dimensions if d == expected), next(d for d in counts if d != found))
         if node.op == "sum":  # up to the first term that does not fit
-            node = self.tree.part(node, range(max(dimensions.index(found), dimensions.index(beside)) + 1))
+            node = self.tree.part(node, range(max(dimensions.index(found), dimensions.index(other)) + 1))
         noun = NOUNS.get(node.op, node.op)
-        reason = f"{self.tree.quote(odd)} is {found} beside {beside}, and {noun} takes operands of one unit"
+        reason = f"{self.tree.quote(odd)} is {found} beside {other}, and {noun} takes operands of one unit"
         raise self.fault(node, found, expected, f"in {self.tree.quote(node)}, {reason}", odd, args)
 
     def pure(self, node: Node, arg: Node, rule: str) -> DimensionError:

@@ -22,16 +22,13 @@ from hertzwerk.derive.motion.loops import constraints_of
 from hertzwerk.derive.motion.recursion import Recursion
 from hertzwerk.derive.program.elimination import Factor
 
-REFINEMENTS = (
-    2  # of the multipliers: with constrained.SOFTNESS, minimises the sum of the errors by singularity and by rounding
-)
+# of the multipliers: with constrained.SOFTNESS, minimises the sum of the errors by singularity and by rounding
+REFINEMENTS = 2
 
-ARTIFICIAL_RATIO = sp.Rational(
-    1, 10_000
-)  # artificial inertia of a row without any, relative to that about other axes, or of the mean body
-EXTRA_REFINEMENTS = (
-    2  # additional refinements with artificial inertia: each reduces its effect by about the factor ARTIFICIAL_RATIO
-)
+# artificial inertia of a row without any, relative to that about other axes, or of the mean body
+ARTIFICIAL_RATIO = sp.Rational(1, 10_000)
+# additional refinements with artificial inertia: each reduces its effect by about the factor ARTIFICIAL_RATIO
+EXTRA_REFINEMENTS = 2
 
 
 class Equations:

@@ -29,9 +29,8 @@ IN_VAIN = 10.0  # times the request: error expected at the least tolerance above
 STUCK = 100.0  # if the tolerance fell by this factor and the error by less than 2, rounding dominates
 SLACK = 3.0  # factor by which a tighter run may get farther than the fitted growth says (errors grow intermittently)
 PER_STEP = 4.0  # rounding error of a step, in roundings of the state; the motion amplifies it as it does the tolerance
-HIDDEN = (
-    4.0  # where rounding dominates two runs may agree by chance: their error may exceed their difference by this factor
-)
+# where rounding dominates two runs may agree by chance: their error may exceed their difference by this factor
+HIDDEN = 4.0
 NEAR = 1.5  # times the tolerance of a run: that of a comparison run with independent rounding
 ROUNDED = 1 + HIDDEN / 2  # rounding error equal to the tolerance
 MORE = 5.0  # most steps of a tighter comparison run over those of the run; usual are 1.2 to 1.4
@@ -49,7 +48,7 @@ class ErrorEstimate:
                   there one run has had an impact that the other is about to have.
     growth        rate [1/s] of the error up to the horizon: the slope of its logarithm
     decade_cost   factor of evaluations for a tolerance, and so on average an error, ten times smaller
-    floor         least error at the end that was found, or is foreseen, at any tolerance, where none seems to meet the request
+    floor         least error at the end that was found, or is expected, at any tolerance, where none seems to meet the request
     runs          runs made, this one included; pilot_s the time [s] that the others took
     """
 
@@ -136,13 +135,15 @@ class Verdict(Enum):
 class LadderResult(Generic[Kept]):
     """Result of a ladder: the run to return, its error, the verdict.
 
-    broken: another run that was stopped, or failed, during the search.
+    incomplete: another run that was stopped, or failed, during the search.
+    foreseen: no run was made at the least tolerance, whose error is the floor of the estimate.
     """
 
     run: Rung[Kept]
     error: ErrorEstimate | None
     verdict: Verdict
     incomplete: Rung[Kept] | None = None
+    foreseen: bool = False
 
 
 def first_tolerance(asked: float, seconds: float, length: float, speed: float) -> float:
@@ -169,9 +170,8 @@ class _Checked(Generic[Kept]):
 
     @property
     def end(self) -> float:
-        return (
-            max(float(self.values[-1]), LEAST) if self.whole else math.nan
-        )  # at rest runs agree to more digits than are true
+        # at rest runs agree to more digits than are true
+        return max(float(self.values[-1]), LEAST) if self.whole else math.nan
 
 
 class Ladder(Generic[Kept]):
@@ -196,7 +196,8 @@ class Ladder(Generic[Kept]):
         self._run, self._differ, self._rounding, self._times, self._asked = run, differ, rounding, times, asked
         self._costs: list[tuple[float, int]] = []  # tolerances and evaluations of the runs that reached the end
         self._runs, self._wall_s = 0, 0.0
-        self._found: list[tuple[float, float]] = []  # tolerances and errors at the end, or what is foreseen of one
+        self._found: list[tuple[float, float]] = []  # tolerances and errors at the end
+        self._foreseen = math.inf  # error at the end expected of the least tolerance, where it is not tried
         self._least = LEAST  # tolerance that is worth a run: by so much the start is off already, as it is rounded
 
     def search(self, tolerance: float) -> LadderResult[Kept]:
@@ -216,11 +217,11 @@ class Ladder(Generic[Kept]):
                     else self._result(best, Verdict.STOPPED, run)
                 )
             self._least = max(LEAST, self._rounding(run.states[:1]) / HALVED)
-            beside = self._comparison_runs(run)
-            checked = self._checked(run, *beside)
+            comparisons = self._comparison_runs(run)
+            checked = self._checked(run, *comparisons)
             if not math.isfinite(checked.end):
-                verdict = Verdict.STOPPED if beside[-1].end is End.STOPPED else Verdict.UNKNOWN
-                return self._result(best or checked, verdict, beside[-1])
+                verdict = Verdict.STOPPED if comparisons[-1].end is End.STOPPED else Verdict.UNKNOWN
+                return self._result(best or checked, verdict, comparisons[-1])
             self._found.append((run.tolerance, checked.end))
             if best is None or checked.end < best.end or best.end > VALID:  # above VALID its size is chance
                 best = checked
@@ -288,7 +289,7 @@ class Ladder(Generic[Kept]):
         if valid is None or not lost:
             if foreseen <= IN_VAIN * self._asked:
                 return None
-            self._found.append((least, foreseen))
+            self._foreseen = foreseen
             return Verdict.UNREACHABLE
         rate = growth(times, checked.values, tolerance)
         farther = math.inf if rate is None or rate <= 0 else math.log(tolerance / least) / rate
@@ -300,6 +301,7 @@ class Ladder(Generic[Kept]):
     ) -> LadderResult[Kept]:
         times = self._times[: len(checked.values)]
         in_vain = verdict is Verdict.UNREACHABLE or (verdict is Verdict.UNKNOWN and self._found)
+        reached = min((found for _, found in self._found), default=math.inf)
         error = ErrorEstimate(
             end=checked.end,
             times=times,
@@ -307,11 +309,11 @@ class Ladder(Generic[Kept]):
             horizon=horizon(times, checked.values),
             growth=growth(times, checked.values, checked.run.tolerance),
             decade_cost=decade_cost(self._costs),
-            floor=min(found for _, found in self._found) if in_vain else None,
+            floor=min(reached, self._foreseen) if in_vain else None,
             runs=self._runs,
             pilot_s=self._wall_s - checked.run.wall_s,
         )
-        return LadderResult(checked.run, error, verdict, incomplete)
+        return LadderResult(checked.run, error, verdict, incomplete, foreseen=self._foreseen < reached)
 
 
 def horizon(times: np.ndarray, values: np.ndarray, limit: float = VALID) -> float | None:
@@ -321,8 +323,8 @@ def horizon(times: np.ndarray, values: np.ndarray, limit: float = VALID) -> floa
     """
     if len(values) < 2:
         return None
-    beside = np.maximum(np.append(values[1:], np.inf), np.insert(values[:-1], 0, np.inf))
-    lost = np.minimum(values, beside) > limit
+    neighbours = np.maximum(np.append(values[1:], np.inf), np.insert(values[:-1], 0, np.inf))
+    lost = np.minimum(values, neighbours) > limit
     return float(times[max(int(np.argmax(lost)) - 1, 0)]) if np.any(lost) else None
 
 

@@ -83,8 +83,8 @@ def _read(folder: Path) -> tuple[Solution, dict[str, Any]]:
     from hertzwerk.runtime.simulation import Solution
 
     try:
-        told = json.loads((folder / "run.json").read_text(encoding="utf-8"))
-        request = told["request"]
+        record = json.loads((folder / "run.json").read_text(encoding="utf-8"))
+        request = record["request"]
         request = {name: request[name] for name in ("target", "without", "laws", "coordinates", "grid")}
         return Solution.load(folder / "states.npz"), request
     except (OSError, ValueError, KeyError, TypeError) as error:

@@ -134,10 +134,11 @@ def write(
     extras.make_csv(force=csv)
     if plots:
         extras.make_pictures()
-    told = [*lost, *written.left_out]
-    if told or averages:
+    missing = [*lost, *written.left_out]
+    if missing or averages:
         extras.guarded(
-            "run.json", lambda: write_atomically(folder / "run.json", _text(solution, told, request, written.averages))
+            "run.json",
+            lambda: write_atomically(folder / "run.json", _text(solution, missing, request, written.averages)),
         )
     return written
 

@@ -58,19 +58,19 @@ def loaded(
     faults: list[Fault],
     *,
     coordinates: str | None = None,
-    beside: Callable[[], list[Fault]] = list,
+    others: Callable[[], list[Fault]] = list,
 ) -> Model:
     """Return the model of a target's variation.
 
     Raises InputError with the faults found before and, as names of parameters and states cannot be checked then, only
-    those `beside`.
+    those of `others`.
     """
     from hertzwerk.runtime.loading import load
 
     try:
         return load(target, without=without, laws=assignments("--law", laws, faults), coordinates=coordinates)
     except InputError as error:
-        raise InputError(error.subject, [*faults, *error.faults, *beside()]) from error
+        raise InputError(error.subject, [*faults, *error.faults, *others()]) from error
 
 
 def unwritable_faults(out: Path | None, *, wanted: bool = True) -> list[Fault]:

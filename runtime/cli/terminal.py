@@ -146,8 +146,8 @@ class Progress:
         now = time.perf_counter()
         if now - self._told < BETWEEN or now - self._start < BAR_AFTER:
             return
-        left = (now - self._start) * (1 - fraction) / max(fraction - self._from, 1e-9)
-        rest = f"{left // 60:.0f}:{left % 60:02.0f} to go" if left < LONGEST else ""
+        seconds = (now - self._start) * (1 - fraction) / max(fraction - self._from, 1e-9)
+        rest = f"{seconds // 60:.0f}:{seconds % 60:02.0f} to go" if seconds < LONGEST else ""
         bar = "#" * round(BAR * min(fraction, 1))
         stage = f"{self._title}: {self._stage}" if self._stage else self._title
         self._tell(f"{stage}  [{bar:-<{BAR}}] {fraction:4.0%}  {rest}")

@@ -72,12 +72,12 @@ def _wide(widths: Sequence[int]) -> int:
 def _shared(bounds: Sequence[tuple[int, int]], width: int) -> list[int]:
     """Return the widths of columns from (least, natural); surplus goes first to those that need least."""
     widths = [least for least, _ in bounds]
-    left = max(width - _wide(widths), 0)
+    surplus = max(width - _wide(widths), 0)
     order = sorted(range(len(bounds)), key=lambda j: bounds[j][1] - bounds[j][0])
     for done, j in enumerate(order):
-        more = min(bounds[j][1] - bounds[j][0], left // (len(order) - done))
+        more = min(bounds[j][1] - bounds[j][0], surplus // (len(order) - done))
         widths[j] += more
-        left -= more
+        surplus -= more
     return widths
 
 

@@ -113,8 +113,8 @@ class Energies:
         done = float(np.max(np.abs(self.input)))
         for j in range(self.run.model.k):
             begins = self.begins(j)
-            held = np.where(self.mode[:, j] == CONTACT, self.stored[:, j], 0)
-            done += float(np.sum(np.maximum.reduceat(held, np.flatnonzero(begins)))) if np.any(begins) else 0.0
+            stored = np.where(self.mode[:, j] == CONTACT, self.stored[:, j], 0)
+            done += float(np.sum(np.maximum.reduceat(stored, np.flatnonzero(begins)))) if np.any(begins) else 0.0
         return done
 
     @property

@@ -131,9 +131,8 @@ def results(jobs: Sequence[tuple[HardCase, Sequence[str]]], workers: int | None 
         for method in methods:
             groups.setdefault((case.source, method), []).append(case)
     work: list[Work] = [(method, tuple(cases)) for (_, method), cases in groups.items()]
-    work.sort(
-        key=lambda item: any(case.long for case in item[1]), reverse=True
-    )  # a long one last would keep one core waiting
+    # a long one last would keep one core waiting
+    work.sort(key=lambda item: any(case.long for case in item[1]), reverse=True)
     cores = min(workers or (len(os.sched_getaffinity(0)) if sys.platform.startswith("linux") else 1), len(work))
     if cores <= 1:
         for method, cases in work:

@@ -92,7 +92,7 @@ class Model:
         self.constraints: tuple[str, ...] = tuple(row[0] for row in getattr(module, "CONSTRAINTS", ()))
         self.nl = len(self.constraints)
         self.is_length = tuple(row[1] == "m" for row in getattr(module, "CONSTRAINTS", ()))
-        """Of each constraint: whether it is a length [m], not an angle's sine [1]."""
+        """Whether each constraint is a length [m], not an angle's sine [1]."""
         self.has_ledger = hasattr(module, "ledger")
         self.known: dict[Hashable, Any] = {}
         """Results of functions that are `per_model`."""

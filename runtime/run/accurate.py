@@ -46,16 +46,18 @@ def run_to_accuracy(
     def one(tolerance: float, keep: bool, most: float) -> Rung[Trace]:
         spent_s, steps = (sum(each) for each in zip(*made, strict=True)) if made else (0.0, 0)
         of_all = max(limits.max_steps - int(steps), 1)
-        left = Limits(int(min(of_all, most)), limits.max_events, max(limits.wall_time - spent_s, 0.0))
-        beside = None if progress is None else _part(progress, len(made))
-        here = replace(run, limits=left).trace(tolerance, scales, times, progress=beside, beside=grid, alone=not keep)
-        made.append((here.ending.wall_s, here.counted["steps"]))
-        status = here.ending.status
+        remaining = Limits(int(min(of_all, most)), limits.max_events, max(limits.wall_time - spent_s, 0.0))
+        shown = None if progress is None else _part(progress, len(made))
+        trace = replace(run, limits=remaining).trace(
+            tolerance, scales, times, progress=shown, further=grid, alone=not keep
+        )
+        made.append((trace.ending.wall_s, trace.counted["steps"]))
+        status = trace.ending.status
         given_up = status == TOO_MANY_STEPS and most < of_all
         end = End.REACHED if status == FINISHED else End.STOPPED if status in STOPS and not given_up else End.FAILED
-        states = here.beside.history.part("y")
-        counted = here.counted
-        return Rung(tolerance, end, states, counted["steps"], counted["evaluations"], here.ending.wall_s, here)
+        states = trace.further.history.part("y")
+        counted = trace.counted
+        return Rung(tolerance, end, states, counted["steps"], counted["evaluations"], trace.ending.wall_s, trace)
 
     def differ(y: np.ndarray, reference: np.ndarray) -> np.ndarray:
         return scaling.error(model, scales, y, reference)
@@ -77,13 +79,13 @@ def verdict_of(
     other = None if ladder_result.incomplete is None else run.outcome(ladder_result.incomplete.kept)
     lost = error is not None and error.horizon is not None
     if result.finished and verdict is Verdict.STOPPED and other is not None:
-        message = f"the run is complete, a run with a smaller tolerance to know its error by is not: {other.message}"
+        message = f"the run is complete, but the run with a smaller tolerance that would estimate its error is not: {other.message}"
         result = Outcome(other.name, message, other.remedy)
     elif result.finished and error is not None and verdict is not Verdict.MET:
         if verdict is Verdict.BEYOND:
             return too_long(asked, error), ()
         if error.floor is not None:
-            result = unreachable(asked, error.floor, run.method, other)
+            result = unreachable(asked, error.floor, run.method, other, foreseen=ladder_result.foreseen)
         elif other is not None:
             result = unknown(asked, other)
     return result, (beyond_horizon(error),) if lost and error is not None else ()

@@ -77,9 +77,9 @@ class Settings:
                 way_out = "it is measured in the scene's scales"
                 faults.append(Fault(name, shown(value), f"a number in {low:g}..{high:g}", way_out))
         if self.accuracy is not None and self.tolerance is not None:
-            way_out = "an accuracy is of the end of the run, a tolerance is local and without an estimate"
+            way_out = "accuracy bounds the error at the end of the run, tolerance the local error, without an estimate"
             faults.append(
-                Fault("tolerance", f"{self.tolerance!r} beside accuracy={self.accuracy!r}", "one of the two", way_out)
+                Fault("tolerance", f"{self.tolerance!r} and accuracy={self.accuracy!r}", "one of the two", way_out)
             )
         if not isinstance(self.method, str):
             faults.append(Fault("method", shown(self.method), f"one of {', '.join(sorted(METHODS))}"))
@@ -184,9 +184,8 @@ def read_duration(
     """Return a duration [s], that of revolutions with these parameters; faults are appended."""
     expected = 'a positive time, such as "24 ms" or a number of seconds'
     with contextlib.suppress(ValueError, TypeError):
-        duration = (
-            float(duration) if isinstance(duration, str) else duration
-        )  # on a command line "24" is 24 s, as 24 is
+        # on a command line "24" is 24 s, as 24 is
+        duration = float(duration) if isinstance(duration, str) else duration
     if isinstance(duration, str):
         turned = _angle(duration)
         if turned is None:

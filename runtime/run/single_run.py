@@ -81,22 +81,22 @@ class SingleRun:
         times: np.ndarray | None,
         *,
         progress: Callable[[float], object] | None = None,
-        beside: np.ndarray | None = None,
+        further: np.ndarray | None = None,
         alone: bool = False,
     ) -> Trace:
         """Run and keep every step or the states at some times [s], with findings.
 
-        beside: further times [s] whose states are kept; alone: keep only these.
+        further: times [s] whose states are kept as well; alone: keep only these.
         """
         if alone:
-            times = beside
+            times = further
         kept = Steps() if times is None else Grid(times)
         given = self.given
         findings = Findings(
             self.model, self.method, later=times is None, duration=given.seconds, period=given.period, begin=self.begin
         )
         speeds = tuple(approach_speeds(self.model, given.bound))
-        other = kept if beside is None or alone else Grid(beside)
+        other = kept if further is None or alone else Grid(further)
         observers: list[Observer] = [kept] if alone else [kept, findings, *speeds]
         if other is not kept:
             observers.append(other)
@@ -107,7 +107,7 @@ class SingleRun:
             tolerance=tolerance,
             ending=ending,
             kept=kept,
-            beside=other,
+            further=other,
             findings=findings,
             speeds=speeds,
             counted={
@@ -199,7 +199,7 @@ class Trace:
     tolerance: float
     ending: Ending
     kept: Steps | Grid
-    beside: Steps | Grid
+    further: Steps | Grid
     findings: Findings
     speeds: tuple[ApproachSpeeds, ...]
     counted: Mapping[str, int]

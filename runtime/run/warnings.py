@@ -27,7 +27,7 @@ def open_forces(model: Model, bound: Bound, q: np.ndarray) -> Iterator[str]:
 
     names = [constraint_force(name) for name in undetermined(model, bound, q)]
     if names:
-        yield f"redundant constraints leave these forces open, of all that hold the least are given: {', '.join(names)}"
+        yield f"redundant constraints leave these forces undetermined; those of least norm are given: {', '.join(names)}"
 
 
 def approach_speeds(model: Model, bound: Bound) -> Iterator[ApproachSpeeds]:
@@ -56,7 +56,7 @@ def floored(count: int, floor: float) -> Iterator[str]:
     if not count:
         return
     contacts = "one contact began" if count == 1 else f"{count} contacts began"
-    yield f"{contacts} slower than approach_floor = {floor:g} m/s, which its damping took for the approach speed"
+    yield f"{contacts} slower than approach_floor = {floor:g} m/s, which the damping law took for the approach speed"
 
 
 def uncompiled(code: Code | None) -> Iterator[str]:

@@ -85,12 +85,11 @@ def estimate(values: np.ndarray, weights: np.ndarray | None = None, *, floor: fl
         spread = float(np.ptp(means))
         if spread <= max(floor, STEADY * abs(mean)):
             return Estimate(mean, spread, n, size)
-        correlation = (
-            float(means[1:] @ means[:-1] / (means @ means)) + 1 / n
-        )  # of independent ones it is -1/n on average
+        # of independent ones it is -1/n on average
+        correlation = float(means[1:] @ means[:-1] / (means @ means)) + 1 / n
         if correlation <= DOUBT / math.sqrt(n):
-            left = max(correlation, 0.0)
-            return Estimate(mean, _student(n) * _spread(means) * math.sqrt((1 + left) / (1 - left)), n, size)
+            positive = max(correlation, 0.0)
+            return Estimate(mean, _student(n) * _spread(means) * math.sqrt((1 + positive) / (1 - positive)), n, size)
         size = max(size + 1, math.ceil(1.25 * size))
     reason = (
         f"the means of {FEWEST} blocks are still correlated ({correlation:.2f}): the motion changes slowly, or the run is too short"

@@ -42,5 +42,5 @@ class Choices:
             elif stiffness[i] > STIFF:
                 reason = f"step x fastest rate = {stiffness[i]:.2g}: stability holds explicit steps down, not accuracy"
             else:
-                reason = "step after step crossed the layer in which friction reverses: it sticks"
+                reason = "step after step crossed the layer in which friction reverses: the pair sticks"
             self.made.append(Choice(float(block.t[i]), "implicit" if method[i] == IMPLICIT else "explicit", reason))

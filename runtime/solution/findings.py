@@ -90,9 +90,8 @@ class Balance:
         not finite, which ends a run by itself.
         """
         measure = max(self._largest, self._scale)
-        rounding = (
-            EPSILON * self._rows * self._size
-        )  # of energies that are large because their zero is far, and of sums over steps
+        # of energies that are large because their zero is far, and of sums over steps
+        rounding = EPSILON * self._rows * self._size
         return max(self._error - rounding, 0.0) / measure if self._finite and measure > 0 else 0.0
 
 

@@ -105,10 +105,10 @@ class History:
                 return {name: self.part("friction")[:, i]}
         if name in model.constraints:
             return dict(zip(model.constraints, self.map("constraints", "t q u")[0].T, strict=True))
-        held = [constraint_force(constraint) for constraint in model.constraints]
-        if name in held:
+        of_constraints = [constraint_force(constraint) for constraint in model.constraints]
+        if name in of_constraints:
             (forces,) = self._constraint_forces(*(self.part(part) for part in ("t", "y", "mode", "m")))
-            return dict(zip(held, forces.T, strict=True))
+            return dict(zip(of_constraints, forces.T, strict=True))
         if name == "energy":
             return {name: np.sum(self.energies, axis=0)}
         for speed in model.speeds:
@@ -169,9 +169,8 @@ class History:
             "m": self.part("m"),
         }
         names = arguments.split()
-        return _rowwise(model, function, len(names))(
-            self.controls[: model.nc], *(known[name] for name in names)
-        )  # c comes first
+        # c comes first
+        return _rowwise(model, function, len(names))(self.controls[: model.nc], *(known[name] for name in names))
 
     def _constraint_forces(self, *parts: np.ndarray) -> list[np.ndarray]:
         return _constraint_forces(self.model)(self.controls[: self.model.nc], *parts)

@@ -85,23 +85,26 @@ _OUTCOMES = {
     EXCEPTION: (
         "exception",
         "after t = {t:.9g} s there was {error}",
-        "what was computed until then is in the solution; mend what raised it, or keep a grid of states where it was memory",
+        "what was computed until then is in the solution; mend the cause or, where memory ran out, keep a grid of states",
     ),
 }
 
 
-def unreachable(asked: float, floor: float, method: str, tighter: Outcome | None = None) -> Outcome:
+def unreachable(
+    asked: float, floor: float, method: str, tighter: Outcome | None = None, *, foreseen: bool = False
+) -> Outcome:
     """Return the outcome of a complete run whose requested error no tolerance meets.
 
-    tighter: outcome of a run with a smaller tolerance.
+    tighter: outcome of a run with a smaller tolerance; foreseen: the floor is expected of a tolerance that was not tried.
     """
     better = of_accuracy(method)
+    gives = "is expected to give" if foreseen else "gives"
     by, why = (f" of {method}", "") if better else ("", ": the motion amplifies what rounding leaves")
     if tighter is not None:
         why = f": runs with a smaller tolerance end as {tighter.name}, {tighter.message}"
     return Outcome(
         "accuracy_unreachable",
-        f"no tolerance{by} gives an error at the end below {brief(floor, 2)}, {brief(asked, 3)} was asked for{why}",
+        f"no tolerance{by} {gives} an error at the end below {brief(floor, 2)}, {brief(asked, 3)} was asked for{why}",
         _first(better, f"ask for an accuracy above {brief(floor, 2)}, or simulate a shorter time"),
     )
 
@@ -110,7 +113,7 @@ def unknown(asked: float, tighter: Outcome) -> Outcome:
     """Return the outcome of a complete run whose error is unknown because no other run reaches the end."""
     return Outcome(
         "accuracy_unknown",
-        f"the run is complete, but whether its error is below {brief(asked, 3)} is not known: the runs that would tell end as {tighter.name}, "
+        f"the run is complete, but whether its error is below {brief(asked, 3)} is not known: the runs to compare it with end as {tighter.name}, "
         f"{tighter.message}",
         "take another method, or ask for less accuracy; tolerance= in place of accuracy= makes one run without an estimate",
     )
@@ -137,7 +140,7 @@ def not_closed(unclosed: float, asked: float, tolerance: float, steps: int) -> O
         return None
     return Outcome(
         "energy_not_closed",
-        f"energy + dissipated - input changes by {unclosed:.2g} of the energy there is, {most:.2g} is what the accuracy leaves",
+        f"energy + dissipated - input changes by {unclosed:.2g} of the energy that moves, its accuracy allows {most:.2g}",
         "find the law or force whose energy is not that of its force: `hertzwerk audit` on the scene or file of laws, then `hertzwerk effects`",
     )
 

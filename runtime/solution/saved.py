@@ -25,9 +25,8 @@ def packed(about: Mapping[str, Any], histories: Mapping[str, np.ndarray]) -> byt
     text = json.dumps(about)
     content = io.BytesIO()
     arrays: dict[str, Any] = {name: np.asarray(values) for name, values in histories.items()}
-    np.savez(
-        content, about=text, digest=_digest(text, arrays), **arrays
-    )  # to compress takes 20 times as long, for a fifth of the size
+    # to compress takes 20 times as long, for a fifth of the size
+    np.savez(content, about=text, digest=_digest(text, arrays), **arrays)
     return content.getvalue()
 
 

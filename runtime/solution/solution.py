@@ -68,9 +68,8 @@ class Solution:
     statistics: Statistics
     warnings: tuple[str, ...]
     scales: Scales = field(repr=False)
-    error: ErrorEstimate | None = field(
-        default=None, repr=False
-    )  # None for a run at a tolerance, and where nothing could be compared
+    # None for a run at a tolerance, and where nothing could be compared
+    error: ErrorEstimate | None = field(default=None, repr=False)
     checkpoint: Checkpoint | None = field(default=None, repr=False)  # state that a longer run continues from
 
     @property

@@ -32,10 +32,8 @@ Array = NDArray[np.float64]
 
 MAX_STEPS = 1_000_000
 LATE = ("wall_time_limit", "too_many_steps")  # outcomes after which tighter accuracies would also take too long
-ROUNDS, BUDGET = (
-    (3, 9),
-    15.0,
-)  # least and most rounds; after the least only within so many seconds in all
+# least and most rounds; after the least only within so many seconds in all
+ROUNDS, BUDGET = (3, 9), 15.0
 ONCE = 1.0  # s: longer runs are not repeated
 SHORT, IN_A_ROW = 0.02, 3  # s: shorter runs are repeated this often in a round
 

@@ -44,10 +44,10 @@ class CornerOnFace(Pair):
     @property
     def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
         """Normal, direction and length of the face, for landmarks."""
-        beside: dict[str, Any] = {"normal": in_body(self.face, self.normal)}
+        face: dict[str, Any] = {"normal": in_body(self.face, self.normal)}
         if self.along is not None:
-            beside |= {"along": in_body(self.face, self.along), "length": self.length}
-        return {}, beside
+            face |= {"along": in_body(self.face, self.along), "length": self.length}
+        return {}, face
 
     def faults(self) -> Iterator[Fault]:
         """A face that ends needs a direction in it, and a length."""

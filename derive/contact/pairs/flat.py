@@ -90,8 +90,8 @@ class CylinderOnPlane(Pair):
     @property
     def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
         """Radius, axis and length of the cylinder, normal of the plane, for landmarks."""
-        beside = {"radius": self.radius, "axis": in_body(self.cylinder, self.axis), "length": self.length}
-        return beside, {"normal": in_body(self.plane, self.normal)}
+        cylinder = {"radius": self.radius, "axis": in_body(self.cylinder, self.axis), "length": self.length}
+        return cylinder, {"normal": in_body(self.plane, self.normal)}
 
     def touch(self, kinematics: Kinematics) -> Touch:
         """Contact geometry on the kinematics' tape."""
@@ -121,8 +121,8 @@ class RimOnPlane(Pair):
     @property
     def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
         """Radius and axis of the disc, normal of the plane, for landmarks."""
-        beside = {"radius": self.radius, "axis": in_body(self.disc, self.axis)}
-        return beside, {"normal": in_body(self.plane, self.normal)}
+        disc = {"radius": self.radius, "axis": in_body(self.disc, self.axis)}
+        return disc, {"normal": in_body(self.plane, self.normal)}
 
     def touch(self, kinematics: Kinematics) -> Touch:
         """Contact geometry on the kinematics' tape."""

@@ -98,8 +98,8 @@ class ParallelCylinders(SphereOnSphere):
     @property
     def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
         """Radii, axis and length, for landmarks."""
-        beside = {"radius": self.radius_second, "axis": in_body(self.second, self.axis), "length": self.length}
-        return {"radius": self.radius_first}, beside
+        second = {"radius": self.radius_second, "axis": in_body(self.second, self.axis), "length": self.length}
+        return {"radius": self.radius_first}, second
 
 
 @dataclass(frozen=True)

@@ -72,7 +72,7 @@ def laws(
 
     if markdown or stub:
         if names or picture is not None or sum((markdown, stub, restitution, as_json)) > 1:
-            found = f"--{'markdown' if markdown else 'stub'} beside other arguments"
+            found = f"--{'markdown' if markdown else 'stub'} with other arguments"
             raise InputError("laws", [Fault("laws", found, "it alone: it prints the whole catalogue")])
         click.echo(build.law_listing(stub=stub), nl=False)
         return GOOD

@@ -150,18 +150,18 @@ def validate(targets: tuple[str, ...]) -> int:
     from hertzwerk.runtime.validate.validate import run_scenario
     from hertzwerk.runtime.validate.validate import validate as verdicts_of
 
-    made = held = unfinished = 0
+    checks = passed = unfinished = 0
     for scenario in [load_scenario(target) for target in targets or scenarios.names()]:
         solution = run_scenario(scenario)
         line(scenario.scene, str(solution))
         verdicts = verdicts_of(scenario, solution)
         for verdict in verdicts:
             line("passed" if verdict.passed else "failed", str(verdict))
-        made, held = made + len(verdicts), held + sum(verdict.passed for verdict in verdicts)
+        checks, passed = checks + len(verdicts), passed + sum(verdict.passed for verdict in verdicts)
         unfinished += solution.outcome.name != scenario.outcome
-    good = held == made and not unfinished
+    good = passed == checks and not unfinished
     runs = f"; {unfinished} run{'s' if unfinished > 1 else ''} with another outcome" if unfinished else ""
-    line("passed" if good else "failed", f"{held} of {made} checks hold{runs}")
+    line("passed" if good else "failed", f"{passed} of {checks} checks hold{runs}")
     return GOOD if good else OTHER_OUTCOME
 
 
@@ -207,7 +207,7 @@ def _simulate(
     stopping.stage("building")
     limits, output = limits_of(max_steps, wall_time, faults), output_of(grid)
     settled = Settings(duration or numbers.get("duration"), accurate, None, by, "auto", output, **limits)
-    model = loaded(target, without, laws, faults, coordinates=coordinates, beside=settled.faults)
+    model = loaded(target, without, laws, faults, coordinates=coordinates, others=settled.faults)
     parameters, initial = split_values(model, values)
     check(model, settled, parameters, initial, faults)
     return simulate(
@@ -229,10 +229,10 @@ def _report(solution: Solution) -> None:
     line(solution.model.name, f"{_time(solution.duration)}, {solution.method}, tolerance {solution.tolerance:.2g}")
     count = len(solution.impacts)
     closed = "" if solution.energy_residual is None else f", energy closed to {solution.energy_residual:.1g}"
-    beside = "" if solution.error is None else f", and {_time(solution.error.pilot_s)} for its estimate"
+    checked = "" if solution.error is None else f", and {_time(solution.error.pilot_s)} for its estimate"
     line(
         outcome.name,
-        f"{statistics.steps:,} steps, {count:,} impact{'s' if count != 1 else ''}{closed}, computed in {_time(statistics.wall_s)}{beside}",
+        f"{statistics.steps:,} steps, {count:,} impact{'s' if count != 1 else ''}{closed}, computed in {_time(statistics.wall_s)}{checked}",
     )
     if solution.error is not None and solution.accuracy is not None:
         from hertzwerk.runtime.accuracy.ladder import brief

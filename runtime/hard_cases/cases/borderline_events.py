@@ -10,10 +10,8 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.model.binding import Value
 
 BALL, GRAZING = Source("bouncing_ball"), Source("grazing_ball", hard=True)
-FALLING: dict[str, Value] = {
-    "gravity": "8 m/s^2",
-    "restitution": 1.0,
-}  # meets the floor at 0.5 s with 4 m/s, in numbers without rounding
+# meets the floor at 0.5 s with 4 m/s, in numbers without rounding
+FALLING: dict[str, Value] = {"gravity": "8 m/s^2", "restitution": 1.0}
 PARABOLA = "free motion"
 
 
@@ -35,12 +33,12 @@ def _graze(name: str, gap: float, hard: str, count: int) -> HardCase:
 
 
 CASES = (
-    _graze("graze_above", 1e-12, "turns round 1e-12 m above the floor: no contact", 0),
-    _graze("graze_below", -1e-12, "turns round 1e-12 m below the floor: a contact of 1 us", 1),
+    _graze("graze_above", 1e-12, "turns back 1e-12 m above the floor: no contact", 0),
+    _graze("graze_below", -1e-12, "turns back 1e-12 m below the floor: a contact of 1 us", 1),
     HardCase(
         name="event_at_start",
         theme="events",
-        hard="closing exactly at the surface at t = 0",
+        hard="touches the floor exactly at t = 0, approaching",
         source=BALL,
         duration=0.5,
         tolerance=1e-8,
@@ -51,7 +49,7 @@ CASES = (
     HardCase(
         name="opening_at_start",
         theme="events",
-        hard="leaving the surface exactly at t = 0, back on it exactly at the end",
+        hard="touches the floor exactly at t = 0, separating, and again exactly at the end",
         source=BALL,
         duration=1.0,
         tolerance=1e-8,
@@ -88,7 +86,7 @@ CASES = (
     HardCase(
         name="law_left",
         theme="events",
-        hard="a crank longer than its rod tears the pin out of its bush: the law is left where it is not defined",
+        hard="a crank longer than its rod pulls the pin out of its bush: the contact law is not defined so deep",
         source=Source("slider_crank_frictionless"),
         duration=0.024,
         tolerance=1e-6,

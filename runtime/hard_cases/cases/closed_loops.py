@@ -23,7 +23,7 @@ CASES = (
     HardCase(
         name="change_points",
         theme="loops",
-        hard="two windows of rods lie flat ten times in 10 s: there they have three freedoms, and forces without bound hold them together",
+        hard="two four-bar windows pass a change point, all rods in line, ten times in 10 s: three freedoms and unbounded forces there",
         source=Source("n_four_bar"),
         duration=10.0,
         tolerance=1e-10,
@@ -37,7 +37,7 @@ CASES = (
     HardCase(
         name="redundant_constraints",
         theme="loops",
-        hard="Bricard's mechanism: by counting it cannot move, one of its constraints says what the others do",
+        hard="Bricard's mechanism: by counting freedoms it cannot move, but one of its constraints is redundant",
         source=Source("bricard"),
         duration=10.0,
         tolerance=1e-9,
@@ -47,7 +47,7 @@ CASES = (
     HardCase(
         name="three_clearances",
         theme="loops",
-        hard="a slider-crank all of whose pins rattle, for 200 revolutions",
+        hard="a slider-crank with clearance in all three pins, for 200 revolutions",
         source=Source("slider_crank_three_clearances"),
         duration=2.4,
         tolerance=1e-7,

@@ -49,7 +49,7 @@ CASES = (
     HardCase(
         name="dead_centre",
         theme="slider-crank",
-        hard="ends exactly in the inner dead centre, which it came to from the outer one; with friction",
+        hard="starts in the outer dead centre and ends exactly in the inner one; with friction",
         source=ROUGH,
         duration=0.006,
         tolerance=1e-9,
@@ -57,7 +57,7 @@ CASES = (
     ),
     _clearance(
         "clearance_1um",
-        "clearance 1 um at 10,000 rpm: a revolution in lasting contact, penetration twice the clearance",
+        "clearance 1 um at 10,000 rpm: one revolution in permanent contact, penetration twice the clearance",
         "1 um",
         10_000,
         0.006,
@@ -65,7 +65,7 @@ CASES = (
     ),
     _clearance(
         "clearance_5mm",
-        "clearance 5 mm at 10 rpm: forty impacts, each weaker, end in lasting contact within 1 s",
+        "clearance 5 mm at 10 rpm: forty ever weaker impacts, then permanent contact within 1 s",
         "5 mm",
         10,
         1.0,
@@ -74,7 +74,7 @@ CASES = (
     HardCase(
         name="thin_friction_layer",
         theme="slider-crank",
-        hard="friction smoothed over 1e-7 m/s, for two revolutions",
+        hard="friction smoothed over 1e-7 m/s only, for two revolutions",
         source=ROUGH,
         duration=0.024,
         tolerance=1e-6,
@@ -84,7 +84,7 @@ CASES = (
             (
                 "dopri5",
                 "energy",
-            ): "it steps over the layer, thinner than its tolerance, wherever the sliding turns: twice the limit"
+            ): "its steps cross the layer, thinner than the tolerance, at every reversal of sliding: twice the limit"
         },
     ),
     HardCase(
@@ -99,7 +99,7 @@ CASES = (
             (
                 "dopri5",
                 "energy",
-            ): "in lasting contact its steps are as long as stability allows, and their errors, though small, of one sign: "
+            ): "in permanent contact its steps are as long as stability allows, and their small errors have one sign: "
             "forty times the limit"
         },
         long=True,

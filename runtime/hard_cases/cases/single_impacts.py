@@ -19,7 +19,7 @@ def _nearly_plastic(law: str, source: Source, restitution: float) -> HardCase:
     return HardCase(
         name=f"impact_e001_{law}",
         theme="impacts",
-        hard="restitution 0.01: damping a hundred times the elastic force, and a creeping separation",
+        hard="restitution 0.01: damping a hundred times the elastic force, and a slow separation",
         source=source,
         duration=0.2,
         tolerance=TOLERANCE,
@@ -178,7 +178,7 @@ CASES = (
     _jump(
         "jump_ristow",
         RISTOW,
-        "m = 0 beside a spring, given as a damping rate; the contact ends where it would pull",
+        "m = 0 with a damping rate in place of a restitution; the contact ends where it would pull",
         {"gamma": (_GAMMA, "1/s")},
         _XI,
         pulls=False,

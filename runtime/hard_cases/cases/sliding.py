@@ -77,7 +77,7 @@ def _falling_chain(count: int, *, long: bool) -> HardCase:
     return HardCase(
         name=f"falling_chain_of_{count}",
         theme="friction",
-        hard=f"{count} links fall on a floor and rest nearly in line, {count + 1} corners set-valued: what each holds is all but undetermined",
+        hard=f"{count} links fall on a floor and rest nearly in line, {count + 1} corners with set-valued friction: forces all but undetermined",
         source=Source(f"falling_chain_of_{count}", hard=True),
         duration=1.0,
         tolerance=1e-6,
@@ -91,14 +91,14 @@ def _falling_chain(count: int, *, long: bool) -> HardCase:
         known=(
             _of_corners(
                 count,
-                "friction beyond what is held",
+                "friction force above mu N",
                 lambda run, corner, _: np.abs(run[f"{corner}.friction_force"]) - mu * run[f"{corner}.normal_force"],
                 BEYOND,
                 "N",
             ),
             _of_corners(
                 count,
-                "sliding of what sticks",
+                "sliding velocity while sticking",
                 lambda run, corner, sticks: np.abs(run[f"{corner}.sliding_velocity"]) * sticks,
                 1e-6,
                 "m/s",
@@ -141,7 +141,7 @@ CASES = (
     _incline(
         "coulomb",
         "incline_holds_coulomb",
-        "just below the angle of friction, set-valued: slides to a stop, and sticks",
+        "just below the angle of friction, set-valued friction: slides to a stop, and sticks",
         _HOLDS,
         (
             final("downhill.speed", 0.0, 0.0, "it sticks"),
@@ -156,14 +156,14 @@ CASES = (
     _incline(
         "coulomb",
         "incline_slides_coulomb",
-        "just above the angle of friction, set-valued: never stops",
+        "just above the angle of friction, set-valued friction: never stops",
         _SLIDES,
         (final("downhill.speed", _accelerated(_SLIDES, 10.0), 1e-6, "uniform acceleration, m a = drive - mu load"),),
     ),
     _incline(
         "lugre",
         "incline_holds_lugre",
-        "just below the angle of friction, on bristles of s0 = 1e7 1/m: slides to a stop, and hangs on them at 1400 Hz",
+        "just below the angle of friction, bristles of s0 = 1e7 1/m: slides to a stop, and vibrates on them at 1400 Hz",
         _HOLDS,
         (
             final("downhill.speed", 0.0, 1e-6, "the bristles hold it"),
@@ -174,7 +174,7 @@ CASES = (
     _incline(
         "lugre",
         "incline_slides_lugre",
-        "just above the angle of friction, on bristles of s0 = 1e7 1/m: never stops",
+        "just above the angle of friction, bristles of s0 = 1e7 1/m: never stops",
         _SLIDES,
         (
             final("downhill.speed", LUGRE_SPEED, 1e-7, "SciPy's Radau, of the three equations"),

@@ -27,9 +27,8 @@ DOUBT = 0.1  # of |quintic - cubic|: distance from zero below which a graze is i
 NEAR = 1 / 64  # of a step: most by which its end is moved to land on a surface, by the classical method of order 4
 PARTS = 8  # sub-intervals searched
 BELIEVED = 4  # retakes of one step after which cubics give way to chords; where a cubic fits, 1 to 3 land
-LOCATED = (
-    16  # retakes after which a margin counts as rootless: nearly redundant friction forces jump with a step's error
-)
+# retakes after which a margin counts as rootless: nearly redundant friction forces jump with a step's error
+LOCATED = 16
 NEWTON_STEPS = 12  # within one of them, bisecting where Newton would leave the bracket
 NO_EVENT = 2.0  # theta beyond every step
 
@@ -230,9 +229,8 @@ def locate() -> Any:
         bottom = ca.fmin(ca.fmax(bottom - step, dip / PARTS), (dip + 1) / PARTS)
     lowest = _horner(value, bottom)
     in_dip = (dip < crossing) * (lowest <= -margin)
-    in_doubt = (
-        (dip < crossing) * (lowest > -margin) * (lowest < doubt) * (doubt > 0)
-    )  # no doubt: within the margin it is none
+    # no doubt: within the margin it is none
+    in_doubt = (dip < crossing) * (lowest > -margin) * (lowest < doubt) * (doubt > 0)
     part = ca.if_else(in_dip, dip, crossing)
     first = low = part / PARTS
     high = ca.if_else(in_dip, bottom, (part + 1) / PARTS)

@@ -34,10 +34,8 @@ if TYPE_CHECKING:
 Parts = dict[str, Any]  # of a vector, by name
 
 HERTZ = 2.94  # duration of a Hertz impact in depth/speed
-ONSET_STEP, ONSET_POWER = (
-    1.6 * HERTZ,
-    2 / 7,
-)  # first step of the first contact: ONSET_STEP length/speed tolerance^ONSET_POWER
+# first step of the first contact: ONSET_STEP length/speed tolerance^ONSET_POWER
+ONSET_STEP, ONSET_POWER = 1.6 * HERTZ, 2 / 7
 FINITE = 1e300  # larger sums of magnitudes, and nan, are not finite
 
 

@@ -133,9 +133,8 @@ def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
     at_gap, at_force = ca.SX.sym("at_gap", model.k), ca.SX.sym("at_force", model.k + model.ns)
     tol, _, _ = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
     times = time_to_root(*signed_gaps(old["mode"], end))
-    near = (
-        ca.fmin(NEAR, run["tolerance"] ** 0.2) * old["h"]
-    )  # its fifth power, the nudge's error, is below the tolerance
+    # its fifth power, the nudge's error, is below the tolerance
+    near = ca.fmin(NEAR, run["tolerance"] ** 0.2) * old["h"]
     # Whoever is on its surface already would be led past it by a move on to another's close by, and back by the retake: the step ends there.
     away = ca.if_else(ca.fabs(end["gap"]) > tol, times, 0)
     delta = ca.mmin(ca.if_else(ca.fabs(times) <= near, away, 2 * near))
@@ -198,8 +197,8 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
     if model.k:
         free = limited_by_surfaces(free, new["h_onset"], mode, end, resting=ca.fabs(end["gap"]) <= tol)
     free = limited_by_singular(table, free, ca.if_else(accepted, end["ahead"], old["ahead"]))
-    left = run["t_end"] - t
-    h = ca.if_else(retake, aimed, ca.if_else(1.01 * free >= left, left, free))
+    remaining = run["t_end"] - t
+    h = ca.if_else(retake, aimed, ca.if_else(1.01 * free >= remaining, remaining, free))
     new |= {part: ca.if_else(accepted, end[part], old[part]) for part in MOVED}
     new |= {
         "t": t,

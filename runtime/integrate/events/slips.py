@@ -88,10 +88,10 @@ def _problem(model: Model) -> Any:
     a = model.function("accelerations").call([t, q, u, f - ca.mtimes(now.along, slides * now.sliding), c])[0]
     b = now.drift + ca.mtimes(now.along[: model.nu, :].T, a)
     W = ca.mtimes(now.along[: model.nu, :].T, mobility(model, t, q, u, now.along, c))
-    held = now.holding + ca.if_else(asked, 0, BREAKS * force)
+    bound = now.holding + ca.if_else(asked, 0, BREAKS * force)
     first = ca.if_else(still, ca.if_else(asked, STICK, now.slip), slides)
     given = [t, y, mode, m, c, asked, rate, force]
-    return ca.Function("problem", given, ca.cse([*map(ca.densify, (W, b, still, now.sliding, first, held))]))
+    return ca.Function("problem", given, ca.cse([*map(ca.densify, (W, b, still, now.sliding, first, bound))]))
 
 
 def _round(n: int, *, one: bool) -> Any:

@@ -76,12 +76,12 @@ def advance(
     old, run = vectors.state.split(state), vectors.controls.split(controls)
     start = old if contacts is BY_MODE else {**old, "mode": ca.MX(ca.DM(mode))}
     if implicit:
-        told: dict[str, Any] = {}
-        end = stepper(model, table, contacts, told)(start, run, old["h"])
-        known = [told["J"], ca.vertcat(*(ca.densify(ca.MX(end[part])) for part in vectors.trial.sizes))]
+        within: dict[str, Any] = {}  # what the step computes on its way
+        end = stepper(model, table, contacts, within)(start, run, old["h"])
+        called = [within["J"], ca.vertcat(*(ca.densify(ca.MX(end[part])) for part in vectors.trial.sizes))]
     else:
-        known = [linearised(model, contacts)(start["t"], start["y"], start["mode"], start["m"], run["c"])[0]]
-    return ca.Function(name, [state, controls], list(made.call([state, controls, *known])), *names)
+        called = [linearised(model, contacts)(start["t"], start["y"], start["mode"], start["m"], run["c"])[0]]
+    return ca.Function(name, [state, controls], list(made.call([state, controls, *called])), *names)
 
 
 def _judged(
@@ -105,9 +105,9 @@ def _judged(
     if contact:
         end["error"] *= roughness(mode == CONTACT, old["gap"], end["gap"])
     error, in_range = end.pop("error"), end.pop("in_range")
-    left = run["t_end"] - end["t"]
+    remaining = run["t_end"] - end["t"]
     passed = (error <= 1) * is_finite(end)
-    clear = plain * (1 - old["fresh_contact"]) * (left > 0) * (steps < run["max_steps"])
+    clear = plain * (1 - old["fresh_contact"]) * (remaining > 0) * (steps < run["max_steps"])
     asked = pairs_by_polynomial(model, contacts)
     others = [j for j in range(model.k) if j not in asked]
     if asked:
@@ -128,7 +128,7 @@ def _judged(
         **old,
         **end,
         own: kept,
-        "h": ca.if_else(1.01 * free >= left, left, free),
+        "h": ca.if_else(1.01 * free >= remaining, remaining, free),
         "accepted": ca.SX(1),
         "after_rejection": ca.SX(0),
         "retakes": ca.SX(0),

@@ -34,7 +34,7 @@ class Code:
     _program: Program | None = None
     _impossible: bool = False
     compiler_failure: str = ""
-    """Why a compiler that is there was of no use."""
+    """Reason why a compiler that was found could not be used."""
 
     def __post_init__(self) -> None:
         self.machine = Callers(self.function)

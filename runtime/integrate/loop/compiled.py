@@ -31,10 +31,8 @@ FLAGS = (
 )
 LARGE = 1_500_000  # characters of C up to which -O3 is worth its compilation; 10 pairs: 1.1 million, 1.5 times as fast as with -O1
 PATIENCE = 0.1  # s between two polls
-COMPILE_S, COMPILE_S_PER_CHARACTER = (
-    0.8,
-    {"-O1": 5e-6, "-O3": 13e-6},
-)  # s; within a fifth of the times of one and of ten pairs
+# s; within a fifth of the times of one and of ten pairs
+COMPILE_S, COMPILE_S_PER_CHARACTER = 0.8, {"-O1": 5e-6, "-O3": 13e-6}
 
 
 class NoCompilerError(RuntimeError):

@@ -28,9 +28,9 @@ class Closing:
 
     function: Any
     along: Any
-    """(t, y, error (ny), c) -> what closing leaves of an error: what is along the constraints."""
+    """(t, y, error (ny), c) -> part of an error that closing leaves: along the constraints."""
     lengths: tuple[bool, ...]
-    """Of each constraint: whether it is a length [m], not an angle's sine [1]."""
+    """Whether each constraint is a length [m], not an angle's sine [1]."""
     speeds: slice
     """Rows of the state."""
 

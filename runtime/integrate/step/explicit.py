@@ -100,13 +100,13 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
     along = ca.jtimes(forces, ca.vertcat(t, y), ca.vertcat(1, dy)) if contacts != () else ca.SX.zeros(model.k)
     force_rate = ca.if_else(gap < 0, along, 0)  # at zero penetration the derivative of a root is not a number
     if grip is not None:
-        held = ca.if_else(grip.touching, grip.holding - ca.fabs(found), 0)
+        reserve = ca.if_else(grip.touching, grip.holding - ca.fabs(found), 0)
         gaps = gap[[pairs_of(model)[i] for i in grip.places]]
-        of_held = ca.if_else(gaps < 0, ca.jtimes(held, ca.vertcat(t, y), ca.vertcat(1, dy)), 0)
+        reserve_rate = ca.if_else(gaps < 0, ca.jtimes(reserve, ca.vertcat(t, y), ca.vertcat(1, dy)), 0)
         sliding = grip.slip * (grip.drift + ca.mtimes(grip.along[: model.nu, :].T, a))
         friction[grip.places] = found
-        margin[grip.places] = ca.if_else(grip.sticks, held, grip.slip * grip.velocity)
-        margin_rate[grip.places] = ca.if_else(grip.sticks, of_held, sliding)
+        margin[grip.places] = ca.if_else(grip.sticks, reserve, grip.slip * grip.velocity)
+        margin_rate[grip.places] = ca.if_else(grip.sticks, reserve_rate, sliding)
     arguments, names = [t, y, mode, m, c], ARGUMENTS.split()
     return Flow(
         quaternions=model.quaternions,

@@ -125,11 +125,13 @@ def _implicit_derivatives(
     """
     solved = ca.vertcat(a, multipliers)
     known = ca.SX.sym("known", solved.numel())
-    left = ca.vertcat(*model.function("balance").call([t, q, u, *ca.vertsplit(known, [0, model.nu, known.numel()]), c]))
-    of_left = ca.Function("of_left", [x, known, c], [ca.jacobian(left, x)])(x, solved, c)
+    residual = ca.vertcat(
+        *model.function("balance").call([t, q, u, *ca.vertsplit(known, [0, model.nu, known.numel()]), c])
+    )
+    by_x = ca.Function("residual_by_x", [x, known, c], [ca.jacobian(residual, x)])(x, solved, c)
     by_f = ca.jacobian(solved, f)
-    mobility, held = by_f[: model.nu, :], by_f[model.nu :, :]
-    return ca.mtimes(ca.horzcat(-mobility, held.T), of_left), mobility
+    mobility, reactions = by_f[: model.nu, :], by_f[model.nu :, :]
+    return ca.mtimes(ca.horzcat(-mobility, reactions.T), by_x), mobility
 
 
 @per_model

@@ -57,16 +57,16 @@ def _softness(model: Model) -> Any:
 def _independent(rows: list[Any], rank: int) -> list[Any]:
     """Select `rank` independent rows by greedy pivoting (largest remainder first); 1 if kept, else 0."""
     kept = [ca.SX(0)] * len(rows)
-    left = [ca.sumsqr(row) for row in rows]
+    remainders = [ca.sumsqr(row) for row in rows]
     for k in range(rank):
-        most = ca.mmax(ca.vertcat(*left))
+        largest = ca.mmax(ca.vertcat(*remainders))
         chosen, taken = [], ca.SX(0)
-        for square in left:  # of equals the first
-            chosen.append((square >= most) * (1 - taken))
+        for square in remainders:  # of equals the first
+            chosen.append((square >= largest) * (1 - taken))
             taken += chosen[-1]
         kept = [a + b for a, b in zip(kept, chosen, strict=True)]
         if k + 1 < rank:
-            unit = sum((row * one for row, one in zip(rows, chosen, strict=True)), start=ca.SX(0)) / ca.sqrt(most)
+            unit = sum((row * one for row, one in zip(rows, chosen, strict=True)), start=ca.SX(0)) / ca.sqrt(largest)
             rows = [row - ca.dot(row, unit) * unit for row in rows]
-            left = [ca.if_else(stays, -1, ca.sumsqr(row)) for row, stays in zip(rows, kept, strict=True)]
+            remainders = [ca.if_else(stays, -1, ca.sumsqr(row)) for row, stays in zip(rows, kept, strict=True)]
     return kept

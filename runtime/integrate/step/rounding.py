@@ -19,10 +19,8 @@ if TYPE_CHECKING:
 
 EPS = 2.0**-52
 EXACT = {ca.OP_NEG, ca.OP_FABS, ca.OP_TWICE, ca.OP_CONST, ca.OP_ASSIGN}  # operations that round nothing
-STATE = (
-    1,
-    2,
-)  # inputs of `gaps` that are rounded themselves, being integrated: q, u; time and constants are what they are
+# inputs of `gaps` that are rounded themselves, being integrated: q, u; time and constants are taken as exact
+STATE = (1, 2)
 
 
 @per_model

@@ -136,8 +136,8 @@ def solve_sticking(W: Any, sticks: Any, right: Any) -> Any:
     solve = eliminated(regular, pivoting=False)
     found = ca.vertcat(*solve([right[i] for i in range(n)]))
     for _ in range(REFINEMENTS if n > 1 else 0):
-        left = [right[i] - sum((coupled[i][j] * found[j] for j in range(n)), start=ca.SX(0)) for i in range(n)]
-        found = found + ca.vertcat(*solve(left))
+        residual = [right[i] - sum((coupled[i][j] * found[j] for j in range(n)), start=ca.SX(0)) for i in range(n)]
+        found = found + ca.vertcat(*solve(residual))
     return found
 
 

@@ -39,10 +39,10 @@ def time_to_singular(model: Model, t: Any, q: Any, dq: Any, c: Any) -> Any:
     """
     if not model.nl:
         return ca.SX(0, 1)
-    _, left = model.function("projection")(t, q, ca.SX.zeros(model.nl), c)
-    rate = ca.jtimes(left, ca.vertcat(t, q), ca.vertcat(1, dq))
-    falls = (left < NEARBY) * (rate < 0)
-    return ca.mmin(ca.if_else(falls, -2 * left / ca.if_else(falls, rate, -1), FAR))
+    _, independence = model.function("projection")(t, q, ca.SX.zeros(model.nl), c)
+    rate = ca.jtimes(independence, ca.vertcat(t, q), ca.vertcat(1, dq))
+    falls = (independence < NEARBY) * (rate < 0)
+    return ca.mmin(ca.if_else(falls, -2 * independence / ca.if_else(falls, rate, -1), FAR))
 
 
 def limited_by_singular(table: Table, h: Any, ahead: Any) -> Any:

@@ -18,9 +18,8 @@ Tables: TypeAlias = tuple[Callable[[], Table], ...]
 EXPLICIT: dict[str, Tables] = {"dopri5": (dopri5,), "dop853": (dop853,)}  # of rising order
 IMPLICIT: dict[str, Tables] = {"rodas": (rodas5p,), "esdirk": (esdirk54,)}
 AUTOMATIC: dict[str, Tables] = {"auto": (dop853, esdirk54)}  # to choose from while a run goes on (`choose`)
-SUNDIALS: dict[str, Tables] = dict.fromkeys(
-    ("cvodes", "idas"), (esdirk54,)
-)  # their dense output; they run in `sundials`
+# their dense output; they run in `sundials`
+SUNDIALS: dict[str, Tables] = dict.fromkeys(("cvodes", "idas"), (esdirk54,))
 
 IN_GRAPH = EXPLICIT | IMPLICIT | AUTOMATIC
 METHODS = IN_GRAPH | SUNDIALS

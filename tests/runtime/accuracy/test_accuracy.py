@@ -31,6 +31,7 @@ from hertzwerk.runtime.integrate.step.layout import CONSTRAINT_LOST
 from hertzwerk.runtime.run import accurate
 from hertzwerk.runtime.run.single_run import SingleRun
 from hertzwerk.runtime.solution import scales as scaling
+from hertzwerk.runtime.solution.outcome import unreachable
 from hertzwerk.runtime.solution.solution import Solution
 from reference.slider_crank import SliderCrank, reference
 
@@ -144,6 +145,7 @@ def test_below_the_floor_it_ends_with_the_floor():
     assert ladder_result.verdict is Verdict.UNREACHABLE
     assert 1e-11 < ladder_result.error.floor == ladder_result.error.end < 3e-10
     assert len(log) <= 8
+    assert not ladder_result.foreseen
     ladder_result, _ = search(1e-11, 1e-12, factor=200)
     assert (ladder_result.verdict, ladder_result.run.tolerance) == (Verdict.UNREACHABLE, LEAST)
 
@@ -151,7 +153,7 @@ def test_below_the_floor_it_ends_with_the_floor():
 def test_what_the_least_tolerance_would_miss_by_far_is_not_tried():
     """That is LEAST, or where the start is rounded more coarsely by what that is off by: neither can be had more accurate."""
     ladder_result, log = search(1e-11, 1e-12, factor=1e4)
-    assert (ladder_result.verdict, len(log)) == (Verdict.UNREACHABLE, 2)
+    assert (ladder_result.verdict, len(log), ladder_result.foreseen) == (Verdict.UNREACHABLE, 2, True)
     assert ladder_result.error.floor == pytest.approx(1e4 * LEAST, rel=1e-2)
     assert ladder_result.error.end == pytest.approx(1e4 * 1e-12, rel=1e-2)
     for coarse, found in ((1e-10, Verdict.UNREACHABLE), (1e-13, Verdict.MET)):
@@ -162,6 +164,11 @@ def test_what_the_least_tolerance_would_miss_by_far_is_not_tried():
         if found is Verdict.UNREACHABLE:
             assert ladder_result.run.tolerance == 1e-9
             assert ladder_result.error.floor == pytest.approx(ladder_result.error.end * coarse / HALVED / 1e-9)
+
+
+def test_a_floor_that_was_not_tried_is_said_to_be_expected():
+    assert "no tolerance of dopri5 gives" in unreachable(1e-9, 1e-8, "dopri5").message
+    assert "no tolerance of dopri5 is expected to give" in unreachable(1e-9, 1e-8, "dopri5", foreseen=True).message
 
 
 def test_beyond_the_horizon_nothing_is_tightened_in_vain():
