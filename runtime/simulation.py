@@ -13,6 +13,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from hertzwerk.derive.faults import Fault, InputError
@@ -236,6 +237,29 @@ class Solution(plain_solution.Solution):
         from hertzwerk.runtime.pictures import plot
 
         return plot.plot(self, *names)
+
+    def animate(
+        self,
+        path: str | Path,
+        *,
+        fps: float = 25.0,
+        slow: float | None = None,
+        overwrite: bool = False,
+        progress: Callable[[float], object] | None = None,
+    ) -> Path:
+        """Write the mechanism in motion as .gif, .mp4 (by ffmpeg) or .html, clearances enlarged.
+
+        fps    frames a second; slow: seconds of film for a second of motion, by default what makes about 8 s
+        progress    called with the fraction done
+
+        Raises InputError, for a saved run too. Ctrl-C writes the frames so far, and raises KeyboardInterrupt.
+        """
+        from hertzwerk.runtime.pictures.motion.film import animate
+
+        film = animate(self, Path(path), fps=fps, slow=slow, overwrite=overwrite, progress=progress)
+        if film.frames < film.of:
+            raise KeyboardInterrupt
+        return film.path
 
     def draw(self) -> Figure:
         """Draw the mechanism at its start and later, clearances enlarged; raises InputError for a saved run."""

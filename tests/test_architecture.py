@@ -48,7 +48,7 @@ ROOMS = {
         ".": "comparing derive/faults effects loading measured model simulation solution sweeps",
         "accuracy": "",
         "cli": "accuracy derive/audit derive/faults derive/sheets effects hard_cases host integrate/tableaux loading "
-        "model pictures pictures/draw pictures/studies run simulation solution start studies sweeps validate "
+        "model pictures pictures/draw pictures/motion pictures/studies run simulation solution start studies sweeps validate "
         "work_precision",
         "command_line": "cli",
         "comparing": "measured model pictures/studies solution",
@@ -67,10 +67,11 @@ ROOMS = {
         "package": "derive/declare derive/faults loading simulation",
         "pictures": "host model run solution start",
         "pictures/draw": "derive/faults host model pictures run solution start",
+        "pictures/motion": "derive/faults host pictures pictures/draw solution",
         "pictures/studies": "accuracy derive/sheets effects integrate/tableaux measured pictures studies validate "
         "work_precision",
         "run": "accuracy derive/faults derive/units integrate integrate/loop integrate/step integrate/tableaux model solution start",
-        "simulation": "accuracy derive/faults integrate/step loading model pictures pictures/draw run solution start",
+        "simulation": "accuracy derive/faults integrate/step loading model pictures pictures/draw pictures/motion run solution start",
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults host integrate/step integrate/tableaux model",
         "studies": "derive/faults derive/sheets effects loading model pictures simulation solution",
@@ -328,7 +329,7 @@ def test_only_build_opens_the_door_to_derive_and_lazily():
                 assert id(node) not in at_import, f"{file} imports {module} when it is imported"
 
 
-COMMANDS = ["accuracy", "audit", "derive", "draw", "effects", "hardcases", "laws", "run", "studies", "sweep"]
+COMMANDS = ["accuracy", "animate", "audit", "derive", "draw", "effects", "hardcases", "laws", "run", "studies", "sweep"]
 CLI = {
     *(f"cli/{name}.py" for name in ["__init__", "target", "terminal"]),
     *(f"cli/commands/{name}.py" for name in COMMANDS),
@@ -336,6 +337,7 @@ CLI = {
 PICTURES = {
     "pictures/plot.py",
     "pictures/plot_panel.py",
+    *(f"pictures/motion/{name}.py" for name in ["film", "moving_paper", "stage", "writers"]),
     *(f"pictures/studies/plot_{name}.py" for name in ["accuracy", "band", "comparison", "effects", "laws", "page"]),
     *(f"pictures/draw/{name}.py" for name in ["drawing", "insets", "labels", "paper", "picture", "gallery"]),
 }

@@ -9,6 +9,7 @@ from pathlib import Path
 import click
 
 from hertzwerk.runtime.cli.commands.accuracy import accuracy
+from hertzwerk.runtime.cli.commands.animate import animate
 from hertzwerk.runtime.cli.commands.audit import audit
 from hertzwerk.runtime.cli.commands.derive import derive, list_scenes
 from hertzwerk.runtime.cli.commands.draw import draw
@@ -60,5 +61,5 @@ def main() -> None:
         click.get_current_context().color = False
 
 
-for command in (list_scenes, laws, derive, audit, run, sweep, draw, effects, validate, accuracy, hardcases, study):
+for command in (list_scenes, laws, derive, audit, run, sweep, draw, animate, effects, validate, accuracy, hardcases, study):
     main.add_command(command)

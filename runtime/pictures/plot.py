@@ -19,7 +19,7 @@ from matplotlib.patches import Circle
 from numpy.typing import NDArray
 
 from hertzwerk.runtime.pictures.curves import Array, Curves, impact_curves
-from hertzwerk.runtime.pictures.films import films
+from hertzwerk.runtime.pictures.oil_films import films
 from hertzwerk.runtime.pictures.plot_panel import CONSTANT, LEGEND_ROOM, caption, empty_panel, legend, lines, over_time
 from hertzwerk.runtime.pictures.plot_style import BLUE, GREY, STYLE, VERMILLION
 from hertzwerk.runtime.pictures.prefixes import Scale, scale_of

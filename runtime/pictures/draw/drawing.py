@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from hertzwerk.runtime.host.lazy import cached_property
@@ -71,21 +72,39 @@ class Drawing:
 
     def on(self, axis: Axes, size: float = 9.0, symbols: float = 1.0) -> None:
         """Draw on an axis, with names of a size [points] and symbols scaled by a factor."""
-        parts = self.parts
-        length = parts.length(0) or CROWDED * self.point
-        paper = Paper(axis, self.point * symbols * float(np.clip(length / (CROWDED * self.point), LEAST_SYMBOL, 1.0)))
-        axis.set(xlim=self.frame[:2], ylim=self.frame[2:], aspect="equal")
+        parts, paper = self.parts, self._paper(axis, symbols)
         for i in self.ghosts:
             parts.draw(paper.faint(), i)
         self._paths(paper)
         parts.draw(paper, 0)
         force_symbols.draw(parts, paper, 0)
+        self._furniture(paper, symbols)
+        labels.place(paper, [*self._names(paper, size), *self._times(paper, size)], self.frame, self.point)
+
+    def prepare(self, axis: Axes) -> None:
+        """Set up an axis for a film: its limits, gravity and scales, away from where anything gets."""
+        paper, aside = self._paper(axis, 1.0), self._paper(Figure().add_subplot(), 1.0)
+        self.parts.draw(aside, 0)  # for its ink, which tells where the ground of joints has room
+        paper.ink.extend([*aside.ink, self.parts.extents()])
+        self._furniture(paper, 1.0)
+
+    @property
+    def symbol(self) -> float:
+        """Size of a point of symbols, smaller than `point` where bodies are short."""
+        length = self.parts.length(0) or CROWDED * self.point
+        return self.point * float(np.clip(length / (CROWDED * self.point), LEAST_SYMBOL, 1.0))
+
+    def _paper(self, axis: Axes, symbols: float) -> Paper:
+        axis.set(xlim=self.frame[:2], ylim=self.frame[2:], aspect="equal")
+        return Paper(axis, self.symbol * symbols)
+
+    def _furniture(self, paper: Paper, symbols: float) -> None:
+        """Draw gravity, and the axes of the view with their scale."""
         self._gravity(paper, self.point * symbols)
-        if parts.view.names is None:
+        if self.parts.view.names is None:
             self._triad(paper, self.point * symbols)
         else:
-            self._scales(axis)
-        labels.place(paper, [*self._names(paper, size), *self._times(paper, size)], self.frame, self.point)
+            self._scales(paper.axis)
 
     def caption(self) -> str:
         """Describe the drawing."""

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.patches import ConnectionPatch, Polygon
 
+from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.pictures.draw.paper import INK, ROUND, Paper
 from hertzwerk.runtime.pictures.draw.parts import INSIDE, Parts
 from hertzwerk.runtime.pictures.draw.places import Array, Landmark
@@ -23,6 +24,23 @@ MOST = 3
 UNSEEN = 10.0  # points: smaller details are enlarged
 PART = 0.26  # of the radius: size of a clearance as shown, if to scale it were less than...
 LEGIBLE = 0.1  # ... this
+SQUARE = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
+
+
+@dataclass
+class Link:
+    """Line from the window of an inset to its place on the main axis, and the square around a gap there."""
+
+    line: ConnectionPatch
+    edge: Array  # from the place to the end of the line
+    square: Polygon | None
+
+    def follow(self, inset: Inset, i: int) -> None:
+        """Move to the place of a detail at an instant."""
+        place = inset.place(i)
+        self.line.xy2 = tuple(place + self.edge)
+        if self.square is not None:
+            self.square.set_xy(place + inset.half * SQUARE)
 
 
 @dataclass(frozen=True)
@@ -47,65 +65,103 @@ class Inset:
 
         point: of the main axis.
         """
+        axis = self.window(page, box, point, below)
+        self.draw(Paper(axis, self.point), 0)
+        self.link(page, axis, main, below)
+
+    @property
+    def point(self) -> float:
+        """Size of a point (1/72 inch) in the window, in the unit of the picture."""
+        return 2 * self.half / (WIDTH * 72)
+
+    def window(self, page: Figure, box: tuple[float, float, float, float], point: float, below: bool) -> Axes:
+        """Return the empty window of `on`, with its name and scale."""
         axis = page.add_axes(box)
-        axis.set(
-            xticks=[],
-            yticks=[],
-            xlim=self.centre[0] + self.half * np.array([-1, 1]),
-            ylim=self.centre[1] + self.half * np.array([-1, 1]),
-        )
+        axis.set(xticks=[], yticks=[])
+        self.look_at(axis, 0)
         for spine in axis.spines.values():
             spine.set(visible=True, color=GREY, linewidth=0.8)
-        paper = Paper(axis, 2 * self.half / (WIDTH * 72))
-        if self.way:
-            self._way(paper)
-        elif self.exaggerated:
-            self._joint(paper)
-        else:
-            self.parts.draw(paper, 0)
-        enlarged = point / paper.point
+        enlarged = point / self.point
         text = f"{'path of the centre ' if self.way else 'enlarged '}{_times(enlarged)}"
         if self.exaggerated > 1:
             text = f"{_times(enlarged)}, its clearance {_times(enlarged * self.exaggerated)}"
         more = f", one of {self.alike} alike" if self.alike > 1 else ""
         where, side = ((0, -0.03), "top") if below else ((0, 1.02), "bottom")
         axis.text(*where, f"{self.name}{more}\n{text}", fontsize=8.5, va=side, transform=axis.transAxes)
+        return axis
+
+    def look_at(self, axis: Axes, i: int) -> None:
+        """Set the limits of a window: a gap stays in its middle, a joint is drawn where it is at the start."""
+        middle = self.centre if self.exaggerated or self.way else self.place(i)
+        axis.set(xlim=middle[0] + self.half * np.array([-1, 1]), ylim=middle[1] + self.half * np.array([-1, 1]))
+
+    def link(self, page: Figure, axis: Axes, main: Axes, below: bool) -> Link:
+        """Draw the line from a window to its place on the main axis."""
+        square = None
         if not self.exaggerated:
-            window = self.centre + self.half * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
-            main.add_artist(Polygon(window, fill=False, edgecolor=GREY, linewidth=0.7, zorder=8.4))
-        edge = self.centre + ([0, -self.half] if below else [self.half, 0])
+            square = Polygon(self.centre + self.half * SQUARE, fill=False, edgecolor=GREY, linewidth=0.7, zorder=8.4)
+            main.add_artist(square)
+        edge = np.array([0, -self.half] if below else [self.half, 0])
         line = ConnectionPatch(
-            (0.5, 1) if below else (0, 0.5), tuple(edge), "axes fraction", "data",
+            (0.5, 1) if below else (0, 0.5), tuple(self.centre + edge), "axes fraction", "data",
             axesA=axis, axesB=main, color=GREY, linewidth=0.6, zorder=8.3,
         )  # fmt: skip
         page.add_artist(line)
+        return Link(line, edge, square)
 
-    def _joint(self, paper: Paper) -> None:
+    def draw(self, paper: Paper, i: int, until: int | None = None) -> None:
+        """Draw the detail at an instant, with the path of a centre up to another, by default the whole of it."""
+        if self.way:
+            self._way(paper, i, until)
+        elif self.exaggerated:
+            self._joint(paper, i, until)
+        else:
+            self.parts.draw(paper, i)
+
+    def place(self, i: int) -> Array:
+        """Return the middle of the detail on the main axis at an instant."""
+        if self.exaggerated or self.way:
+            return self.parts.at(self.marks[1], i)
+        gap = _gap(self.parts, list(self.marks), i)
+        return self.centre if gap is None else self.parts.flat(gap[1])
+
+    @property
+    def pin_radius(self) -> float:
+        """Radius of the pin as it is drawn: none where only its centre is."""
+        if self.way:
+            return 0.0
+        inner, outer = (mark.size("radius") / self.parts.unit.factor for mark in self.marks)
+        return outer - self.exaggerated * (outer - inner)
+
+    @cached_property
+    def path(self) -> Array:
+        """Path (n, 2) of the pin's centre about the bush's, as it is drawn."""
+        return self.parts.flat(self._eccentricity()) * (self.exaggerated or 1.0)
+
+    def _joint(self, paper: Paper, i: int, until: int | None) -> None:
         """Draw the joint with its clearance, and within it the path of the pin's centre against the bush."""
         inner, outer = self.marks
-        parts, k, c = self.parts, self.exaggerated, self.centre
-        radius, hole = inner.size("radius") / parts.unit.factor, outer.size("radius") / parts.unit.factor
-        shown = hole - k * (hole - radius)
-        way = parts.flat(self._eccentricity()) * k
+        parts, c, shown, way = self.parts, self.centre, self.pin_radius, self.path
+        hole = outer.size("radius") / parts.unit.factor
         circle = np.stack([np.cos(ROUND), np.sin(ROUND)], axis=-1)
         paper.area(c + 1.25 * hole * circle, parts.colours[outer.body], 5.0)
         paper.hole(c + hole * circle, 5.1)
-        paper.area(c + way[0] + shown * circle, parts.colours[inner.body], 5.2, alpha=0.75)
+        paper.area(c + way[i] + shown * circle, parts.colours[inner.body], 5.2, alpha=0.75)
         paper.line(c + (hole - shown) * circle, GREY, 0.6, 5.3, (0, (3, 2)))
         if len(way) > 1:
-            paper.line(c + way, INK, 0.5, 5.4)
-        paper.pin(c + way[0], 1.6, INK)
+            paper.line(c + way[:until], INK, 0.5, 5.4)
+        paper.pin(c + way[i], 1.6, INK)
 
-    def _way(self, paper: Paper) -> None:
+    def _way(self, paper: Paper, i: int, until: int | None) -> None:
         """Draw the path of the pin's centre in its clearance circle."""
         inner, outer = self.marks
         clearance = (outer.size("radius") - inner.size("radius")) / self.parts.unit.factor
-        way = self.centre + self.parts.flat(self._eccentricity())
+        way = self.centre + self.path
         paper.line(
             self.centre + clearance * np.stack([np.cos(ROUND), np.sin(ROUND)], axis=-1), GREY, 1.0, 5.0, (0, (3, 2))
         )
-        paper.line(way, self.parts.colours[inner.body], 0.9, 5.1)
-        paper.pin(way[0], 1.6, INK)
+        paper.line(way[:until], self.parts.colours[inner.body], 0.9, 5.1)
+        paper.pin(way[i], 1.6, INK)
 
     def _eccentricity(self) -> Array:
         """Return the vector (n, 3) from the bush's centre to the pin's [m].
@@ -148,15 +204,15 @@ def clearances(parts: Parts, point: float) -> Iterator[Inset]:
     yield from found[:MOST]
 
 
-def _gap(parts: Parts, marks: list[Landmark]) -> tuple[float, Array] | None:
-    """Return the width of a gap at the start [m] and its middle (3,), for surfaces that face each other."""
+def _gap(parts: Parts, marks: list[Landmark], i: int = 0) -> tuple[float, Array] | None:
+    """Return the width of a gap at an instant [m] and its middle (3,), for surfaces that face each other."""
     if len(marks) < 2:
         return None
     first, second = marks
-    one, two = parts.positions[id(first)][0], parts.positions[id(second)][0]
+    one, two = parts.positions[id(first)][i], parts.positions[id(second)][i]
     radius = first.size("radius") if "radius" in first.beside else 0.0
     if parts.view.names and "normal" in second.beside and first.place in ("corner", "sphere", "cylinder"):
-        normal = parts.places.direction(second, "normal")[0]
+        normal = parts.places.direction(second, "normal")[i]
         height = float((one - two) @ normal) - radius
         return height, one - (radius + height / 2) * normal
     if first.kind in ("sphere_on_sphere", "parallel_cylinders"):

@@ -14,7 +14,7 @@ import numpy as np
 from matplotlib.collections import LineCollection
 from matplotlib.colors import to_hex, to_rgb
 from matplotlib.lines import Line2D
-from matplotlib.patches import Polygon, Wedge
+from matplotlib.patches import Polygon
 
 from hertzwerk.runtime.pictures.draw.places import Array
 from hertzwerk.runtime.pictures.plot_style import GREY, VERMILLION
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 INK = "#222222"
 ROUND = np.linspace(0, 2 * np.pi, 181)  # angles of surfaces to scale, which insets enlarge
-COARSE = ROUND[::6]
+COARSE = ROUND[::5]  # of symbols, in quarters
 GHOST = 0.13  # opacity of a ghost
 
 
@@ -46,6 +46,20 @@ class Paper:
         """Return the same paper, for ghosts."""
         return Paper(self.axis, self.point, True, self.ink, self.light)
 
+    # -- shapes --------------------------------------------------------------------------------------------------------
+
+    def polygon(self, outline: Array, **look: Any) -> None:
+        """Add a filled outline (n, 2)."""
+        self.axis.add_artist(Polygon(outline, **look))
+
+    def stroke(self, points: Array, **look: Any) -> None:
+        """Add a line through points (n, 2)."""
+        self.axis.add_artist(Line2D(*points.T, **look))
+
+    def strokes(self, lines: Array, **look: Any) -> None:
+        """Add separate lines (k, 2, 2)."""
+        self.axis.add_artist(LineCollection(list(lines), **look))
+
     # -- bodies and surfaces -------------------------------------------------------------------------------------------
 
     def plate(self, corners: Array, radius: float, colour: str, z: float) -> None:
@@ -66,17 +80,17 @@ class Paper:
             }
         else:
             look = {"facecolor": face, "edgecolor": edge, "linewidth": 0.9, "zorder": z, "alpha": alpha}
-        self.axis.add_artist(Polygon(outline, joinstyle="round", **look))
+        self.polygon(outline, joinstyle="round", **look)
         self._mark(np.concatenate([outline, outline[:1]]))
 
     def hole(self, outline: Array, z: float) -> None:
         """Cut a hole out of a body."""
         if not self.ghost:
-            self.axis.add_artist(Polygon(outline, facecolor="white", edgecolor=INK, linewidth=0.7, zorder=z))
+            self.polygon(outline, facecolor="white", edgecolor=INK, linewidth=0.7, zorder=z)
 
     def path(self, points: Array, colour: str) -> None:
         """Draw the path of a point (n, 2), which names avoid where they can."""
-        self.axis.add_artist(Line2D(*points.T, color=tint(colour, 0.6), linewidth=0.7, zorder=1.5))
+        self.stroke(points, color=tint(colour, 0.6), linewidth=0.7, zorder=1.5)
         self.light.append(points)
 
     # -- lines ---------------------------------------------------------------------------------------------------------
@@ -86,7 +100,7 @@ class Paper:
     ) -> None:
         """Draw a line through points (n, 2)."""
         look: dict[str, Any] = {"color": colour, "linewidth": width, "linestyle": style, "zorder": z}
-        self.axis.add_artist(Line2D(*points.T, solid_capstyle="round", solid_joinstyle="round", **look))
+        self.stroke(points, solid_capstyle="round", solid_joinstyle="round", **look)
         if ink:
             self._mark(points)
 
@@ -97,7 +111,7 @@ class Paper:
         side, size = np.array([-way[1], way[0]]), head * self.point
         self.line(np.concatenate([points[:-1], [tip - 0.7 * size * way]]), colour, width, z)
         barb = np.array([tip, tip - size * way + 0.42 * size * side, tip - size * way - 0.42 * size * side])
-        self.axis.add_artist(Polygon(barb, facecolor=colour, edgecolor="none", zorder=z))
+        self.polygon(barb, facecolor=colour, edgecolor="none", zorder=z)
         self._mark(barb)
 
     def zigzag(self, a: Array, b: Array, coils: int = 6) -> None:
@@ -127,31 +141,27 @@ class Paper:
 
     def pin(self, at: Array, size: float = 3.0, face: str = "white", z: float = 7.0) -> None:
         """Draw a revolute joint; filled, a spherical one."""
-        self.axis.add_artist(
-            Polygon(at + size * self.point * _circle(), facecolor=face, edgecolor=INK, linewidth=1.0, zorder=z)
-        )
+        self.polygon(at + size * self.point * _circle(), facecolor=face, edgecolor=INK, linewidth=1.0, zorder=z)
         self._mark(at[None])
 
     def square(self, at: Array, size: float = 2.6) -> None:
         """Draw a weld."""
         corners = size * self.point * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
-        self.axis.add_artist(Polygon(at + corners, facecolor=INK, edgecolor=INK, zorder=7))
+        self.polygon(at + corners, facecolor=INK, edgecolor=INK, zorder=7)
 
     def centre(self, at: Array, size: float = 3.4) -> None:
         """Draw a mass centre: a disc in quarters."""
-        for start, face in ((0, INK), (90, "white"), (180, INK), (270, "white")):
-            self.axis.add_artist(
-                Wedge(tuple(at), size * self.point, start, start + 90, facecolor=face, edgecolor="none", zorder=7.5)
-            )
-        self.line(at + size * self.point * _circle(), INK, 0.7, 7.6, ink=False)
+        disc = size * self.point * _circle()
+        self.polygon(at + disc, facecolor="white", edgecolor=INK, linewidth=0.7, zorder=7.5)
+        for start in (0, len(disc) // 2):
+            quarter = np.concatenate([np.zeros((1, 2)), disc[start : start + len(disc) // 4 + 1]])
+            self.polygon(at + quarter, facecolor=INK, edgecolor="none", zorder=7.6)
 
     def footing(self, at: Array, down: Array) -> None:
         """Draw the ground of a joint: a triangle on hatching."""
         side, p = np.array([-down[1], down[0]]), self.point
         left, right = (at + 10 * p * down + sign * 6.5 * p * side for sign in (-1, 1))
-        self.axis.add_artist(
-            Polygon(np.array([at, left, right]), facecolor="#d8d8d8", edgecolor=INK, linewidth=0.9, zorder=2.5)
-        )
+        self.polygon(np.array([at, left, right]), facecolor="#d8d8d8", edgecolor=INK, linewidth=0.9, zorder=2.5)
         self.ground(at + 10 * p * down - 10 * p * side, at + 10 * p * down + 10 * p * side, down)
 
     def ground(self, a: Array, b: Array, down: Array, z: float = 2.6, width: float = 1.1) -> None:
@@ -162,7 +172,7 @@ class Paper:
         starts = np.arange(0.8 * p, length, 3.6 * p)[:, None]
         feet, back = a + starts * along, np.minimum(starts, 4.2 * p)
         strokes = np.stack([feet, feet + back * (down - along)], axis=1)
-        self.axis.add_artist(LineCollection(list(strokes), colors=GREY, linewidths=0.6, zorder=z - 0.1))
+        self.strokes(strokes, colors=GREY, linewidths=0.6, zorder=z - 0.1)
         self._mark(np.array([a, b]) + 3 * p * down)
 
     def text(self, at: Array, text: str, colour: str = INK, size: float = 8.0, **look: Any) -> None:

@@ -180,7 +180,9 @@ class Parts:
                 reach = STUB * paper.point * seen * way
                 paper.line(np.array([at - reach, at + reach]), INK, 0.7, 6.9, (0, (6, 2, 1.5, 2)))
             if parent.body == GROUND:
-                paper.footing(at, self._free_side(paper, at))
+                if id(parent) not in self._sides:  # in a film it stays where it was
+                    self._sides[id(parent)] = self._free_side(paper, at)
+                paper.footing(at, self._sides[id(parent)])
             if kind == "weld":
                 paper.square(at)
             elif kind == "spherical":
@@ -197,6 +199,11 @@ class Parts:
                     )
             else:
                 paper.pin(at)
+
+    @cached_property
+    def _sides(self) -> dict[int, Array]:
+        """Directions that the ground of a joint has been drawn in, by the id of its landmark."""
+        return {}
 
     def _free_side(self, paper: Paper, at: Array) -> Array:
         """Return the direction down, or that with much less ink."""
@@ -270,7 +277,8 @@ class Parts:
         where = self.positions[id(mark)][i]
         if mark.place in ("plane", "face"):
             if not paper.ghost:
-                self._face(paper, mark, self.positions[id(first)][i], i)
+                still = mark.body == GROUND and self.view.names is not None
+                self._face(paper, mark, self.positions[id(first)][0 if still else i], i)
         elif "radius" in mark.beside:
             axis = self.axis_of(self.of[mark.part, mark.kind], i)
             outline = self.ring(where, axis, mark.size("radius"))

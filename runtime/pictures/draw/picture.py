@@ -75,7 +75,7 @@ def figure(places: Places, warnings: Sequence[str], differs: str = "") -> Figure
             wanted = [
                 left + (inset.centre[0] - drawing.frame[0]) / drawing.point / 72 - insets.WIDTH / 2 for inset in shown
             ]
-            spots = [(x, foot + 0.4) for x in _spread(np.array(wanted), left, left + width - insets.WIDTH)]
+            spots = [(x, foot + 0.4) for x in spread(np.array(wanted), left, left + width - insets.WIDTH)]
         for (x, y), inset in zip(spots, shown, strict=False):
             inset.on(page, axis, fraction(x, y, insets.WIDTH, insets.WIDTH), drawing.point, row)
         write_title(page, title, differs)
@@ -88,7 +88,7 @@ def figure(places: Places, warnings: Sequence[str], differs: str = "") -> Figure
     return page
 
 
-def _spread(wanted: Array, low: float, high: float) -> Array:
+def spread(wanted: Array, low: float, high: float) -> Array:
     """Place insets side by side within limits, near where they are wanted."""
     step, order = insets.WIDTH + 0.2, np.argsort(wanted, kind="stable")
     first = np.minimum(np.maximum(wanted, low), high)

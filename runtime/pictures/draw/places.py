@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.host.lazy import cached_property
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.binding import Value
@@ -69,17 +70,19 @@ class Places:
         return cls._of(model, bound.p, np.zeros(1), positions, rotations)
 
     @classmethod
-    def over(cls, run: Solution) -> Places:
+    def over(cls, run: Solution, also: Array | None = None) -> Places:
         """Return the places over a run, between its accepted steps.
 
-        Of a run too long to be made again, at its rows. Raises InputError for a saved run.
+        Of a run too long to be made again, at its rows. `also`: further times [s] of a run with steps. Raises
+        InputError for a saved run.
         """
         run = run.with_steps()
         if run.history.integrator is None:
             raise _without_functions(run.model)
         if run.history.steps and len(run.t) > 1:
             rows = run.t[:: 1 + len(run.t) // SAMPLES]
-            times = np.unique(np.concatenate([rows, np.linspace(run.t[0], run.t[-1], SAMPLES), run.t[-1:]]))
+            further = np.zeros(0) if also is None else also
+            times = np.unique(np.concatenate([rows, np.linspace(run.t[0], run.t[-1], SAMPLES), run.t[-1:], further]))
         else:
             times = run.t[np.unique(np.linspace(0, len(run.t) - 1, min(len(run.t), SAMPLES)).astype(int))]
         positions, rotations = run.at(times).map("poses", "t q")
@@ -113,7 +116,14 @@ class Places:
 
     def direction(self, mark: Landmark, name: str) -> Array:
         """Return a named direction of a landmark: (n, 3)."""
-        return self.turned(mark.body, mark.beside[name])
+        key = id(mark), name
+        if key not in self._directions:
+            self._directions[key] = self.turned(mark.body, mark.beside[name])
+        return self._directions[key]
+
+    @cached_property
+    def _directions(self) -> dict[tuple[int, str], Array]:
+        return {}
 
     def parts(self) -> dict[tuple[str, str], list[Landmark]]:
         """Return the landmarks by part and kind."""

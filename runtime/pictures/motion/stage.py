@@ -1,0 +1,287 @@
+"""Stage of a film: the mechanism, its clearances enlarged, contact forces as arrows, their histories, the time."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch
+from numpy.typing import NDArray
+
+from hertzwerk.runtime.host.lazy import cached_property
+from hertzwerk.runtime.pictures.curves import Curves
+from hertzwerk.runtime.pictures.draw import force_symbols, insets
+from hertzwerk.runtime.pictures.draw.drawing import Drawing
+from hertzwerk.runtime.pictures.draw.paper import INK, Paper
+from hertzwerk.runtime.pictures.draw.picture import notes_on, spread
+from hertzwerk.runtime.pictures.draw.places import Array, Places
+from hertzwerk.runtime.pictures.motion.clock import Clock
+from hertzwerk.runtime.pictures.motion.contact_points import CONTACTS, contact_of
+from hertzwerk.runtime.pictures.motion.moving_paper import MovingPaper
+from hertzwerk.runtime.pictures.oil_films import films
+from hertzwerk.runtime.pictures.plot_panel import lines
+from hertzwerk.runtime.pictures.plot_style import GREY, STYLE, VERMILLION, plain
+from hertzwerk.runtime.pictures.prefixes import scale_of
+from hertzwerk.runtime.pictures.title import differences, title_height, title_of, write_title
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from hertzwerk.runtime.solution.solution import Solution
+
+PANEL = (6.0, 4.0)  # largest size of the mechanism, inches
+DPI = 100
+LONGEST, LEAST = 60.0, 7.0  # length of the arrow of the largest force, and of the shortest, points
+STRIP, BELOW = 0.95, 0.42  # inches of the histories of forces, and of their time axis
+NAMES, PATCH, LETTER, ROOM = 0.24, 0.36, 0.08, 1.1  # inches: of the names of bodies, a patch, a letter; of the time
+MANY = 6  # pairs: of more the largest force is drawn alone
+LINE, LETTERS = 0.165, 15  # inches of a line below; characters on an inch of it
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Page with everything that is still, the places on it, and where the time stands."""
+
+    page: Figure
+    main: Axes
+    windows: list[Axes]
+    insets: list[insets.Inset]
+    strip: Axes | None
+    time: tuple[float, float]
+
+
+@dataclass
+class Stage:
+    """A figure whose shapes `show` moves to the instant of a frame."""
+
+    run: Solution
+    clock: Clock
+    curves: Curves
+    drawing: Drawing
+    at: NDArray[np.intp]  # of each frame: its row in the places
+    papers: list[MovingPaper] = field(default_factory=list)
+
+    @classmethod
+    def of(cls, run: Solution, clock: Clock) -> Stage:
+        """Set the stage of a run that has its functions; raises InputError for a saved one."""
+        curves = Curves.of(run)
+        times = clock.times
+        if curves.run.history.steps:
+            places = Places.over(curves.run, also=np.union1d(times, curves.t))
+        else:
+            places = Places.over(curves.run)
+            nearest = np.clip(np.searchsorted(places.t, times), 1, len(places.t) - 1)
+            times = places.t[nearest - (times - places.t[nearest - 1] < places.t[nearest] - times)]
+        return cls(run, clock, curves, Drawing.of(places, PANEL), np.searchsorted(places.t, times))
+
+    @property
+    def made(self) -> int:
+        """Number of shapes that frames have made so far."""
+        return sum(paper.made for paper in self.papers)
+
+    @cached_property
+    def figure(self) -> Figure:
+        """The figure of the film: an image of everything that is still, and axes over it for what moves."""
+        layout = self._layout
+        canvas: Any = FigureCanvasAgg(layout.page)
+        canvas.draw()
+        width, height = layout.page.get_size_inches()
+        film = Figure(figsize=(width, height), dpi=DPI)
+        film.figimage(np.array(canvas.buffer_rgba()), zorder=-1)
+        main, *windows = (_over(film, axis) for axis in (layout.main, *layout.windows))
+        self._main = MovingPaper(main, self.drawing.symbol)
+        self._details = [MovingPaper(window, inset.point) for window, inset in zip(windows, layout.insets, strict=True)]
+        self.papers[:] = [self._main, *self._details]
+        self._links = [
+            inset.link(film, window, main, below=len(layout.insets) > 1)
+            for window, inset in zip(windows, layout.insets, strict=True)
+        ]
+        if layout.strip is not None:
+            self._cursor = _over(film, layout.strip).axvline(0.0, color=INK, linewidth=1.0)
+        self._time = film.text(*layout.time, "", ha="right", va="bottom", fontsize=11)
+        return film
+
+    def show(self, k: int) -> None:
+        """Move everything to frame k."""
+        i, parts, _ = int(self.at[k]), self.drawing.parts, self.figure
+        with self._main.frame():
+            parts.draw(self._main, i)
+            force_symbols.draw(parts, self._main, i)
+            for mark, way in self.drawing.paths:
+                self._main.path(way[: i + 1], parts.colours[mark.body])
+            for name, force in self._acting(k):
+                self._arrow(self._main, name, force, i)
+        for inset, paper, link in zip(self._layout.insets, self._details, self._links, strict=True):
+            inset.look_at(paper.axis, i)
+            link.follow(inset, i)
+            with paper.frame():
+                inset.draw(paper, i, i + 1)
+                for name, force in self._acting(k):
+                    if name == inset.name:
+                        self._arrow_in(inset, paper, force, i)
+        self._time.set_text(self.clock.shown(k))
+        if self._layout.strip is not None:
+            self._cursor.set_xdata([self.curves.time(self.clock.times[k])] * 2)
+
+    # -- forces --------------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def forces(self) -> dict[str, Array]:
+        """Normal forces of the pairs over the curves' times [N]; empty where none acts and there is no film."""
+        found = {name: self.curves[f"{name}.normal_force"] for name in self.run.model.pairs}
+        return found if films(self.run.model) or any(np.any(force) for force in found.values()) else {}
+
+    @cached_property
+    def peak(self) -> float:
+        """Largest of all normal forces [N]."""
+        return max((float(np.max(force)) for force in self.forces.values()), default=0.0)
+
+    @cached_property
+    def _largest(self) -> dict[str, Array]:
+        """Largest force of each pair since the frame before, by frame [N]."""
+        ends = np.searchsorted(self.curves.t, self.clock.times, side="right")
+        begins = np.concatenate([[0], ends[:-1]])
+        return {
+            name: np.array([np.max(force[begin:end], initial=0.0) for begin, end in zip(begins, ends, strict=True)])
+            for name, force in self.forces.items()
+        }
+
+    def _acting(self, k: int) -> list[tuple[str, float]]:
+        """Return the pairs that have touched since the frame before, and their largest forces [N]."""
+        return [(name, float(forces[k])) for name, forces in self._largest.items() if forces[k] > 0]
+
+    def _arrow(self, paper: MovingPaper, name: str, force: float, i: int) -> None:
+        kind, marks = next((kind, marks) for (part, kind), marks in self.drawing.parts.of.items() if part == name)
+        found = contact_of(self.drawing.parts, kind, marks, i)
+        if found is None:
+            return
+        view, flat = self.drawing.parts.view, self.drawing.parts.flat
+        way = view(found[1])
+        seen = float(np.linalg.norm(way))
+        length = max(LONGEST * force / self.peak, LEAST) * self.drawing.point * seen
+        if seen > 0.05:
+            _push(paper, flat(found[0]), way / seen, length)
+
+    def _arrow_in(self, inset: insets.Inset, paper: MovingPaper, force: float, i: int) -> None:
+        """Draw a force in the window of a joint, from where the enlarged pin touches; a gap has it in the drawing."""
+        away = inset.path[i] if inset.exaggerated or inset.way else np.zeros(2)
+        distance = float(np.linalg.norm(away))
+        if distance > 0:
+            way = away / distance
+            length = max(force / self.peak * insets.WIDTH * 72 / 3, LEAST) * paper.point
+            _push(paper, inset.centre + away + inset.pin_radius * way, -way, length)
+
+    # -- still parts ---------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def _layout(self) -> Layout:
+        """The page with everything that is still."""
+        drawing, run = self.drawing, self.run
+        shown, strip = list(insets.clearances(drawing.parts, drawing.point)), bool(self.forces)
+        row, plane = len(shown) > 1, drawing.parts.view.names is not None
+        (width, height), left, under = drawing.size, 0.75 if plane else 0.15, 0.52 if plane else 0.1
+        across = _even(left + width + (insets.WIDTH + 0.4 if len(shown) == 1 else 0.2))
+        told, cautions = (
+            [line for text in texts for line in textwrap.wrap(text, int(LETTERS * across))]
+            for texts in (self.notes(), notes_on(run))
+        )
+        title, differs = title_of(run.model, run.model.module.SUMMARY), differences(run)
+        foot = 0.1 + LINE * (len(told) + len(cautions))
+        low = foot + (STRIP + BELOW + 0.25 if strip else 0.0)
+        main = low + under + (insets.HEIGHT if row else 0.0)
+        top = max(main + height, main + insets.HEIGHT) + 0.1
+        tall = _even(top + title_height(across, title, differs) + NAMES)
+
+        def fraction(x: float, y: float, w: float, h: float) -> tuple[float, float, float, float]:
+            return x / across, y / tall, w / across, h / tall
+
+        with mpl.rc_context({**STYLE, "axes.grid": False}):
+            page = Figure(figsize=(across, tall), dpi=DPI)
+            write_title(page, title, differs)
+            axis = page.add_axes(fraction(left, main, width, height))
+            drawing.prepare(axis)
+            self._name_bodies(page, top / tall, across - ROOM)
+            spots = [(left + width + 0.3, main + height - insets.HEIGHT)]
+            if row:
+                wanted = [
+                    left + (inset.centre[0] - drawing.frame[0]) / drawing.point / 72 - insets.WIDTH / 2
+                    for inset in shown
+                ]
+                spots = [(x, low + 0.4) for x in spread(np.array(wanted), left, left + width - insets.WIDTH)]
+            windows = [
+                inset.window(page, fraction(x, y, insets.WIDTH, insets.WIDTH), drawing.point, row)
+                for (x, y), inset in zip(spots, shown, strict=False)
+            ]
+            histories = page.add_axes(fraction(0.75, foot + BELOW, across - 0.95, STRIP)) if strip else None
+            if histories is not None:
+                self._draw_histories(histories)
+            for texts, y, colour in ((told, 0.06 + LINE * len(cautions), GREY), (cautions, 0.06, VERMILLION)):
+                page.text(0.1 / across, y / tall, plain("\n".join(texts)), va="bottom", fontsize=8.5, color=colour)
+        time = 1 - 0.1 / across, (top + 0.04) / tall
+        return Layout(page, axis, windows, shown, histories, time)
+
+    def notes(self) -> Iterator[str]:
+        """Yield remarks that stand below the film."""
+        pace = f"{self.clock.pace()}, {self.clock.fps:g} frames a second."
+        if self.peak > 0:
+            scale = scale_of("N", self.peak)
+            pace += (
+                f" Arrows: contact force on the first body of a pair, the largest since the frame before; "
+                f"the longest is {self.peak / scale.factor:.3g} {scale.unit}."
+            )
+            kinds = dict(self.run.model.module.PAIRS)
+            without = [name for name in self.forces if kinds[name] not in CONTACTS]
+            pace += f" Without an arrow: {', '.join(without)}." if without else ""
+        yield pace
+        yield from self.curves.notes[: 0 if self.curves.run.history.steps else 1]
+
+    def _name_bodies(self, page: Figure, y: float, room: float) -> None:
+        """Write the names of the bodies in their colours, where there is room [inch] for them."""
+        bodies, colours = self.drawing.parts.places.bodies[1:], self.drawing.parts.colours
+        if not bodies or sum(PATCH + LETTER * len(body) for body in bodies) > room:
+            return
+        patches = [Patch(color=colours[body], label=body) for body in bodies]
+        look: dict[str, Any] = {"handlelength": 0.8, "handleheight": 0.8, "columnspacing": 1.0, "borderaxespad": 0.2}
+        page.legend(handles=patches, loc="lower left", bbox_to_anchor=(0.0, y), ncols=len(bodies), **look)
+
+    def _draw_histories(self, axis: Axes) -> None:
+        """Draw the histories of the forces."""
+        oils = films(self.run.model)
+        shown = {name: force for name, force in self.forces.items() if np.any(force)}
+        shown |= {f"film, {oil}": self.curves[f"{oil}.force"] for oil in oils.values()}
+        if len(shown) > MANY:
+            shown = {f"largest of {len(shown)}": np.max(list(shown.values()), axis=0)}
+        scale = lines(axis, self.curves, "N", shown)
+        axis.set_ylim(bottom=0)
+        axis.set_xlim(*self.curves.time(self.curves.t[[0, -1]]))
+        axis.tick_params(labelsize=8)
+        axis.set_xlabel(f"time [{self.curves.time.unit}]", fontsize=8.5, labelpad=1)
+        axis.set_ylabel(f"[{scale.unit}]", fontsize=8.5)
+        label = ", ".join(shown) if len(shown) == 1 else ""
+        axis.set_title(f"force{f': {label}' if label else ''}", fontsize=8.5, fontweight="normal", pad=3)
+        if len(shown) > 1:
+            axis.legend(loc="lower right", bbox_to_anchor=(1.0, 0.97), ncols=len(shown), fontsize=8, handlelength=1.2)
+
+
+def _even(length: float) -> float:
+    """Round a length [inch] up to an even number of pixels, which video needs."""
+    return float(np.ceil(length * DPI / 2) * 2 / DPI)
+
+
+def _over(film: Figure, axis: Axes) -> Axes:
+    """Return an empty axis of the film over one of the page."""
+    over = film.add_axes(axis.get_position().bounds, xlim=axis.get_xlim(), ylim=axis.get_ylim())
+    over.set_axis_off()
+    return over
+
+
+def _push(paper: Paper, at: Array, way: Array, length: float) -> None:
+    """Draw a force from its point on."""
+    head = min(6.0, 0.7 * length / paper.point)
+    paper.arrow(np.array([at, at + length * way]), VERMILLION, 1.6, 8.0, head)
