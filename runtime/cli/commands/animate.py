@@ -50,8 +50,9 @@ def animate(
     out: Path | None,
     overwrite: bool,
 ) -> int:
-    """Film the mechanism of TARGET moving: clearances enlarged, contact forces as arrows, journal paths growing.
+    """Film the mechanism of TARGET in motion, with clearances enlarged and contact forces as arrows.
 
+    Paths of journals grow, the largest forces since the frame before are shown.
     Ctrl-C ends the film with the frames so far (exit code 1).
     """
     from hertzwerk.runtime.host.interrupt import raise_interrupts

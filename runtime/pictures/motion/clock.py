@@ -64,7 +64,7 @@ def _is_number(value: object) -> bool:
 
 
 def _slow(span: float) -> float:
-    """Return 1 for motions of a few seconds, else the nearest of 1, 2, 5, 10, ... that makes a film of about 8 s."""
+    """Return 1 for motions of a few seconds, else 1, 2, 5, 10, ... for a film of about 8 s."""
     if BRISK[0] <= span <= BRISK[1]:
         return 1.0
     wanted = LONG / span

@@ -14,7 +14,7 @@ Contact = tuple[Array, Array]
 
 
 def contact_of(parts: Parts, kind: str, marks: Sequence[Landmark], i: int) -> Contact | None:
-    """Return point and direction of a pair's force at an instant; None for a kind that has none in landmarks."""
+    """Return point and direction of a pair's force at an instant; None where landmarks do not tell."""
     find = CONTACTS.get(kind)
     return None if find is None else find(parts, marks, i)
 

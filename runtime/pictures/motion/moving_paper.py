@@ -20,9 +20,9 @@ Shape = TypeVar("Shape", bound=Artist)
 
 @dataclass
 class MovingPaper(Paper):
-    """Paper on which the same drawing is made for every frame: a shape of the same look is the one of the frame before.
+    """Paper on which every frame is drawn with the shapes of the frame before, moved.
 
-    Shapes that a frame does not need are hidden; a shape is made only where none of its look is left.
+    A shape of the same look is taken again. Shapes that a frame does not need are hidden; a shape is made only where none of its look is left.
     """
 
     made: int = 0

@@ -1,4 +1,4 @@
-"""Stage of a film: the mechanism, its clearances enlarged, contact forces as arrows, their histories, the time."""
+"""Stage of a film: the mechanism, its clearances enlarged, contact forces and their histories, time."""
 
 from __future__ import annotations
 
@@ -169,7 +169,7 @@ class Stage:
             _push(paper, flat(found[0]), way / seen, length)
 
     def _arrow_in(self, inset: insets.Inset, paper: MovingPaper, force: float, i: int) -> None:
-        """Draw a force in the window of a joint, from where the enlarged pin touches; a gap has it in the drawing."""
+        """Draw a force in the window of a joint, from where the enlarged pin touches."""
         away = inset.path[i] if inset.exaggerated or inset.way else np.zeros(2)
         distance = float(np.linalg.norm(away))
         if distance > 0:

@@ -49,7 +49,7 @@ class GifWriter(animation.PillowWriter):
 
 @cache
 def _palette() -> Image.Image:
-    """Return the colours of pictures with their tints: one palette, so that a frame holds only what has changed."""
+    """Return the colours of pictures with their tints, shared by all frames, which then hold changes only."""
     greys = [(level, level, level) for level in np.linspace(0, 255, GREYS).round().astype(int)]
     tints = [
         tuple(round(255 * (1 - strength * (1 - part))) for part in to_rgb(colour))
