@@ -61,5 +61,7 @@ def main() -> None:
         click.get_current_context().color = False
 
 
-for command in (list_scenes, laws, derive, audit, run, sweep, draw, animate, effects, validate, accuracy, hardcases, study):
+OF_SCENES = (list_scenes, laws, derive, audit, run, sweep, draw, animate)
+OF_STUDIES = (effects, validate, accuracy, hardcases, study)
+for command in (*OF_SCENES, *OF_STUDIES):
     main.add_command(command)
