@@ -13,7 +13,7 @@ from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
-from hertzwerk.runtime.host.folder import new_folder
+from hertzwerk.runtime.host.folder import failures_of, new_folder
 from hertzwerk.runtime.host.scratch import scratch_folder, write_atomically
 
 if TYPE_CHECKING:
@@ -94,6 +94,27 @@ def _version(name: str) -> str:
 def json_text(content: dict[str, Any]) -> str:
     """Return standard JSON; numbers that are not finite are null."""
     return json.dumps(_finite(content), indent=2, allow_nan=False)
+
+
+def write_study(
+    name: str, out: Path | None, texts: Mapping[str, str], save: Callable[[Path], object] | None, missing: list[str]
+) -> tuple[Path, list[str]]:
+    """Write texts by file name, and a picture NAME.png if there is `save`, to a new folder; return it and its files.
+
+    A failure of the picture is appended to `missing`.
+    """
+
+    def fill(folder: Path) -> list[str]:
+        for file, text in texts.items():
+            (folder / file).write_text(text, encoding="utf-8")
+        if save is None:
+            return list(texts)
+        picture = f"{name.rpartition('-')[2]}.png"
+        failures = failures_of(picture, lambda: save(folder / picture))
+        missing.extend(failures)
+        return [*texts, *([] if failures else [picture])]
+
+    return new_folder(name, out, fill)
 
 
 @dataclass

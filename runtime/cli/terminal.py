@@ -7,6 +7,7 @@ import shutil
 import sys
 import time
 from collections.abc import Callable, Sequence
+from pathlib import Path
 from types import TracebackType
 from typing import Any, Self, TypeVar
 
@@ -72,6 +73,31 @@ def written_or_none(write: Callable[[], Kept], missing: list[str], *, wanted: bo
     except (OSError, InputError) as error:
         missing.append(str(error))
         return None
+
+
+def conclude(
+    write: Callable[[list[str]], tuple[Path, list[str]]],
+    content: Callable[[], dict[str, Any]],
+    report: Callable[[], None],
+    *,
+    wanted: bool,
+    as_json: bool,
+) -> int:
+    """Write a folder, if wanted, and print the content as JSON or the report; return the exit code.
+
+    `write` returns the folder and its files; what it could not write it appends to the list.
+    """
+    from hertzwerk.runtime.cli.run_folder import json_text
+
+    missing: list[str] = []
+    written = written_or_none(lambda: write(missing), missing, wanted=wanted)
+    if as_json:
+        click.echo(json_text(content()))
+    else:
+        report()
+        if written is not None:
+            line("written", f"{written[0]}/ ({', '.join(written[1])})")
+    return report_missing(missing)
 
 
 def report_missing(missing: Sequence[str]) -> int:

@@ -13,11 +13,10 @@ from hertzwerk.runtime.cli.target import DURATION, JSON, LAW, SET, WITHOUT, assi
 from hertzwerk.runtime.cli.terminal import (
     OTHER_OUTCOME,
     Progress,
+    conclude,
     line,
-    report_missing,
     reports_bad_input,
     table,
-    written_or_none,
 )
 
 if TYPE_CHECKING:
@@ -42,9 +41,8 @@ def accuracy(target: str, out: Path | None, as_json: bool, **options: Any) -> in
     Each run asks for an error at its end; what it really has is measured against a reference of two independent methods. How errors go along
     the run says how long a trajectory stays the true one, and what ten times more accuracy buys.
     """
-    from hertzwerk.runtime.cli.run_folder import json_text
-    from hertzwerk.runtime.host.folder import new_folder
     from hertzwerk.runtime.work_precision.reference import NoReferenceError
+    from hertzwerk.runtime.work_precision.report import record
     from hertzwerk.runtime.work_precision.study import study
 
     wanted = out is not None or not as_json
@@ -55,17 +53,13 @@ def accuracy(target: str, out: Path | None, as_json: bool, **options: Any) -> in
             found = study(problem, progress=progress)
     except NoReferenceError as error:
         return _without_reference(problem, error, as_json=as_json)
-    missing: list[str] = []
-    written = written_or_none(
-        lambda: new_folder(f"{name}-accuracy", out, lambda at: _write(found, at, missing)), missing, wanted=wanted
+    return conclude(
+        lambda missing: _write(found, out, missing),
+        lambda: record(found),
+        lambda: _report(found),
+        wanted=wanted,
+        as_json=as_json,
     )
-    if as_json:
-        from hertzwerk.runtime.work_precision.report import record as numbers
-
-        click.echo(json_text(numbers(found)))
-    else:
-        _report(found, written)
-    return report_missing(missing)
 
 
 def _problem(
@@ -93,22 +87,19 @@ def _problem(
     return problem
 
 
-def _write(found: Study, folder: Path, missing: list[str]) -> list[str]:
+def _write(found: Study, out: Path | None, missing: list[str]) -> tuple[Path, list[str]]:
     """Write data and picture of a study."""
-    from hertzwerk.runtime.cli.run_folder import json_text, versions
-    from hertzwerk.runtime.host.folder import failures_of
-    from hertzwerk.runtime.pictures.studies.plot_accuracy import save
-    from hertzwerk.runtime.work_precision.report import csv_text
-    from hertzwerk.runtime.work_precision.report import record as numbers
+    from hertzwerk.runtime.cli.run_folder import json_text, versions, write_study
+    from hertzwerk.runtime.pictures.studies import plot_accuracy
+    from hertzwerk.runtime.work_precision.report import csv_text, record
 
-    (folder / "accuracy.csv").write_text(csv_text(found), encoding="utf-8")
-    content = {**numbers(found), "versions": versions()}
-    (folder / "accuracy.json").write_text(json_text(content) + "\n", encoding="utf-8")
-    missing += failures_of("accuracy.png", lambda: save(found, folder / "accuracy.png"))
-    return ["accuracy.csv", "accuracy.json", *([] if missing else ["accuracy.png"])]
+    content = {**record(found), "versions": versions()}
+    texts = {"accuracy.csv": csv_text(found), "accuracy.json": json_text(content) + "\n"}
+    name = f"{found.problem.model.name}-accuracy"
+    return write_study(name, out, texts, lambda file: plot_accuracy.save(found, file), missing)
 
 
-def _report(found: Study, written: tuple[Path, list[str]] | None) -> None:
+def _report(found: Study) -> None:
     from hertzwerk.runtime.work_precision import report
 
     held = found.reference
@@ -120,8 +111,6 @@ def _report(found: Study, written: tuple[Path, list[str]] | None) -> None:
     )
     for warning in report.warnings(found):
         line("warning", warning)
-    if written is not None:
-        line("written", f"{written[0]}/ ({', '.join(written[1])})")
     for sentence in report.conclusions(found):
         line("", sentence)
 

@@ -23,12 +23,11 @@ from hertzwerk.runtime.cli.target import (
 from hertzwerk.runtime.cli.terminal import (
     OTHER_OUTCOME,
     Progress,
+    conclude,
     line,
     print_prose,
-    report_missing,
     reports_bad_input,
     table,
-    written_or_none,
 )
 from hertzwerk.runtime.effects.study import percent
 
@@ -73,24 +72,16 @@ def effects(target: str, out: Path | None, no_plots: bool, as_json: bool, **opti
 
     A change is of the scene without the effect, relative to the whole scene. One that is smaller than the error of both is none seen.
     """
-    from hertzwerk.runtime.cli.run_folder import json_text
-    from hertzwerk.runtime.host.folder import new_folder
-
     wanted = out is not None or not as_json
     study = _study(target, out, quiet=as_json, wanted=wanted, **options)
-    missing: list[str] = []
-    folder = written_or_none(
-        lambda: new_folder(f"{study.scene}-effects", out, lambda at: _write(study, at, missing, plots=not no_plots)),
-        missing,
+    code = conclude(
+        lambda missing: _write(study, out, missing, plots=not no_plots),
+        study.record,
+        lambda: _report(study),
         wanted=wanted and bool(study.rows),
+        as_json=as_json,
     )
-    if as_json:
-        click.echo(json_text(study.record()))
-    else:
-        _report(study)
-    if folder is not None and not as_json:
-        line("written", f"{folder[0]}/ ({', '.join(folder[1])})")
-    return report_missing(missing) if study.outcome.finished else OTHER_OUTCOME
+    return code if study.outcome.finished else OTHER_OUTCOME
 
 
 def _study(target: str, out: Path | None, *, quiet: bool, wanted: bool, **options: Any) -> Study:
@@ -137,17 +128,16 @@ def _fraction(text: str, faults: list[Fault]) -> float | None:
     return None
 
 
-def _write(study: Study, folder: Path, missing: list[str], *, plots: bool) -> list[str]:
-    from hertzwerk.runtime.cli.run_folder import json_text
-    from hertzwerk.runtime.host.folder import failures_of
+def _write(study: Study, out: Path | None, missing: list[str], *, plots: bool) -> tuple[Path, list[str]]:
+    from hertzwerk.runtime.cli.run_folder import json_text, write_study
 
-    (folder / "effects.json").write_text(json_text(study.record()) + "\n", encoding="utf-8")
-    if not plots:
-        return ["effects.json"]
-    from hertzwerk.runtime.pictures.studies.plot_effects import save
+    def save(file: Path) -> None:
+        from hertzwerk.runtime.pictures.studies import plot_effects
 
-    missing += failures_of("effects.png", lambda: save(study, folder / "effects.png"))
-    return ["effects.json", *([] if missing else ["effects.png"])]
+        plot_effects.save(study, file)
+
+    texts = {"effects.json": json_text(study.record()) + "\n"}
+    return write_study(f"{study.scene}-effects", out, texts, save if plots else None, missing)
 
 
 # -- as people read it -------------------------------------------------------------------------------------------------

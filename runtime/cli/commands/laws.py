@@ -16,12 +16,11 @@ from hertzwerk.runtime.cli.terminal import (
     GOOD,
     OTHER_OUTCOME,
     Progress,
+    conclude,
     line,
     print_prose,
-    report_missing,
     reports_bad_input,
     table,
-    written_or_none,
 )
 
 if TYPE_CHECKING:
@@ -216,8 +215,6 @@ def _print_restitution(found: Restitution) -> None:
 
 
 def _study(names: Sequence[str], out: Path | None, *, plots: bool, as_json: bool) -> int:
-    from hertzwerk.runtime.cli.run_folder import json_text
-    from hertzwerk.runtime.host.folder import new_folder
     from hertzwerk.runtime.validate.restitution import study
 
     wanted = out is not None or not as_json
@@ -232,34 +229,26 @@ def _study(names: Sequence[str], out: Path | None, *, plots: bool, as_json: bool
         raise InputError("laws", faults)
     with Progress("restitution", shown=not as_json and sys.stderr.isatty()) as progress:
         found = study(progress)
-    missing: list[str] = []
-    written = written_or_none(
-        lambda: new_folder("restitution", out, lambda at: _write(found, at, missing, plots=plots)),
-        missing,
+    code = conclude(
+        lambda missing: _write(found, out, missing, plots=plots),
+        found.record,
+        lambda: _report(found),
         wanted=wanted,
+        as_json=as_json,
     )
-    if as_json:
-        click.echo(json_text(found.record()))
-    else:
-        _report(found)
-    if written is not None and not as_json:
-        line("written", f"{written[0]}/ ({', '.join(written[1])})")
-    return report_missing(missing) if found.agrees else OTHER_OUTCOME
+    return code if found.agrees else OTHER_OUTCOME
 
 
-def _write(found: Study, folder: Path, missing: list[str], *, plots: bool) -> list[str]:
-    from hertzwerk.runtime.cli.run_folder import json_text
-    from hertzwerk.runtime.host.folder import failures_of
+def _write(found: Study, out: Path | None, missing: list[str], *, plots: bool) -> tuple[Path, list[str]]:
+    from hertzwerk.runtime.cli.run_folder import json_text, write_study
+
+    def save(file: Path) -> None:
+        from hertzwerk.runtime.pictures.studies import plot_laws
+
+        plot_laws.save(found, file)
 
     texts = {"restitution.csv": found.csv(), "restitution.json": json_text(found.record()) + "\n"}
-    for name, text in texts.items():
-        (folder / name).write_text(text, encoding="utf-8")
-    if not plots:
-        return list(texts)
-    from hertzwerk.runtime.pictures.studies.plot_laws import save
-
-    missing += failures_of("restitution.png", lambda: save(found, folder / "restitution.png"))
-    return [*texts, *([] if missing else ["restitution.png"])]
+    return write_study("restitution", out, texts, save if plots else None, missing)
 
 
 def _report(found: Study) -> None:

@@ -15,10 +15,9 @@ from hertzwerk.runtime.cli.terminal import (
     GOOD,
     OTHER_OUTCOME,
     Progress,
+    conclude,
     line,
-    report_missing,
     reports_bad_input,
-    written_or_none,
 )
 
 if TYPE_CHECKING:
@@ -40,7 +39,6 @@ def study(name: str | None, quick: bool, out: Path | None, as_json: bool) -> int
     with.
     """
     from hertzwerk.runtime.cli import page_folder
-    from hertzwerk.runtime.cli.run_folder import json_text
     from hertzwerk.runtime.studies.known_studies import NAMES, study_of
 
     if name is None:
@@ -55,15 +53,13 @@ def study(name: str | None, quick: bool, out: Path | None, as_json: bool) -> int
         page = found.run(quick, progress)
     about = {"study": found.name, "question": found.question, "quick": quick}
     about |= {"command": shlex.join(["hertzwerk", "study", name, *(["--quick"] if quick else [])])}
-    missing: list[str] = []
-    written = written_or_none(lambda: page_folder.write(page, found.name, out, about, missing), missing, wanted=wanted)
-    if as_json:
-        click.echo(json_text({**about, **page.record()}))
-    else:
-        _report(page)
-        if written is not None:
-            line("written", f"{written[0]}/ ({', '.join(written[1])})")
-    code = report_missing(missing)
+    code = conclude(
+        lambda missing: page_folder.write(page, found.name, out, about, missing),
+        lambda: {**about, **page.record()},
+        lambda: _report(page),
+        wanted=wanted,
+        as_json=as_json,
+    )
     return code if page.holds else OTHER_OUTCOME
 
 

@@ -1,9 +1,16 @@
 """Names in words of constants and shared subexpressions that have none of their own."""
 
+from dataclasses import replace
+
+import casadi as ca
 import pytest
 import sympy as sp
 
+from hertzwerk.derive import derive
+from hertzwerk.derive.emit.module_text import emit
+from hertzwerk.derive.program import naming
 from hertzwerk.derive.program.naming import LONGEST, names_in_words
+from hertzwerk.derive.scenes.slider_crank import scene
 
 a, b, c = sp.symbols("a b c", real=True)
 k1, k2 = sp.symbols("k1 k2", real=True)
@@ -64,3 +71,26 @@ def test_a_name_that_is_taken_is_not_given():
 )
 def test_words_of_words_must_not_mislead(first, then, words):
     assert names_in_words([(k1, first), (k2, then)], {}, set())["k2"] == words
+
+
+def test_names_change_no_function(monkeypatch):
+    """The graphs of a module are the same with words and with numbers."""
+    program = derive(scene)
+    words = emit(program, "")
+    monkeypatch.setattr(naming, "LONGEST", 0)
+    numbers = emit(replace(program, names={}), "")
+    assert "half_inverse_clearance = 1/(2*clearance)" in words
+    assert "k2 = 1/(2*clearance)" in numbers
+    assert graphs(words) == graphs(numbers)
+
+
+def graphs(text):
+    """Every function of a module, serialised."""
+    module, found = {}, {}
+    exec(text, module)
+    for name, _ in module["OPERATIONS"]:
+        code = module[name].__code__
+        given = [ca.SX.sym(argument, 1 if argument == "t" else 40) for argument in code.co_varnames[: code.co_argcount]]
+        results = module[name](*given)
+        found[name] = ca.Function(name, given, list(results) if isinstance(results, tuple) else [results]).serialize()
+    return found
