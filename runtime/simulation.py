@@ -59,7 +59,7 @@ def simulate(
     wall_time: float | None = None,
     progress: Callable[[float], object] | None = None,
 ) -> Solution:
-    """Run a model from its start for a duration (seconds, or text such as "24 ms").
+    """Run a model from its start for a duration (seconds, or text such as "24 ms", "2 rev").
 
     accuracy    the error asked for at the end, in the scene's scales, 1e-12..1e-1, by default 1e-6: runs at falling tolerance are made until the
                 error of one, by comparison with a tighter one, is known to be so small. `Solution.error` says what it is; where it is more

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import casadi as ca
 import numpy as np
 
+from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.model import Bound, Model
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -18,21 +17,27 @@ def drive_speed(model: Model, bound: Bound) -> float | None:
     """Return the angular speed [rad/s] of a scene's only drive; None where it varies, or there are others."""
     if [kind for _, kind, _ in model.module.EFFECTS].count("drive") != 1:
         return None
-    speeds = _speeds(model)
-    begin = float(np.max(speeds(0.0, bound.c), initial=0.0))
+    callers = _speeds(model)
+    caller = callers.take()
+    caller.inputs[0][:] = bound.c
+    speeds = caller()[0].copy()
+    callers.give_back(caller)
+    begin = float(np.max(speeds[0], initial=0.0))
     if not begin > 0:
         return None
-    later = [np.array(speeds(time / begin, bound.c)).ravel() for time in TIMES]
-    # every body either turns with the drive or does not
-    same = all(
-        np.all((np.abs(each - begin) <= SAME * begin) | (each <= SAME * begin)) and np.any(each > 0) for each in later
-    )
+    turns = np.abs(speeds - begin) <= SAME * begin
+    same = np.all(turns | (speeds <= SAME * begin)) and np.all(
+        np.any(turns, axis=1)
+    )  # bodies turn with it or not at all
     return begin if same else None
 
 
 @per_model
-def _speeds(model: Model) -> Callable[[float, np.ndarray], np.ndarray]:
-    """Return the function (t, c) -> speeds [rad/s] of the bodies where nothing but the drive moves."""
+def _speeds(model: Model) -> Callers:
+    """Build the function c -> speeds [rad/s] of the bodies where nothing but the drive moves.
+
+    A column at the start, and at TIMES over the largest speed there.
+    """
     t, c = ca.SX.sym("t"), ca.SX.sym("c", model.nc)
     if model.has("placed"):
         joints = model.joints
@@ -46,8 +51,10 @@ def _speeds(model: Model) -> Callable[[float, np.ndarray], np.ndarray]:
         _, rotations = model.function("poses")(t, _still(model), c)
         rates = ca.jacobian(rotations, t)  # of a rotation at w the squares of the rates of its matrix sum to 2 w^2
         speeds = [ca.sumsqr(rates[9 * i : 9 * i + 9]) / 2 for i in range(rates.numel() // 9)]
-    function = ca.Function("drive_speeds", [t, c], [ca.sqrt(ca.vertcat(*speeds))])
-    return lambda time, constants: np.array(function(time, constants)).ravel()
+    at = ca.Function("at", [t, c], [ca.densify(ca.sqrt(ca.vertcat(*speeds)))])
+    begin = at(0, c)
+    later = (at(time / ca.mmax(begin), c) for time in TIMES)
+    return Callers(ca.Function("drive_speeds", [c], [ca.horzcat(begin, *later)]))
 
 
 def _still(model: Model) -> np.ndarray:

@@ -21,9 +21,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.faults import Fault, InputError, shown, unknown
+from hertzwerk.derive.units import UnitError
 from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.model import model as plain
-from hertzwerk.runtime.model.binding import Value, named_values
+from hertzwerk.runtime.model.binding import Value, named_values, read
 from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, Settings, check
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import Solution
@@ -99,7 +100,9 @@ def sweep(
     }
     faults: list[Fault] = []
     design = read_design(over, zip=zip, sample=sample, sampler=sampler, seed=seed, faults=faults)
-    fixed = dict(named_values("values", {} if values is None else values, faults))
+    fixed = {
+        name: _read(value) for name, value in named_values("values", {} if values is None else values, faults).items()
+    }
     varied = _varied(model, over, fixed, faults)
     wanted = _outputs(model, outputs, functions, varied, faults)
     if workers is not None and not (isinstance(workers, int) and not isinstance(workers, bool) and workers > 0):
@@ -138,7 +141,7 @@ def sweep(
     }
     keys = keys_of(model, plan.sets(), settings, same)
     with opened(folder) as store:
-        store.define(definition, text, keys, plan.points, widen=widen)
+        store.define(definition, text, keys, plan.sets(), widen=widen)
         outcome = _stored(batch, store, keys, progress)
         table = made(
             rows=tuple(read_rows(folder)[0]),
@@ -229,6 +232,15 @@ class Plan:
                 return
         if first is not None:
             raise first
+
+
+def _read(value: Value) -> Value:
+    """Return a number and its unit, or what cannot be read as given: its rows will say so."""
+    try:
+        number, _, unit = read(value)
+    except UnitError:
+        return value
+    return number, unit
 
 
 def _model(target: Any, without: Sequence[str], laws: Mapping[str, str] | None, coordinates: str | None) -> plain.Model:

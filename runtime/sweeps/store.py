@@ -24,7 +24,7 @@ from contextlib import closing, contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
-from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.runtime.host.folder import unwritable
 from hertzwerk.runtime.host.scratch import UNFINISHED, write_atomically
 from hertzwerk.runtime.solution.outcome import Outcome
@@ -89,7 +89,10 @@ class Store:
         self._plan(keys, points)
 
     def _plan(self, keys: Sequence[str], points: Sequence[Mapping[str, Any]]) -> None:
-        given = [(i, key, json.dumps(values)) for i, (key, values) in enumerate(zip(keys, points, strict=True))]
+        given = [
+            (i, key, json.dumps(values, default=shown))
+            for i, (key, values) in enumerate(zip(keys, points, strict=True))
+        ]
         if self._rows.execute("SELECT * FROM points ORDER BY number").fetchall() == given:
             return
         self._rows.execute("BEGIN IMMEDIATE")

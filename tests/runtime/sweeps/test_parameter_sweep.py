@@ -33,7 +33,7 @@ def test_rows_are_the_single_runs_bitwise(ball, workers):
     for row in table:
         run = simulate(ball, parameters={**row.given}, compiled=False, **BALL)
         assert row.final == run.final
-        assert row.given["radius"] == "25 mm"
+        assert row.given["radius"] == (25.0, "mm")
 
 
 def test_a_variation_may_be_named(ball):

@@ -64,6 +64,7 @@ def test_what_is_stored_is_what_a_sweep_returns_and_is_not_computed_again(ball, 
     height, computed = counted
     how = {
         **BALL,
+        "values": {"radius": "21 mm"},
         "outputs": ["floor.peak_force", "floor.impact_rate", "final.vertical.speed"],
         "functions": {"n": height},
     }
@@ -268,29 +269,37 @@ def test_a_full_disk_ends_with_an_outcome_and_goes_on_with_space(ball, tmp_path,
 DRIVER = """
 import os, sys
 from hertzwerk.runtime import sweep
+from hertzwerk.runtime.sweeps import store
 
 def note(run):
     with open(sys.argv[2], "a") as log:
         log.write(f"{sys.argv[3]} {run.parameters['drop_height'][0]!r}\\n")
     return run.final["vertical.travel"]
 
+def late(self, key, row, held=[]):
+    held.append((key, row))
+    if len(held) == 10:
+        for each in held:
+            add(self, *each)
+        held.clear()
+
+add = store.Store.add
+if sys.argv[5] == "late":
+    store.Store.add = late
 sweep("bouncing_ball", {"drop_height": f"0.5..1.5 m:{sys.argv[4]}"}, duration="3 s", tolerance=1e-10, compiled=False,
       outputs=["floor.peak_force", "floor.impact_rate"], functions={"note": note}, workers=2, into=sys.argv[1],
       progress=lambda fraction: os.write(1, b"row\\n"))
 """
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="processes are forked")
-@pytest.mark.parametrize(
-    "kills", [pytest.param(3, marks=pytest.mark.slow), pytest.param(50, marks=pytest.mark.exhaustive)]
-)
-def test_kills_at_random_moments_lose_nothing_and_repeat_what_was_in_flight_alone(tmp_path, kills):
+def survive(tmp_path, kills, fault="none"):
+    """Kill a sweep again and again, let it end, and compare it with one that was left alone."""
     (tmp_path / "driver.py").write_text(DRIVER)
     chance = random.Random(f"{kills} kills")
     rows = 22 * kills + 30
 
     def start(folder, log, session):
-        arguments = [str(tmp_path / "driver.py"), str(folder), str(log), str(session), str(rows)]
+        arguments = [str(tmp_path / "driver.py"), str(folder), str(log), str(session), str(rows), fault]
         return subprocess.Popen([sys.executable, *arguments], start_new_session=True, stdout=subprocess.PIPE)
 
     folder, log = tmp_path / "killed", tmp_path / "log"
@@ -298,10 +307,12 @@ def test_kills_at_random_moments_lose_nothing_and_repeat_what_was_in_flight_alon
     session = 0
     while len(stored) < kills:
         process = start(folder, log, session)
+        told = 0  # rows of this session that it said were done
         if chance.random() < 0.1:
             time.sleep(chance.uniform(0, 2))  # wherever it is
         else:
-            for _ in range(chance.randint(1, 20)):
+            told = chance.randint(0, 19)
+            for _ in range(told + 1):  # the first line comes before any row
                 process.stdout.readline()
             time.sleep(chance.uniform(0, 0.03))
         assert process.poll() is None, "the sweep ended before it was killed"
@@ -310,7 +321,9 @@ def test_kills_at_random_moments_lose_nothing_and_repeat_what_was_in_flight_alon
         else:
             os.killpg(process.pid, signal.SIGKILL)
         process.communicate()
+        known = len(stored[-1]) if stored else 0
         stored.append({row.given["drop_height"][0] for row in store.read_rows(folder)[0]})
+        assert len(stored[-1]) >= known + told, "a finished row was lost"
         session += 1
     for ended in (start(folder, log, session), start(tmp_path / "whole", tmp_path / "other", 0)):
         ended.communicate()
@@ -328,9 +341,26 @@ def test_kills_at_random_moments_lose_nothing_and_repeat_what_was_in_flight_alon
     with sqlite3.connect(folder / store.ROWS) as database:
         assert database.execute("SELECT count(*), count(DISTINCT key) FROM rows").fetchone() == (rows, rows)
     assert table(folder) == table(tmp_path / "whole")
-    print(
-        f"{kills} kills, rows stored before them {[len(each) for each in stored]}, {len(heights) - rows} computed again"
-    )
+    counts = [len(each) for each in stored]
+    print(f"{kills} kills, {rows} rows, stored after each {counts}, {len(heights) - rows} computed again")
+
+
+FORKED = pytest.mark.skipif(sys.platform != "linux", reason="processes are forked")
+
+
+@FORKED
+@pytest.mark.parametrize(
+    "kills", [pytest.param(3, marks=pytest.mark.slow), pytest.param(50, marks=pytest.mark.exhaustive)]
+)
+def test_kills_at_random_moments_lose_nothing_and_repeat_what_was_in_flight_alone(tmp_path, kills):
+    survive(tmp_path, kills)
+
+
+@FORKED
+@pytest.mark.slow
+def test_rows_that_are_stored_ten_at_a_time_would_be_found_missing(tmp_path):
+    with pytest.raises(AssertionError, match="a finished row was lost"):
+        survive(tmp_path, 3, "late")
 
 
 def test_definitions_are_plain_and_say_where_they_come_from(ball, tmp_path):
