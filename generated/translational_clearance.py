@@ -114,6 +114,13 @@ PAIRS = (
     ("front_upper", "corner_on_face"),
 )
 
+GUIDES = (
+    "rear_lower",
+    "rear_upper",
+    "front_lower",
+    "front_upper",
+)
+
 RELEASES = (
     "force",
     "force",

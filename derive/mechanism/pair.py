@@ -26,6 +26,7 @@ class Pair:
     first_radius  distance from the first place to the contact point [m]
     journal       whether it replaces a joint, which the start closes: its outputs then hold its eccentricity e, and its
                   gap is (c^2 - e.e)/(2 c), c its clearance
+    guides        whether it is one of several that together replace a joint, which has no eccentricity to close
     holds_film    whether a lubrication may act on it
     labels        names of the two places in the equations
     """
@@ -35,6 +36,7 @@ class Pair:
     form: ClassVar[str] = "point"
     first_radius: ClassVar[Any] = 0
     journal: ClassVar[bool] = False
+    guides: ClassVar[bool] = False
     holds_film: ClassVar[bool] = False
     labels: ClassVar[tuple[str, str]] = ("first", "second")
 

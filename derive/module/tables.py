@@ -39,6 +39,7 @@ def tables(system: System) -> Mapping[str, tuple[Any, ...]]:
         "MEMORY": tuple(system.memory),
         "LATCHES": tuple((f"{name}.approach_speed", "m/s", pairs.index(name)) for name in system.latches),
         "PAIRS": tuple((pair.pair.name, pair.pair.kind) for pair, _, _ in system.contacts),
+        **_guides(system),
         **_slips(system),
         "RELEASES": tuple("force" if c.damping is None else c.damping.law.release for _, c, _ in system.contacts),
         "DISSIPATED": tuple(entries.index(f"{name}.dissipated") for name in pairs) if scene.ledger else (),
@@ -61,6 +62,12 @@ def _advice(scene: Scene) -> dict[str, tuple[str, ...]]:
 def _tables_used(scene: Scene) -> list[Table]:
     """Tables used in the scene's expressions."""
     return list(dict.fromkeys(table for slot in scene.slots() for table in tables_in(slot.value)))
+
+
+def _guides(system: System) -> dict[str, tuple[Any, ...]]:
+    """Table of pairs that guide a body with clearance, if any."""
+    names = tuple(contact.pair.name for contact, _, _ in system.contacts if contact.pair.guides)
+    return {"GUIDES": names} if names else {}
 
 
 def _slips(system: System) -> dict[str, tuple[Any, ...]]:

@@ -87,6 +87,8 @@ class Model:
         }
         self.journals: dict[str, tuple[int, ...]] = {pair: found for pair, found in rows.items() if found}
         """Rows of the outputs that are the eccentricity of a pair, by the name of a pair that is a joint with clearance."""
+        self.guides: tuple[str, ...] = getattr(module, "GUIDES", ())
+        """Names of pairs that guide a body with clearance, together in place of a joint."""
         self.quaternions: tuple[int, ...] = getattr(module, "QUATERNIONS", ())
         """Rows of q where one begins."""
         self.constraints: tuple[str, ...] = tuple(row[0] for row in getattr(module, "CONSTRAINTS", ()))

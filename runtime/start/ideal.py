@@ -83,13 +83,15 @@ def ideal_motion(model: Model, times: Sequence[float] | Array, q: Array, c: Arra
 
 def has_clearance(model: Model) -> bool:
     """Return whether some pair models a joint with clearance."""
-    return bool(model.journals)
+    return bool(model.journals or model.guides)
 
 
 def unknown_because(model: Model) -> str:
     """Explain why geometry alone does not determine the ideal motion; empty where it may."""
     if not has_clearance(model):
-        return "it has no joint with clearance that could be closed"
+        return "it has no joint with clearance"
+    if model.guides:
+        return f"{', '.join(model.guides)} guide with a clearance that cannot be closed"
     found = len(journals(model)) + model.nl
     if found != model.nu:
         return f"closed clearances and loops make {found} equations for {model.nu} freedoms, so it moves by its masses and forces"

@@ -1,4 +1,6 @@
-"""A ball that falls on a floor: a sound scene, of which tests replace a part to make it faulty."""
+"""A ball that falls on a floor: a sound scene, of which tests replace a part to make it faulty; and the faults expected then."""
+
+import pytest
 
 from hertzwerk.derive import (  # fmt: skip
     GROUND,
@@ -6,6 +8,7 @@ from hertzwerk.derive import (  # fmt: skip
     Contact,
     EnergyLedger,
     Gravity,
+    InputError,
     Mechanism,
     Parameter,
     Prismatic,
@@ -31,3 +34,17 @@ SCALES = Scales(length=RADIUS, speed=Parameter("pace", "m/s", 1), arm=RADIUS)
 def drop(joints=(FALL,), pairs=(FLOOR,), effects=EFFECTS, scales=SCALES, start=None, name="drop"):
     """A sound scene unless something of it is replaced."""
     return Scene(Mechanism(name, joints, pairs), effects, scales, start or Start())
+
+
+def refused(declare, where, found, expected):
+    """One of the faults says where, what was found, and the way out; the text holds them all."""
+    with pytest.raises(InputError) as caught:
+        declare()
+    named = [fault for fault in caught.value.faults if where in fault.where]
+    assert named, f"no fault at {where!r} in\n{caught.value}"
+    ways = [(fault.found, f"{fault.expected} {fault.remedy}") for fault in named]
+    assert any(found in what and expected in way for what, way in ways), str(caught.value)
+    text = str(caught.value).replace("\n  ", "\n")
+    for fault in caught.value.faults:  # what several places share is told once, with all of them
+        assert fault.where in text
+        assert str(fault).removeprefix(fault.where) in text

@@ -428,6 +428,18 @@ def rows(tree, force):
     return np.concatenate([force[tree.free], force[tree.driven]])
 
 
+def deviation_of_poses(tree, derived):
+    """Largest difference of the derived poses from products of rotations, at two random states [m, 1]."""
+    worst = 0.0
+    for t, q, _, _ in tree.states(2):
+        full = tree.whole(t, q, speeds=False)
+        origins, turns = zip(*(tree.pose(i, full) for i in range(len(tree.links))), strict=True)
+        expected = np.ravel(origins), np.ravel(turns)
+        for found, there in zip(derived.call("poses", t=t, q=q), expected, strict=True):
+            worst = max(worst, np.max(np.abs(found - there)))
+    return worst
+
+
 def _quantity(name: str, unit: str, value: float) -> Any:
     return Parameter(name, unit, float(value)) if value else 0
 

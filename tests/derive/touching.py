@@ -3,8 +3,9 @@
 from functools import cache
 
 import numpy as np
-from derived import Derived
-from kane import complex_step
+import pytest
+from derived import Derived, energy_balance
+from kane import complex_step, rows
 
 from hertzwerk.derive import GROUND, Contact, Friction, Parameter, PinInBush, SphereOnPlane, SphereOnSphere, X, Y, Z
 from hertzwerk.derive.laws import flores, power, smooth_coulomb
@@ -76,6 +77,23 @@ class Touching:
         drag = MU * force * np.tanh(speed / VS) if friction else 0.0
         total = jacobian.T @ (force * normal - drag * slip / speed)
         return total, force, speed, ((force - elastic) * rate, drag * speed)
+
+    def check_forces(self, friction):
+        """The derived forces do the virtual work of those by hand, dissipate as much, and keep the energy."""
+        derived = self.derive(friction)
+        for t, q, u in self.states(derived):
+            f, dz, normal_force, sliding, in_range = derived.call("contact_touch", t=t, q=q, u=u, m=[V0])
+            full = self.tree.whole(t, q, speeds=False), self.tree.whole(t, u, speeds=True)
+            total, force, speed, powers = self.by_hand(*full, friction)
+            assert normal_force == pytest.approx([force], rel=1e-10)
+            assert f == pytest.approx(rows(self.tree, total), rel=1e-9, abs=1e-10 * np.max(np.abs(total)))
+            assert np.abs(sliding) == pytest.approx([speed] if friction else [], rel=1e-10)
+            power = dict(zip([entry for entry, _ in derived.MEMORY], dz, strict=True))
+            assert power["touch.dissipated"] == pytest.approx(powers[0], rel=1e-9)
+            if friction:
+                assert power["rub.dissipated"] == pytest.approx(powers[1], rel=1e-9)
+            assert in_range == [1]
+            assert energy_balance(derived, t, q, u, f, 0.0, dz) < 1e-12
 
     def states(self, derived, count=3):
         """Random states in contact: (t, q, u)."""

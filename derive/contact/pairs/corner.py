@@ -34,6 +34,7 @@ class CornerOnFace(Pair):
     along: Direction | None = None
     length: Scalar | None = None
     kind: ClassVar[str] = "corner_on_face"
+    guides: ClassVar[bool] = True
 
     def slots(self) -> Iterator[Slot]:
         """Yield the quantities of the pair."""

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 import sympy as sp
-from derived import Derived, energy_balance, rate_along
-from kane import random_tree, rows
+from derived import Derived, rate_along
+from kane import random_tree
 from touching import MU, V0, Touching
 
 from hertzwerk.derive import (  # fmt: skip
@@ -133,20 +133,7 @@ PAIRS = {
 @pytest.mark.parametrize("friction", [False, True], ids=["frictionless", "friction"])
 @pytest.mark.parametrize("name", PAIRS)
 def test_contact_forces_do_the_virtual_work_of_the_contact_point(name, friction):
-    case = PAIRS[name]
-    derived = case.derive(friction)
-    for t, q, u in case.states(derived):
-        f, dz, normal_force, sliding, _ = derived.call("contact_touch", t=t, q=q, u=u, m=[V0])
-        full = case.tree.whole(t, q, speeds=False), case.tree.whole(t, u, speeds=True)
-        total, force, speed, powers = case.by_hand(*full, friction)
-        assert normal_force == pytest.approx([force], rel=1e-10)
-        assert f == pytest.approx(rows(case.tree, total), rel=1e-9, abs=1e-10 * np.max(np.abs(total)))
-        assert np.abs(sliding) == pytest.approx([speed] if friction else [], rel=1e-10)
-        power_of = dict(zip([entry for entry, _ in derived.MEMORY], dz, strict=True))
-        assert power_of["touch.dissipated"] == pytest.approx(powers[0], rel=1e-9)
-        if friction:
-            assert power_of["rub.dissipated"] == pytest.approx(powers[1], rel=1e-9)
-        assert energy_balance(derived, t, q, u, f, 0.0, dz) < 1e-12
+    PAIRS[name].check_forces(friction)
 
 
 @pytest.mark.parametrize("name", PAIRS)

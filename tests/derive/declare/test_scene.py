@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 import sympy as sp
-from drop import BALL, BOUNCE, FALL, FLOOR, GRAVITY, RADIUS, SCALES, STIFFNESS, drop
+from drop import BALL, BOUNCE, FALL, FLOOR, GRAVITY, RADIUS, SCALES, STIFFNESS, drop, refused
 
 from hertzwerk.derive import (  # fmt: skip
     GROUND,
@@ -247,18 +247,7 @@ def test_what_is_varied_below_is_sound():
 
 @pytest.mark.parametrize("label", BAD)
 def test_a_bad_declaration_is_one_fault_that_says_where_what_and_the_way_out(label):
-    declare, where, found, expected = BAD[label]
-    with pytest.raises(InputError) as caught:
-        declare()
-    named = [fault for fault in caught.value.faults if where in fault.where]
-    assert named, f"no fault at {where!r} in\n{caught.value}"
-    assert any(found in fault.found and expected in f"{fault.expected} {fault.remedy}" for fault in named), str(
-        caught.value
-    )
-    text = str(caught.value).replace("\n  ", "\n")
-    for fault in caught.value.faults:  # what several places share is told once, with all of them
-        assert fault.where in text
-        assert str(fault).removeprefix(fault.where) in text
+    refused(*BAD[label])
 
 
 def test_all_faults_of_a_scene_come_at_once():

@@ -6,7 +6,7 @@ from functools import cache
 import numpy as np
 import pytest
 from derived import Derived, energy_balance, rate_along
-from kane import Tree, driven, random_tree, rows
+from kane import Tree, deviation_of_poses, driven, random_tree, rows
 from touching import V0, Touching
 
 from hertzwerk.derive import (  # fmt: skip
@@ -147,15 +147,7 @@ def test_without_a_ledger_the_same_accelerations_and_no_reactions(name):
 
 @pytest.mark.parametrize("name", TREES)
 def test_poses_equal_products_of_rotations(name):
-    tree = TREES[name]
-    derived = derived_of(name)
-    for t, q, _, _ in states(tree, 2):
-        positions, rotations = derived.call("poses", t=t, q=q)
-        full = tree.whole(t, q, speeds=False)
-        for i in range(len(tree.links)):
-            origin, turn = tree.pose(i, full)
-            assert positions[3 * i : 3 * i + 3] == pytest.approx(origin, abs=1e-14)
-            assert rotations[9 * i : 9 * i + 9] == pytest.approx(turn.reshape(-1), abs=1e-14)
+    assert deviation_of_poses(TREES[name], derived_of(name)) < 1e-13
 
 
 # -- against textbooks -------------------------------------------------------------------------------------------------
@@ -304,29 +296,7 @@ TOUCHING = {
 @pytest.mark.parametrize("friction", [False, True], ids=["frictionless", "friction"])
 @pytest.mark.parametrize("name", TOUCHING)
 def test_contact_forces_do_the_virtual_work_of_the_contact_point(name, friction):
-    case = TOUCHING[name]
-    derived = case.derive(friction)
-    for t, q, u in case.states(derived):
-        f, dz, normal_force, sliding, in_range = derived.call("contact_touch", t=t, q=q, u=u, m=[V0])
-        full = case.tree.whole(t, q, speeds=False), case.tree.whole(t, u, speeds=True)
-        total, force, speed, powers = case.by_hand(*full, friction)
-        assert normal_force == pytest.approx([force], rel=1e-10)
-        assert f == pytest.approx(rows(case.tree, total), rel=1e-9, abs=1e-10 * np.max(np.abs(total)))
-        assert np.abs(sliding) == pytest.approx([speed] if friction else [], rel=1e-10)
-        power = dict(zip([entry for entry, _ in derived.MEMORY], dz, strict=True))
-        assert power["touch.dissipated"] == pytest.approx(powers[0], rel=1e-9)
-        if friction:
-            assert power["rub.dissipated"] == pytest.approx(powers[1], rel=1e-9)
-        assert in_range == [1]
-
-
-@pytest.mark.parametrize("name", TOUCHING)
-def test_energy_is_conserved_in_contact_with_friction(name):
-    case = TOUCHING[name]
-    derived = case.derive(friction=True)
-    for t, q, u in case.states(derived, 2):
-        f, dz, *_ = derived.call("contact_touch", t=t, q=q, u=u, m=[V0])
-        assert energy_balance(derived, t, q, u, f, 0.0, dz) < 1e-12
+    TOUCHING[name].check_forces(friction)
 
 
 @pytest.mark.parametrize("name", TOUCHING)

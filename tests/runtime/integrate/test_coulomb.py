@@ -7,7 +7,7 @@ from types import ModuleType
 import casadi as ca
 import numpy as np
 import pytest
-from blocks import CARRIAGE, GRAVITY, MASS, STIFFNESS, WEIGHT, block
+from blocks import CARRIAGE, GRAVITY, MASS, STIFFNESS, WEIGHT, block, puck
 from scipy.optimize import brentq
 
 from hertzwerk.derive import (  # fmt: skip
@@ -527,13 +527,5 @@ def test_nothing_of_it_where_no_law_has_modes():
 
 
 def test_sliding_in_two_directions_is_refused():
-    puck, cart = (Body(name, mass=Parameter("mass", "kg", 1)) for name in ("puck", "cart"))
-    joints = (Prismatic("x", GROUND, cart, axis=X), Prismatic("z", cart, puck, axis=Z))
-    floor = SphereOnPlane("floor", puck.at(0, 0, 0), Parameter("r", "m", 0.1), GROUND.at(0, 0, 0), Y)
-    scene = Scene(
-        Mechanism("puck", joints, (floor,)),
-        (Contact("floor", power(Parameter("K", "N/m", 1e5), 1)), Friction("rub", "floor", dry())),
-        Scales(length=Parameter("depth", "mm", 1), speed=Parameter("pace", "m/s", 1)),
-    )
     with pytest.raises(InputError, match=r"(?s)effect rub: found law coulomb at floor.*one direction.*smooth_coulomb"):
-        derive(scene)
+        derive(puck(dry()))

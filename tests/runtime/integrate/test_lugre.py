@@ -4,28 +4,16 @@ import math
 
 import numpy as np
 import pytest
-from blocks import CARRIAGE, MASS, WEIGHT, block
+from blocks import CARRIAGE, MASS, WEIGHT, block, puck
 from matplotlib.text import Text
 from scipy.integrate import solve_ivp
 
 from hertzwerk.derive import (  # fmt: skip
-    GROUND,
-    Body,
-    Contact,
-    Friction,
     InputError,
-    Mechanism,
     Parameter,
-    Prismatic,
-    Scales,
-    Scene,
-    SphereOnPlane,
-    X,
-    Y,
-    Z,
     derive,
 )
-from hertzwerk.derive.laws import lugre, power
+from hertzwerk.derive.laws import lugre
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.implicit import linearised
@@ -194,13 +182,5 @@ def test_without_a_bristle_there_is_no_trace_of_one(model):
 
 
 def test_sliding_in_two_directions_is_refused():
-    puck, cart = (Body(name, mass=Parameter("mass", "kg", 1)) for name in ("puck", "cart"))
-    joints = (Prismatic("x", GROUND, cart, axis=X), Prismatic("z", cart, puck, axis=Z))
-    floor = SphereOnPlane("floor", puck.at(0, 0, 0), Parameter("r", "m", 0.1), GROUND.at(0, 0, 0), Y)
-    scene = Scene(
-        Mechanism("puck", joints, (floor,)),
-        (Contact("floor", power(Parameter("K", "N/m", 1e5), 1)), Friction("rub", "floor", bristles())),
-        Scales(length=Parameter("depth", "mm", 1), speed=Parameter("pace", "m/s", 1)),
-    )
     with pytest.raises(InputError, match=r"(?s)effect rub: found law lugre at floor.*one direction.*smooth_coulomb"):
-        derive(scene)
+        derive(puck(bristles()))
