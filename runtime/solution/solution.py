@@ -160,6 +160,9 @@ class Solution:
         run = Run(self.model, self.findings, self.scales, self.tolerance, self.t_start, self.t_end)
         return averages(run, interval=interval, skip=skip)
 
+    def __repr__(self) -> str:
+        return f"<Solution {self.model.name}: {str(self).partition(chr(10))[0]}>"
+
     def __str__(self) -> str:
         statistics, count = self.statistics, len(self.impacts)
         parts = [

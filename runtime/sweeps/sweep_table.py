@@ -13,11 +13,13 @@ from pathlib import Path
 import numpy as np
 
 from hertzwerk.runtime.model.binding import Value
+from hertzwerk.runtime.solution import page
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import write
 
 COMPLETE = Outcome("finished", "every row is there", "")
 TEXTS = ("outcome", "message", "warnings")
+SHOWN = 10  # rows in a notebook
 
 
 @dataclass(frozen=True)
@@ -77,6 +79,20 @@ class Sweep:
 
         return store.loaded(Path(folder))
 
+    def __repr__(self) -> str:
+        return f"<Sweep {self.scene}: {self._summary()}>"
+
+    def _repr_html_(self) -> str:
+        header = [f"{name} [{unit}]" if (unit := self.unit(name)) else name for name in self.names]
+        rows = [[_cell(row[name]) for name in self.names] for row in self.rows[:SHOWN]]
+        more = f"<p>and {len(self) - SHOWN:,} more rows</p>" if len(self) > SHOWN else ""
+        return page.heading(self.scene, self.outcome.name, f": {self._summary()}") + page.table(header, rows) + more
+
+    def _summary(self) -> str:
+        """Return the number of rows, and how they ended."""
+        ends = ", ".join(f"{count:,} {outcome}" for outcome, count in self.counts().items())
+        return f"{len(self):,} row{'s' if len(self) != 1 else ''}{f' ({ends})' if ends else ''}"
+
     def __len__(self) -> int:
         return len(self.rows)
 
@@ -127,3 +143,7 @@ class Sweep:
 def columns_of(varied: Mapping[str, str], results: Mapping[str, str]) -> dict[str, str]:
     """Return the columns of a table with their units: varied values, outcome, results, texts."""
     return {**varied, "outcome": "", **results, "message": "", "warnings": ""}
+
+
+def _cell(value: float | str) -> str:
+    return value if isinstance(value, str) else f"{value:.6g}"
