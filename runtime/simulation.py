@@ -28,7 +28,7 @@ from hertzwerk.runtime.run.output_times import Output
 from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, Settings, read
 from hertzwerk.runtime.run.single_run import SingleRun, Trace, set_up
 from hertzwerk.runtime.run.warnings import floored, open_forces, too_fast, unchecked, uncompiled
-from hertzwerk.runtime.solution import page
+from hertzwerk.runtime.solution import notebook
 from hertzwerk.runtime.solution import solution as plain_solution
 from hertzwerk.runtime.solution.checkpoint import checkpoint_of
 from hertzwerk.runtime.solution.history import History
@@ -234,7 +234,7 @@ class Solution(plain_solution.Solution):
         return replace(self, history=History(self.model, rows, found.controls, found.integrator))
 
     def _repr_html_(self) -> str:
-        return page.of_run(self, parameters_of(self, self.model))
+        return notebook.of_run(self, parameters_of(self, self.model))
 
     def plot(self, *names: str) -> Figure:
         """Draw the overview, one contact pair, or the named histories; raises KeyError for an unknown name."""

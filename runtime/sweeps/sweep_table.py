@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from hertzwerk.runtime.model.binding import Value
-from hertzwerk.runtime.solution import page
+from hertzwerk.runtime.solution import notebook
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import write
 
@@ -86,7 +86,7 @@ class Sweep:
         header = [f"{name} [{unit}]" if (unit := self.unit(name)) else name for name in self.names]
         rows = [[_cell(row[name]) for name in self.names] for row in self.rows[:SHOWN]]
         more = f"<p>and {len(self) - SHOWN:,} more rows</p>" if len(self) > SHOWN else ""
-        return page.heading(self.scene, self.outcome.name, f": {self._summary()}") + page.table(header, rows) + more
+        return notebook.heading(self.scene, self.outcome.name, f": {self._summary()}") + notebook.table(header, rows) + more
 
     def _summary(self) -> str:
         """Return the number of rows, and how they ended."""
