@@ -86,7 +86,11 @@ class Sweep:
         header = [f"{name} [{unit}]" if (unit := self.unit(name)) else name for name in self.names]
         rows = [[_cell(row[name]) for name in self.names] for row in self.rows[:SHOWN]]
         more = f"<p>and {len(self) - SHOWN:,} more rows</p>" if len(self) > SHOWN else ""
-        return notebook.heading(self.scene, self.outcome.name, f": {self._summary()}") + notebook.table(header, rows) + more
+        return (
+            notebook.heading(self.scene, self.outcome.name, f": {self._summary()}")
+            + notebook.table(header, rows)
+            + more
+        )
 
     def _summary(self) -> str:
         """Return the number of rows, and how they ended."""
