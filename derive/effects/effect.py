@@ -276,9 +276,11 @@ class JointEffect(Effect):
 
     def landmarks(self, scene: Declared) -> Iterator[Mark]:
         """Yield the axis of a turn, or both points and the axis of a slide."""
+        if not self.drawn:
+            return
         freedoms = ((joint, freedom) for joint in scene.mechanism.joints for freedom in joint.freedoms)
         joint, freedom = next(found for found in freedoms if found[1].key == self.joint)
-        if not self.drawn or freedom.axis is None:
+        if freedom.axis is None:
             return
         kind = f"{freedom.kind}_{self.kind}"
         # the last axis is fixed in the child, as the first turn's and every slide's is in the parent

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from functools import cache
+from collections.abc import Callable
+from functools import cache, partial
 from typing import Any
 
 from hertzwerk.derive.declare.scene import Scene
@@ -16,7 +17,7 @@ class Surroundings(Kinematics):
 
     def __init__(self, tape: Tape, scene: Scene) -> None:
         super().__init__(tape, scene)
-        self._measured = cache(self._measure)
+        self._measured: Callable[[str], Measured] = cache(partial(measured, self))
 
     def coordinate(self, key: str) -> Any:
         """Coordinate of a scalar freedom, free, driven or measured on a closing joint [rad or m]."""
@@ -44,6 +45,3 @@ class Surroundings(Kinematics):
         if not found.holds_film:
             raise TypeError(f"{pair} is no pin in a bush")
         return found.touch(self)
-
-    def _measure(self, key: str) -> Measured:
-        return measured(self, key)

@@ -253,16 +253,12 @@ class Joint:
     @property
     def symbol(self) -> str:
         """Kind of joint as which it is drawn."""
-        if not self.sliding:
-            return (
-                "weld"
-                if not self.turning
-                else "spherical"
-                if None in self.turning
-                else ("revolute", "universal")[len(self.turning) > 1]
-            )
-        turns = (axis for axis in self.turning if axis is not None)
-        return "cylindrical" if any(parallel(axis, self.sliding[0][0]) for axis in turns) else "prismatic"
+        turns = [axis for axis in self.turning if axis is not None]
+        if self.sliding:
+            return "cylindrical" if any(parallel(axis, self.sliding[0][0]) for axis in turns) else "prismatic"
+        if len(turns) < len(self.turning):
+            return "spherical"
+        return ("weld", "revolute", "universal")[min(len(turns), 2)]
 
     def landmarks(self) -> Iterator[tuple[str, Point, dict[str, Any]]]:
         """Yield name, point and directions of each landmark: axes of the slides, else of the turns.
