@@ -106,7 +106,10 @@ def _about(case: HardCase) -> dict[str, Any]:
 def _print_json(cases: Sequence[HardCase], found: dict[str, dict[str, Result]], failed: Sequence[Result]) -> None:
     from hertzwerk.runtime.cli.run_folder import json_text
 
-    records = [{**_about(case), "results": [r.record() for r in found[case.name].values()]} for case in cases]
+    records = [
+        {**_about(case), "results": [of[method].record() for method in case.methods if method in of]}
+        for case, of in ((case, found[case.name]) for case in cases)
+    ]
     click.echo(json_text({"passed": not failed, "cases": records}))
 
 
