@@ -7,6 +7,7 @@ from hertzwerk.runtime.hard_cases import runner
 from hertzwerk.runtime.hard_cases.case import METHODS
 from hertzwerk.runtime.hard_cases.measured import TRIES
 from hertzwerk.runtime.hard_cases.table import BY_NAME, CASES
+from hertzwerk.runtime.run.request import METHOD
 
 SLOW = {case.name for case in CASES if case.long}
 LASTING = {("thin_friction_layer", "rodas")}  # seconds
@@ -24,9 +25,17 @@ def in_ci(case, method):
     return CASES.index(case) % 4 < 2 and method == IN_CI[second] and (case.name, method) not in LONG_IN_C
 
 
+def by_turns(case, method):
+    """Whether CI runs it: the default of every case, and of the explicit and the implicit methods one each."""
+    others = [
+        [m for m in case.methods if m in group] for group in (("dopri5", "dop853"), ("rodas", "esdirk", *REFERENCES))
+    ]
+    return method == METHOD or any(of and method == of[CASES.index(case) % len(of)] for of in others)
+
+
 def marked(case, method, *, native):
-    """Seconds: slow; minutes, or a compilation that another method's stands for: exhaustive, as `hertzwerk hardcases --all` is."""
-    if case.name in SLOW or (native and not in_ci(case, method)):
+    """Seconds: slow; minutes, or what another method's stands for: exhaustive, as `hertzwerk hardcases --all` is."""
+    if case.name in SLOW or not (in_ci if native else by_turns)(case, method):
         marks = [pytest.mark.exhaustive]
     else:
         marks = [pytest.mark.slow] if native or (case.name, method) in LASTING or method in REFERENCES else []

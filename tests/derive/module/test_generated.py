@@ -70,7 +70,7 @@ def test_every_built_in_scene_has_its_module_and_nothing_else_is_there():
     assert [built_in(name).name for name in NAMES] == list(NAMES)
 
 
-@pytest.mark.parametrize("seed", ["0", "4711"])
+@pytest.mark.parametrize("seed", ["0", pytest.param("4711", marks=pytest.mark.exhaustive)])
 def test_the_text_is_the_same_for_every_hash_seed(seed):
     program = (
         "from importlib import import_module; from hashlib import sha256; from hertzwerk.derive import generate\n"
@@ -280,7 +280,10 @@ def without(scene, effect):
     return scene.without(effect, *(e.name for e in scene.all(Friction) if e.pair == effect))
 
 
-@pytest.mark.parametrize(("name", "effect"), EFFECTS, ids=[f"{n} without {e}" for n, e in EFFECTS])
+@pytest.mark.parametrize(
+    ("name", "effect"),
+    [pytest.param(n, e, id=f"{n} without {e}", marks=[] if n in QUICK else pytest.mark.exhaustive) for n, e in EFFECTS],
+)
 def test_an_effect_left_out_leaves_nothing_behind(name, effect):
     scene, lean = built_in(name), without(built_in(name), effect)
     gone = scene.effect(effect)

@@ -102,7 +102,7 @@ def test_accelerations_and_drive_reactions_equal_kanes_method(name):
 
 
 @pytest.mark.parametrize(
-    "seed", [pytest.param(n, marks=pytest.mark.slow if n < 6 else pytest.mark.exhaustive) for n in range(30)]
+    "seed", [pytest.param(n, marks=pytest.mark.slow if n < 3 else pytest.mark.exhaustive) for n in range(30)]
 )
 def test_random_trees_equal_kanes_method(seed):
     rng = np.random.default_rng(seed)

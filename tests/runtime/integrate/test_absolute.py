@@ -115,7 +115,9 @@ CASES = {
 }
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize(
+    "name", [pytest.param(n, marks=pytest.mark.exhaustive) if n.startswith("bricard") else n for n in CASES]
+)
 def test_the_same_motion_energy_and_work(name):
     scene, duration, limit = CASES[name]
     tree, absolute = both(scene, duration)

@@ -171,7 +171,7 @@ def test_bounces_on_a_slope_agree(model, method):
     assert run.energy_residual < (3e-6 if method in REFERENCES else 1e-6)  # of what moves, millimetres high
 
 
-@pytest.mark.parametrize("method", ["dop853", "esdirk"])
+@pytest.mark.parametrize("method", ["dop853", pytest.param("esdirk", marks=pytest.mark.exhaustive)])
 def test_compiled_is_bitwise_the_virtual_machine(model, method):
     parameters = {"slope": 0.2, "height": "2 mm", "slide": "-0.3 m/s", "restitution": 0.6}
     given = {"duration": "0.3 s", "tolerance": 1e-6, "method": method, "parameters": parameters}

@@ -279,7 +279,7 @@ def test_compiled_is_bitwise_the_virtual_machine(ball, method, tmp_path, monkeyp
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("method", [*IMPLICIT, "auto"])
+@pytest.mark.parametrize("method", [*(pytest.param(m, marks=pytest.mark.exhaustive) for m in IMPLICIT), "auto"])
 def test_compiled_with_friction_is_bitwise_the_virtual_machine(crank, method, tmp_path, monkeypatch):
     monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path))
     options = {"duration": "24 ms", "tolerance": 1e-6, "method": method, "parameters": {"friction_speed": "1e-7 m/s"}}

@@ -155,7 +155,7 @@ def test_free_flight_evaluates_no_contact_and_one_contact_no_other(method):
         assert found & set(MARKS) == {MARKS[j] for j in (range(model.k) if contacts is BY_MODE else contacts)}
 
 
-@pytest.mark.parametrize("method", ["dop853", "auto"])
+@pytest.mark.parametrize("method", [pytest.param("dop853", marks=pytest.mark.exhaustive), "auto"])
 def test_the_same_digits_compiled(method):
     machine, native = (hit(row(4), CLOSE, tolerance=1e-8, method=method, compiled=c) for c in (False, True))
     assert np.array_equal(machine.history.rows, native.history.rows)
