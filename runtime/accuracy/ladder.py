@@ -269,7 +269,7 @@ class Ladder(Generic[Kept]):
     def _rounding_factor(self, run: Rung[Kept]) -> float:
         """Return the factor by which rounding may hide error from a comparison with a tighter run.
 
-        1 without rounding, up to 1 + UNSEEN where all is rounding.
+        1 without rounding, up to 1 + HIDDEN where all is rounding.
         """
         rounding = PER_STEP * self._rounding(run.states)
         return 1 + HIDDEN * rounding / (rounding + run.tolerance)
