@@ -11,6 +11,7 @@ import click
 from hertzwerk.runtime.cli.commands.accuracy import accuracy
 from hertzwerk.runtime.cli.commands.animate import animate
 from hertzwerk.runtime.cli.commands.audit import audit
+from hertzwerk.runtime.cli.commands.compare import compare
 from hertzwerk.runtime.cli.commands.derive import derive, list_scenes
 from hertzwerk.runtime.cli.commands.draw import draw
 from hertzwerk.runtime.cli.commands.effects import effects
@@ -62,6 +63,6 @@ def main() -> None:
 
 
 OF_SCENES = (list_scenes, laws, derive, audit, run, sweep, draw, animate)
-OF_STUDIES = (effects, validate, accuracy, hardcases, study)
+OF_STUDIES = (effects, compare, validate, accuracy, hardcases, study)
 for command in (*OF_SCENES, *OF_STUDIES):
     main.add_command(command)

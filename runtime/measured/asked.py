@@ -46,6 +46,13 @@ class Asked:
     offsets: Range
     drifts: Range
 
+    @property
+    def lasts(self) -> float:
+        """Time [s] until which a run covers the data, wherever in the ranges they are put."""
+        times = self.measurement.times
+        settling = self.instrument.settling if self.instrument is not None and self.instrument.zero_phase else 0.0
+        return self.offsets[1] + float(times[-1] + self.drifts[1] * (times[-1] - times[0])) + settling
+
 
 def read_asked(
     units: Mapping[str, str],

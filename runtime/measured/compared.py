@@ -7,6 +7,8 @@ from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from hertzwerk.runtime.measured.statistics import by_chance
 
 if TYPE_CHECKING:
@@ -77,21 +79,36 @@ class Compared:
         verdicts += [by_chance(n, k) < RARE for k, n in (signal.differing for signal in self.signals) if n]
         return any(verdicts) if verdicts else None
 
-    def lines(self) -> Iterator[tuple[str, str]]:
-        """Yield what was found, as labels and sentences."""
+    def lines(self, *, statistics: bool = True) -> Iterator[tuple[str, str]]:
+        """Yield what was found, as labels and sentences; each statistic too, if wanted."""
         run, asked = self.solution, self.asked
         data = asked.measurement
         yield run.model.name, f"{_time(run.t_end)} beside {data.source or 'measured data'}, {len(data.times):,} times"
         yield "instrument", str(asked.instrument or "none: the run is compared as it is")
         yield "alignment", _alignment(self.alignment)
         for signal in self.signals:
-            yield from _signal_lines(signal, self.horizon, run.t_end)
+            yield from _signal_lines(signal, self.horizon, run.t_end, statistics=statistics)
         yield "verdict", _verdict(self)
         for warning in self.warnings:
             yield "warning", warning
 
     def __str__(self) -> str:
         return "\n".join(f"{label}: {text}" for label, text in self.lines())
+
+    def csv(self) -> str:
+        """Return run times, and measured and run of every signal there, as CSV with units; empty where missing."""
+        times = np.unique(np.concatenate([signal.t for signal in self.signals]))
+        columns = {"t [s]": times}
+        for signal in self.signals:
+            rows = np.searchsorted(times, signal.t)
+            for which, values in (("measured", signal.measured), ("run", signal.run)):
+                column = np.full(len(times), np.nan)
+                column[rows] = values
+                columns[f"{signal.channel.column} {which} [{signal.channel.unit}]"] = column
+        rows_of_text = (
+            ",".join("" if np.isnan(x) else repr(float(x)) for x in row) for row in zip(*columns.values(), strict=True)
+        )
+        return "\n".join([",".join(columns), *rows_of_text]) + "\n"
 
     def record(self) -> dict[str, Any]:
         """Return everything but the samples as plain numbers, in SI, null for missing ones."""
@@ -146,7 +163,7 @@ def _alignment(found: Alignment) -> str:
     return f"{', '.join(ends)}, where the correlation is largest, {found.correlation:.4f}"
 
 
-def _signal_lines(signal: Signal, horizon: float, end: float) -> Iterator[tuple[str, str]]:
+def _signal_lines(signal: Signal, horizon: float, end: float, *, statistics: bool) -> Iterator[tuple[str, str]]:
     channel, residual, spectrum = signal.channel, signal.residual, signal.spectrum
     lost = f", {signal.missing:,} missing" if signal.missing else ""
     yield channel.column, f"{channel.history}: {len(signal.t):,} samples within the run{lost}"
@@ -175,7 +192,7 @@ def _signal_lines(signal: Signal, horizon: float, end: float) -> Iterator[tuple[
     if signal.statistics and "" not in reasons:
         yield "statistics", f"beyond the horizon, but without confidence: {'; '.join(sorted(reasons))}"
         return
-    for statistic in signal.statistics:
+    for statistic in signal.statistics if statistics else ():
         yield "statistics", _statistic(statistic)
 
 
@@ -195,8 +212,9 @@ def _statistic(statistic: Statistic) -> str:
             return f"{found.value:.4g} (no interval: {found.reason})"
         return f"{found.value:.4g} ({found.low:.4g} to {found.high:.4g})"
 
-    verdict = {None: "cannot be told apart", True: "differ", False: "no difference seen"}[statistic.differs]
-    return f"{statistic.name}: measured {text(statistic.measured)}, run {text(statistic.run)}{unit}: {verdict}"
+    return (
+        f"{statistic.name}: measured {text(statistic.measured)}, run {text(statistic.run)}{unit}: {statistic.verdict}"
+    )
 
 
 def _verdict(found: Compared) -> str:

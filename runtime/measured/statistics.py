@@ -47,6 +47,11 @@ class Statistic:
             return None
         return above.value - below.value > math.hypot(below.high - below.value, above.value - above.low)
 
+    @property
+    def verdict(self) -> str:
+        """Say whether they differ."""
+        return {None: "cannot be told apart", True: "differ", False: "no difference seen"}[self.differs]
+
 
 def by_chance(count: int, differing: int) -> float:
     """Return the chance that so many or more of independent statistics differ without a reason."""

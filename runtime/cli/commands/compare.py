@@ -1,0 +1,229 @@
+"""`hertzwerk compare`: a run beside measured data."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.cli.continue_run import limits_of
+from hertzwerk.runtime.cli.stopping import Stopping
+from hertzwerk.runtime.cli.target import (
+    BY_METHOD,
+    DURATION,
+    JSON,
+    LAW,
+    SET,
+    WITHOUT,
+    assignments,
+    loaded,
+    number,
+    unwritable_faults,
+)
+from hertzwerk.runtime.cli.terminal import (
+    OTHER_OUTCOME,
+    Progress,
+    line,
+    report_missing,
+    reports_bad_input,
+    table,
+    written_or_none,
+)
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.measured.asked import Asked
+    from hertzwerk.runtime.measured.compared import Compared
+    from hertzwerk.runtime.measured.statistics import Estimated
+    from hertzwerk.runtime.model.model import Model
+    from hertzwerk.runtime.simulation import Solution
+
+
+@click.command()
+@click.argument("target")
+@click.option(
+    "--measured",
+    metavar="FILE",
+    required=True,
+    help="CSV with headings `name [unit]`, a time column `t [s]`; empty or nan where a sample is missing.",
+)
+@click.option(
+    "--map",
+    "columns",
+    metavar="COLUMN=HISTORY",
+    multiple=True,
+    help="Column and history that are compared: acceleration=guide.acceleration (default: equal names).",
+)
+@click.option("--bandwidth", metavar="FREQUENCY", help='Cut-off of the instrument, "5 kHz": the run is filtered alike.')
+@click.option("--order", type=int, default=4, show_default=True, help="Order of that Butterworth low-pass.")
+@click.option(
+    "--zero-phase",
+    is_flag=True,
+    help="Filter forwards and backwards, 6 dB down at the cut-off (default: causal, 3 dB down).",
+)
+@click.option(
+    "--offset",
+    metavar="RANGE",
+    default="0 s",
+    help='Run time less measured time: "-2..2 ms" is searched, "1 ms" given.',
+)
+@click.option("--drift", metavar="RANGE", default="0", help='Of the measured clock: "-1e-4..1e-4" is searched.')
+@click.option(
+    "--noise",
+    metavar="COLUMN=SIZE",
+    multiple=True,
+    help='Standard deviation of the measurement\'s noise, which residuals are judged by: acceleration="5 m/s^2".',
+)
+@SET
+@WITHOUT
+@LAW
+@click.option("--coordinates", metavar="NAME", help="tree, absolute or auto; derives the variation.")
+@DURATION
+@click.option("--accuracy", metavar="NUMBER", help="Error asked for at the end (default: the scenario's).")
+@BY_METHOD
+@click.option("--max-steps", metavar="NUMBER", help="Stop after so many accepted steps (default: 1000000).")
+@click.option("--wall-time", metavar="TIME", help='Stop after so long on the clock, such as "10 min".')
+@click.option(
+    "--out", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-compare-NNN)."
+)
+@click.option("--no-plots", is_flag=True, help="Write the data only.")
+@JSON
+@reports_bad_input
+def compare(target: str, out: Path | None, no_plots: bool, as_json: bool, **options: Any) -> int:
+    """Compare a run of TARGET with measured data: residuals, spectra, statistics, a picture.
+
+    Without --duration the run is as long as the data. Trajectories are compared up to the horizon of the run's own numerical errors, statistics
+    beyond it. The measurement in the paper of Wang and Liu (2020) is not to be had: bring data of your own. Exit code 1: they differ by more
+    than the stated noise explains.
+    """
+    from hertzwerk.runtime.cli.run_folder import json_text
+    from hertzwerk.runtime.host.folder import new_folder
+
+    wanted = out is not None or not as_json
+    with (
+        Progress(f"comparison of {target}", shown=not as_json and sys.stderr.isatty()) as progress,
+        Stopping(progress) as stopping,
+    ):
+        found = _compared(target, unwritable_faults(out, wanted=wanted), stopping, **options)
+    missing: list[str] = []
+    folder = written_or_none(
+        lambda: new_folder(
+            f"{found.solution.model.name}-compare", out, lambda at: _write(found, at, missing, plots=not no_plots)
+        ),
+        missing,
+        wanted=wanted,
+    )
+    if as_json:
+        click.echo(json_text(found.record()))
+    else:
+        _report(found)
+        if folder is not None:
+            line("written", f"{folder[0]}/ ({', '.join(folder[1])})")
+    code = report_missing(missing)
+    return OTHER_OUTCOME if found.differs or found.solution.t_end < found.solution.duration else code
+
+
+def _compared(
+    target: str,
+    faults: list[Fault],
+    stopping: Stopping,
+    *,
+    settings: Sequence[str],
+    without: Sequence[str],
+    laws: Sequence[str],
+    coordinates: str | None,
+    duration: str | None,
+    accuracy: str | None,
+    method: str | None,
+    max_steps: str | None,
+    wall_time: str | None,
+    **measured: Any,
+) -> Compared:
+    """Return the comparison of a command line; raises InputError with the faults of all its parts, before it runs."""
+    from hertzwerk.runtime.measured.matching import match
+    from hertzwerk.runtime.run.request import METHOD, Settings, check
+    from hertzwerk.runtime.simulation import simulate
+    from hertzwerk.runtime.start.start_values import split_values
+    from hertzwerk.runtime.validate import scenarios
+
+    values = assignments("--set", settings, faults)
+    numbers = scenarios.read(target) if target in scenarios.names() else {}
+    stopping.stage("building")
+    limits = limits_of(max_steps, wall_time, faults)
+    model = loaded(target, without, laws, faults, coordinates=coordinates)
+    asked = _asked(model, faults, **measured)
+    until = duration or (asked.lasts if asked is not None else numbers.get("duration", 1.0))
+    accurate = number(accuracy) if accuracy is not None else numbers.get("accuracy")
+    settled = Settings(until, accurate, None, method or numbers.get("method", METHOD), **limits)
+    parameters, initial = split_values(model, values)
+    check(model, settled, parameters, initial, faults)
+    if asked is None:  # its faults are among those that `check` raises
+        raise InputError(model.name, faults)
+    run: Solution = simulate(
+        model,
+        duration=settled.duration,
+        accuracy=accurate,
+        method=settled.method,
+        parameters=parameters,
+        initial=initial,
+        progress=stopping,
+        **limits,
+    )
+    if run.outcome.name == "interrupted" and not run.statistics.steps:
+        raise KeyboardInterrupt
+    stopping.stage("comparing")
+    return match(run, asked)
+
+
+def _asked(
+    model: Model, faults: list[Fault], *, measured: str, columns: Sequence[str], noise: Sequence[str], **how: Any
+) -> Asked | None:
+    """Return what is compared; None with its faults appended."""
+    from hertzwerk.runtime.measured.asked import read_asked
+    from hertzwerk.runtime.solution.history import units_of
+
+    mapped, sizes = assignments("--map", columns, faults), assignments("--noise", noise, faults)
+    try:
+        return read_asked(units_of(model, None), measured, mapped or None, noise=sizes, **how)
+    except InputError as error:
+        faults += error.faults
+        return None
+
+
+def _write(found: Compared, folder: Path, missing: list[str], *, plots: bool) -> list[str]:
+    from hertzwerk.runtime.cli.run_folder import json_text, record
+    from hertzwerk.runtime.host.folder import failures_of
+
+    content = {**found.record(), "run": record(found.solution)}
+    (folder / "comparison.json").write_text(json_text(content) + "\n", encoding="utf-8")
+    (folder / "comparison.csv").write_text(found.csv(), encoding="utf-8")
+    files = ["comparison.json", "comparison.csv"]
+    if not plots:
+        return files
+    from hertzwerk.runtime.pictures.studies.plot_comparison import save
+
+    missing += failures_of("comparison.png", lambda: save(found, folder / "comparison.png"))
+    return files if missing else [*files, "comparison.png"]
+
+
+def _report(found: Compared) -> None:
+    """Print the sentences, then the statistics as a table."""
+    for label, text in found.lines(statistics=False):
+        line(label, text)
+    rows = [
+        [signal.channel.column, each.name, each.unit, _cell(each.measured), _cell(each.run), each.verdict]
+        for signal in found.signals
+        for each in signal.statistics
+    ]
+    if rows:
+        click.echo()
+        table(("beyond the horizon", "statistic", "unit", "measured", "run", ""), rows)
+
+
+def _cell(value: Estimated) -> str:
+    if value.low is None or value.high is None:
+        return f"{value.value:.4g}"
+    return f"{value.value:.4g} ({value.low:.4g} to {value.high:.4g})"

@@ -1,0 +1,103 @@
+"""`hertzwerk compare`: report, JSON, files, exit codes, and all faults before it runs."""
+
+import json
+
+import matplotlib.image
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+from hertzwerk.runtime import load, read_measurement, simulate
+from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.measured.instrument import Instrument
+from hertzwerk.runtime.measured.seen_run import SeenRun
+
+HOW = ("--bandwidth", "2 kHz", "--offset", "-1..1 ms", "--noise", "force=20 N")
+
+
+@pytest.fixture
+def hertzwerk(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return lambda *arguments: CliRunner().invoke(main, ("compare", *arguments), catch_exceptions=False)
+
+
+@pytest.fixture(scope="module")
+def text():
+    """Force of a ball's impact behind an instrument, with noise and a hole, 0.4 ms early."""
+    run = simulate(load("bouncing_ball"), duration="0.47 s", accuracy=1e-6)
+    times = 0.44 + 1e-4 * np.arange(250)
+    force = SeenRun(run, ["floor.normal_force"], Instrument(2e3), 1.0).at(times)[:, 0]
+    force += np.random.default_rng(1).normal(0, 20, len(times))
+    rows = [
+        f"{1e3 * t - 0.4:.6f},{'' if i == 3 else f'{f / 1e3:.9f}'}"
+        for i, (t, f) in enumerate(zip(times, force, strict=True))
+    ]
+    return "\n".join(["time [ms],force [kN]", *rows])
+
+
+@pytest.fixture
+def data(tmp_path, text):
+    (tmp_path / "data.csv").write_text(text)
+
+
+def test_the_report_and_its_files(hertzwerk, data, tmp_path):
+    done = hertzwerk("bouncing_ball", "--measured", "data.csv", "--map", "force=floor.normal_force", *HOW)
+    assert done.exit_code == 0, done.output
+    for expected in (
+        "causal, 3 dB down at 2 kHz",
+        "offset 0.39",
+        "249 samples within the run, 1 missing",
+        "explains every residual",
+    ):
+        assert expected in done.output
+    folder = tmp_path / "runs" / "bouncing_ball-compare-001"
+    assert {file.name for file in folder.iterdir()} == {"comparison.json", "comparison.csv", "comparison.png"}
+    assert np.ptp(matplotlib.image.imread(folder / "comparison.png")[..., :3]) > 0.9
+    written = read_measurement(folder / "comparison.csv")
+    residual = written.columns["force measured"] - written.columns["force run"]
+    record = json.loads((folder / "comparison.json").read_text())
+    assert np.sqrt(np.nanmean(residual**2)) == pytest.approx(record["signals"][0]["residual"]["rms"])
+    assert record["run"]["scene"] == "bouncing_ball" and record["run"]["duration"] < 0.47
+
+
+def test_another_start_is_a_difference_and_json_says_so(hertzwerk, data, tmp_path):
+    how = ("--map", "force=floor.normal_force", "--set", "mass=1.2 kg", "--json", *HOW)
+    done = hertzwerk("bouncing_ball", "--measured", "data.csv", *how)
+    assert done.exit_code == 1, done.output
+    found = json.loads(done.output)
+    assert found["differs"] is True and found["signals"][0]["residual"]["explained"] is False
+    assert not (tmp_path / "runs").exists()
+
+
+def test_all_faults_come_before_it_runs(hertzwerk, tmp_path):
+    (tmp_path / "data.csv").write_text("t [s],force [m]\n0,1\n0,x\n")
+    wrong = (
+        "--map",
+        "force=floor.force",
+        "--bandwidth",
+        "5 rpm",
+        "--offset",
+        "1..0 s",
+        "--set",
+        "mass=1 m",
+        "--noise",
+        "force",
+    )
+    done = hertzwerk("bouncing_ball", "--measured", "data.csv", *wrong)
+    assert done.exit_code == 2
+    for expected in (
+        "line 3",
+        "repeated",
+        "'x'",
+        "floor.force",
+        '"5 kHz"',
+        "the lower end first",
+        "mass",
+        "NAME=VALUE",
+    ):
+        assert expected in done.output, (expected, done.output)
+    assert not (tmp_path / "runs").exists()
+
+
+def test_help_says_whose_measurement_is_not_to_be_had(hertzwerk):
+    assert "not to be had" in " ".join(hertzwerk("--help").output.split())
