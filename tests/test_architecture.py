@@ -48,8 +48,8 @@ ROOMS = {
         ".": "comparing derive/faults effects loading measured model simulation solution sweeps",
         "accuracy": "",
         "cli": "accuracy derive/audit derive/faults derive/sheets effects hard_cases host integrate/tableaux loading "
-        "model pictures pictures/draw pictures/motion pictures/studies run simulation solution start studies sweeps validate "
-        "work_precision",
+        "measured model pictures pictures/draw pictures/motion pictures/studies run simulation solution start studies "
+        "sweeps validate work_precision",
         "command_line": "cli",
         "comparing": "measured model pictures/studies solution",
         "effects": "accuracy derive/declare derive/faults integrate/step loading model run simulation solution start",

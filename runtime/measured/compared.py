@@ -201,6 +201,9 @@ def _noise(residual: Residual, unit: str) -> str:
     limit = f"{residual.largest:.4g}{unit}, which noise of {residual.noise:.4g} alone exceeds once in a hundred"
     if not residual.explained:
         return f"the residual is {ratio:.3g} times the stated noise, more than {limit}: something else differs"
+    if residual.overstated:
+        least = f"{residual.least:.4g}{unit}, which noise of {residual.noise:.4g} falls below once in a hundred"
+        return f"the residual is {ratio:.2g} times the stated noise, less than {least}: too much noise is stated, and hides differences"
     return f"the residual is {ratio:.3g} times the stated noise, within {limit}: a difference that small cannot be seen"
 
 

@@ -23,7 +23,7 @@ class Residual:
     correlation      of measured and run; nan where one of them does not vary
     noise            standard deviation stated for the measurement; None where none is
     independent      samples that the residual is worth, by its autocorrelation
-    largest          rms that noise alone exceeds with a chance of 1 %; None without noise
+    least, largest   rms that noise alone stays below, and exceeds, with a chance of 1 % each; None without noise
     """
 
     samples: int
@@ -35,12 +35,18 @@ class Residual:
     correlation: float
     noise: float | None = None
     independent: float = math.nan
+    least: float | None = None
     largest: float | None = None
 
     @property
     def explained(self) -> bool | None:
         """Return whether noise alone explains the residual; None where none is stated."""
         return None if self.largest is None else self.rms <= self.largest
+
+    @property
+    def overstated(self) -> bool:
+        """Return whether the residual is less than the stated noise would leave."""
+        return self.least is not None and self.rms < self.least
 
 
 def residual_of(times: Array, measured: Array, run: Array, noise: float | None) -> Residual:
@@ -59,7 +65,8 @@ def residual_of(times: Array, measured: Array, run: Array, noise: float | None) 
         correlation=product / float(spreads[0] * spreads[1]) if min(spreads) > 0 else math.nan,
         noise=noise,
         independent=independent,
-        largest=None if noise is None else noise * _largest_ratio(independent),
+        least=None if noise is None else noise * _ratio(independent, 1 - LEVEL),
+        largest=None if noise is None else noise * _ratio(independent, LEVEL),
     )
 
 
@@ -81,8 +88,8 @@ def _independent(residual: Array) -> float:
     return max(n / (1 + 2 * float(known @ known)), 2.0)
 
 
-def _largest_ratio(independent: float) -> float:
-    """Return the rms over its standard deviation that noise exceeds with the chance LEVEL (chi-squared)."""
+def _ratio(independent: float, chance: float) -> float:
+    """Return the rms over the standard deviation that noise exceeds with a chance (chi-squared)."""
     from scipy.special import chdtri  # slow to import
 
-    return math.sqrt(float(chdtri(independent, LEVEL)) / independent)
+    return math.sqrt(float(chdtri(independent, chance)) / independent)

@@ -27,6 +27,15 @@ def test_noise_of_the_stated_size_is_explained_and_a_larger_one_is_not(smooth):
     assert not any(residual_of(T, 3 * noise(seed, smooth), zero, 1.0).explained for seed in range(20))
 
 
+def test_noise_that_is_overstated_is_told():
+    """It would explain any difference of its size; noise of the stated size is hardly ever called overstated."""
+    zero = np.zeros(len(T))
+    assert all(residual_of(T, noise(seed), zero, 1.3).overstated for seed in range(20))
+    assert (
+        sum(residual_of(T, noise(seed, smooth), zero, 1.0).overstated for seed in range(100) for smooth in (1, 20)) <= 8
+    )
+
+
 def test_correlated_samples_are_worth_fewer():
     """Oracle: sums of 20 have sum of squared autocorrelations (20/3), so 4000 are worth about 300."""
     white, smooth = (residual_of(T, noise(1, n), np.zeros(len(T)), 1.0).independent for n in (1, 20))
