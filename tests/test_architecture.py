@@ -329,7 +329,20 @@ def test_only_build_opens_the_door_to_derive_and_lazily():
                 assert id(node) not in at_import, f"{file} imports {module} when it is imported"
 
 
-COMMANDS = ["accuracy", "animate", "audit", "compare", "derive", "draw", "effects", "hardcases", "laws", "run", "studies", "sweep"]
+COMMANDS = [
+    "accuracy",
+    "animate",
+    "audit",
+    "compare",
+    "derive",
+    "draw",
+    "effects",
+    "hardcases",
+    "laws",
+    "run",
+    "studies",
+    "sweep",
+]
 CLI = {
     *(f"cli/{name}.py" for name in ["__init__", "target", "terminal"]),
     *(f"cli/commands/{name}.py" for name in COMMANDS),
