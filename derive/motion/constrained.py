@@ -56,8 +56,8 @@ class Loops:
 
         Near a singular position it is of second order.
         """
-        left = self._factor.diagonal
-        return [self._tape.let(left[name] / self._sizes[name], f"{name}_independence") for name in self._names]
+        pivots = self._factor.diagonal
+        return [self._tape.let(pivots[name] / self._sizes[name], f"{name}_independence") for name in self._names]
 
     def corrected(
         self,
@@ -85,15 +85,15 @@ class Loops:
                     key: tape.let(value + back[key], f"{key.replace('.', '_')}_{label}")
                     for key, value in motion.items()
                 }
-            left = {
+            residuals = {
                 name: tape.let(value - _constraint_rate(constraint, motion), f"{name}_left")
                 for constraint, name, value in zip(self._constraints, names, wanted, strict=True)
             }
-            more = self._factor.solve(left, label)
-            multipliers = {name: tape.let(multipliers[name] + more[name], f"{name}_{label}") for name in names}
+            corrections = self._factor.solve(residuals, label)
+            multipliers = {name: tape.let(multipliers[name] + corrections[name], f"{name}_{label}") for name in names}
             corrected = {}
             for key, value in motion.items():
-                pushes = (more[name] * through[key] for name, through in zip(names, self._through, strict=True))
+                pushes = (corrections[name] * through[key] for name, through in zip(names, self._through, strict=True))
                 corrected[key] = tape.let(value + sp.Add(*pushes), f"{key.replace('.', '_')}_{label}")
             motion = corrected
         return motion, list(multipliers.values())

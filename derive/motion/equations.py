@@ -199,15 +199,17 @@ class Equations:
                 for f, a in zip(self.free, accelerations, strict=True)
                 if (row.key, f.key) in mass
             ]
-            held = [
+            of_constraints = [
                 constraint.column[row.key] * force
                 for constraint, force in zip(self.constraints, multipliers, strict=True)
                 if row.key in constraint.column
             ]
-            needed = sp.Add(*terms) + self.bias(row) - forces[row.key] - sp.Add(*held)
-            out.append(self.tape.let(needed, f"{row.key.replace('.', '_')}_reaction"))
-        held_by = {constraint.drives: force for constraint, force in zip(self.constraints, multipliers, strict=True)}
-        return [*out, *(held_by[row.key] for row in self.prescribed)]
+            reaction = sp.Add(*terms) + self.bias(row) - forces[row.key] - sp.Add(*of_constraints)
+            out.append(self.tape.let(reaction, f"{row.key.replace('.', '_')}_reaction"))
+        multiplier_of = {
+            constraint.drives: force for constraint, force in zip(self.constraints, multipliers, strict=True)
+        }
+        return [*out, *(multiplier_of[row.key] for row in self.prescribed)]
 
     # -- energy ----------------------------------------------------------------------------------------------------
 

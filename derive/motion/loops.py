@@ -210,16 +210,16 @@ class _Closure:
             second = Direction(cross(axis.unit, first.unit))
             child = self.kin.direction(joint.child, first)
             cosine, sine = (dot(child, self.kin.direction(joint.parent, direction)) for direction in (first, second))
-            left = sine * self._let(sp.cos(wanted), f"{label}_cosine") - cosine * self._let(
+            error = sine * self._let(sp.cos(wanted), f"{label}_cosine") - cosine * self._let(
                 sp.sin(wanted), f"{label}_sine"
             )
         else:
-            left = found.value - wanted
+            error = found.value - wanted
         return Constraint(
             f"{joint.name}.{'off' if slides else 'turned'}_{label}",
             "m" if slides else "1",
             f"{joint.name}.{label}",
-            self._let(left, f"{label}_left"),
+            self._let(error, f"{label}_left"),
             self._let(found.rate - row.speed, f"{label}_left_rate"),
             self._let(found.bias - row.acceleration, f"{label}_left_bias"),
             found.column,

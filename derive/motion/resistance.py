@@ -67,10 +67,10 @@ def _mass_matrix(scene: Scene) -> tuple[list[str], list[list[float]]]:
 def _null_vectors(matrix: list[list[float]]) -> Iterator[list[int]]:
     """Yield the indices of the non-zero entries of each null vector of a positive semidefinite matrix."""
     count = len(matrix)
-    left = [row[:] for row in matrix]
+    remainder = [row[:] for row in matrix]
     lower: list[list[float]] = [[0.0] * count for _ in matrix]
     for k in range(count):
-        pivot = left[k][k]
+        pivot = remainder[k][k]
         if not pivot > SINGULAR * matrix[k][k]:
             vector = [0.0] * count
             vector[k] = 1.0
@@ -79,6 +79,6 @@ def _null_vectors(matrix: list[list[float]]) -> Iterator[list[int]]:
             yield [i for i in range(k + 1) if vector[i] ** 2 * matrix[i][i] > SINGULAR * matrix[k][k] or i == k]
             continue
         for i in range(k + 1, count):
-            lower[i][k] = left[i][k] / pivot
+            lower[i][k] = remainder[i][k] / pivot
             for j in range(k + 1, count):
-                left[i][j] -= lower[i][k] * left[k][j]
+                remainder[i][j] -= lower[i][k] * remainder[k][j]

@@ -68,7 +68,7 @@ def exponent_unit(exponent: float) -> ExponentUnit:
 
 @dataclass(frozen=True)
 class ForceCurve:
-    """Forces [N] of a law's formula, SI values put in, at penetrations and clearances [m]: a steel pin in its bush.
+    """Forces [N] of a law at penetrations and clearances [m] of a steel pin in its bush, SI values put in.
 
     Forces are nan beyond the reach [m] of the law at that clearance, and where the formula has no real value. `in_mm`:
     the same with mm, N, MPa put in. `unit`: that of the force as the audit finds it. `ranges`: those the law states.
@@ -92,7 +92,7 @@ SI, MILLIMETRES = (mpf(1),) * 4, (mpf(1000), mpf("0.001"), mpf(1), mpf(1))  # un
 def force_curve(
     name: str, penetrations: Sequence[float], clearances: Sequence[float], exponent: float | None = None
 ) -> ForceCurve:
-    """Evaluate a stiffness law at points of penetration and clearance [m]; raises TypeError for another law.
+    """Evaluate a stiffness law at penetrations and clearances [m]; raises TypeError for another law.
 
     `exponent`: of a law that leaves it open.
     """

@@ -99,7 +99,7 @@ def json_text(content: dict[str, Any]) -> str:
 def write_study(
     name: str, out: Path | None, texts: Mapping[str, str], save: Callable[[Path], object] | None, missing: list[str]
 ) -> tuple[Path, list[str]]:
-    """Write texts by file name, and a picture NAME.png if there is `save`, to a new folder; return it and its files.
+    """Write texts by file name, and a picture NAME.png if there is `save`; return the folder, its files.
 
     A failure of the picture is appended to `missing`.
     """

@@ -200,7 +200,7 @@ def exponent_unit(exponent: float) -> ExponentUnit:
 def force_curve(
     law: str, penetrations: Sequence[float], clearances: Sequence[float], exponent: float | None = None
 ) -> ForceCurve:
-    """Return the forces of a stiffness law at penetrations and clearances [m]; see `comparison.force_curve`."""
+    """Return forces of a stiffness law at penetrations and clearances [m]: `comparison.force_curve`."""
     from hertzwerk.derive.sheets import comparison
 
     return comparison.force_curve(law, penetrations, clearances, exponent)

@@ -36,7 +36,7 @@ def crank_with(law: str | None) -> Model:
 
 
 def measure(model: Model, values: Mapping[str, Value], duration: str = TURN) -> Measurement:
-    """Measure OUTPUTS from several runs at different tolerances; see `effects.measuring`. Raises InputError."""
+    """Measure OUTPUTS by runs at several tolerances; see `effects.measuring`. Raises InputError."""
     bench = Bench(duration, TOLERANCE, "auto", values)
     first = bench.simulate(Case(model), max_steps=1)
     return bench.measure(Case(model), chosen(first, tuple(OUTPUTS))[0])

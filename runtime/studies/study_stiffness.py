@@ -1,4 +1,4 @@
-"""Study `stiffness`: improved stiffness laws of the literature, in one contact and in the slider-crank."""
+"""Study `stiffness`: laws of the literature compared, in one contact and in the slider-crank."""
 
 from __future__ import annotations
 

@@ -77,16 +77,19 @@ class Layouts:
     verdict: Layout
 
     def symbols(self, names: str) -> tuple[list[Any], list[dict[str, Any]]]:
-        """Return symbols of vectors, as of "state controls next", and their parts; next, before and after are states."""
+        """Return symbols of vectors, as of "state controls next", and their parts.
+
+        next, before and after are states.
+        """
         layouts = [self.state if name in ("next", "before", "after") else getattr(self, name) for name in names.split()]
         vectors = [layout.symbol(name) for layout, name in zip(layouts, names.split(), strict=True)]
         return vectors, [layout.split(vector) for layout, vector in zip(layouts, vectors, strict=True)]
 
 
 FLIGHT, CONTACT, RELEASED = 0.0, 1.0, 2.0  # modes of a pair
-RUNNING, FINISHED, STEP_TOO_SMALL, NOT_FINITE, CONSTRAINT_LOST, OUTSIDE_LAW_RANGE, EVENT_LIMIT, TOO_MANY_STEPS = range(
-    8
-)  # status
+# status
+RUNNING, FINISHED, STEP_TOO_SMALL, NOT_FINITE = range(4)
+CONSTRAINT_LOST, OUTSIDE_LAW_RANGE, EVENT_LIMIT, TOO_MANY_STEPS = range(4, 8)
 SUSPECT = -1.0  # status of explicit steps that look stiff, of implicit ones near a singular position: the run goes on with steps that choose
 # kind of a step: nothing speaks against it; a pair that was not asked may be near; something may happen in it; it failed
 PLAIN, NEAR, SPECIAL, REJECTED = range(4)
