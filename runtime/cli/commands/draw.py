@@ -66,17 +66,20 @@ def draw(
         raise InputError("draw", faults)
     seen = [_places(name, values, duration, start) for name in names]
     content = io.BytesIO()
-    page = picture.figure(*seen[0]) if len(names) == 1 else sheet([places for places, _ in seen])
+    page = picture.figure(*seen[0]) if len(names) == 1 else sheet([places for places, *_ in seen])
     page.savefig(content, format="png", dpi="figure", metadata={"Description": " ".join(map(str, names))})
     line("written", str(write(path, content.getvalue(), overwrite=overwrite)))
     return GOOD
 
 
-def _places(target: str, values: dict[str, str], duration: str | None, start: bool) -> tuple[Places, tuple[str, ...]]:
-    """Return the places of a mechanism in its scenario, and notes on them; raises InputError."""
+def _places(
+    target: str, values: dict[str, str], duration: str | None, start: bool
+) -> tuple[Places, tuple[str, ...], str]:
+    """Return the places of a mechanism in its scenario, notes, and what was given; raises InputError."""
     from hertzwerk.runtime.loading import load
     from hertzwerk.runtime.pictures.draw.picture import notes_on
     from hertzwerk.runtime.pictures.draw.places import Places
+    from hertzwerk.runtime.pictures.title import differences_of
     from hertzwerk.runtime.run.request import METHOD
     from hertzwerk.runtime.run.warnings import unchecked
     from hertzwerk.runtime.simulation import simulate
@@ -86,9 +89,10 @@ def _places(target: str, values: dict[str, str], duration: str | None, start: bo
     model = load(target)
     numbers = scenarios.read(target) if target in scenarios.names() else {}
     parameters, initial = split_values(model, values)
+    given = differences_of(model, parameters, initial)
     until = duration or numbers.get("duration")
     if start or until is None:
-        return Places.at_start(model, parameters, initial), unchecked(model)
+        return Places.at_start(model, parameters, initial), unchecked(model), given
     method = numbers.get("method", METHOD)
     run = simulate(model, duration=until, tolerance=TOLERANCE, method=method, parameters=parameters, initial=initial)
-    return Places.over(run), notes_on(run)
+    return Places.over(run), notes_on(run), given

@@ -4,11 +4,14 @@ import re
 
 import numpy as np
 import pytest
+from click.testing import CliRunner
 
 from hertzwerk.runtime import Solution, load, simulate
+from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.pictures import plot as pages
 from hertzwerk.runtime.pictures import plot_panel, sampling, title
 from hertzwerk.runtime.pictures.curves import Curves
+from hertzwerk.runtime.pictures.draw import picture
 from hertzwerk.runtime.pictures.draw.drawing import Drawing
 from hertzwerk.runtime.pictures.draw.picture import PANEL
 from hertzwerk.runtime.pictures.draw.places import Places
@@ -123,6 +126,17 @@ def test_titles_name_what_differs_from_the_scene(crank, monkeypatch):
     assert "clearance = 0.1 mm" in texts(run.model.draw(parameters={"clearance": "0.1 mm"}))
     monkeypatch.setattr(plot_panel, "differences", lambda _: "")
     assert said not in texts(run.plot())  # it is the title that tells
+
+
+def test_the_command_draws_what_was_given_into_the_title(tmp_path, monkeypatch):
+    seen = []
+    figure = picture.figure
+    monkeypatch.setattr(picture, "figure", lambda *given: seen.append(figure(*given)) or seen[-1])
+    monkeypatch.chdir(tmp_path)
+    for more in (["--start"], ["--duration", "50 ms"]):
+        command = ["draw", "bouncing_ball", "--set", "drop_height=0.2 m", "--overwrite", *more]
+        assert CliRunner().invoke(main, command, catch_exceptions=False).exit_code == 0
+        assert "drop_height = 0.2 m" in texts(seen[-1])
 
 
 def test_titles_name_variations():
