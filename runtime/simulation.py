@@ -270,3 +270,12 @@ class Solution(plain_solution.Solution):
         from hertzwerk.runtime.pictures.draw import picture
 
         return picture.of_run(self)
+
+    def report(self, path: str | Path, *, model: plain.Model | None = None, overwrite: bool = False) -> Path:
+        """Write one HTML page of the run that holds all it shows; raises FileExistsError.
+
+        model    of a saved run, for its equations: load("slider_crank")
+        """
+        from hertzwerk.runtime.report.run_report import run_page
+
+        return plain_solution.write(Path(path), run_page(self, model=model).encode(), overwrite=overwrite)

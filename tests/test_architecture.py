@@ -48,8 +48,8 @@ ROOMS = {
         ".": "comparing derive/faults effects loading measured model simulation solution sweeps",
         "accuracy": "",
         "cli": "accuracy derive/audit derive/faults derive/sheets effects hard_cases host integrate/tableaux loading "
-        "measured model pictures pictures/draw pictures/motion pictures/studies run simulation solution start studies "
-        "sweeps validate work_precision",
+        "measured model pictures pictures/draw pictures/motion pictures/studies report run simulation solution start "
+        "studies sweeps validate work_precision",
         "command_line": "cli",
         "comparing": "measured model pictures/studies solution",
         "effects": "accuracy derive/declare derive/faults integrate/step loading model run simulation solution start",
@@ -70,8 +70,9 @@ ROOMS = {
         "pictures/motion": "derive/faults host pictures pictures/draw solution",
         "pictures/studies": "accuracy derive/sheets effects integrate/tableaux measured pictures studies validate "
         "work_precision",
+        "report": "accuracy derive/readable host model pictures pictures/draw run solution",
         "run": "accuracy derive/faults derive/units integrate integrate/loop integrate/step integrate/tableaux model solution start",
-        "simulation": "accuracy derive/faults integrate/step loading model pictures pictures/draw pictures/motion run solution start",
+        "simulation": "accuracy derive/faults integrate/step loading model pictures pictures/draw pictures/motion report run solution start",
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults host integrate/step integrate/tableaux model",
         "studies": "derive/faults derive/sheets effects loading model pictures simulation solution",
@@ -339,6 +340,7 @@ COMMANDS = [
     "effects",
     "hardcases",
     "laws",
+    "reports",
     "run",
     "studies",
     "sweep",
@@ -349,6 +351,7 @@ CLI = {
 }
 PICTURES = {
     "pictures/plot.py",
+    "pictures/vector.py",
     "pictures/plot_panel.py",
     *(f"pictures/motion/{name}.py" for name in ["film", "moving_paper", "stage", "writers"]),
     *(f"pictures/studies/plot_{name}.py" for name in ["accuracy", "band", "comparison", "effects", "laws", "page"]),

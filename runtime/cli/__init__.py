@@ -17,6 +17,7 @@ from hertzwerk.runtime.cli.commands.draw import draw
 from hertzwerk.runtime.cli.commands.effects import effects
 from hertzwerk.runtime.cli.commands.hardcases import hardcases
 from hertzwerk.runtime.cli.commands.laws import laws
+from hertzwerk.runtime.cli.commands.reports import report
 from hertzwerk.runtime.cli.commands.run import run, validate
 from hertzwerk.runtime.cli.commands.studies import study
 from hertzwerk.runtime.cli.commands.sweep import sweep
@@ -37,7 +38,7 @@ def _open_streams() -> None:
 
 def _print_version(context: click.Context, _: click.Parameter, wanted: bool) -> None:
     if wanted:
-        from hertzwerk.runtime.cli.run_folder import versions
+        from hertzwerk.runtime.host.versions import versions
 
         click.echo(", ".join(f"{name} {version}" for name, version in versions().items()))
         context.exit()
@@ -62,7 +63,7 @@ def main() -> None:
         click.get_current_context().color = False
 
 
-OF_SCENES = (list_scenes, laws, derive, audit, run, sweep, draw, animate)
+OF_SCENES = (list_scenes, laws, derive, audit, run, sweep, draw, animate, report)
 OF_STUDIES = (effects, compare, validate, accuracy, hardcases, study)
 for command in (*OF_SCENES, *OF_STUDIES):
     main.add_command(command)

@@ -7,8 +7,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from hertzwerk.runtime.cli.run_folder import json_text, versions
+from hertzwerk.runtime.cli.run_folder import json_text
 from hertzwerk.runtime.host.folder import failures_of, new_folder
+from hertzwerk.runtime.host.versions import versions
 from hertzwerk.runtime.studies.page import Cell, Page, Table, Verdict
 
 COLUMNS = 80  # of prose

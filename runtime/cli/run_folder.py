@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import json
 import math
-import platform
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import asdict, dataclass, field
 from functools import partial
-from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
 from hertzwerk.runtime.host.folder import failures_of, new_folder
 from hertzwerk.runtime.host.scratch import scratch_folder, write_atomically
+from hertzwerk.runtime.host.versions import versions
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.solution.averages import Average
@@ -77,18 +76,6 @@ def record(solution: Solution) -> dict[str, Any]:
         "choices": [asdict(choice) for choice in solution.choices],
         "versions": versions(),
     }
-
-
-def versions() -> dict[str, str]:
-    """Return the versions of the software that computed a run."""
-    return {**{name: _version(name) for name in ("hertzwerk", "casadi", "numpy")}, "python": platform.python_version()}
-
-
-def _version(name: str) -> str:
-    try:
-        return metadata.version(name)
-    except metadata.PackageNotFoundError:  # run from the source tree
-        return "not installed"
 
 
 def json_text(content: dict[str, Any]) -> str:

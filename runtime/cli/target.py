@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
+from click.core import ParameterSource
 
 from hertzwerk.derive.faults import Fault, InputError
 
@@ -101,3 +103,21 @@ def number(text: str) -> Any:
         return float(text)
     except ValueError:
         return text
+
+
+def command_line() -> str:
+    """Return the command that runs, as it can be typed again."""
+    context = click.get_current_context()
+    words = ["hertzwerk", str(context.info_name)]
+    for option in context.command.params:
+        name = str(option.name)
+        if context.get_parameter_source(name) is not ParameterSource.COMMANDLINE:
+            continue
+        given = context.params[name]
+        values = list(given) if isinstance(given, tuple) else [given]
+        if isinstance(option, click.Option):
+            values = (
+                [option.opts[0]] if option.is_flag else [word for value in values for word in (option.opts[0], value)]
+            )
+        words += map(str, values)
+    return shlex.join(words)

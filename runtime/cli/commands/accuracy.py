@@ -89,7 +89,8 @@ def _problem(
 
 def _write(found: Study, out: Path | None, missing: list[str]) -> tuple[Path, list[str]]:
     """Write data and picture of a study."""
-    from hertzwerk.runtime.cli.run_folder import json_text, versions, write_study
+    from hertzwerk.runtime.cli.run_folder import json_text, write_study
+    from hertzwerk.runtime.host.versions import versions
     from hertzwerk.runtime.pictures.studies import plot_accuracy
     from hertzwerk.runtime.work_precision.report import csv_text, record
 

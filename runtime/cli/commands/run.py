@@ -20,6 +20,7 @@ from hertzwerk.runtime.cli.target import (
     SET,
     WITHOUT,
     assignments,
+    command_line,
     loaded,
     number,
     unwritable_faults,
@@ -112,6 +113,7 @@ def run(
         else:
             request = _request(target, options)
             solution = _simulate(out, wanted, stopping, **{**options, "target": target})
+        request["command"] = command_line()
         if solution.outcome.name == "interrupted" and not solution.statistics.steps:
             raise KeyboardInterrupt
         missing: list[str] = []

@@ -1,0 +1,40 @@
+"""`hertzwerk report`: one self-contained HTML page of a run, a study or a scene."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.cli.terminal import GOOD, line, reports_bad_input
+
+
+@click.command()
+@click.argument("target", metavar="RUN|TARGET")
+@click.option(
+    "--out", type=click.Path(path_type=Path), help="HTML to write (default: report.html in a folder, else beside)."
+)
+@click.option("--scene", metavar="FILE", help="Python file of a run's scene, which is executed, for its equations.")
+@click.option("--overwrite", is_flag=True, help="Write it in place of another.")
+@reports_bad_input
+def report(target: str, out: Path | None, scene: str | None, overwrite: bool) -> int:
+    """Write one HTML page that holds all it shows: numbers, warnings, pictures, equations, origin.
+
+    Of a saved run (a folder of `hertzwerk run`, or a file of Solution.save), or of a scene.
+    """
+    from hertzwerk.runtime.cli.reported import page_of
+    from hertzwerk.runtime.host.folder import unwritable
+    from hertzwerk.runtime.solution.solution import write
+
+    place = Path(target)
+    path = out or (place / "report.html" if place.is_dir() else Path(f"{place.stem}.html"))
+    faults: list[Fault] = []
+    if path.exists() and not overwrite:
+        faults.append(Fault("--out", f"{path}, which exists", "a new file", "name another, or say --overwrite"))
+    if (hindrance := unwritable(path.absolute().parent)) is not None:
+        faults.append(Fault("--out", hindrance, "a file in a folder that can be written to"))
+    if faults:
+        raise InputError("report", faults)
+    line("written", str(write(path, page_of(place, target, scene).encode(), overwrite=overwrite)))
+    return GOOD

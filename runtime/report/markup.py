@@ -1,0 +1,45 @@
+"""HTML by construction: every text is escaped, only what `tag` made is markup."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from html import escape
+from typing import TypeAlias
+
+EMPTY = ("br", "col", "link", "meta")  # elements without content
+_FORBIDDEN = re.compile("[\\x00-\\x08\\x0b-\\x1f\\x7f-\\x9f\\ud800-\\udfff]")
+
+
+class Markup(str):
+    """HTML, as made by `tag` and `joined`; any other text is escaped where it is put into a page."""
+
+    __slots__ = ()
+
+
+Content: TypeAlias = "str | Markup | None"
+
+
+def tag(name: str, /, *content: Content, **attributes: str | float | None) -> Markup:
+    """Return an element; texts and values of attributes are escaped, None is left out.
+
+    Underscores in the name of an attribute stand for hyphens, but the last one.
+    """
+    given = ((key.removesuffix("_").replace("_", "-"), value) for key, value in attributes.items())
+    opened = "".join([name, *(f' {key}="{escape(_visible(str(value)))}"' for key, value in given if value is not None)])
+    return Markup(f"<{opened}>" if name in EMPTY else f"<{opened}>{joined(content)}</{name}>")
+
+
+def joined(parts: Iterable[Content], between: str = "") -> Markup:
+    """Return parts one after another, texts escaped, None left out."""
+    return Markup(between.join(escaped(part) for part in parts if part is not None))
+
+
+def escaped(text: str) -> Markup:
+    """Return a text as HTML; markup stays as it is."""
+    return text if isinstance(text, Markup) else Markup(escape(_visible(text)))
+
+
+def _visible(text: str) -> str:
+    """Replace what no HTML may hold: control characters, and halves of surrogate pairs."""
+    return _FORBIDDEN.sub("\N{REPLACEMENT CHARACTER}", text)

@@ -1,0 +1,253 @@
+"""LaTeX of the equations for people, as MathML that browsers typeset by themselves.
+
+The subset is the one that the printers of `derive` write; anything else raises ValueError. A line is several `math`
+elements, broken before equals, plus and minus signs, so that long equations go on in the next line.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from unicodedata import lookup
+
+from hertzwerk.runtime.report.markup import Markup, joined, tag
+
+_TOKEN = re.compile(r"\\[A-Za-z]+|\\.|\d+(?:\.\d+)?|\S", re.DOTALL)
+_SYMBOLS = {
+    **{"varphi": "φ", "phi": "ϕ", "varepsilon": "ε", "epsilon": "ϵ", "vartheta": "ϑ", "lambda": "λ", "Lambda": "Λ"},
+    **{"infty": "∞", "ell": "ℓ", "partial": "∂"},
+}
+_SIGNS = {
+    "cdot": "·", "times": "×", "leq": "≤", "geq": "≥", "neq": "≠", "ne": "≠", "perp": "⟂", "in": "∈", "int": "∫",
+    "wedge": "∧", "vee": "∨", "neg": "¬", "to": "→", "pm": "±", "langle": "⟨", "rangle": "⟩", "lVert": "‖",
+    "rVert": "‖", "lvert": "|", "rvert": "|", "lfloor": "⌊", "rfloor": "⌋", "mid": "|",
+}  # fmt: skip
+_FUNCTIONS = (
+    "sin",
+    "cos",
+    "tan",
+    "sinh",
+    "cosh",
+    "tanh",
+    "arcsin",
+    "arccos",
+    "arctan",
+    "log",
+    "ln",
+    "exp",
+    "max",
+    "min",
+)
+_SPACES = {",": "0.17em", ";": "0.28em", "!": "-0.17em", "quad": "1em", "qquad": "2em", " ": "0.3em"}
+_ACCENTS = {"dot": "˙", "ddot": "¨", "hat": "^", "bar": "¯", "vec": "→", "tilde": "~"}
+_BREAKS = tuple(tag("mo", sign) for sign in ("=", "+", "−", "≤", "≥", "≠"))
+
+
+def lines_of(latex: str) -> list[tuple[Markup, str]]:
+    """Return the lines of an equation, each with the remark that stands beside it; raises ValueError."""
+    body = re.fullmatch(r"\s*\\begin\{aligned\}(.*)\\end\{aligned\}\s*", latex, re.DOTALL)
+    if body is None:
+        return [(_line(latex), "")]
+    found = []
+    for row in body[1].split(r"\\"):
+        left, right, *remark = (cell.strip() for cell in [*row.split("&"), ""][:4])
+        text = re.fullmatch(r"\\text\{(.*)\}", "".join(remark).strip())
+        if any(remark) and text is None:
+            raise ValueError(f"found {row!r}, expected a text beside the equation")
+        found.append((_line(f"{left} {right}"), _plain(text[1]) if text else ""))
+    return found
+
+
+def inline(latex: str) -> Markup:
+    """Return a short formula as one `math` element; raises ValueError."""
+    return tag("math", joined(node for node, _ in _Reader(latex).all()))
+
+
+def _line(latex: str) -> Markup:
+    """Return a line as `math` elements that a browser may put on several lines."""
+    pieces: list[list[Markup]] = [[]]
+    after_sign = True
+    for node, sign in _Reader(latex).all():
+        if sign and not after_sign:
+            pieces.append([])
+        # a plus or minus at the start of a piece is none of a number's
+        pieces[-1].append(node if after_sign or not sign else Markup(node.replace("<mo>", '<mo form="infix">')))
+        after_sign = sign
+    # display style by attribute: the elements stay inline
+    return joined((tag("math", tag("mrow", *piece), displaystyle="true") for piece in pieces), " ")
+
+
+class _Reader:
+    """Recursive descent over the tokens of a formula."""
+
+    def __init__(self, latex: str) -> None:
+        self._latex = latex
+        self._tokens = list(_TOKEN.finditer(latex))
+        self._at = 0
+
+    def all(self) -> list[tuple[Markup, bool]]:
+        """Return all nodes, each with whether it is a sign that a line may break before."""
+        nodes = list(self._row(()))
+        if self._at < len(self._tokens):
+            raise self._unexpected(self._token)
+        return nodes
+
+    @property
+    def _token(self) -> str:
+        return self._tokens[self._at][0] if self._at < len(self._tokens) else ""
+
+    def _next(self) -> str:
+        token = self._token
+        if not token:
+            raise ValueError(f"{self._latex!r} ends too early")
+        self._at += 1
+        return token
+
+    def _fenced_next(self) -> bool:
+        """Return whether a bracket comes next, alone or as the first of a group."""
+        at = self._at + (self._token == "{")
+        return at < len(self._tokens) and self._tokens[at][0] in (r"\left", "(")
+
+    def _expect(self, wanted: str) -> None:
+        if (token := self._next()) != wanted:
+            raise self._unexpected(token, wanted)
+
+    def _unexpected(self, token: str, wanted: str = "what the printers write") -> ValueError:
+        return ValueError(f"found {token!r} in {self._latex!r}, expected {wanted}")
+
+    def _row(self, ends: tuple[str, ...]) -> Iterator[tuple[Markup, bool]]:
+        while self._token and self._token not in (*ends, "}", r"\right", r"\end", "&", r"\\"):
+            yield self._scripted()
+
+    def _nodes(self, *ends: str) -> Markup:
+        return tag("mrow", *(node for node, _ in self._row(ends)))
+
+    def _scripted(self) -> tuple[Markup, bool]:
+        first = self._token
+        base, scripts = self._atom(), {}
+        while self._token in ("_", "^"):
+            key = self._next()
+            scripts[key] = self._argument()
+        name = f"m{'sub' if '_' in scripts else ''}{'sup' if '^' in scripts else ''}"
+        node = tag(name, base, *(scripts[key] for key in "_^" if key in scripts)) if scripts else base
+        if first.removeprefix("\\") in _FUNCTIONS or first == r"\operatorname":
+            around = _space(_SPACES[","])
+            node = joined([around, node, None if self._fenced_next() else around])
+        return node, base in _BREAKS
+
+    def _argument(self) -> Markup:
+        """Return a group, or the one node that stands for it."""
+        if self._token == "{":
+            self._next()
+            nodes = self._nodes("}")
+            self._expect("}")
+            return nodes
+        return self._atom()
+
+    def _atom(self) -> Markup:
+        token = self._token
+        if token == "{":
+            return self._argument()
+        self._next()
+        name = token[1:]
+        if not token.startswith("\\"):
+            return self._character(token)
+        if letter := _letter(name):
+            return tag("mi", letter)
+        if name in _SIGNS:
+            return tag("mo", _SIGNS[name])
+        if name in _FUNCTIONS:
+            return tag("mi", name)
+        if name in _SPACES:
+            return _space(_SPACES[name])
+        if name in _ACCENTS:
+            return tag("mover", self._argument(), tag("mo", _ACCENTS[name], stretchy="false"), accent="true")
+        if name == "frac":
+            return tag("mfrac", self._argument(), self._argument())
+        if name == "sqrt":
+            return self._root()
+        if name == "left":
+            return self._fenced()
+        if name == "begin":
+            return self._cases()
+        if name in ("mathrm", "operatorname", "text"):
+            text = _plain(self._raw())
+            kind = "mtext" if name == "text" else "mi"
+            return tag(kind, text, mathvariant="normal" if kind == "mi" and len(text) == 1 else None)
+        if name in ("{", "}", "|", "%", "_", "#", "&"):
+            return tag("mo", {"|": "‖"}.get(name, name))
+        raise self._unexpected(token)
+
+    def _character(self, token: str) -> Markup:
+        if token[0].isdigit():
+            return tag("mn", token)
+        if token.isalpha():
+            return tag("mi", token)
+        if token in "+-=<>()[]|,.;:/!*'":
+            return tag(
+                "mo", {"-": "−", "*": "∗", "'": "′"}.get(token, token), stretchy="false" if token in "()[]|" else None
+            )
+        raise self._unexpected(token)
+
+    def _raw(self) -> str:
+        """Return the text of a group as it stands, spaces kept."""
+        self._expect("{")
+        start, depth = self._tokens[self._at - 1].end(), 1
+        while depth:
+            depth += {"{": 1, "}": -1}.get(self._next(), 0)
+        return self._latex[start : self._tokens[self._at - 1].start()]
+
+    def _root(self) -> Markup:
+        if self._token != "[":
+            return tag("msqrt", self._argument())
+        self._next()
+        index = self._nodes("]")
+        self._expect("]")
+        return tag("mroot", self._argument(), index)
+
+    def _fenced(self) -> Markup:
+        opened, inside = self._fence(), self._nodes()
+        self._expect(r"\right")
+        return tag("mrow", opened, inside, self._fence())
+
+    def _fence(self) -> Markup | None:
+        token = self._next()
+        sign = _SIGNS.get(token[1:], token.removeprefix("\\"))
+        return None if sign == "." else tag("mo", sign, fence="true", stretchy="true")
+
+    def _cases(self) -> Markup:
+        if (name := self._raw()) != "cases":
+            raise self._unexpected(name, "cases")
+        rows: list[list[Markup]] = [[]]
+        while True:
+            rows[-1].append(tag("mtd", self._nodes(), style="text-align: left"))
+            if (token := self._next()) == r"\\":
+                rows.append([])
+            elif token == r"\end":
+                self._raw()
+                break
+            elif token != "&":
+                raise self._unexpected(token)
+        return tag(
+            "mrow", tag("mo", "{", fence="true", stretchy="true"), tag("mtable", *(tag("mtr", *row) for row in rows))
+        )
+
+
+def _letter(name: str) -> str:
+    """Return the letter of a command, Greek or other; nothing for what is none."""
+    try:
+        return _SYMBOLS.get(name) or lookup(f"GREEK {'CAPITAL' if name[0].isupper() else 'SMALL'} LETTER {name}")
+    except KeyError:
+        return ""
+
+
+def _space(width: str) -> Markup:
+    return tag("mspace", width=width)
+
+
+def _plain(text: str) -> str:
+    """Return the text of a group without LaTeX's escapes."""
+    text = re.sub(r"\\([_#%&{}$])", r"\1", text.replace(r"\,", "\N{THIN SPACE}"))
+    if "\\" in text:
+        raise ValueError(f"found {text!r}, expected a text without commands")
+    return text.replace(" ", "\N{NO-BREAK SPACE}") if text != text.strip() else text

@@ -1,0 +1,47 @@
+"""Pages in a real browser, under their own policy: nothing is cut, nothing fetched, tables sort."""
+
+import pytest
+from pages import BROWSER, seen
+
+from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime.model.build import built_in_scenes
+from hertzwerk.runtime.report.html_page import Origin, Section, page
+from hertzwerk.runtime.report.html_table import table
+from hertzwerk.runtime.report.markup import Markup, joined
+from hertzwerk.runtime.report.model_report import model_page
+from hertzwerk.runtime.report.run_report import run_page
+
+pytestmark = pytest.mark.skipif(BROWSER is None, reason="no chromium (apt-get install chromium)")
+
+
+def test_a_page_is_whole_fetches_nothing_and_sorts(tmp_path):
+    run = simulate(load("slider_crank"), duration="6 ms", tolerance=1e-7)
+    found = seen(run_page(run), tmp_path)
+    assert found["cut"] == []
+    assert (found["fetched"], found["violations"]) == ([], [])
+    before, up, down = found["sorted"]["Impacts/peak force [kN]"]
+    assert before != up
+    assert up == sorted(before, key=float)
+    assert down == up[::-1]
+    before, up, _ = found["sorted"]["Parameters/parameter"]
+    assert up == sorted(before)
+
+
+def test_faults_of_a_page_are_found(tmp_path):
+    rows = [["b", 2.0], ["a", 10.0], [Markup(f"<b style='white-space: pre'>{'wide ' * 400}</b>"), 1.0]]
+    content = joined([table([("text", ""), ("number", "")], rows), Markup("<img src='http://127.0.0.1:9/x.png'>")])
+    bad = page("run", "a", "", Markup("<script>window.alerted = 1</script>"), [Section("One", content)], Origin("x"))
+    found = seen(bad, tmp_path)
+    assert found["sorted"]["One/number"][1:] == [["1", "2", "10"], ["10", "2", "1"]]
+    assert any("wide" in text for text in found["cut"])
+    assert found["alerted"] == 0  # the policy holds back what is no script of the page's own
+    assert {text.split()[0] for text in found["violations"]} == {"script-src-elem", "img-src"}
+
+
+@pytest.mark.slow
+def test_equations_of_every_scene_fit(tmp_path):
+    cut = {}
+    for name in built_in_scenes():
+        (tmp_path / name).mkdir()
+        cut[name] = seen(model_page(load(name)), tmp_path / name)["cut"]
+    assert {name: texts for name, texts in cut.items() if texts} == {}

@@ -1,0 +1,97 @@
+"""LaTeX of equations as MathML: every equation of the built-in scenes, and what is refused."""
+
+import re
+from xml.etree import ElementTree
+
+import pytest
+
+from hertzwerk.runtime.model.build import built_in_scenes, equations, scene_from
+from hertzwerk.runtime.report.mathml import inline, lines_of
+
+
+def read(latex):
+    return ElementTree.fromstring(inline(latex))
+
+
+def said(element):
+    """A formula as text again, by the meaning that the MathML standard gives each element."""
+    parts = [said(child) for child in element]
+    match element.tag:
+        case "mfrac":
+            return "({})/({})".format(*parts)
+        case "msub":
+            return "{}_{}".format(*parts)
+        case "msup":
+            return "{}^{}".format(*parts)
+        case "msubsup":
+            return "{}_{}^{}".format(*parts)
+        case "mover":
+            return "{1}{0}".format(*parts)
+        case "msqrt":
+            return f"root({''.join(parts)})"
+        case "mspace":
+            return " "
+        case "mtr":
+            return f"[{','.join(parts)}]"
+    return (element.text or "") + "".join(parts)
+
+
+@pytest.mark.parametrize(
+    ("latex", "text"),
+    [
+        (r"\varphi_{\mathrm{crank\,pin}}", "φ_crank\N{THIN SPACE}pin"),
+        (r"\frac{4 E_{\mathrm{eff}} \sqrt{R}}{3}", "(4E_effroot(R))/(3)"),
+        (r"\delta^{3/2}", "δ^3/2"),
+        (r"s_{\mathrm{rod}}^{2}", "s_rod^2"),
+        (r"a^{2}_{x}", "a_x^2"),
+        (r"\dot{\delta} h", "˙δh"),
+        (r"- \sin {\varphi} \tanh{\left(\frac{s}{v} \right)}", "− sin φ tanh((s)/(v))"),
+        (
+            r"\begin{cases} K & \text{if } x \leq 0 \\ 0 & \text{else} \end{cases}",
+            "{[K,if\N{NO-BREAK SPACE}x≤0][0,else]",
+        ),
+        (r"\left|{\omega}\right|", "|ω|"),
+        (r"1.0 \cdot 10^{-5}", "1.0·10^−5"),
+        (r"\mathrm{slider\_pin}", "slider_pin"),
+    ],
+)
+def test_formulas_keep_their_meaning(latex, text):
+    assert said(read(latex)) == text
+
+
+def test_a_term_of_several_lines_has_its_remark_beside_it():
+    latex = "\\begin{aligned}\n& m \\ddot{x} && \\text{inertia} \\\\\n&= F && \\text{slider\\_pin} \\\\\n&\\quad - g\n\\end{aligned}"
+    assert [remark for _, remark in lines_of(latex)] == ["inertia", "slider_pin", ""]
+
+
+def test_lines_may_break_before_signs_but_not_after():
+    ((line, _),) = lines_of(r"a = - b + \left(c + d\right) - e")
+    assert [said(ElementTree.fromstring(piece)) for piece in re.findall("<math.*?</math>", line)] == [
+        "a",
+        "=−b",
+        "+(c+d)",
+        "−e",
+    ]
+
+
+@pytest.mark.parametrize(
+    "latex", [r"\href{x}{y}", r"\frac{a}", r"{a", r"a}", r"\left(a", r"\begin{array} \end{array}", "a ~ b"]
+)
+def test_anything_else_is_refused(latex):
+    with pytest.raises(ValueError, match=r"found|too early|expected"):
+        lines_of(latex)
+
+
+@pytest.mark.parametrize("scene", ["slider_crank", pytest.param("all", marks=pytest.mark.slow)])
+def test_every_symbol_of_an_equation_is_in_its_formula(scene):
+    """The letters and numbers of the LaTeX, read by a pattern alone, are those of the MathML in their order."""
+    for name in built_in_scenes() if scene == "all" else [scene]:
+        shown = equations(scene_from(name))
+        latex = [equation.latex for equation in shown.equations] + [s.latex for s in (*shown.states, *shown.parameters)]
+        for text in latex:
+            found = "".join(said(ElementTree.fromstring(f"<p>{line}</p>")) for line, _ in lines_of(text))
+            words = re.sub(
+                r"\\(?:begin|end)\{\w+\}|&& *\\text\{.*?\}(?= *(?:\\\\|\n|$))|\\[a-zA-Z]+|[^0-9A-Za-z]", "", text
+            )
+            letters = re.sub(r"root|sin|cos|tanh|max|log|exp|[^0-9A-Za-z]", "", found)
+            assert sorted(letters) == sorted(words), text
