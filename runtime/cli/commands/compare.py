@@ -142,7 +142,7 @@ def _compared(
     wall_time: str | None,
     **measured: Any,
 ) -> Compared:
-    """Return the comparison of a command line; raises InputError with the faults of all its parts, before it runs."""
+    """Return the comparison of a command line; raises InputError with every fault before it runs."""
     from hertzwerk.runtime.measured.matching import match
     from hertzwerk.runtime.run.request import METHOD, Settings, check
     from hertzwerk.runtime.simulation import simulate
