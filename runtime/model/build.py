@@ -8,7 +8,6 @@ found again without SymPy.
 from __future__ import annotations
 
 import hashlib
-import linecache
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache, partial
@@ -19,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.runtime.host import cache as disk
+from hertzwerk.runtime.model.generated_text import module_of
 
 if TYPE_CHECKING:
     from hertzwerk.derive.audit.audit import Finding
@@ -104,7 +104,7 @@ def vary(
 
 def build(scene: Scene, source: str = "a scene") -> ModuleType:
     """Derive a scene, generate its module and execute it; raises InputError if it is inconsistent."""
-    return _module(scene.name, derive_text(scene, source))
+    return module_of(scene.name, derive_text(scene, source))
 
 
 def derive_text(scene: Scene, source: str) -> str:
@@ -220,7 +220,7 @@ def build_compared(name: str, contact: str, law: str | None) -> ModuleType:
             return comparison.with_open_exponent(base, contact)
         return comparison.with_stiffness(base, contact, law)
 
-    return _module(name, _cached_text(("compared", name, contact, law), scene, source_of(name)))
+    return module_of(name, _cached_text(("compared", name, contact, law), scene, source_of(name)))
 
 
 def build_dropped(form: str, damping: str) -> ModuleType:
@@ -231,7 +231,7 @@ def build_dropped(form: str, damping: str) -> ModuleType:
 
         return dropped(form, damping)
 
-    return _module(f"dropped_{form}", _cached_text(("dropped", form, damping), scene, "derive/sheets/comparison.py"))
+    return module_of(f"dropped_{form}", _cached_text(("dropped", form, damping), scene, "derive/sheets/comparison.py"))
 
 
 def build_built_in(
@@ -244,7 +244,7 @@ def build_built_in(
     require_targets([name])
     variation = name, tuple(without), tuple(sorted((laws or {}).items())), coordinates
     scene = partial(_varied, name, without, laws, coordinates)
-    return _module(name, _cached_text(variation, scene, source_of(name)))
+    return module_of(name, _cached_text(variation, scene, source_of(name)))
 
 
 def _varied(name: str, *variation: Any) -> Scene:
@@ -262,7 +262,7 @@ def build_hard_scene(name: str) -> ModuleType:
 
         return HARD_SCENES[name]()
 
-    return _module(name, _cached_text(("hard", name), scene, "derive/scenes/hard/scenes.py"))
+    return module_of(name, _cached_text(("hard", name), scene, "derive/scenes/hard/scenes.py"))
 
 
 def _cached_text(variation: tuple[object, ...], scene: Callable[[], Scene], source: str) -> str:
@@ -282,14 +282,6 @@ def require_targets(targets: Sequence[str]) -> None:
     faults = [unknown("scene", name, known, way_out) for name in targets if not is_file(name) and name not in known]
     if faults:
         raise InputError(f"scene {faults[0].where}" if len(faults) == 1 else "scenes", faults)
-
-
-def _module(name: str, text: str) -> ModuleType:
-    module = ModuleType(f"hertzwerk_generated_{name}")
-    module.__file__ = f"<generated {name} {hashlib.sha256(text.encode()).hexdigest()[:12]}>"
-    linecache.cache[module.__file__] = (len(text), None, text.splitlines(keepends=True), module.__file__)
-    exec(compile(text, module.__file__, "exec"), module.__dict__)  # text of our own emitter
-    return module
 
 
 def _key(variation: tuple[object, ...]) -> str:

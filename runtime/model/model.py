@@ -15,6 +15,7 @@ from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.model.binding import Declared, Port, Value, read_parameters
 from hertzwerk.runtime.model.caller import Callers
+from hertzwerk.runtime.model.generated_text import module_of, text_of
 from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
@@ -101,6 +102,12 @@ class Model:
 
     def __repr__(self) -> str:
         return f"Model({self.name}: {self.nq} coordinates, {self.k} contact pairs, {len(self.parameters)} parameters)"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle and copy text and tables; functions are built anew where they are wanted."""
+        text = text_of(self.module)
+        tables = {} if text else {name: x for name, x in vars(self.module).items() if not name.startswith("__")}
+        return _restored, (type(self), self.name, text, tables, self.declaration, self.dependent)
 
     @cached_property
     def units(self) -> dict[str, str]:
@@ -258,6 +265,18 @@ class Model:
                 )
         cause = "it follows from the parameters alone; look for values far from each other in size"
         return Fault(constant, f"{value!r} {unit}", "a finite constant", cause)
+
+
+def _restored(
+    kind: type[Model],
+    name: str,
+    text: str,
+    tables: Mapping[str, Any],
+    declaration: Declaration | None,
+    dependent: tuple[Dependent, ...],
+) -> Model:
+    """Return a model that was pickled: by its text, or of a saved run by its tables."""
+    return kind(module_of(name, text) if text else SimpleNamespace(**tables), declaration, dependent)
 
 
 @per_model

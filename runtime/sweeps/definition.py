@@ -7,7 +7,6 @@ start in SI, the settings, the outputs with the code of own functions, and the v
 from __future__ import annotations
 
 import hashlib
-import linecache
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from importlib import metadata, resources
@@ -31,15 +30,6 @@ ARGUMENTS = (  # of `sweep`, and names in a definition
 FOLLOW = ("columns", "varied")  # from the rest
 LIBRARIES = ("hertzwerk", "casadi", "numpy", "scipy")
 WIDEN = "widen=True, or --widen, keeps the rows that are the same and computes the others; or take another folder"
-
-
-def text_of(model: Model) -> str:
-    """Return the text of a model's generated module; raises InputError where there is none."""
-    text = "".join(linecache.getlines(getattr(model.module, "__file__", None) or ""))
-    if not text:
-        expected = "a model that `load` returned"
-        raise InputError(model.name, [Fault("into", "a model whose generated text is not known", expected)])
-    return text
 
 
 @cache

@@ -25,12 +25,13 @@ from hertzwerk.derive.units import UnitError
 from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.model import model as plain
 from hertzwerk.runtime.model.binding import Value, named_values, read
+from hertzwerk.runtime.model.generated_text import text_of
 from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, Settings, check
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.start.start_values import split_values
 from hertzwerk.runtime.sweeps.batch import INTERRUPTED, Batch, ports
-from hertzwerk.runtime.sweeps.definition import as_text, axes_of, keys_of, target_of, text_of, versions
+from hertzwerk.runtime.sweeps.definition import as_text, axes_of, keys_of, target_of, versions
 from hertzwerk.runtime.sweeps.design import Given, Varied, read_design
 from hertzwerk.runtime.sweeps.own_functions import digest
 from hertzwerk.runtime.sweeps.row_outputs import Output, chosen, finals, own
@@ -126,7 +127,10 @@ def sweep(
     if into is None:
         rows, outcome = _in_memory(batch, len(plan.points), progress)
         return made(rows=rows, outcome=outcome, compiled=batch.compiled, wall_s=time.perf_counter() - began)
-    folder, text = Path(into), text_of(model)
+    folder, text = Path(into), text_of(model.module)
+    if not text:
+        fault = Fault("into", "a model whose generated text is not known", "a model that `load` returned")
+        raise InputError(model.name, [fault])
     same = {
         "outputs": [output.name for output in wanted if output.name not in (functions or {})],
         "functions": {name: digest(name, function) for name, function in (functions or {}).items()},

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 class Integrator:
     """CasADi functions of one model and method: initial state, attempt, dense output.
 
+    asked    tables that `integrator` was given
     tables   by the state's `method`; a run whose `attempt` uses only the first may continue with the integrator `with_choice`
     """
 
@@ -38,8 +39,13 @@ class Integrator:
     attempt: Any  # (state, controls) -> state
     model: Model
     tables: tuple[Table, ...]
+    asked: tuple[Table, ...] = ()
     with_choice: Callable[[], Integrator] | None = None
     _steps: dict[int, Any] = field(default_factory=dict)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle and copy what it was made of; it is built anew."""
+        return integrator, (self.model, self.asked)
 
     def step(self, method: int = 0) -> Any:
         """Return (state, controls, h) -> trial, by the table of a method; built on first use."""
@@ -60,11 +66,11 @@ def integrator(model: Model, tables: tuple[Table, ...]) -> Integrator:
     """
     alone = len(tables) == 1
     if alone and (isinstance(tables[0], RungeKutta) or not model.nl):
-        return _integrator(model, tables, tables, Choosing.NONE)
-    tables = (*tables, dopri5()) if alone else tables
+        return replace(_integrator(model, tables, tables, Choosing.NONE), asked=tables)
+    asked, tables = tables, (*tables, dopri5()) if alone else tables
     first, later = (Choosing.NONE,) * 2 if alone else (Choosing.ON_SUSPICION, Choosing.EVERY_STEP)
     with_choice = cache(lambda: _integrator(model, tables, tables, later))
-    return replace(_integrator(model, tables[:1], tables, first), with_choice=with_choice)
+    return replace(_integrator(model, tables[:1], tables, first), asked=asked, with_choice=with_choice)
 
 
 def _integrator(model: Model, taken: tuple[Table, ...], tables: tuple[Table, ...], choosing: Choosing) -> Integrator:
