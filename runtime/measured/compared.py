@@ -96,7 +96,7 @@ class Compared:
         return "\n".join(f"{label}: {text}" for label, text in self.lines())
 
     def csv(self) -> str:
-        """Return run times, and measured and run of every signal there, as CSV with units; empty where missing."""
+        """Return run times with measured and run of every signal as CSV; empty where missing."""
         times = np.unique(np.concatenate([signal.t for signal in self.signals]))
         columns = {"t [s]": times}
         for signal in self.signals:
