@@ -47,7 +47,7 @@ ROOMS = {
     "runtime": {
         ".": "comparing derive/faults effects loading measured model simulation solution sweeps",
         "accuracy": "",
-        "cli": "accuracy derive/audit derive/faults derive/sheets effects hard_cases host integrate/tableaux loading "
+        "cli": "accuracy derive/audit derive/faults derive/sheets effects hard_cases host integrate/tableaux loading measured "
         "measured model pictures pictures/draw pictures/motion pictures/studies report run simulation solution start "
         "studies sweeps validate work_precision",
         "command_line": "cli",
@@ -75,7 +75,8 @@ ROOMS = {
         "simulation": "accuracy derive/faults integrate/step loading model pictures pictures/draw pictures/motion report run solution start",
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults host integrate/step integrate/tableaux model",
-        "studies": "derive/faults derive/sheets effects loading model pictures simulation solution",
+        "studies": "derive/faults derive/sheets derive/units effects loading measured model pictures simulation solution "
+        "sweeps",
         "sweeps": "derive/declare derive/faults derive/files derive/units host loading model run simulation solution start",
         "validate": "derive/faults derive/files derive/sheets derive/units integrate/tableaux loading model run "
         "simulation solution",

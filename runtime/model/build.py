@@ -206,6 +206,19 @@ def force_curve(
     return comparison.force_curve(law, penetrations, clearances, exponent)
 
 
+def restitution_out(damping: str, e: float, exponent: float) -> float | None:
+    """Return the restitution of a free impact in closed form, beside K d^n; None where there is none."""
+    from hertzwerk.derive.laws import LAWS
+    from hertzwerk.derive.laws.law import DampingLaw
+    from hertzwerk.derive.sheets import impact
+
+    law = LAWS[damping]
+    if not isinstance(law, DampingLaw):
+        raise TypeError(f"found {damping}, a {law.kind} law, expected a damping law")
+    known = law.factor is not None or float(impact.published_exponent(law)) == exponent
+    return impact.restitution_out(law, e) if known else None
+
+
 def build_compared(name: str, contact: str, law: str | None) -> ModuleType:
     """Return the module of a built-in scene with another stiffness law, from the cache if possible.
 

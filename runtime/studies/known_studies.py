@@ -8,7 +8,7 @@ from pathlib import Path
 from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.runtime.studies.page import Study
 
-NAMES = ("exponents", "stiffness")
+NAMES = ("exponents", "stiffness", "bouncing", "slider_crank")
 """Built-in studies: NAME is `STUDY` of `study_NAME.py`."""
 
 

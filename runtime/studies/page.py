@@ -43,7 +43,7 @@ class Curve:
     x: Array
     y: Array
     half_width: Array | None = None
-    look: Literal["line", "dots", "both", "dashed", "reference"] = "line"
+    look: Literal["line", "dots", "both", "dashed", "reference", "measured"] = "line"
 
     def __post_init__(self) -> None:
         """Convert to arrays; raises ValueError if their lengths differ."""

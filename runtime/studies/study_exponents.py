@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.solution.solution import Solution
 
 EXPONENTS = (1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8, 1.9, 2.0)
-FEW = (1.0, 1.25, 1.5, 1.75, 2.0)
+FEW = (1.0, 1.5, 2.0)
 DRAWN = (1.0, 1.5, 2.0)
 STIFFNESS = 4 / 3 * 207e9 / (2 * (1 - 0.3**2)) * math.sqrt(0.010 * 0.0095 / 0.0005)  # N/m^1.5, the pin in its bush
 MASS, SPEED, RESTITUTION = 0.21 * 0.14 / (0.21 + 0.14), 1.0, 0.9  # kg of rod and slider, m/s

@@ -30,16 +30,24 @@ if TYPE_CHECKING:
 @click.option(
     "--out", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/NAME-study-NNN)."
 )
+@click.option(
+    "--measured",
+    type=click.Path(path_type=Path),
+    metavar="FILE.csv",
+    help="Lay measured signals over the figures: columns named as histories, t [s],guide.acceleration [m/s^2].",
+)
 @JSON
 @reports_bad_input
-def study(name: str | None, quick: bool, out: Path | None, as_json: bool) -> int:
+def study(name: str | None, quick: bool, out: Path | None, measured: Path | None, as_json: bool) -> int:
     """Make the study NAME, or that of a Python file that defines `study`: figures, tables, verdicts.
 
     Without NAME, list the built-in studies. Exit code 1 where a number differs from the independent one it is compared
     with.
     """
     from hertzwerk.runtime.cli import page_folder
+    from hertzwerk.runtime.measured.measurement import read_measurement
     from hertzwerk.runtime.studies.known_studies import NAMES, study_of
+    from hertzwerk.runtime.studies.overlay import laid_over
 
     if name is None:
         for known in NAMES:
@@ -49,10 +57,13 @@ def study(name: str | None, quick: bool, out: Path | None, as_json: bool) -> int
     found = study_of(name)
     if faults := unwritable_faults(out, wanted=wanted):
         raise InputError("study", faults)
+    laid = None if measured is None else read_measurement(measured)
     with Progress(f"study {found.name}", shown=not as_json and sys.stderr.isatty()) as progress:
         page = found.run(quick, progress)
+    page = page if laid is None else laid_over(page, laid)
     about = {"study": found.name, "question": found.question, "quick": quick}
-    about |= {"command": shlex.join(["hertzwerk", "study", name, *(["--quick"] if quick else [])])}
+    given = [*(["--quick"] if quick else []), *([] if measured is None else ["--measured", str(measured)])]
+    about |= {"command": shlex.join(["hertzwerk", "study", name, *given])}
     code = conclude(
         lambda missing: page_folder.write(page, found.name, out, about, missing),
         lambda: {**about, **page.record()},

@@ -65,7 +65,7 @@ def figure(chart: Chart) -> Figure:
 def _looks(chart: Chart) -> dict[str, dict[str, Any]]:
     """Return colour and dashes by label, in the order of their appearance."""
     labels = dict.fromkeys(
-        c.label for panel in chart.panels for c in panel.curves if c.look not in ("reference", "dashed")
+        c.label for panel in chart.panels for c in panel.curves if c.look not in ("reference", "dashed", "measured")
     )
     styles = list(product(DASHES, COLOURS))
     return {
@@ -125,6 +125,9 @@ def _curve(axis: Axes, curve: Curve, look: dict[str, Any], *, across: bool) -> N
             label, (curve.x[-1], curve.y[-1]), (0, 3), textcoords="offset points", color=GREY, fontsize=8.5,
             ha="right" if curve.x[-1] > curve.x[0] else "left",
         )  # fmt: skip
+        return
+    if curve.look == "measured":
+        axis.plot(curve.x, curve.y, ".", color="black", markersize=2.5, label=label)
         return
     lined = curve.look != "dots"
     style = {**look, **({} if lined else {"linestyle": "none"})}
