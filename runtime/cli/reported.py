@@ -1,8 +1,9 @@
-"""Subjects of `hertzwerk report`: saved runs with the scenes they came from, scenes themselves."""
+"""Subjects of `hertzwerk report`: folders of runs, sweeps and studies, saved runs, scenes."""
 
 from __future__ import annotations
 
 import json
+import shlex
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,16 +13,21 @@ from hertzwerk.runtime.cli.target import assignments
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.loading import Model
+    from hertzwerk.runtime.report.html_page import Origin
     from hertzwerk.runtime.simulation import Solution
 
 
 def page_of(place: Path, target: str, scene: str | None) -> str:
     """Return the page of what a path or name stands for; raises InputError."""
     if place.is_dir():
-        if (place / "run.json").is_file():
-            return _of_run(place / "states.npz", _told(place / "run.json"), scene)
-        found, expected = f"{place}, a folder without run.json", "a folder that `hertzwerk run` wrote"
-        raise InputError("report", [Fault("RUN", found, expected)])
+        kinds = {"run.json": _of_run_folder, "study.json": _of_study, "definition.json": _of_sweep}
+        for file, make in kinds.items():
+            if (place / file).is_file():
+                if scene is not None and make is not _of_run_folder:
+                    raise InputError("report", [Fault("--scene", scene, "none: only a run has one")])
+                return make(place, scene)
+        expected = "a folder that `hertzwerk run`, `sweep` or `study` wrote"
+        raise InputError("report", [Fault("RUN", f"{place}, a folder without {', '.join(kinds)}", expected)])
     if place.suffix == ".npz":
         return _of_run(place, {}, scene)
     from hertzwerk.runtime.loading import load
@@ -30,6 +36,44 @@ def page_of(place: Path, target: str, scene: str | None) -> str:
     if scene is not None:
         raise InputError("report", [Fault("--scene", scene, "none: TARGET is a scene itself")])
     return model_page(load(target))
+
+
+def _of_run_folder(folder: Path, scene: str | None) -> str:
+    return _of_run(folder / "states.npz", _told(folder / "run.json"), scene)
+
+
+def _of_study(folder: Path, _: str | None) -> str:
+    from hertzwerk.runtime.report.study_report import study_page
+
+    record = _told(folder / "study.json")
+    try:
+        paths = [str(figure["path"]) for figure in record["figures"]]
+        beside = [path for path in paths if Path(path).name == path and (folder / path).is_file()]  # nothing outside
+        figures = {path: (folder / path).read_text(encoding="utf-8") for path in beside}
+        return study_page(record, figures, _origin(record, str(record.get("command", "hertzwerk study"))))
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        found = f"{folder / 'study.json'}: {type(error).__name__}: {error}"
+        raise InputError("report", [Fault("STUDY", found, "a record that `hertzwerk study` wrote")]) from error
+
+
+def _of_sweep(folder: Path, _: str | None) -> str:
+    from hertzwerk.runtime.report.sweep_report import sweep_page
+    from hertzwerk.runtime.sweeps.sweep_table import Sweep
+
+    sweep, definition = Sweep.load(folder), _told(folder / "definition.json")
+    rows = [[row[name] for name in sweep.names] for row in sweep]
+    settings = {name: value for name, value in definition.items() if name not in ("columns", "versions")}
+    command = str(definition.get("command", f"hertzwerk sweep --resume {shlex.quote(str(folder))}"))
+    origin = _origin(definition, command)
+    return sweep_page(sweep.scene, sweep.outcome, sweep.columns, rows, settings, origin, str(folder / "table.csv"))
+
+
+def _origin(told: Mapping[str, Any], command: str) -> Origin:
+    """Return the origin that a record tells."""
+    from hertzwerk.runtime.report.html_page import Origin
+
+    versions = {str(name): str(version) for name, version in (told.get("versions") or {}).items()}
+    return Origin(command, versions or None)
 
 
 def _told(path: Path) -> dict[str, Any]:
@@ -45,16 +89,14 @@ def _told(path: Path) -> dict[str, Any]:
 
 
 def _of_run(states: Path, told: Mapping[str, Any], scene: str | None) -> str:
-    from hertzwerk.runtime.report.html_page import Origin
     from hertzwerk.runtime.report.run_report import call_of, run_page
     from hertzwerk.runtime.simulation import Solution
 
     run = Solution.load(states)
     request = told.get("request") or {}
     model = _declared(run, request, scene)
-    versions = {str(name): str(version) for name, version in (told.get("versions") or {}).items()}
-    command = str(request.get("command") or call_of(run))
-    return run_page(run, model=model, origin=Origin(command, versions or None), whole=str(states))
+    origin = _origin(told, str(request.get("command") or call_of(run)))
+    return run_page(run, model=model, origin=origin, whole=str(states))
 
 
 def _declared(run: Solution, request: Mapping[str, Any], scene: str | None) -> Model | None:

@@ -1,0 +1,105 @@
+"""Reports of studies and sweeps: from what their commands wrote, nothing else read, everything escaped."""
+
+import csv
+import json
+
+import pytest
+from click.testing import CliRunner
+from pages import Outline
+
+from hertzwerk.runtime.cli import main
+
+SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"><path d="M 0 0"/><script>alert(1)</script></svg>'
+HOSTILE = "</style><script>alert(1)</script> & <b>"
+STUDY = {
+    "title": f"A title {HOSTILE}",
+    "question": HOSTILE,
+    "command": f"hertzwerk study '{HOSTILE}'",
+    "versions": {HOSTILE: HOSTILE},
+    "paragraphs": [HOSTILE],
+    "lacking": [HOSTILE],
+    "verdicts": [{"text": f"x: 1 {HOSTILE}", "source": HOSTILE, "holds": holds} for holds in (True, False, None)],
+    "tables": [
+        {
+            "name": "t",
+            "title": "Table",
+            "header": [["a", "m/s^2"], ["b", ""]],
+            "rows": [[2.5, HOSTILE], [None, "y"], [1.25, "z"]],
+        }
+    ],
+    "figures": [
+        {"title": "Figure", "path": "f.svg", "note": HOSTILE},
+        {"title": "Away", "path": "../away.svg", "note": ""},
+    ],
+}
+
+
+@pytest.fixture
+def report(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+
+    def run(*arguments):
+        return CliRunner().invoke(main, arguments, catch_exceptions=False)
+
+    return run
+
+
+def test_a_study_has_its_verdicts_figures_and_tables(report, tmp_path):
+    folder = tmp_path / "study"
+    folder.mkdir()
+    (folder / "study.json").write_text(json.dumps(STUDY))
+    (folder / "f.svg").write_text(SVG)
+    (tmp_path / "away.svg").write_text(SVG)
+    assert report("report", "study").exit_code == 0
+    page = (folder / "report.html").read_text("utf-8")
+    outline = Outline(page)
+    assert len(outline.texts["script"]) == len(outline.texts["svg"]) == 1
+    assert outline.tables["Table"] == [[["a [m/s2]", "b"], ["2.5", HOSTILE], ["", "y"], ["1.25", "z"]]]
+    assert "1 of 2 comparisons hold" in page
+    assert [text.split()[0] for text in outline.texts["li"] if " x: 1" in text] == ["holds", "fails", "found"]
+    assert any("../away.svg is not beside the record" in text for text in outline.texts["p"])
+    assert STUDY["command"] in outline.texts["pre"]
+
+
+@pytest.mark.parametrize("broken", [{}, {**STUDY, "tables": 3}, {**STUDY, "figures": [1]}, {**STUDY, "verdicts": None}])
+def test_what_is_no_study_is_refused(report, tmp_path, broken):
+    (tmp_path / "study").mkdir()
+    (tmp_path / "study" / "study.json").write_text(json.dumps(broken))
+    done = report("report", "study")
+    assert (done.exit_code, "expected a record that `hertzwerk study` wrote" in done.output) == (2, True)
+    assert not (tmp_path / "study" / "report.html").exists()
+
+
+def test_a_sweep_has_its_rows_and_definition(report, tmp_path):
+    over = ("--over", "drop_height=0.2,0.5 m", "--over", "mass=1,-1 kg")
+    done = report(
+        "sweep",
+        "soft_ball",
+        *over,
+        "--duration",
+        "0.5 s",
+        "--tolerance",
+        "1e-5",
+        "--output",
+        "floor.peak_force",
+        "--into",
+        "rows",
+    )
+    assert report("report", "rows", "--out", "rows.html").exit_code == 0, done.output
+    outline = Outline((tmp_path / "rows.html").read_text("utf-8"))
+    head, *rows = outline.tables["Rows"][0]
+    assert len(rows) == 4
+    names = [name.partition(" [")[0] for name in head]
+    forces = [row[names.index("floor.peak_force")] for row in rows]
+    with (tmp_path / "rows" / "table.csv").open(newline="") as file:
+        stored = [row["floor.peak_force [N]"] for row in csv.DictReader(file)]
+    assert [bool(force) for force in forces] == [True, False, True, False]
+    assert [float(force) for force in forces if force] == pytest.approx(
+        [float(x) for x in stored if x != "nan"], rel=1e-4
+    )
+    assert {"Rows", "Ranges", "Definition", "Origin"} <= set(outline.texts["h2"])
+    assert "hertzwerk sweep --resume rows" in outline.texts["pre"]
+    assert [list(pair) for pair in zip(outline.texts["dt"][1:], outline.texts["dd"][1:], strict=True)] == [
+        ["finished", "2"],
+        ["bad input", "2"],
+    ]
