@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import pickle
 import signal
 import sys
 import threading
@@ -44,7 +45,7 @@ class LocalFlag:
 
 
 class Job(Protocol[Returned]):
-    """Tasks, and the flag `stop` that they check; a forked process inherits all of it."""
+    """Tasks, and the flag `stop` that they check; a forked process inherits all of it, others are sent a pickle."""
 
     stop: Flag
 
@@ -103,15 +104,25 @@ def _together(job: Job[Result], waiting: deque[int], workers: int, suspects: lis
 
 
 def _executor(job: Job[Result], workers: int) -> tuple[Executor, Callable[[int], Result]]:
-    """Return an executor of forked processes, which share the model's functions, or of threads elsewhere.
+    """Return an executor of processes, or of threads where there can be none.
 
-    CasADi holds Python's lock, so threads gain little.
+    Processes are forked where that is safe, and share the model's functions; started as `multiprocessing` was told to,
+    they build their own. CasADi holds Python's lock, so threads gain little.
     """
-    if not sys.platform.startswith("linux"):
+    start = multiprocessing.get_start_method(allow_none=True) or ("fork" if sys.platform.startswith("linux") else None)
+    if start is None or (start != "fork" and not _pickles(job)):
         return ThreadPoolExecutor(workers), job.do
-    context = multiprocessing.get_context("fork")
+    context: Any = multiprocessing.get_context(start)
     job.stop = context.Value("b", 0, lock=False)
     return ProcessPoolExecutor(workers, context, _enter, (job,)), _do
+
+
+def _pickles(job: Job[Any]) -> bool:
+    try:
+        pickle.dumps(job)
+    except (pickle.PicklingError, AttributeError, TypeError):  # a lambda is any of these
+        return False
+    return True
 
 
 _job: Job[Any] | None = None  # of a worker process

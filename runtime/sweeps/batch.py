@@ -21,7 +21,7 @@ from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.start.start_values import split_values
-from hertzwerk.runtime.sweeps.row_outputs import Measured, NotANumberError, Output, finals, of_every_run, own
+from hertzwerk.runtime.sweeps.row_outputs import Measured, NotANumberError, Output, finals, named, of_every_run, own
 from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, TEXTS, Row, Sweep, columns_of
 
 Own = Callable[[Solution], float]
@@ -162,6 +162,11 @@ class _Job:
     foreseen: float = 0.0
     begun: bool = False
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle outputs by their names, for a process that shares nothing."""
+        outputs = [(output.name, output.function) for output in self.outputs]
+        return _sent, (self.model, self.sets, self.settings, outputs, self.stop)
+
     def do(self, i: int) -> Row:
         """Run set i; raises KeyboardInterrupt where it was stopped."""
         try:
@@ -245,6 +250,16 @@ class _Job:
             name: bound[name] if name in model.parameters else read_state(name, model.joints.units[name], value)[0]
             for name, value in given.items()
         }
+
+
+def _sent(
+    model: Model,
+    sets: list[dict[str, Value]],
+    settings: dict[str, Any],
+    outputs: list[tuple[str, Own | None]],
+    stop: Flag,
+) -> _Job:
+    return _Job(model, sets, settings, named(model, outputs), stop)
 
 
 def _first_a_number(job: _Job, rows: Iterable[Row]) -> Iterator[Row]:

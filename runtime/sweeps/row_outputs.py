@@ -59,11 +59,13 @@ class Output:
     """Numbers of a run under one name: a column each, with its unit.
 
     of    the numbers in the order of the columns; nan where a run has none
+    function    the user's own that it is made of
     """
 
     columns: Mapping[str, str]
     needs: Needs
     of: Callable[[Measured], tuple[float, ...]]
+    function: Callable[[Solution], float] | None = None
 
     @property
     def name(self) -> str:
@@ -87,7 +89,13 @@ def own(name: str, function: Callable[[Solution], float]) -> Output:
             raise NotANumberError(f"output {name} returned an array of shape {np.shape(found)}")
         return (float(found),)
 
-    return Output({name: ""}, Needs.IMPACTS | Needs.BALANCE | Needs.SUMS | Needs.STEPS, of)
+    return Output({name: ""}, Needs.IMPACTS | Needs.BALANCE | Needs.SUMS | Needs.STEPS, of, function)
+
+
+def named(model: Model, outputs: Sequence[tuple[str, Callable[[Solution], float] | None]]) -> list[Output]:
+    """Return outputs by their names and, of the user's own, functions."""
+    there = {output.name: output for output in (*of_every_run(model), *_known(model))}
+    return [there[name] if function is None else own(name, function) for name, function in outputs]
 
 
 def known(model: Model) -> dict[str, Output]:

@@ -154,9 +154,13 @@ def test_errors_come_whole_from_other_processes():
 
 
 def test_batches_in_threads_side_by_side(ball):
-    """With Python 3.11's cached properties, whose lock a fork inherits, 4 of 10 such programs hung."""
+    """With Python 3.11's cached properties, whose lock a fork inherits, 4 of 10 such programs hung.
+
+    Of CasADi's own lock a fork has a copy too: who has threads starts processes otherwise.
+    """
     code = """
-import threading
+import multiprocessing, threading
+multiprocessing.set_start_method("forkserver")
 from hertzwerk.runtime import load, simulate, simulate_many
 ball, sets = load("bouncing_ball"), [{"drop_height": f"{0.5 + 0.01 * i} m"} for i in range(12)]
 def batch():
@@ -171,6 +175,37 @@ for thread in threads: thread.join()
 """
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120, check=True)
     assert done.stdout == "12 finished\n" * 3
+
+
+SHARES_NOTHING = """
+import multiprocessing, os, sys
+import numpy as np
+from hertzwerk.runtime import load, sweep
+def highest(run):
+    return float(run["vertical.travel"].max())
+def process(run):
+    return os.getpid()
+if __name__ == "__main__":
+    model, asked = load("bouncing_ball"), {"over": {"drop_height": "0.3..0.5 m:4"}, "duration": "0.5 s", "workers": 2}
+    def rows(**functions):
+        return sweep(model, outputs=["floor.peak_force", "final.vertical.travel"], functions=functions, **asked)
+    forked = rows(highest=highest)
+    multiprocessing.set_start_method(sys.argv[1])
+    started = rows(highest=highest)
+    print(*(name for name in forked.names if name != "wall_s" and not np.array_equal(forked[name], started[name])))
+    print(len(set(rows(process=process)["process"])) > 1, set(rows(process=lambda run: process(run))["process"]) == {os.getpid()})
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("start", ["spawn", "forkserver"])
+def test_processes_that_share_nothing_give_the_same_rows(start, tmp_path):
+    """A function that cannot be sent to them is called in threads."""
+    program = tmp_path / "program.py"
+    program.write_text(SHARES_NOTHING)
+    command = [sys.executable, "-W", "error", str(program), start]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=True)
+    assert done.stdout == "\nTrue True\n"
 
 
 @pytest.mark.parametrize("ending", [signal.SIGKILL, signal.SIGTERM])
