@@ -31,6 +31,7 @@ from hertzwerk.runtime.run.warnings import floored, open_forces, too_fast, unche
 from hertzwerk.runtime.solution import notebook
 from hertzwerk.runtime.solution import solution as plain_solution
 from hertzwerk.runtime.solution.checkpoint import checkpoint_of
+from hertzwerk.runtime.solution.findings import Needs
 from hertzwerk.runtime.solution.history import History
 from hertzwerk.runtime.solution.outcome import not_closed
 from hertzwerk.runtime.solution.scales import Scales
@@ -79,7 +80,6 @@ def simulate(
     Raises InputError, with every fault, for bad input and for nothing else: how the run ended is `Solution.outcome`. What raises anything, memory
     that runs out or `progress`, ends it with the outcome "exception" once a step was accepted; before, it is raised.
     """
-    began = time.perf_counter()
     settings = Settings(
         duration,
         accuracy,
@@ -91,15 +91,35 @@ def simulate(
         max_events=max_events,
         wall_time=wall_time,
     )
+    return solve(
+        model, settings, {} if parameters is None else parameters, {} if initial is None else initial, progress=progress
+    )
+
+
+def solve(
+    model: plain.Model,
+    settings: Settings,
+    parameters: Mapping[str, Value],
+    initial: Mapping[str, Value],
+    *,
+    needs: Needs = Needs.STEPS,
+    progress: Callable[[float], object] | None = None,
+) -> Solution:
+    """Run a model as `simulate` does, finding no more than is needed.
+
+    The solution raises LookupError where more is asked for.
+    """
+    began = time.perf_counter()
     # 2. bound, 3. start
-    given, times = read(model, settings, {} if parameters is None else parameters, {} if initial is None else initial)
+    given, times = read(model, settings, parameters, initial)
     # 4. run
-    run = set_up(model, settings, given)
+    run = set_up(model, settings, given, needs=needs)
+    tolerance = settings.tolerance
     scales = run.scales(tolerance)
     build_s = time.perf_counter() - began
     if tolerance is not None:
         return _solution_of(run, run.trace(tolerance, scales, times, progress=progress), scales, build_s)
-    asked = accuracy or ACCURACY
+    asked = settings.accuracy or ACCURACY
     ladder_result = run_to_accuracy(run, scales, times, asked, progress)
     # 5. solution
     return _solution_of(run, ladder_result.run.kept, scales, build_s, asked, ladder_result)

@@ -71,7 +71,8 @@ ROOMS = {
         "pictures/studies": "accuracy derive/sheets effects integrate/tableaux measured pictures studies validate "
         "work_precision",
         "report": "accuracy derive/readable host model pictures pictures/draw run solution",
-        "run": "accuracy derive/faults derive/units integrate integrate/loop integrate/step integrate/tableaux model solution start",
+        "run": "accuracy derive/faults derive/units host integrate integrate/loop integrate/step integrate/tableaux model solution "
+        "start",
         "simulation": "accuracy derive/faults integrate/step loading model pictures pictures/draw pictures/motion report run solution start",
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults host integrate/step integrate/tableaux model",

@@ -41,6 +41,7 @@ class Declared:
 
     si, texts  defaults in SI, and as (value, unit)
     followers  parameters whose unit depends on another one, by the name of that one
+    plain  parameters whose unit depends on none
     """
 
     def __init__(self, ports: Mapping[str, Port], limits: Sequence[Limit]) -> None:
@@ -49,6 +50,7 @@ class Declared:
         self.si = {name: unit.to_si(ports[name].default) for name, unit in units.items()}
         self.texts = {name: (port.default, port.unit) for name, port in ports.items()}
         free = {name: unit.free_names for name, unit in units.items()}
+        self.plain = {name for name in ports if not free[name]}
         self.followers = {name: tuple(other for other in ports if name in free[other]) for name in ports}
 
 
@@ -68,7 +70,10 @@ def read_parameters(declared: Declared, parameters: Mapping[str, Value]) -> Read
     si, texts = dict(declared.si), dict(declared.texts)
     for name, (value, unit, text) in given.items():
         si[name], texts[name] = unit.to_si(value), (value, text)
-    concerned = {*given, *(follower for name in given for follower in declared.followers[name])}
+    concerned = {follower for name in given for follower in declared.followers[name]}
+    concerned |= {
+        name for name, (_, _, text) in given.items() if name not in declared.plain or text != ports[name].unit
+    }
     for name, port in ports.items():
         fault = _unit_fault(port, ports, given, si) if name in concerned else None
         if fault is None and not math.isfinite(si[name]):

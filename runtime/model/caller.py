@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-BLOCKS = (256, 16, 1)  # rows per call of a mapped function
+BLOCKS = (256, 64, 16, 4, 1)  # rows per call of a mapped function
 
 
 class Caller:
@@ -70,15 +70,24 @@ class Rowwise:
     """CasADi function of columns, applied to tables row by row; one argument is the same for all rows.
 
     It is mapped to blocks of fixed sizes, once: a call builds nothing and computes no surplus rows.
+
+    functions  those blocks, largest first
     """
 
     def __init__(self, function: Any, constant: int) -> None:
         self._constant = constant
         self._sizes = [function.size1_out(i) for i in range(function.n_out())]
-        self._blocks = [
-            (rows, Callers(function.map(f"{function.name()}_{rows}", "serial", rows, [constant], [])))
-            for rows in BLOCKS
-        ]
+        self.functions = [function.map(f"{function.name()}_{rows}", "serial", rows, [constant], []) for rows in BLOCKS]
+        self.use(self.functions)
+
+    @property
+    def compiled(self) -> bool:
+        """Return whether other functions than `functions` are called."""
+        return self._blocks[0][1].function is not self.functions[0]
+
+    def use(self, functions: Sequence[Any]) -> None:
+        """Call these functions in place of `functions`: the same, compiled."""
+        self._blocks = [(rows, Callers(function)) for rows, function in zip(BLOCKS, functions, strict=True)]
 
     def __call__(self, constant: np.ndarray, *tables: np.ndarray) -> list[np.ndarray]:
         """Return results (rows, size) for the other arguments' tables (rows, size), in the function's order."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache, partial
 
@@ -12,10 +13,11 @@ from hertzwerk.runtime.integrate.loop.attempt import Integrator, integrator
 from hertzwerk.runtime.integrate.loop.automatic import Code
 from hertzwerk.runtime.integrate.loop.chunk import Ending, chunk, march
 from hertzwerk.runtime.integrate.tableaux.methods import METHODS, SUNDIALS
-from hertzwerk.runtime.model.caller import Callers
+from hertzwerk.runtime.model.caller import Callers, Rowwise
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.run.request import Compiled
+from hertzwerk.runtime.solution.findings import Needs, finders
 from hertzwerk.runtime.start.start_values import dependent, read_start
 
 COUNTERS = ("steps", "rejected", "retaken", "evaluations", "events", "floored")  # parts of a state
@@ -66,16 +68,29 @@ def _engine(model: Model, method: str) -> Engine:
     return Engine(made, Callers(made.begin), counters, Code(chunk(made), chosen), march)
 
 
-def prepare(model: Model, method: str, compiled: Compiled, ahead: float = 0.0) -> bool:
+def prepare(model: Model, method: str, compiled: Compiled, ahead: float = 0.0, needs: Needs = Needs.ENDS) -> bool:
     """Build what runs of a model need before they are made side by side; return whether to compile.
 
-    As `compiled` says, or with "auto" if it saves time for runs that take `ahead` [s] uncompiled. Raises InputError
-    without a compiler.
+    As `compiled` says, or with "auto" if it saves time for runs that take `ahead` [s] uncompiled. What finds what is
+    needed of the runs is compiled as well. Raises InputError without a compiler.
     """
     bound, _ = model.check({})
     q, _ = read_start(model, bound, {}, [])
     typical = model if bound is None else model.without_redundancy(dependent(model, bound, q))
-    code = engine_for(typical, method, compiled).code
-    if compiled == "auto":
-        return code is not None and code.compiled_if_faster(math.inf, ahead) is not None
-    return compiled and code is not None
+    engine = engine_for(typical, method, compiled)
+    code = engine.code
+    if code is None or not (code.compiled_if_faster(math.inf, ahead) if compiled == "auto" else compiled):
+        return False
+    _compile(finders(model, engine.integrator, needs))
+    return True
+
+
+def _compile(tables: list[Rowwise]) -> None:
+    """Compile functions of tables; where that fails they stay slower, with the same results."""
+    from hertzwerk.runtime.integrate.loop.compiled import NoCompilerError, Program
+
+    left = [table for table in tables if not table.compiled]
+    with suppress(NoCompilerError):
+        native = iter(Program(*(function for table in left for function in table.functions)).load() if left else ())
+        for table in left:
+            table.use([next(native) for _ in table.functions])

@@ -13,6 +13,7 @@ import numpy as np
 from hertzwerk.derive.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.units import UnitError, parse_quantity
 from hertzwerk.runtime.accuracy.ladder import LEAST
+from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.integrate.tableaux.methods import METHODS
 from hertzwerk.runtime.model.binding import Value, read_time
 from hertzwerk.runtime.model.drive_speed import drive_speed
@@ -68,6 +69,10 @@ class Settings:
 
     def faults(self) -> list[Fault]:
         """Return the faults of everything but the duration and the output, which depends on it."""
+        return list(self._faults)
+
+    @cached_property
+    def _faults(self) -> list[Fault]:
         faults: list[Fault] = []
         for name, value, (low, high) in (
             ("accuracy", self.accuracy, ACCURACIES),

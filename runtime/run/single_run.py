@@ -20,7 +20,7 @@ from hertzwerk.runtime.run.recorder import BLOCK, Grid, Recorder, Steps
 from hertzwerk.runtime.run.request import Inputs, Limits, Settings
 from hertzwerk.runtime.run.warnings import approach_speeds
 from hertzwerk.runtime.solution import scales as scaling
-from hertzwerk.runtime.solution.findings import Findings, Observer
+from hertzwerk.runtime.solution.findings import EVERYTHING, Findings, Needs, Observer
 from hertzwerk.runtime.solution.history import History
 from hertzwerk.runtime.solution.impacts import ApproachSpeeds
 from hertzwerk.runtime.solution.outcome import Outcome, outcome
@@ -42,6 +42,7 @@ class SingleRun:
     limits: Limits
     provider: AutomaticCallers | None
     start: Resume | None = None  # what it goes on from; None: the start of the motion
+    needs: Needs = Needs.STEPS
 
     @property
     def begin(self) -> float:
@@ -68,7 +69,7 @@ class SingleRun:
         rough = max(tolerance or 0.0, ROUGH)  # of no run for an accuracy is the tolerance larger
 
         def run(scales: Scales, seen: Observer) -> None:
-            ending = self._observe(rough, scales, [seen], BLOCK)
+            ending = self.observe(rough, scales, [seen], BLOCK)
             if ending.error is not None:
                 raise ending.error
 
@@ -84,16 +85,21 @@ class SingleRun:
         further: np.ndarray | None = None,
         alone: bool = False,
     ) -> Trace:
-        """Run and keep every step or the states at some times [s], with findings.
+        """Run and keep the states at some times [s], or every step, or the ends alone, with what is needed.
 
         further: times [s] whose states are kept as well; alone: keep only these.
         """
+        needs = self.needs
         if alone:
             times = further
+        elif times is None and Needs.STEPS not in needs:
+            times = np.zeros(0)
+        if times is not None and Needs.STEPS in needs:
+            needs = EVERYTHING
         kept = Steps() if times is None else Grid(times)
         given = self.given
         findings = Findings(
-            self.model, self.method, later=times is None, duration=given.seconds, period=given.period, begin=self.begin
+            self.model, self.method, needs=needs, duration=given.seconds, period=given.period, begin=self.begin
         )
         speeds = tuple(approach_speeds(self.model, given.bound))
         other = kept if further is None or alone else Grid(further)
@@ -101,7 +107,7 @@ class SingleRun:
         if other is not kept:
             observers.append(other)
         before = (self.provider.compile_s, self.provider.build_s) if self.provider else (0.0, 0.0)
-        ending = self._observe(tolerance, scales, observers, None if times is None else BLOCK, progress)
+        ending = self.observe(tolerance, scales, observers, None if times is None else BLOCK, progress)
         compile_s, build_s = (self.provider.compile_s, self.provider.build_s) if self.provider else (0.0, 0.0)
         return Trace(
             tolerance=tolerance,
@@ -134,12 +140,12 @@ class SingleRun:
             **vars(limits),
         )
 
-    def _observe(
+    def observe(
         self,
         tolerance: float,
         scales: Scales,
         observers: Sequence[Observer],
-        block: int | None,
+        block: int | None = BLOCK,
         progress: Callable[[float], object] | None = None,
     ) -> Ending:
         """Run, passing the accepted steps to observers in blocks (see `Recorder`)."""
@@ -164,7 +170,8 @@ class SingleRun:
         if self.start is not None:
             loop = partial(loop, with_choice=self.start.with_choice)
         recorder = Recorder(lambda rows: History(self.model, rows, controls, integrator), observers, block)
-        ending: Ending = loop(state, controls, recorder.keep, wall_time=self.limits.wall_time, progress=progress)
+        keep = recorder.keep if observers else _forget
+        ending: Ending = loop(state, controls, keep, wall_time=self.limits.wall_time, progress=progress)
         with suppress(Exception):  # told by the recorder
             recorder.flush()
         if recorder.error is None:
@@ -181,7 +188,13 @@ class SingleRun:
         return state
 
 
-def set_up(model: Model, settings: Settings, given: Inputs, start: Resume | None = None) -> SingleRun:
+def _forget(_: np.ndarray) -> None:
+    """Take the accepted rows of a run that nobody observes."""
+
+
+def set_up(
+    model: Model, settings: Settings, given: Inputs, start: Resume | None = None, needs: Needs = Needs.STEPS
+) -> SingleRun:
     """Return the requested run with its engine built.
 
     Raises InputError where C is requested and there is no compiler.
@@ -189,7 +202,7 @@ def set_up(model: Model, settings: Settings, given: Inputs, start: Resume | None
     engine = engine_for(model.without_redundancy(given.dependent), settings.method, settings.compiled)
     code, compiled = engine.code, settings.compiled
     provider = AutomaticCallers(code, compiled=compiled is True, changes=compiled == "auto") if code else None
-    return SingleRun(model, settings.method, engine, given, settings.limits, provider, start)
+    return SingleRun(model, settings.method, engine, given, settings.limits, provider, start, needs)
 
 
 @dataclass(frozen=True)

@@ -9,8 +9,9 @@ Research 30 (1982) 556).
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -21,6 +22,7 @@ from hertzwerk.runtime.model.binding import read_time
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
     from hertzwerk.runtime.solution.findings import Findings
+    from hertzwerk.runtime.solution.impacts import Impact
     from hertzwerk.runtime.solution.scales import Scales
     from hertzwerk.runtime.solution.sums import Sums
 
@@ -29,6 +31,7 @@ FEWEST, MOST = 8, 30  # blocks
 TRANSIENT = 0.1  # part of a run left out as transient, in whole intervals
 STEADY = 1e-5  # of a mean: blocks that differ by less are steady
 DOUBT = 1.645  # standard deviations: correlations above are significant, one-sided at 5 %
+OF_IMPACTS = IMPACT_RATE, PEAK_FORCE = ".impact_rate", ".peak_force"  # ends of the names of averages over impacts
 POWERS = {".dissipated": ".dissipated_power", ".input": ".input_power"}  # names of ledger entries and of their rates
 
 
@@ -142,6 +145,16 @@ def averages(run: Run, *, interval: str | float | None = None, skip: str | float
 
     Raises InputError.
     """
+    return tuple(average() for average in averages_by_name(run, interval=interval, skip=skip).values())
+
+
+def averages_by_name(
+    run: Run, *, interval: str | float | None = None, skip: str | float | None = None
+) -> dict[str, Callable[[], Average]]:
+    """Return the averages of a run by name, each computed when it is called; see `averages`.
+
+    Those OF_IMPACTS need the impacts of the run alone, the others sums. Raises InputError.
+    """
     faults: list[Fault] = []
     asked, skipped = (_seconds(name, value, faults) for name, value in (("interval", interval), ("skip", skip)))
     if skip == 0:
@@ -153,9 +166,10 @@ def averages(run: Run, *, interval: str | float | None = None, skip: str | float
         faults.append(Fault("skip", f"{skipped:g} s", f"less than the run's {span:g} s"))
     if faults:
         raise InputError(f"averages of {run.model.name}", faults)
-    sums = run.findings.sums(asked)
-    first = math.ceil((TRANSIENT * sums.count if skipped is None else skipped / sums.interval) - 1e-9)
-    return tuple(_averages(run, sums, first, shows_largest=asked is not None or run.findings.period is not None))
+    dt, count = run.findings.intervals(asked, run.end)
+    first = math.ceil((TRANSIENT * count if skipped is None else skipped / dt) - 1e-9)
+    shows_largest = asked is not None or run.findings.period is not None
+    return dict(_averages(run, dt, count, partial(run.findings.sums, asked), first, shows_largest=shows_largest))
 
 
 def _seconds(name: str, value: str | float | None, faults: list[Fault]) -> float | None:
@@ -170,40 +184,57 @@ def _seconds(name: str, value: str | float | None, faults: list[Fault]) -> float
     return None
 
 
-def _averages(run: Run, sums: Sums, first: int, *, shows_largest: bool) -> Iterator[Average]:
-    """Yield the averages of the intervals from `first` on."""
-    model, dt, tolerance = run.model, sums.interval, run.tolerance
+def _averages(
+    run: Run, dt: float, count: int, sums: Callable[[], Sums], first: int, *, shows_largest: bool
+) -> Iterator[tuple[str, Callable[[], Average]]]:
+    """Yield the averages over `count` intervals dt [s], from the interval `first` on, by name."""
+    model, tolerance = run.model, run.tolerance
     force, energy = float(run.scales.scene[2]), float(run.scales.scene[3])
 
     def average(
-        name: str, unit: str, values: np.ndarray, weights: np.ndarray | None = None, scale: float = 0.0
-    ) -> Average:
-        x, w = values[first:], None if weights is None else weights[first:]
-        if not len(x):
-            reason = f"the run is not longer than its transient and one interval, {(first + 1) * dt:.3g} s"
-            return Average(name, unit, None, None, 0, dt, reason)
-        if not np.all(np.isfinite(x)):
-            return Average(name, unit, None, None, 0, dt, "the run holds values that are not finite")
-        if w is not None and not np.any(w):
-            return Average(name, unit, None, None, 0, dt, "no impact after the transient")
-        found = estimate(x, w, floor=tolerance * scale)
-        return Average(name, unit, found.mean, found.half_width, found.blocks, found.intervals * dt, found.reason)
+        name: str,
+        unit: str,
+        series: Callable[[], np.ndarray],
+        weights: Callable[[], np.ndarray] | None = None,
+        scale: float = 0.0,
+    ) -> tuple[str, Callable[[], Average]]:
+        def computed() -> Average:
+            x, w = series()[first:], None if weights is None else weights()[first:]
+            if not len(x):
+                reason = f"the run is not longer than its transient and one interval, {(first + 1) * dt:.3g} s"
+                return Average(name, unit, None, None, 0, dt, reason)
+            if not np.all(np.isfinite(x)):
+                return Average(name, unit, None, None, 0, dt, "the run holds values that are not finite")
+            if w is not None and not np.any(w):
+                return Average(name, unit, None, None, 0, dt, "no impact after the transient")
+            found = estimate(x, w, floor=tolerance * scale)
+            return Average(name, unit, found.mean, found.half_width, found.blocks, found.intervals * dt, found.reason)
 
-    for j, pair in enumerate(model.pairs):
+        return name, computed
+
+    def over_impacts(pair: str, of: Callable[[Impact], float]) -> np.ndarray:
+        """Return the sums of numbers of a pair's impacts, by the intervals of their onsets."""
         impacts = [impact for impact in run.findings.impacts if impact.contact == pair]
         places = np.floor((np.array([impact.t for impact in impacts]) - run.start) / dt * (1 + 1e-12)).astype(int)
-        within = places < sums.count
-        peaks = np.array([impact.peak_force for impact in impacts])
-        hits, forces = (
-            np.bincount(places[within], weights, sums.count) for weights in (np.ones(int(within.sum())), peaks[within])
-        )
-        yield average(f"{pair}.impact_rate", "1/s", hits / dt)
-        yield average(f"{pair}.normal_force", "N", sums.impulse[:, j] / dt, scale=force)
-        yield average(f"{pair}.peak_force", "N", forces, hits, scale=force)
+        within = places < count
+        return np.bincount(places[within], np.array([of(impact) for impact in impacts])[within], count)
+
+    def rate(pair: str) -> np.ndarray:
+        return over_impacts(pair, lambda _: 1.0) / dt
+
+    def summed(part: str, column: int) -> np.ndarray:
+        series: np.ndarray = getattr(sums(), part)[:, column]
+        return series
+
+    for j, pair in enumerate(model.pairs):
+        hits = partial(over_impacts, pair, lambda _: 1.0)
+        peaks = partial(over_impacts, pair, lambda impact: impact.peak_force)
+        yield average(f"{pair}{IMPACT_RATE}", "1/s", partial(rate, pair))
+        yield average(f"{pair}.normal_force", "N", partial(summed, "mean_force", j), scale=force)
+        yield average(f"{pair}{PEAK_FORCE}", "N", peaks, hits, scale=force)
         if shows_largest:
-            yield average(f"{pair}.largest_force", "N", sums.largest[:, j], scale=force)
-    power = np.diff(sums.memory, axis=0) / dt
+            yield average(f"{pair}.largest_force", "N", partial(summed, "largest", j), scale=force)
     for i, name in enumerate(model.memory):
         for end, title in POWERS.items():
             if name.endswith(end):
-                yield average(name.removesuffix(end) + title, "W", power[:, i], scale=energy / dt)
+                yield average(name.removesuffix(end) + title, "W", partial(summed, "power", i), scale=energy / dt)

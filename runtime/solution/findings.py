@@ -5,6 +5,7 @@ They are found block by block as the run proceeds.
 
 from __future__ import annotations
 
+import enum
 import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Protocol, TypeVar
@@ -14,16 +15,42 @@ import numpy as np
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.solution.choices import Choice, Choices
-from hertzwerk.runtime.solution.impacts import Contacts, Impact
-from hertzwerk.runtime.solution.sums import Summing, Sums
+from hertzwerk.runtime.solution.history import energies_of, part_of_step, rowwise
+from hertzwerk.runtime.solution.impacts import Contacts, Impact, crest
+from hertzwerk.runtime.solution.sums import Summing, Sums, inner
 
 if TYPE_CHECKING:
+    from hertzwerk.runtime.integrate.loop.attempt import Integrator
+    from hertzwerk.runtime.model.caller import Rowwise
     from hertzwerk.runtime.model.model import Model
     from hertzwerk.runtime.solution.history import History
 
 
 INTERVALS = 240  # with sums, of a run that has no period
 MOST_INTERVALS = 10_000  # most intervals with sums
+
+
+class Needs(enum.Flag):
+    """Parts of a run that are wanted beside its ends and, where it is booked, its balance of energy."""
+
+    ENDS = 0
+    IMPACTS = enum.auto()
+    SUMS = enum.auto()  # over intervals
+    CHOICES = enum.auto()  # of method
+    STEPS = enum.auto()  # every one kept: the others follow from them
+
+
+EVERYTHING = Needs.IMPACTS | Needs.SUMS | Needs.CHOICES
+
+
+def finders(model: Model, integrator: Integrator, needs: Needs) -> list[Rowwise]:
+    """Return the functions that find what is needed in runs by the integrator's first method."""
+    found = [energies_of(model, integrator)] if model.has_ledger else []
+    if needs & (Needs.IMPACTS | Needs.STEPS):
+        found += [crest(model, integrator, 0), part_of_step(model, integrator, 0), rowwise(model, "outputs", 3)]
+    if needs & (Needs.SUMS | Needs.STEPS):
+        found += [part_of_step(model, integrator, 0), *(inner(model, j) for j in range(model.k))]
+    return list(dict.fromkeys(found))
 
 
 class Observer(Protocol):
@@ -58,24 +85,20 @@ class Balance:
 
     def take(self, block: History, fresh: int) -> None:
         """Take the next accepted steps; see `Observer`."""
-        booked = (
-            np.sum([block[name] for name in block.model.memory if name.endswith(end)], axis=0) + np.zeros(len(block.t))
-            for end in (".dissipated", ".input")
-        )
-        parts = np.array([*block.energies, *booked])
-        self._finite = self._finite and bool(np.all(np.isfinite(parts)))
+        parts = block.balance
+        size = float(np.abs(parts).max())
+        self._finite = self._finite and math.isfinite(size)
         if not self._finite:
             return
         if self._start is None:
             self._start = parts[:, :1]
             self._scale = block.energy_scale
             self._largest = SMALL * self._scale
-        kinetic, *_ = parts
-        self._rows += len(block.t) - fresh
-        self._size = max(self._size, float(np.max(np.abs(parts))))
-        change = parts - self._start
-        self._largest = max(self._largest, float(np.max(kinetic)), float(np.max(np.abs(change[1:]))))
-        self._error = max(self._error, float(np.max(np.abs(change[0] + change[1] + change[2] - change[3]))))
+        self._rows += len(block.rows) - fresh
+        self._size = max(self._size, size)
+        kinetic, potential, dissipated, given = change = parts - self._start
+        self._largest = max(self._largest, float(parts[0].max()), float(np.abs(change[1:]).max()))
+        self._error = max(self._error, float(np.abs(kinetic + potential + dissipated - given).max()))
 
     @property
     def residual(self) -> float | None:
@@ -98,21 +121,30 @@ class Balance:
 class Findings:
     """Impacts, energy residual, choices and sums of a run.
 
-    Found as the run proceeds, or, where steps are kept, on demand (`later`).
+    Found as the run proceeds, what is needed of them, or, where steps are kept, on demand.
 
     duration, begin    end and start of the run [s]
     period    of everything that depends on time [s], None where nothing does
     """
 
     def __init__(
-        self, model: Model, method: str, *, later: bool, duration: float, period: float | None, begin: float = 0.0
+        self,
+        model: Model,
+        method: str,
+        *,
+        needs: Needs,
+        duration: float,
+        period: float | None,
+        begin: float = 0.0,
     ) -> None:
-        self._model, self._later, self._duration, self._begin, self.period = model, later, duration, begin, period
+        self._model, self._duration, self._begin, self.period = model, duration, begin, period
+        self._later = Needs.STEPS in needs
+        self._needs = EVERYTHING if self._later else needs
         self._steps: list[History] = []
-        self._contacts = Contacts(model)
         self._balance = Balance() if model.has_ledger else None
-        self._choices = Choices() if method == "auto" else None
-        self._summing = None if later else self._new_sums(None)
+        self._contacts = Contacts(model) if Needs.IMPACTS in self._needs else None
+        self._choices = Choices() if method == "auto" and Needs.CHOICES in self._needs else None
+        self._summing = self._new_sums(None) if Needs.SUMS in needs else None
 
     @classmethod
     def saved(
@@ -125,7 +157,7 @@ class Findings:
         period: float | None,
     ) -> Findings:
         """Restore the findings of a saved run."""
-        findings = cls(model, "", later=True, duration=math.nan, period=period)
+        findings = cls(model, "", needs=Needs.STEPS, duration=math.nan, period=period)
         findings.impacts, findings.choices = tuple(impacts), tuple(chosen)
         findings.energy_residual, findings._sums = energy_residual, sums
         return findings
@@ -139,6 +171,11 @@ class Findings:
             if observer is not None:
                 observer.take(block, fresh)
 
+    def _needed(self, need: Needs) -> None:
+        """Raise LookupError if something is asked for that was not found."""
+        if need not in self._needs:
+            raise LookupError(f"{need.name} of a run that was made for {self._needs}; make it for {need.name} as well")
+
     def _observed(self, observer: Seen) -> Seen:
         for block in self._steps:
             observer.take(block, 0)
@@ -147,7 +184,8 @@ class Findings:
     @cached_property
     def impacts(self) -> tuple[Impact, ...]:
         """Every contact in the order of its onset."""
-        return self._observed(self._contacts).impacts()
+        self._needed(Needs.IMPACTS)
+        return () if self._contacts is None else self._observed(self._contacts).impacts()
 
     @cached_property
     def _balanced(self) -> Balance | None:
@@ -166,6 +204,7 @@ class Findings:
     @cached_property
     def choices(self) -> tuple[Choice, ...]:
         """See `Solution.choices`."""
+        self._needed(Needs.CHOICES)
         return tuple(self._observed(self._choices).made) if self._choices is not None else ()
 
     def compute_all(self) -> Iterator[str]:
@@ -195,16 +234,27 @@ class Findings:
             raise InputError(f"averages of {self._model.name}", [Fault("interval", f"{interval:g} s", expected)])
         return known.joined(many)
 
+    def intervals(self, interval: float | None, reached: float) -> tuple[float, int]:
+        """Return length [s] and number of the intervals of `sums`, in a run that got to a time [s]."""
+        if Needs.SUMS in self._needs:
+            sums = self.sums(interval)
+            return sums.interval, sums.count
+        length = self._interval(self._duration - self._begin) if interval is None else interval
+        return length, int((reached - self._begin) / length * (1 + 1e-12))
+
     @cached_property
     def _sums(self) -> Sums:
+        self._needed(Needs.SUMS)
         return self._observed(self._new_sums(None)).sums if self._summing is None else self._summing.sums
 
     def _new_sums(self, interval: float | None) -> Summing:
         begin, until = self._begin, float(self._steps[-1].t[-1]) if self._steps else 0.0
         if until <= begin:
             until = self._duration  # of a run without a step as well: its sums are of no interval
-        if interval is None:
-            span = until - begin
-            periods = 0.0 if self.period is None else span / self.period
-            interval = span / INTERVALS if self.period is None else self.period * math.ceil(periods / MOST_INTERVALS)
-        return Summing(self._model, interval, until, begin)
+        return Summing(self._model, self._interval(until - begin) if interval is None else interval, until, begin)
+
+    def _interval(self, span: float) -> float:
+        """Return the interval [s] for a time [s]: whole periods, or a part of it."""
+        if self.period is None:
+            return span / INTERVALS
+        return self.period * math.ceil(span / self.period / MOST_INTERVALS)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from difflib import get_close_matches
 
+import casadi as ca
 import numpy as np
 
 from hertzwerk.runtime.host.lazy import cached_property
@@ -117,12 +118,16 @@ class History:
         pair, _, part = name.rpartition(".")
         return {name: self._of_pair(pair, part, model.pairs.index(pair))}
 
-    @cached_property
+    @property
     def energies(self) -> np.ndarray:
         """Kinetic and potential energy [J], springs and touching surfaces included, shape (2, rows)."""
-        kinetic, potential, stored = self.map("energy", "t q u")
-        touching = np.where(self.part("mode") == CONTACT, stored, 0)
-        return np.array([kinetic[:, 0], potential[:, 0] + np.sum(touching, axis=1)])
+        return self.balance[:2]
+
+    @cached_property
+    def balance(self) -> np.ndarray:
+        """Kinetic and potential energy, energy dissipated and put in as booked [J], shape (4, rows)."""
+        (found,) = energies_of(self.model, self._engine)(self.controls, self.rows)
+        return found.T
 
     @property
     def energy_scale(self) -> float:
@@ -170,7 +175,7 @@ class History:
         }
         names = arguments.split()
         # c comes first
-        return _rowwise(model, function, len(names))(self.controls[: model.nc], *(known[name] for name in names))
+        return rowwise(model, function, len(names))(self.controls[: model.nc], *(known[name] for name in names))
 
     def _constraint_forces(self, *parts: np.ndarray) -> list[np.ndarray]:
         return _constraint_forces(self.model)(self.controls[: self.model.nc], *parts)
@@ -212,19 +217,26 @@ class History:
         Of the method's order, under that row's modes.
         """
         later: np.ndarray = rows.copy()
-        methods = rows[:, self.columns("method")][:, 0]
-        for method in np.unique(methods[h != 0]):
-            moving = np.flatnonzero((h != 0) & (methods == method))
-            step, to, of = self._dense_output(int(method))
-            (trial,) = step(self.controls, rows[moving], h[moving, None])
-            moved = rows[moving]
-            moved[:, to] = trial[:, of]
-            later[moving] = moved
+        moving = np.flatnonzero(h)
+        later[moving] = self.within_steps(part_of_step, rows[moving], h[moving, None])
         return later
 
-    def _dense_output(self, method: int) -> tuple[Rowwise, np.ndarray, np.ndarray]:
-        """Return a method's step row by row, and the columns of state and trial that correspond."""
-        return _dense_output(self.model, self._engine, method)
+    def within_steps(
+        self, function: Callable[[Model, Integrator, int], Rowwise], rows: np.ndarray, *tables: np.ndarray
+    ) -> np.ndarray:
+        """Return the rows (n, ns) at the ends of parts of steps from others, each by that row's method.
+
+        function    returns (state, controls, *tables) -> trial for a method
+        """
+        ends: np.ndarray = rows.copy()
+        to, of = _in_trial(self.model, self._engine)
+        methods = rows[:, self.columns("method")][:, 0]
+        for method in set(methods.tolist()):
+            here = np.flatnonzero(methods == method)
+            evaluate = function(self.model, self._engine, int(method))
+            (trial,) = evaluate(self.controls, rows[here], *(table[here] for table in tables))
+            ends[here[:, None], to] = trial[:, of]
+        return ends
 
     def of(self, rows: np.ndarray) -> History:
         """Return histories over other rows (n, ns) of the same run."""
@@ -252,7 +264,8 @@ def units_of(model: Model, stored: tuple[str, ...] | None) -> dict[str, str]:
 
 
 @per_model
-def _rowwise(model: Model, function: str, constant: int) -> Rowwise:
+def rowwise(model: Model, function: str, constant: int) -> Rowwise:
+    """Return a model's function of a state and, as the last argument, c; that one is constant."""
     return Rowwise(model.function(function), constant=constant)
 
 
@@ -262,11 +275,35 @@ def _constraint_forces(model: Model) -> Rowwise:
 
 
 @per_model
-def _dense_output(_: Model, integrator: Integrator, method: int) -> tuple[Rowwise, np.ndarray, np.ndarray]:
+def energies_of(model: Model, integrator: Integrator) -> Rowwise:
+    """Return the function (controls, state) -> energies [J]: kinetic, potential, dissipated, put in."""
+    vectors = integrator.layouts
+    controls, state = vectors.controls.symbol("controls"), vectors.state.symbol("state")
+    at, nq, nu = vectors.state.split(state), model.nq, model.nu
+    q, u, z = at["y"][:nq], at["y"][nq : nq + nu], at["y"][nq + nu :]
+    kinetic, potential, stored = model.function("energy")(at["t"], q, u, vectors.controls.split(controls)["c"])
+    touching = ca.sum1(ca.if_else(at["mode"] == CONTACT, stored, 0))
+    dissipated, given = (
+        ca.sum1(z[[i for i, name in enumerate(model.memory) if name.endswith(end)]])
+        for end in (".dissipated", ".input")
+    )
+    found = ca.densify(ca.vertcat(kinetic, potential + touching, dissipated, given))
+    return Rowwise(ca.Function("energies", [controls, state], [found]), constant=0)
+
+
+@per_model
+def part_of_step(_: Model, integrator: Integrator, method: int) -> Rowwise:
+    """Return the function (state, controls, h) -> trial of a step of a method."""
+    return Rowwise(integrator.step(method), constant=1)
+
+
+@per_model
+def _in_trial(_: Model, integrator: Integrator) -> tuple[np.ndarray, np.ndarray]:
+    """Return the columns of state and trial that correspond."""
     state, trial = integrator.layouts.state, integrator.layouts.trial
     shared = [name for name in trial.sizes if name in state.sizes]
     to, of = (np.concatenate([np.r_[layout[name]] for name in shared]) for layout in (state, trial))
-    return Rowwise(integrator.step(method), constant=1), to, of
+    return to, of
 
 
 def _friction_force(slip: str) -> str:

@@ -6,20 +6,24 @@ They are found as the run proceeds.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
-from itertools import zip_longest
-from typing import TYPE_CHECKING
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar
 
+import casadi as ca
 import numpy as np
 
 from hertzwerk.runtime.integrate.step.layout import CONTACT, RELEASED
+from hertzwerk.runtime.model.caller import Rowwise
+from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
+    from hertzwerk.runtime.integrate.loop.attempt import Integrator
     from hertzwerk.runtime.model.model import Model
     from hertzwerk.runtime.solution.history import History
 
 PEAK = 1e-5
-MAX_ITERATIONS = 60
+TOGETHER = 256  # contacts whose peaks are found at once
+TRIES = (4, 8)  # most iterations, nested: groups of them, and iterations of a group
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,14 +53,15 @@ class Track:
 
     def take(self, block: History, fresh: int) -> tuple[np.ndarray, np.ndarray]:
         """Return the rows at which contacts begin, and those at which gaps have opened after them."""
-        mode = block.part("mode")[fresh:, self.pair]
-        known = np.flatnonzero(mode != RELEASED)
-        touching = mode[known] == CONTACT
-        before = np.concatenate([[self.open], touching])
-        self.open = bool(before[-1])
-        changes = before[:-1] != touching
-        begins, ends = known[changes & touching], known[changes & ~touching]
-        return begins + fresh, ends + fresh
+        mode = block.part("mode")[:, self.pair]
+        rows = np.flatnonzero(mode[max(fresh, 1) :] != mode[max(fresh, 1) - 1 : -1]) + max(fresh, 1)
+        if not fresh:
+            rows = np.append(0, rows)
+        rows = rows[mode[rows] != RELEASED]
+        touching = mode[rows] == CONTACT
+        changes = touching != np.append(self.open, touching[:-1])
+        self.open = bool(touching[-1]) if len(rows) else self.open
+        return rows[changes & touching], rows[changes & ~touching]
 
 
 @dataclass
@@ -81,23 +86,29 @@ class ApproachSpeeds:
 _PEAKS = (("force", "force_rate", +1, "normal_force"), ("gap", "gap_rate", -1, "penetration"))  # sign * part peaks
 
 
-@dataclass(frozen=True, slots=True)
-class _Top:
-    """Row of the largest value so far, between its neighbours: rows (<= 3, ns)."""
+@dataclass(frozen=True)
+class _Contacts:
+    """Contacts of one pair, with what is known of their peaks.
 
-    value: float
-    rows: np.ndarray
-    at_end: bool  # of its block: the row after it is not known yet
+    t, speed  onset (n,) [s], approach speed (n,) [m/s]
+    left  time of the first row after the last one in contact (n,) [s]; nan while that is the last row
+    tops  by the kinds of _PEAKS the row of the largest value so far, between its neighbours (n, kinds, 3, ns): the row
+          itself in place of a neighbour that is not there, or not yet
+    value, at_end  of those rows: sign * value, and whether the next row is not known yet (n, kinds)
+    """
 
+    LASTING: ClassVar = ("t", "speed", "left", "tops")  # what is of use when it is over
 
-@dataclass(slots=True)
-class _Contact:
-    """Contact in progress: onset, and the largest values in the order of _PEAKS."""
+    t: np.ndarray
+    speed: np.ndarray
+    left: np.ndarray
+    tops: np.ndarray
+    value: np.ndarray
+    at_end: np.ndarray
 
-    t: float
-    speed: float
-    tops: list[_Top | None] = field(default_factory=lambda: [None] * len(_PEAKS))
-    left: float | None = None  # time of the first row after the last one in contact; None while that is the last row
+    def some(self, rows: range) -> _Contacts:
+        """Return some of the contacts, copied."""
+        return _Contacts(*(part[list(rows)] for part in vars(self).values()))
 
 
 class _Pair:
@@ -105,46 +116,75 @@ class _Pair:
 
     def __init__(self, j: int) -> None:
         self.track = Track(j)
-        self.contact: _Contact | None = None  # the one that is not over
-        self.age = 0  # of that one: rows since its onset
+        self.open: _Contacts | None = None  # the one that is not over
+        self._age = 0  # of that one: rows since its onset
 
-    def take(self, block: History, fresh: int) -> list[_Contact]:
-        """Return the contacts that end in a block."""
-        begins, ends = self.track.take(block, fresh)
-        if self.contact is None and not len(begins):
-            return []
-        j, count, t, over = self.track.pair, len(block.rows), block.t, []
+    def take(self, block: History, fresh: int) -> _Contacts | None:
+        """Return the contacts that end in a block; None if there is none in it."""
+        onsets, stops = self.track.take(block, fresh)
+        if self.open is not None:
+            onsets = np.append(fresh - self._age, onsets)
+        if not len(onsets):
+            return None
+        over, count = len(stops), len(block.rows)
+        found = self._found(block, fresh, onsets, np.append(stops, count)[: len(onsets)])
+        self.open = found.some(range(over, over + 1)) if over < len(onsets) else None
+        self._age = count - int(onsets[-1])
+        return found.some(range(over))
+
+    def _found(self, block: History, fresh: int, onsets: np.ndarray, stops: np.ndarray) -> _Contacts:
+        """Return the contacts between rows of a block; one that was open may begin before it."""
+        j, t, before = self.track.pair, block.t, self.open
         touching = block.part("mode")[:, j] == CONTACT
-        leaves = np.flatnonzero(touching[:-1] & ~touching[1:]) + 1
-        values = [sign * block.part(part)[:, j] for part, _, sign, _ in _PEAKS]
-        rates = block.part("gap_rate")[:, j]
-        onsets = begins.tolist() if self.contact is None else [fresh - self.age, *begins.tolist()]
-        for onset, stop in zip_longest(onsets, ends.tolist(), fillvalue=count):
-            contact = self.contact or _Contact(float(t[onset]), max(0.0, -float(rates[onset])))
-            start = max(onset, fresh - 1)  # the last row that was known may be a top: now the row after it is known
-            contact.tops = [
-                _top(block, column, range(start, stop), max(onset, 0), known)
-                for column, known in zip(values, contact.tops, strict=True)
-            ]
-            left = leaves[leaves.searchsorted(start) : leaves.searchsorted(stop, side="right")]
-            if stop == count and touching[-1]:
-                contact.left = None
-            elif len(left):
-                contact.left = float(t[left[-1]])
-            self.contact, self.age = contact, count - onset
-            if stop < count:
-                over.append(contact)
-                self.contact = None
-        return over
+        values = np.column_stack([sign * block.part(part)[:, j] for part, _, sign, _ in _PEAKS])
+        # the last row that was known may be a top: now the row after it is known
+        starts, first = np.maximum(onsets, fresh - 1), np.maximum(onsets, 0)
+        top = _largest(values, starts, stops)
+        near = np.stack([np.maximum(top - 1, first[:, None]), top, np.minimum(top + 1, len(t) - 1)], axis=2)
+        found = _Contacts(
+            t=t[first],
+            speed=np.maximum(0.0, -block.part("gap_rate")[first, j]),
+            left=_left(t, touching, starts, stops),
+            tops=block.rows[near],
+            value=np.take_along_axis(values, top, axis=0),
+            at_end=top + 1 == len(t),
+        )
+        if before is not None:
+            found.t[0], found.speed[0] = before.t[0], before.speed[0]
+            if not touching[-1] and np.isnan(found.left[0]):
+                found.left[0] = before.left[0]
+            kept = ~((found.value[0] > before.value[0]) | (before.at_end[0] & (top[0] == starts[0])))
+            for part in ("tops", "value", "at_end"):
+                getattr(found, part)[0, kept] = getattr(before, part)[0, kept]
+        return found
 
 
-def _top(block: History, values: np.ndarray, rows: range, onset: int, known: _Top | None) -> _Top:
-    """Return the largest of the values at some rows and the known one; rows before the onset are left out."""
-    i = rows.start + int(values[rows.start : rows.stop].argmax())
-    value = float(values[i])
-    if known is not None and not (value > known.value or (known.at_end and i == rows.start)):
-        return known
-    return _Top(value, block.rows[max(i - 1, onset) : i + 2].copy(), at_end=i + 1 == len(values))
+def _largest(values: np.ndarray, starts: np.ndarray, stops: np.ndarray) -> np.ndarray:
+    """Return the row of the largest of some values (rows, kinds) in each range of rows, shape (n, kinds).
+
+    The first of them; a value that is no number counts as the largest.
+    """
+    lengths = stops - starts
+    begins = np.cumsum(lengths) - lengths
+    owner = np.repeat(np.arange(len(starts)), lengths)
+    rows = np.arange(len(owner)) + (starts - begins)[owner]
+    values = values[rows]
+    values[np.isnan(values)] = np.inf
+    is_largest = values == np.maximum.reduceat(values, begins, axis=0)[owner]
+    places = [np.flatnonzero(column) for column in is_largest.T]
+    return np.column_stack([rows[place[np.searchsorted(place, begins)]] for place in places])
+
+
+def _left(t: np.ndarray, touching: np.ndarray, starts: np.ndarray, stops: np.ndarray) -> np.ndarray:
+    """Return the time [s] of the last row in each range that follows a contact without being in one.
+
+    The row at its end counts. nan if there is none, and where the range reaches the last row of all, in contact.
+    """
+    leaves = np.flatnonzero(touching[:-1] & ~touching[1:]) + 1
+    last = np.searchsorted(leaves, stops, side="right") - 1
+    rows = np.append(leaves, 0)[last]
+    lasts = (stops == len(t)) & touching[-1]
+    return np.where((last >= 0) & (rows >= starts) & ~lasts, t[rows], np.nan)
 
 
 class Contacts:
@@ -152,121 +192,130 @@ class Contacts:
 
     def __init__(self, model: Model) -> None:
         self._pairs = [_Pair(j) for j in range(model.k)]
-        self._found: list[Impact] = []
+        self._found: list[np.ndarray] = []  # tables, see `_table`
+        self._over: list[list[_Contacts]] = [[] for _ in self._pairs]  # without a table
         self._block: History | None = None
 
     def take(self, block: History, fresh: int) -> None:
         """Take the next accepted steps; see `Observer`."""
-        over = [(pair.track.pair, contact) for pair in self._pairs for contact in pair.take(block, fresh)]
-        self._found += _impacts(block, over)
         self._block = block
+        for pair, left in zip(self._pairs, self._over, strict=True):
+            over = pair.take(block, fresh)
+            if over is not None and len(over.t):
+                left.append(over)
+                if sum(len(some.t) for some in left) >= TOGETHER:
+                    self._found.append(_table(block, pair.track.pair, left))
+                    left.clear()
 
     def impacts(self) -> tuple[Impact, ...]:
         """Return every contact in the order of onset, open ones included.
 
         Peaks are found within the steps, to the accuracy of the run.
         """
-        found = self._found
-        if self._block is not None:
-            left = [(pair.track.pair, pair.contact) for pair in self._pairs if pair.contact is not None]
-            names = self._block.model.pairs
-            found = sorted(found + _impacts(self._block, left), key=lambda i: (i.t, names.index(i.contact)))
-        return tuple(found)
-
-
-def _impacts(history: History, contacts: Sequence[tuple[int, _Contact]]) -> list[Impact]:
-    """Convert contacts (pair, contact) to impacts, with peaks found within the steps."""
-    if not contacts:
-        return []
-    with np.errstate(invalid="ignore"):  # a run that came to no good end may hold what is not a number
-        peaks = _peaks(history, contacts).tolist()
-    return [
-        Impact(
-            contact=history.model.pairs[j],
-            t=contact.t,
-            speed=contact.speed,
-            peak_force=force,
-            duration=None if contact.left is None else contact.left - contact.t,
-            peak_penetration=penetration,
+        block = self._block
+        if block is None:
+            return ()
+        tables = list(self._found)
+        for pair, over in zip(self._pairs, self._over, strict=True):
+            left = over if pair.open is None else [*over, pair.open]
+            if left:
+                tables.append(_table(block, pair.track.pair, left))
+        if not tables:
+            return ()
+        table = np.concatenate(tables)
+        table = table[np.lexsort((table[:, 0], table[:, 1]))]
+        names = block.model.pairs
+        return tuple(
+            Impact(names[int(j)], t, speed, force, duration if duration == duration else None, penetration)
+            for j, t, speed, force, duration, penetration in table.tolist()
         )
-        for (j, contact), (force, penetration) in zip(contacts, peaks, strict=True)
-    ]
 
 
-def _peaks(history: History, contacts: Sequence[tuple[int, _Contact]]) -> np.ndarray:
-    """Return the peak values of contacts (pair, contact), shape (n, 2).
+def _table(history: History, j: int, contacts: Sequence[_Contacts]) -> np.ndarray:
+    """Return a table (n, 6) of contacts, with their peaks.
 
-    The largest in the kept rows, or where sign * rate falls through zero within the steps between them.
+    Columns: pair, onset [s], approach speed [m/s], peak force [N], duration [s], nan if unfinished, peak penetration [m].
     """
-    groups = [top.rows for _, contact in contacts for top in contact.tops if top is not None]
-    pairs = np.repeat([j for j, _ in contacts], len(_PEAKS))
-    kinds = np.tile(np.arange(len(_PEAKS)), len(contacts))
-    rows, owner = np.concatenate(groups), np.repeat(np.arange(len(groups)), [len(group) for group in groups])
-    peaks = np.full(len(groups), -np.inf)
-    np.maximum.at(peaks, owner, _values(history, rows, pairs[owner], kinds[owner]))
-    low = np.flatnonzero(owner[:-1] == owner[1:])
-    lower, upper, owner = rows[low], rows[low + 1], owner[low]
-    column = np.array([history.columns(rate).start for _, rate, _, _ in _PEAKS])[kinds[owner]] + pairs[owner]
-    sign = np.array([sign for _, _, sign, _ in _PEAKS])[kinds[owner]]
+    t, speed, left, tops = (np.concatenate([getattr(some, part) for some in contacts]) for part in _Contacts.LASTING)
+    with np.errstate(invalid="ignore"):  # a run that came to no good end may hold what is not a number
+        force, penetration = _peaks(history, j, tops).T
+        return np.stack([np.full(len(t), float(j)), t, speed, force, left - t, penetration], axis=1)
+
+
+def _peaks(history: History, j: int, tops: np.ndarray) -> np.ndarray:
+    """Return the peak values of a pair's contacts by their `tops`, shape (n, kinds).
+
+    The largest in the rows, or where sign * rate falls through zero within the steps beside it.
+    """
+    kinds, ns = tops.shape[1], tops.shape[-1]
+    lower, upper = (tops[:, :, side].reshape(-1, ns) for side in (slice(0, 2), slice(1, 3)))
+    place = np.arange(len(lower))
+    kind = place // 2 % kinds
+    column = np.array([history.columns(rate).start + j for _, rate, _, _ in _PEAKS])[kind]
+    sign = np.array([sign for _, _, sign, _ in _PEAKS])[kind]
+    at_low, at_high = (sign * side[place, column] for side in (lower, upper))
     modes, h = history.columns("mode"), upper[:, 0] - lower[:, 0]
-    at_low, at_high = (sign * side[np.arange(len(low)), column] for side in (lower, upper))
     changed = np.flatnonzero(np.any(lower[:, modes] != upper[:, modes], axis=1))  # there the step ended otherwise
-    ended = history.later(lower[changed], h[changed])
-    at_high[changed] = sign[changed] * ended[np.arange(len(changed)), column[changed]]
+    if len(changed):
+        ended = history.later(lower[changed], h[changed])
+        at_high[changed] = sign[changed] * ended[np.arange(len(changed)), column[changed]]
     # a force begins with no slope, or none that is known, and rises
     at_low = np.where(at_low == 0, np.abs(at_high), at_low)
     within = np.flatnonzero((at_low > 0) & (at_high < 0))
-    if len(within):
-        given = (x[within] for x in (lower, column, sign, h, at_low, at_high))
-        at_root, owner = _at_roots(history, _Bracket(*given)), owner[within]
-        np.maximum.at(peaks, owner, _values(history, at_root, pairs[owner], kinds[owner]))
-    return peaks.reshape(-1, len(_PEAKS))
+    rates = np.zeros((len(within), 2 * history.model.k))
+    rates[np.arange(len(within)), j + history.model.k * kind[within]] = sign[within]
+    sides = (x[within, None] for x in (h, at_low, at_high))
+    crests = history.within_steps(crest, lower[within], *sides, rates)
+    found = history.of(np.concatenate([tops[:, :, 1].reshape(-1, ns), crests]))
+    values = np.column_stack([found[f"{history.model.pairs[j]}.{name}"] for *_, name in _PEAKS])
+    count = kinds * len(tops)
+    peaks: np.ndarray = values[np.arange(count), np.arange(count) % kinds]
+    np.maximum.at(peaks, within // 2, values[count + np.arange(len(within)), kind[within]])
+    return peaks.reshape(-1, kinds)
 
 
-def _values(history: History, rows: np.ndarray, pairs: np.ndarray, kinds: np.ndarray) -> np.ndarray:
-    """Return the peaking quantity in each row, by the pair and the kind beside it."""
-    found, values = history.of(rows), np.zeros(len(rows))
-    for j in set(pairs.tolist()):
-        for kind, (*_, name) in enumerate(_PEAKS):
-            here = (pairs == j) & (kinds == kind)
-            values[here] = found[f"{history.model.pairs[j]}.{name}"][here]
-    return values
+@per_model
+def crest(model: Model, integrator: Integrator, method: int) -> Rowwise:
+    """Build the function (state, controls, h, at_low, at_high, rates) -> trial of a part of a step.
 
-
-@dataclass(frozen=True)
-class _Bracket:
-    """Steps h (n,) [s] from rows (n, ns) in which a signed column falls from at_low > 0 to at_high < 0."""
-
-    rows: np.ndarray
-    column: np.ndarray
-    sign: np.ndarray
-    h: np.ndarray
-    at_low: np.ndarray
-    at_high: np.ndarray
-
-
-def _at_roots(history: History, bracket: _Bracket) -> np.ndarray:
-    """Return the rows (n, ns) at the roots, by regula falsi in the form of Anderson and Bjorck.
-
-    BIT 13 (1973) 253; all brackets at once. A peak is flat: its value is right to rounding when its time is to PEAK
-    of the step.
+    The part ends where a rate falls through zero: `rates` (2 k) is its sign among the rates of all forces, then of all
+    gaps; it is at_low > 0 at the start of the step h [s], at_high < 0 at its end. Regula falsi in the form of
+    Anderson and Bjorck, BIT 13 (1973) 253. A peak is flat: its value is right to rounding when its time is to PEAK of
+    the step.
     """
-    found, index = bracket.rows.copy(), np.arange(len(bracket.rows))
-    low, high, at_low, at_high = np.zeros(len(index)), bracket.h.copy(), bracket.at_low.copy(), bracket.at_high.copy()
-    before, rose = np.full(len(index), np.inf), np.zeros(len(index))
-    for _ in range(MAX_ITERATIONS):
-        root = low + (high - low) * at_low / (at_low - at_high)
-        found[index] = history.later(bracket.rows[index], root)
-        value = bracket.sign[index] * found[index, bracket.column[index]]
-        rises = np.where(value > 0, 1.0, -1.0)
-        weight = 1 - value / np.where(value > 0, at_low, at_high)
-        weight = np.where(rises != rose, 1.0, np.where(weight > 0, weight, 0.5))
-        low, high = np.where(value > 0, root, low), np.where(value > 0, high, root)
-        at_low, at_high = np.where(value > 0, value, at_low * weight), np.where(value > 0, at_high * weight, value)
-        goes_on = (np.abs(root - before) > PEAK * bracket.h[index]) & (value != 0)
-        if not np.any(goes_on):
-            break
-        index, low, high, at_low, at_high, before, rose = (
-            x[goes_on] for x in (index, low, high, at_low, at_high, root, rises)
-        )
-    return found
+    vectors = integrator.layouts
+    sizes = {"state": vectors.state.size, "controls": vectors.controls.size, "h": 1, "rates": 2 * model.k}
+    given: list[Any] = [ca.SX.sym(name, size) for name, size in sizes.items()]
+    state, controls, h, rates = given
+    search: Any = ca.SX.sym("search", 7)
+    low, high, at_low, at_high, before, rose, _ = ca.vertsplit(search)
+    root = low + (high - low) * at_low / (at_low - at_high)
+    trial = integrator.step(method)(state, controls, root)
+    parts = vectors.trial.split(trial)
+    of_each = ca.vertcat(*(parts[rate] for _, rate, _, _ in _PEAKS))
+    value = ca.sum1(ca.if_else(rates == 0, 0, rates * of_each))
+    above = value > 0
+    rises = ca.if_else(above, 1, -1)
+    weight = 1 - value / ca.if_else(above, at_low, at_high)
+    weight = ca.if_else(rises != rose, 1, ca.if_else(weight > 0, weight, 0.5))
+    goes_on = (ca.fabs(root - before) > PEAK * h) * (value != 0)
+    after = ca.vertcat(
+        ca.if_else(above, root, low),
+        ca.if_else(above, high, root),
+        ca.if_else(above, value, at_low * weight),
+        ca.if_else(above, at_high * weight, value),
+        *(root, rises, goes_on),
+    )
+    once = ca.Function("once", [search, ca.SX.sym("trial", vectors.trial.size), *given], [after, trial])
+    given = [ca.MX.sym(name, size) for name, size in sizes.items()]
+    for tries in TRIES:
+        first: list[Any] = [ca.MX.sym("search", 7), ca.MX.sym("trial", vectors.trial.size)]
+        found = ca.Function.if_else("found", once, ca.Function("kept", [*first, *given], first))
+        search, trial = first
+        for _ in range(tries):
+            search, trial = found(search[6], search, trial, *given)
+        once = ca.Function("tried", [*first, *given], [search, trial])
+    state, controls, h, rates = given
+    ends = [ca.MX.sym(name) for name in ("at_low", "at_high")]
+    _, trial = once(ca.vertcat(0, h, *ends, -h, 0, 1), ca.MX.zeros(vectors.trial.size), *given)
+    return Rowwise(ca.Function("crest", [state, controls, h, *ends, rates], [trial]), constant=1)

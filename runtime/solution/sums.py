@@ -45,6 +45,16 @@ class Sums:
         """Number of intervals."""
         return len(self.impulse)
 
+    @property
+    def mean_force(self) -> np.ndarray:
+        """Mean normal force in each interval (n, k) [N]."""
+        return self.impulse / self.interval
+
+    @property
+    def power(self) -> np.ndarray:
+        """Mean rate of each state of memory in each interval (n, nz)."""
+        return np.diff(self.memory, axis=0) / self.interval
+
     def joined(self, many: int) -> Sums:
         """Join `many` intervals to one, from the start on."""
         n = self.count // many
@@ -180,12 +190,12 @@ def _inner_forces(start: History, end: History, h: np.ndarray, j: int) -> np.nda
     """Return a pair's normal forces at NODES of steps h (n, 1) [s] and beside their ends, shape (n, 4)."""
     model = start.model
     parts = [side.part(part) for side in (start, end) for part in ("t", "y", "dy")]
-    forces: np.ndarray = _inner(model, j)(start.controls[: model.nc], *parts[:3], *parts[4:], start.part("m"), h)[0]
+    forces: np.ndarray = inner(model, j)(start.controls[: model.nc], *parts[:3], *parts[4:], start.part("m"), h)[0]
     return forces
 
 
 @per_model
-def _inner(model: Model, j: int) -> Rowwise:
+def inner(model: Model, j: int) -> Rowwise:
     """Build the function (c, t, y, dy, y1, dy1, m, h) -> normal forces at NODES and beside the ends.
 
     Coordinates are interpolated by quintics, other states by cubics.

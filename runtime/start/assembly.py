@@ -417,10 +417,11 @@ def _sizes(loops: _Loops, jacobian: Array, values: Array) -> Array:
     """
     if not loops.rows:
         return np.zeros(0)
-    units = np.array([unit for _, unit in loops.rows])
-    reach = np.max(np.abs(jacobian) * np.maximum(np.abs(values), 1.0), axis=1, initial=1e-9)
-    size: Array = CLOSED * np.array([np.max(reach[units == unit]) for unit in units])
-    return size
+    reach = (np.abs(jacobian) * np.maximum(np.abs(values), 1.0)).max(axis=1, initial=1e-9)
+    largest: dict[str, float] = {}
+    for (_, unit), one in zip(loops.rows, reach.tolist(), strict=True):
+        largest[unit] = max(one, largest.get(unit, 0.0))
+    return np.array([CLOSED * largest[unit] for _, unit in loops.rows])
 
 
 def _reach(model: Model, jacobian: Array) -> Array:

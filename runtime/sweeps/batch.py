@@ -7,17 +7,21 @@ import time
 from collections import deque
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from contextlib import closing
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from functools import reduce
+from operator import or_
 from typing import Any
 
 from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.derive.units import parse_unit
+from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.host.workers import Flag, LocalFlag, cores, results
 from hertzwerk.runtime.model.binding import Value, read_state
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.run.engine import prepare
 from hertzwerk.runtime.run.request import METHOD, Compiled, Settings
-from hertzwerk.runtime.simulation import simulate
+from hertzwerk.runtime.simulation import solve
+from hertzwerk.runtime.solution.findings import Needs
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.start.start_values import split_values
@@ -131,7 +135,8 @@ class Batch:
         compiled: Compiled,
         workers: int | None,
     ) -> None:
-        self._job = _Job(model, [dict(values) for values in sets], dict(settings), list(outputs))
+        asked = Settings(**settings, compiled=compiled)
+        self._job = _Job(model, [dict(values) for values in sets], asked, list(outputs))
         self._asked = compiled
         self.workers = min(workers or cores(), max(len(sets), 1))
         self.compiled = False
@@ -145,7 +150,8 @@ class Batch:
         job, left = self._job, deque(wanted)
         if self._asked == "auto":
             yield from _first_a_number(job, job.probe(left, self.workers))
-        self.compiled = job.settings["compiled"] = prepare(job.model, job.settings["method"], self._asked, job.foreseen)
+        self.compiled = prepare(job.model, job.settings.method, self._asked, job.foreseen, job.needs)
+        job.settings = replace(job.settings, compiled=self.compiled)
         with closing(results(job, list(left), min(self.workers, max(len(left), 1)))) as done:
             yield from _first_a_number(job, done)
 
@@ -156,11 +162,16 @@ class _Job:
 
     model: Model
     sets: list[dict[str, Value]]
-    settings: dict[str, Any]
+    settings: Settings
     outputs: list[Output]
     stop: Flag = field(default_factory=LocalFlag)
     foreseen: float = 0.0
     begun: bool = False
+
+    @cached_property
+    def needs(self) -> Needs:
+        """Parts of a run that the outputs are computed from."""
+        return reduce(or_, (output.needs for output in self.outputs), Needs.ENDS)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle outputs by their names, for a process that shares nothing."""
@@ -170,7 +181,7 @@ class _Job:
     def do(self, i: int) -> Row:
         """Run set i; raises KeyboardInterrupt where it was stopped."""
         try:
-            return self._row(i, self._solve(i, progress=self._poll))
+            return self._row(i, self._solve(i, self.settings, progress=self._poll))
         except Exception as error:  # a row says so: hours of other runs are not lost for it
             return self._without_run(i, error)
 
@@ -186,7 +197,8 @@ class _Job:
         while left:
             i = left[0]
             try:
-                solution = self._solve(i, compiled=False, wall_time=min(PROBE, self.settings.get("wall_time") or PROBE))
+                wall_time = min(PROBE, self.settings.wall_time or PROBE)
+                solution = self._solve(i, replace(self.settings, compiled=False, wall_time=wall_time))
             except Exception as error:  # as in `do`
                 left.popleft()
                 yield self._without_run(i, error)
@@ -196,16 +208,16 @@ class _Job:
                 left.popleft()
             done = 1.0 if whole else max(solution.t_end / solution.duration, 1e-9)
             wall_s = solution.statistics.wall_s + (solution.error.pilot_s if solution.error is not None else 0.0)
-            one = min(wall_s / done, self.settings.get("wall_time") or math.inf)
+            one = min(wall_s / done, self.settings.wall_time or math.inf)
             self.foreseen = one * math.ceil(len(left) / cores)
             if whole:
                 yield self._row(i, solution)
             return
 
-    def _solve(self, i: int, **options: Any) -> Solution:
+    def _solve(self, i: int, settings: Settings, progress: Callable[[float], object] | None = None) -> Solution:
         """Simulate set i; raises InputError, and KeyboardInterrupt where the run was stopped."""
-        parameters, initial = split_values(self.model, self.sets[i])
-        solution = simulate(self.model, parameters=parameters, initial=initial, **{**self.settings, **options})
+        values = split_values(self.model, self.sets[i])
+        solution = solve(self.model, settings, *values, needs=self.needs, progress=progress)
         if solution.outcome.name == "interrupted":
             raise KeyboardInterrupt
         return solution
@@ -236,26 +248,28 @@ class _Job:
             given=self.sets[i],
             outcome=outcome,
             message=message,
-            values=self._values(self.sets[i]),
+            values=self._values(self.sets[i], solution),
             outputs=numbers,
             warnings=solution.warnings,
             wall_s=solution.statistics.wall_s,
         )
 
-    def _values(self, given: Mapping[str, Value]) -> dict[str, float]:
+    def _values(self, given: Mapping[str, Value], solution: Solution) -> dict[str, float]:
         """Return the given values in SI."""
-        model = self.model
-        bound = model.bind({name: value for name, value in given.items() if name in model.parameters})
-        return {
-            name: bound[name] if name in model.parameters else read_state(name, model.joints.units[name], value)[0]
-            for name, value in given.items()
-        }
+        found = {}
+        for name, value in given.items():
+            if name in solution.parameters:
+                number, unit = solution.parameters[name]
+                found[name] = parse_unit(unit).to_si(number)
+            else:
+                found[name], _ = read_state(name, self.model.joints.units[name], value)
+        return found
 
 
 def _sent(
     model: Model,
     sets: list[dict[str, Value]],
-    settings: dict[str, Any],
+    settings: Settings,
     outputs: list[tuple[str, Own | None]],
     stop: Flag,
 ) -> _Job:

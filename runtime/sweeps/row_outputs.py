@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import enum
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -16,21 +15,12 @@ import numpy as np
 from hertzwerk.derive.faults import Fault, shown, unknown
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.model.model import Model
-from hertzwerk.runtime.solution.averages import POWERS, Average
+from hertzwerk.runtime.solution.averages import OF_IMPACTS, POWERS, Average, Run, averages_by_name
+from hertzwerk.runtime.solution.findings import Needs
 from hertzwerk.runtime.solution.history import units_of
 from hertzwerk.runtime.solution.impacts import Impact
 from hertzwerk.runtime.solution.samples import Samples
 from hertzwerk.runtime.solution.solution import Solution
-
-
-class Needs(enum.Flag):
-    """Parts of a run that an output is computed from; the end alone where there are none."""
-
-    END = 0
-    IMPACTS = enum.auto()  # contacts: onsets and peaks
-    BALANCE = enum.auto()  # of energy, at every step
-    SUMS = enum.auto()  # of forces and energies over intervals
-    STEPS = enum.auto()  # every accepted step, kept
 
 
 class Measured:
@@ -45,9 +35,10 @@ class Measured:
         return Samples(self.run)
 
     @cached_property
-    def averages(self) -> Mapping[str, Average]:
-        """Averages after the transient, by name."""
-        return {average.name: average for average in self.run.averages()}
+    def averages(self) -> Mapping[str, Callable[[], Average]]:
+        """Averages after the transient, by name; each is computed when it is called."""
+        run = self.run
+        return averages_by_name(Run(run.model, run.findings, run.scales, run.tolerance, run.t_start, run.t_end))
 
     def impacts(self, pair: str | None) -> list[Impact]:
         """Contacts of one pair, or of all."""
@@ -89,7 +80,7 @@ def own(name: str, function: Callable[[Solution], float]) -> Output:
             raise NotANumberError(f"output {name} returned an array of shape {np.shape(found)}")
         return (float(found),)
 
-    return Output({name: ""}, Needs.IMPACTS | Needs.BALANCE | Needs.SUMS | Needs.STEPS, of, function)
+    return Output({name: ""}, Needs.STEPS, of, function)
 
 
 def named(model: Model, outputs: Sequence[tuple[str, Callable[[Solution], float] | None]]) -> list[Output]:
@@ -162,14 +153,14 @@ def _number(name: str, unit: str, needs: Needs, of: Callable[[Measured], float |
 
 
 def _final(name: str, state: str, unit: str) -> Output:
-    return _number(name, unit, Needs.END, lambda measured: measured.run.final[state])
+    return _number(name, unit, Needs.ENDS, lambda measured: measured.run.final[state])
 
 
-_ENERGY_RESIDUAL = _number("energy_residual", "", Needs.BALANCE, lambda measured: measured.run.energy_residual)
+_ENERGY_RESIDUAL = _number("energy_residual", "", Needs.ENDS, lambda measured: measured.run.energy_residual)
 _OF_RUN = (
-    _number("error", "", Needs.END, lambda m: None if m.run.error is None else m.run.error.end),
-    _number("steps", "", Needs.END, lambda m: m.run.statistics.steps),
-    _number("rhs_evaluations", "", Needs.END, lambda m: m.run.statistics.rhs_evaluations),
+    _number("error", "", Needs.ENDS, lambda m: None if m.run.error is None else m.run.error.end),
+    _number("steps", "", Needs.ENDS, lambda m: m.run.statistics.steps),
+    _number("rhs_evaluations", "", Needs.ENDS, lambda m: m.run.statistics.rhs_evaluations),
 )
 
 
@@ -212,13 +203,16 @@ _AVERAGES = {  # of a pair: names, units, and the names of `run.averages()`
 
 def _average(name: str, unit: str, average: str | None = None) -> Output:
     """Return a mean after the transient, and half the width of its 95 % confidence interval."""
+    average = average or name
 
     def of(measured: Measured) -> tuple[float, ...]:
-        found = measured.averages.get(average or name)
+        compute = measured.averages.get(average)
+        found = None if compute is None else compute()
         values = (None, None) if found is None else (found.mean, found.half_width)
         return tuple(math.nan if value is None else value for value in values)
 
-    return Output({name: unit, f"{name}.half_width": unit}, Needs.IMPACTS | Needs.SUMS, of)
+    needs = Needs.IMPACTS if average.endswith(OF_IMPACTS) else Needs.SUMS
+    return Output({name: unit, f"{name}.half_width": unit}, needs, of)
 
 
 def _mean(samples: Samples, name: str) -> float:

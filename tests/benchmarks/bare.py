@@ -44,7 +44,7 @@ def _seconds(run: Any, rows: np.ndarray, contacts: tuple[int, ...], *, compiled:
     states = (history.part(name)[chosen].ravel() for name in ("t", "y", "m"))
     arguments = [np.zeros(1), *(np.ascontiguousarray(values) for values in states), history.controls[: model.nc].copy()]
     result = np.zeros(1)
-    buffer, evaluate = (Program(chain).load() if compiled else chain).buffer()  # no conversion to DM
+    buffer, evaluate = (Program(chain).load()[0] if compiled else chain).buffer()  # no conversion to DM
     for i, values in enumerate(arguments):
         buffer.set_arg(i, memoryview(values))
     buffer.set_res(0, memoryview(result))

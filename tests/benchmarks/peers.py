@@ -18,7 +18,7 @@ class Buffered:
         if compiled:
             from hertzwerk.runtime.integrate.loop.compiled import Program
 
-            function = Program(function).load()
+            (function,) = Program(function).load()
         buffer, self.evaluate = function.buffer()
         self.buffer = buffer  # keeps the function alive
         self.t, self.y, self.result = np.zeros(1), np.zeros(function.size1_in(1)), np.zeros(function.size1_out(0))

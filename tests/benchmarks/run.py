@@ -4,7 +4,7 @@
 
 Every number is a median of at least five measurements that alternate between the sides. A ratio's bar is what the issues ask for: issue 2 ("Speed")
 in startup, engine and derivation, issue 5 ("Numbers") in chains and coordinates, issue 6 in nothing and honesty (which is no
-matter of time but of shares), issue 4 ("Numbers") in the others. Nothing here fails a test, for seconds depend on the machine.
+matter of time but of shares), issue 13 in sweep, issue 4 ("Numbers") in the others. Nothing here fails a test, for seconds depend on the machine.
 """
 
 from __future__ import annotations
@@ -32,6 +32,7 @@ from benchmarks.orders import orders
 from benchmarks.pairs import pairs
 from benchmarks.ratios import Ratio, medians, timed
 from benchmarks.stiff import implicit
+from benchmarks.sweep import sweep
 
 # ---- whole process ---------------------------------------------------------------------------------------------------
 
@@ -123,6 +124,7 @@ SECTIONS = {
     "nothing": nothing,
     "coordinates": coordinates,
     "honesty": honesty,
+    "sweep": sweep,
 }
 
 

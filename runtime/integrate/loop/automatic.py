@@ -45,7 +45,7 @@ class Code:
         poll: called meanwhile. Raises NoCompilerError, and what `poll` raises.
         """
         if self.native is None:
-            self.native = Callers(self._made().load(poll))
+            self.native = Callers(*self._made().load(poll))
         return self.native
 
     def compiled_if_faster(

@@ -14,7 +14,7 @@ import shutil
 import signal
 import subprocess
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -44,11 +44,11 @@ class BrokenCompilerError(NoCompilerError):
 
 
 class Program:
-    """C text of a CasADi function and its library, compiled on demand; raises NoCompilerError."""
+    """C text of CasADi functions and its library, compiled on demand; raises NoCompilerError."""
 
-    def __init__(self, function: Any) -> None:
-        self._function, self._compiler = function, _compiler()
-        self._text = _c_text(function)
+    def __init__(self, *functions: Any) -> None:
+        self._functions, self._compiler = functions, _compiler()
+        self._text = _c_text(functions)
         self._level = "-O1" if len(self._text) > LARGE else "-O3"
         self._flags = (self._level, *FLAGS)
         parts = (self._text, *self._compiler, _version(self._compiler), *self._flags, _processor())
@@ -62,20 +62,23 @@ class Program:
         ready = self._library is not None
         return 0.0 if ready else COMPILE_S + COMPILE_S_PER_CHARACTER[self._level] * len(self._text)
 
-    def load(self, poll: Callable[[], object] = lambda: None) -> Any:
-        """Return the compiled function, compiled now if need be.
+    def load(self, poll: Callable[[], object] = lambda: None) -> list[Any]:
+        """Return the compiled functions, compiled now if need be.
 
         poll: called now and then. Raises NoCompilerError, and what `poll` raises.
         """
         if self._library is not None:
-            return _load(self._function, self._library)
+            return self._loaded(self._library)
         try:
             with raise_interrupts(), scratch_folder(Path(tempfile.gettempdir())) as folder:
                 made = _compile(self._compiler, self._flags, self._text, folder, poll)
                 self._library = disk.keep(self._key, ".so", made.read_bytes())
-                return _load(self._function, self._library or made)  # what is loaded needs no file any more
+                return self._loaded(self._library or made)  # what is loaded needs no file any more
         except OSError as error:
             raise NoCompilerError(f"nothing can be compiled: {error}") from error
+
+    def _loaded(self, library: Path) -> list[Any]:
+        return [ca.external(function.name(), str(library)) for function in self._functions]
 
 
 def available() -> bool:
@@ -87,13 +90,10 @@ def available() -> bool:
     return True
 
 
-def _load(function: Any, library: Path) -> Any:
-    return ca.external(function.name(), str(library))
-
-
-def _c_text(function: Any) -> str:
+def _c_text(functions: Iterable[Any]) -> str:
     generator = ca.CodeGenerator("hertzwerk_chunk.c", {"with_header": False})
-    generator.add(function)
+    for function in functions:
+        generator.add(function)
     text: str = generator.dump()
     # what the library's functions give, in line: a call costs as much as ten operations
     for name, order in (("fmin", "<"), ("fmax", ">")):

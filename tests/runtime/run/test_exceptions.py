@@ -165,7 +165,7 @@ def test_a_run_that_rejects_for_ever_ends(ball, monkeypatch):
 
     def rejects(self):
         results = evaluate(self)
-        (states,) = results
+        states = results[0]
         if states.shape[0] == 256:
             before, layout = self.inputs[0], engine_for(ball, "dop853", False).integrator.layouts.state
             states[:] = before

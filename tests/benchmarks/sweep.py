@@ -1,0 +1,91 @@
+"""What a row of a sweep costs beside the compiled loop of its run."""
+
+from __future__ import annotations
+
+import gc
+import os
+import resource
+import tempfile
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+from benchmarks.ratios import Ratio
+
+ROWS = int(os.environ.get("HERTZWERK_BENCHMARK_ROWS", "100"))  # of a sweep; 1000 for the record
+ROUNDS = 5  # in which rows and loops alternate
+TOLERANCE = 1e-6
+PERIOD = 12e-3  # s, of a revolution
+OUTPUTS: dict[str, tuple[str, ...]] = {
+    "final states": (),
+    "impacts, peaks, rates": ("impacts", "peak_force", "slider_pin.max_penetration", "slider_pin.impact_rate"),
+}
+BARS = {2: ("<= 1.6", "<= 1.6"), 20: ("<= 1.15", "<= 1.3")}
+
+
+def sweep() -> Iterator[Ratio]:
+    """A row of a stored, compiled sweep of slider_crank over its clearance against the bare loop of its run, by processor time."""
+    from hertzwerk.runtime import load
+
+    model = load("slider_crank")
+    sets = [{"clearance": f"{0.1 + 0.3 * i / ROWS:.9g} mm"} for i in range(ROWS)]
+    for revolutions, bars in BARS.items():
+        duration = revolutions * PERIOD
+        loops = [bare_loop(model, given, duration) for given in sets]
+        actions = {name: rows(model, sets, duration, outputs) for name, outputs in OUTPUTS.items()}
+        actions["loop"] = lambda loops=loops: [loop() for loop in loops]  # type: ignore[misc]
+        actions["loop"]()
+        for outputs in OUTPUTS.values():  # what is built once is built here: workers are forked with it
+            rows(model, sets, duration, outputs, workers=1)()
+        times: dict[str, list[float]] = {name: [] for name in actions}
+        for _ in range(ROUNDS):
+            for name, action in actions.items():
+                times[name].append(processor_time(action) / ROWS)
+        loop = median(times.pop("loop"))
+        for (name, found), bar in zip(times.items(), bars, strict=True):
+            yield Ratio(f"{revolutions} revolutions, {name}: row / loop", median(found), loop, bar, f"{ROWS} rows")
+
+
+def rows(
+    model: Any, sets: Sequence[Mapping[str, str]], duration: float, outputs: Sequence[str], workers: int | None = None
+) -> Callable[[], object]:
+    """A sweep with these outputs, stored in a new folder."""
+    from hertzwerk.runtime import sweep as sweep_over
+
+    over = {"clearance": [given["clearance"] for given in sets]}
+    settings: dict[str, Any] = {"duration": duration, "tolerance": TOLERANCE, "compiled": True, "workers": workers}
+
+    def run() -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            table = sweep_over(model, over, outputs=outputs, into=Path(folder) / "sweep", **settings)
+            if not all(row.outcome == "finished" for row in table):
+                raise ArithmeticError("a row did not finish")
+
+    return run
+
+
+def bare_loop(model: Any, given: Mapping[str, str], duration: float) -> Callable[[], object]:
+    """The march of a run by itself: compiled chunks until the end, nothing kept."""
+    from hertzwerk.runtime.run.request import Settings, read
+    from hertzwerk.runtime.run.single_run import set_up
+
+    settings = Settings(duration, None, TOLERANCE, compiled=True)
+    inputs, _ = read(model, settings, given, {})
+    run = set_up(model, settings, inputs)
+    scales = run.scales(TOLERANCE)
+    return lambda: run.observe(TOLERANCE, scales, [])
+
+
+def processor_time(action: Callable[[], object]) -> float:
+    """Processor time [s] of an action in this process and in those it starts: what else the machine does counts little."""
+    gc.collect()
+    begin = _used()
+    action()
+    return _used() - begin
+
+
+def _used() -> float:
+    children = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return time.process_time() + children.ru_utime + children.ru_stime
