@@ -144,7 +144,7 @@ class Findings:
         self._balance = Balance() if model.has_ledger else None
         self._contacts = Contacts(model) if Needs.IMPACTS in self._needs else None
         self._choices = Choices() if method == "auto" and Needs.CHOICES in self._needs else None
-        self._summing = self._new_sums(None) if Needs.SUMS in needs else None
+        self._summing = self._new_sums(None) if Needs.SUMS in needs and not self._later else None
 
     @classmethod
     def saved(
