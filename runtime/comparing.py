@@ -48,7 +48,7 @@ def compare(
     drift       part by which the run takes longer than the measured clock says: a value or a range, "-1e-4..1e-4"
     noise       standard deviations of the measurement's noise by column, {"acceleration": "5 m/s^2"}: what a residual is judged by
 
-    Trajectories are compared up to the horizon of the run's own numerical errors (`run.error`), statistics beyond it.
+    Trajectories are compared while the run's own numerical error (`run.error`) is within 0.1 % of its scales, statistics beyond it.
     Raises InputError with every fault: lines of the file, units, names, ranges; a run that did not keep its steps.
     """
     asked = read_asked(

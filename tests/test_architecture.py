@@ -61,7 +61,7 @@ ROOMS = {
         "integrate/step": "host integrate/tableaux model",
         "integrate/tableaux": "host",
         "loading": "derive/declare derive/faults model pictures/draw",
-        "measured": "derive/faults derive/units host model solution",
+        "measured": "accuracy derive/faults derive/units host model solution",
         "model": "derive/audit derive/declare derive/derivation derive/faults derive/files derive/laws derive/readable "
         "derive/scenes derive/sheets derive/units host",
         "package": "derive/declare derive/faults loading simulation",

@@ -56,7 +56,7 @@ class Signal:
 class Compared:
     """Run beside measured data.
 
-    horizon     time [s] up to which trajectories are compared: the run's own errors grow to 1 % of its scales there
+    horizon     time [s] up to which trajectories are compared: the run's own errors grow to 0.1 % of its scales there
     outside     measured times that lie outside the run
     warnings    what to heed before the numbers are believed
     """

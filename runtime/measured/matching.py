@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.accuracy.ladder import VALID, horizon
 from hertzwerk.runtime.measured.alignment import Alignment, align
 from hertzwerk.runtime.measured.compared import Compared, Signal
 from hertzwerk.runtime.measured.residuals import residual_of
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.solution.solution import Solution
 
 INTERVALS = 240  # of the times beyond the horizon, where the run has no period
+OWN = VALID / 10  # of the scales: largest error of the run itself where a residual is judged
 FEWEST = 16  # samples of a window that is compared
 PER_SAMPLE = 4  # cells of an unfiltered run in a measured step
 SEED = 0  # of the noise added to the run before statistics
@@ -42,24 +44,28 @@ def match(run: Solution, asked: Asked) -> Compared:
     spacing = float(np.median(np.diff(times))) / PER_SAMPLE
     seen = SeenRun(run, [channel.history for channel in asked.channels], asked.instrument, spacing)
     samples = np.column_stack([channel.samples for channel in asked.channels])
-    horizon = horizon_of(run)
-    alignment = align(seen, times, samples, asked.offsets, asked.drifts, horizon=horizon)
+    known = horizon_of(run)
+    alignment = align(seen, times, samples, asked.offsets, asked.drifts, horizon=known)
     at = alignment(times)
     inside = (at >= seen.start) & (at <= seen.end)
     shown = seen.at(at[inside])
     signals = tuple(
-        _signal(channel, at[inside], samples[inside, k], shown[:, k], asked, horizon, run.findings.period)
+        _signal(channel, at[inside], samples[inside, k], shown[:, k], asked, known, run.findings.period)
         for k, channel in enumerate(asked.channels)
     )
     outside = int(np.sum(~inside))
-    return Compared(run, asked, alignment, horizon, signals, outside, tuple(_warnings(run, asked, alignment, outside)))
+    return Compared(run, asked, alignment, known, signals, outside, tuple(_warnings(run, asked, alignment, outside)))
 
 
 def horizon_of(run: Solution) -> float:
-    """Return the time [s] up to which a run's trajectory is valid; its end where nothing is known."""
-    if run.error is None or run.error.horizon is None:
+    """Return the time [s] up to which trajectories are compared; a run's end where nothing is known.
+
+    Its own error stays within a tenth of what a valid trajectory may have, so as not to be taken for a difference.
+    """
+    if run.error is None:
         return run.t_end
-    return float(run.error.horizon)
+    sooner = horizon(run.error.times, run.error.values, OWN)
+    return float(min(t for t in (sooner, run.error.horizon, run.t_end) if t is not None))
 
 
 def _signal(

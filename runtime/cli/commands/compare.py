@@ -95,9 +95,9 @@ if TYPE_CHECKING:
 def compare(target: str, out: Path | None, no_plots: bool, as_json: bool, **options: Any) -> int:
     """Compare a run of TARGET with measured data: residuals, spectra, statistics, a picture.
 
-    Without --duration the run is as long as the data. Trajectories are compared up to the horizon of the run's own numerical errors, statistics
-    beyond it. The measurement in the paper of Wang and Liu (2020) is not to be had: bring data of your own. Exit code 1: they differ by more
-    than the stated noise explains.
+    Without --duration the run is as long as the data. Trajectories are compared while the run's own numerical error
+    is within 0.1 % of its scales, statistics beyond it. The measurement in the paper of Wang and Liu (2020) is not to
+    be had: bring data of your own. Exit code 1: they differ by more than the stated noise explains.
     """
     from hertzwerk.runtime.cli.run_folder import json_text
     from hertzwerk.runtime.host.folder import new_folder

@@ -70,8 +70,8 @@ class Drawing:
         """1/72 inch in the unit of the picture."""
         return (self.frame[1] - self.frame[0]) / self.size[0] / 72
 
-    def on(self, axis: Axes, size: float = 9.0, symbols: float = 1.0) -> None:
-        """Draw on an axis, with names of a size [points] and symbols scaled by a factor."""
+    def on(self, axis: Axes, size: float = 9.0, symbols: float = 1.0, *, times: bool = True) -> None:
+        """Draw on an axis, with names of a size [points], symbols scaled by a factor, and times of faint positions."""
         parts, paper = self.parts, self._paper(axis, symbols)
         for i in self.ghosts:
             parts.draw(paper.faint(), i)
@@ -79,7 +79,9 @@ class Drawing:
         parts.draw(paper, 0)
         force_symbols.draw(parts, paper, 0)
         self._furniture(paper, symbols)
-        labels.place(paper, [*self._names(paper, size), *self._times(paper, size)], self.frame, self.point)
+        labels.place(
+            paper, [*self._names(paper, size), *(self._times(paper, size) if times else ())], self.frame, self.point
+        )
 
     def prepare(self, axis: Axes) -> None:
         """Set up an axis for a film: its limits, gravity and scales, away from where anything gets."""

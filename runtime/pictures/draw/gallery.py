@@ -33,6 +33,6 @@ def sheet(mechanisms: Sequence[Places]) -> Figure:
                 (left + 0.1) / width, (top - 0.05) / height, places.model.name, va="top", fontsize=11, fontweight="bold"
             )
             axis = page.add_axes(((left + 0.05) / width, (top - CELL[1]) / height, panel[0] / width, panel[1] / height))
-            Drawing.of(places, panel, least=panel, margin=MARGIN).on(axis, size=7.5, symbols=SYMBOLS)
+            Drawing.of(places, panel, least=panel, margin=MARGIN).on(axis, size=7.5, symbols=SYMBOLS, times=False)
             axis.set_axis_off()
     return page

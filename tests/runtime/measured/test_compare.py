@@ -91,6 +91,9 @@ def test_the_trajectory_is_compared_within_the_horizon_and_statistics_beyond(run
     assert all(signal.statistics and signal.statistics[0].run.reason for signal in found.signals)
     assert "until the horizon, t = 6 ms" in str(found) and found.differs is False
     assert compare(run, parted, map=MAP, **HOW).differs is True
+    grown = np.where(run.error.times > 0.003, 2e-3, 0.0)  # within the horizon, but no longer small beside a noise
+    early = compare(replace(run, error=replace(run.error, values=grown)), parted, map=MAP, **HOW)
+    assert early.differs is False and all(signal.residual.end <= 0.0035 for signal in early.signals)
     lost = compare(replace(run, error=replace(run.error, horizon=0.0)), data, map=MAP, **HOW)
     assert all(signal.residual is None for signal in lost.signals) and lost.differs is None
     assert "nothing could be judged" in str(lost) and any("past the horizon" in text for text in lost.warnings)
