@@ -77,7 +77,7 @@ def _power(factor: Any, names: Mapping[str, str]) -> str | None:
         return text
     if exponent == sp.S.Half:
         return f"sqrt_{text}"
-    if not exponent.is_Integer:
+    if not exponent.is_Integer or exponent < 0:  # exp(-1) is a power of E that no quotient takes below
         return None
     return text + _POWERS.get(int(exponent), f"_to_the_{exponent}")
 
