@@ -37,7 +37,7 @@ def names_in_words(
     names, given = dict(known), {*taken, *known.values()}
     for symbol, expression in numbered:
         words = _sum(expression, names) if expression.is_Add else _product(expression, names)
-        usable = words is not None and len(words) <= LONGEST and words not in given
+        usable = words is not None and words.isidentifier() and len(words) <= LONGEST and words not in given
         names[symbol.name] = words if usable and words is not None else symbol.name
         given.add(names[symbol.name])
     return names
