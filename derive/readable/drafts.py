@@ -13,7 +13,7 @@ from hertzwerk.derive.program.program import Function, Program, symbols_in
 from hertzwerk.derive.readable.symbols import Names, contact_title, words
 
 HIDDEN = ("constants", "scales", "gap_accelerations", "accelerations", "balance", "projection", "poses", "motion", "applied",
-           "joint_scales", "placed", "joint_constraints")  # fmt: skip
+           "joint_scales", "placed", "joint_constraints", "landmarks")  # fmt: skip
 KINEMATICS, MOTION, LEDGER, ENERGY = "Kinematics", "Equations of motion", "Energy ledger", "Energy"
 LOOPS, OUTPUTS, START = "Closed loops", "Outputs", "Start"
 INERTIA, BIAS = "inertia", "bias"

@@ -24,7 +24,7 @@ def table(
     """
     numeric = [_numeric([row[j] for row in rows]) for j in range(len(columns))]
     heads = (
-        tag("th", name, *_unit_after(unit), scope="col", class_="number" if right else None)
+        tag("th", _breakable(name), *_unit_after(unit), scope="col", class_="number" if right else None)
         for (name, unit), right in zip(columns, numeric, strict=True)
     )
     lines = (
@@ -51,6 +51,11 @@ def number_text(value: float, digits: int = 5) -> str:
 def _numeric(cells: Sequence[Cell]) -> bool:
     known = [cell for cell in cells if cell is not None and cell != ""]
     return bool(known) and all(isinstance(cell, (int, float)) and not isinstance(cell, bool) for cell in known)
+
+
+def _breakable(name: str) -> Markup:
+    """Return a name that may go on in the next line after a stroke, a dot or a slash."""
+    return joined(re.split(r"(?<=[/._])", name), tag("wbr"))
 
 
 def _unit_after(unit: str) -> list[Markup]:

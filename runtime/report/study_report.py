@@ -45,10 +45,10 @@ def _verdicts(verdicts: list[tuple[str, str, bool | None]]) -> Markup:
 
 
 def _figure(figure: Mapping[str, Any], figures: Mapping[str, str], number: int) -> Markup:
-    title, path, note = (str(figure[name]) for name in ("title", "path", "note"))
+    title, path = str(figure["title"]), str(figure["path"])
     if path not in figures:
         return paragraphs([f"{path} is not beside the record."], "note")
-    return guarded(f"The picture {path}", lambda: picture(figures[path], f"figure-{number}", title, note))
+    return guarded(f"The picture {path}", lambda: picture(figures[path], f"figure-{number}", title))
 
 
 def _table(content: Mapping[str, Any]) -> Markup:

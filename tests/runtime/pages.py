@@ -10,7 +10,7 @@ from html import unescape
 from html.parser import HTMLParser
 
 BROWSER = shutil.which("chromium") or shutil.which("chromium-browser")
-VOID = ("meta", "br", "col", "link")
+VOID = ("meta", "br", "col", "link", "wbr")
 WIDTHS = (1232, 688)  # px: of a window of 1280, of A4 within its margins
 
 LISTENING = """
