@@ -8,9 +8,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from typing import Literal, TypeAlias
 from unicodedata import lookup
 
 from hertzwerk.runtime.report.markup import Markup, joined, tag
+
+LONG = 45  # tokens from which a bracket or a numerator is taken apart
+
+WIDE = 30  # elements from which a line may also break before a factor
+
+Role: TypeAlias = Literal["", "sign", "opens", "factor"]
 
 _TOKEN = re.compile(r"\\[A-Za-z]+|\\.|\d+(?:\.\d+)?|\S", re.DOTALL)
 _SYMBOLS = {
@@ -66,13 +73,15 @@ def inline(latex: str) -> Markup:
 def _line(latex: str) -> Markup:
     """Return a line as `math` elements that a browser may put on several lines."""
     pieces: list[list[Markup]] = [[]]
-    after_sign = True
-    for node, sign in _Reader(latex).all():
-        if sign and not after_sign:
+    before: Role = "opens"
+    for node, role in _Reader(latex).all():
+        wide = sum(piece.count("<m") for piece in pieces[-1]) > WIDE
+        breaks = (role == "sign" or (wide and role != "")) and before not in ("sign", "opens")
+        if breaks:
             pieces.append([])
         # a plus or minus at the start of a piece is none of a number's
-        pieces[-1].append(node if after_sign or not sign else Markup(node.replace("<mo>", '<mo form="infix">')))
-        after_sign = sign
+        pieces[-1].append(Markup(node.replace("<mo>", '<mo form="infix">')) if breaks and role == "sign" else node)
+        before = role
     # display style by attribute: the elements stay inline
     return joined((tag("math", tag("mrow", *piece), displaystyle="true") for piece in pieces), " ")
 
@@ -85,9 +94,9 @@ class _Reader:
         self._tokens = list(_TOKEN.finditer(latex))
         self._at = 0
 
-    def all(self) -> list[tuple[Markup, bool]]:
-        """Return all nodes, each with whether it is a sign that a line may break before."""
-        nodes = list(self._row(()))
+    def all(self) -> list[tuple[Markup, Role]]:
+        """Return all nodes with their roles; long brackets and fractions are taken apart."""
+        nodes = list(self._row((), apart=True))
         if self._at < len(self._tokens):
             raise self._unexpected(self._token)
         return nodes
@@ -115,25 +124,94 @@ class _Reader:
     def _unexpected(self, token: str, wanted: str = "what the printers write") -> ValueError:
         return ValueError(f"found {token!r} in {self._latex!r}, expected {wanted}")
 
-    def _row(self, ends: tuple[str, ...]) -> Iterator[tuple[Markup, bool]]:
+    def _row(self, ends: tuple[str, ...], *, apart: bool = False) -> Iterator[tuple[Markup, Role]]:
         while self._token and self._token not in (*ends, "}", r"\right", r"\end", "&", r"\\"):
-            yield self._scripted()
+            if apart and (found := self._taken_apart()) is not None:
+                yield from found
+            else:
+                yield self._scripted()
+
+    def _taken_apart(self) -> Iterator[tuple[Markup, Role]] | None:
+        """Return the pieces of a long group, bracket or fraction, if one comes next."""
+        at = self._at + (self._token == r"\frac")
+        last = self._closing(at)
+        if self._token == r"\frac":
+            below = self._closing(last + 1)
+            grouped = [token[0] for token in (*self._tokens[at : at + 1], *self._tokens[last + 1 : last + 2])] == [
+                "{",
+                "{",
+            ]
+            return self._fraction(last, below) if grouped and below - at > LONG else None
+        if last - at <= LONG:
+            return None
+        if self._token == "{":
+            scripted = self._tokens[last + 1][0] in ("_", "^") if last + 1 < len(self._tokens) else False
+            return None if scripted else self._inside(last)
+        return self._bracket() if self._token == r"\left" else None
+
+    def _inside(self, last: int) -> Iterator[tuple[Markup, Role]]:
+        """Yield what stands in a group, piece by piece."""
+        self._next()
+        yield from self._row((), apart=True)
+        if self._at != last:
+            raise self._unexpected(self._token)
+        self._next()
+
+    def _closing(self, at: int) -> int:
+        """Return the place of the token that closes the group or bracket which opens at a place."""
+        depth = 0
+        for place in range(at, len(self._tokens)):
+            depth += {"{": 1, r"\left": 1, "}": -1, r"\right": -1}.get(self._tokens[place][0], 0)
+            if not depth:
+                return place
+        return at  # it is refused where it is read
+
+    def _bracket(self) -> Iterator[tuple[Markup, Role]]:
+        """Yield a long bracket piece by piece, so that lines break in it."""
+        self._next()
+        yield self._fence(stretchy=False) or Markup(""), "opens"
+        yield from self._row((), apart=True)
+        self._expect(r"\right")
+        yield self._with_scripts(self._fence(stretchy=False) or Markup("")), ""
+
+    def _fraction(self, last: int, below: int) -> Iterator[tuple[Markup, Role]]:
+        """Yield a long fraction in one line: as a factor and a bracket, or with a stroke where it divides by much."""
+        opened, closed = tag("mo", "(", stretchy="false"), tag("mo", ")", stretchy="false")
+        first, much = self._at + 1, below - last > LONG
+        if not much:
+            self._at = last + 1
+            yield tag("mfrac", tag("mn", "1"), self._argument()), ""
+        self._at = first
+        yield opened, "opens"
+        yield from self._inside(last)
+        yield closed, ""
+        if much:
+            yield tag("mo", "/"), "sign"
+            yield opened, "opens"
+            yield from self._inside(below)
+            yield closed, ""
+        self._at = below + 1
 
     def _nodes(self, *ends: str) -> Markup:
         return tag("mrow", *(node for node, _ in self._row(ends)))
 
-    def _scripted(self) -> tuple[Markup, bool]:
-        first = self._token
-        base, scripts = self._atom(), {}
+    def _with_scripts(self, base: Markup) -> Markup:
+        scripts = {}
         while self._token in ("_", "^"):
             key = self._next()
             scripts[key] = self._argument()
         name = f"m{'sub' if '_' in scripts else ''}{'sup' if '^' in scripts else ''}"
-        node = tag(name, base, *(scripts[key] for key in "_^" if key in scripts)) if scripts else base
+        return tag(name, base, *(scripts[key] for key in "_^" if key in scripts)) if scripts else base
+
+    def _scripted(self) -> tuple[Markup, Role]:
+        first = self._token
+        base = self._atom()
+        node = self._with_scripts(base)
         if first.removeprefix("\\") in _FUNCTIONS or first == r"\operatorname":
             around = _space(_SPACES[","])
             node = joined([around, node, None if self._fenced_next() else around])
-        return node, base in _BREAKS
+            return node, "opens"
+        return node, "sign" if base in _BREAKS else "factor" if first == r"\left" else ""
 
     def _argument(self) -> Markup:
         """Return a group, or the one node that stands for it."""
@@ -210,10 +288,10 @@ class _Reader:
         self._expect(r"\right")
         return tag("mrow", opened, inside, self._fence())
 
-    def _fence(self) -> Markup | None:
+    def _fence(self, *, stretchy: bool = True) -> Markup | None:
         token = self._next()
         sign = _SIGNS.get(token[1:], token.removeprefix("\\"))
-        return None if sign == "." else tag("mo", sign, fence="true", stretchy="true")
+        return None if sign == "." else tag("mo", sign, fence="true", stretchy=str(stretchy).lower())
 
     def _cases(self) -> Markup:
         if (name := self._raw()) != "cases":

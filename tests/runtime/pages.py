@@ -11,7 +11,10 @@ from html.parser import HTMLParser
 
 BROWSER = shutil.which("chromium") or shutil.which("chromium-browser")
 VOID = ("meta", "br", "col", "link", "wbr")
-WIDTHS = (1232, 688)  # px: of a window of 1280, of A4 within its margins
+WIDTHS = (
+    1232,
+    736,
+)  # px: of a window of 1280; of A4 within its margins, and the padding that a page has on screens alone
 
 LISTENING = """
 window.violations = [];
@@ -24,12 +27,13 @@ const cut = [];
 for (const width of WIDTHS) {
   document.documentElement.style.width = width + "px";
   const right = document.documentElement.getBoundingClientRect().right;
-  for (const e of document.body.querySelectorAll(":not(svg *):not(math *)")) {
+  // what overflows in MathML may be space that nobody sees: there letters count
+  for (const e of document.body.querySelectorAll(":not(svg *):not(math, math *), mi, mn, mo, mtext")) {
     const box = e.getBoundingClientRect(), around = e.parentElement.getBoundingClientRect();
-    const block = !["SUP", "SPAN", "A", "CODE", "BUTTON", "SCRIPT"].includes(e.tagName);
+    const block = !["SUP", "SPAN", "A", "CODE", "BUTTON", "SCRIPT", "mi", "mn", "mo", "mtext"].includes(e.tagName);
     if (box.width && (box.right > right + 1 || (block && box.right > around.right + 1)
-        || (block && e.tagName !== "math" && e.clientWidth && e.scrollWidth > e.clientWidth + 1)))
-      cut.push(`${width} ${Math.round(box.right - around.right)} ${named(e)}`);
+        || (block && !e.querySelector("math") && e.clientWidth && e.scrollWidth > e.clientWidth + 1)))
+      cut.push(`${width} ${Math.round(box.right - right)} ${named(e)}`);
   }
 }
 const column = (table, j) => [...table.tBodies[0].rows].map((row) => row.cells[j].textContent);

@@ -29,11 +29,15 @@ def test_a_page_is_whole_fetches_nothing_and_sorts(tmp_path):
 
 def test_faults_of_a_page_are_found(tmp_path):
     rows = [["b", 2.0], ["a", 10.0], [Markup(f"<b style='white-space: pre'>{'wide ' * 400}</b>"), 1.0]]
-    content = joined([table([("text", ""), ("number", "")], rows), Markup("<img src='http://127.0.0.1:9/x.png'>")])
+    formula = Markup(f"<math><mi>{'x' * 300}</mi></math>")
+    content = joined(
+        [table([("text", ""), ("number", "")], rows), formula, Markup("<img src='http://127.0.0.1:9/x.png'>")]
+    )
     bad = page("run", "a", "", Markup("<script>window.alerted = 1</script>"), [Section("One", content)], Origin("x"))
     found = seen(bad, tmp_path)
     assert found["sorted"]["One/number"][1:] == [["1", "2", "10"], ["10", "2", "1"]]
     assert any("wide" in text for text in found["cut"])
+    assert any("xxx" in text for text in found["cut"])
     assert found["alerted"] == 0  # the policy holds back what is no script of the page's own
     assert {text.split()[0] for text in found["violations"]} == {"script-src-elem", "img-src"}
 
