@@ -83,7 +83,7 @@ def _looks(count: int) -> Any:
 def _flatten(axis: Axes, scale: Scale, histories: Sequence[Array], size: float) -> None:
     """Set the limits of a panel whose curves all are constant but for rounding, and say that they are."""
     largest = max([size, *(float(np.nanmax(np.abs(history), initial=0.0)) for history in histories)])
-    if not histories or any(np.ptp(history) > CONSTANT * largest for history in histories):
+    if not histories or not all(np.ptp(history) <= CONSTANT * largest for history in histories):  # nan is not constant
         return
     low, high = (float(pick(histories)) / scale.factor for pick in (np.min, np.max))
     reach = 0.1 * max(abs(low), abs(high)) or size / scale.factor or 1.0

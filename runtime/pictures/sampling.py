@@ -87,8 +87,9 @@ class Rows:
 
     def __init__(self, run: Solution) -> None:
         self._run = run
-        inside = [np.searchsorted(run.t, (impact.t, end_of(impact, run))) for impact in hardest(run)]
-        self._seen = [(impact, *place) for impact, place in zip(hardest(run), inside, strict=True)]
+        within = [impact for impact in hardest(run) if impact.t <= run.t[-1]]  # rows may end sooner than the run
+        inside = [np.searchsorted(run.t, (impact.t, end_of(impact, run))) for impact in within]
+        self._seen = [(impact, *place) for impact, place in zip(within, inside, strict=True)]
         unseen = [(i.t, _middle(i, run), end_of(i, run)) for i, begin, stop in self._seen if begin == stop]
         self.t: Array = np.unique(np.concatenate([run.t, np.ravel(unseen)]))
 
