@@ -38,7 +38,7 @@ def exported() -> list[str]:
 
 
 def shipped(name: str) -> bool:
-    return name.split("/")[0] in PACKAGES and name.endswith((".py", ".pyi", ".toml", "py.typed"))
+    return name.split("/")[0] in PACKAGES and name.endswith((".py", ".pyi", ".toml", "py.typed", ".css", ".js"))
 
 
 def installed(name: str) -> str:

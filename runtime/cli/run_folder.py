@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import asdict, dataclass, field
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -227,10 +227,18 @@ class _Extras:
             picture.of_run(self.solution).savefig(at / "mechanism.png", dpi="figure")
 
         self.make("mechanism.png", mechanism)
-        from hertzwerk.runtime.pictures import plot
 
-        for name, save in plot.pages(self.solution).items():
-            self.make(f"{name}.png", partial(lambda save, at, file: save(at / file), save, file=f"{name}.png"))
+        @cache
+        def pages() -> Mapping[str, Callable[[Path], None]]:
+            from hertzwerk.runtime.pictures import plot  # slow to import: not after a stop
+
+            return plot.pages(self.solution)
+
+        def page(name: str, at: Path) -> None:
+            pages()[name](at / f"{name}.png")
+
+        for name in ("overview", *self.solution.model.pairs):
+            self.make(f"{name}.png", partial(page, name))
 
 
 def _write_data(solution: Solution, folder: Path, lost: list[str], request: Mapping[str, Any] | None) -> list[str]:

@@ -45,7 +45,7 @@ class LocalFlag:
 
 
 class Job(Protocol[Returned]):
-    """Tasks, and the flag `stop` that they check; a forked process inherits all of it, others are sent a pickle."""
+    """Tasks, and the flag `stop` that they check; forked processes inherit them, others are sent a pickle."""
 
     stop: Flag
 

@@ -175,7 +175,7 @@ class _Reader:
         yield self._with_scripts(self._fence(stretchy=False) or Markup("")), ""
 
     def _fraction(self, last: int, below: int) -> Iterator[tuple[Markup, Role]]:
-        """Yield a long fraction in one line: as a factor and a bracket, or with a stroke where it divides by much."""
+        """Yield a long fraction in one line: a factor and a bracket, or a stroke where it divides by much."""
         opened, closed = tag("mo", "(", stretchy="false"), tag("mo", ")", stretchy="false")
         first, much = self._at + 1, below - last > LONG
         if not much:

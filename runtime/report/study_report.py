@@ -15,7 +15,7 @@ MOST = 500  # rows of a table
 
 
 def study_page(record: Mapping[str, Any], figures: Mapping[str, str], origin: Origin) -> str:
-    """Return the page of a study from its record, as `study.json` has it, and its figures as SVG, by their paths.
+    """Return the page of a study from its record (`study.json`) and its figures (SVG), by their paths.
 
     Raises KeyError, TypeError or ValueError for what is no such record.
     """

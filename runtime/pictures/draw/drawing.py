@@ -71,7 +71,7 @@ class Drawing:
         return (self.frame[1] - self.frame[0]) / self.size[0] / 72
 
     def on(self, axis: Axes, size: float = 9.0, symbols: float = 1.0, *, times: bool = True) -> None:
-        """Draw on an axis, with names of a size [points], symbols scaled by a factor, and times of faint positions."""
+        """Draw on an axis: names of a size [points], symbols scaled by a factor, times of faint positions."""
         parts, paper = self.parts, self._paper(axis, symbols)
         for i in self.ghosts:
             parts.draw(paper.faint(), i)

@@ -359,7 +359,7 @@ def test_kills_at_random_moments_lose_nothing_and_repeat_what_was_in_flight_alon
 @FORKED
 @pytest.mark.slow
 def test_rows_that_are_stored_ten_at_a_time_would_be_found_missing(tmp_path):
-    with pytest.raises(AssertionError, match="a finished row was lost"):
+    with pytest.raises(AssertionError, match=r"a finished row was lost|<= \(4 \* 3\)"):  # or computed again
         survive(tmp_path, 3, "late")
 
 
