@@ -47,7 +47,7 @@ ROOMS = {
     "runtime": {
         ".": "comparing derive/faults effects loading measured model simulation solution sweeps",
         "accuracy": "",
-        "cli": "accuracy derive/audit derive/faults derive/sheets effects hard_cases host integrate/tableaux loading measured "
+        "cli": "accuracy derive/audit derive/faults derive/sheets effects hard_cases host integrate/tableaux loading "
         "measured model pictures pictures/draw pictures/motion pictures/studies report run simulation solution start "
         "studies sweeps validate work_precision",
         "command_line": "cli",

@@ -221,10 +221,12 @@ class _Extras:
     def make_pictures(self) -> None:
         """Draw the mechanism, the overview and one picture of each pair."""
 
+        drawn = cache(self.solution.with_steps)  # a run that kept a grid is made again for them, once
+
         def mechanism(at: Path) -> None:
             from hertzwerk.runtime.pictures.draw import picture
 
-            picture.of_run(self.solution).savefig(at / "mechanism.png", dpi="figure")
+            picture.of_run(drawn()).savefig(at / "mechanism.png", dpi="figure")
 
         self.make("mechanism.png", mechanism)
 
@@ -232,7 +234,7 @@ class _Extras:
         def pages() -> Mapping[str, Callable[[Path], None]]:
             from hertzwerk.runtime.pictures import plot  # slow to import: not after a stop
 
-            return plot.pages(self.solution)
+            return plot.pages(drawn())
 
         def page(name: str, at: Path) -> None:
             pages()[name](at / f"{name}.png")

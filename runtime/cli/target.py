@@ -32,6 +32,18 @@ LAW = click.option(
     multiple=True,
     help="Another law for a contact or friction (derives the variation).",
 )
+COORDINATES = click.option(
+    "--coordinates",
+    metavar="NAME",
+    help="tree (of the joints), absolute (of every body) or auto (what takes fewer operations); derives the variation.",
+)
+ACCURACY = click.option(
+    "--accuracy",
+    metavar="NUMBER",
+    help="Error asked for at the end, in the scene's scales, 1e-12..1e-1 (default: the scenario's).",
+)
+MAX_STEPS = click.option("--max-steps", metavar="NUMBER", help="Stop after so many accepted steps (default: 1000000).")
+WALL_TIME = click.option("--wall-time", metavar="TIME", help='Stop after so long on the clock, such as "10 min".')
 DURATION = click.option("--duration", metavar="TIME", help='Such as "24 ms" (default: the scenario\'s).')
 
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from hertzwerk.derive.faults import Fault, InputError
@@ -95,9 +96,9 @@ def _publish(temporary: Path, out: Path | None, stem: Path) -> Path:
             return temporary.rename(out)
         except OSError as error:
             raise InputError("run", [Fault("--out", str(error), "a new or an empty folder")]) from error
-    number = 1
+    paths = numbered(stem)
     while True:
-        path = stem.with_name(f"{stem.name}-{number:03d}")
+        path = next(paths)
         try:
             if not path.exists():
                 return temporary.rename(path)
@@ -106,4 +107,8 @@ def _publish(temporary: Path, out: Path | None, stem: Path) -> Path:
         except OSError:
             if not path.exists():
                 raise
-        number += 1
+
+
+def numbered(stem: Path) -> Iterator[Path]:
+    """Yield <stem>-001, <stem>-002, and so on, without end."""
+    return (stem.with_name(f"{stem.name}-{number:03d}") for number in itertools.count(1))

@@ -81,7 +81,7 @@ def _problem(
     faults = unwritable_faults(out, wanted=wanted)
     values = assignments("--set", settings, faults)
     model = loaded(target, without, laws, faults)
-    numbers = scenarios.read(target) if target in scenarios.names() else {}
+    numbers = scenarios.read(target)
     problem = Problem(model, duration or numbers.get("duration"), *split_values(model, values))
     check(model, Settings(problem.duration, None, None), problem.parameters, problem.initial, faults)
     return problem

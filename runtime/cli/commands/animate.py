@@ -95,7 +95,7 @@ def _run(
     from hertzwerk.runtime.start.start_values import split_values
     from hertzwerk.runtime.validate import scenarios
 
-    numbers = scenarios.read(target) if target in scenarios.names() else {}
+    numbers = scenarios.read(target)
     parameters, initial = split_values(model, values)
     run = simulate(
         model,

@@ -13,11 +13,15 @@ from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.cli.continue_run import limits_of
 from hertzwerk.runtime.cli.stopping import Stopping
 from hertzwerk.runtime.cli.target import (
+    ACCURACY,
     BY_METHOD,
+    COORDINATES,
     DURATION,
     JSON,
     LAW,
+    MAX_STEPS,
     SET,
+    WALL_TIME,
     WITHOUT,
     assignments,
     loaded,
@@ -39,7 +43,6 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.measured.compared import Compared
     from hertzwerk.runtime.measured.statistics import Estimated
     from hertzwerk.runtime.model.model import Model
-    from hertzwerk.runtime.simulation import Solution
 
 
 @click.command()
@@ -80,12 +83,12 @@ if TYPE_CHECKING:
 @SET
 @WITHOUT
 @LAW
-@click.option("--coordinates", metavar="NAME", help="tree, absolute or auto; derives the variation.")
+@COORDINATES
 @DURATION
-@click.option("--accuracy", metavar="NUMBER", help="Error asked for at the end (default: the scenario's).")
+@ACCURACY
 @BY_METHOD
-@click.option("--max-steps", metavar="NUMBER", help="Stop after so many accepted steps (default: 1000000).")
-@click.option("--wall-time", metavar="TIME", help='Stop after so long on the clock, such as "10 min".')
+@MAX_STEPS
+@WALL_TIME
 @click.option(
     "--out", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-compare-NNN)."
 )
@@ -145,12 +148,12 @@ def _compared(
     """Return the comparison of a command line; raises InputError with every fault before it runs."""
     from hertzwerk.runtime.measured.matching import match
     from hertzwerk.runtime.run.request import METHOD, Settings, check
-    from hertzwerk.runtime.simulation import simulate
+    from hertzwerk.runtime.simulation import solve
     from hertzwerk.runtime.start.start_values import split_values
     from hertzwerk.runtime.validate import scenarios
 
     values = assignments("--set", settings, faults)
-    numbers = scenarios.read(target) if target in scenarios.names() else {}
+    numbers = scenarios.read(target)
     stopping.stage("building")
     limits = limits_of(max_steps, wall_time, faults)
     model = loaded(target, without, laws, faults, coordinates=coordinates)
@@ -162,16 +165,7 @@ def _compared(
     check(model, settled, parameters, initial, faults)
     if asked is None:  # its faults are among those that `check` raises
         raise InputError(model.name, faults)
-    run: Solution = simulate(
-        model,
-        duration=settled.duration,
-        accuracy=accurate,
-        method=settled.method,
-        parameters=parameters,
-        initial=initial,
-        progress=stopping,
-        **limits,
-    )
+    run = solve(model, settled, parameters, initial, progress=stopping)
     if run.outcome.name == "interrupted" and not run.statistics.steps:
         raise KeyboardInterrupt
     stopping.stage("comparing")

@@ -87,7 +87,7 @@ def _places(
     from hertzwerk.runtime.validate import scenarios
 
     model = load(target)
-    numbers = scenarios.read(target) if target in scenarios.names() else {}
+    numbers = scenarios.read(target)
     parameters, initial = split_values(model, values)
     given = differences_of(model, parameters, initial)
     until = duration or numbers.get("duration")

@@ -94,7 +94,7 @@ def _study(target: str, out: Path | None, *, quiet: bool, wanted: bool, **option
     values = assignments("--set", options["settings"], faults)
     laws = assignments("--law", options["laws"], faults)
     within = None if options["within"] is None else _fraction(options["within"], faults)
-    numbers = scenarios.read(target) if target in scenarios.names() else {}
+    numbers = scenarios.read(target)
     tolerance = max(numbers.get("accuracy", 1e-6), DEFAULT)
     if options["tolerance"] is not None:
         tolerance = number(options["tolerance"])

@@ -13,11 +13,15 @@ from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.cli.continue_run import continue_run, limits_of, output_of
 from hertzwerk.runtime.cli.stopping import Stopping
 from hertzwerk.runtime.cli.target import (
+    ACCURACY,
     BY_METHOD,
+    COORDINATES,
     DURATION,
     JSON,
     LAW,
+    MAX_STEPS,
     SET,
+    WALL_TIME,
     WITHOUT,
     assignments,
     command_line,
@@ -51,17 +55,9 @@ STOPPED = (
 @SET
 @WITHOUT
 @LAW
-@click.option(
-    "--coordinates",
-    metavar="NAME",
-    help="tree (of the joints), absolute (of every body) or auto (what takes fewer operations); derives the variation.",
-)
+@COORDINATES
 @DURATION
-@click.option(
-    "--accuracy",
-    metavar="NUMBER",
-    help="Error asked for at the end, in the scene's scales, 1e-12..1e-1 (default: the scenario's).",
-)
+@ACCURACY
 @BY_METHOD
 @click.option(
     "--grid",
@@ -74,8 +70,8 @@ STOPPED = (
 @click.option(
     "--out", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-NNN)."
 )
-@click.option("--max-steps", metavar="NUMBER", help="Stop after so many accepted steps (default: 1000000).")
-@click.option("--wall-time", metavar="TIME", help='Stop after so long on the clock, such as "10 min".')
+@MAX_STEPS
+@WALL_TIME
 @click.option(
     "--continue",
     "folder",
@@ -197,13 +193,13 @@ def _simulate(
 ) -> Solution:
     """Return the solution of a command line; raises InputError with the faults of all its parts."""
     from hertzwerk.runtime.run.request import METHOD, Settings, check
-    from hertzwerk.runtime.simulation import simulate
+    from hertzwerk.runtime.simulation import solve
     from hertzwerk.runtime.start.start_values import split_values
     from hertzwerk.runtime.validate import scenarios
 
     faults = unwritable_faults(out, wanted=wanted)
     values = assignments("--set", settings, faults)
-    numbers = scenarios.read(target) if target in scenarios.names() else {}
+    numbers = scenarios.read(target)
     accurate = number(accuracy) if accuracy is not None else numbers.get("accuracy")
     by = method or numbers.get("method", METHOD)
     stopping.stage("building")
@@ -212,17 +208,7 @@ def _simulate(
     model = loaded(target, without, laws, faults, coordinates=coordinates, others=settled.faults)
     parameters, initial = split_values(model, values)
     check(model, settled, parameters, initial, faults)
-    return simulate(
-        model,
-        duration=settled.duration,
-        accuracy=accurate,
-        method=by,
-        parameters=parameters,
-        initial=initial,
-        output=output,
-        progress=stopping,
-        **limits,
-    )
+    return solve(model, settled, parameters, initial, progress=stopping)
 
 
 def _report(solution: Solution) -> None:

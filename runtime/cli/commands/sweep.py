@@ -12,7 +12,18 @@ import click
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.cli.continue_run import limits_of
-from hertzwerk.runtime.cli.target import BY_METHOD, DURATION, JSON, LAW, SET, WITHOUT, assignments, number
+from hertzwerk.runtime.cli.target import (
+    ACCURACY,
+    BY_METHOD,
+    COORDINATES,
+    DURATION,
+    JSON,
+    LAW,
+    SET,
+    WITHOUT,
+    assignments,
+    number,
+)
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
 
 if TYPE_CHECKING:
@@ -46,9 +57,9 @@ _OPTIONS = {
 @SET
 @WITHOUT
 @LAW
-@click.option("--coordinates", metavar="NAME", help="tree, absolute or auto; derives the variation.")
+@COORDINATES
 @DURATION
-@click.option("--accuracy", metavar="NUMBER", help="Error asked for at the end (default: the scenario's).")
+@ACCURACY
 @click.option("--tolerance", metavar="NUMBER", help="In its place the local tolerance of one run each.")
 @BY_METHOD
 @click.option("--max-steps", metavar="NUMBER", help="Stop a row after so many accepted steps (default: 1000000).")
@@ -154,7 +165,7 @@ def _read(target: str, options: dict[str, Any], faults: list[Fault]) -> dict[str
     from hertzwerk.runtime.run.request import METHOD
     from hertzwerk.runtime.validate import scenarios
 
-    numbers = scenarios.read(target) if target in scenarios.names() else {}
+    numbers = scenarios.read(target)
     accuracy, tolerance = (
         None if text is None else number(text) for text in (options["accuracy"], options["tolerance"])
     )
@@ -192,12 +203,9 @@ def _whole(option: str, text: str | None, faults: list[Fault]) -> int | None:
 
 def _next_folder(target: str) -> Path:
     """Return the next free runs/SCENE-sweep-NNN."""
-    from hertzwerk.runtime.host.folder import RUNS
+    from hertzwerk.runtime.host.folder import RUNS, numbered
 
-    count = 1
-    while (path := RUNS / f"{Path(target).stem}-sweep-{count:03d}").exists():
-        count += 1
-    return path
+    return next(path for path in numbered(RUNS / f"{Path(target).stem}-sweep") if not path.exists())
 
 
 # -- as people and programs read it ------------------------------------------------------------------------------------

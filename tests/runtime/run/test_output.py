@@ -15,8 +15,8 @@ from click.testing import CliRunner
 from handmade import point
 
 from hertzwerk.derive.faults import InputError
-from hertzwerk.runtime import Solution, load, simulate
-from hertzwerk.runtime.cli import main
+from hertzwerk.runtime import Solution, load, simulate, simulation
+from hertzwerk.runtime.cli import main, run_folder
 from hertzwerk.runtime.run import recorder
 from hertzwerk.runtime.solution import findings
 from hertzwerk.runtime.solution.history import History
@@ -277,6 +277,15 @@ def test_saved_drawn_and_loaded(tmp_path):
     empty.plot().draw_without_rendering()  # of the step that was made
     with pytest.raises(ValueError, match="no rows"):
         Solution.load(empty.save(tmp_path / "empty.npz")).plot()
+
+
+def test_pictures_of_a_grid_share_one_run_made_again_for_them(tmp_path, monkeypatch):
+    run, made = simulate(load("bouncing_ball"), duration="1 s", tolerance=1e-6, output=50), []
+    set_up = simulation.set_up
+    monkeypatch.setattr(simulation, "set_up", lambda *given, **how: made.append(given) or set_up(*given, **how))
+    files = run_folder.write(run, tmp_path / "run", plots=True).files
+    assert {"mechanism.png", "overview.png", "floor.png"} <= set(files)
+    assert len(made) == 1
 
 
 def test_the_command_line(tmp_path, monkeypatch):
