@@ -18,7 +18,7 @@ def names() -> tuple[str, ...]:
 
 
 def read(name: str) -> dict[str, Any]:
-    """Return the content of a built-in scenario; empty where there is none of that name, as of a user's file."""
+    """Return the content of a built-in scenario; empty for any other name, as that of a user's file."""
     if name not in names():
         return {}
     return tomllib.loads((resources.files(__name__) / f"{name}.toml").read_text(encoding="utf-8"))

@@ -307,15 +307,8 @@ def test_a_file_imports_its_neighbours_and_they_leave_no_trace(hertzwerk):
     assert sys.path == path
 
 
-def test_another_outcome_exits_1_and_keeps_what_there_is(hertzwerk, monkeypatch):
-    engine = importlib.import_module("hertzwerk.runtime.simulation")
-
-    def stops(model, **options):
-        return simulate(model, **{**options, "max_steps": 5})
-
-    simulate = engine.simulate
-    monkeypatch.setattr(engine, "simulate", stops)
-    done = hertzwerk("run", "ball_between_walls", "--no-plots")
+def test_another_outcome_exits_1_and_keeps_what_there_is(hertzwerk):
+    done = hertzwerk("run", "ball_between_walls", "--no-plots", "--max-steps", "5")
     assert done.exit_code == 1
     assert "too_many_steps" in done.output
     assert "remedy" in done.output
