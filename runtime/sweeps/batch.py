@@ -2,36 +2,24 @@
 
 from __future__ import annotations
 
-import math
 import time
 from collections import deque
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from contextlib import closing
-from dataclasses import dataclass, field, replace
-from functools import reduce
-from operator import or_
 from typing import Any
 
 from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.derive.units import parse_unit
-from hertzwerk.runtime.host.lazy import cached_property
-from hertzwerk.runtime.host.workers import Flag, LocalFlag, cores, results
-from hertzwerk.runtime.model.binding import Value, read_state
+from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.model import Model
-from hertzwerk.runtime.run.engine import prepare
 from hertzwerk.runtime.run.request import METHOD, Compiled, Settings
-from hertzwerk.runtime.simulation import solve
-from hertzwerk.runtime.solution.findings import Needs
 from hertzwerk.runtime.solution.outcome import Outcome
-from hertzwerk.runtime.solution.solution import Solution
-from hertzwerk.runtime.start.start_values import split_values
-from hertzwerk.runtime.sweeps.row_outputs import Measured, NotANumberError, Output, finals, named, of_every_run, own
+from hertzwerk.runtime.sweeps.processes import Processes
+from hertzwerk.runtime.sweeps.row_engine import RowEngine
+from hertzwerk.runtime.sweeps.row_job import NO_NUMBER, Job, Own, Task
+from hertzwerk.runtime.sweeps.row_outputs import Output, finals, of_every_run, own
 from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, TEXTS, Row, Sweep, columns_of
 
-Own = Callable[[Solution], float]
-# outcomes of rows without a run or some of its numbers
-BAD_INPUT, BAD_OUTPUT, NO_NUMBER, FAILED, LOST = "bad_input", "bad_output", "output_no_number", "failed", "lost"
-PROBE = 0.3  # s: longest trial run, from which the time of all is estimated
 INTERRUPTED = Outcome("interrupted", "stopped by the user", "the rows that were done are there")
 
 
@@ -94,7 +82,7 @@ def simulate_many(
     units = ports(model)
     varied = {name: units[name] for name in dict.fromkeys(name for values in sets for name in values) if name in units}
     results = {name: unit for output in wanted for name, unit in output.columns.items()}
-    batch = Batch(model, sets, settings, wanted, compiled, workers)
+    batch = Batch(model, sets, settings, wanted, compiled, Processes(workers))
     rows: dict[int, Row] = {}
     interrupted = False
     try:
@@ -118,12 +106,11 @@ def simulate_many(
 
 
 class Batch:
-    """Runs of one model, each a row.
+    """Runs of one model, each a row, by the workers of an engine.
 
     sets    values of every row, parameters and initial states alike
     settings    arguments of `simulate` for all of them
-    compiled    as asked for; once rows were made, whether they are
-    workers    processes
+    compiled    as asked for
     """
 
     def __init__(
@@ -133,13 +120,20 @@ class Batch:
         settings: Mapping[str, Any],
         outputs: Sequence[Output],
         compiled: Compiled,
-        workers: int | None,
+        engine: RowEngine,
     ) -> None:
-        asked = Settings(**settings, compiled=compiled)
-        self._job = _Job(model, [dict(values) for values in sets], asked, list(outputs))
-        self._asked = compiled
-        self.workers = min(workers or cores(), max(len(sets), 1))
-        self.compiled = False
+        self._job = Job(model, Settings(**settings, compiled=compiled), list(outputs))
+        self._sets, self._engine = sets, engine
+
+    @property
+    def workers(self) -> int:
+        """Number of rows that are computed side by side."""
+        return max(min(self._engine.workers, len(self._sets)), 1)
+
+    @property
+    def compiled(self) -> bool:
+        """Whether rows that were made are compiled."""
+        return self._job.compiled
 
     def rows(self, wanted: Sequence[int]) -> Generator[Row, None, None]:
         """Yield the rows of these sets as they are done; close it to end the workers.
@@ -147,142 +141,24 @@ class Batch:
         Raises InputError for input that is bad for every run, or where the first row shows that an output is not a
         number, and KeyboardInterrupt.
         """
-        job, left = self._job, deque(wanted)
-        if self._asked == "auto":
-            yield from _first_a_number(job, job.probe(left, self.workers))
-        self.compiled = prepare(job.model, job.settings.method, self._asked, job.foreseen, job.needs)
-        job.settings = replace(job.settings, compiled=self.compiled)
-        with closing(results(job, list(left), min(self.workers, max(len(left), 1)))) as done:
-            yield from _first_a_number(job, done)
+        with closing(self._rows(deque((i, dict(self._sets[i])) for i in wanted))) as rows:
+            yield from _first_a_number(self._job.model, rows)
+
+    def _rows(self, left: deque[Task]) -> Generator[Row, None, None]:
+        if self._job.settings.compiled == "auto":
+            yield from self._job.probe(left, self.workers)
+        with closing(self._engine.rows(self._job, left)) as done:
+            yield from done
 
 
-@dataclass
-class _Job:
-    """The runs, each a task for the workers."""
-
-    model: Model
-    sets: list[dict[str, Value]]
-    settings: Settings
-    outputs: list[Output]
-    stop: Flag = field(default_factory=LocalFlag)
-    foreseen: float = 0.0
-    begun: bool = False
-
-    @cached_property
-    def needs(self) -> Needs:
-        """Parts of a run that the outputs are computed from."""
-        return reduce(or_, (output.needs for output in self.outputs), Needs.ENDS)
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle outputs by their names, for a process that shares nothing."""
-        outputs = [(output.name, output.function) for output in self.outputs]
-        return _sent, (self.model, self.sets, self.settings, outputs, self.stop)
-
-    def do(self, i: int) -> Row:
-        """Run set i; raises KeyboardInterrupt where it was stopped."""
-        try:
-            return self._row(i, self._solve(i, self.settings, progress=self._poll))
-        except Exception as error:  # a row says so: hours of other runs are not lost for it
-            return self._without_run(i, error)
-
-    def lost(self, i: int) -> Row:
-        """Return the row of a run whose process died twice."""
-        return Row(i, self.sets[i], LOST, "its process died, and died again where it ran alone")
-
-    def probe(self, left: deque[int], cores: int) -> Iterator[Row]:
-        """Run the first good set for at most PROBE [s] to foresee the uncompiled time [s] of the rest.
-
-        Yield the rows that are done, taken from `left`.
-        """
-        while left:
-            i = left[0]
-            try:
-                wall_time = min(PROBE, self.settings.wall_time or PROBE)
-                solution = self._solve(i, replace(self.settings, compiled=False, wall_time=wall_time))
-            except Exception as error:  # as in `do`
-                left.popleft()
-                yield self._without_run(i, error)
-                continue
-            whole = solution.outcome.name != "wall_time_limit"
-            if whole:
-                left.popleft()
-            done = 1.0 if whole else max(solution.t_end / solution.duration, 1e-9)
-            wall_s = solution.statistics.wall_s + (solution.error.pilot_s if solution.error is not None else 0.0)
-            one = min(wall_s / done, self.settings.wall_time or math.inf)
-            self.foreseen = one * math.ceil(len(left) / cores)
-            if whole:
-                yield self._row(i, solution)
-            return
-
-    def _solve(self, i: int, settings: Settings, progress: Callable[[float], object] | None = None) -> Solution:
-        """Simulate set i; raises InputError, and KeyboardInterrupt where the run was stopped."""
-        values = split_values(self.model, self.sets[i])
-        solution = solve(self.model, settings, *values, needs=self.needs, progress=progress)
-        if solution.outcome.name == "interrupted":
-            raise KeyboardInterrupt
-        return solution
-
-    def _without_run(self, i: int, error: Exception) -> Row:
-        """Return the row of a set without a run."""
-        if isinstance(error, InputError):
-            return Row(i, self.sets[i], BAD_INPUT, "; ".join(str(fault) for fault in error.faults))
-        return Row(i, self.sets[i], FAILED, f"{type(error).__name__}: {error}")
-
-    def _poll(self, _: float) -> None:
-        if self.stop.value:
-            raise KeyboardInterrupt
-
-    def _row(self, i: int, solution: Solution) -> Row:
-        outcome, message = solution.outcome.name, "" if solution.outcome.finished else solution.outcome.message
-        measured = Measured(solution)
-        numbers: dict[str, float] = {}
-        for output in self.outputs:
-            try:
-                numbers.update(zip(output.columns, output.of(measured), strict=True))
-            except NotANumberError as error:
-                outcome, message = NO_NUMBER, str(error)
-            except (Exception, SystemExit) as error:  # a row says so: hours of other runs are not lost for it
-                outcome, message = BAD_OUTPUT, f"output {output.name} raised {type(error).__name__}: {error}"
-        return Row(
-            index=i,
-            given=self.sets[i],
-            outcome=outcome,
-            message=message,
-            values=self._values(self.sets[i], solution),
-            outputs=numbers,
-            warnings=solution.warnings,
-            wall_s=solution.statistics.wall_s,
-        )
-
-    def _values(self, given: Mapping[str, Value], solution: Solution) -> dict[str, float]:
-        """Return the given values in SI."""
-        found = {}
-        for name, value in given.items():
-            if name in solution.parameters:
-                number, unit = solution.parameters[name]
-                found[name] = parse_unit(unit).to_si(number)
-            else:
-                found[name], _ = read_state(name, self.model.joints.units[name], value)
-        return found
-
-
-def _sent(
-    model: Model,
-    sets: list[dict[str, Value]],
-    settings: Settings,
-    outputs: list[tuple[str, Own | None]],
-    stop: Flag,
-) -> _Job:
-    return _Job(model, sets, settings, named(model, outputs), stop)
-
-
-def _first_a_number(job: _Job, rows: Iterable[Row]) -> Iterator[Row]:
+def _first_a_number(model: Model, rows: Iterable[Row]) -> Iterator[Row]:
     """Yield rows; raise InputError where the first of all shows that an output is not a number."""
+    first = True
     for row in rows:
-        if not job.begun and row.outcome == NO_NUMBER:
+        if first and row.outcome == NO_NUMBER:
             remedy = 'one number of a history: lambda run: np.ptp(run["guide.travel"]); several are several outputs'
-            raise InputError(job.model.name, [Fault("outputs", row.message, "a number", remedy)])
-        job.begun = True
+            raise InputError(model.name, [Fault("outputs", row.message, "a number", remedy)])
+        first = False
         yield row
 
 

@@ -34,6 +34,7 @@ from hertzwerk.runtime.sweeps.batch import INTERRUPTED, Batch, ports
 from hertzwerk.runtime.sweeps.definition import as_text, axes_of, keys_of, target_of, versions
 from hertzwerk.runtime.sweeps.design import Given, Varied, read_design
 from hertzwerk.runtime.sweeps.own_functions import digest
+from hertzwerk.runtime.sweeps.processes import Processes
 from hertzwerk.runtime.sweeps.row_outputs import Output, chosen, finals, own
 from hertzwerk.runtime.sweeps.store import TABLE, Store, opened, read_rows
 from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, TEXTS, Row, Sweep, columns_of
@@ -116,7 +117,7 @@ def sweep(
         raise InputError(f"sweep of {model.name}", faults)
     plan = Plan(model, design.points(), fixed, varied, wanted, settings)
     plan.check()
-    batch = Batch(model, plan.sets(), settings, wanted, compiled, workers)
+    batch = Batch(model, plan.sets(), settings, wanted, compiled, Processes(workers))
     made = partial(
         Sweep,
         scene=model.name,

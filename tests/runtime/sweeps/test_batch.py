@@ -126,7 +126,7 @@ def test_an_error_of_ours_is_a_row_and_takes_no_other_with_it(ball, workers, mon
             raise ArithmeticError("seeded")
         return solve(model, settings, parameters, initial, **options)
 
-    monkeypatch.setattr("hertzwerk.runtime.sweeps.batch.solve", fails)
+    monkeypatch.setattr("hertzwerk.runtime.sweeps.row_job.solve", fails)
     sets = [{"drop_height": "2 m"}, {}, {"drop_height": "2 m"}, {}]
     sweep = simulate_many(ball, sets, duration="1 s", tolerance=1e-6, workers=workers)
     assert list(sweep["outcome"]) == ["failed", "finished"] * 2

@@ -1,0 +1,173 @@
+"""Job of a batch: what is the same for all of its rows, and each row from its values."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from functools import reduce
+from operator import or_
+from typing import Any, Protocol, TypeAlias
+
+from hertzwerk.derive.faults import InputError
+from hertzwerk.derive.units import parse_unit
+from hertzwerk.runtime.host.lazy import cached_property
+from hertzwerk.runtime.model.binding import Value, read_state
+from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.run.engine import prepare
+from hertzwerk.runtime.run.request import Settings
+from hertzwerk.runtime.simulation import solve
+from hertzwerk.runtime.solution.findings import Needs
+from hertzwerk.runtime.solution.solution import Solution
+from hertzwerk.runtime.start.start_values import split_values
+from hertzwerk.runtime.sweeps.row_outputs import Measured, NotANumberError, Output, named
+from hertzwerk.runtime.sweeps.sweep_table import Row
+
+# outcomes of rows without a run or some of its numbers
+BAD_INPUT, BAD_OUTPUT, NO_NUMBER, FAILED, LOST = "bad_input", "bad_output", "output_no_number", "failed", "lost"
+PROBE = 0.3  # s: longest trial run, from which the time of all is estimated
+
+Own: TypeAlias = Callable[[Solution], float]
+Task: TypeAlias = tuple[int, Mapping[str, Value]]
+"""Number of a row, and the values in place of the model's, parameters and initial states alike."""
+
+
+class Flag(Protocol):
+    """Flag that runs look at; where it is true they stop."""
+
+    @property
+    def value(self) -> int:
+        """Whether to stop."""
+
+
+@dataclass
+class LocalFlag:
+    """Flag within one process."""
+
+    value: int = 0
+
+
+@dataclass
+class Job:
+    """Runs of one model, each a task for the workers of an engine.
+
+    foreseen    time [s] that all take uncompiled, on all workers
+    compiled    whether they are, once prepared
+    """
+
+    model: Model
+    settings: Settings
+    outputs: list[Output]
+    foreseen: float = 0.0
+    stop: Flag = field(default_factory=LocalFlag)
+    compiled: bool = False
+
+    @cached_property
+    def needs(self) -> Needs:
+        """Parts of a run that the outputs are computed from."""
+        return reduce(or_, (output.needs for output in self.outputs), Needs.ENDS)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle outputs by their names, for a process that shares nothing."""
+        outputs = [(output.name, output.function) for output in self.outputs]
+        return _sent, (self.model, self.settings, outputs, self.foreseen, self.stop)
+
+    def prepare(self) -> None:
+        """Build what all rows need, compiled where that saves time; raises InputError without a compiler."""
+        settings = self.settings
+        self.compiled = prepare(self.model, settings.method, settings.compiled, self.foreseen, self.needs)
+        self.settings = replace(settings, compiled=self.compiled)
+
+    def do(self, task: Task) -> Row:
+        """Run a row; raises KeyboardInterrupt where it was stopped."""
+        try:
+            return self._row(task, self._solve(task, self.settings, progress=self._poll))
+        except Exception as error:  # a row says so: hours of other runs are not lost for it
+            return self._without_run(task, error)
+
+    def lost(self, task: Task) -> Row:
+        """Return the row of a run whose process died repeatedly."""
+        return Row(*task, LOST, "its process died, and died again where it ran alone")
+
+    def probe(self, left: deque[Task], workers: int) -> Iterator[Row]:
+        """Run the first good row for at most PROBE [s] to foresee the uncompiled time of the rest.
+
+        Yield the rows that are done, taken from `left`.
+        """
+        while left:
+            task = left[0]
+            try:
+                wall_time = min(PROBE, self.settings.wall_time or PROBE)
+                solution = self._solve(task, replace(self.settings, compiled=False, wall_time=wall_time))
+            except Exception as error:  # as in `do`
+                left.popleft()
+                yield self._without_run(task, error)
+                continue
+            whole = solution.outcome.name != "wall_time_limit"
+            if whole:
+                left.popleft()
+            done = 1.0 if whole else max(solution.t_end / solution.duration, 1e-9)
+            wall_s = solution.statistics.wall_s + (solution.error.pilot_s if solution.error is not None else 0.0)
+            one = min(wall_s / done, self.settings.wall_time or math.inf)
+            self.foreseen = one * math.ceil(len(left) / workers)
+            if whole:
+                yield self._row(task, solution)
+            return
+
+    def _solve(self, task: Task, settings: Settings, progress: Callable[[float], object] | None = None) -> Solution:
+        """Simulate a row; raises InputError, and KeyboardInterrupt where the run was stopped."""
+        _, given = task
+        values = split_values(self.model, given)
+        solution = solve(self.model, settings, *values, needs=self.needs, progress=progress)
+        if solution.outcome.name == "interrupted":
+            raise KeyboardInterrupt
+        return solution
+
+    def _without_run(self, task: Task, error: Exception) -> Row:
+        """Return the row of values without a run."""
+        if isinstance(error, InputError):
+            return Row(*task, BAD_INPUT, "; ".join(str(fault) for fault in error.faults))
+        return Row(*task, FAILED, f"{type(error).__name__}: {error}")
+
+    def _poll(self, _: float) -> None:
+        if self.stop.value:
+            raise KeyboardInterrupt
+
+    def _row(self, task: Task, solution: Solution) -> Row:
+        i, given = task
+        outcome, message = solution.outcome.name, "" if solution.outcome.finished else solution.outcome.message
+        measured = Measured(solution)
+        numbers: dict[str, float] = {}
+        for output in self.outputs:
+            try:
+                numbers.update(zip(output.columns, output.of(measured), strict=True))
+            except NotANumberError as error:
+                outcome, message = NO_NUMBER, str(error)
+            except (Exception, SystemExit) as error:  # a row says so: hours of other runs are not lost for it
+                outcome, message = BAD_OUTPUT, f"output {output.name} raised {type(error).__name__}: {error}"
+        return Row(
+            index=i,
+            given=given,
+            outcome=outcome,
+            message=message,
+            values=self._values(given, solution),
+            outputs=numbers,
+            warnings=solution.warnings,
+            wall_s=solution.statistics.wall_s,
+        )
+
+    def _values(self, given: Mapping[str, Value], solution: Solution) -> dict[str, float]:
+        """Return the given values in SI."""
+        found = {}
+        for name, value in given.items():
+            if name in solution.parameters:
+                number, unit = solution.parameters[name]
+                found[name] = parse_unit(unit).to_si(number)
+            else:
+                found[name], _ = read_state(name, self.model.joints.units[name], value)
+        return found
+
+
+def _sent(model: Model, settings: Settings, outputs: list[tuple[str, Own | None]], foreseen: float, stop: Flag) -> Job:
+    return Job(model, settings, named(model, outputs), foreseen, stop)
