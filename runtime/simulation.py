@@ -13,6 +13,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -37,9 +38,15 @@ from hertzwerk.runtime.solution.outcome import not_closed
 from hertzwerk.runtime.solution.scales import Scales
 from hertzwerk.runtime.solution.solution import Statistics
 from hertzwerk.runtime.start.start_values import pressed
+from hertzwerk.runtime.tables.data_frame import data_frame
+from hertzwerk.runtime.tables.dataset import dataset
+from hertzwerk.runtime.tables.history_table import history_table
+from hertzwerk.runtime.tables.table_file import write_table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+    from pandas import DataFrame
+    from xarray import Dataset
 
 ACCURACY = 1e-6  # where none is asked for
 REPEATABLE = 100_000  # most steps of a run that is made again for a picture
@@ -255,6 +262,24 @@ class Solution(plain_solution.Solution):
 
     def _repr_html_(self) -> str:
         return notebook.of_run(self, parameters_of(self, self.model))
+
+    def to_pandas(self) -> DataFrame:
+        """Return every history as a pandas data frame over t [s]; raises InputError without the extra [data].
+
+        Units, meanings and parameters are in its `attrs`.
+        """
+        return data_frame(history_table(self))
+
+    def to_xarray(self) -> Dataset:
+        """Return every history as an xarray dataset over t [s]; raises InputError without the extra [data].
+
+        Units and meanings are attributes of its variables, parameters of the dataset.
+        """
+        return dataset(history_table(self))
+
+    def to_file(self, path: str | Path, *, overwrite: bool = False) -> Path:
+        """Write every history as .csv, .parquet or .nc, by the ending; raises InputError."""
+        return write_table(Path(path), partial(history_table, self), self.csv, overwrite=overwrite)
 
     def plot(self, *names: str) -> Figure:
         """Draw the overview, one contact pair, or the named histories; raises KeyError for an unknown name."""

@@ -49,7 +49,7 @@ ROOMS = {
         "accuracy": "",
         "cli": "accuracy derive/audit derive/faults derive/sheets effects hard_cases host integrate/tableaux loading "
         "measured model pictures pictures/draw pictures/motion pictures/studies report run simulation solution start "
-        "studies sweeps validate work_precision",
+        "studies sweeps tables validate work_precision",
         "command_line": "cli",
         "comparing": "measured model pictures/studies solution",
         "effects": "accuracy derive/declare derive/faults integrate/step loading model run simulation solution start",
@@ -73,12 +73,14 @@ ROOMS = {
         "report": "accuracy derive/readable host model pictures pictures/draw run solution",
         "run": "accuracy derive/faults derive/units host integrate integrate/loop integrate/step integrate/tableaux model solution "
         "start",
-        "simulation": "accuracy derive/faults integrate/step loading model pictures pictures/draw pictures/motion report run solution start",
+        "simulation": "accuracy derive/faults integrate/step loading model pictures pictures/draw pictures/motion report run solution start tables",
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults host integrate/step integrate/tableaux model",
         "studies": "derive/faults derive/sheets derive/units effects loading measured model pictures simulation solution "
         "sweeps",
-        "sweeps": "derive/declare derive/faults derive/files derive/units host loading model run simulation solution start",
+        "sweeps": "derive/declare derive/faults derive/files derive/units host loading model run simulation solution start "
+        "tables",
+        "tables": "derive/faults derive/units host model solution",
         "validate": "derive/faults derive/files derive/sheets derive/units integrate/tableaux loading model run "
         "simulation solution",
         "work_precision": "accuracy derive/faults host integrate/loop integrate/tableaux model run simulation solution",

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.runtime.cli.target import assignments, unwritable_faults
+from hertzwerk.runtime.cli.target import assignments
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.cli.stopping import Stopping
@@ -21,8 +21,7 @@ KEPT = "leave it out: a run goes on as it began"
 def continue_run(
     folder: Path,
     target: str | None,
-    out: Path | None,
-    wanted: bool,
+    faults: list[Fault],
     stopping: Stopping,
     *,
     duration: str | None,
@@ -33,12 +32,11 @@ def continue_run(
 ) -> tuple[Solution, dict[str, Any]]:
     """Return the continued run and the request to be recorded with it.
 
-    Raises InputError, also for options that differ from the original run.
+    Raises InputError with `faults` and more, also for options that differ from the original run.
     """
     from hertzwerk.runtime.loading import load
 
     before, request = _read(folder)
-    faults = unwritable_faults(out, wanted=wanted)
     limits = limits_of(max_steps, wall_time, faults)
     stopping.stage("building")
     model = load(

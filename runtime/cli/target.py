@@ -60,6 +60,13 @@ class _Methods(click.Option):
 
 
 BY_METHOD = click.option("--method", metavar="NAME", cls=_Methods)
+TABLE = click.option(
+    "--table",
+    "file",
+    metavar="FILE",
+    type=click.Path(path_type=Path),
+    help="Write a table, with units, to a new .csv, .parquet or .nc (netCDF; these two need hertzwerk[data]).",
+)
 JSON = click.option(
     "--json", "as_json", is_flag=True, help="Print one JSON object, and write a folder only if --out is given."
 )
@@ -93,6 +100,15 @@ def unwritable_faults(out: Path | None, *, wanted: bool = True) -> list[Fault]:
 
     fault = destination_fault(out) if wanted or out is not None else None
     return [] if fault is None else [fault]
+
+
+def table_faults(file: Path | None) -> list[Fault]:
+    """Return the faults of a file --table, before anything is computed for it."""
+    if file is None:
+        return []
+    from hertzwerk.runtime.tables.table_file import table_file_faults
+
+    return table_file_faults(file)
 
 
 def assignments(option: str, texts: Sequence[str], faults: list[Fault]) -> dict[str, str]:

@@ -178,14 +178,15 @@ class Solution:
 
     def to_csv(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write every history as a column, headed `name [unit]`, rows at `run.t`, SI; raises FileExistsError."""
-        return write(Path(path), self._csv(slice(None)), overwrite=overwrite)
+        return write(Path(path), self.csv(), overwrite=overwrite)
 
     def csv_size(self) -> float:
         """Estimate the size [bytes] of the file that `to_csv` would write."""
         some = slice(None, None, max(len(self.t) // SAMPLE, 1))
-        return len(self._csv(some)) * len(self.t) / len(self.t[some])
+        return len(self.csv(some)) * len(self.t) / len(self.t[some])
 
-    def _csv(self, rows: slice) -> bytes:
+    def csv(self, rows: slice = slice(None)) -> bytes:
+        """Return the content of the file that `to_csv` writes, or some rows of it."""
         units = self.history.units
         table = np.column_stack([self.t[rows], *(self[name][rows] for name in self.names)])
         text = io.StringIO()

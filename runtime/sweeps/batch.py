@@ -9,9 +9,9 @@ from contextlib import closing
 from typing import Any
 
 from hertzwerk.derive.faults import Fault, InputError, shown
-from hertzwerk.derive.units import parse_unit
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.model.si_values import si_units
 from hertzwerk.runtime.run.request import METHOD, Compiled, Settings
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.sweeps.processes import Processes
@@ -79,7 +79,7 @@ def simulate_many(
         *(own(name, function) for name, function in (outputs or {}).items()),
         *finals(model),
     ]
-    units = ports(model)
+    units = si_units(model)
     varied = {name: units[name] for name in dict.fromkeys(name for values in sets for name in values) if name in units}
     results = {name: unit for output in wanted for name, unit in output.columns.items()}
     batch = Batch(model, sets, settings, wanted, compiled, Processes(workers))
@@ -172,7 +172,7 @@ def _check(model: Model, workers: object, outputs: Mapping[str, Own]) -> None:
         raise InputError(model.name, faults)
     if workers is not None and not (isinstance(workers, int) and not isinstance(workers, bool) and workers > 0):
         faults.append(Fault("workers", repr(workers), "a positive whole number", "None takes every core"))
-    taken = {*TEXTS, *ports(model), "wall_s", *(name for output in of_every_run(model) for name in output.columns)}
+    taken = {*TEXTS, *si_units(model), "wall_s", *(name for output in of_every_run(model) for name in output.columns)}
     faults += [
         Fault(f"outputs[{name!r}]", "the name of another column", "a name of its own")
         for name in outputs
@@ -180,18 +180,3 @@ def _check(model: Model, workers: object, outputs: Mapping[str, Own]) -> None:
     ]
     if faults:
         raise InputError(model.name, faults)
-
-
-def ports(model: Model) -> dict[str, str]:
-    """Return the SI unit text of every parameter and state that a set may name."""
-    declared = {**{name: port.unit for name, port in model.parameters.items()}, **model.joints.units, **model.units}
-    return {name: si_text(unit) for name, unit in declared.items()}
-
-
-def si_text(unit: str) -> str:
-    """Return the text of a unit's SI unit, angles named: mm -> m, rpm -> rad/s, "" for a number."""
-    read = parse_unit(unit)
-    text = str(read)
-    if read.angle == 1:
-        return text.replace("1", "rad", 1)
-    return "" if text == "1" else text

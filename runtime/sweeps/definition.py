@@ -27,7 +27,7 @@ ARGUMENTS = (  # of `sweep`, and names in a definition
     *("target", "over", "values", "without", "laws", "coordinates", "zip", "sample", "sampler", "seed", "outputs"),
     *("duration", "accuracy", "tolerance", "method", "max_steps", "max_events", "wall_time"),
 )
-FOLLOW = ("columns", "varied")  # from the rest
+FOLLOW = ("columns", "varied", "axes")  # from the rest
 LIBRARIES = ("hertzwerk", "casadi", "numpy", "scipy")
 WIDEN = "widen=True, or --widen, keeps the rows that are the same and computes the others; or take another folder"
 

@@ -91,6 +91,12 @@ class Design:
             rows = zip(*lists, strict=True) if self.zip else itertools.product(*lists)
         return [dict(zip(names, row, strict=True)) for row in rows]
 
+    @property
+    def grid(self) -> dict[str, tuple[Given, ...]]:
+        """Values of every axis where the points are all their combinations; else empty."""
+        whole = not self.zip and self.sample is None
+        return {name: axis for name, axis in self.axes.items() if whole and not isinstance(axis, Range)}
+
     def _samples(self, count: int) -> Iterable[Iterable[Given]]:
         from scipy.stats import qmc  # slow to import
 

@@ -26,11 +26,12 @@ from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.model import model as plain
 from hertzwerk.runtime.model.binding import Value, named_values, read
 from hertzwerk.runtime.model.generated_text import text_of
+from hertzwerk.runtime.model.si_values import si_of, si_units
 from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, Settings, check
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.start.start_values import split_values
-from hertzwerk.runtime.sweeps.batch import INTERRUPTED, Batch, ports
+from hertzwerk.runtime.sweeps.batch import INTERRUPTED, Batch
 from hertzwerk.runtime.sweeps.definition import as_text, axes_of, keys_of, target_of, versions
 from hertzwerk.runtime.sweeps.design import Given, Varied, read_design
 from hertzwerk.runtime.sweeps.own_functions import digest
@@ -118,11 +119,13 @@ def sweep(
     plan = Plan(model, design.points(), fixed, varied, wanted, settings)
     plan.check()
     batch = Batch(model, plan.sets(), settings, wanted, compiled, Processes(workers))
+    axes = {name: tuple(si_of(model, name, value) for value in values) for name, values in design.grid.items()}
     made = partial(
         Sweep,
         scene=model.name,
         columns=plan.columns,
         varied=tuple(varied),
+        axes=axes,
         workers=batch.workers,
     )
     if into is None:
@@ -142,7 +145,7 @@ def sweep(
         **{"scene": model.name, **target_of(target, model), "over": axes_of(design)},
         **{"zip": zip, "sample": sample, "sampler": sampler, "seed": seed},
         **{"values": {name: as_text(value) for name, value in fixed.items()}, **settings, **same},
-        **{"columns": plan.columns, "varied": list(varied)},
+        **{"columns": plan.columns, "varied": list(varied), "axes": axes},
     }
     keys = keys_of(model, plan.sets(), settings, same)
     with opened(folder) as store:
@@ -260,7 +263,7 @@ def _model(target: Any, without: Sequence[str], laws: Mapping[str, str] | None, 
 
 def _varied(model: plain.Model, over: object, fixed: Mapping[str, Value], faults: list[Fault]) -> dict[str, str]:
     """Return the units of the names that are varied; bad input is appended to `faults`."""
-    units = {name: unit for name, unit in ports(model).items() if name not in model.memory}
+    units = {name: unit for name, unit in si_units(model).items() if name not in model.memory}
     names = list(over) if isinstance(over, Mapping) else []
     faults += [
         unknown("parameter or state", name, units)

@@ -11,10 +11,10 @@ from operator import or_
 from typing import Any, Protocol, TypeAlias
 
 from hertzwerk.derive.faults import InputError
-from hertzwerk.derive.units import parse_unit
 from hertzwerk.runtime.host.lazy import cached_property
-from hertzwerk.runtime.model.binding import Value, read_state
+from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.model.si_values import si_of
 from hertzwerk.runtime.run.engine import prepare
 from hertzwerk.runtime.run.request import Settings
 from hertzwerk.runtime.simulation import solve
@@ -88,7 +88,7 @@ class Job:
 
     def lost(self, task: Task) -> Row:
         """Return the row of a run whose process died repeatedly."""
-        return Row(*task, LOST, "its process died, and died again where it ran alone")
+        return Row(*task, LOST, "its process died, and died again where it ran alone", self._values(task))
 
     def probe(self, left: deque[Task], workers: int) -> Iterator[Row]:
         """Run the first good row for at most PROBE [s] to foresee the uncompiled time of the rest.
@@ -127,8 +127,10 @@ class Job:
     def _without_run(self, task: Task, error: Exception) -> Row:
         """Return the row of values without a run."""
         if isinstance(error, InputError):
-            return Row(*task, BAD_INPUT, "; ".join(str(fault) for fault in error.faults))
-        return Row(*task, FAILED, f"{type(error).__name__}: {error}")
+            outcome, message = BAD_INPUT, "; ".join(str(fault) for fault in error.faults)
+        else:
+            outcome, message = FAILED, f"{type(error).__name__}: {error}"
+        return Row(*task, outcome, message, self._values(task))
 
     def _poll(self, _: float) -> None:
         if self.stop.value:
@@ -151,22 +153,15 @@ class Job:
             given=given,
             outcome=outcome,
             message=message,
-            values=self._values(given, solution),
+            values=self._values(task),
             outputs=numbers,
             warnings=solution.warnings,
             wall_s=solution.statistics.wall_s,
         )
 
-    def _values(self, given: Mapping[str, Value], solution: Solution) -> dict[str, float]:
-        """Return the given values in SI."""
-        found = {}
-        for name, value in given.items():
-            if name in solution.parameters:
-                number, unit = solution.parameters[name]
-                found[name] = parse_unit(unit).to_si(number)
-            else:
-                found[name], _ = read_state(name, self.model.joints.units[name], value)
-        return found
+    def _values(self, task: Task) -> dict[str, float]:
+        """Return the values of a row in SI."""
+        return {name: si_of(self.model, name, value) for name, value in task[1].items()}
 
 
 def _sent(model: Model, settings: Settings, outputs: list[tuple[str, Own | None]], foreseen: float, stop: Flag) -> Job:

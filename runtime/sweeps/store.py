@@ -226,6 +226,7 @@ def loaded(folder: Path) -> Sweep:
         rows=tuple(rows),
         columns=definition["columns"],
         varied=tuple(definition["varied"]),
+        axes={name: tuple(values) for name, values in definition["axes"].items()},
         outcome=outcome if missing else COMPLETE,
     )
 

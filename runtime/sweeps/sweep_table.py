@@ -9,13 +9,23 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from hertzwerk.runtime.host.versions import versions
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.solution import notebook
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import write
+from hertzwerk.runtime.tables.data_frame import data_frame
+from hertzwerk.runtime.tables.dataset import dataset
+from hertzwerk.runtime.tables.labelled_table import Column, LabelledTable
+from hertzwerk.runtime.tables.table_file import write_table
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
+    from xarray import Dataset
 
 COMPLETE = Outcome("finished", "every row is there", "")
 TEXTS = ("outcome", "message", "warnings")
@@ -60,6 +70,7 @@ class Sweep:
     scene    name of the scene
     columns    unit text by name of column, "" where there is none
     varied    columns of the values that were given
+    axes    their values in SI where the rows are all combinations, the last fastest; else empty
     outcome    "finished", or the reason why rows are missing, with a remedy
     """
 
@@ -68,6 +79,7 @@ class Sweep:
     columns: Mapping[str, str]
     varied: tuple[str, ...]
     outcome: Outcome
+    axes: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
     workers: int = 0  # of a table that was loaded
     compiled: bool = False
     wall_s: float = math.nan
@@ -128,13 +140,41 @@ class Sweep:
 
     def to_csv(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write a line per row, headed `name [unit]`, SI; raises FileExistsError."""
+        return write(Path(path), self._csv(), overwrite=overwrite)
+
+    def to_pandas(self) -> DataFrame:
+        """Return a pandas data frame, a line per row; units are in `attrs`; raises InputError without [data]."""
+        return data_frame(self._labelled())
+
+    def to_xarray(self) -> Dataset:
+        """Return an xarray dataset over what was varied, with units and outcome.
+
+        Its dimensions are the varied names where the rows are all combinations, else `row`, with them as coordinates.
+        Raises InputError without the extra [data].
+        """
+        return dataset(self._labelled())
+
+    def to_file(self, path: str | Path, *, overwrite: bool = False) -> Path:
+        """Write the table as .csv, .parquet or .nc, by the ending; raises InputError."""
+        return write_table(Path(path), self._labelled, self._csv, overwrite=overwrite)
+
+    def _labelled(self) -> LabelledTable:
+        index = Column(np.array([row.index for row in self.rows], dtype=int), "", "place in the design")
+        columns = {name: Column(self[name], None if name in TEXTS else self.unit(name)) for name in self.names}
+        first = self.rows[0].given if self.rows else {}
+        same = {f"parameter.{name}": _given(value) for name, value in first.items() if name not in self.varied}
+        about = {"scene": self.scene, "outcome": self.outcome.name, "hertzwerk": versions()["hertzwerk"]}
+        grid = {name: np.array(values) for name, values in self.axes.items()}
+        return LabelledTable("row", {"row": index, **columns}, {**about, **same}, self.varied, grid)
+
+    def _csv(self) -> bytes:
         text = io.StringIO()
         table = csv.writer(text, lineterminator="\n")
         table.writerow(["row", *(f"{name} [{unit}]" if unit else name for name, unit in self.columns.items())])
         for row in self.rows:
             entries = (row[name] for name in self.names)
             table.writerow([row.index, *(e if isinstance(e, str) else format(e, ".17g") for e in entries)])
-        return write(Path(path), text.getvalue().encode(), overwrite=overwrite)
+        return text.getvalue().encode()
 
     def __str__(self) -> str:
         finished = sum(row.outcome == "finished" for row in self.rows)
@@ -147,6 +187,10 @@ class Sweep:
 def columns_of(varied: Mapping[str, str], results: Mapping[str, str]) -> dict[str, str]:
     """Return the columns of a table with their units: varied values, outcome, results, texts."""
     return {**varied, "outcome": "", **results, "message": "", "warnings": ""}
+
+
+def _given(value: Value) -> str:
+    return " ".join(map(str, value)) if isinstance(value, tuple) else str(value)
 
 
 def _cell(value: float | str) -> str:

@@ -21,12 +21,14 @@ from hertzwerk.runtime.cli.target import (
     LAW,
     MAX_STEPS,
     SET,
+    TABLE,
     WALL_TIME,
     WITHOUT,
     assignments,
     command_line,
     loaded,
     number,
+    table_faults,
     unwritable_faults,
 )
 from hertzwerk.runtime.cli.terminal import (
@@ -80,6 +82,7 @@ STOPPED = (
     help="Go on from the end of the run there, as if it had not ended; with --duration, of the whole, until then.",
 )
 @click.option("--csv", is_flag=True, help="Write states.csv however large it is (default: up to 50 MB).")
+@TABLE
 @click.option("--no-plots", is_flag=True, help="Write the data only.")
 @JSON
 @reports_bad_input
@@ -88,6 +91,7 @@ def run(
     folder: Path | None,
     out: Path | None,
     csv: bool,
+    file: Path | None,
     no_plots: bool,
     as_json: bool,
     averages: bool,
@@ -100,15 +104,16 @@ def run(
     from hertzwerk.runtime.cli import run_folder
 
     wanted = out is not None or not as_json
+    faults = [*unwritable_faults(out, wanted=wanted), *table_faults(file)]
     with (
         Progress(target or str(folder), shown=not as_json and sys.stderr.isatty()) as progress,
         Stopping(progress) as stopping,
     ):
         if folder is not None:
-            solution, request = continue_run(folder, target, out, wanted, stopping, **options)
+            solution, request = continue_run(folder, target, faults, stopping, **options)
         else:
             request = _request(target, options)
-            solution = _simulate(out, wanted, stopping, **{**options, "target": target})
+            solution = _simulate(faults, stopping, **{**options, "target": target})
         request["command"] = command_line()
         if solution.outcome.name == "interrupted" and not solution.statistics.steps:
             raise KeyboardInterrupt
@@ -120,6 +125,9 @@ def run(
             missing,
             wanted=wanted,
         )
+        if file is not None:
+            stopping.stage(f"writing {file}")
+            written_or_none(lambda: solution.to_file(file), missing, wanted=True)
     if written is not None:
         missing += written.missing
     if as_json:
@@ -134,6 +142,8 @@ def run(
         line("written", f"{written.folder}/ ({', '.join(written.files)})")
         if solution.outcome.name in STOPPED and solution.t_end < solution.duration and "states.npz" in written.files:
             line("go on", f"hertzwerk run --continue {written.folder}")
+    if file is not None and file.exists():
+        line("written", str(file))
     code = report_missing(missing)
     return code if solution.outcome.finished else OTHER_OUTCOME
 
@@ -175,8 +185,7 @@ def _request(target: str | None, options: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _simulate(
-    out: Path | None,
-    wanted: bool,
+    faults: list[Fault],
     stopping: Stopping,
     *,
     target: str,
@@ -191,13 +200,12 @@ def _simulate(
     max_steps: str | None,
     wall_time: str | None,
 ) -> Solution:
-    """Return the solution of a command line; raises InputError with the faults of all its parts."""
+    """Return the solution of a command line; raises InputError with `faults` and those of all its parts."""
     from hertzwerk.runtime.run.request import METHOD, Settings, check
     from hertzwerk.runtime.simulation import solve
     from hertzwerk.runtime.start.start_values import split_values
     from hertzwerk.runtime.validate import scenarios
 
-    faults = unwritable_faults(out, wanted=wanted)
     values = assignments("--set", settings, faults)
     numbers = scenarios.read(target)
     accurate = number(accuracy) if accuracy is not None else numbers.get("accuracy")

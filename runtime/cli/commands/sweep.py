@@ -20,11 +20,21 @@ from hertzwerk.runtime.cli.target import (
     JSON,
     LAW,
     SET,
+    TABLE,
     WITHOUT,
     assignments,
     number,
+    table_faults,
 )
-from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input, table
+from hertzwerk.runtime.cli.terminal import (
+    OTHER_OUTCOME,
+    Progress,
+    line,
+    report_missing,
+    reports_bad_input,
+    table,
+    written_or_none,
+)
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.sweeps.sweep_table import Sweep
@@ -77,6 +87,7 @@ _OPTIONS = {
     "--widen", is_flag=True, help="Change what the folder is to hold; rows that are the same are kept, not computed."
 )
 @click.option("--workers", metavar="NUMBER", help="Processes (default: one for each core).")
+@TABLE
 @JSON
 @reports_bad_input
 def sweep(
@@ -85,6 +96,7 @@ def sweep(
     into: Path | None,
     widen: bool,
     workers: str | None,
+    file: Path | None,
     as_json: bool,
     **options: Any,
 ) -> int:
@@ -95,7 +107,7 @@ def sweep(
     from hertzwerk.runtime.host.interrupt import raise_interrupts
     from hertzwerk.runtime.sweeps.parameter_sweep import sweep as swept
 
-    faults: list[Fault] = []
+    faults = table_faults(file)
     processes = _whole("--workers", workers, faults)
     arguments = _arguments(target, resume, into, options, faults)
     folder = resume or into or (None if as_json else _next_folder(arguments["target"]))
@@ -112,14 +124,18 @@ def sweep(
             progress(fraction)
 
         found = swept(**arguments, into=folder, widen=widen, workers=processes, progress=rows)
+    missing: list[str] = []
+    if file is not None:
+        written_or_none(lambda: found.to_file(file), missing, wanted=True)
     whole = found.outcome.finished and set(found.counts()) <= {"finished"}
     if as_json:
         from hertzwerk.runtime.cli.run_folder import json_text
 
         click.echo(json_text({**_record(found), "into": folder and str(folder)}))
     else:
-        _report(found, folder)
-    return GOOD if whole else OTHER_OUTCOME
+        _report(found, folder, None if missing else file)
+    code = report_missing(missing)
+    return code if whole else OTHER_OUTCOME
 
 
 def _arguments(
@@ -135,7 +151,7 @@ def _arguments(
         if given:
             found, expected = (
                 f"{', '.join(given)} beside it",
-                "the whole definition there; beside it --workers, --widen, --json",
+                "the whole definition there; beside it --workers, --widen, --table, --json",
             )
             faults.append(Fault(where, found, expected))
         if faults:
@@ -227,7 +243,7 @@ def _record(found: Sweep) -> dict[str, Any]:
     }
 
 
-def _report(found: Sweep, folder: Path | None) -> None:
+def _report(found: Sweep, folder: Path | None, file: Path | None) -> None:
     """Print a sweep in a few lines."""
     line(
         found.scene,
@@ -249,6 +265,8 @@ def _report(found: Sweep, folder: Path | None) -> None:
         line("remedy", found.outcome.remedy)
     if folder is not None:
         line("written", f"{folder}/ (table.csv, rows.sqlite, definition.json, model.py)")
+    if file is not None:
+        line("written", str(file))
 
 
 def _extremes(found: Sweep, name: str) -> Sequence[str]:

@@ -12,8 +12,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import xarray as xr
 from click.testing import CliRunner
 
+from hertzwerk.runtime import Solution
 from hertzwerk.runtime.cli import main, run_folder
 from hertzwerk.runtime.model.build import built_in_scenes
 
@@ -185,6 +187,21 @@ def test_every_run_gets_the_next_folder(hertzwerk):
         assert hertzwerk("run", "two_spheres", "--no-plots").exit_code == 0
     assert sorted(path.name for path in Path("runs").iterdir()) == [f"two_spheres-00{k}" for k in (1, 2, 3)]
     assert not list(Path("runs").rglob("*.png"))
+
+
+def test_histories_are_written_as_a_table_with_units_too(hertzwerk):
+    done = hertzwerk("run", "two_spheres", "--no-plots", "--out", "a", "--table", "run.nc")
+    assert done.exit_code == 0
+    assert "written       run.nc" in done.stdout
+    kept = Solution.load("a/states.npz")
+    with xr.open_dataset("run.nc", engine="h5netcdf") as found:
+        assert found["spheres.gap"].values.tobytes() == kept["spheres.gap"].tobytes()
+        assert found["spheres.gap"].attrs["units"] == "m"
+    refused = hertzwerk("run", "two_spheres", "--no-plots", "--table", "run.nc", "--set", "gap=1 kg")
+    assert (refused.exit_code, written()) == (2, ["a", "run.nc"])
+    assert "run.nc, which exists" in refused.stderr
+    assert "gap" in refused.stderr
+    assert "ends with .csv" in hertzwerk("run", "--continue", "a", "--table", "run.txt").stderr
 
 
 def test_json_has_the_promised_fields_and_writes_nothing(hertzwerk):
@@ -459,7 +476,7 @@ def test_a_run_of_a_generated_scene_imports_no_more_than_it_needs(tmp_path, monk
     assert done.returncode == 0
     imported = {line.rpartition("|")[2].strip().split(".")[0] for line in done.stderr.splitlines()}
     assert {"casadi", "numpy", "click"} <= imported
-    assert not imported & {"sympy", "matplotlib", "pydantic", "scipy", "rich"}
+    assert not imported & {"sympy", "matplotlib", "pydantic", "scipy", "rich", "pandas", "xarray", "pyarrow", "h5py"}
 
 
 def test_errors_go_to_stderr_and_nothing_to_stdout(tmp_path, monkeypatch):

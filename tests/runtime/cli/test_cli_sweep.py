@@ -10,6 +10,7 @@ import sys
 
 import numpy as np
 import pytest
+import xarray as xr
 from click.testing import CliRunner
 
 from hertzwerk.derive.faults import InputError
@@ -77,6 +78,37 @@ def test_json_is_one_object_and_writes_nothing_unasked(tmp_path):
     assert told["units"]["floor.impact_rate.half_width"] == "1/s"
     assert told["table"]["restitution"] == [0.5, 0.7] * 3
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("ending", ["csv", "parquet", "nc"])
+def test_a_table_is_written_by_the_ending_of_its_file(tmp_path, ending):
+    assert run("bouncing_ball", *OPTIONS, "--into", "a", "--workers", 1).exit_code == 0
+    done = run("--resume", "a", "--table", f"new/t.{ending}")
+    assert (done.exit_code, done.stderr) == (0, "")
+    assert f"written       new/t.{ending}" in done.stdout
+    python = Sweep.load("a").to_file(tmp_path / f"python.{ending}")
+    if ending == "nc":
+        found, expected = (xr.load_dataset(file, engine="h5netcdf") for file in (f"new/t.{ending}", python))
+        assert found.identical(expected)
+    else:
+        assert (tmp_path / "new" / f"t.{ending}").read_bytes() == python.read_bytes()
+
+
+def test_a_table_that_cannot_be_written_is_told_before_a_row_is_computed(tmp_path, monkeypatch):
+    (tmp_path / "t.nc").touch()
+    monkeypatch.setitem(sys.modules, "xarray", None)
+    done = run("bouncing_ball", *OPTIONS, "--table", "t.nc", "--workers", "few")
+    assert done.exit_code == 2
+    assert all(text in done.stderr for text in ("t.nc, which exists", "pip install 'hertzwerk[data]'", "--workers"))
+    assert [path.name for path in tmp_path.iterdir()] == ["t.nc"]
+
+
+def test_a_table_that_fails_later_is_told_and_the_rest_is_there(tmp_path, monkeypatch):
+    monkeypatch.setattr(Sweep, "to_file", lambda *_: (_ for _ in ()).throw(OSError("disk full")))
+    done = run("bouncing_ball", *OPTIONS, "--table", "t.nc", "--into", "a", "--workers", 1)
+    assert (done.exit_code, "disk full" in done.stderr) == (1, True)
+    assert "written       t.nc" not in done.stdout
+    assert len(Sweep.load("a")) == 6
 
 
 def test_rows_that_fail_are_told_and_are_another_outcome():

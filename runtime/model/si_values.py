@@ -1,0 +1,39 @@
+"""Parameters and states of a model in SI: their unit texts, and values as numbers."""
+
+from __future__ import annotations
+
+import math
+
+from hertzwerk.derive.units import UnitError, parse_unit
+from hertzwerk.runtime.model.binding import Value, read
+from hertzwerk.runtime.model.model import Model
+
+
+def si_units(model: Model) -> dict[str, str]:
+    """Return the SI unit text of every parameter and state, "" of a number."""
+    return {name: _si_text(unit) for name, unit in _declared(model).items()}
+
+
+def si_of(model: Model, name: str, value: Value) -> float:
+    """Return the value of a parameter or state in SI; nan where it cannot be read as one."""
+    try:
+        number, unit, _ = read(value)
+    except UnitError:
+        return math.nan
+    declared = parse_unit(_declared(model).get(name, "1"))
+    alike = bool(declared.free_names) or unit.exponents == declared.exponents
+    return unit.to_si(number) if alike else math.nan
+
+
+def _declared(model: Model) -> dict[str, str]:
+    """Return the unit text of every parameter and state as the model declares it."""
+    return {**{name: port.unit for name, port in model.parameters.items()}, **model.joints.units, **model.units}
+
+
+def _si_text(unit: str) -> str:
+    """Return the text of a unit's SI unit, angles named: mm -> m, rpm -> rad/s, "" for a number."""
+    read = parse_unit(unit)
+    text = str(read)
+    if read.angle == 1:
+        return text.replace("1", "rad", 1)
+    return "" if text == "1" else text

@@ -1,0 +1,37 @@
+"""Tables as pandas data frames, and as Parquet with units and meanings in its metadata."""
+
+from __future__ import annotations
+
+import io
+from typing import TYPE_CHECKING
+
+from hertzwerk.runtime.host.extras import required
+from hertzwerk.runtime.tables.labelled_table import EXTRA, LabelledTable
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
+
+
+def data_frame(table: LabelledTable) -> DataFrame:
+    """Return a data frame, its index the table's; units, meanings and the rest are its `attrs`."""
+    pandas = required("pandas", EXTRA)
+    frame = pandas.DataFrame(
+        {name: column.values for name, column in table.data.items()},
+        index=pandas.Index(table.columns[table.index].values, name=table.index),
+    )
+    about = {name: column.about for name, column in table.columns.items()}
+    for kind in ("units", "long_name"):
+        found = {name: entries[kind] for name, entries in about.items() if kind in entries}
+        frame.attrs |= {kind: found} if found else {}
+    frame.attrs |= table.about
+    return frame
+
+
+def parquet(table: LabelledTable) -> bytes:
+    """Return a Parquet file: every field has its unit and meaning as metadata; nan is null."""
+    arrow, writer = required("pyarrow", EXTRA), required("pyarrow.parquet", EXTRA)
+    plain = arrow.Table.from_pandas(data_frame(table), preserve_index=True)
+    fields = [field.with_metadata(table.columns[field.name].about) for field in plain.schema]
+    content = io.BytesIO()
+    writer.write_table(plain.cast(arrow.schema(fields, plain.schema.metadata)), content)
+    return content.getvalue()

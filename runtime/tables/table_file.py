@@ -1,0 +1,48 @@
+"""Files of tables by their endings: CSV, Parquet, netCDF; checked before anything is computed for them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.host.extras import missing_of
+from hertzwerk.runtime.host.folder import unwritable
+from hertzwerk.runtime.host.scratch import write_atomically
+from hertzwerk.runtime.tables.data_frame import parquet
+from hertzwerk.runtime.tables.dataset import netcdf
+from hertzwerk.runtime.tables.labelled_table import EXTRA, LabelledTable
+
+CSV = ".csv"
+PACKAGES = {CSV: (), ".parquet": ("pandas", "pyarrow"), ".nc": ("xarray", "h5netcdf", "h5py")}  # by ending
+
+
+def table_file_faults(path: Path, *, overwrite: bool = False) -> list[Fault]:
+    """Return the faults of a file for a table: its ending, missing packages, one that exists, its folder."""
+    ending = path.suffix.lower()
+    faults = missing_of(EXTRA, *PACKAGES.get(ending, ()))
+    if ending not in PACKAGES:
+        faults.append(Fault("table", str(path), f"a name that ends with {', '.join(PACKAGES)}"))
+    if path.exists() and not overwrite:
+        faults.append(Fault("table", f"{path}, which exists", "a new file", "name another, or overwrite it"))
+    hindrance = unwritable(path.absolute().parent)
+    if hindrance is not None:
+        faults.append(Fault("table", hindrance, "a file in a folder that can be written to"))
+    return faults
+
+
+def write_table(
+    path: Path, table: Callable[[], LabelledTable], csv: Callable[[], bytes], *, overwrite: bool = False
+) -> Path:
+    """Write a table by the ending of its file, whole or not at all.
+
+    Raises InputError with every fault, OSError.
+    """
+    faults = table_file_faults(path, overwrite=overwrite)
+    if faults:
+        raise InputError("table", faults)
+    ending = path.suffix.lower()
+    content = csv() if ending == CSV else parquet(table()) if ending == ".parquet" else netcdf(table())
+    path.parent.mkdir(parents=True, exist_ok=True)
+    write_atomically(path, content)
+    return path
