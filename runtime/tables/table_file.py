@@ -1,4 +1,4 @@
-"""Files of tables by their endings: CSV, Parquet, netCDF; checked before anything is computed for them."""
+"""CSV, Parquet and netCDF files of tables, by their endings; checked before anything is computed."""
 
 from __future__ import annotations
 
