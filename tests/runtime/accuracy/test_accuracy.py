@@ -7,6 +7,7 @@ are known. tests/benchmarks/honesty.py does the same over scenes, methods and ac
 from dataclasses import replace
 from functools import cache, partial
 
+import loops
 import numpy as np
 import pytest
 
@@ -131,6 +132,38 @@ def test_a_request_that_is_met_at_once_takes_two_runs():
     assert ladder_result.error.decade_cost == pytest.approx(10**0.125, rel=1e-3)
     assert (ladder_result.error.runs, ladder_result.error.pilot_s) == (2, 1.0)
     assert ladder_result.error.horizon is ladder_result.error.floor is None
+
+
+def of_one_sign(size, third=End.REACHED, log=None):
+    """Runs from 1e-8 on whose errors are as their tolerances, but for that of the first comparison run: half the error that it should tell."""
+
+    def run(tolerance, keep, most):
+        log.append(tolerance)
+        off = size * tolerance / 1e-8 * (2.5 if tolerance == pytest.approx(1e-8 / CHECK) else 1)
+        end = third if tolerance == pytest.approx(1e-8 / CHECK**2) else End.REACHED
+        return Rung(tolerance, end, np.full((POINTS, 1), off), 100, 100, 1.0, off)
+
+    return Ladder(run, lambda y, other: np.abs(y - other)[:, 0], lambda y: ROUNDING, TIMES, 1e-6).search(1e-8)
+
+
+@pytest.mark.parametrize(("size", "runs", "first"), [(1.3e-6, 5, False), (0.9e-6, 3, True), (0.7e-6, 2, True)])
+def test_errors_of_one_sign_are_found_out_by_a_third_run_where_they_are_near_the_request(size, runs, first):
+    """Two runs differ by 5/8 of the error: 8.1e-7 where it is 1.3e-6."""
+    log = []
+    ladder_result = of_one_sign(size, log=log)
+    assert ladder_result.verdict is Verdict.MET
+    assert ladder_result.run.kept <= 1e-6
+    assert (len(log), ladder_result.run.tolerance == 1e-8) == (runs, first)
+    assert ladder_result.error.end == pytest.approx(ladder_result.run.kept, rel=0.1 if runs > 2 else 0.4)
+
+
+def test_a_third_run_that_fails_tells_nothing_and_one_that_is_stopped_ends_the_search():
+    ladder_result = of_one_sign(0.9e-6, third=End.FAILED, log=[])
+    assert (ladder_result.verdict, ladder_result.error.runs) == (Verdict.MET, 3)
+    assert ladder_result.error.end == pytest.approx(0.9e-6 * 5 / 8)
+    ladder_result = of_one_sign(0.9e-6, third=End.STOPPED, log=[])
+    assert ladder_result.verdict is Verdict.STOPPED
+    assert not ladder_result.error.known
 
 
 def test_a_request_that_is_missed_is_met_by_the_next_run():
@@ -397,3 +430,16 @@ def test_the_ball_that_bounced_nine_times_is_not_known_better_than_its_rounding(
     off = max(scaling.error(ball, run.scales, run.history.part("y")[-1], o.history.part("y")[-1]) for o in others)
     assert off > 1e-10
     assert off / 2 < run.error.end < 100 * off
+
+
+@pytest.mark.slow
+def test_the_spatial_slider_crank_meets_what_is_asked_after_eight_turns():
+    """At 1e-9 its speed errs by -1.4e-9 at first and by -0.7e-9 at the tolerance that checks it."""
+    crank, truth = load(loops.spatial_crank()), loops.spatial_crank_at(5.0)
+    for asked in (1e-8, 1e-9, 1e-10):
+        run = simulate(crank, duration="5 s", accuracy=asked, output=2)
+        off = [abs(run.final[name] - truth[name]) for name in (*crank.coordinates, *crank.speeds)]
+        true = np.max(off / run.scales.state[: len(off)])
+        assert run.outcome.finished
+        assert true <= asked
+        assert true / 10 < run.error.end <= asked
