@@ -1,6 +1,8 @@
-"""Speed of the one drive of a scene, where it is constant: so a revolution is a time."""
+"""Speed and angle of the one drive of a scene, where that speed is constant: so a revolution is a time."""
 
 from __future__ import annotations
+
+import math
 
 import casadi as ca
 import numpy as np
@@ -9,6 +11,7 @@ from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.model import Bound, Model
 from hertzwerk.runtime.model.per_model import per_model
 
+CONSTANT = "constant speed of "  # what the drive says of itself
 TIMES = (0.37, 1.7, 23.0, 1.1e3, 1.3e6)  # over the speed at the start: when it must be the same
 SAME = 1e-9  # relative
 
@@ -30,6 +33,49 @@ def drive_speed(model: Model, bound: Bound) -> float | None:
         np.any(turns, axis=1)
     )  # bodies turn with it or not at all
     return begin if same else None
+
+
+def drive_angle(model: Model) -> str | None:
+    """Return the name of the angle of a scene's only drive, 0 at the start; None where it turns at no constant speed."""
+    drives = [(name, text) for name, kind, text in model.module.EFFECTS if kind == "drive"]
+    if len(drives) != 1 or not drives[0][1].startswith(CONSTANT) or _axis(model, drives[0][0]) is None:
+        return None
+    joint = drives[0][1].removeprefix(CONSTANT)
+    return joint if "." in joint else f"{joint}.angle"
+
+
+def drive_rate(model: Model, bound: Bound) -> float | None:
+    """Return the rate [rad/s] of `drive_angle`, negative where it falls; None where it stands still."""
+    speed = drive_speed(model, bound)
+    if speed is None:
+        return None
+    ((name, *_),) = (row for row in model.module.EFFECTS if row[1] == "drive")
+    row = _axis(model, name)
+    if row is None:
+        return None
+    axis = model.evaluate("landmarks", bound.p)[row][3:6]
+    body = model.module.BODIES.index(model.module.LANDMARKS[row][3])
+    begin, later = (
+        model.evaluate("poses", t, _driven(model, bound, t), bound.c)[1][9 * body : 9 * body + 9].reshape(3, 3)
+        for t in (0.0, math.pi / 2 / speed)
+    )
+    quarter = later @ begin.T
+    turned = np.array([quarter[2, 1] - quarter[1, 2], quarter[0, 2] - quarter[2, 0], quarter[1, 0] - quarter[0, 1]])
+    return math.copysign(speed, float(turned @ begin @ axis))
+
+
+def _axis(model: Model, drive: str) -> int | None:
+    """Return the row of LANDMARKS with the axis of a drive that turns."""
+    rows = enumerate(getattr(model.module, "LANDMARKS", ()))
+    return next((i for i, (part, kind, *_) in rows if part == drive and kind == "turn_drive"), None)
+
+
+def _driven(model: Model, bound: Bound, t: float) -> np.ndarray:
+    """Return the coordinates at a time [s] where nothing but the drive moves."""
+    if not model.has("placed"):
+        return _still(model)
+    joints = model.joints
+    return model.evaluate("placed", t, _still(joints), np.zeros(joints.nu), bound.c)[0]
 
 
 @per_model

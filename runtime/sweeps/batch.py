@@ -14,6 +14,7 @@ from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.si_values import si_units
 from hertzwerk.runtime.run.request import METHOD, Compiled, Settings
 from hertzwerk.runtime.solution.outcome import Outcome
+from hertzwerk.runtime.sweeps.kept_arrays import Kept
 from hertzwerk.runtime.sweeps.processes import Processes
 from hertzwerk.runtime.sweeps.row_engine import RowEngine
 from hertzwerk.runtime.sweeps.row_job import NO_NUMBER, Job, Own, Task
@@ -111,6 +112,7 @@ class Batch:
     sets    values of every row, parameters and initial states alike
     settings    arguments of `simulate` for all of them
     compiled    as asked for
+    kept    arrays that every row keeps
     """
 
     def __init__(
@@ -121,8 +123,9 @@ class Batch:
         outputs: Sequence[Output],
         compiled: Compiled,
         engine: RowEngine,
+        kept: Kept | None = None,
     ) -> None:
-        self._job = Job(model, Settings(**settings, compiled=compiled), list(outputs))
+        self._job = Job(model, Settings(**settings, compiled=compiled), list(outputs), kept)
         self._sets, self._engine = sets, engine
 
     @property

@@ -25,9 +25,10 @@ from hertzwerk.runtime.sweeps.design import Axis, Design, Range
 COMPUTING = ("accuracy", "integrate", "model", "run", "solution", "start", "sweeps")  # rooms that numbers depend on
 ARGUMENTS = (  # of `sweep`, and names in a definition
     *("target", "over", "values", "without", "laws", "coordinates", "zip", "sample", "sampler", "seed", "outputs"),
+    *("section", "after", "grid", "histories"),
     *("duration", "accuracy", "tolerance", "method", "max_steps", "max_events", "wall_time"),
 )
-FOLLOW = ("columns", "varied", "axes")  # from the rest
+FOLLOW = ("columns", "varied", "axes", "arrays")  # from the rest
 LIBRARIES = ("hertzwerk", "casadi", "numpy", "scipy")
 WIDEN = "widen=True, or --widen, keeps the rows that are the same and computes the others; or take another folder"
 

@@ -31,9 +31,11 @@ from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compile
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.start.start_values import split_values
+from hertzwerk.runtime.sweeps.array_table import Arrays
 from hertzwerk.runtime.sweeps.batch import INTERRUPTED, Batch
 from hertzwerk.runtime.sweeps.definition import as_text, axes_of, keys_of, target_of, versions
 from hertzwerk.runtime.sweeps.design import Given, Varied, read_design
+from hertzwerk.runtime.sweeps.kept_arrays import Kept, read_kept
 from hertzwerk.runtime.sweeps.own_functions import digest
 from hertzwerk.runtime.sweeps.processes import Processes
 from hertzwerk.runtime.sweeps.row_outputs import Output, chosen, finals, own
@@ -44,6 +46,7 @@ if TYPE_CHECKING:
     from hertzwerk.derive.declare.scene import Scene
 
 NOT_STORED = "not_stored"  # outcome of a sweep
+LARGEST_CSV = 50e6  # bytes, about, of arrays that are written as CSV unasked
 
 
 def sweep(
@@ -59,6 +62,10 @@ def sweep(
     laws: Mapping[str, str] | None = None,
     coordinates: str | None = None,
     outputs: Sequence[str] = (),
+    section: str | None = None,
+    after: str | float | None = None,
+    grid: str | int | None = None,
+    histories: Sequence[str] = (),
     functions: Mapping[str, Callable[[Solution], float]] | None = None,
     duration: str | float | None = None,
     accuracy: float | None = None,
@@ -84,6 +91,11 @@ def sweep(
     values    other values in place of the model's, the same for all points
     outputs    names such as "final.guide.travel", "slider_pin.peak_force", "slider_pin.impact_rate" (with half the
                width of its 95 % interval as a column more), "guide.travel.max"; by default every final state
+    section    where each row keeps points: "main_bearing.angle = 0" (at every return of the drive), "phase = 90 deg" (of the
+            period of what depends on time), "floor.gap = 0 m falling" (a history crosses a value; rising, falling or both)
+    grid    at how many points, or at what spacing ("0.1 ms"), each row keeps histories
+    after    transient that both leave out, such as "100 rev"; histories: names that both keep, by default coordinates
+            and speeds. `table.section["guide.travel"]` and `table.histories[...]` have an array for each row
     functions    further outputs, functions of the Solution: {"stroke": lambda run: np.ptp(run["guide.travel"])}
     workers    processes, by default as many as there are cores
     into    folder in which every row is stored once it is done; where it holds rows of the same sweep, those that are
@@ -108,6 +120,8 @@ def sweep(
     }
     varied = _varied(model, over, fixed, faults)
     wanted = _outputs(model, outputs, functions, varied, faults)
+    asked = {"section": section, "after": after, "grid": grid, "histories": histories}
+    kept = read_kept(model, **asked, duration=duration, faults=faults)
     if workers is not None and not (isinstance(workers, int) and not isinstance(workers, bool) and workers > 0):
         faults.append(Fault("workers", shown(workers), "a positive whole number", "None takes every core"))
     try:
@@ -116,9 +130,9 @@ def sweep(
         faults += error.faults
     if faults:
         raise InputError(f"sweep of {model.name}", faults)
-    plan = Plan(model, design.points(), fixed, varied, wanted, settings)
+    plan = Plan(model, design.points(), fixed, varied, wanted, settings, kept)
     plan.check()
-    batch = Batch(model, plan.sets(), settings, wanted, compiled, Processes(workers))
+    batch = Batch(model, plan.sets(), settings, wanted, compiled, Processes(workers), kept)
     axes = {name: tuple(si_of(model, name, value) for value in values) for name, values in design.grid.items()}
     made = partial(
         Sweep,
@@ -126,6 +140,7 @@ def sweep(
         columns=plan.columns,
         varied=tuple(varied),
         axes=axes,
+        arrays={} if kept is None else kept.columns,
         workers=batch.workers,
     )
     if into is None:
@@ -138,6 +153,7 @@ def sweep(
     same = {
         "outputs": [output.name for output in wanted if output.name not in (functions or {})],
         "functions": {name: digest(name, function) for name, function in (functions or {}).items()},
+        **{**asked, "section": kept and kept.section and str(kept.section), "histories": list(histories)},
         "text": hashlib.sha256(text.encode()).hexdigest()[:16],
         "versions": versions(),
     }
@@ -146,6 +162,7 @@ def sweep(
         **{"zip": zip, "sample": sample, "sampler": sampler, "seed": seed},
         **{"values": {name: as_text(value) for name, value in fixed.items()}, **settings, **same},
         **{"columns": plan.columns, "varied": list(varied), "axes": axes},
+        "arrays": {} if kept is None else kept.columns,
     }
     keys = keys_of(model, plan.sets(), settings, same)
     with opened(folder) as store:
@@ -160,6 +177,10 @@ def sweep(
         if outcome.name != NOT_STORED:
             try:
                 table.to_csv(folder / TABLE, overwrite=True)
+                for name in table.arrays:
+                    arrays = Arrays(table, name)
+                    if arrays.csv_size() <= LARGEST_CSV:
+                        arrays.to_csv(folder / f"{name}.csv", overwrite=True)
             except OSError as error:
                 table = replace(table, outcome=_not_stored(error))
     return table
@@ -218,6 +239,7 @@ class Plan:
     varied: Mapping[str, str]
     outputs: Sequence[Output]
     settings: Mapping[str, Any]
+    kept: Kept | None = None
 
     @property
     def columns(self) -> dict[str, str]:
@@ -232,8 +254,15 @@ class Plan:
         """Raise InputError where not one row can run, with the faults of the first."""
         first: InputError | None = None
         for values in self.sets():
+            parameters, initial = split_values(self.model, values)
+            faults: list[Fault] = []
             try:
-                check(self.model, Settings(**self.settings), *split_values(self.model, values))
+                if self.kept is not None:
+                    self.kept.times(self.model, parameters)
+            except InputError as error:
+                faults += error.faults
+            try:
+                check(self.model, Settings(**self.settings), parameters, initial, faults)
             except InputError as error:
                 first = first or error
             else:

@@ -21,6 +21,8 @@ from hertzwerk.runtime.simulation import solve
 from hertzwerk.runtime.solution.findings import Needs
 from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.start.start_values import split_values
+from hertzwerk.runtime.sweeps.array_table import Packed
+from hertzwerk.runtime.sweeps.kept_arrays import Kept
 from hertzwerk.runtime.sweeps.row_outputs import Measured, NotANumberError, Output, named
 from hertzwerk.runtime.sweeps.sweep_table import Row
 
@@ -52,6 +54,7 @@ class LocalFlag:
 class Job:
     """Runs of one model, each a task for the workers of an engine.
 
+    kept    arrays that every row keeps
     foreseen    time [s] that all take uncompiled, on all workers
     compiled    whether they are, once prepared
     """
@@ -59,19 +62,21 @@ class Job:
     model: Model
     settings: Settings
     outputs: list[Output]
+    kept: Kept | None = None
     foreseen: float = 0.0
     stop: Flag = field(default_factory=LocalFlag)
     compiled: bool = False
 
     @cached_property
     def needs(self) -> Needs:
-        """Parts of a run that the outputs are computed from."""
-        return reduce(or_, (output.needs for output in self.outputs), Needs.ENDS)
+        """Parts of a run that outputs and arrays are computed from."""
+        first = Needs.ENDS if self.kept is None else self.kept.needs
+        return reduce(or_, (output.needs for output in self.outputs), first)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle outputs by their names, for a process that shares nothing."""
         outputs = [(output.name, output.function) for output in self.outputs]
-        return _sent, (self.model, self.settings, outputs, self.foreseen, self.stop)
+        return _sent, (self.model, self.settings, outputs, self.kept, self.foreseen, self.stop)
 
     def prepare(self) -> None:
         """Build what all rows need, compiled where that saves time; raises InputError without a compiler."""
@@ -119,6 +124,9 @@ class Job:
         """Simulate a row; raises InputError, and KeyboardInterrupt where the run was stopped."""
         _, given = task
         values = split_values(self.model, given)
+        if self.kept is not None and Needs.STEPS not in self.needs:
+            times = self.kept.times(self.model, values[0]).all
+            settings = replace(settings, output=times) if len(times) else settings
         solution = solve(self.model, settings, *values, needs=self.needs, progress=progress)
         if solution.outcome.name == "interrupted":
             raise KeyboardInterrupt
@@ -148,6 +156,12 @@ class Job:
                 outcome, message = NO_NUMBER, str(error)
             except (Exception, SystemExit) as error:  # a row says so: hours of other runs are not lost for it
                 outcome, message = BAD_OUTPUT, f"output {output.name} raised {type(error).__name__}: {error}"
+        arrays: Mapping[str, Packed] = {}
+        if self.kept is not None:
+            try:
+                arrays = self.kept.of(solution, self.kept.times(self.model, split_values(self.model, given)[0]))
+            except Exception as error:  # as above
+                outcome, message = BAD_OUTPUT, f"section or histories raised {type(error).__name__}: {error}"
         return Row(
             index=i,
             given=given,
@@ -157,6 +171,7 @@ class Job:
             outputs=numbers,
             warnings=solution.warnings,
             wall_s=solution.statistics.wall_s,
+            arrays=arrays,
         )
 
     def _values(self, task: Task) -> dict[str, float]:
@@ -164,5 +179,12 @@ class Job:
         return {name: si_of(self.model, name, value) for name, value in task[1].items()}
 
 
-def _sent(model: Model, settings: Settings, outputs: list[tuple[str, Own | None]], foreseen: float, stop: Flag) -> Job:
-    return Job(model, settings, named(model, outputs), foreseen, stop)
+def _sent(
+    model: Model,
+    settings: Settings,
+    outputs: list[tuple[str, Own | None]],
+    kept: Kept | None,
+    foreseen: float,
+    stop: Flag,
+) -> Job:
+    return Job(model, settings, named(model, outputs), kept, foreseen, stop)

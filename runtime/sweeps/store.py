@@ -2,8 +2,8 @@
 
 definition.json    what is computed, by which versions
 model.py           text of the model's generated module
-rows.sqlite        points, and a row for each that is done
-table.csv          the table, written whenever the computing ends
+rows.sqlite        points, a row for each that is done, and its arrays: float64, little-endian, compressed by zlib
+table.csv          the table, written whenever the computing ends; section.csv, histories.csv    its arrays, up to 50 MB
 
 Only the process that holds `lock` writes. A row is one transaction of SQLite in WAL mode: once `add` returns it is with the
 operating system, so that no end of the process loses it, and half a row is never read. A commit does not wait for the
@@ -21,6 +21,7 @@ import sys
 import threading
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager, suppress
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -28,6 +29,7 @@ from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.runtime.host.folder import unwritable
 from hertzwerk.runtime.host.scratch import UNFINISHED, write_atomically
 from hertzwerk.runtime.solution.outcome import Outcome
+from hertzwerk.runtime.sweeps.array_table import Packed
 from hertzwerk.runtime.sweeps.definition import differences
 from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, Row, Sweep
 
@@ -35,7 +37,7 @@ DEFINITION, MODEL, ROWS, TABLE, LOCK = "definition.json", "model.py", "rows.sqli
 OURS = {
     DEFINITION,
     MODEL,
-    TABLE,
+    *(TABLE, "section.csv", "histories.csv"),
     *(f"{name}{end}" for name in (ROWS, LOCK) for end in ("", "-wal", "-shm", "-journal")),
 }
 SYNC = 0.5  # s between two writes to the disk
@@ -45,6 +47,9 @@ CREATE TABLE IF NOT EXISTS points (number INTEGER PRIMARY KEY, key TEXT NOT NULL
 CREATE TABLE IF NOT EXISTS rows (
     key TEXT PRIMARY KEY, outcome TEXT NOT NULL, message TEXT NOT NULL,
     si TEXT NOT NULL, outputs TEXT NOT NULL, warnings TEXT NOT NULL, wall_s REAL
+);
+CREATE TABLE IF NOT EXISTS arrays (
+    key TEXT NOT NULL, name TEXT NOT NULL, shape TEXT NOT NULL, data BLOB NOT NULL, PRIMARY KEY (key, name)
 );
 """
 
@@ -95,10 +100,21 @@ class Store:
         ]
         if self._rows.execute("SELECT * FROM points ORDER BY number").fetchall() == given:
             return
+        with self._transaction():
+            self._rows.execute("DELETE FROM points")
+            self._rows.executemany("INSERT INTO points VALUES (?, ?, ?)", given)
+
+    @contextmanager
+    def _transaction(self) -> Iterator[None]:
+        """Commit what is done within as one, or nothing of it."""
         self._rows.execute("BEGIN IMMEDIATE")
-        self._rows.execute("DELETE FROM points")
-        self._rows.executemany("INSERT INTO points VALUES (?, ?, ?)", given)
-        self._rows.execute("COMMIT")
+        try:
+            yield
+            self._rows.execute("COMMIT")
+        except BaseException:
+            with suppress(sqlite3.Error):  # of a disk that is full, which has rolled back already
+                self._rows.execute("ROLLBACK")
+            raise
 
     def add(self, key: str, row: Row) -> None:
         """Store a row; raises sqlite3.Error where that is not possible, as on a full disk, or it is there."""
@@ -106,7 +122,10 @@ class Store:
             raise self._syncing.error
         texts = (json.dumps(_nulled(part)) for part in (row.values, row.outputs))
         entry = (key, row.outcome, row.message, *texts, json.dumps(row.warnings), row.wall_s)
-        self._rows.execute("INSERT INTO rows VALUES (?, ?, ?, ?, ?, ?, ?)", entry)
+        arrays = [(key, name, json.dumps(packed.shape), packed.data) for name, packed in row.arrays.items()]
+        with self._transaction():
+            self._rows.executemany("INSERT INTO arrays VALUES (?, ?, ?, ?)", arrays)
+            self._rows.execute("INSERT INTO rows VALUES (?, ?, ?, ?, ?, ?, ?)", entry)
         self.stored.add(key)
         self._syncing.pending.set()
 
@@ -227,6 +246,7 @@ def loaded(folder: Path) -> Sweep:
         columns=definition["columns"],
         varied=tuple(definition["varied"]),
         axes={name: tuple(values) for name, values in definition["axes"].items()},
+        arrays=definition["arrays"],
         outcome=outcome if missing else COMPLETE,
     )
 
@@ -242,7 +262,13 @@ def read_rows(folder: Path) -> tuple[list[Row], int]:
             "SELECT number, given, outcome, message, si, outputs, warnings, wall_s "
             "FROM points JOIN rows USING (key) ORDER BY number"
         )
-        return [_row(*entry) for entry in found], count
+        rows = [_row(*entry) for entry in found]
+        arrays: dict[int, dict[str, Packed]] = {}
+        for number, name, shape, data in connection.execute(
+            "SELECT number, name, shape, data FROM points JOIN arrays USING (key)"
+        ):
+            arrays.setdefault(number, {})[name] = Packed(tuple(json.loads(shape)), data)
+        return [replace(row, arrays=arrays[row.index]) if row.index in arrays else row for row in rows], count
 
 
 def _row(number: int, given: str, outcome: str, message: str, si: str, outputs: str, warnings: str, wall_s: Any) -> Row:

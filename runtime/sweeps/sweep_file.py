@@ -39,6 +39,10 @@ class SweepFile(BaseModel):
     laws: dict[str, str] = {}
     coordinates: str | None = None
     outputs: list[str] = []
+    section: str | None = None
+    after: Quantity | None = None
+    grid: str | int | None = None
+    histories: list[str] = []
     duration: Quantity
     accuracy: float | None = None
     tolerance: float | None = None

@@ -18,6 +18,7 @@ from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.solution import notebook
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import write
+from hertzwerk.runtime.sweeps.array_table import Arrays, Packed
 from hertzwerk.runtime.tables.data_frame import data_frame
 from hertzwerk.runtime.tables.dataset import dataset
 from hertzwerk.runtime.tables.labelled_table import Column, LabelledTable
@@ -34,7 +35,7 @@ SHOWN = 10  # rows in a notebook
 
 @dataclass(frozen=True)
 class Row:
-    """One run: `given` values as given, `values` in SI, `outputs` by column; wall_s: integration [s].
+    """One run: `given` values as given, `values` in SI, `outputs` by column, `arrays`; wall_s: integration [s].
 
     Where there is no run, `outcome` is "bad_input", "failed" (by an error of ours) or "lost" (its process died), with
     the reason in `message`.
@@ -46,6 +47,7 @@ class Row:
     message: str = ""
     values: Mapping[str, float] = field(default_factory=dict)
     outputs: Mapping[str, float] = field(default_factory=dict)
+    arrays: Mapping[str, Packed] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
     wall_s: float = math.nan
 
@@ -71,6 +73,7 @@ class Sweep:
     columns    unit text by name of column, "" where there is none
     varied    columns of the values that were given
     axes    their values in SI where the rows are all combinations, the last fastest; else empty
+    arrays    unit text of arrays by what they are of, "section" or "histories", and name
     outcome    "finished", or the reason why rows are missing, with a remedy
     """
 
@@ -80,6 +83,7 @@ class Sweep:
     varied: tuple[str, ...]
     outcome: Outcome
     axes: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
+    arrays: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
     workers: int = 0  # of a table that was loaded
     compiled: bool = False
     wall_s: float = math.nan
@@ -129,6 +133,22 @@ class Sweep:
         if name not in self.columns:
             raise KeyError(f"no column {name!r}; there are {', '.join(self.names)}")
         return np.array([row[name] for row in self.rows], dtype=None if name in TEXTS else float)
+
+    @property
+    def section(self) -> Arrays:
+        """Points of the section of every row; raises LookupError where none was asked for."""
+        return self.arrays_of("section", 'sweep(..., section="main_bearing.angle = 0")')
+
+    @property
+    def histories(self) -> Arrays:
+        """Histories of every row on the grid; raises LookupError where none was asked for."""
+        return self.arrays_of("histories", 'sweep(..., grid="0.1 ms")')
+
+    def arrays_of(self, name: str, remedy: str = "a section or a grid") -> Arrays:
+        """Return "section" or "histories"; raises LookupError where it was not asked for."""
+        if name not in self.arrays:
+            raise LookupError(f"no {name} in this sweep: {remedy} keeps them")
+        return Arrays(self, name)
 
     def unit(self, name: str) -> str:
         """Return the SI unit text of a column; "" if it has none."""

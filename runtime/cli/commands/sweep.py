@@ -41,7 +41,7 @@ if TYPE_CHECKING:
 
 _OPTIONS = {
     **{"settings": "--set", "laws": "--law", "outputs": "--output"},
-    **{"max_steps": "--max-steps", "wall_time": "--wall-time"},
+    **{"histories": "--history", "max_steps": "--max-steps", "wall_time": "--wall-time"},
 }  # where they are not called as their arguments
 
 
@@ -63,6 +63,16 @@ _OPTIONS = {
     metavar="NAME",
     multiple=True,
     help="A column: final.guide.travel, slider_pin.peak_force, slider_pin.impact_rate, guide.travel.max (default: final states).",
+)
+@click.option(
+    "--section",
+    metavar="PLACE",
+    help='Keep points there: "main_bearing.angle = 0" (every return), "phase = 90 deg", "floor.gap = 0 m falling".',
+)
+@click.option("--grid", metavar="SPACING", help='Keep histories at so many points, or at a spacing such as "0.1 ms".')
+@click.option("--after", metavar="TIME", help='Transient that both leave out, such as "100 rev".')
+@click.option(
+    "--history", "histories", metavar="NAME", multiple=True, help="What both keep (default: coordinates and speeds)."
 )
 @SET
 @WITHOUT
@@ -199,6 +209,8 @@ def _read(target: str, options: dict[str, Any], faults: list[Fault]) -> dict[str
         "laws": assignments("--law", options["laws"], faults),
         "coordinates": options["coordinates"],
         "outputs": options["outputs"],
+        **{name: options[name] for name in ("section", "after", "histories")},
+        "grid": int(options["grid"]) if (options["grid"] or "").isdecimal() else options["grid"],
         "duration": options["duration"] or numbers.get("duration"),
         "accuracy": default if accuracy is None else accuracy,
         "tolerance": tolerance,
@@ -238,6 +250,7 @@ def _record(found: Sweep) -> dict[str, Any]:
         "outcomes": found.counts(),
         "units": dict(found.columns),
         "table": {name: found[name].tolist() for name in found.names},
+        "arrays": {name: found.arrays_of(name).record() for name in found.arrays},
         "wall_s": found.wall_s,
         "workers": found.workers,
     }
@@ -257,6 +270,9 @@ def _report(found: Sweep, folder: Path | None, file: Path | None) -> None:
         click.echo()
         table(("output", "unit", "least", "largest"), [_extremes(found, name) for name in outputs])
         click.echo()
+    for name in found.arrays:
+        arrays = found.arrays_of(name)
+        line(name, f"{arrays.points:,} points of {', '.join(arrays.units)}")
     warned = sum(bool(row.warnings) for row in found)
     if warned:
         line("warning", f"{warned} rows have some: the last column of the table")
@@ -264,7 +280,10 @@ def _report(found: Sweep, folder: Path | None, file: Path | None) -> None:
         line(found.outcome.name, found.outcome.message)
         line("remedy", found.outcome.remedy)
     if folder is not None:
-        line("written", f"{folder}/ (table.csv, rows.sqlite, definition.json, model.py)")
+        tables = [f"{name}.csv" for name in found.arrays if (folder / f"{name}.csv").exists()]
+        line(
+            "written", f"{folder}/ ({', '.join(['table.csv', *tables, 'rows.sqlite', 'definition.json', 'model.py'])})"
+        )
     if file is not None:
         line("written", str(file))
 

@@ -117,6 +117,21 @@ def test_rows_that_fail_are_told_and_are_another_outcome():
     assert re.search(r"bad_input +1 rows, as the first: mass: found -1 kg", done.stdout)
 
 
+def test_a_section_on_the_command_line_is_that_of_python(tmp_path):
+    places = ("--section", "floor.gap = 0 falling", "--after", "0.4 s", "--grid", "5", "--history", "vertical.speed")
+    arguments = ("bouncing_ball", "--over", "drop_height=0.5,1 m", "--duration", "1 s", "--tolerance", "1e-6", *places)
+    assert run(*arguments, "--into", "a").exit_code == 0
+    table = sweep(
+        *("bouncing_ball", {"drop_height": "0.5,1 m"}), section="floor.gap = 0 falling", after="0.4 s", grid=5,
+        histories=["vertical.speed"], duration="1 s", tolerance=1e-6,
+    )  # fmt: skip
+    for arrays in (table.section, table.histories):
+        assert (tmp_path / "a" / f"{arrays.name}.csv").read_bytes() == arrays.to_csv(arrays.name).read_bytes()
+    told = json.loads(run(*arguments, "--json").stdout)["arrays"]
+    assert told == {"section": table.section.record(), "histories": table.histories.record()}
+    assert run("--resume", "a").exit_code == 0
+
+
 def test_samples_are_those_of_their_seed():
     arguments = ("bouncing_ball", "--over", "drop_height=0.5..1 m", "--sample", 4, "--duration", "0.1 s", "--json")
     first, same, other = (

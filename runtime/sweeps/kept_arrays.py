@@ -1,0 +1,143 @@
+"""Arrays that each row of a sweep keeps: histories at the points of a section and on a grid, after a transient."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from hertzwerk.derive.faults import Fault, InputError, shown, unknown
+from hertzwerk.runtime.run.output_times import Output, times_of
+from hertzwerk.runtime.run.request import read_duration
+from hertzwerk.runtime.solution.findings import Needs
+from hertzwerk.runtime.solution.history import History, units_of
+from hertzwerk.runtime.sweeps.array_table import Packed
+from hertzwerk.runtime.sweeps.poincare import Section, read_section
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model.binding import Value
+    from hertzwerk.runtime.model.model import Model
+    from hertzwerk.runtime.solution.solution import Solution
+
+SECTION, HISTORIES = "section", "histories"
+
+
+@dataclass(frozen=True)
+class Times:
+    """Times [s] of one row that are known before it: `section` is None where its points are crossings."""
+
+    begin: float
+    section: np.ndarray | None
+    grid: np.ndarray | None
+
+    @property
+    def all(self) -> np.ndarray:
+        """Every time, increasing."""
+        known = [times for times in (self.section, self.grid) if times is not None]
+        return np.unique(np.concatenate([np.zeros(0), *known]))
+
+
+@dataclass(frozen=True)
+class Kept:
+    """Arrays of a row: histories (`units` by name) at the points of a section and on a grid, both after a transient.
+
+    duration    of the runs, as `simulate` takes it
+    """
+
+    units: Mapping[str, str]
+    section: Section | None
+    grid: Output | None
+    after: str | float | None
+    duration: str | float | None
+
+    @property
+    def columns(self) -> dict[str, dict[str, str]]:
+        """Unit text of every array by what it is of and name, the time first."""
+        names = {SECTION: self.section, HISTORIES: self.grid}
+        return {name: {"t": "s", **self.units} for name, wanted in names.items() if wanted is not None}
+
+    @property
+    def needs(self) -> Needs:
+        """Parts of a run that they are computed from, beside its states at times that are known before."""
+        return Needs.ENDS if self.section is None or self.section.steady else Needs.STEPS
+
+    def times(self, model: Model, parameters: Mapping[str, Value]) -> Times:
+        """Return the times of a row; raises InputError with every fault."""
+        faults: list[Fault] = []
+        seconds = read_duration(model, parameters, self.duration, faults)
+        begin = 0.0
+        if self.after is not None:
+            wrong: list[Fault] = []
+            begin = read_duration(model, parameters, self.after, wrong)
+            faults += [replace(fault, where="after") for fault in wrong]
+            if begin >= seconds:
+                faults.append(Fault("after", shown(self.after), f"less than the duration, {seconds:g} s"))
+        grid = None
+        if self.grid is not None and not faults:
+            wrong = []
+            grid = times_of(self.grid, seconds, wrong)
+            faults += [replace(fault, where="grid") for fault in wrong]
+        if faults:
+            raise InputError(model.name, faults)
+        section, bound = None, model.check(parameters)[0]
+        if self.section is not None and self.section.steady and bound is not None:
+            section = self.section.returns(model, bound, begin, seconds)
+        return Times(begin, section, None if grid is None else grid[grid >= begin])
+
+    def of(self, run: Solution, times: Times) -> dict[str, Packed]:
+        """Return the arrays of a run, of a shorter one as far as it got."""
+        found = {}
+        if self.section is not None:
+            at = self.section.crossings(run, times.begin) if times.section is None else times.section
+            found[SECTION] = self._packed(run, at)
+        if times.grid is not None:
+            found[HISTORIES] = self._packed(run, times.grid)
+        return found
+
+    def _packed(self, run: Solution, times: np.ndarray) -> Packed:
+        reached = times[times <= run.t_end]
+        if not len(reached):
+            return Packed.of(np.zeros((0, 1 + len(self.units))))
+        history: History = run.at(reached)
+        return Packed.of(np.column_stack([history[name] for name in ("t", *self.units)]))
+
+
+def read_kept(
+    model: Model,
+    *,
+    section: object,
+    histories: object,
+    grid: object,
+    after: object,
+    duration: str | float | None,
+    faults: list[Fault],
+) -> Kept | None:
+    """Read what each row keeps; bad input is appended to `faults`. None where nothing is asked for."""
+    if section is None and grid is None:
+        for name, value in (("histories", histories), ("after", after)):
+            if value not in (None, (), []):
+                faults.append(Fault(name, shown(value), "none without a section or a grid", "say where they are kept"))
+        return None
+    place = None if section is None else read_section(model, section, faults)
+    units = _units(model, histories, faults)
+    if grid == "steps":
+        faults.append(Fault("grid", "'steps'", 'a number of points, or a spacing such as "0.1 ms"'))
+        grid = None
+    if after is not None and (isinstance(after, bool) or not isinstance(after, str | int | float)):
+        faults.append(Fault("after", shown(after), 'a time or revolutions, such as "100 rev"'))
+        after = None
+    return Kept(units, place, grid, after, duration)  # type: ignore[arg-type]
+
+
+def _units(model: Model, names: object, faults: list[Fault]) -> dict[str, str]:
+    """Return the units of the histories that are kept, by default of coordinates and speeds."""
+    if isinstance(names, str) or not isinstance(names, Sequence):
+        faults.append(Fault("histories", shown(names), 'a list of names, such as ["guide.travel", "guide.speed"]'))
+        return {}
+    there = units_of(model, None)
+    wanted = list(dict.fromkeys(names)) or [*model.coordinates, *model.speeds]
+    faults += [unknown("history", name, there) for name in wanted if not isinstance(name, str) or name not in there]
+    faults += [Fault("histories", f"{name} twice", "each once") for name in wanted if names.count(name) > 1]
+    return {name: "" if there[name] == "1" else there[name] for name in wanted if name in there and name != "t"}
