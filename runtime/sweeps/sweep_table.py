@@ -47,9 +47,9 @@ class Row:
     message: str = ""
     values: Mapping[str, float] = field(default_factory=dict)
     outputs: Mapping[str, float] = field(default_factory=dict)
-    arrays: Mapping[str, Packed] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
     wall_s: float = math.nan
+    arrays: Mapping[str, Packed] = field(default_factory=dict)
 
     def __getitem__(self, name: str) -> float | str:
         """Return the entry of a column."""
