@@ -1,4 +1,4 @@
-"""Speed and angle of the one drive of a scene, where that speed is constant: so a revolution is a time."""
+"""Constant speed of the one drive of a scene: so a revolution is a time, and the angle is known."""
 
 from __future__ import annotations
 
@@ -36,7 +36,10 @@ def drive_speed(model: Model, bound: Bound) -> float | None:
 
 
 def drive_angle(model: Model) -> str | None:
-    """Return the name of the angle of a scene's only drive, 0 at the start; None where it turns at no constant speed."""
+    """Return the name of the angle of a scene's only drive, 0 at the start.
+
+    None where it turns at no constant speed.
+    """
     drives = [(name, text) for name, kind, text in model.module.EFFECTS if kind == "drive"]
     if len(drives) != 1 or not drives[0][1].startswith(CONSTANT) or _axis(model, drives[0][0]) is None:
         return None

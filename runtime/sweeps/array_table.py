@@ -23,7 +23,7 @@ FORMAT = "<f8"
 
 @dataclass(frozen=True)
 class Packed:
-    """Array of float64 of a shape, as the bytes that zlib made of it: equal where the arrays are, bit by bit."""
+    """Array of float64, compressed by zlib: equal where the arrays are, bit by bit."""
 
     shape: tuple[int, ...]
     data: bytes
@@ -41,7 +41,7 @@ class Packed:
 
 
 class Arrays:
-    """Histories of every row at times of its own, in SI; `arrays["guide.travel"]` has an array (points,) for each.
+    """Histories of every row at times of its own; `arrays["guide.travel"]`: an array (points,) for each, SI.
 
     name    "section" or "histories"
     units    unit text by name, "t" the first

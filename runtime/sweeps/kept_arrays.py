@@ -1,4 +1,4 @@
-"""Arrays that each row of a sweep keeps: histories at the points of a section and on a grid, after a transient."""
+"""Arrays that rows of a sweep keep: histories at a section and on a grid, after a transient."""
 
 from __future__ import annotations
 
@@ -41,8 +41,9 @@ class Times:
 
 @dataclass(frozen=True)
 class Kept:
-    """Arrays of a row: histories (`units` by name) at the points of a section and on a grid, both after a transient.
+    """Arrays of a row: histories at the points of a section and on a grid, both after a transient.
 
+    units    unit text of the histories by name
     duration    of the runs, as `simulate` takes it
     """
 

@@ -40,7 +40,10 @@ _WRITTEN = re.compile(r"\s*([^\s=]+)\s*=\s*(.+?)(?:\s+(rising|falling|both))?\s*
 
 @dataclass(frozen=True)
 class Section:
-    """Place of a section: `name` is at `value` (SI); `steady`: an angle known before the run, with its direction."""
+    """Place of a section: the history `name` is at `value` (SI).
+
+    steady    whether that is an angle known before the run
+    """
 
     name: str
     value: float
@@ -106,7 +109,7 @@ class Section:
 def _zeros(
     run: Solution, name: str, target: np.ndarray, low: np.ndarray, high: np.ndarray, sign: np.ndarray
 ) -> np.ndarray:
-    """Return the times between `low` and `high` at which a history is first at its target, to the last digits.
+    """Return the times between `low` and `high` at which a history is at its target, to the last digits.
 
     sign    of the history less its target at `low`. A jump is at the time after it.
     """

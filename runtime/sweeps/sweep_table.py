@@ -35,7 +35,9 @@ SHOWN = 10  # rows in a notebook
 
 @dataclass(frozen=True)
 class Row:
-    """One run: `given` values as given, `values` in SI, `outputs` by column, `arrays`; wall_s: integration [s].
+    """One run: `given` values as given, `values` in SI, `outputs` by column; wall_s: integration [s].
+
+    arrays    points as (points, names) by what they are of: "section", "histories"
 
     Where there is no run, `outcome` is "bad_input", "failed" (by an error of ours) or "lost" (its process died), with
     the reason in `message`.
