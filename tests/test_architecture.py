@@ -79,7 +79,8 @@ ROOMS = {
         "studies": "derive/faults derive/sheets derive/units effects loading measured model pictures simulation solution "
         "sweeps",
         "sweeps": "derive/declare derive/faults derive/files derive/units host loading model run simulation solution start "
-        "tables",
+        "sweeps/kept tables",
+        "sweeps/kept": "derive/faults derive/units model run solution",
         "tables": "derive/faults derive/units host model solution",
         "validate": "derive/faults derive/files derive/sheets derive/units integrate/tableaux loading model run "
         "simulation solution",

@@ -14,7 +14,7 @@ from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.si_values import si_units
 from hertzwerk.runtime.run.request import METHOD, Compiled, Settings
 from hertzwerk.runtime.solution.outcome import Outcome
-from hertzwerk.runtime.sweeps.kept_arrays import Kept
+from hertzwerk.runtime.sweeps.kept.kept_arrays import Kept
 from hertzwerk.runtime.sweeps.processes import Processes
 from hertzwerk.runtime.sweeps.row_engine import RowEngine
 from hertzwerk.runtime.sweeps.row_job import NO_NUMBER, Job, Own, Task

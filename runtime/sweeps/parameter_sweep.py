@@ -31,11 +31,10 @@ from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compile
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.start.start_values import split_values
-from hertzwerk.runtime.sweeps.array_table import Arrays
 from hertzwerk.runtime.sweeps.batch import INTERRUPTED, Batch
 from hertzwerk.runtime.sweeps.definition import as_text, axes_of, keys_of, target_of, versions
 from hertzwerk.runtime.sweeps.design import Given, Varied, read_design
-from hertzwerk.runtime.sweeps.kept_arrays import Kept, read_kept
+from hertzwerk.runtime.sweeps.kept.kept_arrays import Kept, read_kept
 from hertzwerk.runtime.sweeps.own_functions import digest
 from hertzwerk.runtime.sweeps.processes import Processes
 from hertzwerk.runtime.sweeps.row_outputs import Output, chosen, finals, own
@@ -178,7 +177,7 @@ def sweep(
             try:
                 table.to_csv(folder / TABLE, overwrite=True)
                 for name in table.arrays:
-                    arrays = Arrays(table, name)
+                    arrays = table.arrays_of(name)
                     if arrays.csv_size() <= LARGEST_CSV:
                         arrays.to_csv(folder / f"{name}.csv", overwrite=True)
             except OSError as error:

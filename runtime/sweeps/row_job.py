@@ -21,8 +21,8 @@ from hertzwerk.runtime.simulation import solve
 from hertzwerk.runtime.solution.findings import Needs
 from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.start.start_values import split_values
-from hertzwerk.runtime.sweeps.array_table import Packed
-from hertzwerk.runtime.sweeps.kept_arrays import Kept
+from hertzwerk.runtime.sweeps.kept.array_table import Packed
+from hertzwerk.runtime.sweeps.kept.kept_arrays import Kept
 from hertzwerk.runtime.sweeps.row_outputs import Measured, NotANumberError, Output, named
 from hertzwerk.runtime.sweeps.sweep_table import Row
 

@@ -29,7 +29,7 @@ from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.runtime.host.folder import unwritable
 from hertzwerk.runtime.host.scratch import UNFINISHED, write_atomically
 from hertzwerk.runtime.solution.outcome import Outcome
-from hertzwerk.runtime.sweeps.array_table import Packed
+from hertzwerk.runtime.sweeps.kept.array_table import Packed
 from hertzwerk.runtime.sweeps.definition import differences
 from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, Row, Sweep
 

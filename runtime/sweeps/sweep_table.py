@@ -18,7 +18,7 @@ from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.solution import notebook
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import write
-from hertzwerk.runtime.sweeps.array_table import Arrays, Packed
+from hertzwerk.runtime.sweeps.kept.array_table import Arrays, Packed
 from hertzwerk.runtime.tables.data_frame import data_frame
 from hertzwerk.runtime.tables.dataset import dataset
 from hertzwerk.runtime.tables.labelled_table import Column, LabelledTable
@@ -150,7 +150,8 @@ class Sweep:
         """Return "section" or "histories"; raises LookupError where it was not asked for."""
         if name not in self.arrays:
             raise LookupError(f"no {name} in this sweep: {remedy} keeps them")
-        return Arrays(self, name)
+        varied = {each: self.unit(each) for each in self.varied}
+        return Arrays(name, self.scene, self.arrays[name], varied, self.rows)
 
     def unit(self, name: str) -> str:
         """Return the SI unit text of a column; "" if it has none."""

@@ -10,7 +10,8 @@ import pytest
 
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import Sweep, load, simulate, sweep
-from hertzwerk.runtime.sweeps import poincare, store
+from hertzwerk.runtime.sweeps import store
+from hertzwerk.runtime.sweeps.kept import poincare
 
 CRANK = {"duration": "6 rev", "tolerance": 1e-7, "compiled": False, "workers": 1}
 BALL = {"duration": "2 s", "tolerance": 1e-10, "compiled": False, "workers": 1}

@@ -6,17 +6,14 @@ import csv
 import io
 import json
 import zlib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 import numpy as np
 
 from hertzwerk.runtime.solution.solution import write
-
-if TYPE_CHECKING:
-    from hertzwerk.runtime.sweeps.sweep_table import Row, Sweep
 
 FORMAT = "<f8"
 
@@ -40,42 +37,63 @@ class Packed:
         return np.frombuffer(zlib.decompress(self.data), dtype=FORMAT).reshape(self.shape)
 
 
+class KeepsArrays(Protocol):
+    """Row of a sweep."""
+
+    @property
+    def index(self) -> int:
+        """Number of the row."""
+
+    @property
+    def outcome(self) -> str:
+        """Name of its outcome."""
+
+    @property
+    def arrays(self) -> Mapping[str, Packed]:
+        """Points as (points, names)."""
+
+    def __getitem__(self, name: str) -> float | str: ...
+
+
 class Arrays:
-    """Histories of every row at times of its own; `arrays["guide.travel"]`: an array (points,) for each, SI.
+    """Histories of every row at times of its own; `arrays["guide.travel"]` has an array (points,) each.
 
     name    "section" or "histories"
-    units    unit text by name, "t" the first
+    units    SI unit text by name, "t" the first
+    varied    SI unit text of what was varied
     """
 
-    def __init__(self, sweep: Sweep, name: str) -> None:
-        self.name, self.units = name, sweep.arrays[name]
-        self._sweep = sweep
+    def __init__(
+        self, name: str, scene: str, units: Mapping[str, str], varied: Mapping[str, str], rows: Sequence[KeepsArrays]
+    ) -> None:
+        self.name, self.scene, self.units, self.varied = name, scene, units, varied
+        self._rows = rows
 
     def __repr__(self) -> str:
-        return f"<{self.name} of {self._sweep.scene}: {self.points:,} points in {len(self):,} rows of {', '.join(self.units)}>"
+        return f"<{self.name} of {self.scene}: {self.points:,} points in {len(self):,} rows of {', '.join(self.units)}>"
 
     @property
     def points(self) -> int:
         """Number of points of all rows."""
-        return sum(row.arrays[self.name].shape[0] for row in self._sweep if self.name in row.arrays)
+        return sum(row.arrays[self.name].shape[0] for row in self._rows if self.name in row.arrays)
 
     def __len__(self) -> int:
-        return len(self._sweep)
+        return len(self._rows)
 
     def __iter__(self) -> Iterator[dict[str, np.ndarray]]:
-        return map(self.of, self._sweep)
+        return map(self.of, self._rows)
 
     def __getitem__(self, name: str) -> list[np.ndarray]:
         if name not in self.units:
             raise KeyError(f"no array {name!r}; there are {', '.join(self.units)}")
         column = list(self.units).index(name)
-        return [self._table(row)[:, column] for row in self._sweep]
+        return [self._table(row)[:, column] for row in self._rows]
 
-    def of(self, row: Row) -> dict[str, np.ndarray]:
+    def of(self, row: KeepsArrays) -> dict[str, np.ndarray]:
         """Return the arrays (points,) of a row by name; of a row without a run they are empty."""
         return dict(zip(self.units, self._table(row).T, strict=True))
 
-    def _table(self, row: Row) -> np.ndarray:
+    def _table(self, row: KeepsArrays) -> np.ndarray:
         """Return the points of a row as (points, names)."""
         packed = row.arrays.get(self.name)
         return np.zeros((0, len(self.units))) if packed is None else packed.array
@@ -86,17 +104,17 @@ class Arrays:
         Raises FileExistsError.
         """
         text = io.StringIO()
-        varied = {name: self._sweep.unit(name) for name in self._sweep.varied}
-        heads = (f"{name} [{unit}]" if unit else name for name, unit in (*varied.items(), *self.units.items()))
+        columns = (*self.varied.items(), *self.units.items())
+        heads = (f"{name} [{unit}]" if unit else name for name, unit in columns)
         csv.writer(text, lineterminator="\n").writerow(["row", *heads])
-        for row in self._sweep:
-            before = ",".join([str(row.index), *(format(row[name], ".17g") for name in varied)])
+        for row in self._rows:
+            before = ",".join([str(row.index), *(format(row[name], ".17g") for name in self.varied)])
             np.savetxt(text, self._table(row), delimiter=",", fmt=f"{before},%.17g" + ",%.17g" * (len(self.units) - 1))
         return write(Path(path), text.getvalue().encode(), overwrite=overwrite)
 
     def csv_size(self) -> int:
         """Estimate the size [bytes] of the file that `to_csv` would write."""
-        return self.points * NUMBER * (1 + len(self._sweep.varied) + len(self.units))
+        return self.points * NUMBER * (1 + len(self.varied) + len(self.units))
 
     def to_json(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write scene, units, and the values and arrays of every row as JSON; raises FileExistsError."""
@@ -104,19 +122,18 @@ class Arrays:
 
     def record(self) -> dict[str, Any]:
         """Return everything as plain data, null for what is no number."""
-        sweep = self._sweep
         return {
-            "scene": sweep.scene,
+            "scene": self.scene,
             "kind": self.name,
-            "units": {**{name: sweep.unit(name) for name in sweep.varied}, **self.units},
+            "units": {**self.varied, **self.units},
             "rows": [
                 {
                     "row": row.index,
                     "outcome": row.outcome,
-                    "values": _nulled({name: float(row[name]) for name in sweep.varied}),
+                    "values": _nulled({name: float(row[name]) for name in self.varied}),
                     "arrays": {name: _listed(array) for name, array in self.of(row).items()},
                 }
-                for row in sweep
+                for row in self._rows
             ],
         }
 

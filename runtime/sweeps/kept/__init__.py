@@ -1,0 +1,1 @@
+"""Arrays that rows of a sweep keep: sections and histories."""
