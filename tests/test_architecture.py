@@ -16,7 +16,11 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 SIDES = ("derive", "runtime")
-HALLS = {("runtime", "integrate"), ("runtime", "pictures")}  # whose sub-folders are rooms of their own
+HALLS = {
+    ("runtime", "integrate"),
+    ("runtime", "pictures"),
+    ("runtime", "sweeps"),
+}  # whose sub-folders are rooms of their own
 
 # Rooms are folders, and the loose files beside them; "." is the folder's own __init__. The arrows are all there are, in functions and under
 # TYPE_CHECKING too. Rooms of the same side go by their name alone.

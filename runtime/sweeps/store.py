@@ -29,8 +29,8 @@ from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.runtime.host.folder import unwritable
 from hertzwerk.runtime.host.scratch import UNFINISHED, write_atomically
 from hertzwerk.runtime.solution.outcome import Outcome
-from hertzwerk.runtime.sweeps.kept.array_table import Packed
 from hertzwerk.runtime.sweeps.definition import differences
+from hertzwerk.runtime.sweeps.kept.array_table import Packed
 from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, Row, Sweep
 
 DEFINITION, MODEL, ROWS, TABLE, LOCK = "definition.json", "model.py", "rows.sqlite", "table.csv", "lock"
