@@ -178,7 +178,7 @@ def _solution_of(
             *(() if run.start is not None else pressed(model, bound, run.given.initial, run.given.q, run.given.u)),
             *bound.warnings,
             *floored(counted["floored"], run.floor),
-            *too_fast(model, trace.speeds),
+            *too_fast(model, bound, trace.findings),
             *uncompiled(run.engine.code),
             *found,
         ),

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+import casadi as ca
 import numpy as np
 
 BLOCKS = (256, 64, 16, 4, 1)  # rows per call of a mapped function
@@ -66,19 +67,15 @@ class Callers:
         self._free.append(caller)
 
 
-class Rowwise:
-    """CasADi function of columns, applied to tables row by row; one argument is the same for all rows.
+class Blocks:
+    """Function of one row made one of blocks of fixed sizes, once, so that a call builds nothing.
 
-    It is mapped to blocks of fixed sizes, once: a call builds nothing and computes no surplus rows.
-
-    functions  those blocks, largest first
+    functions  of those blocks, by `sizes`, the largest first
     """
 
-    def __init__(self, function: Any, constant: int) -> None:
-        self._constant = constant
-        self._sizes = [function.size1_out(i) for i in range(function.n_out())]
-        self.functions = [function.map(f"{function.name()}_{rows}", "serial", rows, [constant], []) for rows in BLOCKS]
-        self.use(self.functions)
+    def __init__(self, sizes: Sequence[int], functions: Sequence[Any]) -> None:
+        self._sizes, self.functions = sizes, functions
+        self.use(functions)
 
     @property
     def compiled(self) -> bool:
@@ -87,12 +84,68 @@ class Rowwise:
 
     def use(self, functions: Sequence[Any]) -> None:
         """Call these functions in place of `functions`: the same, compiled."""
-        self._blocks = [(rows, Callers(function)) for rows, function in zip(BLOCKS, functions, strict=True)]
+        self._blocks = [(rows, Callers(function)) for rows, function in zip(self._sizes, functions, strict=True)]
+
+
+class Scan(Blocks):
+    """CasADi function (constant, carried, row) -> carried, applied to the rows of a table one after another.
+
+    A row that is repeated must change nothing that counts: the last block is filled up with the last row.
+    """
+
+    def __init__(self, function: Any) -> None:
+        self._width = function.size1_out(0)
+        many, made = function, {}
+        for kind, count in ((ca.SX, 4), (ca.MX, 8), (ca.MX, 8)):  # the innermost are written out: a call costs
+            columns = many.size2_in(2)
+            names = ("constant", "carried", "rows")
+            constant, carried, rows = given = [
+                kind.sym(name, many.size1_in(i), count * columns if i == 2 else 1) for i, name in enumerate(names)
+            ]
+            found: list[Any] = []
+            for part in ca.horzsplit(rows, columns):
+                found.append(many(constant, found[-1][:, -1] if found else carried, part))
+            many = ca.Function(f"{function.name()}_{count * columns}", given, [ca.horzcat(*found)])
+            made[count * columns] = many
+        sizes = sorted(made)[:0:-1]
+        super().__init__(sizes, [made[size] for size in sizes])
+
+    def __call__(self, constant: np.ndarray, carried: np.ndarray, table: np.ndarray) -> np.ndarray:
+        """Return what is carried after each row of a table, shape (rows, size)."""
+        count, first = len(table), 0
+        found = np.empty((count, self._width))
+        for rows, callers in self._blocks:
+            if count - first < rows and rows != self._sizes[-1]:
+                continue
+            caller = callers.take()
+            caller.inputs[0][:] = constant
+            while count - first >= rows or (first < count and rows == self._sizes[-1]):
+                part = table[first : first + rows]
+                caller.inputs[1][:] = carried
+                caller.inputs[2][: len(part)] = part
+                caller.inputs[2][len(part) :] = part[-1]
+                found[first : first + rows] = caller()[0][: len(part)]
+                carried, first = found[first + len(part) - 1], first + len(part)
+            callers.give_back(caller)
+        return found
+
+
+class Rowwise(Blocks):
+    """CasADi function of columns, applied to tables row by row; one argument is the same for all rows.
+
+    A call computes no surplus rows.
+    """
+
+    def __init__(self, function: Any, constant: int) -> None:
+        self._constant = constant
+        self._widths = [function.size1_out(i) for i in range(function.n_out())]
+        name = function.name()
+        super().__init__(BLOCKS, [function.map(f"{name}_{rows}", "serial", rows, [constant], []) for rows in BLOCKS])
 
     def __call__(self, constant: np.ndarray, *tables: np.ndarray) -> list[np.ndarray]:
         """Return results (rows, size) for the other arguments' tables (rows, size), in the function's order."""
         count, first = len(tables[0]), 0
-        results = [np.empty((count, size)) for size in self._sizes]
+        results = [np.empty((count, size)) for size in self._widths]
         for rows, callers in self._blocks:
             if count - first < rows:
                 continue

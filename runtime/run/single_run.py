@@ -18,11 +18,9 @@ from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.run.engine import Engine, engine_for
 from hertzwerk.runtime.run.recorder import BLOCK, Grid, Recorder, Steps
 from hertzwerk.runtime.run.request import Inputs, Limits, Settings
-from hertzwerk.runtime.run.warnings import approach_speeds
 from hertzwerk.runtime.solution import scales as scaling
 from hertzwerk.runtime.solution.findings import EVERYTHING, Findings, Needs, Observer
 from hertzwerk.runtime.solution.history import History
-from hertzwerk.runtime.solution.impacts import ApproachSpeeds
 from hertzwerk.runtime.solution.outcome import Outcome, outcome
 from hertzwerk.runtime.solution.scales import Scales
 
@@ -101,9 +99,8 @@ class SingleRun:
         findings = Findings(
             self.model, self.method, needs=needs, duration=given.seconds, period=given.period, begin=self.begin
         )
-        speeds = tuple(approach_speeds(self.model, given.bound))
         other = kept if further is None or alone else Grid(further)
-        observers: list[Observer] = [kept] if alone else [kept, findings, *speeds]
+        observers: list[Observer] = [kept] if alone else [kept, findings]
         if other is not kept:
             observers.append(other)
         before = (self.provider.compile_s, self.provider.build_s) if self.provider else (0.0, 0.0)
@@ -115,7 +112,6 @@ class SingleRun:
             kept=kept,
             further=other,
             findings=findings,
-            speeds=speeds,
             counted={
                 name: int(ending.last[row]) - self.initial_count(name) for name, row in self.engine.counters.items()
             },
@@ -214,7 +210,6 @@ class Trace:
     kept: Steps | Grid
     further: Steps | Grid
     findings: Findings
-    speeds: tuple[ApproachSpeeds, ...]
     counted: Mapping[str, int]
     compiled: bool
     compile_s: float

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 import numpy as np
 
 from hertzwerk.runtime.integrate.loop.automatic import Code
 from hertzwerk.runtime.model.model import Bound, Model
+from hertzwerk.runtime.solution.findings import Findings
 from hertzwerk.runtime.solution.history import constraint_force
-from hertzwerk.runtime.solution.impacts import ApproachSpeeds, Track
 
 
 def unchecked(model: Model) -> tuple[str, ...]:
@@ -30,24 +30,22 @@ def open_forces(model: Model, bound: Bound, q: np.ndarray) -> Iterator[str]:
         yield f"redundant constraints leave these forces undetermined; those of least norm are given: {', '.join(names)}"
 
 
-def approach_speeds(model: Model, bound: Bound) -> Iterator[ApproachSpeeds]:
-    """Yield observers of the pairs whose compliant law has a speed limit [m/s] (material with a density)."""
-    pairs = getattr(model.module, "SPEED_LIMITED", ())
-    limits = model.evaluate("speed_limits", bound.p)[0] if pairs else ()
-    for pair, limit in zip(pairs, limits, strict=True):
-        yield ApproachSpeeds(float(limit), Track(model.pairs.index(pair)))
-
-
-def too_fast(model: Model, speeds: Sequence[ApproachSpeeds]) -> Iterator[str]:
-    """Yield a warning of contacts faster than their compliant law allows, of all pairs together."""
-    over, count = sum(seen.over for seen in speeds), sum(seen.count for seen in speeds)
-    if not over:
+def too_fast(model: Model, bound: Bound, findings: Findings) -> Iterator[str]:
+    """Yield a warning of contacts faster than their compliant law allows (material with a density), of all pairs together."""
+    limited = getattr(model.module, "SPEED_LIMITED", ())
+    if not limited:
         return
-    pairs = [model.pairs[seen.track.pair] for seen in speeds if seen.over]
-    worst, limit = max(seen.worst for seen in speeds), min(seen.limit for seen in speeds if seen.over)
+    limits = np.full(model.k, np.nan)
+    limits[[model.pairs.index(pair) for pair in limited]] = model.evaluate("speed_limits", bound.p)[0]
+    pair, _, speed, _ = findings.contacts.T
+    limit = limits[pair.astype(int)]
+    over, known = speed > limit, np.isfinite(limit)
+    if not over.any():
+        return
+    pairs = ", ".join(name for name in limited if model.pairs.index(name) in pair[over])
     yield (
-        f"{over} of {count} impacts of {', '.join(pairs)} exceed the law's limit "
-        f"v0 <= 1e-5*sqrt(E/rho) = {limit:.3g} m/s (worst {worst:.3g} m/s)"
+        f"{over.sum()} of {known.sum()} impacts of {pairs} exceed the law's limit "
+        f"v0 <= 1e-5*sqrt(E/rho) = {limit[over].min():.3g} m/s (worst {speed[known].max():.3g} m/s)"
     )
 
 

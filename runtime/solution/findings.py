@@ -8,22 +8,25 @@ from __future__ import annotations
 import enum
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol, TypeVar
 
 import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.host.lazy import cached_property
-from hertzwerk.runtime.solution.choices import Choice, Choices
-from hertzwerk.runtime.solution.history import energies_of, part_of_step, rowwise
-from hertzwerk.runtime.solution.impacts import Contacts, Impact, crest
+from hertzwerk.runtime.integrate.loop.choose import EXPLICIT, IMPLICIT, STIFF
+from hertzwerk.runtime.solution.history import part_of_step
+from hertzwerk.runtime.solution.impacts import crest
 from hertzwerk.runtime.solution.sums import Summing, Sums, inner
+from hertzwerk.runtime.solution.watch import Watch, following
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.loop.attempt import Integrator
-    from hertzwerk.runtime.model.caller import Rowwise
+    from hertzwerk.runtime.model.caller import Blocks
     from hertzwerk.runtime.model.model import Model
     from hertzwerk.runtime.solution.history import History
+    from hertzwerk.runtime.solution.impacts import Impact
 
 
 INTERVALS = 240  # with sums, of a run that has no period
@@ -43,14 +46,20 @@ class Needs(enum.Flag):
 EVERYTHING = Needs.IMPACTS | Needs.SUMS | Needs.CHOICES
 
 
-def finders(model: Model, integrator: Integrator, needs: Needs) -> list[Rowwise]:
+def finders(model: Model, integrator: Integrator, needs: Needs) -> list[Blocks]:
     """Return the functions that find what is needed in runs by the integrator's first method."""
-    found = [energies_of(model, integrator)] if model.has_ledger else []
+    found: list[Blocks] = [following(model, integrator)] if is_watched(model, needs) else []
     if needs & (Needs.IMPACTS | Needs.STEPS):
-        found += [crest(model, integrator, 0), part_of_step(model, integrator, 0), rowwise(model, "outputs", 3)]
+        found.append(crest(model, integrator, 0))
     if needs & (Needs.SUMS | Needs.STEPS):
         found += [part_of_step(model, integrator, 0), *(inner(model, j) for j in range(model.k))]
     return list(dict.fromkeys(found))
+
+
+def is_watched(model: Model, needs: Needs) -> bool:
+    """Return whether steps are watched: for impacts, a balance of energy, or a limit of the approach speed."""
+    limited = bool(getattr(model.module, "SPEED_LIMITED", ()))
+    return model.has_ledger or (model.k > 0 and (limited or bool(needs & (Needs.IMPACTS | Needs.STEPS))))
 
 
 class Observer(Protocol):
@@ -66,56 +75,37 @@ class Observer(Protocol):
 Seen = TypeVar("Seen", bound=Observer)
 
 
-EPSILON = float(np.finfo(float).eps)
-SMALL = 1e-6  # of the scene's energy scale: least energy that errors are relative to
+@dataclass(frozen=True)
+class Choice:
+    """Start t [s] of "explicit" or "implicit" steps, and the reason."""
+
+    t: float
+    method: str
+    reason: str
 
 
-class Balance:
-    """Observer of the energy balance: energy - initial energy + dissipated - input should stay zero.
-
-    Measured by the energy that the run moves: the largest kinetic energy, energy dissipated or put in, or change of
-    potential energy. The total energy is no measure, since the zero of the potential is arbitrary.
-    """
+class Choices:
+    """Observer of the choices of `method="auto"`: the first method and every change."""
 
     def __init__(self) -> None:
-        self._start: np.ndarray | None = None
-        self._largest = self._error = self._scale = self._size = 0.0
-        self._rows = 0
-        self._finite = True
+        self.made: list[Choice] = []
 
     def take(self, block: History, fresh: int) -> None:
         """Take the next accepted steps; see `Observer`."""
-        parts = block.balance
-        size = float(np.abs(parts).max())
-        self._finite = self._finite and math.isfinite(size)
-        if not self._finite:
-            return
-        if self._start is None:
-            self._start = parts[:, :1]
-            self._scale = block.energy_scale
-            self._largest = SMALL * self._scale
-        self._rows += len(block.rows) - fresh
-        self._size = max(self._size, size)
-        kinetic, potential, dissipated, given = change = parts - self._start
-        self._largest = max(self._largest, float(parts[0].max()), float(np.abs(change[1:]).max()))
-        self._error = max(self._error, float(np.abs(kinetic + potential + dissipated - given).max()))
-
-    @property
-    def residual(self) -> float | None:
-        """Return the largest error over the largest energy moved; None where something was not finite."""
-        return self._error / self._largest if self._finite and self._largest > 0 else None
-
-    @property
-    def unclosed(self) -> float:
-        """Return the largest error beyond rounding over the largest energy moved or the scene's energy scale.
-
-        The larger of the two: a run's accuracy is relative to its scales, however little moves. 0 where something was
-        not finite, which ends a run by itself.
-        """
-        measure = max(self._largest, self._scale)
-        # of energies that are large because their zero is far, and of sums over steps
-        rounding = EPSILON * self._rows * self._size
-        return max(self._error - rounding, 0.0) / measure if self._finite and measure > 0 else 0.0
+        method, stiffness, pressure = (block.part(part)[:, 0] for part in ("method", "stiffness", "pressure"))
+        if not fresh:
+            self.made.append(Choice(float(block.t[0]), "explicit", "runs begin with explicit steps"))
+        first = max(fresh, 1)
+        for i in first + np.flatnonzero(method[first:] != method[first - 1 : -1]):
+            if method[i] == EXPLICIT and pressure[i] > 0:
+                reason = "a singular position is near, where the Jacobian does not predict the motion beyond"
+            elif method[i] == EXPLICIT:
+                reason = f"step x fastest rate fell to {stiffness[i]:.2g}: explicit steps are as long, and cheaper"
+            elif stiffness[i] > STIFF:
+                reason = f"step x fastest rate = {stiffness[i]:.2g}: stability holds explicit steps down, not accuracy"
+            else:
+                reason = "step after step crossed the layer in which friction reverses: the pair sticks"
+            self.made.append(Choice(float(block.t[i]), "implicit" if method[i] == IMPLICIT else "explicit", reason))
 
 
 class Findings:
@@ -141,8 +131,7 @@ class Findings:
         self._later = Needs.STEPS in needs
         self._needs = EVERYTHING if self._later else needs
         self._steps: list[History] = []
-        self._balance = Balance() if model.has_ledger else None
-        self._contacts = Contacts(model) if Needs.IMPACTS in self._needs else None
+        self._watch = Watch(model, peaks=Needs.IMPACTS in self._needs) if is_watched(model, needs) else None
         self._choices = Choices() if method == "auto" and Needs.CHOICES in self._needs else None
         self._summing = self._new_sums(None) if Needs.SUMS in needs and not self._later else None
 
@@ -167,7 +156,7 @@ class Findings:
         if self._later:
             self._steps.append(block)
             return
-        for observer in (self._contacts, self._balance, self._choices, self._summing):
+        for observer in (self._watch, self._choices, self._summing):
             if observer is not None:
                 observer.take(block, fresh)
 
@@ -182,24 +171,29 @@ class Findings:
         return observer
 
     @cached_property
+    def _watched(self) -> Watch | None:
+        return None if self._watch is None else self._observed(self._watch)
+
+    @property
+    def contacts(self) -> np.ndarray:
+        """See `Watch.contacts`; none where they are not watched."""
+        return np.zeros((0, 4)) if self._watched is None else self._watched.contacts
+
+    @cached_property
     def impacts(self) -> tuple[Impact, ...]:
         """Every contact in the order of its onset."""
         self._needed(Needs.IMPACTS)
-        return () if self._contacts is None else self._observed(self._contacts).impacts()
-
-    @cached_property
-    def _balanced(self) -> Balance | None:
-        return None if self._balance is None else self._observed(self._balance)
+        return () if self._watched is None else self._watched.impacts()
 
     @cached_property
     def energy_residual(self) -> float | None:
         """See `Solution.energy_residual`."""
-        return None if self._balanced is None else self._balanced.residual
+        return self._watched.residual if self._watched is not None and self._model.has_ledger else None
 
     @cached_property
     def energy_unclosed(self) -> float:
-        """See `Balance.unclosed`; 0 without a ledger."""
-        return 0.0 if self._balanced is None else self._balanced.unclosed
+        """See `Watch.unclosed`; 0 without a ledger."""
+        return self._watched.unclosed if self._watched is not None and self._model.has_ledger else 0.0
 
     @cached_property
     def choices(self) -> tuple[Choice, ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from difflib import get_close_matches
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -79,10 +80,11 @@ class History:
 
     def columns(self, name: str) -> slice:
         """Return the columns of a part in a row."""
-        return self._engine.layouts.state[name]
+        return self.engine.layouts.state[name]
 
     @property
-    def _engine(self) -> Integrator:
+    def engine(self) -> Integrator:
+        """Functions that the rows came from."""
         if self.integrator is None:
             raise ValueError("a saved run has histories but not the rows and functions they came from; simulate again")
         return self.integrator
@@ -126,13 +128,13 @@ class History:
     @cached_property
     def balance(self) -> np.ndarray:
         """Kinetic and potential energy, energy dissipated and put in as booked [J], shape (4, rows)."""
-        (found,) = energies_of(self.model, self._engine)(self.controls, self.rows)
+        (found,) = energies_of(self.model, self.engine)(self.controls, self.rows)
         return found.T
 
     @property
     def energy_scale(self) -> float:
         """The scene's energy scale [J]."""
-        return float(self.controls[self._engine.layouts.controls["scales"]][3])
+        return float(self.controls[self.engine.layouts.controls["scales"]][3])
 
     def _of_pair(self, pair: str, part: str, j: int) -> np.ndarray:
         mode = self.part("mode")[:, j]
@@ -155,8 +157,8 @@ class History:
         eccentricity = [self[self.model.outputs[i]] for i in self.model.journals.get(pair, ())]
         if not eccentricity:
             return event
-        e = np.sqrt(sum(part * part for part in eccentricity))
-        distance: np.ndarray = event + np.sqrt(event * event + e * e) - e
+        squared = sum(part * part for part in eccentricity)
+        distance: np.ndarray = event + np.sqrt(event * event + squared) - np.sqrt(squared)
         return distance
 
     def map(self, function: str, arguments: str) -> list[np.ndarray]:
@@ -218,25 +220,29 @@ class History:
         """
         later: np.ndarray = rows.copy()
         moving = np.flatnonzero(h)
-        later[moving] = self.within_steps(part_of_step, rows[moving], h[moving, None])
+        if not len(moving):
+            return later
+        to, of = _in_trial(self.model, self.engine)
+        later[moving[:, None], to] = self.by_method(part_of_step, rows[moving], h[moving, None])[:, of]
         return later
 
-    def within_steps(
+    def by_method(
         self, function: Callable[[Model, Integrator, int], Rowwise], rows: np.ndarray, *tables: np.ndarray
     ) -> np.ndarray:
-        """Return the rows (n, ns) at the ends of parts of steps from others, each by that row's method.
+        """Return results (n, size) of a function of rows (n, ns), each by that row's method.
 
-        function    returns (state, controls, *tables) -> trial for a method
+        function    returns (controls, state, *tables) -> result for a method
         """
-        ends: np.ndarray = rows.copy()
-        to, of = _in_trial(self.model, self._engine)
         methods = rows[:, self.columns("method")][:, 0]
-        for method in set(methods.tolist()):
-            here = np.flatnonzero(methods == method)
-            evaluate = function(self.model, self._engine, int(method))
-            (trial,) = evaluate(self.controls, rows[here], *(table[here] for table in tables))
-            ends[here[:, None], to] = trial[:, of]
-        return ends
+        order, parts = np.argsort(methods, kind="stable"), []
+        for method in np.unique(methods):
+            here = methods == method
+            evaluate = function(self.model, self.engine, int(method))
+            parts += evaluate(self.controls, rows[here], *(table[here] for table in tables))
+        joined = np.concatenate(parts)
+        found = np.empty_like(joined)
+        found[order] = joined
+        return found
 
     def of(self, rows: np.ndarray) -> History:
         """Return histories over other rows (n, ns) of the same run."""
@@ -279,16 +285,21 @@ def energies_of(model: Model, integrator: Integrator) -> Rowwise:
     """Return the function (controls, state) -> energies [J]: kinetic, potential, dissipated, put in."""
     vectors = integrator.layouts
     controls, state = vectors.controls.symbol("controls"), vectors.state.symbol("state")
-    at, nq, nu = vectors.state.split(state), model.nq, model.nu
+    found = energies_at(model, vectors.state.split(state), vectors.controls.split(controls)["c"])
+    return Rowwise(ca.Function("energies", [controls, state], [found]), constant=0)
+
+
+def energies_at(model: Model, at: Mapping[str, Any], c: Any) -> Any:
+    """Return the expressions (4,) of these energies [J] in the parts of a state."""
+    nq, nu = model.nq, model.nu
     q, u, z = at["y"][:nq], at["y"][nq : nq + nu], at["y"][nq + nu :]
-    kinetic, potential, stored = model.function("energy")(at["t"], q, u, vectors.controls.split(controls)["c"])
+    kinetic, potential, stored = model.function("energy")(at["t"], q, u, c)
     touching = ca.sum1(ca.if_else(at["mode"] == CONTACT, stored, 0))
     dissipated, given = (
         ca.sum1(z[[i for i, name in enumerate(model.memory) if name.endswith(end)]])
         for end in (".dissipated", ".input")
     )
-    found = ca.densify(ca.vertcat(kinetic, potential + touching, dissipated, given))
-    return Rowwise(ca.Function("energies", [controls, state], [found]), constant=0)
+    return ca.densify(ca.vertcat(kinetic, potential + touching, dissipated, given))
 
 
 @per_model

@@ -1,18 +1,15 @@
-"""Contacts of a run: onset, approach speed, duration, largest force and penetration.
-
-They are found as the run proceeds.
-"""
+"""Contacts of a run: onset, approach speed, duration, largest force and penetration, found within the steps."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 import numpy as np
 
-from hertzwerk.runtime.integrate.step.layout import CONTACT, RELEASED
+from hertzwerk.runtime.integrate.step.layout import FLIGHT
 from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -22,8 +19,8 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.solution.history import History
 
 PEAK = 1e-5
-TOGETHER = 256  # contacts whose peaks are found at once
 TRIES = (4, 8)  # most iterations, nested: groups of them, and iterations of a group
+KINDS = (("force", "force_rate", +1), ("gap", "gap_rate", -1))  # sign * part peaks: normal force and penetration
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,281 +38,118 @@ class Impact:
     peak_penetration: float
 
 
-@dataclass
-class Track:
-    """Begins and ends of one pair's contacts, block by block: from a row in contact to the next in flight.
+def peaks(history: History, pairs: np.ndarray, tops: np.ndarray) -> np.ndarray:
+    """Return the peak normal forces [N] and penetrations [m] of contacts of pairs (n,), shape (n, 2).
 
-    Between them it may be released and touch again.
+    The largest in the rows, or within the steps beside it.
+
+    tops    by KINDS the row of the largest value, between its neighbours (n, kinds, 3, ns)
     """
-
-    pair: int
-    open: bool = False
-
-    def take(self, block: History, fresh: int) -> tuple[np.ndarray, np.ndarray]:
-        """Return the rows at which contacts begin, and those at which gaps have opened after them."""
-        mode = block.part("mode")[:, self.pair]
-        rows = np.flatnonzero(mode[max(fresh, 1) :] != mode[max(fresh, 1) - 1 : -1]) + max(fresh, 1)
-        if not fresh:
-            rows = np.append(0, rows)
-        rows = rows[mode[rows] != RELEASED]
-        touching = mode[rows] == CONTACT
-        changes = touching != np.append(self.open, touching[:-1])
-        self.open = bool(touching[-1]) if len(rows) else self.open
-        return rows[changes & touching], rows[changes & ~touching]
-
-
-@dataclass
-class ApproachSpeeds:
-    """Observer of one pair's contacts: their number, those faster than a limit [m/s], the fastest [m/s]."""
-
-    limit: float
-    track: Track
-    count: int = 0
-    over: int = 0
-    worst: float = 0.0
-
-    def take(self, block: History, fresh: int) -> None:
-        """Take the next accepted steps; see `Observer`."""
-        begins, _ = self.track.take(block, fresh)
-        speeds = -block.part("gap_rate")[begins, self.track.pair]
-        self.count += len(speeds)
-        self.over += int(np.sum(speeds > self.limit))
-        self.worst = float(np.max(speeds, initial=self.worst))
-
-
-_PEAKS = (("force", "force_rate", +1, "normal_force"), ("gap", "gap_rate", -1, "penetration"))  # sign * part peaks
-
-
-@dataclass(frozen=True)
-class _Contacts:
-    """Contacts of one pair, with what is known of their peaks.
-
-    t, speed  onset (n,) [s], approach speed (n,) [m/s]
-    left  time of the first row after the last one in contact (n,) [s]; nan while that is the last row
-    tops  by the kinds of _PEAKS the row of the largest value so far, between its neighbours (n, kinds, 3, ns): the row
-          itself in place of a neighbour that is not there, or not yet
-    value, at_end  of those rows: sign * value, and whether the next row is not known yet (n, kinds)
-    """
-
-    LASTING: ClassVar = ("t", "speed", "left", "tops")  # what is of use when it is over
-
-    t: np.ndarray
-    speed: np.ndarray
-    left: np.ndarray
-    tops: np.ndarray
-    value: np.ndarray
-    at_end: np.ndarray
-
-    def some(self, rows: range) -> _Contacts:
-        """Return some of the contacts, copied."""
-        return _Contacts(*(part[list(rows)] for part in vars(self).values()))
-
-
-class _Pair:
-    """Contacts of one pair, block by block."""
-
-    def __init__(self, j: int) -> None:
-        self.track = Track(j)
-        self.open: _Contacts | None = None  # the one that is not over
-        self._age = 0  # of that one: rows since its onset
-
-    def take(self, block: History, fresh: int) -> _Contacts | None:
-        """Return the contacts that end in a block; None if there is none in it."""
-        onsets, stops = self.track.take(block, fresh)
-        if self.open is not None:
-            onsets = np.append(fresh - self._age, onsets)
-        if not len(onsets):
-            return None
-        over, count = len(stops), len(block.rows)
-        found = self._found(block, fresh, onsets, np.append(stops, count)[: len(onsets)])
-        self.open = found.some(range(over, over + 1)) if over < len(onsets) else None
-        self._age = count - int(onsets[-1])
-        return found.some(range(over))
-
-    def _found(self, block: History, fresh: int, onsets: np.ndarray, stops: np.ndarray) -> _Contacts:
-        """Return the contacts between rows of a block; one that was open may begin before it."""
-        j, t, before = self.track.pair, block.t, self.open
-        touching = block.part("mode")[:, j] == CONTACT
-        values = np.column_stack([sign * block.part(part)[:, j] for part, _, sign, _ in _PEAKS])
-        # the last row that was known may be a top: now the row after it is known
-        starts, first = np.maximum(onsets, fresh - 1), np.maximum(onsets, 0)
-        top = _largest(values, starts, stops)
-        near = np.stack([np.maximum(top - 1, first[:, None]), top, np.minimum(top + 1, len(t) - 1)], axis=2)
-        found = _Contacts(
-            t=t[first],
-            speed=np.maximum(0.0, -block.part("gap_rate")[first, j]),
-            left=_left(t, touching, starts, stops),
-            tops=block.rows[near],
-            value=np.take_along_axis(values, top, axis=0),
-            at_end=top + 1 == len(t),
-        )
-        if before is not None:
-            found.t[0], found.speed[0] = before.t[0], before.speed[0]
-            if not touching[-1] and np.isnan(found.left[0]):
-                found.left[0] = before.left[0]
-            kept = ~((found.value[0] > before.value[0]) | (before.at_end[0] & (top[0] == starts[0])))
-            for part in ("tops", "value", "at_end"):
-                getattr(found, part)[0, kept] = getattr(before, part)[0, kept]
-        return found
-
-
-def _largest(values: np.ndarray, starts: np.ndarray, stops: np.ndarray) -> np.ndarray:
-    """Return the row of the largest of some values (rows, kinds) in each range of rows, shape (n, kinds).
-
-    The first of them; a value that is no number counts as the largest.
-    """
-    lengths = stops - starts
-    begins = np.cumsum(lengths) - lengths
-    owner = np.repeat(np.arange(len(starts)), lengths)
-    rows = np.arange(len(owner)) + (starts - begins)[owner]
-    values = values[rows]
-    values[np.isnan(values)] = np.inf
-    is_largest = values == np.maximum.reduceat(values, begins, axis=0)[owner]
-    places = [np.flatnonzero(column) for column in is_largest.T]
-    return np.column_stack([rows[place[np.searchsorted(place, begins)]] for place in places])
-
-
-def _left(t: np.ndarray, touching: np.ndarray, starts: np.ndarray, stops: np.ndarray) -> np.ndarray:
-    """Return the time [s] of the last row in each range that follows a contact without being in one.
-
-    The row at its end counts. nan if there is none, and where the range reaches the last row of all, in contact.
-    """
-    leaves = np.flatnonzero(touching[:-1] & ~touching[1:]) + 1
-    last = np.searchsorted(leaves, stops, side="right") - 1
-    rows = np.append(leaves, 0)[last]
-    lasts = (stops == len(t)) & touching[-1]
-    return np.where((last >= 0) & (rows >= starts) & ~lasts, t[rows], np.nan)
-
-
-class Contacts:
-    """Observer of every contact of a run; keeps only rows beside the largest values of open contacts."""
-
-    def __init__(self, model: Model) -> None:
-        self._pairs = [_Pair(j) for j in range(model.k)]
-        self._found: list[np.ndarray] = []  # tables, see `_table`
-        self._over: list[list[_Contacts]] = [[] for _ in self._pairs]  # without a table
-        self._block: History | None = None
-
-    def take(self, block: History, fresh: int) -> None:
-        """Take the next accepted steps; see `Observer`."""
-        self._block = block
-        for pair, left in zip(self._pairs, self._over, strict=True):
-            over = pair.take(block, fresh)
-            if over is not None and len(over.t):
-                left.append(over)
-                if sum(len(some.t) for some in left) >= TOGETHER:
-                    self._found.append(_table(block, pair.track.pair, left))
-                    left.clear()
-
-    def impacts(self) -> tuple[Impact, ...]:
-        """Return every contact in the order of onset, open ones included.
-
-        Peaks are found within the steps, to the accuracy of the run.
-        """
-        block = self._block
-        if block is None:
-            return ()
-        tables = list(self._found)
-        for pair, over in zip(self._pairs, self._over, strict=True):
-            left = over if pair.open is None else [*over, pair.open]
-            if left:
-                tables.append(_table(block, pair.track.pair, left))
-        if not tables:
-            return ()
-        table = np.concatenate(tables)
-        table = table[np.lexsort((table[:, 0], table[:, 1]))]
-        names = block.model.pairs
-        return tuple(
-            Impact(names[int(j)], t, speed, force, duration if duration == duration else None, penetration)
-            for j, t, speed, force, duration, penetration in table.tolist()
-        )
-
-
-def _table(history: History, j: int, contacts: Sequence[_Contacts]) -> np.ndarray:
-    """Return a table (n, 6) of contacts, with their peaks.
-
-    Columns: pair, onset [s], approach speed [m/s], peak force [N], duration [s], nan if unfinished, peak penetration [m].
-    """
-    t, speed, left, tops = (np.concatenate([getattr(some, part) for some in contacts]) for part in _Contacts.LASTING)
-    with np.errstate(invalid="ignore"):  # a run that came to no good end may hold what is not a number
-        force, penetration = _peaks(history, j, tops).T
-        return np.stack([np.full(len(t), float(j)), t, speed, force, left - t, penetration], axis=1)
-
-
-def _peaks(history: History, j: int, tops: np.ndarray) -> np.ndarray:
-    """Return the peak values of a pair's contacts by their `tops`, shape (n, kinds).
-
-    The largest in the rows, or where sign * rate falls through zero within the steps beside it.
-    """
-    kinds, ns = tops.shape[1], tops.shape[-1]
-    lower, upper = (tops[:, :, side].reshape(-1, ns) for side in (slice(0, 2), slice(1, 3)))
-    place = np.arange(len(lower))
-    kind = place // 2 % kinds
-    column = np.array([history.columns(rate).start + j for _, rate, _, _ in _PEAKS])[kind]
-    sign = np.array([sign for _, _, sign, _ in _PEAKS])[kind]
-    at_low, at_high = (sign * side[place, column] for side in (lower, upper))
-    modes, h = history.columns("mode"), upper[:, 0] - lower[:, 0]
-    changed = np.flatnonzero(np.any(lower[:, modes] != upper[:, modes], axis=1))  # there the step ended otherwise
-    if len(changed):
-        ended = history.later(lower[changed], h[changed])
-        at_high[changed] = sign[changed] * ended[np.arange(len(changed)), column[changed]]
-    # a force begins with no slope, or none that is known, and rises
-    at_low = np.where(at_low == 0, np.abs(at_high), at_low)
-    within = np.flatnonzero((at_low > 0) & (at_high < 0))
-    rates = np.zeros((len(within), 2 * history.model.k))
-    rates[np.arange(len(within)), j + history.model.k * kind[within]] = sign[within]
-    sides = (x[within, None] for x in (h, at_low, at_high))
-    crests = history.within_steps(crest, lower[within], *sides, rates)
-    found = history.of(np.concatenate([tops[:, :, 1].reshape(-1, ns), crests]))
-    values = np.column_stack([found[f"{history.model.pairs[j]}.{name}"] for *_, name in _PEAKS])
-    count = kinds * len(tops)
-    peaks: np.ndarray = values[np.arange(count), np.arange(count) % kinds]
-    np.maximum.at(peaks, within // 2, values[count + np.arange(len(within)), kind[within]])
-    return peaks.reshape(-1, kinds)
+    count, kinds, _, ns = tops.shape
+    asked = np.zeros((count, kinds, 2, kinds * history.model.k))
+    for kind, (_, _, sign) in enumerate(KINDS):
+        asked[np.arange(count), kind, :, pairs + kind * history.model.k] = sign
+    sides = (tops[:, :, side].reshape(-1, ns) for side in (slice(0, 2), slice(1, 3)))
+    found = history.by_method(crest, *sides, asked.reshape(-1, asked.shape[-1])).reshape(count, kinds, 2, 3)
+    at_top, within = found[:, :, 0, 1], found[:, :, :, 2]
+    largest: np.ndarray = np.maximum(at_top, within.max(axis=2))
+    return largest
 
 
 @per_model
 def crest(model: Model, integrator: Integrator, method: int) -> Rowwise:
-    """Build the function (state, controls, h, at_low, at_high, rates) -> trial of a part of a step.
+    """Build the function (controls, state, upper, asked) -> values at a row, at the next, and at a crest between, or -inf.
 
-    The part ends where a rate falls through zero: `rates` (2 k) is its sign among the rates of all forces, then of all
-    gaps; it is at_low > 0 at the start of the step h [s], at_high < 0 at its end. Regula falsi in the form of
-    Anderson and Bjorck, BIT 13 (1973) 253. A peak is flat: its value is right to rounding when its time is to PEAK of
-    the step.
+    `asked` (2 k) is the sign of one value among the normal forces and gaps of all pairs; of a gap the value is the
+    penetration. A crest is where the rate of the value falls through zero in the step between the rows: by regula
+    falsi in the form of Anderson and Bjorck, BIT 13 (1973) 253. It is flat: its value is right to rounding when its
+    time is to PEAK of the step.
     """
     vectors = integrator.layouts
-    sizes = {"state": vectors.state.size, "controls": vectors.controls.size, "h": 1, "rates": 2 * model.k}
-    given: list[Any] = [ca.SX.sym(name, size) for name, size in sizes.items()]
-    state, controls, h, rates = given
-    search: Any = ca.SX.sym("search", 7)
+    sizes = {"controls": vectors.controls.size, "state": vectors.state.size, "asked": len(KINDS) * model.k}
+    controls, state, asked = (ca.SX.sym(name, size) for name, size in sizes.items())
+    trial, upper = vectors.trial.symbol("trial"), vectors.state.symbol("upper")
+    old, new, end = vectors.state.split(state), vectors.state.split(upper), vectors.trial.split(trial)
+    c = vectors.controls.split(controls)["c"]
+
+    def rate(parts: dict[str, Any]) -> Any:
+        of_each = ca.vertcat(*(parts[name] for _, name, _ in KINDS))
+        return ca.sum1(ca.if_else(asked == 0, 0, asked * of_each))
+
+    def value(parts: dict[str, Any], mode: Any) -> Any:
+        of_each = ca.vertcat(parts["force"], penetrations(model, parts, mode, c))
+        return ca.sum1(ca.if_else(asked == 0, 0, of_each))
+
+    h = new["t"] - old["t"]
+    changed = (h != 0) * ca.mmax(old["mode"] != new["mode"])  # there the step ended otherwise
+    rates = ca.vertcat(rate(old), ca.if_else(h == 0, rate(old), rate(new)))
+    values = ca.vertcat(value(old, old["mode"]), value(new, new["mode"]))
+    ends = ca.Function("ends", [controls, state, upper, asked], [h, changed, *ca.vertsplit(rates), values])
+    at_trial = ca.Function("at_trial", [controls, state, trial, asked], [rate(end), value(end, old["mode"])])
+
+    given: list[Any] = [ca.MX.sym(name, size) for name, size in {**sizes, "h": 1}.items()]
+    controls, state, asked, h = given
+
+    def at(h: Any) -> Any:
+        return at_trial(controls, state, integrator.step(method)(state, controls, h), asked)
+
+    at_high = ca.MX.sym("at_high")
+    as_taken = ca.Function("as_taken", [at_high, *given], [at_high])
+    end_of_step = ca.Function.if_else("end_of_step", ca.Function("whole", [at_high, *given], [at(h)[0]]), as_taken)
+    search = ca.MX.sym("search", 7)
+    root, judge = _regula_falsi()
+    rate_there, value_there = at(root(search))
+    found = ca.MX.sym("found")
+    once = ca.Function("once", [search, found, *given], [judge(search, rate_there, h), value_there])
+    kept = ca.Function("kept", [search, found, *given], [search, found])
+    for tries in TRIES:
+        searched, best = search, found
+        goes_on = ca.Function.if_else("goes_on", once, kept)
+        for _ in range(tries):
+            searched, best = goes_on(searched[6], searched, best, *given)
+        once = ca.Function("tried", [search, found, *given], [searched, best])
+    upper = ca.MX.sym("upper", vectors.state.size)
+    h, changed, at_low, at_high, values = ends(controls, state, upper, asked)
+    at_high = end_of_step(changed, at_high, controls, state, asked, h)
+    at_low = ca.if_else(
+        at_low == 0, ca.fabs(at_high), at_low
+    )  # a force begins with no slope, or none that is known, and rises
+    within = ca.logic_and(at_low > 0, at_high < 0)
+    _, best = once(ca.vertcat(0, h, at_low, at_high, -h, 0, within), -math.inf, controls, state, asked, h)
+    return Rowwise(ca.Function("crest", [controls, state, upper, asked], [ca.vertcat(values, best)]), constant=0)
+
+
+def _regula_falsi() -> tuple[Any, Any]:
+    """Return the functions search -> root, and (search, value at it, h) -> search after it.
+
+    A search is low, high, values at both, the root before, whether the value rose there, whether it goes on.
+    """
+    search, value, h = (ca.SX.sym(name, size) for name, size in (("search", 7), ("value", 1), ("h", 1)))
     low, high, at_low, at_high, before, rose, _ = ca.vertsplit(search)
     root = low + (high - low) * at_low / (at_low - at_high)
-    trial = integrator.step(method)(state, controls, root)
-    parts = vectors.trial.split(trial)
-    of_each = ca.vertcat(*(parts[rate] for _, rate, _, _ in _PEAKS))
-    value = ca.sum1(ca.if_else(rates == 0, 0, rates * of_each))
     above = value > 0
     rises = ca.if_else(above, 1, -1)
     weight = 1 - value / ca.if_else(above, at_low, at_high)
     weight = ca.if_else(rises != rose, 1, ca.if_else(weight > 0, weight, 0.5))
-    goes_on = (ca.fabs(root - before) > PEAK * h) * (value != 0)
-    after = ca.vertcat(
-        ca.if_else(above, root, low),
-        ca.if_else(above, high, root),
-        ca.if_else(above, value, at_low * weight),
-        ca.if_else(above, at_high * weight, value),
-        *(root, rises, goes_on),
+    after = (
+        *(ca.if_else(above, root, low), ca.if_else(above, high, root)),
+        *(ca.if_else(above, value, at_low * weight), ca.if_else(above, at_high * weight, value)),
+        *(root, rises, (ca.fabs(root - before) > PEAK * h) * (value != 0)),
     )
-    once = ca.Function("once", [search, ca.SX.sym("trial", vectors.trial.size), *given], [after, trial])
-    given = [ca.MX.sym(name, size) for name, size in sizes.items()]
-    for tries in TRIES:
-        first: list[Any] = [ca.MX.sym("search", 7), ca.MX.sym("trial", vectors.trial.size)]
-        found = ca.Function.if_else("found", once, ca.Function("kept", [*first, *given], first))
-        search, trial = first
-        for _ in range(tries):
-            search, trial = found(search[6], search, trial, *given)
-        once = ca.Function("tried", [*first, *given], [search, trial])
-    state, controls, h, rates = given
-    ends = [ca.MX.sym(name) for name in ("at_low", "at_high")]
-    _, trial = once(ca.vertcat(0, h, *ends, -h, 0, 1), ca.MX.zeros(vectors.trial.size), *given)
-    return Rowwise(ca.Function("crest", [state, controls, h, *ends, rates], [trial]), constant=1)
+    return ca.Function("root", [search], [root]), ca.Function("judge", [search, value, h], [ca.vertcat(*after)])
+
+
+def penetrations(model: Model, at: dict[str, Any], mode: Any, c: Any) -> Any:
+    """Return the penetration of every pair [m], an expression (k,) in the parts of a state and the modes.
+
+    The event function G of a pin in a bush is its gap to first order only; see `History`.
+    """
+    gaps = ca.vertsplit(at["gap"])
+    outputs = model.function("outputs")(at["t"], at["y"][: model.nq], at["y"][model.nq : model.nq + model.nu], c)
+    for j, pair in enumerate(model.pairs):
+        parts = [outputs[i] for i in model.journals.get(pair, ())]
+        if parts:
+            squared = sum(part * part for part in parts)
+            gaps[j] = gaps[j] + ca.sqrt(gaps[j] * gaps[j] + squared) - ca.sqrt(squared)
+    gap: Any = ca.vertcat(*gaps)
+    return ca.if_else(ca.logic_and(mode != FLIGHT, gap < 0), -gap, 0)

@@ -17,8 +17,7 @@ from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.solution import saved
 from hertzwerk.runtime.solution.averages import Average, Run, averages
 from hertzwerk.runtime.solution.checkpoint import Checkpoint
-from hertzwerk.runtime.solution.choices import Choice
-from hertzwerk.runtime.solution.findings import Findings
+from hertzwerk.runtime.solution.findings import Choice, Findings
 from hertzwerk.runtime.solution.history import History
 from hertzwerk.runtime.solution.impacts import Impact
 from hertzwerk.runtime.solution.outcome import Outcome

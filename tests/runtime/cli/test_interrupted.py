@@ -224,7 +224,7 @@ def test_what_fails_is_missing_alone_and_said_to_be(run, monkeypatch, place, nam
 
 
 def test_impacts_that_cannot_be_found_lose_no_data(run, monkeypatch):
-    monkeypatch.setattr("hertzwerk.runtime.solution.findings.Contacts.impacts", fails)
+    monkeypatch.setattr("hertzwerk.runtime.solution.findings.Watch.impacts", fails)
     code, said, told = run("--no-plots")
     assert code == 1
     assert told["impacts"] == []
