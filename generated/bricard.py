@@ -148,7 +148,7 @@ OPERATIONS = (
 
 
 def constants(p):
-    """What depends on the parameters alone, once per run.
+    """Quantities that depend on the parameters alone, once per run.
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
@@ -202,7 +202,7 @@ def start(p):
 
 
 def scales(p):
-    """Sizes that accuracy is measured by: of coordinates, speeds, memory; then length, speed, force, energy.
+    """Scales of errors: of coordinates, speeds and memory; then of length, speed, force and energy.
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
@@ -267,7 +267,7 @@ def gap_accelerations(t, q, u, a, c):
 
 
 def applied(t, q, u, c):
-    """Generalised forces of everything that is no contact.
+    """Generalised forces other than contact forces.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
@@ -308,7 +308,7 @@ def applied(t, q, u, c):
 
 
 def accelerations(t, q, u, f, c):
-    """Generalised accelerations a from M a = f - bias, and what each drive must supply.
+    """Generalised accelerations a from M a = f - bias, and the reactions of the drives.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; f: generalised forces; c: CONSTANTS.
     Returns, each a column vector:
@@ -882,7 +882,7 @@ def accelerations(t, q, u, f, c):
 
 
 def constraints(t, q, u, c):
-    """What must be zero for the loops to be closed, and its rate.
+    """Constraints, zero while the loops are closed, and their rates.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
@@ -1014,8 +1014,7 @@ def constraints(t, q, u, c):
 
 
 def projection(t, q, wanted, c):
-    """Speeds of least kinetic energy that change the constraints at the rates wanted, and what no other constraint
-    says of each.
+    """Change of speeds, of least kinetic energy, for the wanted rates of the constraints, and their independence.
 
     Arguments: t [s]; q: COORDINATES; wanted: rates of CONSTRAINTS; c: CONSTANTS.
     Returns, each a column vector:
@@ -1368,7 +1367,7 @@ def projection(t, q, wanted, c):
 
 
 def ledger(t, q, u, reactions, c):
-    """Power the drives put in, in its row of z.
+    """Power put in by drives, in its row of z.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
     Returns, each a column vector:
@@ -1378,7 +1377,7 @@ def ledger(t, q, u, reactions, c):
 
 
 def energy(t, q, u, c):
-    """Kinetic and potential energy, and what each pair's stiffness stores.
+    """Kinetic and potential energy, and the energy stored by each pair's stiffness.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
@@ -1558,8 +1557,7 @@ def outputs(t, q, u, c):
 
 
 def landmarks(p):
-    """What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes
-    of its body.
+    """Points, directions and sizes for pictures, row by row of LANDMARKS, along the axes of their bodies.
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:

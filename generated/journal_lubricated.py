@@ -159,7 +159,7 @@ OPERATIONS = (
 
 
 def constants(p):
-    """What depends on the parameters alone, once per run.
+    """Quantities that depend on the parameters alone, once per run.
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
@@ -222,7 +222,7 @@ def start(p):
 
 
 def scales(p):
-    """Sizes that accuracy is measured by: of coordinates, speeds, memory; then length, speed, force, energy.
+    """Scales of errors: of coordinates, speeds and memory; then of length, speed, force and energy.
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
@@ -340,7 +340,7 @@ def contact_bearing(t, q, u, z, m, c):
 
 
 def applied(t, q, u, c):
-    """Generalised forces of everything that is no contact.
+    """Generalised forces other than contact forces.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
@@ -398,7 +398,7 @@ def applied(t, q, u, c):
 
 
 def accelerations(t, q, u, f, c):
-    """Generalised accelerations a from M a = f - bias, and what each drive must supply.
+    """Generalised accelerations a from M a = f - bias, and the reactions of the drives.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; f: generalised forces; c: CONSTANTS.
     Returns, each a column vector:
@@ -415,7 +415,7 @@ def accelerations(t, q, u, f, c):
 
 
 def ledger(t, q, u, reactions, c):
-    """Power the drives put in, in its row of z; put in and dissipated by force elements, in theirs.
+    """Power put in by drives, in its row of z; put in and dissipated by force elements, in theirs.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
     Returns, each a column vector:
@@ -474,7 +474,7 @@ def ledger(t, q, u, reactions, c):
 
 
 def energy(t, q, u, c):
-    """Kinetic and potential energy, and what each pair's stiffness stores.
+    """Kinetic and potential energy, and the energy stored by each pair's stiffness.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
@@ -576,7 +576,7 @@ def outputs(t, q, u, c):
 
 
 def period(p):
-    """After what time everything that depends on time repeats.
+    """Common period of everything that depends on time.
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
@@ -587,8 +587,7 @@ def period(p):
 
 
 def landmarks(p):
-    """What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes
-    of its body.
+    """Points, directions and sizes for pictures, row by row of LANDMARKS, along the axes of their bodies.
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:

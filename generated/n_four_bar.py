@@ -143,7 +143,7 @@ OPERATIONS = (
 
 
 def constants(p):
-    """What depends on the parameters alone, once per run.
+    """Quantities that depend on the parameters alone, once per run.
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
@@ -187,7 +187,7 @@ def start(p):
 
 
 def scales(p):
-    """Sizes that accuracy is measured by: of coordinates, speeds, memory; then length, speed, force, energy.
+    """Scales of errors: of coordinates, speeds and memory; then of length, speed, force and energy.
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
@@ -250,7 +250,7 @@ def gap_accelerations(t, q, u, a, c):
 
 
 def applied(t, q, u, c):
-    """Generalised forces of everything that is no contact.
+    """Generalised forces other than contact forces.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
@@ -283,7 +283,7 @@ def applied(t, q, u, c):
 
 
 def accelerations(t, q, u, f, c):
-    """Generalised accelerations a from M a = f - bias, and what each drive must supply.
+    """Generalised accelerations a from M a = f - bias, and the reactions of the drives.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; f: generalised forces; c: CONSTANTS.
     Returns, each a column vector:
@@ -517,7 +517,7 @@ def accelerations(t, q, u, f, c):
 
 
 def constraints(t, q, u, c):
-    """What must be zero for the loops to be closed, and its rate.
+    """Constraints, zero while the loops are closed, and their rates.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
@@ -586,8 +586,7 @@ def constraints(t, q, u, c):
 
 
 def projection(t, q, wanted, c):
-    """Speeds of least kinetic energy that change the constraints at the rates wanted, and what no other constraint
-    says of each.
+    """Change of speeds, of least kinetic energy, for the wanted rates of the constraints, and their independence.
 
     Arguments: t [s]; q: COORDINATES; wanted: rates of CONSTRAINTS; c: CONSTANTS.
     Returns, each a column vector:
@@ -738,7 +737,7 @@ def projection(t, q, wanted, c):
 
 
 def ledger(t, q, u, reactions, c):
-    """Power the drives put in, in its row of z.
+    """Power put in by drives, in its row of z.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; reactions of the drives; c: CONSTANTS.
     Returns, each a column vector:
@@ -748,7 +747,7 @@ def ledger(t, q, u, reactions, c):
 
 
 def energy(t, q, u, c):
-    """Kinetic and potential energy, and what each pair's stiffness stores.
+    """Kinetic and potential energy, and the energy stored by each pair's stiffness.
 
     Arguments: t [s]; q: COORDINATES; u: SPEEDS; c: CONSTANTS.
     Returns, each a column vector:
@@ -869,8 +868,7 @@ def outputs(t, q, u, c):
 
 
 def landmarks(p):
-    """What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes
-    of its body.
+    """Points, directions and sizes for pictures, row by row of LANDMARKS, along the axes of their bodies.
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:

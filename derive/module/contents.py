@@ -46,7 +46,7 @@ def program_of(system: System) -> Program:
     names = tuple(words.get(symbol.name, symbol.name) for symbol in constants)
     result = Result("c", names, ("",) * len(names), values)  # mixed units: see CONSTANTS
     functions.insert(
-        0, system.function("constants", "What depends on the parameters alone, once per run.", "p", result)
+        0, system.function("constants", "Quantities that depend on the parameters alone, once per run.", "p", result)
     )
     note = "" if system.joints is None else "absolute"
     return Program(system.scene, system.tape, tuple(functions), tuple(constants), tables(system), note, words)

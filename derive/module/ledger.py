@@ -21,7 +21,7 @@ def ledger(system: System) -> Function:
     values = [rows.get(name, sp.S.Zero) for name, _ in system.memory]
     return system.function(
         "ledger",
-        f"Power the drives put in, in its row of z{'; put in and dissipated by force elements, in theirs' if len(rows) > 1 else ''}.",
+        f"Power put in by drives, in its row of z{'; put in and dissipated by force elements, in theirs' if len(rows) > 1 else ''}.",
         "t q u reactions c",
         system.memory_rates(values),
     )
@@ -34,7 +34,7 @@ def energy(system: System) -> Function:
     potential = sp.Add(system.equations.potential(), *(e.stored for e in system.elements.values()))
     return system.function(
         "energy",
-        "Kinetic and potential energy, and what each pair's stiffness stores.",
+        "Kinetic and potential energy, and the energy stored by each pair's stiffness.",
         "t q u c",
         Result("kinetic", ("kinetic",), ("J",), (kinetic,)),
         Result("potential", ("potential",), ("J",), (potential,)),

@@ -22,7 +22,7 @@ def joint_constraints(system: System, joints: Joints) -> Function:
 def _closed(system: System, name: str, loops: tuple[Constraint, ...], arguments: str) -> Function:
     return system.function(
         name,
-        "What must be zero for the loops to be closed, and its rate.",
+        "Constraints, zero while the loops are closed, and their rates.",
         arguments,
         of_loops("phi", loops, [row.value for row in loops], {}),
         of_loops("dphi", loops, [row.rate for row in loops], RATE_UNITS),
@@ -37,7 +37,7 @@ def projection(system: System) -> Function:
     ]
     return system.function(
         "projection",
-        "Speeds of least kinetic energy that change the constraints at the rates wanted, and what no other constraint says of each.",
+        "Change of speeds, of least kinetic energy, for the wanted rates of the constraints, and their independence.",
         "t q wanted c",
         system.of_speeds("v", system.equations.projection(wanted)),
         of_loops("independence", system.loops, system.equations.independence(), {"m": "1", "1": "1"}),

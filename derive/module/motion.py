@@ -35,7 +35,7 @@ def applied(system: System) -> Function:
         system.enter(effect.name, e.forces)
     f = [sp.Add(weight[row.key], *(e.forces.get(row.key, 0) for e in system.elements.values())) for row in system.rows]
     return system.function(
-        "applied", "Generalised forces of everything that is no contact.", "t q u c", system.of_rows("f", f)
+        "applied", "Generalised forces other than contact forces.", "t q u c", system.of_rows("f", f)
     )
 
 
@@ -50,7 +50,7 @@ def accelerations(system: System) -> Function:
     labels, units = zip(*(acceleration_of(port) for port in system.speeds), strict=True)
     return system.function(
         "accelerations",
-        "Generalised accelerations a from M a = f - bias, and what each drive must supply.",
+        "Generalised accelerations a from M a = f - bias, and the reactions of the drives.",
         "t q u f c",
         Result("a", labels, units, tuple(a)),
         Result(

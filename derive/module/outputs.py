@@ -34,7 +34,7 @@ def landmarks(system: System) -> Function:
     """Points, directions and sizes for pictures."""
     return system.function(
         "landmarks",
-        "What a picture of the mechanism shows, row by row of LANDMARKS: point, directions and sizes, along the axes of its body.",
+        "Points, directions and sizes for pictures, row by row of LANDMARKS, along the axes of their bodies.",
         "p",
         *(landmark.result for landmark in system.landmarks),
     )

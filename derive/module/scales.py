@@ -27,7 +27,7 @@ def scales(system: System) -> Function:
     }
     return system.function(
         "scales",
-        "Sizes that accuracy is measured by: of coordinates, speeds, memory; then length, speed, force, energy.",
+        "Scales of errors: of coordinates, speeds and memory; then of length, speed, force and energy.",
         "p",
         system.of_coordinates("sq", q),
         system.of_speeds("su", u),
@@ -60,5 +60,5 @@ def speed_limits(system: System) -> Function:
 
 def period(system: System) -> Function:
     """Common period of everything that depends on time."""
-    summary = "After what time everything that depends on time repeats."
+    summary = "Common period of everything that depends on time."
     return system.function("period", summary, "p", Result("period", ("period",), ("s",), (system.periodic,)))

@@ -29,7 +29,7 @@ def joint_scales(system: System, joints: Joints) -> Function:
     sizes = sizes_of(joints.scene)
     return system.function(
         "joint_scales",
-        "Sizes of the joints' coordinates and speeds.",
+        "Scales of the joints' coordinates and speeds.",
         "p",
         vector("sq", joints.coordinates, [sizes[unit] for _, unit in joints.coordinates]),
         vector("su", joints.speeds, [sizes[unit] for _, unit in joints.speeds]),

@@ -45,7 +45,7 @@ def list_scenes() -> int:
     help="tree (of the joints), absolute (of every body) or auto (what takes fewer operations).",
 )
 @click.option("--show", is_flag=True, help="Write nothing; print the equations, as Markdown with LaTeX.")
-@click.option("--json", "as_json", is_flag=True, help="Of --show, print one JSON object.")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object, with --show.")
 @reports_bad_input
 def derive(
     targets: tuple[str, ...], check: bool, out: Path | None, coordinates: str | None, show: bool, as_json: bool

@@ -47,7 +47,7 @@ DEFAULT = 1e-9  # least default tolerance: an error of this size hides no effect
     "outputs",
     metavar="NAME",
     multiple=True,
-    help="What is compared: peak_force, peak_acceleration, impact_rate, mean_peak_force, journal_path; max., min., mean. or amplitude. before "
+    help="Quantities compared: peak_force, peak_acceleration, impact_rate, mean_peak_force, journal_path; max., min., mean. or amplitude. before "
     "the name of a history; an average, such as slider_pin.impact_rate (default: as the scene has them).",
 )
 @SET

@@ -35,18 +35,22 @@ SHOWN_OWN = (0.01, 0.1, 0.3, 1.0, 3.0)
 @click.argument("names", metavar="[NAME]...", nargs=-1)
 @click.option("--markdown", is_flag=True, help="Print the catalogue as Markdown: derive/laws/README.md.")
 @click.option("--stub", is_flag=True, help="Print the catalogue for type checkers: derive/laws/__init__.pyi.")
-@click.option("--restitution", is_flag=True, help="What every damping law returns, over the restitution it is given.")
+@click.option(
+    "--restitution",
+    is_flag=True,
+    help="Compare the restitution that every damping law returns with the one it is given.",
+)
 @click.option(
     "--out",
     type=click.Path(path_type=Path),
     help="New folder for the picture and data of --restitution (default: the next runs/restitution-NNN).",
 )
-@click.option("--no-plots", is_flag=True, help="Of --restitution, write the data only.")
+@click.option("--no-plots", is_flag=True, help="Write the data only, with --restitution.")
 @click.option(
     "--picture",
     type=click.Path(path_type=Path),
     metavar="FILE.png",
-    help="Of one reconstruction (grade R), draw the band of its candidates.",
+    help="Draw the band of candidates of one reconstruction (grade R).",
 )
 @click.option(
     "--json", "as_json", is_flag=True, help="Print one JSON object, and write a folder only if --out is given."

@@ -56,7 +56,7 @@ _OPTIONS = {
 @click.option("--zip", is_flag=True, help="Take the first values together, then the second, and so on.")
 @click.option("--sample", metavar="NUMBER", help='So many points spread over ranges: clearance="0.05..0.5 mm".')
 @click.option("--sampler", metavar="NAME", help="latin (hypercube, the default) or sobol (a power of two).")
-@click.option("--seed", metavar="NUMBER", help="Of the samples (default: 0).")
+@click.option("--seed", metavar="NUMBER", help="Seed of the samples (default: 0).")
 @click.option(
     "--output",
     "outputs",
