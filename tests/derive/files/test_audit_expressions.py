@@ -348,6 +348,7 @@ def test_the_mistakes_of_the_literature_are_caught_where_they_are():
     assert (finding.found, finding.expected) == ("N/m^0.5", "N")
 
 
+@pytest.mark.exhaustive
 def test_the_catalogue_takes_less_than_twenty_imports_of_sympy():
     begun = time.perf_counter()
     subprocess.run([sys.executable, "-c", "import sympy"], check=True)

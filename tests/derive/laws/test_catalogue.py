@@ -214,6 +214,7 @@ def test_exponent_changed_while_the_stiffness_keeps_its_number(number, exponent,
     assert audit_laws(drop(effects=(Contact("floor", power(stiff, 1.5)),)))[0].verdict == "consistent"
 
 
+@pytest.mark.exhaustive
 def test_auditing_all_laws_is_fast():
     """Under 20 times the import of SymPy, which is done in processes of its own."""
 

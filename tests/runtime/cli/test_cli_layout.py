@@ -5,6 +5,7 @@ import pty
 import re
 import subprocess
 import sys
+from functools import cache
 
 import pytest
 from hypothesis import given
@@ -55,6 +56,7 @@ def test_what_fits_is_one_panel_as_in_a_pipe():
     ]  # fmt: skip
 
 
+@cache
 def on_terminal(command, **environment):
     """What a command prints on a terminal of 80 columns."""
     code = "import os, sys; from hertzwerk.runtime.cli import main; main(sys.argv[1:], prog_name='hertzwerk')"

@@ -175,7 +175,7 @@ def test_what_drives_a_joint_is_the_force_that_holds_it():
     assert abs(work) > 0.1
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_loops_stay_closed_and_quaternions_of_norm_1_in_a_long_run():
     run = simulate(load(ball_chain().with_coordinates("absolute")), duration=100.0, tolerance=1e-11)
     q = run.history.part("y")[:, : run.model.nq]

@@ -97,7 +97,7 @@ def test_anything_else_is_refused(latex):
         lines_of(latex)
 
 
-@pytest.mark.parametrize("scene", ["slider_crank", pytest.param("all", marks=pytest.mark.slow)])
+@pytest.mark.parametrize("scene", ["slider_crank", pytest.param("all", marks=pytest.mark.exhaustive)])
 def test_every_symbol_of_an_equation_is_in_its_formula(scene):
     """The letters and numbers of the LaTeX, read by a pattern alone, are those of the MathML in their order."""
     for name in built_in_scenes() if scene == "all" else [scene]:
