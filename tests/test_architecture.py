@@ -80,7 +80,7 @@ ROOMS = {
         "simulation": "accuracy derive/faults integrate/step loading model pictures pictures/draw pictures/motion report run solution start tables",
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults host integrate/step integrate/tableaux model",
-        "studies": "derive/faults derive/sheets derive/units effects loading measured model pictures simulation solution "
+        "studies": "derive/faults derive/sheets derive/units effects host loading measured model pictures simulation solution "
         "sweeps",
         "sweeps": "derive/declare derive/faults derive/files derive/units host loading model run simulation solution start "
         "sweeps/kept tables",

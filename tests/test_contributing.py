@@ -186,7 +186,7 @@ def test_a_study(made, tmp_path, monkeypatch):
     done = CliRunner().invoke(main, ["study", "my_study.py", "--quick", "--out", "drops"])
     assert done.exit_code == 0, done.output
     assert "holds" in done.stdout
-    written = {"study.md", "study.json", "forces.csv", "forces.png", "forces.svg"}
+    written = {"study.md", "study.json", "forces.csv", "forces.png", "forces.svg", "rows"}
     assert {path.name for path in (tmp_path / "drops").iterdir()} == written
     file = tmp_path / "my_study.py"
     file.write_text(file.read_text().replace("depths**1.5", "1.002 * depths**1.5"))

@@ -1,29 +1,71 @@
-"""Page of a study on disk: one new folder with figures, tables, a Markdown page, JSON."""
+"""Page of a study on disk: one folder with figures, tables, a Markdown page, JSON, and its rows."""
 
 from __future__ import annotations
 
+import json
 import textwrap
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.cli.run_folder import json_text
-from hertzwerk.runtime.host.folder import failures_of, new_folder
+from hertzwerk.runtime.host.folder import failures_of, made_folder, new_folder
+from hertzwerk.runtime.host.scratch import scratch_folder, write_atomically
 from hertzwerk.runtime.host.versions import versions
 from hertzwerk.runtime.studies.page import Cell, Page, Table, Verdict
 
+ROWS, ASKED = "rows", "asked.json"
 COLUMNS = 80  # of prose
 MARKS = {True: "holds", False: "fails", None: "found"}
 
 
-def write(
-    page: Page, name: str, out: Path | None, about: Mapping[str, Any], missing: list[str]
-) -> tuple[Path, list[str]]:
-    """Write a page to `out`, or to the next free runs/<name>-study-NNN; return folder and files.
+class StudyFolder:
+    """Folder of a study: `out`, or the next free runs/<name>-study-NNN.
 
-    about: what made it, beside the versions. A figure that fails is left out, and told in `missing`.
+    While the study goes on it holds rows/, with what was asked for and the sweeps; at the end the page too.
     """
-    return new_folder(f"{name}-study", out, lambda folder: _fill(folder, page, about, missing))
+
+    def __init__(self, name: str, out: Path | None, asked: dict[str, Any], *, begun: bool = False) -> None:
+        self._name, self._out, self._asked = f"{name}-study", out, asked
+        self.path = out if begun else None
+
+    def rows(self) -> Path:
+        """Make the folder, if need be, and return where the sweeps are stored in it."""
+        if self.path is None:
+            self.path = made_folder(self._name, self._out)
+            (self.path / ROWS).mkdir()
+            write_atomically(self.path / ROWS / ASKED, (json_text(self._asked) + "\n").encode())
+        return self.path / ROWS
+
+    def write(self, page: Page, about: Mapping[str, Any], missing: list[str]) -> tuple[Path, list[str]]:
+        """Write the page, all of it at once; return folder and files.
+
+        about: what made it, beside the versions. A figure that fails is left out, and told in `missing`.
+        """
+
+        def fill(folder: Path) -> list[str]:
+            return _fill(folder, page, about, missing)
+
+        if self.path is None:
+            return new_folder(self._name, self._out, fill)
+        with scratch_folder(self.path) as temporary:
+            files = fill(temporary)
+            for file in files:
+                (temporary / file).rename(self.path / file)
+        return self.path, [*files, f"{ROWS}/"]
+
+
+def asked_of(folder: Path) -> dict[str, Any]:
+    """Return what was asked for in the folder of a study that has not ended; raises InputError."""
+    expected = "the folder of a study that was stopped"
+    if (folder / "study.json").exists():
+        raise InputError("study", [Fault("--resume", f"{folder}, whose study is done", expected)])
+    try:
+        found: dict[str, Any] = json.loads((folder / ROWS / ASKED).read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise InputError("study", [Fault("--resume", f"{folder} ({error})", expected)]) from error
+    return found
 
 
 def _fill(folder: Path, page: Page, about: Mapping[str, Any], missing: list[str]) -> list[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import itertools
 import os
 from collections.abc import Callable, Iterator
@@ -75,6 +76,19 @@ def new_folder(name: str, out: Path | None, fill: Callable[[Path], list[str]]) -
     with scratch_folder(parent) as temporary:
         files = fill(temporary)
         return _publish(temporary, out, parent / name), files
+
+
+def made_folder(name: str, out: Path | None) -> Path:
+    """Make the empty folder `out`, or the next free runs/<name>-NNN, and return it; raises InputError."""
+    if out is not None:
+        out.mkdir(parents=True, exist_ok=True)
+        return out
+    paths = numbered(RUNS / name)
+    while True:
+        path = next(paths)
+        with contextlib.suppress(FileExistsError):
+            path.mkdir(parents=True)
+            return path
 
 
 def failures_of(name: str, make: Callable[[], object]) -> list[str]:

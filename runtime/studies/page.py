@@ -14,6 +14,8 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from hertzwerk.runtime.studies.study_sweeps import Sweeps
+
 Array = NDArray[np.float64]
 Cell = str | int | float | None
 
@@ -171,8 +173,11 @@ Progress = Callable[[float], object]
 
 @dataclass(frozen=True)
 class Study:
-    """Question, and `run(quick, progress)` that returns its page and calls progress(fraction done)."""
+    """Question, and `run(quick, progress, sweeps)` that returns its page.
+
+    It calls progress(fraction done), and makes its sweeps by `sweeps(name, target, over, ...)`, which stores them.
+    """
 
     name: str
     question: str
-    run: Callable[[bool, Progress], Page]
+    run: Callable[[bool, Progress, Sweeps], Page]

@@ -13,6 +13,7 @@ from hertzwerk.runtime.pictures.curves import impact_curves
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.studies.page import Array, Axis, Cell, Chart, Curve, Page, Panel, Progress, Study, Table, Verdict
 from hertzwerk.runtime.studies.page import compared as compare
+from hertzwerk.runtime.studies.study_sweeps import Sweeps
 
 LAWS = (
     *(
@@ -103,7 +104,7 @@ class Bounce:
         return GRAVITY * self.duration / self.form.speed
 
 
-def run(quick: bool, progress: Progress) -> Page:
+def run(quick: bool, progress: Progress, _: Sweeps) -> Page:
     """Drop both forms with every law and restitution."""
     cases = [(form, law) for form in FORMS for law in (QUICK if quick else LAWS)]
     bounces: list[Bounce] = []

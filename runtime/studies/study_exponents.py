@@ -28,6 +28,7 @@ from hertzwerk.runtime.studies.crank_runs import (
 )
 from hertzwerk.runtime.studies.page import Axis, Chart, Curve, Page, Panel, Progress, Study, Table, Verdict
 from hertzwerk.runtime.studies.page import compared as compare
+from hertzwerk.runtime.studies.study_sweeps import Sweeps
 
 if TYPE_CHECKING:
     from hertzwerk.derive.sheets.comparison import ExponentUnit
@@ -71,7 +72,7 @@ def closed_depth(n: float) -> float:
     return float(((n + 1) * work / STIFFNESS) ** (1 / (n + 1)))
 
 
-def run(quick: bool, progress: Progress) -> Page:
+def run(quick: bool, progress: Progress, _: Sweeps) -> Page:
     """Compare exponents in one impact, then in the slider-crank."""
     exponents = FEW if quick else EXPONENTS
     impacts = _impacts(exponents)

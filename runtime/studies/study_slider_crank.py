@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import product
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,7 +16,7 @@ from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.studies.crank_runs import PIN, SCENE
 from hertzwerk.runtime.studies.page import Array, Axis, Cell, Chart, Curve, Page, Panel, Progress, Study, Table, Verdict
 from hertzwerk.runtime.studies.page import compared as compare
-from hertzwerk.runtime.sweeps.parameter_sweep import sweep
+from hertzwerk.runtime.studies.study_sweeps import Sweeps
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.binding import Value
@@ -97,15 +98,15 @@ class Trajectory:
         return self.run.t_end if error is None or error.horizon is None else error.horizon
 
 
-def run(quick: bool, progress: Progress) -> Page:
+def run(quick: bool, progress: Progress, sweeps: Sweeps) -> Page:
     """Run the laws side by side: trajectories, sections, averages."""
     plan = QUICK if quick else WHOLE
+    cases = list(_cases(plan, sweeps, lambda done: progress(0.8 * done)))  # first, as they are kept
     trajectories = []
     pairs = [(law, friction) for friction in (True, False) for law in plan.laws]
     for i, (law, friction) in enumerate(pairs):
         trajectories.append(_trajectory(law, plan.returns, friction=friction))
-        progress(0.2 * (i + 1) / len(pairs))
-    cases = list(_cases(plan, lambda done: progress(0.2 + 0.8 * done)))
+        progress(0.8 + 0.2 * (i + 1) / len(pairs))
     return Page(
         title="Slider-crank with clearance between rod and slider, laws side by side",
         paragraphs=(
@@ -146,21 +147,18 @@ def _trajectory(law: str, returns: int, *, friction: bool) -> Trajectory:
     return Trajectory(law, friction, Curves.of(whole), np.array([section[name] for name in names]).T)
 
 
-def _cases(plan: Plan, progress: Progress) -> Iterator[Case]:
+def _cases(plan: Plan, sweeps: Sweeps, progress: Progress) -> Iterator[Case]:
     models = [(law, friction) for law in plan.laws for friction in (True, False)]
-    done, count = 0, len(models) * len(plan.speeds)
-    for law, friction in models:
-        model = _model(law, friction=friction)
-        for speed in plan.speeds:
-            found = sweep(
-                model, over={"clearance": [f"{c!r} mm" for c in plan.clearances]}, values={"crank_speed": f"{speed!r} rpm"},
-                outputs=[*OUTPUTS, "energy_residual"], duration=plan.turns * 60 / speed, tolerance=TOLERANCE,
-            )  # fmt: skip
-            for row, clearance in zip(found.rows, plan.clearances, strict=True):
-                numbers = {n: (float(row[n]), float(row[f"{n}.half_width"])) for n in OUTPUTS}
-                yield Case(law, friction, clearance, speed, row.outcome, float(row["energy_residual"]), numbers)
-            done += 1
-            progress(done / count)
+    for i, (law, friction) in enumerate(models):
+        found = sweeps(
+            f"{law}-{'friction' if friction else 'frictionless'}", _model(law, friction=friction),
+            over={"crank_speed": [f"{n!r} rpm" for n in plan.speeds], "clearance": [f"{c!r} mm" for c in plan.clearances]},
+            outputs=[*OUTPUTS, "energy_residual"], duration=f"{plan.turns} rev", tolerance=TOLERANCE,
+            progress=lambda done, i=i: progress((i + done) / len(models)),
+        )  # fmt: skip
+        for row, (speed, clearance) in zip(found.rows, product(plan.speeds, plan.clearances), strict=True):
+            numbers = {n: (float(row[n]), float(row[f"{n}.half_width"])) for n in OUTPUTS}
+            yield Case(law, friction, clearance, speed, row.outcome, float(row["energy_residual"]), numbers)
 
 
 # -- tables and charts -------------------------------------------------------------------------------------------------

@@ -15,6 +15,7 @@ from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.studies.crank_runs import CLEARANCE, PENETRATION, PIN, TURN, cells, crank_with, header, measure
 from hertzwerk.runtime.studies.page import Array, Axis, Cell, Chart, Curve, Page, Panel, Progress, Study, Table, Verdict
 from hertzwerk.runtime.studies.page import compared as compare
+from hertzwerk.runtime.studies.study_sweeps import Sweeps
 
 if TYPE_CHECKING:
     from hertzwerk.derive.sheets.comparison import ForceCurve
@@ -101,7 +102,7 @@ class Ride:
     outcome: str
 
 
-def run(quick: bool, progress: Progress) -> Page:
+def run(quick: bool, progress: Progress, _: Sweeps) -> Page:
     """Compare the laws in one contact, then in the slider-crank."""
     laws, n = _laws()
     progress(0.1)

@@ -6,9 +6,10 @@ import time
 from collections import deque
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from contextlib import closing
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.faults import Fault, InputError, shown
+from hertzwerk.runtime.host.extras import required
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.si_values import si_units
@@ -16,10 +17,13 @@ from hertzwerk.runtime.run.request import METHOD, Compiled, Settings
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.sweeps.kept.kept_arrays import Kept
 from hertzwerk.runtime.sweeps.processes import Processes
-from hertzwerk.runtime.sweeps.row_engine import RowEngine
+from hertzwerk.runtime.sweeps.row_engine import EngineLostError, RowEngine
 from hertzwerk.runtime.sweeps.row_job import NO_NUMBER, Job, Own, Task
 from hertzwerk.runtime.sweeps.row_outputs import Output, finals, of_every_run, own
 from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, TEXTS, Row, Sweep, columns_of
+
+if TYPE_CHECKING:
+    from distributed import Client
 
 INTERRUPTED = Outcome("interrupted", "stopped by the user", "the rows that were done are there")
 
@@ -50,6 +54,7 @@ def simulate_many(
     method: str = METHOD,
     compiled: Compiled = "auto",
     workers: int | None = None,
+    client: Client | None = None,
     outputs: Mapping[str, Own] | None = None,
     progress: Callable[[float], object] | None = None,
     **limits: Any,
@@ -61,19 +66,20 @@ def simulate_many(
     parameter_sets    values in place of the model's, parameters and initial states alike: [{"clearance": "0.2 mm"}, ...]
     compiled    "auto" compiles once for all where that saves time; duration, accuracy or tolerance, method, and limits as in `simulate`
     workers    processes, by default as many as there are cores (threads where processes cannot be forked: correct, slower)
+    client    in their place a Dask cluster, by the `distributed.Client` that is connected with it
     outputs    further columns, each a function of the Solution: {"stroke": lambda run: np.ptp(run["guide.travel"])}
     progress    called now and then with the fraction of runs done
 
     Bad input of a set, a run that does not finish or fails, an output that raises or exits give rows with that
     outcome. Raises InputError for input that is bad for every run; an output that is not a number is found in the
-    first row. Ctrl-C returns the rows that are done.
+    first row. Ctrl-C returns the rows that are done, and so does a cluster that is gone.
     """
     began = time.perf_counter()
     sets = _sets(parameter_sets)
     if not (outputs is None or isinstance(outputs, Mapping)):
         raise InputError(model.name, [Fault("outputs", shown(outputs), "a dictionary of functions of the Solution")])
     Settings(duration, accuracy, tolerance, method, compiled, **limits).check(model)
-    _check(model, workers, outputs or {})
+    _check(model, worker_faults(workers, client), outputs or {})
     settings = {"duration": duration, "accuracy": accuracy, "tolerance": tolerance, "method": method, **limits}
     wanted = [
         *of_every_run(model),
@@ -83,27 +89,61 @@ def simulate_many(
     units = si_units(model)
     varied = {name: units[name] for name in dict.fromkeys(name for values in sets for name in values) if name in units}
     results = {name: unit for output in wanted for name, unit in output.columns.items()}
-    batch = Batch(model, sets, settings, wanted, compiled, Processes(workers))
-    rows: dict[int, Row] = {}
-    interrupted = False
-    try:
-        with closing(batch.rows(range(len(sets)))) as done:  # its workers end here, whatever is raised
-            for row in done:
-                rows[row.index] = row
-                if progress is not None:
-                    progress(len(rows) / len(sets))
-    except KeyboardInterrupt:
-        interrupted = True
+    batch = Batch(model, sets, settings, wanted, compiled, engine_of(workers, client))
+    rows, outcome = in_memory(batch, len(sets), progress)
     return Sweep(
         scene=model.name,
-        rows=tuple(rows[i] for i in sorted(rows)),
+        rows=rows,
         columns=columns_of(varied, {**results, "wall_s": "s"}),
         varied=tuple(varied),
-        outcome=INTERRUPTED if interrupted else COMPLETE,
+        outcome=outcome,
         workers=batch.workers,
         compiled=batch.compiled,
         wall_s=time.perf_counter() - began,
     )
+
+
+def in_memory(batch: Batch, count: int, progress: Callable[[float], object] | None) -> tuple[tuple[Row, ...], Outcome]:
+    """Return the rows that are done, and how it ended; raises InputError."""
+    rows: dict[int, Row] = {}
+    outcome = COMPLETE
+    try:
+        with closing(batch.rows(range(count))) as done:  # its workers end here, whatever is raised
+            for row in done:
+                rows[row.index] = row
+                if progress is not None:
+                    progress(len(rows) / count)
+    except KeyboardInterrupt:
+        outcome = INTERRUPTED
+    except EngineLostError as error:
+        outcome = engine_lost(error, "the rows that were done are there")
+    return tuple(rows[i] for i in sorted(rows)), outcome
+
+
+def engine_lost(error: EngineLostError, remedy: str) -> Outcome:
+    """Return the outcome of a sweep whose engine is gone."""
+    return Outcome("cluster_lost", str(error), remedy)
+
+
+def worker_faults(workers: object, client: object) -> list[Fault]:
+    """Return the faults of what is to compute the rows."""
+    if workers is None:
+        return []
+    if client is not None:
+        return [Fault("workers", f"{shown(workers)} beside a client", "one of the two", "a cluster has its own")]
+    if isinstance(workers, int) and not isinstance(workers, bool) and workers > 0:
+        return []
+    return [Fault("workers", shown(workers), "a positive whole number", "None takes every core")]
+
+
+def engine_of(workers: int | None, client: object) -> RowEngine:
+    """Return the engine of a client, or else of so many processes; raises InputError."""
+    if client is None:
+        return Processes(workers)
+    required("distributed", "cluster")
+    from hertzwerk.runtime.sweeps.cluster import Cluster
+
+    return Cluster(client)
 
 
 class Batch:
@@ -142,7 +182,7 @@ class Batch:
         """Yield the rows of these sets as they are done; close it to end the workers.
 
         Raises InputError for input that is bad for every run, or where the first row shows that an output is not a
-        number, and KeyboardInterrupt.
+        number, KeyboardInterrupt, and EngineLostError.
         """
         with closing(self._rows(deque((i, dict(self._sets[i])) for i in wanted))) as rows:
             yield from _first_a_number(self._job.model, rows)
@@ -165,16 +205,14 @@ def _first_a_number(model: Model, rows: Iterable[Row]) -> Iterator[Row]:
         yield row
 
 
-def _check(model: Model, workers: object, outputs: Mapping[str, Own]) -> None:
-    faults = [
+def _check(model: Model, faults: list[Fault], outputs: Mapping[str, Own]) -> None:
+    faults += [
         Fault(f"outputs[{name!r}]", repr(output), "a name, and a function of the Solution")
         for name, output in outputs.items()
         if not (isinstance(name, str) and callable(output))
     ]
     if faults:
         raise InputError(model.name, faults)
-    if workers is not None and not (isinstance(workers, int) and not isinstance(workers, bool) and workers > 0):
-        faults.append(Fault("workers", repr(workers), "a positive whole number", "None takes every core"))
     taken = {*TEXTS, *si_units(model), "wall_s", *(name for output in of_every_run(model) for name in output.columns)}
     faults += [
         Fault(f"outputs[{name!r}]", "the name of another column", "a name of its own")

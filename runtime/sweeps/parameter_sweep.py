@@ -31,17 +31,19 @@ from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compile
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.start.start_values import split_values
-from hertzwerk.runtime.sweeps.batch import INTERRUPTED, Batch
+from hertzwerk.runtime.sweeps.batch import Batch, engine_lost, engine_of, in_memory, worker_faults
 from hertzwerk.runtime.sweeps.definition import as_text, axes_of, keys_of, target_of, versions
 from hertzwerk.runtime.sweeps.design import Given, Varied, read_design
 from hertzwerk.runtime.sweeps.kept.kept_arrays import Kept, read_kept
 from hertzwerk.runtime.sweeps.own_functions import digest
-from hertzwerk.runtime.sweeps.processes import Processes
+from hertzwerk.runtime.sweeps.row_engine import EngineLostError
 from hertzwerk.runtime.sweeps.row_outputs import Output, chosen, finals, own
 from hertzwerk.runtime.sweeps.store import TABLE, Store, opened, read_rows
-from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, TEXTS, Row, Sweep, columns_of
+from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, TEXTS, Sweep, columns_of
 
 if TYPE_CHECKING:
+    from distributed import Client
+
     from hertzwerk.derive.declare.scene import Scene
 
 NOT_STORED = "not_stored"  # outcome of a sweep
@@ -75,6 +77,7 @@ def sweep(
     max_events: int = MAX_EVENTS,
     wall_time: float | None = None,
     workers: int | None = None,
+    client: Client | None = None,
     into: str | Path | None = None,
     widen: bool = False,
     progress: Callable[[float], object] | None = None,
@@ -97,13 +100,15 @@ def sweep(
             and speeds. `table.section["guide.travel"]` and `table.histories[...]` have an array for each row
     functions    further outputs, functions of the Solution: {"stroke": lambda run: np.ptp(run["guide.travel"])}
     workers    processes, by default as many as there are cores
+    client    in their place a Dask cluster, by the `distributed.Client` that is connected with it
     into    folder in which every row is stored once it is done; where it holds rows of the same sweep, those that are
             missing are computed. A folder of another definition is refused, unless it is to be taken in its place
             (widen): rows that are the same stay, the others are computed
     progress    called now and then with the fraction of rows done
 
     The other arguments are those of `simulate`. A row that cannot run, does not finish, or whose output raises has
-    that as its outcome. Ctrl-C returns the rows that are done, a full disk those that are stored. Raises InputError
+    that as its outcome. Ctrl-C and a cluster that is gone return the rows that are done, a full disk
+    those that are stored. Raises InputError
     with every fault of what is bad for every row.
     """
     began = time.perf_counter()
@@ -121,8 +126,7 @@ def sweep(
     wanted = _outputs(model, outputs, functions, varied, faults)
     asked = {"section": section, "after": after, "grid": grid, "histories": histories}
     kept = read_kept(model, **asked, duration=duration, faults=faults)
-    if workers is not None and not (isinstance(workers, int) and not isinstance(workers, bool) and workers > 0):
-        faults.append(Fault("workers", shown(workers), "a positive whole number", "None takes every core"))
+    faults += worker_faults(workers, client)
     try:
         Settings(**settings, compiled=compiled).check(model)
     except InputError as error:
@@ -131,7 +135,7 @@ def sweep(
         raise InputError(f"sweep of {model.name}", faults)
     plan = Plan(model, design.points(), fixed, varied, wanted, settings, kept)
     plan.check()
-    batch = Batch(model, plan.sets(), settings, wanted, compiled, Processes(workers), kept)
+    batch = Batch(model, plan.sets(), settings, wanted, compiled, engine_of(workers, client), kept)
     axes = {name: tuple(si_of(model, name, value) for value in values) for name, values in design.grid.items()}
     made = partial(
         Sweep,
@@ -143,7 +147,7 @@ def sweep(
         workers=batch.workers,
     )
     if into is None:
-        rows, outcome = _in_memory(batch, len(plan.points), progress)
+        rows, outcome = in_memory(batch, len(plan.points), progress)
         return made(rows=rows, outcome=outcome, compiled=batch.compiled, wall_s=time.perf_counter() - began)
     folder, text = Path(into), text_of(model.module)
     if not text:
@@ -185,21 +189,6 @@ def sweep(
     return table
 
 
-def _in_memory(batch: Batch, count: int, progress: Callable[[float], object] | None) -> tuple[tuple[Row, ...], Outcome]:
-    """Return the rows that are done, and how it ended."""
-    rows: dict[int, Row] = {}
-    outcome = COMPLETE
-    try:
-        with closing(batch.rows(range(count))) as done:  # its workers end here, whatever is raised
-            for row in done:
-                rows[row.index] = row
-                if progress is not None:
-                    progress(len(rows) / count)
-    except KeyboardInterrupt:
-        outcome = INTERRUPTED
-    return tuple(rows[i] for i in sorted(rows)), outcome
-
-
 def _stored(batch: Batch, store: Store, keys: Sequence[str], progress: Callable[[float], object] | None) -> Outcome:
     """Compute and store the rows that are missing, each once; return how it ended."""
     places = {key: i for i, key in reversed(list(enumerate(keys)))}
@@ -218,6 +207,8 @@ def _stored(batch: Batch, store: Store, keys: Sequence[str], progress: Callable[
                     progress(count / len(places))
     except KeyboardInterrupt:
         return Outcome("interrupted", "stopped by the user", f"the rows that were done are stored; {store.go_on}")
+    except EngineLostError as error:
+        return engine_lost(error, f"the rows that were done are stored; {store.go_on}")
     except sqlite3.Error as error:
         return _not_stored(error)
     return COMPLETE

@@ -20,8 +20,10 @@ from concurrent.futures import (
     ThreadPoolExecutor,
     wait,
 )
+from functools import partial
 from typing import Any
 
+from hertzwerk.runtime.sweeps.row_engine import every_row
 from hertzwerk.runtime.sweeps.row_job import Job, LocalFlag, Task
 from hertzwerk.runtime.sweeps.sweep_table import Row
 
@@ -42,22 +44,17 @@ class Processes:
     def rows(self, job: Job, tasks: Sequence[Task]) -> Generator[Row, None, None]:
         """Yield rows as completed; tasks that may have killed a process are run again, each alone."""
         job.prepare()
-        waiting, workers = deque(tasks), min(self.workers, len(tasks))
-        while waiting and workers > 1:
-            suspects: list[Task] = []
-            with _pool:
-                yield from _together(job, waiting, workers, suspects)
-            for task in suspects:
-                again: list[Task] = []
-                with _pool:
-                    yield from _together(job, deque([task]), 1, again)
-                if again:
-                    yield job.lost(task)
-        for task in waiting:
-            yield job.do(task)
+        if min(self.workers, len(tasks)) > 1:
+            yield from every_row(job, tasks, partial(self._together, job))
+        else:
+            yield from map(job.do, tasks)
+
+    def _together(self, job: Job, waiting: deque[Task], suspects: list[Task]) -> Iterator[Row]:
+        with _pool:
+            yield from _side_by_side(job, min(self.workers, len(waiting)), waiting, suspects)
 
 
-def _together(job: Job, waiting: deque[Task], workers: int, suspects: list[Task]) -> Iterator[Row]:
+def _side_by_side(job: Job, workers: int, waiting: deque[Task], suspects: list[Task]) -> Iterator[Row]:
     """Yield rows as completed, until all are or a process dies.
 
     `suspects` then holds the tasks in progress. Stops the workers when left.

@@ -6,11 +6,16 @@ sweeps/cluster      on many, by Dask
 
 from __future__ import annotations
 
-from collections.abc import Generator, Sequence
+from collections import deque
+from collections.abc import Callable, Generator, Iterator, Sequence
 from typing import Protocol
 
 from hertzwerk.runtime.sweeps.row_job import Job, Task
 from hertzwerk.runtime.sweeps.sweep_table import Row
+
+
+class EngineLostError(Exception):
+    """No worker is left, nor can there be others."""
 
 
 class RowEngine(Protocol):
@@ -24,6 +29,24 @@ class RowEngine(Protocol):
     def rows(self, job: Job, tasks: Sequence[Task]) -> Generator[Row, None, None]:
         """Yield the rows as they are done; close it to end what is under way.
 
-        A task whose worker died is done again, and lost where that repeats itself though it ran alone. Raises
-        InputError for input that is bad for every row, and KeyboardInterrupt.
+        Raises InputError for input that is bad for every row, EngineLostError, and KeyboardInterrupt.
         """
+
+
+def every_row(
+    job: Job, tasks: Sequence[Task], together: Callable[[deque[Task], list[Task]], Iterator[Row]]
+) -> Iterator[Row]:
+    """Yield the rows of all tasks: those that may have killed a worker are run again, each alone.
+
+    together    does tasks side by side, taking them from the first list, and leaves in the second those under way when
+                a worker died
+    """
+    waiting = deque(tasks)
+    while waiting:
+        suspects: list[Task] = []
+        yield from together(waiting, suspects)
+        for task in suspects:
+            again: list[Task] = []
+            yield from together(deque([task]), again)
+            if again:
+                yield job.lost(task)

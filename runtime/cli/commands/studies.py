@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from hertzwerk.derive.faults import InputError
+from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.cli.target import JSON, unwritable_faults
 from hertzwerk.runtime.cli.terminal import (
     GOOD,
@@ -36,42 +36,75 @@ if TYPE_CHECKING:
     metavar="FILE.csv",
     help="Lay measured signals over the figures: columns named as histories, t [s],guide.acceleration [m/s^2].",
 )
+@click.option(
+    "--resume",
+    metavar="DIR",
+    type=click.Path(path_type=Path),
+    help="Go on with a study that was stopped: the rows that are there are not computed again.",
+)
 @JSON
 @reports_bad_input
-def study(name: str | None, quick: bool, out: Path | None, measured: Path | None, as_json: bool) -> int:
+def study(
+    name: str | None, quick: bool, out: Path | None, measured: Path | None, resume: Path | None, as_json: bool
+) -> int:
     """Make the study NAME, or that of a Python file that defines `study`: figures, tables, verdicts.
 
-    Without NAME, list the built-in studies. Exit code 1 where a number differs from the independent one it is compared
-    with.
+    Without NAME, list the built-in studies. Rows of its sweeps are stored in the folder as they are done: --resume goes
+    on, whatever ended it. Exit code 1 where a number differs from the independent one it is compared with.
     """
     from hertzwerk.runtime.cli import page_folder
     from hertzwerk.runtime.measured.measurement import read_measurement
+    from hertzwerk.runtime.model.build import is_file
     from hertzwerk.runtime.studies.known_studies import NAMES, study_of
     from hertzwerk.runtime.studies.overlay import laid_over
+    from hertzwerk.runtime.studies.study_sweeps import Sweeps, SweepStoppedError
 
+    if resume is not None:
+        beside = {"NAME": name, "--quick": quick, "--out": out, "--measured": measured}
+        name, quick, measured = _asked(resume, [option for option, value in beside.items() if value])
     if name is None:
         for known in NAMES:
             line(known, study_of(known).question)
         return GOOD
-    wanted = out is not None or not as_json
+    wanted = resume is not None or out is not None or not as_json
     found = study_of(name)
-    if faults := unwritable_faults(out, wanted=wanted):
+    if resume is None and (faults := unwritable_faults(out, wanted=wanted)):
         raise InputError("study", faults)
     laid = None if measured is None else read_measurement(measured)
-    with Progress(f"study {found.name}", shown=not as_json and sys.stderr.isatty()) as progress:
-        page = found.run(quick, progress)
+    target = str(Path(name).absolute()) if is_file(name) else name
+    asked = {"study": target, "quick": quick, "measured": None if measured is None else str(measured.absolute())}
+    folder = page_folder.StudyFolder(found.name, resume or out, asked, begun=resume is not None)
+    try:
+        with Progress(f"study {found.name}", shown=not as_json and sys.stderr.isatty()) as progress:
+            page = found.run(quick, progress, Sweeps(folder.rows if wanted else None))
+    except SweepStoppedError as stopped:
+        line("stopped", str(stopped))
+        if folder.path is not None:
+            line("remedy", f"hertzwerk study --resume {folder.path}")
+        return OTHER_OUTCOME
     page = page if laid is None else laid_over(page, laid)
     about = {"study": found.name, "question": found.question, "quick": quick}
     given = [*(["--quick"] if quick else []), *([] if measured is None else ["--measured", str(measured)])]
     about |= {"command": shlex.join(["hertzwerk", "study", name, *given])}
     code = conclude(
-        lambda missing: page_folder.write(page, found.name, out, about, missing),
+        lambda missing: folder.write(page, about, missing),
         lambda: {**about, **page.record()},
         lambda: _report(page),
         wanted=wanted,
         as_json=as_json,
     )
     return code if page.holds else OTHER_OUTCOME
+
+
+def _asked(folder: Path, given: list[str]) -> tuple[str, bool, Path | None]:
+    """Return name, extent and measurement of the study that was stopped in a folder; raises InputError."""
+    from hertzwerk.runtime.cli.page_folder import asked_of
+
+    if given:
+        expected = "what was asked for there; beside it --json"
+        raise InputError("study", [Fault("--resume", f"{', '.join(given)} beside it", expected)])
+    asked = asked_of(folder)
+    return asked["study"], asked["quick"], None if asked["measured"] is None else Path(asked["measured"])
 
 
 def _report(page: Page) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
-from contextlib import ExitStack
+from contextlib import AbstractContextManager, ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -37,6 +37,8 @@ from hertzwerk.runtime.cli.terminal import (
 )
 
 if TYPE_CHECKING:
+    from distributed import Client
+
     from hertzwerk.runtime.sweeps.sweep_table import Sweep
 
 _OPTIONS = {
@@ -97,6 +99,7 @@ _OPTIONS = {
     "--widen", is_flag=True, help="Change what the folder is to hold; rows that are the same are kept, not computed."
 )
 @click.option("--workers", metavar="NUMBER", help="Processes (default: one for each core).")
+@click.option("--cluster", metavar="ADDRESS", help="In their place the workers of a Dask scheduler: tcp://host:8786.")
 @TABLE
 @JSON
 @reports_bad_input
@@ -106,6 +109,7 @@ def sweep(
     into: Path | None,
     widen: bool,
     workers: str | None,
+    cluster: str | None,
     file: Path | None,
     as_json: bool,
     **options: Any,
@@ -123,6 +127,7 @@ def sweep(
     folder = resume or into or (None if as_json else _next_folder(arguments["target"]))
     with ExitStack() as stack:
         progress = stack.enter_context(Progress(str(arguments["target"]), shown=not as_json and sys.stderr.isatty()))
+        client = stack.enter_context(_connected(cluster)) if cluster is not None else None
         progress.stage("building")
         begun: list[float] = []
 
@@ -133,7 +138,7 @@ def sweep(
                 stack.enter_context(raise_interrupts())  # from here on there is something to tell when it is stopped
             progress(fraction)
 
-        found = swept(**arguments, into=folder, widen=widen, workers=processes, progress=rows)
+        found = swept(**arguments, into=folder, widen=widen, workers=processes, client=client, progress=rows)
     missing: list[str] = []
     if file is not None:
         written_or_none(lambda: found.to_file(file), missing, wanted=True)
@@ -146,6 +151,16 @@ def sweep(
         _report(found, folder, None if missing else file)
     code = report_missing(missing)
     return code if whole else OTHER_OUTCOME
+
+
+def _connected(address: str) -> AbstractContextManager[Client]:
+    """Connect to a Dask scheduler; raises InputError where there is none, or no Dask."""
+    from hertzwerk.runtime.host.extras import required
+
+    required("distributed", "cluster")
+    from hertzwerk.runtime.sweeps.cluster import connected
+
+    return connected(address)
 
 
 def _arguments(
@@ -161,7 +176,7 @@ def _arguments(
         if given:
             found, expected = (
                 f"{', '.join(given)} beside it",
-                "the whole definition there; beside it --workers, --widen, --table, --json",
+                "the whole definition there; beside it --workers, --cluster, --widen, --table, --json",
             )
             faults.append(Fault(where, found, expected))
         if faults:

@@ -1,11 +1,13 @@
 """Pages of studies: what they refuse, how they are written, and the command that makes them."""
 
 import json
+import shutil
 
 import numpy as np
 import pytest
 from click.testing import CliRunner
 
+from hertzwerk.runtime import Sweep
 from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.cli.page_folder import markdown
 from hertzwerk.runtime.pictures.studies.plot_page import figure
@@ -15,7 +17,7 @@ from hertzwerk.runtime.studies.page import Axis, Chart, Curve, Page, Panel, Tabl
 FILE = """
 from hertzwerk.runtime.studies.page import Page, Study, compared
 
-def run(quick, progress):
+def run(quick, progress, sweeps):
     return Page("Own", (f"quick: {quick}",), verdicts=(compared("one", 1.0, LIMIT, 0.1, "me"),))
 
 study = Study("own", "Is one near two?", run)
@@ -124,3 +126,49 @@ def test_files_without_a_study_are_refused(hertzwerk, tmp_path, content, said):
 def test_an_unknown_name_has_suggestions(hertzwerk):
     done = hertzwerk("exponent")
     assert (done.exit_code, "did you mean exponents" in done.output) == (2, True)
+
+
+SWEPT = """
+from pathlib import Path
+from hertzwerk.runtime.studies.page import Page, Study, Table
+
+def counted(run):
+    with open("computed", "a") as file:
+        file.write(".")
+    return run.t_end
+
+def run(quick, progress, sweeps):
+    def stop(fraction):
+        if fraction > 0.4 and not Path("again").exists():
+            raise KeyboardInterrupt
+    over = {"drop_height": "0.3..0.5 m:8"}
+    found = sweeps("drops", "bouncing_ball", over, functions={"x": counted}, duration="0.2 s", workers=1, progress=stop)
+    return Page("Swept", (), tables=(Table("drops", "Drops", (("x", "s"),), tuple((x,) for x in found["x"])),))
+
+study = Study("swept", "Which rows are kept?", run)
+"""
+
+
+@pytest.mark.parametrize("kept", [True, False])
+def test_a_study_that_is_stopped_keeps_its_rows_and_goes_on(hertzwerk, tmp_path, kept):
+    (tmp_path / "swept.py").write_text(SWEPT)
+    stopped = hertzwerk("swept.py", "--quick")
+    assert stopped.exit_code == 1
+    folder = tmp_path / "runs" / "swept-study-001"
+    assert "hertzwerk study --resume runs/swept-study-001" in stopped.stdout
+    assert [path.name for path in folder.iterdir()] == ["rows"]
+    assert len(Sweep.load(folder / "rows" / "drops")) == 4
+    beside = hertzwerk("--resume", "runs/swept-study-001", "--quick", "swept.py")
+    assert (beside.exit_code, "NAME, --quick beside it" in beside.output) == (2, True)
+    if not kept:  # what is counted would show it
+        shutil.rmtree(folder / "rows" / "drops")
+    (tmp_path / "again").touch()
+    done = hertzwerk("--resume", "runs/swept-study-001")
+    assert done.exit_code == 0, done.output
+    assert (tmp_path / "computed").read_text() == "." * (8 if kept else 12)
+    assert json.loads((folder / "study.json").read_text())["command"].endswith("swept.py --quick")
+    assert len((folder / "drops.csv").read_text().splitlines()) == 9
+    again = hertzwerk("--resume", "runs/swept-study-001")
+    assert (again.exit_code, "whose study is done" in again.output) == (2, True)
+    missing = hertzwerk("--resume", "nowhere")
+    assert (missing.exit_code, "study that was stopped" in missing.output) == (2, True)

@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 
 from hertzwerk.runtime.studies import study_bouncing as study
+from hertzwerk.runtime.studies.study_sweeps import Sweeps
 
 SPHERES, CYLINDERS = study.FORMS
 LAWS = ("flores", "tsuji", "kelvin_voigt")
@@ -65,7 +66,7 @@ def test_the_loss_of_a_nearly_elastic_impact_is_small():
 
 @pytest.mark.slow
 def test_the_whole_page():
-    page = study.STUDY.run(True, lambda done: None)
+    page = study.STUDY.run(True, lambda done: None, Sweeps())
     assert page.holds
     (table,) = page.tables
     assert set(table.column("law")) == set(study.QUICK)

@@ -7,6 +7,7 @@ import pytest
 
 from hertzwerk.runtime.studies import study_exponents as study
 from hertzwerk.runtime.studies.page import Page
+from hertzwerk.runtime.studies.study_sweeps import Sweeps
 
 EXPONENTS = (1.0, 1.5, 2.0)
 
@@ -56,7 +57,7 @@ def test_a_fault_in_the_numbers_fails_its_verdict(impacts, fault, seen):
 @pytest.mark.slow
 def test_the_whole_page(monkeypatch):
     done = []
-    page = study.STUDY.run(True, done.append)
+    page = study.STUDY.run(True, done.append, Sweeps())
     assert isinstance(page, Page)
     assert page.holds
     assert done == sorted(done)

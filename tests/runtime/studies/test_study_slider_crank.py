@@ -6,13 +6,14 @@ import numpy as np
 import pytest
 
 from hertzwerk.runtime.studies import study_slider_crank as study
+from hertzwerk.runtime.studies.study_sweeps import Sweeps
 
 PLAN = study.Plan(("hertz_point",), (0.5,), (5000.0,), 10, 10)
 
 
 @pytest.fixture(scope="module")
 def cases():
-    return list(study._cases(PLAN, lambda done: None))
+    return list(study._cases(PLAN, Sweeps(), lambda done: None))
 
 
 @pytest.fixture(scope="module")

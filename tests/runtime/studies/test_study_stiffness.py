@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from hertzwerk.runtime.studies import study_stiffness as study
+from hertzwerk.runtime.studies.study_sweeps import Sweeps
 
 
 @pytest.fixture(scope="module")
@@ -58,7 +59,7 @@ def test_local_exponents_are_those_of_the_formulas(laws):
 
 @pytest.mark.slow
 def test_the_whole_page():
-    page = study.STUDY.run(True, lambda done: None)
+    page = study.STUDY.run(True, lambda done: None, Sweeps())
     assert page.holds
     crank = page.tables[1]
     assert crank.column("law") == study.FEW
