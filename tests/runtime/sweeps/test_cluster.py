@@ -54,8 +54,7 @@ class Cluster:
             )
         return self.processes[-1]
 
-    @property
-    def address(self):
+    def connected(self):
         return cluster.Client(scheduler_file=str(self._file), set_as_default=False)
 
     def end(self):
@@ -64,7 +63,7 @@ class Cluster:
             process.wait()
 
 
-def until(there, patience=60):
+def until(there, patience=240):
     deadline = time.monotonic() + patience
     while not there():
         assert time.monotonic() < deadline
@@ -76,8 +75,8 @@ def running(folder, workers, **environment):
     """A cluster, and a client that is connected with it."""
     made = Cluster(folder, workers, **environment)
     try:
-        with made.address as client:
-            client.wait_for_workers(workers, timeout=60)
+        with made.connected() as client:
+            client.wait_for_workers(workers, timeout=240)
             yield made, client
     finally:
         made.end()
@@ -248,27 +247,33 @@ def test_a_row_that_kills_its_workers_is_lost_alone(tmp_path):
 LONG = [*("--over", "clearance=-2 mm, -1 mm, 0.4 mm, 0.5 mm"), *("--duration", "60 s"), *("--tolerance", "1e-10")]
 
 
+@contextmanager
 def begun(client, folder, tmp_path):
     """A process that has stored two rows, and has two that take minutes on the workers."""
     command = [str(Path(sys.executable).with_name("hertzwerk")), "sweep", "slider_crank", *LONG]
     address = ["--into", str(folder), "--cluster", client.scheduler.address]
-    with (tmp_path / "said").open("w") as said:
-        parent = subprocess.Popen([*command, *address], stdout=said, stderr=said)
-    until(lambda: len([key for keys in client.processing().values() for key in keys if key.startswith("_do")]) == 2)
-    until(lambda: all(client.run(lambda: cluster._one.locked()).values()))
-    return parent
+    with (
+        (tmp_path / "said").open("w") as said,
+        subprocess.Popen([*command, *address], stdout=said, stderr=said) as parent,
+    ):
+        try:
+            until(lambda: sum(key.startswith("_do") for keys in client.processing().values() for key in keys) == 2)
+            until(lambda: all(client.run(lambda: cluster._one.locked()).values()))
+            yield parent
+        finally:
+            parent.kill()
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("ending", [signal.SIGINT, signal.SIGKILL])
 def test_who_starts_it_and_ends_leaves_no_row_behind_on_a_worker(client, ending, tmp_path):
-    parent = begun(client, tmp_path / "rows", tmp_path)
-    parent.send_signal(ending)
-    assert parent.wait(30) == (1 if ending == signal.SIGINT else -ending)
+    with begun(client, tmp_path / "rows", tmp_path) as parent:
+        parent.send_signal(ending)
+        assert parent.wait(60) == (1 if ending == signal.SIGINT else -ending)
     assert list(Sweep.load(tmp_path / "rows")["outcome"]) == ["bad_input"] * 2
     if ending == signal.SIGINT:
         assert "interrupted" in (tmp_path / "said").read_text()
-    until(lambda: not any(client.run(lambda: cluster._one.locked()).values()), 30)
+    until(lambda: not any(client.run(lambda: cluster._one.locked()).values()))
 
 
 @pytest.mark.slow
