@@ -55,10 +55,17 @@ class Curves:
 
     @classmethod
     def of(cls, run: Solution) -> Curves:
-        """Sample a run between its accepted steps and through its impacts.
+        """Sample a run between its accepted steps and through its impacts, once for all of its pictures.
 
         A run that kept a grid is made again for them; a saved one, or a very long one, has only its rows.
         """
+        found = run.kept.get(cls)
+        if not isinstance(found, Curves):
+            found = run.kept[cls] = cls._sampled(run)
+        return found
+
+    @classmethod
+    def _sampled(cls, run: Solution) -> Curves:
         run = run.with_steps()
         if not len(run.t):
             raise ValueError(

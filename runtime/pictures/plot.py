@@ -7,7 +7,7 @@ that affect trust in a picture, an unchecked law or a law outside its range, sta
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import cache, partial
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
@@ -80,8 +80,7 @@ def pair(run: Solution, name: str) -> Figure:
 
 
 def pages(run: Solution) -> dict[str, Callable[[Path], None]]:
-    """Return functions that save the overview and each pair's page as PNG, by name; data are shared."""
-    curves = cache(lambda: Curves.of(run))
+    """Return functions that save the overview and each pair's page as PNG, by name."""
 
     def saved(figure: Callable[[], Figure]) -> Callable[[Path], None]:
         def save(path: Path) -> None:
@@ -91,8 +90,8 @@ def pages(run: Solution) -> dict[str, Callable[[Path], None]]:
 
         return save
 
-    return {"overview": saved(lambda: _overview(curves()))} | {
-        name: saved(partial(lambda pair: _pair(curves(), pair), name)) for name in run.model.pairs
+    return {"overview": saved(lambda: overview(run))} | {
+        name: saved(partial(pair, run, name)) for name in run.model.pairs
     }
 
 

@@ -12,6 +12,7 @@ from typing import Any, ClassVar, Self
 import numpy as np
 
 from hertzwerk.runtime.accuracy.ladder import ErrorEstimate
+from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.host.scratch import write_atomically
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.solution import saved
@@ -70,6 +71,14 @@ class Solution:
     # None for a run at a tolerance, and where nothing could be compared
     error: ErrorEstimate | None = field(default=None, repr=False)
     checkpoint: Checkpoint | None = field(default=None, repr=False)  # state that a longer run continues from
+
+    @cached_property
+    def kept(self) -> dict[type, object]:
+        """Results that pictures share, by their type; they are neither saved nor pickled."""
+        return {}
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in vars(self).items() if name != "kept"}
 
     @property
     def model(self) -> Model:

@@ -178,19 +178,21 @@ class Batch:
         """Whether rows that were made are compiled."""
         return self._job.compiled
 
-    def rows(self, wanted: Sequence[int]) -> Generator[Row, None, None]:
+    def rows(self, wanted: Sequence[int], lost: Sequence[int] = ()) -> Generator[Row, None, None]:
         """Yield the rows of these sets as they are done; close it to end the workers.
 
+        Then those of sets whose process died in an earlier call, where workers have processes of their own.
         Raises InputError for input that is bad for every run, or where the first row shows that an output is not a
         number, KeyboardInterrupt, and EngineLostError.
         """
-        with closing(self._rows(deque((i, dict(self._sets[i])) for i in wanted))) as rows:
+        left, again = (deque[Task]((i, dict(self._sets[i])) for i in sets) for sets in (wanted, lost))
+        with closing(self._rows(left, again if self._engine.workers > 1 else deque())) as rows:
             yield from _first_a_number(self._job.model, rows)
 
-    def _rows(self, left: deque[Task]) -> Generator[Row, None, None]:
+    def _rows(self, left: deque[Task], again: deque[Task]) -> Generator[Row, None, None]:
         if self._job.settings.compiled == "auto":
             yield from self._job.probe(left, self.workers)
-        with closing(self._engine.rows(self._job, left)) as done:
+        with closing(self._engine.rows(self._job, [*left, *again])) as done:
             yield from done
 
 

@@ -190,14 +190,15 @@ def sweep(
 
 
 def _stored(batch: Batch, store: Store, keys: Sequence[str], progress: Callable[[float], object] | None) -> Outcome:
-    """Compute and store the rows that are missing, each once; return how it ended."""
+    """Compute and store the rows that are missing or lost, each once; return how it ended."""
     places = {key: i for i, key in reversed(list(enumerate(keys)))}
     left = sorted(i for key, i in places.items() if key not in store.stored)
-    count = len(places) - len(left)
-    if not left:
+    again = sorted(places[key] for key in store.lost & places.keys())
+    count = len(places) - len(left) - len(again)
+    if not left and not again:
         return COMPLETE
     try:
-        with closing(batch.rows(left)) as done:
+        with closing(batch.rows(left, again)) as done:
             if progress is not None:
                 progress(count / len(places))
             for row in done:

@@ -42,9 +42,12 @@ class Processes:
         self.workers = workers or cores()
 
     def rows(self, job: Job, tasks: Sequence[Task]) -> Generator[Row, None, None]:
-        """Yield rows as completed; tasks that may have killed a process are run again, each alone."""
+        """Yield rows as completed; tasks that may have killed a process are run again, each alone.
+
+        A single task has a process of its own too, unless one worker was asked for: it may be the one that dies.
+        """
         job.prepare()
-        if min(self.workers, len(tasks)) > 1:
+        if self.workers > 1:
             yield from every_row(job, tasks, partial(self._together, job))
         else:
             yield from map(job.do, tasks)

@@ -24,10 +24,10 @@ from hertzwerk.runtime.start.start_values import split_values
 from hertzwerk.runtime.sweeps.kept.array_table import Packed
 from hertzwerk.runtime.sweeps.kept.kept_arrays import Kept
 from hertzwerk.runtime.sweeps.row_outputs import Measured, NotANumberError, Output, named
-from hertzwerk.runtime.sweeps.sweep_table import Row
+from hertzwerk.runtime.sweeps.sweep_table import LOST, Row
 
 # outcomes of rows without a run or some of its numbers
-BAD_INPUT, BAD_OUTPUT, NO_NUMBER, FAILED, LOST = "bad_input", "bad_output", "output_no_number", "failed", "lost"
+BAD_INPUT, BAD_OUTPUT, NO_NUMBER, FAILED = "bad_input", "bad_output", "output_no_number", "failed"
 PROBE = 0.3  # s: longest trial run, from which the time of all is estimated
 
 Own: TypeAlias = Callable[[Solution], float]
@@ -93,7 +93,10 @@ class Job:
 
     def lost(self, task: Task) -> Row:
         """Return the row of a run whose process died repeatedly."""
-        return Row(*task, LOST, "its process died, and died again where it ran alone", self._values(task))
+        message = (
+            "its process died, and died again where it ran alone; where rows are stored, the next call tries it anew"
+        )
+        return Row(*task, LOST, message, self._values(task))
 
     def probe(self, left: deque[Task], workers: int) -> Iterator[Row]:
         """Run the first good row for at most PROBE [s] to foresee the uncompiled time of the rest.

@@ -31,7 +31,7 @@ from hertzwerk.runtime.host.scratch import UNFINISHED, write_atomically
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.sweeps.definition import differences
 from hertzwerk.runtime.sweeps.kept.array_table import Packed
-from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, Row, Sweep
+from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, LOST, Row, Sweep
 
 DEFINITION, MODEL, ROWS, TABLE, LOCK = "definition.json", "model.py", "rows.sqlite", "table.csv", "lock"
 OURS = {
@@ -55,7 +55,10 @@ CREATE TABLE IF NOT EXISTS arrays (
 
 
 class Store:
-    """Open store of the one process that fills it; `stored` are the keys of the rows that are there."""
+    """Open store of the one process that fills it; `stored` are the keys of the rows that are there.
+
+    lost    keys of the rows there whose process died, by a lack of memory as likely as by what they are: to be replaced
+    """
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
@@ -63,7 +66,9 @@ class Store:
         self._rows.execute("PRAGMA journal_mode=WAL")
         self._rows.execute("PRAGMA synchronous=NORMAL")
         self._rows.executescript(_TABLES)
-        self.stored = {key for (key,) in self._rows.execute("SELECT key FROM rows")}
+        found = self._rows.execute("SELECT key, outcome FROM rows").fetchall()
+        self.stored = {key for key, _ in found}
+        self.lost = {key for key, outcome in found if outcome == LOST}
         self._syncing = _Syncing(folder / ROWS)
 
     @property
@@ -123,9 +128,11 @@ class Store:
         texts = (json.dumps(_nulled(part)) for part in (row.values, row.outputs))
         entry = (key, row.outcome, row.message, *texts, json.dumps(row.warnings), row.wall_s)
         arrays = [(key, name, json.dumps(packed.shape), packed.data) for name, packed in row.arrays.items()]
+        insert = "REPLACE" if key in self.lost else "INSERT"
         with self._transaction():
             self._rows.executemany("INSERT INTO arrays VALUES (?, ?, ?, ?)", arrays)
-            self._rows.execute("INSERT INTO rows VALUES (?, ?, ?, ?, ?, ?, ?)", entry)
+            self._rows.execute(f"{insert} INTO rows VALUES (?, ?, ?, ?, ?, ?, ?)", entry)
+        self.lost.discard(key)
         self.stored.add(key)
         self._syncing.pending.set()
 

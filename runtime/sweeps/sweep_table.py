@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
 COMPLETE = Outcome("finished", "every row is there", "")
 TEXTS = ("outcome", "message", "warnings")
+LOST = "lost"  # outcome of a row whose process died
 SHOWN = 10  # rows in a notebook
 
 

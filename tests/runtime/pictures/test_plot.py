@@ -1,5 +1,7 @@
 """Pictures: they show what they claim, say what a reader must know, and cover nothing."""
 
+import pickle
+
 import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -10,8 +12,10 @@ from hertzwerk.derive import Contact
 from hertzwerk.derive.laws import power
 from hertzwerk.runtime import Solution, load, simulate
 from hertzwerk.runtime.model.build import scene_from
+from hertzwerk.runtime.pictures import curves
 from hertzwerk.runtime.pictures.curves import Curves
 from hertzwerk.runtime.pictures.prefixes import scale_of
+from hertzwerk.runtime.pictures.sampling import dense
 
 C = 0.5e-3  # clearance [m]
 
@@ -38,6 +42,21 @@ def test_dollars_of_a_summary_are_no_mathematics(tmp_path):
     for number, picture in enumerate((run.draw(), run.plot(), run.plot("floor"))):
         picture.savefig(tmp_path / f"{number}.png")
     assert "A \\$x^{\\$ b &amp; &lt;i> \\\\ \\$." in str(model.equations())
+
+
+@pytest.mark.parametrize("output", ["steps", 5])
+def test_a_run_is_sampled_once_for_all_of_its_pictures(output, monkeypatch):
+    calls = []
+    monkeypatch.setattr(curves, "dense", lambda run: calls.append(run) or dense(run))
+    run = simulate(load("soft_ball"), duration="1 s", tolerance=1e-6, output=output)
+    run.plot(), run.plot("floor"), run.plot("energy")
+    assert len(calls) == 1
+    assert b"Curves" not in pickle.dumps(run)  # what pictures share is theirs
+    run.continued("1.5 s").plot()
+    assert len(calls) == 2
+    monkeypatch.setattr(Solution, "kept", property(lambda run: {}))  # seeded fault: nothing is kept
+    run.plot(), run.plot("floor")
+    assert len(calls) == 4
 
 
 def test_journal_path_leaves_the_clearance_circle_by_the_penetration_only(crank):

@@ -203,6 +203,32 @@ def test_a_row_is_written_through_though_no_other_follows(tmp_path, monkeypatch,
     assert store.SYNC < 1
 
 
+@pytest.mark.parametrize("compiled", [False, "auto"])
+def test_a_lost_row_is_tried_anew_by_the_next_call_and_in_a_process_of_its_own(ball, tmp_path, compiled):
+    """A call by one worker, which is this process, leaves it; of two, the first kills two more, and the next stores it."""
+    tries = str(tmp_path / "tries")
+
+    def end(run):
+        if run.initial["vertical.travel"] > 1.4:
+            with open(tries, "a") as log:  # noqa: PTH123
+                log.write("x")
+            if Path(tries).stat().st_size <= 4:
+                os._exit(3)
+        return run.t_end
+
+    how = {**BALL, "compiled": compiled, "workers": 2, "functions": {"end": end}, "into": tmp_path / "a"}
+    first = sweep(ball, OVER, **how)
+    assert list(first["outcome"]) == ["finished"] * 4 + ["lost"]
+    assert "the next call tries it anew" in first.rows[-1].message
+    assert first["drop_height"][-1] == 1.5
+    assert list(sweep(ball, OVER, **{**how, "workers": 1})["outcome"])[-1] == "lost"
+    assert Path(tries).stat().st_size == 2
+    assert list(sweep(ball, OVER, **how)["outcome"])[-1] == "lost"
+    assert Path(tries).stat().st_size == 4
+    assert list(sweep(ball, OVER, **how)["outcome"]) == ["finished"] * 5
+    same(sweep(ball, OVER, **how), sweep(ball, OVER, **{**how, "into": None, "workers": 1}))
+
+
 def test_a_row_that_is_there_cannot_be_stored_again(tmp_path):
     with store.opened(tmp_path / "a") as opened:
         opened.add("k", row(0))
