@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.measured.alignment_error import standard_errors
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.measured.seen_run import SeenRun
@@ -32,6 +33,8 @@ class Alignment:
     offset, drift    [s] and 1, within their ranges; a range of one value was not searched
     begin            first measured time [s]
     correlation      mean over the signals; nan where nothing was searched
+    offset_error, drift_error    standard errors [s] and 1, by the curvature of the least squares and the residual that
+                     is left (`alignment_error`); nan of what was not searched
     doubts           reasons not to trust what was found
     """
 
@@ -42,6 +45,8 @@ class Alignment:
     drifts: Range
     correlation: float = math.nan
     doubts: tuple[str, ...] = ()
+    offset_error: float = math.nan
+    drift_error: float = math.nan
 
     @property
     def searched(self) -> bool:
@@ -89,6 +94,9 @@ def align(
     s = int(np.argmax(curves[k]))
     offset, drift, correlation = search.refined(offsets[0] + s * seen.spacing, tried[k], offsets, drifts)
     best = Alignment(offset, drift, begin, offsets, drifts, correlation)
+    free = offsets[0] < offsets[1], drifts[0] < drifts[1]
+    errors = standard_errors(seen, best, times, measured, signals, free)
+    best = replace(best, offset_error=errors[0], drift_error=errors[1])
     return replace(
         best, doubts=(*lost, *_at_ends(best, seen.spacing), *_another(curves[k], s, offsets[0], seen.spacing))
     )

@@ -154,13 +154,13 @@ def _alignment(found: Alignment) -> str:
     if not found.searched:
         return f"the measured time plus {_time(found.offset)}, a drift of {found.drift:.3g}: as given, nothing searched"
     ends = [
-        f"{name} {show(value)}" + (f" (of {show(low)} to {show(high)})" if low < high else " (given)")
-        for name, value, (low, high), show in (
-            ("offset", found.offset, found.offsets, _time),
-            ("drift", found.drift, found.drifts, lambda value: f"{value:.3g}"),
+        f"{name} {show(value)}" + (f" +- {show(error)} (of {show(low)} to {show(high)})" if low < high else " (given)")
+        for name, value, error, (low, high), show in (
+            ("offset", found.offset, found.offset_error, found.offsets, _time),
+            ("drift", found.drift, found.drift_error, found.drifts, lambda value: f"{value:.3g}"),
         )
     ]
-    return f"{', '.join(ends)}, where the correlation is largest, {found.correlation:.4f}"
+    return f"{', '.join(ends)}, where the correlation is largest, {found.correlation:.4f}; +- standard errors"
 
 
 def _signal_lines(signal: Signal, horizon: float, end: float, *, statistics: bool) -> Iterator[tuple[str, str]]:

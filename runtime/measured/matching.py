@@ -122,5 +122,7 @@ def _warnings(run: Solution, asked: Asked, alignment: Alignment, outside: int) -
             f"{outside:,} of {len(asked.measurement.times):,} measured times lie outside the run, or before its filter has settled, "
             "and are left out"
         )
+    if asked.measurement.jumps:
+        yield f"{asked.measurement.jumps:,} times stand twice in the file: taken as jumps, of which the later line counts"
     yield from alignment.doubts
     yield from run.warnings

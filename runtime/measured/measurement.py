@@ -30,12 +30,14 @@ class Measurement:
     columns   by name, shape (n,), in `units`; nan where a sample is missing
     units     unit text of every column
     source    path of the file; empty for data of another origin
+    jumps     times that the file has twice, as a run does at an event; of them the later line is taken
     """
 
     times: Array
     columns: Mapping[str, Array]
     units: Mapping[str, str]
     source: str = ""
+    jumps: int = 0
 
     def __post_init__(self) -> None:
         times = np.asarray(self.times, dtype=float)
@@ -71,8 +73,8 @@ def read_measurement(path: str | Path, columns: Sequence[str] | None = None) -> 
 
     Separated by commas, semicolons or tabs, with decimal points; lines that begin with # are left out, and a cell that
     is empty or nan is a missing sample. `columns` names those that are read, by default all. Raises InputError with
-    every fault and its line: units that cannot be read, cells that are no numbers, times that are missing, repeated
-    or fall.
+    every fault and its line: units that cannot be read, cells that are no numbers, times that are missing or fall. Two
+    lines of one time are a jump, as where a run writes an event: the later one is taken; three are refused.
     """
     path = Path(path)
     try:
@@ -109,6 +111,7 @@ def read_measurement(path: str | Path, columns: Sequence[str] | None = None) -> 
         {name: each for (_, name, _), each in zip(others, measured, strict=True)},
         {name: text for _, name, text in others},
         str(path),
+        cells.jumps,
     )
 
 
@@ -148,12 +151,16 @@ def _chosen(where: str, headings: Sequence[str], columns: Sequence[str] | None, 
 
 
 class _Cells:
-    """Reader of the numbers of chosen columns; the first is time. `faults` has those of the first lines."""
+    """Reader of the numbers of chosen columns; the first is time. `faults` has those of the first lines.
+
+    jumps    lines that were left out, as the next has their time
+    """
 
     def __init__(self, file: str, headings: Sequence[str], chosen: Sequence[Chosen]) -> None:
         self._file, self._count, self._chosen = file, len(headings), chosen
         self._found: list[Fault] = []
         self._more = 0
+        self.jumps = 0
 
     @property
     def faults(self) -> list[Fault]:
@@ -165,6 +172,7 @@ class _Cells:
         """Return the numbers, shape (rows, columns), of numbered lines."""
         values = np.full((len(rows), len(self._chosen)), np.nan)
         before: tuple[float, str] | None = None
+        repeated: list[int] = []  # lines whose time the next one has
         for i, (number, row) in enumerate(rows):
             where = f"{self._file}, line {number}"
             if len(row) != self._count:
@@ -179,12 +187,15 @@ class _Cells:
             time, cell = float(values[i, 0]), row[self._chosen[0][0]]
             if cell.lower() in MISSING:
                 self._add(Fault(where, "no time", "a time in every line"))
+            elif before is not None and time == before[0] and i - 1 not in (r + 1 for r in repeated[-1:]):
+                repeated.append(i - 1)
             elif before is not None and time <= before[0]:
-                what = "repeated" if time == before[0] else f"after {before[1]}"
-                self._add(Fault(where, f"the time {cell}, {what}", "times that increase from line to line"))
+                what = "a third time" if time == before[0] else f"after {before[1]}"
+                self._add(Fault(where, f"the time {cell}, {what}", "times that increase, at most two lines of one"))
             elif np.isfinite(time):
                 before = time, cell
-        return values
+        self.jumps = len(repeated)
+        return np.delete(values, repeated, axis=0)
 
     def _number(self, where: str, cell: str) -> float:
         try:

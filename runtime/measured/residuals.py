@@ -73,7 +73,16 @@ def residual_of(times: Array, measured: Array, run: Array, noise: float | None) 
 def _independent(residual: Array) -> float:
     """Return the number of independent samples that tell the variance as well, by Bartlett's formula.
 
-    n / (1 + 2 sum of squared autocorrelations), up to the first that is within two standard errors of none.
+    n / (1 + 2 sum of squared autocorrelations).
+    """
+    known = autocorrelations(residual)
+    return max(len(residual) / (1 + 2 * float(known @ known)), min(2.0, len(residual)))
+
+
+def autocorrelations(residual: Array) -> Array:
+    """Return the autocorrelations of a residual (n,) from lag 1 on.
+
+    Up to the first that is within two standard errors of none.
     """
     n = len(residual)
     centred = residual - np.mean(residual)
@@ -81,11 +90,11 @@ def _independent(residual: Array) -> float:
     power = np.abs(np.fft.rfft(centred, size)) ** 2
     products = np.fft.irfft(power, size)[: n // 2]
     if not products.size or products[0] <= 0:
-        return float(n)
+        return np.zeros(0)
     correlations = products[1:] / products[0]
     gone = np.flatnonzero(np.abs(correlations) < 2 / math.sqrt(n))
-    known = correlations[: gone[0] if len(gone) else len(correlations)]
-    return max(n / (1 + 2 * float(known @ known)), 2.0)
+    found: Array = correlations[: gone[0] if len(gone) else len(correlations)]
+    return found
 
 
 def _ratio(independent: float, chance: float) -> float:

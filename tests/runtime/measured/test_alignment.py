@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from hertzwerk.derive.faults import InputError
+from hertzwerk.runtime.measured import alignment_error
 from hertzwerk.runtime.measured.alignment import align
 
 SPACING = 1e-4
@@ -94,3 +95,68 @@ def test_ranges_that_leave_too_few_samples_or_are_too_wide_are_refused():
         align(Known(pulses), t, values, (-1.0, 1.0), (0.0, 0.0))
     with pytest.raises(InputError, match="narrower range"):
         align(Known(pulses, 3.0), t, values, (0.0, 0.0), (-0.5, 0.9))
+
+
+def coloured(seed, size, memory):
+    """Noise of unit variance whose neighbours correlate by `memory`."""
+    found = np.random.default_rng(seed).normal(size=size)
+    for i in range(1, size):
+        found[i] = memory * found[i - 1] + np.sqrt(1 - memory**2) * found[i]
+    return found
+
+
+SEEDS, SAMPLES = 100, 500
+OFFSET, DRIFT = 0.0023456, 1.5e-3
+
+
+class Tabled(Known):
+    """Signals of different size, by interpolation, which is fast."""
+
+    def __init__(self, signals):
+        self.signals, self.fine = signals, np.linspace(0, 1, 100_001)
+        self.table = pulses(self.fine)
+        super().__init__(pulses)
+
+    def at(self, times):
+        return np.outer(np.interp(times, self.fine, self.table), 1 + np.arange(self.signals))
+
+
+def scores(memory, drifts, signals=1):
+    """Errors of offset and drift over their standard errors, for many seeds; of unit variance where those are right."""
+    found, run = [], Tabled(signals)
+    for seed in range(SEEDS):
+        rng = np.random.default_rng(seed)
+        t = np.sort(0.05 + 0.85 * rng.random(SAMPLES))
+        drift = DRIFT if drifts[0] < drifts[1] else 0.0
+        noise = [0.2 * coloured(1000 * j + seed, SAMPLES, memory) for j in range(signals)]
+        values = run.at(OFFSET + t + drift * (t - t[0])) + np.column_stack(noise)
+        best = align(run, t, values, (0.0, 5e-3), drifts)
+        row = [(best.offset - OFFSET) / best.offset_error]
+        found.append([*row, (best.drift - DRIFT) / best.drift_error] if drift else row)
+    return np.array(found)
+
+
+@pytest.mark.parametrize(
+    ("memory", "drifts", "signals"),
+    [(0.0, (0.0, 0.0), 1), (0.8, (0.0, 0.0), 1), (0.0, (0.0, 0.0), 3), (0.5, (0.0, 3e-3), 1)],
+)
+def test_standard_errors_cover_what_was_put_in(memory, drifts, signals):
+    """Of 100 seeds 95 % lie within 1.96 standard errors, up to the chance of so many seeds; their spread is one."""
+    z = scores(memory, drifts, signals)
+    assert np.all(np.std(z, axis=0) > 0.8) and np.all(np.std(z, axis=0) < 1.25)
+    assert np.all(np.mean(np.abs(z) < 1.96, axis=0) > 0.88)
+
+
+def test_errors_that_take_correlated_noise_for_white_would_be_seen(monkeypatch):
+    """Seeded fault."""
+    monkeypatch.setattr(alignment_error, "autocorrelations", lambda residual: np.zeros(0))
+    z = scores(0.8, (0.0, 0.0))
+    assert np.std(z) > 1.25
+    assert np.mean(np.abs(z) < 1.96) < 0.88
+
+
+def test_what_was_not_searched_has_no_error():
+    t, values = measured(pulses, 0.001, 0.0, noise=0.1)
+    found = align(Known(pulses), t, values, (0.0, 2e-3), (0.0, 0.0))
+    assert found.offset_error > 0 and np.isnan(found.drift_error)
+    assert np.isnan(align(Known(pulses), t, values, (0.001, 0.001), (0.0, 0.0)).offset_error)
