@@ -21,7 +21,7 @@ from hertzwerk.runtime.solution.solution import write
 from hertzwerk.runtime.sweeps.kept.array_table import Arrays, Packed
 from hertzwerk.runtime.tables.data_frame import data_frame
 from hertzwerk.runtime.tables.dataset import dataset
-from hertzwerk.runtime.tables.labelled_table import Column, LabelledTable
+from hertzwerk.runtime.tables.labelled_table import Column, LabelledTable, Points
 from hertzwerk.runtime.tables.table_file import write_table
 
 if TYPE_CHECKING:
@@ -174,6 +174,7 @@ class Sweep:
         """Return an xarray dataset over what was varied, with units and outcome.
 
         Its dimensions are the varied names where the rows are all combinations, else `row`, with them as coordinates.
+        Points of a section are `section.guide.travel` over `section.point`, those of shorter rows followed by nan.
         Raises InputError without the extra [data].
         """
         return dataset(self._labelled())
@@ -189,7 +190,11 @@ class Sweep:
         same = {f"parameter.{name}": _given(value) for name, value in first.items() if name not in self.varied}
         about = {"scene": self.scene, "outcome": self.outcome.name, "hertzwerk": versions()["hertzwerk"]}
         grid = {name: np.array(values) for name, values in self.axes.items()}
-        return LabelledTable("row", {"row": index, **columns}, {**about, **same}, self.varied, grid)
+        points = {
+            name: Points(units, [np.column_stack([*each.values()]) for each in self.arrays_of(name)])
+            for name, units in self.arrays.items()
+        }
+        return LabelledTable("row", {"row": index, **columns}, {**about, **same}, self.varied, grid, points)
 
     def _csv(self) -> bytes:
         text = io.StringIO()

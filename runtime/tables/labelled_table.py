@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -26,6 +26,17 @@ class Column:
 
 
 @dataclass(frozen=True)
+class Points:
+    """Points that every row has of its own, such as a section: of each row an array (points, names).
+
+    units    SI unit text by name, of which the first is the time
+    """
+
+    units: Mapping[str, str]
+    rows: Sequence[np.ndarray]
+
+
+@dataclass(frozen=True)
 class LabelledTable:
     """Columns by name over an index.
 
@@ -34,6 +45,7 @@ class LabelledTable:
     grid    values of the coordinates where the rows are all their combinations, the last fastest, and the index is
             the place among those; empty where they are not
     about    what is the same for all rows, by name
+    points    points of the rows by what they are of
     """
 
     index: str
@@ -41,6 +53,7 @@ class LabelledTable:
     about: Mapping[str, str | float]
     coordinates: tuple[str, ...] = ()
     grid: Mapping[str, np.ndarray] = field(default_factory=dict)
+    points: Mapping[str, Points] = field(default_factory=dict)
 
     @property
     def data(self) -> dict[str, Column]:

@@ -105,7 +105,7 @@ def coloured(seed, size, memory):
     return found
 
 
-SEEDS, SAMPLES = 100, 500
+SEEDS = 100
 OFFSET, DRIFT = 0.0023456, 1.5e-3
 
 
@@ -121,14 +121,14 @@ class Tabled(Known):
         return np.outer(np.interp(times, self.fine, self.table), 1 + np.arange(self.signals))
 
 
-def scores(memory, drifts, signals=1):
+def scores(memory, drifts, signals=1, samples=500):
     """Errors of offset and drift over their standard errors, for many seeds; of unit variance where those are right."""
     found, run = [], Tabled(signals)
     for seed in range(SEEDS):
         rng = np.random.default_rng(seed)
-        t = np.sort(0.05 + 0.85 * rng.random(SAMPLES))
+        t = np.sort(0.05 + 0.85 * rng.random(samples))
         drift = DRIFT if drifts[0] < drifts[1] else 0.0
-        noise = [0.2 * coloured(1000 * j + seed, SAMPLES, memory) for j in range(signals)]
+        noise = [0.2 * coloured(1000 * j + seed, samples, memory) for j in range(signals)]
         values = run.at(OFFSET + t + drift * (t - t[0])) + np.column_stack(noise)
         best = align(run, t, values, (0.0, 5e-3), drifts)
         row = [(best.offset - OFFSET) / best.offset_error]
@@ -137,12 +137,12 @@ def scores(memory, drifts, signals=1):
 
 
 @pytest.mark.parametrize(
-    ("memory", "drifts", "signals"),
-    [(0.0, (0.0, 0.0), 1), (0.8, (0.0, 0.0), 1), (0.0, (0.0, 0.0), 3), (0.5, (0.0, 3e-3), 1)],
+    ("memory", "drifts", "signals", "samples"),
+    [(0, (0, 0), 1, 500), (0.8, (0, 0), 1, 2000), (0, (0, 0), 3, 500), (0.5, (0, 3e-3), 1, 500)],
 )
-def test_standard_errors_cover_what_was_put_in(memory, drifts, signals):
+def test_standard_errors_cover_what_was_put_in(memory, drifts, signals, samples):
     """Of 100 seeds 95 % lie within 1.96 standard errors, up to the chance of so many seeds; their spread is one."""
-    z = scores(memory, drifts, signals)
+    z = scores(memory, drifts, signals, samples)
     assert np.all(np.std(z, axis=0) > 0.8) and np.all(np.std(z, axis=0) < 1.25)
     assert np.all(np.mean(np.abs(z) < 1.96, axis=0) > 0.88)
 
@@ -150,7 +150,7 @@ def test_standard_errors_cover_what_was_put_in(memory, drifts, signals):
 def test_errors_that_take_correlated_noise_for_white_would_be_seen(monkeypatch):
     """Seeded fault."""
     monkeypatch.setattr(alignment_error, "autocorrelations", lambda residual: np.zeros(0))
-    z = scores(0.8, (0.0, 0.0))
+    z = scores(0.8, (0, 0), samples=2000)
     assert np.std(z) > 1.25
     assert np.mean(np.abs(z) < 1.96) < 0.88
 

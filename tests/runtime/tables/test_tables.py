@@ -112,6 +112,37 @@ def test_a_stored_sweep_has_the_same_dimensions(ball, tmp_path):
     assert made.to_xarray().sizes == {"drop_height": 2, "mass": 2}
 
 
+def test_points_of_rows_have_a_dimension_of_their_own(ball, tmp_path):
+    """Rows of other lengths, a row without a run, a place without a row; times that all rows share are a coordinate."""
+    over = {"drop_height": "0.05, 0.2 m", "mass": "0.1, -1 kg"}
+    how = {
+        "section": "floor.gap = 0 m falling",
+        "grid": "0.1 s",
+        "duration": "1 s",
+        "tolerance": 1e-7,
+        "workers": 1,
+        "compiled": False,
+    }
+    made = sweep(ball, over, outputs=["impacts"], **how)
+    lengths = [len(t) for t in made.section["t"]]
+    assert lengths[0] > lengths[2] > lengths[1] == lengths[3] == 0
+    part = replace(made, rows=made.rows[:3])
+    for found in (part.to_xarray(), xr.load_dataset(part.to_file(tmp_path / "t.nc"), engine="h5netcdf")):
+        assert dict(found.sizes) == {"drop_height": 2, "mass": 2, "section.point": lengths[0], "histories.t": 11}
+        for kind, arrays in (("section", made.section), ("histories", made.histories)):
+            for name in arrays.units:
+                if (kind, name) == ("histories", "t"):
+                    assert same(found["histories.t"].values, arrays["t"][0])
+                    continue
+                values = found[f"{kind}.{name}"]
+                assert values.dims == ("drop_height", "mass", "section.point" if kind == "section" else "histories.t")
+                assert values.attrs["units"] == arrays.units[name]
+                for i, points in enumerate(arrays[name][:3]):
+                    at = values.values.reshape(4, -1)[i]
+                    assert same(at[: len(points)], points) and np.isnan(at[len(points) :]).all()
+                assert np.isnan(values.values[1, 1]).all()
+
+
 def test_a_csv_file_opens_with_pandas(grid, tmp_path):
     frame = pd.read_csv(grid.to_file(tmp_path / "t.csv"), keep_default_na=False, na_values=["nan"])
     heads = [f"{name} [{unit}]" if (unit := grid.unit(name)) else name for name in grid.names]
