@@ -44,6 +44,11 @@ ACCURACY = click.option(
 )
 MAX_STEPS = click.option("--max-steps", metavar="NUMBER", help="Stop after so many accepted steps (default: 1000000).")
 WALL_TIME = click.option("--wall-time", metavar="TIME", help='Stop after so long on the clock, such as "10 min".')
+GRID = click.option(
+    "--grid",
+    metavar="POINTS|TIME",
+    help='Keep so many equally spaced states (10000), or one each TIME ("0.1 ms"), in place of every accepted step.',
+)
 DURATION = click.option("--duration", metavar="TIME", help='Such as "24 ms" (default: the scenario\'s).')
 
 

@@ -5,16 +5,27 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from hertzwerk.derive.faults import InputError
-from hertzwerk.runtime.cli.target import BY_METHOD, DURATION, LAW, SET, WITHOUT, assignments, loaded, number
+from hertzwerk.runtime.cli.continue_run import output_of
+from hertzwerk.runtime.cli.target import (
+    BY_METHOD,
+    COORDINATES,
+    DURATION,
+    GRID,
+    LAW,
+    SET,
+    WITHOUT,
+    assignments,
+    loaded,
+    number,
+)
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.model.model import Model
+    from hertzwerk.derive.faults import Fault
     from hertzwerk.runtime.simulation import Solution
 
 TOLERANCE = 1e-6  # local; finer than a picture shows
@@ -25,8 +36,15 @@ TOLERANCE = 1e-6  # local; finer than a picture shows
 @SET
 @WITHOUT
 @LAW
+@COORDINATES
 @DURATION
+@click.option(
+    "--accuracy",
+    metavar="NUMBER",
+    help="Error asked for at the end, in the scene's scales (default: a local tolerance of 1e-6, finer than a picture shows).",
+)
 @BY_METHOD
+@GRID
 @click.option("--fps", metavar="NUMBER", default="25", help="Frames a second (default: 25).")
 @click.option(
     "--slow",
@@ -40,19 +58,16 @@ TOLERANCE = 1e-6  # local; finer than a picture shows
 @reports_bad_input
 def animate(
     target: str,
-    settings: Sequence[str],
-    without: Sequence[str],
-    laws: Sequence[str],
-    duration: str | None,
-    method: str | None,
     fps: str,
     slow: str | None,
     out: Path | None,
     overwrite: bool,
+    **options: Any,
 ) -> int:
     """Film the mechanism of TARGET in motion, with clearances enlarged and contact forces as arrows.
 
-    Paths of journals grow, the largest forces since the frame before are shown.
+    Paths of journals grow, the largest forces since the frame before are shown. A film of a run with --grid is one of
+    its steps, unless there are more than 100000.
     Ctrl-C ends the film with the frames so far (exit code 1).
     """
     from hertzwerk.runtime.host.interrupt import raise_interrupts
@@ -60,14 +75,9 @@ def animate(
     from hertzwerk.runtime.pictures.motion.film import path_faults
 
     path = out or Path(f"{Path(target).stem}.gif")
-    faults = path_faults(path, overwrite=overwrite)
-    values = assignments("--set", settings, faults)
-    model = loaded(target, without, laws, faults)
-    if faults:
-        raise InputError("animate", faults)
     with raise_interrupts(), Progress(target, shown=sys.stderr.isatty()) as progress:
         progress.stage("running")
-        run = _run(model, target, values, duration, method, progress)
+        run = _run(target, path_faults(path, overwrite=overwrite), progress, **options)
         progress.stage("drawing")
         made = film_of(
             run,
@@ -87,25 +97,34 @@ def animate(
 
 
 def _run(
-    model: Model, target: str, values: dict[str, str], duration: str | None, method: str | None, progress: Progress
+    target: str,
+    faults: list[Fault],
+    progress: Progress,
+    *,
+    settings: Sequence[str],
+    without: Sequence[str],
+    laws: Sequence[str],
+    coordinates: str | None,
+    duration: str | None,
+    accuracy: str | None,
+    method: str | None,
+    grid: str | None,
 ) -> Solution:
-    """Run the model in its scenario; raises InputError."""
-    from hertzwerk.runtime.run.request import METHOD
-    from hertzwerk.runtime.simulation import simulate
+    """Run the model in its scenario; raises InputError with `faults` and those of every option."""
+    from hertzwerk.runtime.run.request import METHOD, Settings, check
+    from hertzwerk.runtime.simulation import solve
     from hertzwerk.runtime.start.start_values import split_values
     from hertzwerk.runtime.validate import scenarios
 
-    numbers = scenarios.read(target)
+    values, numbers = assignments("--set", settings, faults), scenarios.read(target)
+    accurate = None if accuracy is None else number(accuracy)
+    tolerance = TOLERANCE if accuracy is None else None
+    until, by = duration or numbers.get("duration"), method or numbers.get("method", METHOD)
+    settled = Settings(until, accurate, tolerance, by, "auto", output_of(grid))
+    model = loaded(target, without, laws, faults, coordinates=coordinates, others=settled.faults)
     parameters, initial = split_values(model, values)
-    run = simulate(
-        model,
-        duration=duration or numbers.get("duration"),
-        tolerance=TOLERANCE,
-        method=method or numbers.get("method", METHOD),
-        parameters=parameters,
-        initial=initial,
-        progress=progress,
-    )
+    check(model, settled, parameters, initial, faults)
+    run = solve(model, settled, parameters, initial, progress=progress)
     if run.outcome.name == "interrupted":
         raise KeyboardInterrupt
     return run

@@ -17,6 +17,7 @@ from hertzwerk.runtime.cli.target import (
     BY_METHOD,
     COORDINATES,
     DURATION,
+    GRID,
     JSON,
     LAW,
     MAX_STEPS,
@@ -61,11 +62,7 @@ STOPPED = (
 @DURATION
 @ACCURACY
 @BY_METHOD
-@click.option(
-    "--grid",
-    metavar="POINTS|TIME",
-    help='Keep so many equally spaced states (10000), or one each TIME ("0.1 ms"), in place of every accepted step.',
-)
+@GRID
 @click.option(
     "--averages", is_flag=True, help="Also averages with 95 % confidence: impact rates, mean and peak forces, powers."
 )

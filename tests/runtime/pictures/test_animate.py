@@ -297,3 +297,28 @@ def test_the_command_writes_one_film_and_never_over_another(tmp_path, monkeypatc
     bad = hertzwerk("--out", "film.avi", "--fps", "many")
     assert bad.exit_code == 2
     assert ".mp4" in bad.output
+
+
+def test_the_command_films_other_coordinates_an_accuracy_and_a_grid(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("HERTZWERK_CACHE", str(tmp_path / ".cache"))
+    made = []
+    monkeypatch.setattr(
+        films, "animate", lambda run, *_, **__: made.append(run) or films.Film("x", 2, 2, Clock(run.t, 1.0, 1.0))
+    )
+    how = ["--coordinates", "absolute", "--accuracy", "1e-4", "--grid", "7", "--duration", "0.1 s"]
+    assert CliRunner().invoke(main, ["animate", "bouncing_ball", *how], catch_exceptions=False).exit_code == 0
+    assert CliRunner().invoke(main, ["animate", "bouncing_ball", "--duration", "0.1 s"]).exit_code == 0
+    asked, plain = made
+    assert (asked.model.coordinates[0], plain.model.coordinates[0]) == ("ball.x", "vertical.travel")
+    assert (asked.accuracy, len(asked.t)) == (1e-4, 7)
+    assert (plain.accuracy, plain.tolerance) == (None, 1e-6)
+
+
+def test_every_fault_of_the_command_comes_at_once(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    wrong = ["--out", "film.avi", "--accuracy", "7", "--grid", "1 kg", "--set", "mass=1 m", "--duration", "1 m"]
+    told = CliRunner().invoke(main, ["animate", "bouncing_ball", *wrong])
+    assert told.exit_code == 2
+    for text in (".avi", "accuracy: found 7", "mass: found 1 m", "duration: found '1 m'"):
+        assert text in told.output, text
