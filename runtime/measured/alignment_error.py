@@ -1,4 +1,4 @@
-"""Standard errors of an alignment, from the curvature of the least squares and the residual."""
+"""Standard errors of an alignment, from the curvature of the least squares and the residual.
 
 The largest correlation is the least sum of squares of measured less gain times run less level, gain and level free. Near
 it the residual changes by the run's slope for an offset, by slope times elapsed time for a drift, both less what a gain
