@@ -34,7 +34,7 @@ def standard_errors(
     signals: Sequence[NDArray[np.intp]],
     free: tuple[bool, bool],
 ) -> tuple[float, float]:
-    """Return the standard errors of offset [s] and drift [1]; nan of one that is not free or is not determined.
+    """Return the standard errors of offset [s] and drift [1]; nan where not free or not determined.
 
     run_times    of measured times, as aligned; measured (n, signals), of which the rows `signals` of each count.
     Noise of one signal is taken to be independent of another's, and of the run.
