@@ -13,19 +13,25 @@ source = "sqrt(2 g h)"
 
 from __future__ import annotations
 
+import contextlib
 import math
 import re
+from collections.abc import Mapping
+from dataclasses import replace
+from difflib import get_close_matches
 from pathlib import Path
-from typing import Annotated, Literal, Self
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError, model_validator
 
 from hertzwerk.derive.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.files.tomlfile import read_toml
-from hertzwerk.derive.units import UnitError, parse_quantity
+from hertzwerk.derive.units import UnitError, parse_quantity, parse_unit, rate_remedy
 from hertzwerk.runtime.integrate.tableaux.methods import METHODS
+from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.model.build import is_file
-from hertzwerk.runtime.run.request import METHOD
+from hertzwerk.runtime.run.request import METHOD, Settings, check
+from hertzwerk.runtime.solution.history import units_of
 from hertzwerk.runtime.validate import scenarios
 
 IMPACT_FIELDS = {"t": "s", "speed": "m/s", "peak_force": "N", "peak_penetration": "m", "duration": "s"}
@@ -38,19 +44,43 @@ def si(text: str) -> float:
     return value * unit.factor
 
 
+class UnfitError(ValueError):
+    """An entry that is not as `expected`, with a remedy."""
+
+    def __init__(self, expected: str, remedy: str = "") -> None:
+        super().__init__(expected)
+        self.expected, self.remedy = expected, remedy
+
+
+EXPECTED = {  # of keys, wherever they stand
+    "scene": "the name of a scene, or its file",
+    "duration": 'a positive time or revolutions, such as "24 ms" or "200 rev"',
+    "accuracy": "a number in 1e-12..1e-1",
+    "parameters": 'text with a unit, such as clearance = "0.2 mm"',
+    "initial": 'text with a unit, such as "guide.travel" = "0.17 m"',
+    "outcome": "finished, beyond_horizon or accuracy_unreachable",
+    "checks": "tables [[checks]] of quantity, source, and expected with tolerance, or at_most",
+    "quantity": 'what is measured, such as "impacts.0.speed"',
+    "expected": 'text with a unit, such as "0.3 m/s"',
+    "at_most": 'text with a unit, such as "0.3 m/s"',
+    "tolerance": "a number above zero, relative to what is expected",
+    "source": "text that says where the number comes from",
+}
+
+
 def _quantity_text(text: str) -> str:
     try:
         finite = math.isfinite(si(text))
     except UnitError as error:
-        raise ValueError(str(error)) from error
+        raise UnfitError('a number with its unit, such as "0.2 mm"', str(error)) from error
     if not finite:
-        raise ValueError(f"{text!r} is not finite")
+        raise UnfitError("a finite number with its unit")
     return text
 
 
 def _method(name: str) -> str:
     if name not in METHODS:
-        raise ValueError(f"{name!r} is no method; there are {', '.join(METHODS)}")
+        raise UnfitError(f"one of {', '.join(METHODS)}")
     return name
 
 
@@ -63,18 +93,18 @@ def _measurable(text: str) -> str:
         or (head in FOUND_IN_HISTORIES and rest)
     )
     if not known:
-        raise ValueError(
-            f"{text!r} is no quantity; write impacts (their number), impacts.N.FIELD with N from 0 and FIELD one of "
-            f"{', '.join(IMPACT_FIELDS)}; final.NAME, max.NAME, min.NAME or largest.NAME (of either sign) of a state or a contact force; "
-            "energy_residual"
+        raise UnfitError(
+            f"impacts (their number), impacts.N.FIELD with N from 0 and FIELD one of {', '.join(IMPACT_FIELDS)}; final.NAME, "
+            "max.NAME, min.NAME or largest.NAME (of either sign) of a state or a contact force; energy_residual"
         )
     return text
 
 
 def _duration_text(text: str) -> str:
     value, unit = parse_quantity(_quantity_text(text))
-    if not value > 0 or unit.exponents != parse_quantity("1 s")[1].exponents:
-        raise ValueError(f"{text!r} is no duration; write a positive time with its unit, such as '24 ms'")
+    turns = unit.dimensionless and unit.angle == 1
+    if not value > 0 or not (turns or unit.exponents == parse_quantity("1 s")[1].exponents):
+        raise UnfitError(EXPECTED["duration"])
     return text
 
 
@@ -99,9 +129,9 @@ class Check(_Record):
         within = self.expected is not None and self.tolerance is not None and self.at_most is None
         below = self.at_most is not None and self.expected is None and self.tolerance is None
         if not (within or below):
-            raise ValueError("a check has either expected and tolerance, or at_most")
+            raise UnfitError("either expected and tolerance, or at_most")
         if self.expected is not None and si(self.expected) == 0:
-            raise ValueError("the tolerance is relative: for an expected zero write at_most")
+            raise UnfitError("at_most for an expected zero", "the tolerance is relative")
         return self
 
 
@@ -128,21 +158,84 @@ def load_scenario(target: str | Path) -> Scenario:
         if str(target) not in scenarios.names():
             raise InputError("scenario", [unknown("scenario", str(target), scenarios.names(), "or a TOML file")])
         return _validated(f"scenario {target}", scenarios.read(str(target)))
-    scenario = _validated(str(path), read_toml(path, "scene, duration, parameters and checks"))
-    named_from_here = {"scene": str(path.parent / scenario.scene)} if is_file(scenario.scene) else {}
-    return scenario.model_copy(update=named_from_here)
+    content = read_toml(path, "scene, duration, parameters and checks")
+    scene = content.get("scene")
+    if isinstance(scene, str) and is_file(scene):
+        content["scene"] = str(path.parent / scene)
+    return _validated(str(path), content, meant=True)
 
 
-def _validated(subject: str, content: dict[str, object]) -> Scenario:
+def _validated(subject: str, content: dict[str, Any], *, meant: bool = False) -> Scenario:
+    """Return a scenario; raises InputError with the faults of its form and, if wanted, of what is meant by the rest."""
+    faults: list[Fault] = []
     try:
-        return Scenario.model_validate(content)
+        found = Scenario.model_validate(content)
     except ValidationError as error:
-        faults = [
-            Fault(
-                ".".join(map(str, fault["loc"])) or "scenario",
-                shown(fault["input"]),
-                fault["msg"].removeprefix("Value error, "),
-            )
-            for fault in error.errors(include_url=False)
-        ]
-        raise InputError(subject, faults) from error
+        faults = [_fault(row) for row in error.errors(include_url=False)]
+    if meant:
+        faults += _meaning_faults(content, {fault.where for fault in faults})
+    if faults:
+        raise InputError(subject, faults)
+    return found
+
+
+def _fault(row: Any) -> Fault:
+    """Return an error of pydantic as a fault."""
+    path = row["loc"]
+    where = ".".join(map(str, path)) or "scenario"
+    if row["type"] == "extra_forbidden":
+        known = Check.model_fields if path[0] == "checks" else Scenario.model_fields
+        return replace(unknown("key", str(path[-1]), known), where=where)
+    if row["type"] == "missing":
+        return Fault(where, "nothing", EXPECTED[path[-1]], f"add a line {path[-1]} = ...")
+    cause = row.get("ctx", {}).get("error")
+    if isinstance(cause, UnfitError):
+        return Fault(where, shown(row["input"]), cause.expected, cause.remedy)
+    key = next((part for part in reversed(path) if part in EXPECTED), "")
+    return Fault(where, shown(row["input"]), EXPECTED.get(key, row["msg"].removeprefix("Input should be ")))
+
+
+def _meaning_faults(content: dict[str, Any], faulty: set[str]) -> list[Fault]:
+    """Return the faults of entries whose form is right: the scene, names and units of its values, what is checked."""
+    if not isinstance(content.get("scene"), str):
+        return []
+    try:
+        model = load(content["scene"])
+    except InputError as error:
+        return list(error.faults)
+    faults: list[Fault] = []
+    parameters, initial = (
+        {name: value for name, value in table.items() if f"{key}.{name}" not in faulty}
+        for key in ("parameters", "initial")
+        for table in [content.get(key, {}) if key not in faulty else {}]
+    )
+    duration = content.get("duration") if "duration" not in faulty else "1 s"
+    try:
+        check(model, Settings(duration, None, None), parameters, initial)
+    except InputError as error:
+        faults += error.faults
+    checks, units = content.get("checks", ()), units_of(model, None)
+    for i, entry in enumerate(checks if isinstance(checks, list) else ()):
+        with contextlib.suppress(ValidationError):
+            fault = misfit(Check.model_validate(entry), units)
+            faults += [] if fault is None else [replace(fault, where=f"checks.{i}.{fault.where}")]
+    return faults
+
+
+def misfit(check: Check, units: Mapping[str, str]) -> Fault | None:
+    """Return the fault of a check with an unknown name or a unit that does not fit; else None."""
+    head, _, name = check.quantity.partition(".")
+    if head in FOUND_IN_HISTORIES:
+        if name not in units:
+            near = get_close_matches(name, units, n=1)
+            known = f"such as {near[0]}" if near else f"one of {', '.join(units)}"
+            return Fault(check.quantity, f"no history {name!r}", f"a history of the solution, {known}")
+        unit = units[name]
+    else:
+        unit = IMPACT_FIELDS[name.partition(".")[2]] if name else "1"
+    text = check.expected if check.expected is not None else check.at_most or ""
+    value, given = parse_quantity(text)
+    if given.exponents != parse_unit(unit).exponents or given.mistaken_for(parse_unit(unit)):
+        remedy = rate_remedy(given, value) if given.mistaken_for(parse_unit(unit)) else ""
+        return Fault(check.quantity, repr(text), f"a quantity in {unit}", remedy)
+    return None

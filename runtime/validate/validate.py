@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.derive.units import parse_quantity, parse_unit, rate_remedy, split_quantity
-from hertzwerk.runtime.validate.scenario import FOUND_IN_HISTORIES, IMPACT_FIELDS, Check, Scenario, si
+from hertzwerk.derive.faults import InputError
+from hertzwerk.derive.units import parse_unit, split_quantity
+from hertzwerk.runtime.validate.scenario import Check, Scenario, misfit, si
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.solution.solution import Solution
@@ -56,7 +55,7 @@ def run_scenario(scenario: Scenario) -> Solution:
 
 def validate(scenario: Scenario, solution: Solution) -> tuple[Verdict, ...]:
     """Return the verdict of every check; raises InputError for unknown names or unfit units."""
-    faults = [fault for check in scenario.checks if (fault := _misfit(check, solution)) is not None]
+    faults = [fault for check in scenario.checks if (fault := misfit(check, solution.history.units)) is not None]
     if faults:
         raise InputError(f"checks of scenario {scenario.scene}", faults)
     return tuple(_verdict(check, measure(solution, check.quantity)) for check in scenario.checks)
@@ -90,22 +89,3 @@ def _verdict(check: Check, measured: float | None) -> Verdict:
         return Verdict(check, measured, passed=measured <= si(check.at_most))
     expected, tolerance = si(check.expected or ""), check.tolerance or 0.0
     return Verdict(check, measured, passed=abs(measured - expected) <= tolerance * abs(expected))
-
-
-def _misfit(check: Check, solution: Solution) -> Fault | None:
-    """Return the fault of a check with an unknown name or a unit that does not fit; else None."""
-    head, _, name = check.quantity.partition(".")
-    if head in FOUND_IN_HISTORIES:
-        if name not in solution.names:
-            near = get_close_matches(name, solution.names, n=1)
-            known = f"such as {near[0]}" if near else f"one of {', '.join(solution.names)}"
-            return Fault(check.quantity, f"no history {name!r}", f"a history of the solution, {known}")
-        unit = solution.history.units[name]
-    else:
-        unit = IMPACT_FIELDS[name.partition(".")[2]] if name else "1"
-    text = check.expected if check.expected is not None else check.at_most or ""
-    value, given = parse_quantity(text)
-    if given.exponents != parse_unit(unit).exponents or given.mistaken_for(parse_unit(unit)):
-        remedy = rate_remedy(given, value) if given.mistaken_for(parse_unit(unit)) else ""
-        return Fault(check.quantity, repr(text), f"a quantity in {unit}", remedy)
-    return None

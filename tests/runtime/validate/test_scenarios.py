@@ -128,15 +128,17 @@ def test_quantities_are_those_of_the_solution(spheres):
 
 
 def test_a_check_in_the_wrong_unit_is_refused(tmp_path, spheres):
-    scenario = load_scenario(written(tmp_path, GOOD.replace("0.3 m/s", "0.3 m")))
     with pytest.raises(InputError, match=r"impacts\.0\.speed.*m/s"):
-        validate(scenario, spheres)
+        load_scenario(written(tmp_path, GOOD.replace("0.3 m/s", "0.3 m")))
+    scenario = load_scenario("two_spheres")
+    wrong = scenario.checks[0].model_copy(update={"expected": "1 kg"})
+    with pytest.raises(InputError, match="a quantity in"):
+        validate(scenario.model_copy(update={"checks": (wrong,)}), spheres)
 
 
-def test_a_check_of_an_unknown_name_is_refused(tmp_path, spheres):
-    scenario = load_scenario(written(tmp_path, GOOD.replace("impacts.0.speed", "final.target.speed")))
+def test_a_check_of_an_unknown_name_is_refused(tmp_path):
     with pytest.raises(InputError, match=r"target_path\.speed"):
-        validate(scenario, spheres)
+        load_scenario(written(tmp_path, GOOD.replace("impacts.0.speed", "final.target.speed")))
 
 
 def test_all_faults_of_a_file_come_at_once(tmp_path):
@@ -157,6 +159,50 @@ source = "x"
         load_scenario(written(tmp_path, text))
     places = {fault.where for fault in caught.value.faults}
     assert places == {"duration", "accuracy", "method", "unknown", "parameters.mass", "checks.0.quantity"}
+
+
+def test_faults_of_form_and_of_meaning_come_at_once_and_can_be_read(tmp_path):
+    text = """
+scene = "two_spheres"
+accuracy = 2.0
+parametres = 1
+[parameters]
+mas = "1 kg"
+mass = "1 m"
+speed = 3
+[[checks]]
+quantity = "final.target_path.sped"
+expected = "1 m/s"
+tolerance = 1e-3
+source = "x"
+[[checks]]
+quantity = "impacts.0.speed"
+at_most = "1 m"
+source = "x"
+[[checks]]
+quantity = "impacts"
+expected = "1"
+"""
+    with pytest.raises(InputError) as caught:
+        load_scenario(written(tmp_path, text))
+    told = {fault.where: fault for fault in caught.value.faults}
+    assert set(told) == {
+        *("duration", "accuracy", "parametres", "parameters.speed", "mas", "mass", "checks.2.source"),
+        *("checks.0.final.target_path.sped", "checks.1.impacts.0.speed"),
+    }
+    assert str(told["duration"]).startswith("duration: found nothing; expected a positive time or revolutions")
+    assert "did you mean parameters?" in told["parametres"].remedy
+    assert told["accuracy"].expected == "a number in 1e-12..1e-1"
+    assert "such as target_path.speed" in told["checks.0.final.target_path.sped"].expected
+    assert not any("Field required" in str(fault) or "Input should" in str(fault) for fault in told.values())
+
+
+def test_a_duration_may_be_revolutions_of_the_one_drive_there_is(tmp_path):
+    text = 'scene = "slider_crank"\nduration = "0.05 rev"\naccuracy = 1e-3\n'
+    solution = run_scenario(load_scenario(written(tmp_path, text)))
+    assert solution.duration == pytest.approx(0.05 * 60 / 5000, rel=1e-12)
+    with pytest.raises(InputError, match="one drive of constant speed"):
+        load_scenario(written(tmp_path, GOOD.replace("0.1 s", "2 rev")))
 
 
 @pytest.mark.parametrize("duration", ["-1 s", "0 s", "1", "nan s", "inf s", "5 mm"])
