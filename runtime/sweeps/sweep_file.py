@@ -19,6 +19,7 @@ from hertzwerk.derive.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.files.tomlfile import read_toml
 from hertzwerk.runtime.model.build import is_file
 from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD
+from hertzwerk.runtime.sweeps.parameter_sweep import sweep
 
 Quantity = str | float
 
@@ -62,12 +63,34 @@ def read_sweep(path: Path) -> dict[str, Any]:
         found = SweepFile.model_validate(content)
     except ValidationError as error:
         # of a union every member has its say about one place
-        faults = {_place(row["loc"]): row for row in error.errors(include_url=False)}
-        raise InputError(str(path), [_fault(place, row) for place, row in faults.items()]) from error
-    arguments = dict(found)
-    if is_file(found.target):
-        arguments["target"] = str(path.parent / found.target)
-    return arguments
+        rows = {_place(row["loc"]): row for row in error.errors(include_url=False)}
+        faults = [_fault(place, row) for place, row in rows.items()]
+        raise InputError(str(path), [*faults, *_meaning_faults(path, content, set(rows))]) from error
+    return _from(path, dict(found))
+
+
+def _from(path: Path, arguments: dict[str, Any]) -> dict[str, Any]:
+    """Return arguments with the file of a scene as seen from here."""
+    target = arguments["target"]
+    return {**arguments, "target": str(path.parent / target) if is_file(target) else target}
+
+
+def _meaning_faults(path: Path, content: dict[str, Any], faulty: set[str]) -> list[Fault]:
+    """Return the faults that `sweep` finds in the entries whose form is right."""
+    right: dict[str, Any] = {}
+    for key, value in content.items():
+        if key in SweepFile.model_fields and key not in faulty:
+            table = isinstance(value, dict)
+            right[key] = {name: x for name, x in value.items() if f"{key}.{name}" not in faulty} if table else value
+    if "target" not in right:
+        return []
+    nobody = {"workers": 0}  # a fault: nothing is computed
+    try:
+        sweep(**_from(path, {"over": {}, **right, **nobody}))
+    except InputError as error:
+        known = {*nobody, *(place.partition(".")[0] for place in faulty)}
+        return [fault for fault in error.faults if fault.where not in known]
+    raise AssertionError("a sweep without workers was computed")
 
 
 EXPECTED = {

@@ -205,6 +205,20 @@ def test_a_file_with_faults_is_refused_with_all_of_them(tmp_path):
     assert "did you mean target?" in str(caught.value)
 
 
+def test_faults_of_form_and_of_meaning_come_at_once(tmp_path):
+    file = tmp_path / "study.toml"
+    file.write_text(
+        'target = "bouncing_ball"\ntolerance = 7.0\noutputs = ["floor.peak"]\nsample = "3"\n'
+        'over = {mass = {a = 1}, drop_hight = "1..2 m:3"}\nvalues = {radios = "1 m"}\n'
+    )
+    with pytest.raises(InputError) as caught:
+        read_sweep(file)
+    told = {fault.where: str(fault) for fault in caught.value.faults}
+    assert set(told) == {"duration", "sample", "over.mass", "tolerance", "floor.peak", "drop_hight", "radios"}
+    assert "did you mean drop_height" in told["drop_hight"]
+    assert len(caught.value.faults) == len(told)
+
+
 def test_the_scene_of_a_file_stands_beside_it(tmp_path):
     (tmp_path / "inner").mkdir()
     (tmp_path / "inner" / "study.toml").write_text('target = "my.py"\nduration = 1.0\nover = {mass = "1 kg"}\n')
