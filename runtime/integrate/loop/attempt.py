@@ -15,7 +15,7 @@ from hertzwerk.runtime.integrate.loop.advance import advance, no_event_of_any_pa
 from hertzwerk.runtime.integrate.loop.choose import Choosing
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, contact_classes
 from hertzwerk.runtime.integrate.step.explicit import flow
-from hertzwerk.runtime.integrate.step.layout import REJECTED, Layouts, layouts
+from hertzwerk.runtime.integrate.step.layout import REJECTED, RUNNING, Layouts, layouts
 from hertzwerk.runtime.integrate.step.singular import explicit_near
 from hertzwerk.runtime.integrate.step.stepper import stepper
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta, dopri5
@@ -86,7 +86,9 @@ def _integrator(model: Model, taken: tuple[Table, ...], tables: tuple[Table, ...
     classes = contact_classes(model)
     tries = [advance(model, vectors, table, contacts, choosing) for table in taken for contacts in classes]
     advanced = ca.Function.conditional("advance", [idle, *tries[:-1]], tries[-1])
-    end, verdict = advanced(_case(state[vectors.state["class"]], method, len(classes)), state, controls)
+    # other steps are to go on from a SUSPECT or CALM state
+    taking = state[vectors.state["class"]] * (state[vectors.state["status"]] >= RUNNING)
+    end, verdict = advanced(_case(taking, method, len(classes)), state, controls)
     done = finish(_case(verdict[vectors.verdict["kind"]], method, REJECTED), state, controls, end, verdict)
     if model.nl and not all(isinstance(table, RungeKutta) for table in taken):
         done = explicit_near(vectors.state, tables, taken)(done)

@@ -7,7 +7,8 @@ friction reverses is stiff too, though no Jacobian shows it: the layer is thinne
 
 A run begins with explicit steps alone, at their cost: no Jacobian, nothing implicit is built. The difference of the
 last two stages of a step estimates the fastest rates in a few operations. Where that stays stiff, step after step,
-the run continues with steps that choose.
+the run continues with steps that choose, until explicit ones are no longer stiff. Implicit steps cost more than
+explicit ones: where they do not save as many, the run goes back, and is the more wary the more often.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ import casadi as ca
 
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.implicit import fraction_to_rest, linearised, sliding
-from hertzwerk.runtime.integrate.step.layout import SUSPECT, layouts
+from hertzwerk.runtime.integrate.step.layout import CALM, SUSPECT, layouts
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.step.classes import Contacts
@@ -28,9 +29,11 @@ if TYPE_CHECKING:
 
 EXPLICIT, IMPLICIT = 0.0, 1.0  # the state's `method`
 STIFF = 3.0  # step x rate: an explicit method of order 5 is stable up to 3.3, of order 8 up to 6
-EASY = 1.0  # step x rate below which an explicit step would do as well
+WORTH = 10.0  # step x rate of an implicit step that is worth its cost: that of about three explicit ones
+MOST = 3.0  # gain of one implicit step, as a part of its cost
 REVERSAL = 2.0  # weight of a step across a friction reversal, in stiff steps
-PATIENCE = 10.0  # stiff steps, less the others, before the method changes; easy ones before it changes back
+PATIENCE = 10.0  # stiff steps, less the others, before the method changes; implicit steps lost before it changes back
+WARY = 3.0  # times as many before the next change, where implicit steps were not worth their cost
 # The same by what stages differ by: of 21 scenes at 1e-5 and 1e-8 those with nothing stiff get to 18 at most, the others to more than 250.
 SUSPICIOUS = 20.0
 
@@ -52,7 +55,7 @@ def choice(
     h: Any,
     J: Any = None,
 ) -> dict[str, Any]:
-    """Return the state's `method`, `pressure` and `stiffness` after a plain step from `old` to `end`.
+    """Return the state's choice and `status` after a plain step from `old` to `end`.
 
     h [s]: the step to continue with.
     """
@@ -65,13 +68,21 @@ def choice(
     v1, rate1, _ = slides(end["t"], end["y"], end["dy"], *given)
     foreseen = old["h"] * ca.mtimes(gradient, ca.mtimes(J, old["dy"]))
     turned = ca.mmin(fraction_to_rest(v, rate, foreseen, v1, rate1, old["h"])) < 1 if v.numel() else ca.SX(0)
-    implicit = old["method"] == IMPLICIT
-    stiff, easy = stiffness > STIFF, (stiffness < EASY) * (1 - turned)
-    explicit_change = ca.if_else(turned, REVERSAL, ca.if_else(stiff, 1, -1))
-    change = ca.if_else(implicit, ca.if_else(easy, -1, 1), explicit_change)
-    pressure = ca.fmin(ca.fmax(old["pressure"] + change, 0), PATIENCE)
-    stays = ca.if_else(implicit, pressure > 0, pressure >= PATIENCE)
-    return {"method": ca.if_else(stays, IMPLICIT, EXPLICIT), "pressure": pressure, "stiffness": stiffness}
+    implicit, wary = old["method"] == IMPLICIT, old["wary"]
+    gain = ca.if_else(turned, 1, ca.fmin(stiffness / WORTH - 1, MOST))
+    pays = implicit * (old["pressure"] + gain > PATIENCE)
+    against = ca.if_else(turned, REVERSAL, ca.if_else(stiffness > STIFF, 1, -1))
+    pressure = ca.fmax(old["pressure"] + ca.if_else(implicit, gain, against), 0)
+    stays = ca.if_else(implicit, pressure > 0, pressure >= PATIENCE * (1 + wary))
+    given_up = implicit * (1 - stays)
+    wary = ca.if_else(given_up, WARY * (1 + wary) - 1, ca.if_else(pays, ca.fmax((1 + wary) / WARY - 1, 0), wary))
+    return {
+        "method": ca.if_else(stays, IMPLICIT, EXPLICIT),
+        "pressure": ca.if_else(stays, ca.fmin(pressure, PATIENCE), pressure),
+        "wary": wary,
+        "status": ca.if_else(stays + pressure > 0, old["status"], CALM),
+        "stiffness": stiffness,
+    }
 
 
 def suspicion(
@@ -100,7 +111,7 @@ def suspicion(
     damping = h2 * acceleration > STIFF**2 * speed
     vibration = h2 * h2 * acceleration * (pace * pace) > STIFF**4 * position * (length * length)
     pressure = ca.fmax(old["pressure"] + ca.if_else(damping * vibration, 1, -1), 0)
-    return {"pressure": pressure, "status": ca.if_else(pressure >= SUSPICIOUS, SUSPECT, old["status"])}
+    return {"pressure": pressure, "status": ca.if_else(pressure >= SUSPICIOUS * (1 + old["wary"]), SUSPECT, old["status"])}
 
 
 def fastest(model: Model) -> Any:

@@ -13,7 +13,7 @@ import numpy as np
 from hertzwerk.runtime.host.interrupt import defer_interrupts
 from hertzwerk.runtime.integrate.loop.attempt import Integrator
 from hertzwerk.runtime.integrate.loop.choose import PATIENCE
-from hertzwerk.runtime.integrate.step.layout import RUNNING, SUSPECT, TOO_MANY_STEPS
+from hertzwerk.runtime.integrate.step.layout import CALM, RUNNING, SUSPECT, TOO_MANY_STEPS
 from hertzwerk.runtime.model.caller import Caller, Callers
 
 ROOM = 1.05  # of a step: if less is left to the end, the step may have been cut to end there
@@ -138,17 +138,19 @@ def march(
                 ended = np.flatnonzero(states[:, status] != RUNNING)
                 part = states[: ended[0] + 1] if ended.size else states
                 outcome = int(part[-1, status])
-                suspect = outcome == SUSPECT
-                if suspect:
+                chooses = with_choice
+                if outcome in (SUSPECT, CALM):
+                    chooses = outcome == SUSPECT
                     outcome = part[-1, status] = RUNNING
-                    part[-1, pressure] = PATIENCE - 1  # the next step that is stiff indeed decides
+                    # the next step that is stiff indeed decides
+                    part[-1, pressure] = PATIENCE - 1 if chooses else 0.0
                 state = part[-1].copy()
                 if free:
                     bound = (part[:, status] != RUNNING) | (ROOM * part[:, h] >= t_end - part[:, t])
                     free = not bound.any()
                     last = len(part) if free else int(bound.argmax())
                     if last:
-                        resume = Resume(part[last - 1].copy(), with_choice or (suspect and free))
+                        resume = Resume(part[last - 1].copy(), chooses if free else with_choice)
                 keep(part[part[:, accepted] == 1])
                 elapsed = time.perf_counter() - start
                 if outcome == RUNNING and np.sum(state[vain]) > most_in_vain:
@@ -158,13 +160,15 @@ def march(
                 done = (float(state[t]) - t_start) / (t_end - t_start)
                 poll()
                 pace = max(done, float(state[steps]) / max_steps, 1e-9)
-                if suspect:
-                    with_choice = True
+                turned, with_choice = chooses != with_choice, chooses
+                if turned and chooses:
                     provider.use_choice(poll)
+                elif turned:
+                    provider.begin()
                 changed = outcome == RUNNING and provider.switch_if_faster(
                     elapsed, min(elapsed / pace, wall_time) - elapsed, poll
                 )
-                if suspect or changed:
+                if turned or changed:
                     callers.give_back(call)
                     callers, call = _called(provider, controls)
     except KeyboardInterrupt:

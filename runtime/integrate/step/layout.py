@@ -90,6 +90,7 @@ FLIGHT, CONTACT, RELEASED = 0.0, 1.0, 2.0  # modes of a pair
 # status
 RUNNING, FINISHED, STEP_TOO_SMALL, NOT_FINITE = range(4)
 CONSTRAINT_LOST, OUTSIDE_LAW_RANGE, EVENT_LIMIT, TOO_MANY_STEPS = range(4, 8)
+CALM = -2.0  # status of steps that choose where nothing is stiff: the run goes on with explicit steps alone
 SUSPECT = -1.0  # status of explicit steps that look stiff, of implicit ones near a singular position: the run goes on with steps that choose
 # kind of a step: nothing speaks against it; a pair that was not asked may be near; something may happen in it; it failed
 PLAIN, NEAR, SPECIAL, REJECTED = range(4)
@@ -104,13 +105,13 @@ def layouts(model: Model) -> Layouts:
     gap_acceleration and force, force_rate of each pair, friction, margin and margin_rate of those with set-valued
     friction (see `friction`) [SI]; ahead [s], the time to a singular position, where loops are closed (see
     `singular`); h [s] the step to try next; h_flight, h_contact, h_onset [s] remembered; class (see `classes`),
-    status; method, pressure, stiffness (see `choose`); accepted, fresh_contact (a contact has just begun),
+    status; method, pressure, wary, stiffness (see `choose`); accepted, fresh_contact (a contact has just begun),
     after_rejection; then counters.
     """
     ny, k, nm = model.nq + model.nu + model.nz, model.k, model.nm
     pairs = dict.fromkeys(PAIR_PARTS, k) | dict.fromkeys(GRIP_PARTS, model.ns) | {"ahead": min(model.nl, 1)}
     steps = ("h", "h_flight", "h_contact", "h_onset", "class", "status")
-    choice = ("method", "pressure", "stiffness")
+    choice = ("method", "pressure", "wary", "stiffness")
     flags = ("accepted", "fresh_contact", "after_rejection")
     counters = ("retakes", "steps", "rejected", "retaken", "evaluations", "events", "floored")
     limits = ("tolerance", "t_end", "h_max", "floor", "max_events", "max_steps")
