@@ -33,6 +33,7 @@ WORTH = 10.0  # step x rate of an implicit step that is worth its cost: that of 
 MOST = 3.0  # gain of one implicit step, as a part of its cost
 REVERSAL = 2.0  # weight of a step across a friction reversal, in stiff steps
 PATIENCE = 10.0  # stiff steps, less the others, before the method changes; implicit steps lost before it changes back
+CREDIT = 20.0  # the same after implicit steps that paid: it takes a dozen short ones to enter a thin layer of friction
 WARY = 3.0  # times as many before the next change, where implicit steps were not worth their cost
 # The same by what stages differ by: of 21 scenes at 1e-5 and 1e-8 those with nothing stiff get to 18 at most, the others to more than 250.
 SUSPICIOUS = 20.0
@@ -70,15 +71,15 @@ def choice(
     turned = ca.mmin(fraction_to_rest(v, rate, foreseen, v1, rate1, old["h"])) < 1 if v.numel() else ca.SX(0)
     implicit, wary = old["method"] == IMPLICIT, old["wary"]
     gain = ca.if_else(turned, 1, ca.fmin(stiffness / WORTH - 1, MOST))
-    pays = implicit * (old["pressure"] + gain > PATIENCE)
+    pays = implicit * (old["pressure"] + gain > CREDIT)
     against = ca.if_else(turned, REVERSAL, ca.if_else(stiffness > STIFF, 1, -1))
     pressure = ca.fmax(old["pressure"] + ca.if_else(implicit, gain, against), 0)
-    stays = ca.if_else(implicit, pressure > 0, pressure >= PATIENCE * (1 + wary))
+    stays = ca.if_else(implicit, pressure > 0, pressure >= PATIENCE)
     given_up = implicit * (1 - stays)
     wary = ca.if_else(given_up, WARY * (1 + wary) - 1, ca.if_else(pays, ca.fmax((1 + wary) / WARY - 1, 0), wary))
     return {
         "method": ca.if_else(stays, IMPLICIT, EXPLICIT),
-        "pressure": ca.if_else(stays, ca.fmin(pressure, PATIENCE), pressure),
+        "pressure": ca.fmin(pressure, ca.if_else(implicit, CREDIT, PATIENCE)),
         "wary": wary,
         "status": ca.if_else(stays + pressure > 0, old["status"], CALM),
         "stiffness": stiffness,
@@ -111,7 +112,10 @@ def suspicion(
     damping = h2 * acceleration > STIFF**2 * speed
     vibration = h2 * h2 * acceleration * (pace * pace) > STIFF**4 * position * (length * length)
     pressure = ca.fmax(old["pressure"] + ca.if_else(damping * vibration, 1, -1), 0)
-    return {"pressure": pressure, "status": ca.if_else(pressure >= SUSPICIOUS * (1 + old["wary"]), SUSPECT, old["status"])}
+    return {
+        "pressure": pressure,
+        "status": ca.if_else(pressure >= SUSPICIOUS * (1 + old["wary"]), SUSPECT, old["status"]),
+    }
 
 
 def fastest(model: Model) -> Any:

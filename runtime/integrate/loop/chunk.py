@@ -83,7 +83,7 @@ class CallerProvider(Protocol):
     def switch_if_faster(self, elapsed: float, ahead: float, poll: Callable[[], object]) -> bool:
         """Change `callers` if it pays; return whether it did.
 
-        elapsed, ahead: time [s] taken and about to be taken. Long operations call `poll` now and then.
+        elapsed, ahead: time [s] that attempts took and are about to take. Long operations call `poll` now and then.
         """
 
 
@@ -117,6 +117,7 @@ def march(
     error: Exception | None = None
     callers, call = _called(provider, controls)
     start, done, resume = time.perf_counter(), 0.0, Resume(state, with_choice)
+    spent = 0.0  # s of the processor on attempts alone: neither what else it does nor what is built tells the pace
     free = True  # of where the run is to end
     outcome = int(state[status])
 
@@ -134,7 +135,9 @@ def march(
                 callers, call = _called(provider, controls)
             while outcome == RUNNING:
                 call.inputs[0][:] = state
+                began = time.thread_time()
                 (states,) = call()
+                spent += time.thread_time() - began
                 ended = np.flatnonzero(states[:, status] != RUNNING)
                 part = states[: ended[0] + 1] if ended.size else states
                 outcome = int(part[-1, status])
@@ -166,7 +169,7 @@ def march(
                 elif turned:
                     provider.begin()
                 changed = outcome == RUNNING and provider.switch_if_faster(
-                    elapsed, min(elapsed / pace, wall_time) - elapsed, poll
+                    spent, min(spent / pace - spent, wall_time - elapsed), poll
                 )
                 if turned or changed:
                     callers.give_back(call)

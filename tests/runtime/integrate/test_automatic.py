@@ -28,8 +28,11 @@ def eager(monkeypatch):
 @pytest.fixture
 def clock(monkeypatch):
     """Every chunk takes 10 ms, whatever the machine does."""
-    ticks = itertools.count(step=0.01)
-    monkeypatch.setattr(chunk, "time", SimpleNamespace(perf_counter=lambda: next(ticks)))
+
+    def ticking():
+        return itertools.count(step=0.01).__next__
+
+    monkeypatch.setattr(chunk, "time", SimpleNamespace(perf_counter=ticking(), thread_time=ticking()))
 
 
 def test_a_short_run_is_not_compiled(crank, clock, tmp_path):
@@ -87,6 +90,24 @@ def test_a_limited_run_is_not_compiled_for_time_it_will_not_take(crank, wanted, 
     assert wanted == []
     simulate(crank, duration="100 s", tolerance=1e-8, max_events=100)  # which nobody can foresee
     assert min(wanted) > 10
+
+
+def test_a_run_is_not_compiled_for_the_time_it_took_to_build_what_chooses(wanted, monkeypatch):
+    """Two minutes to build what takes 0.1 s to run, on a loaded machine: as if an hour were ahead."""
+    building = automatic.AutomaticCallers.use_choice
+    late = []
+
+    def slowly(callers, poll):
+        building(callers, poll)
+        late.append(120.0)
+
+    elapsed, worked = chunk.time.perf_counter, chunk.time.thread_time
+    shifted = SimpleNamespace(perf_counter=lambda: elapsed() + sum(late), thread_time=lambda: worked() + sum(late))
+    monkeypatch.setattr(chunk, "time", shifted)
+    monkeypatch.setattr(automatic.AutomaticCallers, "use_choice", slowly)
+    simulate(load("journal_lubricated"), duration="0.3 s", tolerance=1e-6)
+    assert late
+    assert max(wanted, default=0) < 60
 
 
 def test_what_compiled_may_be(crank):

@@ -530,6 +530,21 @@ def test_auto_changes_when_the_ball_settles_and_says_why(ball):
     assert all(run.statistics.steps < other.statistics.steps for other in alone)
 
 
+@pytest.mark.slow
+def test_auto_leaves_implicit_steps_that_save_fewer_explicit_ones_than_they_cost():
+    """Corners that rub, at 1e-9: an implicit step costs 3.3 explicit ones. It goes on bitwise from between two changes, by explicit steps alone."""
+    model = load("translational_clearance")
+    auto, explicit = (simulate(model, duration="42 ms", tolerance=1e-9, method=m) for m in ("auto", "dop853"))
+    implicit = int(np.sum(auto.history.part("method")[1:]))
+    assert implicit > 100
+    assert auto.statistics.steps - implicit + 3.3 * implicit < 1.15 * explicit.statistics.steps
+    assert {choice.method for choice in auto.choices[2:]} == {"explicit", "implicit"}
+    back, again = (choice.t for choice in auto.choices[2:4])
+    part = simulate(model, duration=(back + again) / 2, tolerance=1e-9, method="auto")
+    rest = part.continued("42 ms")
+    assert np.array_equal(rest.history.rows, auto.history.rows[auto.t >= rest.t[0]])
+
+
 # ---- SUNDIALS --------------------------------------------------------------------------------------------------------
 
 
