@@ -32,7 +32,7 @@ from hertzwerk.runtime.integrate.loop.choose import Choosing
 from hertzwerk.runtime.integrate.step import implicit
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.implicit import linearised
-from hertzwerk.runtime.integrate.step.layout import layouts
+from hertzwerk.runtime.integrate.step.layout import RUNNING, layouts
 from hertzwerk.runtime.integrate.step.linear import solver
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import ErrorEstimate
 from hertzwerk.runtime.integrate.tableaux.implicit_tableaux import DiagonallyImplicit, Rosenbrock, esdirk54, rodas5p
@@ -488,8 +488,9 @@ def test_auto_by_calls_is_auto_written_out(swung, monkeypatch):
         start = simulate(model, **options).history
         state, controls = start.rows[0], start.controls
         for _ in range(20):
-            state = made.attempt(state, controls)
-        ends.append(np.array(state).ravel())
+            state = np.array(made.attempt(state, controls)).ravel()
+            state[made.layouts.state["status"]] = RUNNING  # where nothing is stiff it is CALM
+        ends.append(state)
     y = made.layouts.state["y"]
     assert ends[1][y] == pytest.approx(ends[0][y], rel=1e-9, abs=1e-9)
     assert ends[0][made.layouts.state["steps"]] == ends[1][made.layouts.state["steps"]] > 3
