@@ -72,6 +72,7 @@ ROOMS = {
         "pictures": "host model run solution start",
         "pictures/draw": "derive/faults host model pictures run solution start",
         "pictures/motion": "derive/faults host pictures pictures/draw solution",
+        "pictures/sweeps": "derive/faults pictures",
         "pictures/studies": "accuracy derive/sheets effects integrate/tableaux measured pictures studies validate "
         "work_precision",
         "report": "accuracy derive/readable host model pictures pictures/draw run solution",
@@ -83,7 +84,7 @@ ROOMS = {
         "studies": "derive/faults derive/sheets derive/units effects host loading measured model pictures simulation solution "
         "sweeps",
         "sweeps": "derive/declare derive/faults derive/files derive/units host loading model run simulation solution start "
-        "sweeps/kept tables",
+        "pictures/sweeps sweeps/kept tables",
         "sweeps/kept": "derive/faults derive/units model run solution",
         "tables": "derive/faults derive/units host model solution",
         "validate": "derive/faults derive/files derive/sheets derive/units integrate/tableaux loading model run "
@@ -364,6 +365,7 @@ PICTURES = {
     "pictures/plot_panel.py",
     *(f"pictures/motion/{name}.py" for name in ["film", "moving_paper", "stage", "writers"]),
     *(f"pictures/studies/plot_{name}.py" for name in ["accuracy", "band", "comparison", "effects", "laws", "page"]),
+    "pictures/sweeps/plot_sweep.py",
     *(f"pictures/draw/{name}.py" for name in ["drawing", "insets", "labels", "paper", "picture", "gallery"]),
 }
 

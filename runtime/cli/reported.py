@@ -62,10 +62,13 @@ def _of_sweep(folder: Path, _: str | None) -> str:
 
     sweep, definition = Sweep.load(folder), _told(folder / "definition.json")
     rows = [[row[name] for name in sweep.names] for row in sweep]
-    settings = {name: value for name, value in definition.items() if name not in ("columns", "versions")}
+    settings = {
+        name: value for name, value in definition.items() if name not in ("columns", "versions", "axes", "arrays")
+    }
     command = str(definition.get("command", f"hertzwerk sweep --resume {shlex.quote(str(folder))}"))
     origin = _origin(definition, command)
-    return sweep_page(sweep.scene, sweep.outcome, sweep.columns, rows, settings, origin, str(folder / "table.csv"))
+    whole = str(folder / "table.csv")
+    return sweep_page(sweep.scene, sweep.outcome, sweep.columns, rows, settings, origin, whole, sweep.plot)
 
 
 def _origin(told: Mapping[str, Any], command: str) -> Origin:

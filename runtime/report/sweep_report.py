@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from statistics import median
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from hertzwerk.runtime.report import scene_sections
 from hertzwerk.runtime.report.html_page import Origin, Section, facts, page, paragraphs, verdict
 from hertzwerk.runtime.report.html_table import Cell, number_text, table
 from hertzwerk.runtime.report.markup import Markup, joined
 from hertzwerk.runtime.solution.outcome import Outcome
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 MOST = 1000  # rows of the table
 
@@ -24,11 +28,13 @@ def sweep_page(
     definition: Mapping[str, Any],
     origin: Origin,
     whole: str,
+    draw: Callable[[], Figure],
 ) -> str:
     """Return the page of a sweep.
 
     columns    unit by name of column; `rows` have an entry for each
     definition    what the sweep computes, as plain data
+    draw    draws it
     whole    where all rows are, beyond those that are listed
     """
     ends = [str(row[list(columns).index("outcome")]) for row in rows]
@@ -38,6 +44,7 @@ def sweep_page(
         facts({"rows": number_text(len(rows)), **counts}),
     ])  # fmt: skip
     sections = [
+        Section("Picture", scene_sections.drawn(draw, "sweep", f"Outputs of {scene} over what was varied")),
         Section("Rows", _table(columns, rows, whole)),
         Section("Ranges", _ranges(columns, rows)),
         Section("Definition", _definition(definition)),

@@ -34,7 +34,7 @@ from hertzwerk.runtime.start.start_values import split_values
 from hertzwerk.runtime.sweeps.batch import Batch, engine_lost, engine_of, in_memory, worker_faults
 from hertzwerk.runtime.sweeps.definition import as_text, axes_of, keys_of, target_of, versions
 from hertzwerk.runtime.sweeps.design import Given, Varied, read_design
-from hertzwerk.runtime.sweeps.kept.kept_arrays import Kept, read_kept
+from hertzwerk.runtime.sweeps.kept.kept_arrays import Kept, place_of, read_kept
 from hertzwerk.runtime.sweeps.own_functions import digest
 from hertzwerk.runtime.sweeps.row_engine import EngineLostError
 from hertzwerk.runtime.sweeps.row_outputs import Output, chosen, finals, own
@@ -144,6 +144,7 @@ def sweep(
         varied=tuple(varied),
         axes=axes,
         arrays={} if kept is None else kept.columns,
+        place="" if kept is None else place_of(kept.section, grid, after),
         workers=batch.workers,
     )
     if into is None:

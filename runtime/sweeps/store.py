@@ -31,13 +31,15 @@ from hertzwerk.runtime.host.scratch import UNFINISHED, write_atomically
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.sweeps.definition import differences
 from hertzwerk.runtime.sweeps.kept.array_table import Packed
+from hertzwerk.runtime.sweeps.kept.kept_arrays import place_of
 from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, LOST, Row, Sweep
 
 DEFINITION, MODEL, ROWS, TABLE, LOCK = "definition.json", "model.py", "rows.sqlite", "table.csv", "lock"
+PICTURE = "sweep.png"
 OURS = {
     DEFINITION,
     MODEL,
-    *(TABLE, "section.csv", "histories.csv"),
+    *(TABLE, "section.csv", "histories.csv", PICTURE),
     *(f"{name}{end}" for name in (ROWS, LOCK) for end in ("", "-wal", "-shm", "-journal")),
 }
 SYNC = 0.5  # s between two writes to the disk
@@ -254,6 +256,7 @@ def loaded(folder: Path) -> Sweep:
         varied=tuple(definition["varied"]),
         axes={name: tuple(values) for name, values in definition["axes"].items()},
         arrays=definition["arrays"],
+        place=place_of(definition["section"], definition["grid"], definition["after"]),
         outcome=outcome if missing else COMPLETE,
     )
 

@@ -25,6 +25,7 @@ from hertzwerk.runtime.tables.labelled_table import Column, LabelledTable, Point
 from hertzwerk.runtime.tables.table_file import write_table
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
     from pandas import DataFrame
     from xarray import Dataset
 
@@ -77,6 +78,7 @@ class Sweep:
     varied    columns of the values that were given
     axes    their values in SI where the rows are all combinations, the last fastest; else empty
     arrays    unit text of arrays by what they are of, "section" or "histories", and name
+    place    phrase: where arrays were kept
     outcome    "finished", or the reason why rows are missing, with a remedy
     """
 
@@ -87,6 +89,7 @@ class Sweep:
     outcome: Outcome
     axes: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
     arrays: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+    place: str = ""
     workers: int = 0  # of a table that was loaded
     compiled: bool = False
     wall_s: float = math.nan
@@ -153,6 +156,16 @@ class Sweep:
             raise LookupError(f"no {name} in this sweep: {remedy} keeps them")
         varied = {each: self.unit(each) for each in self.varied}
         return Arrays(name, self.scene, self.arrays[name], varied, self.rows)
+
+    def plot(self, *names: str) -> Figure:
+        """Draw the section as a bifurcation diagram, else outputs: curves over one parameter, maps over two.
+
+        names    those to draw, by default all; with the names of outputs a sweep with a section draws these. Raises
+        InputError for unknown ones, and where there is nothing to draw.
+        """
+        from hertzwerk.runtime.pictures.sweeps.plot_sweep import figure
+
+        return figure(self, names)
 
     def unit(self, name: str) -> str:
         """Return the SI unit text of a column; "" if it has none."""

@@ -110,6 +110,7 @@ def sweep(
     widen: bool,
     workers: str | None,
     cluster: str | None,
+    plot: bool,
     file: Path | None,
     as_json: bool,
     **options: Any,
@@ -118,11 +119,15 @@ def sweep(
 
     TARGET may be a TOML file with the same keys. Whatever ends it, Ctrl-C, a kill, a full disk, --resume DIR goes on.
     """
+    from hertzwerk.runtime.host.folder import failures_of
     from hertzwerk.runtime.host.interrupt import raise_interrupts
     from hertzwerk.runtime.sweeps.parameter_sweep import sweep as swept
+    from hertzwerk.runtime.sweeps.store import PICTURE
 
     faults = table_faults(file)
     processes = _whole("--workers", workers, faults)
+    if plot and as_json and into is None and resume is None:
+        faults.append(Fault("--plot", "without a folder, as --json writes none", "--into DIR beside it"))
     arguments = _arguments(target, resume, into, options, faults)
     folder = resume or into or (None if as_json else _next_folder(arguments["target"]))
     with ExitStack() as stack:
@@ -142,6 +147,8 @@ def sweep(
     missing: list[str] = []
     if file is not None:
         written_or_none(lambda: found.to_file(file), missing, wanted=True)
+    if plot and folder is not None:
+        missing += failures_of(PICTURE, lambda: _draw(found, folder / PICTURE))
     whole = found.outcome.finished and set(found.counts()) <= {"finished"}
     if as_json:
         from hertzwerk.runtime.cli.run_folder import json_text
@@ -244,6 +251,17 @@ def _whole(option: str, text: str | None, faults: list[Fault]) -> int | None:
     return None
 
 
+def _draw(found: Sweep, file: Path) -> None:
+    """Write the picture of a sweep."""
+    import io
+
+    from hertzwerk.runtime.host.scratch import write_atomically
+
+    content = io.BytesIO()
+    found.plot().savefig(content, format="png", dpi=160)
+    write_atomically(file, content.getvalue())
+
+
 def _next_folder(target: str) -> Path:
     """Return the next free runs/SCENE-sweep-NNN."""
     from hertzwerk.runtime.host.folder import RUNS, numbered
@@ -295,7 +313,8 @@ def _report(found: Sweep, folder: Path | None, file: Path | None) -> None:
         line(found.outcome.name, found.outcome.message)
         line("remedy", found.outcome.remedy)
     if folder is not None:
-        tables = [f"{name}.csv" for name in found.arrays if (folder / f"{name}.csv").exists()]
+        beside = ("section.csv", "histories.csv", "sweep.png")
+        tables = [name for name in beside if (folder / name).exists()]
         line(
             "written", f"{folder}/ ({', '.join(['table.csv', *tables, 'rows.sqlite', 'definition.json', 'model.py'])})"
         )

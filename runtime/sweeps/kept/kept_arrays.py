@@ -105,6 +105,14 @@ class Kept:
         return Packed.of(np.column_stack([history[name] for name in ("t", *self.units)]))
 
 
+def place_of(section: object, grid: object, after: object) -> str:
+    """Return the phrase that says where arrays are kept."""
+    places = [f"section at {section}"] if section is not None else []
+    places += [f"histories on a grid of {grid}"] if grid is not None else []
+    late = [f"after {after if isinstance(after, str) else f'{after:g} s'}"] if places and after is not None else []
+    return " ".join([" and ".join(places), *late])
+
+
 def read_kept(
     model: Model,
     *,

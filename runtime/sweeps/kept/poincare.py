@@ -52,7 +52,7 @@ class Section:
     steady: bool
 
     def __str__(self) -> str:
-        value = f"{self.value!r} {self.unit}".removesuffix(" 1")
+        value = f"{self.value:.17g} {self.unit}".removesuffix(" 1")
         return f"{self.name} = {value}{'' if self.steady else f' {self.direction}'}"
 
     def returns(self, model: Model, bound: Bound, begin: float, end: float) -> np.ndarray:

@@ -120,7 +120,8 @@ def test_rows_that_fail_are_told_and_are_another_outcome():
 def test_a_section_on_the_command_line_is_that_of_python(tmp_path):
     places = ("--section", "floor.gap = 0 falling", "--after", "0.4 s", "--grid", "5", "--history", "vertical.speed")
     arguments = ("bouncing_ball", "--over", "drop_height=0.5,1 m", "--duration", "1 s", "--tolerance", "1e-6", *places)
-    assert run(*arguments, "--into", "a").exit_code == 0
+    assert run(*arguments, "--into", "a", "--plot").exit_code == 0
+    assert (tmp_path / "a" / "sweep.png").read_bytes().startswith(b"\x89PNG")
     table = sweep(
         *("bouncing_ball", {"drop_height": "0.5,1 m"}), section="floor.gap = 0 falling", after="0.4 s", grid=5,
         histories=["vertical.speed"], duration="1 s", tolerance=1e-6,
@@ -174,6 +175,7 @@ def len_of(solution):
         (["--resume", "a", "bouncing_ball", "--over", "mass=1 kg"], ["--over, TARGET beside it"]),
         (["file.toml", "--law", "a=b"], ["--law beside it"]),
         (["file.toml"], ["no such file"]),
+        (["bouncing_ball", "--over", "mass=1 kg", "--json", "--plot"], ["--plot: found without a folder"]),
         (["bouncing_ball", "--over", "mass", "--sample", "few", "--workers", "x"], ["'mass'", "--sample", "--workers"]),
         (
             ["bouncing_ball", "--over", "mas=1 kg", "--output", "floor.peak", "--duration", "1 kg", "--tolerance", "x"],

@@ -97,7 +97,8 @@ def test_a_sweep_has_its_rows_and_definition(report, tmp_path):
     assert [float(force) for force in forces if force] == pytest.approx(
         [float(x) for x in stored if x != "nan"], rel=1e-4
     )
-    assert {"Rows", "Ranges", "Definition", "Origin"} <= set(outline.texts["h2"])
+    assert {"Picture", "Rows", "Ranges", "Definition", "Origin"} <= set(outline.texts["h2"])
+    assert any("Outputs of soft_ball" in text for text in outline.texts["figcaption"])
     assert "hertzwerk sweep --resume rows" in outline.texts["pre"]
     assert [list(pair) for pair in zip(outline.texts["dt"][1:], outline.texts["dd"][1:], strict=True)] == [
         ["finished", "2"],

@@ -1,0 +1,284 @@
+"""Picture of a sweep: bifurcation diagram of a section, curves over one parameter, maps over two."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+
+from hertzwerk.derive.faults import Fault, InputError, unknown
+from hertzwerk.runtime.pictures.plot_panel import LEGEND_ROOM, empty_panel, legend
+from hertzwerk.runtime.pictures.plot_style import BLUE, CYCLE, GREY, STYLE, VERMILLION, plain
+from hertzwerk.runtime.pictures.sweeps.swept import Array, SweptTable, Varied, labelled, shown_in, varied
+from hertzwerk.runtime.pictures.title import title_height, write_title
+
+SECTION, HALF_WIDTH = "section", ".half_width"
+COMPLETE = ("finished", "accuracy_unreachable", "beyond_horizon", "accuracy_unknown", "energy_not_closed")  # outcomes
+NO_OUTPUT = ("outcome", "message", "warnings", "wall_s")
+WIDE, HIGH = 5.6, 3.4  # inches of a panel
+DIAGRAM = (9.6, 3.6)  # inches of a panel of a bifurcation diagram
+MOST_PANELS, MOST_CURVES = 8, 8
+MARGIN = 0.03  # of the range of a parameter, beside it
+FEW_POINTS = 40  # of a line, up to which each is marked
+FEW_DOTS = 3000  # of a diagram, up to which each is as large as can be seen well
+
+
+def figure(table: SweptTable, names: Sequence[str] = ()) -> Figure:
+    """Draw the section of a sweep, or else its outputs, or those named; raises InputError."""
+    diagram = SECTION in table.arrays and all(name in table.arrays[SECTION] for name in names)
+    there = [name for name in table.arrays[SECTION] if name != "t"] if diagram else _outputs(table)
+    known = dict.fromkeys([*(table.arrays.get(SECTION, {})), *_outputs(table)])
+    wrong = [name for name in names if name not in there]
+    if wrong:
+        raise InputError(
+            f"plot of {table.scene}", [unknown("output or array of this sweep", name, known) for name in wrong]
+        )
+    if not table.rows or not there:
+        raise InputError(
+            f"plot of {table.scene}", [Fault("rows", "none with numbers", "a sweep with rows and outputs")]
+        )
+    wanted = list(names) or there
+    with mpl.rc_context(STYLE):
+        axes = [varied(table, name) for name in table.varied]
+        axes = [axis for axis in axes if len(axis.distinct) > 1] or axes[:1]
+        draw = _diagram if diagram else _lines if _along_one(table, axes) else _maps
+        return draw(table, axes, wanted[:MOST_PANELS], len(wanted))
+
+
+def _outputs(table: SweptTable) -> list[str]:
+    """Return the columns of numbers that came out."""
+    return [
+        name
+        for name in table.columns
+        if name not in (*NO_OUTPUT, *table.varied) and not name.endswith(HALF_WIDTH) and np.isfinite(table[name]).any()
+    ]
+
+
+def _along_one(table: SweptTable, axes: Sequence[Varied]) -> bool:
+    """Return whether outputs are curves over one parameter, a few of them where there are others."""
+    return len(axes) == 1 or (len(axes) > 2 and bool(table.axes) and _curves(axes[1:]) <= MOST_CURVES)
+
+
+def _curves(axes: Sequence[Varied]) -> int:
+    return int(np.prod([len(axis.distinct) for axis in axes]))
+
+
+def _page(
+    table: SweptTable, size: tuple[float, float], count: int, shape: tuple[int, int], told: str
+) -> tuple[Figure, list[Axes]]:
+    """Return a figure with its title and panels."""
+    rows, columns = shape
+    below = _below(table, told)
+    width = size[0] * columns
+    head = title_height(width, table.scene, below)
+    page = Figure(figsize=(width, size[1] * rows + head), layout="constrained")
+    used = write_title(page, table.scene, below)
+    layout: Any = page.get_layout_engine()
+    layout.set(rect=(0, 0, 1, 1 - used / page.get_figheight()))
+    return page, [page.add_subplot(rows, columns, i + 1) for i in range(count)]
+
+
+def _below(table: SweptTable, told: str) -> str:
+    """Return what is said below the title: what is the same for all rows, and how many of them failed."""
+    fixed = {name: value for name, value in table.rows[0].given.items() if name not in table.varied}
+    values = [
+        f"{name} = {value[0]:.6g} {value[1]}".removesuffix(" 1")
+        for name, value in fixed.items()
+        if isinstance(value, tuple)
+    ]
+    failed = int(_failed(table).sum())
+    ends = f"{failed} of {len(table.rows)} rows failed: marked by x" if failed else ""
+    return "; ".join(filter(None, (told, ", ".join(values), ends)))
+
+
+def _failed(table: SweptTable) -> Any:
+    return np.array([row.outcome not in COMPLETE for row in table.rows])
+
+
+def _mark_failures(axis: Axes, positions: Array) -> None:
+    """Mark along the lower edge of a panel where rows failed."""
+    if not len(positions):
+        return
+    axis.plot(
+        positions, np.full(len(positions), 0.015), "x", transform=axis.get_xaxis_transform(), color=VERMILLION,
+        markersize=4.5, clip_on=False, zorder=3,
+    )  # fmt: skip
+
+
+def _labelled(axis: Axes, name: str, unit: str) -> None:
+    """Set title and y label of a panel with values of an output."""
+    axis.set(title=plain(name), ylabel=_label(name, unit))
+    axis.ticklabel_format(axis="y", useOffset=False)
+
+
+def _label(name: str, unit: str) -> str:
+    """Return the label of an output below its own name: without the part it is of."""
+    return plain(labelled((name.partition(".")[2] or name).replace(".", " ").replace("_", " "), unit))
+
+
+def _scaled(axis: Axes, x: Varied) -> None:
+    low, high = x.distinct[[0, -1]] if len(x.distinct) else np.array([0.0, 1.0])
+    reach = MARGIN * (np.log(high / low) if x.log else high - low)
+    if x.log:
+        axis.set_xscale("log")
+        axis.set_xlim(low / np.exp(reach), high * np.exp(reach))
+    elif reach > 0:
+        axis.set_xlim(low - reach, high + reach)
+    axis.set_xlabel(plain(x.label))
+
+
+def _shape(count: int) -> tuple[int, int]:
+    columns = min(count, 2)
+    return -(-count // columns), columns
+
+
+# -- one parameter -----------------------------------------------------------------------------------------------------
+
+
+def _lines(table: SweptTable, axes: Sequence[Varied], names: Sequence[str], count: int) -> Figure:
+    x, *others = axes
+    page, panels = _page(table, (WIDE, HIGH), len(names), _shape(len(names)), _listed(names, count))
+    good = ~_failed(table)
+    for panel, name in zip(panels, names, strict=True):
+        scale = shown_in(table.columns[name], table[name])
+        for (label, mask), colour in zip(_groups(others, len(good)), _colours(others), strict=True):
+            order = np.flatnonzero(mask)[np.argsort(x.values[mask], kind="stable")]
+            values = np.where(good, scale(table[name]), np.nan)[order]
+            marker = "o" if len(order) <= FEW_POINTS else ""
+            panel.plot(x.values[order], values, color=colour, marker=marker, markersize=3.2, label=plain(label) or None)
+            if name + HALF_WIDTH in table.columns:
+                half = scale(table[name + HALF_WIDTH])[order]
+                panel.fill_between(x.values[order], values - half, values + half, color=colour, alpha=0.18, linewidth=0)
+        _mark_failures(panel, x.values[~good])
+        _labelled(panel, name, scale.unit)
+        if np.array_equal(values := table[name][good], np.round(values)):
+            panel.yaxis.set_major_locator(MaxNLocator(integer=True))
+        _scaled(panel, x)
+        if others:
+            panel.set_title(plain(name), pad=LEGEND_ROOM)
+            legend(panel)
+        elif name + HALF_WIDTH in table.columns:
+            panel.text(1, 1.02, "band: 95 % interval", transform=panel.transAxes, ha="right", color=GREY, fontsize=8.5)
+    return page
+
+
+def _listed(names: Sequence[str], count: int) -> str:
+    return f"the first {len(names)} of {count} outputs" if count > len(names) else ""
+
+
+def _groups(others: Sequence[Varied], size: int) -> Iterator[tuple[str, Any]]:
+    """Yield a label and the rows of every combination of the other parameters."""
+    if not others:
+        yield "", np.full(size, True)
+        return
+    table = np.column_stack([axis.values for axis in others])
+    for combination in np.unique(table, axis=0):
+        label = ", ".join(axis.text(value) for axis, value in zip(others, combination, strict=True))
+        yield label, np.all(table == combination, axis=1)
+
+
+def _colours(others: Sequence[Varied]) -> list[Any]:
+    """Return a colour for every combination of the other parameters."""
+    count = len(np.unique(np.column_stack([axis.values for axis in others]), axis=0)) if others else 1
+    if count <= len(CYCLE):
+        return list(CYCLE[:count])
+    return [mpl.colormaps["viridis"](i / count) for i in range(count)]
+
+
+# -- two parameters ----------------------------------------------------------------------------------------------------
+
+
+def _maps(table: SweptTable, axes: Sequence[Varied], names: Sequence[str], count: int) -> Figure:
+    x, y, *others = axes
+    gridded = bool(table.axes) and not others
+    told = [_listed(names, count)]
+    told += [f"{', '.join(axis.name for axis in others)} varied too, from dot to dot"] if others else []
+    page, panels = _page(table, (WIDE, HIGH + 0.4), len(names), _shape(len(names)), "; ".join(filter(None, told)))
+    good = ~_failed(table)
+    for panel, name in zip(panels, names, strict=True):
+        scale = shown_in(table.columns[name], table[name])
+        values = np.where(good, scale(table[name]), np.nan)
+        if not np.isfinite(values).any():
+            empty_panel(panel, f"{name}: no row has one")
+            continue
+        if gridded:
+            drawn: Any = panel.pcolormesh(
+                *_edges(x), *_edges(y), _placed(x, y, values), cmap="viridis", rasterized=True
+            )
+            panel.grid(visible=False)
+        else:
+            drawn = panel.scatter(x.values, y.values, c=values, cmap="viridis", s=16)
+        panel.plot(x.values[~good], y.values[~good], "x", color=VERMILLION, markersize=5)
+        bar = page.colorbar(drawn, ax=panel, pad=0.02)
+        bar.set_label(_label(name, scale.unit))
+        bar.outline.set_visible(False)
+        panel.set(title=plain(name), xlabel=plain(x.label), ylabel=plain(y.label))
+        if x.log:
+            panel.set_xscale("log")
+        if y.log:
+            panel.set_yscale("log")
+    return page
+
+
+def _edges(axis: Varied) -> tuple[Array]:
+    """Return the edges of cells around the values of an axis, half way between them."""
+    values = np.log(axis.distinct) if axis.log else axis.distinct
+    middle = (values[1:] + values[:-1]) / 2
+    edges = np.concatenate([[2 * values[0] - middle[0]], middle, [2 * values[-1] - middle[-1]]])
+    return (np.exp(edges) if axis.log else edges,)
+
+
+def _placed(x: Varied, y: Varied, values: Array) -> Array:
+    """Return values as (y, x); nan where there is no row."""
+    found = np.full((len(y.distinct), len(x.distinct)), np.nan)
+    found[np.searchsorted(y.distinct, y.values), np.searchsorted(x.distinct, x.values)] = values
+    return found
+
+
+# -- section -----------------------------------------------------------------------------------------------------------
+
+
+def _diagram(table: SweptTable, axes: Sequence[Varied], names: Sequence[str], count: int) -> Figure:
+    """Draw every point of the section over the parameter with the most values."""
+    x = max(axes, key=lambda axis: len(axis.distinct))
+    others = [axis for axis in axes if axis is not x]
+    arrays, section = table.arrays[SECTION], table.arrays_of(SECTION)
+    told = "; ".join(filter(None, (table.place, _listed(names, count))))
+    page, panels = _page(table, DIAGRAM, len(names), (len(names), 1), told)
+    failed = _failed(table)
+    for panel, name in zip(panels, names, strict=True):
+        points = section[name]
+        dots = sum(map(len, points))
+        scale = shown_in(arrays[name], np.concatenate(points)) if dots else shown_in(arrays[name], np.zeros(1))
+        groups = list(_groups(others, len(table.rows)))
+        shown = groups if len(groups) <= MOST_CURVES else [(_span(others), np.full(len(table.rows), True))]
+        small = dots > FEW_DOTS
+        for (label, mask), colour in zip(shown, _colours(others) if len(shown) > 1 else [BLUE], strict=True):
+            rows = np.flatnonzero(mask & np.isfinite(x.values))
+            at = np.concatenate([np.zeros(0), *(np.full(len(points[i]), x.values[i]) for i in rows)])
+            values = np.concatenate([np.zeros(0), *(scale(points[i]) for i in rows)])
+            panel.plot(
+                at, values, linestyle="none", marker="." if not small else ",", markersize=2.4, color=colour,
+                alpha=1.0 if not small else 0.55, rasterized=dots > FEW_DOTS,
+            )  # fmt: skip
+            panel.plot([], [], "o", color=colour, markersize=4, label=plain(label) or None)
+        _mark_failures(panel, x.values[failed])
+        _labelled(panel, name, scale.unit)
+        _scaled(panel, x)
+        if panel is not panels[-1]:
+            panel.set_xlabel("")
+        if len(shown) > 1:
+            panel.set_title(plain(name), pad=LEGEND_ROOM)
+            legend(panel)
+    return page
+
+
+def _span(others: Sequence[Varied]) -> str:
+    return ", ".join(
+        f"{axis.name} {axis.distinct[0]:.6g} to {axis.distinct[-1]:.6g} {axis.unit}".rstrip() for axis in others
+    )
