@@ -98,6 +98,7 @@ _OPTIONS = {
 @click.option(
     "--widen", is_flag=True, help="Change what the folder is to hold; rows that are the same are kept, not computed."
 )
+@click.option("--plot", is_flag=True, help="Draw it too: curves, maps, or the bifurcation diagram of a section.")
 @click.option("--workers", metavar="NUMBER", help="Processes (default: one for each core).")
 @click.option("--cluster", metavar="ADDRESS", help="In their place the workers of a Dask scheduler: tcp://host:8786.")
 @TABLE
