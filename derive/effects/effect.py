@@ -265,13 +265,7 @@ class JointEffect(Effect):
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
         """Yield faults of a joint that is missing, or has not just one coordinate."""
-        if self.joint not in scene.scalars:
-            closing = self.joint in [joint.name for joint in scene.mechanism.closures]
-            known = self.joint in [joint.name for joint in scene.mechanism.joints]
-            why = ", which closes a loop" if closing else ", which has not just one coordinate" if known else ""
-            expected = one_of(scene.scalars, "a joint with one coordinate, of which the mechanism has none")
-            way_out = "The first joint to reach a body has the coordinates: declare this one before the others."
-            yield Fault(self.where, f"joint {self.joint!r}{why}", expected, way_out if closing else "")
+        yield from joint_faults(self.where, self.joint, scene)
         yield from super().faults(scene)
 
     def landmarks(self, scene: Declared) -> Iterator[Mark]:
@@ -334,6 +328,18 @@ class PairEffect(Effect):
                 expected = f"the pair it was made for, {' or '.join(law.pairs)}"
                 yield Fault(self.where, f"law {law.name} at a {kind} pair", expected)
         yield from super().faults(scene)
+
+
+def joint_faults(where: str, key: str, scene: Declared) -> Iterator[Fault]:
+    """Yield faults of a joint that is missing, or has not just one coordinate."""
+    if key in scene.scalars:
+        return
+    closing = key in [joint.name for joint in scene.mechanism.closures]
+    known = key in [joint.name for joint in scene.mechanism.joints]
+    why = ", which closes a loop" if closing else ", which has not just one coordinate" if known else ""
+    expected = one_of(scene.scalars, "a joint with one coordinate, of which the mechanism has none")
+    way_out = "The first joint to reach a body has the coordinates: declare this one before the others."
+    yield Fault(where, f"joint {key!r}{why}", expected, way_out if closing else "")
 
 
 def axes_faults(where: str, axes: Any, what: str, components: Any) -> Iterator[Fault]:

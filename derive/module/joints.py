@@ -6,8 +6,9 @@ from functools import cached_property
 
 from hertzwerk.derive.module.results import ports_of
 from hertzwerk.derive.motion.absolute import Absolute
+from hertzwerk.derive.motion.constraints import constraints_of
 from hertzwerk.derive.motion.kinematics import Kinematics
-from hertzwerk.derive.motion.loops import Constraint, constraints_of
+from hertzwerk.derive.motion.loops import Constraint
 from hertzwerk.derive.program.program import Tape
 
 
@@ -22,5 +23,5 @@ class Joints:
 
     @cached_property
     def loops(self) -> tuple[Constraint, ...]:
-        """Loop constraints of the declared scene."""
+        """Constraints of the declared scene: of loops and couplings."""
         return constraints_of(self.kin)

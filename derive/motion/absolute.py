@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field, fields, replace
+from functools import cached_property
 from typing import Any
 
 import sympy as sp
@@ -63,6 +64,11 @@ class Absolute(Scene):
     def slots(self) -> Iterator[Slot]:
         """Yield every quantity of the scene, in declared order."""
         return self.declared.slots()
+
+    @cached_property
+    def scalars(self) -> dict[str, Freedom]:
+        """Freedoms of the joints with one coordinate, which effects name."""
+        return self.declared.scalars
 
 
 def absolute(scene: Scene) -> Absolute:

@@ -16,9 +16,9 @@ from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.effects.gravity import Gravity
 from hertzwerk.derive.motion.axes import of_matrix
 from hertzwerk.derive.motion.constrained import Loops
+from hertzwerk.derive.motion.constraints import constraints_of, driving_rows
 from hertzwerk.derive.motion.kinematics import Kinematics
 from hertzwerk.derive.motion.links import UNIT, Link, Row
-from hertzwerk.derive.motion.loops import constraints_of
 from hertzwerk.derive.motion.recursion import Recursion
 from hertzwerk.derive.program.elimination import Factor
 
@@ -46,6 +46,7 @@ class Equations:
         self.driven = [row for row in self.rows if not row.free]
         self.constraints = constraints_of(kinematics)
         self.prescribed = [row for _, (row,) in kinematics.prescribed.values()]
+        self.prescribed += driving_rows(self.constraints)
         self._pull = cache(self._pull_in)  # keyed by links, which live as long as this object
         self.mass_matrix = cache(self._mass_matrix)
 

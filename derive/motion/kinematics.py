@@ -146,6 +146,11 @@ class Kinematics:
         """Rate of the coordinate [rad/s or m/s]."""
         return self.states[key][1]
 
+    def row(self, key: str) -> Row:
+        """Row of a scalar freedom of the tree."""
+        (row,) = self._motions[key][1]
+        return row
+
     def _turned_about(self, body: Frame, k: int) -> Any:
         """Angle of a body against the ground about a coordinate axis [rad].
 

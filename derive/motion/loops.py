@@ -15,7 +15,6 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.algebra.vectors import ZERO, Vector, add, cross, dot, is_zero, sub
-from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.mechanism.bodies import AXES, Direction
 from hertzwerk.derive.mechanism.joints.conditions import (
     Carried,
@@ -35,7 +34,8 @@ class Constraint:
 
     `column` holds, by row of the equations of motion, the generalised force of a unit multiplier. The constraints of
     a `group` are components of one vector, or of one unit. Where a drive prescribes it, `drives` is the freedom
-    driven, and the multiplier is the drive's force or torque.
+    driven, and the multiplier is the drive's force or torque. Of a coupling, `by_time` is the part of its rate due to
+    time itself; where there is one, it drives too.
     """
 
     name: str
@@ -46,36 +46,22 @@ class Constraint:
     bias: Any
     column: dict[str, Any]
     drives: str = ""
+    by_time: Any = sp.S.Zero
 
 
-def constraints_of(kinematics: Kinematics) -> tuple[Constraint, ...]:
-    """Constraints of a mechanism's closing joints, in declared order.
-
-    Raises InputError for a constraint that can never be met.
-    """
-    mechanism = kinematics.mechanism
-    found = [constraint for joint in mechanism.closures for constraint in _Closure(kinematics, joint).constraints()]
-    found += [
-        _Closure(kinematics, joint).driven(freedom)
-        for joint in mechanism.closures
-        for freedom in joint.freedoms
-        if freedom.key in kinematics.prescribed
-    ]
-    still = [constraint for constraint in found if constraint.rate == 0]
-    never = [constraint for constraint in still if sp.expand(kinematics.tape.written_out(constraint.value)) != 0]
-    if never:
-        faults = [
-            Fault(f"joint {constraint.group.split('.')[0]}", f"{constraint.name} = {constraint.value}, whatever the motion",
-                  "0, or the loop stays open", "Give both points the same place across the plane of motion.")
-            for constraint in never
-        ]  # fmt: skip
-        raise InputError(f"mechanism {mechanism.name}", faults)
-    return tuple(constraint for constraint in found if constraint.rate != 0 and constraint.value != 0)
+def closing_constraints(kinematics: Kinematics) -> Iterator[Constraint]:
+    """Yield the constraints of a mechanism's closing joints, in declared order, then those of their drives."""
+    closures = [_Closure(kinematics, joint) for joint in kinematics.mechanism.closures]
+    for closure in closures:
+        yield from closure.constraints()
+    for closure in closures:
+        driven = (freedom for freedom in closure.joint.freedoms if freedom.key in kinematics.prescribed)
+        yield from (closure.driven(freedom) for freedom in driven)
 
 
 @dataclass(frozen=True)
 class Measured:
-    """Coordinate of a freedom of a closing joint, with its rate.
+    """Coordinate of a freedom, with its rate.
 
     The coordinate is None for an angle in space, which is known up to whole turns alone. The acceleration is `column`
     . a + `bias`, and `column` holds the generalised forces of a unit force on it.
@@ -88,7 +74,10 @@ class Measured:
 
 
 def measured(kinematics: Kinematics, key: str) -> Measured:
-    """Measured coordinate of the freedom of this key."""
+    """Coordinate of the freedom of this key: of the tree, or measured on a closing joint."""
+    if key in kinematics.states:
+        row = kinematics.row(key)
+        return Measured(*kinematics.states[key], sp.S.Zero if row.free else row.acceleration, {row.key: sp.S.One})
     freedoms = ((joint, freedom) for joint in kinematics.mechanism.closures for freedom in joint.freedoms)
     joint, freedom = next(entry for entry in freedoms if entry[1].key == key)
     return _Closure(kinematics, joint).measured(freedom)

@@ -11,6 +11,7 @@ import sympy as sp
 
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.effects.couplings import Coupling
 from hertzwerk.derive.effects.state_expression import T, as_choice, states_in
 
 _CIRCULAR = (sp.sin, sp.cos, sp.tan)
@@ -19,15 +20,16 @@ _CIRCULAR = (sp.sin, sp.cos, sp.tan)
 def period(scene: Scene) -> Any | None:
     """Common period [s], a function of parameters; None where nothing varies periodically.
 
-    None too where something varies without a period. The past of a drive, before its last branch at a time, does not
-    count: a speed that rises and stays is periodic from then on. A drive of constant speed is periodic if it turns an
-    angle.
+    None too where something varies without a period, and where a coupling passes a steady rotation on, at another rate.
+    The past of a drive, before its last branch at a time, does not count: a speed that rises and stays is periodic from
+    then on. A drive of constant speed is periodic if it turns an angle.
     """
     angles = {freedom.key for freedom in scene.mechanism.freedoms if freedom.units[0] == "rad"}
+    coupled = {key for coupling in scene.all(Coupling) for key in coupling.joints}
     frequencies: list[Any] = []
     try:
         for joint, effect in scene.driven.items():
-            frequencies += _of_drive(effect.motion, joint in angles)
+            frequencies += _of_drive(effect.motion, joint in angles - coupled)
         for slot in scene.slots():
             value = as_choice(slot.value)
             if T in states_in(value) and not any(

@@ -9,13 +9,14 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.algebra.functions import Where
+from hertzwerk.derive.effects.couplings import Coupling
 from hertzwerk.derive.program.program import Function, Program, symbols_in
 from hertzwerk.derive.readable.symbols import Names, contact_title, words
 
 HIDDEN = ("constants", "scales", "gap_accelerations", "accelerations", "balance", "projection", "poses", "motion", "applied",
            "joint_scales", "placed", "joint_constraints", "landmarks")  # fmt: skip
 KINEMATICS, MOTION, LEDGER, ENERGY = "Kinematics", "Equations of motion", "Energy ledger", "Energy"
-LOOPS, OUTPUTS, START = "Closed loops", "Outputs", "Start"
+LOOPS, COUPLINGS, OUTPUTS, START = "Closed loops", "Couplings", "Outputs", "Start"
 INERTIA, BIAS = "inertia", "bias"
 _RATE = r"\frac{\mathrm{d}}{\mathrm{d}t}"
 
@@ -71,6 +72,7 @@ class Drafts:
     def __init__(self, program: Program, names: Names) -> None:
         self._program, self._names, self._tape = program, names, program.tape
         self._effects = {effect.name: effect for effect in program.scene.effects}
+        self._couplings = {c.constraint(program.scene): c.name for c in program.scene.all(Coupling)}
         self.added: dict[sp.Symbol, Any] = {}
 
     def all(self) -> list[Draft]:
@@ -115,10 +117,12 @@ class Drafts:
         elif function.name == "outputs":
             yield Draft(OUTPUTS, label, unit, label, expression, left=_label(label))
         elif function.name == "constraints":
-            rate = result == "dphi"
-            text = f"rate of {label}, zero too" if rate else f"{label}, zero while the loop is closed"
+            rate, coupling = result == "dphi", self._couplings.get(label, "")
+            holds = "coupling holds" if coupling else "loop is closed"
+            text = f"rate of {label}, zero too" if rate else f"{label}, zero while the {holds}"
             left = rf"{_RATE}\Phi_{{{_label(label)}}}" if rate else rf"\Phi_{{{_label(label)}}}"
-            yield Draft(LOOPS, f"{result} {label}", unit, text, expression, left=left)
+            section, effects = (COUPLINGS, (coupling,)) if coupling else (LOOPS, ())
+            yield Draft(section, f"{result} {label}", unit, text, expression, left=left, effects=effects)
         elif function.name != "coordinate_rates":
             title = function.name.replace("_", " ").capitalize()
             left = rf"{words((result,))}_{{{_label(label)}}}"
@@ -195,8 +199,8 @@ class Drafts:
             for label, column in zip(held.labels, held.expressions, strict=True):
                 of, constraint = label.split(" ")
                 if of == row:
-                    force = multiplier(constraint) * column
-                    parts.append(Part(False, f"constraint {constraint}", force))
+                    force, coupling = multiplier(constraint) * column, self._couplings.get(constraint, "")
+                    parts.append(Part(False, coupling or f"constraint {constraint}", force, effect=coupling))
             if row in supplied:
                 meaning, drive = self._names.meaning(supplied[row]), self._drive_of(row)
                 parts.append(Part(False, meaning, supplied[row], effect=drive))

@@ -324,11 +324,12 @@ def _friction_force(slip: str) -> str:
 def constraint_force(constraint: str) -> str:
     """Name the force that holds a constraint.
 
-    `pin.apart_x` -> `pin.force_x`, `pin.off_y` -> `pin.force_y`, `pin.turned_x` -> `pin.moment_x`.
+    `pin.apart_x` -> `pin.force_x`, `pin.off_y` -> `pin.force_y`, `pin.turned_x` -> `pin.moment_x`; of a coupling
+    `mesh.turned` -> `mesh.moment`, `rack.off` -> `rack.force`.
     """
-    joint, _, name = constraint.rpartition(".")
-    kind, _, label = name.partition("_")
-    return f"{joint}.{'moment' if kind == 'turned' else 'force'}_{label}"
+    whose, _, name = constraint.rpartition(".")
+    kind, *label = name.split("_", 1)
+    return "_".join([f"{whose}.{'moment' if kind == 'turned' else 'force'}", *label])
 
 
 def acceleration_of(speed: str) -> str:

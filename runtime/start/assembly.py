@@ -224,9 +224,10 @@ class _Loops:
     @property
     def wanted(self) -> str:
         """Goal of the assembly, in words."""
+        held = ", ".join(["closed loops", *(["couplings that hold"] if self.couplings else [])])
         if self.seats is not None:
-            return "closed loops, journals that rest in their bushes"
-        return "closed loops" if self.whole is None else "closed loops, pins in their bushes and balls in their sockets"
+            return f"{held}, journals that rest in their bushes"
+        return held if self.whole is None else f"{held}, pins in their bushes and balls in their sockets"
 
     def closed(self, q: Array) -> bool:
         """Return whether a position is closed as it stands."""
@@ -249,7 +250,15 @@ class _Loops:
     @property
     def drives(self) -> list[str]:
         """Names of the drives, which fix coordinates."""
-        return [name for name, kind, _ in self.model.module.EFFECTS if kind == "drive"]
+        return self._effects("drive")
+
+    @property
+    def couplings(self) -> list[str]:
+        """Names of the couplings."""
+        return self._effects("coupling")
+
+    def _effects(self, wanted: str) -> list[str]:
+        return [name for name, kind, _ in self.model.module.EFFECTS if kind == wanted]
 
     def at(self, q: Array, u: Array) -> tuple[Array, Array, Array, Array]:
         """Return constraints (nl,), rates (nl,), and their derivatives (nl, nq) by q, (nl, nu) by u."""
@@ -263,9 +272,11 @@ class _Loops:
         """Describe what is open, by joint: the worst of each."""
         worst: dict[str, tuple[float, str]] = {}
         for (name, unit), value, least in zip(self.rows, np.abs(residual), size, strict=True):
-            joint = name.rsplit(".", 1)[0]
-            if not value <= least and value >= worst.get(joint, (0.0, ""))[0]:
-                worst[joint] = (value, f"{joint} open by {value:.3g}{'' if unit == '1' else f' {unit}'}")
+            whose, _, what = name.rpartition(".")
+            if not value <= least and value >= worst.get(whose, (0.0, ""))[0]:
+                couples = what in ("off", "turned")  # a joint's have an axis
+                worst[whose] = (value, f"{whose} {'off' if couples else 'open'} by {value:.3g}"
+                                f"{f' {unit}' if unit != '1' else ' rad' if couples else ''}")  # fmt: skip
         return [text for _, text in worst.values()]
 
 

@@ -69,7 +69,10 @@ def meaning_of(model: Model, name: str) -> str:
     if name in map(acceleration_of, model.speeds):
         return f"{part.replace('_', ' ')} of {whose}"
     if name in map(constraint_force, model.constraints):
-        kind = part.partition("_")[0]
-        return f"{kind} that holds the closed loop of {whose}{axis}"
+        kind, labelled, _ = part.partition("_")
+        held = f"closed loop of {whose}{axis}" if labelled else f"coupling {whose}, on its first coordinate"
+        return f"{kind} that holds the {held}"
+    if name in model.constraints and part in ("off", "turned"):
+        return f"error of the coupling {whose}"
     words = _WORDS.get(part) or _WORDS.get(part.rpartition("_")[0])
     return f"{part.replace('_', ' ')} of {whose}" if words is None else f"{words}, of {whose}{axis}"
