@@ -39,7 +39,7 @@ _KINKED = (sp.Max, sp.Min, sp.Abs, sp.sign, sp.Heaviside, sp.Piecewise, sp.floor
 
 @dataclass(frozen=True)
 class Coupling(Effect):
-    """Coupling of coordinates: first = ratio second + offset, or any `equation` that is zero where it holds.
+    """Coupling of coordinates: first = ratio second + offset, or any `equation` that is zero.
 
     A gear pair has the ratio -z_second/z_first where both turn about axes that point the same way, a belt
     r_second/r_first; a rack, the first, has the pinion's pitch radius [m/rad], a nut on its screw lead/(2 pi). A joint
@@ -143,7 +143,7 @@ class Coupling(Effect):
                 yield Fault(f"{self.where}, {what}", repr(pair[what]), "the name of a joint")
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
-        """Yield faults of joints that are missing, alike or all driven, and of an equation that is none of motion."""
+        """Yield faults of joints that are missing, alike or all driven, and of the equation."""
         yield from super().faults(scene)
         strange = [fault for key in dict.fromkeys(self.joints) for fault in joint_faults(self.where, key, scene)]
         yield from strange

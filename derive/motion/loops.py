@@ -50,7 +50,7 @@ class Constraint:
 
 
 def closing_constraints(kinematics: Kinematics) -> Iterator[Constraint]:
-    """Yield the constraints of a mechanism's closing joints, in declared order, then those of their drives."""
+    """Yield the constraints of a mechanism's closing joints, then those of their drives."""
     closures = [_Closure(kinematics, joint) for joint in kinematics.mechanism.closures]
     for closure in closures:
         yield from closure.constraints()

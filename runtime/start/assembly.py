@@ -327,7 +327,8 @@ def _position(loops: _Loops, q: Array, given: Collection[str]) -> tuple[Array, t
         remedy = _remedies(
             [name for name in names if name in given],
             loops.drives if not free[0] else [],
-            "no place that was tried closes it: check the lengths between its joints, or state positions nearer to one in the scene's Start",
+            f"no place that was tried closes it: check {'its couplings and ' if loops.couplings else ''}the lengths between its joints, "
+            "or state positions nearer to one in the scene's Start",
         )
         fault = Fault(
             "start, positions", f"over-determined or out of reach: {', '.join(unclosed)}", loops.wanted, remedy

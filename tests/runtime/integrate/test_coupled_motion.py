@@ -220,7 +220,7 @@ def pen(turns: float = -2.0) -> Scene:
     return scene(joints, ring, spring, position={"carrier": Parameter("given", "rad", 0.5)})
 
 
-@pytest.mark.parametrize("coordinates", BOTH)
+@pytest.mark.parametrize("coordinates", ["tree", pytest.param("absolute", marks=pytest.mark.slow)])
 def test_cardan_circles_draw_a_line(coordinates):
     """The rim is at 2 r cos(c), with a pen on a spring; the pen's guide holds the ring's coupling too, a redundant constraint."""
     found = run(pen(), coordinates, duration=3.0)
@@ -240,6 +240,7 @@ def test_circles_that_draw_no_line_lock():
         run(pen(-2.002))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("coordinates", BOTH)
 def test_a_loop_drives_a_wheel_by_its_rocker(coordinates):
     """A four-bar whose rocker is geared to a flywheel: the same as with the flywheel's inertia on the rocker, i^2 J."""
