@@ -51,12 +51,12 @@ class Constraint:
 
 def closing_constraints(kinematics: Kinematics) -> Iterator[Constraint]:
     """Yield the constraints of a mechanism's closing joints, then those of their drives."""
-    closures = [_Closure(kinematics, joint) for joint in kinematics.mechanism.closures]
-    for closure in closures:
-        yield from closure.constraints()
-    for closure in closures:
-        driven = (freedom for freedom in closure.joint.freedoms if freedom.key in kinematics.prescribed)
-        yield from (closure.driven(freedom) for freedom in driven)
+    joints = kinematics.mechanism.closures
+    for joint in joints:
+        yield from _Closure(kinematics, joint).constraints()
+    for joint in joints:
+        driven = (freedom for freedom in joint.freedoms if freedom.key in kinematics.prescribed)
+        yield from (_Closure(kinematics, joint).driven(freedom) for freedom in driven)
 
 
 @dataclass(frozen=True)
