@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import json
 from typing import TYPE_CHECKING
 
 from hertzwerk.runtime.host.extras import required
@@ -30,8 +31,10 @@ def data_frame(table: LabelledTable) -> DataFrame:
 def parquet(table: LabelledTable) -> bytes:
     """Return a Parquet file: every field has its unit and meaning as metadata; nan is null."""
     arrow, writer = required("pyarrow", EXTRA), required("pyarrow.parquet", EXTRA)
-    plain = arrow.Table.from_pandas(data_frame(table), preserve_index=True)
+    frame = data_frame(table)
+    plain = arrow.Table.from_pandas(frame, preserve_index=True)
+    about = {**plain.schema.metadata, b"PANDAS_ATTRS": json.dumps(frame.attrs).encode()}  # as pandas itself writes them
     fields = [field.with_metadata(table.columns[field.name].about) for field in plain.schema]
     content = io.BytesIO()
-    writer.write_table(plain.cast(arrow.schema(fields, plain.schema.metadata)), content)
+    writer.write_table(plain.cast(arrow.schema(fields, about)), content)
     return content.getvalue()
