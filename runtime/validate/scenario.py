@@ -166,7 +166,10 @@ def load_scenario(target: str | Path) -> Scenario:
 
 
 def _validated(subject: str, content: dict[str, Any], *, meant: bool = False) -> Scenario:
-    """Return a scenario; raises InputError with the faults of its form and, if wanted, of what is meant by the rest."""
+    """Return a scenario; raises InputError with the faults of its form.
+
+    meant    also those of what is meant by the rest
+    """
     faults: list[Fault] = []
     try:
         found = Scenario.model_validate(content)
@@ -196,7 +199,7 @@ def _fault(row: Any) -> Fault:
 
 
 def _meaning_faults(content: dict[str, Any], faulty: set[str]) -> list[Fault]:
-    """Return the faults of entries whose form is right: the scene, names and units of its values, what is checked."""
+    """Return the faults of entries whose form is right: scene, names and units of values, checks."""
     if not isinstance(content.get("scene"), str):
         return []
     try:

@@ -20,9 +20,10 @@ from hertzwerk.runtime.pictures.draw import force_symbols, insets
 from hertzwerk.runtime.pictures.draw.drawing import Drawing
 from hertzwerk.runtime.pictures.draw.paper import INK, Paper
 from hertzwerk.runtime.pictures.draw.picture import notes_on, spread
-from hertzwerk.runtime.pictures.draw.places import Array, Places
+from hertzwerk.runtime.pictures.draw.places import Array, Landmark, Places
 from hertzwerk.runtime.pictures.motion.clock import Clock
 from hertzwerk.runtime.pictures.motion.contact_points import CONTACTS, contact_of
+from hertzwerk.runtime.pictures.motion.friction_force import friction_of, slip_of
 from hertzwerk.runtime.pictures.motion.moving_paper import MovingPaper
 from hertzwerk.runtime.pictures.oil_films import films
 from hertzwerk.runtime.pictures.plot_panel import lines
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
 
 PANEL = (6.0, 4.0)  # largest size of the mechanism, inches
 DPI = 100
+RUBBING = 1.0  # width of the arrow of friction, points
 LONGEST, LEAST = 60.0, 7.0  # length of the arrow of the largest force, and of the shortest, points
 STRIP, BELOW = 0.95, 0.42  # inches of the histories of forces, and of their time axis
 NAMES, PATCH, LETTER, ROOM = 0.24, 0.36, 0.08, 1.1  # inches: of the names of bodies, a patch, a letter; of the time
@@ -117,6 +119,7 @@ class Stage:
                 self._main.path(way[: i + 1], parts.colours[mark.body])
             for name, force in self._acting(k):
                 self._arrow(self._main, name, force, i)
+                self._rub(self._main, name, k, i)
         for inset, paper, link in zip(self._layout.insets, self._details, self._links, strict=True):
             inset.look_at(paper.axis, i)
             link.follow(inset, i)
@@ -125,6 +128,7 @@ class Stage:
                 for name, force in self._acting(k):
                     if name == inset.name:
                         self._arrow_in(inset, paper, force, i)
+                        self._rub(paper, name, k, i, inset)
         self._time.set_text(self.clock.shown(k))
         if self._layout.strip is not None:
             self._cursor.set_xdata([self.curves.time(self.clock.times[k])] * 2)
@@ -136,6 +140,10 @@ class Stage:
         """Normal forces of the pairs over the curves' times [N]; empty where none acts and there is no film."""
         found = {name: self.curves[f"{name}.normal_force"] for name in self.run.model.pairs}
         return found if films(self.run.model) or any(np.any(force) for force in found.values()) else {}
+
+    @property
+    def _rubs(self) -> bool:
+        return any(np.any(size) for size in self.frictions.values())
 
     @cached_property
     def peak(self) -> float:
@@ -156,9 +164,58 @@ class Stage:
         """Return the pairs that have touched since the frame before, and their largest forces [N]."""
         return [(name, float(forces[k])) for name, forces in self._largest.items() if forces[k] > 0]
 
+    def _friction(self, name: str, k: int, i: int) -> tuple[Array, float] | None:
+        """Return direction (3,) and size [N] of friction on the first body, when its pair's force was largest.
+
+        Along the tangent at row i; None where there is none.
+        """
+        begin, end = np.searchsorted(self.curves.t, self.clock.times[[max(k - 1, 0), k]], side="right")
+        m = int(begin + np.argmax(self.forces[name][begin:end])) if end > begin else int(end - 1)
+        size = float(self.frictions[name][m])
+        places, parts = self.drawing.parts.places, self.drawing.parts
+        kind, marks = self._pairs[name]
+        j = int(np.searchsorted(places.t, self.curves.t[m]))
+        then, now = (contact_of(parts, kind, marks, row) for row in (min(j, len(places.t) - 1), i))
+        if size <= 0 or then is None or now is None:
+            return None
+        slip = slip_of(places, marks, then[0], j)
+        along = slip - (slip @ now[1]) * now[1]
+        speed = float(np.linalg.norm(along))
+        return (-along / speed, size) if speed > 0 else None
+
+    @cached_property
+    def frictions(self) -> dict[str, Array]:
+        """Sizes of the friction forces of the pairs over the curves' times [N]."""
+        return {name: friction_of(self.curves, name) for name in self.forces}
+
+    @cached_property
+    def _pairs(self) -> dict[str, tuple[str, list[Landmark]]]:
+        """Kind and landmarks of every pair."""
+        return {
+            part: (kind, marks) for (part, kind), marks in self.drawing.parts.of.items() if part in self.run.model.pairs
+        }
+
+    def _rub(self, paper: MovingPaper, name: str, k: int, i: int, inset: insets.Inset | None = None) -> None:
+        """Draw the friction force of a pair from where it acts, thinner than the normal force."""
+        parts = self.drawing.parts
+        found, contact = self._friction(name, k, i), contact_of(parts, *self._pairs[name], i)
+        if found is None or contact is None:
+            return
+        way = parts.view(found[0])
+        seen = float(np.linalg.norm(way))
+        if seen <= 0.05:
+            return
+        at, longest = parts.flat(contact[0]), LONGEST
+        if inset is not None:
+            away = inset.path[i] if inset.exaggerated or inset.way else np.zeros(2)
+            distance = float(np.linalg.norm(away))
+            if distance == 0:
+                return
+            at, longest = inset.centre + away + inset.pin_radius * away / distance, insets.WIDTH * 72 / 3
+        _push(paper, at, way / seen, max(longest * found[1] / self.peak, LEAST) * paper.point * seen, RUBBING)
+
     def _arrow(self, paper: MovingPaper, name: str, force: float, i: int) -> None:
-        kind, marks = next((kind, marks) for (part, kind), marks in self.drawing.parts.of.items() if part == name)
-        found = contact_of(self.drawing.parts, kind, marks, i)
+        found = contact_of(self.drawing.parts, *self._pairs[name], i)
         if found is None:
             return
         view, flat = self.drawing.parts.view, self.drawing.parts.flat
@@ -233,7 +290,7 @@ class Stage:
             scale = scale_of("N", self.peak)
             pace += (
                 f" Arrows: contact force on the first body of a pair, the largest since the frame before; "
-                f"the longest is {self.peak / scale.factor:.3g} {scale.unit}."
+                f"{'thinner its friction at that instant; ' if self._rubs else ''}the longest is {self.peak / scale.factor:.3g} {scale.unit}."
             )
             kinds = dict(self.run.model.module.PAIRS)
             without = [name for name in self.forces if kinds[name] not in CONTACTS]
@@ -281,7 +338,7 @@ def _over(film: Figure, axis: Axes) -> Axes:
     return over
 
 
-def _push(paper: Paper, at: Array, way: Array, length: float) -> None:
+def _push(paper: Paper, at: Array, way: Array, length: float, width: float = 1.6) -> None:
     """Draw a force from its point on."""
     head = min(6.0, 0.7 * length / paper.point)
-    paper.arrow(np.array([at, at + length * way]), VERMILLION, 1.6, 8.0, head)
+    paper.arrow(np.array([at, at + length * way]), VERMILLION, width, 8.0, head)

@@ -21,8 +21,9 @@ from hertzwerk.runtime.pictures.draw.places import Places
 from hertzwerk.runtime.pictures.motion import film as films
 from hertzwerk.runtime.pictures.motion.clock import Clock
 from hertzwerk.runtime.pictures.motion.contact_points import contact_of
+from hertzwerk.runtime.pictures.motion.friction_force import slip_of
 from hertzwerk.runtime.pictures.motion.moving_paper import MovingPaper
-from hertzwerk.runtime.pictures.motion.stage import LONGEST, Stage
+from hertzwerk.runtime.pictures.motion.stage import LONGEST, RUBBING, Stage
 from hertzwerk.runtime.pictures.motion.writers import _palette
 from hertzwerk.runtime.pictures.plot_style import CYCLE, VERMILLION
 
@@ -83,7 +84,7 @@ def test_a_further_frame_makes_no_shapes(crank, monkeypatch):
     assert made > 25
     for k in range(1, 12):
         stage.show(k)
-    assert stage.made - made <= 2 * 2 + len(stage.drawing.paths)
+    assert stage.made - made <= 2 * 2 * 2 + len(stage.drawing.paths)  # of friction too
     assert artists(stage) - there == stage.made - made
     seen = stage.made
     monkeypatch.setattr(
@@ -149,6 +150,40 @@ def test_every_impact_has_an_arrow_however_short_it_is(crank, monkeypatch):
         name: force[np.searchsorted(stage.curves.t, stage.clock.times)] for name, force in stage.forces.items()}))  # fmt: skip
     missed = [k for k in shown if not at_frames._acting(k)]
     assert len(missed) > 2  # of forces at the frames alone
+
+
+def test_friction_is_that_of_its_law_and_acts_against_the_slip(crank):
+    """Coulomb's law with a tanh, by hand; of sliding the velocity that the equations have; no ledger is asked."""
+    stage = stage_of(crank, 40)
+    t, size = stage.curves.t, stage.frictions["slider_pin"]
+    force, velocity = (stage.curves[f"slider_pin.{name}"] for name in ("normal_force", "sliding_velocity"))
+    by_hand = 0.1 * force * np.tanh(np.abs(velocity) / 0.1)
+    assert np.max(by_hand) > 1e3
+    np.testing.assert_allclose(size, by_hand, atol=1e-3 * np.max(by_hand))
+    places, (kind, marks) = stage.drawing.parts.places, stage._pairs["slider_pin"]
+    for m in np.flatnonzero(force > 0.5 * np.max(force))[::5]:
+        j = int(np.searchsorted(places.t, t[m]))
+        point, normal = contact_of(stage.drawing.parts, kind, marks, j)
+        slip = slip_of(places, marks, point, j)
+        tangent = np.cross([0, 0, 1], normal)
+        assert slip @ tangent == pytest.approx(velocity[m], rel=0.02)  # positive: the pin turns in the bush
+    seen = [found for k in range(1, 40) for found in [stage._friction("slider_pin", k, int(stage.at[k]))] if found]
+    assert len(seen) > 3
+    for k in range(40):
+        stage.show(k)
+        thin = [
+            line
+            for line in visible(stage.papers[0].axis, Line2D)
+            if line.get_color() == VERMILLION and line.get_linewidth() == RUBBING
+        ]
+        assert len(thin) <= len(arrows(stage.papers[0].axis))
+    texts = " ".join(text.get_text() for text in stage._layout.page.texts)
+    assert "thinner its friction" in texts.replace("\n", " ")
+
+
+def test_a_contact_without_friction_has_no_arrow_of_it(ball):
+    stage = stage_of(ball, 5)
+    assert not stage._rubs and not any("friction" in note for note in stage.notes())
 
 
 @pytest.mark.parametrize("name", ["slider_crank", "two_spheres", "bouncing_ball", "translational_clearance"])
