@@ -16,7 +16,8 @@ SLIDING = 1e-6  # of the fastest: slower surfaces have no direction
 def friction_of(curves: Curves, pair: str) -> Array:
     """Return the size of the friction force of a pair over the curves' times [N].
 
-    0 where it does not slide. By the power that friction takes, over the sliding velocity; 0 too where a scene has no ledger, or a run its rows alone.
+    By the power that friction takes, over the sliding velocity; 0 where it does not slide, in a scene without a ledger,
+    and in a run of which there are rows alone.
     """
     model, nothing = curves.run.model, np.zeros(len(curves.t))
     if f"{pair}.sliding_velocity" not in curves.run.names or not isinstance(curves.sampled, History):
