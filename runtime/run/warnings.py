@@ -35,17 +35,18 @@ def too_fast(model: Model, bound: Bound, findings: Findings) -> Iterator[str]:
     limited = getattr(model.module, "SPEED_LIMITED", ())
     if not limited:
         return
-    limits = np.full(model.k, np.nan)
-    limits[[model.pairs.index(pair) for pair in limited]] = model.evaluate("speed_limits", bound.p)[0]
-    pair, _, speed, _ = findings.contacts.T
-    limit = limits[pair.astype(int)]
-    over, known = speed > limit, np.isfinite(limit)
-    if not over.any():
+    of, _, speed, _ = findings.contacts.T
+    speeds = [speed[of == model.pairs.index(pair)] for pair in limited]
+    limits = model.evaluate("speed_limits", bound.p)[0]
+    over = [int(np.count_nonzero(each > limit)) for each, limit in zip(speeds, limits, strict=True)]
+    if not any(over):
         return
-    pairs = ", ".join(name for name in limited if model.pairs.index(name) in pair[over])
+    pairs = ", ".join(pair for pair, count in zip(limited, over, strict=True) if count)
+    least = min(limit for limit, count in zip(limits, over, strict=True) if count)
+    worst = max(each.max(initial=0.0) for each in speeds)
     yield (
-        f"{over.sum()} of {known.sum()} impacts of {pairs} exceed the law's limit "
-        f"v0 <= 1e-5*sqrt(E/rho) = {limit[over].min():.3g} m/s (worst {speed[known].max():.3g} m/s)"
+        f"{sum(over)} of {sum(map(len, speeds))} impacts of {pairs} exceed the law's limit "
+        f"v0 <= 1e-5*sqrt(E/rho) = {least:.3g} m/s (worst {worst:.3g} m/s)"
     )
 
 

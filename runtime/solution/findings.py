@@ -48,8 +48,9 @@ EVERYTHING = Needs.IMPACTS | Needs.SUMS | Needs.CHOICES
 
 def finders(model: Model, integrator: Integrator, needs: Needs) -> list[Blocks]:
     """Return the functions that find what is needed in runs by the integrator's first method."""
-    found: list[Blocks] = [following(model, integrator)] if is_watched(model, needs) else []
-    if needs & (Needs.IMPACTS | Needs.STEPS):
+    peaks = bool(needs & (Needs.IMPACTS | Needs.STEPS))
+    found: list[Blocks] = [following(model, integrator, peaks)] if is_watched(model, needs) else []
+    if peaks:
         found.append(crest(model, integrator, 0))
     if needs & (Needs.SUMS | Needs.STEPS):
         found += [part_of_step(model, integrator, 0), *(inner(model, j) for j in range(model.k))]

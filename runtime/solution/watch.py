@@ -23,6 +23,8 @@ EPSILON = float(np.finfo(float).eps)
 SMALL = 1e-6  # of the scene's energy scale: least energy that errors are relative to
 PIECE = 2048  # rows followed at once: what is found of them fits into a cache
 TOGETHER = 256  # contacts whose peaks are found at once
+ONSET = ("t", "speed", "left")  # and end of a contact
+BESIDE = np.array([-1, 0, 1])
 TOPS = tuple(f"top_{part}" for part, *_ in KINDS)
 
 
@@ -40,7 +42,7 @@ class Watch:
     """
 
     def __init__(self, model: Model, *, peaks: bool) -> None:
-        self._model, self._wanted, self._layout = model, peaks, carried(model)
+        self._model, self._wanted, self._layout = model, peaks, carried(model, peaks)
         self._last = np.zeros(self._layout.size)  # what is carried on
         self._rows = 0
         self._view: History | None = None
@@ -52,17 +54,17 @@ class Watch:
     def take(self, block: History, fresh: int) -> None:
         """Take the next accepted steps; see `Observer`."""
         self._view, before = block.of(block.rows[-1:].copy()), self._rows - fresh
-        follow = following(self._model, block.engine)
+        follow = following(self._model, block.engine, self._wanted)
         for first in range(fresh, len(block.rows), PIECE):
             found = follow(block.controls, self._last, block.rows[first : first + PIECE])
             self._last, self._rows = found[-1].copy(), before + first + len(found)
             rows, pairs = np.nonzero(found[:, self._layout["ends"]])
             if len(rows):
-                self._ended.append(self._table(found[rows], pairs))
+                self._ended.append(self._table(found, rows, pairs))
                 if self._wanted:
-                    self._tops.append(self._rows_at(self._near(found[rows], pairs), block, before))
+                    self._tops.append(self._rows_at(self._near(found, rows, pairs), block, before))
         if self._wanted:
-            near = self._near(self._last[None], self._open)
+            near = self._near(*self._open)
             self._kept = dict(zip(near.ravel().tolist(), self._rows_at(near.ravel(), block, before), strict=True))
             if sum(map(len, self._tops)) >= TOGETHER:
                 self._peaks.append(self._peaks_of(np.concatenate(self._ended), self._tops))
@@ -71,8 +73,9 @@ class Watch:
     @property
     def contacts(self) -> np.ndarray:
         """Every contact: pair, onset [s], approach speed [m/s], when it was left [s] or nan, shape (n, 4)."""
-        last = self._table(self._last[None], self._open)
-        last[self._last[self._layout["touching"]][self._open] > 0, 3] = math.nan
+        *_, pairs = self._open
+        last = self._table(*self._open)
+        last[self._last[self._layout["touching"].start + pairs] > 0, 3] = math.nan
         return np.concatenate([*self._ended, last])
 
     def impacts(self) -> tuple[Impact, ...]:
@@ -80,9 +83,8 @@ class Watch:
 
         Peaks are found within the steps, to the accuracy of the run.
         """
-        table, tops, open_ = self.contacts, list(self._tops), self._open
-        if len(open_):
-            near = self._near(self._last[None], open_)
+        table, tops, near = self.contacts, list(self._tops), self._near(*self._open)
+        if near.size:
             tops.append(np.array([self._kept[row] for row in near.ravel().tolist()]).reshape(*near.shape, -1))
         if not len(table):
             return ()
@@ -120,26 +122,30 @@ class Watch:
         return 0.0 if self._view is None else self._view.energy_scale
 
     @property
-    def _open(self) -> np.ndarray:
-        """Pairs whose contact is not over."""
-        return np.flatnonzero(self._last[self._layout["open"]])
+    def _open(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Contacts that are not over: what is carried last, its row, the pairs."""
+        pairs = np.flatnonzero(self._last[self._layout["open"]])
+        return self._last[None], np.zeros_like(pairs), pairs
 
     def _number(self, name: str) -> float:
         return float(self._last[self._layout[name].start])
 
-    def _of(self, found: np.ndarray, pairs: np.ndarray, *names: str) -> np.ndarray:
-        """Return parts of what is carried (n or 1, size) that belong to pairs (n,), shape (n, names)."""
-        columns = np.array([self._layout[name].start for name in names]) + pairs[:, None]
-        return np.take_along_axis(np.broadcast_to(found, (len(pairs), found.shape[1])), columns, axis=1)
+    def _of(self, found: np.ndarray, rows: np.ndarray, pairs: np.ndarray, names: tuple[str, ...]) -> np.ndarray:
+        """Return parts of what is carried at rows (n,) that belong to pairs (n,), shape (n, names)."""
+        columns = np.array([self._layout[name].start for name in names])
+        part: np.ndarray = found[rows[:, None], columns + pairs[:, None]]
+        return part
 
-    def _table(self, found: np.ndarray, pairs: np.ndarray) -> np.ndarray:
-        return np.column_stack([pairs, self._of(found, pairs, "t", "speed", "left")])
+    def _table(self, found: np.ndarray, rows: np.ndarray, pairs: np.ndarray) -> np.ndarray:
+        table = np.empty((len(pairs), 1 + len(ONSET)))
+        table[:, 0], table[:, 1:] = pairs, self._of(found, rows, pairs, ONSET)
+        return table
 
-    def _near(self, found: np.ndarray, pairs: np.ndarray) -> np.ndarray:
+    def _near(self, found: np.ndarray, rows: np.ndarray, pairs: np.ndarray) -> np.ndarray:
         """Return the numbers of the rows of `tops` (n, kinds, 3); a contact has no row before its onset."""
-        first, *tops = self._of(found, pairs, "onset", *TOPS).astype(int).T
-        top = np.stack(tops, axis=1)
-        return np.stack([np.maximum(top - 1, first[:, None]), top, np.minimum(top + 1, self._rows - 1)], axis=2)
+        numbers = self._of(found, rows, pairs, ("onset", *TOPS)).astype(int)[:, :, None]
+        near: np.ndarray = np.clip(numbers[:, 1:] + BESIDE, numbers[:, :1], self._rows - 1)
+        return near
 
     def _rows_at(self, numbers: np.ndarray, block: History, before: int) -> np.ndarray:
         """Return rows by their numbers, of which those before the block's first are kept."""
@@ -156,22 +162,22 @@ class Watch:
 
 
 @per_model
-def carried(model: Model) -> Layout:
+def carried(model: Model, peaks: bool) -> Layout:
     """Return the layout of what is carried from row to row.
 
     row: their number; start (4), moved, error, size: energies at the start, largest moved, largest error, largest [J];
     for each pair whether its contact is open, whether it touches, whether its contact ends at this row, and of the
-    last contact onset (row, t [s]), speed [m/s], left [s], tops (rows) and largest values.
+    last contact onset t [s], approach speed [m/s], when it was left [s]; for peaks its onset and tops (rows), and largest values.
     """
     balance = {"start": 4, "moved": 1, "error": 1, "size": 1} if model.has_ledger else {}
-    of_pair = ("open", "touching", "ends", "onset", "t", "speed", "left", *TOPS, *(part for part, *_ in KINDS))
-    return Layout({"row": 1} | balance | dict.fromkeys(of_pair, model.k))
+    of_peaks = ("onset", *TOPS, *(part for part, *_ in KINDS)) if peaks else ()
+    return Layout({"row": 1} | balance | dict.fromkeys(("open", "touching", "ends", *ONSET, *of_peaks), model.k))
 
 
 @per_model
-def following(model: Model, integrator: Integrator) -> Scan:
+def following(model: Model, integrator: Integrator, peaks: bool) -> Scan:
     """Build the function (controls, carried, state) -> carried after one more row."""
-    vectors, layout = integrator.layouts, carried(model)
+    vectors, layout = integrator.layouts, carried(model, peaks)
     controls, state, last = vectors.controls.symbol("controls"), vectors.state.symbol("state"), layout.symbol("carried")
     at, was = vectors.state.split(state), layout.split(last)
     new = {**was, "row": was["row"] + 1}
@@ -195,7 +201,7 @@ def _of_pairs(at: dict[str, Any], was: dict[str, Any]) -> dict[str, Any]:
     """Return what is carried of the pairs after a row."""
     touching = at["mode"] == CONTACT
     begins = touching * (1 - was["open"])
-    onset = {"onset": was["row"], "t": at["t"], "speed": ca.if_else(at["gap_rate"] >= 0, 0, -at["gap_rate"])}
+    onset = {"t": at["t"], "speed": ca.if_else(at["gap_rate"] >= 0, 0, -at["gap_rate"])}
     new = {
         "open": ca.if_else(at["mode"] == RELEASED, was["open"], touching),
         "touching": touching,
@@ -203,6 +209,9 @@ def _of_pairs(at: dict[str, Any], was: dict[str, Any]) -> dict[str, Any]:
         **{name: ca.if_else(begins, value, was[name]) for name, value in onset.items()},
         "left": ca.if_else(was["touching"] * (1 - touching), at["t"], ca.if_else(begins, math.nan, was["left"])),
     }
+    if "onset" not in was:
+        return new
+    new["onset"] = ca.if_else(begins, was["row"], was["onset"])
     for part, _, sign in KINDS:
         value = ca.if_else(at[part] == at[part], sign * at[part], math.inf)  # what is no number counts as the largest
         higher = ca.logic_or(begins, new["open"] * (value > was[part]))
