@@ -109,8 +109,8 @@ def in_memory(batch: Batch, count: int, progress: Callable[[float], object] | No
     outcome = COMPLETE
     try:
         with closing(batch.rows(range(count))) as done:  # its workers end here, whatever is raised
-            for row in done:
-                rows[row.index] = row
+            for some in done:
+                rows |= {row.index: row for row in some}
                 if progress is not None:
                     progress(len(rows) / count)
     except KeyboardInterrupt:
@@ -178,8 +178,8 @@ class Batch:
         """Whether rows that were made are compiled."""
         return self._job.compiled
 
-    def rows(self, wanted: Sequence[int], lost: Sequence[int] = ()) -> Generator[Row, None, None]:
-        """Yield the rows of these sets as they are done; close it to end the workers.
+    def rows(self, wanted: Sequence[int], lost: Sequence[int] = ()) -> Generator[list[Row], None, None]:
+        """Yield the rows of these sets as they are done, some at a time; close it to end the workers.
 
         Then those of sets whose process died in an earlier call, where workers have processes of their own.
         Raises InputError for input that is bad for every run, or where the first row shows that an output is not a
@@ -189,22 +189,22 @@ class Batch:
         with closing(self._rows(left, again if self._engine.workers > 1 else deque())) as rows:
             yield from _first_a_number(self._job.model, rows)
 
-    def _rows(self, left: deque[Task], again: deque[Task]) -> Generator[Row, None, None]:
+    def _rows(self, left: deque[Task], again: deque[Task]) -> Generator[list[Row], None, None]:
         if self._job.settings.compiled == "auto":
-            yield from self._job.probe(left, self.workers)
+            yield from ([row] for row in self._job.probe(left, self.workers))
         with closing(self._engine.rows(self._job, [*left, *again])) as done:
             yield from done
 
 
-def _first_a_number(model: Model, rows: Iterable[Row]) -> Iterator[Row]:
+def _first_a_number(model: Model, rows: Iterable[list[Row]]) -> Iterator[list[Row]]:
     """Yield rows; raise InputError where the first of all shows that an output is not a number."""
     first = True
-    for row in rows:
-        if first and row.outcome == NO_NUMBER:
+    for some in rows:
+        if first and some[0].outcome == NO_NUMBER:
             remedy = 'one number of a history: lambda run: np.ptp(run["guide.travel"]); several are several outputs'
-            raise InputError(model.name, [Fault("outputs", row.message, "a number", remedy)])
+            raise InputError(model.name, [Fault("outputs", some[0].message, "a number", remedy)])
         first = False
-        yield row
+        yield some
 
 
 def _check(model: Model, faults: list[Fault], outputs: Mapping[str, Own]) -> None:

@@ -75,12 +75,12 @@ class Cluster:
         if faults := [fault for worker, found in there.items() for fault in _differing(worker, in_use(), found)]:
             raise InputError("cluster", faults)
 
-    def rows(self, job: Job, tasks: Sequence[Task]) -> Generator[Row, None, None]:
+    def rows(self, job: Job, tasks: Sequence[Task]) -> Generator[list[Row], None, None]:
         """Yield rows as completed; tasks that Dask gives up, as workers died, are run again, each alone."""
         packed = _packed(job)
         yield from every_row(job, tasks, lambda waiting, suspects: self._together(job, packed, waiting, suspects))
 
-    def _together(self, job: Job, packed: bytes, waiting: deque[Task], suspects: list[Task]) -> Iterator[Row]:
+    def _together(self, job: Job, packed: bytes, waiting: deque[Task], suspects: list[Task]) -> Iterator[list[Row]]:
         """Yield rows as completed; `suspects` then holds the tasks that Dask has given up.
 
         Cancels what is under way when left. Raises EngineLostError where there is no scheduler or no worker left.
@@ -103,7 +103,7 @@ class Cluster:
                     except KilledWorker:
                         suspects.append(task)
                     else:
-                        yield row
+                        yield [row]
         except CONNECTION as error:
             raise EngineLostError(f"the scheduler is gone ({error})") from error
         finally:

@@ -202,9 +202,9 @@ def _stored(batch: Batch, store: Store, keys: Sequence[str], progress: Callable[
         with closing(batch.rows(left, again)) as done:
             if progress is not None:
                 progress(count / len(places))
-            for row in done:
-                store.add(keys[row.index], row)
-                count += 1
+            for rows in done:
+                store.add({keys[row.index]: row for row in rows})
+                count += len(rows)
                 if progress is not None:
                     progress(count / len(places))
     except KeyboardInterrupt:

@@ -8,6 +8,7 @@ import pickle
 import signal
 import sys
 import threading
+import time
 import warnings
 from collections import deque
 from collections.abc import Callable, Generator, Iterator, Sequence
@@ -30,18 +31,19 @@ from hertzwerk.runtime.sweeps.sweep_table import Row
 # One pool at a time: a process forked while another pool is used would share its pipes, and outlive it.
 _pool = threading.Lock()
 AHEAD = 2  # tasks submitted per worker: keeps it busy, and few are lost if it dies
+TOGETHER = 0.05  # s of rows that are a task: what a task costs beside them is small, and so is what is under way
 
 
 class Processes:
     """Engine of processes on this machine, by default as many as there are cores.
 
-    Forked ones inherit the job, others are sent a pickle of it.
+    Forked ones inherit the job, others are sent a pickle of it. Short rows are done some at a time.
     """
 
     def __init__(self, workers: int | None) -> None:
         self.workers = workers or cores()
 
-    def rows(self, job: Job, tasks: Sequence[Task]) -> Generator[Row, None, None]:
+    def rows(self, job: Job, tasks: Sequence[Task]) -> Generator[list[Row], None, None]:
         """Yield rows as completed; tasks that may have killed a process are run again, each alone.
 
         A single task has a process of its own too, unless one worker was asked for: it may be the one that dies.
@@ -50,44 +52,48 @@ class Processes:
         if self.workers > 1:
             yield from every_row(job, tasks, partial(self._together, job))
         else:
-            yield from map(job.do, tasks)
+            yield from ([job.do(task)] for task in tasks)
 
-    def _together(self, job: Job, waiting: deque[Task], suspects: list[Task]) -> Iterator[Row]:
+    def _together(self, job: Job, waiting: deque[Task], suspects: list[Task]) -> Iterator[list[Row]]:
         with _pool:
             yield from _side_by_side(job, min(self.workers, len(waiting)), waiting, suspects)
 
 
-def _side_by_side(job: Job, workers: int, waiting: deque[Task], suspects: list[Task]) -> Iterator[Row]:
+def _side_by_side(job: Job, workers: int, waiting: deque[Task], suspects: list[Task]) -> Iterator[list[Row]]:
     """Yield rows as completed, until all are or a process dies.
 
     `suspects` then holds the tasks in progress. Stops the workers when left.
     """
-    under_way: dict[Future[Row], Task] = {}
+    under_way: dict[Future[tuple[list[Row], float]], list[Task]] = {}
     executor, do, stop = _executor(job, workers)
+    count = 1  # of rows at a time
     try:
         while not suspects and (waiting or under_way):
             while not suspects and waiting and len(under_way) < AHEAD * workers:
-                task = waiting.popleft()
+                tasks = [waiting.popleft() for _ in range(min(count, -(-len(waiting) // (AHEAD * workers))))]
                 try:
                     # Python 3.12 and later warn of threads when forking: NumPy's see to themselves.
                     with warnings.catch_warnings():
                         warnings.simplefilter("ignore", DeprecationWarning)
-                        under_way[executor.submit(do, task)] = task
+                        under_way[executor.submit(do, tasks)] = tasks
                 except BrokenExecutor:
-                    suspects.append(task)
+                    suspects += tasks
             for future in wait(under_way, return_when=FIRST_COMPLETED).done:
                 try:
-                    yield future.result()
+                    rows, seconds = future.result()
                 except BrokenExecutor:
-                    suspects.append(under_way[future])
+                    suspects += under_way[future]
+                else:
+                    count = max(int(TOGETHER * len(rows) / seconds), 1)
+                    yield rows
                 del under_way[future]
-        suspects += under_way.values()
+        suspects += (task for tasks in under_way.values() for task in tasks)
     finally:
         stop.value = 1
         executor.shutdown(wait=True, cancel_futures=True)
 
 
-def _executor(job: Job, workers: int) -> tuple[Executor, Callable[[Task], Row], Any]:
+def _executor(job: Job, workers: int) -> tuple[Executor, Callable[[list[Task]], tuple[list[Row], float]], Any]:
     """Return an executor of processes, or of threads where there are none, its function, its stop flag.
 
     Processes are forked where that is safe, and share the model's functions; started as `multiprocessing` was told to,
@@ -96,7 +102,7 @@ def _executor(job: Job, workers: int) -> tuple[Executor, Callable[[Task], Row], 
     start = multiprocessing.get_start_method(allow_none=True) or ("fork" if sys.platform.startswith("linux") else None)
     if start is None or (start != "fork" and not _pickles(job)):
         job.stop = local = LocalFlag()
-        return ThreadPoolExecutor(workers), job.do, local
+        return ThreadPoolExecutor(workers), partial(_timed, job), local
     context: Any = multiprocessing.get_context(start)
     job.stop = shared = context.Value("b", 0, lock=False)
     return ProcessPoolExecutor(workers, context, _enter, (job,)), _do, shared
@@ -128,10 +134,16 @@ def _end_with_parent() -> None:
         os._exit(1)
 
 
-def _do(task: Task) -> Row:
+def _do(tasks: list[Task]) -> tuple[list[Row], float]:
     if _job is None:
         raise TypeError("a worker without a job")
-    return _job.do(task)
+    return _timed(_job, tasks)
+
+
+def _timed(job: Job, tasks: list[Task]) -> tuple[list[Row], float]:
+    """Do tasks; return their rows and the time they took [s]."""
+    began = time.perf_counter()
+    return [job.do(task) for task in tasks], time.perf_counter() - began
 
 
 def cores() -> int:

@@ -26,16 +26,16 @@ class RowEngine(Protocol):
 
     workers: int
 
-    def rows(self, job: Job, tasks: Sequence[Task]) -> Generator[Row, None, None]:
-        """Yield the rows as they are done; close it to end what is under way.
+    def rows(self, job: Job, tasks: Sequence[Task]) -> Generator[list[Row], None, None]:
+        """Yield the rows as they are done, some at a time; close it to end what is under way.
 
         Raises InputError for input that is bad for every row, EngineLostError, and KeyboardInterrupt.
         """
 
 
 def every_row(
-    job: Job, tasks: Sequence[Task], together: Callable[[deque[Task], list[Task]], Iterator[Row]]
-) -> Iterator[Row]:
+    job: Job, tasks: Sequence[Task], together: Callable[[deque[Task], list[Task]], Iterator[list[Row]]]
+) -> Iterator[list[Row]]:
     """Yield the rows of all tasks: those that may have killed a worker are run again, each alone.
 
     together    does tasks side by side, taking them from the first list, and leaves in the second those under way when
@@ -49,4 +49,4 @@ def every_row(
             again: list[Task] = []
             yield from together(deque([task]), again)
             if again:
-                yield job.lost(task)
+                yield [job.lost(task)]

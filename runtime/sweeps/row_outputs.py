@@ -153,7 +153,7 @@ def _number(name: str, unit: str, needs: Needs, of: Callable[[Measured], float |
 
 
 def _final(name: str, state: str, unit: str) -> Output:
-    return _number(name, unit, Needs.ENDS, lambda measured: measured.run.final[state])
+    return _number(name, unit, Needs.ENDS, lambda measured: measured.run.ends[state][-1])
 
 
 _ENERGY_RESIDUAL = _number("energy_residual", "", Needs.ENDS, lambda measured: measured.run.energy_residual)

@@ -5,9 +5,9 @@ model.py           text of the model's generated module
 rows.sqlite        points, a row for each that is done, and its arrays: float64, little-endian, compressed by zlib
 table.csv          the table, written whenever the computing ends; section.csv, histories.csv    its arrays, up to 50 MB
 
-Only the process that holds `lock` writes. A row is one transaction of SQLite in WAL mode: once `add` returns it is with the
-operating system, so that no end of the process loses it, and half a row is never read. A commit does not wait for the
-disk, which would cost as much as a short run (synchronous=NORMAL); a thread has what was committed written through
+Only the process that holds `lock` writes. Rows that arrive together are one transaction of SQLite in WAL mode: once `add`
+returns they are with the operating system, so that no end of the process loses them, and half a row is never read. A commit
+does not wait for the disk, which would cost as much as a short run (synchronous=NORMAL); a thread has what was committed written through
 every SYNC seconds, log first, so that a loss of power costs the rows of the last second.
 """
 
@@ -123,19 +123,24 @@ class Store:
                 self._rows.execute("ROLLBACK")
             raise
 
-    def add(self, key: str, row: Row) -> None:
-        """Store a row; raises sqlite3.Error where that is not possible, as on a full disk, or it is there."""
+    def add(self, rows: Mapping[str, Row]) -> None:
+        """Store rows by their keys, all or none.
+
+        Raises sqlite3.Error where that is not possible, as on a full disk, or one is there.
+        """
         if self._syncing.error is not None:
             raise self._syncing.error
-        texts = (json.dumps(_nulled(part)) for part in (row.values, row.outputs))
-        entry = (key, row.outcome, row.message, *texts, json.dumps(row.warnings), row.wall_s)
-        arrays = [(key, name, json.dumps(packed.shape), packed.data) for name, packed in row.arrays.items()]
-        insert = "REPLACE" if key in self.lost else "INSERT"
+        arrays = [
+            (key, name, json.dumps(packed.shape), packed.data)
+            for key, row in rows.items()
+            for name, packed in row.arrays.items()
+        ]
         with self._transaction():
+            self._rows.executemany("DELETE FROM rows WHERE key = ?", [(key,) for key in self.lost & rows.keys()])
             self._rows.executemany("INSERT INTO arrays VALUES (?, ?, ?, ?)", arrays)
-            self._rows.execute(f"{insert} INTO rows VALUES (?, ?, ?, ?, ?, ?, ?)", entry)
-        self.lost.discard(key)
-        self.stored.add(key)
+            self._rows.executemany("INSERT INTO rows VALUES (?, ?, ?, ?, ?, ?, ?)", map(_entry, rows.items()))
+        self.lost -= rows.keys()
+        self.stored.update(rows)
         self._syncing.pending.set()
 
     def close(self) -> None:
@@ -173,6 +178,12 @@ class _Syncing(threading.Thread):
 
 def _connected(file: Path) -> sqlite3.Connection:
     return sqlite3.connect(file, timeout=PATIENCE, isolation_level=None)
+
+
+def _entry(keyed: tuple[str, Row]) -> tuple[Any, ...]:
+    key, row = keyed
+    texts = (json.dumps(_nulled(part)) for part in (row.values, row.outputs))
+    return (key, row.outcome, row.message, *texts, json.dumps(row.warnings), row.wall_s)
 
 
 def _nulled(numbers: Mapping[str, float]) -> dict[str, float | None]:
