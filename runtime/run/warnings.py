@@ -31,7 +31,7 @@ def open_forces(model: Model, bound: Bound, q: np.ndarray) -> Iterator[str]:
 
 
 def too_fast(model: Model, bound: Bound, findings: Findings) -> Iterator[str]:
-    """Yield a warning of contacts faster than their compliant law allows (material with a density), of all pairs together."""
+    """Yield one warning of contacts faster than their compliant law allows (material with a density)."""
     limited = getattr(model.module, "SPEED_LIMITED", ())
     if not limited:
         return

@@ -1,4 +1,4 @@
-"""Contacts of a run: onset, approach speed, duration, largest force and penetration, found within the steps."""
+"""Contacts of a run: onset, duration, largest force and penetration, found within the steps."""
 
 from __future__ import annotations
 
@@ -58,8 +58,9 @@ def peaks(history: History, pairs: np.ndarray, tops: np.ndarray) -> np.ndarray:
 
 @per_model
 def crest(model: Model, integrator: Integrator, method: int) -> Rowwise:
-    """Build the function (controls, state, upper, asked) -> values at a row, at the next, and at a crest between, or -inf.
+    """Build the function that finds the crest of a value in the step between two rows.
 
+    (controls, state, upper, asked) -> values at the row, at the next, and at the crest, -inf where there is none.
     `asked` (2 k) is the sign of one value among the normal forces and gaps of all pairs; of a gap the value is the
     penetration. A crest is where the rate of the value falls through zero in the step between the rows: by regula
     falsi in the form of Anderson and Bjorck, BIT 13 (1973) 253. It is flat: its value is right to rounding when its

@@ -1,4 +1,4 @@
-"""Energy balance and contacts of a run, followed from one accepted step to the next by a CasADi function."""
+"""Energy balance and contacts of a run, followed from step to step by a CasADi function."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ TOPS = tuple(f"top_{part}" for part, *_ in KINDS)
 
 
 class Watch:
-    """Observer of the energy balance and of every contact of a run; keeps only rows beside the tops of contacts.
+    """Observer of the energy balance and of every contact of a run; keeps only rows beside their tops.
 
     The balance, energy - initial energy + dissipated - input, should stay zero. It is measured by the energy that the
     run moves: the largest kinetic energy, energy dissipated or put in, or change of potential energy. The total energy
