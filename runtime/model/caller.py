@@ -88,7 +88,9 @@ class Blocks:
 
 
 class Scan(Blocks):
-    """CasADi function (constant, carried, row) -> carried, applied to the rows of a table one after another.
+    """CasADi function of what is carried from row to row of a table, applied one after another.
+
+    function    (constant, carried, row) -> carried
 
     A row that is repeated must change nothing that counts: the last block is filled up with the last row.
     """

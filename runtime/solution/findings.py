@@ -58,7 +58,7 @@ def finders(model: Model, integrator: Integrator, needs: Needs) -> list[Blocks]:
 
 
 def is_watched(model: Model, needs: Needs) -> bool:
-    """Return whether steps are watched: for impacts, a balance of energy, or a limit of the approach speed."""
+    """Return whether steps are watched: for impacts, a balance of energy, or a limit of speed."""
     limited = bool(getattr(model.module, "SPEED_LIMITED", ()))
     return model.has_ledger or (model.k > 0 and (limited or bool(needs & (Needs.IMPACTS | Needs.STEPS))))
 
