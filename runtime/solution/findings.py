@@ -101,7 +101,7 @@ class Choices:
             if method[i] == EXPLICIT and pressure[i] > 0:
                 reason = "a singular position is near, where the Jacobian does not predict the motion beyond"
             elif method[i] == EXPLICIT:
-                reason = f"step x fastest rate fell to {stiffness[i]:.2g}: explicit steps are as long, and cheaper"
+                reason = f"step x fastest rate fell to {stiffness[i]:.2g}: implicit steps save less than they cost"
             elif stiffness[i] > STIFF:
                 reason = f"step x fastest rate = {stiffness[i]:.2g}: stability holds explicit steps down, not accuracy"
             else:
