@@ -101,6 +101,7 @@ def _draw(axis: Axes, panel: Panel, looks: dict[str, dict[str, Any]]) -> None:
         )  # fmt: skip
     if panel.equal:
         axis.set_aspect("equal", adjustable="datalim")
+        axis.locator_params(nbins=5)  # labels of one width: room is made for those of the first layout
 
 
 def _log_ticks(ticks: Any, limits: tuple[float, float]) -> None:
