@@ -20,7 +20,6 @@ from hertzwerk.derive.effects.effect import NOWHERE, Declared, Effect, Kinematic
 from hertzwerk.derive.effects.state_expression import (
     COORDINATE,
     TIME,
-    StateSymbol,
     Varying,
     coordinate_of,
     shown,
@@ -77,11 +76,6 @@ class Coupling(Effect):
         if self.equation is not None:
             return sp.sympify(self.equation)
         return coordinate_of(self.first) - sp.sympify(self.ratio) * coordinate_of(self.second) - sp.sympify(self.offset)
-
-    @property
-    def coordinates(self) -> list[StateSymbol]:
-        """Coordinates that it couples."""
-        return [symbol for symbol in states_in(self.zero) if symbol.what == COORDINATE]
 
     @property
     def joints(self) -> tuple[str, ...]:

@@ -6,10 +6,12 @@ import numpy as np
 import pytest
 import sympy as sp
 from loops import four_bar, rad
+from scipy.optimize import brentq
 
 from hertzwerk.derive import (
     GROUND,
     Body,
+    Contact,
     Coupling,
     Cylindrical,
     Drive,
@@ -24,6 +26,7 @@ from hertzwerk.derive import (
     Revolute,
     Scales,
     Scene,
+    SphereOnPlane,
     Start,
     T,
     X,
@@ -31,6 +34,7 @@ from hertzwerk.derive import (
     Z,
     coordinate_of,
 )
+from hertzwerk.derive.laws import power
 from hertzwerk.derive.motion import constraints as coupled
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.integrate.tableaux.methods import EXPLICIT, IMPLICIT
@@ -265,6 +269,35 @@ def test_a_loop_drives_a_wheel_by_its_rocker(coordinates):
     at = np.linspace(0, 2, 20)
     assert np.ptp(same["foot.angle"]) > 0.3
     assert found.at(at)["main.angle"] == pytest.approx(same.at(at)["main.angle"], abs=1e-8)
+
+
+@pytest.mark.parametrize("coordinates", BOTH)
+def test_a_rack_hits_a_stop_with_the_inertia_of_its_pinion(coordinates):
+    """Free fall of m + J/r^2 by m g, then Hertz' spring: its depth from the energy of both, gravity's on the way in too."""
+    drop, stiff = Parameter("drop_height", "m", 0.2), Parameter("stiffness", "N/m^1.5", 1e7)
+    joints = Prismatic("rack", GROUND, third, axis=Y), WHEEL
+    stop = SphereOnPlane("stop", third.at(0, 0, 0), Parameter("tip", "m", 0.02), GROUND.at(0, -r, 0), Y)
+    effects = (
+        Gravity("gravity", g, -Y),
+        Contact("stop", power(stiff, 1.5)),
+        Coupling("mesh", "rack", "wheel", r),
+        EnergyLedger(),
+    )
+    declared = Scene(
+        Mechanism("coupled", joints, (stop,)),
+        effects,
+        Scales(r, pace, arm=r),
+        Start(position={"rack": drop + Parameter("tip", "m", 0.02) - r}),
+    )
+    found = run(declared, coordinates, duration=0.4)
+    weight, both = 2.0 * 9.81, 2.0 + 0.2 / 0.4**2
+    first = found.impacts[0]
+    assert first.t == pytest.approx(np.sqrt(2 * 0.2 * both / weight), rel=EXACT)
+    assert first.speed == pytest.approx(np.sqrt(2 * 0.2 * weight / both), rel=EXACT)
+    depth = brentq(lambda d: 0.4 * 1e7 * d**2.5 - weight * (0.2 + d), 1e-6, 0.1, xtol=1e-15)
+    assert first.peak_penetration == pytest.approx(depth, rel=1e-8)
+    rate = (found["stop.normal_force"] - weight) / both  # at every row, in contact and apart
+    assert found["mesh.force"] == pytest.approx(-0.2 / 0.4**2 * rate, rel=1e-8, abs=1e-8)
 
 
 # -- what is driven ----------------------------------------------------------------------------------------------------
