@@ -17,6 +17,8 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.accuracy.ladder import LadderResult
 from hertzwerk.runtime.integrate.step.layout import FINISHED
@@ -175,7 +177,11 @@ def _solution_of(
         warnings=(
             *unchecked(model),
             *open_forces(model, bound, run.given.q),
-            *(() if run.start is not None else pressed(model, bound, run.given.initial, run.given.q, run.given.u)),
+            *(
+                ()
+                if run.start is not None or np.any(run.given.latches)
+                else pressed(model, bound, run.given.initial, run.given.q, run.given.u)
+            ),
             *bound.warnings,
             *floored(counted["floored"], run.floor),
             *too_fast(model, bound, trace.findings),

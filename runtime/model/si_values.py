@@ -20,9 +20,14 @@ def si_of(model: Model, name: str, value: Value) -> float:
         number, unit, _ = read(value)
     except UnitError:
         return math.nan
-    declared = parse_unit(_declared(model).get(name, "1"))
+    declared = parse_unit({**_declared(model), **latch_units(model)}.get(name, "1"))
     alike = bool(declared.free_names) or unit.exponents == declared.exponents
     return unit.to_si(number) if alike else math.nan
+
+
+def latch_units(model: Model) -> dict[str, str]:
+    """Return the unit text of what a contact in progress keeps of its onset."""
+    return {row[0]: row[1] for row in model.module.LATCHES}
 
 
 def _declared(model: Model) -> dict[str, str]:

@@ -19,6 +19,7 @@ from hertzwerk.runtime.model.binding import Value, read_time
 from hertzwerk.runtime.model.drive_speed import drive_speed
 from hertzwerk.runtime.model.model import Bound, Dependent, Model
 from hertzwerk.runtime.model.per_model import per_model
+from hertzwerk.runtime.model.si_values import si_of
 from hertzwerk.runtime.run.output_times import Output, times_of
 from hertzwerk.runtime.solution import scales as scaling
 from hertzwerk.runtime.solution.scales import Scales
@@ -102,13 +103,14 @@ class Settings:
 class Inputs:
     """Start and extent of a run.
 
-    Bound parameters, q (nq,) and u (nu,) with loops closed, duration [s], scales stated by the scene, redundant
+    Bound parameters, q (nq,) and u (nu,) with loops closed, latches of contacts in progress, duration [s], scales stated by the scene, redundant
     constraints, given initial states, and the period [s] of everything that depends on time.
     """
 
     bound: Bound
     q: np.ndarray
     u: np.ndarray
+    latches: np.ndarray
     seconds: float
     scales: Scales
     dependent: tuple[Dependent, ...]
@@ -131,6 +133,7 @@ def read(
     if given is not None and not faults:
         return given, times
     bound, q, u = start_of(model, parameters, initial, faults)
+    latches = np.array([0.0 if name not in initial else si_of(model, name, initial[name]) for name in model.latches])
     inside = overlap_faults(model, bound, initial, q, u)
     if inside:
         raise InputError(model.name, inside)
@@ -138,6 +141,7 @@ def read(
         bound,
         q,
         u,
+        latches,
         seconds,
         scaling.of_parameters(model, bound),
         dependent(model, bound, q),

@@ -177,7 +177,9 @@ class SingleRun:
     def _initial_state(self, controls: np.ndarray) -> np.ndarray:
         """Return the state of the engine at the start of the motion."""
         begin = self.engine.begin.take()
-        for place, values in zip(begin.inputs, (0.0, self.given.q, self.given.u, controls), strict=True):
+        for place, values in zip(
+            begin.inputs, (0.0, self.given.q, self.given.u, self.given.latches, controls), strict=True
+        ):
             place[:] = values
         state: np.ndarray = begin()[0][0].copy()
         self.engine.begin.give_back(begin)

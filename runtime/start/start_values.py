@@ -13,6 +13,7 @@ import numpy as np
 from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.runtime.model.binding import Value, named_values, read_state
 from hertzwerk.runtime.model.model import Bound, Dependent, Model
+from hertzwerk.runtime.model.si_values import latch_units
 
 Given = TypeVar("Given", bound=Value)
 
@@ -22,7 +23,7 @@ def split_values(model: Model, values: Mapping[str, Given]) -> tuple[dict[str, G
 
     A name that is neither is left among the parameters.
     """
-    states = {*model.joints.coordinates, *model.joints.speeds}
+    states = {*model.joints.coordinates, *model.joints.speeds, *model.latches}
     parameters = {name: value for name, value in values.items() if name not in states}
     return parameters, {name: value for name, value in values.items() if name in states}
 
@@ -60,7 +61,11 @@ def _assembled(
     model = whole.joints
     values: dict[str, float] = {}
     names = (*model.coordinates, *model.speeds)
+    latches = latch_units(whole)
     for name, value in named_values("initial", initial, faults).items():
+        if name in latches:
+            faults += [fault for _, fault in [read_state(name, latches[name], value)] if fault is not None]
+            continue
         if name not in names:
             faults.append(unknown("state", name, names))
             continue

@@ -90,7 +90,7 @@ def simulate_many(
     varied = {name: units[name] for name in dict.fromkeys(name for values in sets for name in values) if name in units}
     results = {name: unit for output in wanted for name, unit in output.columns.items()}
     batch = Batch(model, sets, settings, wanted, compiled, engine_of(workers, client))
-    rows, outcome = in_memory(batch, len(sets), progress)
+    rows, outcome = in_memory(batch.rows(range(len(sets))), len(sets), progress)
     return Sweep(
         scene=model.name,
         rows=rows,
@@ -103,12 +103,14 @@ def simulate_many(
     )
 
 
-def in_memory(batch: Batch, count: int, progress: Callable[[float], object] | None) -> tuple[tuple[Row, ...], Outcome]:
+def in_memory(
+    made: Generator[list[Row], None, None], count: int, progress: Callable[[float], object] | None
+) -> tuple[tuple[Row, ...], Outcome]:
     """Return the rows that are done, and how it ended; raises InputError."""
     rows: dict[int, Row] = {}
     outcome = COMPLETE
     try:
-        with closing(batch.rows(range(count))) as done:  # its workers end here, whatever is raised
+        with closing(made) as done:  # its workers end here, whatever is raised
             for some in done:
                 rows |= {row.index: row for row in some}
                 if progress is not None:
@@ -152,6 +154,7 @@ class Batch:
     sets    values of every row, parameters and initial states alike
     settings    arguments of `simulate` for all of them
     compiled    as asked for
+    later    rows for which there will be further calls, foreseen where it is chosen whether to compile
     kept    arrays that every row keeps
     """
 
@@ -164,9 +167,11 @@ class Batch:
         compiled: Compiled,
         engine: RowEngine,
         kept: Kept | None = None,
+        later: int = 0,
     ) -> None:
         self._job = Job(model, Settings(**settings, compiled=compiled), list(outputs), kept)
-        self._sets, self._engine = sets, engine
+        self._sets, self._engine, self._later = sets, engine, later
+        self._begun = False
 
     @property
     def workers(self) -> int:
@@ -178,20 +183,30 @@ class Batch:
         """Whether rows that were made are compiled."""
         return self._job.compiled
 
-    def rows(self, wanted: Sequence[int], lost: Sequence[int] = ()) -> Generator[list[Row], None, None]:
+    def rows(
+        self,
+        wanted: Sequence[int],
+        lost: Sequence[int] = (),
+        starts: Mapping[int, Mapping[str, Value]] | None = None,
+    ) -> Generator[list[Row], None, None]:
         """Yield the rows of these sets as they are done, some at a time; close it to end the workers.
 
         Then those of sets whose process died in an earlier call, where workers have processes of their own.
+
+        starts    initial values by row in place of those of its set
+
         Raises InputError for input that is bad for every run, or where the first row shows that an output is not a
         number, KeyboardInterrupt, and EngineLostError.
         """
-        left, again = (deque[Task]((i, dict(self._sets[i])) for i in sets) for sets in (wanted, lost))
+        begun, given = self._begun, starts or {}
+        self._begun = True
+        left, again = (deque[Task]((i, {**self._sets[i], **given.get(i, {})}) for i in sets) for sets in (wanted, lost))
         with closing(self._rows(left, again if self._engine.workers > 1 else deque())) as rows:
-            yield from _first_a_number(self._job.model, rows)
+            yield from rows if begun else _first_a_number(self._job.model, rows)
 
     def _rows(self, left: deque[Task], again: deque[Task]) -> Generator[list[Row], None, None]:
         if self._job.settings.compiled == "auto":
-            yield from ([row] for row in self._job.probe(left, self.workers))
+            yield from ([row] for row in self._job.probe(left, self.workers, self._later))
         with closing(self._engine.rows(self._job, [*left, *again])) as done:
             yield from done
 

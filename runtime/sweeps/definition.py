@@ -25,7 +25,7 @@ from hertzwerk.runtime.sweeps.design import Axis, Design, Range
 COMPUTING = ("accuracy", "integrate", "model", "run", "solution", "start", "sweeps")  # rooms that numbers depend on
 ARGUMENTS = (  # of `sweep`, and names in a definition
     *("target", "over", "values", "without", "laws", "coordinates", "zip", "sample", "sampler", "seed", "outputs"),
-    *("section", "after", "grid", "histories"),
+    *("section", "after", "grid", "histories", "continued"),
     *("duration", "accuracy", "tolerance", "method", "max_steps", "max_events", "wall_time"),
 )
 FOLLOW = ("columns", "varied", "axes", "arrays")  # from the rest

@@ -34,6 +34,7 @@ from hertzwerk.runtime.start.start_values import split_values
 from hertzwerk.runtime.sweeps.batch import Batch, engine_lost, engine_of, in_memory, worker_faults
 from hertzwerk.runtime.sweeps.definition import as_text, axes_of, keys_of, target_of, versions
 from hertzwerk.runtime.sweeps.design import Given, Varied, read_design
+from hertzwerk.runtime.sweeps.following import Chains, read_chains, state_units
 from hertzwerk.runtime.sweeps.kept.kept_arrays import Kept, place_of, read_kept
 from hertzwerk.runtime.sweeps.own_functions import digest
 from hertzwerk.runtime.sweeps.row_engine import EngineLostError
@@ -67,6 +68,7 @@ def sweep(
     after: str | float | None = None,
     grid: str | int | None = None,
     histories: Sequence[str] = (),
+    continued: str | None = None,
     functions: Mapping[str, Callable[[Solution], float]] | None = None,
     duration: str | float | None = None,
     accuracy: float | None = None,
@@ -98,6 +100,8 @@ def sweep(
     grid    at how many points, or at what spacing ("0.1 ms"), each row keeps histories
     after    transient that both leave out, such as "100 rev"; histories: names that both keep, by default coordinates
             and speeds. `table.section["guide.travel"]` and `table.histories[...]` have an array for each row
+    continued    "up" or "down": each value of the first parameter in `over` starts from the final state of the one before,
+            for a duration of whole periods; one after another, and for every other value, or start, that is varied
     functions    further outputs, functions of the Solution: {"stroke": lambda run: np.ptp(run["guide.travel"])}
     workers    processes, by default as many as there are cores
     client    in their place a Dask cluster, by the `distributed.Client` that is connected with it
@@ -125,7 +129,10 @@ def sweep(
     varied = _varied(model, over, fixed, faults)
     wanted = _outputs(model, outputs, functions, varied, faults)
     asked = {"section": section, "after": after, "grid": grid, "histories": histories}
-    kept = read_kept(model, **asked, duration=duration, faults=faults)
+    end = () if continued is None else tuple(state_units(model))
+    kept = read_kept(model, **asked, duration=duration, end=end, faults=faults)
+    points = design.points()
+    chains = read_chains(model, [{**fixed, **point} for point in points], varied, continued, faults)
     faults += worker_faults(workers, client)
     try:
         Settings(**settings, compiled=compiled).check(model)
@@ -133,9 +140,10 @@ def sweep(
         faults += error.faults
     if faults:
         raise InputError(f"sweep of {model.name}", faults)
-    plan = Plan(model, design.points(), fixed, varied, wanted, settings, kept)
+    plan = Plan(model, points, fixed, varied, wanted, settings, kept)
     plan.check()
-    batch = Batch(model, plan.sets(), settings, wanted, compiled, engine_of(workers, client), kept)
+    later = 0 if chains is None else len(points) - len(chains.rows)
+    batch = Batch(model, plan.sets(), settings, wanted, compiled, engine_of(workers, client), kept, later)
     axes = {name: tuple(si_of(model, name, value) for value in values) for name, values in design.grid.items()}
     made = partial(
         Sweep,
@@ -148,7 +156,11 @@ def sweep(
         workers=batch.workers,
     )
     if into is None:
-        rows, outcome = in_memory(batch, len(plan.points), progress)
+        whole = range(len(points))
+        done = (
+            batch.rows(whole) if chains is None else chains.computed(batch, [*map(str, whole)], whole, lambda _: None)
+        )
+        rows, outcome = in_memory(done, len(points), progress)
         return made(rows=rows, outcome=outcome, compiled=batch.compiled, wall_s=time.perf_counter() - began)
     folder, text = Path(into), text_of(model.module)
     if not text:
@@ -158,6 +170,7 @@ def sweep(
         "outputs": [output.name for output in wanted if output.name not in (functions or {})],
         "functions": {name: digest(name, function) for name, function in (functions or {}).items()},
         **{**asked, "section": kept and kept.section and str(kept.section), "histories": list(histories)},
+        "continued": continued,
         "text": hashlib.sha256(text.encode()).hexdigest()[:16],
         "versions": versions(),
     }
@@ -169,9 +182,10 @@ def sweep(
         "arrays": {} if kept is None else kept.columns,
     }
     keys = keys_of(model, plan.sets(), settings, same)
+    keys = keys if chains is None else chains.keys(keys)
     with opened(folder) as store:
         store.define(definition, text, keys, plan.sets(), widen=widen)
-        outcome = _stored(batch, store, keys, progress)
+        outcome = _stored(batch, store, keys, chains, progress)
         table = made(
             rows=tuple(read_rows(folder)[0]),
             outcome=outcome,
@@ -190,16 +204,26 @@ def sweep(
     return table
 
 
-def _stored(batch: Batch, store: Store, keys: Sequence[str], progress: Callable[[float], object] | None) -> Outcome:
-    """Compute and store the rows that are missing or lost, each once; return how it ended."""
+def _stored(
+    batch: Batch,
+    store: Store,
+    keys: Sequence[str],
+    chains: Chains | None,
+    progress: Callable[[float], object] | None,
+) -> Outcome:
+    """Compute and store the rows that are missing or lost, each once; return how it ended.
+
+    A lost row of a chain stays: those after it started from the row before it.
+    """
     places = {key: i for i, key in reversed(list(enumerate(keys)))}
     left = sorted(i for key, i in places.items() if key not in store.stored)
-    again = sorted(places[key] for key in store.lost & places.keys())
+    again = sorted(places[key] for key in store.lost & places.keys()) if chains is None else []
     count = len(places) - len(left) - len(again)
     if not left and not again:
         return COMPLETE
     try:
-        with closing(batch.rows(left, again)) as done:
+        missing = batch.rows(left, again) if chains is None else chains.computed(batch, keys, {*left}, store.end_of)
+        with closing(missing) as done:
             if progress is not None:
                 progress(count / len(places))
             for rows in done:

@@ -98,8 +98,8 @@ class Job:
         )
         return Row(*task, LOST, message, self._values(task))
 
-    def probe(self, left: deque[Task], workers: int) -> Iterator[Row]:
-        """Run the first good row for at most PROBE [s] to foresee the uncompiled time of the rest.
+    def probe(self, left: deque[Task], workers: int, later: int = 0) -> Iterator[Row]:
+        """Run the first good row for at most PROBE [s] to foresee the uncompiled time of the rest, and of later ones.
 
         Yield the rows that are done, taken from `left`.
         """
@@ -118,7 +118,7 @@ class Job:
             done = 1.0 if whole else max(solution.t_end / solution.duration, 1e-9)
             wall_s = solution.statistics.wall_s + (solution.error.pilot_s if solution.error is not None else 0.0)
             one = min(wall_s / done, self.settings.wall_time or math.inf)
-            self.foreseen = one * math.ceil(len(left) / workers)
+            self.foreseen = one * math.ceil((len(left) + later) / workers)
             if whole:
                 yield self._row(task, solution)
             return

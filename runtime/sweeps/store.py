@@ -31,7 +31,7 @@ from hertzwerk.runtime.host.scratch import UNFINISHED, write_atomically
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.sweeps.definition import differences
 from hertzwerk.runtime.sweeps.kept.array_table import Packed
-from hertzwerk.runtime.sweeps.kept.kept_arrays import place_of
+from hertzwerk.runtime.sweeps.kept.kept_arrays import END, place_of
 from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, LOST, Row, Sweep
 
 DEFINITION, MODEL, ROWS, TABLE, LOCK = "definition.json", "model.py", "rows.sqlite", "table.csv", "lock"
@@ -142,6 +142,11 @@ class Store:
         self.lost -= rows.keys()
         self.stored.update(rows)
         self._syncing.pending.set()
+
+    def end_of(self, key: str) -> Packed | None:
+        """Return the final state of a row that is stored, None where it got to no end."""
+        found = self._rows.execute("SELECT shape, data FROM arrays WHERE key = ? AND name = ?", (key, END)).fetchone()
+        return None if found is None else Packed(tuple(json.loads(found[0])), found[1])
 
     def close(self) -> None:
         """Write everything through and close."""

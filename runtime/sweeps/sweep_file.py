@@ -44,6 +44,7 @@ class SweepFile(BaseModel):
     after: Quantity | None = None
     grid: str | int | None = None
     histories: list[str] = []
+    continued: str | None = None
     duration: Quantity
     accuracy: float | None = None
     tolerance: float | None = None

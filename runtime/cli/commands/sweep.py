@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 
 _OPTIONS = {
     **{"settings": "--set", "laws": "--law", "outputs": "--output"},
-    **{"histories": "--history", "max_steps": "--max-steps", "wall_time": "--wall-time"},
+    **{"histories": "--history", "continued": "--continue", "max_steps": "--max-steps", "wall_time": "--wall-time"},
 }  # where they are not called as their arguments
 
 
@@ -75,6 +75,12 @@ _OPTIONS = {
 @click.option("--after", metavar="TIME", help='Transient that both leave out, such as "100 rev".')
 @click.option(
     "--history", "histories", metavar="NAME", multiple=True, help="What both keep (default: coordinates and speeds)."
+)
+@click.option(
+    "--continue",
+    "continued",
+    metavar="up|down",
+    help="Follow the first parameter: each value starts from the final state of the one before.",
 )
 @SET
 @WITHOUT
@@ -232,7 +238,7 @@ def _read(target: str, options: dict[str, Any], faults: list[Fault]) -> dict[str
         "laws": assignments("--law", options["laws"], faults),
         "coordinates": options["coordinates"],
         "outputs": options["outputs"],
-        **{name: options[name] for name in ("section", "after", "histories")},
+        **{name: options[name] for name in ("section", "after", "histories", "continued")},
         "grid": int(options["grid"]) if (options["grid"] or "").isdecimal() else options["grid"],
         "duration": options["duration"] or numbers.get("duration"),
         "accuracy": default if accuracy is None else accuracy,

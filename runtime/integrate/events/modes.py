@@ -99,12 +99,12 @@ def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
 
 
 def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
-    """Build the function (t, q, u, controls) -> initial state.
+    """Build the function (t, q, u, latches, controls) -> initial state.
 
-    Overlapping pairs are in contact, or released where their law would pull.
+    Overlapping pairs are in contact, or released where their law would pull. Positive latches are kept.
     """
     t, q, u = model.symbols("t q u")
-    controls = vectors.controls.symbol("controls")
+    known, controls = ca.SX.sym("latches", len(model.latches)), vectors.controls.symbol("controls")
     run = vectors.controls.split(controls)
     y = ca.vertcat(q, u, ca.SX.zeros(model.nz))
     mode, floored = ca.SX.zeros(model.k), ca.SX(0)
@@ -115,16 +115,18 @@ def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
     if model.k:
         touching = (gap < -tol) + (gap <= tol) * _closing(rate, end["gap_acceleration"]) > 0
         m, floored = latch(model, run, m, touching, rate)
+        for i in range(len(model.latches)):
+            m[i] = ca.if_else(known[i] > 0, known[i], m[i])
         end = right.at(t, y, touching, m, run["c"])
         spent = pulls(model, end["force"]) * (gap < -tol)
         mode = ca.if_else(touching, ca.if_else(spent, RELEASED, CONTACT), FLIGHT)
     asking = [t, y, mode, m, run["c"], ca.SX.ones(model.ns), *_slip_tolerances(model, tolerance)]
-    touched = ca.Function("touched", [t, q, u, controls], [*asking, floored])
+    touched = ca.Function("touched", [t, q, u, known, controls], [*asking, floored])
     given = touched.mx_in()
     *asked, booked = touched.call(given)
     slips = resolve_slips(model).call(asked)
-    state = _first(model, vectors, right)(given[0], given[3], asked[2], *slips, booked)
-    return ca.Function("begin", given, [state], ["t", "q", "u", "controls"], ["state"])
+    state = _first(model, vectors, right)(given[0], given[4], asked[2], *slips, booked)
+    return ca.Function("begin", given, [state], ["t", "q", "u", "latches", "controls"], ["state"])
 
 
 def _first(model: Model, vectors: Layouts, right: Flow) -> Any:

@@ -35,7 +35,7 @@ class Integrator:
     """
 
     layouts: Layouts
-    begin: Any  # (t, q, u, controls) -> state
+    begin: Any  # (t, q, u, latches, controls) -> state
     attempt: Any  # (state, controls) -> state
     model: Model
     tables: tuple[Table, ...]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
@@ -21,7 +22,8 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
     from hertzwerk.runtime.solution.solution import Solution
 
-SECTION, HISTORIES = "section", "histories"
+SECTION, HISTORIES, END = "section", "histories", "end"
+WHOLE = 1e-9  # relative: a number of periods this close to a whole one counts as whole
 
 
 @dataclass(frozen=True)
@@ -45,6 +47,7 @@ class Kept:
 
     units    unit text of the histories by name
     duration    of the runs, as `simulate` takes it
+    end    names of the final state that is kept for the row that continues from it
     """
 
     units: Mapping[str, str]
@@ -52,6 +55,7 @@ class Kept:
     grid: Output | None
     after: str | float | None
     duration: str | float | None
+    end: tuple[str, ...] = ()
 
     @property
     def columns(self) -> dict[str, dict[str, str]]:
@@ -80,9 +84,14 @@ class Kept:
             wrong = []
             grid = times_of(self.grid, seconds, wrong)
             faults += [replace(fault, where="grid") for fault in wrong]
+        bound = model.check(parameters)[0]
+        period = None if bound is None or not self.end else model.period(bound)
+        if period is not None and abs(seconds / period - round(seconds / period)) > WHOLE * seconds / period:
+            expected = "a whole number of periods, as each value starts where the one before ended"
+            faults.append(Fault("duration", f"{seconds / period:.9g} periods of what depends on time", expected))
         if faults:
             raise InputError(model.name, faults)
-        section, bound = None, model.check(parameters)[0]
+        section = None
         if self.section is not None and self.section.steady and bound is not None:
             section = self.section.returns(model, bound, begin, seconds)
         return Times(begin, section, None if grid is None else grid[grid >= begin])
@@ -95,6 +104,9 @@ class Kept:
             found[SECTION] = self._packed(run, at)
         if times.grid is not None:
             found[HISTORIES] = self._packed(run, times.grid)
+        end = np.array([run.ends[name][-1] for name in self.end])
+        if self.end and run.t_end >= run.duration and np.isfinite(end).all():
+            found[END] = Packed.of(end)
         return found
 
     def _packed(self, run: Solution, times: np.ndarray) -> Packed:
@@ -110,7 +122,7 @@ def place_of(section: object, grid: object, after: object) -> str:
     places = [f"section at {section}"] if section is not None else []
     places += [f"histories on a grid of {grid}"] if grid is not None else []
     late = [f"after {after if isinstance(after, str) else f'{after:g} s'}"] if places and after is not None else []
-    return " ".join([" and ".join(places), *late])
+    return re.sub(r"\d+\.\d{6,}", lambda number: f"{float(number[0]):.6g}", " ".join([" and ".join(places), *late]))
 
 
 def read_kept(
@@ -121,6 +133,7 @@ def read_kept(
     grid: object,
     after: object,
     duration: str | float | None,
+    end: tuple[str, ...] = (),
     faults: list[Fault],
 ) -> Kept | None:
     """Read what each row keeps; bad input is appended to `faults`. None where nothing is asked for."""
@@ -128,7 +141,7 @@ def read_kept(
         for name, value in (("histories", histories), ("after", after)):
             if value not in (None, (), []):
                 faults.append(Fault(name, shown(value), "none without a section or a grid", "say where they are kept"))
-        return None
+        return Kept({}, None, None, None, duration, end) if end else None
     place = None if section is None else read_section(model, section, faults)
     units = _units(model, histories, faults)
     if grid == "steps":
@@ -137,7 +150,7 @@ def read_kept(
     if after is not None and (isinstance(after, bool) or not isinstance(after, str | int | float)):
         faults.append(Fault("after", shown(after), 'a time or revolutions, such as "100 rev"'))
         after = None
-    return Kept(units, place, grid, after, duration)  # type: ignore[arg-type]
+    return Kept(units, place, grid, after, duration, end)  # type: ignore[arg-type]
 
 
 def _units(model: Model, names: object, faults: list[Fault]) -> dict[str, str]:

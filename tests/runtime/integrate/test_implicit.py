@@ -202,7 +202,7 @@ def by_steps(model, method, start, time, count, **parameters):
     made = engine_for(model, method, compiled=False).integrator
     controls, scales = controls_of(model, made, model.bind(parameters), 1e-11)
     layouts = made.layouts
-    state = np.array(made.begin(0.0, *start, controls)).ravel()
+    state = np.array(made.begin(0.0, *start, np.zeros(len(model.latches)), controls)).ravel()
     for _ in range(count):
         trial = np.array(made.step()(state, controls, time / count)).ravel()
         for name in ("t", "y", "dy"):

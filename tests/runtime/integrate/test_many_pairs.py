@@ -193,7 +193,9 @@ def test_a_step_whose_equations_were_not_solved_is_refused(table, pivot, refused
     controls, layout = np.zeros(engine.layouts.controls.size), engine.layouts.controls
     for name, value in {"scale": 1e9, "scales": 1.0, "tolerance": 1e-3, "t_end": 1.0, "h_max": 1.0}.items():
         controls[layout[name]] = value
-    trial = np.array(engine.step()(engine.begin(0, q, u, controls), controls, h)).ravel()
+    trial = np.array(
+        engine.step()(engine.begin(0, q, u, np.zeros(len(engine.model.latches)), controls), controls, h)
+    ).ravel()
     (error,) = trial[engine.layouts.trial["error"]]
     assert (error < DIVERGED) != refused
 

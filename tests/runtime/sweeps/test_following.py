@@ -1,0 +1,183 @@
+"""Values followed up and down, and the section of a ball on a vibrating table, whose bifurcation is known in closed form."""
+
+import math
+import sqlite3
+
+import numpy as np
+import pytest
+
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    Contact,
+    Gravity,
+    Harmonic,
+    Mechanism,
+    Parameter,
+    Prismatic,
+    Scales,
+    Scene,
+    SphereOnPlane,
+    Start,
+    Y,
+    laws,
+)
+from hertzwerk.derive.faults import InputError
+from hertzwerk.runtime import load, simulate, sweep
+from hertzwerk.runtime.sweeps import store
+
+CRANK = {
+    "duration": "2 rev", "tolerance": 1e-6, "compiled": False, "workers": 1, "section": "main_bearing.angle = 0",
+    "histories": ["slider_pin.eccentricity_x"],
+}  # fmt: skip
+OVER = {"crank_speed": "3000..5000 rpm:4"}
+RESTITUTION, OMEGA, GRAVITY = 0.8, 40 * math.pi, 9.81
+
+
+@pytest.fixture(scope="module")
+def crank():
+    return load("slider_crank")
+
+
+@pytest.fixture(scope="module")
+def vibrating():
+    """A ball on a table that moves up and down by a sine of 20 Hz; contacts of 20 us."""
+    mass, radius = Parameter("mass", "kg", 0.1), Parameter("radius", "mm", 10)
+    amplitude, height = Parameter("amplitude", "mm", 0.5), Parameter("height", "mm", 2)
+    table, ball = Body("table", mass=mass), Body("ball", mass=mass)
+    mechanism = Mechanism(
+        "vibrating_table",
+        joints=(Prismatic("lift", GROUND, table, axis=Y), Prismatic("vertical", GROUND, ball, axis=Y)),
+        pairs=(SphereOnPlane("floor", sphere=ball.at(0, 0, 0), radius=radius, plane=table.at(0, 0, 0), normal=Y),),
+    )
+    scene = Scene(
+        mechanism,
+        effects=(
+            Harmonic("shaker", "lift", amplitude, Parameter("frequency", "rad/s", OMEGA)),
+            Gravity("gravity", Parameter("gravity", "m/s^2", GRAVITY), direction=-Y),
+            Contact("floor", laws.power(Parameter("stiffness", "N/m", 2.5e9), n=1), laws.exact(e=RESTITUTION)),
+        ),
+        start=Start(position={"vertical": radius + height}),
+        scales=Scales(length=Parameter("length", "mm", 0.1), speed=Parameter("pace", "m/s", 0.3)),
+    )
+    return load(scene)
+
+
+def test_a_ball_on_a_vibrating_table_doubles_its_period_where_it_must(vibrating):
+    """Holmes, J. Sound Vib. 84 (1982) 173: a bounce a period, stable up to the acceleration (in g) below; then two unlike ones."""
+    e = RESTITUTION
+    doubles = math.sqrt(math.pi**2 * (1 - e**2) ** 2 + 4 * (1 + e**2) ** 2) / (1 + e) ** 2
+    accelerations = np.array([0.7, 0.9 * doubles, 1.05 * doubles])
+    amplitudes = accelerations * GRAVITY / OMEGA**2
+    table = sweep(
+        vibrating, {"amplitude": [f"{a!r} m" for a in amplitudes.tolist()]}, continued="up", duration="10 s",
+        section="floor.gap = 0 falling", histories=["vertical.speed"], after="8 s", tolerance=1e-8,
+        values={"vertical.travel": "13 mm", "vertical.speed": "0.1 m/s"},
+    )  # fmt: skip
+    speed = -GRAVITY * math.pi / OMEGA  # after a flight of one period
+    for row, acceleration in zip(table, accelerations, strict=True):
+        found = table.section.of(row)
+        assert len(found["t"]) in (39, 40, 41)
+        if acceleration < doubles:
+            assert found["vertical.speed"] == pytest.approx(speed, rel=5e-3)
+            phase = math.acos((1 - e) / (1 + e) * math.pi / acceleration)  # at which the table has the speed it takes
+            assert np.mod(OMEGA * found["t"] + math.pi, 2 * math.pi) - math.pi == pytest.approx(phase, abs=0.02)
+        else:
+            first, second = found["vertical.speed"][:-1:2], found["vertical.speed"][1::2]
+            assert abs(first.mean() - second.mean()) > 0.05 * abs(speed)
+            assert max(first.std(), second.std()) < 1e-3 * abs(speed)
+
+
+def test_a_contact_in_progress_goes_on_as_it_was():
+    """Cut within a contact, the motion goes on as the whole one, if the approach speed is handed over; not without."""
+    ball, how = load("bouncing_ball"), {"tolerance": 1e-11, "compiled": False}
+    whole = simulate(ball, duration="0.6 s", **how)
+    impact = whole.impacts[0]
+    cut = impact.t + impact.duration * 0.3
+    state = whole.at([cut])
+    start = {name: (float(state[name][0]), ball.units[name]) for name in ("vertical.travel", "vertical.speed")}
+    latch = {"floor.approach_speed": (float(state["floor.approach_speed"][0]), "m/s")}
+    rest = simulate(ball, duration=0.6 - cut, initial={**start, **latch}, **how)
+    anew = simulate(ball, duration=0.6 - cut, initial=start, **how)
+    assert rest.final["vertical.travel"] == pytest.approx(whole.final["vertical.travel"], abs=1e-8)
+    assert abs(anew.final["vertical.travel"] - whole.final["vertical.travel"]) > 1e-4
+    with pytest.raises(InputError, match="a value in m/s"):
+        simulate(ball, duration="0.1 s", initial={"floor.approach_speed": "1 kg"})
+
+
+@pytest.mark.parametrize("continued", ["up", "down"])
+def test_each_value_starts_from_the_end_of_the_one_before_bitwise(crank, continued):
+    table = sweep(crank, OVER, continued=continued, **CRANK)
+    names = [*crank.coordinates, *crank.speeds, *crank.latches]
+    units = {**crank.units, "slider_pin.approach_speed": "m/s"}
+    start = {}
+    for row in table if continued == "up" else reversed(table.rows):
+        run = simulate(crank, parameters=row.given, initial=start, duration="2 rev", tolerance=1e-6, compiled=False)
+        assert row.final == run.final
+        assert list(row.given) == ["crank_speed"]
+        start = {name: (float(run.ends[name][-1]), units[name]) for name in names}
+    assert list(table["crank_speed"]) == sorted(table["crank_speed"])
+
+
+def test_up_and_down_differ_and_so_do_their_keys(crank, tmp_path):
+    up, down, plain = (
+        sweep(crank, OVER, into=tmp_path / str(way), continued=way, **CRANK) for way in ("up", "down", None)
+    )
+    assert np.all(up["final.guide.travel"][1:3] != down["final.guide.travel"][1:3])
+    assert up["final.guide.travel"][0] == plain["final.guide.travel"][0]
+    assert down["final.guide.travel"][-1] == plain["final.guide.travel"][-1]
+    keys = [keys_in(tmp_path / str(way)) for way in ("up", "down", None)]
+    assert len({key for some in keys for key in some}) == 12
+    wider = {"crank_speed": "2500, 3000, 3666.6666666666665, 4333.333333333333, 5000 rpm"}
+    sweep(crank, wider, into=tmp_path / "up", continued="up", widen=True, **CRANK)
+    assert not set(keys[0]) & set(keys_in(tmp_path / "up"))  # another start of the first: another of every one
+
+
+def keys_in(folder):
+    with sqlite3.connect(folder / store.ROWS) as rows:
+        return [key for (key,) in rows.execute("SELECT key FROM points ORDER BY number")]
+
+
+@pytest.mark.parametrize("lost", [(1,), (0, 2), (3,), (1, 2, 3)])
+def test_rows_that_are_missing_are_followed_from_those_that_are_there(crank, tmp_path, lost):
+    whole = sweep(crank, OVER, into=tmp_path / "a", continued="up", **CRANK)
+    texts = {name: (tmp_path / "a" / name).read_bytes() for name in ("table.csv", "section.csv")}
+    keys = keys_in(tmp_path / "a")
+    with sqlite3.connect(tmp_path / "a" / store.ROWS) as rows:
+        for i in lost:
+            rows.execute("DELETE FROM rows WHERE key = ?", (keys[i],))
+            rows.execute("DELETE FROM arrays WHERE key = ?", (keys[i],))
+    again = sweep(crank, OVER, into=tmp_path / "a", continued="up", **CRANK)
+    assert {name: (tmp_path / "a" / name).read_bytes() for name in texts} == texts
+    assert [row.arrays for row in again] == [row.arrays for row in whole]
+
+
+def test_several_starts_are_followed_side_by_side(crank):
+    over = {**OVER, "guide.travel": "169.8, 170 mm"}
+    both = sweep(crank, over, continued="up", **{**CRANK, "workers": 2})
+    for i, place in enumerate(("169.8 mm", "170 mm")):
+        alone = sweep(crank, OVER, values={"guide.travel": place}, continued="up", **CRANK)
+        assert np.array_equal(both["final.guide.travel"][i::2], alone["final.guide.travel"])
+        assert np.isfinite(alone["final.guide.travel"]).all()
+        assert both["guide.travel"][i::2] == pytest.approx(float(place.split()[0]) * 1e-3)
+
+
+def test_a_row_that_failed_hands_on_the_start_it_had(crank):
+    over = {"clearance": "-0.1, 0.2, 0.3 mm"}
+    with_failure = sweep(crank, over, continued="up", **CRANK)
+    without = sweep(crank, {"clearance": "0.2, 0.3 mm"}, continued="up", **CRANK)
+    assert with_failure.counts() == {"finished": 2, "bad_input": 1}
+    assert np.array_equal(with_failure["final.guide.travel"][1:], without["final.guide.travel"])
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        ({"continued": "sideways"}, "up or down"),
+        ({"duration": "2.5 rev"}, "a whole number of periods"),
+        ({"over": {"crank_pin.angle": "0, 1 deg"}}, "no parameter that is varied"),
+    ],
+)
+def test_bad_input_is_told(crank, change, told):
+    with pytest.raises(InputError, match=told):
+        sweep(crank, **{"over": OVER, "continued": "up", **CRANK, **change})
