@@ -263,8 +263,8 @@ def _diagram(table: SweptTable, axes: Sequence[Varied], names: Sequence[str], co
             at = np.concatenate([np.zeros(0), *(np.full(len(points[i]), x.values[i]) for i in rows)])
             values = np.concatenate([np.zeros(0), *(scale(points[i]) for i in rows)])
             panel.plot(
-                at, values, linestyle="none", marker="." if not small else ",", markersize=2.4, color=colour,
-                alpha=1.0 if not small else 0.55, rasterized=dots > FEW_DOTS,
+                at, values, linestyle="none", marker=".", markersize=2.4 if not small else 1.6, color=colour,
+                markeredgewidth=0, rasterized=dots > FEW_DOTS,
             )  # fmt: skip
             panel.plot([], [], "o", color=colour, markersize=4, label=plain(label) or None)
         _mark_failures(panel, x.values[failed])
