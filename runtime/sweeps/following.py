@@ -51,7 +51,10 @@ class Chains:
     def computed(
         self, batch: Batch, keys: Sequence[str], left: Collection[int], end_of: Callable[[str], Packed | None]
     ) -> Generator[list[Row], None, None]:
-        """Yield the rows that are left as they are done, some at a time; `end_of`: final state of one that is stored, by its key."""
+        """Yield the rows that are left as they are done, some at a time.
+
+        end_of    final state of a row that is stored, by its key
+        """
         starts: list[dict[str, Value]] = [{} for _ in self.rows]
         ends: dict[str, Packed | None] = {}
         for k in range(self.length):

@@ -99,7 +99,7 @@ class Job:
         return Row(*task, LOST, message, self._values(task))
 
     def probe(self, left: deque[Task], workers: int, later: int = 0) -> Iterator[Row]:
-        """Run the first good row for at most PROBE [s] to foresee the uncompiled time of the rest, and of later ones.
+        """Run the first good row for at most PROBE [s] to foresee the uncompiled time of all that follow.
 
         Yield the rows that are done, taken from `left`.
         """
