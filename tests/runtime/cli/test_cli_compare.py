@@ -70,7 +70,7 @@ def test_another_start_is_a_difference_and_json_says_so(hertzwerk, data, tmp_pat
 
 
 def test_all_faults_come_before_it_runs(hertzwerk, tmp_path):
-    (tmp_path / "data.csv").write_text("t [s],force [m]\n0,1\n0,x\n")
+    (tmp_path / "data.csv").write_text("t [s],force [m]\n0,1\n0,x\n0,2\n")
     wrong = (
         "--map",
         "force=floor.force",
@@ -87,7 +87,7 @@ def test_all_faults_come_before_it_runs(hertzwerk, tmp_path):
     assert done.exit_code == 2
     for expected in (
         "line 3",
-        "repeated",
+        "a third time",
         "'x'",
         "floor.force",
         '"5 kHz"',
