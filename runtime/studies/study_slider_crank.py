@@ -53,7 +53,7 @@ QUICK = Plan(("hertz_point", "wang_liu_internal"), (0.1, 0.5), (5000,), 10, 10)
 DRAWN_SPEED, DRAWN_CLEARANCE, DRAWN_TURNS = 5000.0, 0.5, 3  # of the trajectories and sections
 ACCURACY, TOLERANCE, TRANSIENT = 1e-5, 1e-7, 0.2
 CLOSED = 1e-5  # of the energy moved
-MAX_STEPS = 3_000_000  # of a long run: at 100 rpm the stiffest law takes 1.5 million
+MAX_STEPS = 3_000_000  # of a long run: at 100 rpm the stiffest law takes a little over a million
 PAPER = "data of Ravn, Schwab and Flores (grade C), friction 0.1, restitution 0.9 by Lankarani and Nikravesh"
 
 
