@@ -143,13 +143,16 @@ def _regula_falsi() -> tuple[Any, Any]:
 def penetrations(model: Model, at: dict[str, Any], mode: Any, c: Any) -> Any:
     """Return the penetration of every pair [m], an expression (k,) in the parts of a state and the modes.
 
-    The event function G of a pin in a bush is its gap to first order only; see `History`.
+    The event function G of round surfaces is their gap to first order only: that of two spheres is an output, that of
+    a pin in a bush follows from its eccentricity; see `History`.
     """
     gaps = ca.vertsplit(at["gap"])
     outputs = model.function("outputs")(at["t"], at["y"][: model.nq], at["y"][model.nq : model.nq + model.nu], c)
     for j, pair in enumerate(model.pairs):
         parts = [outputs[i] for i in model.journals.get(pair, ())]
-        if parts:
+        if f"{pair}.gap" in model.outputs:
+            gaps[j] = outputs[model.outputs.index(f"{pair}.gap")]
+        elif parts:
             squared = sum(part * part for part in parts)
             gaps[j] = gaps[j] + ca.sqrt(gaps[j] * gaps[j] + squared) - ca.sqrt(squared)
     gap: Any = ca.vertcat(*gaps)
