@@ -231,7 +231,15 @@ def test_a_file_has_the_keys_of_sweep():
     import inspect
 
     keys = set(inspect.signature(sweep).parameters)
-    assert keys - set(SweepFile.model_fields) == {"into", "widen", "workers", "client", "functions", "progress", "compiled"}
+    assert keys - set(SweepFile.model_fields) == {
+        "into",
+        "widen",
+        "workers",
+        "client",
+        "functions",
+        "progress",
+        "compiled",
+    }
     assert set(SweepFile.model_fields) <= keys
 
 
