@@ -236,6 +236,8 @@ class Ladder(Generic[Kept]):
             if best is None or checked.end < best.end or best.end > VALID:  # above VALID its size is chance
                 best = checked
             found = self._verdict(checked)
+            if found is Verdict.BEYOND and best.end <= VALID:  # chance: the best run stays valid to its end
+                found = Verdict.UNREACHABLE
             if found is not None:
                 return self._result(best, found)
             tolerance = max(run.tolerance * self._asked / (MARGIN * checked.end), self._least)

@@ -20,6 +20,7 @@ from hertzwerk.runtime.accuracy.ladder import (
     LEAST,
     NEAR,
     POINTS,
+    VALID,
     End,
     Ladder,
     Rung,
@@ -217,6 +218,19 @@ def test_beyond_the_horizon_nothing_is_tightened_in_vain():
     ladder_result, _ = search(1e-3, 1e-5, rate=10.0)  # here it is not in vain
     assert ladder_result.verdict is Verdict.MET
     assert ladder_result.error.end <= 1e-3
+
+
+def test_a_run_that_is_valid_to_its_end_is_not_beyond_its_horizon_where_tighter_ones_are():
+    """Errors near the limit are chance: of the valid run, which is returned, no horizon could be told."""
+
+    def run(tolerance, keep, most):
+        off = (5e-3 if tolerance > 1e-9 else 0.5) if keep else 0.0
+        return Rung(tolerance, End.REACHED, np.full((POINTS, 1), off), 100, 100, 1.0, None)
+
+    ladder_result = Ladder(run, lambda y, other: np.abs(y - other)[:, 0], lambda y: ROUNDING, TIMES, 1e-6).search(1e-8)
+    assert ladder_result.verdict is Verdict.UNREACHABLE
+    assert ladder_result.error.horizon is None
+    assert ladder_result.error.end <= VALID
 
 
 def test_a_failed_run_is_replaced_by_a_tighter_one_and_a_failed_check_too():
