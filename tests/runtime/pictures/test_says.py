@@ -36,11 +36,19 @@ def coarse():
     return simulate(load("slider_crank"), duration="6 ms", tolerance=1e-6, output="0.1 ms")
 
 
+@pytest.fixture(autouse=True)
+def _sampled_anew(crank, coarse):
+    yield
+    crank.kept.clear()
+    coarse.kept.clear()
+
+
 # ---- peaks -----------------------------------------------------------------------------------------------------------
 
 
 def missed(run) -> float:
     """Largest part of an impact's peak that the curve of its force misses."""
+    run.kept.clear()  # sampled anew
     (axis,) = run.plot("slider_pin.normal_force").axes
     unit = {"kN": 1e3, "N": 1.0}[re.search(r"\[(k?N)\]", axis.get_title("left"))[1]]
     t, force = (np.asarray(values) for values in axis.get_lines()[0].get_data())
@@ -92,6 +100,7 @@ def test_of_very_many_steps_those_with_the_largest_forces_are_drawn(crank, monke
     monkeypatch.setattr(sampling, "MANY", 100)
     monkeypatch.setattr(sampling, "SAMPLES", 50)
     monkeypatch.setattr(sampling, "WITHIN_STEPS", 0)
+    crank.kept.clear()
     assert len(Curves.of(crank).t) < 50 + 2 * 50 + 16 * len(crank.impacts)
     assert missed(crank) < 1e-2
     monkeypatch.setattr(sampling, "hardest", lambda _: [])
