@@ -16,7 +16,7 @@ def cases(methods=METHODS):
     return [measured(scene, method, a) for scene in scenes for method in methods for a in asked]
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_every_method_is_honest(monkeypatch):
     found = cases()
     assert np.mean([case.what == "finished" for case in found]) >= 0.8

@@ -361,6 +361,7 @@ def rescaled(request):
     return Rescaled(built_in(request.param))
 
 
+@pytest.mark.by_turns(4)
 @pytest.mark.parametrize(
     "factors",
     [

@@ -175,6 +175,7 @@ def check_forces(pair, stiffness, damping, friction):
         assert got[4][0] == 1
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("stiffness", STIFFNESS)
 def test_any_stiffness(stiffness):
     check_forces(pair_for(stiffness), stiffness, "flores", "smooth_coulomb")
@@ -198,6 +199,7 @@ def test_any_friction(friction):
     check_forces("parallel_cylinders", "wang_liu_external", "exact", friction)
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize(
     "stiffness",
     [pytest.param(s, marks=pytest.mark.exhaustive if i % 6 else pytest.mark.slow) for i, s in enumerate(STIFFNESS)],
@@ -221,6 +223,7 @@ def impact(pair, stiffness, damping, friction=None, **changed):
     return run
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize(
     ("model", "damping"),
     [  # every factor with one of them, by turns
@@ -252,6 +255,7 @@ def test_exact_returns_what_it_is_given(stiffness):
 OTHER_FORMS = [name for name, law in DAMPING.items() if law.factor is None]
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("stiffness", ["hertz_point", "johnson"])
 @pytest.mark.parametrize("damping", OTHER_FORMS)
 def test_damping_of_another_form_in_the_engine(stiffness, damping):

@@ -130,12 +130,14 @@ PAIRS = {
 }  # fmt: skip
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("friction", [False, True], ids=["frictionless", "friction"])
 @pytest.mark.parametrize("name", PAIRS)
 def test_contact_forces_do_the_virtual_work_of_the_contact_point(name, friction):
     PAIRS[name].check_forces(friction)
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("name", PAIRS)
 def test_gaps_and_their_rates_are_those_of_the_geometry(name):
     case = PAIRS[name]
@@ -178,6 +180,7 @@ def test_a_ball_in_the_centre_of_its_socket_has_a_gap_a_rate_and_a_second_deriva
     assert derived.OUTPUTS == (("touch.eccentricity_x", "m"), ("touch.eccentricity_y", "m"))  # no third in the plane
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("name", PAIRS)
 def test_derivatives_are_numbers_in_contact_and_apart(name):
     case = PAIRS[name]

@@ -227,6 +227,7 @@ def states(tree, count=3, seed=1):
         yield rng.uniform(0, 1), rng.uniform(-2, 2, len(tree.free)), rng.uniform(-3, 3, len(tree.free))
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("label", CASES)
 def test_generalised_forces_energy_and_powers_are_those_of_virtual_work(label):
     case, derived = CASES[label], derived_of(label)
@@ -273,6 +274,7 @@ def imbalance(derived, t, q, u):
     return abs(sum(powers)) / max(map(abs, powers))
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("label", CASES)
 def test_power_is_balanced(label):
     heavy = replace(TREE, gravity=9.81)
@@ -381,6 +383,7 @@ DRIVES = {  # drive, then (position, speed, acceleration) by hand of t and the c
 CHAINS = [driven(random_tree("R+Z R-X R+Y", 12), root, 1.0) for root in (0, 1)]
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("root", [0, 1])
 @pytest.mark.parametrize("label", DRIVES)
 def test_an_accelerated_drive_moves_the_others_and_is_loaded_as_in_kanes_method(label, root):

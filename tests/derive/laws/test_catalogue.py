@@ -109,6 +109,7 @@ def test_verdict_is_the_one_stated(name):
     assert len(findings) >= 1
 
 
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize("name", CONSISTENT)
 def test_a_consistent_law_is_refused_with_another_unit(name):
     """The audit can fail: with the unit of one symbol multiplied by a length, no law passes."""

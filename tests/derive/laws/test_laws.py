@@ -168,6 +168,7 @@ def test_onset_is_continuously_differentiable(name):
 # -- every stiffness law -----------------------------------------------------------------------------------------------
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("name", NUMERIC)
 def test_emitted_force_and_work(name):
     """The generated text, in doubles, is the law, in 40 digits; `work` is the integral of the force."""

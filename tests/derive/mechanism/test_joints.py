@@ -93,6 +93,7 @@ def derived():
 # -- against sympy.physics.mechanics -----------------------------------------------------------------------------------
 
 
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize("name", [pytest.param(n, marks=pytest.mark.exhaustive) if n in LARGE else n for n in TREES])
 def test_accelerations_equal_kanes_method(name, derived):
     assert deviation(TREES[name], derived(name)) < 1e-10

@@ -49,6 +49,7 @@ def difference(name, text):
 # -- golden ------------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.by_turns(4)
 @pytest.mark.parametrize("name", NAMES)
 def test_committed_modules_are_what_the_scenes_derive_to(name):
     report = difference(name, regenerated(name))

@@ -162,6 +162,7 @@ def pair(request):
     return both(SCENES[request.param])
 
 
+@pytest.mark.by_turns(2)
 def test_bodies_are_placed_where_the_joints_put_them(pair):
     tree, absolute = pair
     q, _, Q, U = state(*pair)

@@ -96,6 +96,7 @@ LARGE = {
 }
 
 
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize("name", [pytest.param(n, marks=pytest.mark.slow) if n in LARGE else n for n in TREES])
 def test_accelerations_and_drive_reactions_equal_kanes_method(name):
     assert deviation(TREES[name], derived_of(name)) < 1e-10
@@ -293,12 +294,14 @@ TOUCHING = {
 }  # fmt: skip
 
 
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize("friction", [False, True], ids=["frictionless", "friction"])
 @pytest.mark.parametrize("name", TOUCHING)
 def test_contact_forces_do_the_virtual_work_of_the_contact_point(name, friction):
     TOUCHING[name].check_forces(friction)
 
 
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize("name", TOUCHING)
 def test_gap_is_minus_the_penetration_to_first_order_and_its_rates_are_its_derivatives(name):
     case = TOUCHING[name]

@@ -84,6 +84,7 @@ def test_bad_input(hertzwerk, tmp_path, arguments, said):
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.exhaustive
 def test_the_study_writes_one_folder(hertzwerk, studied, tmp_path):
     done = hertzwerk("laws", "--restitution")
     assert done.exit_code == 0, done.output

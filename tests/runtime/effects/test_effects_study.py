@@ -259,7 +259,7 @@ def test_past_the_horizon_two_intervals_of_a_rate_agree():
     assert within.numbers["impact_rate"].error < 1e-6
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_without_its_drive_a_crank_goes_on_as_it_was_driven():
     """In either coordinates, which are two derivations: what leaving the drive out changes is then the same."""
     outputs = ("peak_force", "impact_rate", "journal_path")

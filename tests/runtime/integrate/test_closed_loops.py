@@ -51,7 +51,7 @@ def test_a02_is_one_pendulum():
         assert at[f"foot_{post}.angle"] == pytest.approx([turned(2, t) for t in times], abs=1e-8)
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_a02_with_40_windows_is_one_pendulum():
     run = simulate(load(n_four_bar(40)), duration=10.0, tolerance=1e-10)
     times = np.linspace(0.5, 10, 20)

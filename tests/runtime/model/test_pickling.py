@@ -27,6 +27,7 @@ def crank():
     return load("slider_crank")
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("again", [restored, copy.deepcopy], ids=["pickled", "copied"])
 @pytest.mark.parametrize("name", RUNS)
 def test_a_run_is_what_it_was(name, again):

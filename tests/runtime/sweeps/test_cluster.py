@@ -229,7 +229,7 @@ def test_a_worker_killed_in_a_row_costs_that_row_alone(tmp_path):
     assert same(found, Sweep.load(tmp_path / "rows"))
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_a_row_that_kills_its_workers_is_lost_alone(tmp_path):
     def dies(run):
         if abs(run.initial["vertical.travel"] - 0.5) < 1e-9:
@@ -298,7 +298,7 @@ def test_a_scheduler_that_dies_ends_it_and_the_rest_is_computed_elsewhere(tmp_pa
     assert same(rest, sweep("bouncing_ball", **{**asked, "into": None}))
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_workers_that_are_all_gone_end_it(tmp_path, monkeypatch):
     def dies(run):
         os._exit(3)
