@@ -1,0 +1,82 @@
+"""Section of a ball on a vibrating table, whose period doubles at an acceleration that is known in closed form."""
+
+import math
+
+import numpy as np
+import pytest
+
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    Contact,
+    Gravity,
+    Harmonic,
+    Mechanism,
+    Parameter,
+    Prismatic,
+    Scales,
+    Scene,
+    SphereOnPlane,
+    Y,
+    laws,
+)
+from hertzwerk.runtime import load, sweep
+
+E, OMEGA, GRAVITY = 0.8, 40 * math.pi, 9.81
+DOUBLES = math.sqrt(math.pi**2 * (1 - E**2) ** 2 + 4 * (1 + E**2) ** 2) / (1 + E) ** 2  # largest acceleration, in g
+SPEED = math.pi * GRAVITY / OMEGA  # of a flight of one period [m/s]
+
+
+def table_and_ball():
+    """A table of a prescribed sine at 20 Hz under a ball; contacts of 20 us."""
+    mass, radius = Parameter("mass", "kg", 0.1), Parameter("radius", "mm", 10)
+    table, ball = Body("table", mass=mass), Body("ball", mass=mass)
+    joints = (Prismatic("lift", GROUND, table, axis=Y), Prismatic("vertical", GROUND, ball, axis=Y))
+    pair = SphereOnPlane("floor", sphere=ball.at(0, 0, 0), radius=radius, plane=table.at(0, 0, 0), normal=Y)
+    frequency, phase = Parameter("frequency", "rad/s", OMEGA), Parameter("phase", "rad", 1)
+    effects = (
+        Harmonic("shaker", "lift", Parameter("amplitude", "mm", 0.5), frequency, phase),
+        Gravity("gravity", Parameter("gravity", "m/s^2", GRAVITY), direction=-Y),
+        Contact(
+            "floor",
+            laws.power(Parameter("stiffness", "N/m", 2.5e9), n=1),
+            laws.exact(e=Parameter("restitution", "1", E)),
+        ),
+    )
+    scales = Scales(length=Parameter("length", "mm", 0.1), speed=Parameter("pace", "m/s", 0.3))
+    return load(Scene(Mechanism("vibrating_table", joints, (pair,)), effects, scales))
+
+
+def test_the_period_doubles_where_it_must():
+    """Holmes, J. Sound Vib. 84 (1982) 173: a bounce a period, stable up to DOUBLES; then two unlike ones.
+
+    Each starts from the bounce a period, as a ball at rest on the table is another attractor.
+    """
+    accelerations = np.array([0.7, 0.9 * DOUBLES, 0.99 * DOUBLES, 1.01 * DOUBLES, 1.05 * DOUBLES])
+    amplitudes = accelerations * GRAVITY / OMEGA**2
+    phases = np.arccos((1 - E) / (1 + E) * math.pi / accelerations)
+    table = sweep(
+        table_and_ball(),
+        {
+            "amplitude": [f"{a!r} m" for a in amplitudes.tolist()],
+            "phase": [f"{phi!r} rad" for phi in phases.tolist()],
+            "vertical.travel": [f"{x!r} m" for x in (0.01 + 1e-7 + amplitudes * np.sin(phases)).tolist()],
+        },
+        zip=True,
+        values={"vertical.speed": f"{SPEED!r} m/s"},
+        duration="10 s",
+        section="floor.gap = 0 falling",
+        histories=["vertical.speed"],
+        after="9 s",
+        tolerance=1e-8,
+    )
+    for row, acceleration, phi in zip(table, accelerations, phases, strict=True):
+        found = table.section.of(row)
+        assert len(found["t"]) in (19, 20, 21)
+        first, second = found["vertical.speed"][:18:2], found["vertical.speed"][1:18:2]
+        if acceleration < DOUBLES:
+            assert found["vertical.speed"] == pytest.approx(-SPEED, rel=2e-3)
+            assert (OMEGA * found["t"] + phi) % (2 * math.pi) == pytest.approx(phi, abs=3e-3)
+        else:
+            assert abs(first.mean() - second.mean()) > 0.05 * SPEED
+            assert max(np.ptp(first), np.ptp(second)) < 0.01 * SPEED
