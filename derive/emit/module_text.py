@@ -25,9 +25,10 @@ def emit(program: Program, source: str) -> str:
         (program.names.get(symbol.name, symbol.name), program.units[symbol]) for symbol in program.constants
     )
     tables["OPERATIONS"] = tuple(counts.items())
+    casadi = program.tape.own("ca")
     parts = [
         _header(program, source, counts),
-        "import casadi as ca",
+        "import casadi as ca" + (f"\nimport casadi as {casadi}" if casadi != "ca" else ""),
         "\n".join(f"{name} = {_literal(text)}" for name, text in
                   (("NAME", scene.name), ("SOURCE", source), ("SUMMARY", scene.summary))),
         *(_table(name, rows) for name, rows in tables.items()),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from hertzwerk.derive.faults import visible
@@ -14,6 +14,7 @@ from hertzwerk.derive.program.program import Function, Program, Result, eliminat
 
 _WIDTH = 116  # columns of the text
 _NAME = re.compile(r"[^\W\d]\w*")
+_CASADI = re.compile(r"\bca\.")
 
 _ARGUMENTS = {
     "t": "t [s]",
@@ -38,10 +39,14 @@ def function_text(program: Program, function: Function) -> str:
     unpacked = _unpacked(program, function)
     function = eliminate_common_subexpressions(function)
     names = _names(program, function)
-    lines = [f"def {function.name}({', '.join(function.arguments)}):", *_docstring(function)]
+    own = program.tape.own
+    lines = [f"def {function.name}({', '.join(map(own, function.arguments))}):", *_docstring(function, own)]
     code = [*unpacked, *(f"{symbol.name} = {expression_text(expression)}" for symbol, expression in function.body)]
     lines += [f"    {_renamed(line, names)}" for line in code]
-    return "\n".join([*lines, *_return(function, names)])
+    lines += _return(function, names)
+    if own("ca") != "ca":
+        lines = [_CASADI.sub(f"{own('ca')}.", line) for line in lines]
+    return "\n".join(lines)
 
 
 def _names(program: Program, function: Function) -> dict[str, str]:
@@ -83,8 +88,8 @@ def _wrapped_lines(code: str, first: str, then: str) -> list[str]:
     )
 
 
-def _docstring(function: Function) -> list[str]:
-    arguments = "; ".join(_ARGUMENTS[name] for name in function.arguments)
+def _docstring(function: Function, own: Callable[[str], str]) -> list[str]:
+    arguments = "; ".join(own(name) + _ARGUMENTS[name].removeprefix(name) for name in function.arguments)
     lines = _prose_lines(function.summary, '    """', " " * 4)
     lines += ["", f"    Arguments: {arguments}.", "    Returns, each a column vector:"]
     for result in function.results:
@@ -105,15 +110,16 @@ def _prose_lines(text: str, first: str, then: str) -> list[str]:
 def _unpacked(program: Program, function: Function) -> list[str]:
     """One line per entry the function reads."""
     positions: dict[Any, str] = {}
+    own = program.tape.own
     if "c" in function.arguments:
-        positions.update((symbol, f"c[{k}]") for k, symbol in enumerate(program.constants))
+        positions.update((symbol, f"{own('c')}[{k}]") for k, symbol in enumerate(program.constants))
     else:
         parameters = [symbol for symbol, group in program.tape.inputs.items() if group == "p"]
-        positions.update((symbol, f"p[{k}]") for k, symbol in enumerate(parameters))
+        positions.update((symbol, f"{own('p')}[{k}]") for k, symbol in enumerate(parameters))
     count: dict[str, int] = {}
     for symbol, group in program.tape.inputs.items():
         if group not in ("p", "t", "c"):
-            positions[symbol] = f"{group}[{count.get(group, 0)}]"
+            positions[symbol] = f"{own(group)}[{count.get(group, 0)}]"
             count[group] = count.get(group, 0) + 1
     wanted = set(function.reads)
     return [f"{symbol.name} = {place}" for symbol, place in positions.items() if symbol in wanted]

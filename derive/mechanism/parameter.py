@@ -15,10 +15,6 @@ from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.identifiers import name_faults, text_faults
 from hertzwerk.derive.units import Unit, UnitError, parse_unit
 
-_READ = ("t", "p", "q", "u", "a", "f", "z", "m", "c", "wanted", "multipliers", "reactions", "joints", "joint_speeds")
-RESERVED = ("ca", *_READ)
-"""Names of arguments and of CasADi in generated functions."""
-
 TABLE = "_TABLE"
 """Suffix of the names of tables in a generated module."""
 
@@ -60,9 +56,8 @@ class Parameter(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
         where = f"parameter {self.name}"
         yield from name_faults(where, self.name)
         yield from text_faults(f"{where}, meaning", self.meaning)
-        if self.name in RESERVED or self.name.endswith(TABLE):
-            yield Fault(where, f"the name {self.name!r}", "a name the generated functions do not use themselves",
-                        f"They use {', '.join(RESERVED)}; a longer name also reads better on the command line.")  # fmt: skip
+        if self.name.endswith(TABLE):
+            yield Fault(where, f"the name {self.name!r}", f"a name that does not end in {TABLE}, as those of tables do")
         try:
             parse_unit(self.unit)
         except UnitError as error:

@@ -19,12 +19,18 @@ import sympy as sp
 
 from hertzwerk.derive.algebra.vectors import Matrix, Vector
 from hertzwerk.derive.dimension.dimension import Dimension
-from hertzwerk.derive.mechanism.parameter import RESERVED, TABLE
+from hertzwerk.derive.mechanism.parameter import TABLE
 
 PARAMETER = "p"
 CONSTANT = "c"
 NUMBERED = "k1"
 """Name of the first constant that has none of its own."""
+OWN = {
+    "ca": "casadi", "t": "time", "p": "parameters", "q": "coordinates", "u": "speeds", "a": "speed_rates", "f": "forces", "z": "memory",
+    "m": "latches", "c": "constant_values", "wanted": "wanted_rates", "multipliers": "constraint_forces", "reactions": "drive_reactions",
+    "joints": "joint_coordinates", "joint_speeds": "speeds_of_joints",
+}  # fmt: skip
+"""Names of CasADi and of arguments in generated functions, and what stands for one where a parameter has its name."""
 _NO_GROUPS: frozenset[str] = frozenset()
 _STILL = frozenset((PARAMETER,))
 
@@ -68,10 +74,11 @@ class Tape:
     assignments: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
     declared: dict[sp.Symbol, Dimension] = field(default_factory=dict)
     """Dimensions of the inputs, and of assignments whose dimension is stated instead of inferred (unchecked laws)."""
-    names: set[str] = field(default_factory=lambda: set(RESERVED))
+    names: set[str] = field(default_factory=lambda: set(OWN))
     """Names in use."""
     numbered: list[sp.Symbol] = field(default_factory=list)
     """Assignments of constants that have no name but a number."""
+    _instead: dict[str, str] = field(default_factory=dict)
     _groups: dict[Any, frozenset[str]] = field(default_factory=dict)
     _known: dict[Any, sp.Symbol] = field(default_factory=dict)
     _sign_free_keys: set[Any] = field(default_factory=set)
@@ -83,13 +90,20 @@ class Tape:
     def input(self, name: str, group: str, dimension: Dimension, symbol: sp.Symbol | None = None) -> sp.Symbol:
         """Declare an input of a group; an existing `symbol` (a Parameter) is used as it is."""
         if symbol is None:
-            symbol = sp.Symbol(name if group == "t" else self._unique(name), real=True)
+            symbol = sp.Symbol(self.own(name) if group == "t" else self._unique(name), real=True)
         else:
             self.names.add(name)
         self.inputs[symbol] = group
         self.declared[symbol] = dimension
         self._groups[symbol] = frozenset((group,))
         return symbol
+
+    def own(self, name: str) -> str:
+        """Text of a name in `OWN`, once all parameters are declared: they keep theirs."""
+        if name not in self._instead:
+            taken = any(symbol.name == name for symbol, group in self.inputs.items() if group == PARAMETER)
+            self._instead[name] = self._unique(OWN[name]) if taken else name
+        return self._instead[name]
 
     def let(self, expression: Any, name: str, dimension: Dimension | None = None) -> Any:
         """Name an intermediate result; numbers and symbols (also negated) pass through.

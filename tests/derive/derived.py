@@ -9,6 +9,7 @@ import casadi as ca
 import numpy as np
 
 from hertzwerk.derive import Scene, generate
+from hertzwerk.derive.program.program import OWN
 from hertzwerk.derive.units import parse_unit
 
 
@@ -47,7 +48,8 @@ class Derived:
 
     def arguments(self, function: str) -> tuple[str, ...]:
         code = self.names[function].__code__
-        return code.co_varnames[: code.co_argcount]
+        short = {words: name for name, words in OWN.items()}  # where a parameter has the short name
+        return tuple(short.get(name.removesuffix("_2"), name) for name in code.co_varnames[: code.co_argcount])
 
     def results(self, function: str, given: dict[str, Any]) -> tuple[Any, ...]:
         """The function's results on CasADi values; memory and parameters that are not given are zero and the defaults."""
