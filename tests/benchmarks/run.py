@@ -12,7 +12,6 @@ from __future__ import annotations
 import argparse
 import itertools
 import os
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -39,9 +38,7 @@ from benchmarks.sweep import sweep
 
 def startup() -> Iterator[Ratio]:
     """A run from the shell, results written, nothing cached, against the imports nobody can avoid."""
-    beside = Path(sys.executable).with_name("hertzwerk")
-    installed = str(beside) if beside.exists() else shutil.which("hertzwerk")
-    command = [installed] if installed else [sys.executable, "-c", "from hertzwerk.runtime.cli import main; main()"]
+    command = [sys.executable, "-c", "from hertzwerk.runtime.command_line import start; start()"]  # as the script does
     with tempfile.TemporaryDirectory() as folder:
         fresh = (Path(folder) / f"run{i}" for i in itertools.count())
 

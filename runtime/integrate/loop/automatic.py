@@ -116,6 +116,11 @@ class AutomaticCallers:
         """Return whether the callers run C code."""
         return self.callers is not self._code.machine
 
+    @property
+    def may_switch(self) -> bool:
+        """Return whether `switch_if_faster` may change `callers` in a run."""
+        return self._changes
+
     def switch_if_faster(self, elapsed: float, ahead: float, poll: Callable[[], object]) -> bool:
         """Change `callers` to C if that pays; return whether it did."""
         if not self._changes or self.compiled or ahead < LOOK:

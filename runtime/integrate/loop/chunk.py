@@ -80,6 +80,10 @@ class CallerProvider(Protocol):
     def use_choice(self, poll: Callable[[], object]) -> None:
         """Change `callers` to those that choose between methods."""
 
+    @property
+    def may_switch(self) -> bool:
+        """Return whether `switch_if_faster` may change them in a run."""
+
     def switch_if_faster(self, elapsed: float, ahead: float, poll: Callable[[], object]) -> bool:
         """Change `callers` if it pays; return whether it did.
 
@@ -112,10 +116,11 @@ def march(
     t_end = float(controls[integrator.layouts.controls["t_end"].start])
     t_start = float(state[t])
     max_steps, steps = float(controls[integrator.layouts.controls["max_steps"].start]), layout["steps"].start
-    vain = [layout[name].start for name in ("rejected", "retaken")]
-    most_in_vain = max_steps - state[steps] + np.sum(state[vain])  # as many as steps may be accepted
+    rejected, retaken = (layout[name].start for name in ("rejected", "retaken"))
+    most_in_vain = max_steps - state[steps] + state[rejected] + state[retaken]  # as many as steps may be accepted
     error: Exception | None = None
     callers, call = _called(provider, controls)
+    may_switch = provider.may_switch
     start, done, resume = time.perf_counter(), 0.0, Resume(state, with_choice)
     spent = 0.0  # s of the processor on attempts alone: neither what else it does nor what is built tells the pace
     free = True  # of where the run is to end
@@ -135,20 +140,21 @@ def march(
                 callers, call = _called(provider, controls)
             while outcome == RUNNING:
                 call.inputs[0][:] = state
-                began = time.thread_time()
-                (states,) = call()
-                spent += time.thread_time() - began
-                ended = np.flatnonzero(states[:, status] != RUNNING)
-                part = states[: ended[0] + 1] if ended.size else states
-                outcome = int(part[-1, status])
-                chooses = with_choice
+                began = time.thread_time() if may_switch else 0.0
+                (part,) = call()
+                spent += time.thread_time() - began if may_switch else 0.0
+                outcome, chooses = int(part[-1, status]), with_choice
+                if outcome != RUNNING:  # attempts after the end repeat it
+                    part = part[: np.flatnonzero(part[:, status] != RUNNING)[0] + 1]
                 if outcome in (SUSPECT, CALM):
                     chooses = outcome == SUSPECT
                     outcome = part[-1, status] = RUNNING
                     # the next step that is stiff indeed decides
                     part[-1, pressure] = PATIENCE - 1 if chooses else 0.0
                 state = part[-1].copy()
-                if free:
+                if free and outcome == RUNNING and ROOM * part[:, h].max() < t_end - part[-1, t]:
+                    resume = Resume(state, chooses)
+                elif free:
                     bound = (part[:, status] != RUNNING) | (ROOM * part[:, h] >= t_end - part[:, t])
                     free = not bound.any()
                     last = len(part) if free else int(bound.argmax())
@@ -156,21 +162,22 @@ def march(
                         resume = Resume(part[last - 1].copy(), chooses if free else with_choice)
                 keep(part[part[:, accepted] == 1])
                 elapsed = time.perf_counter() - start
-                if outcome == RUNNING and np.sum(state[vain]) > most_in_vain:
+                if outcome == RUNNING and state[rejected] + state[retaken] > most_in_vain:
                     outcome = TOO_MANY_STEPS
                 if outcome == RUNNING and elapsed > wall_time:
                     outcome = WALL_TIME_LIMIT
                 done = (float(state[t]) - t_start) / (t_end - t_start)
                 poll()
-                pace = max(done, float(state[steps]) / max_steps, 1e-9)
                 turned, with_choice = chooses != with_choice, chooses
                 if turned and chooses:
                     provider.use_choice(poll)
                 elif turned:
                     provider.begin()
-                changed = outcome == RUNNING and provider.switch_if_faster(
-                    spent, min(spent / pace - spent, wall_time - elapsed), poll
-                )
+                changed = False
+                if outcome == RUNNING and may_switch:
+                    pace = max(done, float(state[steps]) / max_steps, 1e-9)
+                    ahead = min(spent / pace - spent, wall_time - elapsed)
+                    changed = provider.switch_if_faster(spent, ahead, poll)
                 if turned or changed:
                     callers.give_back(call)
                     callers, call = _called(provider, controls)

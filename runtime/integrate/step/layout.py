@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.host.lazy import cached_property
+from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
@@ -98,6 +99,7 @@ PAIR_PARTS = ("gap", "gap_rate", "gap_acceleration", "force", "force_rate")  # i
 GRIP_PARTS = ("friction", "margin", "margin_rate")  # likewise, of the pairs with set-valued friction
 
 
+@per_model
 def layouts(model: Model) -> Layouts:
     """Return the layouts for a model.
 
