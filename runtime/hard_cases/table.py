@@ -10,6 +10,7 @@ from hertzwerk.runtime.hard_cases.cases import (
     edges,
     many,
     rest,
+    shaken,
     single_impacts,
     sliding,
 )
@@ -23,5 +24,6 @@ CASES: tuple[HardCase, ...] = (
     *sliding.CASES,
     *closed_loops.CASES,
     *edges.CASES,
+    *shaken.CASES,
 )
 BY_NAME = {case.name: case for case in CASES}

@@ -15,7 +15,10 @@ from hertzwerk.runtime.hard_cases.runner import solve
 from hertzwerk.runtime.hard_cases.table import CASES
 
 FILE = Path(__file__).parents[2] / "runtime" / "hard_cases" / "measured.py"
-HEAD = '''"""Steps tried (accepted, rejected, retaken) by each method in each case, as measured; written by tests/hard_cases/count.py."""
+HEAD = '''"""Measured steps tried (accepted, rejected, retaken) by case and method.
+
+Written by tests/hard_cases/count.py.
+"""
 
 TRIES: dict[str, dict[str, int]] = {
 '''

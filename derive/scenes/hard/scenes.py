@@ -1,11 +1,12 @@
 """Scenes of the hard cases that are no built-in scenes; derived when run, never committed.
 
-Free impacts (see `impact.impact_scene`), grazing contact, rows of spheres, bodies of very different mass, a block on
-an incline, a falling chain.
+Free impacts (see `impact.impact_scene`), grazing contact, a ball on a vibrating table, rows of spheres, bodies of very
+different mass, a block on an incline, a falling chain.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
 from itertools import pairwise
@@ -16,6 +17,7 @@ from hertzwerk.derive.contact.pairs.flat import SphereOnPlane
 from hertzwerk.derive.contact.pairs.round import SphereOnSphere
 from hertzwerk.derive.declare.scene import Scales, Scene, Start
 from hertzwerk.derive.effects.contacts import Contact, Friction
+from hertzwerk.derive.effects.drives import Harmonic
 from hertzwerk.derive.effects.energy_ledger import EnergyLedger
 from hertzwerk.derive.effects.forces import JointForce
 from hertzwerk.derive.effects.gravity import Gravity
@@ -67,6 +69,31 @@ def grazing_ball() -> Scene:
         start=Start(position={"ball": _SPEED**2 / (2 * pull)}, speed={"ball": -_SPEED}),
         scales=Scales(length=depth, speed=_SPEED),
         summary="a ball that comes near the floor",
+    )
+
+
+def shaken_ball() -> Scene:
+    """A ball on a table that vibrates as amplitude sin(frequency t + phase); it starts on the table, at its pace."""
+    amplitude, phase = Parameter("amplitude", "m", 4e-4), Parameter("phase", "rad", 1.5 * math.pi)
+    frequency = Parameter("frequency", "rad/s", 40 * math.pi)
+    stiffness = Parameter("stiffness", "N/m", 1e8)
+    table, ball = Body("table", mass=_MASS), Body("ball", mass=_MASS)
+    floor = SphereOnPlane("floor", ball.at(0, 0, 0), _RADIUS, plane=table.at(0, 0, 0), normal=Y)
+    joints = (Prismatic("table", GROUND, table, axis=Y), Prismatic("ball", GROUND, ball, axis=Y))
+    return Scene(
+        Mechanism("shaken_ball", joints=joints, pairs=(floor,)),
+        effects=(
+            Harmonic("shaker", "table", amplitude, frequency, phase),
+            Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), direction=-Y),
+            Contact("floor", power(stiffness, 1), exact(_RESTITUTION)),
+            EnergyLedger(),
+        ),
+        start=Start(
+            position={"ball": _RADIUS + amplitude * sp.sin(phase)},
+            speed={"ball": amplitude * frequency * sp.cos(phase)},
+        ),
+        scales=Scales(length=amplitude, speed=amplitude * frequency),
+        summary="a ball on a vibrating table",
     )
 
 
@@ -262,6 +289,7 @@ HARD_SCENES: dict[str, Callable[[], Scene]] = {
         for law in (flores, exact, kelvin_voigt, FORCE_RELEASED, ristow)
     },
     "grazing_ball": grazing_ball,
+    "shaken_ball": shaken_ball,
     "row_of_5": lambda: row_of_spheres(5),
     "row_of_50": lambda: row_of_spheres(50),
     "touching_row_of_5": lambda: touching_row(5),
