@@ -39,9 +39,8 @@ def constraints_of(kinematics: Kinematics) -> tuple[Constraint, ...]:
 
 def driving_rows(constraints: Iterable[Constraint]) -> list[Row]:
     """Rows of the couplings that time enters: what they are driven by, force times speed is their power."""
-    units = {LENGTH: "N"}
     return [
-        Row(constraint.drives, units.get(constraint.unit, "N m"), -constraint.by_time, sp.S.Zero, False)
+        Row(constraint.drives, "N" if constraint.unit == LENGTH else "N m", -constraint.by_time, sp.S.Zero, False)
         for constraint in constraints
         if constraint.by_time != 0
     ]

@@ -14,6 +14,8 @@ from hertzwerk.derive.faults import Fault, InputError
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
+    from hertzwerk.runtime.run.request import Settings
+    from hertzwerk.runtime.solution.solution import Solution
 
 SET = click.option(
     "--set",
@@ -97,6 +99,31 @@ def loaded(
         return load(target, without=without, laws=assignments("--law", laws, faults), coordinates=coordinates)
     except InputError as error:
         raise InputError(error.subject, [*faults, *error.faults, *others()]) from error
+
+
+def solved(
+    target: str,
+    without: Sequence[str],
+    laws: Sequence[str],
+    coordinates: str | None,
+    values: Sequence[str],
+    settings: Settings,
+    faults: list[Fault],
+    progress: Callable[[float], object],
+) -> Solution:
+    """Load a target's variation and run it with the values of --set.
+
+    Raises InputError with the faults found before and those of every option.
+    """
+    from hertzwerk.runtime.run.request import check
+    from hertzwerk.runtime.simulation import solve
+    from hertzwerk.runtime.start.start_values import split_values
+
+    given = assignments("--set", values, faults)
+    model = loaded(target, without, laws, faults, coordinates=coordinates, others=settings.faults)
+    parameters, initial = split_values(model, given)
+    check(model, settings, parameters, initial, faults)
+    return solve(model, settings, parameters, initial, progress=progress)
 
 
 def unwritable_faults(out: Path | None, *, wanted: bool = True) -> list[Fault]:

@@ -91,6 +91,13 @@ def made_folder(name: str, out: Path | None) -> Path:
             return path
 
 
+def remove_if_empty(folder: Path) -> None:
+    """Remove a folder of runs/ that nothing was written to, and runs/ where it held nothing else."""
+    for path in (folder, RUNS):
+        with contextlib.suppress(OSError):
+            path.rmdir()
+
+
 def failures_of(name: str, make: Callable[[], object]) -> list[str]:
     """Make something that must not fail the rest; return messages on its failure."""
     try:

@@ -18,9 +18,8 @@ from hertzwerk.runtime.cli.target import (
     LAW,
     SET,
     WITHOUT,
-    assignments,
-    loaded,
     number,
+    solved,
 )
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, line, reports_bad_input
 
@@ -111,20 +110,15 @@ def _run(
     grid: str | None,
 ) -> Solution:
     """Run the model in its scenario; raises InputError with `faults` and those of every option."""
-    from hertzwerk.runtime.run.request import METHOD, Settings, check
-    from hertzwerk.runtime.simulation import solve
-    from hertzwerk.runtime.start.start_values import split_values
+    from hertzwerk.runtime.run.request import METHOD, Settings
     from hertzwerk.runtime.validate import scenarios
 
-    values, numbers = assignments("--set", settings, faults), scenarios.read(target)
+    numbers = scenarios.read(target)
     accurate = None if accuracy is None else number(accuracy)
     tolerance = TOLERANCE if accuracy is None else None
     until, by = duration or numbers.get("duration"), method or numbers.get("method", METHOD)
     settled = Settings(until, accurate, tolerance, by, "auto", output_of(grid))
-    model = loaded(target, without, laws, faults, coordinates=coordinates, others=settled.faults)
-    parameters, initial = split_values(model, values)
-    check(model, settled, parameters, initial, faults)
-    run = solve(model, settled, parameters, initial, progress=progress)
+    run = solved(target, without, laws, coordinates, settings, settled, faults, progress)
     if run.outcome.name == "interrupted":
         raise KeyboardInterrupt
     return run

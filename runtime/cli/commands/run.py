@@ -25,10 +25,9 @@ from hertzwerk.runtime.cli.target import (
     TABLE,
     WALL_TIME,
     WITHOUT,
-    assignments,
     command_line,
-    loaded,
     number,
+    solved,
     table_faults,
     unwritable_faults,
 )
@@ -198,22 +197,16 @@ def _simulate(
     wall_time: str | None,
 ) -> Solution:
     """Return the solution of a command line; raises InputError with `faults` and those of all its parts."""
-    from hertzwerk.runtime.run.request import METHOD, Settings, check
-    from hertzwerk.runtime.simulation import solve
-    from hertzwerk.runtime.start.start_values import split_values
+    from hertzwerk.runtime.run.request import METHOD, Settings
     from hertzwerk.runtime.validate import scenarios
 
-    values = assignments("--set", settings, faults)
     numbers = scenarios.read(target)
     accurate = number(accuracy) if accuracy is not None else numbers.get("accuracy")
     by = method or numbers.get("method", METHOD)
     stopping.stage("building")
     limits, output = limits_of(max_steps, wall_time, faults), output_of(grid)
     settled = Settings(duration or numbers.get("duration"), accurate, None, by, "auto", output, **limits)
-    model = loaded(target, without, laws, faults, coordinates=coordinates, others=settled.faults)
-    parameters, initial = split_values(model, values)
-    check(model, settled, parameters, initial, faults)
-    return solve(model, settled, parameters, initial, progress=stopping)
+    return solved(target, without, laws, coordinates, settings, settled, faults, stopping)
 
 
 def _report(solution: Solution) -> None:

@@ -126,7 +126,7 @@ def sweep(
 
     TARGET may be a TOML file with the same keys. Whatever ends it, Ctrl-C, a kill, a full disk, --resume DIR goes on.
     """
-    from hertzwerk.runtime.host.folder import failures_of
+    from hertzwerk.runtime.host.folder import failures_of, made_folder, remove_if_empty
     from hertzwerk.runtime.host.interrupt import raise_interrupts
     from hertzwerk.runtime.sweeps.parameter_sweep import sweep as swept
     from hertzwerk.runtime.sweeps.store import PICTURE
@@ -136,8 +136,11 @@ def sweep(
     if plot and as_json and into is None and resume is None:
         faults.append(Fault("--plot", "without a folder, as --json writes none", "--into DIR beside it"))
     arguments = _arguments(target, resume, into, options, faults)
-    folder = resume or into or (None if as_json else _next_folder(arguments["target"]))
+    folder = resume or into
     with ExitStack() as stack:
+        if folder is None and not as_json:
+            folder = made_folder(f"{Path(arguments['target']).stem}-sweep", None)
+            stack.callback(remove_if_empty, folder)  # where the definition is refused
         progress = stack.enter_context(Progress(str(arguments["target"]), shown=not as_json and sys.stderr.isatty()))
         client = stack.enter_context(_connected(cluster)) if cluster is not None else None
         progress.stage("building")
@@ -267,13 +270,6 @@ def _draw(found: Sweep, file: Path) -> None:
     content = io.BytesIO()
     found.plot().savefig(content, format="png", dpi=160)
     write_atomically(file, content.getvalue())
-
-
-def _next_folder(target: str) -> Path:
-    """Return the next free runs/SCENE-sweep-NNN."""
-    from hertzwerk.runtime.host.folder import RUNS, numbered
-
-    return next(path for path in numbered(RUNS / f"{Path(target).stem}-sweep") if not path.exists())
 
 
 # -- as people and programs read it ------------------------------------------------------------------------------------
