@@ -91,6 +91,8 @@ def markdown(page: Page) -> str:
 
 def _parts(page: Page) -> Iterator[str]:
     yield f"# {page.title}"
+    if page.missing:
+        yield _prose(f"**Incomplete**: {page.missing}.", "> ")
     yield from map(_prose, page.paragraphs)
     if page.lacking:
         yield "\n".join(_prose(text, "> ") for text in page.lacking)

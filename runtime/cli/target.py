@@ -15,7 +15,7 @@ from hertzwerk.derive.faults import Fault, InputError
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
     from hertzwerk.runtime.run.request import Settings
-    from hertzwerk.runtime.solution.solution import Solution
+    from hertzwerk.runtime.simulation import Solution
 
 SET = click.option(
     "--set",

@@ -134,7 +134,10 @@ def compared(subject: str, found: float, expected: float, tolerance: float, sour
 
 @dataclass(frozen=True)
 class Page:
-    """Result of a study. `lacking`: sentences on what could not be had of its sources."""
+    """Result of a study. `lacking`: sentences on what could not be had of its sources.
+
+    `missing`: says what it does not show, where it was stopped before its end.
+    """
 
     title: str
     paragraphs: tuple[str, ...]
@@ -142,6 +145,7 @@ class Page:
     charts: tuple[Chart, ...] = ()
     verdicts: tuple[Verdict, ...] = ()
     lacking: tuple[str, ...] = ()
+    missing: str = ""
 
     @property
     def holds(self) -> bool:
@@ -154,6 +158,7 @@ class Page:
             "title": self.title,
             "paragraphs": list(self.paragraphs),
             "lacking": list(self.lacking),
+            "missing": self.missing,
             "verdicts": [{"text": v.text, "source": v.source, "holds": v.holds} for v in self.verdicts],
             "tables": [
                 {

@@ -13,6 +13,7 @@ from hertzwerk.runtime.pictures.curves import impact_curves
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.studies.page import Array, Axis, Cell, Chart, Curve, Page, Panel, Progress, Study, Table, Verdict
 from hertzwerk.runtime.studies.page import compared as compare
+from hertzwerk.runtime.studies.stopped import until_stopped, whole
 from hertzwerk.runtime.studies.study_sweeps import Sweeps
 
 LAWS = (
@@ -106,12 +107,17 @@ class Bounce:
 
 def run(quick: bool, progress: Progress, _: Sweeps) -> Page:
     """Drop both forms with every law and restitution."""
-    cases = [(form, law) for form in FORMS for law in (QUICK if quick else LAWS)]
-    bounces: list[Bounce] = []
-    for i, (form, law) in enumerate(cases):
-        bounces += _bounces(form, law, FEW if quick else RESTITUTIONS)
-        progress((i + 1) / len(cases))
-    elastic = [bounce for form in FORMS for bounce in _bounces(form, "lankarani_nikravesh", (1.0,))]
+    given = [
+        ("lankarani_nikravesh", (1.0,)),
+        *((law, FEW if quick else RESTITUTIONS) for law in (QUICK if quick else LAWS)),
+    ]
+    cases = [(form, law, restitutions) for form in FORMS for law, restitutions in given]
+    done, missing = until_stopped(cases, lambda case: list(_bounces(*case)), progress)
+    elastic = [bounce for of_case in done for bounce in of_case if bounce.given == 1]
+    bounces = [bounce for of_case in done for bounce in of_case if bounce.given < 1]
+    if not bounces:
+        raise KeyboardInterrupt
+    shown = [form for form in FORMS if any(bounce.form is form for bounce in bounces)]
     return Page(
         title="Spheres and cylinders dropped on each other, with every damping law",
         paragraphs=(
@@ -124,8 +130,9 @@ def run(quick: bool, progress: Progress, _: Sweeps) -> Page:
             "that of the ledger over the kinetic energy at the onset.",
         ),
         tables=(_table(bounces),),
-        charts=tuple(_chart(form, [b for b in bounces if b.form is form]) for form in FORMS),
+        charts=tuple(_chart(form, [b for b in bounces if b.form is form]) for form in shown),
         verdicts=(*_elastic_verdicts(elastic), *_verdicts(bounces)),
+        missing=missing,
         lacking=(
             "The paper's expression of K for external contact is not accessible here: wang_liu_external is a reconstruction (grade R), one of "
             "several candidates (`hertzwerk laws wang_liu_external`).",
@@ -139,7 +146,7 @@ def _bounces(form: Form, law: str, restitutions: Sequence[float]) -> Iterator[Bo
 
     model = Model(build_dropped(form.name, law))
     for e in restitutions:
-        run = simulate(model, duration=LASTING, tolerance=TOLERANCE, parameters={"restitution": e})
+        run = whole(simulate(model, duration=LASTING, tolerance=TOLERANCE, parameters={"restitution": e}))
         first = run.impacts[0]
         duration = first.duration or math.nan
         ends = run.at([first.t, first.t + duration])
@@ -230,6 +237,7 @@ def _elastic_verdicts(elastic: Sequence[Bounce]) -> Iterator[Verdict]:
 
 
 def _verdicts(bounces: Sequence[Bounce]) -> Iterator[Verdict]:
+    shown = [form for form in FORMS if any(b.form is form for b in bounces)]
     known = [b for b in bounces if b.closed is not None]
     worst = max(known, key=lambda b: abs(b.out - (b.closed or 0.0)) / b.weight)
     off = abs(worst.out - (worst.closed or 0.0))
@@ -244,14 +252,14 @@ def _verdicts(bounces: Sequence[Bounce]) -> Iterator[Verdict]:
         f"energy lost is 1 - e_out^2 of that before, in every impact to {open_by:.1e}", "kinetic energy before and after, at one height",
         open_by <= 1e-6,
     )  # fmt: skip
-    for form in FORMS:
+    for form in shown:
         for e in sorted({b.given for b in bounces} & {0.9, 0.5, 0.1}, reverse=True):
             good = [b.law for b in bounces if b.form is form and b.given == e and abs(b.out - e) <= NEAR]
             yield Verdict(
                 f"{form.name}, e = {e:g}: within {NEAR:g} of what is asked for are {', '.join(good) or 'none'}",
                 "simulated, table",
             )
-    for form in FORMS:
+    for form in shown:
         least = min((b for b in bounces if b.form is form), key=lambda b: b.out)
         most = max((b for b in bounces if b.form is form), key=lambda b: b.peak_force / form.force)
         yield Verdict(

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -28,6 +28,7 @@ from hertzwerk.runtime.studies.crank_runs import (
 )
 from hertzwerk.runtime.studies.page import Axis, Chart, Curve, Page, Panel, Progress, Study, Table, Verdict
 from hertzwerk.runtime.studies.page import compared as compare
+from hertzwerk.runtime.studies.stopped import until_stopped, whole
 from hertzwerk.runtime.studies.study_sweeps import Sweeps
 
 if TYPE_CHECKING:
@@ -77,15 +78,18 @@ def run(quick: bool, progress: Progress, _: Sweeps) -> Page:
     exponents = FEW if quick else EXPONENTS
     impacts = _impacts(exponents)
     progress(0.1)
-    model, rows, drawn = crank_with(None), [], {}
-    for i, n in enumerate(exponents):
+    drawn: dict[float, Solution] = {}
+    model = crank_with(None)
+
+    def row(n: float) -> tuple[float, Measurement, int]:
         found = measure(model, {"exponent": n})
-        kept = simulate(model, duration=TURN, tolerance=1e-9, parameters={"exponent": n})
-        rows.append((n, found, kept.statistics.steps))
+        kept = whole(simulate(model, duration=TURN, tolerance=1e-9, parameters={"exponent": n}))
         if n in DRAWN:
             drawn[n] = kept
-        progress(0.1 + 0.85 * (i + 1) / len(exponents))
-    return _page(impacts, rows, drawn)
+        return n, found, kept.statistics.steps
+
+    rows, missing = until_stopped(exponents, row, lambda done: progress(0.1 + 0.85 * done))
+    return replace(_page(impacts, rows, drawn), missing=missing)
 
 
 def _impacts(exponents: tuple[float, ...]) -> list[Impact]:
@@ -125,9 +129,9 @@ def _page(impacts: list[Impact], rows: list[tuple[float, Measurement, int]], dra
             f"Penetrations below {UNNOTICED:.0%} of the clearance are called unnoticed: no picture of the mechanism shows them, the joint looks "
             f"ideal. Above {SUNK:.0%} the pin has sunk into its bush, and nothing is left of small deformations.",
         ),
-        tables=(_impact_table(impacts), _crank_table(rows)),
-        charts=(_impact_chart(impacts), _crank_chart(rows, drawn)),
-        verdicts=(*_impact_verdicts(impacts), *_crank_verdicts(rows)),
+        tables=(_impact_table(impacts), *((_crank_table(rows),) if rows else ())),
+        charts=(_impact_chart(impacts), *((_crank_chart(rows, drawn),) if rows else ())),
+        verdicts=(*_impact_verdicts(impacts), *(_crank_verdicts(rows) if rows else ())),
         lacking=("The numbers of the paper's own study of n are not accessible here; data of the mechanism: grade C.",),
     )
 

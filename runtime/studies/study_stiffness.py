@@ -15,6 +15,7 @@ from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.studies.crank_runs import CLEARANCE, PENETRATION, PIN, TURN, cells, crank_with, header, measure
 from hertzwerk.runtime.studies.page import Array, Axis, Cell, Chart, Curve, Page, Panel, Progress, Study, Table, Verdict
 from hertzwerk.runtime.studies.page import compared as compare
+from hertzwerk.runtime.studies.stopped import until_stopped, whole
 from hertzwerk.runtime.studies.study_sweeps import Sweeps
 
 if TYPE_CHECKING:
@@ -107,13 +108,15 @@ def run(quick: bool, progress: Progress, _: Sweeps) -> Page:
     laws, n = _laws()
     progress(0.1)
     ridden = [law for law in laws if law.name in (FEW if quick else LAWS)]
-    rides, drawn = [], {}
-    for i, law in enumerate(ridden):
+    drawn: dict[str, Solution] = {}
+
+    def row(law: Law) -> Ride:
         ride, kept = _ride(law, f"{FITTED}(n={n:.4g})" if law.name == FITTED else law.name)
-        rides.append(ride)
         if kept is not None and law.name in DRAWN:
             drawn[law.label] = kept
-        progress(0.1 + 0.9 * (i + 1) / len(ridden))
+        return ride
+
+    rides, missing = until_stopped(ridden, row, lambda done: progress(0.1 + 0.9 * done))
     return Page(
         title="Stiffness laws of a pin in its bush, side by side",
         paragraphs=(
@@ -124,9 +127,10 @@ def run(quick: bool, progress: Progress, _: Sweeps) -> Page:
             f"Abnormal is called what has no real value, or is more than {PLAIN:g} times off Johnson's force, the law of elastic line "
             f"contact, at {DEPTH * 1e6:g} µm. Then one revolution of the slider-crank at 5000 rpm, friction 0.1; inconsistent laws run unchecked.",
         ),
-        tables=(_law_table(laws), _crank_table(rides)),
-        charts=(_force_chart(laws), *_crank_charts(rides, drawn)),
-        verdicts=(*_law_verdicts(laws), *_crank_verdicts(rides)),
+        tables=(_law_table(laws), *((_crank_table(rides),) if rides else ())),
+        charts=(_force_chart(laws), *(_crank_charts(rides, drawn) if rides else ())),
+        verdicts=(*_law_verdicts(laws), *(_crank_verdicts(rides) if rides else ())),
+        missing=missing,
         lacking=(
             "The stiffness expressions of Wang and Liu (2020) are not accessible here: wang_liu_internal is a reconstruction (grade R), one of "
             "several candidates (`hertzwerk laws wang_liu_internal`).",
@@ -159,7 +163,7 @@ def _ride(law: Law, text: str) -> tuple[Ride, Solution | None]:
     try:
         model = crank_with(text)
         found = measure(model, {})
-        kept = simulate(model, duration=TURN, tolerance=1e-9, max_steps=200_000)
+        kept = whole(simulate(model, duration=TURN, tolerance=1e-9, max_steps=200_000))
     except InputError as error:
         return Ride(law, None, None, f"refused: {error.faults[0].found}"), None
     return Ride(law, found, kept.statistics.steps, found.outcome.name), kept if found.outcome.finished else None

@@ -50,7 +50,8 @@ def study(
     """Make the study NAME, or that of a Python file that defines `study`: figures, tables, verdicts.
 
     Without NAME, list the built-in studies. Rows of its sweeps are stored in the folder as they are done: --resume goes
-    on, whatever ended it. Exit code 1 where a number differs from the independent one it is compared with.
+    on, whatever ended it. Ctrl-C between other cases ends the study with a page of those that are done. Exit code 1 where
+    it was stopped, or where a number differs from the independent one it is compared with.
     """
     from hertzwerk.runtime.cli import page_folder
     from hertzwerk.runtime.measured.measurement import read_measurement
@@ -93,7 +94,7 @@ def study(
         wanted=wanted,
         as_json=as_json,
     )
-    return code if page.holds else OTHER_OUTCOME
+    return code if page.holds and not page.missing else OTHER_OUTCOME
 
 
 def _asked(folder: Path, given: list[str]) -> tuple[str, bool, Path | None]:
@@ -111,6 +112,8 @@ def _report(page: Page) -> None:
     """Print the verdicts of a page, and what its sources lack."""
     from hertzwerk.runtime.cli.page_folder import MARKS
 
+    if page.missing:
+        line("interrupted", page.missing)
     for verdict in page.verdicts:
         line(MARKS[verdict.holds], f"{verdict.text} ({verdict.source})")
     for text in page.lacking:

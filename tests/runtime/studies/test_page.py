@@ -13,6 +13,7 @@ from hertzwerk.runtime.cli.page_folder import markdown
 from hertzwerk.runtime.pictures.studies.plot_page import figure
 from hertzwerk.runtime.studies.known_studies import NAMES, study_of
 from hertzwerk.runtime.studies.page import Axis, Chart, Curve, Page, Panel, Table, Verdict, compared
+from hertzwerk.runtime.studies.study_sweeps import Sweeps
 
 FILE = """
 from hertzwerk.runtime.studies.page import Page, Study, compared
@@ -172,3 +173,57 @@ def test_a_study_that_is_stopped_keeps_its_rows_and_goes_on(hertzwerk, tmp_path,
     assert (again.exit_code, "whose study is done" in again.output) == (2, True)
     missing = hertzwerk("--resume", "nowhere")
     assert (missing.exit_code, "study that was stopped" in missing.output) == (2, True)
+
+
+CASES = """
+from hertzwerk.runtime.loading import load
+from hertzwerk.runtime.simulation import simulate
+from hertzwerk.runtime.studies.page import Page, Study, Table
+from hertzwerk.runtime.studies.stopped import until_stopped, whole
+
+def height(case):
+    def stop(fraction):
+        if case == 3:
+            raise KeyboardInterrupt  # as where Ctrl-C strikes during a run, which then ends as interrupted
+    return case, whole(simulate(load("bouncing_ball"), duration="0.2 s", progress=stop)).t_end
+
+def run(quick, progress, sweeps):
+    rows, missing = until_stopped([1, 2, 3, 4], height, progress)
+    return Page("Cases", (), tables=(Table("cases", "Cases", (("case", ""), ("end", "s")), tuple(rows)),), missing=missing)
+
+study = Study("cases", "Which cases are done?", run)
+"""
+
+
+def test_a_study_that_is_stopped_writes_the_cases_that_are_done(hertzwerk, tmp_path):
+    (tmp_path / "cases.py").write_text(CASES)
+    done = hertzwerk("cases.py", "--out", "here")
+    assert done.exit_code == 1
+    assert "interrupted" in done.stdout
+    assert "2 of 4 cases are done" in done.stdout
+    assert [row.split(",")[0] for row in (tmp_path / "here" / "cases.csv").read_text().splitlines()] == [
+        "case",
+        "1",
+        "2",
+    ]
+    assert "**Incomplete**" in (tmp_path / "here" / "study.md").read_text()
+    assert "2 of 4" in json.loads((tmp_path / "here" / "study.json").read_text())["missing"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "rows"), [("exponents", 1), ("stiffness", 1), ("bouncing", 2)])
+def test_a_built_in_study_that_is_stopped_draws_what_it_has(name, rows):
+    """Its whole page is made from the first cases: tables, figures, verdicts."""
+    left = [rows + (name != "bouncing")]  # calls of progress; those two tell of another stage first
+
+    def stop(fraction):
+        left[0] -= 1
+        if not left[0]:
+            raise KeyboardInterrupt
+
+    page = study_of(name).run(True, stop, Sweeps())
+    assert f"{rows} of " in page.missing
+    assert page.holds
+    assert page.tables[-1].rows
+    for chart in page.charts:
+        figure(chart).draw_without_rendering()
