@@ -18,7 +18,7 @@ Run = TypeVar("Run", bound="Solution")
 def until_stopped(
     cases: Sequence[Case], row: Callable[[Case], Row], progress: Callable[[float], object]
 ) -> tuple[list[Row], str]:
-    """Compute the rows of cases; return those done and, where Ctrl-C ended it, a sentence on those missing."""
+    """Compute the rows of cases until Ctrl-C; return them, and a sentence where some are missing."""
     found: list[Row] = []
     try:
         with raise_interrupts():

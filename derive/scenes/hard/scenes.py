@@ -73,7 +73,10 @@ def grazing_ball() -> Scene:
 
 
 def shaken_ball() -> Scene:
-    """A ball on a table that vibrates as amplitude sin(frequency t + phase); it starts on the table, at its pace."""
+    """A ball on a vibrating table, at whose lowest place it starts, resting on it.
+
+    The table moves as amplitude sin(frequency t + phase).
+    """
     amplitude, phase = Parameter("amplitude", "m", 4e-4), Parameter("phase", "rad", 1.5 * math.pi)
     frequency = Parameter("frequency", "rad/s", 40 * math.pi)
     stiffness = Parameter("stiffness", "N/m", 1e8)

@@ -1,4 +1,4 @@
-"""A ball on a vibrating table: it settles on what moves, rides with it, and is thrown where its weight cannot hold it.
+"""A ball on a vibrating table, which settles on it, rides with it, and is thrown.
 
 The table moves as s = A sin(w t + phi) from its lowest place; a contact of K d carries the ball, so that on the way
 m (g + s'') = K d, but for damping, 3e-4 of d here. Where s'' = -g the force is spent, at the speed s' - d': a parabola.
