@@ -12,7 +12,22 @@ from typing import Any, ClassVar
 
 import sympy as sp
 
-from hertzwerk.derive.algebra.vectors import IDENTITY, Matrix, Vector, about, dot, multiply, scale
+from hertzwerk.derive.algebra.vectors import (
+    IDENTITY,
+    ZERO,
+    Matrix,
+    Vector,
+    about,
+    add,
+    combine,
+    diagonal,
+    dot,
+    multiply,
+    outer,
+    scale,
+    scaled,
+    sub,
+)
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.mechanism.parameter import (
     NOT_NEGATIVE,
@@ -23,6 +38,7 @@ from hertzwerk.derive.mechanism.parameter import (
     is_number,
     parameters_of,
 )
+from hertzwerk.derive.mechanism.shapes import Shape
 
 Triple = tuple[Any, Any, Any]
 
@@ -100,19 +116,145 @@ class Material:
             yield Slot("material, density", self.density, "kg/m^3", POSITIVE)
 
 
+Density = Scalar | Material | None
+"""Density [kg/m^3], also that of a material."""
+
+
 @dataclass(frozen=True)
 class Body:
     """Rigid body: mass [kg], inertia about its mass centre [kg m^2], mass centre in its own frame [m].
 
     A scalar inertia is for the axis of the joint that turns the body (plane motion), or the same about every axis
-    where a joint turns it freely; a triple holds the principal values along the frame's axes. A mass of 0 declares a
-    massless body, which the last body of a chain cannot be.
+    where a joint turns it freely; a triple holds the principal values along the frame's axes; three rows are the
+    whole tensor along these axes, whose products are J_xy = -integral of x y dm. A mass of 0 declares a massless
+    body. `shapes` are drawn; `Body.cylinder` and its like make bodies of them.
     """
 
     name: str
     mass: Scalar
     inertia: Scalar | Triple = 0
     centre: Triple = (0, 0, 0)
+    shapes: tuple[Shape, ...] = ()
+
+    @classmethod
+    def box(
+        cls, name: str, x: Scalar, y: Scalar, z: Scalar, *, density: Density = None, mass: Scalar | None = None,
+        centre: Triple = (0, 0, 0),
+    ) -> Body:  # fmt: skip
+        """Box of sizes x, y, z [m] along its axes, about `centre`; raises InputError."""
+        return cls._shaped(name, Shape("box", (("x", x), ("y", y), ("z", z)), ZERO, centre), density, mass)
+
+    @classmethod
+    def sphere(
+        cls, name: str, radius: Scalar, *, density: Density = None, mass: Scalar | None = None,
+        centre: Triple = (0, 0, 0),
+    ) -> Body:  # fmt: skip
+        """Sphere about `centre`; raises InputError."""
+        return cls._shaped(name, Shape("sphere", (("radius", radius),), ZERO, centre), density, mass)
+
+    @classmethod
+    def cylinder(
+        cls, name: str, radius: Scalar, length: Scalar, *, density: Density = None, mass: Scalar | None = None,
+        axis: Direction = Z, centre: Triple = (0, 0, 0),
+    ) -> Body:  # fmt: skip
+        """Cylinder or disc about `centre`; raises InputError."""
+        return cls._round("cylinder", name, {"radius": radius, "length": length}, axis, centre, density, mass)
+
+    @classmethod
+    def tube(
+        cls, name: str, radius: Scalar, hole_radius: Scalar, length: Scalar, *, density: Density = None,
+        mass: Scalar | None = None, axis: Direction = Z, centre: Triple = (0, 0, 0),
+    ) -> Body:  # fmt: skip
+        """Tube or ring about `centre`; raises InputError."""
+        sizes = {"radius": radius, "hole_radius": hole_radius, "length": length}
+        return cls._round("tube", name, sizes, axis, centre, density, mass)
+
+    @classmethod
+    def cone(
+        cls, name: str, radius: Scalar, length: Scalar, *, density: Density = None, mass: Scalar | None = None,
+        axis: Direction = Z, centre: Triple = (0, 0, 0),
+    ) -> Body:  # fmt: skip
+        """Cone that tapers along its axis, its base length/4 before its mass centre; raises InputError."""
+        return cls._round("cone", name, {"radius": radius, "length": length}, axis, centre, density, mass)
+
+    @classmethod
+    def rod(cls, name: str, length: Scalar, *, mass: Scalar, axis: Direction = X, centre: Triple = (0, 0, 0)) -> Body:
+        """Slender rod about `centre`, without inertia about itself; raises InputError."""
+        return cls._round("rod", name, {"length": length}, axis, centre, None, mass)
+
+    @classmethod
+    def of(cls, name: str, *parts: Body, without: tuple[Body, ...] = ()) -> Body:
+        """One rigid body of several in the same frame, those in `without` taken away: holes.
+
+        Raises InputError for parts without an inertia about every axis.
+        """
+        wrong = [
+            part for part in (*parts, *without) if not isinstance(part, Body) or not isinstance(part.inertia, tuple)
+        ]
+        expected = "a body with three principal inertias or a tensor, as of Body.box(...)"
+        faults = [Fault(f"part {getattr(part, 'name', part)}", f"{part!r:.80}", expected) for part in wrong]
+        if faults or not parts:
+            raise InputError(f"body {name}", faults or [Fault("parts", "none", "at least one body")])
+        signed = [(sp.S.One, part) for part in parts] + [(sp.S.NegativeOne, part) for part in without]
+        mass = sp.Add(*(sign * part.mass for sign, part in signed))
+        centre = scale(1 / mass, add(*(scale(sign * part.mass, part.centre) for sign, part in signed)))
+        inertia = combine(
+            *(
+                scaled(sign, combine(part.tensor, scaled(part.mass, _steiner(sub(part.centre, centre)))))
+                for sign, part in signed
+            )
+        )
+        shapes = [replace(shape, hole=shape.hole or sign < 0) for sign, part in signed for shape in part.shapes]
+        return cls(name, mass, _shortest(inertia), centre, tuple(shapes))
+
+    @classmethod
+    def _round(
+        cls, kind: str, name: str, sizes: dict[str, Scalar], axis: Direction, centre: Triple, density: Density,
+        mass: Scalar | None,
+    ) -> Body:  # fmt: skip
+        if not isinstance(axis, Direction):
+            raise InputError(f"body {name}", [Fault("axis", repr(axis), "a Direction, such as X, -Y or Z")])
+        return cls._shaped(name, Shape(kind, tuple(sizes.items()), axis.unit, centre), density, mass)
+
+    @classmethod
+    def _shaped(cls, name: str, shape: Shape, density: Density, mass: Scalar | None) -> Body:
+        """Body of one shape, of a given density [kg/m^3] or mass [kg]."""
+        given = density.density if isinstance(density, Material) else density
+        values = {**dict(shape.sizes), "density": given, "mass": mass}
+        faults = [
+            Fault(what, repr(value), "a Parameter, or an expression of them")
+            for what, value in values.items()
+            if not is_number(value) and (value is not None or what not in ("density", "mass"))
+        ]
+        if (given is None) == (mass is None):
+            found = "neither a density nor a mass" if mass is None else "both a density and a mass"
+            faults.append(Fault("mass", found, "one of them: density=... [kg/m^3] or mass=... [kg]"))
+        if not isinstance(shape.centre, tuple) or len(shape.centre) != 3:
+            faults.append(Fault("centre", repr(shape.centre), "three values, (x, y, z)"))
+        if faults:
+            raise InputError(f"body {name}", faults)
+        whole = sp.sympify(mass if given is None else given * shape.volume)
+        return cls(name, whole, _shortest(scaled(whole, shape.gyration)), shape.centre, (shape,))
+
+    @property
+    def moments(self) -> Triple:
+        """Inertias about the frame's axes [kg m^2]; a single one is about each."""
+        given = self.inertia if isinstance(self.inertia, tuple) else (self.inertia,) * 3
+        x, y, z = (row[k] if isinstance(row, tuple) else row for k, row in enumerate(given))
+        return (x, y, z)
+
+    @property
+    def has_products(self) -> bool:
+        """Whether its inertia is given as a whole tensor."""
+        return isinstance(self.inertia, tuple) and any(isinstance(row, tuple) for row in self.inertia)
+
+    @property
+    def tensor(self) -> Matrix:
+        """Inertia about the mass centre, along the frame's axes [kg m^2]."""
+        if not isinstance(self.inertia, tuple) or not self.has_products:
+            return diagonal(*self.moments)
+        x, y, z = (tuple(map(sp.sympify, row)) for row in self.inertia)
+        return (x, y, z)  # type: ignore[return-value]
 
     def at(self, x: Scalar, y: Scalar, z: Scalar) -> Point:
         """Point fixed in the body at (x, y, z) [m] of its frame."""
@@ -122,11 +264,27 @@ class Body:
         """Yield the quantities of the body."""
         massless = is_number(self.mass) and self.mass == 0  # the number 0; a parameter must be positive
         yield Slot(f"body {self.name}, mass", self.mass, "kg", None if massless else POSITIVE)
-        inertia = self.inertia if isinstance(self.inertia, tuple) else (self.inertia,)
-        for value in inertia:
+        for value in self.moments if isinstance(self.inertia, tuple) else (self.inertia,):
             yield Slot(f"body {self.name}, inertia", value, "kg m^2", NOT_NEGATIVE)
+        if isinstance(self.inertia, tuple) and self.has_products:
+            for i, k in ((0, 1), (0, 2), (1, 2), (1, 0), (2, 0), (2, 1)):
+                if i < k or self.inertia[i][k] != self.inertia[k][i]:
+                    yield Slot(f"body {self.name}, inertia J_{'xyz'[i]}{'xyz'[k]}", self.inertia[i][k], "kg m^2")
         for value in self.centre:
             yield Slot(f"body {self.name}, mass centre", value, "m")
+        for shape in self.shapes:
+            yield from (Slot(f"body {self.name}, {what}", value, "m", POSITIVE) for what, value in shape.slots())
+
+
+def _steiner(shift: Vector) -> Matrix:
+    """Inertia of a unit mass at `shift`, r.r 1 - r r^T [m^2]."""
+    return combine(scaled(dot(shift, shift), IDENTITY), scaled(sp.S.NegativeOne, outer(shift, shift)))
+
+
+def _shortest(inertia: Matrix) -> Triple:
+    """Principal values where the products vanish, else all rows."""
+    x, y, z = (tuple(map(sp.sympify, row)) for row in inertia)
+    return (x, y, z) if any((x[1] != 0, x[2] != 0, y[2] != 0)) else (x[0], y[1], z[2])
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,17 @@ from hertzwerk.derive.mechanism.bodies import Point
 from hertzwerk.derive.mechanism.parameter import is_number
 from hertzwerk.derive.program.program import Result
 
-UNITS = {"axis": "1", "normal": "1", "along": "1", "force": "N", "moment": "N m", "radius": "m", "length": "m"}
+UNITS = {
+    "axis": "1",
+    "normal": "1",
+    "along": "1",
+    "force": "N",
+    "moment": "N m",
+    "radius": "m",
+    "length": "m",
+    "hole_radius": "m",
+    "size": "m",
+}
 """Units of a landmark's directions and sizes."""
 
 
@@ -67,3 +77,8 @@ def landmarks_of(scene: Scene) -> Iterator[Landmark]:
     for body in mechanism.bodies:
         if not (is_number(body.mass) and body.mass == 0):
             yield Landmark(body.name, "body", "centre", Point(body, body.centre))
+    for body in mechanism.bodies:
+        for number, shape in enumerate(body.shapes, 1):
+            point, beside = shape.landmark()
+            kind = f"{'hole' if shape.hole else 'solid'}_{shape.kind}"
+            yield Landmark(body.name, kind, f"shape_{number}", Point(body, point), beside)

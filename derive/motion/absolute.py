@@ -179,9 +179,8 @@ def _body_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:
 
 
 def _turning_inertias(body: Body, normal: int | None) -> tuple[Any, ...]:
-    """Principal inertias about the axes a body turns about: one in plane motion."""
-    given = body.inertia if isinstance(body.inertia, tuple) else (body.inertia,) * 3
-    return given if normal is None else (given[normal],)
+    """Inertias about the axes a body turns about: one in plane motion."""
+    return body.moments if normal is None else (body.moments[normal],)
 
 
 def _welded_to(body: Frame, carried: list[Joint]) -> list[Body]:

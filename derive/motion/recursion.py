@@ -29,7 +29,6 @@ from hertzwerk.derive.algebra.vectors import (
     apply,
     combine,
     cross,
-    diagonal,
     dot,
     is_zero,
     less,
@@ -107,7 +106,7 @@ class Recursion:
         """
         place = self.tree.places[body]
         if isinstance(body.inertia, tuple):
-            own = diagonal(*body.inertia)
+            own = body.tensor
             return own if place.axes == IDENTITY else multiply(multiply(place.axes, own), transpose(place.axes))
         turning = next((link for link in reversed(place.link.path) if link.kind != "slide"), None)
         if turning is None:

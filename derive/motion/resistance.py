@@ -47,8 +47,7 @@ def resistance_faults(scene: Scene) -> Iterator[Fault]:
 
 def _is_whole(body: Body) -> bool:
     """Whether a body has a mass, and an inertia about every axis."""
-    inertia = body.inertia if isinstance(body.inertia, tuple) else (body.inertia,)
-    return all(default_value(value) != 0 for value in (body.mass, *inertia))
+    return all(default_value(value) != 0 for value in (body.mass, *body.moments))
 
 
 def _mass_matrix(scene: Scene) -> tuple[list[str], list[list[float]]]:

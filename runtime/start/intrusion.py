@@ -104,7 +104,7 @@ def _size(model: Model, bound: Bound, j: int) -> float:
     radii = [
         float(place[3])  # behind the point
         for row, place in zip(getattr(model.module, "LANDMARKS", ()), places, strict=True)
-        if row[0] == name and row[4][:1] == ("radius",)
+        if row[0] == name and row[4][:1] == ("radius",) and not row[1].startswith("solid_")  # of a body of this name
     ]
     if name in model.journals and len(radii) == 2:
         return abs(radii[0] - radii[1])

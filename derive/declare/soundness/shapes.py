@@ -97,8 +97,9 @@ def _changing(where: str, record: Any) -> Iterator[Fault]:
         if entry.name == "unchecked" and not isinstance(value, bool):
             yield Fault(f"{where}, {entry.name}", shown(value), "True or False")
         elif not _constant(value):
+            remedy = "Write (1, 2, 3) in place of a list or an array; an inertia is one number, the three principal ones, or three rows."
             yield Fault(f"{where}, {entry.name.replace('_', ' ')}", shown(value), "what cannot change: a number, an expression, or a tuple of them",
-                        "Write (1, 2, 3) in place of a list or an array; an inertia is one number or the three principal ones.")  # fmt: skip
+                        remedy)  # fmt: skip
 
 
 def _constant(value: Any) -> bool:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from hertzwerk.derive.declare.soundness.directions import direction_faults, directions
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Body, Direction, Ground, Point
+from hertzwerk.derive.mechanism.shapes import Shape
 
 if TYPE_CHECKING:
     from hertzwerk.derive.declare.scene import Scene
@@ -27,8 +28,12 @@ def scene_type_faults(scene: Scene) -> Iterator[Fault]:
             yield from _point(where, point)
     for body in scene.mechanism.bodies:
         yield from _three(f"body {body.name}, mass centre", body.centre)
+        if not (isinstance(body.shapes, tuple) and all(isinstance(shape, Shape) for shape in body.shapes)):
+            yield Fault(f"body {body.name}, shapes", repr(body.shapes), "none, or those of Body.box(...) and its like")
         if isinstance(body.inertia, tuple):
-            yield from _three(f"body {body.name}, inertia", body.inertia)
+            rows = (body.inertia, *body.inertia) if body.has_products else (body.inertia,)
+            for row in rows:
+                yield from _three(f"body {body.name}, inertia", row, "three principal values, or three rows of three")
     for pair in scene.mechanism.pairs:
         where = f"pair {pair.name}"
         for place in pair.places:
@@ -56,6 +61,6 @@ def _point(where: str, point: Point) -> Iterator[Fault]:
         )
 
 
-def _three(where: str, values: Any) -> Iterator[Fault]:
+def _three(where: str, values: Any, expected: str = "three values, (x, y, z)") -> Iterator[Fault]:
     if not isinstance(values, tuple) or len(values) != 3:
-        yield Fault(where, repr(values), "three values, (x, y, z)")
+        yield Fault(where, repr(values), expected)

@@ -9,7 +9,7 @@ import numpy as np
 
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.pictures.draw.paper import INK, ROUND, Paper, hull
-from hertzwerk.runtime.pictures.draw.places import GROUND, Array, Landmark, Places
+from hertzwerk.runtime.pictures.draw.places import GROUND, SOLIDS, Array, Landmark, Places
 from hertzwerk.runtime.pictures.draw.view import View
 from hertzwerk.runtime.pictures.plot_style import CYCLE, GREY
 from hertzwerk.runtime.pictures.prefixes import Scale
@@ -24,6 +24,7 @@ INSIDE = ("pin_in_bush", "ball_in_socket")
 ROUNDS = ("sphere_on_plane", "sphere_on_sphere", "parallel_cylinders", "cylinder_on_plane", "rim_on_plane")
 RIM = 0.25  # width of a bush or socket around its hole, in radii
 APART = ("gravity", "force", "moment", "planar")  # kinds that shape no body
+FACING = 0.98  # cosine of the angle from which on a tube is looked through
 THIN = 0.2  # projected length below which a unit direction is not drawn
 
 
@@ -99,7 +100,9 @@ class Parts:
     def _shaping(self, body: str) -> list[Landmark]:
         """Return the landmarks that a body extends between."""
         marks = [
-            m for m in self.places.of_body(body) if m.kind not in APART and not m.kind.startswith(("slide_", "turn_"))
+            m
+            for m in self.places.of_body(body)
+            if m.kind not in APART and not m.kind.startswith(("slide_", "turn_", *SOLIDS))
         ]
         return marks or [m for m in self.places.of_body(body) if m.kind == "planar"]
 
@@ -120,7 +123,12 @@ class Parts:
         solid = any(mark.place == "corner" for mark in marks)
         rails = [mark for mark in marks if mark.kind in SLIDING and mark.place == "parent"]
         still = np.array([self.at(mark, i) for mark in marks])
-        if len(still):
+        solids = [mark for mark in self.places.of_body(body) if mark.kind.startswith(SOLIDS)]
+        if self.view.names is None:
+            solids.sort(key=lambda mark: self.view.depth(self.positions[id(mark)][i]))
+        for mark in solids:
+            self._solid(paper, mark, i, z)
+        if len(still) and not solids:
             spread = float(np.max(np.ptp(still, axis=0)))
             blocked = [
                 mark
@@ -136,6 +144,41 @@ class Parts:
             way, _ = self.way(mark, "axis", i)
             low, high = np.sort([0.0, (b - a) @ way])
             paper.plate(np.array([a + (low - 4 * p) * way, a + (high + 24 * p) * way]), 0.6 * BAR * p, colour, z - 0.2)
+
+    def solid(self, mark: Landmark, i: int) -> Array:
+        """Return the outline on the paper of a shape that a body is made of, or that is taken out of it."""
+        where, turned = self.positions[id(mark)][i], self.places.rotations[i, self.places.bodies.index(mark.body)]
+        if "size" in mark.beside:
+            corners = np.array(np.meshgrid(*[(-0.5, 0.5)] * 3)).reshape(3, -1).T * mark.beside["size"]
+            return hull(self.flat(where + corners @ turned.T))
+        if "axis" not in mark.beside:
+            return self.ring(where, None, mark.size("radius"))
+        axis = self._axis(mark, i)
+        half = mark.size("length") / 2 * axis
+        if mark.kind.endswith("rod"):
+            return self.flat(np.array([where - half, where + half]))
+        if mark.kind.endswith("cone"):
+            tip = self.flat((where + 2 * half)[None])
+            return hull(np.concatenate([self.ring(where, axis, mark.size("radius")), tip]))
+        ends = [self.ring(where + end, axis, mark.size("radius")) for end in (-half, half)]
+        return hull(np.concatenate(ends))
+
+    def _solid(self, paper: Paper, mark: Landmark, i: int, z: float) -> None:
+        outline = self.solid(mark, i)
+        through = "axis" in mark.beside and abs(self._axis(mark, i) @ self.view.towards) > FACING
+        if mark.kind.endswith("rod"):
+            paper.plate(outline, BAR * paper.point, self.colours[mark.body], z)
+        elif mark.kind.startswith("solid_"):
+            paper.area(outline, self.colours[mark.body], z)
+            if "hole_radius" in mark.beside and through:
+                paper.hole(
+                    self.ring(self.positions[id(mark)][i], self._axis(mark, i), mark.size("hole_radius")), z + 0.05
+                )
+        elif through:
+            paper.hole(outline, z + 0.05)
+
+    def _axis(self, mark: Landmark, i: int) -> Array:
+        return np.asarray(self.places.direction(mark, "axis")[i])
 
     def _is_round(self, mark: Landmark) -> bool:
         """Return whether a surface of its body is centred in a landmark."""
@@ -346,6 +389,9 @@ class Parts:
     def _extents(self) -> Iterator[Array]:
         for mark in self.places.landmarks:
             if mark.kind == "gravity" or mark.place in ("plane", "axes"):
+                continue
+            if mark.kind.startswith(SOLIDS):
+                yield from (self.solid(mark, i) for i in range(len(self.positions[id(mark)])))
                 continue
             seen = self.flat(self.positions[id(mark)])
             reach = mark.size("radius") / self.unit.factor if "radius" in mark.beside else 0.0

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 GROUND = "ground"
+SOLIDS = ("solid_", "hole_")
+"""Beginnings of the kinds of shapes that a body is made of, or that are taken out of it."""
 SAMPLES = 1200  # samples between the steps of a run, and most of the steps
 
 
@@ -155,6 +157,6 @@ def _without_functions(model: Model) -> InputError:
 
 def _landmark(row: tuple[Any, ...], numbers: Array) -> Landmark:
     part, kind, place, body, beside = row
-    sizes = [3, *(1 if name in ("radius", "length") else 3 for name in beside)]
+    sizes = [3, *(1 if name in ("radius", "length", "hole_radius") else 3 for name in beside)]
     point, *values = np.split(numbers, np.cumsum(sizes)[:-1])
     return Landmark(part, kind, place, body, point, dict(zip(beside, values, strict=True)))

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from hertzwerk.runtime.pictures.draw.places import Array, Landmark, Places
+from hertzwerk.runtime.pictures.draw.places import SOLIDS, Array, Landmark, Places
 
 FLAT = 1e-9  # relative: largest deviation of a plane mechanism
 AXES = np.eye(3)
@@ -68,7 +68,7 @@ def _is_plane(places: Places, k: int) -> bool:
         <= FLAT * np.linalg.norm(value)
         for mark in places.landmarks
         for name, value in mark.beside.items()
-        if len(value) == 3 and mark.kind != "gravity"
+        if len(value) == 3 and mark.kind != "gravity" and not mark.kind.startswith(SOLIDS)
     )
 
 
