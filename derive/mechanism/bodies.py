@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import sympy as sp
 
@@ -116,7 +116,7 @@ class Material:
             yield Slot("material, density", self.density, "kg/m^3", POSITIVE)
 
 
-Density = Scalar | Material | None
+Density: TypeAlias = Scalar | Material | None
 """Density [kg/m^3], also that of a material."""
 
 
@@ -254,7 +254,7 @@ class Body:
         if not isinstance(self.inertia, tuple) or not self.has_products:
             return diagonal(*self.moments)
         x, y, z = (tuple(map(sp.sympify, row)) for row in self.inertia)
-        return (x, y, z)  # type: ignore[return-value]
+        return (x, y, z)
 
     def at(self, x: Scalar, y: Scalar, z: Scalar) -> Point:
         """Point fixed in the body at (x, y, z) [m] of its frame."""
