@@ -38,7 +38,7 @@ from hertzwerk.derive.mechanism.parameter import (
     is_number,
     parameters_of,
 )
-from hertzwerk.derive.mechanism.shapes import Shape
+from hertzwerk.derive.mechanism.solids import Shape
 
 Triple = tuple[Any, Any, Any]
 

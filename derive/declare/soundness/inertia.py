@@ -22,7 +22,8 @@ def inertia_faults(mechanism: Mechanism, sound: dict[str, Parameter]) -> Iterato
     """Yield faults of missing masses and inertias.
 
     A body turned about its mass centre needs an inertia about the axis; other principal inertias may be zero in plane
-    motion. The last body of a chain needs a mass, and an inertia about every axis where it may turn about every axis.
+    motion. The last body of a chain needs a mass, unless it closes a loop, and an inertia about every axis where it may
+    turn about every axis.
     """
     if any(True for _ in connection_faults(mechanism)):
         return
@@ -30,11 +31,12 @@ def inertia_faults(mechanism: Mechanism, sound: dict[str, Parameter]) -> Iterato
     moved = [joint for joint in mechanism.joints if joint.freedoms]
     carriers = {rigid_root(mechanism, joint.parent.body) for joint in moved}
     alone = {joint.parent.body for joint in mechanism.joints}
+    tied = {rigid_root(mechanism, place.body) for joint in mechanism.closures for place in (joint.parent, joint.child)}
     for body in mechanism.bodies:
         root = rigid_root(mechanism, body)
-        if body == root and body not in carriers and body not in loaded:
+        if body == root and body not in carriers and body not in loaded and body not in tied:
             yield Fault(f"body {body.name}, mass", "0 kg at the end of a chain", "a value in (0, inf), because nothing beyond it has a mass",
-                        "Give it a mass, or leave it out.")  # fmt: skip
+                        "Give it a mass, close a loop by a joint to it, or leave it out.")  # fmt: skip
         if body.mass == 0:
             continue
         rows = body.inertia if isinstance(body.inertia, tuple) and body.has_products else (body.moments,)
@@ -66,7 +68,7 @@ def inertia_faults(mechanism: Mechanism, sound: dict[str, Parameter]) -> Iterato
 
 
 def _tensor_faults(mechanism: Mechanism, body: Body) -> Iterator[Fault]:
-    """Faults of a tensor that is not symmetric, and of inertias that no distribution of mass has, at the defaults.
+    """Faults of a tensor that is not symmetric, or that no distribution of mass has at the defaults.
 
     Principal values of zero are short for those that do not matter, as in plane motion.
     """

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from hertzwerk.derive.declare.soundness.directions import direction_faults, directions
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Body, Direction, Ground, Point
-from hertzwerk.derive.mechanism.shapes import Shape
+from hertzwerk.derive.mechanism.solids import Shape
 
 if TYPE_CHECKING:
     from hertzwerk.derive.declare.scene import Scene
