@@ -4,7 +4,8 @@
 
 Every number is a median of at least five measurements that alternate between the sides. A ratio's bar is what the issues ask for: issue 2 ("Speed")
 in startup, engine and derivation, issue 5 ("Numbers") in chains and coordinates, issue 6 in nothing and honesty (which is no
-matter of time but of shares), issue 13 in sweep, issue 4 ("Numbers") in the others. Nothing here fails a test, for seconds depend on the machine.
+matter of time but of shares), issue 11 in auto, issue 13 in sweep, issue 4 ("Numbers") in the others. Nothing here fails a
+test, for seconds depend on the machine.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from benchmarks.against_peers import exudyn, peers
+from benchmarks.automatic import automatic
 from benchmarks.chains import chains
 from benchmarks.contenders import hertzwerk, scipy
 from benchmarks.coordinates import coordinates
@@ -118,6 +120,7 @@ SECTIONS = {
     "implicit": implicit,
     "orders": orders,
     "pairs": pairs,
+    "auto": automatic,
     "nothing": nothing,
     "coordinates": coordinates,
     "honesty": honesty,

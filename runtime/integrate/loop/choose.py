@@ -100,13 +100,18 @@ def suspicion(
     difference in speed (damping) or position (vibration). In a motion that limits the step by accuracy the smaller of
     the two rates is seldom large; after Hairer, Wanner, Solving Ordinary Differential Equations II (1996), IV.2.
     """
-    positions, speeds = slice(0, model.nq), slice(model.nq, model.nq + model.nu)
-    reacting = ca.DM.ones(flow(model, contacts).rates.jac_sparsity(0, 1))[speeds, :]
+    nq, n = model.nq, model.nq + model.nu
+    reacting = ca.DM.ones(flow(model, contacts).rates.jac_sparsity(0, 1))[nq:n, :]
     if not reacting.nnz():  # a free flight: both rates are zero, and stages need no position
         return {"pressure": ca.fmax(old["pressure"] - 1, 0)}
+    # what no acceleration depends on is computed in no stage but for this
+    free = [not reacting[:, i].nnz() for i in range(n)]
+    positions = [i for i in range(nq) if not free[i]] or list(range(nq))
+    speeds = [i for i in range(nq, n) if not free[i]] or list(range(nq, n))
+    accelerated = [nq + i for i in range(model.nu) if reacting[i, :].nnz()]
     position, speed, acceleration = (
         ca.sumsqr((end[name][part] - seen[of][part]) * seen["weights"][part])
-        for name, of, part in (("y", "stage", positions), ("y", "stage", speeds), ("dy", "slope", speeds))
+        for name, of, part in (("y", "stage", positions), ("y", "stage", speeds), ("dy", "slope", accelerated))
     )
     h2, (length, pace) = old["h"] * old["h"], ca.vertsplit(run["scales"][:2])
     damping = h2 * acceleration > STIFF**2 * speed

@@ -515,6 +515,11 @@ def test_looking_for_stiffness_costs_nothing_in_free_flight_and_little_in_contac
     )
     assert flight[1] - flight[0] <= 4
     assert 10 < contact[1] - contact[0] < 0.05 * contact[0]
+    crank = load("slider_crank_two_clearances")  # whose slider no acceleration of a flight depends on
+    none, looking = (
+        advance(crank, layouts(crank), table, (), c).n_instructions() for c in (Choosing.NONE, Choosing.ON_SUSPICION)
+    )
+    assert 10 < looking - none < 0.05 * none
 
 
 def test_auto_changes_when_the_ball_settles_and_says_why(ball):
