@@ -2,6 +2,7 @@
 
 import time
 from collections import Counter
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,7 @@ from random_cranks import PROCESSOR_TIME, Crank, cranks, model
 
 from hertzwerk.runtime import Solution, simulate
 
+LEAKS = 100  # tolerances that a ledger may be open by
 SAMPLE = 5  # of those the normal tests run, one of each method
 STUCK = ("step_too_small", "too_many_steps", "event_limit", "not_finite", "constraint_lost", "outside_law_range")
 
@@ -30,10 +32,19 @@ def run_of(crank: Crank, **limits: Any) -> Solution:
     return simulate(made, duration="24 ms", method=crank.method, parameters=crank.parameters, **crank.asked, **limits)
 
 
+def closes(run: Solution, tolerance: float) -> bool:
+    """Whether the ledger closes to LEAKS tolerances, the shares of the scales that a step may be off by.
+
+    Two revolutions have hundreds to tens of thousands of steps, whose errors mostly cancel: of fifty cranks one in four is off by
+    more than 0.1 tolerances, the worst by 18; the worst known of 620, with 72,561 steps, by 30.
+    """
+    return run.energy_residual is None or run.energy_residual < LEAKS * tolerance
+
+
 def check(run: Solution) -> None:
     """What holds of every run, however it ended: all is finite, the ledger closes, and in flight no pin is in its bush, neither between steps."""
     assert np.all(np.isfinite(run.history.part("y")))
-    assert run.energy_residual is None or run.energy_residual < 1e-4
+    assert closes(run, run.tolerance)
     least = -1e-6 * run.scales.scene[0]  # of the clearance
     flies = run["slider_pin.mode"] == 0
     assert np.all(run["slider_pin.gap"][flies] >= least)
@@ -46,6 +57,13 @@ def test_a_random_crank_ends(crank):
     run = run_of(crank, compiled=False, max_steps=100_000)
     assert run.outcome.finished or run.outcome.name == "accuracy_unreachable", (crank, run.outcome)
     check(run)
+
+
+def test_a_ledger_as_open_as_that_of_a_rough_run_is_seen():
+    """The limit follows the tolerance: one that a rough run keeps, a fine one may not come near."""
+    rough = run_of(replace(next(cranks(1)), asked={"tolerance": 1e-4}), compiled=False)
+    assert closes(rough, 1e-4)
+    assert not closes(rough, 1e-9)
 
 
 @pytest.mark.exhaustive
