@@ -19,6 +19,7 @@ from hertzwerk.runtime.solution import notebook
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import write
 from hertzwerk.runtime.sweeps.kept.array_table import Arrays, Packed
+from hertzwerk.runtime.tables.column_meanings import meaning_of
 from hertzwerk.runtime.tables.data_frame import data_frame
 from hertzwerk.runtime.tables.dataset import dataset
 from hertzwerk.runtime.tables.labelled_table import Column, LabelledTable, Points
@@ -193,12 +194,22 @@ class Sweep:
         return dataset(self._labelled())
 
     def to_file(self, path: str | Path, *, overwrite: bool = False) -> Path:
-        """Write the table as .csv, .parquet or .nc, by the ending; raises InputError."""
+        """Write the table as .csv, .parquet or .nc, by the ending; raises InputError.
+
+        Sections and histories are in the last two; `section.to_csv` writes them to a file of their own.
+        """
         return write_table(Path(path), self._labelled, self._csv, overwrite=overwrite)
 
     def _labelled(self) -> LabelledTable:
         index = Column(np.array([row.index for row in self.rows], dtype=int), "", "place in the design")
-        columns = {name: Column(self[name], None if name in TEXTS else self.unit(name)) for name in self.names}
+        columns = {
+            name: Column(
+                self[name],
+                None if name in TEXTS else self.unit(name),
+                meaning_of(name, varied=name in self.varied),
+            )
+            for name in self.names
+        }
         first = self.rows[0].given if self.rows else {}
         same = {f"parameter.{name}": _given(value) for name, value in first.items() if name not in self.varied}
         about = {"scene": self.scene, "outcome": self.outcome.name, "hertzwerk": versions()["hertzwerk"]}

@@ -29,12 +29,21 @@ def data_frame(table: LabelledTable) -> DataFrame:
 
 
 def parquet(table: LabelledTable) -> bytes:
-    """Return a Parquet file: every field has its unit and meaning as metadata; nan is null."""
+    """Return a Parquet file: every field has its unit and meaning as metadata; nan is null.
+
+    Points of the rows are columns of lists.
+    """
     arrow, writer = required("pyarrow", EXTRA), required("pyarrow.parquet", EXTRA)
     frame = data_frame(table)
     plain = arrow.Table.from_pandas(frame, preserve_index=True)
     about = {**plain.schema.metadata, b"PANDAS_ATTRS": json.dumps(frame.attrs).encode()}  # as pandas itself writes them
     fields = [field.with_metadata(table.columns[field.name].about) for field in plain.schema]
+    written = plain.cast(arrow.schema(fields, about))
+    for name, points in table.points.items():
+        for k, (each, unit) in enumerate(points.units.items()):
+            lists = arrow.array([row[:, k].tolist() for row in points.rows], arrow.list_(arrow.float64()))
+            field = arrow.field(f"{name}.{each}", lists.type, metadata={"units": unit or "1"})
+            written = written.append_column(field, lists)
     content = io.BytesIO()
-    writer.write_table(plain.cast(arrow.schema(fields, about)), content)
+    writer.write_table(written, content)
     return content.getvalue()

@@ -323,6 +323,11 @@ def _report(found: Sweep, folder: Path | None, file: Path | None) -> None:
         )
     if file is not None:
         line("written", str(file))
+        if found.arrays and file.suffix.lower() == ".csv":
+            line(
+                "left out",
+                f"{' and '.join(found.arrays)}, as CSV has no lists: --table FILE.parquet or FILE.nc has them",
+            )
 
 
 def _extremes(found: Sweep, name: str) -> Sequence[str]:

@@ -7,25 +7,26 @@ from collections.abc import Sequence
 import numpy as np
 
 from hertzwerk.runtime.pictures.curves import Curves
+from hertzwerk.runtime.pictures.draw.parts import Parts
 from hertzwerk.runtime.pictures.draw.places import Array, Landmark, Places
 from hertzwerk.runtime.solution.history import History
 
-SLIDING = 1e-6  # of the fastest: slower surfaces have no direction
+SLIDING = 1e-9  # of the fastest: slower surfaces have no direction
 
 
 def friction_of(curves: Curves, pair: str) -> Array:
     """Return the size of the friction force of a pair over the curves' times [N].
 
-    By the power that friction takes, over the sliding velocity; 0 where it does not slide, in a scene without a ledger,
-    and in a run of which there are rows alone.
+    That of a set-valued law is a history, also while it sticks. Of others by the power that friction takes, over the
+    sliding velocity; 0 where it does not slide, in a scene without a ledger, and in a run of which there are rows alone.
     """
     model, nothing = curves.run.model, np.zeros(len(curves.t))
     if f"{pair}.sliding_velocity" not in curves.run.names or not isinstance(curves.sampled, History):
         return nothing
+    if is_set_valued(curves, pair):
+        return np.abs(curves[f"{pair}.friction_force"])
     velocity = np.abs(curves[f"{pair}.sliding_velocity"])
     slides = velocity > SLIDING * np.max(velocity)
-    if f"{pair}.friction_force" in curves.run.names:
-        return np.where(slides, np.abs(curves[f"{pair}.friction_force"]), 0.0)
     entries = [
         f"{name}.dissipated"
         for name, kind, text in model.module.EFFECTS
@@ -37,6 +38,19 @@ def friction_of(curves: Curves, pair: str) -> Array:
     powers = curves.sampled.map(f"contact_{pair}", "t q u z m")[1][:, rows].sum(axis=1)
     size: Array = np.divide(powers, velocity, out=nothing, where=slides)
     return np.maximum(size, 0.0)
+
+
+def is_set_valued(curves: Curves, pair: str) -> bool:
+    """Return whether the friction force of a pair, along its tangent, is a history of the run."""
+    return f"{pair}.friction_force" in curves.run.names
+
+
+def tangent_of(parts: Parts, marks: Sequence[Landmark], normal: Array) -> Array | None:
+    """Return the tangent (3,) along which friction in plane motion counts; None in space."""
+    for k in (2, 1, 0):
+        if normal[k] == 0 and all(np.ptp(parts.positions[id(mark)][:, k]) == 0 for mark in marks[:2]):
+            return np.cross(np.eye(3)[k], normal)
+    return None
 
 
 def slip_of(places: Places, marks: Sequence[Landmark], at: Array, j: int) -> Array:

@@ -23,7 +23,7 @@ from hertzwerk.runtime.pictures.draw.picture import notes_on, spread
 from hertzwerk.runtime.pictures.draw.places import Array, Landmark, Places
 from hertzwerk.runtime.pictures.motion.clock import Clock
 from hertzwerk.runtime.pictures.motion.contact_points import CONTACTS, contact_of
-from hertzwerk.runtime.pictures.motion.friction_force import friction_of, slip_of
+from hertzwerk.runtime.pictures.motion.friction_force import friction_of, is_set_valued, slip_of, tangent_of
 from hertzwerk.runtime.pictures.motion.moving_paper import MovingPaper
 from hertzwerk.runtime.pictures.oil_films import films
 from hertzwerk.runtime.pictures.plot_panel import lines
@@ -178,6 +178,10 @@ class Stage:
         then, now = (contact_of(parts, kind, marks, row) for row in (min(j, len(places.t) - 1), i))
         if size <= 0 or then is None or now is None:
             return None
+        if is_set_valued(self.curves, name):
+            tangent = tangent_of(parts, marks, now[1])
+            sign = np.sign(self.curves[f"{name}.friction_force"][m])
+            return None if tangent is None else (sign * tangent, size)
         slip = slip_of(places, marks, then[0], j)
         along = slip - (slip @ now[1]) * now[1]
         speed = float(np.linalg.norm(along))

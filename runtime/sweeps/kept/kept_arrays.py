@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -119,10 +120,15 @@ class Kept:
 
 def place_of(section: object, grid: object, after: object) -> str:
     """Return the phrase that says where arrays are kept."""
-    places = [f"section at {section}"] if section is not None else []
+    places = [f"section at {_in_degrees(str(section))}"] if section is not None else []
     places += [f"histories on a grid of {grid}"] if grid is not None else []
     late = [f"after {after if isinstance(after, str) else f'{after:g} s'}"] if places and after is not None else []
     return re.sub(r"\d+\.\d{6,}", lambda number: f"{float(number[0]):.6g}", " ".join([" and ".join(places), *late]))
+
+
+def _in_degrees(section: str) -> str:
+    """Return the text of a section with its angle as people give angles."""
+    return re.sub(r"(\S+) rad\b", lambda angle: f"{math.degrees(float(angle[1])):.6g} deg", section)
 
 
 def read_kept(

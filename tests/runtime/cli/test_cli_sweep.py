@@ -131,6 +131,8 @@ def test_a_section_on_the_command_line_is_that_of_python(tmp_path):
     told = json.loads(run(*arguments, "--json").stdout)["arrays"]
     assert told == {"section": table.section.record(), "histories": table.histories.record()}
     assert run("--resume", "a").exit_code == 0
+    written = run("--resume", "a", "--table", "t.csv").stdout
+    assert "section and histories, as CSV has no lists: --table FILE.parquet" in " ".join(written.split())
 
 
 def test_samples_are_those_of_their_seed():

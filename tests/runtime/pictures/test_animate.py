@@ -15,6 +15,8 @@ from PIL import Image
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import Solution, load, simulate
 from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.model.build import build_hard_scene
+from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.pictures.draw.drawing import Drawing
 from hertzwerk.runtime.pictures.draw.picture import PANEL
 from hertzwerk.runtime.pictures.draw.places import Places
@@ -179,6 +181,19 @@ def test_friction_is_that_of_its_law_and_acts_against_the_slip(crank):
         assert len(thin) <= len(arrows(stage.papers[0].axis))
     texts = " ".join(text.get_text() for text in stage._layout.page.texts)
     assert "thinner its friction" in texts.replace("\n", " ")
+
+
+def test_friction_that_holds_a_body_has_its_arrow_too():
+    """A block on an incline of 3 in 4: it slides, stops, and is held by 3/5 of its weight, uphill."""
+    run = simulate(Model(build_hard_scene("incline_coulomb")), duration="0.2 s", tolerance=1e-8,
+                   parameters={"friction_coefficient": 2.0, "static_coefficient": 2.0})  # fmt: skip
+    stage = stage_of(run, 9)
+    assert run["surface.sliding_velocity"][-1] == pytest.approx(0, abs=1e-12)
+    (sliding, drag), (stuck, held) = (stage._friction("surface", k, int(stage.at[k])) for k in (1, 8))
+    assert drag == pytest.approx(2 * 0.8 * 9.81, rel=1e-6)
+    assert held == pytest.approx(0.6 * 9.81 * 1.001, rel=1e-6)  # of the carriage too
+    for way in (sliding, stuck):
+        assert way == pytest.approx([-1, 0, 0], abs=1e-12)
 
 
 def test_a_contact_without_friction_has_no_arrow_of_it(ball):

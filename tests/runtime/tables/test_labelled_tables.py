@@ -141,6 +141,12 @@ def test_points_of_rows_have_a_dimension_of_their_own(ball, tmp_path):
                     at = values.values.reshape(4, -1)[i]
                     assert same(at[: len(points)], points) and np.isnan(at[len(points) :]).all()
                 assert np.isnan(values.values[1, 1]).all()
+    lists = pq.read_table(made.to_file(tmp_path / "t.parquet"))
+    for kind, arrays in (("section", made.section), ("histories", made.histories)):
+        for name, unit in arrays.units.items():
+            assert lists.schema.field(f"{kind}.{name}").metadata[b"units"].decode() == (unit or "1")
+            read = lists.column(f"{kind}.{name}").to_pylist()
+            assert all(same(np.array(mine), points) for mine, points in zip(read, arrays[name], strict=True))
 
 
 def test_a_csv_file_opens_with_pandas(grid, tmp_path):
@@ -176,7 +182,8 @@ def test_a_netcdf_file_opens_with_xarray(name, request, tmp_path):
         assert found.sizes == table.to_xarray().sizes
         flat = found.stack(row=("drop_height", "mass")) if name == "grid" else found
         assert all(same(flat[column].values, table[column]) for column in table.names)
-        assert found["final.vertical.speed"].attrs["units"] == "m/s"
+        assert found["final.vertical.speed"].attrs == {"units": "m/s", "long_name": "vertical.speed at the end"}
+        assert found["floor.peak_force"].attrs["long_name"] == "largest contact force, of floor"
         assert found.attrs == table.to_xarray().attrs
 
 

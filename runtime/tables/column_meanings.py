@@ -1,0 +1,45 @@
+"""Meanings of the columns of a sweep's table, by their names."""
+
+from __future__ import annotations
+
+_WHOLE = {
+    "outcome": "how the run ended",
+    "message": "what the run said of its end",
+    "warnings": "what the run warned of",
+    "impacts": "number of contacts that began",
+    "peak_force": "largest contact force",
+    "max_penetration": "largest penetration of a contact",
+    "impulse": "impulse of the normal force",
+    "energy_residual": "largest error of the energy balance, of the energy that moves",
+    "error": "estimated error at the end, in the scene's scales",
+    "steps": "accepted steps",
+    "rhs_evaluations": "evaluations of the equations of motion",
+    "wall_s": "time that the row took",
+    "impact_rate": "contacts that begin per time, after the transient",
+    "mean_force": "mean normal force, after the transient",
+    "mean_peak_force": "mean of the largest force of a contact, after the transient",
+    "mean_largest_force": "mean of the largest force of a period, after the transient",
+    "dissipated_power": "mean power dissipated, after the transient",
+    "input_power": "mean power put in, after the transient",
+}
+_REDUCED = {
+    "max": "largest value of {}",
+    "min": "least value of {}",
+    "mean": "mean of {} over time",
+    "rms": "root mean square of {} over time",
+    "peak_to_peak": "largest less least value of {}",
+    "half_width": "half the width of the 95 % interval of {}",
+}
+
+
+def meaning_of(name: str, *, varied: bool) -> str:
+    """Return what a column is; empty for a user's own function."""
+    if varied:
+        return f"{name} as given"
+    if name.startswith("final."):
+        return f"{name.removeprefix('final.')} at the end"
+    whose, _, part = name.rpartition(".")
+    if whose and part in _REDUCED:
+        return _REDUCED[part].format(whose)
+    words = _WHOLE.get(part, "")
+    return f"{words}, of {whose}" if whose and words else words
