@@ -1,7 +1,8 @@
 """Settings of all tests."""
 
 import signal
-from collections import Counter
+from collections import defaultdict
+from zlib import crc32
 
 import pytest
 from hypothesis import settings
@@ -16,12 +17,16 @@ EXHAUSTIVE_S = 3600
 
 
 def pytest_collection_modifyitems(items):
-    seen = Counter()
+    turns = defaultdict(list)
     for item in items:
-        turns = item.get_closest_marker("by_turns")
-        if turns is not None:
-            if seen[item.parent, item.originalname] % turns.args[0]:
+        mark = item.get_closest_marker("by_turns")
+        if mark is not None and not item.get_closest_marker("exhaustive"):
+            turns[item.parent, item.originalname, mark.args[0]].append(item)
+    for (_, name, n), alike in turns.items():
+        first = crc32(name.encode()) % min(n, len(alike))  # tests of the same methods take different ones of them
+        for i, item in enumerate(alike):
+            if (i - first) % n:
                 item.add_marker(pytest.mark.exhaustive)
-            seen[item.parent, item.originalname] += 1
+    for item in items:
         if item.get_closest_marker("exhaustive") and not item.get_closest_marker("timeout"):
             item.add_marker(pytest.mark.timeout(EXHAUSTIVE_S))

@@ -129,8 +129,13 @@ def tree_of(file: Path) -> ast.Module:
     return ast.parse(file.read_text(encoding="utf-8"))
 
 
-def imports(file: Path) -> Iterator[tuple[ast.AST, str]]:
+@cache
+def imports(file: Path) -> tuple[tuple[ast.AST, str], ...]:
     """Every module that a file imports, wherever in it; `from a import b` counts as a.b too, for b may be a module."""
+    return tuple(found_imports(file))
+
+
+def found_imports(file: Path) -> Iterator[tuple[ast.AST, str]]:
     for node in ast.walk(tree_of(file)):
         if isinstance(node, ast.Import):
             yield from ((node, alias.name) for alias in node.names)
@@ -140,8 +145,8 @@ def imports(file: Path) -> Iterator[tuple[ast.AST, str]]:
             yield from ((node, f"{module}.{alias.name}") for alias in node.names)
         elif (
             isinstance(node, ast.Call)
-            and ast.unparse(node.func) in {"import_module", "importlib.import_module", "__import__"}
             and node.args
+            and getattr(node.func, "attr", getattr(node.func, "id", "")) in {"import_module", "__import__"}
         ):
             yield node, literal_start(node.args[0])
 

@@ -25,7 +25,14 @@ DOCUMENTS = (
     *(f"{room}/README.md" for room in ("derive", "derive/laws", "derive/scenes", "runtime", "tests")),
 )
 TEXTS = {name: (ROOT / name).read_text(encoding="utf-8") for name in DOCUMENTS}
-LONG = {"accuracy", "effects", "hardcases", "study", "validate"}  # commands that take minutes
+LONG = {
+    "accuracy",
+    "animate",
+    "effects",
+    "hardcases",
+    "study",
+    "validate",
+}  # commands that take many seconds, each with tests of its own
 
 
 def blocks(name, *languages):
@@ -234,8 +241,10 @@ def patterns():
 
 @pytest.mark.slow
 def test_every_history_is_explained():
-    runs = [simulate(load(name), duration=1e-6, tolerance=1e-3) for name in NAMES]
-    runs.append(simulate(load("double_pendulum", coordinates="absolute"), duration=1e-6, tolerance=1e-3))
+    runs = [simulate(load(name), duration=1e-6, tolerance=1e-3, method="dopri5") for name in NAMES]
+    runs.append(
+        simulate(load("double_pendulum", coordinates="absolute"), duration=1e-6, tolerance=1e-3, method="dopri5")
+    )
     names = {name for run in runs for name in run.names}
     known = dict(patterns())
     assert [name for name in sorted(names) if not any(re.fullmatch(pattern, name) for pattern in known.values())] == []

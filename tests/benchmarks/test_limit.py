@@ -8,7 +8,7 @@ from reference.slider_crank import SliderCrank, reference
 pytestmark = pytest.mark.skipif(programs.COMPILER is None, reason="needs g++")
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("friction", [False, True])
 @pytest.mark.parametrize(
     ("method", "tolerance", "error"), [("dop853", 1e-15, 1e-10), ("dopri5", 1e-11, 1e-6), ("regularised", 1e-15, 1e-10)]

@@ -7,6 +7,8 @@ from benchmarks.equal_error import ERROR_AT, crossing
 
 from reference.slider_crank import reference
 
+pytestmark = pytest.mark.by_turns(2)  # methods and sizes that run the same code
+
 
 @pytest.mark.skipif(programs.sundials() is None, reason="needs g++ and CasADi's SUNDIALS")
 @pytest.mark.parametrize("friction", [False, True])

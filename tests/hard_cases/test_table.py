@@ -27,15 +27,16 @@ LONG_IN_C = {
 
 
 def in_ci(case, method):
-    """Whether a case is two of every eight, and the method of the two by turns, an edge of a range by its side."""
+    """Whether a case is two of every sixteen, and the method of the two by turns, an edge of a range by its side."""
     second = case.name.endswith("_upper") if case.name.startswith("edge_") else CASES.index(case) % 2
-    return CASES.index(case) % 8 < 2 and method == IN_CI[second] and case.name not in LONG_IN_C
+    return CASES.index(case) % 16 < 2 and method == IN_CI[second] and case.name not in LONG_IN_C
 
 
 def by_turns(case, method):
-    """Whether CI runs it: the default of every case, and one of its other methods."""
+    """Whether CI runs it: the default of every case, and one of its other methods where it is one case of three."""
     others = [other for other in case.methods if other != METHOD]
-    return method == METHOD or (others and method == others[CASES.index(case) % len(others)])
+    turn, first = divmod(CASES.index(case), 3)
+    return method == METHOD or (others and not first and method == others[turn % len(others)])
 
 
 def marked(case, method, *, native):

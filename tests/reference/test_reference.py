@@ -149,6 +149,7 @@ def test_impact_under_gravity():
     assert soft / closed_forms.collision("1.4e8", "1.5", 1, v0).depth - 1 == pytest.approx(7.9e-4, rel=1e-2)
 
 
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize("n", [1.0, 10 / 9, 1.5, 2.0])
 @pytest.mark.parametrize("h", [0.0, 0.1425, 1.43])
 def test_collision_against_integration(n, h):

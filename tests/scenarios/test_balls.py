@@ -12,6 +12,8 @@ import pytest
 from hertzwerk.runtime import load, simulate
 from reference import closed_forms
 
+pytestmark = pytest.mark.by_turns(3)  # methods and sizes that run the same code
+
 METHODS = ("dopri5", "dop853")
 STIFFNESS = {"bouncing_ball": "2.4e10", "soft_ball": "1.4e8"}  # N/m^1.5
 V0 = closed_forms.drop_speed(1, "9.81")

@@ -14,6 +14,8 @@ from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.integrate.tableaux import methods
 from reference.slider_crank import SliderCrank, reference
 
+pytestmark = pytest.mark.by_turns(3)  # methods and sizes that run the same code
+
 ORDERS = {"dopri5": 5, "dop853": 8}
 CRANKS = {"slider_crank_frictionless": False, "slider_crank": True}  # friction
 MECHANISM = SliderCrank()

@@ -12,6 +12,8 @@ from hertzwerk.runtime import load, simulate
 from reference import ideal_slider_crank as ideal
 from reference.slider_crank import SliderCrank, reference
 
+pytestmark = pytest.mark.by_turns(2)  # methods and sizes that run the same code
+
 SCENES = {"slider_crank_frictionless": False, "slider_crank": True}  # friction
 METHODS = ("dopri5", "dop853")
 MECHANISM = SliderCrank()

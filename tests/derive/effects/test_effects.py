@@ -275,6 +275,7 @@ def below_header(text):
     return "\n".join(line for line in lines if not re.match(r'^(""".*Generated from|NAME = )', line))
 
 
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize("effect", SOUND, ids=lambda e: f"{type(e).__name__} {e.text}"[:60])
 def test_an_effect_left_out_leaves_no_trace(effect):
     """Beside all of the rest the module is, to the letter, that of a scene which never had it; its parameters are gone with it."""

@@ -240,6 +240,7 @@ def test_definitions_may_not_depend_on_the_penetration():
 # -- damping -----------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("name", HYSTERESIS)
 @pytest.mark.parametrize(
     "stiffness", ["power", "johnson", *(pytest.param(s, marks=pytest.mark.exhaustive) for s in NO_POWERS[1:])]
@@ -424,6 +425,7 @@ def test_slope_at_rest_and_emission(name):
         assert text(speed) == near(evaluate(law.force, values | {s: mpf(speed)}), rel=1e-12)
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("name", [name for name in STATELESS if name != "coulomb"])
 def test_friction_is_continuous(name):
     """No jump anywhere, at the kinks in particular: halving the step halves the largest change."""

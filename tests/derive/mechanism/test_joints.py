@@ -160,6 +160,7 @@ def check_random_tree(tree):
 # -- energy, poses, rates ----------------------------------------------------------------------------------------------
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("name", TREES)
 def test_energy_changes_by_the_power_of_the_other_forces(name, derived):
     """The power balance identity, which sees every coordinate's rate, four of a quaternion from three speeds."""

@@ -71,7 +71,8 @@ def test_every_built_in_scene_has_its_module_and_nothing_else_is_there():
     assert [built_in(name).name for name in NAMES] == list(NAMES)
 
 
-@pytest.mark.parametrize("seed", ["0", pytest.param("4711", marks=pytest.mark.exhaustive)])
+@pytest.mark.exhaustive  # in CI every process has a seed of its own, that of `derive --check` too
+@pytest.mark.parametrize("seed", ["0", "4711"])
 def test_the_text_is_the_same_for_every_hash_seed(seed):
     program = (
         "from importlib import import_module; from hashlib import sha256; from hertzwerk.derive import generate\n"
@@ -176,6 +177,7 @@ def test_the_operations_of_every_mode_are_those_that_its_functions_do(name):
     assert line == f"Operations: flight {flight} (equations of motion and gaps){in_contact}"
 
 
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize("name", NAMES)
 def test_functions_return_what_the_tables_say(name):
     """Sizes by the tables, at the start, on numbers and on both kinds of CasADi symbols."""
@@ -281,6 +283,7 @@ def without(scene, effect):
     return scene.without(effect, *(e.name for e in scene.all(Friction) if e.pair == effect))
 
 
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize(
     ("name", "effect"),
     [pytest.param(n, e, id=f"{n} without {e}", marks=[] if n in QUICK else pytest.mark.exhaustive) for n, e in EFFECTS],

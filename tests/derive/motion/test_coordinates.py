@@ -157,7 +157,15 @@ def state(tree: Derived, absolute: Derived, seed: int = 0):
     return q, u, *absolute.call("placed", t=0.3, joints=q, joint_speeds=u)
 
 
-@pytest.fixture(scope="module", params=SCENES)
+VARIED = {  # others like them are in CI
+    *("plane, across X", "plane, driven at the ground", "plane, a driven slide", "plane, integrated drive"),
+    *("points with a mass", "welded", "spatial, driven within"),
+}
+
+
+@pytest.fixture(
+    scope="module", params=[pytest.param(name, marks=[pytest.mark.exhaustive] * (name in VARIED)) for name in SCENES]
+)
 def pair(request):
     return both(SCENES[request.param])
 

@@ -102,6 +102,7 @@ def test_accelerations_and_drive_reactions_equal_kanes_method(name):
     assert deviation(TREES[name], derived_of(name)) < 1e-10
 
 
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize(
     "seed", [pytest.param(n, marks=pytest.mark.slow if n < 3 else pytest.mark.exhaustive) for n in range(30)]
 )
@@ -146,6 +147,7 @@ def test_without_a_ledger_the_same_accelerations_and_no_reactions(name):
         assert none.size == 0
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("name", TREES)
 def test_poses_equal_products_of_rotations(name):
     assert deviation_of_poses(TREES[name], derived_of(name)) < 1e-13
@@ -232,6 +234,7 @@ def test_spherical_pendulum_equals_the_textbook():
 # -- energy ------------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("name", TREES)
 def test_energy_changes_by_the_power_of_the_other_forces_and_the_drives(name):
     tree = TREES[name]

@@ -98,7 +98,7 @@ def _carries(tree: Tree, link: int, body: int) -> bool:
 CASES = [(name, kind) for name in TREES for kind in "RP"]
 
 
-@pytest.mark.by_turns(2)
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize(("name", "kind"), CASES)
 def test_accelerations_multipliers_and_reactions_solve_the_saddle_point_system(name, kind):
     case = closed(name, kind)

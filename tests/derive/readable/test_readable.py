@@ -231,7 +231,7 @@ def cases():
         yield from ((name, pair) for pair in range(pairs))
 
 
-@pytest.mark.by_turns(2)
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize(
     ("name", "pair"),
     [pytest.param(*case, marks=[] if case[0] in IN_CI else pytest.mark.exhaustive) for case in cases()],
@@ -421,7 +421,7 @@ def shape(latex):
 TYPESET = set()  # shapes; of two scenes that share a mechanism most are the same
 
 
-@pytest.mark.by_turns(2)
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize("name", in_ci(SCENES))
 def test_every_formula_can_be_typeset(read, name):
     """One of each shape; the symbols themselves all."""

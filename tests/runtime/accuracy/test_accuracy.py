@@ -446,7 +446,7 @@ def test_the_ball_that_bounced_nine_times_is_not_known_better_than_its_rounding(
     assert off / 2 < run.error.end < 100 * off
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_the_spatial_slider_crank_meets_what_is_asked_after_eight_turns():
     """At 1e-9 its speed errs by -1.4e-9 at first and by -0.7e-9 at the tolerance that checks it."""
     crank, truth = load(loops.spatial_crank()), loops.spatial_crank_at(5.0)

@@ -115,6 +115,7 @@ CASES = {
 }
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize(
     "name", [pytest.param(n, marks=pytest.mark.exhaustive) if n.startswith("bricard") else n for n in CASES]
 )

@@ -31,6 +31,7 @@ from hertzwerk.runtime import load, simulate
 from reference import bricard
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("method", ["dop853", "dopri5", "rodas", "esdirk", "auto"])
 def test_a02_at_4_seconds(method):
     """B0 of two windows as the benchmark library's other implementations have it; singular positions have been passed."""

@@ -12,6 +12,8 @@ from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.integrate.events.events import NO_EVENT, endings, locate
 from hertzwerk.runtime.integrate.step.layout import layouts
 
+pytestmark = pytest.mark.by_turns(3)  # methods and sizes that run the same code
+
 METHODS = ("dopri5", "dop853")
 SEARCH = locate()
 

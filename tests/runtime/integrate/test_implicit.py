@@ -42,6 +42,8 @@ from hertzwerk.runtime.run.engine import engine_for
 from hertzwerk.runtime.solution.scales import of_parameters
 from reference import closed_forms
 
+pytestmark = pytest.mark.by_turns(3)  # methods and sizes that run the same code
+
 IMPLICIT = ("rodas", "esdirk")
 STATIC = (9.81 / 2.4e10) ** (2 / 3)  # m, penetration of the bouncing ball at rest
 
@@ -477,6 +479,7 @@ def test_building_what_chooses_is_interrupted(crank):
     assert made.with_choice() is made.with_choice()
 
 
+@pytest.mark.exhaustive
 def test_auto_by_calls_is_auto_written_out(swung, monkeypatch):
     """What chooses is given the Jacobian by a call in explicit steps too."""
     options = {"duration": "0.3 s", "tolerance": 1e-6, "method": "auto", "compiled": False}

@@ -52,6 +52,7 @@ def check(run: Solution) -> None:
     assert np.all(run.at((run.t[steps] + run.t[steps + 1]) / 2)["slider_pin.gap"] >= least)
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("crank", list(cranks(SAMPLE)), ids=lambda crank: f"{crank.method}-{crank.friction}")
 def test_a_random_crank_ends(crank):
     run = run_of(crank, compiled=False, max_steps=100_000)

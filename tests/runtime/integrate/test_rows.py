@@ -15,6 +15,8 @@ from hertzwerk.runtime.hard_cases.cases import many
 from hertzwerk.runtime.integrate.events import events
 from hertzwerk.runtime.integrate.step.rounding import bounds, gap_rounding
 
+pytestmark = pytest.mark.by_turns(2)  # methods and sizes that run the same code
+
 EPS = 2.0**-52
 METHODS = ("dop853", "dopri5", "rodas", "esdirk", "auto")
 

@@ -136,6 +136,7 @@ def scores(memory, drifts, signals=1, samples=500):
     return np.array(found)
 
 
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize(
     ("memory", "drifts", "signals", "samples"),
     [(0, (0, 0), 1, 500), (0.8, (0, 0), 1, 2000), (0, (0, 0), 3, 500), (0.5, (0, 3e-3), 1, 500)],

@@ -102,11 +102,12 @@ def test_a_picture_that_fails_is_missing_alone(ball, monkeypatch):
 def test_saved_runs_have_equations_where_their_declaration_is_at_hand(ball, tmp_path):
     ball.save(tmp_path / "run.npz")
     saved = Solution.load(tmp_path / "run.npz")
-    alone = Outline(run_report.run_page(saved))
+    page = run_report.run_page(saved)
+    alone = Outline(page)
     assert "math" not in alone.texts
     assert any("holds no declaration of its scene" in text for text in alone.texts["p"])
     assert len(Outline(run_report.run_page(saved, model=load("soft_ball"))).texts["math"]) > 20
-    assert saved.report(tmp_path / "x.html").read_text("utf-8") == run_report.run_page(saved)
+    assert saved.report(tmp_path / "x.html").read_text("utf-8") == page
     with pytest.raises(FileExistsError, match="exists"):
         saved.report(tmp_path / "x.html")
 

@@ -46,6 +46,7 @@ RUNS = [
 ]
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize(("scene", "method", "duration", "options"), RUNS)
 def test_wherever_it_was_stopped(scene, method, duration, options):
     """After steps spread over the run, in contact and in flight, and then once more."""

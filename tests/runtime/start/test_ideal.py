@@ -133,6 +133,7 @@ def cranked(label):
     return load(slider_crank.replace(crank_drive=CRANKS[label][0]))
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("count", [4, 60])
 @pytest.mark.parametrize("label", CRANKS)
 def test_an_accelerated_crank_is_the_closed_form(label, count):

@@ -64,7 +64,7 @@ def test_the_loss_of_a_nearly_elastic_impact_is_small():
     assert bounce.out == pytest.approx(0.99, abs=1e-3)
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_the_whole_page():
     page = study.STUDY.run(True, lambda done: None, Sweeps())
     assert page.holds

@@ -57,7 +57,7 @@ def test_local_exponents_are_those_of_the_formulas(laws):
     assert found["liu_with_length"] == pytest.approx(1 + 0.5 / (1 + x), rel=1e-3)
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_the_whole_page():
     page = study.STUDY.run(True, lambda done: None, Sweeps())
     assert page.holds

@@ -264,6 +264,7 @@ def begun(client, folder, tmp_path):
             parent.kill()
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("ending", [signal.SIGINT, signal.SIGKILL])
 def test_who_starts_it_and_ends_leaves_no_row_behind_on_a_worker(client, ending, tmp_path):

@@ -48,6 +48,7 @@ def test_the_study_covers_every_damping_law(study):
     assert all(np.isfinite(c.simulated).all() for c in (*study.curves, *study.others))
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize("name", [name for name in TRIALS if name not in ("ristow", "kuwabara_kono", "power_damping")])
 def test_the_engine_returns_the_closed_form(study, name):
     found = next(c for c in study.curves if c.law == name)
