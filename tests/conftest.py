@@ -7,7 +7,7 @@ from zlib import crc32
 import pytest
 from hypothesis import settings
 
-settings.register_profile("hertzwerk", deadline=None)  # a deadline would measure the machine's load
+settings.register_profile("hertzwerk", deadline=None, max_examples=50)  # a deadline would measure the machine's load
 settings.load_profile("hertzwerk")
 
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as a shell leaves it to what it runs in the background

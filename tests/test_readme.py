@@ -25,14 +25,8 @@ DOCUMENTS = (
     *(f"{room}/README.md" for room in ("derive", "derive/laws", "derive/scenes", "runtime", "tests")),
 )
 TEXTS = {name: (ROOT / name).read_text(encoding="utf-8") for name in DOCUMENTS}
-LONG = {
-    "accuracy",
-    "animate",
-    "effects",
-    "hardcases",
-    "study",
-    "validate",
-}  # commands that take many seconds, each with tests of its own
+# Commands and options that take many seconds, each with tests of its own or a step of .ci/run
+LONG = {"accuracy", "animate", "effects", "hardcases", "study", "validate", "--check", "--restitution"}
 
 
 def blocks(name, *languages):
@@ -119,7 +113,7 @@ RUNS = [
     pytest.param(name, long, marks=pytest.mark.exhaustive if long else pytest.mark.slow)
     for name in DOCUMENTS
     for long in (False, True)
-    if any((arguments[0] in LONG or "--restitution" in arguments) == long for arguments in commands(name))
+    if any(bool(LONG & {*arguments}) == long for arguments in commands(name))
 ]
 
 
@@ -129,7 +123,7 @@ def test_commands_run_as_written(name, long, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     write_files(name, tmp_path)
     for arguments in commands(name):
-        if "--cluster" not in arguments and (arguments[0] in LONG or "--restitution" in arguments) == long:
+        if "--cluster" not in arguments and bool(LONG & {*arguments}) == long:
             done = CliRunner().invoke(main, arguments)
             assert done.exit_code == 0, (arguments, done.output)
 

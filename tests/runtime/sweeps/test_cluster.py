@@ -277,7 +277,7 @@ def test_who_starts_it_and_ends_leaves_no_row_behind_on_a_worker(client, ending,
     until(lambda: not any(client.run(lambda: cluster._one.locked()).values()))
 
 
-@pytest.mark.slow
+@pytest.mark.exhaustive
 def test_a_scheduler_that_dies_ends_it_and_the_rest_is_computed_elsewhere(tmp_path):
     def end(fraction):
         if fraction > 0.3:
