@@ -16,6 +16,8 @@ if TYPE_CHECKING:  # the list of public names
     from hertzwerk.runtime.solution.impacts import Impact as Impact
     from hertzwerk.runtime.solution.outcome import Outcome as Outcome
     from hertzwerk.runtime.solution.solution import Statistics as Statistics
+    from hertzwerk.runtime.statics.equilibrium import Equilibrium as Equilibrium, equilibrium as equilibrium
+    from hertzwerk.runtime.statics.vibrations import Mode as Mode, Modes as Modes, modes as modes
     from hertzwerk.runtime.sweeps.batch import simulate_many as simulate_many
     from hertzwerk.runtime.sweeps.parameter_sweep import sweep as sweep
     from hertzwerk.runtime.sweeps.sweep_table import Sweep as Sweep

@@ -49,11 +49,11 @@ ROOMS = {
         "units": "",
     },
     "runtime": {
-        ".": "comparing derive/faults effects loading measured model simulation solution sweeps",
+        ".": "comparing derive/faults effects loading measured model simulation solution statics sweeps",
         "accuracy": "",
         "cli": "accuracy derive/audit derive/faults derive/sheets effects hard_cases host integrate/tableaux loading "
         "measured model pictures pictures/draw pictures/motion pictures/studies report run simulation solution start "
-        "studies sweeps tables validate work_precision",
+        "statics studies sweeps tables validate work_precision",
         "command_line": "cli",
         "comparing": "measured model pictures/studies solution",
         "effects": "accuracy derive/declare derive/faults integrate/step loading model run simulation solution start",
@@ -81,6 +81,7 @@ ROOMS = {
         "simulation": "accuracy derive/faults integrate/step loading model pictures pictures/draw pictures/motion report run solution start tables",
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults host integrate/step integrate/tableaux model",
+        "statics": "derive/faults host integrate/step loading model pictures/draw run solution start",
         "studies": "derive/faults derive/sheets derive/units effects host loading measured model pictures simulation solution "
         "sweeps",
         "sweeps": "derive/declare derive/faults derive/files derive/units host loading model run simulation solution start "
@@ -358,6 +359,7 @@ COMMANDS = [
     "reports",
     "run",
     "studies",
+    "statics",
     "sweep",
 ]
 CLI = {

@@ -19,6 +19,7 @@ from hertzwerk.runtime.cli.commands.hardcases import hardcases
 from hertzwerk.runtime.cli.commands.laws import laws
 from hertzwerk.runtime.cli.commands.reports import report
 from hertzwerk.runtime.cli.commands.run import run, validate
+from hertzwerk.runtime.cli.commands.statics import modes, statics
 from hertzwerk.runtime.cli.commands.studies import study
 from hertzwerk.runtime.cli.commands.sweep import sweep
 
@@ -63,7 +64,7 @@ def main() -> None:
         click.get_current_context().color = False
 
 
-OF_SCENES = (list_scenes, laws, derive, audit, run, sweep, draw, animate, report)
+OF_SCENES = (list_scenes, laws, derive, audit, run, sweep, statics, modes, draw, animate, report)
 OF_STUDIES = (effects, compare, validate, accuracy, hardcases, study)
 for command in (*OF_SCENES, *OF_STUDIES):
     main.add_command(command)

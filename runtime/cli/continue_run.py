@@ -106,6 +106,7 @@ def _differences(
     coordinates: str | None,
     accuracy: str | None,
     method: str | None,
+    start: str | None,
 ) -> list[Fault]:
     """Return faults for the options of a command line that differ from the original run."""
     from hertzwerk.runtime.model.build import is_file
@@ -128,6 +129,8 @@ def _differences(
     if accuracy is not None:
         expected = f"none: a run goes on at its tolerance, {before.tolerance:.2g}, without an estimate"
         faults.append(Fault("--accuracy", accuracy, expected, "leave it out"))
+    if start is not None:
+        faults.append(Fault("--start", start, "none: a run goes on from where it ended", "leave it out"))
     return faults + _value_differences(before, model, assignments("--set", settings, faults))
 
 

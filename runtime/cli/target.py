@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import shlex
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +13,7 @@ from click.core import ParameterSource
 from hertzwerk.derive.faults import Fault, InputError
 
 if TYPE_CHECKING:
+    from hertzwerk.runtime.model.binding import Value
     from hertzwerk.runtime.model.model import Model
     from hertzwerk.runtime.run.request import Settings
     from hertzwerk.runtime.simulation import Solution
@@ -110,8 +111,10 @@ def solved(
     settings: Settings,
     faults: list[Fault],
     progress: Callable[[float], object],
+    *,
+    at_rest: bool = False,
 ) -> Solution:
-    """Load a target's variation and run it with the values of --set.
+    """Load a target's variation and run it with the values of --set, from its start or its equilibrium.
 
     Raises InputError with the faults found before and those of every option.
     """
@@ -122,8 +125,22 @@ def solved(
     given = assignments("--set", values, faults)
     model = loaded(target, without, laws, faults, coordinates=coordinates, others=settings.faults)
     parameters, initial = split_values(model, given)
-    check(model, settings, parameters, initial, faults)
-    return solve(model, settings, parameters, initial, progress=progress)
+    begin = _at_rest(model, parameters, initial, faults) if at_rest else initial
+    check(model, settings, parameters, begin, faults)
+    return solve(model, settings, parameters, begin, progress=progress)
+
+
+def _at_rest(
+    model: Model, parameters: Mapping[str, Value], initial: Mapping[str, Value], faults: list[Fault]
+) -> Mapping[str, Value]:
+    """Return the initial states of an equilibrium; raises InputError where there is none."""
+    from hertzwerk.runtime.statics.equilibrium import equilibrium
+
+    rest = equilibrium(model, parameters=parameters, initial=initial)
+    if not rest.found:
+        fault = Fault("--start", f"no equilibrium: {rest.outcome.message}", "a position of rest", rest.outcome.remedy)
+        raise InputError(model.name, [*faults, fault])
+    return dict(rest)
 
 
 def unwritable_faults(out: Path | None, *, wanted: bool = True) -> list[Fault]:

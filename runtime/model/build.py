@@ -102,6 +102,13 @@ def vary(
     return scene
 
 
+def held(scene: Scene) -> Scene:
+    """Return the scene with its drives held where they are at the parameter `held_time`."""
+    from hertzwerk.derive.declare.at_rest import with_drives_held
+
+    return with_drives_held(scene)
+
+
 def build(scene: Scene, source: str = "a scene") -> ModuleType:
     """Derive a scene, generate its module and execute it; raises InputError if it is inconsistent."""
     return module_of(scene.name, derive_text(scene, source))

@@ -88,6 +88,15 @@ def assemble_at(
     return q, u, tuple(fault for fault in faults or more if not fault.found.startswith(UNDER))
 
 
+def closed_near(model: Model, bound: Bound, q: Array, t: float) -> Array:
+    """Return the position at a time t [s] with closed loops that Gauss-Newton steps from q (nq,) lead to."""
+    loops = _Loops(model, bound, t)
+    if not loops.rows:
+        return q
+    _, _, jacobian, _ = loops.at(q, np.zeros(model.nu))
+    return _closed(loops, q, list(range(model.nq)), _sizes(loops, jacobian, q))
+
+
 def journals(model: Model) -> list[int]:
     """Return the rows of the outputs that vanish in closed clearances: all eccentricities."""
     return [row for rows in model.journals.values() for row in rows]

@@ -68,6 +68,11 @@ STOPPED = (
 @click.option(
     "--out", type=click.Path(path_type=Path), help="New folder to write to (default: the next runs/SCENE-NNN)."
 )
+@click.option(
+    "--start",
+    type=click.Choice(["equilibrium"]),
+    help="Start at rest where `hertzwerk statics` finds it, from the scene's start and --set.",
+)
 @MAX_STEPS
 @WALL_TIME
 @click.option(
@@ -195,6 +200,7 @@ def _simulate(
     grid: str | None,
     max_steps: str | None,
     wall_time: str | None,
+    start: str | None,
 ) -> Solution:
     """Return the solution of a command line; raises InputError with `faults` and those of all its parts."""
     from hertzwerk.runtime.run.request import METHOD, Settings
@@ -206,7 +212,7 @@ def _simulate(
     stopping.stage("building")
     limits, output = limits_of(max_steps, wall_time, faults), output_of(grid)
     settled = Settings(duration or numbers.get("duration"), accurate, None, by, "auto", output, **limits)
-    return solved(target, without, laws, coordinates, settings, settled, faults, stopping)
+    return solved(target, without, laws, coordinates, settings, settled, faults, stopping, at_rest=start is not None)
 
 
 def _report(solution: Solution) -> None:

@@ -43,10 +43,10 @@ def of_start(model: Model, parameters: Mapping[str, Value] | None, initial: Mapp
     return figure(places, unchecked(model), differences_of(model, parameters or {}, initial or {}))
 
 
-def figure(places: Places, warnings: Sequence[str], differs: str = "") -> Figure:
+def figure(places: Places, warnings: Sequence[str], differs: str = "", caption: str = "") -> Figure:
     """Draw the picture on a page of its own, with insets.
 
-    differs: the numbers and effects that are not the scene's own.
+    differs: the numbers and effects that are not the scene's own; caption: in place of what the drawing says of itself.
     """
     drawing = Drawing.of(places, PANEL)
     shown = list(insets.clearances(drawing.parts, drawing.point))
@@ -55,10 +55,10 @@ def figure(places: Places, warnings: Sequence[str], differs: str = "") -> Figure
     (width, height), left, below = drawing.size, 0.75 if plane else 0.15, 0.52 if plane else 0.1
     beside = insets.WIDTH + 0.4 if len(shown) == 1 else 0.2
     across = left + width + beside
-    caption = textwrap.wrap(drawing.caption(), int(15.5 * across))
+    lines_below = textwrap.wrap(caption or drawing.caption(), int(15.5 * across))
     cautions = [line for text in warnings for line in textwrap.wrap(text, int(15.5 * across))]
     title = title_of(places.model, places.model.module.SUMMARY)
-    foot = 0.14 + 0.165 * (len(caption) + len(cautions))
+    foot = 0.14 + 0.165 * (len(lines_below) + len(cautions))
     low = foot + below + (insets.HEIGHT if row else 0.0)
     top = max(low + height, low + insets.HEIGHT) + 0.15
     tall = top + title_height(across, title, differs)
@@ -80,7 +80,7 @@ def figure(places: Places, warnings: Sequence[str], differs: str = "") -> Figure
             inset.on(page, axis, fraction(x, y, insets.WIDTH, insets.WIDTH), drawing.point, row)
         write_title(page, title, differs)
         texts: tuple[tuple[list[str], float, dict[str, Any]], ...] = (
-            (caption, 0.07 + 0.165 * len(cautions), {"va": "bottom", "fontsize": 8.5, "color": GREY}),
+            (lines_below, 0.07 + 0.165 * len(cautions), {"va": "bottom", "fontsize": 8.5, "color": GREY}),
             (cautions, 0.07, {"va": "bottom", "fontsize": 8.5, "color": VERMILLION}),
         )
         for lines, y, look in texts:

@@ -14,7 +14,7 @@ from hertzwerk.runtime.host.lazy import cached_property
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.binding import Value
-    from hertzwerk.runtime.model.model import Model
+    from hertzwerk.runtime.model.model import Bound, Model
     from hertzwerk.runtime.solution.solution import Solution
 
 Array = NDArray[np.float64]
@@ -68,8 +68,14 @@ class Places:
         if not hasattr(model.module, "landmarks"):
             raise _without_functions(model)
         bound, q, _ = start_of(model, {} if parameters is None else parameters, {} if initial is None else initial)
-        positions, rotations = (np.array(x).reshape(1, -1) for x in model.function("poses")(0.0, q, bound.c))
-        return cls._of(model, bound.p, np.zeros(1), positions, rotations)
+        return cls.at(model, bound, 0.0, q[None])
+
+    @classmethod
+    def at(cls, model: Model, bound: Bound, t: float, positions: Array) -> Places:
+        """Return the places at coordinates (n, nq) and the time t [s] of drives; their own times count them."""
+        poses = [model.evaluate("poses", t, q, bound.c) for q in positions]
+        origins, rotations = (np.array(part) for part in zip(*poses, strict=True))
+        return cls._of(model, bound.p, np.arange(float(len(poses))), origins, rotations)
 
     @classmethod
     def over(cls, run: Solution, also: Array | None = None) -> Places:

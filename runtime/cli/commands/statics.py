@@ -1,0 +1,167 @@
+"""`hertzwerk statics`, `modes`: where a mechanism comes to rest, and its small vibrations about that."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.cli.target import COORDINATES, JSON, LAW, SET, WITHOUT, assignments, loaded
+from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, line, reports_bad_input, table
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from hertzwerk.runtime.statics.equilibrium import Equilibrium
+
+MOVED = 1e-6  # part of a shape below which a coordinate is not printed
+AT = click.option("--at", metavar="TIME", default="0", help='Time at which drives and loads are held, such as "2 ms".')
+NEAREST = click.option(
+    "--nearest", is_flag=True, help="The equilibrium nearest to the start, stable or not (Newton's method)."
+)
+PICTURE = click.option("--out", metavar="FILE", type=click.Path(path_type=Path), help="New PNG to draw it into.")
+
+
+@click.command()
+@click.argument("target")
+@SET
+@WITHOUT
+@LAW
+@COORDINATES
+@AT
+@NEAREST
+@PICTURE
+@JSON
+@reports_bad_input
+def statics(out: Path | None, as_json: bool, **options: Any) -> int:
+    """Find where TARGET comes to rest, its drives held: position, contact and drive forces, stability."""
+    rest = _read(out=out, **options)
+    if as_json:
+        from hertzwerk.runtime.cli.run_folder import json_text
+
+        record = {
+            "scene": rest.model.name,
+            "outcome": {"name": rest.outcome.name, "message": rest.outcome.message, "remedy": rest.outcome.remedy},
+            "stable": rest.stable,
+            "values": [dict(zip(("kind", "name", "value", "unit"), row, strict=True)) for row in rest.rows],
+            "indifferent": rest.indifferent,
+            "indeterminate": rest.indeterminate,
+            "notes": rest.notes,
+        }
+        click.echo(json_text(record))
+    else:
+        line(rest.model.name, f"{rest.outcome.name}: {rest.outcome.message}")
+        if rest.outcome.remedy:
+            line("remedy", rest.outcome.remedy)
+        table(("what", "name", "value", "unit"), [(kind, name, f"{x:.9g}", unit) for kind, name, x, unit in rest.rows])
+        for note in rest.notes:
+            line("note", note)
+    if rest.found:
+        _draw(out, rest.plot, told=not as_json)
+    return GOOD if rest.found else OTHER_OUTCOME
+
+
+@click.command()
+@click.argument("target")
+@SET
+@WITHOUT
+@LAW
+@COORDINATES
+@AT
+@NEAREST
+@PICTURE
+@JSON
+@reports_bad_input
+def modes(out: Path | None, as_json: bool, **options: Any) -> int:
+    """Print frequencies, damping and shapes of the small vibrations of TARGET about its equilibrium."""
+    from hertzwerk.runtime.statics.vibrations import modes as modes_of
+
+    rest = _read(out=out, **options)
+    found = modes_of(rest) if rest.found else None
+    if as_json:
+        from hertzwerk.runtime.cli.run_folder import json_text
+
+        record = {
+            "scene": rest.model.name,
+            "equilibrium": rest.outcome.name,
+            "stable": found is not None and found.stable,
+            "modes": [
+                {
+                    "eigenvalue": [mode.eigenvalue.real, mode.eigenvalue.imag],
+                    "frequency": mode.frequency,
+                    "damping_ratio": mode.damping_ratio if mode.eigenvalue else None,
+                    "shape": {name: [x.real, x.imag] for name, x in mode.shape.items()},
+                }
+                for mode in found or ()
+            ],
+            "notes": found.notes if found else rest.outcome.remedy,
+        }
+        click.echo(json_text(record))
+    elif found is None:
+        line(rest.model.name, f"{rest.outcome.name}: {rest.outcome.message}")
+        line("remedy", rest.outcome.remedy)
+    else:
+        line(rest.model.name, f"{rest.outcome.name}: {rest.outcome.message}; {len(found)} modes")
+        for number, mode in enumerate(found, 1):
+            line(f"mode {number}", str(mode))
+            told = mode.told(rest.model.units).items()
+            line("", ", ".join(text for name, text in told if abs(mode.shape[name]) > MOVED))
+        for note in found.notes:
+            line("note", note)
+    if found is None:
+        return OTHER_OUTCOME
+    if any(mode.eigenvalue for mode in found):
+        _draw(out, found.plot, told=not as_json)
+    return GOOD
+
+
+def _read(
+    *,
+    target: str,
+    settings: Sequence[str],
+    without: Sequence[str],
+    laws: Sequence[str],
+    coordinates: str | None,
+    at: str,
+    nearest: bool,
+    out: Path | None,
+) -> Equilibrium:
+    """Return the equilibrium of a target's variation; raises InputError with every fault."""
+    from hertzwerk.runtime.host.folder import unwritable
+    from hertzwerk.runtime.start.start_values import split_values
+    from hertzwerk.runtime.statics.equilibrium import equilibrium
+
+    faults: list[Fault] = []
+    if out is not None:
+        hindrance = unwritable(out.absolute().parent)
+        if out.exists():
+            faults.append(Fault("--out", f"{out}, which exists", "a new file"))
+        elif hindrance is not None:
+            faults.append(Fault("--out", hindrance, "a file in a folder that can be written to"))
+    values = assignments("--set", settings, faults)
+    model = loaded(target, without, laws, faults, coordinates=coordinates)
+    parameters, initial = split_values(model, values)
+    try:
+        found = equilibrium(model, parameters=parameters, initial=initial, at=at, nearest=nearest)
+    except InputError as error:
+        raise InputError(error.subject, [*faults, *error.faults]) from error
+    if faults:
+        raise InputError(model.name, faults)
+    return found
+
+
+def _draw(out: Path | None, picture: Callable[[], Figure], *, told: bool) -> None:
+    """Write a picture as PNG, if a file is given."""
+    if out is None:
+        return
+    from hertzwerk.runtime.solution.solution import write
+
+    content = io.BytesIO()
+    picture().savefig(content, format="png", dpi="figure")
+    path = write(out, content.getvalue(), overwrite=False)
+    if told:
+        line("written", str(path))

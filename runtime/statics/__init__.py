@@ -1,0 +1,1 @@
+"""Statics and small vibrations: equilibria, linearisation, modes."""

@@ -1,0 +1,129 @@
+"""Balance of forces at rest: F + G^T lambda + D mu = 0 where the loops are closed.
+
+F by loads, springs and the elastic forces of closed contacts, lambda of closed loops, mu of contacts that stick: the
+force along the tangent of set-valued friction, or the deflection of the bristle of a LuGre law, which is a state.
+Neither mu follows from the position, but both have a limit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import casadi as ca
+import numpy as np
+from numpy.typing import NDArray
+
+from hertzwerk.runtime.integrate.step.set_valued_friction import pairs_of
+from hertzwerk.runtime.model.caller import Callers
+from hertzwerk.runtime.model.per_model import per_model
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model.model import Bound, Model
+
+Array = NDArray[np.float64]
+
+RANK = 1e-9  # singular value over the largest below which it counts as zero
+UNDAMPED = 1e12  # m/s, approach speed at which damping laws vanish: at rest nothing approaches
+
+
+@dataclass(frozen=True)
+class Balance:
+    """Forces and directions at a position, by the speeds' freedoms; n grips.
+
+    force (nu), loops (nl) and their directions G (nl, nu); D (nu, n) by mu, S (n, nu) of sliding, limit (n) of mu;
+    stiffness K (nu, nu), minus the derivative of F + G^T lambda + D mu; moves (nq, nu) of the coordinates; gap (k) and
+    its directions W (k, nu), normal force (k) [N], in_range (k).
+    """
+
+    force: Array
+    loops: Array
+    G: Array
+    D: Array
+    S: Array
+    limit: Array
+    stiffness: Array
+    moves: Array
+    gap: Array
+    W: Array
+    normal: Array
+    in_range: Array
+
+
+def balance(model: Model, bound: Bound, t: float, q: Array, closed: Array, multipliers: Array, mu: Array) -> Balance:
+    """Evaluate the balance at q (nq,), with closed pairs (k,) [0 or 1], multipliers (nl,) and mu (n,)."""
+    nu, nq, nl, k, n = model.nu, model.nq, model.nl, model.k, len(grips_of(model))
+    shapes = ((nu,), (nl,), (nl, nu), (nu, n), (n, nu), (n,), (nu, nu), (nq, nu), (k,), (k, nu), (k,), (k,))
+    found = _balance(model)(t, q, closed, multipliers, mu, bound.c)
+    return Balance(*(np.asarray(x).reshape(shape) for x, shape in zip(found, shapes, strict=True)))
+
+
+def grips_of(model: Model) -> tuple[int, ...]:
+    """Return the pair of every grip: of set-valued friction, then of bristles."""
+    return (*pairs_of(model), *(j for _, j in _bristles(model)))
+
+
+def memory_of(model: Model, mu: Array) -> Array:
+    """Return the memory z (nz,) at rest: the bristles deflected."""
+    z = np.zeros(model.nz)
+    for i, (row, _) in enumerate(_bristles(model), model.ns):
+        z[row] = mu[i]
+    return z
+
+
+def _bristles(model: Model) -> Sequence[tuple[int, int]]:
+    return getattr(model.module, "BRISTLES", ())
+
+
+@per_model
+def _balance(model: Model) -> Callers:
+    """Build the function (t, q, closed, multipliers, mu, c) -> fields of `Balance`."""
+    t, q, u, closed, multipliers, c, z = model.symbols("t q u mode multipliers c z")
+    grips = grips_of(model)
+    mu = ca.SX.sym("mu", len(grips))
+    m = ca.vertcat(UNDAMPED * ca.SX.ones(model.nm - model.ns), ca.SX.zeros(model.ns))
+    force = model.function("applied")(t, q, u, c)[: model.nu]
+    normal, in_range = ca.SX.zeros(model.k), ca.SX.ones(model.k)
+    D, S, limit = ca.SX.zeros(model.nu, len(grips)), ca.SX.zeros(len(grips), model.nu), ca.SX.zeros(len(grips))
+    rows = dict.fromkeys(range(model.ns)) | {i: row for i, (row, _) in enumerate(_bristles(model), model.ns)}
+    for j, pair in enumerate(model.pairs):
+        touches = closed[j] > 0
+        f, _, pressing, sliding, in_range_j, *grip = model.function(f"contact_{pair}")(t, q, u, z, m, c)
+        force += ca.if_else(touches, f[: model.nu], 0)
+        normal[j], in_range[j] = ca.if_else(touches, pressing, 0), ca.if_else(touches, in_range_j, 1)
+        for i in (i for i, own in enumerate(grips) if own == j):
+            along = grip[0] if rows[i] is None else ca.jacobian(f, z[rows[i]])
+            D[:, i], S[i, :] = ca.if_else(touches, along[: model.nu], 0), ca.jacobian(sliding, u)
+            limit[i] = ca.if_else(touches, grip[3] if rows[i] is None else 1, 0)
+    loops, rate = model.function("constraints")(t, q, u, c) if model.nl else (ca.SX(0, 1), ca.SX(0, 1))
+    gap, gap_rate = model.function("gaps")(t, q, u, c) if model.k else (ca.SX(0, 1), ca.SX(0, 1))
+    G, W, moves = (
+        ca.jacobian(rate, u),
+        ca.jacobian(gap_rate, u),
+        ca.jacobian(model.function("coordinate_rates")(t, q, u, c), u),
+    )
+    total = force + ca.mtimes(G.T, multipliers) + ca.mtimes(D, mu)
+    results = [force, loops, G, D, S, limit, -ca.mtimes(ca.jacobian(total, q), moves), moves, gap, W, normal, in_range]
+    at_rest = ca.substitute(results, [u, z], [ca.SX.zeros(model.nu), ca.SX.zeros(model.nz)])
+    arguments = [t, q, closed, multipliers, mu, c]
+    return Callers(ca.Function("balance", arguments, [ca.densify(x) for x in ca.cse(at_rest)]))
+
+
+def limits(model: Model, bound: Bound, at: Balance) -> Array:
+    """Return the limits of mu (n,): of friction forces [N], and of the deflection of bristles [m]."""
+    found = at.limit.copy()
+    if len(found) > model.ns:
+        sizes = model.evaluate("scales", bound.p)[2]
+        found[model.ns :] *= [sizes[row] for row, _ in _bristles(model)]
+    return np.abs(found)
+
+
+def kernel(matrix: Array) -> Array:
+    """Return an orthonormal basis (n, d) of what a matrix (m, n) sends to zero."""
+    if not matrix.shape[0]:
+        return np.eye(matrix.shape[1])
+    _, sizes, ways = np.linalg.svd(matrix)
+    rank = int(np.sum(sizes > RANK * max(float(sizes[0]), 1e-300))) if len(sizes) else 0
+    found: Array = ways[rank:].T
+    return found

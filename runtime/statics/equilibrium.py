@@ -1,0 +1,312 @@
+"""Equilibria: positions of rest, what holds them, and what they leave open."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from hertzwerk.derive.faults import Fault, InputError, shown
+from hertzwerk.runtime.host.lazy import cached_property
+from hertzwerk.runtime.model import model as plain
+from hertzwerk.runtime.model.binding import Value
+from hertzwerk.runtime.run.request import read_duration
+from hertzwerk.runtime.solution.notebook import heading, table
+from hertzwerk.runtime.solution.outcome import Outcome
+from hertzwerk.runtime.start.start_values import start_of
+from hertzwerk.runtime.statics.balance import UNDAMPED, Array, grips_of, kernel, memory_of
+from hertzwerk.runtime.statics.held import drive_units, held, parameters_at
+from hertzwerk.runtime.statics.relaxation import Rest, Search
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from hertzwerk.runtime.model.model import Bound, Model
+
+OPEN = 1e-12  # stiffness over the largest below which a freedom is indifferent
+SHARED = 1e-6  # singular value, and part of a vector, below which it counts as zero
+REPORTED = 1e-8  # part of the forces that counts as unbalanced
+
+
+@dataclass(frozen=True)
+class Equilibrium(Mapping[str, Value]):
+    """Position of rest of a model at a time; as a mapping, the `initial` of a run.
+
+    outcome     "found"; "not_unique" where freedoms are indifferent; "no_equilibrium"
+    stable      whether every small displacement is pushed back (indifferent ones are not pushed at all)
+    contacts    normal force of every pair [N], 0 where it is open; penetrations [m] of the closed ones
+    drives      force [N] or moment [N m] of every drive, held where it is
+    sticking    friction of pairs that stick: force along the tangent [N], or deflection of the bristle [m]
+    indifferent coordinates that no force holds; indeterminate: constraints and contacts whose forces do not follow from
+                balance: those of contacts from their stiffness, those of redundant constraints from nothing
+    """
+
+    model: Model
+    bound: Bound = field(repr=False)
+    t: float
+    q: Array = field(repr=False)
+    memory: Array = field(repr=False)
+    closed: Array = field(repr=False)
+    outcome: Outcome
+    stable: bool
+    contacts: Mapping[str, float]
+    penetrations: Mapping[str, float]
+    drives: Mapping[str, float]
+    sticking: Mapping[str, float]
+    indifferent: tuple[str, ...]
+    indeterminate: tuple[str, ...]
+    residual: float
+    of: Model = field(repr=False)  # whose equilibrium was asked for
+
+    def __getitem__(self, name: str) -> Value:
+        return self._values[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._values)
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+    def __hash__(self) -> int:
+        return id(self)
+
+    @cached_property
+    def _values(self) -> dict[str, Value]:
+        model = self.model
+        own = {name: (float(value), model.units[name]) for name, value in zip(model.coordinates, self.q, strict=True)}
+        still = {} if self.drives else {name: (0.0, model.units[name]) for name in model.speeds}
+        return {**own, **still}
+
+    @property
+    def found(self) -> bool:
+        """Return whether the position is one of rest."""
+        return self.outcome.name != "no_equilibrium"
+
+    def plot(self) -> Figure:
+        """Draw the mechanism at rest, with its forces named; raises InputError where there is no equilibrium."""
+        from hertzwerk.runtime.pictures.draw.mode_shapes import at_rest
+
+        if not self.found:
+            fault = Fault("plot", f"no equilibrium: {self.outcome.message}", "a position of rest", self.outcome.remedy)
+            raise InputError(self.model.name, [fault])
+        wanted = ("normal force", "drive")
+        forces = [f"{name} {value:.4g} {unit}" for kind, name, value, unit in self.rows if kind in wanted]
+        caption = f"At rest{': ' if forces else ''}{', '.join(forces)}."
+        return at_rest(self.model, self.bound, self.t, self.q, caption, self.notes)
+
+    @property
+    def rows(self) -> tuple[tuple[str, str, float, str], ...]:
+        """Every number as (kind, name, value, unit); none without an equilibrium."""
+        model = self.model
+        if not self.found:
+            return ()
+        units = drive_units(model)
+        grips = {name: "N" if i < model.ns else "m" for i, name in enumerate(_grip_names(model))}
+        found = [
+            ("coordinate", name, float(x), model.units[name]) for name, x in zip(model.coordinates, self.q, strict=True)
+        ]
+        found += [("normal force", name, x, "N") for name, x in self.contacts.items()]
+        found += [("penetration", name, x, "m") for name, x in self.penetrations.items()]
+        found += [("drive", name, x, units[name]) for name, x in self.drives.items()]
+        found += [("sticks", name, x, grips[name]) for name, x in self.sticking.items()]
+        return tuple(found)
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Reservations: instability, choice among many, forces that balance alone leaves open."""
+        told = [] if self.stable or not self.found else ["unstable: some displacement is pushed further away"]
+        if self.indifferent:
+            told.append(f"indifferent: {', '.join(self.indifferent)} may have other values; no force holds them")
+        if self.sticking:
+            told.append(f"one of many: {', '.join(self.sticking)} sticks, and holds within a range of positions")
+        if self.indeterminate:
+            told.append(
+                f"statically indeterminate: balance alone leaves the forces of {', '.join(self.indeterminate)} open"
+            )
+        return tuple(told)
+
+    def __repr__(self) -> str:
+        return f"<Equilibrium {self.model.name}: {self.outcome.name}>"
+
+    def __str__(self) -> str:
+        lines = [
+            f"{self.outcome.name}: {self.outcome.message}",
+            *([self.outcome.remedy] if self.outcome.remedy else []),
+        ]
+        lines += [f"{kind:<13} {name} = {_shown(value, unit)}" for kind, name, value, unit in self.rows]
+        return "\n".join([*lines, *self.notes])
+
+    def _repr_html_(self) -> str:
+        colour = "finished" if self.outcome.name == "found" else self.outcome.name
+        head = heading(self.model.name, colour, f": {self.outcome.message}")
+        rows = ((kind, name, _shown(value, unit)) for kind, name, value, unit in self.rows)
+        notes = "".join(f"<p>{note}</p>" for note in self.notes)
+        return head + notes + table(("", "name", "value"), rows)
+
+
+def equilibrium(
+    model: Model,
+    *,
+    parameters: Mapping[str, Value] | None = None,
+    initial: Mapping[str, Value] | None = None,
+    at: str | float = 0.0,
+    nearest: bool = False,
+) -> Equilibrium:
+    """Find a position of rest of a model, its drives held where they are at a time.
+
+    parameters, initial    values in place of the model's, each with its unit; the search begins at that start
+    at         time [s] or text such as "2 ms": of drives, and of loads that depend on time
+    nearest    the equilibrium that Newton's method finds from the start, stable or not; else where a strongly damped
+               motion from the start comes to rest: contacts close on the way, and what slides down comes to rest below
+
+    Loads and springs act, and closed contacts by their elastic force; dampers, smoothed friction and drives of given
+    force of the speed alone do nothing at rest. Set-valued friction and bristles hold up to their limit. The result is
+    an `initial` of `simulate`. Raises InputError for bad input and for nothing else: whether there is an equilibrium
+    is `Equilibrium.outcome`.
+    """
+    if not isinstance(model, plain.Model):
+        raise InputError("equilibrium", [Fault("model", shown(model), "a model that `load` returned")])
+    t = _time(model, at)
+    still = held(model)
+    given = parameters_at(model, still, {} if parameters is None else parameters, t)
+    wanted = {} if initial is None else dict(initial)
+    if still is not model:  # what moves is held: its speeds are 0
+        speeds = {*model.joints.speeds, *model.latches}
+        wanted = {name: value for name, value in wanted.items() if name not in speeds}
+    bound, q, _ = start_of(still, given, wanted)
+    search = Search(still, bound, t)
+    rest = search.nearest(q) if nearest else search.relaxed(q)
+    return _result(model, still, bound, t, search, rest)
+
+
+def _time(model: Model, at: str | float) -> float:
+    if at == 0 or at == "0":
+        return 0.0
+    faults: list[Fault] = []
+    t = read_duration(model, {}, at, faults)
+    if faults:
+        raise InputError(model.name, [Fault("at", shown(at), 'a time from 0 s on, such as "2 ms"')])
+    return t
+
+
+def _result(of: Model, model: Model, bound: Bound, t: float, search: Search, rest: Rest) -> Equilibrium:
+    at, grips = rest.balance, _grip_names(model)
+    touching = [j for j in range(model.k) if rest.closed[j]]
+    sticking = {name: float(rest.mu[i]) for i, name in enumerate(grips) if rest.closed[grips_of(model)[i]]}
+    least, indifferent = _least_stiffness(model, search, rest)
+    return Equilibrium(
+        model=model,
+        bound=bound,
+        t=t,
+        q=rest.q,
+        memory=memory_of(model, rest.mu),
+        closed=rest.closed,
+        outcome=_outcome(model, rest, indifferent),
+        stable=rest.found and least >= 0,
+        contacts={pair: float(at.normal[j]) for j, pair in enumerate(model.pairs)},
+        penetrations={model.pairs[j]: float(-at.gap[j]) for j in touching},
+        drives=_drives(model, bound, t, rest),
+        sticking=sticking,
+        indifferent=indifferent if rest.found else (),
+        indeterminate=_indeterminate(model, search, rest) if rest.found else (),
+        residual=float(np.max(np.abs(rest.unbalanced), initial=0.0)),
+        of=of,
+    )
+
+
+def _shown(value: float, unit: str) -> str:
+    return f"{value:.9g}" if unit == "1" else f"{value:.9g} {unit}"
+
+
+def _outcome(model: Model, rest: Rest, indifferent: tuple[str, ...]) -> Outcome:
+    if rest.found and indifferent:
+        return Outcome("not_unique", f"at rest, with {', '.join(indifferent)} indifferent", "state them in `initial`")
+    if rest.found:
+        return Outcome("found", "at rest", "")
+    loose = [
+        f"{name} by {abs(part):.2g}"
+        for name, part in zip(model.speeds, rest.unbalanced, strict=True)
+        if abs(part) > REPORTED
+    ]
+    outside = [pair for pair, good in zip(model.pairs, rest.balance.in_range, strict=True) if good < 0.5]
+    why = (
+        f"the laws of {', '.join(outside)} are not defined at the loads"
+        if outside
+        else "nothing holds the mechanism at rest"
+    )
+    slides = [pair for j, pair in enumerate(model.pairs) if rest.closed[j] and j not in grips_of(model)]
+    smooth = any(kind == "friction" for _, kind, _ in model.module.EFFECTS) and slides
+    remedy = "look for a load without a support, or start nearer to one"
+    if smooth:
+        remedy += "; smoothed friction holds nothing at rest, the laws coulomb and lugre do"
+    return Outcome(
+        "no_equilibrium", f"{why}; unbalanced, of the forces: {', '.join(loose) or 'none, but loops stay open'}", remedy
+    )
+
+
+def _least_stiffness(model: Model, search: Search, rest: Rest) -> tuple[float, tuple[str, ...]]:
+    """Return the sign of the least stiffness of what can move, and the coordinates without any."""
+    free = kernel(np.vstack([rest.balance.G, rest.balance.S[_sticks(model, rest)]]) * search.scale)
+    stiffness = free.T @ (search.scale[:, None] * rest.balance.stiffness * search.scale) @ free
+    if not stiffness.size:
+        return 0.0, ()
+    _, sizes, ways = np.linalg.svd(stiffness)
+    open_ = sizes <= OPEN * max(float(sizes[0]), 1e-300)
+    least = float(np.linalg.eigvalsh((stiffness + stiffness.T) / 2)[0])
+    moved = np.abs(free @ ways[open_].T) * search.scale[:, None]
+    names = _coordinates_of(model, rest.balance.moves)
+    found = [names[i] for i in range(model.nu) if np.max(moved[i] / search.scale[i], initial=0.0) > SHARED**0.5]
+    return (0.0 if least >= -OPEN * float(sizes[0]) else -1.0), tuple(dict.fromkeys(found))
+
+
+def _indeterminate(model: Model, search: Search, rest: Rest) -> tuple[str, ...]:
+    """Return constraints and closed contacts whose forces can be in balance among themselves."""
+    at, sticks = rest.balance, _sticks(model, rest)
+    touching = [j for j in range(model.k) if rest.closed[j]]
+    columns = np.vstack([at.G, at.W[touching], at.S[sticks]]) * search.scale
+    names = [*model.constraints, *(model.pairs[j] for j in touching), *(f"{_grip_names(model)[i]}" for i in sticks)]
+    if not len(columns):
+        return ()
+    sizes = np.maximum(np.linalg.norm(columns, axis=1), 1e-300)
+    ways = kernel((columns / sizes[:, None]).T)
+    return tuple(
+        dict.fromkeys(name for name, row in zip(names, ways, strict=True) if np.max(np.abs(row), initial=0.0) > SHARED)
+    )
+
+
+def _sticks(model: Model, rest: Rest) -> list[int]:
+    return [i for i, j in enumerate(grips_of(model)) if rest.closed[j]]
+
+
+def _coordinates_of(model: Model, moves: Array) -> list[str]:
+    """Return the coordinate that each speed moves, or the orientation that it turns."""
+    found, turned = [], {i + k for i in model.quaternions for k in range(4)}
+    for column in moves.T:
+        row = int(np.argmax(np.abs(column)))
+        name = model.coordinates[row]
+        found.append(f"{name.rpartition('.')[0]}.orientation" if row in turned else name)
+    return found
+
+
+def _grip_names(model: Model) -> list[str]:
+    bristles = [name.rpartition(".")[0] for name in model.memory if name.endswith(".bristle")]
+    return [*(name.rpartition(".")[0] for name, *_ in model.slips), *bristles]
+
+
+def _drives(model: Model, bound: Bound, t: float, rest: Rest) -> dict[str, float]:
+    """Return what every drive supplies to hold its joint [N or N m]."""
+    names = drive_units(model)
+    if not names:
+        return {}
+    still, z = np.zeros(model.nu), memory_of(model, rest.mu)
+    m = np.concatenate([np.full(model.nm - model.ns, UNDAMPED), np.zeros(model.ns)])
+    forces = model.evaluate("applied", t, rest.q, still, bound.c)[0].copy()
+    for j, pair in enumerate(model.pairs):
+        if rest.closed[j]:
+            f, *others = model.evaluate(f"contact_{pair}", t, rest.q, still, z, m, bound.c)
+            forces += f
+            forces += sum(others[4] * rest.mu[i] for i, own in enumerate(grips_of(model)[: model.ns]) if own == j)
+    _, reactions, *_ = model.evaluate("accelerations", t, rest.q, still, forces, bound.c)
+    return {drive: float(value) for drive, value in zip(names, reactions, strict=True)}

@@ -1,0 +1,228 @@
+"""Search for positions of rest: steps of a strongly damped motion, ever longer, then Newton's method.
+
+W dx/ds = F + G^T lambda + D mu is how the mechanism would creep through a viscous fluid; its implicit Euler steps
+take the stiffness of contacts that close on the way as it is, and end in Newton's method as they grow. What they
+approach is stable. Where contacts stick they hold what is below their limit, else they creep. Kelley, Keyes, SIAM J.
+Numer. Anal. 35 (1998) 508 (pseudo-transient continuation).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hertzwerk.runtime.statics.balance import Array, Balance, balance, grips_of, kernel, limits
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.model.model import Bound, Model
+
+Flags = NDArray[np.bool_]
+
+STEPS, ITERATIONS, POLISH = 400, 40, 40
+LONGER, SHORTER = 4.0, 8.0  # factors of a step after success and failure
+FIRST = 0.1  # scales: first displacement
+TURN = 0.3  # rad: largest of an iteration
+DEEP = 0.1  # of the scene's length: largest penetration that an iteration may make of a gap
+SETTLED = 1e-6  # scales: change that ends the iterations of a step
+BALANCED = 1e-10  # sum of the forces over the largest force that was met
+EPS = 1e-14  # rounding of a position, in scales
+CLOSED = 1e-11  # residual of a loop over the largest motion by a coordinate
+HOLDS = 1e-9  # excess of a grip over its limit that counts as rounding
+STEADY, ROUNDS = 1e-13, 3  # scales: change that ends Newton's method, or so many rounds in balance
+NEAR, TRIED = 1.0, 4  # scales: shorter steps try Newton's method, longer ones one in so many
+AWAY = 1e9  # scales: what moves further has no place of rest
+
+
+@dataclass
+class Rest:
+    """Position q (nq,), multipliers (nl,), mu (n,), closed pairs (k,), and whether each grip sticks (n,).
+
+    unbalanced (nu,): what is left of the forces, relative to the largest force that was met.
+    """
+
+    q: Array
+    multipliers: Array
+    mu: Array
+    closed: Array
+    sticks: Flags
+    balance: Balance
+    unbalanced: Array
+    found: bool = False
+
+
+@dataclass
+class Search:
+    """Search for the rest of a model at a time; scale (nu,): displacements that count as one, length [m]."""
+
+    model: Model
+    bound: Bound
+    t: float
+    scale: Array = field(init=False)
+    length: float = field(init=False)
+    most: float = field(init=False, default=0.0)  # largest force times its scale that was met [J]
+
+    def __post_init__(self) -> None:
+        _, su, _, scene = self.model.evaluate("scales", self.bound.p)
+        length, speed = (float(x) if np.isfinite(x) and x > 0 else 1.0 for x in scene[:2])
+        sizes = np.where(np.isfinite(su) & (su > 0), su, speed) / speed * length
+        self.scale, self.length = np.maximum(sizes, 1e-12), length
+
+    def start(self, q: Array) -> Rest:
+        """Return the state of the search at a position."""
+        model, n = self.model, len(grips_of(self.model))
+        return self._at(q, np.zeros(model.nl), np.zeros(n), np.ones(n, dtype=bool))
+
+    def nearest(self, q: Array) -> Rest:
+        """Return the equilibrium that Newton's method finds from a position, stable or not."""
+        return self._polished(self.start(q))
+
+    def relaxed(self, q: Array) -> Rest:
+        """Return the place of rest that a strongly damped motion from a position leads to."""
+        rest = self._polished(self.start(q), within=SETTLED)
+        if rest.found:
+            return rest
+        rest = self.start(q)
+        pull = float(np.max(np.abs(rest.balance.force * self.scale), initial=0.0)) or 1.0
+        stretch, moved = FIRST / pull, 0.0  # pseudo-time over the weight 1/scale^2
+        for count in range(1, STEPS + 1):
+            following = self._step(rest, stretch)
+            if following is None:
+                stretch /= SHORTER
+                continue
+            rest, change = following
+            stretch, moved = stretch * LONGER, moved + change
+            if moved > AWAY:
+                break
+            if change < NEAR or count % TRIED == 0:
+                polished = self._polished(rest, within=max(change, SETTLED))
+                if polished.found:
+                    return polished
+        return rest
+
+    # -- one step ------------------------------------------------------------------------------------------------------
+
+    def _step(self, rest: Rest, stretch: float) -> tuple[Rest, float] | None:
+        """Take an implicit step of the damped motion; return it and its size in scales, None if it fails."""
+        least = 2.0 * max(-self._least_stiffness(rest), 0.0)  # where it is negative, a longer step would go uphill
+        drag = max(1.0 / stretch, least) / self.scale**2
+        here, total = rest, np.zeros(self.model.nu)
+        for _ in range(ITERATIONS):
+            found = self._iterate(here, drag, total)
+            if found is None:
+                return None
+            here, total = found[0], total + found[1]
+            self._decide(here, total)
+            if self._size(found[1]) <= SETTLED * max(1.0, self._size(total)):
+                return here, self._size(total)
+        return None
+
+    def _polished(self, rest: Rest, within: float = np.inf) -> Rest:
+        """Iterate without drag, all contacts sticking; found where the forces balance within so many scales."""
+        here, total, no_drag = replace(rest, sticks=np.ones(rest.mu.size, dtype=bool)), 0.0, np.zeros(self.model.nu)
+        settled = 0
+        for _ in range(POLISH):
+            found = self._iterate(here, no_drag, no_drag)
+            if found is None or (total := total + self._size(found[1])) > within:
+                break
+            here = found[0]
+            settled = settled + 1 if self._balanced(here) else 0
+            if settled and (settled >= ROUNDS or self._size(found[1]) <= STEADY):
+                return replace(here, found=True)
+        return rest
+
+    def _balanced(self, rest: Rest) -> bool:
+        """Return whether forces balance, loops are closed, grips hold and every law is in its range."""
+        at = rest.balance
+        reach = max(
+            float(np.max(np.abs(at.G), initial=0.0)) * max(1.0, float(np.max(np.abs(rest.q), initial=0.0))), 1e-9
+        )
+        return bool(
+            np.all(np.abs(rest.unbalanced) <= BALANCED)
+            and np.all(np.abs(at.loops) <= CLOSED * reach)
+            and np.all(np.abs(rest.mu) <= limits(self.model, self.bound, at) * (1 + HOLDS))
+            and np.all(at.in_range > 0.5)
+        )
+
+    def _iterate(self, rest: Rest, drag: Array, total: Array) -> tuple[Rest, Array] | None:
+        """Take one Newton iteration of drag total = F + G^T lambda + D mu.
+
+        Loops are closed, and contacts stick. Return what it leads to, and its change (nu,); None where the equations are not finite.
+        """
+        at, nu, loops = rest.balance, self.model.nu, self.model.nl
+        sticks = np.flatnonzero(rest.sticks & (rest.closed[list(grips_of(self.model))] > 0))
+        slides = np.setdiff1d(np.arange(rest.mu.size), sticks)
+        directions, held = np.vstack([at.G, at.S[sticks]]), np.hstack([at.G.T, at.D[:, sticks]])
+        n, unit = nu + len(directions), self.scale
+        matrix = np.zeros((n, n))
+        matrix[:nu, :nu] = unit[:, None] * (at.stiffness + np.diag(drag)) * unit
+        matrix[:nu, nu:], matrix[nu:, :nu] = -unit[:, None] * held, directions * unit
+        known = at.force + at.D[:, slides] @ rest.mu[slides] - drag * total
+        found = _solved(matrix, np.concatenate([unit * known, -at.loops, -at.S[sticks] @ total]))
+        if found is None:
+            return None
+        part = self._part(at, unit * found[:nu])
+        change, multipliers, mu = part * unit * found[:nu], rest.multipliers.copy(), rest.mu.copy()
+        multipliers += part * (found[nu : nu + loops] - multipliers)
+        mu[sticks] += part * (found[nu + loops :] - mu[sticks])
+        mu[rest.closed[list(grips_of(self.model))] == 0] = 0.0
+        moved = rest.q + at.moves @ change
+        for i in self.model.quaternions:
+            moved[i : i + 4] /= np.linalg.norm(moved[i : i + 4])
+        if not np.all(np.isfinite(moved)):
+            return None
+        return self._at(moved, multipliers, mu, rest.sticks), change
+
+    def _part(self, at: Balance, change: Array) -> float:
+        """Return the part of an iteration's change that neither turns too far nor closes a gap too deep."""
+        turns = np.array([unit == "rad/s" for unit in (self.model.units[name] for name in self.model.speeds)])
+        part = min(1.0, TURN / max(float(np.max(np.abs(change[turns]), initial=0.0)), 1e-300))
+        rates = at.W @ change
+        for gap, rate in zip(at.gap, rates, strict=True):
+            if gap > 0 > gap + rate:
+                part = min(part, (gap + DEEP * self.length) / -rate)
+        return part
+
+    def _least_stiffness(self, rest: Rest) -> float:
+        """Return the least eigenvalue of the stiffness, in scales, of what moves with closed loops."""
+        free, unit = kernel(rest.balance.G * self.scale), self.scale
+        stiffness = free.T @ (unit[:, None] * rest.balance.stiffness * unit) @ free
+        return float(np.linalg.eigvalsh(stiffness + stiffness.T)[0]) / 2 if stiffness.size else 0.0
+
+    def _decide(self, rest: Rest, total: Array) -> None:
+        """Decide which grips stick in a step: what was beyond its limit slips, while that takes energy."""
+        bound, ways = limits(self.model, self.bound, rest.balance), rest.balance.D.T @ total
+        for i, limit in enumerate(bound):
+            if rest.sticks[i]:
+                rest.sticks[i] = abs(rest.mu[i]) <= limit * (1 + HOLDS)
+            else:
+                rest.sticks[i] = rest.mu[i] * ways[i] > 0
+            rest.mu[i] = np.clip(rest.mu[i], -limit, limit)
+
+    def _at(self, q: Array, multipliers: Array, mu: Array, sticks: Flags) -> Rest:
+        model, still = self.model, np.zeros(self.model.nu)
+        gap = model.evaluate("gaps", self.t, q, still, self.bound.c)[0] if model.k else still[:0]
+        closed = (gap < 0).astype(float)
+        at = balance(model, self.bound, self.t, q, closed, multipliers, mu)
+        terms = np.vstack([at.force, at.G * multipliers[:, None], at.D.T * mu[:, None]]) * self.scale
+        pressed = at.W * at.normal[:, None] * self.scale
+        self.most = max(self.most, *(float(np.max(np.abs(x), initial=0.0)) for x in (terms, pressed)))
+        left = np.sum(terms, axis=0)
+        rounding = EPS * float(np.max(np.abs(self.scale[:, None] * at.stiffness * self.scale), initial=0.0))
+        return Rest(q, multipliers, mu, closed, sticks.copy(), at, left / max(self.most, rounding / BALANCED, 1e-300))
+
+    def _size(self, change: Array) -> float:
+        return float(np.max(np.abs(change) / self.scale, initial=0.0))
+
+
+def _solved(matrix: Array, right: Array) -> Array | None:
+    """Solve a system that redundant loops or indifferent freedoms make singular, with the least solution."""
+    if not np.all(np.isfinite(matrix)) or not np.all(np.isfinite(right)):
+        return None
+    rows = np.maximum(np.abs(matrix).max(axis=1, initial=0.0), 1e-300)
+    columns = np.maximum(np.abs(matrix / rows[:, None]).max(axis=0, initial=0.0), 1e-300)
+    scaled = matrix / rows[:, None] / columns
+    found: Array = np.linalg.lstsq(scaled, right / rows, rcond=1e-13)[0] / columns
+    return found

@@ -1,0 +1,202 @@
+"""Equilibria against closed forms: Hertz' law, virtual work, buckling, friction's range, forces that balance leaves open."""
+
+import math
+
+import casadi as ca
+import numpy as np
+import pytest
+from handmade import point
+from loops import cranks, four_bar
+from scipy.optimize import brentq
+
+from hertzwerk.derive import (  # fmt: skip
+    GROUND,
+    Body,
+    Contact,
+    Friction,
+    Gravity,
+    InputError,
+    JointForce,
+    Mechanism,
+    Parameter,
+    Prismatic,
+    Scales,
+    Scene,
+    SphereOnPlane,
+    Start,
+    X,
+    Y,
+)
+from hertzwerk.derive.laws import coulomb, lugre, power
+from hertzwerk.runtime import equilibrium, load, modes, simulate
+from hertzwerk.runtime.statics.balance import balance, grips_of
+
+G = 9.81
+
+
+@pytest.fixture(scope="module")
+def ball():
+    return load("bouncing_ball")
+
+
+def test_a_ball_dropped_from_a_metre_rests_on_hertz_law(ball):
+    """K d^(3/2) = m g, and vibrates with k = 3/2 K d^(1/2): Hertz, J. reine angew. Math. 92 (1882) 156."""
+    rest = equilibrium(ball, parameters={"mass": "2 kg"})
+    depth = (2 * G / 2.4e10) ** (2 / 3)
+    assert rest.outcome.name == "found" and rest.stable and not rest.indeterminate
+    assert rest.penetrations["floor"] == pytest.approx(depth, rel=1e-9)
+    assert rest.contacts["floor"] == pytest.approx(2 * G, rel=1e-9)
+    assert modes(rest).frequencies == pytest.approx(
+        [math.sqrt(1.5 * 2.4e10 * depth**0.5 / 2) / (2 * math.pi)], rel=1e-9
+    )
+
+
+def test_a_run_from_rest_stays_there(ball):
+    rest = equilibrium(ball)
+    run = simulate(ball, duration="20 ms", tolerance=1e-8, initial=rest)
+    assert dict(rest) == {"vertical.travel": (rest.q[0], "m"), "vertical.speed": (0.0, "m/s")}
+    assert run["floor.normal_force"] == pytest.approx(np.full(len(run.t), G), rel=1e-4)
+
+
+def test_buckling_past_the_critical_load():
+    """k x = P sin(x) with P = 2 k: the upright is an equilibrium that grows with sqrt(P - k), the buckled one is stable."""
+    strut = point(push=lambda t, x, v: -x + 2 * ca.sin(x))
+    straight = equilibrium(strut, initial={"path.travel": "0.1 m"}, nearest=True)
+    assert straight.q[0] == pytest.approx(0, abs=1e-12) and not straight.stable
+    assert max(mode.eigenvalue.real for mode in modes(straight)) == pytest.approx(1, rel=1e-9)
+    buckled = equilibrium(strut, initial={"path.travel": "0.1 m"})
+    angle = brentq(lambda x: 2 * math.sin(x) - x, 1, 3, xtol=1e-15)
+    assert buckled.q[0] == pytest.approx(angle, rel=1e-10) and buckled.stable
+    assert modes(buckled).frequencies == pytest.approx([math.sqrt(1 - 2 * math.cos(angle)) / (2 * math.pi)], rel=1e-9)
+
+
+def test_no_support_is_no_equilibrium_and_no_force_leaves_all_open():
+    falling = equilibrium(point(push=lambda t, x, v: 1 + 0 * x))
+    assert falling.outcome.name == "no_equilibrium" and "path.speed" in falling.outcome.message
+    assert not falling.found and not falling.stable and not falling.rows
+    with pytest.raises(InputError, match="no equilibrium"):
+        modes(falling)
+    floating = equilibrium(point())
+    assert floating.outcome.name == "not_unique" and floating.indifferent == ("path.travel",)
+
+
+def test_loads_are_those_of_the_time():
+    assert equilibrium(point(push=lambda t, x, v: t - x), at="2 s").q[0] == pytest.approx(2)
+
+
+def test_the_torque_that_holds_a_four_bar_by_virtual_work():
+    """M = dV/dtheta, V the potential of the closed linkage by the intersection of two circles."""
+    lengths = (1.0, 2.5, 2.0, 2.2)
+    rest = equilibrium(load(four_bar(*lengths, 2.0)), at="0.35 s")
+
+    def potential(theta: float) -> float:
+        a, b, c, d = lengths
+        tip = a * np.exp(1j * theta)
+        far = d - tip
+        along = (b**2 - c**2 + abs(far) ** 2) / (2 * abs(far))
+        corner = tip + far / abs(far) * (along + 1j * math.sqrt(b**2 - along**2))
+        return float(G * (tip.imag / 2 + (tip.imag + corner.imag) / 2 + corner.imag / 2))
+
+    h = 1e-5
+    by_work = (potential(0.7 + h) - potential(0.7 - h)) / (2 * h)
+    by_statics = rest.drives["drive"]
+    assert rest.outcome.name == "found"
+    assert by_statics == pytest.approx(by_work, rel=1e-8)
+    assert not len(modes(rest))  # nothing is left to vibrate
+
+
+def test_a_pin_with_clearance_rests_at_the_side_that_carries():
+    """Half the rod's weight hangs on the slider's pin, and the crank's drive holds half of it: the rod lies level."""
+    rest = equilibrium(load("slider_crank"))
+    assert rest.contacts["slider_pin"] == pytest.approx(0.21 * G / 2, rel=1e-3)
+    assert rest.drives["crank_drive"] == pytest.approx(0.05 * 0.21 * G / 2, rel=1e-3)
+    assert rest.q[0] == pytest.approx(-0.5e-3 / 0.12, rel=1e-3)  # the rod's end hangs by the clearance
+
+
+def test_redundant_loops_swing_as_one_pendulum_and_are_named():
+    """Three cranks on one coupler, two of which would do: w^2 = g (3 m L/2 + m L) / (3 (J + m L^2/4) + m L^2)."""
+    model = load(cranks())
+    rest = equilibrium(model)
+    assert rest.found and rest.stable
+    assert [math.cos(q) for q in rest.q[[0, 2]]] == pytest.approx([0, 0], abs=1e-9)
+    assert {name.partition(".")[0] for name in rest.indeterminate} >= {"right", "middle"}
+    wanted = math.sqrt(G * 2.5 / (3 * (0.1 + 0.25) + 1))
+    assert 2 * math.pi * modes(rest).frequencies == pytest.approx([wanted], rel=1e-8)
+
+
+# ---- friction, several contacts ------------------------------------------------------------------------------------------
+
+
+def sledge(friction=None, floors=1):
+    """A sphere that does not turn, on a floor, with a force along it."""
+    mass, radius = Parameter("mass", "kg", 1), Parameter("radius", "m", 0.1)
+    cart, body = (Body(name, mass=mass) for name in ("cart", "body"))
+    pairs = tuple(SphereOnPlane(f"floor_{i}", body.at(0, 0, 0), radius, GROUND.at(0, 0, 0), Y) for i in range(floors))
+    stiffness = [Parameter(f"stiffness_{i}", "N/m", 1e5 * (i + 1)) for i in range(floors)]
+    return Scene(
+        Mechanism("sledge", (Prismatic("along", GROUND, cart, axis=X), Prismatic("up", cart, body, axis=Y)), pairs),
+        effects=(
+            Gravity("weight", Parameter("weight", "m/s^2", 10), direction=-Y),
+            JointForce("downhill", "along", Parameter("downhill", "N", 0)),
+            *(Contact(pair.name, power(k, 1)) for pair, k in zip(pairs, stiffness, strict=True)),
+            *([Friction("rub", "floor_0", friction)] if friction else []),
+        ),
+        scales=Scales(length=Parameter("depth", "mm", 0.1), speed=Parameter("pace", "m/s", 1)),
+        start=Start(position={"up": radius + Parameter("height", "mm", 5)}),
+    )
+
+
+MU = Parameter("mu_k", "1", 0.2), Parameter("mu_s", "1", 0.3)
+
+
+def test_set_valued_friction_holds_up_to_its_limit_and_no_further():
+    """Two bodies of 1 kg weigh 10 N each, only one presses: 0.3 x 10 N hold 2 kg against 2.99 N, not against 1.51."""
+    model = load(sledge(coulomb(*MU)))
+    held = equilibrium(model, parameters={"downhill": "2.99 N"}, initial={"up.travel": "99.9 mm"})
+    assert held.outcome.name == "found" and "one of many" in " ".join(held.notes)
+    assert abs(held.sticking["floor_0"]) == pytest.approx(2.99, rel=1e-9)
+    assert held.q[0] == pytest.approx(0, abs=1e-12)
+    assert 2 * math.pi * modes(held).frequencies == pytest.approx([math.sqrt(1e5)], rel=1e-9)  # the other sticks
+    gone = equilibrium(model, parameters={"downhill": "3.01 N"})
+    assert gone.outcome.name == "no_equilibrium" and "along.speed" in gone.outcome.message
+
+
+def test_bristles_hold_as_far_as_they_bend():
+    model = load(sledge(lugre(*MU, *(Parameter(name, unit, x) for name, unit, x in
+        (("v_S", "m/s", 0.01), ("s_0", "1/m", 1e4), ("s_1", "s/m", 10), ("c_v", "N s/m", 0))))))  # fmt: skip
+    held = equilibrium(model, parameters={"downhill": "2.99 N"})
+    assert held.outcome.name == "found"
+    assert abs(held.sticking["rub"]) == pytest.approx(2.99 / (10 * 1e4), rel=1e-9)
+    assert equilibrium(model, parameters={"downhill": "3.01 N"}).outcome.name == "no_equilibrium"
+
+
+def test_what_two_supports_share_follows_from_their_stiffness_alone():
+    model = load(sledge(floors=2))
+    rest = equilibrium(model)
+    assert rest.outcome.name == "not_unique" and rest.indifferent == ("along.travel",)
+    assert rest.indeterminate == ("floor_0", "floor_1")
+    assert list(rest.contacts.values()) == pytest.approx([10 / 3, 20 / 3], rel=1e-9)
+
+
+# ---- the functions -------------------------------------------------------------------------------------------------------
+
+
+def test_the_tangent_stiffness_is_the_difference_of_forces():
+    model = load("newtons_cradle")
+    bound, rng = model.bind(), np.random.default_rng(3)
+    q, closed, mu = rng.uniform(-0.1, 0.1, model.nq), np.ones(model.k), np.zeros(len(grips_of(model)))
+    at = balance(model, bound, 0.0, q, closed, np.zeros(0), mu)
+    h, columns = 1e-6, []
+    for one in np.eye(model.nq):
+        ways = [balance(model, bound, 0.0, q + sign * h * one, closed, np.zeros(0), mu).force for sign in (1, -1)]
+        columns.append((ways[1] - ways[0]) / (2 * h))
+    assert at.stiffness == pytest.approx(np.array(columns).T, rel=1e-6, abs=1e-6 * np.abs(at.stiffness).max())
+
+
+def test_bad_input_is_named():
+    with pytest.raises(InputError, match="model"):
+        equilibrium("pendulum")
+    with pytest.raises(InputError, match="at"):
+        equilibrium(load("pendulum"), at="soon")
+    with pytest.raises(InputError, match="mass"):
+        equilibrium(load("pendulum"), parameters={"mass": "1 m"})
