@@ -88,9 +88,12 @@ def assemble_at(
     return q, u, tuple(fault for fault in faults or more if not fault.found.startswith(UNDER))
 
 
-def closed_near(model: Model, bound: Bound, q: Array, t: float) -> Array:
-    """Return the position at a time t [s] with closed loops that Gauss-Newton steps from q (nq,) lead to."""
-    loops = _Loops(model, bound, t)
+def closed_near(model: Model, bound: Bound, q: Array, t: float, *, centred: bool = False) -> Array:
+    """Return the position at a time t [s] with closed loops that Gauss-Newton steps from q (nq,) lead to.
+
+    centred: also with the journals in the middle of their bushes.
+    """
+    loops = _Loops(model, bound, t, whole=model if centred else None)
     if not loops.rows:
         return q
     _, _, jacobian, _ = loops.at(q, np.zeros(model.nu))

@@ -15,9 +15,8 @@ from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.run.request import read_duration
 from hertzwerk.runtime.solution.notebook import heading, table
 from hertzwerk.runtime.solution.outcome import Outcome
-from hertzwerk.runtime.start.start_values import start_of
 from hertzwerk.runtime.statics.balance import UNDAMPED, Array, grips_of, kernel, memory_of
-from hertzwerk.runtime.statics.held import drive_units, held, parameters_at
+from hertzwerk.runtime.statics.held import drive_units, held, parameters_at, start_at
 from hertzwerk.runtime.statics.relaxation import Rest, Search
 
 if TYPE_CHECKING:
@@ -175,7 +174,7 @@ def equilibrium(
     if still is not model:  # what moves is held: its speeds are 0
         speeds = {*model.joints.speeds, *model.latches}
         wanted = {name: value for name, value in wanted.items() if name not in speeds}
-    bound, q, _ = start_of(still, given, wanted)
+    bound, q = start_at(model, still, given, wanted, t)
     search = Search(still, bound, t)
     rest = search.nearest(q) if nearest else search.relaxed(q)
     return _result(model, still, bound, t, search, rest)

@@ -6,15 +6,21 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.model import build
 from hertzwerk.runtime.model.per_model import per_model
+from hertzwerk.runtime.start.assembly import closed_near, journals
+from hertzwerk.runtime.start.start_values import start_of
+from hertzwerk.runtime.statics.balance import Array
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.binding import Value
-    from hertzwerk.runtime.model.model import Model
+    from hertzwerk.runtime.model.model import Bound, Model
 
+FOLLOWED = 100  # steps in which a start is followed to a later time
 TIME = "held_time"  # parameter: time at whose positions the drives are held
 
 
@@ -53,6 +59,25 @@ def parameters_at(model: Model, held: Model, parameters: Mapping[str, Value], t:
         name: value for name, value in parameters.items() if name in held.parameters or name not in model.parameters
     }
     return {**known, TIME: (t, "s")} if TIME in held.parameters else known
+
+
+def start_at(
+    model: Model, held: Model, given: Mapping[str, Value], initial: Mapping[str, Value], t: float
+) -> tuple[Bound, Array]:
+    """Return the numbers at a time t [s], and a position q (nq,) to search from; raises InputError.
+
+    The scene states its start at t = 0: closed loops and journals are followed from there, within a period, unless
+    something is given for the time itself.
+    """
+    if held is model or not t or initial or not (held.nl or journals(held)):
+        bound, q, _ = start_of(held, given, initial)
+        return bound, q
+    bound, q, _ = start_of(held, {**given, TIME: (0.0, "s")}, initial)
+    period = model.period(model.bind({name: value for name, value in given.items() if name in model.parameters}))
+    for part in np.linspace(0, 1, FOLLOWED + 1)[1:]:
+        there = held.bind({**given, TIME: (part * (t % period if period else t), "s")})
+        q = closed_near(held, there, q, t, centred=bool(journals(held)))
+    return held.bind(given), q
 
 
 def drive_units(held: Model) -> dict[str, str]:

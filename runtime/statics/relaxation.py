@@ -27,8 +27,8 @@ FIRST = 0.1  # scales: first displacement
 TURN = 0.3  # rad: largest of an iteration
 DEEP = 0.1  # of the scene's length: largest penetration that an iteration may make of a gap
 SETTLED = 1e-6  # scales: change that ends the iterations of a step
-BALANCED = 1e-10  # sum of the forces over the largest force that was met
-EPS = 1e-14  # rounding of a position, in scales
+BALANCED = 1e-10  # sum of the forces over the largest force
+EPS = 4e-15  # relative rounding of a position and of the geometry that follows from it
 CLOSED = 1e-11  # residual of a loop over the largest motion by a coordinate
 HOLDS = 1e-9  # excess of a grip over its limit that counts as rounding
 STEADY, ROUNDS = 1e-13, 3  # scales: change that ends Newton's method, or so many rounds in balance
@@ -40,7 +40,7 @@ AWAY = 1e9  # scales: what moves further has no place of rest
 class Rest:
     """Position q (nq,), multipliers (nl,), mu (n,), closed pairs (k,), and whether each grip sticks (n,).
 
-    unbalanced (nu,): what is left of the forces, relative to the largest force that was met.
+    unbalanced (nu,): what is left of the forces, relative to the largest force.
     """
 
     q: Array
@@ -62,7 +62,7 @@ class Search:
     t: float
     scale: Array = field(init=False)
     length: float = field(init=False)
-    most: float = field(init=False, default=0.0)  # largest force times its scale that was met [J]
+    load: float = field(init=False, default=0.0)  # largest load at the start, without contacts, times its scale [J]
 
     def __post_init__(self) -> None:
         _, su, _, scene = self.model.evaluate("scales", self.bound.p)
@@ -73,6 +73,9 @@ class Search:
     def start(self, q: Array) -> Rest:
         """Return the state of the search at a position."""
         model, n = self.model, len(grips_of(self.model))
+        none = np.zeros(model.k), np.zeros(model.nl), np.zeros(n)
+        loads = balance(model, self.bound, self.t, q, *none).force * self.scale
+        self.load = float(np.max(np.abs(loads), initial=0.0))
         return self._at(q, np.zeros(model.nl), np.zeros(n), np.ones(n, dtype=bool))
 
     def nearest(self, q: Array) -> Rest:
@@ -208,10 +211,11 @@ class Search:
         at = balance(model, self.bound, self.t, q, closed, multipliers, mu)
         terms = np.vstack([at.force, at.G * multipliers[:, None], at.D.T * mu[:, None]]) * self.scale
         pressed = at.W * at.normal[:, None] * self.scale
-        self.most = max(self.most, *(float(np.max(np.abs(x), initial=0.0)) for x in (terms, pressed)))
+        most = max(self.load, *(float(np.max(np.abs(x), initial=0.0)) for x in (terms, pressed)))
         left = np.sum(terms, axis=0)
-        rounding = EPS * float(np.max(np.abs(self.scale[:, None] * at.stiffness * self.scale), initial=0.0))
-        return Rest(q, multipliers, mu, closed, sticks.copy(), at, left / max(self.most, rounding / BALANCED, 1e-300))
+        places = np.maximum(np.abs(at.moves).T @ np.abs(q), self.scale)
+        rounding = EPS * float(np.max(self.scale * (np.abs(at.stiffness) @ places), initial=0.0))
+        return Rest(q, multipliers, mu, closed, sticks.copy(), at, left / max(most, rounding / BALANCED, 1e-300))
 
     def _size(self, change: Array) -> float:
         return float(np.max(np.abs(change) / self.scale, initial=0.0))
