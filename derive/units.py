@@ -1,7 +1,7 @@
 """Parse unit text (`N/m^1.5`, `kg m^2`, `rpm`, `N/m^n`) and print dimensions in the same form.
 
-A dimension is four exponents over mass, length, time and temperature (M, L, T, Theta); each is a linear form
-`rational + sum of rational * name`, so that `N/m^n` with a named exponent is a value like any other. Angles are
+A dimension is five exponents over mass, length, time, temperature and electric current (M, L, T, Theta, I); each is a
+linear form `rational + sum of rational * name`, so that `N/m^n` with a named exponent is a value like any other. Angles are
 dimensionless: the power of an angle in a unit (rad/s and rpm have one, 1/s has none) is its `angle`, which tells
 angular speeds from frequencies and does not affect the dimension.
 
@@ -119,7 +119,7 @@ class Exponent:
         return text
 
 
-Exponents = tuple[Exponent, Exponent, Exponent, Exponent]  # over M, L, T, Theta
+Exponents = tuple[Exponent, Exponent, Exponent, Exponent, Exponent]  # over M, L, T, Theta, I
 
 
 def _form(value: Exponent | int | Fraction) -> Exponent:
@@ -133,7 +133,7 @@ def _number_text(value: Fraction) -> str:
 
 @dataclass(frozen=True)
 class Unit:
-    """A unit: its factor to SI (kg, m, s, K; rad = 1) and its exponents over M, L, T, Theta."""
+    """A unit: its factor to SI (kg, m, s, K, A; rad = 1) and its exponents over M, L, T, Theta, I."""
 
     factor: float
     exponents: Exponents
@@ -152,15 +152,15 @@ class Unit:
 
     def at(self, values: Mapping[str, int | float | Fraction]) -> Unit:
         """Substitute numbers for names: `N/m^n` at n = 1.5 is `N/m^1.5`."""
-        return Unit(self.factor, _four(exponent.at(values) for exponent in self.exponents), self.angle)
+        return Unit(self.factor, _five(exponent.at(values) for exponent in self.exponents), self.angle)
 
     def mistaken_for(self, declared: Unit) -> bool:
         """Whether an angular speed stands for a frequency, or the reverse.
 
         Both are powers of time alone; they differ in the power of an angle.
         """
-        mass, length, time, temperature = self.exponents
-        per_time = not (mass or length or temperature or time.terms) and time.constant < 0
+        mass, length, time, temperature, current = self.exponents
+        per_time = not (mass or length or temperature or current or time.terms) and time.constant < 0
         return per_time and self.exponents == declared.exponents and self.angle != declared.angle
 
     def to_si(self, value: float) -> float:
@@ -174,9 +174,9 @@ class Unit:
         return unit_text(self.exponents)
 
 
-def _four(exponents: Iterable[Exponent]) -> Exponents:
-    mass, length, time, temperature = exponents
-    return mass, length, time, temperature
+def _five(exponents: Iterable[Exponent]) -> Exponents:
+    mass, length, time, temperature, current = exponents
+    return mass, length, time, temperature, current
 
 
 def rate_remedy(unit: Unit, value: float | None = None) -> str:
@@ -195,37 +195,42 @@ def rate_remedy(unit: Unit, value: float | None = None) -> str:
     return f'{plain}: "{rate / (2 * math.pi):.6g} 1/s" of turns, "{rate:.6g} 1/s" of radians'
 
 
-# --- known units: symbol -> (word, factor to SI, exponents of M, L, T, Theta, takes prefixes) -------------------------
+# --- known units: symbol -> (word, factor to SI, exponents of M, L, T, Theta, I, takes prefixes) ----------------------
 
-_UNITS: dict[str, tuple[str, Decimal, tuple[int, int, int, int], bool]] = {
-    "m": ("metre", Decimal(1), (0, 1, 0, 0), True),
-    "g": ("gram", Decimal("1e-3"), (1, 0, 0, 0), True),
-    "s": ("second", Decimal(1), (0, 0, 1, 0), True),
-    "K": ("kelvin", Decimal(1), (0, 0, 0, 1), True),
-    "rad": ("radian", Decimal(1), (0, 0, 0, 0), True),
-    "N": ("newton", Decimal(1), (1, 1, -2, 0), True),
-    "Pa": ("pascal", Decimal(1), (1, -1, -2, 0), True),
-    "J": ("joule", Decimal(1), (1, 2, -2, 0), True),
-    "W": ("watt", Decimal(1), (1, 2, -3, 0), True),
-    "bar": ("bar", Decimal("1e5"), (1, -1, -2, 0), True),
-    "P": ("poise", Decimal("0.1"), (1, -1, -1, 0), True),
-    "St": ("stokes", Decimal("1e-4"), (0, 2, -1, 0), True),
-    "l": ("litre", Decimal("1e-3"), (0, 3, 0, 0), True),
-    "L": ("litre", Decimal("1e-3"), (0, 3, 0, 0), True),
-    "t": ("tonne", Decimal(1000), (1, 0, 0, 0), False),
-    "min": ("minute", Decimal(60), (0, 0, 1, 0), False),
-    "h": ("hour", Decimal(3600), (0, 0, 1, 0), False),
-    "deg": ("degree", _DECIMAL.divide(_PI, Decimal(180)), (0, 0, 0, 0), False),
-    "°": ("degree", _DECIMAL.divide(_PI, Decimal(180)), (0, 0, 0, 0), False),
-    "rev": ("revolution", _DECIMAL.multiply(_PI, Decimal(2)), (0, 0, 0, 0), False),
-    "rpm": ("revolutions per minute", _DECIMAL.divide(_PI, Decimal(30)), (0, 0, -1, 0), False),
-    "%": ("percent", Decimal("0.01"), (0, 0, 0, 0), False),
+_UNITS: dict[str, tuple[str, Decimal, tuple[int, int, int, int, int], bool]] = {
+    "m": ("metre", Decimal(1), (0, 1, 0, 0, 0), True),
+    "g": ("gram", Decimal("1e-3"), (1, 0, 0, 0, 0), True),
+    "s": ("second", Decimal(1), (0, 0, 1, 0, 0), True),
+    "K": ("kelvin", Decimal(1), (0, 0, 0, 1, 0), True),
+    "rad": ("radian", Decimal(1), (0, 0, 0, 0, 0), True),
+    "A": ("ampere", Decimal(1), (0, 0, 0, 0, 1), True),
+    "N": ("newton", Decimal(1), (1, 1, -2, 0, 0), True),
+    "Pa": ("pascal", Decimal(1), (1, -1, -2, 0, 0), True),
+    "J": ("joule", Decimal(1), (1, 2, -2, 0, 0), True),
+    "W": ("watt", Decimal(1), (1, 2, -3, 0, 0), True),
+    "V": ("volt", Decimal(1), (1, 2, -3, 0, -1), True),
+    "ohm": ("ohm", Decimal(1), (1, 2, -3, 0, -2), True),
+    "Ω": ("ohm", Decimal(1), (1, 2, -3, 0, -2), True),
+    "H": ("henry", Decimal(1), (1, 2, -2, 0, -2), True),
+    "bar": ("bar", Decimal("1e5"), (1, -1, -2, 0, 0), True),
+    "P": ("poise", Decimal("0.1"), (1, -1, -1, 0, 0), True),
+    "St": ("stokes", Decimal("1e-4"), (0, 2, -1, 0, 0), True),
+    "l": ("litre", Decimal("1e-3"), (0, 3, 0, 0, 0), True),
+    "L": ("litre", Decimal("1e-3"), (0, 3, 0, 0, 0), True),
+    "t": ("tonne", Decimal(1000), (1, 0, 0, 0, 0), False),
+    "min": ("minute", Decimal(60), (0, 0, 1, 0, 0), False),
+    "h": ("hour", Decimal(3600), (0, 0, 1, 0, 0), False),
+    "deg": ("degree", _DECIMAL.divide(_PI, Decimal(180)), (0, 0, 0, 0, 0), False),
+    "°": ("degree", _DECIMAL.divide(_PI, Decimal(180)), (0, 0, 0, 0, 0), False),
+    "rev": ("revolution", _DECIMAL.multiply(_PI, Decimal(2)), (0, 0, 0, 0, 0), False),
+    "rpm": ("revolutions per minute", _DECIMAL.divide(_PI, Decimal(30)), (0, 0, -1, 0, 0), False),
+    "%": ("percent", Decimal("0.01"), (0, 0, 0, 0, 0), False),
 }
 _ANGLES = ("rad", "deg", "°", "rev", "rpm")
 _PREFIXES = {"f": -15, "p": -12, "n": -9, "u": -6, "m": -3, "c": -2, "d": -1}
 _PREFIXES |= {"da": 1, "h": 2, "k": 3, "M": 6, "G": 9, "T": 12}
 
-_OUTSIDE = "expected a unit over mass, length, time and temperature"
+_OUTSIDE = "expected a unit over mass, length, time, temperature and electric current"
 _REFUSED = {
     "Hz": "hertz does not say whether it counts radians or turns: an angular speed is written in rpm (1 Hz of turns is 60 rpm) or rad/s, "
     "another rate in 1/s",
@@ -236,9 +241,7 @@ _REFUSED = {
     **dict.fromkeys(
         ("°F", "degF"), "a Fahrenheit scale has an offset: write the temperature in K (68 degF is 293.15 K)"
     ),
-    "A": f"{_OUTSIDE}, not electric current",
-    "V": f"{_OUTSIDE}, not electric potential",
-    "C": f"{_OUTSIDE}; a temperature is written in K",
+    "C": "a temperature is written in K, an electric charge in A s",
     "mol": f"{_OUTSIDE}, not amount of substance",
     "cd": f"{_OUTSIDE}, not luminous intensity",
 }
@@ -268,11 +271,11 @@ class _Product:
 
     def times(self, other: _Product, sign: int) -> _Product:
         operate: Callable[[Decimal, Decimal], Decimal] = _DECIMAL.multiply if sign > 0 else _DECIMAL.divide
-        exponents = _four(a + b * sign for a, b in zip(self.exponents, other.exponents, strict=True))
+        exponents = _five(a + b * sign for a, b in zip(self.exponents, other.exponents, strict=True))
         return _Product(operate(self.factor, other.factor), exponents, self.angle + other.angle * sign)
 
     def power(self, exponent: Exponent) -> _Product:
-        exponents = _Product(Decimal(1), _four(base * exponent for base in self.exponents)).exponents
+        exponents = _Product(Decimal(1), _five(base * exponent for base in self.exponents)).exponents
         if exponent.terms:
             if self.factor != 1:
                 raise UnitError(
@@ -286,7 +289,7 @@ class _Product:
         return _Product(_DECIMAL.power(self.factor, power), exponents, self.angle * exponent.constant)
 
 
-_ONE = _Product(Decimal(1), (Exponent(), Exponent(), Exponent(), Exponent()))
+_ONE = _Product(Decimal(1), (Exponent(), Exponent(), Exponent(), Exponent(), Exponent()))
 
 
 def _lookup(name: str) -> _Product | None:
@@ -298,7 +301,7 @@ def _lookup(name: str) -> _Product | None:
             _, factor, exponents, _ = _UNITS[symbol]
             power = Decimal(10) ** _PREFIXES[prefix] if cut else Decimal(1)
             angle = Fraction(int(symbol in _ANGLES))
-            return _Product(_DECIMAL.multiply(power, factor), _four(Exponent(Fraction(e)) for e in exponents), angle)
+            return _Product(_DECIMAL.multiply(power, factor), _five(Exponent(Fraction(e)) for e in exponents), angle)
     return None
 
 
@@ -529,7 +532,7 @@ def unit_text(exponents: Exponents) -> str:
 
     `parse_unit(unit_text(x)).exponents == x` for every x (within the bounds of the parser).
     """
-    mass, length, time, temperature = exponents
+    mass, length, time, temperature, current = exponents
     parts: list[tuple[str, Exponent]] = []
     if mass.terms or not mass.constant:
         parts.append(("kg", mass))
@@ -550,7 +553,7 @@ def unit_text(exponents: Exponents) -> str:
         length, time = length - p * per_length, time - p * per_time
     # after a derived unit time comes first (N s/m), among base units length does (kg m^2/s)
     rest = [("m", length), ("s", time)] if parts[0][0] == "kg" else [("s", time), ("m", length)]
-    parts += [*rest, ("K", temperature)]
+    parts += [*rest, ("K", temperature), ("A", current)]
     above = [_power_text(symbol, e) for symbol, e in parts if e and not _below(e)]
     below = [_power_text(symbol, -e) for symbol, e in parts if e and _below(e)]
     if not below:

@@ -90,7 +90,7 @@ def _span(q: Quantity, interval: Interval | None) -> tuple[float, float]:
 
 
 def _in_units(state: State, dimensions: Mapping[sp.Symbol, Dimension], system: Sequence[Any]) -> dict[sp.Symbol, Any]:
-    """Convert values from SI to a system with the given units of mass, length, time, temperature."""
+    """Convert values from SI to a system with the given units of mass, length, time, temperature, current."""
     if all(unit == 1 for unit in system):
         return dict(state)
     return {
@@ -100,14 +100,14 @@ def _in_units(state: State, dimensions: Mapping[sp.Symbol, Dimension], system: S
 
 
 def _base_units(fitted_in: str) -> list[Any]:
-    """SI sizes of the units of mass, length, time, temperature in a list such as "mm, N, MPa".
+    """SI sizes of the units of mass, length, time, temperature, current in a list such as "mm, N, MPa".
 
-    The second and the kelvin unless the list determines others.
+    The second, the kelvin and the ampere unless the list determines others.
     """
     texts = [text.strip() for text in fitted_in.split(",") if text.strip()]
     if not texts:
-        return [mpf(1)] * 4
-    units = [parse_unit(text) for text in (*texts, "s", "K")]
+        return [mpf(1)] * 5
+    units = [parse_unit(text) for text in (*texts, "s", "K", "A")]
     rows = [
         [mpf(exponent.constant.numerator) / exponent.constant.denominator for exponent in u.exponents] for u in units
     ]

@@ -1,4 +1,4 @@
-"""Dimensions: exponents over mass, length, time and temperature; faults of dimension.
+"""Dimensions: exponents over mass, length, time, temperature and electric current; faults of dimension.
 
 Each exponent is a SymPy expression: `[K] = M L^(1-n) T^-2` with symbolic n is a value. Numbers are dimensionless,
 zero and infinity have every dimension. `walker` finds the dimension of an expression.
@@ -26,7 +26,7 @@ Expr = Any  # a SymPy expression; SymPy is untyped
 
 @dataclass(frozen=True)
 class Dimension:
-    """Exponents over mass, length, time and temperature.
+    """Exponents over mass, length, time, temperature and electric current.
 
     `every` marks the dimension of zero, which matches all.
     """
@@ -35,10 +35,11 @@ class Dimension:
     L: Expr = sympy.S.Zero
     T: Expr = sympy.S.Zero
     Theta: Expr = sympy.S.Zero
+    I: Expr = sympy.S.Zero
     every: bool = False
 
     def __post_init__(self) -> None:
-        for name in ("M", "L", "T", "Theta"):
+        for name in ("M", "L", "T", "Theta", "I"):
             object.__setattr__(self, name, canonical(getattr(self, name)))
 
     @classmethod
@@ -58,9 +59,9 @@ class Dimension:
         )
 
     @property
-    def exponents(self) -> tuple[Expr, Expr, Expr, Expr]:
-        """The four exponents as SymPy expressions."""
-        return self.M, self.L, self.T, self.Theta
+    def exponents(self) -> tuple[Expr, Expr, Expr, Expr, Expr]:
+        """The five exponents as SymPy expressions."""
+        return self.M, self.L, self.T, self.Theta, self.I
 
     @property
     def dimensionless(self) -> bool:
@@ -83,8 +84,8 @@ class Dimension:
     def __str__(self) -> str:
         if self.every:
             return "any unit"
-        mass, length, time, temperature = (_linear(exponent) for exponent in self.exponents)
-        exponents: Exponents = (mass, length, time, temperature)
+        mass, length, time, temperature, current = (_linear(exponent) for exponent in self.exponents)
+        exponents: Exponents = (mass, length, time, temperature, current)
         return unit_text(exponents)
 
 
@@ -139,7 +140,7 @@ _QUANTITIES = {
     for unit, name in (
         ("1", "dimensionless"), ("N", "a force"), ("Pa", "a pressure"), ("J", "an energy"), ("W", "a power"),
         ("m", "a length"), ("m^2", "an area"), ("s", "a time"), ("kg", "a mass"), ("K", "a temperature"),
-        ("m/s", "a speed"), ("m/s^2", "an acceleration"),
+        ("m/s", "a speed"), ("m/s^2", "an acceleration"), ("A", "an electric current"), ("V", "a voltage"),
     )
 }  # fmt: skip
 

@@ -86,7 +86,10 @@ class ForceCurve:
     reach: tuple[float, ...]
 
 
-SI, MILLIMETRES = (mpf(1),) * 4, (mpf(1000), mpf("0.001"), mpf(1), mpf(1))  # units of mass, length, time, temperature
+SI, MILLIMETRES = (
+    (mpf(1),) * 5,
+    (mpf(1000), mpf("0.001"), *(mpf(1),) * 3),
+)  # units of mass, length, time, temperature, current
 
 
 def force_curve(

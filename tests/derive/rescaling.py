@@ -1,7 +1,7 @@
 """Rescaling audit: consistent equations hold in every system of units, tested with numbers.
 
-An expression is evaluated at states that span the range of each of its arguments; then mass, length, time and
-temperature are scaled by 2, 3, 5 and 7, together and one at a time, every argument following its declared unit. A
+An expression is evaluated at states that span the range of each of its arguments; then mass, length, time,
+temperature and current are scaled by 2, 3, 5, 7 and 11, together and one at a time, every argument following its declared unit. A
 consistent result follows its own unit to rounding. A wrong power of a unit leaves one factor for all states; a
 logarithm of a length, a sum of unlike terms or a constant that hides a unit leaves a factor that depends on the
 state. The form of the expression is not used: this is the independent check of `dimension`.
@@ -18,13 +18,14 @@ from hertzwerk.derive.laws.law import F, StiffnessLaw, d
 from hertzwerk.derive.units import parse_unit
 
 ROUNDING = mpf(10) ** -25  # 40 digits, less the cancellation in any law
-FACTORS = (2, 3, 5, 7)
+FACTORS = (2, 3, 5, 7, 11)
 SCALINGS = {
     "all": FACTORS,
-    "mass": (2, 1, 1, 1),
-    "length": (1, 3, 1, 1),
-    "time": (1, 1, 5, 1),
-    "temperature": (1, 1, 1, 7),
+    "mass": (2, 1, 1, 1, 1),
+    "length": (1, 3, 1, 1, 1),
+    "time": (1, 1, 5, 1, 1),
+    "temperature": (1, 1, 1, 7, 1),
+    "current": (1, 1, 1, 1, 11),
 }
 
 
@@ -42,9 +43,9 @@ class Rescaling(NamedTuple):
 
     @property
     def excess(self):
-        """Powers of mass, length, time, temperature beyond the expected ones; None where none fit all states."""
+        """Powers of mass, length, time, temperature, current beyond the expected ones; None where none fit all states."""
         powers = []
-        for base, name in zip(FACTORS, ("mass", "length", "time", "temperature"), strict=True):
+        for base, name in zip(FACTORS, ("mass", "length", "time", "temperature", "current"), strict=True):
             row = self.ratios[name]
             if any(abs(ratio - row[0]) > ROUNDING * abs(row[0]) for ratio in row) or mp.im(row[0]) or row[0] <= 0:
                 return None

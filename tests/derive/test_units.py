@@ -16,8 +16,9 @@ from hertzwerk.derive.units import Exponent, UnitError, parse_quantity, parse_un
 N_NAME = Exponent.named("n")
 
 
-def exponents(*four):
-    return tuple(e if isinstance(e, Exponent) else Exponent(Fraction(e)) for e in four)
+def exponents(*base):
+    given = (*base, *(0,) * (5 - len(base)))
+    return tuple(e if isinstance(e, Exponent) else Exponent(Fraction(e)) for e in given)
 
 
 # text, factor to SI, M, L, T, Theta, printed
@@ -97,6 +98,22 @@ def test_reads_units_as_people_write_them(text, factor, m, l, t, theta, printed)
     assert unit_text(unit.exponents) == str(unit) == printed
 
 
+@pytest.mark.parametrize(
+    ("text", "of", "printed"),
+    [
+        ("V", "W/A", "W/A"),
+        ("ohm", "V/A", "W/A^2"),
+        ("mH", "mV s/A", "J/A^2"),
+        ("V s/rad", "N m/A", "J/A"),
+        ("A", "A", "A"),
+    ],
+)
+def test_reads_electric_units(text, of, printed):
+    """A motor's torque for each ampere is its voltage for each rad/s."""
+    assert (parse_unit(text).exponents, parse_unit(text).factor) == (parse_unit(of).exponents, parse_unit(of).factor)
+    assert str(parse_unit(text)) == printed
+
+
 # text, what the message must say (found ... and the way out)
 REFUSED = [
     ("Hz", "rpm (1 Hz of turns is 60 rpm) or rad/s"),
@@ -108,11 +125,12 @@ REFUSED = [
     ("kilograms", "did you mean kg?"),
     ("Nm", "'N m'"),
     ("m2", "m^2"),
-    ("furlong", "known are m g s K rad N Pa"),
+    ("furlong", "known are m g s K rad A N Pa"),
     ("degC", "in K"),
     ("°C", "in K"),
     ("mol", "amount of substance"),
-    ("kV", "electric potential"),
+    ("cd", "luminous intensity"),
+    ("C", "an electric charge in A s"),
     ("kkg", "found 'kkg'"),
     ("mmin", "found 'mmin'"),  # a minute takes no prefix
     ("N/mm^n", "would depend on n"),
@@ -233,12 +251,12 @@ FORMS = st.builds(
     lambda c, terms: Exponent(c, tuple(terms.items())), RATIONALS, st.dictionaries(NAMES, RATIONALS, max_size=2)
 )
 SIMPLE = st.builds(Exponent, RATIONALS)
-DIMENSIONS = st.tuples(st.one_of(SIMPLE, FORMS), FORMS, FORMS, st.one_of(SIMPLE, FORMS))
+DIMENSIONS = st.tuples(st.one_of(SIMPLE, FORMS), FORMS, FORMS, st.one_of(SIMPLE, FORMS), st.one_of(SIMPLE, FORMS))
 
 
 @given(DIMENSIONS)
-def test_printed_units_read_back(four):
-    assert parse_unit(unit_text(four)).exponents == four
+def test_printed_units_read_back(exponents_given):
+    assert parse_unit(unit_text(exponents_given)).exponents == exponents_given
 
 
 @given(FORMS, FORMS, FORMS, RATIONALS, RATIONALS)
@@ -310,7 +328,14 @@ ATOMS = [
     "cSt",
     "L",
     "t",
+    "A",
+    "mA",
+    "V",
+    "kV",
+    "ohm",
+    "mH",
 ]
+BASES = ("[mass]", "[length]", "[time]", "[temperature]", "[current]")
 PINT_NAMES = {"P": "poise", "cP": "centipoise", "St": "stokes", "cSt": "centistokes", "h": "hour"}
 
 
@@ -323,7 +348,7 @@ def test_agrees_with_pint(powers):
     base = (1 * theirs).to_base_units()
     dimensionality = dict(base.dimensionality)
     assert ours.factor == pytest.approx(float(base.magnitude), rel=1e-12)
-    for exponent, name in zip(ours.exponents, ("[mass]", "[length]", "[time]", "[temperature]"), strict=True):
+    for exponent, name in zip(ours.exponents, BASES, strict=True):
         assert float(exponent.constant) == pytest.approx(float(dimensionality.pop(name, 0)), abs=1e-12)
     assert not dimensionality
 
@@ -334,7 +359,7 @@ def test_agrees_with_pint(powers):
 def test_agrees_with_pint_on_division(text):
     base = (1 * PINT.parse_expression(text)).to_base_units()
     ours = parse_unit(text)
-    theirs = [dict(base.dimensionality).get(name, 0) for name in ("[mass]", "[length]", "[time]", "[temperature]")]
+    theirs = [dict(base.dimensionality).get(name, 0) for name in BASES]
     assert [float(e.constant) for e in ours.exponents] == theirs
 
 

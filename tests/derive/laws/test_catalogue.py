@@ -275,11 +275,11 @@ def assert_predicted(rescaled, excess):
 @pytest.mark.parametrize(
     ("name", "what", "excess"),
     [
-        ("liu", "normal force", (0, -1, 0, 0)),
-        ("bai_zhao", "normal force", (0, -0.5, 0, 0)),
-        ("goldsmith", "definition of B", (0, -2, 0, 0)),
-        ("palmgren", "normal force", (-1, 1, 2, 0)),
-        ("pereira_internal", "definition of n", (0, -0.005, 0, 0)),
+        ("liu", "normal force", (0, -1, 0, 0, 0)),
+        ("bai_zhao", "normal force", (0, -0.5, 0, 0, 0)),
+        ("goldsmith", "definition of B", (0, -2, 0, 0, 0)),
+        ("palmgren", "normal force", (-1, 1, 2, 0, 0)),
+        ("pereira_internal", "definition of n", (0, -0.005, 0, 0, 0)),
     ],
 )
 def test_rescaling_reads_off_the_wrong_power(name, what, excess):
