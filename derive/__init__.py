@@ -24,6 +24,7 @@ if TYPE_CHECKING:  # the list of public names
     from hertzwerk.derive.declare.scene import Scales as Scales, Scene as Scene, Start as Start
     from hertzwerk.derive.derivation import audit_scene as audit_scene, derive as derive, generate as generate
     from hertzwerk.derive.effects.contacts import Contact as Contact, Friction as Friction
+    from hertzwerk.derive.effects.controllers import SpeedController as SpeedController
     from hertzwerk.derive.effects.couplings import Coupling as Coupling
     from hertzwerk.derive.effects.drives import (
         ConstantSpeed as ConstantSpeed,
@@ -34,8 +35,10 @@ if TYPE_CHECKING:  # the list of public names
     from hertzwerk.derive.effects.effect import (
         Effect as Effect,
         Element as Element,
+        Event as Event,
         JointEffect as JointEffect,
         PairEffect as PairEffect,
+        State as State,
     )
     from hertzwerk.derive.effects.energy_ledger import EnergyLedger as EnergyLedger
     from hertzwerk.derive.effects.state_expression import (
@@ -43,6 +46,7 @@ if TYPE_CHECKING:  # the list of public names
         Varying as Varying,
         coordinate_of as coordinate_of,
         speed_of as speed_of,
+        state_of as state_of,
     )
     from hertzwerk.derive.effects.forces import (
         BodyTorque as BodyTorque,
@@ -53,6 +57,7 @@ if TYPE_CHECKING:  # the list of public names
     from hertzwerk.derive.effects.gravity import Gravity as Gravity
     from hertzwerk.derive.effects.joint_friction import JointFriction as JointFriction
     from hertzwerk.derive.effects.lubrication import Lubrication as Lubrication
+    from hertzwerk.derive.effects.motors import DCMotor as DCMotor
     from hertzwerk.derive.effects.springs import (
         JointDamper as JointDamper,
         JointSpring as JointSpring,

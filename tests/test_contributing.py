@@ -29,6 +29,8 @@ from hertzwerk.derive import (
     X,
     Y,
     Z,
+    coordinate_of,
+    speed_of,
 )
 from hertzwerk.derive.audit.audit import audit_law
 from hertzwerk.derive.audit.behaviour import faults_if_consistent
@@ -38,7 +40,7 @@ from hertzwerk.runtime.cli import main
 from hertzwerk.runtime.integrate.tableaux.methods import METHODS
 
 PAGE = (Path(__file__).parents[1] / "CONTRIBUTING.md").read_text(encoding="utf-8")
-RECIPES = dict(re.findall(r"^## An? (\w+)\n(.*?)(?=^## |\Z)", PAGE, re.MULTILINE | re.DOTALL))
+RECIPES = dict(re.findall(r"^## An? ([\w ]+)\n(.*?)(?=^## |\Z)", PAGE, re.MULTILINE | re.DOTALL))
 
 
 @pytest.fixture
@@ -54,8 +56,8 @@ def made(tmp_path):
     return follow
 
 
-def test_there_are_seven_recipes_of_fewer_than_ten_steps():
-    assert list(RECIPES) == ["law", "joint", "effect", "method", "command", "scene", "study"]
+def test_there_are_eight_recipes_of_fewer_than_ten_steps():
+    assert list(RECIPES) == ["law", "joint", "effect", "effect with states", "method", "command", "scene", "study"]
     for name, text in RECIPES.items():
         steps = re.findall(r"^(\d+)\. ", text, re.MULTILINE)
         assert 0 < len(steps) < 10, name
@@ -142,6 +144,36 @@ def test_an_effect(made):
     assert run["air.dissipated"][-1] == pytest.approx(2 * 5**2 / 2 - run["energy"][-1], rel=1e-8)
     with pytest.raises(InputError, match="effect air, drag"):
         scene(Parameter("drag", "kg", 0.3))
+
+
+def test_an_effect_with_states(made):
+    """A satellite's attitude by a relay on x + lead v: its limit cycle in closed form, 4 h/(lead a) long, v to h/lead."""
+    kind = made("effect with states")["Relay"]
+    h, lead, acceleration = 0.01, 0.1, 3 / 2
+    signal = coordinate_of("slide") + Parameter("lead", "s", lead) * speed_of("slide")
+    relay = kind("relay", "slide", Parameter("thrust", "N", 3), signal, Parameter("hysteresis", "m", h))
+    body, scales = (
+        Body("body", Parameter("mass", "kg", 2)),
+        Scales(Parameter("size", "m", h), Parameter("pace", "m/s", 0.1)),
+    )
+    thrown = Start(speed={"slide": Parameter("thrown", "m/s", h / lead)})
+    scene = Scene(
+        Mechanism("satellite", (Prismatic("slide", GROUND, body, axis=X),)), (relay, EnergyLedger()), scales, thrown
+    )
+    period = 4 * h / (lead * acceleration)
+    model = load(scene)
+    for method in ("auto", "esdirk"):
+        run = simulate(model, duration=10.2 * period, tolerance=1e-8, method=method)
+        turns = run.t[1:][np.diff(run["relay.sign"]) != 0]
+        assert len(turns) == run.statistics.events == 20
+        assert 2 * np.diff(turns[4:]) == pytest.approx(period, rel=1e-9)
+        assert np.max(np.abs(run["slide.speed"])) == pytest.approx(h / lead, rel=1e-9)
+        assert run["relay.spent"] == pytest.approx(3 * run.t, rel=1e-12)
+        assert run.energy_residual < 1e-9
+    back = simulate(model, duration=period, tolerance=1e-8, initial={"relay.sign": -1, "slide.travel": "0 m"})
+    assert back["relay.sign"][0] == -1
+    with pytest.raises(InputError, match="effect relay, signal"):
+        replace(scene, effects=(replace(relay, signal=speed_of("slide")),))
 
 
 def test_a_method(made, monkeypatch):

@@ -16,7 +16,7 @@ from hertzwerk.derive.declare.soundness.check import faults_of
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.effects.contacts import Contact, Friction
 from hertzwerk.derive.effects.drives import AnyDrive
-from hertzwerk.derive.effects.effect import Effect
+from hertzwerk.derive.effects.effect import Effect, State
 from hertzwerk.derive.effects.energy_ledger import EnergyLedger
 from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.derive.laws.catalogue import LAWS
@@ -95,6 +95,16 @@ class Scales:
     length: Scalar
     speed: Scalar
     arm: Scalar | None = None
+
+    @property
+    def by_unit(self) -> dict[str, Any]:
+        """Scales of coordinates and speeds; of angles only where there is an arm."""
+        length, speed = sp.sympify(self.length), sp.sympify(self.speed)
+        if self.arm is None:
+            return {"m": length, "m/s": speed}
+        # a quaternion moves by half the angle
+        angles = {"rad": length / self.arm, "rad/s": speed / self.arm, "1": length / self.arm / 2}
+        return {"m": length, "m/s": speed, **angles}
 
     def slots(self) -> Iterator[Slot]:
         """Yield the scales."""
@@ -221,6 +231,16 @@ class Scene:
         """Freedoms with one coordinate, by their keys."""
         return {freedom.key: freedom for freedom in self.mechanism.freedoms if freedom.scalar}
 
+    @cached_property
+    def states(self) -> dict[str, State]:
+        """States of the effects by their names, `motor.current`."""
+        return {f"{effect.name}.{state.name}": state for effect in self._placed for state in effect.states(self)}
+
+    @property
+    def _placed(self) -> Iterator[Effect]:
+        """Effects on joints that exist; others are a fault reported by the scene."""
+        return (effect for effect in self.effects if all(key in self.scalars for key in effect.joints))
+
     @property
     def free(self) -> tuple[Freedom, ...]:
         """Freedoms that are not driven."""
@@ -282,9 +302,12 @@ class Scene:
     def declarations(self) -> Iterator[Slot]:
         """Yield every quantity of the scene, in declared order."""
         yield from self.mechanism.slots()
-        for effect in self.effects:
-            if all(key in self.scalars for key in effect.joints):  # else a fault reported by the scene
-                yield from effect.slots(self)
+        for effect in self._placed:
+            yield from effect.slots(self)
+            for state in effect.states(self):
+                yield Slot(f"{effect.where}, {state.name} at the start", state.start, state.unit)
+                if state.size is not None:
+                    yield Slot(f"{effect.where}, size of {state.name}", state.size, state.unit, POSITIVE)
         for freedom in self.mechanism.freedoms:
             for values, ports, what in (
                 (self.start.position, freedom.coordinates, "position"),

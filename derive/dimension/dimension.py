@@ -1,4 +1,4 @@
-"""Dimensions: exponents over mass, length, time, temperature and electric current; faults of dimension.
+"""Dimensions: exponents over the five base quantities, and faults of dimension.
 
 Each exponent is a SymPy expression: `[K] = M L^(1-n) T^-2` with symbolic n is a value. Numbers are dimensionless,
 zero and infinity have every dimension. `walker` finds the dimension of an expression.

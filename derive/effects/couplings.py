@@ -95,11 +95,11 @@ class Coupling(Effect):
     def _dimension(self, scene: Declared) -> Dimension | None:
         """Dimension of `zero`; None for faults that the audit of the quantities reports."""
         if self.equation is None:
-            return state_dimension(coordinate_of(self.first), scene.scalars)
+            return state_dimension(coordinate_of(self.first), scene)
         parameters = parameters_of(self.equation)
         try:
             table = dimensions_of({parameter.name: parameter for parameter in parameters})
-            table |= {symbol: state_dimension(symbol, scene.scalars) for symbol in states_in(self.equation)}
+            table |= {symbol: state_dimension(symbol, scene) for symbol in states_in(self.equation)}
             return dimension_of(self.zero, table, parameters)
         except (DimensionError, UnitError):
             return None

@@ -28,18 +28,53 @@ Mark = tuple[str, str, Point, Mapping[str, Any]]
 
 
 @dataclass(frozen=True)
-class Element:
-    """Generalised forces by joint [N m or N], stored energy [J], power [W] and outputs of an effect.
+class State:
+    """State of an effect: name, unit, value at t = 0, and the size by which its errors are measured.
 
-    The energy ledger books `power` as `DISSIPATED` or `INPUT`; None for an element that only stores energy. Outputs
-    are (name, unit, expression).
+    Without a size it is the scene's scale of that unit: m, rad, m/s, rad/s, or 1 of a plain number.
+    """
+
+    name: str
+    unit: str
+    start: Any = sp.S.Zero
+    size: Any = None
+
+
+@dataclass(frozen=True)
+class Event:
+    """Change of an effect's states where its `margin` falls through zero, which a run locates.
+
+    margin  expression, positive until the event; beside its `size`, of the same unit, it is located to the tolerance
+    then    state -> its value from the event on, by the values before
+    """
+
+    name: str
+    margin: Any
+    size: Any
+    then: Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Element:
+    """Generalised forces by joint [N m or N], stored energy [J], powers [W] and outputs of an effect.
+
+    The energy ledger books what is `dissipated` and put in as `input`; None where there is none. Outputs are (name,
+    unit, expression). `rates` are those of its states; a state without one changes at `events` alone.
     """
 
     forces: Mapping[str, Any] = field(default_factory=dict)
     stored: Any = sp.S.Zero
-    power: Any = None
-    booked: str = DISSIPATED
+    dissipated: Any = None
+    input: Any = None
     outputs: tuple[tuple[str, str, Any], ...] = ()
+    rates: Mapping[str, Any] = field(default_factory=dict)
+    events: tuple[Event, ...] = ()
+
+    @property
+    def powers(self) -> dict[str, Any]:
+        """Powers that the ledger books, by `DISSIPATED` and `INPUT`."""
+        booked = ((DISSIPATED, self.dissipated), (INPUT, self.input))
+        return {name: power for name, power in booked if power is not None}
 
 
 class Declared(Protocol):
@@ -60,6 +95,10 @@ class Declared(Protocol):
     @property
     def scalars(self) -> Mapping[str, Freedom]:
         """Freedoms with one coordinate by their keys."""
+
+    @property
+    def states(self) -> Mapping[str, State]:
+        """States of the effects, `motor.current`, by their names."""
 
     def geometry(self, pair: str) -> Mapping[str, Any]:
         """Geometry of a pair by name; empty for an unknown pair."""
@@ -102,6 +141,9 @@ class Kinematics(Protocol):
 
     def speed(self, key: str) -> Any:
         """Rate of the coordinate [rad/s or m/s]."""
+
+    def state(self, name: str) -> Any:
+        """State of an effect, `motor.current`."""
 
     def on_joint(self, key: str, force: Any, name: str) -> dict[str, Any]:
         """Generalised forces of a force along a slide or a torque about a turn.
@@ -202,6 +244,10 @@ class Effect:
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
         """Yield its quantities in declared order; called only if its joints are freedoms of the scene."""
+        return iter(())
+
+    def states(self, scene: Declared) -> Iterator[State]:
+        """Yield the states that it integrates, or changes at events; called as `slots` is."""
         return iter(())
 
     def type_faults(self) -> Iterator[Fault]:
@@ -340,6 +386,20 @@ def joint_faults(where: str, key: str, scene: Declared) -> Iterator[Fault]:
     expected = one_of(scene.scalars, "a joint with one coordinate, of which the mechanism has none")
     way_out = "The first joint to reach a body has the coordinates: declare this one before the others."
     yield Fault(where, f"joint {key!r}{why}", expected, way_out if closing else "")
+
+
+def state_faults(effect: Effect, element: Element, scene: Declared) -> Iterator[Fault]:
+    """Yield faults of states that nothing changes, and of changes of states that are not declared."""
+    declared = [state.name for state in effect.states(scene)]
+    changed = list(dict.fromkeys([*element.rates, *(name for event in element.events for name in event.then)]))
+    for name in changed:
+        if name not in declared:
+            yield Fault(effect.where, f"a rate or an event of the state {name!r}", one_of(declared, "a state it declares"),
+                        f"Yield State({name!r}, unit) in {type(effect).__name__}.states.")  # fmt: skip
+    for name in declared:
+        if name not in changed:
+            yield Fault(effect.where, f"the state {name!r}, which nothing changes", "a rate or an event that changes it",
+                        f"Give it in the element: rates={{{name!r}: ...}}, or Event(..., then={{{name!r}: ...}}).")  # fmt: skip
 
 
 def axes_faults(where: str, axes: Any, what: str, components: Any) -> Iterator[Fault]:

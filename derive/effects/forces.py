@@ -13,7 +13,7 @@ from typing import Any, ClassVar
 import sympy as sp
 
 from hertzwerk.derive.algebra.vectors import Vector, apply, dot
-from hertzwerk.derive.effects.effect import INPUT, Declared, Effect, Element, JointEffect, Kinematics, Mark, axes_faults
+from hertzwerk.derive.effects.effect import Declared, Effect, Element, JointEffect, Kinematics, Mark, axes_faults
 from hertzwerk.derive.effects.state_expression import COORDINATE, Varying, as_choice, shown, states_in
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Frame, Point, Slot
@@ -47,7 +47,7 @@ class JointForce(JointEffect):
     def element(self, kin: Kinematics) -> Element:
         """Force, and its power as input."""
         force = kin.tape.let(kin.expression(self.force), f"{self.name}_force")
-        return Element(kin.on_joint(self.joint, force, self.name), power=force * kin.speed(self.joint), booked=INPUT)
+        return Element(kin.on_joint(self.joint, force, self.name), input=force * kin.speed(self.joint))
 
 
 @dataclass(frozen=True)
@@ -97,7 +97,7 @@ class PointForce(Effect):
         force = _resolved(self.force, self.axes, kin, f"{self.name}_force")
         position, velocity, _ = kin.point(self.point, f"{self.name}_point")
         forces = kin.generalised(force, position, self.point.body, GROUND, self.name)
-        return Element(forces, power=dot(force, velocity), booked=INPUT)
+        return Element(forces, input=dot(force, velocity))
 
     def landmarks(self, scene: Declared) -> Iterator[Mark]:
         """Yield the point, and the force if it depends on parameters alone."""
@@ -140,7 +140,7 @@ class BodyTorque(Effect):
         """Torque, and its power as input."""
         torque = _resolved(self.torque, self.axes, kin, f"{self.name}_torque")
         forces = kin.generalised_moment(torque, self.body, GROUND, self.name)
-        return Element(forces, power=dot(torque, kin.angular_velocity(self.body)), booked=INPUT)
+        return Element(forces, input=dot(torque, kin.angular_velocity(self.body)))
 
     def landmarks(self, scene: Declared) -> Iterator[Mark]:
         """Yield the mass centre, and the torque if it depends on parameters alone."""

@@ -68,4 +68,4 @@ class JointFriction(JointEffect):
             values[symbol] = kin.tape.let(expression.xreplace(values), f"{self.name}_{symbol.name}")
         drag = kin.tape.let(law.force.xreplace(values), f"{self.name}_drag")
         force = kin.tape.let(-arm * drag, f"{self.name}_force")
-        return Element(kin.on_joint(self.joint, force, self.name), power=drag * sliding)
+        return Element(kin.on_joint(self.joint, force, self.name), dissipated=drag * sliding)

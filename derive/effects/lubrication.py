@@ -156,7 +156,7 @@ class _Film:
         thickness = self.let(self.clearance * (1 - near * self.let(sp.sqrt(self._squared), "e_size")), "thickness")
         size = self.let(sp.sqrt(dot(force, force)), "force_size")
         outputs = (f"{self.effect.name}.force", "N", size), (f"{self.effect.name}.thickness", "m", thickness)
-        return Element(forces, power=power, outputs=outputs)
+        return Element(forces, dissipated=power, outputs=outputs)
 
     @property
     def _squared(self) -> Any:

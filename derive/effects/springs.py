@@ -72,7 +72,7 @@ class JointDamper(JointEffect):
         """Force, and the dissipated power."""
         speed = kin.speed(self.joint)
         force = kin.tape.let(-sp.sympify(self.damping) * speed, f"{self.name}_force")
-        return Element(kin.on_joint(self.joint, force, self.name), power=-force * speed)
+        return Element(kin.on_joint(self.joint, force, self.name), dissipated=-force * speed)
 
 
 class _BetweenPoints(Effect):
@@ -186,4 +186,4 @@ class PointDamper(_BetweenPoints):
         along = kin.tape.let(dot(between, rate), f"{self.name}_along")
         nonzero = Where(squared > 0, squared, sp.sympify(kin.scene.scales.length) ** 2)
         drag = kin.tape.let(sp.sympify(self.damping) * along / nonzero, f"{self.name}_per_length")
-        return Element(self._pulled(kin, drag, between), power=drag * along)
+        return Element(self._pulled(kin, drag, between), dissipated=drag * along)

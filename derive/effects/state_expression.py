@@ -3,13 +3,14 @@
 T                     time
 coordinate_of(joint)  coordinate of a joint, by its name [rad or m]
 speed_of(joint)       its rate [rad/s or m/s]
+state_of(name)        state of an effect, "motor.current" [its unit]
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Protocol
 
 import sympy as sp
 
@@ -25,11 +26,23 @@ from hertzwerk.derive.mechanism.parameter import Parameter, is_number
 from hertzwerk.derive.program.expression_text import EmitError, expression_text
 from hertzwerk.derive.units import parse_unit, unit_text
 
-TIME, COORDINATE, SPEED = "time", "coordinate", "speed"
+TIME, COORDINATE, SPEED, STATE = "time", "coordinate", "speed", "state"
+
+
+class Scope(Protocol):
+    """Protocol of a scene as expressions refer to it: freedoms with one coordinate, and states, by name."""
+
+    @property
+    def scalars(self) -> Mapping[str, Freedom]:
+        """Freedoms with one coordinate."""
+
+    @property
+    def states(self) -> Mapping[str, Any]:
+        """States of effects, which have a `unit`."""
 
 
 class StateSymbol(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
-    """Time, or the coordinate or the speed of a joint, in an expression of a scene."""
+    """Time, a coordinate or a speed of a joint, or a state of an effect, in an expression of a scene."""
 
     __slots__ = ("joint", "what")
 
@@ -62,6 +75,12 @@ def speed_of(joint: str) -> StateSymbol:
     return StateSymbol(f"{joint}.speed", SPEED, joint)
 
 
+def state_of(name: str) -> StateSymbol:
+    """State of an effect, such as "motor.current" [its unit]; raises InputError if the name is no text."""
+    _must_be_text("state_of", name)
+    return StateSymbol(name, STATE, name)
+
+
 def _must_be_text(function: str, joint: object) -> None:
     if not isinstance(joint, str):
         raise InputError(
@@ -73,7 +92,7 @@ def _must_be_text(function: str, joint: object) -> None:
 class Varying(Slot):
     """Quantity that may vary with some of time, coordinates and speeds."""
 
-    on: tuple[str, ...] = (TIME, COORDINATE, SPEED)
+    on: tuple[str, ...] = (TIME, COORDINATE, SPEED, STATE)
     derivatives: int = 0
     """Number of time derivatives that are taken of it."""
 
@@ -111,11 +130,13 @@ def tables_in(expression: Any) -> list[Table]:
     return list(dict.fromkeys(node for node in sp.preorder_traversal(expression) if isinstance(node, Table)))
 
 
-def state_dimension(symbol: StateSymbol, freedoms: Mapping[str, Freedom]) -> Dimension:
-    """Dimension of time, or of a coordinate or speed of one of these freedoms."""
+def state_dimension(symbol: StateSymbol, scene: Scope) -> Dimension:
+    """Dimension of time, of a coordinate or speed of a scene's freedom, or of an effect's state."""
     if symbol.what == TIME:
         return Dimension.from_unit("s")
-    coordinate, speed, _ = freedoms[symbol.joint].units
+    if symbol.what == STATE:
+        return Dimension.from_unit(scene.states[symbol.joint].unit)
+    coordinate, speed, _ = scene.scalars[symbol.joint].units
     return Dimension.from_unit(coordinate if symbol.what == COORDINATE else speed)
 
 
@@ -126,7 +147,7 @@ def shown(value: Any) -> str:
 
 def expression_faults(
     slot: Varying,
-    freedoms: Mapping[str, Freedom],
+    scene: Scope,
     table: Mapping[sp.Symbol, Dimension],
     constant: Callable[[Slot], Iterator[Fault]],
 ) -> Iterator[Fault]:
@@ -144,14 +165,13 @@ def expression_faults(
             of = " and ".join(slot.on) if slot.on else "parameters alone"
             yield Fault(where, f"{value}, which depends on {symbol}", f"an expression of {of}")
             return
-        if symbol.what != TIME and symbol.joint not in freedoms:
-            strange.append(
-                Fault(
-                    where,
-                    f"joint {symbol.joint!r}",
-                    one_of(freedoms, "a joint with one coordinate, of which the mechanism has none"),
-                )
-            )
+        if symbol.what == STATE and symbol.joint not in scene.states:
+            expected = one_of(scene.states, "a state of an effect, of which the scene has none")
+            strange.append(Fault(where, f"state {symbol.joint!r}", expected))
+            yield strange[-1]
+        elif symbol.what in (COORDINATE, SPEED) and symbol.joint not in scene.scalars:
+            expected = one_of(scene.scalars, "a joint with one coordinate, of which the mechanism has none")
+            strange.append(Fault(where, f"joint {symbol.joint!r}", expected))
             yield strange[-1]
     others = [symbol for symbol in value.free_symbols if not isinstance(symbol, Parameter | StateSymbol)]
     if others:
@@ -159,12 +179,12 @@ def expression_faults(
         yield Fault(
             where,
             f"the symbol {named}",
-            "an expression of Parameters, T, coordinate_of(joint), speed_of(joint) and tables",
+            "an expression of Parameters, T, coordinate_of(joint), speed_of(joint), state_of(name) and tables",
         )
         return
     if strange:
         return
-    known = {**table, **{symbol: state_dimension(symbol, freedoms) for symbol in states_in(value)}}
+    known = {**table, **{symbol: state_dimension(symbol, scene) for symbol in states_in(value)}}
     unit = parse_unit(slot.unit)
     fault = check(value, known, Dimension.from_unit(unit, {}), list(table))
     if fault is not None:

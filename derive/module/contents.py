@@ -28,6 +28,7 @@ def program_of(system: System) -> Program:
         motion.accelerations(system),
         *([motion.balance(system)] if system.loops and system.joints is not None and not system.driven else []),
         *([loops.constraints(system), loops.projection(system)] if system.loops else []),
+        *([motion.margins(system), motion.jumps(system)] if system.events else []),
         *([energy.ledger(system), energy.energy(system)] if system.scene.ledger else []),
         outputs.poses(system),
         outputs.outputs(system),

@@ -15,7 +15,7 @@ def ledger(system: System) -> Function:
         system.tape.input(f"{row.key.replace('.', '_')}_reaction_in", "reactions", dimension_of(row.unit)) * row.speed
         for row in system.driven
     ]
-    rows = {f"{effect.name}.{e.booked}": e.power for effect, e in system.elements.items() if e.power is not None}
+    rows = {f"{effect.name}.{what}": power for effect, e in system.elements.items() for what, power in e.powers.items()}
     if system.scene.ledger is not None:
         rows[f"{system.scene.ledger.name}.input"] = sp.Add(*power)
     values = [rows.get(name, sp.S.Zero) for name, _ in system.memory]

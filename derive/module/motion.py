@@ -1,4 +1,4 @@
-"""Equations of motion: kinematic equations, applied forces, accelerations."""
+"""Equations of motion: kinematic equations, applied forces, accelerations; events of effects."""
 
 from __future__ import annotations
 
@@ -22,7 +22,12 @@ def coordinate_rates(system: System) -> Function:
         "coordinate_rates",
         "Rates of the coordinates.",
         "t q u c",
-        Result("dq", labels, units, (*system.kin.rates, *(state.rate for state in system.kin.drive_states))),
+        Result(
+            "dq",
+            labels,
+            units,
+            (*system.kin.rates, *(state.rate for state in system.kin.drive_states), *system.state_rates),
+        ),
     )
 
 
@@ -60,6 +65,30 @@ def accelerations(system: System) -> Function:
             tuple(reactions),
         ),
         *((of_loops("multipliers", system.loops, multipliers, MULTIPLIER_UNITS),) if system.loops else ()),
+    )
+
+
+def margins(system: System) -> Function:
+    """Margins of the effects' events."""
+    names = tuple(f"{effect}.{event.name}" for effect, event in system.events)
+    values = tuple(sp.sympify(event.margin) / sp.sympify(event.size) for _, event in system.events)
+    return system.function(
+        "margins",
+        "Margin of every event of an effect, beside its size: positive until it happens, see EVENTS.",
+        "t q u c",
+        Result("margin", names, ("1",) * len(names), values),
+    )
+
+
+def jumps(system: System) -> Function:
+    """States after the effects' events."""
+    rows = [(f"{effect}.{name}", value) for effect, event in system.events for name, value in event.then.items()]
+    names, values = tuple(name for name, _ in rows), tuple(sp.sympify(value) for _, value in rows)
+    return system.function(
+        "jumps",
+        "Values of the states that each event changes, event by event, by the values before it.",
+        "t q u c",
+        Result("then", names, tuple(system.scene.states[name].unit for name in names), values),
     )
 
 

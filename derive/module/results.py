@@ -19,9 +19,10 @@ MULTIPLIER_UNITS = {"m": "N", "1": "N m"}  # its multiplier
 
 
 def ports_of(scene: Scene, kin: Kinematics) -> tuple[list[Port], list[Port]]:
-    """Coordinates, including states of drives, and speeds."""
+    """Coordinates, including states of drives and effects, and speeds."""
     coordinates = [port for freedom in scene.free for port in freedom.coordinates]
     coordinates += [state.port for state in kin.drive_states]
+    coordinates += [Port(name, state.unit) for name, state in scene.states.items()]
     return coordinates, [port for freedom in scene.free for port in freedom.speeds]
 
 

@@ -2,24 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import sympy as sp
 
 from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.effects.effect import State
+from hertzwerk.derive.mechanism.joints.joint import Port
 from hertzwerk.derive.module.system import System
 from hertzwerk.derive.program.program import Function, Result
 
 
 def scales(system: System) -> Function:
     """Scales of all quantities that have a tolerance."""
-    scales, of_unit = system.scene.scales, sizes_of(system.scene)
+    scales = system.scene.scales
     length, speed = sp.sympify(scales.length), sp.sympify(scales.speed)
     mass = system.tape.let(sp.Add(*(sp.sympify(body.mass) for body in system.scene.mechanism.bodies)), "total_mass")
     energy = system.tape.let(mass * speed**2 / 2, "energy_scale")
     force = system.tape.let(energy / length, "force_scale")
-    q = [of_unit[port.unit] for port in system.coordinates]
-    u = [of_unit[port.unit] for port in system.speeds]
+    q = coordinate_sizes(system.scene, system.coordinates)
+    u = [scales.by_unit[port.unit] for port in system.speeds]
     sizes = {
         f"{friction.name}.bristle": pair.bristle_size(friction)
         for pair, _, friction in system.contacts
@@ -36,15 +39,17 @@ def scales(system: System) -> Function:
     )
 
 
-def sizes_of(scene: Scene) -> dict[str, Any]:
-    """Scales of coordinates and speeds, by unit."""
-    scales = scene.scales
-    length, speed = sp.sympify(scales.length), sp.sympify(scales.speed)
-    if scales.arm is None:
-        return {"m": length, "m/s": speed}
-    # a quaternion moves by half the angle
-    angles = {"rad": length / scales.arm, "rad/s": speed / scales.arm, "1": length / scales.arm / 2}
-    return {"m": length, "m/s": speed, **angles}
+def coordinate_sizes(scene: Scene, ports: list[Port]) -> list[Any]:
+    """Scales of coordinates and states, in the order of their ports."""
+    of_unit, states = scene.scales.by_unit, scene.states
+    return [size_of(states[port.name], of_unit) if port.name in states else of_unit[port.unit] for port in ports]
+
+
+def size_of(state: State, of_unit: Mapping[str, Any]) -> Any:
+    """Scale of an effect's state: its own, or the scene's of its unit."""
+    if state.size is not None:
+        return sp.sympify(state.size)
+    return sp.S.One if state.unit == "1" else of_unit[state.unit]
 
 
 def speed_limits(system: System) -> Function:

@@ -6,7 +6,7 @@ import sympy as sp
 
 from hertzwerk.derive.module.joints import Joints
 from hertzwerk.derive.module.results import vector
-from hertzwerk.derive.module.scales import sizes_of
+from hertzwerk.derive.module.scales import coordinate_sizes
 from hertzwerk.derive.module.system import System
 from hertzwerk.derive.motion.absolute import placed
 from hertzwerk.derive.program.program import Function
@@ -18,6 +18,7 @@ def start(system: System) -> Function:
     given, free = of.scene.start, of.scene.free
     q = [sp.sympify(value) for freedom in free for value in given.coordinates(freedom)]
     q += [state.start for state in of.kin.drive_states]
+    q += [sp.sympify(state.start) for state in of.scene.states.values()]
     u = [sp.sympify(value) for freedom in free for value in given.speeds(freedom)]
     return system.function(
         "start", "Coordinates and speeds at t = 0.", "p", vector("q", of.coordinates, q), vector("u", of.speeds, u)
@@ -26,12 +27,12 @@ def start(system: System) -> Function:
 
 def joint_scales(system: System, joints: Joints) -> Function:
     """Scales of joint coordinates and speeds, for assembly at the start."""
-    sizes = sizes_of(joints.scene)
+    sizes = joints.scene.scales.by_unit
     return system.function(
         "joint_scales",
         "Scales of the joints' coordinates and speeds.",
         "p",
-        vector("sq", joints.coordinates, [sizes[unit] for _, unit in joints.coordinates]),
+        vector("sq", joints.coordinates, coordinate_sizes(joints.scene, joints.coordinates)),
         vector("su", joints.speeds, [sizes[unit] for _, unit in joints.speeds]),
     )
 

@@ -9,9 +9,11 @@ from collections.abc import Mapping
 from functools import cached_property
 from typing import Any
 
+import sympy as sp
+
 from hertzwerk.derive.contact.contact_forces import PairKinematics
 from hertzwerk.derive.declare.scene import Scene
-from hertzwerk.derive.effects.effect import CONTACT, DISSIPATED, NOWHERE
+from hertzwerk.derive.effects.effect import CONTACT, DISSIPATED, NOWHERE, Event, state_faults
 from hertzwerk.derive.faults import InputError
 from hertzwerk.derive.laws.law import speed_limit
 from hertzwerk.derive.mechanism.joints.joint import Port
@@ -51,6 +53,7 @@ class System:
         self.loops = self.equations.constraints
         faults = [fault for pair, _, friction in self.contacts for fault in pair.faults(friction, scene.size)]
         faults += resistance_faults(scene)
+        faults += [fault for effect, e in self.elements.items() for fault in state_faults(effect, e, scene)]
         if faults:
             raise InputError(f"scene {scene.name}", faults)
         self.bristles = {
@@ -75,9 +78,9 @@ class System:
         if ledger is None:
             return bristles
         drives = [(f"{ledger.name}.input", "J")] if self.driven else []
-        rows = {effect.name: DISSIPATED for effect in self.scene.effects if effect.enters == CONTACT}
-        rows |= {effect.name: e.booked for effect, e in self.elements.items() if e.power is not None}
-        booked = [(f"{e.name}.{rows[e.name]}", "J") for e in self.scene.effects if e.name in rows]
+        rows = {effect: e.powers for effect, e in self.elements.items()}
+        rows |= {effect: {DISSIPATED: None} for effect in self.scene.effects if effect.enters == CONTACT}
+        booked = [(f"{e.name}.{what}", "J") for e in self.scene.effects for what in rows.get(e, ())]
         return bristles + drives + booked
 
     @cached_property
@@ -89,6 +92,17 @@ class System:
     def speeds(self) -> list[Port]:
         """Ports of u."""
         return ports_of(self.scene, self.kin)[1]
+
+    @cached_property
+    def state_rates(self) -> list[Any]:
+        """Rates of the effects' states, zero for those that change at events alone."""
+        rates = {f"{effect.name}.{name}": e.rates[name] for effect, e in self.elements.items() for name in e.rates}
+        return [sp.sympify(rates.get(name, 0)) for name in self.scene.states]
+
+    @cached_property
+    def events(self) -> list[tuple[str, Event]]:
+        """Events of the effects, with the effects' names."""
+        return [(effect.name, event) for effect, e in self.elements.items() for event in e.events]
 
     @cached_property
     def limited(self) -> dict[str, Any]:

@@ -39,6 +39,7 @@ def tables(system: System) -> Mapping[str, tuple[Any, ...]]:
         "MEMORY": tuple(system.memory),
         "LATCHES": tuple((f"{name}.approach_speed", "m/s", pairs.index(name)) for name in system.latches),
         "PAIRS": tuple((pair.pair.name, pair.pair.kind) for pair, _, _ in system.contacts),
+        **_events(system),
         **_guides(system),
         **_slips(system),
         "RELEASES": tuple("force" if c.damping is None else c.damping.law.release for _, c, _ in system.contacts),
@@ -68,6 +69,16 @@ def _guides(system: System) -> dict[str, tuple[Any, ...]]:
     """Table of pairs that guide a body with clearance, if any."""
     names = tuple(contact.pair.name for contact, _, _ in system.contacts if contact.pair.guides)
     return {"GUIDES": names} if names else {}
+
+
+def _events(system: System) -> dict[str, tuple[Any, ...]]:
+    """Table of events of effects, if any: their names, and the entries of q that each changes."""
+    entries = [name for name, _ in system.coordinates]
+    rows = [
+        (f"{effect}.{event.name}", tuple(entries.index(f"{effect}.{state}") for state in event.then))
+        for effect, event in system.events
+    ]
+    return {"EVENTS": tuple(rows)} if rows else {}
 
 
 def _slips(system: System) -> dict[str, tuple[Any, ...]]:
@@ -126,7 +137,7 @@ def _quaternions(ports: list[Port]) -> tuple[int, ...]:
 def _given(scene: Scene, kin: Kinematics) -> tuple[str, ...]:
     """Values of the start that are given instead of found by assembly."""
     stated = [name for freedom in scene.free for name in scene.start.stated(freedom)]
-    return (*stated, *(state.port.name for state in kin.drive_states))
+    return (*stated, *(state.port.name for state in kin.drive_states), *scene.states)
 
 
 def _limits(scene: Scene) -> list[tuple[Any, ...]]:

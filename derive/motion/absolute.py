@@ -16,7 +16,7 @@ import sympy as sp
 
 from hertzwerk.derive.algebra.vectors import Vector, apply, transpose
 from hertzwerk.derive.declare.scene import Scene
-from hertzwerk.derive.effects.state_expression import COORDINATE, states_in
+from hertzwerk.derive.effects.state_expression import COORDINATE, SPEED, states_in
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.mechanism.bodies import AXES, GROUND, Body, Frame, Point, Slot, Triple
 from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
@@ -204,7 +204,12 @@ def _effect_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:
     closing = {freedom.key: (joint, freedom) for joint in scene.mechanism.tree for freedom in joint.freedoms}
     remedy = "Keep the joints' coordinates: coordinates='tree'."
     for effect in scene.effects:
-        symbols = [symbol for slot in effect.slots(scene) for symbol in states_in(slot.value) if symbol.joint]
+        symbols = [
+            symbol
+            for slot in effect.slots(scene)
+            for symbol in states_in(slot.value)
+            if symbol.what in (COORDINATE, SPEED)
+        ]
         asked = [(symbol.joint, symbol.what == COORDINATE) for symbol in symbols]
         asked += [(key, effect.asks == COORDINATE) for key in effect.joints]
         for key, coordinate in asked:
@@ -252,6 +257,7 @@ def placed(scene: Absolute, joints: Kinematics, bodies: Kinematics) -> tuple[lis
                 u.extend(row.speed for row in links[freedom.key].rows)
     integrated = {state.port: state.symbol for state in joints.drive_states}
     q.extend(integrated[state.port] for state in bodies.drive_states)
+    q.extend(joints.effect_states.values())
     return q, u
 
 

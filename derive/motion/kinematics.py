@@ -32,7 +32,8 @@ from hertzwerk.derive.algebra.vectors import (
 )
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.dimension.dimension import Dimension
-from hertzwerk.derive.effects.state_expression import COORDINATE, TIME, StateSymbol, T, as_choice, states_in
+from hertzwerk.derive.effects.state_expression import COORDINATE, STATE, TIME, StateSymbol, T, as_choice, states_in
+from hertzwerk.derive.faults import InputError, unknown
 from hertzwerk.derive.mechanism.bodies import Body, Direction, Frame, Point
 from hertzwerk.derive.mechanism.joints.joint import Freedom, Port
 from hertzwerk.derive.mechanism.mechanism import Mechanism
@@ -100,6 +101,7 @@ class Kinematics:
             if freedom.key not in motion:
                 motion[freedom.key] = self._driven(freedom, scene, groups[0])
         self.prescribed = {freedom.key: self._driven(freedom, scene, groups[0]) for freedom in scene.prescribed}
+        self.effect_states = {name: self._input(Port(name, s.unit), groups[0]) for name, s in scene.states.items()}
         self.states = {key: (q[0], rows[0].speed) for key, (q, rows) in motion.items()}
         self._motions = motion
         self.tree = Tree(tape, scene.mechanism, motion)
@@ -146,6 +148,12 @@ class Kinematics:
         """Rate of the coordinate [rad/s or m/s]."""
         return self.states[key][1]
 
+    def state(self, name: str) -> Any:
+        """State of an effect, `motor.current`; raises InputError for an unknown name."""
+        if name not in self.effect_states:
+            raise InputError(f"scene {self.scene.name}", [unknown("state", name, self.effect_states)])
+        return self.effect_states[name]
+
     def row(self, key: str) -> Row:
         """Row of a scalar freedom of the tree."""
         (row,) = self._motions[key][1]
@@ -165,13 +173,15 @@ class Kinematics:
         return self.tape.let(total, f"{body.name}_turned")
 
     def expression(self, value: Any) -> Any:
-        """An expression of a scene on the tape: time, and coordinates and speeds of its freedoms."""
+        """An expression of a scene on the tape: of time, coordinates, speeds and states of effects."""
         value = as_choice(value)
         return value.xreplace({symbol: self._state(symbol) for symbol in states_in(value)})
 
     def _state(self, symbol: StateSymbol) -> Any:
         if symbol.what == TIME:
             return self.t
+        if symbol.what == STATE:
+            return self.state(symbol.joint)
         return self.coordinate(symbol.joint) if symbol.what == COORDINATE else self.speed(symbol.joint)
 
     def _input(self, port: Port, group: str) -> sp.Symbol:

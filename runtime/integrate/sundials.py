@@ -19,12 +19,14 @@ from scipy.optimize import brentq
 
 from hertzwerk.runtime.host.interrupt import defer_interrupts
 from hertzwerk.runtime.integrate.events.events import ends_with_force
+from hertzwerk.runtime.integrate.events.jumps import jump
 from hertzwerk.runtime.integrate.events.slips import resolve_slips
 from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, INTERRUPTED, WALL_TIME_LIMIT, Ending
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.layout import (
     CONTACT,
     EVENT_LIMIT,
+    EVENT_PARTS,
     FINISHED,
     FLIGHT,
     GRIP_PARTS,
@@ -47,7 +49,8 @@ FIRST_WINDOW = 0.5  # after an event, of length/speed of the scene
 WINDOWS = 20  # least number in a run
 SHORTEST = 1e-9  # of the first window: a shorter one means failure
 MAX_STEPS = 1_000_000  # inside SUNDIALS, per window
-GRIP = 3.0  # beside the modes of a pair, see _Event
+GRIP, EFFECT = 3.0, 4.0  # beside the modes of a pair, see _Event
+DUE = 1e-9  # margin of an event of an effect, beside its size, up to which it has been reached
 BREAKS_LOOSE = -1e300  # N: holding force of a pair that breaks loose
 AT_REST = 1e-9  # m/s: largest sliding velocity that counts as rest at an event
 RELATIVE = 1e-14  # the absolute tolerance, in the scene's scales, is the one asked for
@@ -124,10 +127,10 @@ def march(
 
 @dataclass(frozen=True)
 class _Event:
-    """Mode change of a pair that ends a window.
+    """Mode change of a pair, or event of an effect, that ends a window.
 
     It lies after grid point `index` (-1: the start) at the fraction theta of that interval. The mode GRIP stands for
-    a friction margin that reached zero: the pair begins to slip or to stick.
+    a friction margin that reached zero: the pair begins to slip or to stick. EFFECT stands for an event of an effect.
     """
 
     index: int
@@ -217,7 +220,8 @@ class _Run:
         for i, j in enumerate(pairs_of(self.model)):
             if self.mode[j] == CONTACT:
                 found.append((j, GRIP, float(end["margin"][i]), float(end["margin_rate"][i])))
-        return found
+        of_effects = zip(end["event"], end["event_rate"], strict=True)
+        return found + [(i, EFFECT, float(margin), float(rate)) for i, (margin, rate) in enumerate(of_effects)]
 
     def first_event(self, points: np.ndarray, h: float) -> _Event | None:
         """Find the first event of a window.
@@ -270,6 +274,10 @@ class _Run:
             (self.y,) = self.integrate(self.one, self.t, self.y, event.theta * step)
             self.t += event.theta * step
             self.steps += 1
+        if event.mode == EFFECT:
+            self.events += 1
+            self.y = np.array(jump(self.model)(self.t, self.y, self.c, DUE)).ravel()
+            return
         end, old, j = self.at(self.t, self.y), self.mode[event.pair], event.pair
         if event.mode == GRIP:
             self.resolve_slip(j, ran_out=True)
@@ -324,7 +332,7 @@ class _Run:
         """Return the engine's state vector of the current state."""
         end = self.at(self.t, self.y)
         values: dict[str, Any] = {"t": self.t, "y": self.y, "dy": end["dy"], "mode": self.mode, "m": self.m}
-        values |= {name: end[name] for name in (*PAIR_PARTS, *GRIP_PARTS, "ahead")}
+        values |= {name: end[name] for name in (*PAIR_PARTS, *GRIP_PARTS, *EVENT_PARTS, "ahead")}
         values |= {
             "accepted": 1,
             "status": self.status,

@@ -82,6 +82,9 @@ class Model:
         self.slips: tuple[tuple[str, str, int], ...] = getattr(module, "SLIPS", ())
         self.ns, self.k, self.nc = len(self.slips), len(self.pairs), len(module.CONSTANTS)
         self.nm = len(self.latches) + self.ns
+        self.events: tuple[tuple[str, tuple[int, ...]], ...] = getattr(module, "EVENTS", ())
+        """Events of effects, by name, and the rows of q that each changes."""
+        self.ne = len(self.events)
         rows = {
             pair: tuple(i for i, name in enumerate(self.outputs) if name.startswith(f"{pair}.eccentricity_"))
             for pair in self.pairs
@@ -298,6 +301,8 @@ _INPUTS = {
     "constraints": "t q u c",
     "balance": "t q u a multipliers c",
     "projection": "t q wanted c",
+    "margins": "t q u c",
+    "jumps": "t q u c",
     "ledger": "t q u reactions c",
     "energy": "t q u c",
     "poses": "t q c",

@@ -64,8 +64,8 @@ _OUTCOMES = {
     ),
     EVENT_LIMIT: (
         "event_limit",
-        "more than {max_events:,} contacts began by t = {t:.9g} s",
-        "raise max_events, or ask for more accuracy if the contacts chatter",
+        "more than {max_events:,} contacts and events of effects by t = {t:.9g} s",
+        "raise max_events, or ask for more accuracy if contacts chatter, give a relay that chatters a hysteresis",
     ),
     TOO_MANY_STEPS: (
         "too_many_steps",

@@ -12,6 +12,7 @@ from hertzwerk.derive.identifiers import repeated
 
 if TYPE_CHECKING:
     from hertzwerk.derive.declare.scene import Scene
+    from hertzwerk.derive.effects.effect import Effect
 
 
 def effect_faults(scene: Scene) -> Iterator[Fault]:
@@ -19,12 +20,26 @@ def effect_faults(scene: Scene) -> Iterator[Fault]:
     yield from repeated("effect", [effect.name for effect in scene.effects])
     for effect in scene.effects:
         yield from effect.faults(scene)
+        yield from _state_faults(scene, effect)
     for what, count in Counter(effect.only for effect in scene.effects if effect.only).items():
         if count > 1:
             yield Fault(what, str(count), "one")
     if all(freedom.key in scene.driven for freedom in scene.mechanism.freedoms):
         found = "a drive on every joint" if scene.mechanism.freedoms else "no joint that can move"
         yield Fault("effects", found, "at least one joint that is free to move")
+
+
+def _state_faults(scene: Scene, effect: Effect) -> Iterator[Fault]:
+    """Faults of states of the same name, and of states without a size."""
+    if any(key not in scene.scalars for key in effect.joints):
+        return  # a fault of its own
+    states = list(effect.states(scene))
+    yield from repeated(f"{effect.where}, state", [state.name for state in states])
+    scales = scene.scales.by_unit
+    for state in states:
+        if state.size is None and state.unit != "1" and state.unit not in scales:
+            yield Fault(f"{effect.where}, {state.name}", "no size", f"a quantity in {state.unit} that its errors are measured by",
+                        f"State({state.name!r}, {state.unit!r}, size=...); without one it is the scene's scale in {', '.join(scales)}.")  # fmt: skip
 
 
 def start_faults(scene: Scene) -> Iterator[Fault]:

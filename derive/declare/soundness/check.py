@@ -50,7 +50,7 @@ def faults_of(scene: Scene) -> tuple[Fault, ...]:
         if isinstance(slot, Posed):
             found.extend(posed_faults(slot, table))
         elif isinstance(slot, Varying):
-            found.extend(expression_faults(slot, scene.scalars, table, partial(quantity_faults, table=table)))
+            found.extend(expression_faults(slot, scene, table, partial(quantity_faults, table=table)))
         else:
             found.extend(quantity_faults(slot, table))
         found.extend(rate_faults(slot))

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
+from hertzwerk.runtime.integrate.events.jumps import falls
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, RELEASED, Layouts
 from hertzwerk.runtime.integrate.step.rounding import EPS, gap_rounding
 from hertzwerk.runtime.integrate.step.set_valued_friction import margin_tolerances, margins, margins_positive, pairs_of
@@ -107,12 +108,14 @@ def ends_with_force(model: Model) -> Any:
 def polynomials(model: Model, layouts: Layouts) -> Any:
     """Build the function (state, controls, next) -> gap polynomials over a step and their suspicions.
 
-    Results: bernstein (6, k), margin (k), doubt (k), suspect (k), ending (n). An event is the first theta where a
+    Results: bernstein (6, k), margin (k), doubt (k), suspect (k), ending (n); without pairs the last alone. An event is the first theta where a
     polynomial, falling from above, has a root and goes on to -margin; a graze whose minimum is below doubt is
     resolved by a shorter step. suspect: 1 where any of this is possible; ending: 1 where `endings` has an event.
     """
     arguments, (start, run, end) = layouts.symbols("state controls next")
     h = start["h"]
+    if not model.k:
+        return ca.Function("polynomials", arguments, [ca.densify(falls(run, start, end)[0])])
     tol, tol_rate, tol_force = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
     before, after = signed_gaps(start["mode"], start), signed_gaps(start["mode"], end)
     g, rate, _ = before
@@ -129,6 +132,8 @@ def polynomials(model: Model, layouts: Layouts) -> Any:
     ending = sum(falls for falls, *_ in _endings(model, start, end, tol, tol_rate, tol_force)) > 0
     if model.ns:
         ending = ca.vertcat(ending, _slipping(model, start, end, tol_rate, tol_force)[0])
+    if model.ne:
+        ending = ca.vertcat(ending, falls(run, start, end)[0])
     outputs = ca.cse([*map(ca.densify, (bernstein, margin, doubt, suspect, ending))])
     return ca.Function("polynomials", arguments, outputs)
 
@@ -138,26 +143,31 @@ def endings(model: Model, layouts: Layouts) -> Any:
 
     Results: bernstein (6, n), margin (n), doubt (n). A mode also ends, before the gap opens, where one of these falls
     through zero: in contact the force, which would pull from there on; released, the opening speed, after which the
-    bodies close again; for the ns pairs that slip or stick, the margin of that. The root is aimed half the tolerance
-    below zero, so that the landing is beyond it. Where stiff damping makes the force, its rate is dominated by the
-    velocity error of a step: after BELIEVED retakes the chord replaces the cubic.
+    bodies close again; for the ns pairs that slip or stick, the margin of that; for the ne events of effects their
+    own. The root is aimed half the tolerance below zero, so that the landing is beyond it. Where stiff damping makes the
+    force, its rate is dominated by the velocity error of a step: after BELIEVED retakes the chord replaces the cubic.
     """
     arguments, (start, run, end) = layouts.symbols("state controls next")
     h = start["h"]
-    tolerance = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
-    rows, aim = [ca.SX(1)] * 6, ca.SX(0)
-    for falls, f, f1, rate, rate1, small in _endings(model, start, end, *tolerance):
-        rise, rise1 = (ca.if_else(start["retakes"] < BELIEVED, h * slope, f1 - f) for slope in (rate, rate1))
-        cubic = _raise(_raise([f, f + rise / 3, f1 - rise1 / 3, f1]))
-        rows = [ca.if_else(falls, x + small / 2, row) for x, row in zip(cubic, rows, strict=True)]
-        aim = ca.if_else(falls, small / 2, aim)
+    rows, aim, margins_of = [ca.SX.ones(model.k)] * 6, ca.SX.zeros(model.k), []
+    if model.k:
+        tolerance = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
+        for ends, f, f1, rate, rate1, small in _endings(model, start, end, *tolerance):
+            rise, rise1 = (ca.if_else(start["retakes"] < BELIEVED, h * slope, f1 - f) for slope in (rate, rate1))
+            cubic = _raise(_raise([f, f + rise / 3, f1 - rise1 / 3, f1]))
+            rows = [ca.if_else(ends, x + small / 2, row) for x, row in zip(cubic, rows, strict=True)]
+            aim = ca.if_else(ends, small / 2, aim)
     if model.ns:
-        falls, cubic, small = _slipping(model, start, end, *tolerance[1:])
+        margins_of.append(_slipping(model, start, end, *tolerance[1:]))
+    if model.ne:
+        margins_of.append(falls(run, start, end))
+    for ends, cubic, small in margins_of:
         cubic = _raise(_raise(cubic))
-        rows = [ca.vertcat(row, ca.if_else(falls, x + small / 2, 1)) for x, row in zip(cubic, rows, strict=True)]
+        rows = [ca.vertcat(row, ca.if_else(ends, x + small / 2, 1)) for x, row in zip(cubic, rows, strict=True)]
         aim = ca.vertcat(aim, small / 2)
     bernstein = ca.densify(ca.vertcat(*(row.T for row in rows)))
-    return ca.Function("endings", arguments, ca.cse([bernstein, ca.densify(aim), ca.DM.zeros(model.k + model.ns)]))
+    doubt = ca.DM.zeros(model.k + model.ns + model.ne)
+    return ca.Function("endings", arguments, ca.cse([bernstein, ca.densify(aim), doubt]))
 
 
 def _endings(

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.integrate.events.events import ends_with_force, pulls, tolerances
+from hertzwerk.runtime.integrate.events.jumps import jump, time_to_event
 from hertzwerk.runtime.integrate.events.slips import resolve_slips
 from hertzwerk.runtime.integrate.step.classes import IDLE, class_of
 from hertzwerk.runtime.integrate.step.layout import (
@@ -69,14 +70,18 @@ def latch(model: Model, run: Parts, m: Any, onset: Any, gap_rate: Any) -> tuple[
 def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
     """Build the function (before, after, controls) -> state `after` with its mode changes carried out.
 
-    The derivatives follow the new modes; the ledger, bristles and slips are updated.
+    The derivatives follow the new modes; the ledger, bristles and slips are updated, and states at events.
     """
     arguments, (before, after, run) = vectors.symbols("before after controls")
     y = after["y"]
     if model.has_ledger:
         y = _book_stored_energy(model, after["t"], y, run["c"], before["mode"], after["mode"])
     y, m = _reset_bristles(model, y, after["mode"]), after["m"]
-    _, *tolerance = tolerances(model, run, after["t"], y, after["gap_rate"])
+    if model.ne:
+        y = jump(model)(after["t"], y, run["c"], 0)
+    tolerance: list[Any] = []
+    if model.k:
+        _, *tolerance = tolerances(model, run, after["t"], y, after["gap_rate"])
     asked = ca.SX(0, 1)
     if model.ns:
         small = margin_tolerances(model, m, *tolerance)
@@ -92,6 +97,8 @@ def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
     finite = is_finite(end)
     status = ca.if_else(finite, after["status"], NOT_FINITE)
     new = {**after, **end, "y": y, "m": m, "status": status, "class": ca.if_else(finite, after["class"], IDLE)}
+    if model.ne:
+        new["h"] = ca.fmin(after["h"], time_to_event(run, end, after["t"]))
     resumed = ca.Function("resumed", [*arguments[1:], m, y], [vectors.state.join(new)])
     given = booked.mx_in()
     slips = resolve_slips(model).call(booked.call(given))
@@ -107,12 +114,15 @@ def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
     known, controls = ca.SX.sym("latches", len(model.latches)), vectors.controls.symbol("controls")
     run = vectors.controls.split(controls)
     y = ca.vertcat(q, u, ca.SX.zeros(model.nz))
+    if model.ne:
+        y = jump(model)(t, y, run["c"], 0)
     mode, floored = ca.SX.zeros(model.k), ca.SX(0)
     m = ca.vertcat(ca.SX.ones(model.nm - model.ns), ca.SX.zeros(model.ns))
     end = right.at(t, y, mode, m, run["c"])
     gap, rate = end["gap"], end["gap_rate"]
-    tol, *tolerance = tolerances(model, run, t, y, rate)
+    tolerance: list[Any] = []
     if model.k:
+        tol, *tolerance = tolerances(model, run, t, y, rate)
         touching = (gap < -tol) + (gap <= tol) * _closing(rate, end["gap_acceleration"]) > 0
         m, floored = latch(model, run, m, touching, rate)
         for i in range(len(model.latches)):
@@ -142,6 +152,7 @@ def _first(model: Model, vectors: Layouts, right: Flow) -> Any:
     fastest = ca.mmax(ca.fabs(end["dy"]) / run["scale"])  # [1/s]
     h = ca.fmin(0.1 / ca.fmax(fastest, 1 / FINITE), run["h_max"])
     h_onset = ONSET_STEP * run["tolerance"] ** ONSET_POWER * run["scales"][0] / run["scales"][1]
+    ahead = time_to_event(run, end, t) if model.ne else h
     start = {
         **dict.fromkeys(vectors.state.sizes, ca.SX(0)),
         **end,
@@ -149,7 +160,7 @@ def _first(model: Model, vectors: Layouts, right: Flow) -> Any:
         "y": y,
         "mode": mode,
         "m": m,
-        "h": ca.if_else(in_contact, ca.fmin(h, h_onset), h),
+        "h": ca.fmin(ca.if_else(in_contact, ca.fmin(h, h_onset), h), ahead),
         "h_flight": h,
         "h_contact": ca.fmin(h, h_onset),
         "h_onset": h_onset,
@@ -165,7 +176,7 @@ def _first(model: Model, vectors: Layouts, right: Flow) -> Any:
 
 def _slip_tolerances(model: Model, tolerance: list[Any]) -> list[Any]:
     """Return the tolerances of the pairs with set-valued friction."""
-    return [part[pairs_of(model)] if model.ns else ca.SX(0, 1) for part in tolerance]
+    return [part[pairs_of(model)] for part in tolerance] if model.ns else [ca.SX(0, 1)] * 2
 
 
 def is_finite(end: Parts) -> Any:

@@ -15,6 +15,7 @@ from hertzwerk.runtime.integrate.events.events import (
     signed_gaps,
     tolerances,
 )
+from hertzwerk.runtime.integrate.events.jumps import time_to_event
 from hertzwerk.runtime.integrate.events.modes import FINITE, Parts, any_of, is_finite, latch, next_modes, switch
 from hertzwerk.runtime.integrate.step.classes import IDLE, IN_CONTACT, class_of
 from hertzwerk.runtime.integrate.step.closing import LOST
@@ -32,6 +33,7 @@ from hertzwerk.runtime.integrate.step.layout import (
     CONSTRAINT_LOST,
     CONTACT,
     EVENT_LIMIT,
+    EVENT_PARTS,
     FINISHED,
     FLIGHT,
     GRIP_PARTS,
@@ -54,7 +56,7 @@ if TYPE_CHECKING:
 
 NUDGE_EVALUATIONS = 4
 MAX_RETAKES = 60  # of one step; a landing needs 1 to 3
-MOVED = ("t", "y", "dy", *PAIR_PARTS, *GRIP_PARTS, "ahead")  # the parts of a state that a step moves
+MOVED = ("t", "y", "dy", *PAIR_PARTS, *GRIP_PARTS, *EVENT_PARTS, "ahead")  # the parts of a state that a step moves
 
 
 def settle(model: Model, vectors: Layouts, table: Table, right: Flow) -> Any:
@@ -67,20 +69,24 @@ def settle(model: Model, vectors: Layouts, table: Table, right: Flow) -> Any:
     given = [ca.MX.sym(name, part.size) for name, part in zip(names, parts, strict=True)]
     state, controls, end, verdict = given
     decide = _decide(model, vectors, table)
-    if not model.k:
+    if not (model.k or model.ne):
         decided, _ = decide(*given, NO_EVENT, 0)
         return ca.Function("settle", given, [decided], names, ["new"])
-    *gaps, suspect, ending = polynomials(model, vectors)(state, controls, end)
-    find, forces, count = search(model.k), endings(model, vectors), model.k + model.ns
-    at_gap = _if(any_of(suspect), find, [NO_EVENT] * model.k, suspect, *gaps)
+    *gaps, ending = polynomials(model, vectors).call([state, controls, end])
+    forces, count = endings(model, vectors), model.k + model.ns + model.ne
+    at_gap = ca.MX(NO_EVENT)
+    if model.k:
+        suspect = gaps.pop()
+        at_gap = _if(any_of(suspect), search(model.k), [NO_EVENT] * model.k, suspect, *gaps)
     wanted, three = ca.MX.sym("wanted", count), forces.mx_in()
     searched = ca.Function("searched", [wanted, *three], [search(count)(wanted, *forces(*three))])
     at_force = _if(any_of(ending), searched, [NO_EVENT] * count, ending, state, controls, end)
     theta, delta = _aim(model, vectors, table)(*given, at_gap, at_force)
-    moved = _nudge(model, vectors, right)
-    still = moved.mx_in()
-    rest = ca.Function("rest", still, still[2:4])
-    end, verdict = ca.Function.if_else("nudge", moved, rest)(delta != 0, *given, delta)
+    if model.k:
+        moved = _nudge(model, vectors, right)
+        still = moved.mx_in()
+        rest = ca.Function("rest", still, still[2:4])
+        end, verdict = ca.Function.if_else("nudge", moved, rest)(delta != 0, *given, delta)
     decided, switched = decide(state, controls, end, verdict, theta, delta)
     changed = switch(model, vectors, right)
     before, after, run = changed.mx_in()
@@ -126,11 +132,15 @@ def _if(condition: Any, function: Any, otherwise: list[float], *arguments: Any) 
 def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
     """Build the function that returns theta of a step's first event and a move delta [s] of its end.
 
-    Arguments: state, controls, next, verdict, theta of the gaps (k), theta of the other endings (k + ns). delta leads
+    Arguments: state, controls, next, verdict, theta of the gaps (k), of the other endings (k + ns + ne). delta leads
     to a surface close by, or is 0.
     """
     arguments, (old, run, end, _) = vectors.symbols("state controls next verdict")
-    at_gap, at_force = ca.SX.sym("at_gap", model.k), ca.SX.sym("at_force", model.k + model.ns)
+    at_gap, at_force = ca.SX.sym("at_gap", max(model.k, 1)), ca.SX.sym("at_force", model.k + model.ns + model.ne)
+    asked = [*arguments, at_gap, at_force]
+    theta, force = ca.mmin(at_gap), ca.mmin(at_force)
+    if not model.k:
+        return ca.Function("aim", asked, [ca.fmin(theta, force), ca.SX(0)])
     tol, _, _ = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
     times = time_to_root(*signed_gaps(old["mode"], end))
     # its fifth power, the nudge's error, is below the tolerance
@@ -138,13 +148,12 @@ def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
     # Whoever is on its surface already would be led past it by a move on to another's close by, and back by the retake: the step ends there.
     away = ca.if_else(ca.fabs(end["gap"]) > tol, times, 0)
     delta = ca.mmin(ca.if_else(ca.fabs(times) <= near, away, 2 * near))
-    theta, force = ca.mmin(at_gap), ca.mmin(at_force)
     alone = (theta >= 1 - 2 * NEAR) * (force >= NO_EVENT)  # a force that runs out is no surface
+    if model.ne:  # nor is an event that the move may pass
+        alone *= ca.mmin(end["event"] + near * end["event_rate"] > 0)
     within = (delta <= near) * (old["h"] + delta <= run["t_end"] - old["t"])
     within *= isinstance(table, RungeKutta)  # what is stiff is not moved by an explicit step
-    return ca.Function(
-        "aim", [*arguments, at_gap, at_force], ca.cse([ca.fmin(theta, force), ca.if_else(alone * within, delta, 0)])
-    )
+    return ca.Function("aim", asked, ca.cse([ca.fmin(theta, force), ca.if_else(alone * within, delta, 0)]))
 
 
 def _nudge(model: Model, vectors: Layouts, right: Flow) -> Any:
@@ -160,8 +169,8 @@ def _nudge(model: Model, vectors: Layouts, right: Flow) -> Any:
 def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
     """Build the function (state, controls, next, verdict, theta, delta) -> (state, switched).
 
-    Accepts the step or retakes it to its first event. switched: 1 if a pair changes its mode, so that the right-hand
-    side has to be evaluated again.
+    Accepts the step or retakes it to its first event. switched: 1 if a pair changes its mode or an effect its state, so that
+    the right-hand side has to be evaluated again.
     """
     arguments, (old, run, end, judged) = vectors.symbols("state controls next verdict")
     theta, delta = ca.SX.sym("theta"), ca.SX.sym("delta")
@@ -188,6 +197,10 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
         small = margin_tolerances(model, old["m"], *tolerance)
         turns = undecided_and_breaking(model, mode, old["m"], end["margin"], end["margin_rate"], small, old["mode"])
         switched = switched + accepted * any_of(sum(turns)) > 0
+    happened = ca.SX(0)
+    if model.ne:
+        happened = accepted * ca.sum1(end["event"] <= 0)
+        switched = switched + happened > 0
     now_contact = any_of(mode == CONTACT)
 
     new = old | _steps_to_continue(table, old, judged["error"], accepted, begun > 0)
@@ -196,6 +209,8 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
     free = ca.if_else(now_contact, ca.fmin(new["h_contact"], run["h_max"]), new["h_flight"])
     if model.k:
         free = limited_by_surfaces(free, new["h_onset"], mode, end, resting=ca.fabs(end["gap"]) <= tol)
+    if model.ne:
+        free = ca.fmin(free, time_to_event(run, end, end["t"]))
     free = limited_by_singular(table, free, ca.if_else(accepted, end["ahead"], old["ahead"]))
     remaining = run["t_end"] - t
     h = ca.if_else(retake, aimed, ca.if_else(1.01 * free >= remaining, remaining, free))
@@ -213,7 +228,7 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
         "rejected": old["rejected"],
         "retaken": old["retaken"] + retake,
         "evaluations": old["evaluations"] + table.stages + NUDGE_EVALUATIONS * moved + switched,
-        "events": old["events"] + begun,
+        "events": old["events"] + begun + happened,
         "floored": old["floored"] + floored,
     }
     new["status"] = _first(

@@ -11,6 +11,7 @@ import casadi as ca
 
 from hertzwerk.runtime.host.interrupt import poll
 from hertzwerk.runtime.integrate.events.events import far_apart, no_event_possible
+from hertzwerk.runtime.integrate.events.jumps import none_possible, time_to_event
 from hertzwerk.runtime.integrate.events.modes import all_of, is_finite
 from hertzwerk.runtime.integrate.loop.choose import Choosing, choice, suspicion
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, modes
@@ -109,6 +110,8 @@ def _judged(
     passed = (error <= 1) * is_finite(end)
     clear = plain * (1 - old["fresh_contact"]) * (remaining > 0) * (steps < run["max_steps"])
     asked = pairs_by_polynomial(model, contacts)
+    if model.ne:
+        clear *= none_possible(old, end)
     others = [j for j in range(model.k) if j not in asked]
     if asked:
         clear *= all_of(no_event_possible(model, run, mode, old, end, asked))
@@ -123,6 +126,8 @@ def _judged(
     free = ca.fmin(kept, run["h_max"]) if contact else kept
     if model.k:
         free = limited_by_surfaces(free, old["h_onset"], mode, end)
+    if model.ne:
+        free = ca.fmin(free, time_to_event(run, end, end["t"]))
     free = limited_by_singular(table, free, end["ahead"])
     new = {
         **old,

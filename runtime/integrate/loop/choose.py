@@ -97,12 +97,14 @@ def suspicion(
     """Return the state's `pressure` and `status` after an explicit step, by its last two stages.
 
     Both stages are at the end of the step. Their accelerations differ by the reaction of stiff forces to their
-    difference in speed (damping) or position (vibration). In a motion that limits the step by accuracy the smaller of
-    the two rates is seldom large; after Hairer, Wanner, Solving Ordinary Differential Equations II (1996), IV.2.
+    difference in speed (damping) or position (vibration), as rates of effects' states do by those to theirs. In a
+    motion that limits the step by accuracy the smaller of the two rates is seldom large; after Hairer, Wanner, Solving
+    Ordinary Differential Equations II (1996), IV.2.
     """
     nq, n = model.nq, model.nq + model.nu
-    reacting = ca.DM.ones(flow(model, contacts).rates.jac_sparsity(0, 1))[nq:n, :]
-    if not reacting.nnz():  # a free flight: both rates are zero, and stages need no position
+    depends = ca.DM.ones(flow(model, contacts).rates.jac_sparsity(0, 1))
+    reacting, fading = depends[nq:n, :], [i for i in range(nq) if depends[i, i].nnz()]  # states of effects
+    if not (reacting.nnz() or fading):  # a free flight: both rates are zero, and stages need no position
         return {"pressure": ca.fmax(old["pressure"] - 1, 0)}
     # what no acceleration depends on is computed in no stage but for this
     free = [not reacting[:, i].nnz() for i in range(n)]
@@ -116,7 +118,14 @@ def suspicion(
     h2, (length, pace) = old["h"] * old["h"], ca.vertsplit(run["scales"][:2])
     damping = h2 * acceleration > STIFF**2 * speed
     vibration = h2 * h2 * acceleration * (pace * pace) > STIFF**4 * position * (length * length)
-    pressure = ca.fmax(old["pressure"] + ca.if_else(damping * vibration, 1, -1), 0)
+    stiff = damping * vibration
+    if fading:
+        state, rate = (
+            ca.sumsqr(((end[name] - seen[of]) * seen["weights"])[fading])
+            for name, of in (("y", "stage"), ("dy", "slope"))
+        )
+        stiff = stiff + (h2 * rate > STIFF**2 * state) > 0
+    pressure = ca.fmax(old["pressure"] + ca.if_else(stiff, 1, -1), 0)
     return {
         "pressure": pressure,
         "status": ca.if_else(pressure >= SUSPICIOUS * (1 + old["wary"]), SUSPECT, old["status"]),

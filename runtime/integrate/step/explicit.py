@@ -10,7 +10,7 @@ import casadi as ca
 
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, Contacts, active_contacts, masked
 from hertzwerk.runtime.integrate.step.closing import LOST, Closing, closing
-from hertzwerk.runtime.integrate.step.layout import GRIP_PARTS, PAIR_PARTS
+from hertzwerk.runtime.integrate.step.layout import EVENT_PARTS, GRIP_PARTS, PAIR_PARTS
 from hertzwerk.runtime.integrate.step.rounding import EPS
 from hertzwerk.runtime.integrate.step.set_valued_friction import forces as friction_forces
 from hertzwerk.runtime.integrate.step.set_valued_friction import grips, may_slip, pairs_of
@@ -33,7 +33,8 @@ class Flow:
     rates:  dy/dt (ny)
     ends:   dy/dt; gap, gap rate, gap acceleration (k each); raw normal force and its rate along the flow (k each, 0
             unless in contact); in_range (k); of the pairs with set-valued friction (ns each, 0 unless in contact): force
-            along the tangent, margin, rate of the margin; time to a singular position (1, none in a tree)
+            along the tangent, margin, rate of the margin; of the effects' events (ne): margin [1] and its rate [1/s]; time
+            to a singular position (1, none in a tree)
     holding: constraint forces of the loops (nl) [N or N m]; None in a tree
     """
 
@@ -107,6 +108,8 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
         friction[grip.places] = found
         margin[grip.places] = ca.if_else(grip.sticks, reserve, grip.slip * grip.velocity)
         margin_rate[grip.places] = ca.if_else(grip.sticks, reserve_rate, sliding)
+    event = model.function("margins")(t, q, u, c) if model.ne else ca.SX(0, 1)
+    event_rate = ca.jtimes(event, ca.vertcat(t, y), ca.vertcat(1, dy)) if model.ne else event
     arguments, names = [t, y, mode, m, c], ARGUMENTS.split()
     return Flow(
         quaternions=model.quaternions,
@@ -119,11 +122,12 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
                     dy,
                     *(gap, gap_rate, gap_acceleration, forces, force_rate, in_range),
                     *(friction, margin, margin_rate),
+                    *(event, event_rate),
                     time_to_singular(model, t, q, dq, c),
                 ]
             ),
             names,
-            ["dy", *PAIR_PARTS, "in_range", *GRIP_PARTS, "ahead"],
+            ["dy", *PAIR_PARTS, "in_range", *GRIP_PARTS, *EVENT_PARTS, "ahead"],
         ),
         holding=ca.Function("holding", arguments, multipliers, names, ["multipliers"]) if model.nl else None,
         closing=closing(model),

@@ -97,6 +97,10 @@ SUSPECT = -1.0  # status of explicit steps that look stiff, of implicit ones nea
 PLAIN, NEAR, SPECIAL, REJECTED = range(4)
 PAIR_PARTS = ("gap", "gap_rate", "gap_acceleration", "force", "force_rate")  # in the state and in the trial
 GRIP_PARTS = ("friction", "margin", "margin_rate")  # likewise, of the pairs with set-valued friction
+EVENT_PARTS = (
+    "event",
+    "event_rate",
+)  # likewise, of the effects' events: margins beside their sizes [1], and rates [1/s]
 
 
 @per_model
@@ -105,13 +109,14 @@ def layouts(model: Model) -> Layouts:
 
     State: t [s]; y = q, u, z; dy = dy/dt under the modes; mode and m (latches, slips); gap, gap_rate,
     gap_acceleration and force, force_rate of each pair, friction, margin and margin_rate of those with set-valued
-    friction (see `friction`) [SI]; ahead [s], the time to a singular position, where loops are closed (see
-    `singular`); h [s] the step to try next; h_flight, h_contact, h_onset [s] remembered; class (see `classes`),
-    status; method, pressure, wary, stiffness (see `choose`); accepted, fresh_contact (a contact has just begun),
-    after_rejection; then counters.
+    friction (see `friction`) [SI]; event, event_rate of each event of an effect (see `jumps`); ahead [s], the time to a
+    singular position, where loops are closed (see `singular`); h [s] the step to try next; h_flight, h_contact, h_onset
+    [s] remembered; class (see `classes`), status; method, pressure, wary, stiffness (see `choose`); accepted,
+    fresh_contact (a contact has just begun), after_rejection; then counters.
     """
     ny, k, nm = model.nq + model.nu + model.nz, model.k, model.nm
-    pairs = dict.fromkeys(PAIR_PARTS, k) | dict.fromkeys(GRIP_PARTS, model.ns) | {"ahead": min(model.nl, 1)}
+    pairs = dict.fromkeys(PAIR_PARTS, k) | dict.fromkeys(GRIP_PARTS, model.ns)
+    pairs |= dict.fromkeys(EVENT_PARTS, model.ne) | {"ahead": min(model.nl, 1)}
     steps = ("h", "h_flight", "h_contact", "h_onset", "class", "status")
     choice = ("method", "pressure", "wary", "stiffness")
     flags = ("accepted", "fresh_contact", "after_rejection")

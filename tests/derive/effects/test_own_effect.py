@@ -60,7 +60,7 @@ DRAG = '''class AirDrag(Effect):
         speed = kin.tape.let(sp.sqrt(sum(v**2 for v in velocity)), f"{self.name}_speed")
         force = kin.tape.vector(tuple(-self.coefficient * speed * v for v in velocity), f"{self.name}_force")
         forces = kin.generalised(force, position, self.point.body, GROUND, self.name)
-        return Element(forces, power=self.coefficient * speed**3, outputs=((f"{self.name}.speed", "m/s", speed),))
+        return Element(forces, dissipated=self.coefficient * speed**3, outputs=((f"{self.name}.speed", "m/s", speed),))
 
 
 planar = Mechanism("thrown", (Planar("flight", GROUND, ball),))

@@ -1,0 +1,100 @@
+"""Controllers: a command, as an expression for motors and forces, that keeps the speed of a joint."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import sympy as sp
+
+from hertzwerk.derive.effects.effect import NOWHERE, Declared, Element, Event, JointEffect, Kinematics, State
+from hertzwerk.derive.effects.state_expression import Varying, shown, speed_of, state_of
+from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.mechanism.bodies import Slot
+from hertzwerk.derive.mechanism.parameter import NOT_NEGATIVE, POSITIVE, Scalar, is_number
+from hertzwerk.derive.units import UnitError, parse_unit
+
+
+@dataclass(frozen=True)
+class SpeedController(JointEffect):
+    """PI controller of a joint's speed, continuous or sampled.
+
+    Its `command` is proportional e + integral int e dt, with e = target - speed, in `unit`: a `JointForce` (N m) or a
+    `DCMotor` (V) takes `controller.command`. Without a period it is continuous, with the state `<name>.error` [rad or
+    m], the integral. With a `period` [s] it is sampled: at 0, period, 2 period, .. the speed is read, and the command
+    `<name>.command` [unit] held until the next; the integral is then the sum of the errors read before times the period.
+    Astrom, Wittenmark, Computer-Controlled Systems, 3rd ed. (1997), chapter 8.
+    """
+
+    name: str
+    joint: str
+    target: Scalar
+    proportional: Scalar
+    integral: Scalar
+    unit: str
+    period: Scalar | None = None
+    kind: ClassVar[str] = "speed_controller"
+    enters: ClassVar[str] = NOWHERE
+
+    @property
+    def text(self) -> str:
+        """Description for people."""
+        how = "" if self.period is None else f", sampled each {shown(self.period)}"
+        return f"PI controller that keeps the speed of {self.joint} at {shown(self.target)}{how}"
+
+    @property
+    def command(self) -> Any:
+        """Command [unit], an expression for other effects."""
+        if self.period is not None:
+            return state_of(f"{self.name}.command")
+        error = self.target - speed_of(self.joint)
+        return self.proportional * error + self.integral * state_of(f"{self.name}.error")
+
+    def slots(self, scene: Declared) -> Iterator[Slot]:
+        """Yield the target, the gains and the period."""
+        coordinate, speed, _ = self.freedom(scene).units
+        yield Varying(f"{self.where}, target", self.target, speed)
+        yield Slot(f"{self.where}, proportional gain", self.proportional, f"{self.unit}/({speed})", NOT_NEGATIVE)
+        yield Slot(f"{self.where}, integral gain", self.integral, f"{self.unit}/{coordinate}", NOT_NEGATIVE)
+        if self.period is not None:
+            yield Slot(f"{self.where}, period", self.period, "s", POSITIVE)
+
+    def type_faults(self) -> Iterator[Fault]:
+        """Yield faults of a unit that is none."""
+        yield from super().type_faults()
+        try:
+            parse_unit(self.unit)
+        except UnitError as error:
+            yield Fault(self.where, f"unit {self.unit!r}", "the unit of its command, such as N m or V", str(error))
+
+    def states(self, scene: Declared) -> Iterator[State]:
+        """Yield the integral of the error; sampled also the command, and the time to the next sample."""
+        coordinate, speed, _ = self.freedom(scene).units
+        yield State("error", coordinate)
+        if self.period is not None:
+            yield State("command", self.unit, size=self._size(scene, coordinate, speed))
+            yield State("countdown", "s", size=self.period)
+
+    def _size(self, scene: Declared, coordinate: str, speed: str) -> Any:
+        """Size of the command: that of errors as large as the scene's scales."""
+        sizes, gains = scene.scales.by_unit, (self.proportional, self.integral)
+        if speed not in sizes or not all(map(is_number, gains)):
+            return None  # faults reported by the scene
+        proportional, integral = gains
+        return sp.sympify(proportional) * sizes[speed] + sp.sympify(integral) * sizes[coordinate]
+
+    def element(self, kin: Kinematics) -> Element:
+        """Rate of the integral, or the samples."""
+        integral = kin.state(f"{self.name}.error")
+        error = kin.tape.let(kin.expression(self.target) - kin.speed(self.joint), f"{self.name}_speed_error")
+        if self.period is None:
+            return Element(rates={"error": error})
+        countdown = kin.state(f"{self.name}.countdown")
+        then = {
+            "error": integral + self.period * error,
+            "command": self.proportional * error + self.integral * integral,
+            "countdown": countdown + self.period,
+        }
+        sample = Event("sample", margin=countdown, size=self.period, then=then)
+        return Element(rates={"countdown": sp.S.NegativeOne}, events=(sample,))

@@ -1,0 +1,345 @@
+"""States of effects, against closed forms: motors, controllers, relays; events that cascade, chatter, or meet a contact."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import pytest
+
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    Contact,
+    DCMotor,
+    Element,
+    EnergyLedger,
+    Event,
+    InputError,
+    JointDamper,
+    JointEffect,
+    JointForce,
+    Mechanism,
+    Parameter,
+    Prismatic,
+    Revolute,
+    Scales,
+    Scene,
+    Slot,
+    SpeedController,
+    SphereOnPlane,
+    Start,
+    State,
+    Varying,
+    X,
+    Z,
+    laws,
+    speed_of,
+    state_of,
+)
+from hertzwerk.runtime import load, simulate
+
+J, R, L, K, V = 1e-3, 2.0, 5e-3, 0.1, 24.0  # kg m^2, ohm, H, N m/A, V
+ROTOR = Body("rotor", Parameter("mass", "kg", 1), Parameter("inertia", "kg m^2", J))
+SHAFT = Mechanism("shaft", (Revolute("main", GROUND, ROTOR, axis=Z),))
+SCALES = Scales(Parameter("size", "m", 1), Parameter("pace", "m/s", V / K), Parameter("arm", "m", 1))
+
+
+def shaft(*effects, coordinates="tree"):
+    return Scene(SHAFT, (*effects, EnergyLedger()), SCALES, coordinates=coordinates)
+
+
+def motor(voltage=None, name="motor"):
+    given = Parameter("supply", "V", V) if voltage is None else voltage
+    values = (Parameter("R", "ohm", R), Parameter("L", "mH", 1e3 * L), Parameter("k", "N m/A", K))
+    return DCMotor(name, "main", given, *values)
+
+
+def step_response(t, resistance=R):
+    """Current [A] and speed [rad/s] of a motor switched on at rest, by its two eigenvalues."""
+    A, b = np.array([[-resistance / L, -K / L], [K / J, 0.0]]), np.array([V / L, 0.0])
+    rates, modes = np.linalg.eig(A)
+    still = -np.linalg.solve(A, b)
+    parts = np.linalg.solve(modes, -still)
+    return (still[:, None] + modes @ (parts[:, None] * np.exp(rates[:, None] * t))).real
+
+
+@pytest.mark.parametrize("coordinates", ["tree", "absolute"])
+@pytest.mark.parametrize("method", ["dop853", "dopri5", "rodas", "esdirk", "auto", "cvodes"])
+def test_a_motor_switched_on(method, coordinates):
+    """Two time constants, the speed without load V/k, and an energy balance that closes; a resistance 1e-4 off shows."""
+    run = simulate(load(shaft(motor(), coordinates=coordinates)), duration=1.0, tolerance=1e-8, method=method)
+    assert run.outcome.finished
+    found = np.array([run["motor.current"] / (V / R), run["main.speed"] / (V / K)])
+    size = np.array([[V / R], [V / K]])
+    error = np.max(np.abs(found - step_response(run.t) / size))
+    assert error < 6e-7
+    assert np.max(np.abs(found - step_response(run.t, R * (1 + 1e-4)) / size)) > 1e-5 > error
+    assert run["main.speed"][-1] == pytest.approx(V / K, rel=1e-2)
+    assert run["motor.torque"] == pytest.approx(K * run["motor.current"], rel=1e-12)
+    # kinetic energy, that of the inductance, heat: the electric energy is their sum
+    stored = J * run["main.speed"] ** 2 / 2 + L * run["motor.current"] ** 2 / 2
+    assert run["energy"] == pytest.approx(stored, rel=1e-12, abs=1e-12)
+    assert stored + run["motor.dissipated"] == pytest.approx(run["motor.input"], rel=1e-6, abs=1e-5)
+    assert run.energy_residual < 1e-6
+
+
+def test_a_motor_that_cannot_turn():
+    """At stall the current rises to V/R with the time constant L/R of its own."""
+    run = simulate(load(shaft(motor())), duration=0.03, tolerance=1e-9, parameters={"inertia": "1e9 kg m^2"})
+    assert run["motor.current"] == pytest.approx(V / R * (1 - np.exp(-run.t * R / L)), rel=1e-7, abs=1e-8)
+
+
+def test_a_stiff_current_is_passed_by_implicit_steps():
+    """L/R of a microsecond beside a mechanical time constant of 0.2 s: auto and the implicit methods take few steps."""
+    model = load(shaft(motor()))
+    given = {"duration": 0.5, "tolerance": 1e-6, "parameters": {"L": "2e-3 mH"}}
+    runs = {method: simulate(model, method=method, **given) for method in ("esdirk", "rodas", "auto", "dopri5")}
+    steps = {method: run.statistics.steps for method, run in runs.items()}
+    speed = V / K * (1 - np.exp(-0.5 * K**2 / (R * J)))
+    for run in runs.values():
+        assert run.final["main.speed"] == pytest.approx(speed, rel=1e-4)
+    assert steps["dopri5"] > 30_000 > 20 * steps["auto"]
+    assert max(steps["esdirk"], steps["rodas"]) < 300
+
+
+def test_a_controlled_speed_of_second_order():
+    """PI on a torque: e'' + Kp/J e' + Ki/J e = 0 from e = w, e' = -Kp w/J."""
+    w, Kp, Ki = 100.0, 0.02, 2.0
+    control = SpeedController(
+        "control",
+        "main",
+        Parameter("target", "rad/s", w),
+        Parameter("Kp", "N m s/rad", Kp),
+        Parameter("Ki", "N m/rad", Ki),
+        "N m",
+    )
+    run = simulate(load(shaft(JointForce("drive", "main", control.command), control)), duration=0.5, tolerance=1e-10)
+    decay, natural = Kp / (2 * J), np.sqrt(Ki / J)
+    omega = np.sqrt(natural**2 - decay**2)
+    e = w * np.exp(-decay * run.t) * (np.cos(omega * run.t) - decay / omega * np.sin(omega * run.t))
+    assert w - run["main.speed"] == pytest.approx(e, abs=1e-6 * w)
+    assert run["control.error"][-1] == pytest.approx(0, abs=1e-2)  # the integral, with no torque to hold
+
+
+def sampled(period, **given):
+    control = SpeedController(
+        *("control", "main", Parameter("target", "rad/s", 100), Parameter("Kp", "N m s/rad", 0.05)),
+        *(Parameter("Ki", "N m/rad", 1.0), "N m", Parameter("period", "s", period)),
+    )
+    drag = JointDamper("drag", "main", Parameter("b", "N m s/rad", 0.01))
+    return simulate(load(shaft(JointForce("drive", "main", control.command), drag, control)), duration=0.1999, **given)
+
+
+@pytest.mark.parametrize("method", ["dop853", "esdirk", "cvodes"])
+def test_a_sampled_controller_is_its_recursion(method):
+    """The plant between samples is exact: w' = (u - b w)/J gives w <- a w + (1 - a) u/b, a = exp(-b T/J)."""
+    period, b = 0.01, 0.01
+    run = sampled(period, tolerance=1e-9, method=method)
+    assert run.outcome.finished
+    assert run.statistics.events == 19  # that of the start is none
+    w, total, commands, speeds = 0.0, 0.0, [], []
+    a = np.exp(-b * period / J)
+    for _ in range(20):
+        e = 100 - w
+        commands.append(0.05 * e + 1.0 * total)
+        speeds.append(w)
+        w, total = a * w + (1 - a) * commands[-1] / b, total + period * e
+    middle = (np.arange(20) + 0.5) * period
+    assert run.at(middle)["control.command"] == pytest.approx(commands, rel=1e-7, abs=1e-7)
+    decay = np.exp(-b * period / 2 / J)
+    expected = np.array(speeds) * decay + (1 - decay) * np.array(commands) / b
+    assert run.at(middle)["main.speed"] == pytest.approx(expected, rel=1e-7, abs=1e-6)
+    late = [0.05 * (100 - x) for x in speeds]  # a controller that forgets its integral
+    assert np.max(np.abs(run.at(middle)["control.command"] - late)) > 0.1
+
+
+def test_a_motor_takes_the_command_of_a_controller():
+    """In the steady state the integral alone holds the voltage V = k w + R b w/k."""
+    control = SpeedController(
+        *("control", "main", Parameter("target", "rad/s", 100), Parameter("Kp", "V s/rad", 0.2)),
+        *(Parameter("Ki", "V/rad", 4.0), "V"),
+    )
+    drag = JointDamper("drag", "main", Parameter("b", "N m s/rad", 0.001))
+    run = simulate(load(shaft(motor(control.command), control, drag)), duration=2.0, tolerance=1e-8)
+    assert run.final["main.speed"] == pytest.approx(100, rel=1e-6)
+    held = K * 100 + R * 0.001 * 100 / K
+    assert run["motor.voltage"][-1] == pytest.approx(held, rel=1e-6)
+    assert run["control.error"][-1] * 4.0 == pytest.approx(held, rel=1e-5)
+
+
+# -- effects of one's own ----------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class SpeedRelay(JointEffect):
+    """Force +-thrust that keeps the speed of a slide at zero, with hysteresis."""
+
+    name: str
+    joint: str
+    thrust: Any
+    hysteresis: Any
+    kind = "relay"
+
+    def slots(self, scene):
+        yield Slot(f"{self.where}, thrust", self.thrust, "N")
+        yield Slot(f"{self.where}, hysteresis", self.hysteresis, "m/s")
+
+    def states(self, scene):
+        yield State("sign", "1", start=1)
+
+    def element(self, kin):
+        sign, speed = kin.state(f"{self.name}.sign"), kin.speed(self.joint)
+        turn = Event("turn", self.hysteresis - sign * speed, kin.scene.scales.speed, {"sign": -sign})
+        force = kin.tape.let(sign * self.thrust, f"{self.name}_force")
+        return Element(kin.on_joint(self.joint, force, self.name), input=force * speed, events=(turn,))
+
+
+@dataclass(frozen=True)
+class Latch(JointEffect):
+    """State that becomes 1, for good, where a condition [1] falls through zero."""
+
+    name: str
+    joint: str
+    condition: Any
+    kind = "latch"
+    enters = ""
+
+    def slots(self, scene):
+        yield Varying(f"{self.where}, condition", self.condition, "1")
+
+    def states(self, scene):
+        yield State("closed", "1")
+
+    def element(self, kin):
+        closed = kin.state(f"{self.name}.closed")
+        close = Event("close", kin.expression(self.condition) + 10 * closed, 1, {"closed": 1})
+        return Element(events=(close,))
+
+
+SLED = Mechanism("sled", (Prismatic("slide", GROUND, Body("sled", Parameter("mass", "kg", 2)), axis=X),))
+SMALL = Scales(Parameter("size", "m", 0.1), Parameter("pace", "m/s", 0.1))
+
+
+def relay(hysteresis, tolerance=1e-8, method="auto", **limits):
+    scene = Scene(
+        SLED,
+        (
+            SpeedRelay("relay", "slide", Parameter("thrust", "N", 3), Parameter("hysteresis", "m/s", hysteresis)),
+            JointDamper("drag", "slide", Parameter("drag", "N s/m", 12)),
+            EnergyLedger(),
+        ),
+        SMALL,
+    )
+    return simulate(load(scene), duration=1.0, tolerance=tolerance, method=method, **limits)
+
+
+@pytest.mark.parametrize("method", ["auto", "esdirk", "cvodes"])
+def test_a_relay_on_a_plant_of_first_order(method):
+    """Its limit cycle: between -h and h in tau log((w + h)/(w - h)), w = thrust/c, tau = m/c, each way."""
+    h, w, tau = 0.05, 3 / 12, 2 / 12
+    run = relay(h, method=method)
+    turns = run.t[1:][np.diff(run["relay.sign"]) != 0]
+    assert len(turns) > 10
+    tolerance = 1e-5 if method == "cvodes" else 1e-8
+    assert turns[0] == pytest.approx(tau * np.log(w / (w - h)), rel=tolerance)
+    assert np.diff(turns) == pytest.approx(tau * np.log((w + h) / (w - h)), rel=tolerance)
+    assert np.max(np.abs(run["slide.speed"])) == pytest.approx(h, rel=tolerance)
+    assert run.energy_residual < 1e-3 if method == "cvodes" else run.energy_residual < 1e-8
+
+
+def test_a_relay_without_hysteresis_ends_with_what_it_has():
+    """It switches as fast as the tolerance lets it: the run is over after the events it may have, and its speed is held."""
+    run = relay(0.0, tolerance=1e-6, max_events=10_000)
+    assert run.outcome.name == "event_limit"
+    assert "hysteresis" in run.outcome.remedy
+    assert 0 < run.t[-1] < 1
+    assert np.max(np.abs(run["slide.speed"])) < 1e-8
+
+
+def test_events_follow_each_other_at_one_instant():
+    """A latch closes when another has, which closes at a known time; both stay closed."""
+    first = Latch("first", "slide", 1 - speed_of("slide") / Parameter("limit", "m/s", 1.0))
+    second = Latch("second", "slide", 0.5 - state_of("first.closed"))
+    push = JointForce("push", "slide", Parameter("push", "N", 4) * (1 - state_of("second.closed")))
+    run = simulate(load(Scene(SLED, (first, second, push), SMALL)), duration=1.0, tolerance=1e-8)
+    assert run["first.closed"].tolist() == run["second.closed"].tolist()
+    closes = run.t[np.argmax(run["second.closed"] > 0)]
+    assert closes == pytest.approx(0.5, rel=1e-9)  # 4 N on 2 kg reach 1 m/s
+    assert run.final["slide.speed"] == pytest.approx(1, rel=1e-9)
+    ready = simulate(run.model, duration=0.1, tolerance=1e-8, initial={"first.closed": 1})
+    assert ready.final["slide.speed"] == 0  # an event is due at the start
+
+
+def test_events_between_impacts():
+    """A ball thrown between a floor and a relay's thrust: both kinds of events, one energy balance."""
+    mass = Parameter("mass", "kg", 0.1)
+    ball = Body("ball", mass)
+    pair = SphereOnPlane("wall", ball.at(0, 0, 0), Parameter("radius", "mm", 10), GROUND.at(0, 0, 0), normal=X)
+    scene = Scene(
+        Mechanism("thrown", (Prismatic("slide", GROUND, ball, axis=X),), (pair,)),
+        (
+            SpeedRelay("relay", "slide", Parameter("thrust", "N", 1), Parameter("hysteresis", "m/s", 0.5)),
+            Contact("wall", laws.power(Parameter("stiffness", "N/m^1.5", 1e8), n=1.5)),
+            EnergyLedger(),
+        ),
+        Scales(Parameter("size", "mm", 10), Parameter("pace", "m/s", 1)),
+        Start(position={"slide": Parameter("height", "m", 0.012)}, speed={"slide": Parameter("thrown", "m/s", -0.4)}),
+    )
+    runs = {
+        method: simulate(load(scene), duration=1.0, tolerance=1e-9, method=method) for method in ("dop853", "esdirk")
+    }
+    for run in runs.values():
+        assert run.outcome.finished
+        assert len(run.impacts) >= 1
+        assert np.count_nonzero(np.diff(run["relay.sign"])) >= 4
+        assert run.energy_residual < 1e-6
+    one, other = runs.values()
+    assert one.final["slide.travel"] == pytest.approx(other.final["slide.travel"], rel=1e-5)
+
+
+# -- faults ------------------------------------------------------------------------------------------------------------
+
+
+def test_the_rate_of_a_state_has_its_unit_each_second():
+    class Wrong(SpeedRelay):
+        def states(self, scene):
+            yield State("sign", "1", start=1)
+            yield State("spent", "N", size=self.thrust)
+
+        def element(self, kin):
+            from dataclasses import replace
+
+            return replace(super().element(kin), rates={"spent": self.thrust})
+
+    wrong = Wrong("relay", "slide", Parameter("thrust", "N", 3), Parameter("h", "m/s", 0.1))
+    with pytest.raises(InputError, match="expected W/m"):
+        load(Scene(SLED, (wrong,), SMALL))
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"states": lambda self, scene: iter(())}, "unknown|sign"),
+        ({"states": lambda self, scene: iter((State("sign", "1"), State("idle", "1")))}, "which nothing changes"),
+        ({"states": lambda self, scene: iter((State("sign", "A"),))}, "size"),
+    ],
+)
+def test_states_that_are_not_declared_or_not_used(change, message):
+    wrong = type("Wrong", (SpeedRelay,), change)
+    with pytest.raises(InputError, match=message):
+        load(Scene(SLED, (wrong("relay", "slide", Parameter("thrust", "N", 3), Parameter("h", "m/s", 0.1)),), SMALL))
+
+
+def test_bad_motors_and_controllers_are_told_at_once():
+    control = SpeedController(
+        *("control", "main", Parameter("target", "N", 1), Parameter("Kp", "V", 1)),
+        *(Parameter("Ki", "V/rad", 1), "furlong"),
+    )
+    with pytest.raises(InputError, match="furlong"):
+        shaft(control)
+    bad = DCMotor("motor", "main", state_of("contrl.command"), Parameter("R", "V", 1), "2 mH", Parameter("k", "N m", 1))
+    with pytest.raises(InputError) as error:
+        shaft(bad)
+    places = " ".join(fault.where for fault in error.value.faults)
+    for what in ("voltage", "resistance", "inductance", "constant"):
+        assert what in places
