@@ -98,9 +98,11 @@ class Scales:
 
     @property
     def by_unit(self) -> dict[str, Any]:
-        """Scales of coordinates and speeds; of angles only where there is an arm."""
+        """Scales of coordinates and speeds; of angles only where there is an arm. Those that are no numbers are faults."""
+        if not all(map(is_number, (self.length, self.speed))):
+            return {}
         length, speed = sp.sympify(self.length), sp.sympify(self.speed)
-        if self.arm is None:
+        if not is_number(self.arm):
             return {"m": length, "m/s": speed}
         # a quaternion moves by half the angle
         angles = {"rad": length / self.arm, "rad/s": speed / self.arm, "1": length / self.arm / 2}

@@ -171,7 +171,16 @@ class Drawing:
             if kind in ("spring", "damper", "slide_spring", "slide_damper"):
                 a, b = parts.at(marks[0], 0), parts.at(marks[1], 0)
                 yield labels.Label(name, np.array([(a + b) / 2, a + 0.3 * (b - a), a + 0.7 * (b - a)]), INK, size - 1)
-            elif kind in ("force", "moment", "turn_drive", "slide_drive", "turn_force", "slide_force"):
+            elif kind in (
+                "force",
+                "moment",
+                "turn_drive",
+                "slide_drive",
+                "turn_force",
+                "slide_force",
+                "turn_motor",
+                "slide_motor",
+            ):
                 yield labels.Label(name, parts.at(marks[0], 0)[None], VERMILLION, size - 1)
 
     def _times(self, paper: Paper, size: float) -> Iterator[labels.Label]:

@@ -111,8 +111,10 @@ _SYMBOLS: dict[str, Callable[[Parts, Paper, Sequence[Landmark], int], None]] = {
     "turn_damper": _turn_damper,
     "turn_drive": _turn_arrow,
     "turn_force": _turn_arrow,
+    "turn_motor": _turn_arrow,
     "slide_drive": _slide_arrow,
     "slide_force": _slide_arrow,
+    "slide_motor": _slide_arrow,
     "force": _force,
     "moment": _moment,
 }

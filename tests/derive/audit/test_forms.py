@@ -41,7 +41,7 @@ OF_PINS = (
 )
 ADVISED = (
     *("slider_crank", "slider_crank_frictionless", "slider_crank_two_clearances", "slider_crank_three_clearances"),
-    "four_bar_clearance",
+    *("four_bar_clearance", "slider_crank_dc_motor"),
 )
 
 

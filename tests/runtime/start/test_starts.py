@@ -37,6 +37,7 @@ JOURNALS = (
     "journal_in_bearing",
     "journal_lubricated",
     "slider_crank",
+    "slider_crank_dc_motor",
     "slider_crank_three_clearances",
     "slider_crank_two_clearances",
     "spatial_slider_crank",

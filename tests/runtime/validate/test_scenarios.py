@@ -63,6 +63,7 @@ FAULTS = {
     "newtons_cradle": ("length = 0.2525 m", "impacts.0.speed", "0.3 s"),
     "pendulum": ("length = 1.01 m", "final.hinge.speed", ""),
     "slider_crank": ("slider_mass = 0.1414 kg", "impacts.0.peak_penetration", "1 ms"),
+    "slider_crank_dc_motor": ("rod_mass_centre = 0.0606 m", "impacts.0.t", "1 ms"),
     "slider_crank_frictionless": ("rod_length = 0.1212 m", "impacts.0.speed", "1 ms"),
     "slider_crank_three_clearances": ("rod_mass_centre = 0.0606 m", "impacts.0.t", "1 ms"),
     "slider_crank_two_clearances": ("gravity = 9.9081 m/s^2", "impacts.0.speed", "1 ms"),
