@@ -98,7 +98,7 @@ class Scales:
 
     @property
     def by_unit(self) -> dict[str, Any]:
-        """Scales of coordinates and speeds; of angles only where there is an arm. Those that are no numbers are faults."""
+        """Scales of coordinates and speeds; of angles only where there is an arm."""
         if not all(map(is_number, (self.length, self.speed))):
             return {}
         length, speed = sp.sympify(self.length), sp.sympify(self.speed)

@@ -1,4 +1,4 @@
-"""Slider-crank with clearance at crank pin and slider pin, driven by a direct-current motor: impacts slow the crank.
+"""Slider-crank with clearance at both pins, driven by a direct-current motor: impacts slow the crank.
 
 Crank and rotor are free; a sampled PI controller that sets the motor's voltage keeps their speed. Mechanism and data as
 with two clearances; motor, rotor and controller our choice. Without contact the motor without load keeps the crank at its speed, so
