@@ -24,7 +24,7 @@ if TYPE_CHECKING:  # the list of public names
     from hertzwerk.derive.declare.scene import Scales as Scales, Scene as Scene, Start as Start
     from hertzwerk.derive.derivation import audit_scene as audit_scene, derive as derive, generate as generate
     from hertzwerk.derive.effects.contacts import Contact as Contact, Friction as Friction
-    from hertzwerk.derive.effects.controllers import SpeedController as SpeedController
+    from hertzwerk.derive.effects.controllers import Relay as Relay, SpeedController as SpeedController
     from hertzwerk.derive.effects.couplings import Coupling as Coupling
     from hertzwerk.derive.effects.drives import (
         ConstantSpeed as ConstantSpeed,

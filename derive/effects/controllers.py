@@ -1,4 +1,4 @@
-"""Controllers: a command, as an expression for motors and forces, that keeps the speed of a joint."""
+"""Controllers: signals, as expressions for motors and forces, that keep a speed or switch by another."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 import sympy as sp
 
-from hertzwerk.derive.effects.effect import NOWHERE, Declared, Element, Event, JointEffect, Kinematics, State
+from hertzwerk.derive.effects.effect import NOWHERE, Declared, Effect, Element, Event, JointEffect, Kinematics, State
 from hertzwerk.derive.effects.state_expression import Varying, shown, speed_of, state_of
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Slot
@@ -63,10 +63,7 @@ class SpeedController(JointEffect):
     def type_faults(self) -> Iterator[Fault]:
         """Yield faults of a unit that is none."""
         yield from super().type_faults()
-        try:
-            parse_unit(self.unit)
-        except UnitError as error:
-            yield Fault(self.where, f"unit {self.unit!r}", "the unit of its command, such as N m or V", str(error))
+        yield from _unit_faults(self.where, self.unit, "the unit of its command, such as N m or V")
 
     def states(self, scene: Declared) -> Iterator[State]:
         """Yield the integral of the error; sampled also the command, and the time to the next sample."""
@@ -98,3 +95,74 @@ class SpeedController(JointEffect):
         }
         sample = Event("sample", margin=countdown, size=self.period, then=then)
         return Element(rates={"countdown": sp.S.NegativeOne}, events=(sample,))
+
+
+@dataclass(frozen=True)
+class Relay(Effect):
+    """Relay with hysteresis.
+
+    Its `output` is 1, from signal = hysteresis on -1, and from signal = -hysteresis on 1 again. The signal is an
+    expression in `unit`; other effects take `relay.output`, a state [1], as in thrust * relay.output. Switching is
+    located to the tolerance beside `size`, by default the scene's scale of that unit. Without hysteresis a relay may
+    switch as fast as that lets it. Tsypkin, Relay Control Systems (1984), chapter 1.
+    """
+
+    name: str
+    signal: Scalar
+    unit: str
+    hysteresis: Scalar = 0
+    size: Scalar | None = None
+    start: int = 1
+    kind: ClassVar[str] = "relay"
+    enters: ClassVar[str] = NOWHERE
+
+    @property
+    def text(self) -> str:
+        """Description for people."""
+        return f"relay by {shown(self.signal)}"
+
+    @property
+    def output(self) -> Any:
+        """Output, 1 or -1, an expression for other effects."""
+        return state_of(f"{self.name}.output")
+
+    def slots(self, scene: Declared) -> Iterator[Slot]:
+        """Yield the signal, its hysteresis and size."""
+        yield Varying(f"{self.where}, signal", self.signal, self.unit)
+        yield Slot(f"{self.where}, hysteresis", self.hysteresis, self.unit, NOT_NEGATIVE)
+        if self.size is not None:
+            yield Slot(f"{self.where}, size", self.size, self.unit, POSITIVE)
+
+    def type_faults(self) -> Iterator[Fault]:
+        """Yield faults of a unit that is none, and of a start that is no output."""
+        yield from super().type_faults()
+        yield from _unit_faults(self.where, self.unit, "the unit of its signal, such as m/s")
+        if self.start not in (1, -1):
+            yield Fault(self.where, f"start {self.start!r}", "1 or -1")
+
+    def faults(self, scene: Declared) -> Iterator[Fault]:
+        """Yield the fault of a signal that the scene has no scale for."""
+        yield from super().faults(scene)
+        if self.size is None and self.unit != "1" and self.unit not in scene.scales.by_unit:
+            yield Fault(self.where, f"no size of a signal in {self.unit}", "one that switching is located beside",
+                        f"size=...; without one it is the scene's scale in {', '.join(scene.scales.by_unit)}.")  # fmt: skip
+
+    def states(self, scene: Declared) -> Iterator[State]:
+        """Yield the output."""
+        yield State("output", "1", self.start)
+
+    def element(self, kin: Kinematics) -> Element:
+        """Switching."""
+        output, scale = kin.state(f"{self.name}.output"), kin.scene.scales.by_unit.get(self.unit, sp.S.One)
+        margin = self.hysteresis - output * kin.expression(self.signal)
+        size = sp.S.One if self.unit == "1" else scale
+        switch = Event("switch", margin, size if self.size is None else self.size, {"output": -output})
+        return Element(events=(switch,))
+
+
+def _unit_faults(where: str, unit: Any, expected: str) -> Iterator[Fault]:
+    """Faults of a unit that cannot be read."""
+    try:
+        parse_unit(unit)
+    except UnitError as error:
+        yield Fault(where, f"unit {unit!r}", expected, str(error))

@@ -9,6 +9,7 @@ from hertzwerk.runtime.hard_cases.cases import (
     crank,
     edges,
     many,
+    relays,
     rest,
     shaken,
     single_impacts,
@@ -24,6 +25,7 @@ CASES: tuple[HardCase, ...] = (
     *sliding.CASES,
     *closed_loops.CASES,
     *edges.CASES,
+    *relays.CASES,
     *shaken.CASES,
 )
 BY_NAME = {case.name: case for case in CASES}

@@ -1,7 +1,7 @@
 """Scenes of the hard cases that are no built-in scenes; derived when run, never committed.
 
 Free impacts (see `impact.impact_scene`), grazing contact, a ball on a vibrating table, rows of spheres, bodies of very
-different mass, a block on an incline, a falling chain.
+different mass, a block on an incline, a falling chain, a relay that chatters.
 """
 
 from __future__ import annotations
@@ -17,10 +17,13 @@ from hertzwerk.derive.contact.pairs.flat import SphereOnPlane
 from hertzwerk.derive.contact.pairs.round import SphereOnSphere
 from hertzwerk.derive.declare.scene import Scales, Scene, Start
 from hertzwerk.derive.effects.contacts import Contact, Friction
+from hertzwerk.derive.effects.controllers import Relay
 from hertzwerk.derive.effects.drives import Harmonic
 from hertzwerk.derive.effects.energy_ledger import EnergyLedger
 from hertzwerk.derive.effects.forces import JointForce
 from hertzwerk.derive.effects.gravity import Gravity
+from hertzwerk.derive.effects.springs import JointDamper
+from hertzwerk.derive.effects.state_expression import speed_of
 from hertzwerk.derive.laws import coulomb, exact, flores, kelvin_voigt, lugre, power, ristow, smooth_coulomb
 from hertzwerk.derive.laws.law import BoundLaw, DampingLaw
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Direction, X, Y, Z
@@ -271,6 +274,22 @@ def falling_chain(count: int) -> Scene:
     )
 
 
+def chattering_relay() -> Scene:
+    """A sled whose speed a relay without hysteresis keeps at zero, against a drag."""
+    relay = Relay("relay", speed_of("slide"), unit="m/s")
+    return Scene(
+        Mechanism("chattering_relay", joints=(Prismatic("slide", GROUND, Body("sled", mass=_MASS), axis=X),)),
+        effects=(
+            relay,
+            JointForce("jets", "slide", Parameter("thrust", "N", 3) * relay.output),
+            JointDamper("drag", "slide", Parameter("drag", "N s/m", 10)),
+            EnergyLedger(),
+        ),
+        scales=Scales(length=Parameter("size", "m", 0.1), speed=_SPEED),
+        summary="a sled at rest by a relay that chatters",
+    )
+
+
 def _depth(mass: sp.Expr) -> sp.Expr:
     """Penetration of an elastic impact at the start's speed [m]."""
     return ((_EXPONENT + 1) * mass * _SPEED**2 / (2 * _STIFFNESS)) ** (1 / (_EXPONENT + 1))
@@ -293,6 +312,7 @@ HARD_SCENES: dict[str, Callable[[], Scene]] = {
     },
     "grazing_ball": grazing_ball,
     "shaken_ball": shaken_ball,
+    "chattering_relay": chattering_relay,
     "row_of_5": lambda: row_of_spheres(5),
     "row_of_50": lambda: row_of_spheres(50),
     "touching_row_of_5": lambda: touching_row(5),
