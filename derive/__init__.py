@@ -42,6 +42,8 @@ if TYPE_CHECKING:  # the list of public names
     )
     from hertzwerk.derive.effects.energy_ledger import EnergyLedger as EnergyLedger
     from hertzwerk.derive.effects.state_expression import (
+        LENGTH as LENGTH,
+        LENGTH_RATE as LENGTH_RATE,
         T as T,
         Varying as Varying,
         coordinate_of as coordinate_of,
@@ -61,6 +63,7 @@ if TYPE_CHECKING:  # the list of public names
     from hertzwerk.derive.effects.springs import (
         JointDamper as JointDamper,
         JointSpring as JointSpring,
+        LineForce as LineForce,
         PointDamper as PointDamper,
         PointSpring as PointSpring,
     )

@@ -1,4 +1,4 @@
-"""Linear springs and dampers of a joint or between two points."""
+"""Springs and dampers of a joint or between two points, linear or by a law of length and rate."""
 
 from __future__ import annotations
 
@@ -11,7 +11,19 @@ import sympy as sp
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.algebra.vectors import Vector, dot, scale, sub
 from hertzwerk.derive.effects.effect import Declared, Effect, Element, JointEffect, Kinematics, Mark
-from hertzwerk.derive.effects.state_expression import COORDINATE
+from hertzwerk.derive.effects.state_expression import (
+    COORDINATE,
+    LENGTH,
+    LENGTH_RATE,
+    REACH,
+    REACH_RATE,
+    SPEED,
+    STATE,
+    TIME,
+    Varying,
+    as_choice,
+    shown,
+)
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Point, Slot
 from hertzwerk.derive.mechanism.parameter import NOT_NEGATIVE, POSITIVE, Scalar
@@ -187,3 +199,43 @@ class PointDamper(_BetweenPoints):
         nonzero = Where(squared > 0, squared, sp.sympify(kin.scene.scales.length) ** 2)
         drag = kin.tape.let(sp.sympify(self.damping) * along / nonzero, f"{self.name}_per_length")
         return Element(self._pulled(kin, drag, between), dissipated=drag * along)
+
+
+@dataclass(frozen=True)
+class LineForce(_BetweenPoints):
+    """Spring, damper, rope or stop between two points by any law of its length and their rate.
+
+    The tension [N], which pulls the points together where it is positive, is an expression of `LENGTH`, `LENGTH_RATE`,
+    the time, coordinates, speeds and states: a rope that only pulls is Where(LENGTH > l, k (LENGTH - l), 0). Its power is
+    booked as input, which an elastic law takes and gives back. No force where the points coincide.
+    """
+
+    name: str
+    first: Point
+    second: Point
+    tension: Scalar
+    kind: ClassVar[str] = "spring"
+
+    @property
+    def text(self) -> str:
+        """Description for people."""
+        return f"tension {shown(self.tension)} between {self.first.body.name} and {self.second.body.name}"
+
+    def slots(self, scene: Declared) -> Iterator[Slot]:
+        """Yield points and tension."""
+        yield from super().slots(scene)
+        known = (REACH, REACH_RATE, TIME, COORDINATE, SPEED, STATE)
+        yield Varying(f"{self.where}, tension", self.tension, "N", on=known)
+
+    def element(self, kin: Kinematics) -> Element:
+        """Force, its power, and histories of length and tension."""
+        between, rate = self._line(kin)
+        squared = kin.tape.let(dot(between, between), f"{self.name}_squared")
+        apart = Where(squared > 0, squared, sp.sympify(kin.scene.scales.length) ** 2)
+        length = kin.tape.let(sp.sqrt(apart), f"{self.name}_length")
+        closing = kin.tape.let(dot(between, rate) / length, f"{self.name}_length_rate")
+        law = sp.sympify(as_choice(self.tension)).xreplace({LENGTH: length, LENGTH_RATE: closing})
+        tension = kin.tape.let(kin.expression(law), f"{self.name}_tension")
+        per_length = kin.tape.let(Where(squared > 0, tension, 0) / length, f"{self.name}_per_length")
+        outputs = (f"{self.name}.length", "m", sp.sqrt(squared)), (f"{self.name}.tension", "N", tension)
+        return Element(self._pulled(kin, per_length, between), input=-tension * closing, outputs=outputs)

@@ -4,6 +4,7 @@ T                     time
 coordinate_of(joint)  coordinate of a joint, by its name [rad or m]
 speed_of(joint)       its rate [rad/s or m/s]
 state_of(name)        state of an effect, "motor.current" [its unit]
+LENGTH, LENGTH_RATE   distance of the two ends of a `LineForce`, and its rate [m, m/s]
 """
 
 from __future__ import annotations
@@ -26,7 +27,10 @@ from hertzwerk.derive.mechanism.parameter import Parameter, is_number
 from hertzwerk.derive.program.expression_text import EmitError, expression_text
 from hertzwerk.derive.units import parse_unit, unit_text
 
-TIME, COORDINATE, SPEED, STATE = "time", "coordinate", "speed", "state"
+TIME, COORDINATE, SPEED, STATE, REACH, REACH_RATE = "time", "coordinate", "speed", "state", "length", "length rate"
+
+
+_PLAIN = {TIME: "s", REACH: "m", REACH_RATE: "m/s"}  # units of symbols that name nothing
 
 
 class Scope(Protocol):
@@ -61,6 +65,7 @@ class StateSymbol(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
 
 
 T = StateSymbol("t", TIME, "")
+LENGTH, LENGTH_RATE = StateSymbol("length", REACH, ""), StateSymbol("length_rate", REACH_RATE, "")
 
 
 def coordinate_of(joint: str) -> StateSymbol:
@@ -132,8 +137,8 @@ def tables_in(expression: Any) -> list[Table]:
 
 def state_dimension(symbol: StateSymbol, scene: Scope) -> Dimension:
     """Dimension of time, of a coordinate or speed of a scene's freedom, or of an effect's state."""
-    if symbol.what == TIME:
-        return Dimension.from_unit("s")
+    if symbol.what in _PLAIN:
+        return Dimension.from_unit(_PLAIN[symbol.what])
     if symbol.what == STATE:
         return Dimension.from_unit(scene.states[symbol.joint].unit)
     coordinate, speed, _ = scene.scalars[symbol.joint].units
