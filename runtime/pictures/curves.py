@@ -104,13 +104,19 @@ class Curves:
 
     @property
     def motions(self) -> list[Motion]:
-        """Motions of all joints; of quaternions the vector parts, beside the angular speeds."""
+        """Motions of all joints; of quaternions the vector parts, beside the angular speeds.
+
+        States of effects are no motions.
+        """
         model, units = self.run.model, self.run.history.units
+        effects = [row[0] for row in model.module.EFFECTS]
         scalar_parts = [name for i, name in enumerate(model.coordinates) if i not in model.quaternions]
         motions = []
         for i, coordinate in enumerate(scalar_parts):
             joint, _, name = coordinate.rpartition(".")
             speed = model.speeds[i] if i < len(model.speeds) else None  # then, what drives integrate
+            if speed is None and joint in effects:
+                continue
             names = (coordinate,) if speed is None else (coordinate, speed, acceleration_of(speed))
             label = joint if speed in (f"{joint}.speed", None) else f"{joint} {name}"
             motions.append(Motion(label, names, tuple(units[name] for name in names)))

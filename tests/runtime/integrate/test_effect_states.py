@@ -166,6 +166,9 @@ def test_a_motor_takes_the_command_of_a_controller():
     held = K * 100 + R * 0.001 * 100 / K
     assert run["motor.voltage"][-1] == pytest.approx(held, rel=1e-6)
     assert run["control.error"][-1] * 4.0 == pytest.approx(held, rel=1e-5)
+    titles = " ".join(axes.get_title(loc="left") for axes in run.plot().axes)
+    assert "main" in titles  # of the shaft alone: states of effects are no motions
+    assert not {"motor", "control"} & set(titles.split())
 
 
 # -- effects of one's own ----------------------------------------------------------------------------------------------
