@@ -378,6 +378,7 @@ def test_consistent_scenes_do_not_depend_on_the_units(rescaled, factors):
     assert off < (1e-5 if rescaled.derived.NAME == "flyball_governor" else 1e-10), where
 
 
+@pytest.mark.by_turns(3)
 def test_the_states_span_contact_and_flight(rescaled):
     derived = rescaled.derived
     for pair in range(derived.k):

@@ -108,6 +108,7 @@ MEMORY = {"s_0": 1e5, "s_1": 3, "z": 1e-6}
 RESISTING = {name: law for name, law in LAWS.items() if isinstance(law, DampingLaw | FrictionLaw)}
 
 
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize("name", RESISTING)
 def test_a_law_without_memory_adds_no_state_and_no_latch(name):
     """And one with memory what its expression names, and no more."""
@@ -181,6 +182,7 @@ def test_any_stiffness(stiffness):
     check_forces(pair_for(stiffness), stiffness, "flores", "smooth_coulomb")
 
 
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize("damping", DAMPING)
 @pytest.mark.parametrize(
     ("pair", "stiffness"),
@@ -199,7 +201,7 @@ def test_any_friction(friction):
     check_forces("parallel_cylinders", "wang_liu_external", "exact", friction)
 
 
-@pytest.mark.by_turns(2)
+@pytest.mark.by_turns(4)
 @pytest.mark.parametrize(
     "stiffness",
     [pytest.param(s, marks=pytest.mark.exhaustive if i % 6 else pytest.mark.slow) for i, s in enumerate(STIFFNESS)],

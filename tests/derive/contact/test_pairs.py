@@ -130,7 +130,7 @@ PAIRS = {
 }  # fmt: skip
 
 
-@pytest.mark.by_turns(2)
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize("friction", [False, True], ids=["frictionless", "friction"])
 @pytest.mark.parametrize("name", PAIRS)
 def test_contact_forces_do_the_virtual_work_of_the_contact_point(name, friction):

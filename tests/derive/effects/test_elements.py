@@ -383,7 +383,7 @@ DRIVES = {  # drive, then (position, speed, acceleration) by hand of t and the c
 CHAINS = [driven(random_tree("R+Z R-X R+Y", 12), root, 1.0) for root in (0, 1)]
 
 
-@pytest.mark.by_turns(2)
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize("root", [0, 1])
 @pytest.mark.parametrize("label", DRIVES)
 def test_an_accelerated_drive_moves_the_others_and_is_loaded_as_in_kanes_method(label, root):
@@ -508,6 +508,7 @@ SEVERAL = {
 }  # fmt: skip
 
 
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize("label", SEVERAL)
 def test_power_is_balanced_on_joints_of_several_freedoms(label):
     derived = Derived(column(SEVERAL[label]))

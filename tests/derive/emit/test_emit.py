@@ -262,6 +262,7 @@ NAMES = [
 ]
 
 
+@pytest.mark.by_turns(3)
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("what", ["mass", "stiffness", "radius"])
 def test_no_name_of_a_parameter_changes_the_equations(name, what):

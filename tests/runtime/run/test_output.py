@@ -150,6 +150,7 @@ def test_of_two_rows_at_one_time_a_grid_has_the_later_one_also_across_blocks():
     assert kept.history["floor.mode"] == [1]
 
 
+@pytest.mark.by_turns(2)
 @pytest.mark.parametrize(
     ("output", "times"),
     [
