@@ -114,12 +114,15 @@ def test_rows_are_those_of_one_machine_to_the_bit(client, compiled, tmp_path):
     """Functions come with what they use of their module, which no worker can import."""
     scale = 3.0
     functions = {"highest": highest, "scaled": lambda run: scale * run.t_end}
+    kept = {"section": "floor.gap = 0 m falling", "histories": ["vertical.speed"]}
     alone, together = (
-        sweep("bouncing_ball", **ASKED, functions=functions, compiled=compiled, into=tmp_path / name, **who)
+        sweep("bouncing_ball", **ASKED, **kept, functions=functions, compiled=compiled, into=tmp_path / name, **who)
         for name, who in {"alone": {"workers": 2}, "together": {"client": client}}.items()
     )
     assert together.counts() == {"finished": 12}
     assert same(alone, together)
+    assert alone.section.points > 0
+    assert together.section.record() == alone.section.record()
     assert together.workers == 2
     assert together.compiled or compiled == "auto"
     assert not same(alone, sweep("bouncing_ball", **ASKED, functions={**functions, "highest": lambda run: 0.0}))
