@@ -172,7 +172,7 @@ class Inset:
         places = self.parts.places
         apart = self.parts.positions[id(inner)] - self.parts.positions[id(outer)]
         turns = places.rotations[:, places.bodies.index(outer.body)]
-        return np.asarray(np.einsum("ij,nkj,nk->ni", turns[0], turns.transpose(0, 2, 1), apart))
+        return np.asarray(np.einsum("ij,nkj,nk->ni", turns[0], turns, apart))
 
 
 def clearances(parts: Parts, point: float) -> Iterator[Inset]:

@@ -25,6 +25,10 @@ from hertzwerk.derive import (  # fmt: skip
     Z,
 )
 from hertzwerk.runtime import equilibrium, load, modes, simulate
+from hertzwerk.runtime.pictures.draw.drawing import Drawing
+from hertzwerk.runtime.pictures.draw.insets import clearances
+from hertzwerk.runtime.pictures.draw.places import Places
+from hertzwerk.runtime.start.start_values import start_of
 
 G = 9.81
 LINKS, LENGTH = 8, 2.0
@@ -146,3 +150,16 @@ def test_texts_tables_and_pictures(pendulum, tmp_path):
     equilibrium(pendulum).plot().savefig(tmp_path / "rest.png")
     frame = found.to_pandas()
     assert list(frame.frequency) == list(found.frequencies) and frame.attrs["units"]["hinge.angle"] == "rad"
+
+
+def test_the_inset_shows_where_the_pin_is_in_a_bush_that_has_turned():
+    """At the start its axes are the ground's, whatever way the bush stands: from its centre to the pin's."""
+    model = load("four_bar_clearance")
+    bound, q, _ = start_of(model, {}, {})
+    q = q + np.array([1e-3, -2e-3])  # rad: the pin leaves the middle of its bush
+    places = Places.at(model, bound, 0.0, q[None])
+    drawing = Drawing.of(places, (6.0, 4.0))
+    (inset,) = clearances(drawing.parts, drawing.point)
+    pin, bush = (drawing.parts.at(mark, 0) for mark in inset.marks)
+    assert np.linalg.norm(pin - bush) > 0
+    assert inset.path[0] == pytest.approx((pin - bush) * (inset.exaggerated or 1.0), rel=1e-9)
