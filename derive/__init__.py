@@ -20,6 +20,12 @@ if TYPE_CHECKING:  # the list of public names
         PinInBush as PinInBush,
         SphereOnSphere as SphereOnSphere,
     )
+    from hertzwerk.derive.contact.pairs.solid import (
+        SphereOnBox as SphereOnBox,
+        SphereOnCylinder as SphereOnCylinder,
+        SphereOnEdge as SphereOnEdge,
+        SphereOnFace as SphereOnFace,
+    )
     from hertzwerk.derive.contact.touch import Touch as Touch
     from hertzwerk.derive.declare.scene import Scales as Scales, Scene as Scene, Start as Start
     from hertzwerk.derive.derivation import audit_scene as audit_scene, derive as derive, generate as generate

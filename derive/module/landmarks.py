@@ -27,6 +27,7 @@ UNITS = {
     "length": "m",
     "hole_radius": "m",
     "size": "m",
+    "across": "1",
 }
 """Units of a landmark's directions and sizes."""
 

@@ -21,7 +21,17 @@ FOOT = 13.0  # distance of a joint's ground, points
 SLIDING = ("prismatic", "cylindrical")
 HOLDING = ("revolute", "universal", "spherical", "weld")
 INSIDE = ("pin_in_bush", "ball_in_socket")
-ROUNDS = ("sphere_on_plane", "sphere_on_sphere", "parallel_cylinders", "cylinder_on_plane", "rim_on_plane")
+ROUNDS = (
+    "sphere_on_plane",
+    "sphere_on_sphere",
+    "parallel_cylinders",
+    "cylinder_on_plane",
+    "rim_on_plane",
+    "sphere_on_box",
+    "sphere_on_face",
+    "sphere_on_edge",
+    "sphere_on_cylinder",
+)
 RIM = 0.25  # width of a bush or socket around its hole, in radii
 APART = ("gravity", "force", "moment", "planar")  # kinds that shape no body
 FACING = 0.98  # cosine of the angle from which on a tube is looked through
@@ -150,6 +160,9 @@ class Parts:
         where, turned = self.positions[id(mark)][i], self.places.rotations[i, self.places.bodies.index(mark.body)]
         if "size" in mark.beside:
             corners = np.array(np.meshgrid(*[(-0.5, 0.5)] * 3)).reshape(3, -1).T * mark.beside["size"]
+            if "along" in mark.beside:
+                along, over = mark.beside["along"], mark.beside["across"]
+                corners = corners @ np.array([along, over, np.cross(along, over)])
             return hull(self.flat(where + corners @ turned.T))
         if "axis" not in mark.beside:
             return self.ring(where, None, mark.size("radius"))
@@ -322,8 +335,15 @@ class Parts:
             if not paper.ghost:
                 still = mark.body == GROUND and self.view.names is not None
                 self._face(paper, mark, self.positions[id(first)][0 if still else i], i)
+        elif "size" in mark.beside:
+            paper.area(self.solid(mark, i), self.colours[mark.body], 4.4)
+        elif mark.place == "edge":
+            length = mark.size("length") if "length" in mark.beside else self._reach(paper)
+            half = length / 2 * self.places.direction(mark, "along")[i]
+            paper.line(self.flat(np.array([where - half, where + half])), INK, 1.6, 4.4)
         elif "radius" in mark.beside:
-            axis = self.axis_of(self.of[mark.part, mark.kind], i)
+            alone = mark.place == "sphere"
+            axis = None if alone else self.axis_of(self.of[mark.part, mark.kind], i)
             outline = self.ring(where, axis, mark.size("radius"))
             if "length" in mark.beside and axis is not None and self.view.names is None:
                 half = self.flat(mark.size("length") / 2 * axis)
@@ -397,7 +417,12 @@ class Parts:
             reach = mark.size("radius") / self.unit.factor if "radius" in mark.beside else 0.0
             reach *= 1 + RIM * (mark.place in ("bush", "socket"))
             yield from (seen + reach * np.array(corner) for corner in ((1, 1), (-1, -1)))
-            if "along" in mark.beside:
+            if "size" in mark.beside:
+                yield from (self.solid(mark, i) for i in range(len(seen)))
+            elif mark.kind == "sphere_on_cylinder" and "length" in mark.beside:
+                half = self.flat(mark.size("length") / 2 * self.places.direction(mark, "axis"))
+                yield from (seen + end + reach * np.array(way) for end in (half, -half) for way in ((1, 1), (-1, -1)))
+            elif "along" in mark.beside and "length" in mark.beside:
                 half = self.flat(mark.size("length") / 2 * self.places.direction(mark, "along"))
                 yield from (seen - half, seen + half)
         for first, second in (marks[:2] for marks in self.of.values() if marks[-1].place == "plane"):

@@ -68,7 +68,10 @@ def _is_plane(places: Places, k: int) -> bool:
         <= FLAT * np.linalg.norm(value)
         for mark in places.landmarks
         for name, value in mark.beside.items()
-        if len(value) == 3 and mark.kind != "gravity" and not mark.kind.startswith(SOLIDS)
+        if len(value) == 3
+        and name != "size"
+        and mark.kind not in ("gravity", "sphere_on_box")
+        and not mark.kind.startswith(SOLIDS)
     )
 
 

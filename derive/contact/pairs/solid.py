@@ -1,0 +1,250 @@
+"""Pairs of a sphere with a box, a bounded face, an edge or a cylinder, and how they touch."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, ClassVar
+
+import sympy as sp
+
+from hertzwerk.derive.algebra.functions import Where
+from hertzwerk.derive.algebra.vectors import Vector, add, apply, cross, dot, scale, sub, transpose
+from hertzwerk.derive.contact.touch import Touch
+from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.mechanism.bodies import AXES, Direction, Point, Slot, Z
+from hertzwerk.derive.mechanism.pair import Pair, in_body
+from hertzwerk.derive.mechanism.parameter import POSITIVE, Scalar, default_value
+from hertzwerk.derive.motion.kinematics import Kinematics
+
+NEAREST = sp.Float(1e-9)
+"""Least distance of the centre from the solid for a direction, in radii."""
+
+
+@dataclass(frozen=True)
+class SphereOnSolid(Pair):
+    """Sphere that may touch a convex solid from outside, wherever it is nearest: one contact, never two.
+
+    Gap and normal are those of the distance of the centre, which goes on smoothly from a face to its edge and its
+    corner. A centre within the solid, deeper than the radius, has no direction left.
+    """
+
+    @property
+    def first_radius(self) -> Any:
+        """Distance from the first place to the contact point [m]."""
+        return getattr(self, "radius")  # noqa: B009  # a field of each kind, behind its first
+
+    @property
+    def geometry(self) -> dict[str, Any]:
+        """Geometry for laws: that of the sphere on a plane, which edges and corners are not."""
+        return {"R_eff": self.first_radius, "R_min": self.first_radius, "R_2": self.first_radius}
+
+    def sizes(self) -> dict[str, Any]:
+        """Sizes of the solid by name [m]."""
+        raise NotImplementedError
+
+    def slots(self) -> Iterator[Slot]:
+        """Yield the quantities of the pair."""
+        for what, value in {"radius": self.first_radius, **self.sizes()}.items():
+            yield Slot(f"pair {self.name}, {what}", value, "m", POSITIVE)
+        yield from super().slots()
+
+    def off(self, p: Vector) -> Vector:
+        """Vector to the point p from the nearest of the solid, along the axes of the second place [m]."""
+        raise NotImplementedError
+
+    def touch(self, kinematics: Kinematics) -> Touch:
+        """Contact geometry on the kinematics' tape."""
+        return NearestPoint(self, kinematics)
+
+
+@dataclass(frozen=True)
+class SphereOnBox(SphereOnSolid):
+    """Sphere that may touch a box: faces, edges and corners.
+
+    Its sizes x, y, z are along the axes of its middle.
+    """
+
+    sphere: Point
+    radius: Scalar
+    box: Point
+    x: Scalar
+    y: Scalar
+    z: Scalar
+    kind: ClassVar[str] = "sphere_on_box"
+
+    def sizes(self) -> dict[str, Any]:
+        """Sizes along the axes of the box [m]."""
+        return {"x": self.x, "y": self.y, "z": self.z}
+
+    @property
+    def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Radius; sizes of the box and two of its axes, for landmarks."""
+        first, second, _ = (in_body(self.box, axis) for axis in AXES)
+        return {"radius": self.radius}, {"along": first, "across": second, "size": (self.x, self.y, self.z)}
+
+    def off(self, p: Vector) -> Vector:
+        """Vector from the nearest point of the box [m]."""
+        x, y, z = (_beyond(value, size) for value, size in zip(p, (self.x, self.y, self.z), strict=True))
+        return (x, y, z)
+
+
+@dataclass(frozen=True)
+class SphereOnFace(SphereOnSolid):
+    """Sphere that may touch a rectangular plate without thickness: its faces, edges and corners.
+
+    `face` is its middle; `length` is `along`, `width` across it; the normal is perpendicular to `along`.
+    """
+
+    sphere: Point
+    radius: Scalar
+    face: Point
+    normal: Direction
+    along: Direction
+    length: Scalar
+    width: Scalar
+    kind: ClassVar[str] = "sphere_on_face"
+
+    def sizes(self) -> dict[str, Any]:
+        """Length and width [m]."""
+        return {"length": self.length, "width": self.width}
+
+    @property
+    def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Radius; normal, direction and length of the face, for landmarks."""
+        normal, along = in_body(self.face, self.normal), in_body(self.face, self.along)
+        return {"radius": self.radius}, {"normal": normal, "along": along, "length": self.length}
+
+    def faults(self) -> Iterator[Fault]:
+        """A direction along the face must be square to its normal."""
+        cosine = sum(default_value(a * b) for a, b in zip(self.normal.unit, self.along.unit, strict=True))
+        if abs(cosine) > 1e-9:
+            found = f"a direction at a cosine of {cosine:.3g} to the normal"
+            yield Fault(f"pair {self.name}, along", found, "one square to it")
+
+    def off(self, p: Vector) -> Vector:
+        """Vector from the nearest point of the plate [m]."""
+        normal, along = self.normal.unit, self.along.unit
+        across = cross(normal, along)
+        return add(
+            scale(dot(normal, p), normal),
+            scale(_beyond(dot(along, p), self.length), along),
+            scale(_beyond(dot(across, p), self.width), across),
+        )
+
+
+@dataclass(frozen=True)
+class SphereOnEdge(SphereOnSolid):
+    """Sphere that may touch a straight edge, or wire, `along` a direction; with a `length` it has ends."""
+
+    sphere: Point
+    radius: Scalar
+    edge: Point
+    along: Direction
+    length: Scalar | None = None
+    kind: ClassVar[str] = "sphere_on_edge"
+
+    @property
+    def geometry(self) -> dict[str, Any]:
+        """No radius of curvature: an edge has none, its stiffness is given."""
+        return {"R_2": self.radius}
+
+    def sizes(self) -> dict[str, Any]:
+        """Length, if it has ends [m]."""
+        return {} if self.length is None else {"length": self.length}
+
+    @property
+    def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Radius; direction and length of the edge, for landmarks."""
+        edge = {"along": in_body(self.edge, self.along), **self.sizes()}
+        return {"radius": self.radius}, edge
+
+    def off(self, p: Vector) -> Vector:
+        """Vector from the nearest point of the edge [m]."""
+        along = self.along.unit
+        way = dot(along, p)
+        return sub(p, scale(way if self.length is None else way - _beyond(way, self.length), along))
+
+
+@dataclass(frozen=True)
+class SphereOnCylinder(SphereOnSolid):
+    """Sphere that may touch a cylinder from outside: its side; with a `length` its ends and rims."""
+
+    sphere: Point
+    radius: Scalar
+    cylinder: Point
+    cylinder_radius: Scalar
+    axis: Direction = Z
+    length: Scalar | None = None
+    kind: ClassVar[str] = "sphere_on_cylinder"
+
+    @property
+    def geometry(self) -> dict[str, Any]:
+        """Radii of the side, and that of the geometric mean of its relative curvatures, 1/r and 1/r + 1/R [m]."""
+        r, R = self.radius, self.cylinder_radius
+        return {"R_eff": r / sp.sqrt(1 + r / R), "R_min": r, "R_1": R, "R_2": r}
+
+    def sizes(self) -> dict[str, Any]:
+        """Radius of the cylinder, and its length, if it has ends [m]."""
+        return {"cylinder radius": self.cylinder_radius, **({} if self.length is None else {"length": self.length})}
+
+    @property
+    def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Radii; axis and length of the cylinder, for landmarks."""
+        cylinder = {"radius": self.cylinder_radius, "axis": in_body(self.cylinder, self.axis)}
+        return {"radius": self.radius}, cylinder | ({} if self.length is None else {"length": self.length})
+
+    def off(self, p: Vector) -> Vector:
+        """Vector from the nearest point of the cylinder [m]."""
+        axis, R = self.axis.unit, sp.sympify(self.cylinder_radius)
+        way = dot(axis, p)
+        aside = sub(p, scale(way, axis))
+        square = dot(aside, aside)
+        distance = sp.sqrt(Where(square > R**2, square, R**2))  # of the side from within, where nothing depends on it
+        beyond = sp.S.Zero if self.length is None else _beyond(way, self.length)
+        return add(scale(1 - R / distance, aside), scale(beyond, axis))
+
+
+def _beyond(way: Any, size: Any) -> Any:
+    """Part of a coordinate beyond an interval of a given size about zero."""
+    half = sp.sympify(size) / 2
+    return Where(way > half, way - half, Where(way < -half, way + half, sp.S.Zero))
+
+
+class NearestPoint(Touch):
+    """Sphere and the point of a convex solid that is nearest to its centre."""
+
+    proved: ClassVar[bool] = True
+
+    @cached_property
+    def _off(self) -> Vector:
+        """Vector from the nearest point to the centre, along the axes of the second place [m]."""
+        local = self.named(apply(transpose(self.kin.axes_of(self.second)), self.apart), "local_apart")
+        return self.named(self.pair.off(local), "off")
+
+    @cached_property
+    def _square(self) -> Any:
+        return self.let(dot(self._off, self._off), "off_squared")
+
+    @cached_property
+    def _distance(self) -> Any:
+        least = (NEAREST * sp.sympify(self.pair.radius)) ** 2
+        return self.let(sp.sqrt(Where(self._square > least, self._square, least)), "distance")
+
+    @cached_property
+    def gap(self) -> Any:
+        """(distance^2 - radius^2)/(2 radius), smooth where the distance vanishes [m]."""
+        radius = sp.sympify(self.pair.radius)
+        return self.let((self._square - radius**2) / (2 * radius), "gap")
+
+    @cached_property
+    def normal(self) -> Vector:
+        """Unit vector from the nearest point to the centre."""
+        local = self.named(scale(1 / self._distance, self._off), "local_normal")
+        return self.named(apply(self.kin.axes_of(self.second), local), "normal")
+
+    @cached_property
+    def penetration(self) -> Any:
+        """Exact penetration, by the distance [m]."""
+        return self.let(sp.sympify(self.pair.radius) - self._distance, "penetration")

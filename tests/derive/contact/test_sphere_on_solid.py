@@ -1,0 +1,230 @@
+"""Spheres on boxes, bounded faces, edges and cylinders: distances by brute force, forces by virtual work, rolling off an edge."""
+
+import itertools
+
+import numpy as np
+import pytest
+from derived import Derived
+from scipy.optimize import minimize
+
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    Contact,
+    Direction,
+    EnergyLedger,
+    Free,
+    Gravity,
+    InputError,
+    Mechanism,
+    Parameter,
+    Prismatic,
+    Scales,
+    Scene,
+    SphereOnBox,
+    SphereOnCylinder,
+    SphereOnEdge,
+    SphereOnFace,
+    Start,
+    X,
+    Y,
+    Z,
+    laws,
+)
+from hertzwerk.runtime import load, simulate
+
+R, A, B, C, BIG = (
+    Parameter(name, "mm", value) for name, value in (("r", 20), ("a", 100), ("b", 60), ("c", 40), ("R", 30))
+)
+r, a, b, c, big = (p.si for p in (R, A, B, C, BIG))
+K = Parameter("K", "N/m^1.5", 1e8)
+SIZES = Scales(length=R, speed=Parameter("pace", "m/s", 1), arm=R)
+SKEW = Direction((1, 2, 2))
+
+
+def tri(name):
+    return (Parameter(f"J_{name}", "kg m^2", 1e-3),) * 3
+
+
+BALL, BLOCK = (
+    Body("ball", Parameter("m", "kg", 0.5), tri("ball")),
+    Body("block", Parameter("m_block", "kg", 2), tri("block")),
+)
+PLACE = BLOCK.at(A / 2, B / 3, -C).turned(SKEW, Parameter("turn", "rad", 0.7))
+PAIRS = {
+    "box": SphereOnBox("touch", BALL.at(0, 0, 0), R, PLACE, A, B, C),
+    "face": SphereOnFace("touch", BALL.at(0, 0, 0), R, PLACE, Z, Y, A, B),
+    "edge": SphereOnEdge("touch", BALL.at(0, 0, 0), R, PLACE, SKEW, A),
+    "cylinder": SphereOnCylinder("touch", BALL.at(0, 0, 0), R, PLACE, BIG, X, A),
+    "endless edge": SphereOnEdge("touch", BALL.at(0, 0, 0), R, PLACE, SKEW),
+    "endless cylinder": SphereOnCylinder("touch", BALL.at(0, 0, 0), R, PLACE, BIG, X),
+}
+FAR = 10.0  # half of what has no end
+
+
+def boxed(half):
+    """Points of a box by three numbers in [-1, 1]."""
+    return lambda s: np.array(half) * s
+
+
+def along(axis):
+    axis = np.array(axis, float) / np.linalg.norm(axis)
+    return lambda half: lambda s: axis * half * s[0]
+
+
+def rounded(half):
+    """Points of a cylinder about x: way, turn, share of the radius."""
+    return lambda s: np.array([half * s[0], big * s[2] * np.cos(np.pi * s[1]), big * s[2] * np.sin(np.pi * s[1])])
+
+
+POINTS = {
+    "box": boxed((a / 2, b / 2, c / 2)),
+    "face": boxed((b / 2, a / 2, 0)),
+    "edge": along((1, 2, 2))(a / 2),
+    "cylinder": rounded(a / 2),
+    "endless edge": along((1, 2, 2))(FAR),
+    "endless cylinder": rounded(FAR),
+}
+
+
+def turned(axis, angle):
+    """Rodrigues."""
+    x, y, z = np.array(axis) / np.linalg.norm(axis)
+    tilde = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    return np.eye(3) + np.sin(angle) * tilde + (1 - np.cos(angle)) * tilde @ tilde
+
+
+@pytest.fixture(scope="module", params=PAIRS)
+def tried(request):
+    joints = Free("flight", GROUND, BALL), Free("drift", GROUND, BLOCK)
+    law = Contact("touch", laws.power(K, 1.5))
+    mechanism = Mechanism("tried", joints, (PAIRS[request.param],))
+    return request.param, Derived(Scene(mechanism, (law, EnergyLedger()), SIZES))
+
+
+def states(name, count=6):
+    """Ball and block at random, the centre of the ball outside the solid and near."""
+    rng, found = np.random.default_rng(3), []
+    while len(found) < count:
+        turn = rng.normal(size=4)
+        local = rng.uniform(-1, 1, 3) * 1.8 * np.array([a, b, c]) / 2 + rng.normal(size=3) * 0.2 * r
+        block = np.concatenate([rng.normal(size=3) * 0.1, turn / np.linalg.norm(turn)])
+        w, x, y, z = block[3:]
+        pose = turned((x, y, z), 2 * np.arctan2(np.linalg.norm((x, y, z)), w)) @ turned((1, 2, 2), 0.7)
+        centre = block[:3] + pose @ turned((1, 2, 2), -0.7) @ np.array([a / 2, b / 3, -c]) + pose @ local
+        distance = nearest(name, local)
+        if distance > 0.1 * r:
+            found.append((np.concatenate([centre, [1, 0, 0, 0], block]), local, distance))
+    return found
+
+
+def nearest(name, centre):
+    """Distance of a centre from a solid by minimisation from many starts."""
+    starts = itertools.product((0.1,), (-0.6, 0.1, 0.7) if "cylinder" in name else (0.1,), (0.6,))
+    found = [
+        minimize(lambda s: np.sum((POINTS[name](s) - centre) ** 2) / r**2, start, bounds=[(-1, 1)] * 3, tol=1e-16)
+        for start in starts
+    ]
+    return np.sqrt(min(result.fun for result in found)) * r
+
+
+def test_the_gap_is_the_shortest_distance_minus_the_radius(tried):
+    name, derived = tried
+    for q, _, distance in states(name):
+        (gap,) = derived.call("outputs", t=0.0, q=q, u=np.zeros(12))[-1:]
+        assert gap == pytest.approx(distance - r, abs=2e-6 * r)
+
+
+def test_forces_do_the_work_of_the_penetration(tried):
+    """Power on both bodies in contact is minus force times the rate of the exact gap, turning included."""
+    name, derived = tried
+    rng, touching = np.random.default_rng(5), 0
+    for q, _, distance in states(name, 14):
+        if distance > 0.999 * r:
+            continue
+        touching += 1
+        u = rng.normal(size=12)
+        rates, step = derived.call("coordinate_rates", t=0.0, q=q, u=u), 1e-7
+
+        def gap(time, q=q, rates=rates):
+            moved = q + time * rates
+            return derived.call("outputs", t=0.0, q=moved, u=np.zeros(12))[-1]
+
+        rate = (gap(step) - gap(-step)) / (2 * step)
+        force, _, (normal,), *_ = derived.call("contact_touch", t=0.0, q=q, u=u, m=[])
+        assert normal > 0
+        assert force @ u == pytest.approx(normal * rate, rel=2e-6, abs=1e-6 * normal)
+    assert touching > 1
+
+
+def test_derivatives_are_numbers_everywhere(tried):
+    _, derived = tried
+    for q, *_ in states(*tried[:1]):
+        for which in ("q", "u"):
+            assert np.all(np.isfinite(derived.jacobian("gaps", which, result=1, t=0.0, q=q, u=np.ones(12))))
+            assert np.all(np.isfinite(derived.jacobian("contact_touch", which, t=0.0, q=q, u=np.ones(12), m=[])))
+
+
+def rolling(pair, coordinates="tree", speed=0.0, start=0.0, gravity=9.81, law=None):
+    """A ball without friction on a pair fixed in the ground, in the plane, put on it at a place x."""
+    cart = Body("cart", 0)
+    joints = Prismatic("way", GROUND, cart, axis=X), Prismatic("height", cart, BALL, axis=Y)
+    effects = (
+        Gravity("gravity", Parameter("g", "m/s^2", gravity), -Y),
+        law or Contact("touch", laws.power(Parameter("K_1", "N/m", 1e7), 1)),
+        EnergyLedger(),
+    )
+    at = {"way": Parameter("x_0", "m", start), "height": Parameter("y_0", "m", r - 0.5 * gravity / 1e7)}
+    return Scene(
+        Mechanism("rolling", joints, (pair,)), effects, SIZES,
+        Start(position=at, speed={"way": Parameter("v_0", "m/s", speed)}), coordinates=coordinates,
+    )  # fmt: skip
+
+
+TABLE = GROUND.at(-A / 2, -C / 2, 0)  # its right edge is the origin
+OVER = {
+    "box": SphereOnBox("touch", BALL.at(0, 0, 0), R, TABLE, A, C, B),
+    "face": SphereOnFace("touch", BALL.at(0, 0, 0), R, GROUND.at(-A / 2, 0, 0), Y, X, A, B),
+    "rim": SphereOnCylinder("touch", BALL.at(0, 0, 0), R, TABLE, A / 2, Y, C),
+}
+
+
+@pytest.mark.parametrize(
+    ("solid", "coordinates"), [("box", "tree"), ("box", "absolute"), ("face", "tree"), ("rim", "absolute")]
+)
+def test_a_ball_leaves_the_edge_of_a_table_where_its_weight_no_longer_holds_it(solid, coordinates):
+    """It slides over the face, then about the edge, which it leaves at cos = 2/3 + v^2/(3 g r), within weight/stiffness."""
+    speed, gravity = 0.1, 9.81
+    run = simulate(load(rolling(OVER[solid], coordinates, speed, start=-0.3 * r)), duration="0.3 s", accuracy=1e-7)
+    assert run.outcome.name == "finished"
+    assert abs(run.energy_residual) < 1e-6
+    cosine = 2 / 3 + speed**2 / (3 * gravity * r)
+    leaving = np.sqrt(gravity * r) * cosine**1.5  # the speed across stays in flight
+    before, after = run.at(np.array([0.28, 0.3]))["way.travel"]
+    assert (after - before) / 0.02 == pytest.approx(leaving, rel=2e-3)
+
+
+def test_gap_and_force_go_on_from_face_to_edge_to_corner():
+    """Along a way over a corner, force and slope of the gap change by no more than the step."""
+    pair = SphereOnBox("touch", BALL.at(0, 0, 0), R, GROUND.at(-A / 2, -B / 2, -C / 2), A, B, C)
+    law = Contact("touch", laws.power(K, 1.5))
+    derived = Derived(
+        Scene(Mechanism("corner", (Free("flight", GROUND, BALL),), (pair,)), (law, EnergyLedger()), SIZES)
+    )
+    ways = np.linspace(-0.5, 0.3, 321)
+    forces, slopes = [], []
+    for way in ways:
+        q = np.array([way * r + 1e-5, 0.7 * way * r, 0.9 * r, 1, 0, 0, 0])
+        forces.append(derived.call("contact_touch", t=0.0, q=q, u=np.zeros(6), m=[])[0][:3])
+        slopes.append(derived.jacobian("gaps", "q", 0, t=0.0, q=q, u=np.zeros(6))[0][:3])
+    forces, slopes = np.array(forces), np.array(slopes)
+    assert np.max(np.abs(np.diff(forces, axis=0))) < 0.02 * np.max(np.abs(forces))
+    assert np.max(np.abs(np.diff(slopes, axis=0))) < 0.01
+    assert forces[0] == pytest.approx([0, 0, 1e8 * (0.1 * r) ** 1.5], rel=1e-9)  # once on the face
+    assert np.all(forces[-1] > 0.005 * forces[0][2])
+
+
+def test_a_face_needs_a_direction_square_to_its_normal():
+    slanted = SphereOnFace("touch", BALL.at(0, 0, 0), R, GROUND.at(0, 0, 0), Y, Direction((1, 1, 0)), A, B)
+    with pytest.raises(InputError, match=r"pair touch, along: found a direction at a cosine of 0\.707"):
+        rolling(slanted)
