@@ -308,12 +308,18 @@ def late(self, rows, held={}):
         add(self, held)
         held.clear()
 
+def told(fraction, done=[]):
+    # a line for every row that is done, and one before the first
+    now = round(fraction * int(sys.argv[4]))
+    os.write(1, b"row\\n" * (now - done[-1] if done else 1))
+    done.append(now)
+
 add = store.Store.add
 if sys.argv[5] == "late":
     store.Store.add = late
 sweep("bouncing_ball", {"drop_height": f"0.5..1.5 m:{sys.argv[4]}"}, duration="3 s", tolerance=1e-10, compiled=False,
       outputs=["floor.peak_force", "floor.impact_rate"], functions={"note": note}, workers=2, into=sys.argv[1],
-      progress=lambda fraction: os.write(1, b"row\\n"))
+      progress=told)
 """
 
 
@@ -321,7 +327,7 @@ def survive(tmp_path, kills, fault="none"):
     """Kill a sweep again and again, let it end, and compare it with one that was left alone."""
     (tmp_path / "driver.py").write_text(DRIVER)
     chance = random.Random(f"{kills} kills")
-    rows = 22 * kills + 30
+    rows = 40 * kills + 30  # more than are computed until the last kill
 
     def start(folder, log, session):
         arguments = [str(tmp_path / "driver.py"), str(folder), str(log), str(session), str(rows), fault]
