@@ -19,6 +19,7 @@ from hertzwerk.derive.module.motion import motion
 from hertzwerk.derive.module.system import System
 from hertzwerk.derive.motion.absolute import absolute
 from hertzwerk.derive.program.program import Program
+from hertzwerk.derive.readings import readings_of
 
 
 def generate(scene: Scene, source: str = "") -> str:
@@ -45,6 +46,14 @@ def derive(scene: Scene) -> Program:
     units, findings = audit_program(program)
     refuse_inconsistent(scene, findings)
     return replace(program, units=units)
+
+
+def generate_readings(scene: Scene, source: str = "") -> str:
+    """Text of the module of a scene's readings, in joint coordinates or absolute ones; raises InputError."""
+    program = readings_of(absolute(scene) if scene.coordinates == "absolute" else scene)
+    units, findings = audit_program(program)
+    refuse_inconsistent(scene, findings)
+    return emit(replace(program, units=units), source)
 
 
 def audit_scene(scene: Scene) -> tuple[Finding, ...]:

@@ -16,10 +16,18 @@ if TYPE_CHECKING:
 
     from hertzwerk.derive.declare.scene import Scene
     from hertzwerk.runtime.model.binding import Value
+    from hertzwerk.runtime.tables.meanings import Entry
 
 
 class Model(plain.Model):
     """Model of a scene that can be simulated and drawn, as `load` returns it."""
+
+    @property
+    def histories(self) -> tuple[Entry, ...]:
+        """All histories that a run has, by name, unit and meaning; readings are derived here."""
+        from hertzwerk.runtime.tables.meanings import entries
+
+        return entries(self)
 
     def draw(
         self, *, parameters: Mapping[str, Value] | None = None, initial: Mapping[str, Value] | None = None

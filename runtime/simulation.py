@@ -264,7 +264,8 @@ class Solution(plain_solution.Solution):
         inputs, _ = read(self.model, settings, given, kept.initial)
         found = set_up(self.model, settings, inputs).trace(self.tolerance, self.scales, None).kept.history
         rows = found.rows[found.t <= self.t_end]
-        return replace(self, history=History(self.model, rows, found.controls, found.integrator))
+        history = History(self.model, rows, found.controls, found.integrator, p=found.p, beside=self.history.beside)
+        return replace(self, history=history)
 
     def _repr_html_(self) -> str:
         return notebook.of_run(self, parameters_of(self, self.model))

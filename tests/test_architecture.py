@@ -31,7 +31,7 @@ ROOMS = {
         "audit": "algebra declare dimension faults laws mechanism program units",
         "contact": "algebra dimension effects faults laws mechanism motion units",
         "declare": "algebra dimension effects faults identifiers laws mechanism units",
-        "derivation": "audit declare emit faults module motion program",
+        "derivation": "audit declare emit faults module motion program readings",
         "dimension": "algebra faults units",
         "effects": "algebra dimension faults laws mechanism program units",
         "emit": "audit faults program",
@@ -44,6 +44,7 @@ ROOMS = {
         "motion": "algebra audit declare dimension effects faults mechanism program units",
         "program": "algebra dimension mechanism",
         "readable": "algebra audit declare derivation effects laws mechanism module program",
+        "readings": "algebra declare effects mechanism module motion program",
         "scenes": ". contact declare effects laws mechanism sheets",
         "sheets": "algebra audit contact declare dimension effects emit faults laws mechanism program units",
         "units": "",
@@ -64,7 +65,7 @@ ROOMS = {
         "integrate/loop": "host integrate/events integrate/step integrate/tableaux model",
         "integrate/step": "host integrate/tableaux model",
         "integrate/tableaux": "host",
-        "loading": "derive/declare derive/faults model pictures/draw",
+        "loading": "derive/declare derive/faults model pictures/draw tables",
         "measured": "accuracy derive/faults derive/units host model solution",
         "model": "derive/audit derive/declare derive/derivation derive/faults derive/files derive/laws derive/readable "
         "derive/scenes derive/sheets derive/units host",
@@ -422,6 +423,7 @@ SAME_CONCEPT = {
     "equations": "the equations of motion, and those of a scene for people",
     "loops": "the constraints of closed loops, and the functions of them in a module",
     "lubrication": "the laws of films, and the effect that takes them",
+    "readings": "histories beyond the states: their derivation, and their evaluation over a run",
     "scales": "sizes that errors are measured by: their equations, and their numbers",
     "study": "a study's rows and what follows from them, of effects and of work-precision",
 }

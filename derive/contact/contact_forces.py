@@ -48,7 +48,8 @@ class Forces:
 
     `sliding_velocity` [m/s] is None without friction; `in_range` is 1 within the range of the law, else 0.
     `bristle_rate` [m/s] is given for friction with a bristle. `grip` is given for friction with modes, which
-    `generalised` and `friction_power` then do not include. `rubbing` is the part of `generalised` due to friction.
+    `generalised` and `friction_power` then do not include. `rubbing` is the part of `generalised` due to friction, and
+    `friction_force` [N] its force on the first body along the direction of `sliding_velocity`, else None.
     """
 
     generalised: dict[str, Any]
@@ -60,6 +61,7 @@ class Forces:
     bristle_rate: Any = None
     grip: Grip | None = None
     rubbing: Mapping[str, Any] = field(default_factory=dict)
+    friction_force: Any = None
 
 
 class PairKinematics:
@@ -143,14 +145,22 @@ class PairKinematics:
             grip, sliding = self._grip(friction, pressing)
             in_range = self._in_range(contact)
             return Forces(generalised, normal_power, sp.S.Zero, normal_force, sliding, in_range, grip=grip)
-        drag, sliding, friction_power, bristle_rate = self._drag(friction, pressing, bristle)
+        drag, sliding, opposing, friction_power, bristle_rate = self._drag(friction, pressing, bristle)
         drag = self._named(drag, "drag")
         rubbing = self._on_joints(drag, self.touch.contact_point, "drag")
         for joint, force in rubbing.items():
             generalised[joint] = generalised.get(joint, sp.S.Zero) + force
         in_range = self._in_range(contact)
         return Forces(
-            generalised, normal_power, friction_power, normal_force, sliding, in_range, bristle_rate, rubbing=rubbing
+            generalised,
+            normal_power,
+            friction_power,
+            normal_force,
+            sliding,
+            in_range,
+            bristle_rate,
+            rubbing=rubbing,
+            friction_force=-opposing,
         )
 
     def _on_joints(self, force: Vector, position: Vector, name: str) -> dict[str, Any]:
@@ -183,8 +193,8 @@ class PairKinematics:
             yield Fault(f"effect {friction.name}", found, "a contact in plane motion: one direction of sliding",
                         "smooth_coulomb, stribeck and brown_mcphee take sliding in any direction.")  # fmt: skip
 
-    def _drag(self, friction: Friction, normal_force: Any, bristle: Any) -> tuple[Vector, Any, Any, Any]:
-        """Friction force on the first body, sliding velocity, dissipated power, rate of the bristle or None."""
+    def _drag(self, friction: Friction, normal_force: Any, bristle: Any) -> tuple[Vector, Any, Any, Any, Any]:
+        """Friction on the first body; sliding velocity, force against it, power; rate of the bristle or None."""
         law = friction.law.law
         plane = self._plane_of_motion()
         if plane is None:
@@ -203,9 +213,9 @@ class PairKinematics:
         if plane is None:
             slope = self.let(law.slope.xreplace(values), "friction_slope", stated[1])
             per_speed = self.let(Where(sliding > 0, force / sliding, slope), "friction_per_speed")
-            return scale(-per_speed, slip), sliding, power, None
+            return scale(-per_speed, slip), sliding, force, power, None
         rates = [self.let(rate.xreplace(values), "bristle_rate", stated[2]) for _, rate, _ in law.memory]
-        return scale(-force, tangent), sliding, power, rates[0] if rates else None
+        return scale(-force, tangent), sliding, force, power, rates[0] if rates else None
 
     def bristle_size(self, friction: Friction) -> Any:
         """Scale of the bristle's error tolerance [m]."""

@@ -59,7 +59,7 @@ def _header(program: Program, source: str, counts: dict[str, int]) -> str:
             *(f"    {effect.name}: {prose(effect.text)}" for effect in scene.effects),
             f"Units: {verdict}",
             *([f"Coordinates: {prose(program.note)}"] if program.note else []),
-            f"Operations: flight {sum(counts[name] for name in FLIGHT)} (equations of motion and gaps){contact}",
+            f"Operations: flight {sum(counts.get(name, 0) for name in FLIGHT)} (equations of motion and gaps){contact}",
             '"""',
         )
     )

@@ -29,6 +29,8 @@ _ARGUMENTS = {
     "reactions": "reactions of the drives",
     "wanted": "wanted: rates of CONSTRAINTS",
     "multipliers": "multipliers: forces that hold CONSTRAINTS",
+    "friction": "friction: force of each pair of SLIPS along its tangent",
+    "touching": "touching: forces and points of the contacts",
     "joints": "joints: JOINT_COORDINATES",
     "joint_speeds": "joint_speeds: JOINT_SPEEDS",
 }

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Any
+
 import sympy as sp
 
 from hertzwerk.derive.faults import Fault, InputError
@@ -39,6 +42,14 @@ def program_of(system: System) -> Program:
     idle = [effect.name for effect in system.scene.effects if effect.name not in system.entered]
     if idle:
         raise InputError(f"scene {system.scene.name}", (_idle_fault(system, name) for name in idle))
+    note = "" if system.joints is None else "absolute"
+    return with_constants(system, functions, tables(system), note)
+
+
+def with_constants(
+    system: System, functions: list[Function], tables: Mapping[str, tuple[Any, ...]], note: str
+) -> Program:
+    """Program of functions, with the function of the constants that they read."""
     constants = system.tape.constants(functions)
     softness = [symbol for symbol, group in system.tape.inputs.items() if group == CONSTANT]
     values = (*constants, *(sp.Float(SOFTNESS) for _ in softness))
@@ -46,11 +57,8 @@ def program_of(system: System) -> Program:
     words = names_in_words(((s, system.tape.assignments[s]) for s in system.tape.numbered), {}, system.tape.names)
     names = tuple(words.get(symbol.name, symbol.name) for symbol in constants)
     result = Result("c", names, ("",) * len(names), values)  # mixed units: see CONSTANTS
-    functions.insert(
-        0, system.function("constants", "Quantities that depend on the parameters alone, once per run.", "p", result)
-    )
-    note = "" if system.joints is None else "absolute"
-    return Program(system.scene, system.tape, tuple(functions), tuple(constants), tables(system), note, words)
+    first = system.function("constants", "Quantities that depend on the parameters alone, once per run.", "p", result)
+    return Program(system.scene, system.tape, (first, *functions), tuple(constants), tables, note, words)
 
 
 def _placement(system: System) -> list[Function]:

@@ -31,12 +31,12 @@ from hertzwerk.derive.program.program import Function, Result, Tape
 class System:
     """One scene on one tape, from which the functions of a module are made."""
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: Scene, kinematics: type[Surroundings] = Surroundings) -> None:
         self.scene = scene
         self.tape = Tape()
         for parameter, dimension in scene.dimensions.items():
             self.tape.input(parameter.name, "p", dimension, symbol=parameter)
-        self.kin = Surroundings(self.tape, scene)
+        self.kin = kinematics(self.tape, scene)
         self.equations = Equations(self.kin, scene)
         self.contacts = [
             (PairKinematics(self.kin, pair, scene.geometry(pair.name)), contact, friction)

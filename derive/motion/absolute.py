@@ -267,19 +267,19 @@ def _turned(joint: Base, joints: Kinematics) -> tuple[list[Any], list[Any]]:
     rate = joints.motion(body).angular_velocity
     if joint.normal is not None:
         return [joints.turned(body, joint.normal)], [rate[joint.normal]]
-    return list(_quaternion(joints, body)), list(apply(transpose(joints.rotation(body)), rate))
+    return list(quaternion_of(joints, body)), list(apply(transpose(joints.rotation(body)), rate))
 
 
 Quaternion = tuple[Any, ...]
 """q0 + q1 i + q2 j + q3 k."""
 
 
-def _quaternion(kin: Kinematics, body: Frame) -> Quaternion:
+def quaternion_of(kin: Kinematics, body: Frame) -> Quaternion:
     """Quaternion from a body's axes to the ground's, multiplied along its joints without a branch."""
     joint = kin.mechanism.joint_of(body)
     if joint is None:
         return (sp.S.One, sp.S.Zero, sp.S.Zero, sp.S.Zero)
-    total = _quaternion(kin, joint.parent.body)
+    total = quaternion_of(kin, joint.parent.body)
     steps = [_of_turn(axis.unit, angle) for axis, angle in joint.parent.turns]
     for link in kin.tree.links:
         if link.joint is joint and link.freedom is not None and link.kind != "slide":

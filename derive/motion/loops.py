@@ -53,10 +53,10 @@ def closing_constraints(kinematics: Kinematics) -> Iterator[Constraint]:
     """Yield the constraints of a mechanism's closing joints, then those of their drives."""
     joints = kinematics.mechanism.closures
     for joint in joints:
-        yield from _Closure(kinematics, joint).constraints()
+        yield from Closure(kinematics, joint).constraints()
     for joint in joints:
         driven = (freedom for freedom in joint.freedoms if freedom.key in kinematics.prescribed)
-        yield from (_Closure(kinematics, joint).driven(freedom) for freedom in driven)
+        yield from (Closure(kinematics, joint).driven(freedom) for freedom in driven)
 
 
 @dataclass(frozen=True)
@@ -80,10 +80,10 @@ def measured(kinematics: Kinematics, key: str) -> Measured:
         return Measured(*kinematics.states[key], sp.S.Zero if row.free else row.acceleration, {row.key: sp.S.One})
     freedoms = ((joint, freedom) for joint in kinematics.mechanism.closures for freedom in joint.freedoms)
     joint, freedom = next(entry for entry in freedoms if entry[1].key == key)
-    return _Closure(kinematics, joint).measured(freedom)
+    return Closure(kinematics, joint).measured(freedom)
 
 
-class _Closure:
+class Closure:
     """One closing joint on its kinematics' tape."""
 
     def __init__(self, kinematics: Kinematics, joint: Joint) -> None:

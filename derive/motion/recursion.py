@@ -96,10 +96,10 @@ class Recursion:
             centre = add(place.origin, apply(place.axes, sympified(body.centre)))
             mass += body.mass
             moment = add(moment, scale(body.mass, centre))
-            inertia = combine(inertia, self._about_centre(body), scaled(body.mass, steiner(centre)))
+            inertia = combine(inertia, self.about_centre(body), scaled(body.mass, steiner(centre)))
         return mass, moment, inertia
 
-    def _about_centre(self, body: Body) -> Matrix:
+    def about_centre(self, body: Body) -> Matrix:
         """Inertia about the mass centre, in the link's axes.
 
         A scalar inertia is about the axis of the joint that turns the body.

@@ -28,7 +28,7 @@ NUMBERED = "k1"
 OWN = {
     "ca": "casadi", "t": "time", "p": "parameters", "q": "coordinates", "u": "speeds", "a": "speed_rates", "f": "forces", "z": "memory",
     "m": "latches", "c": "constant_values", "wanted": "wanted_rates", "multipliers": "constraint_forces", "reactions": "drive_reactions",
-    "joints": "joint_coordinates", "joint_speeds": "speeds_of_joints",
+    "joints": "joint_coordinates", "joint_speeds": "speeds_of_joints", "friction": "friction_forces", "touching": "contact_forces",
 }  # fmt: skip
 """Names of CasADi and of arguments in generated functions, and what stands for one where a parameter has its name."""
 _NO_GROUPS: frozenset[str] = frozenset()

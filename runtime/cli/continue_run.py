@@ -28,6 +28,7 @@ def continue_run(
     grid: str | None,
     max_steps: str | None,
     wall_time: str | None,
+    histories: Sequence[str],
     **others: Any,
 ) -> tuple[Solution, dict[str, Any]]:
     """Return the continued run and the request to be recorded with it.
@@ -35,6 +36,7 @@ def continue_run(
     Raises InputError with `faults` and more, also for options that differ from the original run.
     """
     from hertzwerk.runtime.loading import load
+    from hertzwerk.runtime.solution.history import unknown_histories
 
     before, request = _read(folder)
     limits = limits_of(max_steps, wall_time, faults)
@@ -45,7 +47,7 @@ def continue_run(
         laws=_laws(request["laws"], []),
         coordinates=request["coordinates"],
     )
-    faults += _differences(before, model, request, target, **others)
+    faults += [*_differences(before, model, request, target, **others), *unknown_histories(model, histories)]
     spacing = grid if grid is not None else request["grid"]
     if grid is None and spacing is not None and spacing.isdecimal() and duration is not None:
         found = f"{spacing} points over {before.duration:g} s, of the run before"

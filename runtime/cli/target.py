@@ -111,20 +111,23 @@ def solved(
     settings: Settings,
     faults: list[Fault],
     progress: Callable[[float], object],
+    histories: Sequence[str] = (),
     *,
     at_rest: bool = False,
 ) -> Solution:
     """Load a target's variation and run it with the values of --set, from its start or its equilibrium.
 
-    Raises InputError with the faults found before and those of every option.
+    Every name of `histories` must be one of its histories. Raises InputError with the faults found before and those of every option.
     """
     from hertzwerk.runtime.run.request import check
     from hertzwerk.runtime.simulation import solve
+    from hertzwerk.runtime.solution.history import unknown_histories
     from hertzwerk.runtime.start.start_values import split_values
 
     given = assignments("--set", values, faults)
     model = loaded(target, without, laws, faults, coordinates=coordinates, others=settings.faults)
     parameters, initial = split_values(model, given)
+    faults += unknown_histories(model, histories)
     begin = _at_rest(model, parameters, initial, faults) if at_rest else initial
     check(model, settings, parameters, begin, faults)
     return solve(model, settings, parameters, begin, progress=progress)

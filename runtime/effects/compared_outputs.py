@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING
 import casadi as ca
 import numpy as np
 
-from hertzwerk.derive.faults import Fault, unknown
+from hertzwerk.derive.faults import Fault
 from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.per_model import per_model
-from hertzwerk.runtime.solution.history import acceleration_of, units_of
+from hertzwerk.runtime.solution.history import acceleration_of, unknown_histories
 from hertzwerk.runtime.solution.samples import Samples
 
 if TYPE_CHECKING:
@@ -123,11 +123,10 @@ def chosen(run: Solution, texts: Sequence[str]) -> tuple[tuple[Output, ...], lis
     return tuple(found.values()), faults
 
 
-def unknown_histories(model: Model, texts: Sequence[str]) -> list[Fault]:
+def unknown_outputs(model: Model, texts: Sequence[str]) -> list[Fault]:
     """Return the faults of outputs that need histories no run of the model has."""
-    names = [name for name in units_of(model, None) if name != "t"]
     parts = (text.partition(".") for text in texts)
-    return [unknown("history", name, names) for kind, _, name in parts if kind in _KINDS and name and name not in names]
+    return unknown_histories(model, [name for kind, _, name in parts if kind in _KINDS and name])
 
 
 def _of_history(run: Solution, kind: str, name: str) -> Output:

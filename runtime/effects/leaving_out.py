@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from hertzwerk.derive.faults import Fault, InputError, unknown
-from hertzwerk.runtime.effects.compared_outputs import PAST_HORIZON, Output, automatic, chosen, unknown_histories
+from hertzwerk.runtime.effects.compared_outputs import PAST_HORIZON, Output, automatic, chosen, unknown_outputs
 from hertzwerk.runtime.effects.measuring import EIGHTHS, LADDER, Bench, Case, Measurement
 from hertzwerk.runtime.effects.scene_cost import cost_of, shares
 from hertzwerk.runtime.effects.smallest import smallest
@@ -120,7 +120,7 @@ def _outputs(whole: Model, bench: Bench, names: Sequence[str]) -> tuple[tuple[Ou
     """
     known = (*whole.parameters, *whole.joints.coordinates, *whole.joints.speeds)
     faults = [unknown("parameter or state", name, known) for name in bench.unknown_of(whole)]
-    bench.check(Case(whole), [*faults, *unknown_histories(whole, names)])
+    bench.check(Case(whole), [*faults, *unknown_outputs(whole, names)])
     run = bench.simulate(Case(whole), compiled=False)
     outputs, wrong = chosen(run, names) if names else (automatic(run), [])
     if wrong:

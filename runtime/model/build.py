@@ -271,6 +271,22 @@ def _varied(name: str, *variation: Any) -> Scene:
     return vary(scene_from(name), *variation)
 
 
+def readings_text(target: str | Scene, variation: tuple[object, ...], scene: Callable[[], Scene]) -> str:
+    """Return the text of a scene's readings, from the cache if possible; raises InputError.
+
+    target, variation    what the scene was made of
+    """
+
+    def text(scene: Scene, source: str) -> str:
+        from hertzwerk.derive.derivation import generate_readings
+
+        return generate_readings(scene, source)
+
+    if not isinstance(target, str) or is_file(target):
+        return text(scene(), "a scene")
+    return _cached_text(("readings", target, *variation), scene, source_of(target), text)
+
+
 def build_hard_scene(name: str) -> ModuleType:
     """Return the module of a scene of the hard cases, from the cache if possible.
 
@@ -285,12 +301,17 @@ def build_hard_scene(name: str) -> ModuleType:
     return module_of(name, _cached_text(("hard", name), scene, "derive/scenes/hard/scenes.py"))
 
 
-def _cached_text(variation: tuple[object, ...], scene: Callable[[], Scene], source: str) -> str:
+def _cached_text(
+    variation: tuple[object, ...],
+    scene: Callable[[], Scene],
+    source: str,
+    derived: Callable[[Scene, str], str] | None = None,
+) -> str:
     """Return the text of a module from the cache, or derive and keep it."""
     key = f"generated-{_key(variation)}"
     text = disk.read(key, ".py")
     if text is None:
-        text = derive_text(scene(), source)
+        text = (derived or derive_text)(scene(), source)
         disk.keep(key, ".py", text.encode())
     return text
 

@@ -59,6 +59,18 @@ class Declaration:
         scene = build.scene_from(self.target) if isinstance(self.target, str) else self.target
         return build.vary(scene, self.without, dict(self.laws), self.coordinates)
 
+    def readings(self, coordinates: str) -> str:
+        """Return the text of the module of the scene's readings in these coordinates, derived once."""
+        known: dict[str, str] = self.__dict__.setdefault("_readings", {})  # pickled with the model
+        if coordinates not in known:
+            from hertzwerk.runtime.model import build
+
+            variation = self.without, self.laws, coordinates
+            known[coordinates] = build.readings_text(
+                self.target, variation, lambda: self.scene().with_coordinates(coordinates)
+            )
+        return known[coordinates]
+
 
 class Model:
     """Model of a scene. `declaration` is its origin; a saved run has none."""
@@ -235,6 +247,22 @@ class Model:
         from hertzwerk.runtime.model import build
 
         return build.equations(self.declaration.scene())
+
+    @property
+    def reads(self) -> bool:
+        """Whether the model has its scene, from which readings are derived."""
+        return self.declaration is not None
+
+    @per_model
+    def reading_module(self) -> ModuleType:
+        """Return the module of the readings, derived from the scene; raises InputError for a model without it."""
+        if self.declaration is None:
+            fault = Fault(
+                "readings", "a model without its scene", "a model that `load` returned", f"load({self.name!r})"
+            )
+            raise InputError(self.name, [fault])
+        coordinates = "tree" if self.joints is self else "absolute"
+        return module_of(f"{self.name}_readings", self.declaration.readings(coordinates))
 
     def bind(self, parameters: Mapping[str, Value] | None = None) -> Bound:
         """Return the defaults overridden by `parameters`, in SI; raises InputError with every fault."""

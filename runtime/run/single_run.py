@@ -165,7 +165,8 @@ class SingleRun:
         loop = self.engine.march if self.provider is None else partial(self.engine.march, self.provider, integrator)
         if self.start is not None:
             loop = partial(loop, with_choice=self.start.with_choice)
-        recorder = Recorder(lambda rows: History(self.model, rows, controls, integrator), observers, block)
+        p = self.given.bound.p
+        recorder = Recorder(lambda rows: History(self.model, rows, controls, integrator, p=p), observers, block)
         keep = recorder.keep if observers else _forget
         ending: Ending = loop(state, controls, keep, wall_time=self.limits.wall_time, progress=progress)
         with suppress(Exception):  # told by the recorder

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from difflib import get_close_matches
 from typing import Any
 
 import casadi as ca
 import numpy as np
 
+from hertzwerk.derive.faults import Fault, unknown
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.integrate.loop.attempt import Integrator
 from hertzwerk.runtime.integrate.step.explicit import flow
@@ -16,6 +17,7 @@ from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT
 from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.per_model import per_model
+from hertzwerk.runtime.model.readings import Units, evaluate
 
 _PAIR = {"mode": "1", "gap": "m", "gap_rate": "m/s", "penetration": "m", "normal_force": "N"}
 
@@ -24,7 +26,8 @@ class History:
     """Histories over `t`, in SI; `history[name]` has shape (rows,).
 
     rows: states of the engine, shape (rows, ns), as `layout` names them. steps: whether each row is one accepted step
-    after the row before, so that the steps between can be interpolated.
+    after the row before, so that the steps between can be interpolated. p: the parameters in SI, which readings need.
+    beside: readings that are listed among the names, and written with them.
     """
 
     def __init__(
@@ -35,10 +38,13 @@ class History:
         integrator: Integrator | None,
         *,
         steps: bool = True,
+        p: np.ndarray | None = None,
+        beside: tuple[str, ...] = (),
     ) -> None:
         self.model = model
         self.rows, self.controls, self.integrator = rows, controls, integrator
         self.steps = steps and integrator is not None
+        self.p, self.beside = p, beside
         self._found: dict[str, np.ndarray] = {}
 
     @classmethod
@@ -49,9 +55,10 @@ class History:
         return history
 
     @cached_property
-    def units(self) -> dict[str, str]:
-        """SI unit text of "t" and of every name, in the order of `names`."""
-        return units_of(self.model, tuple(self._found) if self.integrator is None else None)
+    def units(self) -> Units:
+        """SI unit text of "t" and of every name, in the order of `names`; of readings when asked for."""
+        units = units_of(self.model, tuple(self._found) if self.integrator is None else None)
+        return Units({**units, **{name: units[name] for name in self.beside}}, self.model)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -66,9 +73,10 @@ class History:
 
     def __getitem__(self, name: str) -> np.ndarray:
         if name not in self.units:
-            near = get_close_matches(name, self.units, n=3)
-            hint = f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(self.units)}"
-            raise KeyError(f"no history {name!r}; {hint}")
+            known = self.units.everything
+            near = get_close_matches(name, known, n=3)
+            hint = f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(known)}"
+            raise KeyError(f"no history {name!r}; {hint}{self.units.missing}")
         if name not in self._found:
             self._found |= self._evaluate(name)
         return self._found[name]
@@ -92,6 +100,8 @@ class History:
     def _evaluate(self, name: str) -> dict[str, np.ndarray]:
         """Return the history of a name, and those that come with it."""
         model = self.model
+        if not units_of(model, None).lists(name):
+            return evaluate(self, name)
         ny = [*model.coordinates, *model.speeds, *model.memory]
         if name == "t":
             return {name: self.part("t")[:, 0]}
@@ -110,8 +120,7 @@ class History:
             return dict(zip(model.constraints, self.map("constraints", "t q u")[0].T, strict=True))
         of_constraints = [constraint_force(constraint) for constraint in model.constraints]
         if name in of_constraints:
-            (forces,) = self._constraint_forces(*(self.part(part) for part in ("t", "y", "mode", "m")))
-            return dict(zip(of_constraints, forces.T, strict=True))
+            return dict(zip(of_constraints, self.held().T, strict=True))
         if name == "energy":
             return {name: np.sum(self.energies, axis=0)}
         for speed in model.speeds:
@@ -179,8 +188,16 @@ class History:
         # c comes first
         return rowwise(model, function, len(names))(self.controls[: model.nc], *(known[name] for name in names))
 
-    def _constraint_forces(self, *parts: np.ndarray) -> list[np.ndarray]:
-        return _constraint_forces(self.model)(self.controls[: self.model.nc], *parts)
+    def touches(self, pair: int) -> np.ndarray:
+        """Return whether the surfaces of a pair touch, shape (rows,)."""
+        found: np.ndarray = self.part("mode")[:, pair] == CONTACT
+        return found
+
+    def held(self) -> np.ndarray:
+        """Return the forces that hold the constraints, shape (rows, nl)."""
+        parts = (self.part(part) for part in ("t", "y", "mode", "m"))
+        (forces,) = _constraint_forces(self.model)(self.controls[: self.model.nc], *parts)
+        return forces
 
     def at(self, times: np.ndarray) -> History:
         """Return histories at other times [s] within the run; at an event, the state just after it."""
@@ -246,11 +263,21 @@ class History:
 
     def of(self, rows: np.ndarray) -> History:
         """Return histories over other rows (n, ns) of the same run."""
-        return History(self.model, rows, self.controls, self.integrator, steps=False)
+        return History(self.model, rows, self.controls, self.integrator, steps=False, p=self.p, beside=self.beside)
+
+    def with_names(self, names: Iterable[str]) -> History:
+        """Return the same histories with readings listed among them; raises KeyError for an unknown name."""
+        asked = [name for name in dict.fromkeys(names) if not self.units.lists(name)]
+        for name in asked:
+            self[name]
+        if not asked:
+            return self
+        beside = (*self.beside, *asked)
+        return History(self.model, self.rows, self.controls, self.integrator, steps=self.steps, p=self.p, beside=beside)
 
 
 @per_model
-def units_of(model: Model, stored: tuple[str, ...] | None) -> dict[str, str]:
+def units_of(model: Model, stored: tuple[str, ...] | None) -> Units:
     """Return the SI unit text by name; `stored`: names of a saved run, None where there are functions."""
     units = {"t": "s", **model.units}
     for name in model.speeds:
@@ -266,7 +293,14 @@ def units_of(model: Model, stored: tuple[str, ...] | None) -> dict[str, str]:
         units["energy"] = "J"
     for name, unit in getattr(model.module, "CONSTRAINTS", ()):
         units |= {name: unit, constraint_force(name): "N" if unit == "m" else "N m"}
-    return units
+    units |= {name: unit for name, unit, _ in getattr(model.module, "BESIDE", ())}  # readings of a saved run
+    return Units(units, model)
+
+
+def unknown_histories(model: Model, names: Iterable[str]) -> list[Fault]:
+    """Return the faults of names that no history of a model has, readings included."""
+    units = units_of(model, None)
+    return [unknown("history", name, units.everything) for name in names if name not in units]
 
 
 @per_model

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from types import ModuleType
 from typing import Any, ClassVar, Self
@@ -15,6 +15,7 @@ from hertzwerk.runtime.accuracy.ladder import ErrorEstimate
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.host.scratch import write_atomically
 from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.model.readings import readings_of
 from hertzwerk.runtime.solution import saved
 from hertzwerk.runtime.solution.averages import Average, Run, averages
 from hertzwerk.runtime.solution.checkpoint import Checkpoint
@@ -123,6 +124,13 @@ class Solution:
     def __getitem__(self, name: str) -> np.ndarray:
         return self.history[name]
 
+    def with_histories(self, *names: str) -> Self:
+        """Return the run with readings listed among its histories, so that tables and files have them too.
+
+        `model.histories` has all of them. Raises KeyError for an unknown name.
+        """
+        return replace(self, history=self.history.with_names(names))
+
     def at(self, times: Sequence[float] | np.ndarray) -> History:
         """Return histories at any times [s] of the run, interpolated by the method's own step and order.
 
@@ -206,7 +214,7 @@ class Solution:
         """Write the whole run as npz, to be read by `Solution.load` or NumPy; raises FileExistsError."""
         module = self.model.module
         about = {
-            "scene": {name: getattr(module, name) for name in _TABLES if hasattr(module, name)},
+            "scene": {name: getattr(module, name) for name in _TABLES if hasattr(module, name)} | self._beside(),
             "ledger": self.model.has_ledger,
             "outcome": asdict(self.outcome),
             "statistics": asdict(self.statistics),
@@ -227,6 +235,14 @@ class Solution:
         if self.checkpoint is not None:
             histories[CHECKPOINT] = self.checkpoint.resume.state
         return write(Path(path), saved.packed(about, histories), overwrite=overwrite)
+
+    def _beside(self) -> dict[str, Any]:
+        """Table of the readings that are saved with a run: name, unit, meaning."""
+        if not self.history.beside:
+            return {}
+        known = readings_of(self.model).rows
+        rows = [(name, known[name].unit, known[name].meaning) for name in self.history.beside]
+        return {"BESIDE": rows}
 
     @classmethod
     def load(cls, path: str | Path) -> Self:
@@ -274,7 +290,7 @@ class Solution:
 _TABLES = (
     *("NAME", "SOURCE", "SUMMARY", "EFFECTS", "UNCHECKED", "PARAMETERS", "LIMITS", "COORDINATES", "SPEEDS", "MEMORY"),
     *("LATCHES", "SLIPS", "PAIRS", "DISSIPATED", "OUTPUTS", "CONSTANTS", "BODIES", "OPERATIONS", "QUATERNIONS"),
-    *("CONSTRAINTS", "ADVICE"),
+    *("CONSTRAINTS", "ADVICE", "BESIDE"),
 )
 
 

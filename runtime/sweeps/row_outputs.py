@@ -86,7 +86,15 @@ def own(name: str, function: Callable[[Solution], float]) -> Output:
 def named(model: Model, outputs: Sequence[tuple[str, Callable[[Solution], float] | None]]) -> list[Output]:
     """Return outputs by their names and, of the user's own, functions."""
     there = {output.name: output for output in (*of_every_run(model), *_known(model))}
-    return [there[name] if function is None else own(name, function) for name, function in outputs]
+    return [_found(model, there, name) if function is None else own(name, function) for name, function in outputs]
+
+
+def _found(model: Model, there: Mapping[str, Output], name: str) -> Any:
+    """Return the output of a name, of a reading too, which is derived then; None where there is none."""
+    history, _, kind = name.rpartition(".")
+    if name in there or kind not in _REDUCERS or history not in units_of(model, None):
+        return there.get(name)
+    return _reduced(history, units_of(model, None)[history], kind)
 
 
 def known(model: Model) -> dict[str, Output]:
@@ -104,9 +112,10 @@ def chosen(model: Model, names: object, faults: list[Fault]) -> list[Output]:
     there = known(model)
     faults += [unknown("sweep output", name, there, _OTHERWISE) for name in names if not isinstance(name, str)]
     texts = list(dict.fromkeys(name for name in names if isinstance(name, str)))
-    faults += [unknown("sweep output", name, there, _OTHERWISE) for name in texts if name not in there]
+    found = {name: _found(model, there, name) for name in texts}
+    faults += [unknown("sweep output", name, there, _OTHERWISE) for name in texts if found[name] is None]
     faults += [Fault("outputs", f"{name} twice", "each once") for name in texts if names.count(name) > 1]
-    return [there[name] for name in texts if name in there]
+    return [output for output in found.values() if output is not None]
 
 
 def of_every_run(model: Model) -> list[Output]:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import click
 
 from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.cli.target import COORDINATES, LAW, WITHOUT, loaded
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, line, reports_bad_input, table
 
 if TYPE_CHECKING:
@@ -18,9 +19,15 @@ if TYPE_CHECKING:
 
 
 @click.command("list")
+@click.argument("target", required=False)
+@WITHOUT
+@LAW
+@COORDINATES
 @reports_bad_input
-def list_scenes() -> int:
-    """List the built-in scenes with their effects."""
+def list_scenes(target: str | None, without: Sequence[str], laws: Sequence[str], coordinates: str | None) -> int:
+    """List the built-in scenes with their effects; of TARGET all histories with unit and meaning."""
+    if target is not None:
+        return _list_histories(target, without, laws, coordinates)
     from hertzwerk.runtime.model.regenerate import generated_names
 
     rows = []
@@ -28,6 +35,22 @@ def list_scenes() -> int:
         module = importlib.import_module(f"hertzwerk.generated.{name}")
         rows.append((name, module.SUMMARY, ", ".join(effect for effect, _, _ in module.EFFECTS)))
     table(("scene", "summary", "effects"), rows)
+    return GOOD
+
+
+def _list_histories(target: str, without: Sequence[str], laws: Sequence[str], coordinates: str | None) -> int:
+    """Print every history of a target: those always there, then those derived when asked for."""
+    from hertzwerk.runtime.tables.meanings import entries
+
+    faults: list[Fault] = []
+    model = loaded(target, without, laws, faults, coordinates=coordinates)
+    if faults:
+        raise InputError("list", faults)
+    found = entries(model)
+    for derived, title in ((False, "in every run"), (True, "derived when asked for")):
+        rows = [(entry.name, entry.unit, entry.meaning) for entry in found if entry.derived == derived]
+        click.echo(f"{model.name}: {title}")
+        table(("history", "unit", "meaning"), rows)
     return GOOD
 
 

@@ -73,6 +73,13 @@ STOPPED = (
     type=click.Choice(["equilibrium"]),
     help="Start at rest where `hertzwerk statics` finds it, from the scene's start and --set.",
 )
+@click.option(
+    "--history",
+    "histories",
+    metavar="NAME",
+    multiple=True,
+    help="Write this one too, derived from the scene: rod.x, crank_pin.reaction_x (`hertzwerk list TARGET` has all).",
+)
 @MAX_STEPS
 @WALL_TIME
 @click.option(
@@ -115,6 +122,7 @@ def run(
         else:
             request = _request(target, options)
             solution = _simulate(faults, stopping, **{**options, "target": target})
+        solution = solution.with_histories(*options["histories"])
         request["command"] = command_line()
         if solution.outcome.name == "interrupted" and not solution.statistics.steps:
             raise KeyboardInterrupt
@@ -201,6 +209,7 @@ def _simulate(
     max_steps: str | None,
     wall_time: str | None,
     start: str | None,
+    histories: Sequence[str],
 ) -> Solution:
     """Return the solution of a command line; raises InputError with `faults` and those of all its parts."""
     from hertzwerk.runtime.run.request import METHOD, Settings
@@ -212,7 +221,9 @@ def _simulate(
     stopping.stage("building")
     limits, output = limits_of(max_steps, wall_time, faults), output_of(grid)
     settled = Settings(duration or numbers.get("duration"), accurate, None, by, "auto", output, **limits)
-    return solved(target, without, laws, coordinates, settings, settled, faults, stopping, at_rest=start is not None)
+    return solved(
+        target, without, laws, coordinates, settings, settled, faults, stopping, histories, at_rest=start is not None
+    )
 
 
 def _report(solution: Solution) -> None:

@@ -12,7 +12,7 @@ import xarray as xr
 
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import Solution, Sweep, load, simulate, simulate_many, sweep
-from hertzwerk.runtime.tables.history_table import meaning_of
+from hertzwerk.runtime.tables.meanings import meaning_of
 from hertzwerk.runtime.tables.table_file import table_file_faults
 
 QUICK = {"duration": "0.5 s", "tolerance": 1e-7, "workers": 1, "compiled": False}
