@@ -20,8 +20,8 @@ from hertzwerk.derive.effects.effect import Effect, State
 from hertzwerk.derive.effects.energy_ledger import EnergyLedger
 from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.derive.laws.catalogue import LAWS
-from hertzwerk.derive.laws.law import BoundLaw
-from hertzwerk.derive.laws.law_call import split_call, values_of
+from hertzwerk.derive.laws.law import BoundLaw, Law
+from hertzwerk.derive.laws.law_call import bound_law, split_call, split_laws
 from hertzwerk.derive.mechanism.bodies import Body, Slot
 from hertzwerk.derive.mechanism.joints.joint import Freedom
 from hertzwerk.derive.mechanism.mechanism import Mechanism
@@ -163,11 +163,12 @@ class Scene:
         """The scene in other coordinates; raises InputError for an unknown kind of coordinates."""
         return replace(self, coordinates=coordinates)  # type: ignore[arg-type]  # which the new scene checks
 
-    def with_law(self, effect_name: str, law_name: str) -> Scene:
-        """The scene with one law of an effect replaced by the law `law_name`, with the same parameters.
+    def with_law(self, effect_name: str, law_name: str, known: Mapping[str, Law] = LAWS) -> Scene:
+        """The scene with laws of an effect replaced by those that `law_name` names, `power(n=1.5) x flores`.
 
-        Parameters the effect does not have are given with the name: `power_damping(chi=1e5 N s/m^2.5, m=1.5)`. Raises
-        InputError.
+        Parameters shared by name keep their values; others are given with the law, as quantities or as names of
+        parameters of the scene: `power_damping(chi=1e5 N s/m^2.5, m=1.5)`. `known` has the laws by name. Raises
+        InputError with every fault.
         """
         self._must_exist((effect_name,))
         effect = self.effect(effect_name)
@@ -175,32 +176,45 @@ class Scene:
             raise InputError(
                 f"scene {self.name}", [Fault(f"effect {effect_name}", f"law {law_name!r:.80}", "the name of a law")]
             )
-        law_name, texts = split_call(law_name)
-        law = LAWS.get(law_name)
         fields = {kind: name for name, kind in effect.takes.items()}
+        found: dict[str, BoundLaw] = {}
+        faults: list[Fault] = []
+        for text in split_laws(law_name):
+            try:
+                slot, law = self._law_for(effect_name, fields, text, known)
+            except InputError as error:
+                faults += error.faults
+                continue
+            if slot in found:
+                faults.append(
+                    Fault(
+                        f"effect {effect_name}", f"{found[slot].law.name} and {law.law.name}", f"one {law.law.kind} law"
+                    )
+                )
+            found[slot] = law
+        if faults:
+            raise InputError(f"scene {self.name}", faults)
+        return self.replace(**{effect_name: replace(effect, **found)})
+
+    def _law_for(
+        self, effect_name: str, fields: Mapping[str, str], text: str, known: Mapping[str, Law]
+    ) -> tuple[str, BoundLaw]:
+        """Field of an effect and the law that a text puts there; raises InputError."""
+        name, texts = split_call(text)
+        law = known.get(name)
         if law is None or law.kind not in fields:
-            offer = [name for name, other in LAWS.items() if other.kind in fields]
-            wanted = unknown(f"{' or '.join(fields) or 'fitting'} law", law_name, offer)
+            offer = [offered for offered, other in known.items() if other.kind in fields]
+            wanted = unknown(f"{' or '.join(fields) or 'fitting'} law", name, offer)
             expected = wanted.expected if offer else "an effect that has a law"
-            fault = Fault(f"effect {effect_name}", f"law {law_name!r}", expected, wanted.remedy)
-            raise InputError(f"scene {self.name}", [fault])
+            raise InputError(name, [Fault(f"effect {effect_name}", f"law {name!r}", expected, wanted.remedy)])
         slot = fields[law.kind]
-        bound: BoundLaw | None = getattr(effect, slot)
-        given = {s.name: value for s, value in bound.binding.items()} if bound is not None else {}
-        given |= {s.name: value for s, value in law.defaults if s.name not in given}
-        given |= values_of(law, texts, effect_name)
-        missing = [symbol for symbol in law.parameters if symbol.name not in given]
-        if missing:
-            values = ", ".join(f"{symbol.name} [{symbol.unit}], {symbol.meaning}" for symbol in missing)
-            fault = Fault(f"effect {effect_name}", f"no value for {values}", f"all parameters of {law_name}",
-                          f"Give them with the law, {law_name}({', '.join(f'{s.name}=...' for s in missing)}), "
-                          "or declare it in a scene file.")  # fmt: skip
-            raise InputError(f"scene {self.name}", [fault])
-        other = law(**{symbol.name: given[symbol.name] for symbol in law.parameters})
+        bound: BoundLaw | None = getattr(self.effect(effect_name), slot)
+        shared = {symbol.name: value for symbol, value in bound.binding.items()} if bound is not None else {}
+        other = bound_law(law, texts, shared, effect_name, self.parameters)
         materials = bound.materials if bound is not None else ()
         # their density limits the speed of impacts
         kept = tuple(m for m in materials if m.youngs_modulus in other.values)
-        return self.replace(**{effect_name: replace(effect, **{slot: replace(other, materials=kept)})})
+        return slot, replace(other, materials=kept)
 
     def _must_exist(self, names: Any) -> None:
         known = [effect.name for effect in self.effects]

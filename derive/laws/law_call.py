@@ -1,4 +1,4 @@
-"""Parser of laws written with values on the command line: `power_damping(chi=1e5 N s/m^2.5, m=1.5)`."""
+"""Laws written as text with values: `power(K=1e9 N/m^1.3, n=1.3) x flores`, `coulomb(mu_k=mu, mu_s=0.2)`."""
 
 from __future__ import annotations
 
@@ -7,51 +7,71 @@ from collections.abc import Mapping
 from typing import Any
 
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.derive.laws.law import Law
+from hertzwerk.derive.laws.law import BoundLaw, Law
 from hertzwerk.derive.mechanism.parameter import Parameter
 from hertzwerk.derive.units import UnitError, parse_unit, split_quantity
 
-_CALL = re.compile(r"\s*(\w+)\s*\((.*)\)\s*")
+_CALL = re.compile(r"\s*([^()=]+?)\s*\((.*)\)\s*", re.DOTALL)
+_BETWEEN = re.compile(r"\s+x\s+(?![^()]*\))")  # as in the list of effects, and not within parentheses
+
+
+def split_laws(text: str) -> list[str]:
+    """Split laws of one effect that are joined by ` x `."""
+    return _BETWEEN.split(text.strip())
 
 
 def split_call(text: str) -> tuple[str, dict[str, str]]:
-    """Split into the law's name and its values as text by symbol. Raises InputError."""
+    """Split into the law's name and its values as text by symbol. Raises InputError with every fault."""
     written = _CALL.fullmatch(text)
     if written is None:
-        return text, {}
+        return text.strip(), {}
+    where = f"law {written[1]}"
     values: dict[str, str] = {}
+    faults = []
     for part in filter(str.strip, written[2].split(",")):
         symbol, equals, value = (piece.strip() for piece in part.partition("="))
         if not (symbol and equals and value) or symbol in values:
-            raise InputError(
-                f"law {written[1]}", [Fault(f"law {written[1]}", repr(part.strip()), "SYMBOL=VALUE, each symbol once")]
-            )
+            faults.append(Fault(where, repr(part.strip()), "SYMBOL=VALUE, each symbol once"))
         values[symbol] = value
+    if faults:
+        raise InputError(where, faults)
     return written[1], values
 
 
-def values_of(law: Law, texts: Mapping[str, str], effect: str) -> dict[str, Any]:
-    """Convert the values of a law from text. Raises InputError.
+def bound_law(
+    law: Law, texts: Mapping[str, str], shared: Mapping[str, Any], effect: str, parameters: Mapping[str, Parameter]
+) -> BoundLaw:
+    """Bind a law to the values in `texts`, and for other symbols to those `shared` by name, or its defaults.
 
-    A quantity becomes a parameter `<effect>_<symbol>` of the scene, a number without a unit a constant.
+    A quantity becomes a parameter `<effect>_<symbol>` of the scene, a number without a unit a constant, and the name
+    of one of the scene's `parameters` stands for it. Raises InputError with every fault: values that cannot be read,
+    symbols without a value.
     """
     symbols = {symbol.name: symbol for symbol in law.parameters}
-    faults, found = [], {}
+    faults, given = [], {symbol.name: value for symbol, value in law.defaults} | dict(shared)
     for name, text in texts.items():
         where = f"effect {effect}, {name} of {law.name}"
         if name not in symbols:
-            faults.append(
-                Fault(where, "a symbol that the law does not take", f"some of {', '.join(symbols) or 'none'}")
-            )
-            continue
-        try:
-            number, unit = split_quantity(text)
-            parse_unit(unit)
-        except UnitError as error:
-            faults.append(Fault(where, repr(text), f"a quantity in {symbols[name].unit}", str(error)))
-            continue
-        bare = unit == "1"
-        found[name] = number if bare else Parameter(f"{effect}_{name}", unit, number, symbols[name].meaning)
+            expected = f"some of {', '.join(symbols) or 'none'}"
+            faults.append(Fault(where, "a symbol that the law does not take", expected))
+        elif text in parameters:
+            given[name] = parameters[text]
+        else:
+            try:
+                number, unit = split_quantity(text)
+                parse_unit(unit)
+            except UnitError as error:
+                expected = f"a quantity in {symbols[name].unit}, or the name of a parameter of the scene"
+                faults.append(Fault(where, repr(text), expected, str(error)))
+                given[name] = None
+                continue
+            given[name] = number if unit == "1" else Parameter(f"{effect}_{name}", unit, number, symbols[name].meaning)
+    missing = [symbol for symbol in law.parameters if symbol.name not in given]
+    if missing:
+        values = ", ".join(f"{symbol.name} [{symbol.unit}], {symbol.meaning}" for symbol in missing)
+        faults.append(Fault(f"effect {effect}", f"no value for {values}", f"all parameters of {law.name}",
+                            f"Give them with the law, {law.name}({', '.join(f'{s.name}=...' for s in missing)}): a quantity, "
+                            "or the name of a parameter of the scene."))  # fmt: skip
     if faults:
         raise InputError(f"law {law.name}", faults)
-    return found
+    return law(**{symbol.name: given[symbol.name] for symbol in law.parameters})

@@ -31,9 +31,10 @@ WITHOUT = click.option(
 LAW = click.option(
     "--law",
     "laws",
-    metavar="EFFECT=NAME",
+    metavar="EFFECT=LAW",
     multiple=True,
-    help="Another law for a contact or friction (derives the variation).",
+    help='Another law for a contact or friction, with values where it needs new ones: --law "slider_pin=power(K=1e9 N/m^1.3, n=1.3)"; '
+    "FILE.toml:NAME of a file of laws (derives the variation).",
 )
 COORDINATES = click.option(
     "--coordinates",

@@ -8,6 +8,7 @@ found again without SymPy.
 from __future__ import annotations
 
 import hashlib
+import re
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache, partial
@@ -23,6 +24,7 @@ from hertzwerk.runtime.model.generated_text import module_of
 if TYPE_CHECKING:
     from hertzwerk.derive.audit.audit import Finding
     from hertzwerk.derive.declare.scene import Scene
+    from hertzwerk.derive.laws.law import Law
     from hertzwerk.derive.readable.record import Readable
     from hertzwerk.derive.sheets.comparison import ExponentUnit, ForceCurve
     from hertzwerk.derive.sheets.impact import Trial
@@ -86,7 +88,7 @@ def vary(
     faults: list[Fault] = []
     for effect, law in (laws or {}).items():
         try:
-            scene = scene.with_law(effect, law)
+            scene = _with_law(scene, effect, law)
         except InputError as error:
             faults.extend(error.faults)
     try:
@@ -107,6 +109,47 @@ def held(scene: Scene) -> Scene:
     from hertzwerk.derive.declare.at_rest import with_drives_held
 
     return with_drives_held(scene)
+
+
+_IN_FILE = re.compile(r"(?P<file>[^()=]+?\.toml)(?::(?P<law>\w+))?")
+
+
+def _with_law(scene: Scene, effect: str, text: str) -> Scene:
+    """Return the scene with another law for an effect: of the catalogue, or `FILE.toml:NAME` of a file of laws."""
+    from hertzwerk.derive.laws import LAWS
+    from hertzwerk.derive.laws.law_call import split_call, split_laws
+
+    known: dict[str, Law] = dict(LAWS)
+    for part in split_laws(text) if ".toml" in text else ():
+        name, _ = split_call(part)
+        place = _IN_FILE.fullmatch(name)
+        if place is not None:
+            known[name] = _law_of_file(place["file"], place["law"], effect)
+    return scene.with_law(effect, text, known)
+
+
+def _law_of_file(file: str, name: str | None, effect: str) -> Law:
+    """Return a law of a TOML file, by its name where there are several; raises InputError."""
+    from hertzwerk.derive.files.lawfile import laws_from
+
+    found = laws_from(file)
+    if name is None and len(found) == 1:
+        return next(iter(found.values()))
+    if name in found:
+        return found[name]
+    said = "no name of a law" if name is None else f"law {name!r}"
+    offered = ", ".join(f"{file}:{each}" for each in found)
+    raise InputError(file, [Fault(f"effect {effect}", f"{said} of {file}", f"one of {offered}")])
+
+
+def _laws_as_they_are(laws: Mapping[str, str] | None) -> tuple[tuple[str, str], ...]:
+    """Return laws by effect, with the content of the files they are of: what a cached text depends on."""
+    found = []
+    for effect, text in sorted((laws or {}).items()):
+        files = [Path(place["file"].rpartition(" x ")[2].strip()) for place in _IN_FILE.finditer(text)]
+        contents = [hashlib.sha256(file.read_bytes()).hexdigest() for file in files if file.is_file()]
+        found.append((effect, " ".join([text, *contents])))
+    return tuple(found)
 
 
 def build(scene: Scene, source: str = "a scene") -> ModuleType:
@@ -262,7 +305,7 @@ def build_built_in(
 ) -> ModuleType:
     """Return the module of a variation of a built-in scene, from the cache if possible."""
     require_targets([name])
-    variation = name, tuple(without), tuple(sorted((laws or {}).items())), coordinates
+    variation = name, tuple(without), _laws_as_they_are(laws), coordinates
     scene = partial(_varied, name, without, laws, coordinates)
     return module_of(name, _cached_text(variation, scene, source_of(name)))
 
@@ -271,10 +314,16 @@ def _varied(name: str, *variation: Any) -> Scene:
     return vary(scene_from(name), *variation)
 
 
-def readings_text(target: str | Scene, variation: tuple[object, ...], scene: Callable[[], Scene]) -> str:
+def readings_text(
+    target: str | Scene,
+    without: Sequence[str],
+    laws: Mapping[str, str],
+    coordinates: str,
+    scene: Callable[[], Scene],
+) -> str:
     """Return the text of a scene's readings, from the cache if possible; raises InputError.
 
-    target, variation    what the scene was made of
+    The others say how the scene was made.
     """
 
     def text(scene: Scene, source: str) -> str:
@@ -284,7 +333,8 @@ def readings_text(target: str | Scene, variation: tuple[object, ...], scene: Cal
 
     if not isinstance(target, str) or is_file(target):
         return text(scene(), "a scene")
-    return _cached_text(("readings", target, *variation), scene, source_of(target), text)
+    variation = "readings", target, tuple(without), _laws_as_they_are(laws), coordinates
+    return _cached_text(variation, scene, source_of(target), text)
 
 
 def build_hard_scene(name: str) -> ModuleType:

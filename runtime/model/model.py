@@ -65,9 +65,12 @@ class Declaration:
         if coordinates not in known:
             from hertzwerk.runtime.model import build
 
-            variation = self.without, self.laws, coordinates
             known[coordinates] = build.readings_text(
-                self.target, variation, lambda: self.scene().with_coordinates(coordinates)
+                self.target,
+                self.without,
+                dict(self.laws),
+                coordinates,
+                lambda: self.scene().with_coordinates(coordinates),
             )
         return known[coordinates]
 

@@ -8,7 +8,9 @@ from hertzwerk.derive.laws import power, power_damping
 from hertzwerk.derive.laws.law import d, v
 from hertzwerk.derive.laws.law_call import split_call
 from hertzwerk.derive.scenes.bouncing_ball import scene as ball
+from hertzwerk.derive.scenes.slider_crank import scene as crank
 from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime.model.generated_text import text_of
 from reference.closed_forms import collision
 
 CHI = "power_damping(chi=1e7 N s/m^2.5, m=1.5)"
@@ -34,6 +36,8 @@ def test_quantities_become_parameters_and_bare_numbers_constants():
         ("power_damping(chi=1e7 N s/m^2.5)", "no value for m"),
         ("power_damping(chi=1e7 N s/m^2.5, n=2)", "does not take"),
         ("power_damping(chi=fast, m=1)", "expected a quantity in N s/m^(m+1)"),
+        ("power_damping(chi=fast, z=1)", "3 faults"),
+        ("power(K=1e8 N/m^1.3, n=1.3) x ristow(gamma=1 1/s) x flores", "one damping law"),
         ("power_damping(chi, m=1)", "SYMBOL=VALUE"),
         ("power_damping(m=1, m=2)", "each symbol once"),
         ("power_damping(chi=-1 N s/m^2.5, m=1.5)", "(0, inf)"),
@@ -95,3 +99,68 @@ symbols.m = { unit = "1", meaning = "exponent of the penetration", limits = "[0,
         for either in (law, power_damping)
     )
     assert mine.replace("my_dashpot", "power_damping").split() == own.split()  # but for where lines break
+
+
+def test_several_laws_and_names_of_parameters_at_once():
+    scene = crank.with_law("slider_pin", "power(K=1e9 N/m^1.3, n=1.3) x flores")
+    contact = scene.effect("slider_pin")
+    assert (contact.stiffness.law.name, contact.damping.law.name) == ("power", "flores")
+    assert contact.stiffness.values[0].unit == "N/m^1.3" and contact.stiffness.values[1] == sp.Rational(13, 10)
+    assert contact.damping.values == crank.effect("slider_pin").damping.values  # restitution, shared by name
+    friction = crank.with_law("slider_pin_friction", "coulomb(mu_k=friction_coefficient, mu_s=0.2)")
+    assert friction.effect("slider_pin_friction").law.values == (
+        crank.parameters["friction_coefficient"],
+        sp.Rational(1, 5),
+    )
+    assert "friction_speed" not in friction.parameters  # no law has it any more
+
+
+def test_what_a_law_lacks_is_asked_for_in_one_error():
+    with pytest.raises(InputError) as raised:
+        load("slider_crank", laws={"slider_pin_friction": "lugre(mu_s=0.2)", "slider_pin": "power(n=1.3)"})
+    said = str(raised.value)
+    assert "2 faults" in said and "K [N/m^n], stiffness" in said
+    assert all(f"{name} [" in said for name in ("mu_k", "v_S", "s_0", "s_1", "c_v")) and "mu_s [" not in said
+
+
+FOAM = """[[law]]
+name = "foam"
+kind = "stiffness"
+source = "a test"
+form = "any"
+force = "K*d**1.5"
+symbols.K = { unit = "N/m^1.5", meaning = "stiffness" }
+"""
+
+
+def test_a_law_of_a_file_is_taken_by_its_name(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    file = tmp_path / "foam.toml"
+    file.write_text(FOAM, encoding="utf-8")
+    own = "foam(K=1e8 N/m^1.5)"
+    for text, said in (
+        ("foam.toml(K=1e8 N/m^1.5)", "foam x flores"),
+        (f"foam.toml:{own} x hunt_crossley", "foam x hunt_crossley"),
+        (f"{file}:{own}", "foam x flores"),
+    ):
+        assert ("floor", "contact", said) in load("bouncing_ball", laws={"floor": text}).module.EFFECTS
+    once = load("bouncing_ball", laws={"floor": "foam.toml(K=1e8 N/m^1.5)"}).module
+    file.write_text(FOAM.replace("d**1.5", "2*d**1.5"), encoding="utf-8")
+    again = load("bouncing_ball", laws={"floor": "foam.toml(K=1e8 N/m^1.5)"}).module
+    assert text_of(again) != text_of(once)  # the cache knows what is in the file
+    with pytest.raises(InputError, match=r"one of foam\.toml:foam"):
+        load("bouncing_ball", laws={"floor": "foam.toml:wool(K=1 N/m)"})
+    with pytest.raises(InputError, match=r"none\.toml"):
+        load("bouncing_ball", laws={"floor": "none.toml"})
+    evil = "foam.toml(K=__import__('os').abort())"
+    with pytest.raises(InputError, match="a quantity in"):
+        load("bouncing_ball", laws={"floor": evil})
+
+
+def test_friction_with_modes_and_memory_by_the_command_line():
+    for law in (
+        "coulomb(mu_k=friction_coefficient, mu_s=0.15)",
+        "lugre(mu_k=0.1, mu_s=0.15, v_S=0.1 m/s, s_0=1e5 1/m, s_1=100 s/m, c_v=0 N s/m)",
+    ):
+        run = simulate(load("slider_crank", laws={"slider_pin_friction": law}), duration="1.5 ms", tolerance=1e-6)
+        assert run.outcome.finished and run["slider_pin_friction.dissipated"][-1] > 0
