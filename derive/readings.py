@@ -214,8 +214,9 @@ class _Readings:
         yield from self._vector(whose, "{}_acceleration", "m/s^2", acceleration, f"acceleration of {whose}")
 
     def _marks(self) -> Iterator[Any]:
-        """Landmarks on moving bodies, but for mass centres, whose readings are those of the bodies."""
-        return (mark for mark in self.system.landmarks if mark.point.body != GROUND and mark.kind != "body")
+        """Landmarks on moving bodies, but for those of the bodies themselves."""
+        bodies = [body.name for body in self.mechanism.bodies]
+        return (mark for mark in self.system.landmarks if mark.point.body != GROUND and mark.part not in bodies)
 
     def _body(self, body: Body) -> Iterator[Reading]:
         """Motion of the mass centre, orientation, momentum and energy of a body."""
