@@ -29,7 +29,7 @@ from hertzwerk.derive.algebra.vectors import (
     transpose,
 )
 from hertzwerk.derive.declare.scene import Scene
-from hertzwerk.derive.effects.effect import DISSIPATED
+from hertzwerk.derive.effects.effect import DISSIPATED, Effect, Element
 from hertzwerk.derive.effects.gravity import Gravity
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Direction, Frame, Point
 from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
@@ -424,7 +424,7 @@ class _Readings:
             yield Reading(f"{name}.{what}", row.unit, force, f"{what} of the drive {name} along {row.key}")
         yield Reading(f"{name}.power", "W", force * row.speed, f"power put in by {name}")
 
-    def _effect(self, effect: Any, element: Any) -> Iterator[Reading]:
+    def _effect(self, effect: Effect, element: Element) -> Iterator[Reading]:
         """Forces of an effect on joints and bodies, its power and stored energy."""
         name = effect.name
         joints = self.kin.on_joints.get(name, {})
