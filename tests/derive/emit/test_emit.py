@@ -288,7 +288,12 @@ def test_parameters_may_have_every_name_that_the_text_has_for_itself():
     a, b = Derived(scene), Derived(_renamed(scene, dict(zip(scene.parameters, [*OWN, *OWN.values()], strict=False))))
     assert [name for name, *_ in b.PARAMETERS[: len(OWN)]] == list(OWN)
     used = {name for function, _ in a.OPERATIONS for name in a.arguments(function)}
-    assert used == set(OWN) - {"ca", "multipliers"}  # the latter of a scene without a drive
+    assert used == set(OWN) - {
+        "ca",
+        "multipliers",
+        "friction",
+        "touching",
+    }  # those of a scene without a drive, and of readings
     given = {name: np.random.default_rng(1).normal(size=60) for name in used} | {"t": 0.3}
     for function, _ in a.OPERATIONS:
         theirs = {name: given[name] for name in a.arguments(function) if name not in "pc"}

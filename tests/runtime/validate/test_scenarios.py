@@ -140,7 +140,7 @@ def test_a_check_in_the_wrong_unit_is_refused(tmp_path, spheres):
 
 def test_a_check_of_an_unknown_name_is_refused(tmp_path):
     with pytest.raises(InputError, match=r"target_path\.speed"):
-        load_scenario(written(tmp_path, GOOD.replace("impacts.0.speed", "final.target.speed")))
+        load_scenario(written(tmp_path, GOOD.replace("impacts.0.speed", "final.target_pat.speed")))
 
 
 def test_all_faults_of_a_file_come_at_once(tmp_path):
