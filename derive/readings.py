@@ -435,9 +435,10 @@ class _Readings:
         if name in self.kin.on_bodies:
             force, body = self.kin.on_bodies[name]
             yield from self._vector(name, "force_{}", "N", force, f"force of {name} on {body.name}")
-        if element.power is not None:
-            word = "dissipated" if element.booked == DISSIPATED else "put in"
-            yield Reading(f"{name}.power", "W", element.power, f"power {word} by {name}")
+        for booked, power in element.powers.items():
+            word = "dissipated" if booked == DISSIPATED else "put in"
+            label = "power" if len(element.powers) == 1 else f"{booked}_power"
+            yield Reading(f"{name}.{label}", "W", power, f"power {word} by {name}")
         if element.stored != 0:
             yield Reading(f"{name}.stored_energy", "J", element.stored, f"energy stored by {name}")
 
