@@ -184,7 +184,7 @@ def _solution_of(
             ),
             *bound.warnings,
             *floored(counted["floored"], run.floor),
-            *too_fast(model, bound, trace.findings),
+            *too_fast(model, trace.findings),
             *uncompiled(run.engine.code),
             *found,
         ),

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, ClassVar
 
 import casadi as ca
 import numpy as np
@@ -16,6 +16,7 @@ class Caller:
     """CasADi function of dense vectors called through its buffer; arguments and results are NumPy arrays."""
 
     def __init__(self, function: Any) -> None:
+        self.name: str = function.name()
         self._buffer, self._evaluate = function.buffer()
         self.inputs = [_table(function.size_in(i)) for i in range(function.n_in())]
         self.results = [_table(function.size_out(i)) for i in range(function.n_out())]
@@ -28,6 +29,10 @@ class Caller:
         """Evaluate on `inputs`; the arrays returned are overwritten by the next call."""
         self._evaluate()
         return self.results
+
+    def read(self, i: int, values: np.ndarray) -> None:
+        """Take argument i from an array itself, which has to stay as long as that is so; `inputs[i]` is its own."""
+        self._buffer.set_arg(i, values.data)
 
 
 def _table(size: tuple[int, int]) -> np.ndarray:
@@ -87,17 +92,21 @@ class Blocks:
         self._blocks = [(rows, Callers(function)) for rows, function in zip(self._sizes, functions, strict=True)]
 
 
-class Scan(Blocks):
+class Follower(Blocks):
     """CasADi function of what is carried from row to row of a table, applied one after another.
 
     function    (constant, carried, row) -> carried
-
-    A row that is repeated must change nothing that counts: the last block is filled up with the last row.
     """
+
+    every: ClassVar[bool]  # row's result is returned, not the last alone
+
+    def __call__(self, constant: np.ndarray, carried: np.ndarray, table: np.ndarray) -> np.ndarray:
+        """Return what is carried after the rows of a table."""
+        raise NotImplementedError
 
     def __init__(self, function: Any) -> None:
         self._width = function.size1_out(0)
-        many, made = function, {}
+        many, made = function, {1: function}
         for kind, count in ((ca.SX, 4), (ca.MX, 8), (ca.MX, 8)):  # the innermost are written out: a call costs
             columns = many.size2_in(2)
             names = ("constant", "carried", "rows")
@@ -107,29 +116,59 @@ class Scan(Blocks):
             found: list[Any] = []
             for part in ca.horzsplit(rows, columns):
                 found.append(many(constant, found[-1][:, -1] if found else carried, part))
-            many = ca.Function(f"{function.name()}_{count * columns}", given, [ca.horzcat(*found)])
+            result = ca.horzcat(*found) if self.every else found[-1]
+            many = ca.Function(f"{function.name()}_{count * columns}", given, [result])
             made[count * columns] = many
-        sizes = sorted(made)[:0:-1]
+        sizes = sorted(made, reverse=True)
         super().__init__(sizes, [made[size] for size in sizes])
 
-    def __call__(self, constant: np.ndarray, carried: np.ndarray, table: np.ndarray) -> np.ndarray:
-        """Return what is carried after each row of a table, shape (rows, size)."""
+    def _followed(self, constant: np.ndarray, carried: np.ndarray, table: np.ndarray) -> Iterator[np.ndarray]:
+        """Yield what is carried after the rows of each block, or after its last row, until the next is asked for.
+
+        Rows are read where they are.
+        """
+        table = np.ascontiguousarray(table)
         count, first = len(table), 0
-        found = np.empty((count, self._width))
         for rows, callers in self._blocks:
-            if count - first < rows and rows != self._sizes[-1]:
+            if count - first < rows:
                 continue
             caller = callers.take()
             caller.inputs[0][:] = constant
-            while count - first >= rows or (first < count and rows == self._sizes[-1]):
-                part = table[first : first + rows]
+            while count - first >= rows:
                 caller.inputs[1][:] = carried
-                caller.inputs[2][: len(part)] = part
-                caller.inputs[2][len(part) :] = part[-1]
-                found[first : first + rows] = caller()[0][: len(part)]
-                carried, first = found[first + len(part) - 1], first + len(part)
+                caller.read(2, table[first : first + rows])
+                found = caller()[0]
+                yield found
+                carried, first = found[-1], first + rows
+            caller.read(2, caller.inputs[2])
             callers.give_back(caller)
+
+
+class Scan(Follower):
+    """Follower that returns what is carried after each row."""
+
+    every = True
+
+    def __call__(self, constant: np.ndarray, carried: np.ndarray, table: np.ndarray) -> np.ndarray:
+        """Return what is carried after each row of a table, shape (rows, size)."""
+        found, first = np.empty((len(table), self._width)), 0
+        for part in self._followed(constant, carried, table):
+            found[first : first + len(part)] = part
+            first += len(part)
         return found
+
+
+class Fold(Follower):
+    """Follower that returns what is carried after the last row."""
+
+    every = False
+
+    def __call__(self, constant: np.ndarray, carried: np.ndarray, table: np.ndarray) -> np.ndarray:
+        """Return what is carried after the last row of a table, shape (size,)."""
+        last = carried
+        for found in self._followed(constant, carried, table):
+            last = found[-1]
+        return last.copy()
 
 
 class Rowwise(Blocks):

@@ -16,9 +16,10 @@ from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, Ending, Resume
 from hertzwerk.runtime.integrate.step.layout import OUTSIDE_LAW_RANGE
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.run.engine import Engine, engine_for
-from hertzwerk.runtime.run.recorder import BLOCK, Grid, Recorder, Steps
+from hertzwerk.runtime.run.recorder import BLOCK, IN_PLACE, Ends, Grid, Passing, Recorder, Steps
 from hertzwerk.runtime.run.request import Inputs, Limits, Settings
 from hertzwerk.runtime.solution import scales as scaling
+from hertzwerk.runtime.solution.balance import limits_of
 from hertzwerk.runtime.solution.findings import EVERYTHING, Findings, Needs, Observer
 from hertzwerk.runtime.solution.history import History
 from hertzwerk.runtime.solution.outcome import Outcome, outcome
@@ -87,24 +88,30 @@ class SingleRun:
 
         further: times [s] whose states are kept as well; alone: keep only these.
         """
-        needs = self.needs
+        needs, given = self.needs, self.given
         if alone:
             times = further
-        elif times is None and Needs.STEPS not in needs:
-            times = np.zeros(0)
         if times is not None and Needs.STEPS in needs:
             needs = EVERYTHING
-        kept = Steps() if times is None else Grid(times)
-        given = self.given
+        kept = Grid(times) if times is not None else Steps() if Needs.STEPS in needs else Ends()
         findings = Findings(
-            self.model, self.method, needs=needs, duration=given.seconds, period=given.period, begin=self.begin
+            self.model,
+            self.method,
+            needs=needs,
+            duration=given.seconds,
+            period=given.period,
+            limits=limits_of(self.model, given.bound.p),
+            begin=self.begin,
         )
         other = kept if further is None or alone else Grid(further)
         observers: list[Observer] = [kept] if alone else [kept, findings]
         if other is not kept:
             observers.append(other)
+        block = None if isinstance(kept, Steps) else BLOCK
+        if isinstance(kept, Ends) and other is kept and needs is Needs.ENDS:
+            block = IN_PLACE
         before = (self.provider.compile_s, self.provider.build_s) if self.provider else (0.0, 0.0)
-        ending = self.observe(tolerance, scales, observers, None if times is None else BLOCK, progress)
+        ending = self.observe(tolerance, scales, observers, block, progress)
         compile_s, build_s = (self.provider.compile_s, self.provider.build_s) if self.provider else (0.0, 0.0)
         return Trace(
             tolerance=tolerance,
@@ -144,7 +151,10 @@ class SingleRun:
         block: int | None = BLOCK,
         progress: Callable[[float], object] | None = None,
     ) -> Ending:
-        """Run, passing the accepted steps to observers in blocks (see `Recorder`)."""
+        """Run, passing the accepted steps to observers in blocks of so many bytes (see `Recorder`).
+
+        block    None: all at once; IN_PLACE: every attempt, accepted or not, as the loop leaves it (see `Passing`)
+        """
         integrator = self.engine.integrator
         layout = integrator.layouts.controls
         controls = np.zeros(layout.size)
@@ -166,8 +176,21 @@ class SingleRun:
         if self.start is not None:
             loop = partial(loop, with_choice=self.start.with_choice)
         p = self.given.bound.p
-        recorder = Recorder(lambda rows: History(self.model, rows, controls, integrator, p=p), observers, block)
-        keep = recorder.keep if observers else _forget
+        accepted = integrator.layouts.state["accepted"].start
+
+        def view(rows: np.ndarray) -> History:
+            return History(self.model, rows, controls, integrator, p=p)
+
+        recorder: Passing | Recorder
+        if block == IN_PLACE:
+            recorder = Passing(view, observers)
+            keep = recorder.keep
+        else:
+            recorder = whole = Recorder(view, observers, block)
+
+            def keep(attempts: np.ndarray) -> None:
+                whole.keep(attempts[attempts[:, accepted] == 1])
+
         ending: Ending = loop(state, controls, keep, wall_time=self.limits.wall_time, progress=progress)
         with suppress(Exception):  # told by the recorder
             recorder.flush()
@@ -185,10 +208,6 @@ class SingleRun:
         state: np.ndarray = begin()[0][0].copy()
         self.engine.begin.give_back(begin)
         return state
-
-
-def _forget(_: np.ndarray) -> None:
-    """Take the accepted rows of a run that nobody observes."""
 
 
 def set_up(
@@ -210,8 +229,8 @@ class Trace:
 
     tolerance: float
     ending: Ending
-    kept: Steps | Grid
-    further: Steps | Grid
+    kept: Steps | Grid | Ends
+    further: Steps | Grid | Ends
     findings: Findings
     counted: Mapping[str, int]
     compiled: bool

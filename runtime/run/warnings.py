@@ -30,23 +30,20 @@ def open_forces(model: Model, bound: Bound, q: np.ndarray) -> Iterator[str]:
         yield f"redundant constraints leave these forces undetermined; those of least norm are given: {', '.join(names)}"
 
 
-def too_fast(model: Model, bound: Bound, findings: Findings) -> Iterator[str]:
+def too_fast(model: Model, findings: Findings) -> Iterator[str]:
     """Yield one warning of contacts faster than their compliant law allows (material with a density)."""
     limited = getattr(model.module, "SPEED_LIMITED", ())
     if not limited:
         return
-    of, _, speed, _ = findings.contacts.T
-    speeds = [speed[of == model.pairs.index(pair)] for pair in limited]
-    limits = model.evaluate("speed_limits", bound.p)[0]
-    over = [int(np.count_nonzero(each > limit)) for each, limit in zip(speeds, limits, strict=True)]
-    if not any(over):
+    limits, begun, over, fastest = findings.onsets
+    if not np.any(over):
         return
-    pairs = ", ".join(pair for pair, count in zip(limited, over, strict=True) if count)
-    least = min(limit for limit, count in zip(limits, over, strict=True) if count)
-    worst = max(each.max(initial=0.0) for each in speeds)
+    least = np.min(limits, where=over > 0, initial=np.inf)
+    pairs = ", ".join(pair for pair in limited if over[model.pairs.index(pair)])
+    concerned = np.isfinite(limits)
     yield (
-        f"{sum(over)} of {sum(map(len, speeds))} impacts of {pairs} exceed the law's limit "
-        f"v0 <= 1e-5*sqrt(E/rho) = {least:.3g} m/s (worst {worst:.3g} m/s)"
+        f"{int(over.sum())} of {int(begun[concerned].sum())} impacts of {pairs} exceed the law's limit "
+        f"v0 <= 1e-5*sqrt(E/rho) = {least:.3g} m/s (worst {fastest[concerned].max():.3g} m/s)"
     )
 
 

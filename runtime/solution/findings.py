@@ -16,6 +16,7 @@ import numpy as np
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.integrate.loop.choose import EXPLICIT, IMPLICIT, STIFF
+from hertzwerk.runtime.solution.balance import Balance, balancing, is_limited
 from hertzwerk.runtime.solution.history import part_of_step
 from hertzwerk.runtime.solution.impacts import crest
 from hertzwerk.runtime.solution.sums import Summing, Sums, inner
@@ -49,9 +50,11 @@ EVERYTHING = Needs.IMPACTS | Needs.SUMS | Needs.CHOICES
 def finders(model: Model, integrator: Integrator, needs: Needs) -> list[Blocks]:
     """Return the functions that find what is needed in runs by the integrator's first method."""
     peaks = bool(needs & (Needs.IMPACTS | Needs.STEPS))
-    found: list[Blocks] = [following(model, integrator, peaks)] if is_watched(model, needs) else []
-    if peaks:
-        found.append(crest(model, integrator, 0))
+    found: list[Blocks] = []
+    if peaks and model.k:
+        found += [following(model, integrator), crest(model, integrator, 0)]
+    elif is_watched(model, needs):
+        found.append(balancing(model, integrator))
     if needs & (Needs.SUMS | Needs.STEPS):
         found += [part_of_step(model, integrator, 0), *(inner(model, j) for j in range(model.k))]
     return list(dict.fromkeys(found))
@@ -59,8 +62,7 @@ def finders(model: Model, integrator: Integrator, needs: Needs) -> list[Blocks]:
 
 def is_watched(model: Model, needs: Needs) -> bool:
     """Return whether steps are watched: for impacts, a balance of energy, or a limit of speed."""
-    limited = bool(getattr(model.module, "SPEED_LIMITED", ()))
-    return model.has_ledger or (model.k > 0 and (limited or bool(needs & (Needs.IMPACTS | Needs.STEPS))))
+    return model.has_ledger or is_limited(model) or (model.k > 0 and bool(needs & (Needs.IMPACTS | Needs.STEPS)))
 
 
 class Observer(Protocol):
@@ -116,6 +118,7 @@ class Findings:
 
     duration, begin    end and start of the run [s]
     period    of everything that depends on time [s], None where nothing does
+    limits    of approach speeds by pair [m/s] (k,)
     """
 
     def __init__(
@@ -126,13 +129,15 @@ class Findings:
         needs: Needs,
         duration: float,
         period: float | None,
+        limits: np.ndarray,
         begin: float = 0.0,
     ) -> None:
         self._model, self._duration, self._begin, self.period = model, duration, begin, period
         self._later = Needs.STEPS in needs
         self._needs = EVERYTHING if self._later else needs
         self._steps: list[History] = []
-        self._watch = Watch(model, peaks=Needs.IMPACTS in self._needs) if is_watched(model, needs) else None
+        peaks = model.k > 0 and Needs.IMPACTS in self._needs
+        self._balance = (Watch if peaks else Balance)(model, limits) if is_watched(model, needs) else None
         self._choices = Choices() if method == "auto" and Needs.CHOICES in self._needs else None
         self._summing = self._new_sums(None) if Needs.SUMS in needs and not self._later else None
 
@@ -147,7 +152,9 @@ class Findings:
         period: float | None,
     ) -> Findings:
         """Restore the findings of a saved run."""
-        findings = cls(model, "", needs=Needs.STEPS, duration=math.nan, period=period)
+        findings = cls(
+            model, "", needs=Needs.STEPS, duration=math.nan, period=period, limits=np.full(model.k, math.inf)
+        )
         findings.impacts, findings.choices = tuple(impacts), tuple(chosen)
         findings.energy_residual, findings._sums = energy_residual, sums
         return findings
@@ -157,7 +164,7 @@ class Findings:
         if self._later:
             self._steps.append(block)
             return
-        for observer in (self._watch, self._choices, self._summing):
+        for observer in (self._balance, self._choices, self._summing):
             if observer is not None:
                 observer.take(block, fresh)
 
@@ -172,29 +179,31 @@ class Findings:
         return observer
 
     @cached_property
-    def _watched(self) -> Watch | None:
-        return None if self._watch is None else self._observed(self._watch)
+    def _balanced(self) -> Balance | None:
+        return None if self._balance is None else self._observed(self._balance)
 
     @property
-    def contacts(self) -> np.ndarray:
-        """See `Watch.contacts`; none where they are not watched."""
-        return np.zeros((0, 4)) if self._watched is None else self._watched.contacts
+    def onsets(self) -> tuple[np.ndarray, ...]:
+        """See `Balance.onsets`; of a model with limits of approach speeds."""
+        if self._balanced is None:
+            raise LookupError(f"{self._model.name} has no limit of approach speeds")
+        return self._balanced.onsets
 
     @cached_property
     def impacts(self) -> tuple[Impact, ...]:
         """Every contact in the order of its onset."""
         self._needed(Needs.IMPACTS)
-        return () if self._watched is None else self._watched.impacts()
+        return self._balanced.impacts() if isinstance(self._balanced, Watch) else ()
 
     @cached_property
     def energy_residual(self) -> float | None:
         """See `Solution.energy_residual`."""
-        return self._watched.residual if self._watched is not None and self._model.has_ledger else None
+        return self._balanced.residual if self._balanced is not None and self._model.has_ledger else None
 
     @cached_property
     def energy_unclosed(self) -> float:
-        """See `Watch.unclosed`; 0 without a ledger."""
-        return self._watched.unclosed if self._watched is not None and self._model.has_ledger else 0.0
+        """See `Balance.unclosed`; 0 without a ledger."""
+        return self._balanced.unclosed if self._balanced is not None and self._model.has_ledger else 0.0
 
     @cached_property
     def choices(self) -> tuple[Choice, ...]:

@@ -106,7 +106,8 @@ def march(
 
     The interrupt is raised between two calls or by `progress`.
 
-    keep    receives the accepted states in order, some at a time: rows (n, ns) of its own
+    keep    receives the states after the attempts in order, some at a time: rows (n, ns) that are overwritten after it returned,
+            those that count are `accepted`
     with_choice   begin with steps that choose between methods
     """
     provider.begin()
@@ -133,7 +134,9 @@ def march(
 
     try:
         with defer_interrupts() as interrupts:
-            keep(state[None, :].copy())
+            first = state[None].copy()
+            first[0, accepted] = 1.0
+            keep(first)
             if with_choice:
                 provider.use_choice(poll)
                 callers.give_back(call)
@@ -160,7 +163,7 @@ def march(
                     last = len(part) if free else int(bound.argmax())
                     if last:
                         resume = Resume(part[last - 1].copy(), chooses if free else with_choice)
-                keep(part[part[:, accepted] == 1])
+                keep(part)
                 elapsed = time.perf_counter() - start
                 if outcome == RUNNING and state[rejected] + state[retaken] > most_in_vain:
                     outcome = TOO_MANY_STEPS

@@ -41,8 +41,8 @@ def test_what_is_found_as_c_is_bitwise_what_is_found_without(run):
 
 @pytest.mark.parametrize("count", [1, 31, 32, 33, 256, 290])
 def test_a_table_is_followed_as_its_rows_one_after_another(run, count):
-    follow, rows = watch.following(run.model, run.history.engine, True), run.history.rows[-count:]
-    carried = np.zeros(watch.carried(run.model, True).size)
+    follow, rows = watch.following(run.model, run.history.engine), run.history.rows[-count:]
+    carried = np.zeros(watch.carried(run.model).size)
     whole = follow(run.history.controls, carried, rows)
     for row, expected in zip(rows, whole, strict=True):
         (carried,) = follow(run.history.controls, carried, row[None])

@@ -1,0 +1,91 @@
+"""Counts, not seconds: what a row computes beside its loop does not grow with the run, unless its outputs ask for it."""
+
+from collections import Counter
+
+import numpy as np
+import pytest
+
+from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime.model.caller import Caller
+from hertzwerk.runtime.run import recorder
+from hertzwerk.runtime.run.request import Settings
+from hertzwerk.runtime.solution import balance
+from hertzwerk.runtime.sweeps.row_job import Job
+from hertzwerk.runtime.sweeps.row_outputs import chosen, finals
+
+LOOP = ("chunk", "balancing")  # functions of the loop: attempts, and the balance that the outcome needs
+BESIDE = 11  # calls of a function beside those: constants, start, scales, limits, first state
+
+
+@pytest.fixture(scope="module")
+def model():
+    return load("slider_crank")
+
+
+def calls(model, monkeypatch, duration, outputs=()):
+    """Calls of compiled functions by a row, by name without the size of a block, once everything is built."""
+    job = Job(
+        model,
+        Settings(duration, None, 1e-6, compiled=False),
+        chosen(model, outputs, []) if outputs else finals(model),
+    )
+    assert job.do((0, {"clearance": "0.3 mm"})).outcome == "finished"
+    counted, evaluate = Counter(), Caller.__call__
+
+    def call(self):
+        counted[self.name.rstrip("_0123456789")] += 1
+        return evaluate(self)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Caller, "__call__", call)
+        assert job.do((1, {"clearance": "0.31 mm"})).outcome == "finished"
+    return counted
+
+
+def test_a_row_of_final_states_calls_little_beside_its_loop_however_long_it_is(model, monkeypatch):
+    short, long = (calls(model, monkeypatch, duration) for duration in ("6 ms", "24 ms"))
+    beside = [sum(n for name, n in counted.items() if name not in LOOP) for counted in (short, long)]
+    assert beside[0] == beside[1] <= BESIDE
+    assert not {"following", "crest", "inner", "energies"} & long.keys()
+    # one for the start, one a chunk, and those that the last chunk is divided into
+    assert long["balancing"] <= 1 + len(range(0, 2000, 256)) + 7 + 7 + 3
+
+
+def test_the_count_sees_what_is_found_where_outputs_ask_for_it(model, monkeypatch):
+    """The fault that the test above has to notice: a row that follows its contacts."""
+    found = calls(model, monkeypatch, "24 ms", ("impacts", "peak_force"))
+    assert {"following", "crest"} <= found.keys()
+    assert "balancing" not in found
+
+
+def test_no_attempt_is_copied_for_final_states(model, monkeypatch):
+    shown = []
+    take = balance.Balance.take
+
+    def taking(self, block, fresh):
+        shown.append(block.rows)
+        take(self, block, fresh)
+
+    monkeypatch.setattr(balance.Balance, "take", taking)
+    monkeypatch.setattr(recorder.Recorder, "keep", lambda *_: pytest.fail("rows are gathered"))
+    row = Job(model, Settings("24 ms", None, 1e-6, compiled=False), finals(model)).do((0, {"clearance": "0.3 mm"}))
+    assert row.outcome == "finished"
+    assert len(shown) > 3
+    assert np.shares_memory(shown[1], shown[2])  # that of the loop
+
+
+def test_what_is_found_in_place_is_bitwise_what_a_run_with_its_steps_has(model):
+    given = {"clearance": "0.3 mm"}
+    row = Job(
+        model,
+        Settings("24 ms", None, 1e-6, compiled=False),
+        chosen(model, ["energy_residual", "final.guide.travel", "final.slider_pin_friction.dissipated"], []),
+    ).do((0, given))
+    run = simulate(model, duration="24 ms", tolerance=1e-6, parameters=given, compiled=False)
+    assert list(row.outputs.values()) == [
+        run.energy_residual,
+        run.final["guide.travel"],
+        run.final["slider_pin_friction.dissipated"],
+    ]
+    assert row.warnings == run.warnings
+    assert any("exceed the law's limit" in text for text in row.warnings)
