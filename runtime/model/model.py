@@ -281,7 +281,7 @@ class Model:
             return None, list(reading.faults)
         p = np.array(list(reading.si.values()))
         (c,) = self.evaluate("constants", p)
-        faults = list(dict.fromkeys(
+        faults = [] if np.isfinite(c).all() else list(dict.fromkeys(
             self._undefined(name, unit, float(value))
             for (name, unit), value in zip(self.module.CONSTANTS, c, strict=True)
             if not math.isfinite(value)

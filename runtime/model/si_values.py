@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 
-from hertzwerk.derive.units import UnitError, parse_unit
+from hertzwerk.derive.units import Unit, UnitError, parse_unit
 from hertzwerk.runtime.model.binding import Value, read
 from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.model.per_model import per_model
+
+NUMBER = parse_unit("1")  # unit of what no model declares
 
 
 def si_units(model: Model) -> dict[str, str]:
     """Return the SI unit text of every parameter and state, "" of a number."""
-    return {name: _si_text(unit) for name, unit in _declared(model).items()}
+    return {name: _si_text(unit) for name, unit in _texts(model).items()}
 
 
 def si_of(model: Model, name: str, value: Value) -> float:
@@ -20,17 +24,24 @@ def si_of(model: Model, name: str, value: Value) -> float:
         number, unit, _ = read(value)
     except UnitError:
         return math.nan
-    declared = parse_unit({**_declared(model), **latch_units(model)}.get(name, "1"))
+    declared = _units(model).get(name, NUMBER)
     alike = bool(declared.free_names) or unit.exponents == declared.exponents
     return unit.to_si(number) if alike else math.nan
 
 
-def latch_units(model: Model) -> dict[str, str]:
+@per_model
+def latch_units(model: Model) -> Mapping[str, str]:
     """Return the unit text of what a contact in progress keeps of its onset."""
     return {row[0]: row[1] for row in model.module.LATCHES}
 
 
-def _declared(model: Model) -> dict[str, str]:
+@per_model
+def _units(model: Model) -> Mapping[str, Unit]:
+    """Return the unit of every parameter, state and latch as the model declares it."""
+    return {name: parse_unit(text) for name, text in {**_texts(model), **latch_units(model)}.items()}
+
+
+def _texts(model: Model) -> dict[str, str]:
     """Return the unit text of every parameter and state as the model declares it."""
     return {**{name: port.unit for name, port in model.parameters.items()}, **model.joints.units, **model.units}
 

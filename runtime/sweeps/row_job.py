@@ -22,7 +22,7 @@ from hertzwerk.runtime.solution.findings import Needs
 from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.start.start_values import split_values
 from hertzwerk.runtime.sweeps.kept.array_table import Packed
-from hertzwerk.runtime.sweeps.kept.kept_arrays import Kept
+from hertzwerk.runtime.sweeps.kept.kept_arrays import Kept, Times
 from hertzwerk.runtime.sweeps.row_outputs import Measured, NotANumberError, Output, named
 from hertzwerk.runtime.sweeps.sweep_table import LOST, Row
 
@@ -87,7 +87,7 @@ class Job:
     def do(self, task: Task) -> Row:
         """Run a row; raises KeyboardInterrupt where it was stopped."""
         try:
-            return self._row(task, self._solve(task, self.settings, progress=self._poll))
+            return self._row(task, *self._solve(task, self.settings, progress=self._poll))
         except Exception as error:  # a row says so: hours of other runs are not lost for it
             return self._without_run(task, error)
 
@@ -107,7 +107,7 @@ class Job:
             task = left[0]
             try:
                 wall_time = min(PROBE, self.settings.wall_time or PROBE)
-                solution = self._solve(task, replace(self.settings, compiled=False, wall_time=wall_time))
+                solution, times = self._solve(task, replace(self.settings, compiled=False, wall_time=wall_time))
             except Exception as error:  # as in `do`
                 left.popleft()
                 yield self._without_run(task, error)
@@ -120,20 +120,24 @@ class Job:
             one = min(wall_s / done, self.settings.wall_time or math.inf)
             self.foreseen = one * math.ceil((len(left) + later) / workers)
             if whole:
-                yield self._row(task, solution)
+                yield self._row(task, solution, times)
             return
 
-    def _solve(self, task: Task, settings: Settings, progress: Callable[[float], object] | None = None) -> Solution:
-        """Simulate a row; raises InputError, and KeyboardInterrupt where the run was stopped."""
-        _, given = task
-        values = split_values(self.model, given)
-        if self.kept is not None and Needs.STEPS not in self.needs:
-            times = self.kept.times(self.model, values[0]).all
-            settings = replace(settings, output=times) if len(times) else settings
-        solution = solve(self.model, settings, *values, needs=self.needs, progress=progress)
+    def _solve(
+        self, task: Task, settings: Settings, progress: Callable[[float], object] | None = None
+    ) -> tuple[Solution, Times | None]:
+        """Simulate a row; return its run, and the times of its arrays.
+
+        Raises InputError, and KeyboardInterrupt where the run was stopped.
+        """
+        parameters, initial = split_values(self.model, task[1])
+        times = None if self.kept is None else self.kept.times(self.model, parameters)
+        if times is not None and Needs.STEPS not in self.needs and len(times.all):
+            settings = replace(settings, output=times.all)
+        solution = solve(self.model, settings, parameters, initial, needs=self.needs, progress=progress)
         if solution.outcome.name == "interrupted":
             raise KeyboardInterrupt
-        return solution
+        return solution, times
 
     def _without_run(self, task: Task, error: Exception) -> Row:
         """Return the row of values without a run."""
@@ -147,7 +151,7 @@ class Job:
         if self.stop.value:
             raise KeyboardInterrupt
 
-    def _row(self, task: Task, solution: Solution) -> Row:
+    def _row(self, task: Task, solution: Solution, times: Times | None) -> Row:
         i, given = task
         outcome, message = solution.outcome.name, "" if solution.outcome.finished else solution.outcome.message
         measured = Measured(solution)
@@ -160,9 +164,9 @@ class Job:
             except (Exception, SystemExit) as error:  # a row says so: hours of other runs are not lost for it
                 outcome, message = BAD_OUTPUT, f"output {output.name} raised {type(error).__name__}: {error}"
         arrays: Mapping[str, Packed] = {}
-        if self.kept is not None:
+        if self.kept is not None and times is not None:
             try:
-                arrays = self.kept.of(solution, self.kept.times(self.model, split_values(self.model, given)[0]))
+                arrays = self.kept.of(solution, times)
             except Exception as error:  # as above
                 outcome, message = BAD_OUTPUT, f"section or histories raised {type(error).__name__}: {error}"
         return Row(

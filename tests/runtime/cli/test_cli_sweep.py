@@ -135,6 +135,20 @@ def test_a_section_on_the_command_line_is_that_of_python(tmp_path):
     assert "section and histories, as CSV has no lists: --table FILE.parquet" in " ".join(written.split())
 
 
+def test_values_are_followed_on_the_command_line_as_in_python(tmp_path):
+    how = ("slider_crank", "--over", "crank_speed=3000..5000 rpm:3", "--duration", "1 rev", "--tolerance", "1e-5")
+    for way in ("up", "down"):
+        done = run(*how, "--continue", way, "--into", way)
+        assert done.exit_code == 0, done.output
+        over = {"crank_speed": "3000..5000 rpm:3"}
+        expected = sweep("slider_crank", over, duration="1 rev", tolerance=1e-5, continued=way)
+        found = Sweep.load(way)
+        assert list(found["final.guide.travel"]) == list(expected["final.guide.travel"])
+    assert found["final.guide.travel"][1] != Sweep.load("up")["final.guide.travel"][1]
+    assert "continued: found 'up'" in run(*how, "--continue", "up", "--into", "down").stderr
+    assert "up" in run(*how, "--continue", "sideways", "--into", "c").stderr
+
+
 def test_samples_are_those_of_their_seed():
     arguments = ("bouncing_ball", "--over", "drop_height=0.5..1 m", "--sample", 4, "--duration", "0.1 s", "--json")
     first, same, other = (

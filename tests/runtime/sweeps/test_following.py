@@ -1,6 +1,8 @@
 """Values followed up and down: each row is the run from the end of the one before, bitwise, whatever was stored already."""
 
 import sqlite3
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -83,6 +85,44 @@ def test_rows_that_are_missing_are_followed_from_those_that_are_there(crank, tmp
     again = sweep(crank, OVER, into=tmp_path / "a", continued="up", **CRANK)
     assert {name: (tmp_path / "a" / name).read_bytes() for name in texts} == texts
     assert [row.arrays for row in again] == [row.arrays for row in whole]
+
+
+FOLLOWED = """
+import os, sys
+from hertzwerk.runtime import sweep
+sweep("bouncing_ball", {"restitution": "0.5..0.9:40"}, duration="3 s", tolerance=1e-10, compiled=False, workers=1,
+      continued="up", into=sys.argv[1], progress=lambda fraction: os.write(1, b"row\\n"))
+"""
+
+
+@pytest.mark.slow
+def test_a_chain_that_is_killed_goes_on_from_the_rows_that_are_stored(tmp_path):
+    """Killed after 3 and after 6 more rows; the end is bitwise that of a chain that was left alone, and no row is repeated."""
+
+    def start(folder):
+        return subprocess.Popen([sys.executable, "-c", FOLLOWED, str(tmp_path / folder)], stdout=subprocess.PIPE)
+
+    stored = []
+    for told in (3, 6):
+        process = start("killed")
+        for _ in range(told + 1):  # the first line comes before any row
+            assert process.stdout.readline()
+        process.kill()
+        process.communicate()
+        rows = store.read_rows(tmp_path / "killed")[0]
+        assert [row.index for row in rows] == list(range(len(rows)))
+        stored.append({row.index: row.wall_s for row in rows})
+    assert len(stored[0]) >= 3
+    assert len(stored[1]) >= len(stored[0]) + 6
+    assert len(stored[-1]) < 40, "it ended before it was killed"
+    for folder in ("killed", "whole"):
+        start(folder).communicate()
+    killed, whole = (store.read_rows(tmp_path / folder)[0] for folder in ("killed", "whole"))
+    assert len(whole) == 40
+    assert [row.outputs for row in killed] == [row.outputs for row in whole]
+    assert [row.arrays for row in killed] == [row.arrays for row in whole]
+    for known in stored:  # a row that is there is not computed again: its time stays
+        assert {row.index: row.wall_s for row in killed if row.index in known} == known
 
 
 def test_several_starts_are_followed_side_by_side(crank):
