@@ -40,7 +40,6 @@ class Balance:
         if is_limited(model):
             self._last[self._layout["limit"]] = limits
         self._scale = 0.0  # J, the scene's
-        self._follow: Follower | None = None
 
     @staticmethod
     def _layout_for(model: Model) -> Layout:
@@ -56,9 +55,8 @@ class Balance:
 
     def _followed(self, block: History, states: np.ndarray) -> np.ndarray:
         """Return what is carried on after the next states of a block, or after each."""
-        if self._follow is None:
-            self._follow, self._scale = self._follower_for(self._model, block.engine), block.energy_scale
-        return self._follow(block.controls, self._last, states)
+        self._scale = block.energy_scale
+        return self._follower_for(self._model, block.engine)(block.controls, self._last, states)
 
     @property
     def residual(self) -> float | None:
