@@ -18,7 +18,7 @@ from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.integrate.loop.choose import EXPLICIT, IMPLICIT, STIFF
 from hertzwerk.runtime.solution.balance import Balance, balancing, is_limited
 from hertzwerk.runtime.solution.history import part_of_step
-from hertzwerk.runtime.solution.impacts import crest
+from hertzwerk.runtime.solution.impacts import crest, onset_speeds
 from hertzwerk.runtime.solution.sums import Summing, Sums, inner
 from hertzwerk.runtime.solution.watch import Watch, following
 
@@ -133,6 +133,7 @@ class Findings:
         begin: float = 0.0,
     ) -> None:
         self._model, self._duration, self._begin, self.period = model, duration, begin, period
+        self._limits = limits
         self._later = Needs.STEPS in needs
         self._needs = EVERYTHING if self._later else needs
         self._steps: list[History] = []
@@ -184,7 +185,15 @@ class Findings:
 
     @property
     def onsets(self) -> tuple[np.ndarray, ...]:
-        """See `Balance.onsets`; of a model with limits of approach speeds."""
+        """See `Balance.onsets`; of a model with limits of approach speeds.
+
+        Kept steps tell them by themselves, where none has to be followed for a balance.
+        """
+        if self._later and not self._model.has_ledger:
+            of_pairs = [np.concatenate(each) for each in zip(*map(onset_speeds, self._steps), strict=True)]
+            over = (np.count_nonzero(speeds > limit) for speeds, limit in zip(of_pairs, self._limits, strict=True))
+            fastest = (speeds.max(initial=0.0) for speeds in of_pairs)
+            return self._limits, *(np.array([*found]) for found in (map(len, of_pairs), over, fastest))
         if self._balanced is None:
             raise LookupError(f"{self._model.name} has no limit of approach speeds")
         return self._balanced.onsets
@@ -198,12 +207,12 @@ class Findings:
     @cached_property
     def energy_residual(self) -> float | None:
         """See `Solution.energy_residual`."""
-        return self._balanced.residual if self._balanced is not None and self._model.has_ledger else None
+        return self._balanced.residual if self._model.has_ledger and self._balanced is not None else None
 
     @cached_property
     def energy_unclosed(self) -> float:
-        """See `Balance.unclosed`; 0 without a ledger."""
-        return self._balanced.unclosed if self._balanced is not None and self._model.has_ledger else 0.0
+        """See `Balance.unclosed`; 0 without a ledger, for which no step is followed."""
+        return self._balanced.unclosed if self._model.has_ledger and self._balanced is not None else 0.0
 
     @cached_property
     def choices(self) -> tuple[Choice, ...]:

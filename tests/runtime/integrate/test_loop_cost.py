@@ -1,0 +1,96 @@
+"""What a run costs beyond its evaluations, counted: no clock tells it on a loaded machine, and it creeps in unnoticed."""
+
+import sys
+
+import pytest
+
+from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime.integrate.loop.advance import advance
+from hertzwerk.runtime.integrate.loop.choose import Choosing
+from hertzwerk.runtime.integrate.step.explicit import flow
+from hertzwerk.runtime.integrate.step.layout import layouts
+from hertzwerk.runtime.integrate.tableaux.methods import METHODS
+from hertzwerk.runtime.model.caller import Caller
+from hertzwerk.runtime.run.recorder import Recorder
+from hertzwerk.runtime.solution.findings import Findings
+
+FLIGHT, CONTACT = (), (0,)
+BEYOND = {FLIGHT: 570, CONTACT: 757}  # operations of a dop853 step, most for sums of slopes and two error norms
+PER_CHUNK = 25  # calls in Python
+PER_RUN = 900
+PER_RUN_CASADI = 12  # what reads the input, the start, the limits of approach speeds
+ATTEMPTS = 256  # per chunk
+
+
+def beyond_evaluations(model, contacts, choosing=Choosing.NONE):
+    """Operations of a step that are not its right-hand side's; stages share some, so it may do with less than it calls."""
+    (table,) = (table() for table in METHODS["dop853"])
+    step, right = advance(model, layouts(model), table, contacts, choosing), flow(model, contacts)
+    within = (table.stages - 1) * right.rates.n_instructions() + right.ends.n_instructions()
+    return step.n_instructions() - within
+
+
+@pytest.fixture(scope="module")
+def crank():
+    return load("slider_crank_frictionless", without=("energy_ledger",))
+
+
+@pytest.mark.parametrize("contacts", BEYOND)
+def test_a_step_does_little_beyond_its_evaluations(crank, contacts):
+    assert beyond_evaluations(crank, contacts) <= BEYOND[contacts]
+    seeded = beyond_evaluations(crank, contacts, Choosing.ON_SUSPICION)  # what `auto` asks, paid by every method
+    assert seeded > BEYOND[contacts]
+
+
+def counted(model, duration):
+    """Calls in Python and calls of CasADi functions in a run, and its chunks."""
+    calls = {"python": 0, "casadi": 0}
+
+    def count(frame, event, _):
+        calls["python"] += event in ("call", "c_call")
+        calls["casadi"] += event == "call" and frame.f_code is Caller.__call__.__code__
+
+    before = sys.getprofile()
+    sys.setprofile(count)
+    try:
+        run = simulate(model, duration=duration, tolerance=1e-6, method="dop853", compiled=False)
+    finally:
+        sys.setprofile(before)
+    made = run.statistics
+    return calls, -(-(made.steps + made.rejected + made.retaken) // ATTEMPTS)
+
+
+def cost(model):
+    """Calls per chunk, and beside the chunks, in Python and of CasADi functions."""
+    simulate(model, duration="1 ms", tolerance=1e-6, method="dop853", compiled=False)
+    (few, first), (many, last) = counted(model, "12 ms"), counted(model, "120 ms")
+    slope = {kind: (many[kind] - few[kind]) / (last - first) for kind in few}
+    return slope, {kind: few[kind] - first * slope[kind] for kind in few}
+
+
+def within_bounds(model):
+    per_chunk, per_run = cost(model)
+    return (
+        per_chunk["casadi"] == 1
+        and per_chunk["python"] <= PER_CHUNK
+        and per_run["casadi"] <= PER_RUN_CASADI
+        and per_run["python"] <= PER_RUN
+    )
+
+
+def row_by_row(recorder, rows):
+    for row in rows:
+        gather(recorder, row[None])
+
+
+gather = Recorder.keep
+
+
+def test_a_run_costs_few_calls_beyond_its_chunks(crank, monkeypatch):
+    assert within_bounds(crank), cost(crank)
+    with monkeypatch.context() as seeded:
+        seeded.setattr(Recorder, "keep", row_by_row)
+        assert not within_bounds(crank)
+    with monkeypatch.context() as seeded:  # every step followed for a balance that is not booked
+        seeded.setattr(Findings, "energy_unclosed", property(lambda findings: 0.0 * len(findings.impacts)))
+        assert not within_bounds(crank)
