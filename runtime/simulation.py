@@ -31,7 +31,6 @@ from hertzwerk.runtime.run.output_times import Output
 from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, Settings, read
 from hertzwerk.runtime.run.single_run import SingleRun, Trace, set_up
 from hertzwerk.runtime.run.warnings import floored, open_forces, too_fast, unchecked, uncompiled
-from hertzwerk.runtime.solution import notebook
 from hertzwerk.runtime.solution import solution as plain_solution
 from hertzwerk.runtime.solution.checkpoint import checkpoint_of
 from hertzwerk.runtime.solution.findings import Needs
@@ -40,6 +39,7 @@ from hertzwerk.runtime.solution.outcome import not_closed
 from hertzwerk.runtime.solution.scales import Scales
 from hertzwerk.runtime.solution.solution import Statistics
 from hertzwerk.runtime.start.start_values import pressed
+from hertzwerk.runtime.tables import notebook
 from hertzwerk.runtime.tables.data_frame import data_frame
 from hertzwerk.runtime.tables.dataset import dataset
 from hertzwerk.runtime.tables.history_table import history_table

@@ -82,7 +82,7 @@ ROOMS = {
         "simulation": "accuracy derive/faults integrate/step loading model pictures pictures/draw pictures/motion report run solution start tables",
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults host integrate/step integrate/tableaux model",
-        "statics": "derive/faults host integrate/step loading model pictures/draw run solution start",
+        "statics": "derive/faults host integrate/step loading model pictures/draw run solution start tables",
         "studies": "derive/faults derive/sheets derive/units effects host loading measured model pictures simulation solution "
         "sweeps",
         "sweeps": "derive/declare derive/faults derive/files derive/units host loading model run simulation solution start "

@@ -1,4 +1,4 @@
-"""Laws written as text with values: `power(K=1e9 N/m^1.3, n=1.3) x flores`, `coulomb(mu_k=mu, mu_s=0.2)`."""
+"""Laws written as text with values: `power(K=1e9 N/m^1.3, n=1.3) x flores`."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def split_call(text: str) -> tuple[str, dict[str, str]]:
 def bound_law(
     law: Law, texts: Mapping[str, str], shared: Mapping[str, Any], effect: str, parameters: Mapping[str, Parameter]
 ) -> BoundLaw:
-    """Bind a law to the values in `texts`, and for other symbols to those `shared` by name, or its defaults.
+    """Bind a law to the values in `texts`, for other symbols to those `shared` by name or defaults.
 
     A quantity becomes a parameter `<effect>_<symbol>` of the scene, a number without a unit a constant, and the name
     of one of the scene's `parameters` stands for it. Raises InputError with every fault: values that cannot be read,

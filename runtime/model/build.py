@@ -115,7 +115,7 @@ _IN_FILE = re.compile(r"(?P<file>[^()=]+?\.toml)(?::(?P<law>\w+))?")
 
 
 def _with_law(scene: Scene, effect: str, text: str) -> Scene:
-    """Return the scene with another law for an effect: of the catalogue, or `FILE.toml:NAME` of a file of laws."""
+    """Return the scene with another law for an effect, of the catalogue or of `FILE.toml:NAME`."""
     from hertzwerk.derive.laws import LAWS
     from hertzwerk.derive.laws.law_call import split_call, split_laws
 

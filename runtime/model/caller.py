@@ -31,7 +31,7 @@ class Caller:
         return self.results
 
     def read(self, i: int, values: np.ndarray) -> None:
-        """Take argument i from an array itself, which has to stay as long as that is so; `inputs[i]` is its own."""
+        """Take argument i from an array itself, which has to live as long; `inputs[i]` is its own."""
         self._buffer.set_arg(i, values.data)
 
 
@@ -123,7 +123,7 @@ class Follower(Blocks):
         super().__init__(sizes, [made[size] for size in sizes])
 
     def _followed(self, constant: np.ndarray, carried: np.ndarray, table: np.ndarray) -> Iterator[np.ndarray]:
-        """Yield what is carried after the rows of each block, or after its last row, until the next is asked for.
+        """Yield what is carried after the rows of each block, or after its last, until the next one.
 
         Rows are read where they are.
         """

@@ -94,7 +94,7 @@ class Passing:
 
 
 class Ends:
-    """Observer that keeps the first and the last accepted state; it may be shown attempts as the loop leaves them."""
+    """Observer that keeps the first and the last accepted state, also of attempts shown in place."""
 
     def __init__(self) -> None:
         self._first: np.ndarray | None = None

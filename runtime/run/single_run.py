@@ -19,7 +19,7 @@ from hertzwerk.runtime.run.engine import Engine, engine_for
 from hertzwerk.runtime.run.recorder import BLOCK, IN_PLACE, Ends, Grid, Passing, Recorder, Steps
 from hertzwerk.runtime.run.request import Inputs, Limits, Settings
 from hertzwerk.runtime.solution import scales as scaling
-from hertzwerk.runtime.solution.balance import limits_of
+from hertzwerk.runtime.solution.energy_balance import limits_of
 from hertzwerk.runtime.solution.findings import EVERYTHING, Findings, Needs, Observer
 from hertzwerk.runtime.solution.history import History
 from hertzwerk.runtime.solution.outcome import Outcome, outcome

@@ -16,7 +16,7 @@ import numpy as np
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.integrate.loop.choose import EXPLICIT, IMPLICIT, STIFF
-from hertzwerk.runtime.solution.balance import Balance, balancing, is_limited
+from hertzwerk.runtime.solution.energy_balance import Balance, balancing, is_limited
 from hertzwerk.runtime.solution.history import part_of_step
 from hertzwerk.runtime.solution.impacts import crest, onset_speeds
 from hertzwerk.runtime.solution.sums import Summing, Sums, inner

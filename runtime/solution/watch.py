@@ -11,8 +11,8 @@ import numpy as np
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, Layout
 from hertzwerk.runtime.model.caller import Follower, Scan
 from hertzwerk.runtime.model.per_model import per_model
-from hertzwerk.runtime.solution import balance
-from hertzwerk.runtime.solution.balance import Balance, approach_speed, begin, is_open
+from hertzwerk.runtime.solution import energy_balance
+from hertzwerk.runtime.solution.energy_balance import Balance, approach_speed, begin, is_open
 from hertzwerk.runtime.solution.impacts import KINDS, Impact, peaks
 
 if TYPE_CHECKING:
@@ -141,7 +141,7 @@ def carried(model: Model) -> Layout:
     onset t [s], approach speed [m/s], when it was left [s], onset and tops (rows), and largest values.
     """
     of_pairs = ("open", "touching", "ends", *ONSET, "onset", *TOPS, *(part for part, *_ in KINDS))
-    return Layout({**balance.carried(model).sizes, **dict.fromkeys(of_pairs, model.k)})
+    return Layout({**energy_balance.carried(model).sizes, **dict.fromkeys(of_pairs, model.k)})
 
 
 @per_model
@@ -150,7 +150,7 @@ def following(model: Model, integrator: Integrator) -> Scan:
     vectors, layout = integrator.layouts, carried(model)
     controls, state, last = vectors.controls.symbol("controls"), vectors.state.symbol("state"), layout.symbol("carried")
     at, was = vectors.state.split(state), layout.split(last)
-    new = {**was, **balance.later(model, at, was, vectors, controls), **_of_pairs(at, was)}
+    new = {**was, **energy_balance.later(model, at, was, vectors, controls), **_of_pairs(at, was)}
     return Scan(ca.Function("following", [controls, last, state], [layout.join(new)]))
 
 

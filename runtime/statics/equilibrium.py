@@ -13,11 +13,11 @@ from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.model import model as plain
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.run.request import read_duration
-from hertzwerk.runtime.solution.notebook import heading, table
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.statics.balance import UNDAMPED, Array, grips_of, kernel, memory_of
 from hertzwerk.runtime.statics.held import drive_units, held, parameters_at, start_at
 from hertzwerk.runtime.statics.relaxation import Rest, Search
+from hertzwerk.runtime.tables.notebook import heading, table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

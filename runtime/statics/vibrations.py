@@ -14,11 +14,11 @@ from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.runtime.integrate.step.layout import CONTACT
 from hertzwerk.runtime.model import model as plain
 from hertzwerk.runtime.run.request import read_duration
-from hertzwerk.runtime.solution.notebook import heading, table
 from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.statics.balance import UNDAMPED, Array
 from hertzwerk.runtime.statics.equilibrium import Equilibrium, equilibrium
 from hertzwerk.runtime.statics.linearisation import linearise
+from hertzwerk.runtime.tables.notebook import heading, table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

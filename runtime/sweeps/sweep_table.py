@@ -15,10 +15,10 @@ import numpy as np
 
 from hertzwerk.runtime.host.versions import versions
 from hertzwerk.runtime.model.binding import Value
-from hertzwerk.runtime.solution import notebook
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import write
 from hertzwerk.runtime.sweeps.kept.array_table import Arrays, Packed
+from hertzwerk.runtime.tables import notebook
 from hertzwerk.runtime.tables.column_meanings import meaning_of
 from hertzwerk.runtime.tables.data_frame import data_frame
 from hertzwerk.runtime.tables.dataset import dataset

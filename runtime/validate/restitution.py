@@ -228,7 +228,7 @@ def own_unit(trial: Trial, impact: Impact) -> float:
     """Return the unit [SI] of a law's own parameter in powers of the impact's mass, length and time."""
     n = trial.exponent
     time = (impact.mass * impact.speed ** (1 - n) / impact.stiffness) ** (1 / (n + 1))
-    mass, length, seconds, _ = (float(exponent.constant) for exponent in parse_unit(trial.unit).exponents)
+    mass, length, seconds, *_ = (float(exponent.constant) for exponent in parse_unit(trial.unit).exponents)
     return float(impact.mass**mass * (impact.speed * time) ** length * time**seconds)
 
 

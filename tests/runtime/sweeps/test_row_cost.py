@@ -9,7 +9,7 @@ from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.model.caller import Caller
 from hertzwerk.runtime.run import recorder
 from hertzwerk.runtime.run.request import Settings
-from hertzwerk.runtime.solution import balance
+from hertzwerk.runtime.solution import energy_balance
 from hertzwerk.runtime.sweeps.row_job import Job
 from hertzwerk.runtime.sweeps.row_outputs import chosen, finals
 
@@ -60,13 +60,13 @@ def test_the_count_sees_what_is_found_where_outputs_ask_for_it(model, monkeypatc
 
 def test_no_attempt_is_copied_for_final_states(model, monkeypatch):
     shown = []
-    take = balance.Balance.take
+    take = energy_balance.Balance.take
 
     def taking(self, block, fresh):
         shown.append(block.rows)
         take(self, block, fresh)
 
-    monkeypatch.setattr(balance.Balance, "take", taking)
+    monkeypatch.setattr(energy_balance.Balance, "take", taking)
     monkeypatch.setattr(recorder.Recorder, "keep", lambda *_: pytest.fail("rows are gathered"))
     row = Job(model, Settings("24 ms", None, 1e-6, compiled=False), finals(model)).do((0, {"clearance": "0.3 mm"}))
     assert row.outcome == "finished"

@@ -1,4 +1,4 @@
-"""Energy balance of a run, and the approach speeds that a law's limit is held against, carried from state to state."""
+"""Energy balance of a run, and its approach speeds beside their limits, from state to state."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ class Balance:
 
     @property
     def onsets(self) -> tuple[np.ndarray, ...]:
-        """By pair (k,): limit [m/s], contacts begun, those that were faster, and the largest approach speed [m/s]."""
+        """By pair (k,): limit [m/s], contacts begun, those that were faster, largest approach speed [m/s]."""
         return tuple(self._last[self._layout[name]] for name in ("limit", "begun", "over", "fastest"))
 
     def _number(self, name: str) -> float:
@@ -91,7 +91,7 @@ def is_limited(model: Model) -> bool:
 
 
 def limits_of(model: Model, p: np.ndarray) -> np.ndarray:
-    """Return the limits [m/s] of approach speeds by pair (k,) at parameters p, infinite where there is none."""
+    """Return the limits [m/s] of approach speeds by pair (k,) at parameters p, infinite for none."""
     limits = np.full(model.k, math.inf)
     if is_limited(model):
         limits[[model.pairs.index(pair) for pair in model.module.SPEED_LIMITED]] = model.evaluate("speed_limits", p)[0]
