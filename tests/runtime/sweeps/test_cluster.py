@@ -247,7 +247,12 @@ def test_a_row_that_kills_its_workers_is_lost_alone(tmp_path):
     assert "died" in found.rows[10].message
 
 
-LONG = [*("--over", "clearance=-2 mm, -1 mm, 0.4 mm, 0.5 mm"), *("--duration", "60 s"), *("--tolerance", "1e-10")]
+LONG = [
+    *("--over", "clearance=-2 mm, -1 mm, 0.4 mm, 0.5 mm"),
+    *("--duration", "1 h"),
+    *("--tolerance", "1e-10"),
+    *("--max-steps", "1000000000"),
+]
 
 
 @contextmanager
@@ -277,7 +282,9 @@ def test_who_starts_it_and_ends_leaves_no_row_behind_on_a_worker(client, ending,
     assert list(Sweep.load(tmp_path / "rows")["outcome"]) == ["bad_input"] * 2
     if ending == signal.SIGINT:
         assert "interrupted" in (tmp_path / "said").read_text()
-    until(lambda: not any(client.run(lambda: cluster._one.locked()).values()))
+    until(
+        lambda: not any(client.run(lambda: cluster._one.locked()).values()), patience=60
+    )  # the rows would take minutes
 
 
 @pytest.mark.exhaustive
