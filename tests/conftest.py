@@ -2,6 +2,7 @@
 
 import signal
 from collections import defaultdict
+from pathlib import Path
 from zlib import crc32
 
 import pytest
@@ -14,6 +15,7 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as a shell leaves it to
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 EXHAUSTIVE_S = 3600
+HERE = Path(__file__).parent
 
 
 def pytest_collection_modifyitems(items):
@@ -30,3 +32,4 @@ def pytest_collection_modifyitems(items):
     for item in items:
         if item.get_closest_marker("exhaustive") and not item.get_closest_marker("timeout"):
             item.add_marker(pytest.mark.timeout(EXHAUSTIVE_S))
+    items.sort(key=lambda item: item.path.parent != HERE)  # the longest test is there: last, it would leave a core idle
