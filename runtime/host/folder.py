@@ -66,6 +66,17 @@ def unwritable(folder: Path) -> str | None:
         return f"{folder}, which cannot be written to ({error.strerror})"
 
 
+def new_file_faults(where: str, path: Path, way_out: str = "", *, overwrite: bool = False) -> list[Fault]:
+    """Return the faults of a file to be written: one that exists, a folder that is not writable."""
+    faults = []
+    if path.exists() and not overwrite:
+        faults.append(Fault(where, f"{path}, which exists", "a new file", way_out))
+    hindrance = unwritable(path.absolute().parent)
+    if hindrance is not None:
+        faults.append(Fault(where, hindrance, "a file in a folder that can be written to"))
+    return faults
+
+
 def new_folder(name: str, out: Path | None, fill: Callable[[Path], list[str]]) -> tuple[Path, list[str]]:
     """Fill the new folder `out`, or the next free runs/<name>-NNN; return it and its files.
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.host.extras import missing_of
-from hertzwerk.runtime.host.folder import unwritable
+from hertzwerk.runtime.host.folder import new_file_faults
 from hertzwerk.runtime.host.scratch import write_atomically
 from hertzwerk.runtime.tables.data_frame import parquet
 from hertzwerk.runtime.tables.dataset import netcdf
@@ -23,12 +23,7 @@ def table_file_faults(path: Path, *, overwrite: bool = False) -> list[Fault]:
     faults = missing_of(EXTRA, *PACKAGES.get(ending, ()))
     if ending not in PACKAGES:
         faults.append(Fault("table", str(path), f"a name that ends with {', '.join(PACKAGES)}"))
-    if path.exists() and not overwrite:
-        faults.append(Fault("table", f"{path}, which exists", "a new file", "name another, or overwrite it"))
-    hindrance = unwritable(path.absolute().parent)
-    if hindrance is not None:
-        faults.append(Fault("table", hindrance, "a file in a folder that can be written to"))
-    return faults
+    return faults + new_file_faults("table", path, "name another, or overwrite it", overwrite=overwrite)
 
 
 def write_table(

@@ -43,7 +43,7 @@ def draw(
 
     Several targets (default: all built-in scenes) are drawn on one sheet.
     """
-    from hertzwerk.runtime.host.folder import unwritable
+    from hertzwerk.runtime.host.folder import new_file_faults
     from hertzwerk.runtime.model.build import built_in_scenes
     from hertzwerk.runtime.pictures.draw import picture
     from hertzwerk.runtime.pictures.draw.gallery import sheet
@@ -57,11 +57,7 @@ def draw(
     if len(names) > 1 and (values or duration is not None):
         faults.append(Fault("--set, --duration", "several targets", "one"))
     path = out or Path(f"{Path(names[0]).stem}.png" if len(names) == 1 else "mechanisms.png")
-    if path.exists() and not overwrite:
-        faults.append(Fault("--out", f"{path}, which exists", "a new file", "name another, or say --overwrite"))
-    hindrance = unwritable(path.absolute().parent)
-    if hindrance is not None:
-        faults.append(Fault("--out", hindrance, "a file in a folder that can be written to"))
+    faults += new_file_faults("--out", path, "name another, or say --overwrite", overwrite=overwrite)
     if faults:
         raise InputError("draw", faults)
     seen = [_places(name, values, duration, start) for name in names]

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime.cli.terminal import GOOD, line, reports_bad_input
 
 
@@ -24,17 +24,12 @@ def report(target: str, out: Path | None, scene: str | None, overwrite: bool) ->
     Of a folder that `hertzwerk run`, `sweep` or `study` wrote, of a file of Solution.save, or of a scene.
     """
     from hertzwerk.runtime.cli.reported import page_of
-    from hertzwerk.runtime.host.folder import unwritable
+    from hertzwerk.runtime.host.folder import new_file_faults
     from hertzwerk.runtime.solution.solution import write
 
     place = Path(target)
     path = out or (place / "report.html" if place.is_dir() else Path(f"{place.stem}.html"))
-    faults: list[Fault] = []
-    if path.exists() and not overwrite:
-        faults.append(Fault("--out", f"{path}, which exists", "a new file", "name another, or say --overwrite"))
-    if (hindrance := unwritable(path.absolute().parent)) is not None:
-        faults.append(Fault("--out", hindrance, "a file in a folder that can be written to"))
-    if faults:
+    if faults := new_file_faults("--out", path, "name another, or say --overwrite", overwrite=overwrite):
         raise InputError("report", faults)
     line("written", str(write(path, page_of(place, target, scene).encode(), overwrite=overwrite)))
     return GOOD

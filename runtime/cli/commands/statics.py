@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime.cli.target import COORDINATES, JSON, LAW, SET, WITHOUT, assignments, loaded
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, line, reports_bad_input, table
 
@@ -131,17 +131,11 @@ def _read(
     out: Path | None,
 ) -> Equilibrium:
     """Return the equilibrium of a target's variation; raises InputError with every fault."""
-    from hertzwerk.runtime.host.folder import unwritable
+    from hertzwerk.runtime.host.folder import new_file_faults
     from hertzwerk.runtime.start.start_values import split_values
     from hertzwerk.runtime.statics.equilibrium import equilibrium
 
-    faults: list[Fault] = []
-    if out is not None:
-        hindrance = unwritable(out.absolute().parent)
-        if out.exists():
-            faults.append(Fault("--out", f"{out}, which exists", "a new file"))
-        elif hindrance is not None:
-            faults.append(Fault("--out", hindrance, "a file in a folder that can be written to"))
+    faults = [] if out is None else new_file_faults("--out", out)
     values = assignments("--set", settings, faults)
     model = loaded(target, without, laws, faults, coordinates=coordinates)
     parameters, initial = split_values(model, values)

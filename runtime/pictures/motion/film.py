@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import matplotlib as mpl
 
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.runtime.host.folder import unwritable
+from hertzwerk.runtime.host.folder import new_file_faults
 from hertzwerk.runtime.host.scratch import scratch_folder
 from hertzwerk.runtime.pictures.motion.clock import Clock
 from hertzwerk.runtime.pictures.motion.stage import DPI, Stage
@@ -73,10 +73,5 @@ def animate(
 def path_faults(path: Path, *, overwrite: bool) -> list[Fault]:
     """Return the faults of a film's file: its format, one that exists, a folder that cannot be written to."""
     fault = format_fault(path)
-    faults = [] if fault is None else [fault]
-    if path.exists() and not overwrite:
-        faults.append(Fault("file", f"{path}, which exists", "a new file", "name another, or overwrite it"))
-    hindrance = unwritable(path.absolute().parent)
-    if hindrance is not None:
-        faults.append(Fault("file", hindrance, "a file in a folder that can be written to"))
-    return faults
+    others = new_file_faults("file", path, "name another, or overwrite it", overwrite=overwrite)
+    return others if fault is None else [fault, *others]
