@@ -6,7 +6,7 @@ derives them from the scene that it was loaded from, in under a second for most;
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from types import ModuleType
 from typing import Any, NamedTuple, Protocol
@@ -16,6 +16,7 @@ import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.model.caller import Rowwise
+from hertzwerk.runtime.model.generated_text import text_of
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -105,6 +106,11 @@ class Units(dict[str, str]):
             return self[name]
         except KeyError:
             return default
+
+    def text_behind(self, names: Iterable[str]) -> str:
+        """Text that the readings among these names are computed by; empty where there is none."""
+        read = any(not self.lists(name) and name in self for name in names)
+        return text_of(readings_of(self._model).module) if read else ""
 
     @property
     def missing(self) -> str:

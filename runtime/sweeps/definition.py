@@ -1,7 +1,7 @@
 """Definition of a sweep as plain data: what a store keeps, what is compared, and the key of every row.
 
-Two rows have one key if nothing that could change their numbers differs: the generated text, the parameters and the
-start in SI, the settings, the outputs with the code of own functions, and the versions.
+Two rows have one key if nothing that could change their numbers differs: the generated text, that of readings, the
+parameters and the start in SI, the settings, the outputs with the code of own functions, and the versions.
 """
 
 from __future__ import annotations

@@ -38,7 +38,7 @@ from hertzwerk.runtime.sweeps.following import Chains, read_chains, state_units
 from hertzwerk.runtime.sweeps.kept.kept_arrays import Kept, place_of, read_kept
 from hertzwerk.runtime.sweeps.own_functions import digest
 from hertzwerk.runtime.sweeps.row_engine import EngineLostError
-from hertzwerk.runtime.sweeps.row_outputs import Output, chosen, finals, own
+from hertzwerk.runtime.sweeps.row_outputs import Output, chosen, finals, own, text_behind
 from hertzwerk.runtime.sweeps.store import TABLE, Store, opened, read_rows
 from hertzwerk.runtime.sweeps.sweep_table import COMPLETE, TEXTS, Sweep, columns_of
 
@@ -171,7 +171,8 @@ def sweep(
         "functions": {name: digest(name, function) for name, function in (functions or {}).items()},
         **{**asked, "section": kept and kept.section and str(kept.section), "histories": list(histories)},
         "continued": continued,
-        "text": hashlib.sha256(text.encode()).hexdigest()[:16],
+        "text": _hash(text),
+        "readings": _hash(text_behind(model, wanted, [] if kept is None else kept.read)),
         "versions": versions(),
     }
     definition = {
@@ -202,6 +203,10 @@ def sweep(
             except OSError as error:
                 table = replace(table, outcome=_not_stored(error))
     return table
+
+
+def _hash(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
 def _stored(

@@ -118,6 +118,15 @@ def chosen(model: Model, names: object, faults: list[Fault]) -> list[Output]:
     return [output for output in found.values() if output is not None]
 
 
+def text_behind(model: Model, outputs: Sequence[Output], histories: Sequence[str]) -> str:
+    """Return the text beside the model's own that outputs, or other histories, may be computed by."""
+    units = units_of(model, None)
+    split = (output.name.rpartition(".") for output in outputs if output.function is None)
+    asked = [*histories, *(history for history, _, kind in split if kind in _REDUCERS)]
+    own = any(output.function is not None for output in outputs)  # may ask for anything
+    return units.text_behind(units.everything if own else asked)
+
+
 def of_every_run(model: Model) -> list[Output]:
     """Return contacts, peak force, energy residual, error and cost, which every run has a column for."""
     return [*_of_contacts(None), _ENERGY_RESIDUAL, *_OF_RUN]

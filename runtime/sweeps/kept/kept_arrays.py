@@ -65,6 +65,12 @@ class Kept:
         return {name: {"t": "s", **self.units} for name, wanted in names.items() if wanted is not None}
 
     @property
+    def read(self) -> list[str]:
+        """Names of the histories that they are made of."""
+        crossed = [] if self.section is None or self.section.steady else [self.section.name]
+        return [*self.units, *crossed]
+
+    @property
     def needs(self) -> Needs:
         """Parts of a run that they are computed from, beside its states at times that are known before."""
         return Needs.ENDS if self.section is None or self.section.steady else Needs.STEPS

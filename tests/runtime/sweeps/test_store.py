@@ -15,7 +15,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from hertzwerk.derive import readings
+from hertzwerk.derive.algebra.vectors import dot
 from hertzwerk.derive.faults import InputError
+from hertzwerk.derive.scenes import pendulum
 from hertzwerk.runtime import Sweep, load, sweep
 from hertzwerk.runtime.sweeps import processes, store
 from hertzwerk.runtime.sweeps.sweep_table import Row
@@ -118,6 +121,25 @@ def test_what_would_change_the_numbers_is_computed_anew(ball, tmp_path, counted)
         assert computed() == 2, change
     sweep("bouncing_ball", {"drop_height": "500, 1000 mm"}, widen=True, **{**how, "duration": "2000 ms"})
     assert computed() == 0
+
+
+def test_readings_that_are_derived_otherwise_are_computed_anew(tmp_path, monkeypatch):
+    """Their formulas are no part of the model's text: a row of theirs is that of the formulas that it was computed by."""
+    over, how = {"length": "1, 2 m"}, {"duration": "0.1 s", "workers": 1, "compiled": False}
+    before, other = (
+        sweep(load(pendulum.scene), over, outputs=[name], into=tmp_path / name, **how)
+        for name in ("bob.speed.max", "hinge.angle.max")
+    )
+    monkeypatch.setattr(readings, "dot", lambda a, b: 4 * dot(a, b))
+    with pytest.raises(InputError, match="readings"):
+        sweep(load(pendulum.scene), over, outputs=["bob.speed.max"], into=tmp_path / "bob.speed.max", **how)
+    now = sweep(
+        load(pendulum.scene), over, outputs=["bob.speed.max"], into=tmp_path / "bob.speed.max", widen=True, **how
+    )
+    np.testing.assert_allclose(now["bob.speed.max"], 2 * before["bob.speed.max"], rtol=1e-12)
+    same(
+        other, sweep(load(pendulum.scene), over, outputs=["hinge.angle.max"], into=tmp_path / "hinge.angle.max", **how)
+    )
 
 
 def test_rows_that_fail_are_rows(ball, tmp_path):
