@@ -97,13 +97,14 @@ def suspicion(
     """Return the state's `pressure` and `status` after an explicit step, by its last two stages.
 
     Both stages are at the end of the step. Their accelerations differ by the reaction of stiff forces to their
-    difference in speed (damping) or position (vibration), as rates of effects' states do by those to theirs. In a
-    motion that limits the step by accuracy the smaller of the two rates is seldom large; after Hairer, Wanner, Solving
-    Ordinary Differential Equations II (1996), IV.2.
+    difference in speed (damping) or position (vibration). In a motion that limits the step by accuracy the smaller of
+    the two rates is seldom large; after Hairer, Wanner, Solving Ordinary Differential Equations II (1996), IV.2. A
+    state of an effect is differentiated instead: what drives it, as a jolted shaft does a motor's current, changes its
+    rate by more than the state itself does.
     """
     nq, n = model.nq, model.nq + model.nu
     depends = ca.DM.ones(flow(model, contacts).rates.jac_sparsity(0, 1))
-    reacting, fading = depends[nq:n, :], [i for i in range(nq) if depends[i, i].nnz()]  # states of effects
+    reacting, fading = depends[nq:n, :], any(depends[i, i].nnz() for i in range(nq))  # states of effects
     if not (reacting.nnz() or fading):  # a free flight: both rates are zero, and stages need no position
         return {"pressure": ca.fmax(old["pressure"] - 1, 0)}
     # what no acceleration depends on is computed in no stage but for this
@@ -120,16 +121,21 @@ def suspicion(
     vibration = h2 * h2 * acceleration * (pace * pace) > STIFF**4 * position * (length * length)
     stiff = damping * vibration
     if fading:
-        state, rate = (
-            ca.sumsqr(((end[name] - seen[of]) * seen["weights"])[fading])
-            for name, of in (("y", "stage"), ("dy", "slope"))
-        )
-        stiff = stiff + (h2 * rate > STIFF**2 * state) > 0
+        stiff = stiff + (old["h"] * _fading(model, end, run) > STIFF) > 0
     pressure = ca.fmax(old["pressure"] + ca.if_else(stiff, 1, -1), 0)
     return {
         "pressure": pressure,
         "status": ca.if_else(pressure >= SUSPICIOUS * (1 + old["wary"]), SUSPECT, old["status"]),
     }
+
+
+def _fading(model: Model, end: Mapping[str, Any], run: Mapping[str, Any]) -> Any:
+    """Return the summed rates [1/s] at which effects' states fade by themselves: their part of -tr J."""
+    t, q, u, c = model.symbols("t q u c")
+    rates = model.function("coordinate_rates")(t, q, u, c)
+    own = sum(ca.jacobian(rates[i], q[i]) for i in range(model.nq))
+    at = (end["t"], *model.parts(end["y"])[:2], run["c"])
+    return -ca.Function("own", [t, q, u, c], [own])(*at)
 
 
 def fastest(model: Model) -> Any:

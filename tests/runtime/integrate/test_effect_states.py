@@ -103,6 +103,13 @@ def test_a_stiff_current_is_passed_by_implicit_steps():
     assert max(steps["esdirk"], steps["rodas"]) < 300
 
 
+def test_a_current_that_a_jolted_crank_drives_is_not_taken_for_stiff():
+    """R/L is 500/s; at impacts the current's rate follows the crank's speed, which changes much faster."""
+    run = simulate(load("slider_crank_dc_motor"), duration="6 ms", tolerance=1e-9, method="auto", compiled=False)
+    assert len(run.impacts) >= 2
+    assert not run.history.part("pressure").any()
+
+
 def test_a_controlled_speed_of_second_order():
     """PI on a torque: e'' + Kp/J e' + Ki/J e = 0 from e = w, e' = -Kp w/J."""
     w, Kp, Ki = 100.0, 0.02, 2.0
