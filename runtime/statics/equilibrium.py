@@ -118,7 +118,7 @@ class Equilibrium(Mapping[str, Value]):
         told = [] if self.stable or not self.found else ["unstable: some displacement is pushed further away"]
         if self.indifferent:
             told.append(f"indifferent: {', '.join(self.indifferent)} may have other values; no force holds them")
-        if self.sticking:
+        if self.sticking and self.found:
             told.append(f"one of many: {', '.join(self.sticking)} sticks, and holds within a range of positions")
         if self.indeterminate:
             told.append(

@@ -2,7 +2,8 @@
 
 A small deviation of the state keeps the loops closed, its quaternions of unit norm, and what sticks at rest: it is
 T x with T a basis of the kernel of all these conditions, which the linear motion does not leave. What drives
-integrate, and what only counts energy, deviates not at all.
+integrate, and what only counts energy, deviates not at all. x are deviations of some of the states, so that x' = A x
+holds too where constraints turn with the motion, and T with them; A is then another for other states.
 """
 
 from __future__ import annotations
@@ -12,6 +13,8 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 import numpy as np
+import scipy.linalg
+from numpy.typing import NDArray
 
 from hertzwerk.runtime.integrate.step.implicit import linearised
 from hertzwerk.runtime.integrate.step.layout import CONTACT
@@ -20,18 +23,25 @@ from hertzwerk.runtime.integrate.step.set_valued_friction import STICK, pairs_of
 from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.start import start_values
-from hertzwerk.runtime.statics.balance import Array, kernel
+from hertzwerk.runtime.statics.balance import RANK, Array, kernel
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from hertzwerk.runtime.model.model import Bound, Model
 
 
 @dataclass(frozen=True)
 class Linearisation:
-    """Linear equations x' = A x of deviations T x of the state; A (n, n) [1/s], T (ny, n) in SI."""
+    """Linear equations x' = A x of deviations T x of the state; A (n, n) [1/s], T (ny, n) in SI.
+
+    of: states (n) that x deviates from, each in its scale; turns: whether T changes with the motion.
+    """
 
     A: Array
     T: Array
+    of: Sequence[int]
+    turns: bool
 
 
 def linearise(
@@ -48,9 +58,24 @@ def linearise(
     conditions = _conditions(model, bound, t, q, u, z, mode, m, J)
     rows = conditions * unit
     sizes = np.linalg.norm(rows, axis=1)
-    free = kernel(rows[sizes > 0] / sizes[sizes > 0, None])
-    A = free.T @ (J * unit / unit[:, None]) @ free
-    return Linearisation(A, unit[:, None] * free)
+    rows[sizes > 0] /= sizes[sizes > 0, None]
+    free = kernel(rows)
+    of = _independent(free, np.split(np.arange(len(y)), [model.nq, model.nq + model.nu]))
+    free = free @ np.linalg.inv(free[of])
+    A = (J * unit / unit[:, None])[of] @ free
+    turning = rows[model.nl : 2 * model.nl, : model.nq] @ free[: model.nq]  # of the loops' directions, by the motion
+    return Linearisation(A, unit[:, None] * free, of, bool(np.any(np.abs(turning) > RANK)))
+
+
+def _independent(free: Array, blocks: Sequence[NDArray[np.int64]]) -> list[int]:
+    """Return n rows of a basis (ny, n) that determine a deviation, of the first blocks where possible."""
+    chosen: list[int] = []
+    for block in blocks:
+        R, order = scipy.linalg.qr(free[block].T, mode="r", pivoting=True)
+        picked = block[order[: np.count_nonzero(np.abs(np.diag(R)) > RANK)]]
+        chosen += picked.tolist()
+        free = free @ kernel(free[picked])
+    return chosen
 
 
 @per_model

@@ -189,10 +189,13 @@ class Search:
         return part
 
     def _least_stiffness(self, rest: Rest) -> float:
-        """Return the least eigenvalue of the stiffness, in scales, of what moves with closed loops."""
+        """Return the least real part of the eigenvalues of the stiffness, in scales, with closed loops.
+
+        Not that of its symmetric part: friction that grows with the load makes that indefinite, and nothing moves uphill.
+        """
         free, unit = kernel(rest.balance.G * self.scale), self.scale
         stiffness = free.T @ (unit[:, None] * rest.balance.stiffness * unit) @ free
-        return float(np.linalg.eigvalsh(stiffness + stiffness.T)[0]) / 2 if stiffness.size else 0.0
+        return float(np.min(np.linalg.eigvals(stiffness).real)) if stiffness.size else 0.0
 
     def _decide(self, rest: Rest, total: Array) -> None:
         """Decide which grips stick in a step: what was beyond its limit slips, while that takes energy."""

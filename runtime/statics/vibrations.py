@@ -204,8 +204,10 @@ def modes(
              does; or an equilibrium; or a run, at the time `at` in which the equations are frozen as they are
     at       time [s] or text such as "2 ms"
 
-    Loops and sticking contacts are reduced; damping in proportion to an approach speed has none at rest. Raises
-    InputError for bad input, and where there is no equilibrium.
+    Loops and sticking contacts are reduced; damping in proportion to an approach speed has none at rest. Frozen
+    equations of a run whose constraints turn, as those of closed loops and absolute coordinates do, have frequencies
+    that depend on the coordinates: a note names them. Raises InputError for bad input, and where there is no
+    equilibrium.
     """
     if isinstance(model, Solution):
         if parameters is not None or initial is not None:
@@ -277,6 +279,9 @@ def _modes(
         if value.imag >= 0:
             found.append(Mode(complex(value), dict(zip(model.coordinates, map(complex, shape), strict=True))))
     found.sort(key=lambda mode: (abs(mode.eigenvalue.imag), abs(mode.eigenvalue)))
+    if linear.turns and np.any(u):
+        of = ", ".join(model.coordinates[i] for i in linear.of if i < model.nq)
+        notes = [*notes, f"its constraints turn: frequencies are those of {of}, and others by other coordinates"]
     return Modes(model, bound, t, q, tuple(found), linear.A, tuple(notes))
 
 

@@ -13,6 +13,7 @@ from hertzwerk.derive import (  # fmt: skip
     GROUND,
     Body,
     Contact,
+    Drive,
     Friction,
     Gravity,
     InputError,
@@ -28,8 +29,10 @@ from hertzwerk.derive import (  # fmt: skip
     Y,
 )
 from hertzwerk.derive.laws import coulomb, lugre, power
+from hertzwerk.derive.scenes.slider_crank import scene as slider_crank
 from hertzwerk.runtime import equilibrium, load, modes, simulate
 from hertzwerk.runtime.statics.balance import balance, grips_of
+from hertzwerk.runtime.statics.relaxation import Search
 
 G = 9.81
 
@@ -174,13 +177,24 @@ def test_set_valued_friction_holds_up_to_its_limit_and_no_further():
     assert gone.outcome.name == "no_equilibrium" and "along.speed" in gone.outcome.message
 
 
-def test_bristles_hold_as_far_as_they_bend():
+def test_bristles_hold_as_far_as_they_bend(monkeypatch):
+    """What slides is refused soon: that friction grows with the load is no hill that would shorten the search's steps."""
     model = load(sledge(lugre(*MU, *(Parameter(name, unit, x) for name, unit, x in
         (("v_S", "m/s", 0.01), ("s_0", "1/m", 1e4), ("s_1", "s/m", 10), ("c_v", "N s/m", 0))))))  # fmt: skip
     held = equilibrium(model, parameters={"downhill": "2.99 N"})
     assert held.outcome.name == "found"
     assert abs(held.sticking["rub"]) == pytest.approx(2.99 / (10 * 1e4), rel=1e-9)
-    assert equilibrium(model, parameters={"downhill": "3.01 N"}).outcome.name == "no_equilibrium"
+    # 2 kg on bristles of 10 N x 1e4 1/m, damped by 10 N x 10 s/m; they may stick anywhere
+    anywhere, along, vertical = modes(held)
+    assert not anywhere.eigenvalue
+    assert 2 * math.pi * vertical.natural_frequency == pytest.approx(math.sqrt(1e5), rel=1e-9)
+    assert 2 * math.pi * along.natural_frequency == pytest.approx(math.sqrt(10 * 1e4 / 2), rel=1e-6)
+    assert along.damping_ratio == pytest.approx(10 * 10 / (2 * math.sqrt(10 * 1e4 * 2)), rel=1e-6)
+    steps, taken = [], Search._step
+    monkeypatch.setattr(Search, "_step", lambda *given: steps.append(1) or taken(*given))
+    gone = equilibrium(model, parameters={"downhill": "3.01 N"})
+    assert gone.outcome.name == "no_equilibrium" and "one of many" not in " ".join(gone.notes)
+    assert len(steps) < 50
 
 
 def test_what_two_supports_share_follows_from_their_stiffness_alone():
@@ -204,6 +218,15 @@ def test_the_tangent_stiffness_is_the_difference_of_forces():
         ways = [balance(model, bound, 0.0, q + sign * h * one, closed, np.zeros(0), mu).force for sign in (1, -1)]
         columns.append((ways[1] - ways[0]) / (2 * h))
     assert at.stiffness == pytest.approx(np.array(columns).T, rel=1e-6, abs=1e-6 * np.abs(at.stiffness).max())
+
+
+def test_where_a_drive_of_given_speed_is_later_is_not_known():
+    turned = Drive("crank_drive", "main_bearing", speed=Parameter("w", "rad/s", 500))
+    model = load(slider_crank.replace(crank_drive=turned))
+    assert equilibrium(model).found
+    for ask in (equilibrium, modes):
+        with pytest.raises(InputError, match=r"t = 0.001 s, for which main_bearing.angle would have to be integrated"):
+            ask(model, at="1 ms")
 
 
 def test_bad_input_is_named():

@@ -11,6 +11,7 @@ from scipy.special import jn_zeros
 from hertzwerk.derive import (  # fmt: skip
     GROUND,
     Body,
+    Drive,
     Gravity,
     InputError,
     JointDamper,
@@ -21,6 +22,9 @@ from hertzwerk.derive import (  # fmt: skip
     Revolute,
     Scales,
     Scene,
+    Start,
+    T,
+    X,
     Y,
     Z,
 )
@@ -129,6 +133,48 @@ def test_along_a_run_in_body_coordinates(springs):
     run = simulate(load(springs, coordinates="absolute"), duration="10 ms", tolerance=1e-6)
     w = 2 * math.sqrt(500 / 2) * np.sin((2 * np.arange(1, 4) - 1) * math.pi / 14)
     assert [2 * math.pi * mode.natural_frequency for mode in modes(run)] == pytest.approx(w, rel=1e-9)
+
+
+TURN = 5.0  # rad/s^2
+TURNED = {
+    "position": {"position": Parameter("turn", "rad/s^2", TURN) * T**2},
+    "speed": {"speed": 2 * Parameter("turn", "rad/s^2", TURN) * T},
+    "acceleration": {"acceleration": 2 * Parameter("turn", "rad/s^2", TURN)},
+}
+
+
+def turntable(drive):
+    """A bead on a spring along the groove of a turntable that is turned ever faster."""
+    table, bead = (Body(name, Parameter("mass", "kg", 2), Parameter("I", "kg m^2", 0.1)) for name in ("table", "bead"))
+    joints = (Revolute("axle", GROUND, table, axis=Z), Prismatic("groove", table, bead, axis=X))
+    spring = JointSpring("spring", "groove", Parameter("stiffness", "N/m", 200))
+    size = Parameter("size", "m", 0.1)
+    return Scene(
+        Mechanism("turntable", joints),
+        (Drive("drive", "axle", **TURNED[drive]), spring),
+        Scales(length=size, speed=Parameter("pace", "m/s", 1), arm=size),
+        start=Start(position={"groove": Parameter("away", "m", 0.1)}),
+    )
+
+
+@pytest.mark.parametrize(
+    ("drive", "coordinates"),
+    [("position", "tree"), ("speed", "tree"), ("acceleration", "tree"), ("speed", "absolute")],
+)
+def test_a_bead_on_a_turntable_whose_turning_is_frozen(drive, coordinates):
+    """Along the groove r'' = (w^2 - k/m) r; y = r sin(th) has y'' = s''/s y + 2 s'/s (y' - s'/s y) + (w^2 - k/m) y, s = sin(th)."""
+    run = simulate(load(turntable(drive), coordinates=coordinates), duration="0.7 s", tolerance=1e-8)
+    found, w, angle = modes(run, at="0.6 s"), 2 * TURN * 0.6, TURN * 0.6**2
+    if coordinates == "tree":
+        wanted, notes = 1j * math.sqrt(200 / 2 - w**2), 1
+    else:
+        s = np.array([math.sin(angle), w * math.cos(angle), 2 * TURN * math.cos(angle) - w**2 * math.sin(angle)])
+        s = s / s[0]
+        wanted, notes = np.roots([1, -2 * s[1], 2 * s[1] ** 2 - s[2] + 200 / 2 - w**2])[0], 2
+        assert "bead.y" in found.notes[-1]
+    (mode,) = found
+    assert mode.eigenvalue == pytest.approx(wanted if wanted.imag > 0 else wanted.conjugate(), rel=1e-5)
+    assert len(found.notes) == notes
 
 
 def test_orientations_that_nothing_holds_are_zeros_and_told():
