@@ -150,9 +150,10 @@ def _solution_of(
     result = run.outcome(trace)
     if ladder_result is not None and asked is not None:
         result, found = verdict_of(run, ladder_result, asked, result)
-    if trace.ending.status == FINISHED:
-        open_by = trace.findings.energy_unclosed
-        result = not_closed(open_by, asked or trace.tolerance, trace.tolerance, counted["steps"]) or result
+    if trace.ending.status == FINISHED and trace.balance is not None:
+        result = (
+            not_closed(trace.balance.unclosed, asked or trace.tolerance, trace.tolerance, counted["steps"]) or result
+        )
     return Solution(
         history=trace.kept.history,
         ends=trace.kept.ends,
@@ -184,11 +185,12 @@ def _solution_of(
             ),
             *bound.warnings,
             *floored(counted["floored"], run.floor),
-            *too_fast(model, trace.findings),
+            *too_fast(model, run.given.speed_limits, trace.tally),
             *uncompiled(run.engine.code),
             *found,
         ),
         scales=scales,
+        energy_residual=None if trace.balance is None else trace.balance.residual,
         error=None if ladder_result is None else ladder_result.error,
         checkpoint=checkpoint_of(model, trace.ending, run.given.initial),
     )

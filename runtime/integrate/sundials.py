@@ -22,17 +22,16 @@ from hertzwerk.runtime.integrate.events.events import ends_with_force
 from hertzwerk.runtime.integrate.events.jumps import jump
 from hertzwerk.runtime.integrate.events.slips import resolve_slips
 from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, INTERRUPTED, WALL_TIME_LIMIT, Ending
+from hertzwerk.runtime.integrate.loop.tally import Tally, tally
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.layout import (
     CONTACT,
+    END_PARTS,
     EVENT_LIMIT,
-    EVENT_PARTS,
     FINISHED,
     FLIGHT,
-    GRIP_PARTS,
     NOT_FINITE,
     OUTSIDE_LAW_RANGE,
-    PAIR_PARTS,
     RELEASED,
     RUNNING,
     TOO_MANY_STEPS,
@@ -40,6 +39,7 @@ from hertzwerk.runtime.integrate.step.layout import (
 )
 from hertzwerk.runtime.integrate.step.rounding import EPS
 from hertzwerk.runtime.integrate.step.set_valued_friction import STICK, pairs_of, slips_in
+from hertzwerk.runtime.model.caller import Callers
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
@@ -68,6 +68,7 @@ class Reference:
     window: Callable[[float], tuple[Any, Any]]
     ends: Any
     resolve_slips: Any  # see `slips.resolve_slips`; None without set-valued friction
+    tally: Tally
 
 
 def reference(model: Model, layouts: Layouts, method: str) -> Reference:
@@ -86,7 +87,7 @@ def reference(model: Model, layouts: Layouts, method: str) -> Reference:
         many, one = (ca.integrator("window", method, problem, 0, grid, given) for grid in (points, [1.0]))
         return many, one
 
-    return Reference(model, layouts, window, right.ends, resolve_slips(model) if model.ns else None)
+    return Reference(model, layouts, window, right.ends, resolve_slips(model) if model.ns else None, tally(model))
 
 
 def march(
@@ -105,11 +106,14 @@ def march(
     run = _Run(functions, state, controls)
     start, status = time.perf_counter(), RUNNING
     row, error = state, None
+    (tallied,) = functions.tally.first(state, controls)
+    add = Callers(functions.tally.add)
     try:
         with defer_interrupts() as interrupts:
             keep(row[None, :])
             for row in run.rows():
                 keep(row[None, :])
+                (tallied,) = add(tallied, row, controls)
                 interrupts()
                 if progress is not None:
                     progress(run.t / run.t_end)
@@ -122,7 +126,7 @@ def march(
         status = INTERRUPTED
     except Exception as raised:
         status, error = EXCEPTION, raised
-    return Ending(row, status, time.perf_counter() - start, error=error)
+    return Ending(row, tallied, status, time.perf_counter() - start, error=error)
 
 
 @dataclass(frozen=True)
@@ -332,7 +336,7 @@ class _Run:
         """Return the engine's state vector of the current state."""
         end = self.at(self.t, self.y)
         values: dict[str, Any] = {"t": self.t, "y": self.y, "dy": end["dy"], "mode": self.mode, "m": self.m}
-        values |= {name: end[name] for name in (*PAIR_PARTS, *GRIP_PARTS, *EVENT_PARTS, "ahead")}
+        values |= {name: end[name] for name in END_PARTS}
         values |= {
             "accepted": 1,
             "status": self.status,

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -92,83 +92,46 @@ class Blocks:
         self._blocks = [(rows, Callers(function)) for rows, function in zip(self._sizes, functions, strict=True)]
 
 
-class Follower(Blocks):
+class Scan(Blocks):
     """CasADi function of what is carried from row to row of a table, applied one after another.
 
-    function    (constant, carried, row) -> carried
+    function    (carried, row) -> carried
     """
-
-    every: ClassVar[bool]  # row's result is returned, not the last alone
-
-    def __call__(self, constant: np.ndarray, carried: np.ndarray, table: np.ndarray) -> np.ndarray:
-        """Return what is carried after the rows of a table."""
-        raise NotImplementedError
 
     def __init__(self, function: Any) -> None:
         self._width = function.size1_out(0)
         many, made = function, {1: function}
         for kind, count in ((ca.SX, 4), (ca.MX, 8), (ca.MX, 8)):  # the innermost are written out: a call costs
-            columns = many.size2_in(2)
-            names = ("constant", "carried", "rows")
-            constant, carried, rows = given = [
-                kind.sym(name, many.size1_in(i), count * columns if i == 2 else 1) for i, name in enumerate(names)
+            columns = many.size2_in(1)
+            carried, rows = given = [
+                kind.sym(name, many.size1_in(i), count * columns if i else 1)
+                for i, name in enumerate(("carried", "rows"))
             ]
             found: list[Any] = []
             for part in ca.horzsplit(rows, columns):
-                found.append(many(constant, found[-1][:, -1] if found else carried, part))
-            result = ca.horzcat(*found) if self.every else found[-1]
-            many = ca.Function(f"{function.name()}_{count * columns}", given, [result])
+                found.append(many(found[-1][:, -1] if found else carried, part))
+            many = ca.Function(f"{function.name()}_{count * columns}", given, [ca.horzcat(*found)])
             made[count * columns] = many
         sizes = sorted(made, reverse=True)
         super().__init__(sizes, [made[size] for size in sizes])
 
-    def _followed(self, constant: np.ndarray, carried: np.ndarray, table: np.ndarray) -> Iterator[np.ndarray]:
-        """Yield what is carried after the rows of each block, or after its last, until the next one.
-
-        Rows are read where they are.
-        """
+    def __call__(self, carried: np.ndarray, table: np.ndarray) -> np.ndarray:
+        """Return what is carried after each row of a table, shape (rows, size); rows are read where they are."""
         table = np.ascontiguousarray(table)
-        count, first = len(table), 0
+        count, first, found = len(table), 0, np.empty((len(table), self._width))
         for rows, callers in self._blocks:
             if count - first < rows:
                 continue
             caller = callers.take()
-            caller.inputs[0][:] = constant
             while count - first >= rows:
-                caller.inputs[1][:] = carried
-                caller.read(2, table[first : first + rows])
-                found = caller()[0]
-                yield found
-                carried, first = found[-1], first + rows
-            caller.read(2, caller.inputs[2])
+                caller.inputs[0][:] = carried
+                caller.read(1, table[first : first + rows])
+                found[first : first + rows] = caller()[0]
+                first += rows
+                carried = found[first - 1]
+            caller.read(1, caller.inputs[1])
             callers.give_back(caller)
-
-
-class Scan(Follower):
-    """Follower that returns what is carried after each row."""
-
-    every = True
-
-    def __call__(self, constant: np.ndarray, carried: np.ndarray, table: np.ndarray) -> np.ndarray:
-        """Return what is carried after each row of a table, shape (rows, size)."""
-        found, first = np.empty((len(table), self._width)), 0
-        for part in self._followed(constant, carried, table):
-            found[first : first + len(part)] = part
-            first += len(part)
         return found
-
-
-class Fold(Follower):
-    """Follower that returns what is carried after the last row."""
-
-    every = False
-
-    def __call__(self, constant: np.ndarray, carried: np.ndarray, table: np.ndarray) -> np.ndarray:
-        """Return what is carried after the last row of a table, shape (size,)."""
-        last = carried
-        for found in self._followed(constant, carried, table):
-            last = found[-1]
-        return last.copy()
 
 
 class Rowwise(Blocks):

@@ -115,6 +115,8 @@ class Model:
         self.is_length = tuple(row[1] == "m" for row in getattr(module, "CONSTRAINTS", ()))
         """Whether each constraint is a length [m], not an angle's sine [1]."""
         self.has_ledger = hasattr(module, "ledger")
+        self.speed_limited: tuple[str, ...] = getattr(module, "SPEED_LIMITED", ())
+        """Pairs whose law limits how fast contacts may begin."""
         self.known: dict[Hashable, Any] = {}
         """Results of functions that are `per_model`."""
 
@@ -236,6 +238,14 @@ class Model:
         """Return the period [s] of everything that depends on time; None where nothing does."""
         found = float(self.evaluate("period", bound.p)[0][0]) if hasattr(self.module, "period") else math.inf
         return found if math.isfinite(found) else None  # a drive that stands still has none
+
+    def speed_limits(self, bound: Bound) -> np.ndarray:
+        """Return the limits [m/s] of approach speeds by pair (k,), infinite for none; (0,) if all have none."""
+        if not self.speed_limited:
+            return np.zeros(0)
+        limits = np.full(self.k, math.inf)
+        limits[[self.pairs.index(pair) for pair in self.speed_limited]] = self.evaluate("speed_limits", bound.p)[0]
+        return limits
 
     def equations(self) -> Readable:
         """Return the equations of the model for people, derived anew from its scene.

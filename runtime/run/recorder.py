@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.solution.history import History
 
 BLOCK = 2**23  # bytes: enough rows that costs per block are negligible
-IN_PLACE = 0  # bytes: attempts are passed on where they are
+ENDS = 0  # bytes: the first and the last state alone
 OVERLAP = 2  # known rows repeated at a block's start: events show between rows
 
 
@@ -68,60 +68,19 @@ class Recorder:
                 del self._parts[len(self._parts) // 2 :]
 
 
-class Passing:
-    """Shows observers the attempts of a loop, accepted or not, in the memory where they are.
-
-    view    makes a History of rows
-    error    as of a `Recorder`
-    """
-
-    def __init__(self, view: Callable[[np.ndarray], History], observers: Sequence[Observer]) -> None:
-        self._view, self._observers = view, observers
-        self.error: Exception | None = None
-
-    def keep(self, attempts: np.ndarray) -> None:
-        """Show the next attempts (n, ns)."""
-        block = self._view(attempts)
-        try:
-            for observer in self._observers:
-                observer.take(block, 0)
-        except Exception as error:
-            self.error = error
-            raise
-
-    def flush(self) -> None:
-        """Do nothing: all were shown."""
-
-
 class Ends:
-    """Observer that keeps the first and the last accepted state, also of attempts shown in place."""
+    """Observer of the ends of a run, which keeps no step between them."""
 
-    def __init__(self) -> None:
-        self._first: np.ndarray | None = None
-        self._last: np.ndarray
-        self._run: History
+    ends: History
 
     def take(self, block: History, fresh: int) -> None:
-        """Take the next steps, accepted or not; see `Observer`."""
-        rows, accepted = block.rows, block.columns("accepted").start
-        if self._first is None:
-            self._first, self._run = rows[:1].copy(), block
-        i = len(rows) - 1
-        while i >= 0 and not rows[i, accepted]:
-            i -= 1
-        if i >= 0:
-            self._last = rows[i : i + 1].copy()
+        """Take the first and the last state, in one block."""
+        self.ends = block
 
     @property
     def history(self) -> History:
         """Histories without a row."""
-        return self._run.of(self._last[:0])
-
-    @property
-    def ends(self) -> History:
-        """Histories whose rows are the first and the last of the run."""
-        assert self._first is not None
-        return self._run.of(np.concatenate([self._first, self._last]))
+        return self.ends.of(self.ends.rows[:0])
 
 
 class Steps:

@@ -104,7 +104,7 @@ class Inputs:
     """Start and extent of a run.
 
     Bound parameters, q (nq,) and u (nu,) with loops closed, latches of contacts in progress, duration [s], scales stated by the scene, redundant
-    constraints, given initial states, and the period [s] of everything that depends on time.
+    constraints, given initial states, the period [s] of everything that depends on time, and limits of approach speeds [m/s].
     """
 
     bound: Bound
@@ -116,6 +116,7 @@ class Inputs:
     dependent: tuple[Dependent, ...]
     initial: Mapping[str, Value]
     period: float | None
+    speed_limits: np.ndarray
 
 
 def read(
@@ -147,6 +148,7 @@ def read(
         dependent(model, bound, q),
         dict(initial),
         model.period(bound),
+        model.speed_limits(bound),
     )
     if len(known) >= REMEMBERED:
         known.clear()

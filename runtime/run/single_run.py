@@ -13,13 +13,14 @@ import numpy as np
 from hertzwerk.runtime.accuracy.ladder import LOOSEST
 from hertzwerk.runtime.integrate.loop.automatic import AutomaticCallers
 from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, Ending, Resume
+from hertzwerk.runtime.integrate.loop.tally import tally
 from hertzwerk.runtime.integrate.step.layout import OUTSIDE_LAW_RANGE
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.run.engine import Engine, engine_for
-from hertzwerk.runtime.run.recorder import BLOCK, IN_PLACE, Ends, Grid, Passing, Recorder, Steps
+from hertzwerk.runtime.run.recorder import BLOCK, ENDS, Ends, Grid, Recorder, Steps
 from hertzwerk.runtime.run.request import Inputs, Limits, Settings
 from hertzwerk.runtime.solution import scales as scaling
-from hertzwerk.runtime.solution.energy_balance import limits_of
+from hertzwerk.runtime.solution.energy_balance import Balance
 from hertzwerk.runtime.solution.findings import EVERYTHING, Findings, Needs, Observer
 from hertzwerk.runtime.solution.history import History
 from hertzwerk.runtime.solution.outcome import Outcome, outcome
@@ -100,7 +101,6 @@ class SingleRun:
             needs=needs,
             duration=given.seconds,
             period=given.period,
-            limits=limits_of(self.model, given.bound.p),
             begin=self.begin,
         )
         other = kept if further is None or alone else Grid(further)
@@ -108,20 +108,26 @@ class SingleRun:
         if other is not kept:
             observers.append(other)
         block = None if isinstance(kept, Steps) else BLOCK
-        if isinstance(kept, Ends) and other is kept and needs is Needs.ENDS:
-            block = IN_PLACE
+        if other is kept and needs is Needs.ENDS and times is None:
+            block = ENDS
         before = (self.provider.compile_s, self.provider.build_s) if self.provider else (0.0, 0.0)
         ending = self.observe(tolerance, scales, observers, block, progress)
         compile_s, build_s = (self.provider.compile_s, self.provider.build_s) if self.provider else (0.0, 0.0)
+        counted = {name: int(ending.last[row]) - self.initial_count(name) for name, row in self.engine.counters.items()}
+        tallied = tally(self.model).layout.split(ending.tally)
+        balance = None
+        if self.model.has_ledger:
+            error, moved, size = (float(tallied[name][0]) for name in ("error", "moved", "size"))
+            balance = Balance(error, moved, size, float(scales.scene[3]), counted["steps"] + 1)
         return Trace(
             tolerance=tolerance,
             ending=ending,
             kept=kept,
             further=other,
             findings=findings,
-            counted={
-                name: int(ending.last[row]) - self.initial_count(name) for name, row in self.engine.counters.items()
-            },
+            counted=counted,
+            tally=tallied,
+            balance=balance,
             compiled=self.provider is not None and self.provider.compiled,
             compile_s=compile_s - before[0],
             build_s=build_s - before[1],
@@ -153,7 +159,7 @@ class SingleRun:
     ) -> Ending:
         """Run, passing the accepted steps to observers in blocks of so many bytes (see `Recorder`).
 
-        block    None: all at once; IN_PLACE: every attempt, accepted or not, as the loop leaves it (see `Passing`)
+        block    None: all at once; ENDS: the first and the last state alone
         """
         integrator = self.engine.integrator
         layout = integrator.layouts.controls
@@ -162,6 +168,7 @@ class SingleRun:
             "c": self.given.bound.c,
             "scale": scales.state,
             "scales": scales.scene,
+            "speed_limits": self.given.speed_limits,
             "tolerance": tolerance,
             "t_end": self.given.seconds,
             "h_max": self.given.seconds / LEAST_STEPS,
@@ -181,17 +188,15 @@ class SingleRun:
         def view(rows: np.ndarray) -> History:
             return History(self.model, rows, controls, integrator, p=p)
 
-        recorder: Passing | Recorder
-        if block == IN_PLACE:
-            recorder = Passing(view, observers)
-            keep = recorder.keep
-        else:
-            recorder = whole = Recorder(view, observers, block)
+        recorder = Recorder(view, observers, block or None)
 
-            def keep(attempts: np.ndarray) -> None:
-                whole.keep(attempts[attempts[:, accepted] == 1])
+        def keep(attempts: np.ndarray) -> None:
+            if block != ENDS:
+                recorder.keep(attempts[attempts[:, accepted] == 1])
 
         ending: Ending = loop(state, controls, keep, wall_time=self.limits.wall_time, progress=progress)
+        if block == ENDS:
+            recorder.keep(np.stack([state, ending.last]))
         with suppress(Exception):  # told by the recorder
             recorder.flush()
         if recorder.error is None:
@@ -233,6 +238,8 @@ class Trace:
     further: Steps | Grid | Ends
     findings: Findings
     counted: Mapping[str, int]
+    tally: Mapping[str, np.ndarray]  # by the names of its layout
+    balance: Balance | None  # None without a ledger
     compiled: bool
     compile_s: float
     build_s: float

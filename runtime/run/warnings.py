@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 
 from hertzwerk.runtime.integrate.loop.automatic import Code
 from hertzwerk.runtime.model.model import Bound, Model
-from hertzwerk.runtime.solution.findings import Findings
 from hertzwerk.runtime.solution.history import constraint_force
 
 
@@ -30,16 +29,13 @@ def open_forces(model: Model, bound: Bound, q: np.ndarray) -> Iterator[str]:
         yield f"redundant constraints leave these forces undetermined; those of least norm are given: {', '.join(names)}"
 
 
-def too_fast(model: Model, findings: Findings) -> Iterator[str]:
-    """Yield one warning of contacts faster than their compliant law allows (material with a density)."""
-    limited = getattr(model.module, "SPEED_LIMITED", ())
-    if not limited:
-        return
-    limits, begun, over, fastest = findings.onsets
-    if not np.any(over):
+def too_fast(model: Model, limits: np.ndarray, tally: Mapping[str, np.ndarray]) -> Iterator[str]:
+    """Yield one warning of contacts faster than the limits [m/s] of their laws (materials with a density)."""
+    begun, over, fastest = (tally[name] for name in ("begun", "over", "fastest"))
+    if not over.any():
         return
     least = np.min(limits, where=over > 0, initial=np.inf)
-    pairs = ", ".join(pair for pair in limited if over[model.pairs.index(pair)])
+    pairs = ", ".join(pair for pair in model.speed_limited if over[model.pairs.index(pair)])
     concerned = np.isfinite(limits)
     yield (
         f"{int(over.sum())} of {int(begun[concerned].sum())} impacts of {pairs} exceed the law's limit "

@@ -1,4 +1,4 @@
-"""Results from all accepted steps of a run, kept or not: contacts, energy balance, choices, sums.
+"""Results from all accepted steps of a run, kept or not: contacts, choices, sums.
 
 They are found block by block as the run proceeds.
 """
@@ -16,9 +16,8 @@ import numpy as np
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.integrate.loop.choose import EXPLICIT, IMPLICIT, STIFF
-from hertzwerk.runtime.solution.energy_balance import Balance, balancing, is_limited
 from hertzwerk.runtime.solution.history import part_of_step
-from hertzwerk.runtime.solution.impacts import crest, onset_speeds
+from hertzwerk.runtime.solution.impacts import crest
 from hertzwerk.runtime.solution.sums import Summing, Sums, inner
 from hertzwerk.runtime.solution.watch import Watch, following
 
@@ -35,7 +34,7 @@ MOST_INTERVALS = 10_000  # most intervals with sums
 
 
 class Needs(enum.Flag):
-    """Parts of a run that are wanted beside its ends and, where it is booked, its balance of energy."""
+    """Parts of a run that are wanted beside its ends."""
 
     ENDS = 0
     IMPACTS = enum.auto()
@@ -53,16 +52,9 @@ def finders(model: Model, integrator: Integrator, needs: Needs) -> list[Blocks]:
     found: list[Blocks] = []
     if peaks and model.k:
         found += [following(model, integrator), crest(model, integrator, 0)]
-    elif is_watched(model, needs):
-        found.append(balancing(model, integrator))
     if needs & (Needs.SUMS | Needs.STEPS):
         found += [part_of_step(model, integrator, 0), *(inner(model, j) for j in range(model.k))]
     return list(dict.fromkeys(found))
-
-
-def is_watched(model: Model, needs: Needs) -> bool:
-    """Return whether steps are watched: for impacts, a balance of energy, or a limit of speed."""
-    return model.has_ledger or is_limited(model) or (model.k > 0 and bool(needs & (Needs.IMPACTS | Needs.STEPS)))
 
 
 class Observer(Protocol):
@@ -112,13 +104,12 @@ class Choices:
 
 
 class Findings:
-    """Impacts, energy residual, choices and sums of a run.
+    """Impacts, choices and sums of a run.
 
     Found as the run proceeds, what is needed of them, or, where steps are kept, on demand.
 
     duration, begin    end and start of the run [s]
     period    of everything that depends on time [s], None where nothing does
-    limits    of approach speeds by pair [m/s] (k,)
     """
 
     def __init__(
@@ -129,16 +120,13 @@ class Findings:
         needs: Needs,
         duration: float,
         period: float | None,
-        limits: np.ndarray,
         begin: float = 0.0,
     ) -> None:
         self._model, self._duration, self._begin, self.period = model, duration, begin, period
-        self._limits = limits
         self._later = Needs.STEPS in needs
         self._needs = EVERYTHING if self._later else needs
         self._steps: list[History] = []
-        peaks = model.k > 0 and Needs.IMPACTS in self._needs
-        self._balance = (Watch if peaks else Balance)(model, limits) if is_watched(model, needs) else None
+        self._watch = Watch(model) if model.k and Needs.IMPACTS in self._needs else None
         self._choices = Choices() if method == "auto" and Needs.CHOICES in self._needs else None
         self._summing = self._new_sums(None) if Needs.SUMS in needs and not self._later else None
 
@@ -147,17 +135,13 @@ class Findings:
         cls,
         model: Model,
         impacts: Sequence[Impact],
-        energy_residual: float | None,
         chosen: Sequence[Choice],
         sums: Sums,
         period: float | None,
     ) -> Findings:
         """Restore the findings of a saved run."""
-        findings = cls(
-            model, "", needs=Needs.STEPS, duration=math.nan, period=period, limits=np.full(model.k, math.inf)
-        )
-        findings.impacts, findings.choices = tuple(impacts), tuple(chosen)
-        findings.energy_residual, findings._sums = energy_residual, sums
+        findings = cls(model, "", needs=Needs.STEPS, duration=math.nan, period=period)
+        findings.impacts, findings.choices, findings._sums = tuple(impacts), tuple(chosen), sums
         return findings
 
     def take(self, block: History, fresh: int) -> None:
@@ -165,7 +149,7 @@ class Findings:
         if self._later:
             self._steps.append(block)
             return
-        for observer in (self._balance, self._choices, self._summing):
+        for observer in (self._watch, self._choices, self._summing):
             if observer is not None:
                 observer.take(block, fresh)
 
@@ -180,39 +164,10 @@ class Findings:
         return observer
 
     @cached_property
-    def _balanced(self) -> Balance | None:
-        return None if self._balance is None else self._observed(self._balance)
-
-    @property
-    def onsets(self) -> tuple[np.ndarray, ...]:
-        """See `Balance.onsets`; of a model with limits of approach speeds.
-
-        Kept steps tell them by themselves, where none has to be followed for a balance.
-        """
-        if self._later and not self._model.has_ledger:
-            of_pairs = [np.concatenate(each) for each in zip(*map(onset_speeds, self._steps), strict=True)]
-            over = (np.count_nonzero(speeds > limit) for speeds, limit in zip(of_pairs, self._limits, strict=True))
-            fastest = (speeds.max(initial=0.0) for speeds in of_pairs)
-            return self._limits, *(np.array([*found]) for found in (map(len, of_pairs), over, fastest))
-        if self._balanced is None:
-            raise LookupError(f"{self._model.name} has no limit of approach speeds")
-        return self._balanced.onsets
-
-    @cached_property
     def impacts(self) -> tuple[Impact, ...]:
         """Every contact in the order of its onset."""
         self._needed(Needs.IMPACTS)
-        return self._balanced.impacts() if isinstance(self._balanced, Watch) else ()
-
-    @cached_property
-    def energy_residual(self) -> float | None:
-        """See `Solution.energy_residual`."""
-        return self._balanced.residual if self._model.has_ledger and self._balanced is not None else None
-
-    @cached_property
-    def energy_unclosed(self) -> float:
-        """See `Balance.unclosed`; 0 without a ledger, for which no step is followed."""
-        return self._balanced.unclosed if self._model.has_ledger and self._balanced is not None else 0.0
+        return () if self._watch is None else self._observed(self._watch).impacts()
 
     @cached_property
     def choices(self) -> tuple[Choice, ...]:
@@ -223,7 +178,7 @@ class Findings:
     def compute_all(self) -> Iterator[str]:
         """Compute everything now, replacing by nothing and reporting what fails, so that the rest is not lost."""
         nothing = Sums(math.nan, *(np.zeros((0, n)) for n in (self._model.k, self._model.k, self._model.nz)))
-        for name, empty in (("impacts", ()), ("energy_residual", None), ("choices", ()), ("_sums", nothing)):
+        for name, empty in (("impacts", ()), ("choices", ()), ("_sums", nothing)):
             try:
                 getattr(self, name)
             except Exception as error:  # whatever it is

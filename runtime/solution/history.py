@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from difflib import get_close_matches
-from typing import Any
 
-import casadi as ca
 import numpy as np
 
 from hertzwerk.derive.faults import Fault, unknown
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.integrate.loop.attempt import Integrator
 from hertzwerk.runtime.integrate.step.explicit import flow
-from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT
+from hertzwerk.runtime.integrate.step.layout import CONTACT, ENERGY_PARTS, FLIGHT
 from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.per_model import per_model
@@ -132,18 +130,7 @@ class History:
     @property
     def energies(self) -> np.ndarray:
         """Kinetic and potential energy [J], springs and touching surfaces included, shape (2, rows)."""
-        return self.balance[:2]
-
-    @cached_property
-    def balance(self) -> np.ndarray:
-        """Kinetic and potential energy, energy dissipated and put in as booked [J], shape (4, rows)."""
-        (found,) = energies_of(self.model, self.engine)(self.controls, self.rows)
-        return found.T
-
-    @property
-    def energy_scale(self) -> float:
-        """The scene's energy scale [J]."""
-        return float(self.controls[self.engine.layouts.controls["scales"]][3])
+        return np.hstack([self.part(name) for name in ENERGY_PARTS]).T
 
     def _of_pair(self, pair: str, part: str, j: int) -> np.ndarray:
         mode = self.part("mode")[:, j]
@@ -312,28 +299,6 @@ def rowwise(model: Model, function: str, constant: int) -> Rowwise:
 @per_model
 def _constraint_forces(model: Model) -> Rowwise:
     return Rowwise(flow(model).holding, constant=4)
-
-
-@per_model
-def energies_of(model: Model, integrator: Integrator) -> Rowwise:
-    """Return the function (controls, state) -> energies [J]: kinetic, potential, dissipated, put in."""
-    vectors = integrator.layouts
-    controls, state = vectors.controls.symbol("controls"), vectors.state.symbol("state")
-    found = energies_at(model, vectors.state.split(state), vectors.controls.split(controls)["c"])
-    return Rowwise(ca.Function("energies", [controls, state], [found]), constant=0)
-
-
-def energies_at(model: Model, at: Mapping[str, Any], c: Any) -> Any:
-    """Return the expressions (4,) of these energies [J] in the parts of a state."""
-    nq, nu = model.nq, model.nu
-    q, u, z = at["y"][:nq], at["y"][nq : nq + nu], at["y"][nq + nu :]
-    kinetic, potential, stored = model.function("energy")(at["t"], q, u, c)
-    touching = ca.sum1(ca.if_else(at["mode"] == CONTACT, stored, 0))
-    dissipated, given = (
-        ca.sum1(z[[i for i, name in enumerate(model.memory) if name.endswith(end)]])
-        for end in (".dissipated", ".input")
-    )
-    return ca.densify(ca.vertcat(kinetic, potential + touching, dissipated, given))
 
 
 @per_model

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 import numpy as np
 
-from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, RELEASED
+from hertzwerk.runtime.integrate.step.layout import FLIGHT
 from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -36,17 +36,6 @@ class Impact:
     peak_force: float
     duration: float | None
     peak_penetration: float
-
-
-def onset_speeds(steps: History) -> list[np.ndarray]:
-    """Return the approach speeds [m/s] of the contacts of each pair (k) of a run whose steps are kept."""
-    speeds = []
-    for mode, gap_rate in zip(steps.part("mode").T, steps.part("gap_rate").T, strict=True):
-        rows = np.flatnonzero(mode != RELEASED)  # released, a contact goes on
-        touching = mode[rows] == CONTACT
-        begins = rows[touching & ~np.concatenate([[False], touching[:-1]])]
-        speeds.append(np.maximum(-gap_rate[begins], 0.0))
-    return speeds
 
 
 def peaks(history: History, pairs: np.ndarray, tops: np.ndarray) -> np.ndarray:

@@ -69,6 +69,13 @@ class Solution:
     statistics: Statistics
     warnings: tuple[str, ...]
     scales: Scales = field(repr=False)
+    energy_residual: float | None = None
+    """Largest error of the energy balance over the largest energy that the run moves.
+
+    The error is |energy - initial energy + dissipated - input| of all accepted steps; the energy moved is kinetic,
+    dissipated, put in, or change of potential, or a millionth of the scene's energy scale where that is more. None
+    without a ledger, and where a failed run holds an energy that is not finite.
+    """
     # None for a run at a tolerance, and where nothing could be compared
     error: ErrorEstimate | None = field(default=None, repr=False)
     checkpoint: Checkpoint | None = field(default=None, repr=False)  # state that a longer run continues from
@@ -157,16 +164,6 @@ class Solution:
     def impacts(self) -> tuple[Impact, ...]:
         """Every contact in the order of its onset."""
         return self.findings.impacts
-
-    @property
-    def energy_residual(self) -> float | None:
-        """Largest error of the energy balance over the largest energy that the run moves.
-
-        The error is |energy - initial energy + dissipated - input| of all accepted steps; the energy moved is
-        kinetic, dissipated, put in, or change of potential, or a millionth of the scene's energy scale where that is
-        more. None without a ledger, and where a failed run holds an energy that is not finite.
-        """
-        return self.findings.energy_residual
 
     def averages(self, *, interval: str | float | None = None, skip: str | float | None = None) -> tuple[Average, ...]:
         """Return averages of the run with 95 % confidence: impact rates, forces, powers.
@@ -267,7 +264,6 @@ class Solution:
             findings=Findings.saved(
                 model,
                 [Impact(**impact) for impact in about["impacts"]],
-                about["energy_residual"],
                 [Choice(**choice) for choice in about["choices"]],
                 Sums.saved(about["sums"], model),
                 about["period"],
@@ -282,6 +278,7 @@ class Solution:
             statistics=Statistics(**about["statistics"]),
             warnings=tuple(about["warnings"]),
             scales=Scales(**{name: np.array(values) for name, values in about["scales"].items()}),
+            energy_residual=about["energy_residual"],
             error=about["error"] and ErrorEstimate.of(about["error"]),
             checkpoint=None if state is None else Checkpoint.saved(about["checkpoint"], state),
         )

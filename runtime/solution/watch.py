@@ -1,4 +1,4 @@
-"""Contacts of a run with its energy balance, followed from step to step by a CasADi function."""
+"""Contacts of a run, followed from step to step by a CasADi function."""
 
 from __future__ import annotations
 
@@ -8,11 +8,10 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 import numpy as np
 
+from hertzwerk.runtime.integrate.loop.tally import approach_speed, begin, is_open
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, Layout
-from hertzwerk.runtime.model.caller import Follower, Scan
+from hertzwerk.runtime.model.caller import Scan
 from hertzwerk.runtime.model.per_model import per_model
-from hertzwerk.runtime.solution import energy_balance
-from hertzwerk.runtime.solution.energy_balance import Balance, approach_speed, begin, is_open
 from hertzwerk.runtime.solution.impacts import KINDS, Impact, peaks
 
 if TYPE_CHECKING:
@@ -27,17 +26,16 @@ BESIDE = np.array([-1, 0, 1])
 TOPS = tuple(f"top_{part}" for part, *_ in KINDS)
 
 
-class Watch(Balance):
-    """Observer of the energy balance and of every contact of a run; keeps only rows beside their tops.
+class Watch:
+    """Observer of every contact of a run; keeps only rows beside their tops.
 
     A contact begins at a row in contact and ends at the next in flight; between them it may be released and touch
     again.
-
-    limits    approach speeds [m/s] by pair (k,)
     """
 
-    def __init__(self, model: Model, limits: np.ndarray) -> None:
-        super().__init__(model, limits)
+    def __init__(self, model: Model) -> None:
+        self._model, self._layout = model, carried(model)
+        self._last = np.zeros(self._layout.size)  # what is carried on
         self._view: History
         self._rows = 0
         self._kept: dict[int, np.ndarray] = {}  # rows beside the tops of open contacts, by number
@@ -45,19 +43,12 @@ class Watch(Balance):
         self._tops: list[np.ndarray] = []  # of contacts whose peaks are not known yet
         self._peaks: list[np.ndarray] = []
 
-    @staticmethod
-    def _layout_for(model: Model) -> Layout:
-        return carried(model)
-
-    @staticmethod
-    def _follower_for(model: Model, integrator: Integrator) -> Follower:
-        return following(model, integrator)
-
     def take(self, block: History, fresh: int) -> None:
         """Take the next accepted steps; see `Observer`."""
         self._view, before = block.of(block.rows[-1:].copy()), self._rows - fresh
+        follow = following(self._model, block.engine)
         for first in range(fresh, len(block.rows), PIECE):
-            found = self._followed(block, block.rows[first : first + PIECE])
+            found = follow(self._last, block.rows[first : first + PIECE])
             self._last, self._rows = found[-1].copy(), before + first + len(found)
             rows, pairs = np.nonzero(found[:, self._layout["ends"]])
             if len(rows):
@@ -135,23 +126,22 @@ class Watch(Balance):
 
 @per_model
 def carried(model: Model) -> Layout:
-    """Return the layout of what is carried from row to row: that of the balance, then of each pair.
+    """Return the layout of what is carried from row to row: the number of rows, then of each pair.
 
     Whether its contact is open, whether it touches, whether its contact ends at this row, and of the last contact
     onset t [s], approach speed [m/s], when it was left [s], onset and tops (rows), and largest values.
     """
     of_pairs = ("open", "touching", "ends", *ONSET, "onset", *TOPS, *(part for part, *_ in KINDS))
-    return Layout({**energy_balance.carried(model).sizes, **dict.fromkeys(of_pairs, model.k)})
+    return Layout({"row": 1, **dict.fromkeys(of_pairs, model.k)})
 
 
 @per_model
 def following(model: Model, integrator: Integrator) -> Scan:
-    """Build the function (controls, carried, state) -> carried after one more row."""
-    vectors, layout = integrator.layouts, carried(model)
-    controls, state, last = vectors.controls.symbol("controls"), vectors.state.symbol("state"), layout.symbol("carried")
-    at, was = vectors.state.split(state), layout.split(last)
-    new = {**was, **energy_balance.later(model, at, was, vectors, controls), **_of_pairs(at, was)}
-    return Scan(ca.Function("following", [controls, last, state], [layout.join(new)]))
+    """Build the function (carried, state) -> carried after one more row."""
+    vectors, layout = integrator.layouts.state, carried(model)
+    last, state = layout.symbol("carried"), vectors.symbol("state")
+    new = {"row": last[0] + 1, **_of_pairs(vectors.split(state), layout.split(last))}
+    return Scan(ca.Function("following", [last, state], [layout.join(new)]))
 
 
 def _of_pairs(at: dict[str, Any], was: dict[str, Any]) -> dict[str, Any]:

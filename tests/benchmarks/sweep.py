@@ -68,7 +68,7 @@ def rows(
 
 def bare_loop(model: Any, given: Mapping[str, str], duration: float) -> Callable[[], object]:
     """The march of a run by itself: compiled chunks until the end, nothing kept."""
-    from hertzwerk.runtime.run.recorder import IN_PLACE
+    from hertzwerk.runtime.run.recorder import ENDS
     from hertzwerk.runtime.run.request import Settings, read
     from hertzwerk.runtime.run.single_run import set_up
 
@@ -76,7 +76,7 @@ def bare_loop(model: Any, given: Mapping[str, str], duration: float) -> Callable
     inputs, _ = read(model, settings, given, {})
     run = set_up(model, settings, inputs)
     scales = run.scales(TOLERANCE)
-    return lambda: run.observe(TOLERANCE, scales, [], IN_PLACE)
+    return lambda: run.observe(TOLERANCE, scales, [], ENDS)
 
 
 def processor_time(action: Callable[[], object]) -> float:

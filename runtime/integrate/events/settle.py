@@ -32,14 +32,12 @@ from hertzwerk.runtime.integrate.step.explicit import Flow, short_step
 from hertzwerk.runtime.integrate.step.layout import (
     CONSTRAINT_LOST,
     CONTACT,
+    END_PARTS,
     EVENT_LIMIT,
-    EVENT_PARTS,
     FINISHED,
     FLIGHT,
-    GRIP_PARTS,
     NOT_FINITE,
     OUTSIDE_LAW_RANGE,
-    PAIR_PARTS,
     RUNNING,
     STEP_TOO_SMALL,
     TOO_MANY_STEPS,
@@ -56,7 +54,7 @@ if TYPE_CHECKING:
 
 NUDGE_EVALUATIONS = 4
 MAX_RETAKES = 60  # of one step; a landing needs 1 to 3
-MOVED = ("t", "y", "dy", *PAIR_PARTS, *GRIP_PARTS, *EVENT_PARTS, "ahead")  # the parts of a state that a step moves
+MOVED = ("t", "y", "dy", *END_PARTS)  # the parts of a state that a step moves
 
 
 def settle(model: Model, vectors: Layouts, table: Table, right: Flow) -> Any:

@@ -13,8 +13,9 @@ import numpy as np
 from hertzwerk.runtime.host.interrupt import defer_interrupts
 from hertzwerk.runtime.integrate.loop.attempt import Integrator
 from hertzwerk.runtime.integrate.loop.choose import PATIENCE
+from hertzwerk.runtime.integrate.loop.tally import tally
 from hertzwerk.runtime.integrate.step.layout import CALM, RUNNING, SUSPECT, TOO_MANY_STEPS
-from hertzwerk.runtime.model.caller import Caller, Callers
+from hertzwerk.runtime.model.caller import Callers
 
 ROOM = 1.05  # of a step: if less is left to the end, the step may have been cut to end there
 SIZE = (16, 16)  # attempts per call, nested: calls of a function, attempts in it
@@ -23,20 +24,23 @@ INTERRUPTED, WALL_TIME_LIMIT, EXCEPTION = TOO_MANY_STEPS + 1, TOO_MANY_STEPS + 2
 
 
 def chunk(integrator: Integrator, sizes: tuple[int, ...] = SIZE) -> Any:
-    """Build the function (state, controls) -> states (ns, attempts), one column after each attempt.
+    """Build the function (state, controls, tally) -> states (ns, attempts), tally after all of them.
 
-    As CasADi's mapaccum, but without a copy of the constant controls for each attempt.
+    A column after each attempt, as CasADi's mapaccum, but without a copy of the constant controls for each attempt.
     """
-    many = integrator.attempt
+    counting, layouts = tally(integrator.model), integrator.layouts
+    lengths = {"state": layouts.state.size, "controls": layouts.controls.size, "tally": counting.layout.size}
+    given = state, controls, counted = [ca.MX.sym(name, length) for name, length in lengths.items()]
+    after = integrator.attempt.call([state, controls], True, False)[0]  # it is written out: a call costs
+    many = ca.Function("attempt", given, [after, counting.add(counted, after, controls)])
     for i, size in enumerate(sizes):
-        first = state = ca.MX.sym("state", integrator.layouts.state.size)
-        controls = ca.MX.sym("controls", integrator.layouts.controls.size)
-        states = []
+        (state, _, counted), states = given, []
         for _ in range(size):
-            states.append(many.call([state, controls], i == 0, False)[0])  # an attempt is written out: a call costs
-            state = states[-1][:, -1]
+            found, counted = many.call([state, controls, counted], i == 0, False)
+            states.append(found)
+            state = found[:, -1]
         name = "chunk" if i + 1 == len(sizes) else f"attempts_{i}"
-        many = ca.Function(name, [first, controls], [ca.horzcat(*states)], ["state", "controls"], ["states"])
+        many = ca.Function(name, given, [ca.horzcat(*states), counted], [*lengths], ["states", "counted"])
     return many
 
 
@@ -53,13 +57,14 @@ class Resume:
 
 @dataclass(frozen=True)
 class Ending:
-    """End of the loop: last state (accepted or not), status, time taken [s], state to resume from, error.
+    """End of the loop: last state (accepted or not), tally, status, and time taken [s].
 
-    resume    None where that is not known
-    error     exception that ended the loop
+    resume     state to resume from, None where that is not known
+    error      exception that ended the loop
     """
 
     last: np.ndarray
+    tally: np.ndarray
     status: int
     wall_s: float
     resume: Resume | None = None
@@ -110,91 +115,143 @@ def march(
             those that count are `accepted`
     with_choice   begin with steps that choose between methods
     """
-    provider.begin()
-    layout = integrator.layouts.state
-    t, h, status, accepted = (layout[name].start for name in ("t", "h", "status", "accepted"))
-    pressure = layout["pressure"].start
-    t_end = float(controls[integrator.layouts.controls["t_end"].start])
-    t_start = float(state[t])
-    max_steps, steps = float(controls[integrator.layouts.controls["max_steps"].start]), layout["steps"].start
-    rejected, retaken = (layout[name].start for name in ("rejected", "retaken"))
-    most_in_vain = max_steps - state[steps] + state[rejected] + state[retaken]  # as many as steps may be accepted
+    run = _March(provider, integrator, Resume(state, with_choice), controls)
     error: Exception | None = None
-    callers, call = _called(provider, controls)
-    may_switch = provider.may_switch
-    start, done, resume = time.perf_counter(), 0.0, Resume(state, with_choice)
-    spent = 0.0  # s of the processor on attempts alone: neither what else it does nor what is built tells the pace
-    free = True  # of where the run is to end
-    outcome = int(state[status])
 
     def poll() -> None:
         interrupts()
         if progress is not None:
-            progress(done)
+            progress(run.done)
 
     try:
         with defer_interrupts() as interrupts:
-            first = state[None].copy()
-            first[0, accepted] = 1.0
-            keep(first)
-            if with_choice:
-                provider.use_choice(poll)
-                callers.give_back(call)
-                callers, call = _called(provider, controls)
-            while outcome == RUNNING:
-                call.inputs[0][:] = state
-                began = time.thread_time() if may_switch else 0.0
-                (part,) = call()
-                spent += time.thread_time() - began if may_switch else 0.0
-                outcome, chooses = int(part[-1, status]), with_choice
-                if outcome != RUNNING:  # attempts after the end repeat it
-                    part = part[: np.flatnonzero(part[:, status] != RUNNING)[0] + 1]
-                if outcome in (SUSPECT, CALM):
-                    chooses = outcome == SUSPECT
-                    outcome = part[-1, status] = RUNNING
-                    # the next step that is stiff indeed decides
-                    part[-1, pressure] = PATIENCE - 1 if chooses else 0.0
-                state = part[-1].copy()
-                if free and outcome == RUNNING and ROOM * part[:, h].max() < t_end - part[-1, t]:
-                    resume = Resume(state, chooses)
-                elif free:
-                    bound = (part[:, status] != RUNNING) | (ROOM * part[:, h] >= t_end - part[:, t])
-                    free = not bound.any()
-                    last = len(part) if free else int(bound.argmax())
-                    if last:
-                        resume = Resume(part[last - 1].copy(), chooses if free else with_choice)
-                keep(part)
-                elapsed = time.perf_counter() - start
-                if outcome == RUNNING and state[rejected] + state[retaken] > most_in_vain:
-                    outcome = TOO_MANY_STEPS
-                if outcome == RUNNING and elapsed > wall_time:
-                    outcome = WALL_TIME_LIMIT
-                done = (float(state[t]) - t_start) / (t_end - t_start)
+            keep(run.first())
+            run.change_method(with_choice, poll)
+            while run.status == RUNNING:
+                states, with_choice = run.attempts()
+                run.note_resume(states, with_choice)
+                keep(states)
+                run.stop_at_limits(wall_time)
                 poll()
-                turned, with_choice = chooses != with_choice, chooses
-                if turned and chooses:
-                    provider.use_choice(poll)
-                elif turned:
-                    provider.begin()
-                changed = False
-                if outcome == RUNNING and may_switch:
-                    pace = max(done, float(state[steps]) / max_steps, 1e-9)
-                    ahead = min(spent / pace - spent, wall_time - elapsed)
-                    changed = provider.switch_if_faster(spent, ahead, poll)
-                if turned or changed:
-                    callers.give_back(call)
-                    callers, call = _called(provider, controls)
+                run.change_method(with_choice, poll)
+                run.compile_if_faster(wall_time, poll)
     except KeyboardInterrupt:
-        outcome = INTERRUPTED
+        run.status = INTERRUPTED
     except Exception as raised:
-        outcome, error = EXCEPTION, raised
-    callers.give_back(call)
-    return Ending(state, outcome, time.perf_counter() - start, resume, error)
+        run.status, error = EXCEPTION, raised
+    return run.end(error)
 
 
-def _called(provider: CallerProvider, controls: np.ndarray) -> tuple[Callers, Caller]:
-    """Return the callers of a run, and a call with the controls of the run set."""
-    callers = provider.callers
-    call = callers.take()
-    call.inputs[1][:] = controls
-    return callers, call
+class _March:
+    """A run in progress: its last state and tally, its status, the state to resume from, and its pace."""
+
+    def __init__(self, provider: CallerProvider, integrator: Integrator, start: Resume, controls: np.ndarray) -> None:
+        state, layouts = start.state, integrator.layouts
+        self._provider, self._controls, self._at = provider, controls, layouts.state.places
+        self._t_end, self._max_steps = (controls[layouts.controls.places[name]] for name in ("t_end", "max_steps"))
+        self._t_start, self._most_in_vain = state[self._at["t"]], self._max_steps - state[self._at["steps"]]
+        self._most_in_vain += self._in_vain(state)  # as many as steps may be accepted
+        self.status, self._state, self._resume = int(state[self._at["status"]]), state, start
+        (self._tally,) = tally(integrator.model).first(state, controls)
+        self._free = True  # of where the run is to end
+        self._with_choice = False
+        self._began = time.perf_counter()
+        self._spent = (
+            0.0  # s of the processor on attempts alone: neither what else it does nor what is built tells the pace
+        )
+        provider.begin()
+        self._take_callers()
+
+    @property
+    def done(self) -> float:
+        """Fraction of the run that is done."""
+        return float((self._state[self._at["t"]] - self._t_start) / (self._t_end - self._t_start))
+
+    def first(self) -> np.ndarray:
+        """Return the first state as one that was accepted, shape (1, ns)."""
+        first = self._state[None].copy()
+        first[0, self._at["accepted"]] = 1.0
+        return first
+
+    def attempts(self) -> tuple[np.ndarray, bool]:
+        """Make attempts; return the states up to the end of the run, and whether to choose methods then."""
+        status, timed = self._at["status"], self._provider.may_switch
+        self._call.inputs[0][:], self._call.inputs[2][:] = self._state, self._tally
+        began = time.thread_time() if timed else 0.0
+        states, (tallied,) = self._call()
+        self._spent += time.thread_time() - began if timed else 0.0
+        self.status, chooses = int(states[-1, status]), self._with_choice
+        if self.status != RUNNING:  # attempts after the end repeat it
+            states = states[: np.flatnonzero(states[:, status] != RUNNING)[0] + 1]
+        if self.status in (SUSPECT, CALM):
+            chooses = self.status == SUSPECT
+            self.status = states[-1, status] = RUNNING
+            # the next step that is stiff indeed decides
+            states[-1, self._at["pressure"]] = PATIENCE - 1 if chooses else 0.0
+        self._state, self._tally = states[-1].copy(), tallied.copy()
+        return states, chooses
+
+    def note_resume(self, states: np.ndarray, chooses: bool) -> None:
+        """Note the last of the next states that is independent of where the run is to end."""
+        if not self._free:
+            return
+        t, h = states[:, self._at["t"]], states[:, self._at["h"]]
+        if self.status == RUNNING and ROOM * h.max() < self._t_end - t[-1]:
+            self._resume = Resume(self._state, chooses)
+            return
+        bound = (states[:, self._at["status"]] != RUNNING) | (ROOM * h >= self._t_end - t)
+        self._free = not bound.any()
+        last = len(states) if self._free else int(bound.argmax())
+        if last:
+            self._resume = Resume(states[last - 1].copy(), chooses if self._free else self._with_choice)
+
+    def stop_at_limits(self, wall_time: float) -> None:
+        """End the run where its attempts in vain, or its time [s], have reached their limit."""
+        if self.status == RUNNING and self._in_vain(self._state) > self._most_in_vain:
+            self.status = TOO_MANY_STEPS
+        if self.status == RUNNING and self._elapsed > wall_time:
+            self.status = WALL_TIME_LIMIT
+
+    def change_method(self, chooses: bool, poll: Callable[[], object]) -> None:
+        """Go on with steps that choose between methods, or with explicit ones alone."""
+        turned, self._with_choice = chooses != self._with_choice, chooses
+        if not turned:
+            return
+        if chooses:
+            self._provider.use_choice(poll)
+        else:
+            self._provider.begin()
+        self._change_callers()
+
+    def compile_if_faster(self, wall_time: float, poll: Callable[[], object]) -> None:
+        """Go on compiled, if that saves more time [s] than it takes."""
+        if self.status != RUNNING or not self._provider.may_switch:
+            return
+        pace = max(self.done, self._state[self._at["steps"]] / self._max_steps, 1e-9)
+        ahead = min(self._spent / pace - self._spent, wall_time - self._elapsed)
+        if self._provider.switch_if_faster(self._spent, ahead, poll):
+            self._change_callers()
+
+    def end(self, error: Exception | None) -> Ending:
+        """Return how the run ended."""
+        self._callers.give_back(self._call)
+        return Ending(self._state, self._tally, self.status, self._elapsed, self._resume, error)
+
+    @property
+    def _elapsed(self) -> float:
+        """Time [s] since the run began."""
+        return time.perf_counter() - self._began
+
+    def _in_vain(self, state: np.ndarray) -> float:
+        """Return the number of attempts that were not accepted."""
+        return float(state[self._at["rejected"]] + state[self._at["retaken"]])
+
+    def _take_callers(self) -> None:
+        """Call the provider's function from now on, with the controls of the run set."""
+        self._callers = self._provider.callers
+        self._call = self._callers.take()
+        self._call.inputs[1][:] = self._controls
+
+    def _change_callers(self) -> None:
+        self._callers.give_back(self._call)
+        self._take_callers()

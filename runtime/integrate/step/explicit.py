@@ -10,7 +10,7 @@ import casadi as ca
 
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, Contacts, active_contacts, masked
 from hertzwerk.runtime.integrate.step.closing import LOST, Closing, closing
-from hertzwerk.runtime.integrate.step.layout import EVENT_PARTS, GRIP_PARTS, PAIR_PARTS
+from hertzwerk.runtime.integrate.step.layout import ENERGY_PARTS, EVENT_PARTS, GRIP_PARTS, PAIR_PARTS
 from hertzwerk.runtime.integrate.step.rounding import EPS
 from hertzwerk.runtime.integrate.step.set_valued_friction import forces as friction_forces
 from hertzwerk.runtime.integrate.step.set_valued_friction import grips, may_slip, pairs_of
@@ -33,8 +33,9 @@ class Flow:
     rates:  dy/dt (ny)
     ends:   dy/dt; gap, gap rate, gap acceleration (k each); raw normal force and its rate along the flow (k each, 0
             unless in contact); in_range (k); of the pairs with set-valued friction (ns each, 0 unless in contact): force
-            along the tangent, margin, rate of the margin; of the effects' events (ne): margin [1] and its rate [1/s]; time
-            to a singular position (1, none in a tree)
+            along the tangent, margin, rate of the margin; of the effects' events (ne): margin [1] and its rate [1/s]; kinetic
+            and potential energy (1 each, none without a ledger), touching surfaces included; time to a singular
+            position (1, none in a tree)
     holding: constraint forces of the loops (nl) [N or N m]; None in a tree
     """
 
@@ -123,15 +124,25 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
                     *(gap, gap_rate, gap_acceleration, forces, force_rate, in_range),
                     *(friction, margin, margin_rate),
                     *(event, event_rate),
+                    *_energies(model, contacts, mode, (t, q, u, c)),
                     time_to_singular(model, t, q, dq, c),
                 ]
             ),
             names,
-            ["dy", *PAIR_PARTS, "in_range", *GRIP_PARTS, *EVENT_PARTS, "ahead"],
+            ["dy", *PAIR_PARTS, "in_range", *GRIP_PARTS, *EVENT_PARTS, *ENERGY_PARTS, "ahead"],
         ),
         holding=ca.Function("holding", arguments, multipliers, names, ["multipliers"]) if model.nl else None,
         closing=closing(model),
     )
+
+
+def _energies(model: Model, contacts: Contacts, mode: Any, at: tuple[Any, ...]) -> tuple[Any, Any]:
+    """Return kinetic and potential energy [J] at (t, q, u, c), springs and touching surfaces included."""
+    if not model.has_ledger:
+        return ca.SX(0, 1), ca.SX(0, 1)
+    kinetic, potential, stored = model.function("energy")(*at)
+    touching = (masked(active, stored[j]) for j, _, active in active_contacts(model, contacts, mode))
+    return kinetic, potential + sum(touching, ca.SX(0))
 
 
 def explicit_step(

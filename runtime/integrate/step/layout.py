@@ -36,6 +36,11 @@ class Layout:
         ends = accumulate(self.sizes.values())
         return {name: slice(end - size, end) for (name, size), end in zip(self.sizes.items(), ends, strict=True)}
 
+    @cached_property
+    def places(self) -> dict[str, int]:
+        """Place of every part's first entry."""
+        return {name: part.start for name, part in self._slices.items()}
+
     def __getitem__(self, name: str) -> slice:
         return self._slices[name]
 
@@ -101,6 +106,14 @@ EVENT_PARTS = (
     "event",
     "event_rate",
 )  # likewise, of the effects' events: margins beside their sizes [1], and rates [1/s]
+ENERGY_PARTS = ("kinetic", "potential")  # likewise, where a ledger is booked [J]
+END_PARTS = (
+    *PAIR_PARTS,
+    *GRIP_PARTS,
+    *EVENT_PARTS,
+    *ENERGY_PARTS,
+    "ahead",
+)  # all that a step's end has beside t, y, dy
 
 
 @per_model
@@ -109,14 +122,16 @@ def layouts(model: Model) -> Layouts:
 
     State: t [s]; y = q, u, z; dy = dy/dt under the modes; mode and m (latches, slips); gap, gap_rate,
     gap_acceleration and force, force_rate of each pair, friction, margin and margin_rate of those with set-valued
-    friction (see `friction`) [SI]; event, event_rate of each event of an effect (see `jumps`); ahead [s], the time to a
-    singular position, where loops are closed (see `singular`); h [s] the step to try next; h_flight, h_contact, h_onset
-    [s] remembered; class (see `classes`), status; method, pressure, wary, stiffness (see `choose`); accepted,
-    fresh_contact (a contact has just begun), after_rejection; then counters.
+    friction (see `friction`) [SI]; event, event_rate of each event of an effect (see `jumps`); kinetic and potential
+    energy [J] where a ledger is booked; ahead [s], the time to a singular position, where loops are closed (see
+    `singular`); h [s] the step to try next; h_flight, h_contact, h_onset [s] remembered; class (see `classes`), status;
+    method, pressure, wary, stiffness (see `choose`); accepted, fresh_contact (a contact has just begun),
+    after_rejection; then counters.
     """
     ny, k, nm = model.nq + model.nu + model.nz, model.k, model.nm
     pairs = dict.fromkeys(PAIR_PARTS, k) | dict.fromkeys(GRIP_PARTS, model.ns)
-    pairs |= dict.fromkeys(EVENT_PARTS, model.ne) | {"ahead": min(model.nl, 1)}
+    pairs |= dict.fromkeys(EVENT_PARTS, model.ne) | dict.fromkeys(ENERGY_PARTS, int(model.has_ledger))
+    pairs["ahead"] = min(model.nl, 1)
     steps = ("h", "h_flight", "h_contact", "h_onset", "class", "status")
     choice = ("method", "pressure", "wary", "stiffness")
     flags = ("accepted", "fresh_contact", "after_rejection")
@@ -128,7 +143,10 @@ def layouts(model: Model) -> Layouts:
             | pairs
             | dict.fromkeys((*steps, *choice, *flags, *counters), 1)
         ),
-        controls=Layout({"c": model.nc, "scale": ny, "scales": 4} | dict.fromkeys(limits, 1)),
+        controls=Layout(
+            {"c": model.nc, "scale": ny, "scales": 4, "speed_limits": len(model.speed_limited) and k}
+            | dict.fromkeys(limits, 1)
+        ),
         trial=Layout({"t": 1, "y": ny, "dy": ny} | pairs | {"in_range": k, "error": 1}),
         verdict=Layout({"kind": 1, "error": 1, "in_range": k}),
     )

@@ -1,7 +1,5 @@
 """Steps are followed by functions of blocks, as C too: against row after row, against the virtual machine, and against a plain loop."""
 
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 
@@ -12,7 +10,6 @@ from hertzwerk.runtime.run.request import Settings
 from hertzwerk.runtime.simulation import solve
 from hertzwerk.runtime.solution import findings, watch
 from hertzwerk.runtime.solution.findings import Needs
-from hertzwerk.runtime.solution.impacts import onset_speeds
 
 SETTINGS = Settings("6 ms", None, 1e-6, compiled=False)
 WANTED = Needs.IMPACTS | Needs.SUMS
@@ -46,9 +43,9 @@ def test_what_is_found_as_c_is_bitwise_what_is_found_without(run):
 def test_a_table_is_followed_as_its_rows_one_after_another(run, count):
     follow, rows = watch.following(run.model, run.history.engine), run.history.rows[-count:]
     carried = np.zeros(watch.carried(run.model).size)
-    whole = follow(run.history.controls, carried, rows)
+    whole = follow(carried, rows)
     for row, expected in zip(rows, whole, strict=True):
-        (carried,) = follow(run.history.controls, carried, row[None])
+        (carried,) = follow(carried, row[None])
         np.testing.assert_array_equal(carried, expected)
 
 
@@ -69,11 +66,3 @@ def test_contacts_are_those_of_a_plain_loop(run):
         for peak, name in ((impact.peak_force, "normal_force"), (impact.peak_penetration, "penetration")):
             largest = run[f"slider_pin.{name}"][within].max()
             assert largest <= peak <= 1.2 * largest
-    (speeds,) = onset_speeds(run.history)
-    assert speeds.tolist() == [impact.speed for impact in run.impacts]
-
-
-def test_a_contact_that_is_released_and_touches_again_begins_once():
-    parts = {"mode": np.array([[0, 1, 2, 1, 0, 2, 1]]).T, "gap_rate": -np.arange(7.0)[:, None]}
-    (speeds,) = onset_speeds(SimpleNamespace(part=parts.__getitem__))
-    assert speeds.tolist() == [1.0, 6.0]

@@ -2,19 +2,16 @@
 
 from collections import Counter
 
-import numpy as np
 import pytest
 
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.model.caller import Caller
 from hertzwerk.runtime.run import recorder
 from hertzwerk.runtime.run.request import Settings
-from hertzwerk.runtime.solution import energy_balance
 from hertzwerk.runtime.sweeps.row_job import Job
 from hertzwerk.runtime.sweeps.row_outputs import chosen, finals
 
-LOOP = ("chunk", "balancing")  # functions of the loop: attempts, and the balance that the outcome needs
-BESIDE = 11  # calls of a function beside those: constants, start, scales, limits, first state
+BESIDE = 12  # calls of a function beside the loop's: constants, start, scales, limits, first state and its tally
 
 
 @pytest.fixture(scope="module")
@@ -44,37 +41,32 @@ def calls(model, monkeypatch, duration, outputs=()):
 
 def test_a_row_of_final_states_calls_little_beside_its_loop_however_long_it_is(model, monkeypatch):
     short, long = (calls(model, monkeypatch, duration) for duration in ("6 ms", "24 ms"))
-    beside = [sum(n for name, n in counted.items() if name not in LOOP) for counted in (short, long)]
+    beside = [sum(n for name, n in counted.items() if name != "chunk") for counted in (short, long)]
     assert beside[0] == beside[1] <= BESIDE
     assert not {"following", "crest", "inner", "energies"} & long.keys()
-    # one for the start, one a chunk, and those that the last chunk is divided into
-    assert long["balancing"] <= 1 + len(range(0, 2000, 256)) + 7 + 7 + 3
+    assert long["chunk"] <= len(range(0, 2000, 256))
 
 
 def test_the_count_sees_what_is_found_where_outputs_ask_for_it(model, monkeypatch):
     """The fault that the test above has to notice: a row that follows its contacts."""
     found = calls(model, monkeypatch, "24 ms", ("impacts", "peak_force"))
     assert {"following", "crest"} <= found.keys()
-    assert "balancing" not in found
 
 
-def test_no_attempt_is_copied_for_final_states(model, monkeypatch):
-    shown = []
-    take = energy_balance.Balance.take
+def test_no_attempt_is_passed_on_for_final_states(model, monkeypatch):
+    passed, keep = [], recorder.Recorder.keep
 
-    def taking(self, block, fresh):
-        shown.append(block.rows)
-        take(self, block, fresh)
+    def keeping(self, rows):
+        passed.append(len(rows))
+        keep(self, rows)
 
-    monkeypatch.setattr(energy_balance.Balance, "take", taking)
-    monkeypatch.setattr(recorder.Recorder, "keep", lambda *_: pytest.fail("rows are gathered"))
+    monkeypatch.setattr(recorder.Recorder, "keep", keeping)
     row = Job(model, Settings("24 ms", None, 1e-6, compiled=False), finals(model)).do((0, {"clearance": "0.3 mm"}))
     assert row.outcome == "finished"
-    assert len(shown) > 3
-    assert np.shares_memory(shown[1], shown[2])  # that of the loop
+    assert passed == [2]  # the first and the last state
 
 
-def test_what_is_found_in_place_is_bitwise_what_a_run_with_its_steps_has(model):
+def test_what_the_loop_finds_is_bitwise_what_a_run_with_its_steps_has(model):
     given = {"clearance": "0.3 mm"}
     row = Job(
         model,
