@@ -53,6 +53,8 @@ if TYPE_CHECKING:  # the list of public names
         T as T,
         Varying as Varying,
         coordinate_of as coordinate_of,
+        normal_force_of as normal_force_of,
+        reaction_of as reaction_of,
         speed_of as speed_of,
         state_of as state_of,
     )

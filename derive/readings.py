@@ -132,7 +132,7 @@ class _Readings:
             (pair.pair.name, list(self._contact(*entry))) for entry in self.system.contacts for pair in entry[:1]
         ]
         groups = [*contacts, *self._groups()]
-        inputs = ("t q u z m friction c", "t q u a touching multipliers c")
+        inputs = ("t q u z m friction c", "t q u a touching multipliers reactions c")
         parts = (contacts, groups[len(contacts) :])
         titles = "Readings of contacts, which hold while they touch.", "Readings of motion, energy and forces."
         functions = [

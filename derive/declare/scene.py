@@ -23,7 +23,7 @@ from hertzwerk.derive.laws.catalogue import LAWS
 from hertzwerk.derive.laws.law import BoundLaw, Law
 from hertzwerk.derive.laws.law_call import bound_law, split_call, split_laws
 from hertzwerk.derive.mechanism.bodies import Body, Slot
-from hertzwerk.derive.mechanism.joints.joint import Freedom
+from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
 from hertzwerk.derive.mechanism.mechanism import Mechanism
 from hertzwerk.derive.mechanism.pair import Pair
 from hertzwerk.derive.mechanism.parameter import (
@@ -251,6 +251,26 @@ class Scene:
     def states(self) -> dict[str, State]:
         """States of the effects by their names, `motor.current`."""
         return {f"{effect.name}.{state.name}": state for effect in self._placed for state in effect.states(self)}
+
+    def joint_of(self, key: str) -> Joint:
+        """The joint as declared that has a freedom."""
+        return next(joint for joint in self.mechanism.joints if key in [freedom.key for freedom in joint.freedoms])
+
+    @cached_property
+    def carrying(self) -> tuple[str, ...]:
+        """Joints whose reaction can be read: those that carry their body along two directions or more."""
+        return tuple(j.name for j in self.mechanism.joints if j.freedoms and len(j.sliding) < 2)
+
+    @cached_property
+    def held(self) -> tuple[str, ...]:
+        """Joints whose reaction an effect reads, in declared order."""
+        asked = {name for effect in self._placed for name in effect.reactions(self)}
+        return tuple(joint.name for joint in self.mechanism.joints if joint.name in asked)
+
+    @cached_property
+    def pressed(self) -> tuple[str, ...]:
+        """Pairs with a contact."""
+        return tuple(effect.pair for effect in self.all(Contact))
 
     @property
     def _placed(self) -> Iterator[Effect]:

@@ -5,23 +5,25 @@ A user-defined kind of effect is one such class; the defaults are declared here.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, Protocol
 
 import sympy as sp
 
 from hertzwerk.derive.algebra.vectors import Matrix, Vector, apply
-from hertzwerk.derive.effects.state_expression import SPEED
+from hertzwerk.derive.effects.state_expression import REACTION, SPEED, states_in
 from hertzwerk.derive.faults import Fault, InputError, one_of
 from hertzwerk.derive.laws.law import BoundLaw, Law
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Direction, Frame, Ground, Point, Slot
-from hertzwerk.derive.mechanism.joints.joint import Freedom
+from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
 from hertzwerk.derive.mechanism.mechanism import Mechanism
 from hertzwerk.derive.program.program import Tape
 
 DISSIPATED, INPUT = "dissipated", "input"
 APPLIED, CONTACT, NOWHERE = "applied", "contact", ""
+FORCE, RADIAL, FRONT, REAR = "force", "radial force", "force of the front pad", "force of the rear pad"
+"""Parts of a reaction: of a guide by two pads, a length apart, about the child's point."""
 
 Mark = tuple[str, str, Point, Mapping[str, Any]]
 """Landmark of an effect: kind, place, point, and directions and sizes there."""
@@ -100,6 +102,17 @@ class Declared(Protocol):
     def states(self) -> Mapping[str, State]:
         """States of the effects, `motor.current`, by their names."""
 
+    @property
+    def carrying(self) -> Sequence[str]:
+        """Joints whose reaction can be read."""
+
+    @property
+    def pressed(self) -> Sequence[str]:
+        """Pairs with a contact."""
+
+    def joint_of(self, key: str) -> Joint:
+        """The joint that has a freedom."""
+
     def geometry(self, pair: str) -> Mapping[str, Any]:
         """Geometry of a pair by name; empty for an unknown pair."""
 
@@ -144,6 +157,9 @@ class Kinematics(Protocol):
 
     def state(self, name: str) -> Any:
         """State of an effect, `motor.current`."""
+
+    def reaction(self, joint: str, part: str = FORCE, length: Any = None) -> Any:
+        """Magnitude of the force that a joint carries, or of a part of it [N]."""
 
     def on_joint(self, key: str, force: Any, name: str) -> dict[str, Any]:
         """Generalised forces of a force along a slide or a torque about a turn.
@@ -245,6 +261,11 @@ class Effect:
     def slots(self, scene: Declared) -> Iterator[Slot]:
         """Yield its quantities in declared order; called only if its joints are freedoms of the scene."""
         return iter(())
+
+    def reactions(self, scene: Declared) -> Iterator[str]:
+        """Yield the joints whose reaction it reads, by default in its expressions; called as `slots` is."""
+        symbols = (symbol for slot in self.slots(scene) for symbol in states_in(slot.value))
+        return (symbol.joint for symbol in symbols if symbol.what == REACTION)
 
     def states(self, scene: Declared) -> Iterator[State]:
         """Yield the states that it integrates, or changes at events; called as `slots` is."""

@@ -14,7 +14,7 @@ import sympy as sp
 
 from hertzwerk.derive.algebra.vectors import Vector, apply, dot
 from hertzwerk.derive.effects.effect import Declared, Effect, Element, JointEffect, Kinematics, Mark, axes_faults
-from hertzwerk.derive.effects.state_expression import COORDINATE, Varying, as_choice, shown, states_in
+from hertzwerk.derive.effects.state_expression import COORDINATE, LOADS, Varying, as_choice, shown, states_in
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Frame, Point, Slot
 from hertzwerk.derive.mechanism.parameter import Scalar, parameters_of
@@ -42,7 +42,7 @@ class JointForce(JointEffect):
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
         """Yield the force."""
-        yield Varying(f"{self.where}, force", self.force, self.freedom(scene).units[2])
+        yield Varying(f"{self.where}, force", self.force, self.freedom(scene).units[2], on=LOADS)
 
     def element(self, kin: Kinematics) -> Element:
         """Force, and its power as input."""
@@ -79,7 +79,7 @@ class PointForce(Effect):
         """Yield the point and the three components."""
         yield from self.point.slots()
         for axis, value in zip("xyz", self.force, strict=True):
-            yield Varying(f"{self.where}, force along {axis}", value, "N")
+            yield Varying(f"{self.where}, force along {axis}", value, "N", on=LOADS)
 
     def type_faults(self) -> Iterator[Fault]:
         """Yield faults of components and axes."""
@@ -128,7 +128,7 @@ class BodyTorque(Effect):
     def slots(self, scene: Declared) -> Iterator[Slot]:
         """Yield the three components."""
         for axis, value in zip("xyz", self.torque, strict=True):
-            yield Varying(f"{self.where}, torque about {axis}", value, "N m")
+            yield Varying(f"{self.where}, torque about {axis}", value, "N m", on=LOADS)
 
     def type_faults(self) -> Iterator[Fault]:
         """Yield faults of the body, components and axes."""

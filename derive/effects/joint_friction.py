@@ -1,15 +1,15 @@
-"""Friction of a joint under a declared normal force."""
+"""Friction of a joint, under its own reaction or a declared normal force."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import sympy as sp
 
-from hertzwerk.derive.effects.effect import Declared, Element, JointEffect, Kinematics
-from hertzwerk.derive.effects.state_expression import Varying
+from hertzwerk.derive.effects.effect import FRONT, RADIAL, REAR, Declared, Element, JointEffect, Kinematics
+from hertzwerk.derive.effects.state_expression import LOADS, Varying
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.laws.law import BoundLaw, FrictionLaw, N, s
 from hertzwerk.derive.mechanism.bodies import Slot
@@ -18,38 +18,53 @@ from hertzwerk.derive.mechanism.parameter import NOT_NEGATIVE, POSITIVE, Scalar
 
 @dataclass(frozen=True)
 class JointFriction(JointEffect):
-    """Friction of a joint by a law of its sliding velocity under a declared normal force.
+    """Friction of a joint by a law, under its own reaction or a declared normal force.
 
-    The sliding velocity is the speed of a prismatic joint, or `radius` (of the journal) times that of a revolute one.
-    The normal force is an expression if need be (a preload, a weight); the joint's own reaction is not fed back. That
-    neglects its variation with the motion, and keeps the accelerations explicit: a reaction depends on the
-    accelerations, which depend on the friction.
+    It slides with the speed of a slide, or `radius` (of the journal) times that of a turn. Without a normal force the
+    joint's own reaction presses: of a turn the force across its axis; of a prismatic guide the forces on two pads,
+    `length` apart about the child's point, that carry force and moment across its axis. The reaction depends on the
+    accelerations, and these on the friction: they are solved together (`motion.carried`).
     """
 
     name: str
     joint: str
     law: BoundLaw
-    normal_force: Scalar
+    normal_force: Scalar | None = None
     radius: Scalar | None = None
+    length: Scalar | None = None
     kind: ClassVar[str] = "joint_friction"
     takes: ClassVar[Mapping[str, str]] = {"law": "friction"}
 
     @property
     def text(self) -> str:
         """Description for people."""
-        return f"{self.law.law.name} in {self.joint} under a declared normal force"
+        pressed = "its own reaction" if self.normal_force is None else "a declared normal force"
+        return f"{self.law.law.name} in {self.joint} under {pressed}"
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
         """Yield the parameters of the law, the normal force, the radius."""
         yield from self.law.slots(self.where, {})
-        yield Varying(f"{self.where}, normal force", self.normal_force, "N", NOT_NEGATIVE)
+        if self.normal_force is not None:
+            yield Varying(f"{self.where}, normal force", self.normal_force, "N", NOT_NEGATIVE, on=LOADS)
         if self.freedom(scene).kind == "turn" and self.radius is not None:
             yield Slot(f"{self.where}, radius", self.radius, "m", POSITIVE)
+        if self.freedom(scene).kind == "slide" and self.length is not None:
+            yield Slot(f"{self.where}, length", self.length, "m", POSITIVE)
+
+    def reactions(self, scene: Declared) -> Iterator[str]:
+        """Yield the joints that its normal force depends on: its own, where none is declared."""
+        yield from super().reactions(scene)
+        if self.normal_force is None:
+            yield scene.joint_of(self.joint).name
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
         """Yield faults of the radius, and of a law that needs a contact."""
         yield from super().faults(scene)
         kind, law = self.freedom(scene).kind if self.joint in scene.scalars else "", self.law.law
+        if kind and self.normal_force is None:
+            yield from self._reaction_faults(scene, kind)
+        elif self.length is not None:
+            yield Fault(self.where, f"length {self.length}", "none, because the normal force is declared")
         if kind == "slide" and self.radius is not None:
             yield Fault(self.where, f"radius {self.radius}", "none, because a prismatic joint slides by its coordinate")
         if kind == "turn" and self.radius is None:
@@ -59,11 +74,36 @@ class JointFriction(JointEffect):
                         "a friction law that follows from sliding velocity and normal force",
                         "smooth_coulomb, stribeck and brown_mcphee do.")  # fmt: skip
 
+    def _reaction_faults(self, scene: Declared, kind: str) -> Iterator[Fault]:
+        """Yield faults of friction under a reaction."""
+        joint, law = scene.joint_of(self.joint), self.law.law
+        if kind == "turn" and self.length is not None:
+            yield Fault(self.where, f"length {self.length}", "none, because a turn has no pads")
+        if joint.name not in scene.carrying or (kind == "slide" and joint.turning):
+            yield Fault(self.where, f"{self.joint} of {joint.name}, under its own reaction", "a turn, or the slide of a prismatic joint",
+                        "Declare the normal force.")  # fmt: skip
+        elif kind == "slide" and self.length is None:
+            yield Fault(self.where, "neither length nor normal force", "the length of the guide between its two pads [m], "
+                        "or a declared normal force")  # fmt: skip
+        if isinstance(law, FrictionLaw) and not law.modes and sp.diff(law.force, N).has(N):
+            yield Fault(self.where, f"law {law.name} under the joint's own reaction, on which it depends other than linearly",
+                        "a law proportional to the normal force, but for viscous friction",
+                        "smooth_coulomb and stribeck are; or declare the normal force.")  # fmt: skip
+
+    def _pressing(self, kin: Kinematics) -> Any:
+        """The normal force [N]."""
+        if self.normal_force is not None:
+            return kin.expression(self.normal_force)
+        name = kin.scene.joint_of(self.joint).name
+        if self.length is None:
+            return kin.reaction(name, RADIAL)
+        return kin.reaction(name, FRONT, self.length) + kin.reaction(name, REAR, self.length)
+
     def element(self, kin: Kinematics) -> Element:
         """Friction force at the sliding velocity, and the dissipated power."""
         arm = sp.S.One if self.radius is None else sp.sympify(self.radius)
         sliding = kin.tape.let(arm * kin.speed(self.joint), f"{self.name}_sliding_velocity")
-        law, values = self.law.law, {**self.law.binding, N: kin.expression(self.normal_force), s: sliding}
+        law, values = self.law.law, {**self.law.binding, N: self._pressing(kin), s: sliding}
         for symbol, expression in law.definitions:
             values[symbol] = kin.tape.let(expression.xreplace(values), f"{self.name}_{symbol.name}")
         drag = kin.tape.let(law.force.xreplace(values), f"{self.name}_drag")

@@ -15,11 +15,9 @@ from hertzwerk.derive.effects.state_expression import (
     COORDINATE,
     LENGTH,
     LENGTH_RATE,
+    LOADS,
     REACH,
     REACH_RATE,
-    SPEED,
-    STATE,
-    TIME,
     Varying,
     as_choice,
     shown,
@@ -224,7 +222,7 @@ class LineForce(_BetweenPoints):
     def slots(self, scene: Declared) -> Iterator[Slot]:
         """Yield points and tension."""
         yield from super().slots(scene)
-        known = (REACH, REACH_RATE, TIME, COORDINATE, SPEED, STATE)
+        known = (REACH, REACH_RATE, *LOADS)
         yield Varying(f"{self.where}, tension", self.tension, "N", on=known)
 
     def element(self, kin: Kinematics) -> Element:

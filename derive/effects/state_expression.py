@@ -9,7 +9,7 @@ LENGTH, LENGTH_RATE   distance of the two ends of a `LineForce`, and its rate [m
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -28,9 +28,18 @@ from hertzwerk.derive.program.expression_text import EmitError, expression_text
 from hertzwerk.derive.units import parse_unit, unit_text
 
 TIME, COORDINATE, SPEED, STATE, REACH, REACH_RATE = "time", "coordinate", "speed", "state", "length", "length rate"
+REACTION, NORMAL_FORCE = "reaction", "normal force"
+LOADS = (TIME, COORDINATE, SPEED, STATE, REACTION, NORMAL_FORCE)
+"""What a force may vary with; what else varies, varies with the first four at most."""
 
 
-_PLAIN = {TIME: "s", REACH: "m", REACH_RATE: "m/s"}  # units of symbols that name nothing
+_PLAIN = {
+    TIME: "s",
+    REACH: "m",
+    REACH_RATE: "m/s",
+    REACTION: "N",
+    NORMAL_FORCE: "N",
+}  # units of symbols that need no scene
 
 
 class Scope(Protocol):
@@ -43,6 +52,14 @@ class Scope(Protocol):
     @property
     def states(self) -> Mapping[str, Any]:
         """States of effects, which have a `unit`."""
+
+    @property
+    def carrying(self) -> Sequence[str]:
+        """Joints whose reaction can be read."""
+
+    @property
+    def pressed(self) -> Sequence[str]:
+        """Pairs with a contact."""
 
 
 class StateSymbol(sp.Symbol):  # type: ignore[misc]  # SymPy is untyped
@@ -84,6 +101,21 @@ def state_of(name: str) -> StateSymbol:
     """State of an effect, such as "motor.current" [its unit]; raises InputError if the name is no text."""
     _must_be_text("state_of", name)
     return StateSymbol(name, STATE, name)
+
+
+def reaction_of(joint: str) -> StateSymbol:
+    """Magnitude of the force that a joint carries [N]; raises InputError if the name is no text.
+
+    Loads may depend on it linearly: it is solved with the accelerations, which depend on the loads.
+    """
+    _must_be_text("reaction_of", joint)
+    return StateSymbol(f"{joint}.reaction", REACTION, joint)
+
+
+def normal_force_of(pair: str) -> StateSymbol:
+    """Normal force of a contact [N], 0 while it is open; raises InputError if the name is no text."""
+    _must_be_text("normal_force_of", pair)
+    return StateSymbol(f"{pair}.normal_force", NORMAL_FORCE, pair)
 
 
 def _must_be_text(function: str, joint: object) -> None:
@@ -177,6 +209,14 @@ def expression_faults(
         elif symbol.what in (COORDINATE, SPEED) and symbol.joint not in scene.scalars:
             expected = one_of(scene.scalars, "a joint with one coordinate, of which the mechanism has none")
             strange.append(Fault(where, f"joint {symbol.joint!r}", expected))
+            yield strange[-1]
+        elif symbol.what == REACTION and symbol.joint not in scene.carrying:
+            expected = one_of(scene.carrying, "a joint that carries its body along two directions or more")
+            strange.append(Fault(where, f"the reaction of {symbol.joint!r}", expected))
+            yield strange[-1]
+        elif symbol.what == NORMAL_FORCE and symbol.joint not in scene.pressed:
+            expected = one_of(scene.pressed, "a pair with a Contact, of which the scene has none")
+            strange.append(Fault(where, f"the normal force of {symbol.joint!r}", expected))
             yield strange[-1]
     others = [symbol for symbol in value.free_symbols if not isinstance(symbol, Parameter | StateSymbol)]
     if others:

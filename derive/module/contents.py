@@ -28,8 +28,12 @@ def program_of(system: System) -> Program:
         pairs.gap_accelerations(system),
         *(pairs.contact(system, *entry) for entry in system.contacts),
         motion.applied(system),
-        motion.accelerations(system),
-        *([motion.balance(system)] if system.loops and system.joints is not None and not system.driven else []),
+        *motion.accelerations(system),
+        *(
+            [motion.balance(system)]
+            if system.loops and system.joints is not None and not (system.driven or system.carried)
+            else []
+        ),
         *([loops.constraints(system), loops.projection(system)] if system.loops else []),
         *([motion.margins(system), motion.jumps(system)] if system.events else []),
         *([energy.ledger(system), energy.energy(system)] if system.scene.ledger else []),

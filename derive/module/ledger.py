@@ -4,17 +4,13 @@ from __future__ import annotations
 
 import sympy as sp
 
-from hertzwerk.derive.module.results import dimension_of
 from hertzwerk.derive.module.system import System
 from hertzwerk.derive.program.program import Function, Result
 
 
 def ledger(system: System) -> Function:
     """Power of the drives and force elements."""
-    power = [
-        system.tape.input(f"{row.key.replace('.', '_')}_reaction_in", "reactions", dimension_of(row.unit)) * row.speed
-        for row in system.driven
-    ]
+    power = [force * row.speed for force, row in zip(system.supplied, system.driven, strict=True)]
     rows = {f"{effect.name}.{what}": power for effect, e in system.elements.items() for what, power in e.powers.items()}
     if system.scene.ledger is not None:
         rows[f"{system.scene.ledger.name}.input"] = sp.Add(*power)

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import sympy as sp
 
 from hertzwerk.derive.effects.gravity import Gravity
 from hertzwerk.derive.module.results import MULTIPLIER_UNITS, SECOND_UNITS, dimension_of, of_loops
 from hertzwerk.derive.module.system import System
+from hertzwerk.derive.motion.carried import Carried
 from hertzwerk.derive.motion.kinematics import acceleration_of
 from hertzwerk.derive.program.program import Function, Result
 
@@ -33,25 +36,57 @@ def coordinate_rates(system: System) -> Function:
 
 def applied(system: System) -> Function:
     """Generalised forces other than contact forces."""
-    weight = {row.key: system.equations.gravity(row) for row in system.rows}
+    pressed = system.pressed.values()
+    weight = {row.key: sp.S.Zero if row in pressed else system.equations.gravity(row) for row in system.rows}
     for gravity in system.scene.all(Gravity):
         system.enter(gravity.name, weight)
     for effect, e in system.elements.items():
         system.enter(effect.name, e.forces)
-    f = [sp.Add(weight[row.key], *(e.forces.get(row.key, 0) for e in system.elements.values())) for row in system.rows]
+    f = [weight[row.key] + system.applied(row.key) for row in system.rows]
     return system.function(
         "applied", "Generalised forces other than contact forces.", "t q u c", system.of_rows("f", f)
     )
 
 
-def accelerations(system: System) -> Function:
-    """Equations of motion, solved for the accelerations."""
+def accelerations(system: System) -> tuple[Function, ...]:
+    """Equations of motion, solved for the accelerations, and loads by reactions where there are any."""
     symbols = {
         row.key: system.tape.input(f"{row.key.replace('.', '_')}_force", "f", dimension_of(row.unit))
         for row in system.rows
     }
+    if system.carried is not None:
+        return _accelerations_under_loads(system, system.carried, symbols)
     a, multipliers = system.equations.accelerations(symbols)
     reactions = system.equations.reactions(symbols, a, multipliers) if system.scene.ledger else []
+    return (_accelerations(system, a, multipliers, reactions, []),)
+
+
+def _accelerations_under_loads(system: System, carried: Carried, symbols: dict[str, Any]) -> tuple[Function, ...]:
+    """Accelerations under loads by reactions, these loads, and how unique the reactions are."""
+    pressed = {symbol: symbols[row.key] for symbol, row in system.pressed.items()}
+    found = carried.solved({row: force for row, force in symbols.items() if row not in pressed.values()}, pressed)
+    a, multipliers, of_drives = found.accelerations, found.multipliers, []
+    if system.scene.ledger:
+        of_drives = system.equations.reactions(found.forces, a, multipliers)
+    names = [symbol.name for symbol in carried.read]
+    magnitudes = [*zip(names, found.magnitudes, strict=True), *((s.name, force) for s, force in pressed.items())]
+    by_input = dict(magnitudes)
+    own = [s.name for s, group in system.tape.inputs.items() if group == "reactions" and s not in system.supplied]
+    return (
+        _accelerations(system, a, multipliers, of_drives, [(name, by_input[name]) for name in own]),
+        system.function(
+            "loads", "Generalised forces that depend on reactions and normal forces.", "t q u reactions c",
+            system.of_rows("f", [carried.loads.get(row.key, sp.S.Zero) for row in system.rows])),
+        system.function(
+            "settling", "Margins of uniqueness of the reactions, positive where they are unique; residuals of their solution.",
+            "t q u f c", Result("margins", tuple(names), ("1",) * len(names), tuple(found.margins)),
+            Result("residuals", tuple(names), ("1",) * len(names), tuple(found.residuals))),
+    )  # fmt: skip
+
+
+def _accelerations(
+    system: System, a: list[Any], multipliers: list[Any], reactions: list[Any], loads: list[tuple[str, Any]]
+) -> Function:
     labels, units = zip(*(acceleration_of(port) for port in system.speeds), strict=True)
     return system.function(
         "accelerations",
@@ -60,9 +95,9 @@ def accelerations(system: System) -> Function:
         Result("a", labels, units, tuple(a)),
         Result(
             "reactions",
-            tuple(f"{row.key}.reaction" for row in system.driven),
-            tuple(row.unit for row in system.driven),
-            tuple(reactions),
+            (*(f"{row.key}.reaction" for row in system.driven), *(name for name, _ in loads)),
+            (*(row.unit for row in system.driven), *("N" for _ in loads)),
+            (*reactions, *(value for _, value in loads)),
         ),
         *((of_loops("multipliers", system.loops, multipliers, MULTIPLIER_UNITS),) if system.loops else ()),
     )
@@ -129,11 +164,12 @@ def motion(system: System) -> Function:
     """Equations of motion before they are solved, for readers."""
     free = [row.key for row in system.equations.free]
     mass = system.equations.mass_matrix()
-    keys = [(row.key, column) for row in system.rows for column in free if (row.key, column) in mass]
+    rows = [*system.equations.free, *(system.equations.driven if system.scene.ledger else [])]
+    keys = [(row.key, column) for row in rows for column in free if (row.key, column) in mass]
     entries = tuple(mass[key] for key in keys)
     held = {
         f"{row.key} {loop.name}": loop.column[row.key]
-        for row in system.rows
+        for row in rows
         for loop in system.loops
         if row.key in loop.column
     }
@@ -142,6 +178,8 @@ def motion(system: System) -> Function:
         "Mass matrix M, bias and the columns of G^T, by row, of M a + bias = f + G^T multipliers.",
         "t q u",
         Result("M", tuple(map(" ".join, keys)), ("",) * len(keys), entries),
-        system.of_rows("bias", [system.equations.bias(row) for row in system.rows]),
+        Result(
+            "bias", tuple(r.key for r in rows), tuple(r.unit for r in rows), tuple(map(system.equations.bias, rows))
+        ),
         Result("held", tuple(held), ("",) * len(held), tuple(held.values())),
     )

@@ -37,7 +37,8 @@ def contact(system: System, pair: PairKinematics, contact: Contact, friction: Fr
     system.enter(name, forces.generalised)
     if friction is not None:
         system.enter(friction.name, forces.rubbing if forces.grip is None else forces.grip.along)
-    f = [forces.generalised.get(row.key, sp.S.Zero) for row in system.rows]
+    given = {**forces.generalised, f"{name}.normal_force": forces.normal_force}
+    f = [given.get(row.key, sp.S.Zero) for row in system.rows]
     rates = {f"{name}.dissipated": forces.normal_power}
     if friction is not None:
         rates[f"{friction.name}.dissipated"] = forces.friction_power

@@ -5,7 +5,7 @@ The functions of a module are made from it.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import cached_property
 from typing import Any
 
@@ -14,7 +14,7 @@ import sympy as sp
 from hertzwerk.derive.contact.contact_forces import PairKinematics
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.effects.effect import CONTACT, DISSIPATED, NOWHERE, Event, state_faults
-from hertzwerk.derive.faults import InputError
+from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.laws.law import speed_limit
 from hertzwerk.derive.mechanism.joints.joint import Port
 from hertzwerk.derive.module.joints import Joints
@@ -22,7 +22,9 @@ from hertzwerk.derive.module.landmarks import Landmark, landmarks_of
 from hertzwerk.derive.module.results import dimension_of, ports_of, vector
 from hertzwerk.derive.module.surroundings import Surroundings
 from hertzwerk.derive.motion.absolute import Absolute
+from hertzwerk.derive.motion.carried import Carried, nonlinear_fault
 from hertzwerk.derive.motion.equations import Equations
+from hertzwerk.derive.motion.links import Row
 from hertzwerk.derive.motion.periods import period
 from hertzwerk.derive.motion.resistance import resistance_faults
 from hertzwerk.derive.program.program import Function, Result, Tape
@@ -42,17 +44,27 @@ class System:
             (PairKinematics(self.kin, pair, scene.geometry(pair.name)), contact, friction)
             for pair, contact, friction in scene.contacts
         ]
+        self.driven = [*self.equations.driven, *self.equations.prescribed] if scene.ledger else []
+        self.supplied = [
+            self.tape.input(f"{row.key.replace('.', '_')}_reaction_in", "reactions", dimension_of(row.unit))
+            for row in self.driven
+        ]
         found = {effect: effect.element(self.kin) for effect in scene.effects}
         self.elements = {effect: e for effect, e in found.items() if e is not None}
         rows = list(self.equations.free)
         if scene.ledger:
             rows += self.equations.driven
-        self.driven = [*self.equations.driven, *self.equations.prescribed] if scene.ledger else []
-        self.rows = rows
-        self.row_units = tuple(row.unit for row in rows)
+        rows += self.equations.held
+        self.pressed = {
+            symbol: Row(f"{pair}.normal_force", "N", sp.S.Zero, sp.S.Zero, False)
+            for pair, symbol in self.kin.normal_forces.items()
+        }
+        self.rows = [*rows, *self.pressed.values()]
+        self.row_units = tuple(row.unit for row in self.rows)
         self.loops = self.equations.constraints
         faults = [fault for pair, _, friction in self.contacts for fault in pair.faults(friction, scene.size)]
         faults += resistance_faults(scene)
+        faults += self._sticking_faults()
         faults += [fault for effect, e in self.elements.items() for fault in state_faults(effect, e, scene)]
         if faults:
             raise InputError(f"scene {scene.name}", faults)
@@ -71,6 +83,13 @@ class System:
         self.entered = {effect.name for effect in scene.effects if effect.enters == NOWHERE}
         self.joints = Joints(self.tape, scene) if isinstance(scene, Absolute) else None
 
+    def _sticking_faults(self) -> Iterator[Fault]:
+        """Faults of contacts that stick beside loads by reactions: they would be solved together."""
+        for _, _, friction in self.contacts:
+            if friction is not None and friction.law.law.modes and (self.kin.carried or self.kin.normal_forces):
+                yield Fault(f"effect {friction.name}", f"law {friction.law.law.name}, set-valued, beside loads by reactions or normal forces",
+                            "a law of the sliding velocity", "smooth_coulomb is one; or declare the loads otherwise.")  # fmt: skip
+
     def _memory(self) -> list[tuple[str, str]]:
         """Entries of z as (name, unit); those that functions read come first, in the order of the inputs."""
         bristles = [(f"{name}.bristle", "m") for name in self.bristles]
@@ -82,6 +101,26 @@ class System:
         rows |= {effect: {DISSIPATED: None} for effect in self.scene.effects if effect.enters == CONTACT}
         booked = [(f"{e.name}.{what}", "J") for e in self.scene.effects for what in rows.get(e, ())]
         return bristles + drives + booked
+
+    @cached_property
+    def carried(self) -> Carried | None:
+        """Loads by reactions and normal forces, if any; raises InputError for one that is not linear."""
+        if not (self.kin.carried or self.kin.normal_forces):
+            return None
+        found = Carried(
+            self.kin, self.equations, {row.key: load for row in self.rows if (load := self._force(row.key, True)) != 0}
+        )
+        for joint in found.nonlinear():
+            raise nonlinear_fault(joint)
+        return found
+
+    def applied(self, key: str) -> Any:
+        """Generalised force of the effects in a row, but for loads by reactions and normal forces."""
+        return self._force(key, False)
+
+    def _force(self, key: str, carried: bool) -> Any:
+        forces = (sp.sympify(e.forces.get(key, 0)) for e in self.elements.values())
+        return sp.Add(*(force for force in forces if self.tape.depends_on(force, "reactions") == carried))
 
     @cached_property
     def coordinates(self) -> list[Port]:

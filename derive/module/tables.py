@@ -40,6 +40,7 @@ def tables(system: System) -> Mapping[str, tuple[Any, ...]]:
         "LATCHES": tuple((f"{name}.approach_speed", "m/s", pairs.index(name)) for name in system.latches),
         "PAIRS": tuple((pair.pair.name, pair.pair.kind) for pair, _, _ in system.contacts),
         **_events(system),
+        **_loads(system),
         **_guides(system),
         **_slips(system),
         "RELEASES": tuple("force" if c.damping is None else c.damping.law.release for _, c, _ in system.contacts),
@@ -79,6 +80,12 @@ def _events(system: System) -> dict[str, tuple[Any, ...]]:
         for effect, event in system.events
     ]
     return {"EVENTS": tuple(rows)} if rows else {}
+
+
+def _loads(system: System) -> dict[str, tuple[Any, ...]]:
+    """Table of the joints whose reactions loads depend on, if any."""
+    names = tuple(joint for joint, *_ in system.kin.carried)
+    return {"LOADS": names} if names else {}
 
 
 def _slips(system: System) -> dict[str, tuple[Any, ...]]:

@@ -87,7 +87,7 @@ def absolute(scene: Scene) -> Absolute:
         if prescribed or not joint.freedoms or (at_ground and joint.absolute):
             carried.append(joint)
             continue
-        carried.append(_base(mechanism, joint))
+        carried.append(_base(mechanism, joint, joint.name in scene.held))
         unruled += joint.unruled()
         if not unruled and joint.constraints():
             closing.append(joint)
@@ -101,13 +101,14 @@ def absolute(scene: Scene) -> Absolute:
     return Absolute(**given, declared=scene)
 
 
-def _base(mechanism: Mechanism, joint: Joint) -> Base:
+def _base(mechanism: Mechanism, joint: Joint, held: bool) -> Base:
+    """Joint of a body to the ground; held by a guide whose reaction is read, the body turns."""
     body = joint.child.body
     if not isinstance(body, Body):
         raise TypeError(f"joint {joint.name} moves the ground")
     taken = [other.name for other in mechanism.joints]
     name = body.name if body.name not in taken else f"{body.name}_base"
-    turns, k = _turns(mechanism, body), mechanism.plane
+    turns, k = _turns(mechanism, body) or held, mechanism.plane
     if k is None:
         return Base(name, Point(GROUND), Point(body, body.centre), turns, None)
     centre = _with(body.centre, k, 0)

@@ -6,6 +6,7 @@ joint's unit speed, projected on the joints below it (Featherstone, Rigid Body D
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cache, cached_property
 from typing import Any
 
@@ -43,7 +44,9 @@ class Equations:
         self.link_of = {row: link for link in self.links for row in link.rows}
         self.rows = list(self.link_of)
         self.free = [row for row in self.rows if row.free]
-        self.driven = [row for row in self.rows if not row.free]
+        still = {row for held in kinematics.tree.held.values() for _, row in (*held.slides, *held.turns)}
+        self.driven = [row for row in self.rows if not row.free and row not in still]
+        self.held = [row for row in self.rows if row in still]
         self.constraints = constraints_of(kinematics)
         self.prescribed = [row for _, (row,) in kinematics.prescribed.values()]
         self.prescribed += driving_rows(self.constraints)
@@ -135,12 +138,19 @@ class Equations:
             row.key: self.tape.let(forces[row.key] - self.bias(row), f"{row.key.replace('.', '_')}_net")
             for row in self.free
         }
-        found = self._factor.solve(right, "acc")
+        return self._solved(right, [-constraint.bias for constraint in self.constraints], "acc")
+
+    def response(self, forces: Mapping[str, Any], name: str) -> tuple[list[Any], list[Any]]:
+        """Accelerations and multipliers that forces by row add."""
+        right = {row.key: forces.get(row.key, sp.S.Zero) for row in self.free}
+        return self._solved(right, [sp.S.Zero] * len(self.constraints), name)
+
+    def _solved(self, right: dict[str, Any], wanted: list[Any], name: str) -> tuple[list[Any], list[Any]]:
+        found = self._factor.solve(right, name)
         multipliers: list[Any] = []
         if self.constraints:
-            wanted = [-constraint.bias for constraint in self.constraints]
             refinements = REFINEMENTS + (EXTRA_REFINEMENTS if self.artificial_inertia else 0)
-            found, multipliers = self._loops.corrected(found, wanted, "acc", refinements, self.artificial_inertia)
+            found, multipliers = self._loops.corrected(found, wanted, name, refinements, self.artificial_inertia)
         return [found[row.key] for row in self.free], multipliers
 
     def projection(self, wanted: list[Any]) -> list[Any]:
@@ -192,25 +202,27 @@ class Equations:
 
         That is its row of M a + bias - f - G^T multipliers; for a loop-closing joint it is its multiplier.
         """
-        mass = self.mass_matrix()
         out = []
         for row in self.driven:
-            terms = [
-                mass[row.key, f.key] * a
-                for f, a in zip(self.free, accelerations, strict=True)
-                if (row.key, f.key) in mass
-            ]
-            of_constraints = [
-                constraint.column[row.key] * force
-                for constraint, force in zip(self.constraints, multipliers, strict=True)
-                if row.key in constraint.column
-            ]
-            reaction = sp.Add(*terms) + self.bias(row) - forces[row.key] - sp.Add(*of_constraints)
+            reaction = self.needed(row, accelerations, multipliers, self.bias(row) - forces[row.key])
             out.append(self.tape.let(reaction, f"{row.key.replace('.', '_')}_reaction"))
         multiplier_of = {
             constraint.drives: force for constraint, force in zip(self.constraints, multipliers, strict=True)
         }
         return [*out, *(multiplier_of[row.key] for row in self.prescribed)]
+
+    def needed(self, row: Row, accelerations: list[Any], multipliers: list[Any], rest: Any) -> Any:
+        """Force along a row that a motion needs: M a + rest - G^T multipliers [N m or N]."""
+        mass = self.mass_matrix()
+        terms = [
+            mass[row.key, f.key] * a for f, a in zip(self.free, accelerations, strict=True) if (row.key, f.key) in mass
+        ]
+        of_constraints = [
+            constraint.column[row.key] * force
+            for constraint, force in zip(self.constraints, multipliers, strict=True)
+            if row.key in constraint.column
+        ]
+        return sp.Add(*terms) + rest - sp.Add(*of_constraints)
 
     # -- energy ----------------------------------------------------------------------------------------------------
 

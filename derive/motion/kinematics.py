@@ -32,7 +32,18 @@ from hertzwerk.derive.algebra.vectors import (
 )
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.dimension.dimension import Dimension
-from hertzwerk.derive.effects.state_expression import COORDINATE, STATE, TIME, StateSymbol, T, as_choice, states_in
+from hertzwerk.derive.effects.effect import FORCE
+from hertzwerk.derive.effects.state_expression import (
+    COORDINATE,
+    NORMAL_FORCE,
+    REACTION,
+    STATE,
+    TIME,
+    StateSymbol,
+    T,
+    as_choice,
+    states_in,
+)
 from hertzwerk.derive.faults import InputError, unknown
 from hertzwerk.derive.mechanism.bodies import Body, Direction, Frame, Point
 from hertzwerk.derive.mechanism.joints.joint import Freedom, Port
@@ -104,7 +115,9 @@ class Kinematics:
         self.effect_states = {name: self._input(Port(name, s.unit), groups[0]) for name, s in scene.states.items()}
         self.states = {key: (q[0], rows[0].speed) for key, (q, rows) in motion.items()}
         self._motions = motion
-        self.tree = Tree(tape, scene.mechanism, motion)
+        self.tree = Tree(tape, scene.mechanism, motion, scene.held)
+        self.carried: dict[tuple[str, str, Any], sp.Symbol] = {}
+        self.normal_forces: dict[str, sp.Symbol] = {}
         # keyed by links and bodies, which live as long as this does
         self.motion_of = cache(self._motion)
         self.bias_of = cache(self._bias)
@@ -154,6 +167,22 @@ class Kinematics:
             raise InputError(f"scene {self.scene.name}", [unknown("state", name, self.effect_states)])
         return self.effect_states[name]
 
+    def reaction(self, joint: str, part: str = FORCE, length: Any = None) -> Any:
+        """Magnitude of the force that a joint carries, or of a part of it [N]: an input, solved by `carried`.
+
+        length  between the pads of a guide [m]
+        """
+        return self._load(self.carried, (joint, part, length), f"{joint}_{part.replace(' ', '_')}")
+
+    def normal_force(self, pair: str) -> Any:
+        """Normal force of a contact [N]: an input."""
+        return self._load(self.normal_forces, pair, f"{pair}_pressed")
+
+    def _load(self, known: dict[Any, sp.Symbol], key: Any, name: str) -> sp.Symbol:
+        if key not in known:
+            known[key] = self.tape.input(name, "reactions", Dimension.from_unit(parse_unit("N"), {}))
+        return known[key]
+
     def row(self, key: str) -> Row:
         """Row of a scalar freedom of the tree."""
         (row,) = self._motions[key][1]
@@ -182,6 +211,10 @@ class Kinematics:
             return self.t
         if symbol.what == STATE:
             return self.state(symbol.joint)
+        if symbol.what == REACTION:
+            return self.reaction(symbol.joint)
+        if symbol.what == NORMAL_FORCE:
+            return self.normal_force(symbol.joint)
         return self.coordinate(symbol.joint) if symbol.what == COORDINATE else self.speed(symbol.joint)
 
     def _input(self, port: Port, group: str) -> sp.Symbol:

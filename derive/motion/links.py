@@ -11,10 +11,10 @@ the same axes.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, Literal
 
 import sympy as sp
 
@@ -33,7 +33,8 @@ from hertzwerk.derive.algebra.vectors import (
     sub,
     transpose,
 )
-from hertzwerk.derive.mechanism.bodies import GROUND, Frame, Point
+from hertzwerk.derive.mechanism.bodies import AXES, GROUND, Direction, Frame, Point
+from hertzwerk.derive.mechanism.joints.conditions import across
 from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
 from hertzwerk.derive.mechanism.mechanism import Mechanism
 from hertzwerk.derive.mechanism.parameter import default_value
@@ -145,28 +146,40 @@ class Place:
         return add(self.origin, apply(self.axes, sympified(point.position)))
 
 
+@dataclass(frozen=True)
+class Held:
+    """Directions along and about which a joint holds its child, with the rows of its reaction."""
+
+    slides: tuple[tuple[Direction, Row], ...]
+    turns: tuple[tuple[Direction, Row], ...]
+
+
 Motion = Mapping[str, tuple[tuple[Any, ...], tuple[Row, ...]]]
 """Coordinates and rows by the key of the freedom."""
 
 
 class Tree:
-    """Links and places of a mechanism with given coordinates and speeds."""
+    """Links and places of a mechanism with given coordinates and speeds.
 
-    def __init__(self, tape: Tape, mechanism: Mechanism, motion: Motion) -> None:
+    Joints that are `held` have further links, which never move, along what they forbid: their rows are the reaction.
+    """
+
+    def __init__(self, tape: Tape, mechanism: Mechanism, motion: Motion, held: Sequence[str] = ()) -> None:
         self.tape = tape
+        self.held: dict[str, Held] = {}
         still = Orientation(Run(None, IDENTITY, []), ZERO, sp.S.Zero, Change(), Change())
         still.run.members.append(still)
         self.ground = Link("ground", None, None, None, (), (), ZERO, ZERO, still)
         self.links: list[Link] = []
         self.places: dict[Frame, Place] = {GROUND: Place(self.ground, ZERO, IDENTITY)}
         for joint in mechanism.tree:
-            self._add_joint(joint, motion)
+            self._add_joint(joint, motion, _held(joint, mechanism.plane) if joint.name in held else None)
         self.children: dict[Link, list[Link]] = {link: [] for link in (self.ground, *self.links)}
         for link in self.links:
             if link.parent is not None:
                 self.children[link.parent].append(link)
 
-    def _add_joint(self, joint: Joint, motion: Motion) -> None:
+    def _add_joint(self, joint: Joint, motion: Motion, held: Held | None) -> None:
         """Add the links of a joint, and the place of its child."""
         child = joint.child.body
         parent = self.places[joint.parent.body]
@@ -174,17 +187,34 @@ class Tree:
         anchor = parent.point(joint.parent)
         axes = self._named(multiply(parent.axes, joint.parent.axes), f"{joint.name}_axes")  # the joint's, in the link's
         count = len(joint.freedoms)
+        if held is not None:
+            self.held[joint.name] = held
+            link, axes, anchor = self._hold(link, held.slides, "slide", anchor, axes)
         for i, freedom in enumerate(joint.freedoms):
             name = child.name if i == count - 1 else f"{joint.name}_{freedom.coordinates[0].name.rsplit('.', 1)[1]}"
             link, axes = self._add_link(link, joint, freedom, name, anchor, axes, *motion[freedom.key])
             anchor = ZERO
             self.links.append(link)
+        if held is not None:  # about the child's point
+            link, axes, anchor = self._hold(link, held.turns, "turn", anchor, axes)
         body_axes = self._named(multiply(axes, transpose(joint.child.axes)), f"{child.name}_axes")
         origin = sub(anchor, apply(body_axes, sympified(joint.child.position)))
         self.places[child] = Place(link, origin, body_axes)
 
+    def _hold(
+        self, link: Link, held: tuple[tuple[Direction, Row], ...], kind: Literal["turn", "slide"], offset: Vector, axes: Matrix
+    ) -> tuple[Link, Matrix, Vector]:  # fmt: skip
+        """Links that do not move, one on another, and the joint's axes in the last one's."""
+        for direction, row in held:
+            freedom = Freedom(kind, row.key, direction, (), (), ())
+            name = row.key.replace(".", "_")
+            link, axes = self._add_link(link, None, freedom, name, offset, axes, (sp.S.Zero,), (row,))
+            self.links.append(link)
+            offset = ZERO
+        return link, axes, offset
+
     def _add_link(
-        self, parent: Link, joint: Joint, freedom: Freedom, name: str, offset: Vector, axes: Matrix,
+        self, parent: Link, joint: Joint | None, freedom: Freedom, name: str, offset: Vector, axes: Matrix,
         coordinates: tuple[Any, ...], rows: tuple[Row, ...],
     ) -> tuple[Link, Matrix]:  # fmt: skip
         """Link of one freedom, and the joint's axes in its axes."""
@@ -251,6 +281,32 @@ class Tree:
 
     def _named(self, matrix: Matrix, name: str) -> Matrix:
         return self.tape.matrix(matrix, name)
+
+
+def _held(joint: Joint, plane: int | None) -> Held:
+    """Directions a joint holds: all but those of its slides and, where it only slides, all turns."""
+    axis = next((axis for axis, _ in joint.sliding), next(iter(joint.turning), None))
+    ways = AXES if axis is None else (axis, *(way for way, _ in across(axis)))
+    if joint.sliding:
+        ways = ways[1:]
+    turns = ways if joint.sliding and not joint.turning else ()
+    if plane is not None:
+        normal = AXES[plane]
+        slid = joint.sliding[0][0] if joint.sliding else None
+        ways = (
+            tuple(AXES[k] for k in range(3) if k != plane)
+            if slid is None
+            else (Direction(cross(normal.unit, slid.unit)),)
+        )
+        turns = (normal,) if turns else ()
+
+    def rows(directions: Sequence[Direction], unit: str, word: str) -> tuple[tuple[Direction, Row], ...]:
+        keys = [f"{joint.name}.{word}_{i}" for i, _ in enumerate(directions, 1)]
+        return tuple(
+            (way, Row(key, unit, sp.S.Zero, sp.S.Zero, False)) for way, key in zip(directions, keys, strict=True)
+        )
+
+    return Held(rows(ways, "N", "holds"), rows(turns, "N m", "twists"))
 
 
 def _is_ball(orientation: Orientation) -> bool:

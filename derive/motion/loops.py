@@ -34,7 +34,8 @@ class Constraint:
 
     `column` holds, by row of the equations of motion, the generalised force of a unit multiplier. The constraints of
     a `group` are components of one vector, or of one unit. Where a drive prescribes it, `drives` is the freedom
-    driven, and the multiplier is the drive's force or torque. Of a coupling, `by_time` is the part of its rate due to
+    driven, and the multiplier is the drive's force or torque. Of a joint, `force` and `moment` are those of a unit
+    multiplier on the child, about its point. Of a coupling, `by_time` is the part of its rate due to
     time itself; where there is one, it drives too.
     """
 
@@ -47,6 +48,8 @@ class Constraint:
     column: dict[str, Any]
     drives: str = ""
     by_time: Any = sp.S.Zero
+    force: Vector = ZERO
+    moment: Vector = ZERO
 
 
 def closing_constraints(kinematics: Kinematics) -> Iterator[Constraint]:
@@ -116,6 +119,7 @@ class Closure:
         return Constraint(
             f"{self.joint.name}.apart_{label}", "m", f"{self.joint.name}.apart",
             self.apart[k], self.apart_rate[k], self.apart_bias[k], self._force(AXES[k].unit, label),
+            force=AXES[k].unit,
         )  # fmt: skip
 
     def _off(self, direction: Carried, label: str) -> Constraint:
@@ -127,7 +131,9 @@ class Closure:
             self._let(dot(self.apart, normal), f"off_{label}"),
             self._let(dot(self.apart_rate, normal) + dot(self.apart, rate), f"off_{label}_rate"),
             self._let(bias, f"off_{label}_bias"),
-            self._force(normal, label, direction.moment(self, label, self.apart)),
+            self._force(normal, label, moment := direction.moment(self, label, self.apart)),
+            force=normal,
+            moment=moment,
         )  # fmt: skip
 
     def fixed(self, side: int, direction: Direction, label: str) -> Moving:
@@ -158,6 +164,7 @@ class Closure:
             self._let(dot(turning, about), f"turned_{label}_rate"),
             self._let(dot(sub(alpha, beta), about) + dot(turning, moving), f"turned_{label}_bias"),
             _without_zeros(self.kin.generalised_moment(about, *self.bodies, f"{self.joint.name}_turned_{label}")),
+            moment=about,
         )  # fmt: skip
 
     def measured(self, freedom: Freedom) -> Measured:

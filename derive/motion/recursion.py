@@ -108,7 +108,7 @@ class Recursion:
         if isinstance(body.inertia, tuple):
             own = body.tensor
             return own if place.axes == IDENTITY else multiply(multiply(place.axes, own), transpose(place.axes))
-        turning = next((link for link in reversed(place.link.path) if link.kind != "slide"), None)
+        turning = next((link for link in reversed(place.link.path) if link.kind != "slide" and link.joint), None)
         if turning is None:
             return combine()
         alone = turning.joint is not None and sum(freedom.kind != "slide" for freedom in turning.joint.freedoms) == 1

@@ -150,6 +150,10 @@ class Tape:
         """Whether an expression depends on parameters alone."""
         return self._groups_of(expression) <= _STILL
 
+    def depends_on(self, expression: Any, group: str) -> bool:
+        """Whether an expression depends on an input of a group."""
+        return group in self._groups_of(sp.sympify(expression))
+
     def written_out(self, expression: Any) -> Any:
         """Substitute assignments until only inputs remain; for constants, which are short."""
         expression = sp.sympify(expression)

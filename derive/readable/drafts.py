@@ -13,7 +13,7 @@ from hertzwerk.derive.effects.couplings import Coupling
 from hertzwerk.derive.program.program import Function, Program, symbols_in
 from hertzwerk.derive.readable.symbols import Names, contact_title, words
 
-HIDDEN = ("constants", "scales", "gap_accelerations", "accelerations", "balance", "projection", "poses", "motion", "applied",
+HIDDEN = ("constants", "scales", "gap_accelerations", "accelerations", "loads", "settling", "balance", "projection", "poses", "motion", "applied",
            "joint_scales", "placed", "joint_constraints", "landmarks")  # fmt: skip
 KINEMATICS, MOTION, LEDGER, ENERGY = "Kinematics", "Equations of motion", "Energy ledger", "Energy"
 LOOPS, COUPLINGS, OUTPUTS, START = "Closed loops", "Couplings", "Outputs", "Start"
@@ -188,7 +188,7 @@ class Drafts:
         accelerations = dict(zip(labels, inputs["a"], strict=False))
         # the drive of a loop-closing joint is a multiplier
         supplied = dict(zip(labels[len(inputs["a"]) :], inputs.get("reactions", ()), strict=False))
-        for i, (row, unit) in enumerate(zip(labels, units, strict=True)):
+        for i, (row, unit) in enumerate(zip(bias.labels, units, strict=False)):  # rows of reactions do not move
             parts = [
                 Part(True, INERTIA, sp.sympify(entry), factor=accelerations[column])
                 for (of, column), entry in zip((k.split(" ") for k in mass.labels), mass.expressions, strict=True)
@@ -205,7 +205,7 @@ class Drafts:
                 meaning, drive = self._names.meaning(supplied[row]), self._drive_of(row)
                 parts.append(Part(False, meaning, supplied[row], effect=drive))
             for function in functions.values():
-                if function is applied or pair_of(function.name):
+                if function.name in ("applied", "loads") or pair_of(function.name):
                     force = sp.sympify(function.results[0].expressions[i])
                     parts.append(Part(False, function.summary, force, source=function.name))
                 for along in (result for result in function.results if result.name == "along"):

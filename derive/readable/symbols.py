@@ -259,6 +259,12 @@ class Names:
             found[symbol] = _with_subscript("z", (whose,)), str(symbol.name).replace("_", " ")
         for symbol in inputs.get("reactions", ()):
             joint = symbol.name.removesuffix("_reaction_in")
+            if symbol.name == joint:
+                found[symbol] = (
+                    _with_subscript("N", (words(joint.split("_")),)),
+                    f"magnitude of {joint.replace('_', ' ')}, solved with the accelerations",
+                )
+                continue
             turns = str(program.tape.declared[symbol]) in ("N m", "J")
             found[symbol] = (
                 _with_subscript("T" if turns else "F", (words(joint.split("_")),)),

@@ -40,7 +40,7 @@ class Bound:
 Dependent: TypeAlias = tuple[tuple[int, ...], int]
 """Constraints that imply each other, and how many of them are independent."""
 
-SOLVING = ("accelerations", "projection")  # functions that solve for the constraint forces
+SOLVING = ("accelerations", "settling", "projection")  # functions that solve for the constraint forces
 
 
 @dataclass(frozen=True)
@@ -100,6 +100,10 @@ class Model:
         self.events: tuple[tuple[str, tuple[int, ...]], ...] = getattr(module, "EVENTS", ())
         """Events of effects, by name, and the rows of q that each changes."""
         self.ne = len(self.events)
+        self.loads: tuple[str, ...] = getattr(module, "LOADS", ())
+        """Reactions that loads depend on; empty without such loads."""
+        self.nr = self.k + bool(self.loads)
+        """Number of ranges that a run must not leave: of each pair's law, and of loads by reactions."""
         rows = {
             pair: tuple(i for i, name in enumerate(self.outputs) if name.startswith(f"{pair}.eccentricity_"))
             for pair in self.pairs
@@ -339,6 +343,8 @@ _INPUTS = {
     "contact": "t q u z m c",
     "applied": "t q u c",
     "accelerations": "t q u f c",
+    "loads": "t q u reactions c",
+    "settling": "t q u f c",
     "constraints": "t q u c",
     "balance": "t q u a multipliers c",
     "projection": "t q wanted c",

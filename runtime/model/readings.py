@@ -21,7 +21,7 @@ from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.per_model import per_model
 
 CONTACTS, MOTION = "contact_readings", "readings"  # functions of the module
-ARGUMENTS = {CONTACTS: "t q u z m friction c", MOTION: "t q u a touching multipliers c"}
+ARGUMENTS = {CONTACTS: "t q u z m friction c", MOTION: "t q u a touching multipliers reactions c"}
 
 
 class Rows(Protocol):
@@ -39,6 +39,9 @@ class Rows(Protocol):
 
     def held(self) -> np.ndarray:
         """Forces that hold the constraints, shape (rows, nl)."""
+
+    def supplied(self) -> np.ndarray:
+        """Forces of the drives, and reactions that loads depend on, shape (rows, n)."""
 
     def __getitem__(self, name: str) -> np.ndarray:
         """A history, shape (rows,)."""
@@ -151,13 +154,14 @@ def _of_contact(history: Rows, asked: Reading) -> np.ndarray:
 
 def _of_motion(history: Rows, found: Readings, asked: Reading) -> np.ndarray:
     model, rows = history.model, len(history.rows)
-    nq, nu = model.nq, model.nu
+    nq, nu, supplied = model.nq, model.nu, model.function("accelerations").size1_out(1)
     touching = [np.nan_to_num(history[name]) for name in found.module.TOUCHING]
     given = {
         **_states(history),
         "a": history.part("dy")[:, nq : nq + nu],
         "touching": np.stack(touching, axis=1) if touching else np.zeros((rows, 0)),
         "multipliers": history.held() if model.nl else np.zeros((rows, 0)),
+        "reactions": history.supplied() if model.has("loads") else np.zeros((rows, supplied)),
     }
     return _mapped(history, asked, given)
 
@@ -192,6 +196,7 @@ def _function(model: Model, name: str, result: int) -> Rowwise:
         **{"t": 1, "q": model.nq, "u": model.nu, "z": model.nz, "m": model.nm, "a": model.nu},
         **{"friction": model.ns, "touching": len(module.TOUCHING), "multipliers": model.nl, "c": len(module.CONSTANTS)},
     }
+    sizes["reactions"] = model.function("accelerations").size1_out(1)
     symbols = [ca.SX.sym(part, sizes[part]) for part in ARGUMENTS[name].split()]
     results = getattr(module, name)(*symbols)
     found = results[result] if isinstance(results, tuple) else results

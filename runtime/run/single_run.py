@@ -14,7 +14,7 @@ from hertzwerk.runtime.accuracy.ladder import LOOSEST
 from hertzwerk.runtime.integrate.loop.automatic import AutomaticCallers
 from hertzwerk.runtime.integrate.loop.chunk import EXCEPTION, Ending, Resume
 from hertzwerk.runtime.integrate.loop.tally import tally
-from hertzwerk.runtime.integrate.step.layout import OUTSIDE_LAW_RANGE
+from hertzwerk.runtime.integrate.step.layout import NOT_FINITE, OUTSIDE_LAW_RANGE, STEP_TOO_SMALL
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.run.engine import Engine, engine_for
 from hertzwerk.runtime.run.recorder import BLOCK, ENDS, Ends, Grid, Recorder, Steps
@@ -23,11 +23,12 @@ from hertzwerk.runtime.solution import scales as scaling
 from hertzwerk.runtime.solution.energy_balance import Balance
 from hertzwerk.runtime.solution.findings import EVERYTHING, Findings, Needs, Observer
 from hertzwerk.runtime.solution.history import History
-from hertzwerk.runtime.solution.outcome import Outcome, outcome
+from hertzwerk.runtime.solution.outcome import FRICTION_LOCKS, Outcome, outcome
 from hertzwerk.runtime.solution.scales import Scales
 
 APPROACH_FLOOR = 1e-3  # m/s, default for models with latches but without this parameter
 LEAST_STEPS = 10  # least steps of a run in contact: at rest, steps grow until a short push would go unnoticed
+CLOSE = 1e-3  # margin of a reaction that counts as none: nearer, its solution may not be found
 ROUGH = LOOSEST  # tolerance of a run that only determines scales
 
 
@@ -135,16 +136,18 @@ class SingleRun:
 
     def outcome(self, trace: Trace) -> Outcome:
         """Return the outcome of a run."""
-        limits, ends, counted = self.limits, trace.kept.ends, trace.counted
+        limits, ends, counted, status = self.limits, trace.kept.ends, trace.counted, trace.ending.status
+        left = status == OUTSIDE_LAW_RANGE
+        locked = _locked(self.model, ends) if status in (OUTSIDE_LAW_RANGE, NOT_FINITE, STEP_TOO_SMALL) else ""
         return outcome(
-            trace.ending.status,
+            FRICTION_LOCKS if locked else status,
             self.method,
             trace.kept.history,
             steps=counted["steps"],
             vain=counted["rejected"] + counted["retaken"],
             error=trace.ending.error,
             t=float(ends.t[-1]),
-            where=_deepest(self.model, ends) if trace.ending.status == OUTSIDE_LAW_RANGE else "",
+            where=locked or (_deepest(self.model, ends) if left else ""),
             tolerance=trace.tolerance,
             **vars(limits),
         )
@@ -243,6 +246,16 @@ class Trace:
     compiled: bool
     compile_s: float
     build_s: float
+
+
+def _locked(model: Model, history: History) -> str:
+    """Return the joints whose reaction is not unique at the end; empty where it is a law that was left."""
+    if not model.loads:
+        return ""
+    margins = history.margins()[-1]
+    least = float(margins.min())
+    found = [joint for joint, margin in zip(model.loads, margins, strict=True) if margin <= max(least, CLOSE)]
+    return ", ".join(dict.fromkeys(found)) if least <= CLOSE else ""
 
 
 def _deepest(model: Model, history: History) -> str:

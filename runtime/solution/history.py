@@ -182,9 +182,22 @@ class History:
 
     def held(self) -> np.ndarray:
         """Return the forces that hold the constraints, shape (rows, nl)."""
+        return self._holding[0]
+
+    def supplied(self) -> np.ndarray:
+        """Return the forces of the drives, and reactions that loads depend on, shape (rows, n)."""
+        return self._holding[1]
+
+    def margins(self) -> np.ndarray:
+        """Return margins of uniqueness of reactions that loads read, shape (rows, n): 0 or less where lost."""
         parts = (self.part(part) for part in ("t", "y", "mode", "m"))
-        (forces,) = _constraint_forces(self.model)(self.controls[: self.model.nc], *parts)
-        return forces
+        return Rowwise(flow(self.model).settling, constant=4)(self.controls[: self.model.nc], *parts)[0]
+
+    @property
+    def _holding(self) -> list[np.ndarray]:
+        parts = (self.part(part) for part in ("t", "y", "mode", "m"))
+        found: list[np.ndarray] = _constraint_forces(self.model)(self.controls[: self.model.nc], *parts)
+        return found
 
     def at(self, times: np.ndarray) -> History:
         """Return histories at other times [s] within the run; at an event, the state just after it."""

@@ -23,6 +23,7 @@ from hertzwerk.runtime.solution.remedies import of_accuracy, of_steps
 if TYPE_CHECKING:
     from hertzwerk.runtime.solution.history import History
 
+FRICTION_LOCKS = EXCEPTION + 1  # which is found of a run that left the range of a law, or has come to a halt
 STEPS = (STEP_TOO_SMALL, TOO_MANY_STEPS, WALL_TIME_LIMIT)  # statuses of runs whose steps were many or too small
 
 
@@ -61,6 +62,11 @@ _OUTCOMES = {
         "outside_law_range",
         "at t = {t:.9g} s a contact law was left where it is not defined: {where}",
         "choose a law that is defined at such a penetration, or check load and stiffness",
+    ),
+    FRICTION_LOCKS: (
+        "friction_locks",
+        "at t = {t:.9g} s friction locks {where}: the reaction that it makes feeds it, and no motion without impact is left, or more than one",
+        "take less friction, a longer guide or a smaller arm; or let contacts carry what the joint does: they have a stiffness",
     ),
     EVENT_LIMIT: (
         "event_limit",

@@ -86,16 +86,22 @@ def _balance(model: Model) -> Callers:
     force = model.function("applied")(t, q, u, c)[: model.nu]
     normal, in_range = ca.SX.zeros(model.k), ca.SX.ones(model.k)
     D, S, limit = ca.SX.zeros(model.nu, len(grips)), ca.SX.zeros(len(grips), model.nu), ca.SX.zeros(len(grips))
+    contact: list[ca.SX] = []
     rows = dict.fromkeys(range(model.ns)) | {i: row for i, (row, _) in enumerate(_bristles(model), model.ns)}
     for j, pair in enumerate(model.pairs):
         touches = closed[j] > 0
         f, _, pressing, sliding, in_range_j, *grip = model.function(f"contact_{pair}")(t, q, u, z, m, c)
         force += ca.if_else(touches, f[: model.nu], 0)
+        contact.append(ca.if_else(touches, f, 0))
         normal[j], in_range[j] = ca.if_else(touches, pressing, 0), ca.if_else(touches, in_range_j, 1)
         for i in (i for i, own in enumerate(grips) if own == j):
             along = grip[0] if rows[i] is None else ca.jacobian(f, z[rows[i]])
             D[:, i], S[i, :] = ca.if_else(touches, along[: model.nu], 0), ca.jacobian(sliding, u)
             limit[i] = ca.if_else(touches, grip[3] if rows[i] is None else 1, 0)
+    if model.has("loads"):  # by reactions and normal forces, which at rest are those of the accelerations' own solution
+        whole = sum(contact, start=model.function("applied")(t, q, u, c))
+        reactions = model.function("accelerations").call([t, q, u, whole, c])[1]
+        force += model.function("loads")(t, q, u, reactions, c)[: model.nu]
     loops, rate = model.function("constraints")(t, q, u, c) if model.nl else (ca.SX(0, 1), ca.SX(0, 1))
     gap, gap_rate = model.function("gaps")(t, q, u, c) if model.k else (ca.SX(0, 1), ca.SX(0, 1))
     G, W, moves = (

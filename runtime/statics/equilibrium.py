@@ -308,4 +308,4 @@ def _drives(model: Model, bound: Bound, t: float, rest: Rest) -> dict[str, float
             forces += f
             forces += sum(others[4] * rest.mu[i] for i, own in enumerate(grips_of(model)[: model.ns]) if own == j)
     _, reactions, *_ = model.evaluate("accelerations", t, rest.q, still, forces, bound.c)
-    return {drive: float(value) for drive, value in zip(names, reactions, strict=True)}
+    return {drive: float(value) for drive, value in zip(names, reactions, strict=False)}  # then those that loads read

@@ -116,7 +116,7 @@ def _judged(
     if asked:
         clear *= all_of(no_event_possible(model, run, mode, old, end, asked))
     apart = all_of(far_apart(model, run, old, end, others)) if others else ca.SX(1)
-    if contact:
+    if contact or model.loads:
         clear *= all_of(in_range > 0.5)
 
     grown = factor(table, error)

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 ARGUMENTS = "t y mode m c"
 """Arguments of the functions of a step: time, state, and the pairs' modes, latches and constants."""
+HELD = "multipliers", "reactions"
+SETTLED = 1e-9  # largest relative residual of a solved reaction
 MEAN_OF = 8  # most entries an error is averaged over: many bodies without error must not hide the two that collide
 
 
@@ -32,16 +34,18 @@ class Flow:
 
     rates:  dy/dt (ny)
     ends:   dy/dt; gap, gap rate, gap acceleration (k each); raw normal force and its rate along the flow (k each, 0
-            unless in contact); in_range (k); of the pairs with set-valued friction (ns each, 0 unless in contact): force
-            along the tangent, margin, rate of the margin; of the effects' events (ne): margin [1] and its rate [1/s]; kinetic
-            and potential energy (1 each, none without a ledger), touching surfaces included; time to a singular
-            position (1, none in a tree)
-    holding: constraint forces of the loops (nl) [N or N m]; None in a tree
+            unless in contact); in_range (k, and 1 of loads by reactions, if any); of the pairs with set-valued
+            friction (ns each, 0 unless in contact): force along the tangent, margin, rate of the margin; of the effects'
+            events (ne): margin [1] and its rate [1/s]; kinetic and potential energy (1 each, none without a ledger),
+            touching surfaces included; time to a singular position (1, none in a tree)
+    holding: constraint forces of the loops (nl) [N or N m]; forces of drives, and reactions that loads read
+    settling: margins of uniqueness of these reactions, and residuals of their solution; None without such loads
     """
 
     rates: Any
     ends: Any
-    holding: Any | None = None
+    holding: Any
+    settling: Any | None = None
     closing: Closing | None = None
     quaternions: tuple[int, ...] = ()
 
@@ -77,7 +81,7 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
     y = ca.vertcat(q, u, z)
     f = model.function("applied")(t, q, u, c)
     dz = ca.SX.zeros(model.nz)
-    forces, in_range = ca.SX.zeros(model.k), ca.SX.ones(model.k)
+    forces, in_range = ca.SX.zeros(model.k), ca.SX.ones(model.nr)
     for j, contact, active in active_contacts(model, contacts, mode):
         f_j, dz_j, normal, _, valid, *_ = contact(t, q, u, z, m, c)
         f += masked(active, f_j)
@@ -96,6 +100,9 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
     a, reactions, *multipliers = model.function("accelerations").call([t, q, u, f, c])
     if model.has_ledger:
         dz += model.function("ledger")(t, q, u, reactions, c)
+    if model.loads:
+        margins, residuals = model.function("settling")(t, q, u, f, c)
+        in_range[model.k] = ca.logic_and(ca.mmin(margins) > 0, ca.mmax(ca.fabs(residuals)) < SETTLED)
     dy = ca.vertcat(dq, a, dz)
     gap, gap_rate = model.function("gaps")(t, q, u, c)
     gap_acceleration = model.function("gap_accelerations")(t, q, u, a, c)
@@ -131,7 +138,10 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
             names,
             ["dy", *PAIR_PARTS, "in_range", *GRIP_PARTS, *EVENT_PARTS, *ENERGY_PARTS, "ahead"],
         ),
-        holding=ca.Function("holding", arguments, multipliers, names, ["multipliers"]) if model.nl else None,
+        holding=ca.Function("holding", arguments, [*(multipliers or [ca.SX(0, 1)]), reactions], names, list(HELD)),
+        settling=ca.Function("settling", arguments, [margins, residuals], names, ["margins", "residuals"])
+        if model.loads
+        else None,
         closing=closing(model),
     )
 

@@ -147,6 +147,6 @@ def layouts(model: Model) -> Layouts:
             {"c": model.nc, "scale": ny, "scales": 4, "speed_limits": len(model.speed_limited) and k}
             | dict.fromkeys(limits, 1)
         ),
-        trial=Layout({"t": 1, "y": ny, "dy": ny} | pairs | {"in_range": k, "error": 1}),
-        verdict=Layout({"kind": 1, "error": 1, "in_range": k}),
+        trial=Layout({"t": 1, "y": ny, "dy": ny} | pairs | {"in_range": model.nr, "error": 1}),
+        verdict=Layout({"kind": 1, "error": 1, "in_range": model.nr}),
     )

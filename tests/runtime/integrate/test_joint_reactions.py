@@ -1,0 +1,268 @@
+"""Loads that depend on what joints and contacts carry, against hand-made equations and closed forms."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
+
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    ConstantSpeed,
+    Contact,
+    EnergyLedger,
+    Friction,
+    Gravity,
+    InputError,
+    JointForce,
+    JointFriction,
+    Mechanism,
+    Parameter,
+    Planar,
+    Prismatic,
+    Revolute,
+    Scales,
+    Scene,
+    SphereOnPlane,
+    Start,
+    T,
+    X,
+    Y,
+    Z,
+    laws,
+    normal_force_of,
+    reaction_of,
+    speed_of,
+)
+from hertzwerk.runtime import equilibrium, load, simulate
+
+G, M, J, L, R, MU, V_S = 9.81, 1.3, 0.02, 0.4, 0.06, 0.35, 1e-3
+p = Parameter
+DOWN = Gravity("gravity", p("g", "m/s^2", G), direction=-Y)
+RUBS = laws.smooth_coulomb(p("mu", "1", MU), p("v_s", "m/s", V_S))
+SCALES = Scales(p("size", "m", L), p("pace", "m/s", 1), arm=p("size", "m", L))
+radius = p("radius", "m", R)
+BEARING = JointFriction("bearing", "hinge", RUBS, radius=radius)
+BOTH, METHODS = ["tree", "absolute"], ["dop853", "esdirk", "rodas", "auto"]
+
+
+def pendulum(friction=BEARING, *, lift=1.2, effects=()):
+    bob = Body("bob", p("mass", "kg", M), inertia=p("J", "kg m^2", J), centre=(0, -p("size", "m", L), 0))
+    mechanism = Mechanism("journal_pendulum", (Revolute("hinge", GROUND, bob, axis=Z),))
+    start = Start(position={"hinge": p("lift", "rad", lift)})
+    return Scene(mechanism, (DOWN, *((friction,) if friction else ()), *effects, EnergyLedger()), SCALES, start)
+
+
+def by_hand(lift, times):
+    """Swing of a pendulum with the torque mu r |reaction| in its journal, the reaction found by bisection."""
+
+    def slope(t, x):
+        angle, w = x
+        grip = MU * R * np.tanh(R * w / V_S)
+
+        def acceleration(n):
+            return (-M * G * L * np.sin(angle) - grip * n) / (J + M * L**2)
+
+        def left(n):  # of the bob: along the rod and across it
+            return n - np.hypot(M * L * w**2 + M * G * np.cos(angle), M * L * acceleration(n) + M * G * np.sin(angle))
+
+        return [w, acceleration(brentq(left, 0, 1e4, xtol=1e-13))]
+
+    return solve_ivp(slope, (0, times[-1]), [lift, 0], method="LSODA", rtol=1e-10, atol=1e-12, t_eval=times).y
+
+
+@pytest.mark.parametrize(("coordinates", "method"), [("tree", "dop853"), ("absolute", "esdirk")])
+def test_a_pendulum_in_its_journal(coordinates, method):
+    run = simulate(load(pendulum().with_coordinates(coordinates)), duration=1.2, tolerance=1e-9, method=method)
+    times = np.linspace(0, 1.2, 7)
+    assert run.at(times)["hinge.angle"] == pytest.approx(by_hand(1.2, times)[0], abs=2e-7)
+    pressed = np.hypot(run["hinge.reaction_x"], run["hinge.reaction_y"])
+    torque = -MU * R * pressed * np.tanh(R * run["hinge.speed"] / V_S)
+    assert run["bearing.torque"] == pytest.approx(torque, rel=1e-9, abs=1e-9)
+    assert run.energy_residual < 1e-7
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("coordinates", BOTH)
+@pytest.mark.parametrize("method", METHODS)
+def test_every_method(coordinates, method):
+    run = simulate(load(pendulum().with_coordinates(coordinates)), duration=1.2, tolerance=1e-8, method=method)
+    assert run["hinge.angle"][-1] == pytest.approx(by_hand(1.2, np.array([0, 1.2]))[0][-1], abs=1e-5)
+    assert run.energy_residual < 1e-5
+
+
+def test_the_circle_of_friction():
+    """At rest it holds where the weight passes the circle mu r: sin(angle) = mu r/l; the smoothed law creeps there."""
+    locks = np.arcsin(MU * R / L)
+    model = load(pendulum())
+    held = simulate(model, duration=5.0, tolerance=1e-9, parameters={"lift": (0.9 * locks, "rad")})
+    creep = V_S / R * np.arctanh(np.sin(held["hinge.angle"][-1]) * L / (MU * R))
+    assert held["hinge.speed"][-1] == pytest.approx(-creep, rel=1e-2)  # it slows down
+    free = simulate(model, duration=5.0, tolerance=1e-9, parameters={"lift": (1.1 * locks, "rad")})
+    assert np.min(free["hinge.speed"]) < -20 * V_S
+
+
+def test_a_reaction_in_an_expression_is_that_of_the_friction():
+    drag = (
+        -p("mu", "1", MU) * radius * reaction_of("hinge") * sp.tanh(radius * speed_of("hinge") / p("v_s", "m/s", V_S))
+    )
+    one, two = (
+        simulate(load(pendulum(x)), duration=1.0, tolerance=1e-10)
+        for x in (BEARING, JointForce("bearing", "hinge", drag))
+    )
+    assert two["hinge.angle"][-1] == pytest.approx(one["hinge.angle"][-1], abs=1e-9)
+    assert two["bearing.input"][-1] == pytest.approx(-one["bearing.dissipated"][-1], rel=1e-8)
+
+
+ARM, LENGTH, GUIDED = 0.2, 0.1, 2.0
+
+
+def guide(*, inertia=0.01, **start):
+    """A block on a guide, with its mass centre an arm above it: friction turns it, and presses its pads."""
+    block = Body("block", p("mass", "kg", GUIDED), inertia=p("J", "kg m^2", inertia), centre=(0, p("arm", "m", ARM), 0))
+    effects = (
+        DOWN,
+        JointFriction("friction", "slide", RUBS, length=p("length", "m", LENGTH)),
+        JointForce("push", "slide", p("push", "N", 0)),
+        EnergyLedger(),
+    )
+    mechanism = Mechanism("guide", (Prismatic("slide", GROUND, block, axis=X),))
+    return Scene(mechanism, effects, SCALES, Start(speed={"slide": p("v0", "m/s", 1)}))
+
+
+@pytest.mark.parametrize("coordinates", BOTH)
+def test_a_guide_locks_itself(coordinates):
+    """Where mu reaches length/(2 arm) no deceleration balances the pads: told by name. Below, it brakes by mu g."""
+    model, bound = load(guide().with_coordinates(coordinates)), LENGTH / (2 * ARM)
+    below = simulate(model, duration=0.1, tolerance=1e-9, parameters={"mu": 0.999 * bound})
+    assert below["slide.speed"][-1] == pytest.approx(1 - 0.999 * bound * G * 0.1, rel=1e-9)
+    assert below.energy_residual < 1e-12
+    above = simulate(model, duration=0.1, tolerance=1e-9, parameters={"mu": 1.001 * bound})
+    assert above.outcome.name == "friction_locks"
+    assert "slide" in above.outcome.message
+
+
+def test_a_guide_that_comes_to_lock_is_told_when():
+    """Friction grows with the speed over v_s: a push brings the guide to where mu tanh(v/v_s) = length/(2 arm)."""
+    bound, mu, v_s, push = LENGTH / (2 * ARM), 0.3, 0.5, 40.0
+    values = {"mu": mu, "v_s": (v_s, "m/s"), "push": (push, "N"), "v0": (0, "m/s")}
+    run = simulate(load(guide()), duration=2.0, tolerance=1e-9, parameters=values)
+    assert run.outcome.name == "friction_locks"
+    assert run["slide.speed"][-1] == pytest.approx(v_s * np.arctanh(bound / mu), rel=0.1)
+
+
+def test_pads_share_force_and_moment():
+    """A push at the guide turns the block about its centre: pads press with m g/2 and (push - friction) arm/length."""
+    run = simulate(
+        load(guide()), duration=0.01, tolerance=1e-9, parameters={"mu": 0.1, "push": (10, "N"), "v0": (1, "m/s")}
+    )
+    weight = GUIDED * G
+    brakes, *_ = (-x for x in run["friction.force"])
+    lift = (10 - brakes) * ARM / LENGTH
+    assert brakes == pytest.approx(0.1 * (abs(weight / 2 + lift) + abs(weight / 2 - lift)), rel=1e-9)
+
+
+def test_two_frictions_feed_each_other():
+    """A double pendulum with two journals: in both coordinate choices, and torques by both reactions."""
+    size = p("size", "m", L)
+    one, two = (
+        Body(n, p(f"{n}_mass", "kg", m), inertia=p("J", "kg m^2", J), centre=(size / 2, 0, 0))
+        for n, m in (("one", 1), ("two", 2))
+    )
+    mechanism = Mechanism(
+        "two", (Revolute("hinge", GROUND, one, axis=Z), Revolute("elbow", one.at(size, 0, 0), two, axis=Z))
+    )
+    scene = Scene(mechanism, (DOWN, BEARING, replace(BEARING, name="other", joint="elbow"), EnergyLedger()), SCALES)
+    runs = [simulate(load(scene.with_coordinates(c)), duration=0.5, tolerance=1e-10) for c in BOTH]
+    for run in runs:
+        for joint, name in (("hinge", "bearing"), ("elbow", "other")):
+            pressed = np.hypot(run[f"{joint}.reaction_x"], run[f"{joint}.reaction_y"])
+            assert run[f"{name}.torque"] == pytest.approx(
+                -MU * R * pressed * np.tanh(R * run[f"{joint}.speed"] / V_S), rel=1e-8, abs=1e-8
+            )
+        assert run.energy_residual < 1e-8
+    assert runs[0]["elbow.angle"][-1] == pytest.approx(runs[1]["elbow.angle"][-1], abs=1e-8)
+
+
+def test_friction_in_a_driven_joint_loads_its_drive():
+    size = p("size", "m", L)
+    wheel = Body("wheel", p("mass", "kg", M), inertia=p("J", "kg m^2", J))
+    hung = Body("hung", p("hung_mass", "kg", 1), inertia=p("J", "kg m^2", J), centre=(0, -size, 0))
+    joints = (Revolute("hinge", GROUND, wheel, axis=Z), Revolute("pin", wheel.at(size, 0, 0), hung, axis=Z))
+    motor = ConstantSpeed("motor", "hinge", p("w", "rad/s", 3))
+    scene = Scene(Mechanism("driven", joints), (DOWN, motor, BEARING, EnergyLedger()), SCALES)
+    run = simulate(load(scene), duration=1.0, tolerance=1e-9)
+    bare = simulate(load(scene.without("bearing")), duration=1.0, tolerance=1e-9)
+    pressed = np.hypot(run["hinge.reaction_x"], run["hinge.reaction_y"])
+    assert run["pin.angle"][-1] == pytest.approx(bare["pin.angle"][-1], abs=1e-9)
+    assert run["motor.torque"][-1] - bare["motor.torque"][-1] == pytest.approx(MU * R * pressed[-1], rel=1e-6)
+    assert run.energy_residual < 1e-7
+
+
+@pytest.mark.parametrize("coordinates", BOTH)
+def test_a_brake_by_a_normal_force(coordinates):
+    """A ball that rests on a floor brakes a wheel by its normal force, and by nothing while it falls."""
+    wheel = Body("wheel", p("wheel_mass", "kg", 1), inertia=p("J", "kg m^2", J))
+    ball = Body("ball", p("mass", "kg", M))
+    joints = (Prismatic("fall", GROUND, ball, axis=Y), Revolute("axle", GROUND, wheel, axis=Z))
+    floor = SphereOnPlane("floor", ball.at(0, 0, 0), radius, GROUND.at(0, 0, 0), normal=Y)
+    brake = JointForce("brake", "axle", -p("mu", "1", MU) * radius * normal_force_of("floor"))
+    effects = (DOWN, Contact("floor", laws.power(p("K", "N/m^1.5", 1e6), 1.5)), brake, EnergyLedger())
+    start = Start(position={"fall": radius + p("height", "m", 0.05)}, speed={"axle": p("w", "rad/s", 50)})
+    run = simulate(
+        load(Scene(Mechanism("brake", joints, (floor,)), effects, SCALES, start, coordinates=coordinates)),
+        duration=0.15,
+        tolerance=1e-9,
+    )
+    touches = run.impacts[0].t
+    assert run.at(np.array([touches]))["axle.speed"][0] == 50
+    impulse = M * (G * 0.15 + run["fall.speed"][-1])  # of the floor: momentum of the ball
+    assert 50 - run["axle.speed"][-1] == pytest.approx(MU * R * impulse / J, rel=1e-6)
+    assert run.energy_residual < 1e-7
+
+
+def test_rest_under_loads_by_reactions():
+    """A torque of a tenth of the reaction holds the pendulum at m g l sin(angle) = 0.1 r N with N = m g."""
+    torque = p("mu", "1", MU) * radius * reaction_of("hinge")
+    found = equilibrium(load(pendulum(JointForce("bearing", "hinge", torque), lift=0.01)))
+    assert found["hinge.angle"][0] == pytest.approx(np.arcsin(MU * R / L), rel=1e-8)
+
+
+def test_what_cannot_be_said_is_told_at_once():
+    ball = Body("ball", p("mass", "kg", M), inertia=p("J", "kg m^2", J))
+    table = Mechanism("table", (Planar("table", GROUND, ball, normal=Z),))
+    with pytest.raises(InputError, match="under its own reaction"):
+        Scene(table, (JointFriction("drag", "table.x", RUBS),), SCALES)
+    with pytest.raises(InputError) as caught:
+        Scene(
+            pendulum().mechanism,
+            (
+                replace(BEARING, name="a", length=radius),
+                replace(
+                    BEARING,
+                    name="b",
+                    law=laws.brown_mcphee(MU, 2 * MU, p("v_s", "m/s", V_S), p("c", "N s/m", 1), p("N_t", "N", 1)),
+                ),
+                JointForce("c", "hinge", reaction_of("hunge") * radius),
+                JointForce("d", "hinge", normal_force_of("floor") * radius),
+                JointForce("e", "hinge", reaction_of("hinge") * T),
+            ),
+            SCALES,
+        )
+    assert {fault.where.split(",")[0] for fault in caught.value.faults} == {f"effect {name}" for name in "abcde"}
+    with pytest.raises(InputError, match="linear"):
+        load(pendulum(JointForce("bearing", "hinge", radius * reaction_of("hinge") ** 2 / p("F", "N", 1))))
+    with pytest.raises(InputError, match="length of the guide"):
+        Scene(guide().mechanism, (JointFriction("friction", "slide", RUBS),), SCALES)
+    wheel = Body("wheel", p("mass", "kg", M), inertia=p("J", "kg m^2", J))
+    joints = (Planar("roll", GROUND, wheel, normal=Z), Revolute("hinge", GROUND, ball, axis=Z))
+    floor = SphereOnPlane("floor", wheel.at(0, 0, 0), radius, GROUND.at(0, 0, 0), normal=Y)
+    sticks = (
+        Contact("floor", laws.power(p("K", "N/m^1.5", 1e6), 1.5)),
+        Friction("grip", "floor", laws.coulomb(MU, MU)),
+    )
+    with pytest.raises(InputError, match="set-valued, beside loads"):
+        load(Scene(Mechanism("sticks", joints, (floor,)), (DOWN, *sticks, BEARING), SCALES))
