@@ -14,6 +14,8 @@ FEW, MANY = 12, 24  # most names listed as expected: where similar names are sug
 
 def visible(text: str) -> str:
     """Escape every character that does not print; line breaks stay."""
+    if text.isprintable():
+        return text
     return "".join(c if c.isprintable() or c == "\n" else c.encode("unicode_escape").decode() for c in text)
 
 

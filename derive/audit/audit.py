@@ -12,8 +12,8 @@ from hertzwerk.derive.audit.forms import advice
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.dimension.culprit import Culprit, Row, culprits, likeliest, powers_in, sentence
 from hertzwerk.derive.dimension.dimension import ONE, Dimension, DimensionError, DimensionFault
-from hertzwerk.derive.dimension.symbolic import symbolic
-from hertzwerk.derive.dimension.walker import check, dimension_of
+from hertzwerk.derive.dimension.symbolic import Symbolic, reader, symbolic
+from hertzwerk.derive.dimension.walker import Walker, check, dimension_of
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.laws.law import GEOMETRY, STATE, BoundLaw, Law
 from hertzwerk.derive.program.program import Program
@@ -156,7 +156,7 @@ def _culprits(law: Law, table: Mapping[sp.Symbol, Dimension], names: Mapping[str
             expected = dimensions[defined[what]] if what in defined else _dimension(unit, names)
             return check(expression, dimensions, expected, [s for s in own if dimensions[s] == ONE])
 
-        return Row(fault, lambda symbol: powers_in(symbolic(expression).root, symbol))
+        return Row(fault, lambda symbol: powers_in(symbolic(expression), symbol))
 
     rows = [row(*entry) for entry in (*_definitions(law), *law.expressions())]
     return culprits(rows, table, {symbol: symbol.unit for symbol in own})
@@ -304,29 +304,27 @@ def audit_program(program: Program) -> tuple[dict[sp.Symbol, str], tuple[Finding
         symbol for symbol in (*program.tape.inputs, *program.tape.assignments) if program.tape.is_constant(symbol)
     ]
     findings: list[Finding] = []
-    for symbol, expression in program.assignments():
-        if symbol in table:
-            continue
+    read, walk = reader(), Walker(Symbolic(), table, constants)
+
+    def examine(what: str, expression: Any, expected: Dimension | None) -> Dimension | None:
         try:
-            table[symbol] = dimension_of(expression, table, constants)
+            return walk.result(read(expression), expected)
         except DimensionError as error:
             if error.fault.found != "unknown":
-                findings.append(_finding(program, f"assignment {symbol}", expression, error.fault))
-    findings.extend(_output_findings(program, table, constants))
-    texts = {dimension: str(dimension) for dimension in dict.fromkeys(table.values())}
-    return {symbol: texts[dimension] for symbol, dimension in table.items()}, tuple(findings)
+                findings.append(_finding(program, what, expression, error.fault))
+            return None
 
-
-def _output_findings(
-    program: Program, table: Mapping[sp.Symbol, Dimension], constants: list[sp.Symbol]
-) -> Iterable[Finding]:
+    for symbol, expression in program.assignments():
+        if symbol not in table and (found := examine(f"assignment {symbol.name}", expression, None)) is not None:
+            table[symbol] = found
     for function in program.functions:
         for result in function.results:
             for label, unit, expression in zip(result.labels, result.units, result.expressions, strict=True):
                 if unit:
-                    fault = check(sp.sympify(expression), table, Dimension.from_unit(parse_unit(unit), {}), constants)
-                    if fault is not None and fault.found != "unknown":
-                        yield _finding(program, f"output {function.name}.{result.name}[{label}]", expression, fault)
+                    expected = Dimension.from_unit(parse_unit(unit), {})
+                    examine(f"output {function.name}.{result.name}[{label}]", sp.sympify(expression), expected)
+    texts = {dimension: str(dimension) for dimension in dict.fromkeys(table.values())}
+    return {symbol: texts[dimension] for symbol, dimension in table.items()}, tuple(findings)
 
 
 def _finding(program: Program, what: str, expression: Any, fault: DimensionFault) -> Finding:

@@ -102,13 +102,13 @@ def examine(
     for any value.
     """
     try:
-        return Walker(expression, declared.dimensions, declared.constants).result(expected), None
+        return Walker(expression, declared.dimensions, declared.constants).result(expression.root, expected), None
     except DimensionError as error:
         fault = error.fault
     if declared.constants != declared.symbols and fault.found != fault.expected:
         general = declared.general
         try:
-            Walker(expression, general.dimensions, general.constants).result(expected)
+            Walker(expression, general.dimensions, general.constants).result(expression.root, expected)
         except DimensionError as error:  # with the exponent left open, for the repair
             if error.fault.subexpression == fault.subexpression and error.fault.consistent_exponent is not None:
                 general_fault = error.fault

@@ -41,6 +41,13 @@ class Dimension:
     def __post_init__(self) -> None:
         for name in ("M", "L", "T", "Theta", "I"):
             object.__setattr__(self, name, canonical(getattr(self, name)))
+        object.__setattr__(self, "_hash", hash((*self.exponents, self.every)))  # once, not in every look-up
+
+    def __hash__(self) -> int:
+        return self._hash  # type: ignore[attr-defined, no-any-return]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Dimension, (*self.exponents, self.every)  # hashes of names differ by process
 
     @classmethod
     def from_unit(cls, unit: Unit | str, symbols: Mapping[str, Expr] | None = None) -> Dimension:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any
@@ -19,7 +19,7 @@ from hertzwerk.derive.algebra.splines import Spline
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.dimension.tree import Node
 
-__all__ = ["SYMPY", "Symbolic", "converted", "symbolic"]
+__all__ = ["SYMPY", "Symbolic", "converted", "reader", "symbolic"]
 
 MAX_NESTED = 2  # deepest nesting of functions of numbers that SymPy evaluates exactly
 
@@ -88,13 +88,11 @@ _OPERATIONS: dict[type, str] = {made: op for op, made in SYMPY.items() if isinst
     sp.MatAdd: "sum", sp.MatMul: "product", sp.ImmutableDenseMatrix: "matrix", sp.Transpose: "transpose", sp.Inverse: "inv", sp.Mod: "mod",
     **{f: f.__name__ for f in (sp.asinh, sp.acosh, sp.atanh, sp.erf, sp.floor, sp.ceiling, sp.Heaviside)},
 }  # fmt: skip
+_PLAIN = {made: _OPERATIONS[made] for made in (sp.Add, sp.Mul, sp.Pow)}
 
 
-@dataclass(frozen=True)
 class Symbolic:
-    """Tree of a SymPy expression, quoted as SymPy prints it."""
-
-    root: Node
+    """Trees of SymPy expressions, quoted as SymPy prints them."""
 
     def quote(self, node: Node) -> str:
         """Printed expression of a node."""
@@ -115,13 +113,15 @@ class Symbolic:
         """The dimension itself: SymPy has already compared its exponents."""
         return dimension
 
-    def __str__(self) -> str:
-        return str(self.root.expr)
-
 
 @lru_cache(maxsize=1024)
-def symbolic(expression: Any) -> Symbolic:
-    """Tree of an immutable SymPy expression; equal sub-expressions share a node."""
+def symbolic(expression: Any) -> Node:
+    """Root of the tree of an immutable SymPy expression."""
+    return reader()(expression)
+
+
+def reader() -> Callable[[Any], Node]:
+    """Reader of immutable SymPy expressions; equal sub-expressions, also of two of them, share a node."""
     nodes: dict[Any, Node] = {}
 
     def read(expr: Any) -> Node:
@@ -130,11 +130,14 @@ def symbolic(expression: Any) -> Symbolic:
             node = nodes[expr] = _node(expr, read)
         return node
 
-    return Symbolic(read(expression))
+    return read
 
 
 def _node(expr: Any, read: Callable[[Any], Node]) -> Node:
     """Make one node; expressions without an operation keep the name of their SymPy class."""
+    op = _PLAIN.get(type(expr))  # nearly all nodes are one of these or a name
+    if op is not None:
+        return Node(op, args=tuple(map(read, expr.args)), expr=expr)
     if isinstance(expr, (sp.Symbol, AppliedUndef)):
         return Node("name", name=expr, expr=expr)
     if isinstance(expr, sp.Number) and expr.is_extended_real and expr is not sp.nan:

@@ -51,11 +51,7 @@ class Node:
 
 
 class Tree(Protocol):
-    """Protocol of a tree: how a part is quoted, and the value of an exponent."""
-
-    @property
-    def root(self) -> Node:
-        """Root node."""
+    """Protocol of trees: how a part is quoted, and the value of an exponent."""
 
     def quote(self, node: Node) -> str:
         """Text of a node in the form of its origin."""

@@ -17,7 +17,7 @@ import sympy as sp
 from hertzwerk.derive.dimension.dimension import ONE, ZERO, Dimension, DimensionError, DimensionFault, canonical
 from hertzwerk.derive.dimension.repair import repair
 from hertzwerk.derive.dimension.rules import NOUNS, SIGNATURES, Signature
-from hertzwerk.derive.dimension.symbolic import as_immutable, symbolic
+from hertzwerk.derive.dimension.symbolic import Symbolic, as_immutable, symbolic
 from hertzwerk.derive.dimension.tree import Node, Tree
 
 __all__ = ["Walker", "check", "dimension_of"]
@@ -26,7 +26,7 @@ _WHOLE = Signature("alike", "same")
 
 
 class Walker:
-    """Walk over one tree; the first node without a dimension raises DimensionError."""
+    """Walk over trees; the first node without a dimension raises DimensionError."""
 
     def __init__(self, tree: Tree, table: Mapping[Any, Dimension], constants: Collection[Any]) -> None:
         self.tree = tree
@@ -34,13 +34,11 @@ class Walker:
         self.constants = constants
         self.memo: dict[Node, Dimension] = {}
 
-    def result(self, expected: Dimension | None) -> Dimension:
-        """Dimension of the whole; raises DimensionError if it is not the expected one."""
-        if (
-            expected is not None
-        ):  # first, so that of two unlike terms the one without the expected dimension is at fault
-            self.expect(self.tree.root, expected)
-        return self(self.tree.root)
+    def result(self, root: Node, expected: Dimension | None) -> Dimension:
+        """Dimension of a whole tree; raises DimensionError if it is not the expected one."""
+        if expected is not None:  # of two unlike terms the one without the expected dimension is at fault
+            self.expect(root, expected)
+        return self(root)
 
     def __call__(self, node: Node) -> Dimension:
         """Dimension of a node; raises DimensionError."""
@@ -204,7 +202,7 @@ def dimension_of(expr: Any, table: Mapping[Any, Dimension], constants: Collectio
 
     Raises DimensionError, whose `fault` names the smallest sub-expression without a dimension.
     """
-    return Walker(symbolic(as_immutable(expr)), table, constants).result(None)
+    return Walker(Symbolic(), table, constants)(symbolic(as_immutable(expr)))
 
 
 def check(
@@ -212,7 +210,7 @@ def check(
 ) -> DimensionFault | None:
     """Fault of a SymPy expression that has not the expected dimension, else None."""
     try:
-        Walker(symbolic(as_immutable(expr)), table, constants).result(expected)
+        Walker(Symbolic(), table, constants).result(symbolic(as_immutable(expr)), expected)
     except DimensionError as error:
         return error.fault
     return None

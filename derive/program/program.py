@@ -357,7 +357,7 @@ def _compound_parts(expression: Any) -> Iterator[Any]:
         if node.is_Atom:
             continue
         pending.extend(node.args)
-        if not (node.is_Relational or (node.is_Pow and node.exp == -1) or _negated_atom(node) != 0):
+        if not (node.is_Relational or (node.is_Pow and node.exp == -1) or _negated_atom(node) is not sp.S.Zero):
             yield node
 
 
