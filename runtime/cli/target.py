@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Callable, Mapping, Sequence
+from functools import reduce
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -41,6 +42,14 @@ COORDINATES = click.option(
     metavar="NAME",
     help="tree (of the joints), absolute (of every body) or auto (what takes fewer operations); derives the variation.",
 )
+
+
+def together(*options: Callable[[Any], Any]) -> Callable[[Any], Any]:
+    """Decorate a command with options, in their order."""
+    return lambda command: reduce(lambda decorated, option: option(decorated), reversed(options), command)
+
+
+VARIATION = together(SET, WITHOUT, LAW, COORDINATES)
 ACCURACY = click.option(
     "--accuracy",
     metavar="NUMBER",

@@ -83,7 +83,6 @@ def new_folder(name: str, out: Path | None, fill: Callable[[Path], list[str]]) -
     All of it appears at once, or nothing.
     """
     parent = out.parent if out is not None else RUNS
-    parent.mkdir(parents=True, exist_ok=True)
     with scratch_folder(parent) as temporary:
         files = fill(temporary)
         return _publish(temporary, out, parent / name), files

@@ -28,7 +28,7 @@ YOUNG = 60.0  # s: younger files may not be locked yet by their maker
 @contextlib.contextmanager
 def scratch_folder(parent: Path) -> Iterator[Path]:
     """Make a new folder in `parent`, removed at the end unless it was renamed; raises OSError."""
-    sweep(parent)
+    _prepare(parent)
     path = parent / f"{_PREFIX}{secrets.token_hex(8)}"
     path.mkdir()
     try:
@@ -40,7 +40,7 @@ def scratch_folder(parent: Path) -> Iterator[Path]:
 
 def write_atomically(path: Path, content: bytes) -> None:
     """Write a file so that a reader, a crash, or a power loss never meets half of it; raises OSError."""
-    sweep(path.parent)
+    _prepare(path.parent)
     temporary = path.with_name(f"{_PREFIX}{secrets.token_hex(8)}")
     try:
         with temporary.open("xb") as stream, _held(temporary):
@@ -50,6 +50,12 @@ def write_atomically(path: Path, content: bytes) -> None:
             temporary.replace(path)
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def _prepare(parent: Path) -> None:
+    """Make a folder where it is missing, else remove what was left in it; raises OSError."""
+    parent.mkdir(parents=True, exist_ok=True)
+    sweep(parent)
 
 
 def sweep(parent: Path) -> None:

@@ -50,9 +50,9 @@ def meaning_of(model: Model, name: str) -> str:
     """Return what a history is, in a few words."""
     if name in ("t", "energy"):
         return "time" if name == "t" else _ENERGY
-    saved = {row[0]: row[2] for row in getattr(model.module, "BESIDE", ())}
-    if name in saved:
-        return str(saved[name])
+    for saved, _, meaning in getattr(model.module, "BESIDE", ()):
+        if saved == name:
+            return str(meaning)
     if model.reads and not units_of(model, None).lists(name):
         return readings_of(model).rows[name].meaning
     whose, _, part = name.rpartition(".")

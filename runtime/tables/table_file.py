@@ -38,6 +38,5 @@ def write_table(
         raise InputError("table", faults)
     ending = path.suffix.lower()
     content = csv() if ending == CSV else parquet(table()) if ending == ".parquet" else netcdf(table())
-    path.parent.mkdir(parents=True, exist_ok=True)
     write_atomically(path, content)
     return path

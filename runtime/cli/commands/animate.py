@@ -12,12 +12,9 @@ import click
 from hertzwerk.runtime.cli.continue_run import output_of
 from hertzwerk.runtime.cli.target import (
     BY_METHOD,
-    COORDINATES,
     DURATION,
     GRID,
-    LAW,
-    SET,
-    WITHOUT,
+    VARIATION,
     number,
     solved,
 )
@@ -32,10 +29,7 @@ TOLERANCE = 1e-6  # local; finer than a picture shows
 
 @click.command()
 @click.argument("target")
-@SET
-@WITHOUT
-@LAW
-@COORDINATES
+@VARIATION
 @DURATION
 @click.option(
     "--accuracy",

@@ -15,14 +15,11 @@ from hertzwerk.runtime.cli.stopping import Stopping
 from hertzwerk.runtime.cli.target import (
     ACCURACY,
     BY_METHOD,
-    COORDINATES,
     DURATION,
     JSON,
-    LAW,
     MAX_STEPS,
-    SET,
+    VARIATION,
     WALL_TIME,
-    WITHOUT,
     assignments,
     loaded,
     number,
@@ -80,10 +77,7 @@ if TYPE_CHECKING:
     multiple=True,
     help='Standard deviation of the measurement\'s noise, which residuals are judged by: acceleration="5 m/s^2".',
 )
-@SET
-@WITHOUT
-@LAW
-@COORDINATES
+@VARIATION
 @DURATION
 @ACCURACY
 @BY_METHOD

@@ -109,20 +109,21 @@ def laws(
 
 def _draw(sheets: Sequence[Sheet], picture: Path) -> None:
     """Write the picture of one reconstruction; raises InputError if there is none or the file exists."""
+    from hertzwerk.runtime.host.folder import new_file_faults
+
     faults = []
     if len(sheets) != 1 or sheets[0].band is None:
         found = ", ".join(f"{sheet.name} of grade {sheet.grade}" for sheet in sheets) or "no law"
         faults.append(Fault("--picture", found, "one reconstruction, such as wang_liu_internal"))
-    if picture.exists():
-        faults.append(Fault("--picture", f"{picture}, which is there already", "a new file"))
-    if picture.suffix != ".png" or not picture.absolute().parent.is_dir():
-        faults.append(Fault("--picture", str(picture), "a file FILE.png in a folder that is there"))
+    if picture.suffix != ".png":
+        faults.append(Fault("--picture", str(picture), "a file FILE.png"))
+    faults += new_file_faults("--picture", picture)
     if faults:
         raise InputError("laws", faults)
-    from hertzwerk.runtime.host.scratch import write_atomically
     from hertzwerk.runtime.pictures.studies.plot_band import png
+    from hertzwerk.runtime.solution.solution import write
 
-    write_atomically(picture, png(sheets[0]))
+    write(picture, png(sheets[0]), overwrite=False)
 
 
 # -- one law -----------------------------------------------------------------------------------------------------------

@@ -15,16 +15,13 @@ from hertzwerk.runtime.cli.stopping import Stopping
 from hertzwerk.runtime.cli.target import (
     ACCURACY,
     BY_METHOD,
-    COORDINATES,
     DURATION,
     GRID,
     JSON,
-    LAW,
     MAX_STEPS,
-    SET,
     TABLE,
+    VARIATION,
     WALL_TIME,
-    WITHOUT,
     command_line,
     number,
     solved,
@@ -54,10 +51,7 @@ STOPPED = (
 
 @click.command()
 @click.argument("target", required=False)
-@SET
-@WITHOUT
-@LAW
-@COORDINATES
+@VARIATION
 @DURATION
 @ACCURACY
 @BY_METHOD

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from hertzwerk.derive.faults import InputError
-from hertzwerk.runtime.cli.target import COORDINATES, JSON, LAW, SET, WITHOUT, assignments, loaded
+from hertzwerk.runtime.cli.target import JSON, VARIATION, assignments, loaded, together
 from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, line, reports_bad_input, table
 
 if TYPE_CHECKING:
@@ -19,23 +19,20 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.statics.equilibrium import Equilibrium
 
 MOVED = 1e-6  # part of a shape below which a coordinate is not printed
-AT = click.option("--at", metavar="TIME", default="0", help='Time at which drives and loads are held, such as "2 ms".')
-NEAREST = click.option(
-    "--nearest", is_flag=True, help="The equilibrium nearest to the start, stable or not (Newton's method)."
+EQUILIBRIUM = together(
+    click.argument("target"),
+    VARIATION,
+    click.option("--at", metavar="TIME", default="0", help='Time at which drives and loads are held, such as "2 ms".'),
+    click.option(
+        "--nearest", is_flag=True, help="The equilibrium nearest to the start, stable or not (Newton's method)."
+    ),
+    click.option("--out", metavar="FILE", type=click.Path(path_type=Path), help="New PNG to draw it into."),
+    JSON,
 )
-PICTURE = click.option("--out", metavar="FILE", type=click.Path(path_type=Path), help="New PNG to draw it into.")
 
 
 @click.command()
-@click.argument("target")
-@SET
-@WITHOUT
-@LAW
-@COORDINATES
-@AT
-@NEAREST
-@PICTURE
-@JSON
+@EQUILIBRIUM
 @reports_bad_input
 def statics(out: Path | None, as_json: bool, **options: Any) -> int:
     """Find where TARGET comes to rest, its drives held: position, contact and drive forces, stability."""
@@ -66,15 +63,7 @@ def statics(out: Path | None, as_json: bool, **options: Any) -> int:
 
 
 @click.command()
-@click.argument("target")
-@SET
-@WITHOUT
-@LAW
-@COORDINATES
-@AT
-@NEAREST
-@PICTURE
-@JSON
+@EQUILIBRIUM
 @reports_bad_input
 def modes(out: Path | None, as_json: bool, **options: Any) -> int:
     """Print frequencies, damping and shapes of the small vibrations of TARGET about its equilibrium."""

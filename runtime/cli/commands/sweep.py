@@ -15,13 +15,10 @@ from hertzwerk.runtime.cli.continue_run import limits_of
 from hertzwerk.runtime.cli.target import (
     ACCURACY,
     BY_METHOD,
-    COORDINATES,
     DURATION,
     JSON,
-    LAW,
-    SET,
     TABLE,
-    WITHOUT,
+    VARIATION,
     assignments,
     number,
     table_faults,
@@ -82,10 +79,7 @@ _OPTIONS = {
     metavar="up|down",
     help="Follow the first parameter: each value starts from the final state of the one before.",
 )
-@SET
-@WITHOUT
-@LAW
-@COORDINATES
+@VARIATION
 @DURATION
 @ACCURACY
 @click.option("--tolerance", metavar="NUMBER", help="In its place the local tolerance of one run each.")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import io
 import re
 from collections.abc import Callable
@@ -34,10 +35,7 @@ class GifWriter(animation.PillowWriter):
 
     def grab_frame(self, **savefig_kwargs: Any) -> None:
         """Take the figure as it is."""
-        canvas = io.BytesIO()
-        self.fig.savefig(canvas, **{**savefig_kwargs, "format": "rgba", "dpi": self.dpi})
-        image = Image.frombuffer("RGBA", self.frame_size, canvas.getvalue(), "raw", "RGBA", 0, 1).convert("RGB")
-        self._frames.append(image.quantize(palette=_palette(), dither=Image.Dither.NONE))
+        self._frames.append(_image(self).convert("RGB").quantize(palette=_palette(), dither=Image.Dither.NONE))
 
     def finish(self) -> None:
         """Write the file."""
@@ -45,6 +43,13 @@ class GifWriter(animation.PillowWriter):
         shown = [end - begin for begin, end in zip([0, *ends], ends, strict=False)]
         first, *others = self._frames
         first.save(self.outfile, save_all=True, append_images=others, duration=shown, loop=0, optimize=False)
+
+
+def _image(writer: animation.AbstractMovieWriter) -> Image.Image:
+    """Return the figure as it is, RGBA."""
+    canvas = io.BytesIO()
+    writer.fig.savefig(canvas, format="rgba", dpi=writer.dpi)
+    return Image.frombuffer("RGBA", writer.frame_size, canvas.getvalue(), "raw", "RGBA", 0, 1)
 
 
 @cache
@@ -63,7 +68,23 @@ def _palette() -> Image.Image:
 
 
 class PlayerWriter(animation.HTMLWriter):
-    """Matplotlib's player with its frames in the file, which fetches nothing."""
+    """Matplotlib's player with its frames in the file, which fetches nothing.
+
+    A frame is clear where it is as the first, which lies behind it.
+    """
+
+    _saved_frames: list[str]
+    _first: np.ndarray
+
+    def grab_frame(self, **savefig_kwargs: Any) -> None:
+        """Take what differs from the first frame."""
+        image, content = np.array(_image(self)), io.BytesIO()
+        if self._saved_frames:
+            image[np.all(image == self._first, axis=2)] = 0
+        else:
+            self._first = image
+        Image.fromarray(image).save(content, "png")
+        self._saved_frames.append(base64.encodebytes(content.getvalue()).decode("ascii"))
 
     def finish(self) -> None:
         """Write the file."""
@@ -71,9 +92,10 @@ class PlayerWriter(animation.HTMLWriter):
         path = Path(self.outfile)
         page = re.sub(r"<link rel=\"stylesheet\"\s+href=\"http[^>]*>", "", path.read_text(encoding="utf-8"))
         page = re.sub(r"<i class=\"fa fa-([a-z -]+)\"></i>", lambda icon: ICONS[icon[1]], page)
-        path.write_text(
-            f'<!DOCTYPE html>\n<meta charset="utf-8">\n<title>{path.stem}</title>\n{page}', encoding="utf-8"
-        )
+        first = self._saved_frames[0].replace("\n", "")
+        head = f'<!DOCTYPE html>\n<meta charset="utf-8">\n<title>{path.stem}</title>\n'
+        style = f"<style>.animation img {{ background: url(data:image/png;base64,{first}) 0 0 / 100% 100%; }}</style>\n"
+        path.write_text(head + page + style, encoding="utf-8")
 
 
 def _gif(fps: Any) -> animation.AbstractMovieWriter:

@@ -147,7 +147,7 @@ def test_the_picture_of_a_band(hertzwerk, tmp_path):
     assert "wang_liu_secant" in done.output and str(picture) in done.output.replace("\n", "")
     assert picture.read_bytes().startswith(b"\x89PNG")
     for arguments, said in (
-        (("wang_liu_internal", "--picture", str(picture)), "there already"),
+        (("wang_liu_internal", "--picture", str(picture)), "which exists"),
         (("johnson", "--picture", str(tmp_path / "other.png")), "of grade A"),
         (("--picture", str(tmp_path / "other.png")), "no law"),
         (("wang_liu_internal", "--picture", str(tmp_path / "other.pdf")), "FILE.png"),

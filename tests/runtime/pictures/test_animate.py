@@ -1,8 +1,10 @@
 """Films: as many frames as asked for, shapes moved to where the run has them, forces that acted, files whole or not there."""
 
+import io
 import re
 import shutil
 import subprocess
+from base64 import b64decode
 from itertools import pairwise
 
 import numpy as np
@@ -318,7 +320,12 @@ def test_an_interrupted_film_has_the_frames_so_far(ball, tmp_path, after, left):
 def test_a_page_holds_its_frames_and_fetches_nothing(ball, tmp_path):
     page = ball.animate(tmp_path / "film.html", fps=10, slow=1).read_text()
     assert "http" not in page
-    assert len(re.findall(r"data:image/png;base64", page)) == 6
+    frames = [b64decode(content) for content in re.findall(r"data:image/png;base64,([^\"]*)\"", page)]
+    assert len(frames) == 6
+    first, *others = (np.asarray(Image.open(io.BytesIO(frame))) for frame in frames)
+    assert np.all(first[..., 3] == 255)
+    for other in others:  # holds what moved, clear elsewhere
+        assert 0 < np.count_nonzero(other[..., 3]) < other[..., 3].size / 4
     assert "fa-" not in re.sub(r"base64,[^\"]*", "", page)
 
 
