@@ -16,13 +16,13 @@ from hertzwerk.derive.declare.soundness.check import faults_of
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.effects.contacts import Contact, Friction
 from hertzwerk.derive.effects.drives import AnyDrive
-from hertzwerk.derive.effects.effect import Effect, State
+from hertzwerk.derive.effects.effect import Effect, PairEffect, State
 from hertzwerk.derive.effects.energy_ledger import EnergyLedger
 from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.derive.laws.catalogue import LAWS
 from hertzwerk.derive.laws.law import BoundLaw, Law
 from hertzwerk.derive.laws.law_call import bound_law, split_call, split_laws
-from hertzwerk.derive.mechanism.bodies import Body, Slot
+from hertzwerk.derive.mechanism.bodies import Body, Frame, Slot
 from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
 from hertzwerk.derive.mechanism.mechanism import Mechanism
 from hertzwerk.derive.mechanism.pair import Pair
@@ -123,7 +123,8 @@ class Scene:
     coordinates  "tree": of the joints that carry a body; "absolute": of every body, all joints are constraints;
                  "auto": whichever takes fewer operations
 
-    `without`, `replace`, `with_law`, `named` and `with_coordinates` give new scenes; nothing is mutated.
+    `without`, `replace`, `with_law`, `named` and `with_coordinates` give new scenes; nothing is mutated. An effect at a
+    pair of several parts stands here once for each; its name as declared stands for all of them.
     """
 
     mechanism: Mechanism
@@ -137,23 +138,39 @@ class Scene:
     def __post_init__(self) -> None:
         if isinstance(self.effects, list):
             object.__setattr__(self, "effects", tuple(self.effects))
+        if isinstance(self.effects, tuple) and isinstance(self.mechanism, Mechanism) and self.mechanism.parts:
+            object.__setattr__(self, "effects", tuple(self._at_parts()))
         if isinstance(self.name, str) and not self.name:
             object.__setattr__(self, "name", getattr(self.mechanism, "name", "scene"))
         faults = faults_of(self)
         if faults:
             raise InputError(f"scene {self.name}", faults)
 
+    def _at_parts(self) -> Iterator[Any]:
+        """Yield the effects, those at a pair of several parts at each that has none of its own."""
+        parts = self.mechanism.parts
+        own = {(effect.kind, effect.pair) for effect in self.effects if isinstance(effect, PairEffect)}
+        for effect in self.effects:
+            if isinstance(effect, PairEffect) and effect.pair in parts:
+                yield from effect.at_parts([part for part in parts[effect.pair] if (effect.kind, part) not in own])
+            else:
+                yield effect
+
     # -- variations ------------------------------------------------------------------------------------------------
 
     def without(self, *names: str) -> Scene:
         """The scene without these effects; raises InputError for an unknown name."""
         self._must_exist(names)
-        return replace(self, effects=tuple(effect for effect in self.effects if effect.name not in names))
+        meant = [each for name in names for each in self.meant(name)]
+        return replace(self, effects=tuple(effect for effect in self.effects if effect.name not in meant))
 
     def replace(self, **effects: Effect) -> Scene:
         """The scene with these effects replaced, by name."""
         self._must_exist(effects)
-        return replace(self, effects=tuple(effects.get(effect.name, effect) for effect in self.effects))
+        firsts = {self.meant(name)[0]: effect for name, effect in effects.items()}
+        others = [each for name in effects for each in self.meant(name)[1:]]
+        left = (effect for effect in self.effects if effect.name not in others)
+        return replace(self, effects=tuple(firsts.get(effect.name, effect) for effect in left))
 
     def named(self, name: str, summary: str = "") -> Scene:
         """The scene under another name."""
@@ -171,7 +188,8 @@ class Scene:
         InputError with every fault.
         """
         self._must_exist((effect_name,))
-        effect = self.effect(effect_name)
+        meant = self.meant(effect_name)
+        effect = self.effect(meant[0])
         if not isinstance(law_name, str):
             raise InputError(
                 f"scene {self.name}", [Fault(f"effect {effect_name}", f"law {law_name!r:.80}", "the name of a law")]
@@ -194,7 +212,7 @@ class Scene:
             found[slot] = law
         if faults:
             raise InputError(f"scene {self.name}", faults)
-        return self.replace(**{effect_name: replace(effect, **found)})
+        return self.replace(**{name: replace(self.effect(name), **found) for name in meant})
 
     def _law_for(
         self, effect_name: str, fields: Mapping[str, str], text: str, known: Mapping[str, Law]
@@ -208,7 +226,7 @@ class Scene:
             expected = wanted.expected if offer else "an effect that has a law"
             raise InputError(name, [Fault(f"effect {effect_name}", f"law {name!r}", expected, wanted.remedy)])
         slot = fields[law.kind]
-        bound: BoundLaw | None = getattr(self.effect(effect_name), slot)
+        bound: BoundLaw | None = getattr(self.effect(self.meant(effect_name)[0]), slot)
         shared = {symbol.name: value for symbol, value in bound.binding.items()} if bound is not None else {}
         other = bound_law(law, texts, shared, effect_name, self.parameters)
         materials = bound.materials if bound is not None else ()
@@ -218,9 +236,21 @@ class Scene:
 
     def _must_exist(self, names: Any) -> None:
         known = [effect.name for effect in self.effects]
-        faults = [unknown("effect", name, known) for name in names if not (isinstance(name, str) and name in known)]
+        faults = [unknown("effect", name, known) for name in names if not (isinstance(name, str) and self.meant(name))]
         if faults:
             raise InputError(f"scene {self.name}", faults)
+
+    def meant(self, name: str) -> list[str]:
+        """Names of the effects that a name stands for: its own, or those of each part of a pair."""
+        endings = {part: part.removeprefix(whole) for whole, parts in self.mechanism.parts.items() for part in parts}
+        return [
+            effect.name
+            for effect in self.effects
+            if effect.name == name
+            or (
+                isinstance(effect, PairEffect) and effect.pair in endings and effect.name == name + endings[effect.pair]
+            )
+        ]
 
     # -- looking things up -----------------------------------------------------------------------------------------
 
@@ -281,6 +311,16 @@ class Scene:
     def free(self) -> tuple[Freedom, ...]:
         """Freedoms that are not driven."""
         return tuple(freedom for freedom in self.mechanism.freedoms if freedom.key not in self.driven)
+
+    def follows_drives(self, body: Frame) -> bool:
+        """Whether drives alone move a body, which then has a motion given by time; true of the ground."""
+        seen: list[Frame] = []
+        while (joint := self.mechanism.joint_of(body)) is not None and body not in seen:
+            if any(freedom.key not in self.driven for freedom in joint.freedoms):
+                return False
+            seen.append(body)
+            body = joint.parent.body
+        return True
 
     @property
     def prescribed(self) -> tuple[Freedom, ...]:

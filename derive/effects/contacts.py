@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from hertzwerk.derive.effects.effect import CONTACT, Declared, Kinematics, PairEffect
+from hertzwerk.derive.effects.effect import CONTACT, Declared, Element, Kinematics, PairEffect, State
 from hertzwerk.derive.faults import Fault, one_of
 from hertzwerk.derive.laws.law import APPROACH_SPEED, BoundLaw
 from hertzwerk.derive.mechanism.bodies import Slot
@@ -15,6 +15,7 @@ from hertzwerk.derive.mechanism.parameter import POSITIVE, Parameter, Scalar
 APPROACH_FLOOR = Parameter(
     "approach_floor", "m/s", 1e-3, "least approach speed a damping law is given; h/v0 is unbounded otherwise"
 )
+GAP_CHANGE = "gap_change"
 
 
 @dataclass(frozen=True)
@@ -60,8 +61,16 @@ class Contact(PairEffect):
         if self.latches:
             yield Slot(f"{self.where}, approach floor", self.approach_floor, "m/s", POSITIVE)
 
-    def element(self, kin: Kinematics) -> None:
-        """No element: it acts in contact alone."""
+    def states(self, scene: Declared) -> Iterator[State]:
+        """Yield the change of a gap that drives alone move, by which a step notices how it moves."""
+        pair = next((pair for pair in scene.mechanism.pairs if pair.name == self.pair), None)
+        if pair is not None and all(scene.follows_drives(place.body) for place in pair.places):
+            yield State(GAP_CHANGE, "m")
+
+    def element(self, kin: Kinematics) -> Element | None:
+        """The rate of its state, if it has one; its forces act in contact alone."""
+        states = list(self.states(kin.scene))
+        return Element(rates={GAP_CHANGE: kin.touch(self.pair).gap_rate}) if states else None
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ A user-defined kind of effect is one such class; the defaults are declared here.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar, Protocol
 
 import sympy as sp
@@ -113,6 +113,9 @@ class Declared(Protocol):
     def joint_of(self, key: str) -> Joint:
         """The joint that has a freedom."""
 
+    def follows_drives(self, body: Frame) -> bool:
+        """Whether drives alone move a body; true of the ground."""
+
     def geometry(self, pair: str) -> Mapping[str, Any]:
         """Geometry of a pair by name; empty for an unknown pair."""
 
@@ -184,6 +187,9 @@ class Kinematics(Protocol):
 
     def generalised_moment(self, moment: Vector, on: Frame, against: Frame, name: str) -> dict[str, Any]:
         """Generalised forces of a moment on one body and its reaction on another."""
+
+    def touch(self, pair: str) -> Any:
+        """Contact geometry of the pair of this name."""
 
     def journal(self, pair: str) -> Journal:
         """The pin and bush of this name."""
@@ -361,6 +367,12 @@ class PairEffect(Effect):
     def pairs(self) -> tuple[str, ...]:
         """The pair."""
         return (self.pair,)
+
+    def at_parts(self, parts: Sequence[str]) -> Iterator[PairEffect]:
+        """Yield the effect at each part of its pair, with the part's ending behind its own name."""
+        for part in parts:
+            own: Any = {"name": self.name + part.removeprefix(self.pair)} if "name" in self.__dict__ else {}
+            yield replace(self, pair=part, **own)  # type: ignore[type-var]  # a dataclass, as every kind is
 
     @property
     def only(self) -> str:

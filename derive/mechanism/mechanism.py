@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import chain
 
 from hertzwerk.derive.algebra.vectors import along
 from hertzwerk.derive.mechanism.bodies import Body, Frame, Slot
@@ -20,7 +21,7 @@ class Mechanism:
     """Bodies connected by joints, and the pairs that may touch.
 
     The first joint to reach a body carries it: these joints are the tree, whose coordinates are the mechanism's. Any
-    later joint to a body closes a loop, and is a constraint.
+    later joint to a body closes a loop, and is a constraint. A pair of several parts stands here as its parts.
     """
 
     name: str
@@ -31,6 +32,18 @@ class Mechanism:
         for listed in ("joints", "pairs"):
             if isinstance(getattr(self, listed), list):
                 object.__setattr__(self, listed, tuple(getattr(self, listed)))
+        if isinstance(self.pairs, tuple):
+            parts = (pair.parts if isinstance(pair, Pair) else (pair,) for pair in self.pairs)
+            object.__setattr__(self, "pairs", tuple(chain.from_iterable(parts)))
+
+    @cached_property
+    def parts(self) -> dict[str, tuple[str, ...]]:
+        """Names of the pairs that are parts of one, by its name."""
+        found: dict[str, tuple[str, ...]] = {}
+        for pair in self.pairs if isinstance(self.pairs, tuple) else ():
+            if isinstance(pair, Pair) and pair.part_of:
+                found[pair.part_of] = (*found.get(pair.part_of, ()), pair.name)
+        return found
 
     @property
     def bodies(self) -> tuple[Body, ...]:

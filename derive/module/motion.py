@@ -7,7 +7,7 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.effects.gravity import Gravity
-from hertzwerk.derive.module.results import MULTIPLIER_UNITS, SECOND_UNITS, dimension_of, of_loops
+from hertzwerk.derive.module.results import MULTIPLIER_UNITS, SECOND_UNITS, dimension_of, of_loops, vector
 from hertzwerk.derive.module.system import System
 from hertzwerk.derive.motion.carried import Carried
 from hertzwerk.derive.motion.kinematics import acceleration_of
@@ -87,12 +87,12 @@ def _accelerations_under_loads(system: System, carried: Carried, symbols: dict[s
 def _accelerations(
     system: System, a: list[Any], multipliers: list[Any], reactions: list[Any], loads: list[tuple[str, Any]]
 ) -> Function:
-    labels, units = zip(*(acceleration_of(port) for port in system.speeds), strict=True)
+    rates = [acceleration_of(port) for port in system.speeds]
     return system.function(
         "accelerations",
         "Generalised accelerations a from M a = f - bias, and the reactions of the drives.",
         "t q u f c",
-        Result("a", labels, units, tuple(a)),
+        vector("a", rates, a),
         Result(
             "reactions",
             (*(f"{row.key}.reaction" for row in system.driven), *(name for name, _ in loads)),

@@ -34,9 +34,10 @@ def contact(system: System, pair: PairKinematics, contact: Contact, friction: Fr
     bristle = None if friction is None else system.bristles.get(friction.name)
     forces = pair.forces(contact, friction, system.latches.get(contact.name), bristle)
     name = contact.name
-    system.enter(name, forces.generalised)
+    # a force between driven parts is asked for, though it moves none
+    system.enter(name, forces.generalised, driven=True)
     if friction is not None:
-        system.enter(friction.name, forces.rubbing if forces.grip is None else forces.grip.along)
+        system.enter(friction.name, forces.rubbing if forces.grip is None else forces.grip.along, driven=True)
     given = {**forces.generalised, f"{name}.normal_force": forces.normal_force}
     f = [given.get(row.key, sp.S.Zero) for row in system.rows]
     rates = {f"{name}.dissipated": forces.normal_power}

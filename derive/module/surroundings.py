@@ -39,9 +39,13 @@ class Surroundings(Kinematics):
             for row, share in self._measured(key).column.items()
         }
 
+    def touch(self, pair: str) -> Any:
+        """Contact geometry of the pair of this name, on the tape."""
+        return next(other for other in self.mechanism.pairs if other.name == pair).touch(self)
+
     def journal(self, pair: str) -> Any:
         """Pin and bush of this name, on the tape; raises TypeError for a pair that holds no film."""
-        found = next(other for other in self.mechanism.pairs if other.name == pair)
-        if not found.holds_film:
+        found = self.touch(pair)
+        if not found.pair.holds_film:
             raise TypeError(f"{pair} is no pin in a bush")
-        return found.touch(self)
+        return found

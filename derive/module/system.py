@@ -159,9 +159,10 @@ class System:
         """Landmarks of the scene as declared, without joints that only absolute coordinates add."""
         return tuple(landmarks_of(self.scene if self.joints is None else self.joints.scene))
 
-    def enter(self, effect: str, forces: Mapping[str, Any]) -> None:
-        """Note an effect that has a generalised force in some row."""
-        if any(forces.get(row.key, 0) != 0 for row in self.rows):
+    def enter(self, effect: str, forces: Mapping[str, Any], driven: bool = False) -> None:
+        """Note an effect that has a generalised force in some row, or also on what is driven."""
+        rows = forces if driven else [row.key for row in self.rows]
+        if any(forces.get(key, 0) != 0 for key in rows):
             self.entered.add(effect)
 
     # -- functions and their results --------------------------------------------------------------------------------

@@ -70,6 +70,10 @@ class Absolute(Scene):
         """Freedoms of the joints with one coordinate, which effects name."""
         return self.declared.scalars
 
+    def follows_drives(self, body: Frame) -> bool:
+        """Whether drives alone move a body, as declared."""
+        return self.declared.follows_drives(body)
+
 
 def absolute(scene: Scene) -> Absolute:
     """The scene in absolute coordinates; raises InputError, with every fault, where that is impossible."""

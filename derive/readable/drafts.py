@@ -180,14 +180,14 @@ class Drafts:
         """Yield M a + bias = f, row by row; the row of a driven joint includes the force of its drive."""
         functions = {function.name: function for function in self._program.functions}
         motion, applied = functions["motion"], functions["applied"]
-        inputs: dict[str, list[sp.Symbol]] = {}
+        inputs: dict[str, list[sp.Symbol]] = {"a": [], "reactions": []}
         for symbol, group in self._tape.inputs.items():
             inputs.setdefault(group, []).append(symbol)
         mass, bias, held = motion.results
         labels, units = applied.results[0].labels, applied.results[0].units
         accelerations = dict(zip(labels, inputs["a"], strict=False))
         # the drive of a loop-closing joint is a multiplier
-        supplied = dict(zip(labels[len(inputs["a"]) :], inputs.get("reactions", ()), strict=False))
+        supplied = dict(zip(labels[len(inputs["a"]) :], inputs["reactions"], strict=False))
         for i, (row, unit) in enumerate(zip(bias.labels, units, strict=False)):  # rows of reactions do not move
             parts = [
                 Part(True, INERTIA, sp.sympify(entry), factor=accelerations[column])

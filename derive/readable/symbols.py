@@ -227,10 +227,10 @@ class Names:
     def _port_names(self) -> dict[sp.Symbol, tuple[str, str]]:
         """LaTeX and meaning of the inputs other than parameters."""
         program = self._program
-        inputs: dict[str, list[sp.Symbol]] = {}
+        inputs: dict[str, list[sp.Symbol]] = {group: [] for group in ("t", "q", "u", "a", "z", "reactions")}
         for symbol, group in program.tape.inputs.items():
             inputs.setdefault(group, []).append(symbol)
-        found: dict[sp.Symbol, tuple[str, str]] = dict.fromkeys(inputs.get("t", ()), ("t", "time"))
+        found: dict[sp.Symbol, tuple[str, str]] = dict.fromkeys(inputs["t"], ("t", "time"))
         rates = next(f for f in program.functions if f.name == "coordinate_rates").results[0].expressions
         coordinates: dict[sp.Symbol, tuple[str, str]] = {}
         for symbol, (label, unit), rate in zip(inputs["q"], program.tables["COORDINATES"], rates, strict=True):
@@ -254,10 +254,10 @@ class Names:
             letter, _, below = latex.partition("_")
             letter = letter.replace(r"\dot", r"\ddot") if letter.startswith(r"\dot") else rf"\dot{{{letter}}}"
             found[symbol] = f"{letter}_{below}", f"rate of {label}"
-        for symbol in inputs.get("z", ()):
+        for symbol in inputs["z"]:
             whose = words(symbol.name.split("_")) if len(inputs["z"]) > 1 else ""
             found[symbol] = _with_subscript("z", (whose,)), str(symbol.name).replace("_", " ")
-        for symbol in inputs.get("reactions", ()):
+        for symbol in inputs["reactions"]:
             joint = symbol.name.removesuffix("_reaction_in")
             if symbol.name == joint:
                 found[symbol] = (

@@ -180,7 +180,7 @@ class Search:
 
     def _part(self, at: Balance, change: Array) -> float:
         """Return the part of an iteration's change that neither turns too far nor closes a gap too deep."""
-        turns = np.array([unit == "rad/s" for unit in (self.model.units[name] for name in self.model.speeds)])
+        turns = np.array([self.model.units[name] == "rad/s" for name in self.model.speeds], dtype=bool)
         part = min(1.0, TURN / max(float(np.max(np.abs(change[turns]), initial=0.0)), 1e-300))
         rates = at.W @ change
         for gap, rate in zip(at.gap, rates, strict=True):

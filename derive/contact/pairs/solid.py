@@ -27,7 +27,8 @@ class SphereOnSolid(Pair):
     """Sphere that may touch a convex solid from outside, wherever it is nearest: one contact, never two.
 
     Gap and normal are those of the distance of the centre, which goes on smoothly from a face to its edge and its
-    corner. A centre within the solid, deeper than the radius, has no direction left.
+    corner. A centre within the solid is pushed out by the way that is shortest, through the face that is nearest. A
+    plate or a wire has no inside: a centre pressed through it comes out on the other side.
     """
 
     @property
@@ -53,6 +54,11 @@ class SphereOnSolid(Pair):
     def off(self, p: Vector) -> Vector:
         """Vector to the point p from the nearest of the solid, along the axes of the second place [m]."""
         raise NotImplementedError
+
+    def within(self, p: Vector) -> list[tuple[Any, Vector]]:
+        """Depth of a point p of the inside below each face [m], and the face's normal, along the same axes."""
+        del p
+        return []
 
     def touch(self, kinematics: Kinematics) -> Touch:
         """Contact geometry on the kinematics' tape."""
@@ -88,6 +94,11 @@ class SphereOnBox(SphereOnSolid):
         """Vector from the nearest point of the box [m]."""
         x, y, z = (_beyond(value, size) for value, size in zip(p, (self.x, self.y, self.z), strict=True))
         return (x, y, z)
+
+    def within(self, p: Vector) -> list[tuple[Any, Vector]]:
+        """Depth below the nearer face across each axis [m]."""
+        sizes = zip(p, (self.x, self.y, self.z), AXES, strict=True)
+        return [_below(value, size, axis.unit) for value, size, axis in sizes]
 
 
 @dataclass(frozen=True)
@@ -197,13 +208,37 @@ class SphereOnCylinder(SphereOnSolid):
 
     def off(self, p: Vector) -> Vector:
         """Vector from the nearest point of the cylinder [m]."""
-        axis, R = self.axis.unit, sp.sympify(self.cylinder_radius)
-        way = dot(axis, p)
-        aside = sub(p, scale(way, axis))
-        square = dot(aside, aside)
-        distance = sp.sqrt(Where(square > R**2, square, R**2))  # of the side from within, where nothing depends on it
+        R = sp.sympify(self.cylinder_radius)
+        axis, way, aside = self._parts(p)
+        distance = _length(aside, R)  # from within the side nothing depends on it
         beyond = sp.S.Zero if self.length is None else _beyond(way, self.length)
         return add(scale(1 - R / distance, aside), scale(beyond, axis))
+
+    def within(self, p: Vector) -> list[tuple[Any, Vector]]:
+        """Depth below the side, and below the nearer end [m]."""
+        R = sp.sympify(self.cylinder_radius)
+        axis, way, aside = self._parts(p)
+        distance = _length(aside, NEAREST * R)  # on the axis no way out is the shortest
+        ends = [] if self.length is None else [_below(way, self.length, axis)]
+        return [(R - distance, scale(1 / distance, aside)), *ends]
+
+    def _parts(self, p: Vector) -> tuple[Vector, Any, Vector]:
+        """Axis, way along it, and vector from it [m]."""
+        axis = self.axis.unit
+        way = dot(axis, p)
+        return axis, way, sub(p, scale(way, axis))
+
+
+def _length(vector: Vector, least: Any) -> Any:
+    """Length of a vector, or the least one given, which is positive."""
+    square = dot(vector, vector)
+    return sp.sqrt(Where(square > least**2, square, least**2))
+
+
+def _below(way: Any, size: Any, axis: Vector) -> tuple[Any, Vector]:
+    """Depth below the nearer end of an interval of a given size about zero, and its normal."""
+    depth = sp.sympify(size) / 2 - Where(way > 0, way, -way)
+    return depth, scale(Where(way > 0, sp.S.One, -sp.S.One), axis)
 
 
 def _beyond(way: Any, size: Any) -> Any:
@@ -218,30 +253,71 @@ class NearestPoint(Touch):
     proved: ClassVar[bool] = True
 
     @cached_property
+    def _local(self) -> Vector:
+        """Vector from the second place to the centre, along the axes of that place [m]."""
+        return self.named(apply(transpose(self.kin.axes_of(self.second)), self.apart), "local_apart")
+
+    @cached_property
     def _off(self) -> Vector:
         """Vector from the nearest point to the centre, along the axes of the second place [m]."""
-        local = self.named(apply(transpose(self.kin.axes_of(self.second)), self.apart), "local_apart")
-        return self.named(self.pair.off(local), "off")
+        return self.named(self.pair.off(self._local), "off")
 
     @cached_property
     def _square(self) -> Any:
         return self.let(dot(self._off, self._off), "off_squared")
 
     @cached_property
+    def _least(self) -> Any:
+        """Least square of a distance that has a direction [m^2]."""
+        return (NEAREST * sp.sympify(self.pair.radius)) ** 2
+
+    @cached_property
+    def _beneath(self) -> tuple[Any, Vector] | None:
+        """Depth of the centre below the nearest face and that face's normal; None without an inside.
+
+        Along the axes of the second place. A face that the motion cannot near is none, as those beside a plane of motion.
+        """
+        faces = [(self.let(depth, "depth"), normal) for depth, normal in self.pair.within(self._local)]
+        found = [face for face in faces if self.tape.rate(face[0], f"{self.pair.name}_depth_rate") != 0]
+        if not found:
+            return None
+        (least, normal), *others = found
+        for depth, other in others:
+            nearer = depth < least
+            normal = self._either(nearer, other, normal, "way_out")
+            least = self.let(Where(nearer, depth, least), "least_depth")
+        return least, normal
+
+    def _either(self, condition: Any, a: Vector, b: Vector, what: str) -> Vector:
+        x, y, z = (one if one == two else Where(condition, one, two) for one, two in zip(a, b, strict=True))
+        return self.named((x, y, z), what)
+
+    @cached_property
+    def _length(self) -> Any:
+        """Length of the vector from the nearest point, at least one that has a direction [m]."""
+        return self.let(sp.sqrt(Where(self._square > self._least, self._square, self._least)), "off_length")
+
+    @cached_property
     def _distance(self) -> Any:
-        least = (NEAREST * sp.sympify(self.pair.radius)) ** 2
-        return self.let(sp.sqrt(Where(self._square > least, self._square, least)), "distance")
+        """Distance of the centre from the solid, negative within [m]."""
+        if self._beneath is None:
+            return self._length
+        return self.let(Where(self._square > self._least, self._length, -self._beneath[0]), "distance")
 
     @cached_property
     def gap(self) -> Any:
-        """(distance^2 - radius^2)/(2 radius), smooth where the distance vanishes [m]."""
-        radius = sp.sympify(self.pair.radius)
-        return self.let((self._square - radius**2) / (2 * radius), "gap")
+        """(distance |distance| - radius^2)/(2 radius), smooth where the distance vanishes [m]."""
+        radius, square = sp.sympify(self.pair.radius), self._square
+        if self._beneath is not None:
+            square = self.let(Where(square > self._least, square, -(self._beneath[0] ** 2)), "signed_square")
+        return self.let((square - radius**2) / (2 * radius), "gap")
 
     @cached_property
     def normal(self) -> Vector:
-        """Unit vector from the nearest point to the centre."""
-        local = self.named(scale(1 / self._distance, self._off), "local_normal")
+        """Unit vector from the nearest point to the centre, from within out of the nearest face."""
+        local = self.named(scale(1 / self._length, self._off), "local_normal")
+        if self._beneath is not None:
+            local = self._either(self._square > self._least, local, self._beneath[1], "way_out")
         return self.named(apply(self.kin.axes_of(self.second), local), "normal")
 
     @cached_property

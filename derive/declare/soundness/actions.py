@@ -24,9 +24,11 @@ def effect_faults(scene: Scene) -> Iterator[Fault]:
     for what, count in Counter(effect.only for effect in scene.effects if effect.only).items():
         if count > 1:
             yield Fault(what, str(count), "one")
-    if all(freedom.key in scene.driven for freedom in scene.mechanism.freedoms):
-        found = "a drive on every joint" if scene.mechanism.freedoms else "no joint that can move"
-        yield Fault("effects", found, "at least one joint that is free to move")
+    if not scene.mechanism.freedoms:
+        yield Fault("effects", "no joint that can move", "at least one joint that is free to move")
+    elif not (scene.free or scene.ledger or scene.states or any(drive.integrates for drive in scene.driven.values())):
+        yield Fault("effects", "a drive on every joint", "at least one joint that is free to move, or the work of the drives",
+                    "Add EnergyLedger(), or the Contact of what the drives move.")  # fmt: skip
 
 
 def _state_faults(scene: Scene, effect: Effect) -> Iterator[Fault]:

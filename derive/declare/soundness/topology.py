@@ -18,7 +18,7 @@ def topology_faults(mechanism: Mechanism) -> Iterator[Fault]:
         if body == GROUND.name:
             yield Fault("body", f"the name {body!r}, which is that of the frame that does not move", "another name")
     yield from repeated("joint", [joint.name for joint in mechanism.joints])
-    yield from repeated("pair", [pair.name for pair in mechanism.pairs])
+    yield from repeated("pair", [*(pair.name for pair in mechanism.pairs), *mechanism.parts])
     yield from connection_faults(mechanism)
     for joint in mechanism.joints:
         yield from joint.faults()

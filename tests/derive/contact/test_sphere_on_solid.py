@@ -1,6 +1,7 @@
 """Spheres on boxes, bounded faces, edges and cylinders: distances by brute force, forces by virtual work, rolling off an edge."""
 
 import itertools
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -39,6 +40,7 @@ R, A, B, C, BIG = (
 r, a, b, c, big = (p.si for p in (R, A, B, C, BIG))
 K = Parameter("K", "N/m^1.5", 1e8)
 SIZES = Scales(length=R, speed=Parameter("pace", "m/s", 1), arm=R)
+STEP, PACE = Parameter("step", "mm", 5), Parameter("v_in", "m/s", 2)
 SKEW = Direction((1, 2, 2))
 
 
@@ -202,6 +204,65 @@ def test_a_ball_leaves_the_edge_of_a_table_where_its_weight_no_longer_holds_it(s
     leaving = np.sqrt(gravity * r) * cosine**1.5  # the speed across stays in flight
     before, after = run.at(np.array([0.28, 0.3]))["way.travel"]
     assert (after - before) / 0.02 == pytest.approx(leaving, rel=2e-3)
+
+
+def inside(pair, half):
+    """A ball with its centre at points within a solid fixed in the ground: depth and outward normal by the derivation."""
+    law = Contact("touch", laws.power(Parameter("K_1", "N/m", 1), 1))
+    derived = Derived(
+        Scene(Mechanism("within", (Free("flight", GROUND, BALL),), (pair,)), (law, EnergyLedger()), SIZES)
+    )
+    rng = np.random.default_rng(8)
+    for centre in rng.uniform(-0.999, 0.999, (20, 3)) * half:
+        q = np.array([*centre, 1, 0, 0, 0])
+        gap = derived.call("outputs", t=0.0, q=q, u=np.zeros(6))[-1]
+        force, _, (normal,), *_ = derived.call("contact_touch", t=0.0, q=q, u=np.zeros(6), m=[])
+        slope = derived.jacobian("outputs", "q", t=0.0, q=q, u=np.zeros(6))[-1][:3]
+        yield centre, -gap - r, force[:3] / normal, slope
+
+
+def test_a_centre_within_a_box_is_pushed_out_through_the_nearest_face():
+    half = np.array([a, b, c]) / 2
+    for centre, depth, push, slope in inside(
+        SphereOnBox("touch", BALL.at(0, 0, 0), R, GROUND.at(0, 0, 0), A, B, C), half
+    ):
+        below = half - np.abs(centre)
+        nearest_face = np.argmin(below)
+        assert depth == pytest.approx(below[nearest_face], rel=1e-9)
+        assert push == pytest.approx(np.sign(centre) * (np.arange(3) == nearest_face), abs=1e-9)
+        assert slope == pytest.approx(push, abs=1e-9)
+
+
+@pytest.mark.parametrize("length", [A, None])
+def test_a_centre_within_a_cylinder_is_pushed_out_through_its_side_or_end(length):
+    pair = SphereOnCylinder("touch", BALL.at(0, 0, 0), R, GROUND.at(0, 0, 0), BIG, X, length)
+    inner = 0.7 * big
+    for centre, depth, push, slope in inside(pair, np.array([a / 2, inner, inner])):
+        aside = np.hypot(*centre[1:])
+        ways = [(big - aside, [0, *centre[1:] / aside])]
+        if length is not None:
+            ways.append((a / 2 - abs(centre[0]), [np.sign(centre[0]), 0, 0]))
+        least, out = min(ways, key=lambda way: way[0])
+        assert depth == pytest.approx(least, rel=1e-9)
+        assert push == pytest.approx(out, abs=1e-9)
+        assert slope == pytest.approx(push, abs=1e-9)
+
+
+@pytest.mark.parametrize("solid", ["box", "rim"])
+def test_a_ball_shot_into_a_soft_solid_comes_back_as_fast(solid):
+    """It turns deeper than its radius, at v sqrt(m/K); in the plane of motion no face beside it is a way out."""
+    law = Contact("touch", laws.power(Parameter("K_1", "N/m", 2000), 1))
+    pair = {
+        "box": SphereOnBox("touch", BALL.at(0, 0, 0), R, GROUND.at(-A / 2, -A, 0), A, 2 * A, R),
+        "rim": SphereOnCylinder("touch", BALL.at(0, 0, 0), R, GROUND.at(-A / 2, -A, 0), A, Y, 2 * A),
+    }[solid]
+    scene = rolling(pair, start=-a / 2, law=law)
+    speed, m = 2.0, 0.5
+    scene = replace(scene.without("gravity"), start=Start({"way": -A / 2, "height": R + STEP}, {"height": -PACE}))
+    run = simulate(load(scene), duration="0.1 s", accuracy=1e-8)
+    assert run.impacts[0].peak_penetration == pytest.approx(speed * np.sqrt(m / 2000), rel=1e-7)
+    assert run.impacts[0].peak_penetration > 1.5 * r
+    assert run.final["height.speed"] == pytest.approx(speed, rel=1e-7)
 
 
 def test_gap_and_force_go_on_from_face_to_edge_to_corner():

@@ -1,0 +1,83 @@
+"""Pair of a box and a plane: eight corners, or four of a rectangle in plane motion."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import product
+from typing import Any, ClassVar
+
+import sympy as sp
+
+from hertzwerk.derive.algebra.vectors import add, apply
+from hertzwerk.derive.contact.pairs.corner import CornerOnFace
+from hertzwerk.derive.mechanism.bodies import Direction, Point, Slot
+from hertzwerk.derive.mechanism.pair import Pair
+from hertzwerk.derive.mechanism.parameter import POSITIVE, Scalar, is_number
+
+
+@dataclass(frozen=True)
+class BoxOnPlane(Pair):
+    """Box that may touch a plane, with its corners: two where it stands on an edge, four on a face.
+
+    `box` is its middle, with sizes x, y, z along the axes there; `normal` points out of the solid, in the plane's frame.
+    Without z it is a rectangle that moves in the plane of x and y, and each of its four corners stands for an edge.
+
+    It is as many pairs, NAME_1.. in the order (-,-,-), (+,-,-), (-,+,-), (+,+,-), (-,-,+).. of the corners' x, y, z. What
+    acts at NAME acts at each of them: `Contact("floor", law)` is `Contact("floor_1", law)`.., with its own force each. An
+    effect declared at one corner by its own name stands in place of what the others share.
+    """
+
+    box: Point
+    x: Scalar
+    y: Scalar
+    plane: Point
+    normal: Direction
+    z: Scalar | None = None
+
+    @property
+    def sizes(self) -> dict[str, Any]:
+        """Sizes along the axes of the box [m]."""
+        return {"x": self.x, "y": self.y, **({} if self.z is None else {"z": self.z})}
+
+    @property
+    def parts(self) -> tuple[Pair, ...]:
+        """Corners, each a pair; the box itself where it cannot be placed, a fault the scene finds."""
+        try:
+            placed = isinstance(self.box, Point) and all(is_number(slot.value) for slot in self.slots())
+        except (AttributeError, TypeError, ValueError):
+            placed = False
+        return tuple(self._corners()) if placed else (self,)
+
+    def _corners(self) -> Iterator[Pair]:
+        a, b, c = (sp.sympify(size) / 2 for size in (self.x, self.y, self.z or 0))
+        signs = product((-1,) if self.z is None else (-1, 1), (-1, 1), (-1, 1))
+        for number, (k, j, i) in enumerate(signs, 1):
+            x, y, z = add(self.box.position, apply(self.box.axes, (i * a, j * b, k * c)))
+            corner = Point(self.box.body, (x, y, z))
+            yield BoxCorner(f"{self.name}_{number}", corner, self.plane, self.normal, whole=self)
+
+    def slots(self) -> Iterator[Slot]:
+        """Yield the sizes."""
+        for what, value in self.sizes.items():
+            yield Slot(f"pair {self.name}, {what}", value, "m", POSITIVE)
+        yield from super().slots()
+
+
+@dataclass(frozen=True)
+class BoxCorner(CornerOnFace):
+    """Corner of a box on a plane."""
+
+    whole: BoxOnPlane | None = None
+    guides: ClassVar[bool] = False
+
+    @property
+    def part_of(self) -> str:  # type: ignore[override]  # of each its own
+        """Name of the box."""
+        return "" if self.whole is None else self.whole.name
+
+    def slots(self) -> Iterator[Slot]:
+        """Yield the quantities of the box."""
+        if self.whole is not None:
+            yield from self.whole.slots()
+        yield from super().slots()

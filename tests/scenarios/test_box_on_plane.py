@@ -1,0 +1,273 @@
+"""A box on a plane by its corners: bounces, tipping, rocking, load shared by corners, boxes on boxes; and what its declaration says."""
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    BoxOnPlane,
+    Contact,
+    Direction,
+    EnergyLedger,
+    Free,
+    Friction,
+    Gravity,
+    InputError,
+    Mechanism,
+    Parameter,
+    Planar,
+    Scales,
+    Scene,
+    Start,
+    Y,
+    Z,
+    laws,
+)
+from hertzwerk.runtime import equilibrium, load, simulate
+from hertzwerk.runtime.integrate.tableaux.methods import METHODS
+
+G, MASS, K = 9.81, 7.0, 1e6
+W, H, D = (Parameter(name, "mm", value) for name, value in (("w", 100), ("h", 200), ("d", 60)))
+TALL = Parameter("tall", "mm", 600)
+STIFFNESS = Parameter("K", "N/m", K)
+GRIP = Friction("rub", "floor", laws.coulomb(Parameter("mu", "1", 0.8), Parameter("mu_s", "1", 0.8)))
+
+GRIP_SMOOTH = Friction("rub", "floor", laws.smooth_coulomb(Parameter("mu", "1", 0.8), Parameter("v_s", "m/s", 1e-5)))
+
+
+def si(*parameters):
+    return [p.si for p in parameters]
+
+
+def block(height=H, depth=D, centre=(0, 0, 0)):
+    w, h, d = si(W, height, depth)
+    inertia = [MASS * (a * a + b * b) / 12 for a, b in ((h, d), (w, d), (w, h))]
+    about = tuple(Parameter(f"J_{axis}", "kg m^2", value) for axis, value in zip("xyz", inertia, strict=True))
+    return Body("block", Parameter("m", "kg", MASS), about, centre=centre)
+
+
+def standing(*effects, height=H, space=False, z=None, centre=(0, 0, 0), down=-Y, coordinates="tree", law=None, **start):
+    """A box on the ground or above it, its coordinates at the start by name in SI."""
+    body = block(height, centre=centre)
+    joint = Free("move", GROUND, body) if space else Planar("move", GROUND, body, normal=Z)
+    floor = BoxOnPlane("floor", body.at(0, 0, 0), W, height, GROUND.at(0, 0, 0), Y, z=z)
+    units = {"x": "m", "y": "m", "z": "m", "angle": "rad", "x_speed": "m/s"}
+    at = {
+        f"move.{name}": Parameter(f"{name}_0", units[name], value)
+        for name, value in start.items()
+        if name in "xyz angle"
+    }
+    return Scene(
+        Mechanism("standing", (joint,), (floor,)),
+        (
+            Gravity("gravity", Parameter("g", "m/s^2", G), down),
+            law or Contact("floor", laws.power(STIFFNESS, 1)),
+            *effects,
+            EnergyLedger(),
+        ),
+        Scales(length=Parameter("size", "mm", 1), speed=Parameter("pace", "m/s", 0.1), arm=W),
+        Start(position=at),
+        coordinates=coordinates,
+    )
+
+
+@pytest.mark.parametrize(
+    ("space", "z", "coordinates", "springs"),
+    [(False, None, "tree", 2), (False, D, "absolute", 4), (True, D, "tree", 4)],
+)
+def test_a_flat_fall_bounces_as_a_point_mass_on_springs_in_parallel(space, z, coordinates, springs):
+    """Contact time under gravity: omega T = 2 (pi - atan(omega v/g)); the box does not turn."""
+    drop = 0.05
+    scene = standing(space=space, z=z, coordinates=coordinates, y=H.si / 2 + drop)
+    run = simulate(load(scene), duration="0.2 s", accuracy=1e-9)
+    speed, rate = np.sqrt(2 * G * drop), np.sqrt(springs * K / MASS)
+    assert len(run.impacts) == springs
+    for impact in run.impacts:
+        assert impact.speed == pytest.approx(speed, rel=1e-9)
+        assert impact.duration == pytest.approx(2 * (np.pi - np.arctan(rate * speed / G)) / rate, rel=1e-7)
+        depth = G / rate**2 + np.hypot(speed / rate, G / rate**2)
+        assert impact.peak_force == pytest.approx(K * depth, rel=1e-7)
+    if not space:
+        assert abs(run.final["move.angle"]) < 1e-12
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("space", [False, True])
+def test_every_method_lets_it_bounce(method, space):
+    scene = standing(space=space, z=D, y=H.si / 2 + 0.05)
+    run = simulate(load(scene), duration="0.2 s", accuracy=1e-6, method=method)
+    assert run.outcome.finished
+    assert len(run.impacts) == 4
+
+
+def test_corners_share_the_load_as_springs_at_them_do():
+    """N = (m g/4)(1 + 4 x X/w^2 + 4 z Z/d^2) for a mass centre at (x, z) and a corner at (X, Z); statics and ground agree."""
+    x, z = 0.01, -0.005
+    centre = (Parameter("off_x", "m", x), 0, Parameter("off_z", "m", z))
+    stiff = Contact("floor", laws.power(Parameter("K_9", "N/m", 1e9), 1))
+    rest = equilibrium(load(standing(space=True, z=D, centre=centre, law=stiff, y=H.si / 2)))
+    w, _, d = si(W, H, D)
+    corners = {1: (-w / 2, -d / 2), 2: (w / 2, -d / 2), 5: (-w / 2, d / 2), 6: (w / 2, d / 2)}
+    for number, (X, Z_) in corners.items():
+        expected = MASS * G / 4 * (1 + 4 * x * X / w**2 + 4 * z * Z_ / d**2)
+        assert rest.contacts[f"floor_{number}"] == pytest.approx(expected, rel=1e-5)
+
+
+@pytest.mark.parametrize(("part", "falls"), [(0.98, False), (1.02, True)])
+def test_a_box_on_an_incline_tips_where_its_weight_passes_its_edge(part, falls):
+    """It stands up to tan = w/h and tips above, where friction holds it."""
+    tangent = part * W.si / H.si
+    hold = laws.power(Parameter("K_8", "N/m", 1e8), 1), laws.hunt_crossley(Parameter("e", "1", 0.1))
+    scene = standing(GRIP, law=Contact("floor", *hold), down=Direction((tangent, -1, 0)), y=H.si / 2 - MASS * G / 2e8)
+    run = simulate(load(scene), duration="0.6 s", tolerance=1e-6)
+    assert run.outcome.finished
+    turned = -run.final["move.angle"]
+    if not falls:
+        assert abs(turned) < 1e-4
+        return
+    # about the edge: angle'' = m g R/J sin(angle beyond the balance)
+    radius, beyond = np.hypot(W.si, H.si) / 2, np.arctan(tangent) - np.arctan2(W.si, H.si)
+    pull = G * radius / ((W.si**2 + H.si**2) / 3)
+    speed = np.sqrt(2 * pull * (np.cos(beyond) - np.cos(beyond + turned)))
+    assert -run.final["move.angle_speed"] == pytest.approx(speed, rel=5e-3)
+
+
+def rocking(law, stiffness, duration):
+    """A slender block let go at half the angle of its balance, on its second corner."""
+    w, h = si(W, TALL)
+    slender, radius = np.arctan2(w, h), np.hypot(w, h) / 2
+    tilt = slender / 2
+    x = w / 2 - radius * np.sin(slender - tilt)
+    y = radius * np.cos(slender - tilt) - MASS * G / stiffness
+    scene = standing(GRIP_SMOOTH, height=TALL, law=law, x=x, y=y, angle=-tilt)
+    run = simulate(load(scene), duration=duration, tolerance=1e-7)
+    assert run.outcome.finished
+    return run, radius, slender, tilt
+
+
+@pytest.fixture(scope="module")
+def rocked():
+    law = Contact("floor", laws.power(Parameter("K_8", "N/m", 1e8), 1), laws.flores(Parameter("e", "1", 0.05)))
+    return rocking(law, 1e8, "0.4 s")
+
+
+def test_a_rocking_block_takes_housners_time_to_its_other_corner(rocked):
+    """A quarter period: acosh(1/(1 - theta/alpha))/p, p^2 = 3 g/(4 R), for a slender block; exactly an elliptic integral."""
+    run, radius, slender, tilt = rocked
+    p = np.sqrt(3 * G / (4 * radius))
+    over = next(impact for impact in run.impacts if impact.contact == "floor_1").t
+    assert over == pytest.approx(np.arccosh(1 / (1 - tilt / slender)) / p, rel=2e-3)
+
+    def slowness(root):
+        angle = tilt - root**2
+        return 2 * root / np.sqrt(2 * p * p * (np.cos(slender - tilt) - np.cos(slender - angle)))
+
+    exact, _ = quad(slowness, 0, np.sqrt(tilt))
+    assert over == pytest.approx(exact, rel=5e-5)
+
+
+def test_the_other_corner_leaves_a_rocking_block_housners_part_of_its_speed(rocked):
+    """1 - 3/2 sin^2(alpha) of the angular velocity is left, Housner 1963, where the impact is plastic and nothing slides."""
+    run, radius, slender, tilt = rocked
+    over = next(impact for impact in run.impacts if impact.contact == "floor_1").t
+    kinetic = MASS * G * radius * (np.cos(slender - tilt) - np.cos(slender))
+    before, after = run.at(np.array([over - 1e-4, over + 0.08]))["energy"]
+    assert np.sqrt(1 - (before - after) / kinetic) == pytest.approx(1 - 1.5 * np.sin(slender) ** 2, abs=2e-4)
+
+
+@pytest.mark.parametrize("z", [None, pytest.param(D, marks=pytest.mark.exhaustive)])
+def test_a_box_stands_on_a_box(z):
+    """Eight or sixteen corners: the lower box's carry both weights, the upper one's theirs, and what fell rests."""
+    lower, upper = (
+        Body(name, Parameter(f"m_{name}", "kg", mass), Parameter(f"J_{name}", "kg m^2", 0.02))
+        for name, mass in (("lower", 3), ("upper", 2))
+    )
+    pairs = (
+        BoxOnPlane("floor", lower.at(0, 0, 0), W, H, GROUND.at(0, 0, 0), Y, z=z),
+        BoxOnPlane("deck", upper.at(0, 0, 0), W, W, lower.at(0, H / 2, 0), Y, z=z),
+    )
+    law = laws.power(STIFFNESS, 1), laws.hunt_crossley(Parameter("e", "1", 0.3))
+    height = {"low.y": H / 2 + Parameter("drop", "mm", 1), "high.y": H + W / 2 + Parameter("second", "mm", 3)}
+    scene = Scene(
+        Mechanism("stack", (Planar("low", GROUND, lower), Planar("high", GROUND, upper)), pairs),
+        (
+            Gravity("gravity", Parameter("g", "m/s^2", G), -Y),
+            Contact("floor", *law),
+            Contact("deck", *law),
+            EnergyLedger(),
+        ),
+        Scales(length=Parameter("size", "mm", 1), speed=Parameter("pace", "m/s", 0.1), arm=W),
+        Start(position=height),
+    )
+    model = load(scene)
+    assert len(model.pairs) == (16 if z else 8)
+    below = (1, 2, 5, 6) if z else (1, 2)
+    run = simulate(model, duration="0.3 s", tolerance=1e-6)
+    assert run.outcome.finished
+    assert run.energy_residual < 1e-5
+    forces = run.at(np.linspace(0.25, 0.3, 200))
+    assert np.mean(sum(forces[f"floor_{i}.normal_force"] for i in below)) == pytest.approx(5 * G, rel=2e-2)
+    assert np.mean(sum(forces[f"deck_{i}.normal_force"] for i in below)) == pytest.approx(2 * G, rel=2e-2)
+
+
+# -- the declaration ---------------------------------------------------------------------------------------------------
+
+
+def test_what_acts_at_a_box_acts_at_each_corner_that_has_none_of_its_own():
+    soft = Contact("floor_3", laws.power(Parameter("K_soft", "N/m", 1e3), 1))
+    scene = standing(soft, GRIP, y=0.2)
+    assert [effect.name for effect in scene.effects if effect.kind == "contact"] == [f"floor_{i}" for i in (1, 2, 4, 3)]
+    assert scene.effect("floor_3").stiffness.binding != scene.effect("floor_1").stiffness.binding
+    assert [effect.pair for effect in scene.effects if effect.kind == "friction"] == [
+        f"floor_{i}" for i in (1, 2, 3, 4)
+    ]
+    assert {"K", "K_soft", "mu"} < set(scene.parameters)
+
+
+def test_its_name_stands_for_all_corners_in_variations():
+    scene = standing(GRIP, y=0.2)
+    assert [e.kind for e in scene.without("rub").effects] == ["gravity", *["contact"] * 4, "ledger"]
+    assert [e.name for e in scene.without("rub_2").effects if e.kind == "friction"] == ["rub_1", "rub_3", "rub_4"]
+    damped = scene.with_law("floor", "hunt_crossley(e=0.5)")
+    assert all(damped.effect(f"floor_{i}").damping.law.name == "hunt_crossley" for i in (1, 2, 3, 4))
+    assert "floor_e" not in scene.parameters
+    one = scene.with_law("floor_2", "hunt_crossley(e=0.5)")
+    assert [i for i in (1, 2, 3, 4) if one.effect(f"floor_{i}").damping] == [2]
+    other = scene.replace(rub=Friction("rub", "floor", GRIP_SMOOTH.law))
+    assert {e.law.law.name for e in other.effects if e.kind == "friction"} == {"smooth_coulomb"}
+    with pytest.raises(InputError, match=r"flor: found no effect of this name; expected .*floor_1"):
+        scene.without("flor")
+
+
+def test_faults_of_a_box_are_told_at_once():
+    body = block()
+    floor = BoxOnPlane("floor", body.at(0, 0, 0), 0.1, "h", GROUND.at(0, 0, 0), Direction((0, 0, 0)))
+    again = BoxOnPlane("deck", body, W, H, GROUND.at(0, 0, 0), Y)
+    with pytest.raises(InputError) as caught:
+        Scene(
+            Mechanism("bad", (Planar("move", GROUND, body),), (floor, again)),
+            (Contact("floor", laws.power(STIFFNESS, 1)),),
+            Scales(W, Parameter("pace", "m/s", 1), W),
+        )
+    print(caught.value)
+    assert "pair deck" in str(caught.value)
+
+
+def test_sizes_of_a_box_are_lengths():
+    body = block()
+    floor = BoxOnPlane(
+        "floor", body.at(0, 0, 0), Parameter("x", "kg", 1), Parameter("y", "mm", -3), GROUND.at(0, 0, 0), Y
+    )
+    with pytest.raises(InputError) as caught:
+        Scene(
+            Mechanism("bad", (Planar("move", GROUND, body),), (floor,)),
+            (Contact("floor", laws.power(STIFFNESS, 1)), Friction("grip", "flor", GRIP.law)),
+            Scales(W, Parameter("pace", "m/s", 1), W),
+        )
+    text = str(caught.value)
+    assert "pair floor, x" in text
+    assert "pair floor, y" in text
+    assert "'flor'" in text

@@ -1,0 +1,161 @@
+"""Contact between parts that only drives move: its force by the law, its work in the drives' books."""
+
+import numpy as np
+import pytest
+
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    ConstantSpeed,
+    Contact,
+    EnergyLedger,
+    Friction,
+    Harmonic,
+    InputError,
+    Mechanism,
+    Parameter,
+    Prismatic,
+    Ramp,
+    Revolute,
+    Scales,
+    Scene,
+    SphereOnPlane,
+    SphereOnSphere,
+    X,
+    Y,
+    Z,
+    laws,
+)
+from hertzwerk.runtime import equilibrium, load, simulate
+from hertzwerk.runtime.integrate.tableaux.methods import METHODS
+
+RADIUS, STROKE = Parameter("R", "mm", 20), Parameter("stroke", "mm", 1)
+RATE, STIFFNESS, MASSES = 100.0, 1e8, {"punch": 1.5, "die": 0.7}
+r, a = RADIUS.si, STROKE.si
+
+
+def press(*effects, damping=None, free=False, coordinates="tree"):
+    """A punch at R + a/2 + a sin(w t + phase), a die at a/2 sin(2 w t)."""
+    punch, die = (Body(name, Parameter(f"m_{name}", "kg", mass)) for name, mass in MASSES.items())
+    joints = [Prismatic("down", GROUND, punch, axis=Y), Prismatic("up", GROUND, die, axis=Y)]
+    if free:
+        joints.append(Prismatic("beside", GROUND, Body("other", Parameter("m_other", "kg", 1)), axis=X))
+    w = Parameter("w", "rad/s", RATE)
+    return Scene(
+        Mechanism("press", tuple(joints), (SphereOnPlane("tip", punch.at(0, 0, 0), RADIUS, die.at(0, 0, 0), Y),)),
+        (
+            Harmonic("ram", "down", STROKE, w, phase=Parameter("phase", "rad", 1.5), mean=RADIUS + STROKE / 2),
+            Harmonic("bolster", "up", STROKE / 2, 2 * w),
+            Contact("tip", laws.power(Parameter("K", "N/m^1.5", STIFFNESS), 1.5), damping),
+            *effects,
+        ),
+        Scales(length=STROKE, speed=Parameter("pace", "m/s", 0.1)),
+        coordinates=coordinates,
+    )
+
+
+def motion(t):
+    """Positions of punch and die, speeds, accelerations."""
+    one, two = RATE * t + 1.5, 2 * RATE * t
+    places = r + a / 2 + a * np.sin(one), a / 2 * np.sin(two)
+    speeds = a * RATE * np.cos(one), a * RATE * np.cos(two)
+    return places, speeds, (-a * RATE**2 * np.sin(one), -2 * a * RATE**2 * np.sin(two))
+
+
+@pytest.mark.parametrize("free", [False, True])
+@pytest.mark.parametrize("coordinates", ["tree", "absolute"])
+def test_its_force_is_the_laws_of_the_prescribed_penetration(free, coordinates):
+    """K delta^1.5, and the drives bear it: their forces and powers, and the work in the ledger."""
+    run = simulate(load(press(EnergyLedger(), free=free, coordinates=coordinates)), duration="0.2 s", accuracy=1e-9)
+    assert run.outcome.finished
+    assert len(run.impacts) == 3
+    (high, low), speeds, accelerations = motion(run.t)
+    depth = np.maximum(low + r - high, 0)
+    force = STIFFNESS * depth**1.5
+    size = np.max(force)
+    assert run["tip.normal_force"] == pytest.approx(force, abs=1e-9 * size)
+    pushes = -force, force  # on the drives
+    for drive, mass, push, speed, acceleration in zip(
+        ("ram", "bolster"), MASSES.values(), pushes, speeds, accelerations, strict=True
+    ):
+        assert run[f"{drive}.force"] == pytest.approx(mass * acceleration + push, abs=1e-8 * size)
+        assert run[f"{drive}.power"] == pytest.approx((mass * acceleration + push) * speed, abs=1e-8 * size)
+    kinetic = sum(m * v**2 / 2 for m, v in zip(MASSES.values(), speeds, strict=True))
+    energy = kinetic + 2 / 5 * STIFFNESS * depth**2.5
+    assert run["energy_ledger.input"] == pytest.approx(energy - energy[0], abs=1e-7 * np.max(energy))
+
+
+def test_what_is_dissipated_is_put_in_by_the_drives():
+    """Over a period the drives' work is what damping takes: the loop of force over penetration."""
+    law = laws.hunt_crossley(Parameter("e", "1", 0.5))
+    run = simulate(load(press(EnergyLedger(), damping=law)), duration=f"{2 * np.pi / RATE!r} s", accuracy=1e-9)
+    assert run["tip.dissipated"][-1] > 0.01
+    assert run["energy_ledger.input"][-1] == pytest.approx(run["tip.dissipated"][-1], rel=1e-7)
+
+
+@pytest.mark.parametrize("free", [False, True])
+def test_no_contact_is_missed_where_nothing_else_moves(free):
+    """Without a ledger no state changes but for the gap: every contact begins and ends as with one."""
+    run, other = (simulate(load(press(*e, free=free)), duration="1 s", accuracy=1e-7) for e in ((), (EnergyLedger(),)))
+    assert len(run.impacts) == len(other.impacts) == 16
+    for one, two in zip(run.impacts, other.impacts, strict=True):
+        assert (one.t, one.duration) == pytest.approx((two.t, two.duration), rel=1e-8)
+        assert one.peak_force == pytest.approx(two.peak_force, rel=1e-8)
+    (high, low), *_ = motion(run.t)
+    start = motion(np.zeros(1))[0]
+    assert run["tip.gap_change"] == pytest.approx((high - low) - (start[0] - start[1]), abs=1e-6 * a)
+
+
+def test_two_rotors_that_graze_each_other():
+    """Arms with round heads, one fast and one slow: a short contact wherever the heads meet, with friction."""
+    arm = Parameter("arm", "mm", 100)
+    rotors = [
+        Body(name, Parameter(f"m_{name}", "kg", 1), Parameter(f"J_{name}", "kg m^2", 0.01)) for name in ("one", "two")
+    ]
+    apart = GROUND.at(2 * arm + 2 * RADIUS - STROKE / 2, 0, 0)
+    scene = Scene(
+        Mechanism(
+            "rotors",
+            (Revolute("left", GROUND, rotors[0], axis=Z), Revolute("right", apart, rotors[1], axis=Z)),
+            (SphereOnSphere("heads", rotors[0].at(arm, 0, 0), rotors[1].at(-arm, 0, 0), RADIUS, RADIUS),),
+        ),
+        (
+            ConstantSpeed("quick", "left", Parameter("w_1", "rad/s", 2 * np.pi * 50)),
+            Ramp("slow", "right", Parameter("w_2", "rad/s", -2 * np.pi * 25), rise=Parameter("rise", "ms", 1)),
+            Contact("heads", laws.power(Parameter("K", "N/m^1.5", STIFFNESS), 1.5)),
+            Friction("rub", "heads", laws.smooth_coulomb(Parameter("mu", "1", 0.2), Parameter("v_s", "m/s", 0.01))),
+        ),
+        Scales(length=STROKE, speed=Parameter("pace", "m/s", 10), arm=arm),
+    )
+    run = simulate(load(scene), duration="0.401 s", accuracy=1e-6)
+    assert run.outcome.finished
+    times = np.linspace(0, 0.401, 400_001)[1:]
+    ramp = np.where(times < 1e-3, times / 1e-3, 1)
+    share = ramp**3 * (10 - 15 * ramp + 6 * ramp**2)
+    turned = np.cumsum(share) * (times[1] - times[0])
+    one, two = 2 * np.pi * 50 * times, np.pi - 2 * np.pi * 25 * turned
+    x = 0.2 + 2 * r - a / 2 + 0.1 * (np.cos(two) - np.cos(one))
+    touching = np.hypot(x, 0.1 * (np.sin(two) - np.sin(one))) < 2 * r
+    assert touching[0]
+    assert len(run.impacts) == 1 + np.count_nonzero(np.diff(touching.astype(int)) == 1)
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("method", METHODS)
+def test_every_method_finds_the_same_contacts(method):
+    run = simulate(load(press(EnergyLedger())), duration="0.2 s", accuracy=1e-6, method=method)
+    assert [impact.t for impact in run.impacts] == pytest.approx([0.02713111, 0.08996297, 0.15279482], rel=1e-6)
+
+
+def test_held_drives_press_with_what_the_law_says():
+    """Statics, at a time within a contact."""
+    (high, low), *_ = motion(np.array([0.035]))
+    rest = equilibrium(load(press(EnergyLedger())), at="35 ms")
+    assert rest.contacts["tip"] == pytest.approx(STIFFNESS * (low + r - high)[0] ** 1.5, rel=1e-9)
+
+
+def test_drives_alone_leave_nothing_to_compute():
+    """Without work or contact to read, a scene of drives is an error that says what may be added."""
+    scene = press()
+    with pytest.raises(InputError, match=r"a drive on every joint.*\n.*EnergyLedger\(\), or the Contact"):
+        scene.without("tip")
