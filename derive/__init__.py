@@ -51,6 +51,7 @@ if TYPE_CHECKING:  # the list of public names
     from hertzwerk.derive.effects.state_expression import (
         LENGTH as LENGTH,
         LENGTH_RATE as LENGTH_RATE,
+        Input as Input,
         T as T,
         Varying as Varying,
         coordinate_of as coordinate_of,

@@ -21,6 +21,7 @@ import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.accuracy.ladder import LadderResult
+from hertzwerk.runtime.inputs.given import Input, given_inputs
 from hertzwerk.runtime.integrate.step.layout import FINISHED
 from hertzwerk.runtime.loading import Model
 from hertzwerk.runtime.model import model as plain
@@ -63,6 +64,7 @@ def simulate(
     method: str = METHOD,
     parameters: Mapping[str, Value] | None = None,
     initial: Mapping[str, Value] | None = None,
+    inputs: Mapping[str, Input] | None = None,
     output: Output = "steps",
     compiled: Compiled = "auto",
     max_steps: int = MAX_STEPS,
@@ -79,6 +81,9 @@ def simulate(
     method      "auto": dop853, and esdirk where stability would hold that down; explicit "dop853", "dopri5"; for what is stiff "esdirk", "rodas";
                 "cvodes", "idas": SUNDIALS, slow, as an independent reference
     parameters, initial    values in place of the model's, each with its unit: {"clearance": "0.2 mm"}, {"guide.travel": "0.17 m"}
+    inputs      values of the scene's inputs: {"torque": "0.5 N m"}, two arrays (times, values) in s and the input's unit, `Samples` (held, linear or
+                cubic, with units), "FILE.csv:column", a `Table`, or a function of the time, which is sampled to 1e-10. A step ends where a
+                sample is, and the motion is that of the values between them, exactly
     output      what is kept: "steps", all that were accepted; or the states at a number of points, start and end included (1000), at a
                 spacing ("0.1 ms"), at times [s] of your own, by dense output of the method's order; memory then does not grow with the run
     compiled    run the same functions as C; the result is bitwise the same; "auto" does so from where the time to go exceeds the compilation
@@ -101,7 +106,12 @@ def simulate(
         wall_time=wall_time,
     )
     return solve(
-        model, settings, {} if parameters is None else parameters, {} if initial is None else initial, progress=progress
+        model,
+        settings,
+        {} if parameters is None else parameters,
+        {} if initial is None else initial,
+        inputs,
+        progress=progress,
     )
 
 
@@ -110,6 +120,7 @@ def solve(
     settings: Settings,
     parameters: Mapping[str, Value],
     initial: Mapping[str, Value],
+    inputs: Mapping[str, Input] | None = None,
     *,
     needs: Needs = Needs.STEPS,
     progress: Callable[[float], object] | None = None,
@@ -120,7 +131,8 @@ def solve(
     """
     began = time.perf_counter()
     # 2. bound, 3. start
-    given, times = read(model, settings, parameters, initial)
+    model, faults = given_inputs(model, inputs, settings.duration, parameters)
+    given, times = read(model, settings, parameters, initial, faults)
     # 4. run
     run = set_up(model, settings, given, needs=needs)
     tolerance = settings.tolerance

@@ -33,7 +33,7 @@ ROOMS = {
         "declare": "algebra dimension effects faults identifiers laws mechanism units",
         "derivation": "audit declare emit faults module motion program readings",
         "dimension": "algebra faults units",
-        "effects": "algebra dimension faults laws mechanism program units",
+        "effects": "algebra dimension faults identifiers laws mechanism program units",
         "emit": "audit faults program",
         "faults": "",
         "files": "audit declare derivation dimension faults identifiers laws mechanism units",
@@ -50,7 +50,7 @@ ROOMS = {
         "units": "",
     },
     "runtime": {
-        ".": "comparing derive/faults effects loading measured model simulation solution statics sweeps",
+        ".": "comparing derive/faults effects inputs loading measured model simulation solution statics sweeps",
         "accuracy": "",
         "cli": "accuracy derive/audit derive/faults derive/sheets effects hard_cases host integrate/tableaux loading "
         "measured model pictures pictures/draw pictures/motion pictures/studies report run simulation solution start "
@@ -60,6 +60,7 @@ ROOMS = {
         "effects": "accuracy derive/declare derive/faults integrate/step loading model run simulation solution start",
         "hard_cases": "host integrate/loop integrate/step integrate/tableaux loading model run simulation solution",
         "host": "derive/faults",
+        "inputs": "derive/faults derive/units measured model run",
         "integrate": "host integrate/events integrate/loop integrate/step model",
         "integrate/events": "integrate/step integrate/tableaux model",
         "integrate/loop": "host integrate/events integrate/step integrate/tableaux model",
@@ -79,7 +80,8 @@ ROOMS = {
         "report": "accuracy derive/readable host model pictures pictures/draw run solution",
         "run": "accuracy derive/faults derive/units host integrate integrate/loop integrate/step integrate/tableaux model solution "
         "start",
-        "simulation": "accuracy derive/faults integrate/step loading model pictures pictures/draw pictures/motion report run solution start tables",
+        "simulation": "accuracy derive/faults inputs integrate/step loading model pictures pictures/draw pictures/motion "
+        "report run solution start tables",
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults host integrate/step integrate/tableaux model",
         "statics": "derive/faults host integrate/step loading model pictures/draw run solution start tables",

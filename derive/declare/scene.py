@@ -18,6 +18,7 @@ from hertzwerk.derive.effects.contacts import Contact, Friction
 from hertzwerk.derive.effects.drives import AnyDrive
 from hertzwerk.derive.effects.effect import Effect, PairEffect, State
 from hertzwerk.derive.effects.energy_ledger import EnergyLedger
+from hertzwerk.derive.effects.state_expression import Input, inputs_in
 from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.derive.laws.catalogue import LAWS
 from hertzwerk.derive.laws.law import BoundLaw, Law
@@ -409,3 +410,8 @@ class Scene:
     def dimensions(self) -> dict[sp.Symbol, Dimension]:
         """Dimension of every parameter."""
         return dimensions_of(self.parameters)
+
+    @cached_property
+    def inputs(self) -> dict[str, Input]:
+        """Inputs in use by name, in declared order."""
+        return {given.name: given for slot in self.slots() for given in inputs_in(slot.value)}

@@ -15,7 +15,7 @@ import sympy as sp
 
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.effects.effect import NOWHERE, Declared, JointEffect, Kinematics
-from hertzwerk.derive.effects.state_expression import TIME, T, Varying, as_choice, shown
+from hertzwerk.derive.effects.state_expression import INPUT, TIME, T, Varying, as_choice, shown
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Slot
 from hertzwerk.derive.mechanism.parameter import POSITIVE, Scalar
@@ -196,7 +196,8 @@ class Drive(AnyDrive):
         coordinate, rate, _ = self.freedom(scene).units
         units = (coordinate, rate, f"{coordinate}/s^2")
         for order, what, law in self._given:
-            yield Varying(f"{self.where}, {what}", law, units[order], on=(TIME,), derivatives=2 - order)
+            on = (TIME, INPUT) if order == 2 else (TIME,)  # of an acceleration no derivative is taken
+            yield Varying(f"{self.where}, {what}", law, units[order], on=on, derivatives=2 - order)
         yield Slot(f"{self.where}, start", self.start, coordinate)
         yield Slot(f"{self.where}, start speed", self.start_speed, rate)
 

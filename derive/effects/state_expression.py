@@ -4,6 +4,7 @@ T                     time
 coordinate_of(joint)  coordinate of a joint, by its name [rad or m]
 speed_of(joint)       its rate [rad/s or m/s]
 state_of(name)        state of an effect, "motor.current" [its unit]
+Input(name, unit)     value that a run is given over time: measured, tabulated or a function [its unit]
 LENGTH, LENGTH_RATE   distance of the two ends of a `LineForce`, and its rate [m, m/s]
 """
 
@@ -21,16 +22,20 @@ from hertzwerk.derive.algebra.splines import Table
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.dimension.walker import check
 from hertzwerk.derive.faults import Fault, InputError, one_of
+from hertzwerk.derive.identifiers import name_faults, text_faults
 from hertzwerk.derive.mechanism.bodies import Slot
 from hertzwerk.derive.mechanism.joints.joint import Freedom
-from hertzwerk.derive.mechanism.parameter import Parameter, is_number
+from hertzwerk.derive.mechanism.parameter import TABLE, Parameter, is_number
 from hertzwerk.derive.program.expression_text import EmitError, expression_text
-from hertzwerk.derive.units import parse_unit, unit_text
+from hertzwerk.derive.units import UnitError, parse_unit, unit_text
 
 TIME, COORDINATE, SPEED, STATE, REACH, REACH_RATE = "time", "coordinate", "speed", "state", "length", "length rate"
 REACTION, NORMAL_FORCE = "reaction", "normal force"
-LOADS = (TIME, COORDINATE, SPEED, STATE, REACTION, NORMAL_FORCE)
-"""What a force may vary with; what else varies, varies with the first four at most."""
+INPUT = "input"
+LOADS = (TIME, COORDINATE, SPEED, STATE, INPUT, REACTION, NORMAL_FORCE)
+"""What a force may vary with; what else varies, varies with the first five at most."""
+HISTORIES = ("t", "energy")
+"""Names of histories that no input can have."""
 
 
 _PLAIN = {
@@ -85,6 +90,50 @@ T = StateSymbol("t", TIME, "")
 LENGTH, LENGTH_RATE = StateSymbol("length", REACH, ""), StateSymbol("length_rate", REACH_RATE, "")
 
 
+class Input(StateSymbol):
+    """Value over time that a run is given, such as a measured torque, by name; used as a symbol in expressions.
+
+    `unit` is text, `meaning` what lists and tables say of it. Its history has its name:
+    `simulate(model, inputs={"torque": ...})`, `run["torque"]`.
+    """
+
+    __slots__ = ("meaning", "unit")
+
+    def __new__(cls, name: str, unit: str, meaning: str = "") -> Input:
+        """Make a new symbol; raises InputError for values that are no text."""
+        texts = {"name": name, "unit": unit, "meaning": meaning}
+        wrong = [
+            Fault(f"input, {what}", repr(text), "text") for what, text in texts.items() if not isinstance(text, str)
+        ]
+        if wrong:
+            raise InputError(f"input {name!r:.40}", wrong)
+        self = super().__new__(cls, name, INPUT, "")
+        self.unit = unit
+        self.meaning = meaning
+        return self
+
+    def _hashable_content(self) -> tuple[Any, ...]:
+        return (self.name, INPUT, self.unit, self.meaning)
+
+    def __getnewargs_ex__(self) -> tuple[tuple[Any, ...], dict[str, Any]]:
+        return (self.name, self.unit, self.meaning), {}
+
+    def faults(self) -> Iterator[Fault]:
+        """Yield the faults of the declaration itself."""
+        where = f"input {self.name}"
+        yield from name_faults(where, self.name)
+        yield from text_faults(f"{where}, meaning", self.meaning)
+        if self.name in HISTORIES or self.name.endswith(TABLE):
+            yield Fault(
+                where, f"the name {self.name!r}", f"a name that is no history of every run, nor ends in {TABLE}"
+            )
+        try:
+            if parse_unit(self.unit).free_names:
+                yield Fault(where, f"unit {self.unit!r}", "a unit without a symbolic exponent")
+        except UnitError as error:
+            yield Fault(where, f"unit {self.unit!r}", "a unit", str(error))
+
+
 def coordinate_of(joint: str) -> StateSymbol:
     """Coordinate of the joint of this name [rad or m]; raises InputError if the name is no text."""
     _must_be_text("coordinate_of", joint)
@@ -127,9 +176,9 @@ def _must_be_text(function: str, joint: object) -> None:
 
 @dataclass(frozen=True)
 class Varying(Slot):
-    """Quantity that may vary with some of time, coordinates and speeds."""
+    """Quantity that may vary with some of time, coordinates, speeds, states and inputs."""
 
-    on: tuple[str, ...] = (TIME, COORDINATE, SPEED, STATE)
+    on: tuple[str, ...] = (TIME, COORDINATE, SPEED, STATE, INPUT)
     derivatives: int = 0
     """Number of time derivatives that are taken of it."""
 
@@ -160,6 +209,11 @@ def states_in(expression: Any) -> list[StateSymbol]:
     return list(dict.fromkeys(node for node in sp.preorder_traversal(expression) if isinstance(node, StateSymbol)))
 
 
+def inputs_in(expression: Any) -> list[Input]:
+    """List the inputs in an expression in order of appearance."""
+    return [symbol for symbol in states_in(expression) if isinstance(symbol, Input)]
+
+
 def tables_in(expression: Any) -> list[Table]:
     """List the tables in an expression in order of appearance."""
     if not isinstance(expression, sp.Basic):
@@ -171,10 +225,18 @@ def state_dimension(symbol: StateSymbol, scene: Scope) -> Dimension:
     """Dimension of time, of a coordinate or speed of a scene's freedom, or of an effect's state."""
     if symbol.what in _PLAIN:
         return Dimension.from_unit(_PLAIN[symbol.what])
+    if isinstance(symbol, Input):
+        return Dimension.from_unit(symbol.unit)
     if symbol.what == STATE:
         return Dimension.from_unit(scene.states[symbol.joint].unit)
     coordinate, speed, _ = scene.scalars[symbol.joint].units
     return Dimension.from_unit(coordinate if symbol.what == COORDINATE else speed)
+
+
+_WITHOUT_DERIVATIVES = (
+    "An input may jump, so it has no derivatives: let it be an acceleration, Drive(acceleration=...), the target of a SpeedController, "
+    "or the rest of a spring, JointForce(joint, k*(input - coordinate_of(joint))); what is known beforehand is a Table of T."
+)
 
 
 def shown(value: Any) -> str:
@@ -196,11 +258,13 @@ def expression_faults(
         yield from constant(slot)
         return
     value, where = as_choice(slot.value), slot.where
-    strange = [f for given in tables_in(value) for f in given.faults()]  # which `table_faults` reports
+    # which `table_faults` and `input_faults` report
+    strange = [f for t in tables_in(value) for f in t.faults()] + [f for i in inputs_in(value) for f in i.faults()]
     for symbol in states_in(value):
         if symbol.what not in slot.on:
             of = " and ".join(slot.on) if slot.on else "parameters alone"
-            yield Fault(where, f"{value}, which depends on {symbol}", f"an expression of {of}")
+            way_out = _WITHOUT_DERIVATIVES if isinstance(symbol, Input) else ""
+            yield Fault(where, f"{value}, which depends on {symbol}", f"an expression of {of}", way_out)
             return
         if symbol.what == STATE and symbol.joint not in scene.states:
             expected = one_of(scene.states, "a state of an effect, of which the scene has none")
@@ -224,7 +288,7 @@ def expression_faults(
         yield Fault(
             where,
             f"the symbol {named}",
-            "an expression of Parameters, T, coordinate_of(joint), speed_of(joint), state_of(name) and tables",
+            "an expression of Parameters, T, coordinate_of(joint), speed_of(joint), state_of(name), inputs and tables",
         )
         return
     if strange:
@@ -250,6 +314,20 @@ def table_faults(expressions: Iterable[Any]) -> Iterator[Fault]:
         if seen.setdefault(str(table.name).upper(), table) != table:
             yield Fault(f"table {table.name}", "two different tables of this name", "names that are unique, in capitals too",
                         "Share one Table object, or rename one.")  # fmt: skip
+
+
+def input_faults(expressions: Iterable[Any], parameters: Iterable[str]) -> Iterator[Fault]:
+    """Yield faults of inputs in these expressions, and of names that they share with each other or with a parameter."""
+    taken, seen = set(parameters), dict[str, Input]()
+    for given in (given for expression in expressions for given in inputs_in(expression)):
+        yield from given.faults()
+        if seen.setdefault(given.name, given) != given:
+            yield Fault(f"input {given.name}", "two different inputs of this name", "names that are unique",
+                        "Share one Input object, or rename one.")  # fmt: skip
+        if given.name in taken:
+            yield Fault(
+                f"input {given.name}", "a parameter of this name", "names that are unique", "Rename one of them."
+            )
 
 
 def smoothness_faults(slot: Slot, value: Any) -> Iterator[Fault]:

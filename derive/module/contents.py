@@ -55,13 +55,17 @@ def with_constants(
 ) -> Program:
     """Program of functions, with the function of the constants that they read."""
     constants = system.tape.constants(functions)
-    softness = [symbol for symbol, group in system.tape.inputs.items() if group == CONSTANT]
-    values = (*constants, *(sp.Float(SOFTNESS) for _ in softness))
-    constants = [*constants, *softness]
+    pieces = [symbol for piece in system.tape.pieces.values() for symbol in piece]
+    softness = [symbol for symbol, group in system.tape.inputs.items() if group == CONSTANT and symbol not in pieces]
+    values = (*constants, *(sp.Float(SOFTNESS) for _ in softness), *(sp.S.Zero for _ in pieces))
+    constants = [*constants, *softness, *pieces]
     words = names_in_words(((s, system.tape.assignments[s]) for s in system.tape.numbered), {}, system.tape.names)
     names = tuple(words.get(symbol.name, symbol.name) for symbol in constants)
     result = Result("c", names, ("",) * len(names), values)  # mixed units: see CONSTANTS
-    first = system.function("constants", "Quantities that depend on the parameters alone, once per run.", "p", result)
+    summary = "Quantities that depend on the parameters alone, once per run."
+    if pieces:
+        summary += " The pieces of INPUTS, the last entries, are those of the run: here 0."
+    first = system.function("constants", summary, "p", result)
     return Program(system.scene, system.tape, (first, *functions), tuple(constants), tables, note, words)
 
 

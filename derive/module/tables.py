@@ -33,6 +33,7 @@ def tables(system: System) -> Mapping[str, tuple[Any, ...]]:
             (p.name, p.unit, p.default, p.meaning or meanings.get(p.name, "")) for p in scene.parameters.values()
         ),
         "LIMITS": tuple(_limits(scene)),
+        **_inputs(scene),
         "COORDINATES": tuple((name, unit) for name, unit in system.coordinates),
         **({"QUATERNIONS": quaternions} if quaternions else {}),
         "SPEEDS": tuple((name, unit) for name, unit in system.speeds),
@@ -59,6 +60,12 @@ def _advice(scene: Scene) -> dict[str, tuple[str, ...]]:
     """Table of objections to the scene's laws other than units, if there are any."""
     said = advice(scene)
     return {"ADVICE": said} if said else {}
+
+
+def _inputs(scene: Scene) -> dict[str, tuple[Any, ...]]:
+    """Table of inputs, if there are any: the last entries of c are their pieces, in this order."""
+    rows = tuple((given.name, given.unit, given.meaning) for given in scene.inputs.values())
+    return {"INPUTS": rows} if rows else {}
 
 
 def _tables_used(scene: Scene) -> list[Table]:

@@ -35,6 +35,7 @@ from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.effects.effect import FORCE
 from hertzwerk.derive.effects.state_expression import (
     COORDINATE,
+    INPUT,
     NORMAL_FORCE,
     REACTION,
     STATE,
@@ -42,6 +43,7 @@ from hertzwerk.derive.effects.state_expression import (
     StateSymbol,
     T,
     as_choice,
+    inputs_in,
     states_in,
 )
 from hertzwerk.derive.faults import InputError, unknown
@@ -51,6 +53,9 @@ from hertzwerk.derive.mechanism.mechanism import Mechanism
 from hertzwerk.derive.motion.links import Link, Orientation, Row, Tree
 from hertzwerk.derive.program.program import Tape
 from hertzwerk.derive.units import parse_unit
+
+PIECE_DEGREE = 5
+"""Degree of the pieces of an input, as of those of a table."""
 
 
 @dataclass(frozen=True)
@@ -93,6 +98,7 @@ class Kinematics:
         self.mechanism: Mechanism = scene.mechanism
         self.t = tape.input("t", "t", Dimension.from_unit(parse_unit("s"), {}))
         tape.set_rate(self.t, sp.S.One)
+        self.inputs = {name: self._given(name, given.unit) for name, given in scene.inputs.items()}
         free = scene.free
         inputs = [[self._input(port, groups[0]) for port in freedom.coordinates] for freedom in free]
         speeds = [[self._input(port, groups[1]) for port in freedom.speeds] for freedom in free]
@@ -135,7 +141,7 @@ class Kinematics:
         ports = (*freedom.coordinates, *freedom.speeds, *map(acceleration_of, freedom.speeds))
         names = [port.name.replace(".", "_") for port in ports]
         chain: list[Any] = [self._input(port, group) for port in ports[: motion.order]]
-        law = motion.law.xreplace({T: self.t})
+        law = motion.law.xreplace({T: self.t, **{given: self._state(given) for given in inputs_in(motion.law)}})
         uniform = motion.order == 0 and sp.diff(law, self.t, 2) == 0  # one product, named where it is used
         chain.append(law if uniform else self.tape.let(law, names[motion.order]))
         while len(chain) < 3:
@@ -215,7 +221,21 @@ class Kinematics:
             return self.reaction(symbol.joint)
         if symbol.what == NORMAL_FORCE:
             return self.normal_force(symbol.joint)
+        if symbol.what == INPUT:
+            if symbol.name not in self.inputs:
+                raise InputError(f"scene {self.scene.name}", [unknown("input", symbol.name, self.inputs)])
+            return self.inputs[symbol.name]
         return self.coordinate(symbol.joint) if symbol.what == COORDINATE else self.speed(symbol.joint)
+
+    def _given(self, name: str, unit: str) -> Any:
+        """Value of an input on the tape: a polynomial of the time since its piece began."""
+        of, per = Dimension.from_unit(parse_unit(unit), {}), Dimension.from_unit(parse_unit("s"), {})
+        begin, *factors = self.tape.piece(name, [per, *(of / per**k for k in range(PIECE_DEGREE + 1))])
+        since = self.tape.let(self.t - begin, f"{name}_since")
+        value = sp.S.Zero
+        for factor in reversed(factors):
+            value = factor + since * value
+        return self.tape.let(value, name)
 
     def _input(self, port: Port, group: str) -> sp.Symbol:
         return self.tape.input(port.name.replace(".", "_"), group, Dimension.from_unit(parse_unit(port.unit), {}))

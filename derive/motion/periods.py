@@ -20,13 +20,15 @@ _CIRCULAR = (sp.sin, sp.cos, sp.tan)
 def period(scene: Scene) -> Any | None:
     """Common period [s], a function of parameters; None where nothing varies periodically.
 
-    None too where something varies without a period, and where a coupling passes a steady rotation on, at another rate.
+    None too where something varies without a period, as inputs do, and where a coupling passes a steady rotation on, at another rate.
     The past of a drive, before its last branch at a time, does not count: a speed that rises and stays is periodic from
     then on. A drive of constant speed is periodic if it turns an angle.
     """
     angles = {freedom.key for freedom in scene.mechanism.freedoms if freedom.units[0] == "rad"}
     coupled = {key for coupling in scene.all(Coupling) for key in coupling.joints}
     frequencies: list[Any] = []
+    if scene.inputs:
+        return None
     try:
         for joint, effect in scene.driven.items():
             frequencies += _of_drive(effect.motion, joint in angles - coupled)

@@ -78,6 +78,8 @@ class Tape:
     """Names in use."""
     numbered: list[sp.Symbol] = field(default_factory=list)
     """Assignments of constants that have no name but a number."""
+    pieces: dict[str, tuple[sp.Symbol, ...]] = field(default_factory=dict)
+    """Inputs of the scene by name, and the entries of c that a run changes with their pieces."""
     _instead: dict[str, str] = field(default_factory=dict)
     _groups: dict[Any, frozenset[str]] = field(default_factory=dict)
     _known: dict[Any, sp.Symbol] = field(default_factory=dict)
@@ -97,6 +99,15 @@ class Tape:
         self.declared[symbol] = dimension
         self._groups[symbol] = frozenset((group,))
         return symbol
+
+    def piece(self, name: str, dimensions: Iterable[Dimension]) -> tuple[sp.Symbol, ...]:
+        """Entries of c that hold the piece of an input: its begin, then its coefficients; declared once."""
+        if name not in self.pieces:
+            labels = enumerate(dimensions, -1)
+            symbols = (self.input(f"{name}_begin" if k < 0 else f"{name}_c{k}", CONSTANT, of) for k, of in labels)
+            self.pieces[name] = tuple(symbols)
+            self._rates |= dict.fromkeys(self.pieces[name], sp.S.Zero)
+        return self.pieces[name]
 
     def own(self, name: str) -> str:
         """Text of a name in `OWN`, once all parameters are declared: they keep theirs."""

@@ -43,6 +43,7 @@ from hertzwerk.runtime.model.caller import Callers
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
+    from hertzwerk.runtime.model.signal import Schedule
 
 GRID = 16  # points of a window
 FIRST_WINDOW = 0.5  # after an event, of length/speed of the scene
@@ -98,12 +99,13 @@ def march(
     *,
     wall_time: float = np.inf,
     progress: Callable[[float], object] | None = None,
+    schedule: Schedule | None = None,
 ) -> Ending:
     """Integrate from an initial state of the engine to the end of the run, as `chunk.march` does.
 
     An exception or KeyboardInterrupt ends the run with the rows kept so far.
     """
-    run = _Run(functions, state, controls)
+    run = _Run(functions, state, controls, schedule)
     start, status = time.perf_counter(), RUNNING
     row, error = state, None
     (tallied,) = functions.tally.first(state, controls)
@@ -146,12 +148,15 @@ class _Event:
 class _Run:
     """State and counters of a run in progress."""
 
-    def __init__(self, functions: Reference, state: np.ndarray, controls: np.ndarray) -> None:
+    def __init__(
+        self, functions: Reference, state: np.ndarray, controls: np.ndarray, schedule: Schedule | None
+    ) -> None:
         self.functions, self.model = functions, functions.model
         self.layout = functions.layouts.state
         given = functions.layouts.controls.split(controls)
         self.c, self.scale = given["c"], given["scale"]
         self.t_end, self.floor = float(given["t_end"][0]), float(given["floor"][0])
+        self.schedule, self.stop = schedule, self.t_end
         self.max_events, self.max_steps = float(given["max_events"][0]), float(given["max_steps"][0])
         self.first_window = FIRST_WINDOW * float(given["scales"][0] / given["scales"][1])
         self.many, self.one = functions.window(float(given["tolerance"][0]))
@@ -161,12 +166,21 @@ class _Run:
         self.ends_with_force = np.array(ends_with_force(self.model)).ravel() > 0
         self.steps = self.events = 0
         self.floored = float(parts["floored"][0])
+        self.give_pieces()
+
+    def give_pieces(self) -> None:
+        """Put the pieces of the inputs that hold from now on into c, and take where they end."""
+        if self.schedule is not None:
+            place = self.schedule.place(self.t)
+            self.c = self.c.copy()
+            self.c[self.c.size - self.schedule.pieces.shape[1] :] = self.schedule.pieces[place]
+            self.stop = self.schedule.stop(place, self.t_end)
 
     def rows(self) -> Iterator[np.ndarray]:
         """Yield the rows of the run after its first; `status` tells how it ended."""
         window = self.first_window
         while self.status == RUNNING:
-            h = min(window, self.t_end - self.t)
+            h = min(window, self.stop - self.t)
             try:
                 points = self.integrate(self.many, self.t, self.y, h)
             except RuntimeError:  # SUNDIALS gave up, or something was not a number
@@ -175,10 +189,10 @@ class _Run:
                     self.status = NOT_FINITE
                 continue
             event = self.first_event(points, h)
-            arrives = event is None and h >= self.t_end - self.t
+            arrives = event is None and h >= self.stop - self.t
             times = self.t + h * np.arange(1, GRID + 1) / GRID
             if arrives:
-                times[-1] = self.t_end
+                times[-1] = self.stop
             for t, y in zip(times[: GRID if event is None else event.index + 1], points, strict=False):
                 self.t, self.y, self.steps = float(t), y, self.steps + 1
                 self.set_status(arrives=arrives and t == self.t_end)
@@ -191,6 +205,9 @@ class _Run:
                 self.set_status()
                 yield self.row()
                 window = min(self.first_window, self.t_end / WINDOWS)
+            if self.t == self.stop < self.t_end and self.status == RUNNING:
+                self.give_pieces()
+                yield self.row()
 
     def integrate(self, function: Any, t: float, y: np.ndarray, h: float) -> np.ndarray:
         """Return the states at the points of a window of h [s], shape (points, ny)."""
@@ -343,6 +360,8 @@ class _Run:
             "steps": self.steps,
             "events": self.events,
             "floored": self.floored,
+            "pieces": self.c[self.c.size - self.model.npieces :],
+            "stop": self.stop,
         }
         row = np.zeros(self.layout.size)
         for name, value in values.items():

@@ -6,7 +6,7 @@ import math
 from collections.abc import Hashable, Mapping
 from dataclasses import dataclass
 from types import ModuleType, SimpleNamespace
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, Self, TypeAlias
 
 import casadi as ca
 import numpy as np
@@ -17,6 +17,7 @@ from hertzwerk.runtime.model.binding import Declared, Port, Value, read_paramete
 from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.generated_text import module_of, text_of
 from hertzwerk.runtime.model.per_model import per_model
+from hertzwerk.runtime.model.signal import WIDTH, Schedule, Signal
 
 if TYPE_CHECKING:
     from hertzwerk.derive.declare.scene import Scene
@@ -83,10 +84,13 @@ class Model:
         module: ModuleType | SimpleNamespace,
         declaration: Declaration | None = None,
         dependent: tuple[Dependent, ...] = (),
+        signals: Mapping[str, Signal] | None = None,
     ) -> None:
         self.module = module
         self.declaration = declaration
         self.dependent = dependent
+        self.signals: Mapping[str, Signal] = {} if signals is None else signals
+        """Values of the inputs over time, by name, as a run was given them."""
         self.name: str = module.NAME
         self.parameters: dict[str, Port] = {row[0]: Port(*row) for row in module.PARAMETERS}
         self.coordinates, self.speeds, self.memory, self.latches, self.pairs, self.outputs = (
@@ -118,6 +122,9 @@ class Model:
         self.nl = len(self.constraints)
         self.is_length = tuple(row[1] == "m" for row in getattr(module, "CONSTRAINTS", ()))
         """Whether each constraint is a length [m], not an angle's sine [1]."""
+        self.inputs: dict[str, tuple[str, str]] = {row[0]: row[1:] for row in getattr(module, "INPUTS", ())}
+        """Unit and meaning of the inputs by name; the last `npieces` entries of c are their pieces, see `Signal`."""
+        self.npieces = WIDTH * len(self.inputs)
         self.has_ledger = hasattr(module, "ledger")
         self.speed_limited: tuple[str, ...] = getattr(module, "SPEED_LIMITED", ())
         """Pairs whose law limits how fast contacts may begin."""
@@ -131,7 +138,7 @@ class Model:
         """Pickle and copy text and tables; functions are built anew where they are wanted."""
         text = text_of(self.module)
         tables = {} if text else {name: x for name, x in vars(self.module).items() if not name.startswith("__")}
-        return _restored, (type(self), self.name, text, tables, self.declaration, self.dependent)
+        return _restored, (type(self), self.name, text, tables, self.declaration, self.dependent, self.signals)
 
     @cached_property
     def units(self) -> dict[str, str]:
@@ -152,6 +159,7 @@ class Model:
         given = {
             name: getattr(module, name) for name in ("NAME", "EFFECTS", "PARAMETERS", "CONSTANTS", "LIMITS", "start")
         }
+        given |= {"INPUTS": getattr(module, "INPUTS", ())}
         given |= {
             name: getattr(module, f"JOINT_{name}") for name in ("COORDINATES", "SPEEDS", "QUATERNIONS", "CONSTRAINTS")
         }
@@ -163,7 +171,19 @@ class Model:
 
     def without_redundancy(self, dependent: tuple[Dependent, ...]) -> Model:
         """Return the model with these redundant constraints relaxed in every step; itself if none."""
-        return _with_dependent(self, dependent) if dependent else self
+        return _with_dependent(self, dependent).with_signals(self.signals) if dependent else self
+
+    def with_signals(self, signals: Mapping[str, Signal]) -> Self:
+        """Return the model with these values of its inputs; both share everything that is built."""
+        if signals == self.signals:
+            return self
+        other = type(self)(self.module, self.declaration, self.dependent, signals)
+        other.known = self.known
+        return other
+
+    def schedule(self) -> Schedule | None:
+        """Return the pieces of the inputs in the order of a run; None for a scene without inputs."""
+        return Schedule([self.signals[name] for name in self.inputs]) if self.inputs else None
 
     def function(self, name: str) -> Any:
         """Return the CasADi function of one of the module's builders, e.g. "gaps" or "contact_slider_pin".
@@ -232,11 +252,24 @@ class Model:
         given = dict(zip(inputs.split(), symbols, strict=True))
         if name in SOLVING and self.nl and not self.dependent:
             # a softness that never changes is a number, and what it multiplies is made once
-            softness = self.module.constants(*self.symbols("p"))[self.nc - self.nl :]
-            given["c"] = ca.vertcat(given["c"][: self.nc - self.nl], softness)
+            last = self.nc - self.npieces
+            softness = self.module.constants(*self.symbols("p"))[last - self.nl : last]
+            given["c"] = ca.vertcat(given["c"][: last - self.nl], softness, given["c"][last:])
         results = getattr(self.module, name)(*given.values())
         columns = [ca.densify(ca.vec(ca.SX(x))) for x in (results if isinstance(results, tuple) else (results,))]
         return ca.Function(name, symbols, ca.cse(columns), inputs.split(), [f"o{i}" for i in range(len(columns))])
+
+    def with_pieces(self, function: Any, constant: int) -> Any:
+        """Return a function whose argument c, in a place, has the pieces of the inputs from one more argument.
+
+        The function itself for a scene without inputs.
+        """
+        if not self.inputs:
+            return function
+        symbols, pieces = function.sx_in(), ca.SX.sym("pieces", self.npieces)
+        given = list(symbols)
+        given[constant] = ca.vertcat(symbols[constant][: symbols[constant].numel() - self.npieces], pieces)
+        return ca.Function(function.name(), [*symbols, pieces], function.call(given))
 
     def period(self, bound: Bound) -> float | None:
         """Return the period [s] of everything that depends on time; None where nothing does."""
@@ -295,6 +328,9 @@ class Model:
             return None, list(reading.faults)
         p = np.array(list(reading.si.values()))
         (c,) = self.evaluate("constants", p)
+        for i, signal in enumerate(map(self.signals.get, self.inputs)):
+            if signal is not None:  # without a value it is zero, as where a scene is drawn
+                c[self.nc - self.npieces + WIDTH * i :][:WIDTH] = signal.pieces(np.zeros(1))[0]
         faults = [] if np.isfinite(c).all() else list(dict.fromkeys(
             self._undefined(name, unit, float(value))
             for (name, unit), value in zip(self.module.CONSTANTS, c, strict=True)
@@ -322,9 +358,10 @@ def _restored(
     tables: Mapping[str, Any],
     declaration: Declaration | None,
     dependent: tuple[Dependent, ...],
+    signals: Mapping[str, Signal] | None = None,
 ) -> Model:
     """Return a model that was pickled: by its text, or of a saved run by its tables."""
-    return kind(module_of(name, text) if text else SimpleNamespace(**tables), declaration, dependent)
+    return kind(module_of(name, text) if text else SimpleNamespace(**tables), declaration, dependent, signals)
 
 
 @per_model

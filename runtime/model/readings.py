@@ -37,6 +37,10 @@ class Rows(Protocol):
     def touches(self, pair: int) -> np.ndarray:
         """Whether the surfaces of a pair touch, shape (rows,)."""
 
+    @property
+    def pieces(self) -> list[np.ndarray]:
+        """Pieces of the inputs at the rows, (rows, npieces); none without inputs."""
+
     def held(self) -> np.ndarray:
         """Forces that hold the constraints, shape (rows, nl)."""
 
@@ -177,7 +181,9 @@ def _mapped(history: Rows, asked: Reading, given: Mapping[str, np.ndarray]) -> n
         raise ValueError("readings need the parameters of a run, and these rows are of none")
     names = ARGUMENTS[asked.function].split()[:-1]
     (constants,) = _constants(history.model)(history.p)
-    (found,) = _function(history.model, asked.function, asked.result)(constants, *(given[name] for name in names))
+    (found,) = _function(history.model, asked.function, asked.result)(
+        constants, *(given[name] for name in names), *history.pieces
+    )
     return found
 
 
@@ -201,4 +207,5 @@ def _function(model: Model, name: str, result: int) -> Rowwise:
     results = getattr(module, name)(*symbols)
     found = results[result] if isinstance(results, tuple) else results
     function = ca.Function(f"{name}_{result}", symbols, [ca.cse(ca.densify(ca.SX(found)))])
-    return Rowwise(function, constant=len(symbols) - 1)
+    constant = len(symbols) - 1
+    return Rowwise(model.with_pieces(function, constant), constant=constant)

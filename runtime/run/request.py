@@ -20,6 +20,7 @@ from hertzwerk.runtime.model.drive_speed import drive_speed
 from hertzwerk.runtime.model.model import Bound, Dependent, Model
 from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.model.si_values import si_of
+from hertzwerk.runtime.model.signal import digest_of
 from hertzwerk.runtime.run.output_times import Output, times_of
 from hertzwerk.runtime.solution import scales as scaling
 from hertzwerk.runtime.solution.scales import Scales
@@ -100,7 +101,7 @@ class Settings:
 
 
 @dataclass(frozen=True)
-class Inputs:
+class Given:
     """Start and extent of a run.
 
     Bound parameters, q (nq,) and u (nu,) with loops closed, latches of contacts in progress, duration [s], scales stated by the scene, redundant
@@ -120,17 +121,22 @@ class Inputs:
 
 
 def read(
-    model: Model, settings: Settings, parameters: Mapping[str, Value], initial: Mapping[str, Value]
-) -> tuple[Inputs, np.ndarray | None]:
+    model: Model,
+    settings: Settings,
+    parameters: Mapping[str, Value],
+    initial: Mapping[str, Value],
+    before: Sequence[Fault] = (),
+) -> tuple[Given, np.ndarray | None]:
     """Read everything given; return it with the times [s] of an output grid.
 
-    Raises InputError with every fault. Text that was read before is not read again.
+    Raises InputError with `before` and every fault. Text that was read before is not read again.
     """
-    faults = settings.faults()
-    known, key = _remembered(model), _key((settings.duration, parameters, initial))
+    faults = [*before, *settings.faults()]
+    known, key = _remembered(model), _key((settings.duration, parameters, initial, digest_of(model.signals)))
     given = None if faults else known.get(key)
     seconds = read_duration(model, parameters, settings.duration, faults) if given is None else given.seconds
     times = times_of(settings.output, seconds, faults)
+    faults += input_faults(model, seconds, faults)
     if given is not None and not faults:
         return given, times
     bound, q, u = start_of(model, parameters, initial, faults)
@@ -138,7 +144,7 @@ def read(
     inside = overlap_faults(model, bound, initial, q, u)
     if inside:
         raise InputError(model.name, inside)
-    given = Inputs(
+    given = Given(
         bound,
         q,
         u,
@@ -164,16 +170,33 @@ def check(
     before: Sequence[Fault] = (),
 ) -> None:
     """Check the input of a run without running; raises InputError with `before` and every fault found."""
-    try:
-        read(model, settings, parameters, initial)
-    except InputError as error:
-        raise InputError(error.subject, [*before, *error.faults]) from error
-    if before:
-        raise InputError(model.name, before)
+    read(model, settings, parameters, initial, before)
+
+
+def input_faults(model: Model, seconds: float, before: Sequence[Fault] = ()) -> list[Fault]:
+    """Return the faults of inputs without a value, or whose values do not cover a time [s] from the start on.
+
+    Inputs with a fault already, `input NAME`, are left out.
+    """
+    faults: list[Fault] = []
+    told = {fault.where.partition(",")[0] for fault in before}
+    for name, (unit, meaning) in model.inputs.items():
+        where = f"input {name}"
+        if where in told:
+            continue
+        signal = model.signals.get(name)
+        if signal is None:
+            expected = f"its value in {unit}{f': {meaning}' if meaning else ''}"
+            faults.append(Fault(where, "no value", expected, f'inputs={{"{name}": ...}}, or --input {name}=...'))
+        elif signal.begins[0] > 0 or signal.end < seconds * (1 - 1e-12):
+            found = f"{signal.text} from {signal.begins[0]:g} s to {signal.end:g} s"
+            way_out = "shorten the run, or add a sample at each end that says how it goes on"
+            faults.append(Fault(where, found, f"values over the whole run, from 0 to {seconds:g} s", way_out))
+    return faults
 
 
 @per_model
-def _remembered(_: Model) -> dict[Hashable, Inputs]:
+def _remembered(_: Model) -> dict[Hashable, Given]:
     """Inputs read before, by `_key`."""
     return {}
 

@@ -18,7 +18,7 @@ from hertzwerk.runtime.integrate.step.layout import NOT_FINITE, OUTSIDE_LAW_RANG
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.run.engine import Engine, engine_for
 from hertzwerk.runtime.run.recorder import BLOCK, ENDS, Ends, Grid, Recorder, Steps
-from hertzwerk.runtime.run.request import Inputs, Limits, Settings
+from hertzwerk.runtime.run.request import Given, Limits, Settings
 from hertzwerk.runtime.solution import scales as scaling
 from hertzwerk.runtime.solution.energy_balance import Balance
 from hertzwerk.runtime.solution.findings import EVERYTHING, Findings, Needs, Observer
@@ -39,7 +39,7 @@ class SingleRun:
     model: Model
     method: str
     engine: Engine
-    given: Inputs
+    given: Given
     limits: Limits
     provider: AutomaticCallers | None
     start: Resume | None = None  # what it goes on from; None: the start of the motion
@@ -185,6 +185,8 @@ class SingleRun:
         loop = self.engine.march if self.provider is None else partial(self.engine.march, self.provider, integrator)
         if self.start is not None:
             loop = partial(loop, with_choice=self.start.with_choice)
+        if self.model.inputs:
+            loop = partial(loop, schedule=self.model.schedule())
         p = self.given.bound.p
         accepted = integrator.layouts.state["accepted"].start
 
@@ -219,7 +221,7 @@ class SingleRun:
 
 
 def set_up(
-    model: Model, settings: Settings, given: Inputs, start: Resume | None = None, needs: Needs = Needs.STEPS
+    model: Model, settings: Settings, given: Given, start: Resume | None = None, needs: Needs = Needs.STEPS
 ) -> SingleRun:
     """Return the requested run with its engine built.
 

@@ -173,7 +173,13 @@ class History:
         }
         names = arguments.split()
         # c comes first
-        return rowwise(model, function, len(names))(self.controls[: model.nc], *(known[name] for name in names))
+        tables = [*(known[name] for name in names), *self.pieces]
+        return rowwise(model, function, len(names))(self.controls[: model.nc], *tables)
+
+    @property
+    def pieces(self) -> list[np.ndarray]:
+        """Pieces of the inputs at the rows, (rows, npieces), as `Model.with_pieces` takes them; none without inputs."""
+        return [self.part("pieces")] if self.model.inputs else []
 
     def touches(self, pair: int) -> np.ndarray:
         """Return whether the surfaces of a pair touch, shape (rows,)."""
@@ -191,12 +197,12 @@ class History:
     def margins(self) -> np.ndarray:
         """Return margins of uniqueness of reactions that loads read, shape (rows, n): 0 or less where lost."""
         parts = (self.part(part) for part in ("t", "y", "mode", "m"))
-        return Rowwise(flow(self.model).settling, constant=4)(self.controls[: self.model.nc], *parts)[0]
+        return _settling(self.model)(self.controls[: self.model.nc], *parts, *self.pieces)[0]
 
     @property
     def _holding(self) -> list[np.ndarray]:
         parts = (self.part(part) for part in ("t", "y", "mode", "m"))
-        found: list[np.ndarray] = _constraint_forces(self.model)(self.controls[: self.model.nc], *parts)
+        found: list[np.ndarray] = _constraint_forces(self.model)(self.controls[: self.model.nc], *parts, *self.pieces)
         return found
 
     def at(self, times: np.ndarray) -> History:
@@ -306,12 +312,17 @@ def unknown_histories(model: Model, names: Iterable[str]) -> list[Fault]:
 @per_model
 def rowwise(model: Model, function: str, constant: int) -> Rowwise:
     """Return a model's function of a state and, as the last argument, c; that one is constant."""
-    return Rowwise(model.function(function), constant=constant)
+    return Rowwise(model.with_pieces(model.function(function), constant), constant=constant)
 
 
 @per_model
 def _constraint_forces(model: Model) -> Rowwise:
-    return Rowwise(flow(model).holding, constant=4)
+    return Rowwise(model.with_pieces(flow(model).holding, 4), constant=4)
+
+
+@per_model
+def _settling(model: Model) -> Rowwise:
+    return Rowwise(model.with_pieces(flow(model).settling, 4), constant=4)
 
 
 @per_model

@@ -286,7 +286,18 @@ class Solution:
 
 _TABLES = (
     *("NAME", "SOURCE", "SUMMARY", "EFFECTS", "UNCHECKED", "PARAMETERS", "LIMITS", "COORDINATES", "SPEEDS", "MEMORY"),
-    *("LATCHES", "SLIPS", "PAIRS", "DISSIPATED", "OUTPUTS", "CONSTANTS", "BODIES", "OPERATIONS", "QUATERNIONS"),
+    *(
+        "LATCHES",
+        "SLIPS",
+        "PAIRS",
+        "DISSIPATED",
+        "OUTPUTS",
+        "INPUTS",
+        "CONSTANTS",
+        "BODIES",
+        "OPERATIONS",
+        "QUATERNIONS",
+    ),
     *("CONSTRAINTS", "ADVICE", "BESIDE"),
 )
 

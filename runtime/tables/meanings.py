@@ -50,6 +50,8 @@ def meaning_of(model: Model, name: str) -> str:
     """Return what a history is, in a few words."""
     if name in ("t", "energy"):
         return "time" if name == "t" else _ENERGY
+    if name in model.inputs:
+        return model.inputs[name][1] or f"input {name}"
     for saved, _, meaning in getattr(model.module, "BESIDE", ()):
         if saved == name:
             return str(meaning)

@@ -17,7 +17,7 @@ from hertzwerk.derive.declare.soundness.quantities import declared, posed_faults
 from hertzwerk.derive.declare.soundness.shapes import shape_faults
 from hertzwerk.derive.declare.soundness.topology import topology_faults
 from hertzwerk.derive.declare.soundness.types import scene_type_faults
-from hertzwerk.derive.effects.state_expression import Varying, expression_faults, table_faults
+from hertzwerk.derive.effects.state_expression import Varying, expression_faults, input_faults, table_faults
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.identifiers import name_faults, text_faults
 from hertzwerk.derive.mechanism.parameter import dimensions_of, parameters_of
@@ -56,6 +56,7 @@ def faults_of(scene: Scene) -> tuple[Fault, ...]:
         found.extend(rate_faults(slot))
     found.extend(inertia_faults(scene.mechanism, sound))
     found.extend(table_faults(_expressions(scene)))
+    found.extend(input_faults(_expressions(scene), parameters))
     return tuple(dict.fromkeys(found))
 
 

@@ -17,6 +17,7 @@ from hertzwerk.runtime.integrate.events.events import ends_with_force, pulls, to
 from hertzwerk.runtime.integrate.events.jumps import jump, time_to_event
 from hertzwerk.runtime.integrate.events.slips import resolve_slips
 from hertzwerk.runtime.integrate.step.classes import IDLE, class_of
+from hertzwerk.runtime.integrate.step.control import limited_by_surfaces
 from hertzwerk.runtime.integrate.step.layout import (
     CONTACT,
     FLIGHT,
@@ -105,6 +106,38 @@ def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
     return ca.Function("switch", given, [resumed(*given[1:], *slips)], ["before", "after", "controls"], ["next"])
 
 
+def enter(model: Model, vectors: Layouts, right: Flow) -> Any:
+    """Build the function (state, controls) -> state that goes on with the pieces that it has been given.
+
+    What depends on the inputs is evaluated anew: derivatives, forces, margins; events that they bring about happen.
+    The step goes on from those of the mode, as after an event.
+    """
+    arguments, (old, run) = vectors.symbols("state controls")
+    end = right.at(old["t"], old["y"], old["mode"], old["m"], run["c"])
+    end.pop("in_range")
+    free = old["h_flight"]
+    if model.k:
+        free = ca.if_else(any_of(old["mode"] == CONTACT), ca.fmin(old["h_contact"], run["h_max"]), free)
+        free = limited_by_surfaces(free, old["h_onset"], old["mode"], end)
+    remaining = run["t_end"] - old["t"]
+    new = {
+        **old,
+        **end,
+        "h": ca.if_else(1.01 * free >= remaining, remaining, free),
+        "class": class_of(model, old["mode"]),
+        "status": ca.SX(RUNNING),
+        "accepted": ca.SX(1),
+        "after_rejection": ca.SX(0),
+        "retakes": ca.SX(0),
+        "events": old["events"] + (ca.sum1(end["event"] <= 0) if model.ne else 0),
+        "evaluations": old["evaluations"] + 1,
+    }
+    evaluated = ca.Function("evaluated", arguments, [vectors.state.join(new)])
+    state, controls = evaluated.mx_in()
+    after = evaluated(state, controls)
+    return ca.Function("enter", [state, controls], [switch(model, vectors, right)(after, after, controls)])
+
+
 def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
     """Build the function (t, q, u, latches, controls) -> initial state.
 
@@ -168,6 +201,8 @@ def _first(model: Model, vectors: Layouts, right: Flow) -> Any:
         "status": status,
         "accepted": ca.SX(1),
         "fresh_contact": in_contact,
+        "pieces": run["c"][model.nc - model.npieces :],
+        "stop": run["t_end"] if model.inputs else ca.SX(0, 1),
         "evaluations": ca.SX(3 if model.k else 1),
         "floored": floored,
     }

@@ -74,7 +74,8 @@ def advance(
     if not by_calls:
         return made
     state, controls = made.mx_in()[:2]
-    old, run = vectors.state.split(state), vectors.controls.split(controls)
+    old = vectors.state.split(state)
+    run = vectors.within(vectors.controls.split(controls), old)
     start = old if contacts is BY_MODE else {**old, "mode": ca.MX(ca.DM(mode))}
     if implicit:
         within: dict[str, Any] = {}  # what the step computes on its way

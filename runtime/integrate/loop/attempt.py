@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
-from hertzwerk.runtime.integrate.events.modes import begin
+from hertzwerk.runtime.integrate.events.modes import begin, enter
 from hertzwerk.runtime.integrate.events.settle import reject, settle
 from hertzwerk.runtime.integrate.loop.advance import advance, no_event_of_any_pair
 from hertzwerk.runtime.integrate.loop.choose import Choosing
@@ -37,6 +37,7 @@ class Integrator:
     layouts: Layouts
     begin: Any  # (t, q, u, latches, controls) -> state
     attempt: Any  # (state, controls) -> state
+    enter: Any  # (state, controls) -> state with other pieces of the inputs; None without inputs
     model: Model
     tables: tuple[Table, ...]
     asked: tuple[Table, ...] = ()
@@ -95,6 +96,7 @@ def _integrator(model: Model, taken: tuple[Table, ...], tables: tuple[Table, ...
     return Integrator(
         layouts=vectors,
         begin=begin(model, vectors, right),
+        enter=enter(model, vectors, right) if model.inputs else None,
         attempt=ca.Function("attempt", [state, controls], [done], ["state", "controls"], ["next"]),
         model=model,
         tables=tables,

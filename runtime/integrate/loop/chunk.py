@@ -13,9 +13,11 @@ import numpy as np
 from hertzwerk.runtime.host.interrupt import defer_interrupts
 from hertzwerk.runtime.integrate.loop.attempt import Integrator
 from hertzwerk.runtime.integrate.loop.choose import PATIENCE
+from hertzwerk.runtime.integrate.loop.pieces import Pieces
 from hertzwerk.runtime.integrate.loop.tally import tally
-from hertzwerk.runtime.integrate.step.layout import CALM, RUNNING, SUSPECT, TOO_MANY_STEPS
+from hertzwerk.runtime.integrate.step.layout import CALM, FINISHED, RUNNING, SUSPECT, TOO_MANY_STEPS
 from hertzwerk.runtime.model.caller import Callers
+from hertzwerk.runtime.model.signal import Schedule
 
 ROOM = 1.05  # of a step: if less is left to the end, the step may have been cut to end there
 SIZE = (16, 16)  # attempts per call, nested: calls of a function, attempts in it
@@ -106,6 +108,7 @@ def march(
     wall_time: float = np.inf,
     progress: Callable[[float], object] | None = None,
     with_choice: bool = False,
+    schedule: Schedule | None = None,
 ) -> Ending:
     """Call a chunk until the run is over; an exception ends it with the states so far.
 
@@ -114,8 +117,10 @@ def march(
     keep    receives the states after the attempts in order, some at a time: rows (n, ns) that are overwritten after it returned,
             those that count are `accepted`
     with_choice   begin with steps that choose between methods
+    schedule   of the inputs: where a piece ends a step does, and a row before it and one after it are kept
     """
-    run = _March(provider, integrator, Resume(state, with_choice), controls)
+    pieces = None if schedule is None else Pieces(integrator, schedule, controls)
+    run = _March(provider, integrator, Resume(state, with_choice), controls, pieces)
     error: Exception | None = None
 
     def poll() -> None:
@@ -145,8 +150,17 @@ def march(
 class _March:
     """A run in progress: its last state and tally, its status, the state to resume from, and its pace."""
 
-    def __init__(self, provider: CallerProvider, integrator: Integrator, start: Resume, controls: np.ndarray) -> None:
-        state, layouts = start.state, integrator.layouts
+    def __init__(
+        self,
+        provider: CallerProvider,
+        integrator: Integrator,
+        start: Resume,
+        controls: np.ndarray,
+        pieces: Pieces | None,
+    ) -> None:
+        if pieces is not None:
+            start = Resume(pieces.given(start.state), start.with_choice)
+        state, layouts, self._pieces = start.state, integrator.layouts, pieces
         self._provider, self._controls, self._at = provider, controls, layouts.state.places
         self._t_end, self._max_steps = (controls[layouts.controls.places[name]] for name in ("t_end", "max_steps"))
         self._t_start, self._most_in_vain = state[self._at["t"]], self._max_steps - state[self._at["steps"]]
@@ -174,7 +188,10 @@ class _March:
         return first
 
     def attempts(self) -> tuple[np.ndarray, bool]:
-        """Make attempts; return the states up to the end of the run, and whether to choose methods then."""
+        """Make attempts; return the states up to the end of the run, and whether to choose methods then.
+
+        Where a piece of an input ends they end as well, with the state that goes on with the next one.
+        """
         status, timed = self._at["status"], self._provider.may_switch
         self._call.inputs[0][:], self._call.inputs[2][:] = self._state, self._tally
         began = time.thread_time() if timed else 0.0
@@ -188,6 +205,10 @@ class _March:
             self.status = states[-1, status] = RUNNING
             # the next step that is stiff indeed decides
             states[-1, self._at["pressure"]] = PATIENCE - 1 if chooses else 0.0
+        if self._pieces is not None and self.status == FINISHED and self._pieces.ended(states[-1]):
+            states[-1, status] = RUNNING
+            states = np.vstack([states, self._pieces.given(states[-1])])
+            self.status = int(states[-1, status])
         self._state, self._tally = states[-1].copy(), tallied.copy()
         return states, chooses
 

@@ -89,7 +89,20 @@ class Layouts:
         """
         layouts = [self.state if name in ("next", "before", "after") else getattr(self, name) for name in names.split()]
         vectors = [layout.symbol(name) for layout, name in zip(layouts, names.split(), strict=True)]
-        return vectors, [layout.split(vector) for layout, vector in zip(layouts, vectors, strict=True)]
+        parts = [layout.split(vector) for layout, vector in zip(layouts, vectors, strict=True)]
+        states = [part for layout, part in zip(layouts, parts, strict=True) if layout is self.state]
+        return vectors, [
+            self.within(part, states[-1]) if layout is self.controls and states else part  # a step changes no piece
+            for layout, part in zip(layouts, parts, strict=True)
+        ]
+
+    def within(self, run: dict[str, Any], state: Mapping[str, Any]) -> dict[str, Any]:
+        """Return the controls of a run in a state: its pieces of the inputs in c, t_end where they end."""
+        pieces = self.state.sizes["pieces"]
+        if not pieces:
+            return run
+        kept = self.controls.sizes["c"] - pieces
+        return {**run, "c": ca.vertcat(run["c"][:kept], state["pieces"]), "t_end": state["stop"]}
 
 
 FLIGHT, CONTACT, RELEASED = 0.0, 1.0, 2.0  # modes of a pair
@@ -124,7 +137,7 @@ def layouts(model: Model) -> Layouts:
     gap_acceleration and force, force_rate of each pair, friction, margin and margin_rate of those with set-valued
     friction (see `friction`) [SI]; event, event_rate of each event of an effect (see `jumps`); kinetic and potential
     energy [J] where a ledger is booked; ahead [s], the time to a singular position, where loops are closed (see
-    `singular`); h [s] the step to try next; h_flight, h_contact, h_onset [s] remembered; class (see `classes`), status;
+    `singular`); pieces of the inputs, and stop [s], where they end; h [s] the step to try next; h_flight, h_contact, h_onset [s] remembered; class (see `classes`), status;
     method, pressure, wary, stiffness (see `choose`); accepted, fresh_contact (a contact has just begun),
     after_rejection; then counters.
     """
@@ -132,6 +145,7 @@ def layouts(model: Model) -> Layouts:
     pairs = dict.fromkeys(PAIR_PARTS, k) | dict.fromkeys(GRIP_PARTS, model.ns)
     pairs |= dict.fromkeys(EVENT_PARTS, model.ne) | dict.fromkeys(ENERGY_PARTS, int(model.has_ledger))
     pairs["ahead"] = min(model.nl, 1)
+    inputs = {"pieces": model.npieces, "stop": len(model.inputs) and 1}
     steps = ("h", "h_flight", "h_contact", "h_onset", "class", "status")
     choice = ("method", "pressure", "wary", "stiffness")
     flags = ("accepted", "fresh_contact", "after_rejection")
@@ -141,6 +155,7 @@ def layouts(model: Model) -> Layouts:
         state=Layout(
             {"t": 1, "y": ny, "dy": ny, "mode": k, "m": nm}
             | pairs
+            | inputs
             | dict.fromkeys((*steps, *choice, *flags, *counters), 1)
         ),
         controls=Layout(

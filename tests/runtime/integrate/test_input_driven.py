@@ -1,0 +1,161 @@
+"""Runs driven by inputs: exact discretisation, expressions of the time, every method, contacts, events, both coordinates."""
+
+import math
+import pickle
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy as sp
+from shaken import exact, shaken
+
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    DCMotor,
+    Drive,
+    EnergyLedger,
+    Input,
+    JointForce,
+    Mechanism,
+    Parameter,
+    Prismatic,
+    Relay,
+    Revolute,
+    Scales,
+    Scene,
+    SpeedController,
+    T,
+    X,
+    Z,
+)
+from hertzwerk.derive.scenes.slider_crank import scene as crank
+from hertzwerk.runtime import Samples, load, simulate
+
+RNG = np.random.default_rng(5)
+TIMES = np.concatenate([[0.0], np.cumsum(RNG.uniform(0.01, 0.3, 12))])
+VALUES = RNG.normal(size=13)
+END = float(TIMES[-1])
+
+
+@pytest.mark.parametrize("held", [True, False])
+@pytest.mark.parametrize("method", ["auto", "dopri5", "esdirk", "rodas", "cvodes"])
+def test_samples_are_met_as_by_exact_discretisation(method, held):
+    samples = Samples(TIMES, VALUES, ("s", "N"), "held" if held else "linear")
+    run = simulate(shaken(), duration=END, tolerance=1e-12, method=method, inputs={"push": samples})
+    at = run.history.at(TIMES)
+    found = np.column_stack([at["slide.travel"], at["slide.speed"]])
+    assert np.max(np.abs(found - exact(TIMES, VALUES, held=held))) < (1e-9 if method == "cvodes" else 1e-10)
+    assert run.energy_residual < 1e-8
+    assert set(TIMES) <= set(run.t)  # to the bit
+    power = np.interp(TIMES[:-1], TIMES, VALUES) * at["slide.speed"][:-1]
+    np.testing.assert_allclose(run.history.at(TIMES[:-1])["motor.power"], power, atol=1e-9)
+
+
+@pytest.mark.parametrize("coordinates", ["tree", "absolute"])
+def test_both_coordinates_move_alike(coordinates):
+    samples = Samples(TIMES, VALUES, ("s", "N"), "held")
+    run = simulate(shaken(coordinates), duration=END, tolerance=1e-11, inputs={"push": samples})
+    assert run["slide.travel"][-1] == pytest.approx(exact(TIMES, VALUES, held=True)[-1, 0], abs=1e-9)
+
+
+@pytest.mark.parametrize(("method", "order"), [("dopri5", 5), ("rodas", 4), ("esdirk", 5)])
+def test_breakpoints_leave_the_order_of_a_method(method, order):
+    """Error against steps, at falling tolerance: a step across a jump would leave order 1."""
+    samples = Samples(TIMES, 30 * VALUES, ("s", "N"), "held")
+    end = exact(TIMES, 30 * VALUES, held=True)[-1, 0]
+    errors, steps = [], []
+    for tolerance in (1e-5, 1e-9):
+        run = simulate(shaken(), duration=END, tolerance=tolerance, method=method, inputs={"push": samples})
+        errors.append(abs(run["slide.travel"][-1] - end))
+        steps.append(run.statistics.steps - len(TIMES))
+    assert math.log(errors[0] / errors[1]) / math.log(steps[1] / steps[0]) > order - 1.5
+
+
+TORQUE = Input("torque", "N m", "of the motor on the crank")
+
+
+@cache
+def driven_crank(coordinates, by_input):
+    """Slider-crank with a pin in its bush, whose crank a torque 20 N m sin(800 t/s) drives."""
+    value = TORQUE if by_input else Parameter("M", "N m", 20) * sp.sin(Parameter("rate", "rad/s", 800) * T)
+    effects = tuple(JointForce("motor", "main_bearing", value) if e.name == "crank_drive" else e for e in crank.effects)
+    start = replace(crank.start, speed={"main_bearing": crank.parameters["crank_speed"], **crank.start.speed})
+    return load(replace(crank, effects=effects, start=start).with_coordinates(coordinates))
+
+
+@pytest.mark.parametrize("coordinates", ["tree", pytest.param("absolute", marks=pytest.mark.slow)])
+def test_a_crank_moves_as_by_the_same_torque_as_an_expression(coordinates):
+    given = {"torque": lambda t: 20 * math.sin(800 * t)}
+    other = simulate(driven_crank(coordinates, False), duration="6 ms", accuracy=1e-7)
+    run = simulate(driven_crank(coordinates, True), duration="6 ms", accuracy=1e-7, inputs=given)
+    assert run.outcome.finished and len(run.impacts) == len(other.impacts) > 5
+    scale = run.scales.state[: run.model.nq + run.model.nu]
+    ends = (each.history.part("y")[-1][: len(scale)] for each in (run, other))
+    assert np.max(np.abs(np.subtract(*ends)) / scale) < 1e-6
+    assert run.energy_residual < 1e-7
+    np.testing.assert_array_equal(run["torque"], run["motor.torque"])
+
+
+def test_a_run_goes_on_and_is_made_again_to_the_bit():
+    held = Samples(np.linspace(0, 20, 200), 20 * np.sin(np.arange(200)), ("ms", "N m"), "held")
+    short = simulate(driven_crank("tree", True), duration="2 ms", tolerance=1e-8, inputs={"torque": held})
+    whole = simulate(short.model, duration="4 ms", tolerance=1e-8, compiled=False)
+    rest = short.continued("4 ms", compiled=False)
+    for name in ("t", "y"):  # it may begin where a piece does, after the row that ends the piece before
+        np.testing.assert_array_equal(whole.history.part(name)[-len(rest.t) :], rest.history.part(name))
+    again = simulate(pickle.loads(pickle.dumps(short.model)), duration="2 ms", tolerance=1e-8)
+    np.testing.assert_array_equal(again.history.rows, short.history.rows)
+    grid = simulate(short.model, duration="2 ms", tolerance=1e-8, output=101)
+    np.testing.assert_array_equal(grid.with_steps().history.rows, short.history.rows)
+
+
+def _shaft(*effects):
+    rotor = Body("rotor", Parameter("mass", "kg", 1), Parameter("inertia", "kg m^2", 1e-3))
+    scales = Scales(Parameter("size", "m", 1), Parameter("pace", "m/s", 100), Parameter("arm", "m", 1))
+    return Scene(Mechanism("shaft", (Revolute("main", GROUND, rotor, axis=Z),)), (*effects, EnergyLedger()), scales)
+
+
+def test_a_motor_at_a_measured_voltage_and_a_controller_with_a_set_point_that_steps():
+    control = SpeedController(
+        "control",
+        "main",
+        Input("target", "rpm"),
+        Parameter("Kp", "V s/rad", 0.5),
+        Parameter("Ki", "V/rad", 5),
+        unit="V",
+    )
+    values = Parameter("R", "ohm", 2), Parameter("L", "mH", 5), Parameter("k", "N m/A", 0.1)
+    motor = DCMotor("motor", "main", control.command + Input("noise", "V"), *values)
+    target = Samples((0, 0.5, 2), (1000, 2000, 2000), ("s", "rpm"), "held")
+    run = simulate(
+        load(_shaft(motor, control)), duration="2 s", accuracy=1e-6, inputs={"target": target, "noise": "0 V"}
+    )
+    at = run.history.at(np.array([0.49, 2.0]))["main.speed"] * 30 / math.pi
+    assert at == pytest.approx([1000, 2000], rel=2e-3) and run.energy_residual < 1e-6
+
+
+def test_an_input_that_jumps_switches_a_relay_there():
+    relay = Relay(
+        "relay", Input("signal", "m"), unit="m", hysteresis=Parameter("band", "mm", 1), size=Parameter("width", "m", 1)
+    )
+    model = load(_shaft(relay, JointForce("jets", "main", Parameter("thrust", "N m", 1e-3) * relay.output)))
+    for between in ("held", "linear"):
+        signal = Samples((0, 0.25, 0.5, 1.1), (-1, 1, -1, -1), ("s", "m"), between)
+        run = simulate(model, duration="1 s", tolerance=1e-9, inputs={"signal": signal})
+        changes = run.t[1:][np.diff(run["relay.output"]) != 0]
+        expected = [0.25, 0.5] if between == "held" else [0.125125, 0.375125]
+        assert changes == pytest.approx(expected, abs=1e-9)
+
+
+def test_a_prescribed_acceleration_is_integrated():
+    block = Body("block", Parameter("mass", "kg", 2))
+    scales = Scales(Parameter("size", "m", 1), Parameter("pace", "m/s", 1))
+    table = Mechanism("table", (Prismatic("slide", GROUND, block, axis=X),))
+    drive = Drive("shaker", "slide", acceleration=Input("felt", "m/s^2"))
+    other = Prismatic("top", block, Body("load", Parameter("load", "kg", 1)), axis=X)
+    scene = Scene(replace(table, joints=(*table.joints, other)), (drive, EnergyLedger()), scales)
+    run = simulate(load(scene), duration="2 s", tolerance=1e-10, inputs={"felt": ((0, 1, 2), (0, 3, 0))})
+    assert run["slide.speed"][-1] == pytest.approx(3, abs=1e-9)
+    assert run["slide.travel"][-1] == pytest.approx(3, abs=1e-9)  # 1/2 + 3/2 + 1

@@ -1,0 +1,50 @@
+"""A block on a spring and a damper that an input pushes, and its exact motion."""
+
+from functools import cache
+
+import numpy as np
+from scipy.linalg import expm
+
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    EnergyLedger,
+    Input,
+    JointDamper,
+    JointForce,
+    JointSpring,
+    Mechanism,
+    Parameter,
+    Prismatic,
+    Scales,
+    Scene,
+    X,
+)
+from hertzwerk.runtime import load
+
+MASS, STIFFNESS, DAMPING = 2.0, 50.0, 0.7
+
+
+@cache
+def shaken(coordinates="tree"):
+    """Model of the block."""
+    block = Body("block", Parameter("mass", "kg", MASS), Parameter("inertia", "kg m^2", 1))
+    effects = (
+        JointSpring("spring", "slide", Parameter("stiffness", "N/m", STIFFNESS)),
+        JointDamper("damper", "slide", Parameter("damping", "N s/m", DAMPING)),
+        JointForce("motor", "slide", Input("push", "N", "of the shaker")),
+        EnergyLedger(),
+    )
+    scales = Scales(Parameter("size", "cm", 10), Parameter("pace", "m/s", 1), Parameter("arm", "m", 1))
+    mechanism = Mechanism("shaker", (Prismatic("slide", GROUND, block, axis=X),))
+    return load(Scene(mechanism, effects, scales, coordinates=coordinates))
+
+
+def exact(times, values, *, held):
+    """Travel and speed (n, 2) at the times of the samples, by the matrix exponential of block and input (Van Loan 1978)."""
+    A = np.array([[0, 1, 0, 0], [-STIFFNESS / MASS, -DAMPING / MASS, 1 / MASS, 0], [0, 0, 0, 1], [0, 0, 0, 0]])
+    states = [np.zeros(2)]
+    for t0, t1, v0, v1 in zip(times, times[1:], values, values[1:], strict=False):
+        slope = 0.0 if held else (v1 - v0) / (t1 - t0)
+        states.append((expm(A * (t1 - t0)) @ [*states[-1], v0, slope])[:2])
+    return np.array(states)
