@@ -6,7 +6,7 @@ if TYPE_CHECKING:  # the list of public names
     from hertzwerk.derive.faults import Fault as Fault, InputError as InputError
     from hertzwerk.runtime.comparing import Comparison as Comparison, compare as compare
     from hertzwerk.runtime.effects.leaving_out import study_effects as study_effects
-    from hertzwerk.runtime.inputs.samples import Samples as Samples
+    from hertzwerk.runtime.inputs.time_series import Samples as Samples
     from hertzwerk.runtime.loading import Model as Model, load as load
     from hertzwerk.runtime.measured.measurement import (
         Measurement as Measurement,

@@ -91,7 +91,7 @@ LENGTH, LENGTH_RATE = StateSymbol("length", REACH, ""), StateSymbol("length_rate
 
 
 class Input(StateSymbol):
-    """Value over time that a run is given, such as a measured torque, by name; used as a symbol in expressions.
+    """Value over time that a run is given, such as a measured torque; a symbol in expressions.
 
     `unit` is text, `meaning` what lists and tables say of it. Its history has its name:
     `simulate(model, inputs={"torque": ...})`, `run["torque"]`.
@@ -317,7 +317,7 @@ def table_faults(expressions: Iterable[Any]) -> Iterator[Fault]:
 
 
 def input_faults(expressions: Iterable[Any], parameters: Iterable[str]) -> Iterator[Fault]:
-    """Yield faults of inputs in these expressions, and of names that they share with each other or with a parameter."""
+    """Yield faults of inputs in these expressions, and of names shared with others or parameters."""
     taken, seen = set(parameters), dict[str, Input]()
     for given in (given for expression in expressions for given in inputs_in(expression)):
         yield from given.faults()

@@ -1,1 +1,1 @@
-"""Inputs of a run as a user gives them: arrays, tables, functions, constants, columns of files; read into signals."""
+"""Inputs of a run as a user gives them: arrays, tables, functions, files; read into signals."""

@@ -21,7 +21,7 @@ import numpy as np
 from hertzwerk.derive.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.units import parse_unit
 from hertzwerk.runtime.inputs.sampled import Unresolved, fault_of, sampled
-from hertzwerk.runtime.inputs.samples import BETWEEN, Samples
+from hertzwerk.runtime.inputs.time_series import BETWEEN, Samples
 from hertzwerk.runtime.model.binding import Value, named_values, read_state
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.signal import DEGREE, Signal, constant
@@ -38,7 +38,7 @@ FORMS = 'a value such as "0.5 N m", "FILE.csv:column", Samples(times, values, un
 def signals_of(
     model: Model, inputs: Mapping[str, Input] | None, seconds: float, faults: list[Fault]
 ) -> dict[str, Signal]:
-    """Return the signals of a model's inputs; what is wrong with them is appended to `faults`.
+    """Return the signals of a model's inputs; faults are appended.
 
     seconds    [s], up to which functions are sampled
     """
@@ -73,7 +73,7 @@ def with_inputs(
     duration: Duration,
     parameters: Mapping[str, Value] = MappingProxyType({}),
 ) -> AnyModel:
-    """Return a model with the values of its inputs for runs of a duration; raises InputError with every fault."""
+    """Return a model with its inputs for runs of a duration; raises InputError with every fault."""
     model, faults = given_inputs(model, inputs, duration, parameters)
     if faults:
         raise InputError(model.name, faults)

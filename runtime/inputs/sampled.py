@@ -1,4 +1,4 @@
-"""Functions of time as signals: quintics through their values, halved until they agree with it between those.
+"""Functions of time as signals: quintics through their values, on spans halved until they agree.
 
 A run cannot call a Python function within its steps, which are compiled; called between them its value would be held,
 an error of first order. So it is sampled before: each piece interpolates six values and is compared with the function

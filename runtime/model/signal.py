@@ -1,4 +1,4 @@
-"""Signals: values of a scene's inputs over time, as polynomials piece by piece, and when a run changes to which."""
+"""Signals: values of inputs over time, as polynomials piece by piece, and when each piece begins."""
 
 from __future__ import annotations
 

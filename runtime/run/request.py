@@ -174,7 +174,7 @@ def check(
 
 
 def input_faults(model: Model, seconds: float, before: Sequence[Fault] = ()) -> list[Fault]:
-    """Return the faults of inputs without a value, or whose values do not cover a time [s] from the start on.
+    """Return the faults of inputs without a value, or whose values do not cover the run (`seconds`).
 
     Inputs with a fault already, `input NAME`, are left out.
     """

@@ -178,7 +178,7 @@ class History:
 
     @property
     def pieces(self) -> list[np.ndarray]:
-        """Pieces of the inputs at the rows, (rows, npieces), as `Model.with_pieces` takes them; none without inputs."""
+        """Pieces of the inputs at the rows (rows, npieces), for `Model.with_pieces`; none without inputs."""
         return [self.part("pieces")] if self.model.inputs else []
 
     def touches(self, pair: int) -> np.ndarray:

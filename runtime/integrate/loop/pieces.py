@@ -1,4 +1,4 @@
-"""Inputs of a run in its loop: steps end where a piece of an input does, and the next ones are put into the state."""
+"""Inputs in the loop of a run: steps end where a piece does, and the next is put into the state."""
 
 from __future__ import annotations
 

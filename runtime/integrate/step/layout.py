@@ -137,7 +137,8 @@ def layouts(model: Model) -> Layouts:
     gap_acceleration and force, force_rate of each pair, friction, margin and margin_rate of those with set-valued
     friction (see `friction`) [SI]; event, event_rate of each event of an effect (see `jumps`); kinetic and potential
     energy [J] where a ledger is booked; ahead [s], the time to a singular position, where loops are closed (see
-    `singular`); pieces of the inputs, and stop [s], where they end; h [s] the step to try next; h_flight, h_contact, h_onset [s] remembered; class (see `classes`), status;
+    `singular`); pieces of the inputs, and stop [s], where they end;
+    h [s] the step to try next; h_flight, h_contact, h_onset [s] remembered; class (see `classes`), status;
     method, pressure, wary, stiffness (see `choose`); accepted, fresh_contact (a contact has just begun),
     after_rejection; then counters.
     """
