@@ -26,6 +26,7 @@ from hertzwerk.derive.algebra.vectors import (
     is_zero,
     scale,
     sub,
+    total,
     transpose,
 )
 from hertzwerk.derive.declare.scene import Scene
@@ -265,13 +266,18 @@ class _Readings:
         name, touch = contact.name, pair.touch
         bristle = None if friction is None else self.system.bristles.get(friction.name)
         forces = pair.forces(contact, friction, self.system.latches.get(name), bristle)
-        rubbing, power = forces.friction_force, forces.friction_power
+        rubbing, power, drag = forces.friction_force, forces.friction_power, forces.drag
         (on, sign), *_ = _sides(touch.first.body, touch.second.body)
         force = tuple(sign * forces.generalised[key] for key in wrench_keys(on, "force"))
         if forces.grip is not None:
-            rubbing = self.tape.input(f"{name}_friction_in", "friction", dimension_of("N"))
-            power = -forces.sliding_velocity * rubbing
-            force = add(force, tuple(sign * rubbing * forces.grip.along[key] for key in wrench_keys(on, "force")))
+            given = [
+                self.tape.input(f"{name}_friction_in", "friction", dimension_of("N")) for _ in forces.grip.tangents
+            ]
+            drag = add(*(scale(part, way) for part, way in zip(given, forces.grip.tangents, strict=True)))
+            power = total(*(-velocity * part for part, velocity in zip(given, forces.grip.velocity, strict=True)))
+            rubbing = given[0] if len(given) == 1 else -sp.sqrt(total(*(part**2 for part in given)))
+            for part, along in zip(given, forces.grip.along, strict=True):
+                force = add(force, tuple(sign * part * along[key] for key in wrench_keys(on, "force")))
         what = f"{touch.first.body.name} by {touch.second.body.name}"
         here = [
             *self._vector(name, "force_{}", "N", force, f"contact force on {what}"),
@@ -285,6 +291,8 @@ class _Readings:
             text = "along its sliding velocity: negative where it brakes"
             yield Reading(f"{name}.friction_force", "N", rubbing, f"friction force on {what}, {text}")
             yield Reading(f"{friction.name}.power", "W", power, f"power dissipated by {friction.name}")
+            if drag is not None and pair.slides_along > 1:
+                yield from self._vector(name, "friction_force_{}", "N", drag, f"friction force on {what}")
 
     @cached_property
     def _of_contacts(self) -> list[dict[str, Any]]:

@@ -30,14 +30,18 @@ PURE = Dimension.from_unit(parse_unit("1"), {})
 
 @dataclass(frozen=True)
 class Grip:
-    """Friction with stick and slip: direction and limits of its force.
+    """Friction with stick and slip: directions and limits of its force.
 
-    along    generalised force by joint, per newton on the first body along the tangent of the sliding velocity
-    sliding  friction force while sliding [N]
-    holding  greatest friction force at rest [N]
+    tangents  unit vectors along which the first body may slide on the second: one in plane motion, else two
+    along     generalised force by joint, per newton on the first body along each tangent
+    velocity  sliding velocity along each tangent [m/s]
+    sliding   friction force while sliding [N]
+    holding   greatest friction force at rest [N]
     """
 
-    along: dict[str, Any]
+    tangents: tuple[Vector, ...]
+    along: tuple[dict[str, Any], ...]
+    velocity: tuple[Any, ...]
     sliding: Any
     holding: Any
 
@@ -48,8 +52,9 @@ class Forces:
 
     `sliding_velocity` [m/s] is None without friction; `in_range` is 1 within the range of the law, else 0.
     `bristle_rate` [m/s] is given for friction with a bristle. `grip` is given for friction with modes, which
-    `generalised` and `friction_power` then do not include. `rubbing` is the part of `generalised` due to friction, and
-    `friction_force` [N] its force on the first body along the direction of `sliding_velocity`, else None.
+    `generalised` and `friction_power` then do not include, and has its sliding velocities. `rubbing` is the part of `generalised` due to friction,
+    `friction_force` [N] its force on the first body along the direction of `sliding_velocity`, and `drag` [N] that as a
+    vector, else None.
     """
 
     generalised: dict[str, Any]
@@ -62,6 +67,7 @@ class Forces:
     grip: Grip | None = None
     rubbing: Mapping[str, Any] = field(default_factory=dict)
     friction_force: Any = None
+    drag: Vector | None = None
 
 
 class PairKinematics:
@@ -142,9 +148,8 @@ class PairKinematics:
         if pulls or modes:
             pressing = self.let(Where(normal_force > 0, normal_force, 0), "pressing_force")
         if modes:
-            grip, sliding = self._grip(friction, pressing)
-            in_range = self._in_range(contact)
-            return Forces(generalised, normal_power, sp.S.Zero, normal_force, sliding, in_range, grip=grip)
+            grip, in_range = self._grip(friction, pressing), self._in_range(contact)
+            return Forces(generalised, normal_power, sp.S.Zero, normal_force, None, in_range, grip=grip)
         drag, sliding, opposing, friction_power, bristle_rate = self._drag(friction, pressing, bristle)
         drag = self._named(drag, "drag")
         rubbing = self._on_joints(drag, self.touch.contact_point, "drag")
@@ -161,6 +166,7 @@ class PairKinematics:
             bristle_rate,
             rubbing=rubbing,
             friction_force=-opposing,
+            drag=drag,
         )
 
     def _on_joints(self, force: Vector, position: Vector, name: str) -> dict[str, Any]:
@@ -180,7 +186,7 @@ class PairKinematics:
         """Yield faults of the pair and its friction.
 
         A gap that is constantly zero, as of a cylinder guided at its radius above the plane; a friction law with
-        modes or memory without a known direction of sliding, along one line as in plane motion.
+        memory without a known direction of sliding, along one line as in plane motion.
         """
         yield from self.touch.faults(length)
         if self.touch.gap == 0:
@@ -188,10 +194,10 @@ class PairKinematics:
                         "surfaces that the joints let come nearer or part, or press into each other",
                         "Add a joint along the normal, guide the body nearer, or leave the pair out.")  # fmt: skip
         law = None if friction is None else friction.law.law
-        if friction is not None and law is not None and (law.modes or law.memory) and self._plane_of_motion() is None:
+        if friction is not None and law is not None and law.memory and self._plane_of_motion() is None:
             found = f"law {law.name} at {self.pair.name}, whose bodies may slide in more than one direction"
             yield Fault(f"effect {friction.name}", found, "a contact in plane motion: one direction of sliding",
-                        "smooth_coulomb, stribeck and brown_mcphee take sliding in any direction.")  # fmt: skip
+                        "coulomb, smooth_coulomb, stribeck and brown_mcphee take sliding in any direction.")  # fmt: skip
 
     def _drag(self, friction: Friction, normal_force: Any, bristle: Any) -> tuple[Vector, Any, Any, Any, Any]:
         """Friction on the first body; sliding velocity, force against it, power; rate of the bristle or None."""
@@ -233,19 +239,29 @@ class PairKinematics:
         sliding = dot(self.touch.relative_rate, tangent) - sp.sympify(self.pair.first_radius) * turn
         return tangent, self.let(sliding, "sliding_velocity")
 
-    def _grip(self, friction: Friction, pressing: Any) -> tuple[Grip, Any]:
-        """Grip of a friction law with modes, and the sliding velocity."""
+    @property
+    def slides_along(self) -> int:
+        """Number of directions in which its surfaces may slide on each other: one in plane motion, else two."""
+        return 2 if self._plane_of_motion() is None else 1
+
+    def _grip(self, friction: Friction, pressing: Any) -> Grip:
+        """Grip of a friction law with modes."""
         plane = self._plane_of_motion()
         if plane is None:
-            raise ValueError(f"{self.pair.name}: no line of sliding, see faults")
-        tangent, sliding = self._sliding(plane)
+            tangents = tuple(self._named(tangent, "tangent") for tangent in tangents_of(self.touch.normal))
+            rate = self._named(self.touch.rate_at(self.touch.contact_point), "sliding_rate")
+            velocity = tuple(self.let(dot(rate, tangent), "sliding_velocity") for tangent in tangents)
+        else:
+            tangent, sliding = self._sliding(plane)
+            tangents, velocity = (tangent,), (sliding,)
         values = self._law(friction.law, {N: pressing}, friction.unchecked)
         law, stated = friction.law.law, NEWTON if friction.unchecked else None
         forces = [
             self.let(law.sliding.xreplace(values), "sliding_force", stated),
             self.let(law.holding.xreplace(values), "holding_force", stated),
         ]
-        return Grip(self._on_joints(tangent, self.touch.contact_point, "grip"), *forces), sliding
+        along = tuple(self._on_joints(tangent, self.touch.contact_point, "grip") for tangent in tangents)
+        return Grip(tangents, along, velocity, *forces)
 
     def _plane_of_motion(self) -> Vector | None:
         """Coordinate axis normal to the plane of motion; None where that is not structurally plane."""
@@ -255,3 +271,19 @@ class PairKinematics:
                 x, y, z = (sp.Integer(int(i == k)) for i in range(3))
                 return (x, y, z)
         return None
+
+
+def tangents_of(normal: Vector) -> tuple[Vector, Vector]:
+    """Two unit vectors that are normal to a unit vector and to each other, with its structural zeros.
+
+    In general there is no such pair that depends on the normal smoothly: it then jumps where the third component changes
+    sign. Duff et al., Building an orthonormal basis, revisited, J. Comput. Graphics Techniques 6 (2017) 1.
+    """
+    for k in (2, 1, 0):
+        if normal[k] == 0:
+            x, y, z = (sp.Integer(int(i == k)) for i in range(3))
+            return (x, y, z), cross((x, y, z), normal)
+    x, y, z = normal
+    sign = Where(z >= 0, 1, -1)
+    share = -1 / (sign + z)
+    return (1 + sign * x**2 * share, sign * x * y * share, -sign * x), (x * y * share, sign + y**2 * share, -y)

@@ -147,7 +147,7 @@ coulomb: _FrictionLaw_mu_k_mu_s
 mu_k [1]: coefficient of kinetic friction
 mu_s [1]: coefficient of static friction
 Source: Coulomb 1785
-At rest any force up to mu_s N, so that s = 0 holds: stick and slip are modes, and their changes events. In plane motion.
+At rest any force up to mu_s N, so that s = 0 holds: stick and slip are modes, and their changes events.
 """
 dubowsky_freudenstein: _StiffnessLaw_E_1_nu_1_E_2_nu_2
 """dubowsky_freudenstein(E_1, nu_1, E_2, nu_2): Dubowsky and Freudenstein, pin in bush (stiffness law, grade A).

@@ -34,7 +34,7 @@ coulomb = FrictionLaw(
     modes=("slip", "stick"),
     source="Coulomb 1785",
     grade="A",
-    note="At rest any force up to mu_s N, so that s = 0 holds: stick and slip are modes, and their changes events. In plane motion.",
+    note="At rest any force up to mu_s N, so that s = 0 holds: stick and slip are modes, and their changes events.",
 )
 
 smooth_coulomb = FrictionLaw(

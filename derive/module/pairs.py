@@ -37,7 +37,8 @@ def contact(system: System, pair: PairKinematics, contact: Contact, friction: Fr
     # a force between driven parts is asked for, though it moves none
     system.enter(name, forces.generalised, driven=True)
     if friction is not None:
-        system.enter(friction.name, forces.rubbing if forces.grip is None else forces.grip.along, driven=True)
+        for rubbing in (forces.rubbing,) if forces.grip is None else forces.grip.along:
+            system.enter(friction.name, rubbing, driven=True)
     given = {**forces.generalised, f"{name}.normal_force": forces.normal_force}
     f = [given.get(row.key, sp.S.Zero) for row in system.rows]
     rates = {f"{name}.dissipated": forces.normal_power}
@@ -45,13 +46,14 @@ def contact(system: System, pair: PairKinematics, contact: Contact, friction: Fr
         rates[f"{friction.name}.dissipated"] = forces.friction_power
     if friction is not None and forces.bristle_rate is not None:
         rates[f"{friction.name}.bristle"] = forces.bristle_rate
-    sliding = () if friction is None else (forces.sliding_velocity,)
+    sliding = () if friction is None else (forces.sliding_velocity,) if forces.grip is None else forces.grip.velocity
     grip = [] if friction is None or forces.grip is None else _grip(system, friction, forces)
     return system.function(
         f"contact_{name}",
         f"Forces of {name}: {contact.text}{f', {friction.law.law.name}' if friction else ''}. "
         "The normal force is the laws' own, not clamped: where it would pull, the contact ends."
-        + (" Friction comes on top: `along` times its force, which is that of slip or stick." if grip else ""),
+        + (" Friction comes on top: `along` times its force, which is that of slip or stick." if grip else "")
+        + (" Along two tangents: `along` and `dz_along` of the one, then of the other." if len(sliding) > 1 else ""),
         "t q u z m c",
         system.of_rows("f", f),
         system.memory_rates([rates.get(entry, sp.S.Zero) for entry, _ in system.memory]),
@@ -70,16 +72,24 @@ def _grip(system: System, friction: Friction, forces: Forces) -> list[Result]:
     grip, name = forces.grip, friction.pair
     if grip is None:
         raise ValueError(f"{friction.name} has no modes")
-    along = [grip.along.get(row.key, sp.S.Zero) for row in system.rows]
+    n = len(grip.along)
+    along = [tangent.get(row.key, sp.S.Zero) for tangent in grip.along for row in system.rows]
     per_newton = {"N": "1", "N m": "m"}
     units = tuple(per_newton[unit] for unit in system.row_units)
     power = [
-        -forces.sliding_velocity if entry == f"{friction.name}.dissipated" else sp.S.Zero for entry, _ in system.memory
+        -velocity if entry == f"{friction.name}.dissipated" else sp.S.Zero
+        for velocity in grip.velocity
+        for entry, _ in system.memory
     ]
     rates = {"J": "W/N", "m": "m/(s N)"}
     return [
-        Result("along", tuple(row.key for row in system.rows), units, tuple(along)),
-        Result("dz_along", tuple(n for n, _ in system.memory), tuple(rates[u] for _, u in system.memory), tuple(power)),
+        Result("along", tuple(row.key for row in system.rows) * n, units * n, tuple(along)),
+        Result(
+            "dz_along",
+            tuple(entry for entry, _ in system.memory) * n,
+            tuple(rates[unit] for _, unit in system.memory) * n,
+            tuple(power),
+        ),
         Result("sliding_force", (name,), ("N",), (grip.sliding,)),
         Result("holding_force", (name,), ("N",), (grip.holding,)),
     ]

@@ -96,12 +96,16 @@ def _loads(system: System) -> dict[str, tuple[Any, ...]]:
 
 
 def _slips(system: System) -> dict[str, tuple[Any, ...]]:
-    """Table of pairs whose friction has modes, if any: their entries of m, after LATCHES, and the pair."""
-    rows = [
-        (f"{pair.pair.name}.slip", "1", j)
-        for j, (pair, _, friction) in enumerate(system.contacts)
-        if friction is not None and friction.law.law.modes
-    ]
+    """Table of pairs whose friction has modes, if any: their entries of m, after LATCHES, and the pair.
+
+    In plane motion the sign of the sliding velocity, else a vector along the pair's two tangents.
+    """
+    rows: list[tuple[str, str, int]] = []
+    for j, (pair, _, friction) in enumerate(system.contacts):
+        if friction is not None and friction.law.law.modes:
+            name = f"{pair.pair.name}.slip"
+            plane = pair.slides_along == 1
+            rows += [(name, "1", j)] if plane else [(f"{name}_1", "m/s", j), (f"{name}_2", "m/s", j)]
     return {"SLIPS": tuple(rows)} if rows else {}
 
 

@@ -10,7 +10,7 @@ import sympy as sp
 
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.effects.couplings import Coupling
-from hertzwerk.derive.program.program import Function, Program, symbols_in
+from hertzwerk.derive.program.program import Function, Program, Result, symbols_in
 from hertzwerk.derive.readable.symbols import Names, contact_title, words
 
 HIDDEN = ("constants", "scales", "gap_accelerations", "accelerations", "loads", "settling", "balance", "projection", "poses", "motion", "applied",
@@ -82,6 +82,9 @@ class Drafts:
             if function.name in HIDDEN:
                 continue
             for result in function.results:
+                if pair_of(function.name) and result.name == "dz_along":
+                    found.extend(self._friction_power(pair_of(function.name), result))
+                    continue
                 for label, unit, expression in zip(result.labels, result.units, result.expressions, strict=True):
                     found.extend(self._result(function, result.name, label, unit, sp.sympify(expression)))
         once = {draft.symbol if draft.symbol is not None else (draft.section, draft.name): draft for draft in found}
@@ -91,10 +94,8 @@ class Drafts:
         pair = pair_of(function.name)
         if pair and result in ("f", "along"):
             return  # shown in the equations of motion
-        if pair and result == "dz_along":  # per newton along the sliding velocity, which friction opposes
-            result, expression, unit = "dz", -expression * self._friction_force(pair), unit.replace("W/N", "W")
         if pair and result == "holding_force":
-            yield self._friction_with_modes(pair, function)
+            yield from self._friction_with_modes(pair, function)
         if result == "dz":
             if expression != 0:
                 yield self._rate_of_memory(pair, label, unit, expression)
@@ -132,16 +133,33 @@ class Drafts:
             latex = self._names.port(*self._port("q", label))
             yield Draft(KINEMATICS, f"d/dt {label}", unit, f"rate of {label}", expression, left=_RATE + latex)
 
-    def _friction_force(self, pair: str) -> sp.Symbol:
-        return sp.Symbol(f"{pair}_friction_force", real=True)
+    def _friction_forces(self, pair: str, n: int) -> list[sp.Symbol]:
+        """Friction forces along the n tangents of a contact with stick and slip, against the sliding velocity."""
+        ends = [f"_{i}" for i in range(1, n + 1)] if n > 1 else [""]
+        return [sp.Symbol(f"{pair}_friction_force{end}", real=True) for end in ends]
 
-    def _friction_with_modes(self, pair: str, function: Function) -> Draft:
-        """Draft of the friction force of a contact with stick and slip."""
+    def _friction_with_modes(self, pair: str, function: Function) -> Iterator[Draft]:
+        """Drafts of the friction forces of a contact with stick and slip."""
         results = {result.name: result.expressions for result in function.results}
-        (sliding,), (velocity,) = results["sliding_force"], results["sliding_velocity"]
-        sticking, force = sp.Symbol(f"{pair}_sticking_force", real=True), self._friction_force(pair)
-        self.added[force] = Where(sp.Ne(velocity, 0), sliding * sp.sign(velocity), sticking)
-        return Draft(contact_title(pair), force.name, "N", self._names.meaning(force), force, force)
+        (sliding,), velocities = results["sliding_force"], results["sliding_velocity"]
+        speed = sp.sqrt(sp.Add(*(velocity**2 for velocity in velocities)))
+        for velocity, force in zip(velocities, self._friction_forces(pair, len(velocities)), strict=True):
+            sticking = sp.Symbol(force.name.replace("_friction_force", "_sticking_force"), real=True)
+            if len(velocities) == 1:
+                self.added[force] = Where(sp.Ne(velocity, 0), sliding * sp.sign(velocity), sticking)
+            else:
+                self.added[force] = Where(speed > 0, sliding * velocity / speed, sticking)
+            yield Draft(contact_title(pair), force.name, "N", self._names.meaning(force), force, force)
+
+    def _friction_power(self, pair: str, result: Result) -> Iterator[Draft]:
+        """Drafts of the powers of friction with stick and slip, given per newton along each tangent."""
+        entries = list(dict.fromkeys(result.labels))
+        n = len(result.labels) // len(entries) if entries else 0
+        for i, label in enumerate(entries):
+            parts = zip(result.expressions[i :: len(entries)], self._friction_forces(pair, n), strict=True)
+            power = sp.Add(*(-part * force for part, force in parts))
+            if power != 0:
+                yield self._rate_of_memory(pair, label, result.units[i].replace("W/N", "W"), power)
 
     def _definition(self, section: str, name: str, unit: str, expression: Any) -> Draft:
         """Draft that defines the symbol of this name.
@@ -209,7 +227,9 @@ class Drafts:
                     force = sp.sympify(function.results[0].expressions[i])
                     parts.append(Part(False, function.summary, force, source=function.name))
                 for along in (result for result in function.results if result.name == "along"):
-                    friction = -self._friction_force(pair_of(function.name)) * along.expressions[i]
+                    columns = along.expressions[i :: len(labels)]
+                    forces = self._friction_forces(pair_of(function.name), len(columns))
+                    friction = sp.Add(*(-force * column for force, column in zip(forces, columns, strict=True)))
                     parts.append(Part(False, function.summary, friction, source=function.name))
             yield Draft(MOTION, f"row {row}", unit, f"motion of {row}", parts=parts)
 

@@ -103,6 +103,18 @@ PAIR = {
     "normal_power": ("P", r"\mathrm{n}", "power dissipated by the normal force"),
     "push": ("F", r"\mathrm{n}", "normal force on the first body"),
     "friction_force": ("F", r"\mathrm{t}", "friction force, against the sliding velocity"),
+    "friction_force_1": ("F", r"\mathrm{t1}", "friction force along the first tangent, against the sliding velocity"),
+    "friction_force_2": ("F", r"\mathrm{t2}", "friction force along the second tangent, against the sliding velocity"),
+    "sticking_force_1": (
+        "F",
+        r"\mathrm{st1}",
+        "what keeps the contact from sliding, with the other tangent's at most the holding force",
+    ),
+    "sticking_force_2": (
+        "F",
+        r"\mathrm{st2}",
+        "what keeps the contact from sliding, with the other tangent's at most the holding force",
+    ),
     "sliding_force": ("F", r"\mathrm{sl}", "friction force while sliding"),
     "holding_force": ("F", r"\mathrm{h}", "the most that friction holds at rest"),
     "sticking_force": (

@@ -38,7 +38,7 @@ from hertzwerk.runtime.integrate.step.layout import (
     Layouts,
 )
 from hertzwerk.runtime.integrate.step.rounding import EPS
-from hertzwerk.runtime.integrate.step.set_valued_friction import STICK, pairs_of, slips_in
+from hertzwerk.runtime.integrate.step.set_valued_friction import pairs_of, sticking
 from hertzwerk.runtime.model.caller import Callers
 
 if TYPE_CHECKING:
@@ -328,7 +328,7 @@ class _Run:
     def resolve_slip(self, j: int, *, ran_out: bool) -> None:
         """Resolve stick and slip of pair j after its margin ran out or its contact began or ended."""
         mine = np.array([pair == j for pair in pairs_of(self.model)])
-        breaks = mine & ran_out & (self.m[slips_in(self.model)] == STICK)
+        breaks = mine & ran_out & sticking(self.model, self.m)
         tolerances = np.full(mine.size, AT_REST), np.where(breaks, BREAKS_LOOSE, 0.0)
         results = self.functions.resolve_slips(self.t, self.y, self.mode, self.m, self.c, mine & ~breaks, *tolerances)
         self.m, self.y = (np.array(result).ravel() for result in results)

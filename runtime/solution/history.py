@@ -114,6 +114,12 @@ class History:
                 return {name: self.part("m")[:, len(model.latches) + i]}
             if name == _friction_force(slip):
                 return {name: self.part("friction")[:, i]}
+        for j, both in _in_two_directions(model).items():
+            if name == f"{model.pairs[j]}.slip":
+                slips = self.part("m")[:, len(model.latches) :][:, both]
+                return {name: np.any(slips != 0, axis=1).astype(float)}
+            if name == f"{model.pairs[j]}.friction_force":
+                return {name: -np.hypot(*self.part("friction")[:, both].T)}  # against the sliding velocity
         if name in model.constraints:
             return dict(zip(model.constraints, self.map("constraints", "t q u")[0].T, strict=True))
         of_constraints = [constraint_force(constraint) for constraint in model.constraints]
@@ -139,8 +145,9 @@ class History:
         if part == "penetration":
             return np.where(mode != FLIGHT, np.maximum(-self[f"{pair}.gap"], 0), 0)
         if part == "sliding_velocity":
-            velocity = self.map(f"contact_{pair}", "t q u z m")[3][:, 0]
-            return np.where(mode == CONTACT, velocity, 0)  # apart, the direction of contact may not exist
+            velocity = self.map(f"contact_{pair}", "t q u z m")[3]
+            along = velocity[:, 0] if velocity.shape[1] == 1 else np.hypot(*velocity.T)
+            return np.where(mode == CONTACT, along, 0)  # apart, the direction of contact may not exist
         columns: np.ndarray = self.part({"normal_force": "force"}.get(part, part))[:, j]
         return columns
 
@@ -290,6 +297,8 @@ def units_of(model: Model, stored: tuple[str, ...] | None) -> Units:
         units[acceleration_of(name)] = f"{model.units[name]}^2"  # m/s^2, rad/s^2
     units |= {row[0]: row[1] for row in (*model.module.OUTPUTS, *model.module.LATCHES, *model.slips)}
     units |= {_friction_force(name): "N" for name, *_ in model.slips}
+    for pair in (model.pairs[j] for j in _in_two_directions(model)):
+        units |= {f"{pair}.slip": "1", f"{pair}.friction_force": "N"}
     for pair in model.pairs:
         units |= {f"{pair}.{part}": unit for part, unit in _PAIR.items()}
         slides = f"{pair}.sliding_velocity"  # there is one only where something depends on it
@@ -341,7 +350,17 @@ def _in_trial(_: Model, integrator: Integrator) -> tuple[np.ndarray, np.ndarray]
 
 
 def _friction_force(slip: str) -> str:
-    return f"{slip.removesuffix('.slip')}.friction_force"
+    """Name the friction force along the tangent of a slip: `floor.slip_1` -> `floor.friction_force_1`."""
+    pair, _, name = slip.rpartition(".")
+    return f"{pair}.{name.replace('slip', 'friction_force')}"
+
+
+def _in_two_directions(model: Model) -> dict[int, list[int]]:
+    """Return the slips of each pair that may slide in two directions, by the pair."""
+    places: dict[int, list[int]] = {}
+    for i, (*_, pair) in enumerate(model.slips):
+        places.setdefault(pair, []).append(i)
+    return {pair: both for pair, both in places.items() if len(both) > 1}
 
 
 def constraint_force(constraint: str) -> str:

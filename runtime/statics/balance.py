@@ -15,7 +15,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from hertzwerk.runtime.integrate.step.set_valued_friction import pairs_of
+from hertzwerk.runtime.integrate.step.set_valued_friction import groups_of, pairs_of
 from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -64,6 +64,19 @@ def grips_of(model: Model) -> tuple[int, ...]:
     return (*pairs_of(model), *(j for _, j in _bristles(model)))
 
 
+def sizes_of(model: Model, mu: Array) -> Array:
+    """Return the size of each mu (n,): of a pair that may slide in two directions, that of both together."""
+    found = np.abs(mu)
+    for group in groups_of(grips_of(model)[: model.ns]):
+        found[group] = np.linalg.norm(mu[group])
+    return found
+
+
+def along_of(model: Model, along: Array) -> Array:
+    """Return the generalised forces (nf, n) along the n tangents of a pair, from their sequence."""
+    return along.reshape(-1, model.function("applied").numel_out(0)).T
+
+
 def memory_of(model: Model, mu: Array) -> Array:
     """Return the memory z (nz,) at rest: the bristles deflected."""
     z = np.zeros(model.nz)
@@ -95,8 +108,13 @@ def _balance(model: Model) -> Callers:
         contact.append(ca.if_else(touches, f, 0))
         normal[j], in_range[j] = ca.if_else(touches, pressing, 0), ca.if_else(touches, in_range_j, 1)
         for i in (i for i, own in enumerate(grips) if own == j):
-            along = grip[0] if rows[i] is None else ca.jacobian(f, z[rows[i]])
-            D[:, i], S[i, :] = ca.if_else(touches, along[: model.nu], 0), ca.jacobian(sliding, u)
+            tangent = 0 if rows[i] is not None else [n for n, own in enumerate(grips) if own == j].index(i)
+            along = (
+                grip[0][tangent * f.numel() : (tangent + 1) * f.numel()]
+                if rows[i] is None
+                else ca.jacobian(f, z[rows[i]])
+            )
+            D[:, i], S[i, :] = ca.if_else(touches, along[: model.nu], 0), ca.jacobian(sliding[tangent], u)
             limit[i] = ca.if_else(touches, grip[3] if rows[i] is None else 1, 0)
     if model.has("loads"):  # by reactions and normal forces, which at rest are those of the accelerations' own solution
         whole = sum(contact, start=model.function("applied")(t, q, u, c))

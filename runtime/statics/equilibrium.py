@@ -14,7 +14,7 @@ from hertzwerk.runtime.model import model as plain
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.run.request import read_duration
 from hertzwerk.runtime.solution.outcome import Outcome
-from hertzwerk.runtime.statics.balance import UNDAMPED, Array, grips_of, kernel, memory_of
+from hertzwerk.runtime.statics.balance import UNDAMPED, Array, along_of, grips_of, kernel, memory_of, sizes_of
 from hertzwerk.runtime.statics.held import drive_units, held, parameters_at, start_at
 from hertzwerk.runtime.statics.relaxation import Rest, Search
 from hertzwerk.runtime.tables.notebook import heading, table
@@ -37,7 +37,8 @@ class Equilibrium(Mapping[str, Value]):
     stable      whether every small displacement is pushed back (indifferent ones are not pushed at all)
     contacts    normal force of every pair [N], 0 where it is open; penetrations [m] of the closed ones
     drives      force [N] or moment [N m] of every drive, held where it is
-    sticking    friction of pairs that stick: force along the tangent [N], or deflection of the bristle [m]
+    sticking    friction of pairs that stick: force along the tangent [N], its size where there are two, or deflection of the
+                bristle [m]
     indifferent coordinates that no force holds; indeterminate: constraints and contacts whose forces do not follow from
                 balance: those of contacts from their stiffness, those of redundant constraints from nothing
     """
@@ -193,7 +194,8 @@ def _time(model: Model, at: str | float) -> float:
 def _result(of: Model, model: Model, bound: Bound, t: float, search: Search, rest: Rest) -> Equilibrium:
     at, grips = rest.balance, _grip_names(model)
     touching = [j for j in range(model.k) if rest.closed[j]]
-    sticking = {name: float(rest.mu[i]) for i, name in enumerate(grips) if rest.closed[grips_of(model)[i]]}
+    held = np.where([grips.count(name) > 1 for name in grips], sizes_of(model, rest.mu), rest.mu)
+    sticking = {name: float(held[i]) for i, name in enumerate(grips) if rest.closed[grips_of(model)[i]]}
     least, indifferent = _least_stiffness(model, search, rest)
     return Equilibrium(
         model=model,
@@ -306,6 +308,8 @@ def _drives(model: Model, bound: Bound, t: float, rest: Rest) -> dict[str, float
         if rest.closed[j]:
             f, *others = model.evaluate(f"contact_{pair}", t, rest.q, still, z, m, bound.c)
             forces += f
-            forces += sum(others[4] * rest.mu[i] for i, own in enumerate(grips_of(model)[: model.ns]) if own == j)
+            mine = [i for i, own in enumerate(grips_of(model)[: model.ns]) if own == j]
+            if mine:
+                forces += along_of(model, others[4]) @ rest.mu[mine]
     _, reactions, *_ = model.evaluate("accelerations", t, rest.q, still, forces, bound.c)
     return {drive: float(value) for drive, value in zip(names, reactions, strict=False)}  # then those that loads read

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from hertzwerk.runtime.integrate.step.implicit import linearised
 from hertzwerk.runtime.integrate.step.layout import CONTACT
 from hertzwerk.runtime.integrate.step.redundant import relax_redundant
-from hertzwerk.runtime.integrate.step.set_valued_friction import STICK, pairs_of, slips_in
+from hertzwerk.runtime.integrate.step.set_valued_friction import pairs_of, sticking
 from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.start import start_values
@@ -111,9 +111,9 @@ def _conditions(
     still = [i for i in range(nq) if not np.any(moves[i])]  # what drives integrate
     idle = [nq + nu + i for i in range(model.nz) if not np.any(J[:, nq + nu + i])]  # what counts energy
     rows.append(np.eye(ny)[[*still, *idle]])
-    at_rest = not np.any(u)
+    at_rest, stuck = not np.any(u), sticking(model, m)
     for i, j in enumerate(pairs_of(model)):
-        if mode[j] == CONTACT and m[slips_in(model)][i] == STICK:
+        if mode[j] == CONTACT and stuck[i]:
             own = sliding.reshape(model.ns, nq + nu)[i]
             rows.append(np.concatenate([own, np.zeros(model.nz)])[None])
             if at_rest:  # what has not slid is where it was
@@ -127,7 +127,8 @@ def _derivatives(model: Model) -> Callers:
     t, q, u, z, m, c = given = model.symbols("t q u z m c")
     none = ca.SX(0, 1)
     loops, rates = model.function("constraints")(t, q, u, c) if model.nl else (none, none)
-    sliding = [model.function(f"contact_{model.pairs[j]}")(t, q, u, z, m, c)[3] for j in pairs_of(model)]
+    pairs = dict.fromkeys(pairs_of(model))
+    sliding = [model.function(f"contact_{model.pairs[j]}")(t, q, u, z, m, c)[3] for j in pairs]
     x, s = ca.vertcat(q, u), ca.vertcat(none, *sliding)
     moves = ca.jacobian(model.function("coordinate_rates")(t, q, u, c), u)
     results = [ca.jacobian(loops, q), ca.jacobian(rates, x), ca.jacobian(s, x), moves]

@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from hertzwerk.runtime.statics.balance import Array, Balance, balance, grips_of, kernel, limits
+from hertzwerk.runtime.integrate.step.set_valued_friction import groups_of
+from hertzwerk.runtime.statics.balance import Array, Balance, balance, grips_of, kernel, limits, sizes_of
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Bound, Model
@@ -145,7 +146,7 @@ class Search:
         return bool(
             np.all(np.abs(rest.unbalanced) <= BALANCED)
             and np.all(np.abs(at.loops) <= CLOSED * reach)
-            and np.all(np.abs(rest.mu) <= limits(self.model, self.bound, at) * (1 + HOLDS))
+            and np.all(sizes_of(self.model, rest.mu) <= limits(self.model, self.bound, at) * (1 + HOLDS))
             and np.all(at.in_range > 0.5)
         )
 
@@ -200,12 +201,14 @@ class Search:
     def _decide(self, rest: Rest, total: Array) -> None:
         """Decide which grips stick in a step: what was beyond its limit slips, while that takes energy."""
         bound, ways = limits(self.model, self.bound, rest.balance), rest.balance.D.T @ total
-        for i, limit in enumerate(bound):
-            if rest.sticks[i]:
-                rest.sticks[i] = abs(rest.mu[i]) <= limit * (1 + HOLDS)
+        for group in groups_of(grips_of(self.model)):
+            limit, size = bound[group[0]], float(np.linalg.norm(rest.mu[group]))
+            if rest.sticks[group[0]]:
+                rest.sticks[group] = size <= limit * (1 + HOLDS)
             else:
-                rest.sticks[i] = rest.mu[i] * ways[i] > 0
-            rest.mu[i] = np.clip(rest.mu[i], -limit, limit)
+                rest.sticks[group] = rest.mu[group] @ ways[group] > 0
+            if size > limit:
+                rest.mu[group] *= limit / size
 
     def _at(self, q: Array, multipliers: Array, mu: Array, sticks: Flags) -> Rest:
         model, still = self.model, np.zeros(self.model.nu)

@@ -16,7 +16,7 @@ import casadi as ca
 from hertzwerk.runtime.integrate.events.jumps import falls
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, RELEASED, Layouts
 from hertzwerk.runtime.integrate.step.rounding import EPS, gap_rounding
-from hertzwerk.runtime.integrate.step.set_valued_friction import margin_tolerances, margins, margins_positive, pairs_of
+from hertzwerk.runtime.integrate.step.set_valued_friction import at_slips, margin_tolerances, margins, margins_positive
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
@@ -192,7 +192,7 @@ def _slipping(
     small = margin_tolerances(model, start["m"], tol_rate, tol_force)
     cubic = margins(start, end)
     lowest = ca.fmin(ca.fmin(cubic[1], cubic[2]), cubic[3])
-    falls = (start["mode"][pairs_of(model)] == CONTACT) * (cubic[0] > -small / 2) * (lowest < -small)
+    falls = (at_slips(model, start["mode"]) == CONTACT) * (cubic[0] > -small / 2) * (lowest < -small)
     falls *= start["retakes"] < LOCATED
     return falls, cubic, small
 

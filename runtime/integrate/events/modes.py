@@ -27,7 +27,7 @@ from hertzwerk.runtime.integrate.step.layout import (
     RUNNING,
     Layouts,
 )
-from hertzwerk.runtime.integrate.step.set_valued_friction import margin_tolerances, pairs_of, undecided_and_breaking
+from hertzwerk.runtime.integrate.step.set_valued_friction import at_slips, margin_tolerances, undecided_and_breaking
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.step.explicit import Flow
@@ -211,7 +211,7 @@ def _first(model: Model, vectors: Layouts, right: Flow) -> Any:
 
 def _slip_tolerances(model: Model, tolerance: list[Any]) -> list[Any]:
     """Return the tolerances of the pairs with set-valued friction."""
-    return [part[pairs_of(model)] for part in tolerance] if model.ns else [ca.SX(0, 1)] * 2
+    return [at_slips(model, part) for part in tolerance] if model.ns else [ca.SX(0, 1)] * 2
 
 
 def is_finite(end: Parts) -> Any:

@@ -44,7 +44,7 @@ from hertzwerk.runtime.integrate.step.layout import (
     Layouts,
 )
 from hertzwerk.runtime.integrate.step.rounding import EPS
-from hertzwerk.runtime.integrate.step.set_valued_friction import margin_tolerances, undecided_and_breaking
+from hertzwerk.runtime.integrate.step.set_valued_friction import margin_tolerances, turned, undecided_and_breaking
 from hertzwerk.runtime.integrate.step.singular import limited_by_singular
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta
 
@@ -195,6 +195,7 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
         small = margin_tolerances(model, old["m"], *tolerance)
         turns = undecided_and_breaking(model, mode, old["m"], end["margin"], end["margin_rate"], small, old["mode"])
         switched = switched + accepted * any_of(sum(turns)) > 0
+        m = ca.if_else(accepted, turned(model, m, end["friction"], end["margin"]), m)
     happened = ca.SX(0)
     if model.ne:
         happened = accepted * ca.sum1(end["event"] <= 0)

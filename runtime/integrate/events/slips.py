@@ -7,7 +7,7 @@ is, and the bounds of lambda hold regardless. Solved by principal pivoting on th
 violating pairs at once, then, for termination, the first of them.
 
 Judice, Pires, A block principal pivoting algorithm for large-scale strictly monotone linear complementarity problems,
-Computers and Operations Research 21 (1994) 587.
+Computers and Operations Research 21 (1994) 587. Where a pair may slide in two directions, see `discs`.
 """
 
 from __future__ import annotations
@@ -16,14 +16,21 @@ from typing import TYPE_CHECKING, Any
 
 import casadi as ca
 
+from hertzwerk.runtime.integrate.events.discs import settling
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, active_contacts, masked
 from hertzwerk.runtime.integrate.step.set_valued_friction import (
+    AHEAD,
     BREAKS,
     STICK,
     grips,
+    groups_of,
     mobility,
+    pairs_of,
+    size_of,
     slips_in,
     solve_sticking,
+    sticking,
+    unit_of,
 )
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -33,6 +40,7 @@ if TYPE_CHECKING:
 TOGETHER = 5  # rounds in which all violating pairs change; nearly always enough
 ONE_BY_ONE = 3  # rounds per pair in which the first one changes
 ROUNDING = 1e-10  # of the terms of an acceleration, below which it has no sign
+AT_REST = 1.5 * AHEAD  # of the landing tolerance: sliding velocity in two directions that counts as none
 
 
 @per_model
@@ -48,7 +56,11 @@ def resolve_slips(model: Model) -> Any:
     given = [*model.symbols("t y mode m c", ca.MX), *(ca.MX.sym(name, n) for name in ("asked", "rate", "force"))]
     if not n:
         return ca.Function("directed", given, [given[3], given[1]])
-    slip, _ = pivoting(n)(*_problem(model)(*given))
+    groups = tuple(map(tuple, groups_of(pairs_of(model))))
+    solve = pivoting(n) if len(groups) == n else settling(groups)
+    slip, _ = solve(*_problem(model)(*given))
+    if len(groups) < n:
+        slip = _ahead(model)(*given, slip)
     m, y = _at_rest(model)(*given[:5], slip)
     return ca.Function("directed", given, [m, y])
 
@@ -83,13 +95,20 @@ def _problem(model: Model) -> Any:
     for _, contact, active in active_contacts(model, BY_MODE, mode):
         f += masked(active, contact(t, q, u, z, m, c)[0])
     stays = now.sticks * (1 - asked)  # whatever errors have left it of speed
-    still = now.touching * ((ca.fabs(now.velocity) <= rate) + stays > 0)
-    slides = now.touching * (1 - still) * ca.if_else(asked, ca.sign(now.velocity), now.slip)
+    slow, way = ca.fabs(now.velocity) <= rate, ca.sign(now.velocity)
+    for group in now.groups:
+        if len(group) > 1:
+            slow[group], way[group] = (
+                size_of(now.velocity[group]) <= AT_REST * rate[group],
+                unit_of(now.velocity[group]),
+            )
+    still = now.touching * (slow + stays > 0)
+    slides = now.touching * (1 - still) * ca.if_else(asked, way, now.direction)
     a = model.function("accelerations").call([t, q, u, f - ca.mtimes(now.along, slides * now.sliding), c])[0]
     b = now.drift + ca.mtimes(now.along[: model.nu, :].T, a)
     W = ca.mtimes(now.along[: model.nu, :].T, mobility(model, t, q, u, now.along, c))
     bound = now.holding + ca.if_else(asked, 0, BREAKS * force)
-    first = ca.if_else(still, ca.if_else(asked, STICK, now.slip), slides)
+    first = ca.if_else(still, ca.if_else(asked, STICK, now.direction), slides)
     given = [t, y, mode, m, c, asked, rate, force]
     return ca.Function("problem", given, ca.cse([*map(ca.densify, (W, b, still, now.sliding, first, bound))]))
 
@@ -120,6 +139,21 @@ def _round(n: int, *, one: bool) -> Any:
     new = ca.if_else(lets_go, -ca.sign(force), ca.if_else(returns, STICK, slip))
     arguments = [W, b, still, sliding, slip, bound, ca.SX.sym("busy")]
     return ca.Function("round", arguments, ca.cse([new, ca.if_else(lets_go, sliding, bound), ca.mmax(changes) > 0]))
+
+
+def _ahead(model: Model) -> Any:
+    """Build the function (arguments of `resolve_slips`, directions (n)) -> slips (n).
+
+    Of pairs with two tangents; those that slid and go on keep theirs.
+    """
+    given = [*model.symbols("t y mode m c"), *(ca.SX.sym(name, model.ns) for name in ("asked", "rate", "force", "way"))]
+    m, asked, rate, way = given[3], given[5], given[6], given[8]
+    found, slip, goes_on = ca.SX(way), m[slips_in(model)], (1 - asked) * (1 - sticking(model, m))
+    for group in groups_of(pairs_of(model)):
+        if len(group) > 1:
+            new = AHEAD * rate[group] * way[group]
+            found[group] = ca.if_else(goes_on[group] * (ca.sumsqr(way[group]) > 0), slip[group], new)
+    return ca.Function("ahead", given, [ca.densify(found)])
 
 
 def _at_rest(model: Model) -> Any:

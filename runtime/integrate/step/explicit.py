@@ -12,8 +12,8 @@ from hertzwerk.runtime.integrate.step.classes import BY_MODE, Contacts, active_c
 from hertzwerk.runtime.integrate.step.closing import LOST, Closing, closing
 from hertzwerk.runtime.integrate.step.layout import ENERGY_PARTS, EVENT_PARTS, GRIP_PARTS, PAIR_PARTS
 from hertzwerk.runtime.integrate.step.rounding import EPS
+from hertzwerk.runtime.integrate.step.set_valued_friction import at_slips, grips, may_slip
 from hertzwerk.runtime.integrate.step.set_valued_friction import forces as friction_forces
-from hertzwerk.runtime.integrate.step.set_valued_friction import grips, may_slip, pairs_of
 from hertzwerk.runtime.integrate.step.singular import time_to_singular
 from hertzwerk.runtime.model.per_model import per_model
 
@@ -91,7 +91,7 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
     friction, margin, margin_rate = (ca.SX.zeros(model.ns) for _ in range(3))
     grip = grips(model, contacts, t, y, mode, m, c) if may_slip(model, contacts) else None
     if grip is not None:
-        slipping = -grip.slip * grip.sliding
+        slipping = grip.slipping()
         n = len(grip.places)
         found = friction_forces(model, n)(t, q, u, f, grip.along, grip.drift, slipping, grip.sticks, c)
         f += ca.mtimes(grip.along, found)
@@ -109,12 +109,12 @@ def _flow(model: Model, contacts: Contacts) -> Flow:
     along = ca.jtimes(forces, ca.vertcat(t, y), ca.vertcat(1, dy)) if contacts != () else ca.SX.zeros(model.k)
     force_rate = ca.if_else(gap < 0, along, 0)  # at zero penetration the derivative of a root is not a number
     if grip is not None:
-        reserve = ca.if_else(grip.touching, grip.holding - ca.fabs(found), 0)
-        gaps = gap[[pairs_of(model)[i] for i in grip.places]]
+        reserve = grip.reserve(found)
+        gaps = at_slips(model, gap)[grip.places]
         reserve_rate = ca.if_else(gaps < 0, ca.jtimes(reserve, ca.vertcat(t, y), ca.vertcat(1, dy)), 0)
-        sliding = grip.slip * (grip.drift + ca.mtimes(grip.along[: model.nu, :].T, a))
+        sliding = grip.pace(grip.drift + ca.mtimes(grip.along[: model.nu, :].T, a))
         friction[grip.places] = found
-        margin[grip.places] = ca.if_else(grip.sticks, reserve, grip.slip * grip.velocity)
+        margin[grip.places] = ca.if_else(grip.sticks, reserve, grip.pace(grip.velocity))
         margin_rate[grip.places] = ca.if_else(grip.sticks, reserve_rate, sliding)
     event = model.function("margins")(t, q, u, c) if model.ne else ca.SX(0, 1)
     event_rate = ca.jtimes(event, ca.vertcat(t, y), ca.vertcat(1, dy)) if model.ne else event

@@ -150,7 +150,7 @@ def _linearised(model: Model, contacts: Contacts) -> Any:
     if may_slip(model, contacts):
         grip = grips(model, contacts, t, y, mode, m, c)
         shapes = [grip.along.sparsity(), grip.power.sparsity()]
-        given += [_nonzeros(grip.along), _nonzeros(grip.power), grip.drift, -grip.slip * grip.sliding]
+        given += [_nonzeros(grip.along), _nonzeros(grip.power), grip.drift, grip.slipping()]
         of_given += [_masked_finite(ca.jacobian(value, x), ca.SX(1)) for value in given[1:]]
         sticks, n = grip.sticks, len(grip.places)
     known = [ca.SX.sym("known", value.numel()) for value in given]

@@ -3,13 +3,19 @@
 A pair with such friction has a slip sigma in m: the sign of its sliding velocity s along its tangent, 0 while it
 sticks. The friction force along the tangent is -sigma times the sliding force; of all sticking pairs together it is
 the lambda of W lambda = -b, with W = D^T M^-1 D, D the generalised forces per newton and b the sliding accelerations
-without lambda. A pair sticks while its margin, the largest holding force less
-lambda|, is positive; it slips while sigma s is. Pfeiffer, Glocker, Multibody Dynamics with Unilateral Contacts (1996), chapters 5 and 8.
+without lambda. A pair sticks while its margin, the largest holding force less |lambda|, is positive; it slips while
+sigma s is. Pfeiffer, Glocker, Multibody Dynamics with Unilateral Contacts (1996), chapters 5 and 8.
+
+A pair that may slide in two directions has two tangents, and vectors of two entries along them for s, lambda and
+sigma. The direction of sliding has no value at rest, so sigma has one: at the onset of slip that in which the pair
+accelerates, later that of s some steps ago. Its size is a small speed. Friction opposes s with its part along sigma, s', made
+sqrt(s'^2 + sigma^2): the direction of s but for rest, and smooth where s' falls through zero, as it does where sliding
+ends. It slips while s' is positive; where s has only turned that far, sigma follows.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -26,6 +32,10 @@ if TYPE_CHECKING:
 Parts = Mapping[str, Any]
 
 STICK = 0.0  # slip of a pair that sticks
+# of the landing tolerance, ten of the tolerance: size of the slip of a pair with two tangents; where steps are explicit, errors
+# across the slip are of the tolerance, and would turn friction near rest if it were smaller
+AHEAD = 1000.0
+FAR = 10.0  # of that size: speed from which the slip follows the direction of sliding
 REDUNDANT = 1e-6  # relative shift of the diagonal that makes W regular: contacts of one body may share one force
 REFINEMENTS = 2  # iterations that remove the shift's effect where W is regular
 BREAKS = 0.25  # of the landing tolerance: excess of lambda over the holding force at which a pair breaks loose; landings aim at half
@@ -33,14 +43,16 @@ BREAKS = 0.25  # of the landing tolerance: excess of lambda over the holding for
 
 @dataclass(frozen=True)
 class Grips:
-    """Friction quantities of n pairs at a state; 0 without contact.
+    """Friction quantities along the n tangents of pairs at a state; 0 without contact.
 
-    places (n): indices among the slips; along (nf, n): generalised force per newton of friction; power (nz, n): rates
-    of z per newton; sliding, holding (n): forces [N]; velocity (n): sliding velocity [m/s]; drift (n): its rate
-    without any generalised acceleration [m/s^2]; touching, sticks (n): 1 or 0; slip (n).
+    places (n): indices among the slips; groups: indices among the n of each pair's own; along (nf, n): generalised force
+    per newton of friction; power (nz, n): rates of z per newton; sliding, holding (n): forces [N], of a pair the same
+    along its tangents; velocity (n): sliding velocity [m/s]; drift (n): its rate without any generalised acceleration
+    [m/s^2]; touching, sticks (n): 1 or 0; slip (n).
     """
 
     places: list[int]
+    groups: list[list[int]]
     along: Any
     power: Any
     sliding: Any
@@ -51,10 +63,84 @@ class Grips:
     sticks: Any
     slip: Any
 
+    @property
+    def direction(self) -> Any:
+        """Direction (n) of sliding that friction opposes; 0 for pairs that stick."""
+        found = ca.SX(self.slip)
+        for group in self.groups:
+            if len(group) > 1:
+                found[group] = unit_of(_ahead(self.velocity[group], self.slip[group]))
+        return found
+
+    def slipping(self) -> Any:
+        """Return the friction forces (n) [N] of the pairs that slide."""
+        return -self.direction * self.sliding
+
+    def reserve(self, friction: Any) -> Any:
+        """Return what the pairs hold beyond friction forces (n), shape (n) [N]; 0 for pairs apart."""
+        size = ca.fabs(friction)
+        for group in self.groups:
+            if len(group) > 1:
+                size[group] = size_of(friction[group])
+        return ca.if_else(self.touching, self.holding - size, 0)
+
+    def pace(self, velocity: Any) -> Any:
+        """Return the speeds (n) along their slips of pairs that slide, of velocities (n) or their rates."""
+        found = self.slip * velocity
+        for group in self.groups:
+            if len(group) > 1:
+                found[group] = ca.dot(unit_of(self.slip[group]), velocity[group])
+        return found
+
+
+def _ahead(velocity: Any, slip: Any) -> Any:
+    """Velocity in two directions that friction opposes, see above."""
+    way, size = unit_of(slip), ca.sumsqr(slip)
+    along = ca.dot(way, velocity)
+    reached = ca.sqrt(_positive(along**2 + size))
+    return ca.if_else(size > 0, velocity + (reached - along) * way, 0)
+
+
+def _positive(x: Any) -> Any:
+    return ca.if_else(x > 0, x, 1)
+
+
+def size_of(x: Any) -> Any:
+    """Length of a vector; its derivative at zero is taken as zero."""
+    squared = ca.sumsqr(x)
+    return ca.if_else(squared > 0, ca.sqrt(_positive(squared)), 0)
+
+
+def unit_of(x: Any) -> Any:
+    """Unit vector along a vector, or zero."""
+    return x / ca.sqrt(_positive(ca.sumsqr(x)))
+
 
 def pairs_of(model: Model) -> list[int]:
-    """Return the pairs with set-valued friction, in the order of their slips in m."""
+    """Return the pairs with set-valued friction in the order of their slips, once for each tangent."""
     return [pair for _, _, pair in model.slips]
+
+
+def at_slips(model: Model, of_pairs: Any) -> Any:
+    """Return a quantity of the pairs (k) for each slip (ns)."""
+    return ca.vertcat(*(of_pairs[j] for j in pairs_of(model)))
+
+
+def groups_of(pairs: Sequence[int]) -> list[list[int]]:
+    """Return the places of each pair among `pairs`, in which it stands once for each of its tangents."""
+    return [[i for i, other in enumerate(pairs) if other == pair] for pair in dict.fromkeys(pairs)]
+
+
+def sticking(model: Model, m: Any) -> Any:
+    """Return for each slip (ns) whether it is one of a pair that sticks or is apart."""
+    slips = m[slips_in(model)]
+    found = slips == STICK
+    for group in groups_of(pairs_of(model)):
+        if len(group) > 1:
+            still = found[group[0]] * found[group[1]]
+            for i in group:
+                found[i] = still
+    return found
 
 
 def slips_in(model: Model) -> slice:
@@ -69,28 +155,32 @@ def may_slip(model: Model, contacts: Contacts) -> bool:
 
 def grips(model: Model, contacts: Contacts, t: Any, y: Any, mode: Any, m: Any, c: Any) -> Grips:
     """Evaluate the friction quantities (SX) of the pairs in the contacts of a class."""
-    columns, slips = [], m[slips_in(model)]
+    columns, slips, stuck = [], m[slips_in(model)], sticking(model, m)
     places = [i for i, j in enumerate(pairs_of(model)) if contacts is BY_MODE or j in contacts]
-    for i in places:
-        j = pairs_of(model)[i]
+    pairs = [pairs_of(model)[i] for i in places]
+    for j in dict.fromkeys(pairs):
+        own = [i for i, pair in enumerate(pairs_of(model)) if pair == j]
         active = mode[j] == CONTACT if contacts is BY_MODE else ca.SX(1)
         values = [masked(active, value) for value in pair_grip(model, j).call([t, y, m, c])]
-        columns.append([*values, active, masked(active, slips[i] == STICK), slips[i]])
+        columns.append([*values, ca.repmat(active, len(own)), masked(active, stuck[own]), slips[own]])
     joined = list(zip(*columns, strict=True))
-    return Grips(places, *(ca.horzcat(*part) for part in joined[:2]), *(ca.vertcat(*part) for part in joined[2:]))
+    parts = *(ca.horzcat(*part) for part in joined[:2]), *(ca.vertcat(*part) for part in joined[2:])
+    return Grips(places, groups_of(pairs), *parts)
 
 
 @per_model
 def pair_grip(model: Model, j: int) -> Any:
     """Return the function (t, y, m, c) -> fields of `Grips` of one pair.
 
-    In order: along, power, sliding, holding, velocity, drift.
+    In order: along, power, sliding, holding, velocity, drift, each for every tangent.
     """
     t, y, m, c = model.symbols("t y m c")
     q, u, z = model.parts(y)
     _, _, _, velocity, _, along, power, sliding, holding = model.function(f"contact_{model.pairs[j]}")(t, q, u, z, m, c)
-    dq = model.function("coordinate_rates")(t, q, u, c)
+    dq, n = model.function("coordinate_rates")(t, q, u, c), velocity.numel()
     drift = ca.jtimes(velocity, ca.vertcat(t, y), ca.vertcat(1, dq, ca.SX.zeros(model.nu + model.nz)))
+    along, power = (ca.reshape(part, part.numel() // n, n) for part in (along, power))
+    sliding, holding = (ca.repmat(part, n) for part in (sliding, holding))
     results = [ca.sparsify(along), ca.sparsify(power), *map(ca.densify, (sliding, holding, velocity, drift))]
     return ca.Function("grip", [t, y, m, c], ca.cse(results))
 
@@ -146,8 +236,19 @@ def solve_sticking(W: Any, sticks: Any, right: Any) -> Any:
 
 def margin_tolerances(model: Model, m: Any, tol_rate: Any, tol_force: Any) -> Any:
     """Return each margin's tolerance at a landing: a speed if slipping, a force if sticking."""
-    pairs = pairs_of(model)
-    return ca.if_else(m[slips_in(model)] == STICK, tol_force[pairs], tol_rate[pairs])
+    return ca.if_else(sticking(model, m), at_slips(model, tol_force), at_slips(model, tol_rate))
+
+
+def turned(model: Model, m: Any, friction: Any, margin: Any) -> Any:
+    """Return m with the slips in two directions turned to those of sliding, but near rest."""
+    m, first = ca.SX(m), slips_in(model).start
+    for group in groups_of(pairs_of(model)):
+        if len(group) > 1:
+            rows, force = [first + i for i in group], friction[group]
+            size = size_of(m[rows])
+            follows = (size > 0) * (margin[group[0]] > FAR * size) * (ca.sumsqr(force) > 0)
+            m[rows] = ca.if_else(follows, -size * unit_of(force), m[rows])
+    return m
 
 
 def undecided_and_breaking(
@@ -158,9 +259,8 @@ def undecided_and_breaking(
     Undecided are pairs in contact that came to rest or that were in another mode (`was`) before. Both follow from
     margins and rates as reached, with the tolerances `small`.
     """
-    pairs = pairs_of(model)
-    touching, fresh = mode[pairs] == CONTACT, was[pairs] != CONTACT
-    sticks = m[slips_in(model)] == STICK
+    touching, fresh = at_slips(model, mode) == CONTACT, at_slips(model, was) != CONTACT
+    sticks = sticking(model, m)
     rests = (margin < -small) + (margin <= small) * (margin_rate < 0) > 0
     asked = touching * (fresh + (1 - sticks) * rests > 0)
     return asked, touching * (1 - fresh) * sticks * (margin < -BREAKS * small)
@@ -168,7 +268,7 @@ def undecided_and_breaking(
 
 def margins_positive(model: Model, mode: Any, start: Parts, end: Parts) -> Any:
     """Return 1 if no margin comes near zero in a step."""
-    touching = mode[pairs_of(model)] == CONTACT
+    touching = at_slips(model, mode) == CONTACT
     clear = ca.SX(1)
     for coefficient in margins(start, end):
         clear *= ca.mmin(ca.if_else(touching, coefficient > 0, 1))

@@ -7,7 +7,7 @@ from types import ModuleType
 import casadi as ca
 import numpy as np
 import pytest
-from blocks import CARRIAGE, GRAVITY, MASS, STIFFNESS, WEIGHT, block, puck
+from blocks import CARRIAGE, GRAVITY, MASS, STIFFNESS, WEIGHT, block
 from scipy.optimize import brentq
 
 from hertzwerk.derive import (  # fmt: skip
@@ -17,7 +17,6 @@ from hertzwerk.derive import (  # fmt: skip
     EnergyLedger,
     Friction,
     Gravity,
-    InputError,
     Mechanism,
     Parameter,
     Prismatic,
@@ -29,7 +28,6 @@ from hertzwerk.derive import (  # fmt: skip
     X,
     Y,
     Z,
-    derive,
 )
 from hertzwerk.derive.laws import LAWS, coulomb, flores, kelvin_voigt, power
 from hertzwerk.derive.scenes import slider_crank
@@ -526,8 +524,3 @@ def test_nothing_of_it_where_no_law_has_modes():
     assert not hasattr(model.module, "SLIPS")
     assert flow(model).ends.size1_out("margin") == 0
     assert "floor_0.slip" not in simulate(model, duration="1 ms", tolerance=1e-6).names
-
-
-def test_sliding_in_two_directions_is_refused():
-    with pytest.raises(InputError, match=r"(?s)effect rub: found law coulomb at floor.*one direction.*smooth_coulomb"):
-        derive(puck(dry()))
