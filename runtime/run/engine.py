@@ -13,7 +13,7 @@ from hertzwerk.runtime.integrate.loop.attempt import Integrator, integrator
 from hertzwerk.runtime.integrate.loop.automatic import Code
 from hertzwerk.runtime.integrate.loop.chunk import Ending, chunk, march
 from hertzwerk.runtime.integrate.tableaux.methods import METHODS, SUNDIALS
-from hertzwerk.runtime.model.caller import Blocks, Callers
+from hertzwerk.runtime.model.caller import Callers, Rowwise
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.run.request import Compiled
@@ -85,7 +85,7 @@ def prepare(model: Model, method: str, compiled: Compiled, ahead: float = 0.0, n
     return True
 
 
-def _compile(tables: list[Blocks]) -> None:
+def _compile(tables: list[Rowwise]) -> None:
     """Compile functions of tables; where that fails they stay slower, with the same results."""
     from hertzwerk.runtime.integrate.loop.compiled import NoCompilerError, Program
 

@@ -197,7 +197,7 @@ class SingleRun:
 
         def keep(attempts: np.ndarray) -> None:
             if block != ENDS:
-                recorder.keep(attempts[attempts[:, accepted] == 1])
+                recorder.keep(attempts.compress(attempts[:, accepted] == 1, axis=0))
 
         ending: Ending = loop(state, controls, keep, wall_time=self.limits.wall_time, progress=progress)
         if block == ENDS:

@@ -19,11 +19,11 @@ from hertzwerk.runtime.integrate.loop.choose import EXPLICIT, IMPLICIT, STIFF
 from hertzwerk.runtime.solution.history import part_of_step
 from hertzwerk.runtime.solution.impacts import crest
 from hertzwerk.runtime.solution.sums import Summing, Sums, inner
-from hertzwerk.runtime.solution.watch import Watch, following
+from hertzwerk.runtime.solution.watch import Watch
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.loop.attempt import Integrator
-    from hertzwerk.runtime.model.caller import Blocks
+    from hertzwerk.runtime.model.caller import Rowwise
     from hertzwerk.runtime.model.model import Model
     from hertzwerk.runtime.solution.history import History
     from hertzwerk.runtime.solution.impacts import Impact
@@ -46,12 +46,12 @@ class Needs(enum.Flag):
 EVERYTHING = Needs.IMPACTS | Needs.SUMS | Needs.CHOICES
 
 
-def finders(model: Model, integrator: Integrator, needs: Needs) -> list[Blocks]:
+def finders(model: Model, integrator: Integrator, needs: Needs) -> list[Rowwise]:
     """Return the functions that find what is needed in runs by the integrator's first method."""
     peaks = bool(needs & (Needs.IMPACTS | Needs.STEPS))
-    found: list[Blocks] = []
+    found: list[Rowwise] = []
     if peaks and model.k:
-        found += [following(model, integrator), crest(model, integrator, 0)]
+        found.append(crest(model, integrator, 0))
     if needs & (Needs.SUMS | Needs.STEPS):
         found += [part_of_step(model, integrator, 0), *(inner(model, j) for j in range(model.k))]
     return list(dict.fromkeys(found))

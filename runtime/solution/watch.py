@@ -1,29 +1,39 @@
-"""Contacts of a run, followed from step to step by a CasADi function."""
+"""Contacts of a run, found block by block among its steps."""
 
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-import casadi as ca
 import numpy as np
 
-from hertzwerk.runtime.integrate.loop.tally import approach_speed, begin, is_open
-from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, Layout
-from hertzwerk.runtime.model.caller import Scan
-from hertzwerk.runtime.model.per_model import per_model
+from hertzwerk.runtime.integrate.step.layout import CONTACT, RELEASED
 from hertzwerk.runtime.solution.impacts import KINDS, Impact, peaks
 
 if TYPE_CHECKING:
-    from hertzwerk.runtime.integrate.loop.attempt import Integrator
     from hertzwerk.runtime.model.model import Model
     from hertzwerk.runtime.solution.history import History
 
-PIECE = 2048  # rows followed at once: what is found of them fits into a cache
 TOGETHER = 256  # contacts whose peaks are found at once
-ONSET = ("t", "speed", "left")  # and end of a contact
+PIECE = 2**14  # rows followed at once: what is found of them is held no longer
 BESIDE = np.array([-1, 0, 1])
-TOPS = tuple(f"top_{part}" for part, *_ in KINDS)
+
+
+class Contact(NamedTuple):
+    """Contact of a pair, over or not.
+
+    t, speed    onset [s] and approach speed [m/s]
+    left     when the surfaces left each other last [s]; nan where they touch
+    largest  values of the KINDS so far (kinds,)
+    tops     rows of these values, each between its neighbours, none before the onset (kinds, 3, ns)
+    """
+
+    pair: int
+    t: float
+    speed: float
+    left: float
+    largest: np.ndarray
+    tops: np.ndarray
 
 
 class Watch:
@@ -34,133 +44,121 @@ class Watch:
     """
 
     def __init__(self, model: Model) -> None:
-        self._model, self._layout = model, carried(model)
-        self._last = np.zeros(self._layout.size)  # what is carried on
+        self._model = model
         self._view: History
-        self._rows = 0
-        self._kept: dict[int, np.ndarray] = {}  # rows beside the tops of open contacts, by number
-        self._ended: list[np.ndarray] = []  # contacts that are over, as in `contacts`
-        self._tops: list[np.ndarray] = []  # of contacts whose peaks are not known yet
-        self._peaks: list[np.ndarray] = []
+        self._open: dict[int, Contact] = {}  # that are not over, by pair
+        self._ended: list[Contact] = []  # whose peaks are not known yet
+        self._impacts: list[Impact] = []
 
     def take(self, block: History, fresh: int) -> None:
         """Take the next accepted steps; see `Observer`."""
-        self._view, before = block.of(block.rows[-1:].copy()), self._rows - fresh
-        follow = following(self._model, block.engine)
+        self._view = block.of(block.rows[-1:].copy())
+        for contact in self._open.values():
+            _, top, after = contact.tops.swapaxes(0, 1)
+            after[(top == after).all(axis=1)] = block.rows[fresh]  # that was not there yet
         for first in range(fresh, len(block.rows), PIECE):
-            found = follow(self._last, block.rows[first : first + PIECE])
-            self._last, self._rows = found[-1].copy(), before + first + len(found)
-            rows, pairs = np.nonzero(found[:, self._layout["ends"]])
-            if len(rows):
-                self._ended.append(self._table(found, rows, pairs))
-                self._tops.append(self._rows_at(self._near(found, rows, pairs), block, before))
-        near = self._near(*self._open)
-        self._kept = dict(zip(near.ravel().tolist(), self._rows_at(near.ravel(), block, before), strict=True))
-        if sum(map(len, self._tops)) >= TOGETHER:
-            self._peaks.append(self._peaks_of(np.concatenate(self._ended), self._tops))
-            self._tops.clear()
-
-    @property
-    def contacts(self) -> np.ndarray:
-        """Every contact: pair, onset [s], approach speed [m/s], when it was left [s] or nan, shape (n, 4)."""
-        *_, pairs = self._open
-        last = self._table(*self._open)
-        last[self._last[self._layout["touching"].start + pairs] > 0, 3] = math.nan
-        return np.concatenate([*self._ended, last])
+            for j in range(self._model.k):
+                ended, still = _contacts(block, j, slice(first, first + PIECE), self._open.pop(j, None))
+                self._ended += ended
+                if still is not None:
+                    self._open[j] = still
+            if len(self._ended) >= TOGETHER:
+                self._impacts += self._impacts_of(self._ended)
+                self._ended = []
 
     def impacts(self) -> tuple[Impact, ...]:
         """Return every contact in the order of onset, open ones included.
 
         Peaks are found within the steps, to the accuracy of the run.
         """
-        table, tops, near = self.contacts, list(self._tops), self._near(*self._open)
-        if near.size:
-            tops.append(np.array([self._kept[row] for row in near.ravel().tolist()]).reshape(*near.shape, -1))
-        if not len(table):
-            return ()
-        found = np.concatenate([*self._peaks, *([self._peaks_of(table, tops)] if tops else [])])
-        order = np.lexsort((table[:, 0], table[:, 1]))
-        names = self._model.pairs
-        return tuple(
-            Impact(names[int(j)], t, speed, force, left - t if left == left else None, penetration)
-            for (j, t, speed, left), (force, penetration) in zip(
-                table[order].tolist(), found[order].tolist(), strict=True
-            )
+        place = self._model.pairs.index
+        found = [*self._impacts, *self._impacts_of([*self._ended, *self._open.values()])]
+        return tuple(sorted(found, key=lambda impact: (impact.t, place(impact.contact))))
+
+    def _impacts_of(self, contacts: list[Contact]) -> list[Impact]:
+        """Return contacts with their peaks."""
+        if not contacts:
+            return []
+        found = peaks(
+            self._view, np.array([each.pair for each in contacts]), np.stack([each.tops for each in contacts])
         )
-
-    @property
-    def _open(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Contacts that are not over: what is carried last, its row, the pairs."""
-        pairs = np.flatnonzero(self._last[self._layout["open"]])
-        return self._last[None], np.zeros_like(pairs), pairs
-
-    def _of(self, found: np.ndarray, rows: np.ndarray, pairs: np.ndarray, names: tuple[str, ...]) -> np.ndarray:
-        """Return parts of what is carried at rows (n,) that belong to pairs (n,), shape (n, names)."""
-        columns = np.array([self._layout[name].start for name in names])
-        part: np.ndarray = found[rows[:, None], columns + pairs[:, None]]
-        return part
-
-    def _table(self, found: np.ndarray, rows: np.ndarray, pairs: np.ndarray) -> np.ndarray:
-        table = np.empty((len(pairs), 1 + len(ONSET)))
-        table[:, 0], table[:, 1:] = pairs, self._of(found, rows, pairs, ONSET)
-        return table
-
-    def _near(self, found: np.ndarray, rows: np.ndarray, pairs: np.ndarray) -> np.ndarray:
-        """Return the numbers of the rows of `tops` (n, kinds, 3); a contact has no row before its onset."""
-        numbers = self._of(found, rows, pairs, ("onset", *TOPS)).astype(int)[:, :, None]
-        near: np.ndarray = np.clip(numbers[:, 1:] + BESIDE, numbers[:, :1], self._rows - 1)
-        return near
-
-    def _rows_at(self, numbers: np.ndarray, block: History, before: int) -> np.ndarray:
-        """Return rows by their numbers, of which those before the block's first are kept."""
-        rows: np.ndarray = block.rows[np.maximum(numbers - before, 0)]
-        for place in zip(*np.nonzero(numbers < before), strict=True):
-            rows[place] = self._kept[int(numbers[place])]
-        return rows
-
-    def _peaks_of(self, table: np.ndarray, tops: list[np.ndarray]) -> np.ndarray:
-        """Return the peaks of the last contacts of a table by their tops."""
-        last = np.concatenate(tops)
-        return peaks(self._view, table[len(table) - len(last) :, 0].astype(int), last)
+        return [
+            Impact(self._model.pairs[j], t, speed, force, None if math.isnan(left) else left - t, penetration)
+            for (j, t, speed, left, *_), (force, penetration) in zip(contacts, found.tolist(), strict=True)
+        ]
 
 
-@per_model
-def carried(model: Model) -> Layout:
-    """Return the layout of what is carried from row to row: the number of rows, then of each pair.
+def _contacts(block: History, j: int, rows: slice, begun: Contact | None) -> tuple[list[Contact], Contact | None]:
+    """Return the contacts of pair j that end in some rows, and the one that is open after them.
 
-    Whether its contact is open, whether it touches, whether its contact ends at this row, and of the last contact
-    onset t [s], approach speed [m/s], when it was left [s], onset and tops (rows), and largest values.
+    begun    the one that is open before them
     """
-    of_pairs = ("open", "touching", "ends", *ONSET, "onset", *TOPS, *(part for part, *_ in KINDS))
-    return Layout({"row": 1, **dict.fromkeys(of_pairs, model.k)})
+    modes, t = block.part("mode")[rows, j], block.t[rows]
+    is_open = _is_open(modes, begun is not None)
+    within = np.flatnonzero(is_open)
+    if not len(within) and begun is None:
+        return [], None
+    touching = np.concatenate([[begun is not None and math.isnan(begun.left)], modes == CONTACT])
+    leaves = np.flatnonzero(touching[:-1] & ~touching[1:])
+    times = np.append(t[leaves], math.nan if begun is None else begun.left)  # the last: before these rows
+
+    def left(end: Any) -> Any:
+        """Return when the surfaces left each other last, up to these rows."""
+        return times[np.searchsorted(leaves, end, side="right") - 1]
+
+    found: list[Contact] = []
+    if begun is not None and not is_open[0]:
+        found, begun = [begun._replace(left=float(left(0)))], None
+    if len(within):
+        starts = np.flatnonzero(within[1:] - within[:-1] > 1) + 1  # of all but the first, among the rows within
+        begins, ends = within[np.append(0, starts)], within[np.append(starts, 0) - 1] + 1
+        lefts = left(ends)
+        if touching[-1]:
+            lefts[-1] = math.nan
+        onsets = rows.start + begins
+        speeds = np.maximum(-block.part("gap_rate")[onsets, j], 0.0)
+        if begun is not None:
+            onsets[0] = 0  # or before
+        tops = _tops(block, j, rows.start + within, np.append(0, starts), onsets)
+        columns = (t[begins].tolist(), speeds.tolist(), lefts.tolist())
+        contacts = [Contact(j, *each) for each in zip(*columns, *tops, strict=True)]
+        if begun is not None:
+            contacts[0] = _continued(begun, contacts[0])
+        found += contacts
+    return (found[:-1], found[-1]) if is_open[-1] else (found, None)
 
 
-@per_model
-def following(model: Model, integrator: Integrator) -> Scan:
-    """Build the function (carried, state) -> carried after one more row."""
-    vectors, layout = integrator.layouts.state, carried(model)
-    last, state = layout.symbol("carried"), vectors.symbol("state")
-    new = {"row": last[0] + 1, **_of_pairs(vectors.split(state), layout.split(last))}
-    return Scan(ca.Function("following", [last, state], [layout.join(new)]))
+def _is_open(modes: np.ndarray, before: bool) -> np.ndarray:
+    """Return whether a contact goes on at rows of these modes (n,): it may be released and touch again."""
+    found: np.ndarray = modes == CONTACT
+    released = modes == RELEASED
+    if released.any():
+        latest = np.maximum.accumulate(np.where(released, -1, np.arange(len(modes))))
+        found = np.where(latest < 0, before, found[latest])
+    return found
 
 
-def _of_pairs(at: dict[str, Any], was: dict[str, Any]) -> dict[str, Any]:
-    """Return what is carried of the pairs after a row."""
-    touching, begins = at["mode"] == CONTACT, begin(at, was)
-    onset = {"t": at["t"], "speed": approach_speed(at)}
-    new = {
-        "open": is_open(at, was),
-        "touching": touching,
-        "ends": was["open"] * (at["mode"] == FLIGHT),
-        **{name: ca.if_else(begins, value, was[name]) for name, value in onset.items()},
-        "left": ca.if_else(was["touching"] * (1 - touching), at["t"], ca.if_else(begins, math.nan, was["left"])),
-        "onset": ca.if_else(begins, was["row"], was["onset"]),
-    }
-    for part, _, sign in KINDS:
-        value = ca.if_else(at[part] == at[part], sign * at[part], math.inf)  # what is no number counts as the largest
-        higher = ca.logic_or(begins, new["open"] * (value > was[part]))
-        new |= {
-            part: ca.if_else(higher, value, was[part]),
-            f"top_{part}": ca.if_else(higher, was["row"], was[f"top_{part}"]),
-        }
-    return new
+def _tops(
+    block: History, j: int, within: np.ndarray, starts: np.ndarray, onsets: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the largest values in n contacts of pair j (n, kinds), and their rows (n, kinds, 3, ns).
+
+    within, starts, onsets    rows in contact, where among them each contact starts, and the first row of each
+    """
+    largest, places = np.empty((len(starts), len(KINDS))), np.empty((len(starts), len(KINDS)), dtype=int)
+    lengths = np.append(starts[1:], len(within)) - starts
+    for kind, (part, _, sign) in enumerate(KINDS):
+        values = sign * block.part(part)[within, j]
+        values[np.isnan(values)] = math.inf  # what is no number counts as the largest
+        largest[:, kind] = np.maximum.reduceat(values, starts)
+        hits = np.flatnonzero(values == np.repeat(largest[:, kind], lengths))
+        places[:, kind] = within[hits[np.searchsorted(hits, starts)]]
+    beside = np.clip(places[:, :, None] + BESIDE, onsets[:, None, None], len(block.rows) - 1)
+    return largest, block.rows[beside]
+
+
+def _continued(begun: Contact, later: Contact) -> Contact:
+    """Return a contact of which a part was known before."""
+    higher = later.largest > begun.largest
+    tops = np.where(higher[:, None, None], later.tops, begun.tops)
+    return later._replace(t=begun.t, speed=begun.speed, largest=np.maximum(later.largest, begun.largest), tops=tops)

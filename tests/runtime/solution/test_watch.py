@@ -1,4 +1,4 @@
-"""Steps are followed by functions of blocks, as C too: against row after row, against the virtual machine, and against a plain loop."""
+"""Contacts of a run: in blocks of any size, against a plain loop, and what is found of them as C against the virtual machine."""
 
 import numpy as np
 import pytest
@@ -6,10 +6,12 @@ import pytest
 from hertzwerk.runtime import load
 from hertzwerk.runtime.integrate.loop.compiled import available
 from hertzwerk.runtime.run.engine import engine_for, prepare
+from hertzwerk.runtime.run.recorder import OVERLAP
 from hertzwerk.runtime.run.request import Settings
 from hertzwerk.runtime.simulation import solve
-from hertzwerk.runtime.solution import findings, watch
+from hertzwerk.runtime.solution import findings
 from hertzwerk.runtime.solution.findings import Needs
+from hertzwerk.runtime.solution.watch import Watch
 
 SETTINGS = Settings("6 ms", None, 1e-6, compiled=False)
 WANTED = Needs.IMPACTS | Needs.SUMS
@@ -39,14 +41,51 @@ def test_what_is_found_as_c_is_bitwise_what_is_found_without(run):
     assert len(before[0]) > 5
 
 
-@pytest.mark.parametrize("count", [1, 31, 32, 33, 256, 290])
-def test_a_table_is_followed_as_its_rows_one_after_another(run, count):
-    follow, rows = watch.following(run.model, run.history.engine), run.history.rows[-count:]
-    carried = np.zeros(watch.carried(run.model).size)
-    whole = follow(carried, rows)
-    for row, expected in zip(rows, whole, strict=True):
-        (carried,) = follow(carried, row[None])
-        np.testing.assert_array_equal(carried, expected)
+@pytest.mark.parametrize("size", [1, 2, 7, 100])
+def test_blocks_of_any_size_have_the_contacts_of_the_whole(run, size):
+    """A contact lies across blocks; its tops, and their neighbours, at their ends."""
+    rows, history = run.history.rows[:290], run.history
+    whole, parts = Watch(run.model), Watch(run.model)
+    whole.take(history.of(rows), 0)
+    for first in range(0, len(rows), size):
+        known = min(first, OVERLAP)
+        parts.take(history.of(rows[first - known : first + size]), known)
+        assert parts.impacts()[-1:] == watched(history.of(rows[: first + size])).impacts()[-1:]
+    assert len(whole.impacts()) > 1
+    assert parts.impacts() == whole.impacts()
+
+
+def watched(history):
+    watch = Watch(history.model)
+    watch.take(history, 0)
+    return watch
+
+
+def table(run, modes):
+    """Rows of a run with these modes of its pair, a second apart; forces rise and fall in each contact."""
+    rows = run.history.of(np.tile(run.history.rows[100], (len(modes), 1)))
+    rows.part("mode")[:, 0], rows.part("t")[:, 0] = modes, np.arange(len(modes))
+    rows.part("gap_rate")[:, 0] = -np.arange(len(modes))
+    return rows
+
+
+@pytest.mark.parametrize(
+    ("modes", "expected"),
+    [
+        ([0, 1, 2, 1, 0, 2, 1], [(1.0, 3.0), (6.0, None)]),  # released and touching again, it begins once
+        ([1, 1, 0, 1, 2, 2, 0], [(0.0, 2.0), (3.0, 1.0)]),  # it lasts until it is released
+        ([0, 1, 0, 1, 2, 2, 2], [(1.0, 1.0), (3.0, 1.0)]),
+        ([0, 2, 2, 0, 0, 0, 0], []),
+    ],
+)
+@pytest.mark.parametrize("size", [1, 2, 3, 7])
+def test_contacts_begin_and_end_by_their_modes(run, modes, expected, size):
+    rows, watch = table(run, modes), Watch(run.model)
+    for first in range(0, len(modes), size):
+        known = min(first, OVERLAP)
+        watch.take(rows.of(rows.rows[first - known : first + size]), known)
+    assert [(impact.t, impact.duration) for impact in watch.impacts()] == expected
+    assert [impact.speed for impact in watch.impacts()] == [t for t, _ in expected]
 
 
 def test_contacts_are_those_of_a_plain_loop(run):
