@@ -9,6 +9,11 @@ if TYPE_CHECKING:  # the list of public names
     from hertzwerk.derive.audit.audit import Finding as Finding, InconsistentUnits as InconsistentUnits
     from hertzwerk.derive.contact.pairs.box import BoxOnPlane as BoxOnPlane
     from hertzwerk.derive.contact.pairs.corner import CornerOnFace as CornerOnFace
+    from hertzwerk.derive.contact.pairs.curved import (
+        CircleOnCurve as CircleOnCurve,
+        FaceOnCurve as FaceOnCurve,
+        PointOnCurve as PointOnCurve,
+    )
     from hertzwerk.derive.contact.pairs.custom import CustomPair as CustomPair
     from hertzwerk.derive.contact.pairs.flat import (
         CylinderOnPlane as CylinderOnPlane,
@@ -101,6 +106,7 @@ if TYPE_CHECKING:  # the list of public names
         Y as Y,
         Z as Z,
     )
+    from hertzwerk.derive.mechanism.curve import Curve as Curve, S as S, curve_through as curve_through
     from hertzwerk.derive.mechanism.joints.axial import (
         Cylindrical as Cylindrical,
         Prismatic as Prismatic,

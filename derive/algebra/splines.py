@@ -25,15 +25,18 @@ from hertzwerk.derive.units import UnitError, parse_unit
 __all__ = ["Spline", "Table"]
 
 Pair = tuple[float, float]
+REACH = 48
+"""Points beyond which the end of a spline changes nothing: 0.43^48 is below the rounding of a double."""
 
 
 class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
     """Arguments and values with their units; `table(x)` is the spline at x, a SymPy expression.
 
     `slopes` are those at both ends, in the unit of a value over that of an argument; None leaves them to the spline.
+    Of a `periodic` one all derivatives at the last argument are those at the first; within the table alone.
     """
 
-    __slots__ = ("arguments", "name", "slopes", "units", "values")
+    __slots__ = ("arguments", "name", "periodic", "slopes", "units", "values")
 
     def __new__(
         cls,
@@ -42,6 +45,7 @@ class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
         values: Sequence[float],
         units: tuple[str, str],
         slopes: Pair | None = None,
+        periodic: bool = False,
     ) -> Table:
         """Make a table without checking it: see `faults`."""
         self = super().__new__(cls)
@@ -50,13 +54,14 @@ class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
         self.values = _as_tuple(values)
         self.units = _as_tuple(units)
         self.slopes = None if slopes is None else _as_tuple(slopes)
+        self.periodic = periodic
         return self  # type: ignore[no-any-return]
 
     def _hashable_content(self) -> tuple[Any, ...]:
-        return (self.name, repr(self.arguments), repr(self.values), self.units, repr(self.slopes))
+        return (self.name, repr(self.arguments), repr(self.values), self.units, repr(self.slopes), self.periodic)
 
     def __getnewargs__(self) -> tuple[Any, ...]:
-        return (self.name, self.arguments, self.values, self.units, self.slopes)
+        return (self.name, self.arguments, self.values, self.units, self.slopes, self.periodic)
 
     def _sympystr(self, _: Any) -> str:
         return str(self.name)
@@ -96,6 +101,14 @@ class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
                     return
         if self.slopes is not None and len(self.slopes) != 2:
             yield Fault(where, f"{len(self.slopes)} slopes", "two, at the first and at the last argument, or None")
+        if self.periodic and self.slopes is not None:
+            yield Fault(where, "slopes at the ends of a period", "none: they follow")
+        if self.periodic and len(self.values) > 1 and self.values[0] != self.values[-1]:
+            yield Fault(
+                where,
+                f"{shown(self.values[-1])} after a period that begins with {shown(self.values[0])}",
+                "the first value again, at the end",
+            )
         for k, (a, b) in enumerate(pairwise(self.arguments)):
             if not a < b:
                 yield Fault(where, f"argument {b!r} after {a!r} in place {k + 2}", "arguments that increase",
@@ -117,7 +130,7 @@ class Table(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
         x, y = [argument.to_si(a) for a in self.arguments], [value.to_si(v) for v in self.values]
         per = value.to_si(1.0) / argument.to_si(1.0)
         slopes = None if self.slopes is None else (self.slopes[0] * per, self.slopes[1] * per)
-        nodes = _nodes(x, y, slopes)
+        nodes = _periodic_nodes(x, y) if self.periodic else _nodes(x, y, slopes)
         rows = []
         for k in range(len(x) - 1):
             (v0, a0), (v1, a1), h = nodes[k], nodes[k + 1], x[k + 1] - x[k]
@@ -165,6 +178,20 @@ class Spline(NoText):
 def _as_tuple(values: Any) -> tuple[Any, ...]:
     """Entries of a sequence; a single value is wrapped, for `faults` to report."""
     return tuple(values) if isinstance(values, Iterable) else (values,)
+
+
+def _periodic_nodes(x: list[float], y: list[float]) -> list[Pair]:
+    """First and second derivative at every point of one period.
+
+    Of the natural spline over so many periods that its ends do not reach the middle one: their influence falls by 0.43
+    from point to point.
+    """
+    count, period = len(x) - 1, x[-1] - x[0]
+    around = REACH // count + 1
+    turns = range(-around, around + 1)
+    longer = [k * period + at for k in turns for at in x[:-1]] + [around * period + x[-1]]
+    nodes = _nodes(longer, [value for _ in turns for value in y[:-1]] + [y[-1]], None)
+    return [*nodes[around * count : (around + 1) * count], nodes[around * count]]
 
 
 def _nodes(x: list[float], y: list[float], slopes: Pair | None) -> list[Pair]:

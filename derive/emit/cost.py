@@ -15,6 +15,8 @@ PER_STEP = {  # calls per step: in its stages; for events; to close loops, with 
     **dict.fromkeys(("gaps", "gap_accelerations"), 1),
     **{"constraints": 4, "projection": 3},
 }
+OF_CURVES = ("_samples", "_drawn", "_nearest", "_support")
+"""Helpers whose work depends on their curve."""
 # A sign precedes its operand, which is no number here, without a blank; a binary minus is surrounded by blanks.
 _SIGN = re.compile(r"-(?=[A-Za-z_(]|[\d.]+\*\*)")
 _CALL = re.compile(r"\w\(")
@@ -23,8 +25,8 @@ _CALL = re.compile(r"\w\(")
 def operations(text: str) -> int:
     """Count arithmetic operations and function calls in the text of a builder.
 
-    Packing, unpacking and signs of numbers are not counted. Counting in the text is faster than having Python parse
-    it.
+    Packing, unpacking and signs of numbers are not counted; a search along a curve counts as one call. Counting in the
+    text is faster than having Python parse it.
     """
     code = " ".join("".join(text.split('"""')[::2]).split())
     if code.startswith("def "):
@@ -32,7 +34,8 @@ def operations(text: str) -> int:
     spaced = sum(code.count(f" {sign} ") for sign in ("+", "-", "<", ">", "<=", ">="))
     products = code.count("*") - code.count("**") + code.count("/")
     calls = len(_CALL.findall(code)) - code.count("ca.vertcat(")
-    helpers = sum(code.count(f"{name}(") * (_helper_operations(name) - 1) for name in HELPERS if f"{name}(" in code)
+    whole = (name for name in HELPERS if name not in OF_CURVES and f"{name}(" in code)
+    helpers = sum(code.count(f"{name}(") * (_helper_operations(name) - 1) for name in whole)
     return spaced + products + len(_SIGN.findall(code)) + calls + helpers
 
 

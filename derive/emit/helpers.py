@@ -48,4 +48,103 @@ HELPERS = {
 
 
 _SPLINES = {}''',
+    "_samples": '''def _samples(curve, data, given):
+    """Points of a curve at the parameters of its samples, first all x, then all y."""
+    points = [curve(s, *ca.vertsplit(given))[:2] for s in data[-1]]
+    return ca.vertcat(*(x for x, _ in points), *(y for _, y in points))''',
+    "_drawn": '''def _drawn(curve, data, given):
+    """Points of a curve for a picture, at equal steps of its parameter, first all x, then all y."""
+    start, end = data[0]
+    points = [curve(start + (end - start)*k/180, *ca.vertsplit(given))[:2] for k in range(181)]
+    return ca.vertcat(*(x for x, _ in points), *(y for _, y in points))''',
+    "_nearest": '''def _nearest(curve, data, samples, given, point):
+    """Signed distance of a point from a curve, normal there, curvature of the parallel curve through the point, parameter.
+
+    Newton's method from the nearest sample, and of a curve that is not convex from the nearest in another hollow. A function
+    of its own, which is called; its derivatives are the results themselves.
+    """
+    if curve not in _NEAREST:
+        (start, end), closed, hole, tries, at = data
+        side = -1 if hole else 1
+        widest = max(b - a for a, b in zip(at, (*at[1:], at[0] + end - start) if closed else at[1:], strict=False))
+        s, at_point, values = ca.SX.sym("s"), ca.SX.sym("point", 2), ca.SX.sym("given", given.numel())
+        found = s
+        for k in range(7):
+            here = found - (end - start)*ca.floor((found - start)/(end - start)) if closed else found
+            x, y, dx, dy, ddx, ddy = curve(here, *ca.vertsplit(values))
+            px, py, square = at_point[0] - x, at_point[1] - y, dx**2 + dy**2
+            slope = ca.fmax(square - px*ddx - py*ddy, square/1000)
+            if k < 6:
+                found = here + ca.fmin(ca.fmax((px*dx + py*dy)/slope, -widest), widest)
+                found = found if closed else ca.fmin(ca.fmax(found, start), end)
+        speed = ca.sqrt(square)
+        nx, ny = side*dy/speed, -side*dx/speed
+        h = px*nx + py*ny
+        curvature = side*(dx*ddy - dy*ddx)/(square*speed)
+        bend = curvature/(1 + curvature*h)
+        apart = ca.sqrt(px**2 + py**2)
+        if not closed:  # beyond an end the end is nearest
+            beyond = ca.fabs(px*dx + py*dy) > 1e-9*speed*apart
+            nx, ny, h, bend = (ca.if_else(beyond, a, b) for a, b in ((px/apart, nx), (py/apart, ny), (apart, h), (1/apart, bend)))
+        refined = ca.Function("refined", [s, at_point, values], [ca.vertcat(h, nx, ny, bend, here, apart)])
+        at_point, values, table = ca.MX.sym("point", 2), ca.MX.sym("given", given.numel()), ca.MX.sym("samples", samples.numel())
+        d = (table[: len(at)] - at_point[0])**2 + (table[len(at) :] - at_point[1])**2
+        parameters, least = ca.MX(ca.DM(at)), ca.mmin(d)
+        result = refined(parameters[ca.find(d <= least)], at_point, values)
+        if tries > 1:
+            before = ca.vertcat(d[-1] if closed else 1e300, d[:-1])
+            after = ca.vertcat(d[1:], d[0] if closed else 1e300)
+            hollow = ca.if_else(ca.logic_and(d <= before, d < after), ca.if_else(d > least, d, 1e300), 1e300)
+            other = refined(parameters[ca.find(hollow <= ca.mmin(hollow))], at_point, values)
+            result = ca.if_else(other[-1] < result[-1], other, result)
+        o = ca.SX.sym("o", 5)
+        n, t, empty = ca.vertcat(o[1], o[2]), ca.vertcat(-o[2], o[1]), ca.SX(5, samples.numel())
+        by_point = ca.vertcat(n.T, o[3]*t@t.T, ca.SX(2, 2))
+        inputs = [table, values, at_point]
+        slopes = ca.Function(
+            "jac_nearest", [*(ca.SX.sym("i", x.shape) for x in inputs), o], [empty, ca.SX(5, given.numel()), by_point],
+            ["samples", "given", "point", "out_found"], ["jac_found_samples", "jac_found_given", "jac_found_point"],
+        )
+        called = {"never_inline": True, "custom_jacobian": slopes, "enable_forward": False, "enable_reverse": False}
+        _NEAREST[curve] = ca.Function("nearest", inputs, [result[:5]], ["samples", "given", "point"], ["found"], called)
+    return _NEAREST[curve](samples, given, point)
+
+
+_NEAREST: "dict[object, ca.Function]" = {}''',
+    "_support": '''def _support(curve, data, samples, given, direction):
+    """Point of a curve with the least component along a unit direction, radius of curvature and parameter there.
+
+    Newton's method from the least sample. A function of its own, which is called; its derivatives are the results themselves.
+    """
+    if curve not in _SUPPORT:
+        (start, end), closed, _, _, at = data
+        widest = max(b - a for a, b in zip(at, (*at[1:], at[0] + end - start) if closed else at[1:], strict=False))
+        s, along, values = ca.SX.sym("s"), ca.SX.sym("direction", 2), ca.SX.sym("given", given.numel())
+        found = s
+        for k in range(7):
+            here = found - (end - start)*ca.floor((found - start)/(end - start)) if closed else found
+            x, y, dx, dy, ddx, ddy = curve(here, *ca.vertsplit(values))
+            square = dx**2 + dy**2
+            slope = ca.fmax(ddx*along[0] + ddy*along[1], 1e-6*ca.sqrt(square))
+            if k < 6:
+                found = here - ca.fmin(ca.fmax((dx*along[0] + dy*along[1])/slope, -widest), widest)
+                found = found if closed else ca.fmin(ca.fmax(found, start), end)
+        refined = ca.Function("refined", [s, along, values], [ca.vertcat(x, y, square/slope, here)])
+        along, values, table = ca.MX.sym("direction", 2), ca.MX.sym("given", given.numel()), ca.MX.sym("samples", samples.numel())
+        d = table[: len(at)]*along[0] + table[len(at) :]*along[1]
+        result = refined(ca.MX(ca.DM(at))[ca.find(d <= ca.mmin(d))], along, values)
+        o, towards = ca.SX.sym("o", 4), ca.SX.sym("i", 2)
+        t = ca.vertcat(-towards[1], towards[0])
+        inputs = [table, values, along]
+        slopes = ca.Function(
+            "jac_support", [*(ca.SX.sym("i", x.shape) for x in inputs[:2]), towards, o],
+            [ca.SX(4, samples.numel()), ca.SX(4, given.numel()), ca.vertcat(-o[2]*t@t.T, ca.SX(2, 2))],
+            ["samples", "given", "direction", "out_found"], ["jac_found_samples", "jac_found_given", "jac_found_direction"],
+        )
+        called = {"never_inline": True, "custom_jacobian": slopes, "enable_forward": False, "enable_reverse": False}
+        _SUPPORT[curve] = ca.Function("support", inputs, [result], ["samples", "given", "direction"], ["found"], called)
+    return _SUPPORT[curve](samples, given, direction)
+
+
+_SUPPORT: "dict[object, ca.Function]" = {}''',
 }

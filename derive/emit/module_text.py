@@ -8,9 +8,10 @@ from typing import Any
 from hertzwerk.derive.audit.audit import count_checked
 from hertzwerk.derive.emit.cost import operations
 from hertzwerk.derive.emit.helpers import HELPERS
-from hertzwerk.derive.emit.printer import function_text, prose
+from hertzwerk.derive.emit.printer import curve_text, function_text, prose
 from hertzwerk.derive.faults import visible
-from hertzwerk.derive.program.program import Program
+from hertzwerk.derive.program.expression_text import curve_names
+from hertzwerk.derive.program.program import Program, curves_in
 
 FLIGHT = ("applied", "accelerations", "gaps", "gap_accelerations")  # cost of a right-hand side without contact
 
@@ -22,9 +23,11 @@ def emit(program: Program, source: str) -> str:
     counts = {name: operations(text) for name, text in functions.items()}
     tables = dict(program.tables)
     tables["CONSTANTS"] = tuple(
-        (program.names.get(symbol.name, symbol.name), program.units[symbol]) for symbol in program.constants
+        (name, program.units[symbol]) for symbol in program.constants for name in program.entries(symbol)
     )
     tables["OPERATIONS"] = tuple(counts.items())
+    curves = curves_in(program)
+    tables |= {curve_names(curve)[1]: curve.row for curve in curves}
     casadi = program.tape.own("ca")
     parts = [
         _header(program, source, counts),
@@ -33,7 +36,7 @@ def emit(program: Program, source: str) -> str:
                   (("NAME", scene.name), ("SOURCE", source), ("SUMMARY", scene.summary))),
         *(_table(name, rows) for name, rows in tables.items()),
     ]  # fmt: skip
-    texts = list(functions.values())
+    texts = [*map(curve_text, curves), *functions.values()]
     helpers = [text for name, text in HELPERS.items() if any(f"{name}(" in other for other in texts)]
     return "\n\n".join(parts) + "\n\n\n" + "\n\n\n".join((*helpers, *texts)) + "\n"
 

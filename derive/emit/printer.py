@@ -7,8 +7,10 @@ import textwrap
 from collections.abc import Callable, Mapping
 from typing import Any
 
+import sympy as sp
+
 from hertzwerk.derive.faults import visible
-from hertzwerk.derive.program.expression_text import expression_text
+from hertzwerk.derive.program.expression_text import curve_names, expression_text
 from hertzwerk.derive.program.naming import names_in_words
 from hertzwerk.derive.program.program import Function, Program, Result, eliminate_common_subexpressions
 
@@ -49,6 +51,25 @@ def function_text(program: Program, function: Function) -> str:
     if own("ca") != "ca":
         lines = [_CASADI.sub(f"{own('ca')}.", line) for line in lines]
     return "\n".join(lines)
+
+
+def curve_text(curve: Any) -> str:
+    """Text of the function of a curve, also of a vector of its parameter."""
+    name, _ = curve_names(curve)
+    taken = {symbol.name for symbol in curve.given}
+    s = sp.Symbol(next(letter for letter in ("s", "along", "s_") if letter not in taken), real=True)
+    x, y = curve.x.xreplace({curve.s: s}), curve.y.xreplace({curve.s: s})
+    values = tuple(expression.diff(s, order) for order in (0, 1, 2) for expression in (x, y))
+    result = Result(name, ("",) * 6, ("",) * 6, values)
+    function = eliminate_common_subexpressions(Function(name, "", (), (), (result,)))
+    words = names_in_words(function.body, {}, taken | {s.name})
+    lines = [
+        f"def {name}({', '.join(symbol.name for symbol in (s, *curve.given))}):",
+        f"    \"\"\"Point of the curve {curve.name} at its parameter, and derivatives by it: x, y, x', y', x'', y''.\"\"\"",
+        *(f"    {symbol.name} = {expression_text(expression)}" for symbol, expression in function.body),
+        f"    return {', '.join(map(expression_text, function.results[0].expressions))}",
+    ]
+    return "\n".join([*lines[:2], *(_renamed(line, words) for line in lines[2:])])
 
 
 def _names(program: Program, function: Function) -> dict[str, str]:
@@ -114,7 +135,11 @@ def _unpacked(program: Program, function: Function) -> list[str]:
     positions: dict[Any, str] = {}
     own = program.tape.own
     if "c" in function.arguments:
-        positions.update((symbol, f"{own('c')}[{k}]") for k, symbol in enumerate(program.constants))
+        end = 0
+        for symbol in program.constants:
+            begin, end = end, end + program.tape.widths.get(symbol, 1)
+            place = f"{begin}:{end}" if symbol in program.tape.widths else f"{begin}"
+            positions[symbol] = f"{own('c')}[{place}]"
     else:
         parameters = [symbol for symbol, group in program.tape.inputs.items() if group == "p"]
         positions.update((symbol, f"{own('p')}[{k}]") for k, symbol in enumerate(parameters))

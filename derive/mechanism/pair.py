@@ -82,6 +82,11 @@ class Pair:
         """Directions and sizes at each place for landmarks, along the axes of its body."""
         return {}, {}
 
+    @property
+    def curves(self) -> tuple[Any, ...]:
+        """Planar curves among its fields, each a `Curve`."""
+        return ()
+
     def slots(self) -> Iterator[Slot]:
         """Yield the quantities of its directions and places; kinds add their own."""
         for name, direction in self.directions.items():

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 import sympy as sp
 
@@ -36,4 +36,11 @@ TURN = tuple(tuple(PoseSymbol(f"turn_{i}{k}", "1") for k in "xyz") for i in "xyz
 
 @dataclass(frozen=True)
 class Posed(Slot):
-    """Quantity that may vary with the pose of one body against another: `APART`, `TURN`."""
+    """Quantity that may vary with the pose of one body against another: `APART`, `TURN`.
+
+    symbols  those it may contain beside parameters, `of` their names in messages; `tables` whether it may contain tables
+    """
+
+    symbols: ClassVar[tuple[Any, ...]] = (*APART, *(symbol for row in TURN for symbol in row))
+    of: ClassVar[str] = "APART, TURN"
+    tables: ClassVar[bool] = False

@@ -61,7 +61,7 @@ def with_constants(
     constants = [*constants, *softness, *pieces]
     words = names_in_words(((s, system.tape.assignments[s]) for s in system.tape.numbered), {}, system.tape.names)
     names = tuple(words.get(symbol.name, symbol.name) for symbol in constants)
-    result = Result("c", names, ("",) * len(names), values)  # mixed units: see CONSTANTS
+    result = Result("c", names, ("",) * len(names), values)  # mixed units: see CONSTANTS; a vector is one entry here
     summary = "Quantities that depend on the parameters alone, once per run."
     if pieces:
         summary += " The pieces of INPUTS, the last entries, are those of the run: here 0."

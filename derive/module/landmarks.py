@@ -12,8 +12,10 @@ from typing import Any
 
 import sympy as sp
 
+from hertzwerk.derive.algebra.planar_curve import Drawn
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.mechanism.bodies import Point
+from hertzwerk.derive.mechanism.curve import Curve
 from hertzwerk.derive.mechanism.parameter import is_number
 from hertzwerk.derive.program.program import Result
 
@@ -58,7 +60,9 @@ class Landmark:
         """Coordinates of the point along its body's axes, then directions and sizes."""
         rows = [(axis, "m", value) for axis, value in zip("xyz", self.point.position, strict=True)]
         for what, value in self.beside.items():
-            if isinstance(value, tuple):
+            if isinstance(value, Curve):
+                rows.append((what, "", Drawn(value.planar, *value.planar.given)))
+            elif isinstance(value, tuple):
                 rows += [(f"{what}_{axis}", UNITS[what], v) for axis, v in zip("xyz", value, strict=True)]
             else:
                 rows.append((what, UNITS[what], value))

@@ -13,7 +13,9 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.algebra.functions import Where
+from hertzwerk.derive.algebra.planar_curve import Drawn, Entry, Nearest, Sampled, Support
 from hertzwerk.derive.algebra.splines import Spline
+from hertzwerk.derive.mechanism.curve import CURVE
 from hertzwerk.derive.mechanism.parameter import TABLE
 
 _SUM, _PRODUCT, _UNARY, _POWER, _ATOM = range(1, 6)
@@ -144,6 +146,41 @@ def _spline(node: Any) -> tuple[str, int]:
     return f"_spline({table_name(table)}, {_text(argument)[0]})[{order}]", _ATOM
 
 
+def _sampled(helper: str) -> Callable[[Any], tuple[str, int]]:
+    def rule(node: Any) -> tuple[str, int]:
+        curve, *given = node.args
+        return f"{helper}({_curve(curve)}, {_vector(given)})", _ATOM
+
+    return rule
+
+
+def _found(helper: str) -> Callable[[Any], tuple[str, int]]:
+    def rule(node: Any) -> tuple[str, int]:
+        curve, samples, x, y, *given = node.args
+        return f"{helper}({_curve(curve)}, {samples.name}, {_vector(given)}, {_vector([x, y])})", _ATOM
+
+    return rule
+
+
+def _entry(node: Any) -> tuple[str, int]:
+    vector, k = node.args
+    return f"{vector.name}[{int(k)}]", _ATOM
+
+
+def _vector(values: Any) -> str:
+    return f"ca.vertcat({', '.join(_text(value)[0] for value in values)})"
+
+
+def _curve(curve: Any) -> str:
+    function, data = curve_names(curve)
+    return f"{function}, {data}"
+
+
+def curve_names(curve: Any) -> tuple[str, str]:
+    """Names of a curve's function and of its data in the module."""
+    return f"{curve.name}{CURVE}", f"{curve.name.upper()}{CURVE.upper()}"
+
+
 def table_name(table: Any) -> str:
     """Name of a table's polynomials in the module."""
     return f"{table.name.upper()}{TABLE}"
@@ -174,6 +211,11 @@ _RULES: dict[type, Callable[[Any], tuple[str, int]]] = {
     sp.Max: _nested("ca.fmax"),
     Where: _call("ca.if_else"),
     Spline: _spline,
+    Sampled: _sampled("_samples"),
+    Drawn: _sampled("_drawn"),
+    Nearest: _found("_nearest"),
+    Support: _found("_support"),
+    Entry: _entry,
     sp.LambertW: _lambert_w,
     sp.gamma: _call("_gamma"),
     sp.StrictGreaterThan: _relation(">"),

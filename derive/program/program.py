@@ -17,6 +17,7 @@ from typing import Any
 
 import sympy as sp
 
+from hertzwerk.derive.algebra.planar_curve import PlanarCurve, Sampled
 from hertzwerk.derive.algebra.vectors import Matrix, Vector
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.mechanism.parameter import TABLE
@@ -86,6 +87,8 @@ class Tape:
     _sign_free_keys: set[Any] = field(default_factory=set)
     """Keys of the named expressions, equal for an expression and its negative."""
     _rates: dict[sp.Symbol, Any] = field(default_factory=dict)
+    widths: dict[sp.Symbol, int] = field(default_factory=dict)
+    """Number of entries of assignments that are vectors."""
 
     # -- recording -------------------------------------------------------------------------------------------------
 
@@ -140,6 +143,13 @@ class Tape:
         self._sign_free_keys.add(key)
         self._known[expression] = symbol = self._assign(expression, name)
         return symbol
+
+    def block(self, expression: Any, name: str, width: int, dimension: Dimension) -> sp.Symbol:
+        """Name a vector of a stated dimension; equal ones share a symbol. Its entries are named one by one."""
+        if expression not in self._known:
+            self._known[expression] = symbol = self._assign(expression, name)
+            self.declared[symbol], self.widths[symbol] = dimension, width
+        return self._known[expression]
 
     def _assign(self, expression: Any, name: str) -> sp.Symbol:
         symbol = sp.Symbol(self._unique(name), real=True)
@@ -234,7 +244,8 @@ class Tape:
 
     def rate(self, expression: Any, name: str) -> Any:
         """Derivative d(expression)/dt along the motion, by the chain rule over the tape."""
-        terms = (sp.diff(expression, symbol) * self._rate_of(symbol) for symbol in symbols_in(expression))
+        moving = [symbol for symbol in symbols_in(expression) if self._rate_of(symbol) != 0]
+        terms = (sp.diff(expression, symbol) * self._rate_of(symbol) for symbol in moving)
         return self.let(sp.Add(*terms), name)
 
     def _rate_of(self, symbol: sp.Symbol) -> Any:
@@ -389,7 +400,22 @@ class Program:
     units: Mapping[sp.Symbol, str] = field(default_factory=dict)
     """Unit of every input and assignment, once the audit has passed."""
 
+    def entries(self, symbol: sp.Symbol) -> list[str]:
+        """Names of a constant's entries: its own, or of a vector's numbered ones."""
+        name, width = self.names.get(symbol.name, symbol.name), self.tape.widths.get(symbol)
+        return [name] if width is None else [f"{name}_{k + 1}" for k in range(width)]
+
     def assignments(self) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
         """Yield each assignment that some function computes, once, in order."""
         used = {symbol for function in self.functions for symbol, _ in function.body}
         return ((symbol, e) for symbol, e in self.tape.assignments.items() if symbol in used)
+
+
+def curves_in(program: Program) -> list[PlanarCurve]:
+    """List the curves that the functions of a program use, in order of appearance."""
+    found: dict[PlanarCurve, None] = {}
+    for function in program.functions:
+        for expression in _expressions(function):
+            if isinstance(expression, Sampled):  # or drawn
+                found[expression.args[0]] = None
+    return list(found)

@@ -20,6 +20,7 @@ from hertzwerk.derive.declare.soundness.types import scene_type_faults
 from hertzwerk.derive.effects.state_expression import Varying, expression_faults, input_faults, table_faults
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.identifiers import name_faults, text_faults
+from hertzwerk.derive.mechanism.curve import curve_faults
 from hertzwerk.derive.mechanism.parameter import dimensions_of, parameters_of
 from hertzwerk.derive.mechanism.pose import Posed
 
@@ -54,10 +55,16 @@ def faults_of(scene: Scene) -> tuple[Fault, ...]:
         else:
             found.extend(quantity_faults(slot, table))
         found.extend(rate_faults(slot))
+    found.extend(curve_faults(_curves(scene), parameters))
     found.extend(inertia_faults(scene.mechanism, sound))
     found.extend(table_faults(_expressions(scene)))
     found.extend(input_faults(_expressions(scene), parameters))
     return tuple(dict.fromkeys(found))
+
+
+def _curves(scene: Scene) -> Iterator[tuple[str, Any]]:
+    """Yield the curves of the mechanism, with where they are declared."""
+    yield from ((f"pair {pair.name}", curve) for pair in scene.mechanism.pairs for curve in pair.curves)
 
 
 def _parts(scene: Scene) -> Iterator[tuple[str, tuple[Any, ...]]]:

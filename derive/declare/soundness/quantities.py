@@ -107,27 +107,29 @@ def rate_faults(slot: Slot) -> Iterator[Fault]:
 
 
 def posed_faults(slot: Posed, table: dict[sp.Symbol, Dimension]) -> Iterator[Fault]:
-    """Yield faults of an expression of the pose in a user's pair."""
+    """Yield faults of an expression of the pose in a user's pair, or of a curve's parameter."""
     if not is_number(slot.value):
-        yield Fault(slot.where, repr(slot.value), "a number, or an expression of APART, TURN and parameters")
+        yield Fault(slot.where, repr(slot.value), f"a number, or an expression of {slot.of} and parameters")
         return
     value = as_choice(slot.value)
     splines = tables_in(value)
-    if splines:
+    if splines and not slot.tables:
         yield Fault(slot.where, f"the table {splines[0].name}", "an expression of APART, TURN and Parameters without tables",
                     "A gap that is a distance has the slope of its surface in it, whose second rate is a third derivative: a spline has two. "
-                    "Give the surface in closed form.")  # fmt: skip
+                    "Give the surface as a Curve.")  # fmt: skip
         return
+    if any(fault for spline in splines for fault in spline.faults()):
+        return  # which `table_faults` reports
     pose = {
         node: Dimension.from_unit(node.unit) for node in sp.preorder_traversal(value) if isinstance(node, PoseSymbol)
     }
-    if not pose:
+    if not pose and not splines:
         yield from quantity_faults(slot, table)
         return
-    strangers = sorted(str(s) for s in value.free_symbols if not isinstance(s, Parameter | PoseSymbol))
+    strangers = sorted(str(s) for s in value.free_symbols if not isinstance(s, Parameter) and s not in slot.symbols)
     if strangers:
         yield Fault(
-            slot.where, f"the symbol {', '.join(strangers)}", "an expression of APART, TURN and Parameters alone"
+            slot.where, f"the symbol {', '.join(strangers)}", f"an expression of {slot.of} and Parameters alone"
         )
         return
     unit = parse_unit(slot.unit)

@@ -8,6 +8,7 @@ Numerical Algorithms, 2nd ed. (2002), section 3.3.
 
 from __future__ import annotations
 
+from itertools import accumulate, pairwise
 from typing import TYPE_CHECKING, Any
 
 import casadi as ca
@@ -48,6 +49,10 @@ def bounds(function: Any, rounded: tuple[int, ...]) -> Any:
             work[target[0]] = value, EPS * ca.fabs(value) if places[0] in rounded else ca.SX(0)
         elif operation == ca.OP_OUTPUT:
             errors[target[0]].nz[target[1]] = work[places[0]][1]
+        elif operation == ca.OP_CALL:
+            called = function.instructions_sx()[k].which_function()
+            found = _call(called, [work[place] for place in places])
+            work |= {place: entry for place, entry in zip(target, found, strict=True) if place >= 0}
         elif operation == ca.OP_CONST:
             work[target[0]] = ca.SX(function.instruction_constant(k)), ca.SX(0)
         else:
@@ -67,3 +72,22 @@ def _result(operation: int, arguments: list[tuple[Any, Any]]) -> tuple[Any, Any]
         if not of_argument.is_zero():
             error = error + ca.fabs(slope) * of_argument
     return result, error
+
+
+def _call(called: Any, arguments: list[tuple[Any, Any]]) -> list[tuple[Any, Any]]:
+    """Return the values of a function that is called, and the bounds of their errors.
+
+    Such a function finds the nearest point of a curve. It is taken to be as exact
+    as its results and arguments rounded once.
+    """
+    sizes = [0, *accumulate(called.nnz_in(i) for i in range(called.n_in()))]
+    values, known = (ca.vertcat(*(pair[part] for pair in arguments)) for part in (0, 1))
+    given = [values[a:b] for a, b in pairwise(sizes)]
+    results = ca.vertcat(*called.call(given))
+    moved = known + EPS * ca.fabs(values) * (known > 0)
+    slopes = called.jacobian()(*given, *called.call(given))
+    blocks = slopes if isinstance(slopes, tuple) else (slopes,)
+    error = EPS * ca.fabs(results)
+    for block, (a, b) in zip(blocks, pairwise(sizes), strict=True):
+        error = error + ca.fabs(block) @ moved[a:b]
+    return [(results[j], error[j]) for j in range(results.numel())]

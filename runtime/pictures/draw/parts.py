@@ -31,6 +31,9 @@ ROUNDS = (
     "sphere_on_face",
     "sphere_on_edge",
     "sphere_on_cylinder",
+    "circle_on_curve",
+    "point_on_curve",
+    "face_on_curve",
 )
 RIM = 0.25  # width of a bush or socket around its hole, in radii
 APART = ("gravity", "force", "moment", "planar")  # kinds that shape no body
@@ -331,8 +334,11 @@ class Parts:
 
     def _surface(self, paper: Paper, mark: Landmark, first: Landmark, i: int) -> None:
         where = self.positions[id(mark)][i]
-        if mark.place in ("plane", "face"):
+        if mark.curve is not None:
+            self._curve(paper, mark, i)
+        elif mark.place in ("plane", "face"):
             if not paper.ghost:
+                first = next((other for other in self.of[mark.part, mark.kind] if other.curve is not None), first)
                 still = mark.body == GROUND and self.view.names is not None
                 self._face(paper, mark, self.positions[id(first)][0 if still else i], i)
         elif "size" in mark.beside:
@@ -349,6 +355,19 @@ class Parts:
                 half = self.flat(mark.size("length") / 2 * axis)
                 outline = hull(np.concatenate([outline - half, outline + half]))
             paper.area(outline, self.colours[mark.body], 4.5)
+
+    def curve(self, mark: Landmark, i: int) -> Array:
+        """Return the points on the paper of the curve that is fixed at a landmark."""
+        if mark.curve is None:
+            raise ValueError(f"{mark.part}: no curve at {mark.place}")
+        b = self.places.bodies.index(mark.body)
+        return self.flat(self.places.origins[i, b] + mark.curve @ self.places.rotations[i, b].T)
+
+    def _curve(self, paper: Paper, mark: Landmark, i: int) -> None:
+        if "outline" in mark.beside:
+            paper.area(self.curve(mark, i), self.colours[mark.body], 4.2)
+        elif not paper.ghost or mark.body != GROUND:
+            paper.line(self.curve(mark, i), self.colours[mark.body] if mark.body != GROUND else INK, 1.4, 4.2)
 
     def _face(self, paper: Paper, mark: Landmark, seen_from: Array, i: int) -> None:
         """Draw a plane or a face below a point of the body that may touch it."""
@@ -419,6 +438,8 @@ class Parts:
             yield from (seen + reach * np.array(corner) for corner in ((1, 1), (-1, -1)))
             if "size" in mark.beside:
                 yield from (self.solid(mark, i) for i in range(len(seen)))
+            elif mark.curve is not None:
+                yield from (self.curve(mark, i) for i in range(len(seen)))
             elif mark.kind == "sphere_on_cylinder" and "length" in mark.beside:
                 half = self.flat(mark.size("length") / 2 * self.places.direction(mark, "axis"))
                 yield from (seen + end + reach * np.array(way) for end in (half, -half) for way in ((1, 1), (-1, -1)))

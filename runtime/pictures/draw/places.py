@@ -22,6 +22,8 @@ Array = NDArray[np.float64]
 GROUND = "ground"
 SOLIDS = ("solid_", "hole_")
 """Beginnings of the kinds of shapes that a body is made of, or that are taken out of it."""
+OUTLINES = ("outline", "track")
+"""Names of the points of a curve beside its place, round a solid or not: first all x, then all y, `along` and `across`."""
 SAMPLES = 1200  # samples between the steps of a run, and most of the steps
 
 
@@ -42,6 +44,14 @@ class Landmark:
     def size(self, name: str) -> float:
         """Return a radius or length [m]."""
         return float(self.beside[name][0])
+
+    @property
+    def curve(self) -> Array | None:
+        """Points (n, 3) of the curve that is fixed here, along the axes of its body [m]; None without one."""
+        found = next((self.beside[name] for name in OUTLINES if name in self.beside), None)
+        if found is None:
+            return None
+        return np.asarray(self.point + found.reshape(2, -1).T @ np.array([self.beside["along"], self.beside["across"]]))
 
 
 @dataclass(frozen=True)
@@ -164,5 +174,8 @@ def _without_functions(model: Model) -> InputError:
 def _landmark(row: tuple[Any, ...], numbers: Array) -> Landmark:
     part, kind, place, body, beside = row
     sizes = [3, *(1 if name in ("radius", "length", "hole_radius") else 3 for name in beside)]
+    for name in OUTLINES:
+        if name in beside:
+            sizes[1 + beside.index(name)] += len(numbers) - sum(sizes)
     point, *values = np.split(numbers, np.cumsum(sizes)[:-1])
     return Landmark(part, kind, place, body, point, dict(zip(beside, values, strict=True)))

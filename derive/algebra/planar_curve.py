@@ -1,0 +1,110 @@
+"""Planar curves as SymPy objects, and searches along them, which are never evaluated.
+
+A generated module searches. It samples the curve once per run, starts from the samples and ends by Newton's method, anew
+at every call: nothing is kept between calls that could be lost.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from hertzwerk.derive.algebra.functions import NoText
+
+__all__ = ["Drawn", "Entry", "Nearest", "PlanarCurve", "Sampled", "Support"]
+
+
+class PlanarCurve(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
+    """A curve x(s), y(s) with its data for a generated module.
+
+    x, y, s  coordinates [m] as expressions of the parameter s
+    given    symbols that they contain beside s
+    start    least parameter, `end` the greatest
+    closed   whether it ends where it starts, smoothly
+    hole     whether the solid is to its right, not to its left
+    tries    number of candidates compared: 1 for a convex curve, else 2
+    at       parameters of the samples, from which the search starts
+    """
+
+    __slots__ = ("at", "closed", "end", "given", "hole", "name", "s", "start", "tries", "x", "y")
+
+    def __new__(cls, **data: Any) -> PlanarCurve:
+        """Make a curve of all its data."""
+        self = super().__new__(cls)
+        for name in cls.__slots__:
+            setattr(self, name, data[name])
+        return self  # type: ignore[no-any-return]
+
+    def _hashable_content(self) -> tuple[Any, ...]:
+        return tuple(getattr(self, name) for name in self.__slots__)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, ({name: getattr(self, name) for name in self.__slots__},)
+
+    def _sympystr(self, _: Any) -> str:
+        return str(self.name)
+
+    @property
+    def row(self) -> tuple[Any, ...]:
+        """Data beside the expressions, as a module has them."""
+        return (self.start, self.end), self.closed, self.hole, self.tries, self.at
+
+
+def _restored(data: dict[str, Any]) -> PlanarCurve:
+    return PlanarCurve(**data)
+
+
+class Sampled(NoText):
+    """`Sampled(curve, *given)`: coordinates of a curve's samples, first all x, then all y: a vector."""
+
+    @classmethod
+    def eval(cls, *_: Any) -> None:
+        """Never evaluate."""
+
+
+class Drawn(Sampled):
+    """`Drawn(curve, *given)`: coordinates for a picture, first all x, then all y: a vector."""
+
+
+class Nearest(NoText):
+    """`Nearest(curve, samples, x, y, *given)`: where it is nearest to a point (x, y): a vector.
+
+    Signed distance, normal there (two), curvature of the parallel curve through the point, parameter.
+    """
+
+    @classmethod
+    def eval(cls, *_: Any) -> None:
+        """Never evaluate."""
+
+
+class Support(NoText):
+    """`Support(curve, samples, x, y, *given)`: where it is least along (x, y): a vector.
+
+    Its point there (two), radius of curvature, parameter.
+    """
+
+    @classmethod
+    def eval(cls, *_: Any) -> None:
+        """Never evaluate."""
+
+
+class Entry(NoText):
+    """`Entry(vector, k)`: an entry of a symbol that stands for a vector."""
+
+    nargs = 2
+
+    @classmethod
+    def eval(cls, *_: Any) -> None:
+        """Never evaluate."""
+
+    def _eval_is_real(self) -> bool:
+        return True
+
+    def _sympystr(self, printer: Any) -> str:
+        vector, k = self.args
+        return f"{printer.doprint(vector)}[{k}]"
+
+    def _latex(self, printer: Any) -> str:
+        vector, k = self.args
+        return rf"{printer.doprint(vector)}_{{{int(k) + 1}}}"

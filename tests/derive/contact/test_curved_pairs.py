@@ -1,0 +1,277 @@
+"""Circles, points and faces on planar curves: against closed forms, high precision and brute force; a cam whose follower lifts off."""
+
+import casadi as ca
+import numpy as np
+import pytest
+import sympy as sp
+from derived import Derived
+from mpmath import mp
+from scipy.interpolate import make_interp_spline
+
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    CircleOnCurve,
+    Contact,
+    Curve,
+    EnergyLedger,
+    FaceOnCurve,
+    InputError,
+    Mechanism,
+    Parameter,
+    Planar,
+    PointOnCurve,
+    Revolute,
+    S,
+    Scales,
+    Scene,
+    Table,
+    X,
+    Y,
+    Z,
+    curve_through,
+    laws,
+)
+from hertzwerk.runtime import load, simulate
+
+R, E, A, B = (Parameter(name, "mm", value) for name, value in (("R", 30), ("e", 5), ("a", 40), ("b", 15)))
+ROLLER = Parameter("roller", "mm", 8)
+CAM, PLATE = (
+    Body("cam", Parameter("M", "kg", 1), Parameter("J", "kg m^2", 1e-3)),
+    Body("plate", Parameter("m", "kg", 0.2), Parameter("J_p", "kg m^2", 1e-4)),
+)
+ECCENTRIC = Curve("rim", E + R * sp.cos(S), R * sp.sin(S))
+ELLIPSE = Curve("oval", A * sp.cos(S), B * sp.sin(S))
+LOBED = Curve("lobed", R * (1 + sp.cos(5 * S) / 5) * sp.cos(S), R * (1 + sp.cos(5 * S) / 5) * sp.sin(S))
+ARCH = Curve("arch", A * S, B * S**2 / 2, start=-1, end=1, closed=False)
+
+
+def scene(pair, **given):
+    """A cam that turns and a plate that moves freely in the plane."""
+    return Scene(
+        Mechanism("cam_and_plate", (Revolute("shaft", GROUND, CAM, axis=Z), Planar("free", GROUND, PLATE)), (pair,)),
+        effects=(Contact(pair.name, laws.power(Parameter("K", "N/m", 1e6), 1)), EnergyLedger()),
+        scales=Scales(length=E, speed=Parameter("pace", "m/s", 1), arm=R),
+        **given,
+    )
+
+
+def circle(curve, radius=ROLLER):
+    return CircleOnCurve("touch", PLATE.at(0, 0, 0), radius, curve, CAM.at(0, 0, 0))
+
+
+def point(curve):
+    return PointOnCurve("touch", PLATE.at(0, 0, 0), curve, CAM.at(0, 0, 0))
+
+
+FACE = FaceOnCurve("touch", PLATE.at(0, 0, 0), -Y, ECCENTRIC, CAM.at(0, 0, 0))
+
+
+def gaps(derived, q, u=(0, 0, 0, 0), a=(0, 0, 0, 0)):
+    G, dG = derived.call("gaps", q=np.array(q), u=np.array(u, float))
+    return (
+        float(G[0]),
+        float(dG[0]),
+        float(derived.call("gap_accelerations", q=np.array(q), u=np.array(u, float), a=np.array(a, float))[0]),
+    )
+
+
+@pytest.fixture(scope="module")
+def made():
+    known = {}
+    return lambda pair: known.setdefault(pair, Derived(scene(pair)))
+
+
+@pytest.mark.parametrize("flat", [False, True], ids=["roller", "face"])
+def test_an_eccentric_circle_equals_its_closed_form(made, flat):
+    """Gap, its rate and its second derivative at random states, to 1e-13 of their size, of a disc turning off its centre."""
+    derived, random = made(FACE if flat else circle(ECCENTRIC)), np.random.default_rng(1)
+    t = ca.SX.sym("t")
+    for _ in range(40):
+        q, u, a = (random.uniform(-1, 1, 4) * (3, 0.1, 0.1, 2) for _ in range(3))
+        way = ca.DM(q) + t * ca.DM(u) + t**2 / 2 * ca.DM(a)
+        centre = 0.005 * ca.vertcat(ca.cos(way[0]), ca.sin(way[0]))
+        apart = centre - way[1:3]
+        down = ca.vertcat(ca.sin(way[3]), -ca.cos(way[3]))
+        closed = ca.dot(apart, down) - 0.03 if flat else ca.norm_2(apart) - 0.038
+        rate = ca.jacobian(closed, t)
+        expected = ca.Function("expected", [t], [closed, rate, ca.jacobian(rate, t)])(0)
+        if not flat and abs(expected[0]) > 0.1:
+            continue
+        assert np.allclose(gaps(derived, q, u, a), np.array(expected).ravel(), rtol=1e-13, atol=1e-13 * 10)
+
+
+def nearest_on_ellipse(x, y):
+    """Distance of a point outside an ellipse, to 30 digits: the greatest root of Eberly's equation."""
+    with mp.workdps(30):
+        a, b, x, y = mp.mpf("0.04"), mp.mpf("0.015"), abs(mp.mpf(float(x))), abs(mp.mpf(float(y)))
+        root = mp.findroot(
+            lambda t: (a * x / (t + a**2)) ** 2 + (b * y / (t + b**2)) ** 2 - 1,
+            (-(b**2) + b * y, -(b**2) + mp.hypot(a * x, b * y)),
+            solver="anderson",
+        )
+        px, py = a**2 * x / (root + a**2), b**2 * y / (root + b**2)
+        return float(mp.sign(root) * mp.hypot(x - px, y - py))
+
+
+def test_a_point_beside_an_ellipse_is_as_far_as_mpmath_finds(made):
+    derived, random = made(point(ELLIPSE)), np.random.default_rng(2)
+    found = [
+        (gaps(derived, (0, x, y, 0))[0], nearest_on_ellipse(x, y)) for x, y in random.uniform(-0.06, 0.06, (60, 2))
+    ]
+    assert np.max(np.abs(np.subtract(*np.transpose(found)))) < 1e-16 * 5
+    assert min(expected for _, expected in found) < -0.005  # deep within too
+
+
+@pytest.mark.parametrize("curve", [LOBED, ARCH, ELLIPSE], ids=lambda curve: curve.name)
+def test_of_several_candidates_the_nearest_is_taken(made, curve):
+    """Against the least of very many points, where hollows compete."""
+    derived, random = made(point(curve)), np.random.default_rng(3)
+    s = sp.lambdify(S, [value.xreplace({p: p.si for p in (R, A, B)}) for value in (curve.x, curve.y)])
+    rim = np.array(s(np.linspace(float(curve.start), float(curve.end), 400_001)))
+    for x, y in random.uniform(-0.05, 0.05, (60, 2)):
+        apart = np.hypot(*(rim - [[x], [y]]))
+        assert abs(gaps(derived, (0, x, y, 0))[0]) == pytest.approx(np.min(apart), rel=1e-6, abs=2e-7)
+
+
+def test_the_solid_is_to_the_left_and_beyond_an_end_the_end_is_nearest(made):
+    above, below = (gaps(made(point(ARCH)), (0, 0, y, 0))[0] for y in (0.001, -0.001))
+    assert (above, below) == pytest.approx((-0.001, 0.001), rel=1e-3)
+    beyond = gaps(made(point(ARCH)), (0, 0.05, 0.0075, 0), (0, 1, 0, 0), (0, 0, 0, 0))
+    assert beyond == pytest.approx((0.01, 1, 0), abs=1e-14)  # the end is at (40, 7.5) mm
+
+
+def test_a_hole_has_its_solid_outside(made):
+    hole = Curve("hole", R * sp.cos(S), R * sp.sin(S), hole=True)
+    G, dG, ddG = gaps(made(circle(hole)), (0.3, 0.01, 0.0, 0), (0, 1, 2, 0))
+    assert (G, dG) == pytest.approx((0.03 - 0.008 - 0.01, -1))
+    assert ddG == pytest.approx(-4 / 0.01)  # v^2 over the distance of the centres
+
+
+def test_forces_are_minus_the_gradient_of_the_stored_energy(made):
+    """Their derivatives too, as implicit methods take them: by CasADi against differences."""
+    derived = made(circle(ELLIPSE))
+    q = np.array([0.4, 0.03, 0.028, 0.2])
+    x = ca.SX.sym("x", 4)
+    known = {
+        "u": ca.SX.zeros(4),
+        "z": ca.SX.zeros(len(derived.MEMORY)),
+        "m": ca.SX(0, 1),
+        "c": ca.SX(derived.c),
+        "latches": ca.SX(0, 1),
+        "t": ca.SX(0),
+    }
+    force = derived.names["contact_touch"](*({**known, "q": x}[name] for name in derived.arguments("contact_touch")))[0]
+    value, slope = ca.Function("force", [x], [force]), ca.Function("slope", [x], [ca.jacobian(force, x)])
+
+    def energy(q):
+        return float(derived.call("energy", q=q, u=np.zeros(4))[2][0])
+
+    assert energy(q) > 1e-4
+    h = 1e-6
+    moved = [(q + h * e, q - h * e) for e in np.eye(4)]
+    down = [(energy(b) - energy(a)) / (2 * h) for a, b in moved]
+    assert np.allclose(np.array(value(q)).ravel(), down, rtol=1e-6, atol=1e-3)
+    slopes = np.hstack([(np.array(value(a)) - np.array(value(b))) / (2 * h) for a, b in moved])
+    assert np.allclose(np.array(slope(q)), slopes, rtol=1e-6, atol=1e-1)
+
+
+def test_a_table_of_points_is_the_smooth_curve_through_them(made):
+    """Forty points of an ellipse: to the fourth power of their distance at least; the point where it closes is like any other."""
+    at = np.linspace(0, 2 * np.pi, 40, endpoint=False)
+    oval = curve_through("oval", 40 * np.cos(at), 15 * np.sin(at), "mm")
+    derived = made(point(oval))
+    for x, y in ((0.05, 0.001), (0.05, -0.001), (0.001, 0.03), (-0.02, -0.02)):
+        assert gaps(derived, (0, x, y, 0))[0] == pytest.approx(nearest_on_ellipse(x, y), abs=2e-7)
+    one, other = (gaps(derived, (0, 0.05, y, 0), (0, 0, 1, 0)) for y in (1e-9, -1e-9))
+    assert one[2] == pytest.approx(other[2], rel=1e-5)
+
+
+def test_a_periodic_table_is_scipys_periodic_spline():
+    x, y = (0.0, 0.7, 1.1, 2.0, 2.6, 3.0), (1.0, -1.0, 0.5, 2.0, 0.0, 1.0)
+    table = Table("wave", x, y, ("1", "m"), periodic=True)
+    assert not list(table.faults())
+    expected, at = make_interp_spline(x, y, k=5, bc_type="periodic"), np.linspace(0, 2.999, 77)
+    rows = np.array(table.pieces())
+    k = np.searchsorted(rows[:, 0], at, side="right") - 1
+    found = sum(rows[k, 1 + j] * (at - rows[k, 0]) ** j for j in range(6))
+    assert np.allclose(found, expected(at), atol=1e-12)
+    assert [fault.found for fault in Table("wave", x, (*y[:-1], 2.0), ("1", "m"), (0, 0), periodic=True).faults()] == [
+        "slopes at the ends of a period",
+        "2.0 after a period that begins with 1.0",
+    ]
+
+
+def test_a_parameter_may_be_called_s():
+    derived = Derived(scene(circle(Curve("rim", (s := Parameter("s", "mm", 30)) * sp.cos(S), s * sp.sin(S)))))
+    assert gaps(derived, (0, 0.05, 0, 0))[0] == pytest.approx(0.05 - 0.03 - 0.008)
+
+
+def test_all_faults_come_at_once():
+    wrong = (
+        Curve("clockwise", R * sp.cos(S), -R * sp.sin(S)),
+        Curve("half", R * sp.cos(S), R * sp.sin(S), end=3),
+        Curve("eight", R * sp.sin(2 * S), R * sp.sin(S)),
+        Curve("bare", 30 * sp.cos(S), R * sp.sin(S)),
+        Curve("no_metres", Parameter("turn", "rad", 1) * sp.cos(S), R * sp.sin(S)),
+        Curve("still", R, R),
+        Curve("cusp", R * S**2, R * S**3, -1, 1, closed=False),
+        Curve("gap", R * sp.log(S), R * S, closed=False),
+        Curve("strange", X, R * sp.Symbol("q"), 2, 1),
+        Curve("open hole", R * S, R * S**2, closed=False, hole=True),
+        curve_through("flat", (0, 1, 1, 0), (0, 0, 1, 1), "s"),
+        "R*cos(S)",
+    )
+    pairs = tuple(
+        CircleOnCurve(f"touch_{k}", PLATE.at(0, 0, 0), ROLLER, curve, CAM.at(0, 0, 0)) for k, curve in enumerate(wrong)
+    )
+    joints = (Revolute("shaft", GROUND, CAM, axis=Z), Planar("free", GROUND, PLATE))
+    with pytest.raises(InputError) as error:
+        Scene(Mechanism("faulty", joints, pairs), (), Scales(R, Parameter("pace", "m/s", 1), R))
+    found = str(error.value)
+    for text in (
+        "runs clockwise", "curve half: found ends", "crosses itself", "30*cos(s)", "curve no_metres, x", "no length", "stands still",
+        "curve gap: found no numbers", "curve strange, x: found Direction", "symbol q", "from 2 to 1", "name 'open hole'", "open curve as a hole",
+        "curve flat, x: found",
+        "pair touch_11, curve: found 'R*cos(S)'",
+    ):  # fmt: skip
+        assert text in found, text
+
+
+def test_names_of_a_curve_are_its_own():
+    other = Curve("RIM", R * sp.cos(S), R * sp.sin(S) * 2)
+    pairs = (
+        circle(ECCENTRIC),
+        CircleOnCurve("other", PLATE.at(0, 0, 0), Parameter("rim_curve", "mm", 8), other, CAM.at(0, 0, 0)),
+    )
+    with pytest.raises(InputError, match="two different curves of this name") as error:
+        Scene(
+            Mechanism("faulty", (Revolute("shaft", GROUND, CAM, axis=Z), Planar("free", GROUND, PLATE)), pairs),
+            (),
+            Scales(R, Parameter("pace", "m/s", 1), R),
+        )
+    assert "a parameter named RIM_curve" in str(error.value)
+
+
+def test_a_curve_out_of_the_plane_of_motion_is_refused():
+    tilted = CircleOnCurve(
+        "touch", PLATE.at(0, 0, 0), ROLLER, ECCENTRIC, CAM.at(0, 0, 0).turned(X, Parameter("tilt", "rad", 0.3))
+    )
+    with pytest.raises(InputError, match="motion out of the curve's plane"):
+        Derived(scene(tilted))
+
+
+@pytest.mark.parametrize(("share", "lifts"), [(0.995, False), (1.005, True)])
+def test_a_cam_loses_its_follower_above_the_speed_in_closed_form(share, lifts):
+    """w^2 = 2 (preload + k lift + m g)/(m lift), from both sides."""
+    critical = np.sqrt(2 * (50 + 2000 * 0.01 + 0.5 * 9.81) / (0.5 * 0.01))
+    model = load("cam_follower")
+    run = simulate(
+        model,
+        duration=f"{2 * np.pi / critical} s",
+        accuracy=1e-6,
+        parameters={"cam_speed": f"{share * critical} rad/s"},
+    )
+    assert run.outcome.name == "finished"
+    assert (len(run.impacts) > 1) == lifts
+    assert (run["roller.gap"].max() > 1e-7) == lifts
