@@ -73,6 +73,13 @@ if TYPE_CHECKING:  # the list of public names
     )
     from hertzwerk.derive.effects.gravity import Gravity as Gravity
     from hertzwerk.derive.effects.joint_friction import JointFriction as JointFriction
+    from hertzwerk.derive.effects.loads.ball_friction import BallFriction as BallFriction
+    from hertzwerk.derive.effects.loads.belt import BeltOnDrum as BeltOnDrum
+    from hertzwerk.derive.effects.loads.frames import (
+        Bushing as Bushing,
+        FramePotential as FramePotential,
+        SphericalSpring as SphericalSpring,
+    )
     from hertzwerk.derive.effects.lubrication import Lubrication as Lubrication
     from hertzwerk.derive.effects.motors import DCMotor as DCMotor
     from hertzwerk.derive.effects.springs import (
@@ -121,7 +128,7 @@ if TYPE_CHECKING:  # the list of public names
     from hertzwerk.derive.mechanism.mechanism import Mechanism as Mechanism
     from hertzwerk.derive.mechanism.pair import Pair as Pair
     from hertzwerk.derive.mechanism.parameter import Interval as Interval, Parameter as Parameter
-    from hertzwerk.derive.mechanism.pose import APART as APART, TURN as TURN
+    from hertzwerk.derive.mechanism.pose import APART as APART, ROTATION as ROTATION, TURN as TURN
 else:
     from hertzwerk.names import handed_on
 

@@ -39,6 +39,7 @@ from hertzwerk.derive.module.results import MULTIPLIER_UNITS, dimension_of
 from hertzwerk.derive.module.surroundings import Surroundings
 from hertzwerk.derive.module.system import System
 from hertzwerk.derive.motion.absolute import Absolute, quaternion_of
+from hertzwerk.derive.motion.equations import gravity_vector
 from hertzwerk.derive.motion.kinematics import acceleration_of
 from hertzwerk.derive.motion.loops import Closure, measured
 from hertzwerk.derive.program.program import Program, Result, Tape
@@ -244,8 +245,9 @@ class _Readings:
         yield from self._moment(name, "angular_momentum_{}", "kg m^2/s", spin, text)
         kinetic = (mass * dot(velocity, velocity) + dot(w, spin)) / 2
         yield Reading(f"{name}.kinetic_energy", "J", kinetic, f"kinetic energy of {name}")
-        if self.scene.all(Gravity):
-            fallen = -mass * dot(kin.centre(body), self._gravity)
+        lasting = [effect for effect in self.scene.all(Gravity) if not effect.varies]
+        if lasting:
+            fallen = -mass * dot(kin.centre(body), gravity_vector(kin, lasting))
             yield Reading(f"{name}.potential_energy", "J", fallen, f"potential energy of {name} in gravity")
 
     def _inertia(self, body: Body, vector: Vector) -> Vector:
@@ -257,7 +259,7 @@ class _Readings:
 
     @cached_property
     def _gravity(self) -> Vector:
-        return add(ZERO, *(scale(sp.sympify(e.acceleration), e.direction.unit) for e in self.scene.all(Gravity)))
+        return gravity_vector(self.kin, self.scene.all(Gravity))
 
     # -- contacts ------------------------------------------------------------------------------------------------------
 

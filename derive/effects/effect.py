@@ -179,6 +179,12 @@ class Kinematics(Protocol):
     def direction(self, point: Point, direction: Direction) -> Vector:
         """Unit vector of a direction given in a point's axes."""
 
+    def turned(self, body: Frame, k: int) -> Any:
+        """Angle of a body against the ground about a coordinate axis, in plane motion [rad]."""
+
+    def turn_between(self, first: Point, second: Point, name: str) -> tuple[Any, ...]:
+        """Quaternion from the axes of one point to those of another."""
+
     def angular_velocity(self, body: Frame) -> Vector:
         """Angular velocity of a body [rad/s]."""
 
@@ -345,17 +351,11 @@ class JointEffect(Effect):
         """Yield the axis of a turn, or both points and the axis of a slide."""
         if not self.drawn:
             return
-        freedoms = ((joint, freedom) for joint in scene.mechanism.joints for freedom in joint.freedoms)
-        joint, freedom = next(found for found in freedoms if found[1].key == self.joint)
-        if freedom.axis is None:
-            return
-        kind = f"{freedom.kind}_{self.kind}"
-        # the last axis is fixed in the child, as the first turn's and every slide's is in the parent
-        last = freedom.kind == "turn" and freedom == joint.freedoms[-1]
-        point, place = (joint.child, "child") if last else (joint.parent, "parent")
-        yield kind, place, point, {"axis": apply(point.axes, freedom.axis.unit)}
-        if freedom.kind == "slide":
-            yield kind, "child", joint.child, {}
+        kind = f"{self.freedom(scene).kind}_{self.kind}"
+        place, point, axis = place_on_joint(scene, self.joint)
+        yield kind, place, point, {"axis": axis}
+        if self.freedom(scene).kind == "slide":
+            yield kind, "child", scene.joint_of(self.joint).child, {}
 
 
 class PairEffect(Effect):
@@ -407,6 +407,17 @@ class PairEffect(Effect):
                 expected = f"the pair it was made for, {' or '.join(law.pairs)}"
                 yield Fault(self.where, f"law {law.name} at a {kind} pair", expected)
         yield from super().faults(scene)
+
+
+def place_on_joint(scene: Declared, key: str) -> tuple[str, Point, Vector]:
+    """Place of a freedom's axis, `parent` or `child`, the point there, and the axis along its body's axes."""
+    joint, freedom = scene.joint_of(key), scene.scalars[key]
+    if freedom.axis is None:
+        raise TypeError(f"{key} has no axis")
+    # the last axis is fixed in the child, as the first turn's and every slide's is in the parent
+    last = freedom.kind == "turn" and freedom == joint.freedoms[-1]
+    place, point = ("child", joint.child) if last else ("parent", joint.parent)
+    return place, point, apply(point.axes, freedom.axis.unit)
 
 
 def joint_faults(where: str, key: str, scene: Declared) -> Iterator[Fault]:

@@ -6,14 +6,21 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from hertzwerk.derive.effects.effect import Declared, Effect, Kinematics, Mark
+import sympy as sp
+
+from hertzwerk.derive.algebra.vectors import ZERO, add, dot, scale
+from hertzwerk.derive.effects.effect import Declared, Effect, Element, Kinematics, Mark
+from hertzwerk.derive.effects.state_expression import TIME, Varying, shown, states_in
 from hertzwerk.derive.mechanism.bodies import GROUND, Direction, Point, Slot
 from hertzwerk.derive.mechanism.parameter import Scalar
 
 
 @dataclass(frozen=True)
 class Gravity(Effect):
-    """Uniform gravity [m/s^2] along `direction` of the ground frame."""
+    """Uniform gravity [m/s^2] along `direction` of the ground frame.
+
+    An expression of time is that of a frame that is shaken, of which there may be several; its power is input.
+    """
 
     name: str
     acceleration: Scalar
@@ -23,7 +30,12 @@ class Gravity(Effect):
     @property
     def text(self) -> str:
         """Description for people."""
-        return "uniform gravity"
+        return f"uniform gravity {shown(self.acceleration)}, by time" if self.varies else "uniform gravity"
+
+    @property
+    def varies(self) -> bool:
+        """Whether it depends on time."""
+        return bool(states_in(self.acceleration))
 
     @property
     def directions(self) -> Mapping[str, Direction]:
@@ -32,16 +44,23 @@ class Gravity(Effect):
 
     @property
     def only(self) -> str:
-        """Description of the one in a scene."""
-        return "gravity of the scene"
+        """Description of the one in a scene that does not vary."""
+        return "" if self.varies else "gravity of the scene"
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
         """Yield the acceleration and the direction."""
         yield from self.direction.slots(f"{self.where}, direction")
-        yield Slot(f"{self.where}, acceleration", self.acceleration, "m/s^2")
+        yield Varying(f"{self.where}, acceleration", self.acceleration, "m/s^2", on=(TIME,))
 
-    def element(self, kin: Kinematics) -> None:
-        """No element: the equations of motion include gravity of whole subtrees."""
+    def element(self, kin: Kinematics) -> Element | None:
+        """Power where it varies: the equations of motion include gravity of whole subtrees."""
+        if not self.varies:
+            return None
+        bodies = [body for body in kin.scene.mechanism.bodies if body.mass != 0]
+        speeds = (kin.point(Point(body, body.centre), f"{body.name}_centre")[1] for body in bodies)
+        momentum = add(ZERO, *(scale(sp.sympify(b.mass), v) for b, v in zip(bodies, speeds, strict=True)))
+        pull = kin.tape.let(kin.expression(self.acceleration), f"{self.name}_acceleration")
+        return Element(input=pull * dot(momentum, self.direction.unit))
 
     def landmarks(self, scene: Declared) -> Iterator[Mark]:
         """Yield the direction."""

@@ -33,6 +33,9 @@ APART = tuple(PoseSymbol(f"apart_{k}", "m") for k in "xyz")
 TURN = tuple(tuple(PoseSymbol(f"turn_{i}{k}", "1") for k in "xyz") for i in "xyz")
 """Rotation from the axes of the first place to those of the second: its columns are the first's axes."""
 
+ROTATION = tuple(PoseSymbol(f"rotation_{k}", "rad") for k in "xyz")
+"""Rotation vector of the first frame against the second, axis times angle, along the second's axes [rad]; of frames."""
+
 
 @dataclass(frozen=True)
 class Posed(Slot):
@@ -44,3 +47,11 @@ class Posed(Slot):
     symbols: ClassVar[tuple[Any, ...]] = (*APART, *(symbol for row in TURN for symbol in row))
     of: ClassVar[str] = "APART, TURN"
     tables: ClassVar[bool] = False
+
+
+@dataclass(frozen=True)
+class PosedFrames(Posed):
+    """Quantity that may vary with the pose of one frame against another: `APART`, `ROTATION`, `TURN`."""
+
+    symbols: ClassVar[tuple[Any, ...]] = (*Posed.symbols, *ROTATION)
+    of: ClassVar[str] = "APART, ROTATION, TURN"

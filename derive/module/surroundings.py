@@ -7,6 +7,8 @@ from functools import cache, partial
 from typing import Any
 
 from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.mechanism.bodies import Point
+from hertzwerk.derive.motion.absolute import Quaternion, between, quaternion_of, turned
 from hertzwerk.derive.motion.kinematics import Kinematics
 from hertzwerk.derive.motion.loops import Measured, measured
 from hertzwerk.derive.program.program import Tape
@@ -42,6 +44,11 @@ class Surroundings(Kinematics):
     def touch(self, pair: str) -> Any:
         """Contact geometry of the pair of this name, on the tape."""
         return next(other for other in self.mechanism.pairs if other.name == pair).touch(self)
+
+    def turn_between(self, first: Point, second: Point, name: str) -> Quaternion:
+        """Quaternion from the axes of one point to those of another."""
+        one, two = (turned(quaternion_of(self, point.body), point) for point in (first, second))
+        return between(two, one, self.tape, name)
 
     def journal(self, pair: str) -> Any:
         """Pin and bush of this name, on the tape; raises TypeError for a pair that holds no film."""

@@ -23,6 +23,7 @@ from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
 from hertzwerk.derive.mechanism.mechanism import Mechanism
 from hertzwerk.derive.mechanism.parameter import default_value
 from hertzwerk.derive.motion.kinematics import Kinematics
+from hertzwerk.derive.program.program import Tape
 
 
 @dataclass(frozen=True, init=False)
@@ -294,6 +295,19 @@ def quaternion_of(kin: Kinematics, body: Frame) -> Quaternion:
     for step in steps:
         total = tuple(kin.tape.let(part, f"{body.name}_q{i}") for i, part in enumerate(_times(total, step)))
     return total
+
+
+def turned(body: Quaternion, point: Point) -> Quaternion:
+    """Quaternion from a point's axes to the ground's, by that of its body."""
+    for axis, angle in point.turns:
+        body = _times(body, _of_turn(axis.unit, angle))
+    return body
+
+
+def between(one: Quaternion, two: Quaternion, tape: Tape, name: str) -> Quaternion:
+    """Quaternion from the axes of `two` to those of `one`, named on the tape."""
+    back = (one[0], *(-part for part in one[1:]))
+    return tuple(tape.let(part, f"{name}_q{i}") for i, part in enumerate(_times(back, two)))
 
 
 def _of_turn(axis: Vector, angle: Any) -> Quaternion:

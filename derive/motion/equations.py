@@ -6,7 +6,7 @@ joint's unit speed, projected on the joints below it (Featherstone, Rigid Body D
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache, cached_property
 from typing import Any
 
@@ -124,10 +124,7 @@ class Equations:
         return self.tape.vector(link.change.back(self._pull(link.parent)), f"{link.name}_gravity")
 
     def _gravity_vector(self) -> Vector:
-        effects = self.scene.all(Gravity)
-        if not effects:
-            return ZERO
-        return scale(sp.sympify(effects[0].acceleration), effects[0].direction.unit)
+        return gravity_vector(self.kin, self.scene.all(Gravity))
 
     def accelerations(self, forces: dict[str, Any]) -> tuple[list[Any], list[Any]]:
         """Accelerations of the free rows, and the multipliers, which are none in a tree.
@@ -243,8 +240,13 @@ class Equations:
         return tape.let(sp.Add(*total), "kinetic")
 
     def potential(self) -> Any:
-        """Potential energy of gravity, zero at the ground's origin [J]."""
-        pull = self._gravity_vector()
+        """Potential energy of gravity that does not vary, zero at the ground's origin [J]."""
+        pull = gravity_vector(self.kin, [effect for effect in self.scene.all(Gravity) if not effect.varies])
         bodies = self.scene.mechanism.bodies
         total = [-sp.sympify(body.mass) * dot(self.kin.centre(body), pull) for body in bodies]
         return self.tape.let(sp.Add(*total), "potential")
+
+
+def gravity_vector(kinematics: Kinematics, effects: Sequence[Gravity]) -> Vector:
+    """Sum of gravities, in ground axes [m/s^2]."""
+    return add(ZERO, *(scale(kinematics.expression(sp.sympify(e.acceleration)), e.direction.unit) for e in effects))

@@ -168,10 +168,11 @@ class Drawing:
             for body in bodies:
                 yield labels.Label(body, parts.beside(paper, body, 0), shade(parts.colours[body]), size)
         for (name, kind), marks in parts.of.items():
-            if kind in ("spring", "damper", "slide_spring", "slide_damper"):
+            if kind in ("spring", "damper", "bushing", "slide_spring", "slide_damper"):
                 a, b = parts.at(marks[0], 0), parts.at(marks[1], 0)
                 yield labels.Label(name, np.array([(a + b) / 2, a + 0.3 * (b - a), a + 0.7 * (b - a)]), INK, size - 1)
             elif kind in (
+                "belt",
                 "force",
                 "moment",
                 "turn_drive",

@@ -9,10 +9,11 @@ import numpy as np
 from hertzwerk.runtime.pictures.draw.paper import INK, Paper
 from hertzwerk.runtime.pictures.draw.parts import THIN, Parts, across
 from hertzwerk.runtime.pictures.draw.places import Array, Landmark
-from hertzwerk.runtime.pictures.plot_style import VERMILLION
+from hertzwerk.runtime.pictures.plot_style import GREY, VERMILLION
 
 REACH = 13.0  # radius of symbols around a joint, points
 ARROW = 30.0  # length, points
+RUBBER = 7.0  # size of a bushing, points
 
 
 def draw(parts: Parts, paper: Paper, i: int) -> None:
@@ -102,8 +103,37 @@ def _moment(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> No
         paper.pin(at, 3.2, VERMILLION)
 
 
+def _bushing(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> None:
+    """Draw a ring of rubber around the first frame, and a spring to the second where it is apart."""
+    a, b = (parts.at(mark, i) for mark in marks[:2])
+    if float(np.linalg.norm(b - a)) > 2 * RUBBER * paper.point:
+        paper.zigzag(a, b)
+    paper.pin(a, RUBBER, GREY, 7.0)
+    paper.pin(a, 0.45 * RUBBER, "white", 7.1)
+
+
+def _belt(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> None:
+    """Draw a belt around a drum, from its load or upwards, to an arrow that holds it."""
+    drum = marks[0] if marks[0].place == "drum" else marks[1]
+    axis = parts.places.direction(drum, "axis")[i] if "axis" in drum.beside else None
+    ring = parts.ring(parts.positions[id(drum)][i], axis, drum.size("radius"))
+    middle, loads = parts.at(drum, i), [parts.at(mark, i) for mark in marks if mark.place == "load"]
+    paper.line(ring, INK, 1.8, 6.5)
+    radius = float(np.max(np.linalg.norm(ring - middle, axis=1)))
+    down = loads[0] - middle if loads else np.array([0.0, -2 * radius - ARROW * paper.point])
+    far = float(np.linalg.norm(down))
+    along = down / far if far > 0 else np.array([0.0, -1.0])
+    side, share = np.array([-along[1], along[0]]), min(radius / far, 1.0) if far > 0 else 0.0
+    rim = [middle + radius * (share * along + sign * np.sqrt(1 - share**2) * side) for sign in (1, -1)]
+    if loads:
+        paper.line(np.array([rim[0], loads[0]]), INK, 1.8, 6.5)
+    paper.arrow(np.array([rim[1], rim[1] + ARROW * paper.point * along]), VERMILLION, 1.8)
+
+
 _SYMBOLS: dict[str, Callable[[Parts, Paper, Sequence[Landmark], int], None]] = {
     "spring": _between,
+    "bushing": _bushing,
+    "belt": _belt,
     "damper": _between,
     "slide_spring": _on_slide,
     "slide_damper": _on_slide,
