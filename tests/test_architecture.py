@@ -52,7 +52,7 @@ ROOMS = {
     "runtime": {
         ".": "comparing derive/faults effects inputs loading measured model simulation solution statics sweeps",
         "accuracy": "",
-        "cli": "accuracy derive/audit derive/faults derive/sheets effects hard_cases host integrate/tableaux loading "
+        "cli": "accuracy derive/audit derive/faults derive/sheets effects hard_cases host inputs integrate/tableaux loading "
         "measured model pictures pictures/draw pictures/motion pictures/studies report run simulation solution start "
         "statics studies sweeps tables validate work_precision",
         "command_line": "cli",
@@ -84,14 +84,14 @@ ROOMS = {
         "report run solution start tables",
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults host integrate/step integrate/tableaux model",
-        "statics": "derive/faults host integrate/step loading model pictures/draw run solution start tables",
+        "statics": "derive/faults host inputs integrate/step loading model pictures/draw run solution start tables",
         "studies": "derive/faults derive/sheets derive/units effects host loading measured model pictures simulation solution "
         "sweeps",
-        "sweeps": "derive/declare derive/faults derive/files derive/units host loading model run simulation solution start "
+        "sweeps": "derive/declare derive/faults derive/files derive/units host inputs loading model run simulation solution start "
         "pictures/sweeps sweeps/kept tables",
         "sweeps/kept": "derive/faults derive/units model run solution",
         "tables": "derive/faults derive/units host model solution",
-        "validate": "derive/faults derive/files derive/sheets derive/units integrate/tableaux loading model run "
+        "validate": "derive/faults derive/files derive/sheets derive/units inputs integrate/tableaux loading model run "
         "simulation solution",
         "work_precision": "accuracy derive/faults host integrate/loop integrate/tableaux model run simulation solution",
     },

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.faults import Fault, InputError
-from hertzwerk.runtime.cli.target import assignments
+from hertzwerk.runtime.cli.target import assignments, with_given
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.cli.stopping import Stopping
@@ -36,6 +36,7 @@ def continue_run(
     Raises InputError with `faults` and more, also for options that differ from the original run.
     """
     from hertzwerk.runtime.loading import load
+    from hertzwerk.runtime.run.continuation import parameters_of
     from hertzwerk.runtime.solution.history import unknown_histories
 
     before, request = _read(folder)
@@ -47,6 +48,8 @@ def continue_run(
         laws=_laws(request["laws"], []),
         coordinates=request["coordinates"],
     )
+    until = before.duration if duration is None else duration
+    model = with_given(model, request["inputs"], until, parameters_of(before, model), faults)
     faults += [*_differences(before, model, request, target, **others), *unknown_histories(model, histories)]
     spacing = grid if grid is not None else request["grid"]
     if grid is None and spacing is not None and spacing.isdecimal() and duration is not None:
@@ -85,7 +88,8 @@ def _read(folder: Path) -> tuple[Solution, dict[str, Any]]:
     try:
         record = json.loads((folder / "run.json").read_text(encoding="utf-8"))
         request = record["request"]
-        request = {name: request[name] for name in ("target", "without", "laws", "coordinates", "grid")}
+        names = ("target", "without", "laws", "coordinates", "grid")
+        request = {**{name: request[name] for name in names}, "inputs": request.get("inputs", [])}
         return Solution.load(folder / "states.npz"), request
     except (OSError, ValueError, KeyError, TypeError) as error:
         found = f"{folder}: {type(error).__name__}: {error}"
@@ -103,6 +107,7 @@ def _differences(
     target: str | None,
     *,
     settings: Sequence[str],
+    inputs: Sequence[str],
     without: Sequence[str],
     laws: Sequence[str],
     coordinates: str | None,
@@ -111,6 +116,7 @@ def _differences(
     start: str | None,
 ) -> list[Fault]:
     """Return faults for the options of a command line that differ from the original run."""
+    from hertzwerk.runtime.inputs.given import located
     from hertzwerk.runtime.model.build import is_file
 
     faults: list[Fault] = []
@@ -118,6 +124,7 @@ def _differences(
         target = str(Path(target).resolve())
     asked = {
         "TARGET": (target, request["target"]),
+        "--input": ([located(text, Path.cwd()) for text in inputs] or None, request["inputs"]),
         "--without": (sorted(without) or None, sorted(request["without"])),
         "--law": (_laws(laws, faults) or None, _laws(request["laws"], faults)),
         "--coordinates": (coordinates, request["coordinates"]),

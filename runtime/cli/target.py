@@ -6,7 +6,7 @@ import shlex
 from collections.abc import Callable, Mapping, Sequence
 from functools import reduce
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 from click.core import ParameterSource
@@ -19,12 +19,21 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.run.request import Settings
     from hertzwerk.runtime.simulation import Solution
 
+AnyModel = TypeVar("AnyModel", bound="Model")
 SET = click.option(
     "--set",
     "settings",
     metavar="NAME=VALUE",
     multiple=True,
     help='Parameter or initial state, with its unit: --set clearance="0.2 mm".',
+)
+INPUT = click.option(
+    "--input",
+    "inputs",
+    metavar="NAME=VALUE",
+    multiple=True,
+    help='Value of an input of the scene: --input "torque=0.5 N m", or a column of a file, --input torque=bench.csv:load, '
+    "joined by straight lines; bench.csv:load:held or :cubic.",
 )
 WITHOUT = click.option(
     "--without", metavar="EFFECT", multiple=True, help="Leave an effect out (derives the variation)."
@@ -49,7 +58,7 @@ def together(*options: Callable[[Any], Any]) -> Callable[[Any], Any]:
     return lambda command: reduce(lambda decorated, option: option(decorated), reversed(options), command)
 
 
-VARIATION = together(SET, WITHOUT, LAW, COORDINATES)
+VARIATION = together(SET, INPUT, WITHOUT, LAW, COORDINATES)
 ACCURACY = click.option(
     "--accuracy",
     metavar="NUMBER",
@@ -123,9 +132,10 @@ def solved(
     progress: Callable[[float], object],
     histories: Sequence[str] = (),
     *,
+    inputs: Sequence[str] = (),
     at_rest: bool = False,
 ) -> Solution:
-    """Load a target's variation and run it with the values of --set, from its start or its equilibrium.
+    """Load a target's variation and run it with the given values, from its start or its equilibrium.
 
     Every name of `histories` must be one of its histories. Raises InputError with the faults found before and those of every option.
     """
@@ -138,9 +148,28 @@ def solved(
     model = loaded(target, without, laws, faults, coordinates=coordinates, others=settings.faults)
     parameters, initial = split_values(model, given)
     faults += unknown_histories(model, histories)
+    model = with_given(model, inputs, settings.duration, parameters, faults)
     begin = _at_rest(model, parameters, initial, faults) if at_rest else initial
     check(model, settings, parameters, begin, faults)
     return solve(model, settings, parameters, begin, progress=progress)
+
+
+def with_given(
+    model: AnyModel,
+    texts: Sequence[str],
+    duration: str | float | None,
+    parameters: Mapping[str, Value],
+    faults: list[Fault],
+) -> AnyModel:
+    """Return a model with the values of --input for runs of a duration; faults are appended."""
+    given = assignments("--input", texts, faults)
+    if not given:
+        return model
+    from hertzwerk.runtime.inputs.given import given_inputs
+
+    model, wrong = given_inputs(model, given, duration, parameters)
+    faults += wrong
+    return model
 
 
 def _at_rest(

@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping
+from pathlib import Path
 from types import MappingProxyType
 from typing import Any, TypeAlias, TypeVar
 
@@ -50,6 +51,24 @@ def signals_of(
         signal = _signal(f"input {name}", value, model.inputs[name][0], seconds, faults)
         found |= {} if signal is None else {name: signal}
     return found
+
+
+def located(text: str, folder: Path) -> str:
+    """Return "NAME=FILE:column", or "FILE:column", with the file as seen from a folder; other text stays."""
+    name, equals, value = text.rpartition("=")
+    column = COLUMN.fullmatch(value.strip())
+    if column is None or Path(column["file"]).is_absolute():
+        return text
+    return f"{name}{equals}{folder / column['file']}{value.strip()[column.end('file') :]}"
+
+
+def input_text(value: Input) -> str | None:
+    """Return the value of an input as text that reads back, files by whole paths; None where it is none."""
+    if isinstance(value, str):
+        return located(value, Path.cwd())
+    if isinstance(value, int | float):
+        return repr(value)
+    return f"{value[0]!r} {value[1]}" if isinstance(value, tuple) and isinstance(value[-1], str) else None
 
 
 def given_inputs(

@@ -35,7 +35,7 @@ class Samples:
         t, v = (
             np.array([unit.to_si(float(x)) for x in part]) for unit, part in zip(self._units, self._arrays, strict=True)
         )
-        text = f"{self.source or 'samples'}: {len(t)} {'held' if self.between == 'held' else 'joined by ' + self.between} values"
+        text = f"{self.source or 'samples'}: {len(t)} values, {self.between}"
         if self.between == "held":
             changes = np.concatenate([[True], v[1:] != v[:-1]])  # one that stays ends no step
             begins, coefficients, end = t[changes], _raised(v[changes, None]), t[-1] + (t[-1] - t[-2])

@@ -54,7 +54,8 @@ def resumable(run: Solution, model: Model, *, saved: bool) -> Checkpoint:
         sizes = dict(layouts(model).state.sizes)
         if kept.model != digest(model) or kept.layout != sizes or kept.resume.state.shape != (sum(sizes.values()),):
             expected = "the model that was run, derived by the same version"
-            faults.append(Fault("model", f"{model.name} with other equations", expected, "run it anew from its start"))
+            found = f"{model.name} with other equations{' or inputs' if model.inputs else ''}"
+            faults.append(Fault("model", found, expected, "run it anew from its start"))
     if faults or kept is None:
         raise InputError(f"going on with {run.model.name}", faults)
     return kept

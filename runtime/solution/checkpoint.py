@@ -14,6 +14,7 @@ from hertzwerk.runtime.integrate.loop.chunk import Resume
 from hertzwerk.runtime.integrate.step.layout import layouts
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.per_model import per_model
+from hertzwerk.runtime.model.signal import digest_of
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.loop.chunk import Ending
@@ -58,8 +59,12 @@ def checkpoint_of(model: Model, ending: Ending, initial: Mapping[str, Value]) ->
     return Checkpoint(ending.resume, dict(layouts(model).state.sizes), digest(model), dict(initial))
 
 
-@per_model
 def digest(model: Model) -> str:
-    """Return the digest of a generated module's text."""
+    """Return the digest of a generated module's text, and of the values of its inputs."""
+    return "-".join((_text_digest(model), *(given[:32] for given in [digest_of(model.signals)] if given)))
+
+
+@per_model
+def _text_digest(model: Model) -> str:
     file = getattr(model.module, "__file__", None) or ""
     return hashlib.sha256("".join(linecache.getlines(file)).encode()).hexdigest()[:32]

@@ -10,9 +10,11 @@ import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.runtime.host.lazy import cached_property
+from hertzwerk.runtime.inputs.given import Input, given_inputs
 from hertzwerk.runtime.model import model as plain
 from hertzwerk.runtime.model.binding import Value
-from hertzwerk.runtime.run.request import read_duration
+from hertzwerk.runtime.model.signal import constant
+from hertzwerk.runtime.run.request import input_faults, read_duration
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.statics.balance import UNDAMPED, Array, along_of, grips_of, kernel, memory_of, sizes_of
 from hertzwerk.runtime.statics.held import drive_units, held, parameters_at, start_at
@@ -151,13 +153,15 @@ def equilibrium(
     *,
     parameters: Mapping[str, Value] | None = None,
     initial: Mapping[str, Value] | None = None,
+    inputs: Mapping[str, Input] | None = None,
     at: str | float = 0.0,
     nearest: bool = False,
 ) -> Equilibrium:
     """Find a position of rest of a model, its drives held where they are at a time.
 
     parameters, initial    values in place of the model's, each with its unit; the search begins at that start
-    at         time [s] or text such as "2 ms": of drives, and of loads that depend on time
+    inputs     values of the scene's inputs, as `simulate` takes them
+    at         time [s] or text such as "2 ms": of drives, inputs, and loads that depend on time
     nearest    the equilibrium that Newton's method finds from the start, stable or not; else where a strongly damped
                motion from the start comes to rest: contacts close on the way, and what slides down comes to rest below
 
@@ -169,7 +173,9 @@ def equilibrium(
     if not isinstance(model, plain.Model):
         raise InputError("equilibrium", [Fault("model", shown(model), "a model that `load` returned")])
     t = _time(model, at)
+    model = inputs_at(model, inputs, t)
     still = held(model)
+    still = model if still.module is model.module else still.with_signals(model.signals)
     given = parameters_at(model, still, {} if parameters is None else parameters, t)
     wanted = {} if initial is None else dict(initial)
     if still is not model:  # what moves is held: its speeds are 0
@@ -179,6 +185,18 @@ def equilibrium(
     search = Search(still, bound, t)
     rest = search.nearest(q) if nearest else search.relaxed(q)
     return _result(model, still, bound, t, search, rest)
+
+
+def inputs_at(model: Model, inputs: Mapping[str, Input] | None, t: float) -> Model:
+    """Return a model whose inputs keep the values that they have at a time [s]; raises InputError."""
+    if not (model.inputs or inputs):
+        return model
+    model, faults = given_inputs(model, inputs, t or 1.0, {})
+    faults += input_faults(model, t, faults)
+    if faults:
+        raise InputError(model.name, faults)
+    at = {name: float(signal(np.array([t]))[0]) for name, signal in model.signals.items()}
+    return model.with_signals({name: constant(value, f"{value:g}") for name, value in at.items()})
 
 
 def _time(model: Model, at: str | float) -> float:

@@ -11,12 +11,13 @@ import numpy as np
 import scipy.linalg
 
 from hertzwerk.derive.faults import Fault, InputError, shown
+from hertzwerk.runtime.inputs.given import Input
 from hertzwerk.runtime.integrate.step.layout import CONTACT
 from hertzwerk.runtime.model import model as plain
 from hertzwerk.runtime.run.request import read_duration
 from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.statics.balance import UNDAMPED, Array
-from hertzwerk.runtime.statics.equilibrium import Equilibrium, equilibrium
+from hertzwerk.runtime.statics.equilibrium import Equilibrium, equilibrium, inputs_at
 from hertzwerk.runtime.statics.linearisation import linearise
 from hertzwerk.runtime.tables.notebook import heading, table
 
@@ -197,12 +198,14 @@ def modes(
     at: str | float | None = None,
     parameters: Mapping[str, Value] | None = None,
     initial: Mapping[str, Value] | None = None,
+    inputs: Mapping[str, Input] | None = None,
 ) -> Modes:
     """Return the small vibrations of a model about its equilibrium, or along a run.
 
     model    a model, whose equilibrium is found with `parameters`, from `initial`, at the time `at`, as `equilibrium`
              does; or an equilibrium; or a run, at the time `at` in which the equations are frozen as they are
     at       time [s] or text such as "2 ms"
+    inputs   values of the inputs, as `equilibrium` takes them; a run has its own
 
     Loops and sticking contacts are reduced; damping in proportion to an approach speed has none at rest. Frozen
     equations of a run whose constraints turn, as those of closed loops and absolute coordinates do, have frequencies
@@ -210,17 +213,17 @@ def modes(
     equilibrium.
     """
     if isinstance(model, Solution):
-        if parameters is not None or initial is not None:
+        if any(given is not None for given in (parameters, initial, inputs)):
             raise InputError("modes", [Fault("parameters, initial", "values beside a run", "none: it has its own")])
         return _of_run(model, at)
     if isinstance(model, Equilibrium):
-        if at is not None or parameters is not None or initial is not None:
+        if any(given is not None for given in (at, parameters, initial, inputs)):
             raise InputError("modes", [Fault("at", "values beside an equilibrium", "none: it has its own")])
         return of_equilibrium(model)
     if not isinstance(model, plain.Model):
         expected = "a model that `load` returned, an equilibrium, or a run"
         raise InputError("modes", [Fault("model", shown(model), expected)])
-    rest = equilibrium(model, parameters=parameters, initial=initial, at=0.0 if at is None else at)
+    rest = equilibrium(model, parameters=parameters, initial=initial, inputs=inputs, at=0.0 if at is None else at)
     return of_equilibrium(rest)
 
 
@@ -254,6 +257,7 @@ def _of_run(run: Solution, at: str | float | None) -> Modes:
     defaults = {name: (port.default, port.unit) for name, port in model.parameters.items()}
     given = {name: value for name, value in run.parameters.items() if value != defaults[name]}
     note = f"the equations are frozen at t = {t:g} s, where the motion is not at rest" if np.any(u) else ""
+    model = inputs_at(model, None, t)
     return _modes(model, model.bind(given), t, q, u, z, mode, m, (note,) if note else ())
 
 

@@ -22,9 +22,31 @@ from hertzwerk.runtime.run.request import read_duration
 from hertzwerk.runtime.start.start_values import split_values
 from hertzwerk.runtime.sweeps.design import Axis, Design, Range
 
-COMPUTING = ("accuracy", "integrate", "model", "run", "solution", "start", "sweeps")  # rooms that numbers depend on
+COMPUTING = (
+    "accuracy",
+    "inputs",
+    "integrate",
+    "model",
+    "run",
+    "solution",
+    "start",
+    "sweeps",
+)  # rooms that numbers depend on
 ARGUMENTS = (  # of `sweep`, and names in a definition
-    *("target", "over", "values", "without", "laws", "coordinates", "zip", "sample", "sampler", "seed", "outputs"),
+    *(
+        "target",
+        "over",
+        "values",
+        "inputs",
+        "without",
+        "laws",
+        "coordinates",
+        "zip",
+        "sample",
+        "sampler",
+        "seed",
+        "outputs",
+    ),
     *("section", "after", "grid", "histories", "continued"),
     *("duration", "accuracy", "tolerance", "method", "max_steps", "max_events", "wall_time"),
 )
@@ -141,6 +163,11 @@ def arguments_of(definition: Mapping[str, Any], folder: Path) -> dict[str, Any]:
     if definition["functions"]:
         found = f"functions of its own: {', '.join(definition['functions'])}"
         faults.append(Fault(str(folder), found, "outputs by name", way_out))
+    made = [name for name, text in definition["inputs"].items() if text is None]
+    if made:
+        faults.append(
+            Fault(str(folder), f"inputs made in Python: {', '.join(made)}", "values or columns of files", way_out)
+        )
     if definition["target"] is None:
         faults.append(Fault(str(folder), "a scene made in Python", "the name of a scene, or its file", way_out))
     if faults:

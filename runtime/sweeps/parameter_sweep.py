@@ -22,11 +22,13 @@ from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.units import UnitError
+from hertzwerk.runtime.inputs.given import Input, given_inputs, input_text
 from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.model import model as plain
 from hertzwerk.runtime.model.binding import Value, named_values, read
 from hertzwerk.runtime.model.generated_text import text_of
 from hertzwerk.runtime.model.si_values import si_of, si_units
+from hertzwerk.runtime.model.signal import digest_of
 from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, Settings, check
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import Solution
@@ -60,6 +62,7 @@ def sweep(
     sampler: str = "latin",
     seed: int = 0,
     values: Mapping[str, Value] | None = None,
+    inputs: Mapping[str, Input] | None = None,
     without: Sequence[str] = (),
     laws: Mapping[str, str] | None = None,
     coordinates: str | None = None,
@@ -93,6 +96,7 @@ def sweep(
     sample    number of points instead, spread by a "latin" hypercube or a "sobol" sequence (sampler) with a seed over
               ranges "0.05..0.5 mm", "1e6..1e9 N/m log", and lists
     values    other values in place of the model's, the same for all points
+    inputs    values of the scene's inputs, as `simulate` takes them, the same for all points
     outputs    names such as "final.guide.travel", "slider_pin.peak_force", "slider_pin.impact_rate" (with half the
                width of its 95 % interval as a column more), "guide.travel.max"; by default every final state
     section    where each row keeps points: "main_bearing.angle = 0" (at every return of the drive), "phase = 90 deg" (of the
@@ -126,6 +130,8 @@ def sweep(
     fixed = {
         name: _read(value) for name, value in named_values("values", {} if values is None else values, faults).items()
     }
+    model, wrong = given_inputs(model, inputs, duration, {})
+    faults += wrong
     varied = _varied(model, over, fixed, faults)
     wanted = _outputs(model, outputs, functions, varied, faults)
     asked = {"section": section, "after": after, "grid": grid, "histories": histories}
@@ -171,6 +177,7 @@ def sweep(
         "functions": {name: digest(name, function) for name, function in (functions or {}).items()},
         **{**asked, "section": kept and kept.section and str(kept.section), "histories": list(histories)},
         "continued": continued,
+        "signals": digest_of(model.signals),
         "text": _hash(text),
         "readings": _hash(text_behind(model, wanted, [] if kept is None else kept.read)),
         "versions": versions(),
@@ -179,6 +186,7 @@ def sweep(
         **{"scene": model.name, **target_of(target, model), "over": axes_of(design)},
         **{"zip": zip, "sample": sample, "sampler": sampler, "seed": seed},
         **{"values": {name: as_text(value) for name, value in fixed.items()}, **settings, **same},
+        "inputs": {name: input_text(value) for name, value in (inputs or {}).items()},
         **{"columns": plan.columns, "varied": list(varied), "axes": axes},
         "arrays": {} if kept is None else kept.columns,
     }

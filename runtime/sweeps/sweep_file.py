@@ -17,6 +17,7 @@ from pydantic import BaseModel, ConfigDict, ValidationError
 
 from hertzwerk.derive.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.files.tomlfile import read_toml
+from hertzwerk.runtime.inputs.given import located
 from hertzwerk.runtime.model.build import is_file
 from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD
 from hertzwerk.runtime.sweeps.parameter_sweep import sweep
@@ -36,6 +37,7 @@ class SweepFile(BaseModel):
     sampler: str = "latin"
     seed: int = 0
     values: dict[str, Quantity] = {}
+    inputs: dict[str, Quantity] = {}
     without: list[str] = []
     laws: dict[str, str] = {}
     coordinates: str | None = None
@@ -73,7 +75,11 @@ def read_sweep(path: Path) -> dict[str, Any]:
 def _from(path: Path, arguments: dict[str, Any]) -> dict[str, Any]:
     """Return arguments with the file of a scene as seen from here."""
     target = arguments["target"]
-    return {**arguments, "target": str(path.parent / target) if is_file(target) else target}
+    inputs = {
+        name: located(value, path.parent) if isinstance(value, str) else value
+        for name, value in arguments.get("inputs", {}).items()
+    }
+    return {**arguments, "target": str(path.parent / target) if is_file(target) else target, "inputs": inputs}
 
 
 def _meaning_faults(path: Path, content: dict[str, Any], faulty: set[str]) -> list[Fault]:
@@ -97,6 +103,7 @@ def _meaning_faults(path: Path, content: dict[str, Any], faulty: set[str]) -> li
 EXPECTED = {
     "over": 'values by name, such as clearance = "0.05..0.5 mm:10" or restitution = [0.5, 0.7]',
     "values": 'values by name, such as radius = "20 mm"',
+    "inputs": 'values of inputs by name, such as torque = "bench.csv:load"',
     "laws": 'laws by the names of effects, such as floor = "flores"',
     "target": "the name of a scene, or its file",
     "duration": 'a time or revolutions, such as "24 ms" or "200 rev"',
@@ -105,7 +112,7 @@ EXPECTED = {
 
 def _place(path: tuple[Any, ...]) -> str:
     """Return the key at fault, with the name within a table; the rest is of pydantic's own."""
-    return ".".join(map(str, path[: 2 if path[0] in ("over", "values", "laws") else 1]))
+    return ".".join(map(str, path[: 2 if path[0] in ("over", "values", "inputs", "laws") else 1]))
 
 
 def _fault(place: str, row: Any) -> Fault:

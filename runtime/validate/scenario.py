@@ -27,6 +27,7 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationErr
 from hertzwerk.derive.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.files.tomlfile import read_toml
 from hertzwerk.derive.units import UnitError, parse_quantity, parse_unit, rate_remedy
+from hertzwerk.runtime.inputs.given import given_inputs, located
 from hertzwerk.runtime.integrate.tableaux.methods import METHODS
 from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.model.build import is_file
@@ -58,6 +59,7 @@ EXPECTED = {  # of keys, wherever they stand
     "accuracy": "a number in 1e-12..1e-1",
     "parameters": 'text with a unit, such as clearance = "0.2 mm"',
     "initial": 'text with a unit, such as "guide.travel" = "0.17 m"',
+    "inputs": 'values of inputs by name, such as torque = "bench.csv:load"',
     "outcome": "finished, beyond_horizon or accuracy_unreachable",
     "checks": "tables [[checks]] of quantity, source, and expected with tolerance, or at_most",
     "quantity": 'what is measured, such as "impacts.0.speed"',
@@ -144,6 +146,7 @@ class Scenario(_Record):
     method: Annotated[str, AfterValidator(_method)] = METHOD
     parameters: dict[str, QuantityText] = {}
     initial: dict[str, QuantityText] = {}
+    inputs: dict[str, str] = {}
     outcome: Literal["finished", "beyond_horizon", "accuracy_unreachable"] = "finished"  # that must come out
     checks: tuple[Check, ...] = Field(default=(), strict=False)
 
@@ -162,6 +165,9 @@ def load_scenario(target: str | Path) -> Scenario:
     scene = content.get("scene")
     if isinstance(scene, str) and is_file(scene):
         content["scene"] = str(path.parent / scene)
+    inputs = content.get("inputs")
+    if isinstance(inputs, dict):
+        content["inputs"] = {k: located(v, path.parent) if isinstance(v, str) else v for k, v in inputs.items()}
     return _validated(str(path), content, meant=True)
 
 
@@ -213,8 +219,11 @@ def _meaning_faults(content: dict[str, Any], faulty: set[str]) -> list[Fault]:
         for table in [content.get(key, {}) if key not in faulty else {}]
     )
     duration = content.get("duration") if "duration" not in faulty else "1 s"
+    inputs = content.get("inputs", {})
+    given = {k: v for k, v in inputs.items() if isinstance(v, str)} if isinstance(inputs, dict) else {}
+    model, wrong = given_inputs(model, given, duration, parameters)
     try:
-        check(model, Settings(duration, None, None), parameters, initial)
+        check(model, Settings(duration, None, None), parameters, initial, wrong)
     except InputError as error:
         faults += error.faults
     checks, units = content.get("checks", ()), units_of(model, None)

@@ -50,6 +50,7 @@ def run_scenario(scenario: Scenario) -> Solution:
         method=scenario.method,
         parameters=scenario.parameters,
         initial=scenario.initial,
+        inputs=scenario.inputs,
     )
 
 

@@ -9,7 +9,18 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from hertzwerk.runtime.cli.target import DURATION, JSON, LAW, SET, WITHOUT, assignments, loaded, unwritable_faults
+from hertzwerk.runtime.cli.target import (
+    DURATION,
+    INPUT,
+    JSON,
+    LAW,
+    SET,
+    WITHOUT,
+    assignments,
+    loaded,
+    unwritable_faults,
+    with_given,
+)
 from hertzwerk.runtime.cli.terminal import (
     OTHER_OUTCOME,
     Progress,
@@ -27,6 +38,7 @@ if TYPE_CHECKING:
 @click.command()
 @click.argument("target")
 @SET
+@INPUT
 @WITHOUT
 @LAW
 @DURATION
@@ -68,6 +80,7 @@ def _problem(
     *,
     wanted: bool,
     settings: Sequence[str],
+    inputs: Sequence[str],
     without: Sequence[str],
     laws: Sequence[str],
     duration: str | None,
@@ -82,7 +95,9 @@ def _problem(
     values = assignments("--set", settings, faults)
     model = loaded(target, without, laws, faults)
     numbers = scenarios.read(target)
-    problem = Problem(model, duration or numbers.get("duration"), *split_values(model, values))
+    until, (parameters, initial) = duration or numbers.get("duration"), split_values(model, values)
+    model = with_given(model, inputs, until, parameters, faults)
+    problem = Problem(model, until, parameters, initial)
     check(model, Settings(problem.duration, None, None), problem.parameters, problem.initial, faults)
     return problem
 

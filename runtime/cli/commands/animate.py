@@ -95,6 +95,7 @@ def _run(
     progress: Progress,
     *,
     settings: Sequence[str],
+    inputs: Sequence[str],
     without: Sequence[str],
     laws: Sequence[str],
     coordinates: str | None,
@@ -112,7 +113,7 @@ def _run(
     tolerance = TOLERANCE if accuracy is None else None
     until, by = duration or numbers.get("duration"), method or numbers.get("method", METHOD)
     settled = Settings(until, accurate, tolerance, by, "auto", output_of(grid))
-    run = solved(target, without, laws, coordinates, settings, settled, faults, progress)
+    run = solved(target, without, laws, coordinates, settings, settled, faults, progress, inputs=inputs)
     if run.outcome.name == "interrupted":
         raise KeyboardInterrupt
     return run

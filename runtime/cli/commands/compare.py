@@ -24,6 +24,7 @@ from hertzwerk.runtime.cli.target import (
     loaded,
     number,
     unwritable_faults,
+    with_given,
 )
 from hertzwerk.runtime.cli.terminal import (
     OTHER_OUTCOME,
@@ -129,6 +130,7 @@ def _compared(
     stopping: Stopping,
     *,
     settings: Sequence[str],
+    inputs: Sequence[str],
     without: Sequence[str],
     laws: Sequence[str],
     coordinates: str | None,
@@ -156,6 +158,7 @@ def _compared(
     accurate = number(accuracy) if accuracy is not None else numbers.get("accuracy")
     settled = Settings(until, accurate, None, method or numbers.get("method", METHOD), **limits)
     parameters, initial = split_values(model, values)
+    model = with_given(model, inputs, until, parameters, faults)
     check(model, settled, parameters, initial, faults)
     if asked is None:  # its faults are among those that `check` raises
         raise InputError(model.name, faults)

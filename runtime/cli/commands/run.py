@@ -181,10 +181,15 @@ def _request(target: str | None, options: Mapping[str, Any]) -> dict[str, Any]:
     if target is None:
         expected = "a scene or a file, or --continue FOLDER"
         raise InputError("run", [Fault("TARGET", "none", expected, "`hertzwerk list` names the scenes")])
+    from hertzwerk.runtime.inputs.given import located
     from hertzwerk.runtime.model.build import is_file
 
     place = str(Path(target).resolve()) if is_file(target) else target
-    return {"target": place, **{name: options[name] for name in ("without", "laws", "coordinates", "grid")}}
+    return {
+        "target": place,
+        **{name: options[name] for name in ("without", "laws", "coordinates", "grid")},
+        "inputs": [located(text, Path.cwd()) for text in options["inputs"]],
+    }
 
 
 def _simulate(
@@ -193,6 +198,7 @@ def _simulate(
     *,
     target: str,
     settings: Sequence[str],
+    inputs: Sequence[str],
     without: Sequence[str],
     laws: Sequence[str],
     coordinates: str | None,
@@ -216,7 +222,17 @@ def _simulate(
     limits, output = limits_of(max_steps, wall_time, faults), output_of(grid)
     settled = Settings(duration or numbers.get("duration"), accurate, None, by, "auto", output, **limits)
     return solved(
-        target, without, laws, coordinates, settings, settled, faults, stopping, histories, at_rest=start is not None
+        target,
+        without,
+        laws,
+        coordinates,
+        settings,
+        settled,
+        faults,
+        stopping,
+        histories,
+        inputs=inputs,
+        at_rest=start is not None,
     )
 
 

@@ -112,6 +112,7 @@ def _read(
     *,
     target: str,
     settings: Sequence[str],
+    inputs: Sequence[str],
     without: Sequence[str],
     laws: Sequence[str],
     coordinates: str | None,
@@ -129,7 +130,8 @@ def _read(
     model = loaded(target, without, laws, faults, coordinates=coordinates)
     parameters, initial = split_values(model, values)
     try:
-        found = equilibrium(model, parameters=parameters, initial=initial, at=at, nearest=nearest)
+        given = assignments("--input", inputs, faults)
+        found = equilibrium(model, parameters=parameters, initial=initial, inputs=given, at=at, nearest=nearest)
     except InputError as error:
         raise InputError(error.subject, [*faults, *error.faults]) from error
     if faults:

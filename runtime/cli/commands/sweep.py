@@ -231,6 +231,7 @@ def _read(target: str, options: dict[str, Any], faults: list[Fault]) -> dict[str
         "sampler": options["sampler"] or "latin",
         "seed": seed or 0,
         "values": assignments("--set", options["settings"], faults),
+        "inputs": assignments("--input", options["inputs"], faults),
         "without": options["without"],
         "laws": assignments("--law", options["laws"], faults),
         "coordinates": options["coordinates"],
