@@ -195,6 +195,8 @@ class _Run:
                 times[-1] = self.stop
             for t, y in zip(times[: GRID if event is None else event.index + 1], points, strict=False):
                 self.t, self.y, self.steps = float(t), y, self.steps + 1
+                if arrives and t == self.t_end:
+                    self.happen_at_the_end()
                 self.set_status(arrives=arrives and t == self.t_end)
                 yield self.row()
                 if self.status != RUNNING:
@@ -324,6 +326,14 @@ class _Run:
 
         if j in pairs_of(self.model):
             self.resolve_slip(j, ran_out=False)
+
+    def happen_at_the_end(self) -> None:
+        """Let the events of effects happen that are due, as `jumps.due` has them in the other methods."""
+        end = self.at(self.t, self.y)
+        levels = np.where(end["event_rate"] < 0, DUE, 0.0)
+        if np.any(end["event"] <= levels):
+            self.events += int(np.sum(end["event"] <= levels))
+            self.y = np.array(jump(self.model)(self.t, self.y, self.c, levels)).ravel()
 
     def resolve_slip(self, j: int, *, ran_out: bool) -> None:
         """Resolve stick and slip of pair j after its margin ran out or its contact began or ended."""

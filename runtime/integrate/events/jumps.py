@@ -2,8 +2,9 @@
 
 A margin is the cubic through its values and rates at both ends of a step, in units of its size. A step ends beyond the
 root by half the tolerance, and an event happens by the margin as reached: where an accepted step ends at zero or below
-it. One that has happened and is still there happens again after the next step, so that none is lost; a relay without
-hysteresis then switches as fast as the tolerance lets it, until the run has had the events that it may have.
+it. One that is due at the end of the run happens, though rounding may leave its margin just above zero. One that has
+happened and is still there happens again after the next step, so that none is lost; a relay without hysteresis then
+switches as fast as the tolerance lets it, until the run has had the events that it may have.
 """
 
 from __future__ import annotations
@@ -29,6 +30,15 @@ FAR = 1e300
 def tolerance(run: Mapping[str, Any], t: Any, rate: Any) -> Any:
     """Return the tolerance (ne) of the margins, not below the rounding of the time."""
     return LANDING * run["tolerance"] + ROUNDINGS * EPS * (1 + ca.fabs(rate) * ca.fabs(t))
+
+
+def due(run: Mapping[str, Any], end: Mapping[str, Any]) -> Any:
+    """Return the levels (ne) of the margins at or below which events happen where a step ends.
+
+    0, or at the end of the run what falling margins are uncertain by: every step rounds them once.
+    """
+    uncertain = tolerance(run, end["t"], end["event_rate"]) + EPS * end["steps"]
+    return ca.if_else((end["t"] >= run["t_end"]) * (end["event_rate"] < 0), uncertain, 0)
 
 
 def cubics(start: Mapping[str, Any], end: Mapping[str, Any]) -> list[Any]:
@@ -59,19 +69,19 @@ def time_to_event(run: Mapping[str, Any], end: Mapping[str, Any], t: Any) -> Any
 
 @per_model
 def jump(model: Model) -> Any:
-    """Return the function (t, y, c, level) -> y after the events whose margins are not above the level.
+    """Return the function (t, y, c, levels (ne)) -> y after the events whose margins are not above their levels.
 
     Each happens at most once; one may bring about another.
     """
-    (t, y, c), level = model.symbols("t y c"), ca.SX.sym("level")
+    (t, y, c), levels = model.symbols("t y c"), ca.SX.sym("levels", model.ne)
     q, u, z = model.parts(y)
     happened = ca.SX.zeros(model.ne)
     for _ in range(min(model.ne, CASCADE)):
-        due = (model.function("margins")(t, q, u, c) <= level) * (1 - happened)
+        now = (model.function("margins")(t, q, u, c) <= levels) * (1 - happened)
         then, after, place = model.function("jumps")(t, q, u, c), ca.SX(q), 0
         for i, (_, rows) in enumerate(model.events):
             for row in rows:
-                after[row] = ca.if_else(due[i], then[place], after[row])
+                after[row] = ca.if_else(now[i], then[place], after[row])
                 place += 1
-        q, happened = after, happened + due
-    return ca.Function("jump", [t, y, c, level], [ca.cse(ca.vertcat(q, u, z))])
+        q, happened = after, happened + now
+    return ca.Function("jump", [t, y, c, levels], [ca.cse(ca.vertcat(q, u, z))])

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.integrate.events.events import ends_with_force, pulls, tolerances
-from hertzwerk.runtime.integrate.events.jumps import jump, time_to_event
+from hertzwerk.runtime.integrate.events.jumps import due, jump, time_to_event
 from hertzwerk.runtime.integrate.events.slips import resolve_slips
 from hertzwerk.runtime.integrate.step.classes import IDLE, class_of
 from hertzwerk.runtime.integrate.step.control import limited_by_surfaces
@@ -79,7 +79,7 @@ def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
         y = _book_stored_energy(model, after["t"], y, run["c"], before["mode"], after["mode"])
     y, m = _reset_bristles(model, y, after["mode"]), after["m"]
     if model.ne:
-        y = jump(model)(after["t"], y, run["c"], 0)
+        y = jump(model)(after["t"], y, run["c"], due(run, after))
     tolerance: list[Any] = []
     if model.k:
         _, *tolerance = tolerances(model, run, after["t"], y, after["gap_rate"])

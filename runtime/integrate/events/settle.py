@@ -15,7 +15,7 @@ from hertzwerk.runtime.integrate.events.events import (
     signed_gaps,
     tolerances,
 )
-from hertzwerk.runtime.integrate.events.jumps import time_to_event
+from hertzwerk.runtime.integrate.events.jumps import due, time_to_event
 from hertzwerk.runtime.integrate.events.modes import FINITE, Parts, any_of, is_finite, latch, next_modes, switch
 from hertzwerk.runtime.integrate.step.classes import IDLE, IN_CONTACT, class_of
 from hertzwerk.runtime.integrate.step.closing import LOST
@@ -196,15 +196,15 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
         turns = undecided_and_breaking(model, mode, old["m"], end["margin"], end["margin_rate"], small, old["mode"])
         switched = switched + accepted * any_of(sum(turns)) > 0
         m = ca.if_else(accepted, turned(model, m, end["friction"], end["margin"]), m)
+    arrived = accepted * ((1 - moved) * (old["h"] >= run["t_end"] - old["t"]) + (end["t"] >= run["t_end"]) > 0)
+    t, steps = ca.if_else(accepted, ca.if_else(arrived, run["t_end"], end["t"]), old["t"]), old["steps"] + accepted
     happened = ca.SX(0)
     if model.ne:
-        happened = accepted * ca.sum1(end["event"] <= 0)
+        happened = accepted * ca.sum1(end["event"] <= due(run, {**end, "t": t, "steps": steps}))
         switched = switched + happened > 0
     now_contact = any_of(mode == CONTACT)
 
     new = old | _steps_to_continue(table, old, judged["error"], accepted, begun > 0)
-    arrived = accepted * ((1 - moved) * (old["h"] >= run["t_end"] - old["t"]) + (end["t"] >= run["t_end"]) > 0)
-    t = ca.if_else(accepted, ca.if_else(arrived, run["t_end"], end["t"]), old["t"])
     free = ca.if_else(now_contact, ca.fmin(new["h_contact"], run["h_max"]), new["h_flight"])
     if model.k:
         free = limited_by_surfaces(free, new["h_onset"], mode, end, resting=ca.fabs(end["gap"]) <= tol)
@@ -223,7 +223,7 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
         "fresh_contact": ca.if_else(accepted, begun > 0, old["fresh_contact"]),
         "after_rejection": ca.SX(0),
         "retakes": ca.if_else(retake, old["retakes"] + 1, 0),
-        "steps": old["steps"] + accepted,
+        "steps": steps,
         "rejected": old["rejected"],
         "retaken": old["retaken"] + retake,
         "evaluations": old["evaluations"] + table.stages + NUDGE_EVALUATIONS * moved + switched,

@@ -1,6 +1,7 @@
 """States of effects, against closed forms: motors, controllers, relays; events that cascade, chatter, or meet a contact."""
 
 from dataclasses import dataclass
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -129,13 +130,25 @@ def test_a_controlled_speed_of_second_order():
     assert run["control.error"][-1] == pytest.approx(0, abs=1e-2)  # the integral, with no torque to hold
 
 
-def sampled(period, **given):
+def sampled(period, duration=0.1999, **given):
     control = SpeedController(
         *("control", "main", Parameter("target", "rad/s", 100), Parameter("Kp", "N m s/rad", 0.05)),
         *(Parameter("Ki", "N m/rad", 1.0), "N m", Parameter("period", "s", period)),
     )
     drag = JointDamper("drag", "main", Parameter("b", "N m s/rad", 0.01))
-    return simulate(load(shaft(JointForce("drive", "main", control.command), drag, control)), duration=0.1999, **given)
+    return simulate(
+        load(shaft(JointForce("drive", "main", control.command), drag, control)), duration=duration, **given
+    )
+
+
+def test_a_sample_that_is_due_at_the_end_of_a_run_is_taken():
+    """Else it would be rounding that decides what the last command is."""
+    model = sampled(0.01, duration=0.05, tolerance=1e-6).model
+    ways = [*product(("dop853", "dopri5", "esdirk"), (1e-4, 1e-6, 1e-10)), ("cvodes", 1e-6)]
+    runs = [simulate(model, duration=0.05, method=method, tolerance=tolerance) for method, tolerance in ways]
+    assert [run.statistics.events for run in runs] == [5] * len(ways)
+    assert [run.final["control.countdown"] for run in runs] == pytest.approx([0.01] * len(ways))
+    assert simulate(model, duration=0.05 - 1e-7, tolerance=1e-6).statistics.events == 4
 
 
 @pytest.mark.parametrize("method", ["dop853", "esdirk", "cvodes"])
