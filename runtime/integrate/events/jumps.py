@@ -69,7 +69,7 @@ def time_to_event(run: Mapping[str, Any], end: Mapping[str, Any], t: Any) -> Any
 
 @per_model
 def jump(model: Model) -> Any:
-    """Return the function (t, y, c, levels (ne)) -> y after the events whose margins are not above their levels.
+    """Return the function (t, y, c, levels (ne)) -> y after the events with margins up to their levels.
 
     Each happens at most once; one may bring about another.
     """
