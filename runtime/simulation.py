@@ -23,6 +23,7 @@ from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.accuracy.ladder import LadderResult
 from hertzwerk.runtime.inputs.given import Input, given_inputs
 from hertzwerk.runtime.integrate.step.layout import FINISHED
+from hertzwerk.runtime.integrate.tableaux.methods import IN_GRAPH
 from hertzwerk.runtime.loading import Model
 from hertzwerk.runtime.model import model as plain
 from hertzwerk.runtime.model.binding import Value
@@ -50,6 +51,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from pandas import DataFrame
     from xarray import Dataset
+
+    from hertzwerk.runtime.sensitivity.sensitivities import Sensitivities
 
 ACCURACY = 1e-6  # where none is asked for
 REPEATABLE = 100_000  # most steps of a run that is made again for a picture
@@ -280,6 +283,26 @@ class Solution(plain_solution.Solution):
         rows = found.rows[found.t <= self.t_end]
         history = History(self.model, rows, found.controls, found.integrator, p=found.p, beside=self.history.beside)
         return replace(self, history=history)
+
+    def sensitivities(self, *names: str) -> Sensitivities:
+        """Return the exact derivatives of this run by parameters and initial states, through its impacts.
+
+        `run.sensitivities("restitution", "guide.travel")["slider_pin.normal_force", "restitution"]` is a history over the
+        run's steps. Found from the steps, so that a run pays nothing until it is asked. Raises InputError for names that
+        are neither, and for a run without its steps or start: a saved one, a continuation, one of SUNDIALS.
+        """
+        run, kept = self.with_steps(), self.checkpoint
+        if not run.history.steps or kept is None or self.t_start > 0:
+            expected = f"a run from its start by a method of {', '.join(IN_GRAPH)}, with its steps"
+            fault = Fault(
+                "sensitivities", "a run without its steps or start", expected, 'simulate(..., output="steps")'
+            )
+            raise InputError(self.model.name, [fault])
+        from hertzwerk.runtime.sensitivity.sensitivities import (
+            Sensitivities,
+        )  # a run that is not asked imports none of it
+
+        return Sensitivities(run.history, self.model.bind(parameters_of(self, self.model)), kept.initial, names)
 
     def _repr_html_(self) -> str:
         return notebook.of_run(self, parameters_of(self, self.model))

@@ -80,8 +80,9 @@ ROOMS = {
         "report": "accuracy derive/readable host model pictures pictures/draw run solution",
         "run": "accuracy derive/faults derive/units host integrate integrate/loop integrate/step integrate/tableaux model solution "
         "start",
-        "simulation": "accuracy derive/faults inputs integrate/step loading model pictures pictures/draw pictures/motion "
-        "report run solution start tables",
+        "sensitivity": "derive/faults integrate/events integrate/step model solution start",
+        "simulation": "accuracy derive/faults inputs integrate/step integrate/tableaux loading model pictures pictures/draw "
+        "pictures/motion report run sensitivity solution start tables",
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults host integrate/step integrate/tableaux model",
         "statics": "derive/faults host inputs integrate/step loading model pictures/draw run solution start tables",

@@ -112,7 +112,7 @@ class History:
         for i, (slip, *_) in enumerate(model.slips):
             if name == slip:
                 return {name: self.part("m")[:, len(model.latches) + i]}
-            if name == _friction_force(slip):
+            if name == friction_force(slip):
                 return {name: self.part("friction")[:, i]}
         for j, both in _in_two_directions(model).items():
             if name == f"{model.pairs[j]}.slip":
@@ -298,7 +298,7 @@ def units_of(model: Model, stored: tuple[str, ...] | None) -> Units:
     for name in model.speeds:
         units[acceleration_of(name)] = f"{model.units[name]}^2"  # m/s^2, rad/s^2
     units |= {row[0]: row[1] for row in (*model.module.OUTPUTS, *model.module.LATCHES, *model.slips)}
-    units |= {_friction_force(name): "N" for name, *_ in model.slips}
+    units |= {friction_force(name): "N" for name, *_ in model.slips}
     for pair in (model.pairs[j] for j in _in_two_directions(model)):
         units |= {f"{pair}.slip": "1", f"{pair}.friction_force": "N"}
     for pair in model.pairs:
@@ -351,7 +351,7 @@ def _in_trial(_: Model, integrator: Integrator) -> tuple[np.ndarray, np.ndarray]
     return to, of
 
 
-def _friction_force(slip: str) -> str:
+def friction_force(slip: str) -> str:
     """Name the friction force along the tangent of a slip: `floor.slip_1` -> `floor.friction_force_1`."""
     pair, _, name = slip.rpartition(".")
     return f"{pair}.{name.replace('slip', 'friction_force')}"

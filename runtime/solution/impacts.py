@@ -141,7 +141,13 @@ def _regula_falsi() -> tuple[Any, Any]:
 
 
 def penetrations(model: Model, at: dict[str, Any], mode: Any, c: Any) -> Any:
-    """Return the penetration of every pair [m], an expression (k,) in the parts of a state and the modes.
+    """Return the penetration of every pair [m], an expression (k,) in the parts of a state and the modes."""
+    gap = distances(model, at, c)
+    return ca.if_else(ca.logic_and(mode != FLIGHT, gap < 0), -gap, 0)
+
+
+def distances(model: Model, at: dict[str, Any], c: Any) -> Any:
+    """Return the gap of every pair [m], an expression (k,) in the parts of a state.
 
     The event function G of round surfaces is their gap to first order only: that of two spheres is an output, that of
     a pin in a bush follows from its eccentricity; see `History`.
@@ -155,5 +161,4 @@ def penetrations(model: Model, at: dict[str, Any], mode: Any, c: Any) -> Any:
         elif parts:
             squared = sum(part * part for part in parts)
             gaps[j] = gaps[j] + ca.sqrt(gaps[j] * gaps[j] + squared) - ca.sqrt(squared)
-    gap: Any = ca.vertcat(*gaps)
-    return ca.if_else(ca.logic_and(mode != FLIGHT, gap < 0), -gap, 0)
+    return ca.vertcat(*gaps)

@@ -50,11 +50,11 @@ def read_start(
 
     In absolute coordinates both are given for the joints and converted.
     """
-    q, u = _assembled(model, bound, initial, faults)
+    q, u = assembled(model, bound, initial, faults)
     return (q, u) if bound is None or faults else model.placed(bound, q, u)
 
 
-def _assembled(
+def assembled(
     whole: Model, bound: Bound | None, initial: Mapping[str, Value], faults: list[Fault]
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the start in joint coordinates: loops closed, journals centred where possible, or seated."""
@@ -143,7 +143,7 @@ def pressed(model: Model, bound: Bound, initial: Mapping[str, Value], q: np.ndar
 def _separating_change(model: Model, bound: Bound, initial: Mapping[str, Value], pair: str) -> str:
     """Suggest the coordinate whose least change, in the scene's scales, separates a pair's surfaces."""
     joints, j = model.joints, model.pairs.index(pair)
-    stated, still = _assembled(model, bound, initial, [])
+    stated, still = assembled(model, bound, initial, [])
     sizes = joints.evaluate("scales", bound.p)[0]
 
     def gap(i: int, change: float) -> float:

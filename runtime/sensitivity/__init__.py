@@ -1,0 +1,1 @@
+"""Exact first derivatives of a run with respect to parameters and starts, through impacts."""

@@ -1,0 +1,317 @@
+"""Derivatives of runs: against closed forms, against differences of runs, and with each term of the jumps left out."""
+
+from dataclasses import replace
+from itertools import pairwise
+
+import casadi as ca
+import numpy as np
+import pytest
+from blocks import CARRIAGE, MASS, WEIGHT, block
+
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    Contact,
+    Gravity,
+    Mechanism,
+    Parameter,
+    Prismatic,
+    Scales,
+    Scene,
+    SphereOnPlane,
+    Start,
+    Y,
+)
+from hertzwerk.derive.faults import InputError
+from hertzwerk.derive.laws import coulomb, power
+from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime.model.si_values import si_units
+from hertzwerk.runtime.sensitivity import saltation, sensitivities
+
+CRANK = {"duration": "1.5 ms", "tolerance": 1e-12}
+DASHPOT = {
+    "floor": "power(K=1e6 N/m, n=1) x power_damping(chi=200 N s/m, m=0)"
+}  # jumps at the onset, releases overlapping
+
+
+def made(model, changes=(), **how):
+    """A run with changes of parameters and initial states in SI."""
+    units = {**si_units(model), **model.units}
+    given = {name: (value, units[name] or "1") for name, value in dict(changes).items()}
+    parts = ({name: given[name] for name in given if (name in model.parameters) == kind} for kind in (True, False))
+    return simulate(
+        model, method=how.pop("method", "dop853"), compiled=False, parameters=next(parts), initial=next(parts), **how
+    )
+
+
+def difference(model, name, now, read, step=1e-3, **how):
+    """Derivative by central differences, twice extrapolated, and how far that is from once."""
+    by = [step * (abs(now) or 1) / 2**k for k in range(3)]
+    first = [
+        (read(made(model, {name: now + d}, **how)) - read(made(model, {name: now - d}, **how))) / (2 * d) for d in by
+    ]
+    second = [(4 * b - a) / 3 for a, b in pairwise(first)]
+    found = (16 * second[1] - second[0]) / 15
+    return found, np.abs(found - second[1])
+
+
+def compared(model, names, read, step=1e-3, **how):
+    """Check derivatives at the end against differences, of the largest in each history, where those are sure."""
+    run = made(model, **how)
+    found, bound, judged = run.sensitivities(*names), model.bind(), 0
+    worst = 0.0
+    for name in names:
+        now = bound[name] if name in model.parameters else run.initial[name]
+        expected, unsure = difference(
+            model, name, now, lambda r: np.array([r.final[s] for s in read]), step=step, **how
+        )
+        for state, value, doubt in zip(read, expected, unsure, strict=True):
+            history = found[state, name]
+            size = np.nanmax(np.abs(history))
+            if doubt <= 1e-7 * size:
+                judged += 1
+                worst = max(worst, abs(history[-1] - value) / size)
+    assert judged >= len(names)
+    assert worst <= 1e-6
+
+
+@pytest.fixture(scope="module")
+def ball():
+    return load("bouncing_ball")
+
+
+@pytest.fixture(scope="module")
+def crank():
+    return load("slider_crank")
+
+
+# -- closed forms ------------------------------------------------------------------------------------------------------
+
+
+def test_flight_is_free_fall(ball):
+    """y = h - g t^2/2, falling to the floor at t = sqrt(2 (h - r)/g), with sqrt(2 g (h - r)): drop_height counts from the floor."""
+    run = made(ball, duration="1 s", tolerance=1e-12)
+    found, g = run.sensitivities("gravity", "vertical.travel"), ball.bind()["gravity"]
+    free = run.t < run.impacts[0].t
+    np.testing.assert_allclose(found["vertical.travel", "gravity"][free], -(run.t[free] ** 2) / 2, rtol=0, atol=1e-13)
+    np.testing.assert_allclose(found["vertical.travel", "vertical.travel"][free], 1, rtol=1e-13)
+    (impact,) = run.impacts
+    assert found.impacts("t", "gravity")[0] == pytest.approx(-impact.t / (2 * g), rel=1e-10)
+    assert found.impacts("t", "vertical.travel")[0] == pytest.approx(1 / impact.speed, rel=1e-10)
+    assert found.impacts("speed", "vertical.travel")[0] == pytest.approx(g / impact.speed, rel=1e-10)
+    assert found.unit("vertical.travel", "gravity") == "m/(m/s^2)"
+
+
+def test_a_hertz_impact_follows_its_power_laws():
+    """Undamped: depth ~ (m v^2/K)^(2/5), force ~ K^(2/5) (m v^2)^(3/5); equal masses, K ~ E."""
+    spheres = load("two_spheres")
+    run = made(spheres, {"restitution": 1.0}, duration="0.05 s", tolerance=1e-12)
+    found, bound, (impact,) = run.sensitivities("mass", "youngs_modulus"), spheres.bind(), run.impacts
+    for name, of_depth, of_force in (("mass", 2 / 5, 3 / 5), ("youngs_modulus", -2 / 5, 2 / 5)):
+        depth, force = (found.impacts(what, name)[0] * bound[name] for what in ("peak_penetration", "peak_force"))
+        assert depth / impact.peak_penetration == pytest.approx(of_depth, rel=2e-7)
+        assert force / impact.peak_force == pytest.approx(of_force, rel=2e-7)
+
+
+def test_volume_in_phase_space_is_kept():
+    """Liouville: of a conservative scene the change of (q, M u) by its start has determinant 1, through contacts too."""
+    for scene, duration in (("double_pendulum", "2 s"), ("two_spheres", "0.05 s")):
+        model = load(scene)
+        names = (*model.coordinates, *model.speeds)
+        how = {"duration": duration, "tolerance": 1e-13}
+        conservative = {"restitution": 1.0} if "restitution" in model.parameters else {}
+        run = made(model, conservative, **how)
+        found = run.sensitivities(*names)
+        change = np.array([[found[state, name][-1] for name in names] for state in names])
+        first, last = (mass_matrix(run, row) for row in (0, -1))
+        grown = np.linalg.det(change) * np.linalg.det(last) / np.linalg.det(first)
+        assert grown == pytest.approx(1, abs=1e-9), scene
+        assert len(run.impacts) == (scene == "two_spheres")
+
+
+def mass_matrix(run, row):
+    """Mass matrix at a row of a run, of a model with no kinematics but q' = u, by the accelerations that forces cause."""
+    model = run.model
+    t, q, u, f, c = model.symbols("t q u f c")
+    a = model.function("accelerations").call([t, q, u, f, c])[0]
+    inverse = ca.Function("inverse", [t, q, u, f, c], [ca.jacobian(a, f)])
+    y = run.history.part("y")[row]
+    state = run.t[row], y[: model.nq], y[model.nq : model.nq + model.nu]
+    return np.linalg.inv(np.array(inverse(*state, np.zeros(f.numel()), model.bind().c))[:, : model.nu])
+
+
+# -- differences of runs -----------------------------------------------------------------------------------------------
+
+
+def test_impacts_of_a_falling_ball(ball):
+    compared(ball, ("restitution", "drop_height", "gravity", "vertical.travel"), ("vertical.travel", "vertical.speed"),
+             duration="2 s", tolerance=1e-12)  # fmt: skip
+
+
+def test_a_crank_with_clearance(crank):
+    compared(crank, ("restitution", "clearance", "friction_coefficient", "crank_radius", "guide.travel"),
+             ("guide.travel", "crank_pin.speed", "slider_pin.dissipated"), step=1e-4, **CRANK)  # fmt: skip
+
+
+def test_a_force_that_jumps_and_a_release_under_overlap():
+    model = load("bouncing_ball", laws=DASHPOT)
+    run = made(model, duration="2 s", tolerance=1e-12)
+    assert set(run["floor.mode"]) == {0, 1, 2}
+    names, states = (
+        ("floor_chi", "floor_K", "mass", "drop_height"),
+        ("vertical.travel", "vertical.speed", "floor.dissipated"),
+    )
+    compared(model, names, states, duration="2 s", tolerance=1e-12)
+
+
+@pytest.fixture(scope="module")
+def sliding():
+    """A block that slides to rest: by v^2/(2 a) in v/a, with a = mu_k m g/(m + carriage)."""
+    return load(block(coulomb(Parameter("mu_k", "1", 0.2), Parameter("mu_s", "1", 0.3))))
+
+
+def test_friction_that_stops(sliding):
+    speed, a = 1.0, 0.2 * WEIGHT / (MASS + CARRIAGE)
+    run = made(sliding, {"slide": speed}, duration="1 s", tolerance=1e-12)
+    found = run.sensitivities("slide", "mu_k", "mu_s")
+    assert run["floor_0.slip"][-1] == 0
+    assert found["along_0.travel", "slide"][-1] == pytest.approx(speed / a, rel=1e-9)
+    assert found["along_0.travel", "mu_k"][-1] == pytest.approx(-(speed**2) / (2 * a * 0.2), rel=1e-9)
+    assert (
+        np.abs([found["along_0.travel", "mu_s"], found["along_0.speed", "mu_k"][-1:].repeat(len(run.t))]).max() < 1e-12
+    )
+    assert found["floor_0.friction_force", "mu_k"][1] == pytest.approx(WEIGHT, rel=1e-6)
+
+
+def test_absolute_coordinates_close_their_loops(crank):
+    model = load("slider_crank", coordinates="absolute")
+    absolute, tree = made(model, **CRANK), made(crank, **CRANK)
+    for name in ("restitution", "clearance"):
+        one, other = (run.sensitivities(name).at(np.array([1.4e-3]), "guide.travel", name) for run in (absolute, tree))
+        np.testing.assert_allclose(one, other, rtol=2e-6)
+    of_constraints = [absolute.sensitivities("crank_radius")[name, "crank_radius"] for name in model.constraints]
+    assert np.abs(of_constraints).max() < 1e-7
+
+
+@pytest.mark.parametrize("method", ["dopri5", "esdirk", "rodas", "auto"])
+def test_every_method_in_the_graph(ball, method):
+    how = {"duration": "0.7 s", "tolerance": 1e-10}
+    found = made(ball, method=method, **how).sensitivities("restitution", "drop_height")
+    exact = made(ball, duration="0.7 s", tolerance=1e-13).sensitivities("restitution", "drop_height")
+    for name in found.names:
+        for state in ("vertical.travel", "vertical.speed"):
+            assert found[state, name][-1] == pytest.approx(exact[state, name][-1], rel=2e-6), name
+
+
+def test_every_history_has_a_derivative(crank):
+    """By differences at a time of its own, in contact: forces, gaps, energies, readings of bodies, contacts and joints."""
+    names = ("slider_pin.normal_force", "slider_pin.penetration", "slider_pin.gap", "slider_pin.gap_rate", "energy",
+             "slider_pin.sliding_velocity", "guide.acceleration", "slider_pin.approach_speed", "slider_pin.force_x",
+             "rod.kinetic_energy", "crank_pin.reaction_x", "crank_drive.torque")  # fmt: skip
+    run = made(crank, duration="0.3 ms", tolerance=1e-12)
+    t = np.array([0.255e-3])
+    assert run.at(t)["slider_pin.penetration"] > 0
+    found, now = run.sensitivities("clearance"), crank.bind()["clearance"]
+    expected, unsure = difference(crank, "clearance", now, lambda r: np.array([r.at(t)[name][0] for name in names]),
+                                  step=1e-4, duration="0.3 ms", tolerance=1e-12)  # fmt: skip
+    for name, value, doubt in zip(names, expected, unsure, strict=True):
+        assert doubt < 1e-6 * abs(value) or doubt < 1e-9, name
+        assert found.at(t, name, "clearance")[0] == pytest.approx(value, rel=5e-6, abs=1e-8), name
+
+
+# -- every term matters ------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("scene", "left_out"),
+    [
+        ("dashpot", lambda jump: replace(jump, slopes=(jump.slopes[0], jump.slopes[0]))),
+        ("dashpot", lambda jump: replace(jump, booked=())),
+        ("crank", lambda jump: replace(jump, latched=())),
+        ("sliding", lambda jump: replace(jump, slopes=(jump.slopes[0], jump.slopes[0]))),
+    ],
+    ids=["field that jumps", "booked energy", "latched speed", "friction that stops"],
+)
+def test_a_jump_without_one_of_its_terms_is_wrong(scene, left_out, monkeypatch, crank, sliding):
+    model, to, state, how = {
+        "dashpot": (load("bouncing_ball", laws=DASHPOT), "drop_height", "floor.dissipated", {"duration": "1 s"}),
+        "crank": (crank, "clearance", "guide.travel", {"duration": "0.5 ms"}),
+        "sliding": (sliding, "slide", "along_0.travel", {"duration": "1 s", "changes": {"slide": 1.0}}),
+    }[scene]
+    right = made(model, tolerance=1e-10, **how).sensitivities(to)[state, to]
+    events = sensitivities.events_of
+    monkeypatch.setattr(
+        sensitivities, "events_of", lambda *of: {row: left_out(jump) for row, jump in events(*of).items()}
+    )
+    wrong = made(model, tolerance=1e-10, **how).sensitivities(to)[state, to]
+    assert abs(right[-1] - wrong[-1]) > 1e-3 * abs(right[-1])
+
+
+# -- what has no derivative, and bad input -----------------------------------------------------------------------------
+
+
+def test_a_graze_ends_it_by_name(crank, monkeypatch):
+    """Surfaces that touch without approaching: a run that lands so, made by taking every landing for one."""
+    run = made(crank, duration="0.5 ms", tolerance=1e-9)
+    monkeypatch.setattr(saltation, "LANDING", 1e12)
+    found = run.sensitivities("clearance")
+    assert "graze" in found.reason
+    assert found.until == run.impacts[0].t
+    history = found["guide.travel", "clearance"]
+    assert np.isfinite(history[run.t < found.until]).all()
+    assert np.isnan(history[run.t >= found.until]).all()
+
+
+def test_events_at_one_instant_that_would_part_have_no_derivative():
+    """Two balls land at once; raising one alone parts their landings, a change of gravity does not."""
+    model = load(pair_of_balls())
+    run = made(model, duration="0.5 s", tolerance=1e-10)
+    assert len({impact.t for impact in run.impacts}) == 1
+    together, parted = (run.sensitivities(name) for name in ("gravity", "left.travel"))
+    assert (together.reason, together.until) == ("", run.t_end)
+    assert (parted.reason, parted.until) == ("events at one instant that would part", run.impacts[0].t)
+
+
+def pair_of_balls():
+    mass, radius, height = Parameter("mass", "kg", 1), Parameter("radius", "m", 0.1), Parameter("height", "m", 1)
+    joints, pairs, contacts = [], [], []
+    for name in ("left", "right"):
+        ball = Body(f"{name}_ball", mass=mass)
+        joints.append(Prismatic(name, GROUND, ball, axis=Y))
+        pairs.append(SphereOnPlane(f"{name}_floor", ball.at(0, 0, 0), radius, GROUND.at(0, 0, 0), Y))
+        contacts.append(Contact(f"{name}_floor", power(Parameter("K", "N/m^1.5", 1e8), 1.5)))
+    return Scene(
+        Mechanism("balls", tuple(joints), tuple(pairs)),
+        (Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), direction=-Y), *contacts),
+        Scales(length=height, speed=Parameter("pace", "m/s", 1)),
+        Start(position={"left": height, "right": height}),
+    )
+
+
+def test_unknown_names_are_refused_at_once(ball):
+    run = made(ball, duration="0.1 s", tolerance=1e-9)
+    with pytest.raises(InputError) as refused:
+        run.sensitivities("restitutoin", "hight", "gravity")
+    assert [fault.where for fault in refused.value.faults] == ["restitutoin", "hight"]
+    with pytest.raises(InputError, match="stiffness"):
+        run.sensitivities("gravity")["vertical.travel", "stiffness"]
+
+
+def test_a_run_without_steps_or_start_says_so(ball, tmp_path):
+    run = made(ball, duration="0.1 s", tolerance=1e-9, output=[0.05])
+    assert run.sensitivities("gravity").at(np.array([0.05]), "vertical.travel", "gravity")[0] == pytest.approx(
+        -(0.05**2) / 2
+    )
+    saved = type(run).load(run.save(tmp_path / "run.npz"))
+    with pytest.raises(InputError, match="without its steps"):
+        saved.sensitivities("gravity")
+    with pytest.raises(InputError, match="without its steps"):
+        run.continued("0.2 s").sensitivities("gravity")
+
+
+def test_a_run_that_is_not_asked_builds_nothing():
+    model = load("bouncing_ball")
+    made(model, duration="0.1 s", tolerance=1e-9)
+    assert not [key for key in model.known if "sensitivity" in getattr(key[0], "__module__", "")]
+    made(model, duration="0.1 s", tolerance=1e-9).sensitivities("gravity")
+    assert [key for key in model.known if "sensitivity" in getattr(key[0], "__module__", "")]
