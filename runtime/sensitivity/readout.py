@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.integrate.step.explicit import flow
-from hertzwerk.runtime.integrate.step.layout import CONTACT
+from hertzwerk.runtime.integrate.step.layout import CONTACT, ENERGY_PARTS
 from hertzwerk.runtime.model.readings import ARGUMENTS as READ_FROM
 from hertzwerk.runtime.model.readings import CONTACTS, Reading, readings_of
 from hertzwerk.runtime.sensitivity.tangent import ARGUMENTS
-from hertzwerk.runtime.solution.history import acceleration_of, constraint_force, energies_at, friction_force
+from hertzwerk.runtime.solution.history import acceleration_of, constraint_force, friction_force
 from hertzwerk.runtime.solution.impacts import distances, penetrations
 
 if TYPE_CHECKING:
@@ -51,13 +51,14 @@ class _Expressions:
         memory = [*model.latches, *(slip for slip, *_ in model.slips)]
         if name == "t":
             return self.t
+        if name in model.inputs:
+            return ca.SX(0)  # it is given, and does not change
         if name in states:
             return self.y[states.index(name)]
         if name in memory:
             return m[memory.index(name)]
         if name == "energy":
-            at = {"t": self.t, "y": self.y, "mode": self.mode}
-            return ca.sum1(energies_at(model, at, self.c)[:2])
+            return sum(self.ends[part] for part in ENERGY_PARTS)
         tables: dict[str, tuple[Sequence[str], Callable[[], Any]]] = {
             "outputs": (model.outputs, lambda: model.function("outputs")(*self._place())),
             "friction": ([friction_force(slip) for slip, *_ in model.slips], lambda: self.ends["friction"]),
@@ -77,8 +78,12 @@ class _Expressions:
         return [self.t, self.q, self.u, self.c]
 
     def _held(self) -> Any:
+        return self._holding(0)
+
+    def _holding(self, which: int) -> Any:
+        """Forces that hold the constraints (0), or those of drives and reactions that loads depend on (1)."""
         holding: Any = flow(self.model).holding
-        return holding(self.t, self.y, self.mode, self.m, self.c)
+        return holding.call([self.t, self.y, self.mode, self.m, self.c])[which]
 
     def _of_pair(self, pair: str, part: str) -> Any:
         j, at = self.model.pairs.index(pair), {**self.ends, "t": self.t, "y": self.y}
@@ -94,11 +99,18 @@ class _Expressions:
     def _reading(self, asked: Reading) -> Any:
         """Reading; of a contact 0 while its surfaces are apart."""
         model, found, of_contact = self.model, readings_of(self.model), asked.function == CONTACTS
+        constants = found.module.constants(self.p)
         touching = [] if of_contact else [self._reading(found.rows[name]) for name in found.module.TOUCHING]
         given = {
             **{"t": self.t, "q": self.q, "u": self.u, "z": self.z, "m": self.m, "friction": self.ends["friction"]},
             **{"a": self.ends["dy"][model.nq : model.nq + model.nu], "touching": ca.vertcat(ca.SX(0, 1), *touching)},
-            **{"multipliers": self._held() if model.nl else ca.SX(0, 1), "c": found.module.constants(self.p)},
+            "multipliers": self._held() if model.nl else ca.SX(0, 1),
+            "reactions": self._holding(1)
+            if model.has("loads")
+            else ca.SX.zeros(model.function("accelerations").size1_out(1)),
+            "c": ca.vertcat(
+                ca.SX(constants)[: len(found.module.CONSTANTS) - model.npieces], self.c[model.nc - model.npieces :]
+            ),
         }
         results = getattr(found.module, asked.function)(*(given[name] for name in READ_FROM[asked.function].split()))
         columns = results[asked.result] if isinstance(results, tuple) else results

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from hertzwerk.derive.faults import InputError, unknown
+from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT
 from hertzwerk.runtime.model.si_values import si_units
 from hertzwerk.runtime.sensitivity.readout import Readout
@@ -55,6 +55,9 @@ class Sensitivities:
             for name in names
             if name not in _known(history)
         ]
+        if len({pair for *_, pair in model.slips}) < model.ns:
+            expected = "friction that is smooth, or set-valued along one tangent"
+            faults.append(Fault("friction", "set-valued in two directions, whose slip follows the motion", expected))
         if faults:
             raise InputError(f"sensitivities of {model.name}", faults)
         dp = np.array([[float(parameter == name) for name in names] for parameter in model.parameters])

@@ -88,8 +88,9 @@ def tangent(build: Callable[[Model], Any], history: History, rows: np.ndarray, d
     model, layout = history.model, history.engine.layouts.state
     changes = np.concatenate([directions.dc, directions.dp])
     constant = np.concatenate([directions.c, directions.p, changes.T.ravel()])
+    pieces = [rows[:, layout["pieces"]]] if model.inputs else []
     value, to_time, *parts = _rowwise(model, build, directions.count)(
-        constant, *(rows[:, layout[part]] for part in PARTS)
+        constant, *(rows[:, layout[part]] for part in PARTS), *pieces
     )
     widths, (n, size) = (layout.sizes["y"], model.nm, directions.count), value.shape
     shaped = (part.reshape(n, width, size).swapaxes(1, 2) for part, width in zip(parts, widths, strict=True))
@@ -98,15 +99,19 @@ def tangent(build: Callable[[Model], Any], history: History, rows: np.ndarray, d
 
 @per_model
 def _rowwise(model: Model, build: Callable[[Model], Any], count: int) -> Rowwise:
-    *rest, c, p = given = model.symbols(ARGUMENTS)
+    *rest, c, p = model.symbols(ARGUMENTS)
     _, y, _, m = rest
     size = model.nc + len(model.parameters)
     change = ca.SX.sym("change", size, count)
-    value = build(model)(*given)
+    pieces = [ca.SX.sym("pieces", model.npieces)] if model.inputs else []
+    now = ca.vertcat(c[: model.nc - model.npieces], *pieces)  # those of the inputs change from row to row
+    value = build(model)(*rest, now, p)
     by_constants = ca.jtimes(value, c, change[: model.nc, :]) + ca.jtimes(value, p, change[model.nc :, :])
     results = [value, ca.jtimes(value, rest[0], ca.SX(1)), ca.jacobian(value, y), ca.jacobian(value, m), by_constants]
-    made = ca.Function("tangent", [c, p, change, *rest], ca.cse([ca.densify(ca.vec(result)) for result in results]))
-    both = ca.SX.sym("both", size * (1 + count))
+    made = ca.Function(
+        "tangent", [c, p, change, *rest, *pieces], ca.cse([ca.densify(ca.vec(result)) for result in results])
+    )
+    both, rest = ca.SX.sym("both", size * (1 + count)), [*rest, *pieces]
     split = *ca.vertsplit(both[:size], [0, model.nc, size]), ca.reshape(both[size:], size, count)
     return Rowwise(ca.Function("tangent_at", [both, *rest], made.call([*split, *rest])), constant=0)
 

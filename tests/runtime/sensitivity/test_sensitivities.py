@@ -6,13 +6,15 @@ from itertools import pairwise
 import casadi as ca
 import numpy as np
 import pytest
-from blocks import CARRIAGE, MASS, WEIGHT, block
+from blocks import CARRIAGE, MASS, WEIGHT, block, puck
 
 from hertzwerk.derive import (
     GROUND,
     Body,
     Contact,
     Gravity,
+    Input,
+    JointForce,
     Mechanism,
     Parameter,
     Prismatic,
@@ -24,7 +26,7 @@ from hertzwerk.derive import (
 )
 from hertzwerk.derive.faults import InputError
 from hertzwerk.derive.laws import coulomb, power
-from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime import Samples, load, simulate
 from hertzwerk.runtime.model.si_values import si_units
 from hertzwerk.runtime.sensitivity import saltation, sensitivities
 
@@ -297,6 +299,14 @@ def test_unknown_names_are_refused_at_once(ball):
         run.sensitivities("gravity")["vertical.travel", "stiffness"]
 
 
+def test_friction_in_two_directions_is_refused_by_name():
+    run = simulate(
+        load(puck(coulomb(Parameter("mu_k", "1", 0.2), Parameter("mu_s", "1", 0.3)))), duration="1 ms", tolerance=1e-6
+    )
+    with pytest.raises(InputError, match="two directions"):
+        run.sensitivities("mass")
+
+
 def test_a_run_without_steps_or_start_says_so(ball, tmp_path):
     run = made(ball, duration="0.1 s", tolerance=1e-9, output=[0.05])
     assert run.sensitivities("gravity").at(np.array([0.05]), "vertical.travel", "gravity")[0] == pytest.approx(
@@ -315,3 +325,18 @@ def test_a_run_that_is_not_asked_builds_nothing():
     assert not [key for key in model.known if "sensitivity" in getattr(key[0], "__module__", "")]
     made(model, duration="0.1 s", tolerance=1e-9).sensitivities("gravity")
     assert [key for key in model.known if "sensitivity" in getattr(key[0], "__module__", "")]
+
+
+def test_a_load_given_as_an_input_changes_nothing_itself():
+    """A force F(t) held in pieces on a mass: x = double integral of F/m, so that dx/dm = -x/m."""
+    mass = Parameter("mass", "kg", 2.0)
+    scene = Scene(
+        Mechanism("pushed", (Prismatic("slide", GROUND, Body("cart", mass), axis=Y),)),
+        (JointForce("push", "slide", Input("force", "N")),),
+        Scales(Parameter("size", "m", 1), Parameter("pace", "m/s", 1)),
+    )
+    samples = Samples(np.array([0.0, 0.3, 0.5, 1.0]), np.array([1.0, -2.0, 3.0, 0.0]), ("s", "N"), "held")
+    run = simulate(load(scene), duration="1 s", tolerance=1e-10, inputs={"force": samples})
+    found = run.sensitivities("mass")
+    np.testing.assert_allclose(found["slide.travel", "mass"], -run["slide.travel"] / 2, atol=1e-12)
+    assert not found["force", "mass"].any()
