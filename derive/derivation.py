@@ -19,7 +19,7 @@ from hertzwerk.derive.module.motion import motion
 from hertzwerk.derive.module.system import System
 from hertzwerk.derive.motion.absolute import absolute
 from hertzwerk.derive.program.program import Program
-from hertzwerk.derive.readings import readings_of
+from hertzwerk.derive.readings.readings import readings_of
 
 
 def generate(scene: Scene, source: str = "") -> str:

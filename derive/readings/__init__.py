@@ -1,0 +1,1 @@
+"""Readings of a run beyond its states, derived when the first of them is asked for."""
