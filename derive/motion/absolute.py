@@ -89,10 +89,17 @@ def absolute(scene: Scene) -> Absolute:
         at_ground = joint.parent.body == GROUND and not any(key in driven for key in keys)
         if prescribed:
             still.append(joint.child.body)
-        if prescribed or not joint.freedoms or (at_ground and joint.absolute):
+        guides = joint.name in scene.held and bool(joint.sliding)
+        if prescribed or not joint.freedoms or (at_ground and (joint.absolute or guides)):
             carried.append(joint)
             continue
-        carried.append(_base(mechanism, joint, joint.name in scene.held))
+        carried.append(_base(mechanism, joint, guides))
+        if guides and mechanism.plane is not None:
+            unruled.append(
+                Fault(f"joint {joint.name}", "a guide on a moving body, whose reaction is read, in plane motion",
+                      "a guide on the ground: what presses it across the plane, coordinates in the plane do not tell",
+                      "Keep the joints' coordinates: coordinates='tree'.")
+            )  # fmt: skip
         unruled += joint.unruled()
         if not unruled and joint.constraints():
             closing.append(joint)

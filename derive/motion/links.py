@@ -290,15 +290,8 @@ def _held(joint: Joint, plane: int | None) -> Held:
     if joint.sliding:
         ways = ways[1:]
     turns = ways if joint.sliding and not joint.turning else ()
-    if plane is not None:
-        normal = AXES[plane]
-        slid = joint.sliding[0][0] if joint.sliding else None
-        ways = (
-            tuple(AXES[k] for k in range(3) if k != plane)
-            if slid is None
-            else (Direction(cross(normal.unit, slid.unit)),)
-        )
-        turns = (normal,) if turns else ()
+    if plane is not None and not joint.sliding:  # a guide may be pressed across the plane of motion too
+        ways = tuple(AXES[k] for k in range(3) if k != plane)
 
     def rows(directions: Sequence[Direction], unit: str, word: str) -> tuple[tuple[Direction, Row], ...]:
         keys = [f"{joint.name}.{word}_{i}" for i, _ in enumerate(directions, 1)]

@@ -37,7 +37,7 @@ from hertzwerk.derive import (
     reaction_of,
     speed_of,
 )
-from hertzwerk.runtime import equilibrium, load, simulate
+from hertzwerk.runtime import equilibrium, load, modes, simulate
 
 G, M, J, L, R, MU, V_S = 9.81, 1.3, 0.02, 0.4, 0.06, 0.35, 1e-3
 p = Parameter
@@ -266,3 +266,51 @@ def test_what_cannot_be_said_is_told_at_once():
     )
     with pytest.raises(InputError, match="set-valued, beside loads"):
         load(Scene(Mechanism("sticks", joints, (floor,)), (DOWN, *sticks, BEARING), SCALES))
+
+
+@pytest.mark.parametrize("coordinates", BOTH)
+def test_a_guide_is_pressed_across_the_plane_too(coordinates):
+    """Weight across the plane of motion; the mass centre beside the guide: friction F turns the block by F arm about Z."""
+    effects = [replace(e, direction=-Z) if e is DOWN else e for e in guide().effects]
+    scene = replace(guide(), effects=tuple(effects), coordinates=coordinates)
+    run = simulate(load(scene), duration=0.1, tolerance=1e-10, parameters={"mu": 0.1})
+
+    def left(
+        brakes,
+    ):  # weight shared, and the moments of friction about Z and of the weight about X, which no pad carries
+        return brakes - 2 * 0.1 * np.hypot(GUIDED * G / 2, brakes * ARM / LENGTH)
+
+    assert -run["friction.force"][0] == pytest.approx(brentq(left, 0, 100), rel=1e-9)
+    assert run.energy_residual < 1e-12
+
+
+def test_a_guide_in_a_turning_body():
+    """A ring on a spoke that turns steadily: it is pressed by 2 m w v, shared by its pads."""
+    spoke, ring = (
+        Body("spoke", p("spoke_mass", "kg", 1), inertia=p("J", "kg m^2", J)),
+        Body("ring", p("mass", "kg", M), inertia=p("J", "kg m^2", J)),
+    )
+    joints = (Revolute("hub", GROUND, spoke, axis=Z), Prismatic("slide", spoke, ring, axis=X))
+    effects = (
+        ConstantSpeed("motor", "hub", p("w", "rad/s", 5)),
+        JointFriction("friction", "slide", RUBS, length=p("length", "m", LENGTH)),
+        EnergyLedger(),
+    )
+    start = Start(position={"slide": p("x0", "m", 0.1)}, speed={"slide": p("v0", "m/s", 0.2)})
+    scene = Scene(Mechanism("spoke", joints), effects, SCALES, start)
+    run = simulate(load(scene), duration=0.3, tolerance=1e-10)
+    root, grip = np.sqrt(MU**2 + 1) * 5, MU * 5  # x'' = w^2 x - 2 mu w x'
+    (a, b), t = np.linalg.solve([[1, 1], [root - grip, -root - grip]], [0.1, 0.2]), run.t
+    assert run["slide.travel"] == pytest.approx(
+        a * np.exp((root - grip) * t) + b * np.exp((-root - grip) * t), abs=1e-8
+    )
+    assert run.energy_residual < 1e-9
+    with pytest.raises(InputError, match="guide on a moving body"):
+        load(scene.with_coordinates("absolute"))
+
+
+def test_a_journal_damps_small_vibrations():
+    """Small vibrations in a journal: the smoothed law damps with c = mu r^2 m g/v_s, as `modes` finds."""
+    found = modes(load(pendulum(lift=0)), parameters={"mu": 1e-3})
+    stiffness, inertia, damping = M * G * L, J + M * L**2, 1e-3 * R**2 * M * G / V_S
+    assert found.damping_ratios[0] == pytest.approx(damping / (2 * np.sqrt(stiffness * inertia)), rel=1e-9)
