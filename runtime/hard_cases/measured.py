@@ -182,4 +182,6 @@ TRIES: dict[str, dict[str, int]] = {
     "edge_slider_crank_friction_speed_lower": {"dopri5": 259, "dop853": 157, "rodas": 399, "esdirk": 317, "auto": 157},
     "edge_slider_crank_rod_length_lower": {"dopri5": 318, "dop853": 120, "rodas": 425, "esdirk": 287, "auto": 120},
     "relay_without_hysteresis": {"dopri5": 15002, "dop853": 15002, "rodas": 15002, "esdirk": 15002, "auto": 15002},
+    "guide_next_to_locking": {"dopri5": 3, "dop853": 3, "rodas": 3, "esdirk": 3, "auto": 3},
+    "guide_that_locks": {"dopri5": 0, "dop853": 0, "rodas": 0, "esdirk": 0, "auto": 0},
 }

@@ -9,6 +9,7 @@ from hertzwerk.runtime.hard_cases.cases import (
     crank,
     edges,
     many,
+    jamming,
     relays,
     rest,
     shaken,
@@ -26,6 +27,7 @@ CASES: tuple[HardCase, ...] = (
     *closed_loops.CASES,
     *edges.CASES,
     *relays.CASES,
+    *jamming.CASES,
     *shaken.CASES,
 )
 BY_NAME = {case.name: case for case in CASES}

@@ -22,6 +22,7 @@ from hertzwerk.derive.effects.drives import Harmonic
 from hertzwerk.derive.effects.energy_ledger import EnergyLedger
 from hertzwerk.derive.effects.forces import JointForce
 from hertzwerk.derive.effects.gravity import Gravity
+from hertzwerk.derive.effects.joint_friction import JointFriction
 from hertzwerk.derive.effects.springs import JointDamper
 from hertzwerk.derive.effects.state_expression import speed_of
 from hertzwerk.derive.laws import coulomb, exact, flores, kelvin_voigt, lugre, power, ristow, smooth_coulomb
@@ -290,6 +291,25 @@ def chattering_relay() -> Scene:
     )
 
 
+def jamming_guide() -> Scene:
+    """A block that slides on two pads, with its mass centre above them, which friction presses."""
+    block = Body(
+        "block", mass=_MASS, inertia=Parameter("inertia", "kg m^2", 0.01), centre=(0, Parameter("arm", "m", 0.2), 0)
+    )
+    rubs = smooth_coulomb(_FRICTION, _LAYER)
+    return Scene(
+        Mechanism("jamming_guide", joints=(Prismatic("slide", GROUND, block, axis=X),)),
+        effects=(
+            Gravity("gravity", Parameter("gravity", "m/s^2", 9.81), direction=-Y),
+            JointFriction("friction", "slide", rubs, length=Parameter("length", "m", 0.1)),
+            EnergyLedger(),
+        ),
+        start=Start(speed={"slide": _SPEED}),
+        scales=Scales(length=Parameter("size", "m", 0.1), speed=_SPEED),
+        summary="a block that brakes on a guide, which locks where mu reaches length/(2 arm)",
+    )
+
+
 def _depth(mass: sp.Expr) -> sp.Expr:
     """Penetration of an elastic impact at the start's speed [m]."""
     return ((_EXPONENT + 1) * mass * _SPEED**2 / (2 * _STIFFNESS)) ** (1 / (_EXPONENT + 1))
@@ -313,6 +333,7 @@ HARD_SCENES: dict[str, Callable[[], Scene]] = {
     "grazing_ball": grazing_ball,
     "shaken_ball": shaken_ball,
     "chattering_relay": chattering_relay,
+    "jamming_guide": jamming_guide,
     "row_of_5": lambda: row_of_spheres(5),
     "row_of_50": lambda: row_of_spheres(50),
     "touching_row_of_5": lambda: touching_row(5),
