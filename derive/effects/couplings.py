@@ -6,17 +6,19 @@ those of joints that close loops (`derive.motion.constraints`): without complian
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import sympy as sp
 
 from hertzwerk.derive.algebra.functions import Where
+from hertzwerk.derive.algebra.vectors import Vector, apply, dot, scale, sub
 from hertzwerk.derive.dimension.dimension import Dimension, DimensionError
 from hertzwerk.derive.dimension.walker import dimension_of
 from hertzwerk.derive.effects.drives import AnyDrive
-from hertzwerk.derive.effects.effect import NOWHERE, Declared, Effect, Kinematics, joint_faults
+from hertzwerk.derive.effects.effect import NOWHERE, Declared, Effect, Kinematics, Mark, joint_faults
 from hertzwerk.derive.effects.state_expression import (
     COORDINATE,
     TIME,
@@ -27,12 +29,14 @@ from hertzwerk.derive.effects.state_expression import (
     states_in,
 )
 from hertzwerk.derive.faults import Fault
-from hertzwerk.derive.mechanism.bodies import Slot
-from hertzwerk.derive.mechanism.parameter import Scalar, dimensions_of, is_number, parameters_of
+from hertzwerk.derive.mechanism.bodies import Point, Slot
+from hertzwerk.derive.mechanism.joints.joint import Joint
+from hertzwerk.derive.mechanism.parameter import Scalar, default_value, dimensions_of, is_number, parameters_of
 from hertzwerk.derive.program.expression_text import EmitError, expression_text
 from hertzwerk.derive.units import UnitError
 
 LENGTH, ANGLE = "m", "1"
+_ALIGNED = 1e-9  # cosine of a right angle, for pictures
 _KINKED = (sp.Max, sp.Min, sp.Abs, sp.sign, sp.Heaviside, sp.Piecewise, sp.floor, sp.ceiling, Where)
 
 
@@ -179,5 +183,40 @@ class Coupling(Effect):
                 where, f"{shown(self.equation)}: {error}", "an equation of known functions, twice differentiable"
             )
 
+    def landmarks(self, scene: Declared) -> Iterator[Mark]:
+        """Yield pitch circles: of wheels that mesh from outside, of a wheel on a rack or with a rope.
+
+        Their shafts and guides are in the same part. A belt, and wheels of other shafts, tell no radii.
+        """
+        joints = [joint for key in self.joints for joint in scene.mechanism.tree if joint.name == key]
+        if self.equation is not None or len(joints) < 2 or joints[0].parent.body != joints[1].parent.body:
+            return
+        axes = [apply(j.parent.axes, f.axis.unit) for j in joints for f in j.freedoms if f.axis is not None]
+        kinds = [freedom.kind for joint in joints for freedom in joint.freedoms]
+        ratio, cosine = sp.sympify(self.ratio), default_value(dot(*axes)) if len(axes) == 2 else math.nan
+        if kinds == ["slide", "turn"] and abs(cosine) < _ALIGNED:
+            size = ratio if default_value(ratio) > 0 else -ratio
+            yield "mesh", "first", joints[0].child, {"along": _axis(joints[0])}
+            yield "mesh", "second", *_wheel(joints[1], size)
+        elif kinds == ["turn", "turn"] and abs(abs(cosine) - 1) < _ALIGNED and default_value(ratio) * cosine < 0:
+            ratio = -ratio if cosine > 0 else ratio
+            apart = sub(joints[1].parent.position, joints[0].parent.position)
+            apart = sub(apart, scale(dot(apart, axes[0]), axes[0]))
+            distance = sp.sqrt(dot(apart, apart))
+            if default_value(distance) > 0:
+                yield "mesh", "first", *_wheel(joints[0], distance / (1 + ratio))
+                yield "mesh", "second", *_wheel(joints[1], distance * ratio / (1 + ratio))
+
     def element(self, kin: Kinematics) -> None:
         """No element: its constraint is in the equations of motion, beside those of closed loops."""
+
+
+def _wheel(joint: Joint, radius: Any) -> tuple[Point, Mapping[str, Any]]:
+    """Point of a wheel's shaft, and its axis and pitch radius."""
+    return joint.child, {"axis": _axis(joint), "radius": radius}
+
+
+def _axis(joint: Joint) -> Vector:
+    """Axis of the only freedom of a joint, along the axes of its child."""
+    axis = joint.freedoms[0].axis
+    return (0, 0, 0) if axis is None else apply(joint.child.axes, axis.unit)

@@ -1,14 +1,35 @@
 """The woodpecker toy: stick, slip and impact in turn, which stability forbids explicit steps; and what is advised where a method does not suit."""
 
+import numpy as np
 import pytest
 
 from hertzwerk.runtime import load, simulate
-from reference.woodpecker import woodpecker
+from reference.woodpecker import fallen
 
 
 @pytest.fixture(scope="module")
 def toy():
-    return load(woodpecker())
+    return load("woodpecker")
+
+
+def test_it_pecks_on_a_limit_cycle(toy):
+    """Pecks follow each other in the same time and at the same depth; from a state of the cycle an independent integration comes back to it."""
+    run = simulate(toy, duration="1.3 s", tolerance=1e-8, compiled=False)
+    pecks = np.array([impact.t for impact in run.impacts if impact.contact == "beak"])
+    *_, before, period = np.diff(pecks)
+    assert period == pytest.approx(before, rel=2e-5)
+    states = run.at(pecks[-2:] - 5e-3)
+    ways = [states[name] for name in ("fall.travel", "tilt.angle", "spring_hinge.angle")]
+    rates = [states[name] for name in ("fall.speed", "tilt.speed", "spring_hinge.speed")]
+    y, tilt, bend = np.array([*ways[:2], ways[1] + ways[2]]), *rates[1:]
+    here, there = np.vstack([y, rates[0], tilt, tilt + bend]).T
+    later, hits = fallen(here, period, 1e-7)
+    assert later == pytest.approx(there, rel=1e-4, abs=1e-4)
+    assert later[0] - here[0] == pytest.approx(there[0] - here[0], rel=1e-5)  # 20 mm a peck
+    assert len(hits) == 1
+    assert hits[0] == pytest.approx(
+        (5e-3, run.impacts[-1].speed if run.impacts[-1].contact == "beak" else 0.27643), rel=1e-4
+    )
 
 
 def test_the_default_method_runs_the_woodpecker(toy):

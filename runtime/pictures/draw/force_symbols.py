@@ -1,4 +1,4 @@
-"""Symbols of force elements: springs, dampers, drives, forces and moments."""
+"""Symbols of force elements: springs, dampers, drives, forces and moments; pitch circles of gears."""
 
 from __future__ import annotations
 
@@ -130,6 +130,20 @@ def _belt(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> None
     paper.arrow(np.array([rim[1], rim[1] + ARROW * paper.point * along]), VERMILLION, 1.8)
 
 
+def _mesh(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> None:
+    """Draw the pitch circles of wheels, and the line of a rack or rope."""
+    style = (0, (9, 3, 1.5, 3))
+    for mark in marks:
+        where = parts.positions[id(mark)][i]
+        if "radius" in mark.beside:
+            outline = parts.ring(where, parts.places.direction(mark, "axis")[i], mark.size("radius"))
+        else:
+            way = parts.places.direction(mark, "along")[i]
+            beside = (parts.positions[id(marks[1])][i] - where) @ way
+            outline = parts.flat(np.array([where, where + beside * way]))
+        paper.line(outline, INK, 0.9, 6.5, style)
+
+
 _SYMBOLS: dict[str, Callable[[Parts, Paper, Sequence[Landmark], int], None]] = {
     "spring": _between,
     "bushing": _bushing,
@@ -145,6 +159,7 @@ _SYMBOLS: dict[str, Callable[[Parts, Paper, Sequence[Landmark], int], None]] = {
     "slide_drive": _slide_arrow,
     "slide_force": _slide_arrow,
     "slide_motor": _slide_arrow,
+    "mesh": _mesh,
     "force": _force,
     "moment": _moment,
 }

@@ -50,6 +50,9 @@ def test_built_in_scenarios_come_out(name):
 
 # Per scenario: a parameter off by 1 %, the check that must then fail, and how long a run it takes to see it.
 FAULTS = {
+    "andrews_squeezer": ("m7 = 0.0555298 kg", "final.beta.angle", ""),
+    "geared_hoist": ("drum_radius = 80.8 mm", "final.rope_end.travel", ""),
+    "woodpecker": ("bird_mass = 4.545 g", "final.fall.travel", ""),
     "ball_between_walls": ("restitution = 0.909", "impacts.1.speed", "0.2 s"),
     "ball_in_socket": ("mass = 0.505 kg", "final.float.x", ""),
     "bouncing_ball": ("drop_height = 1.01 m", "impacts.0.t", "0.5 s"),
