@@ -123,6 +123,7 @@ if TYPE_CHECKING:  # the list of public names
     from hertzwerk.derive.mechanism.joints.joint import Freedom as Freedom, Joint as Joint
     from hertzwerk.derive.mechanism.joints.planar import Planar as Planar
     from hertzwerk.derive.mechanism.joints.spherical import Spherical as Spherical
+    from hertzwerk.derive.mechanism.joints.track import PointInTrack as PointInTrack
     from hertzwerk.derive.mechanism.joints.universal import Universal as Universal
     from hertzwerk.derive.mechanism.joints.weld import Weld as Weld
     from hertzwerk.derive.mechanism.mechanism import Mechanism as Mechanism

@@ -84,7 +84,8 @@ _SPLINES = {}''',
         bend = curvature/(1 + curvature*h)
         apart = ca.sqrt(px**2 + py**2)
         if not closed:  # beyond an end the end is nearest
-            beyond = ca.fabs(px*dx + py*dy) > 1e-9*speed*apart
+            way = px*dx + py*dy
+            beyond = ca.logic_or(ca.logic_and(here <= start, way < 0), ca.logic_and(here >= end, way > 0))
             nx, ny, h, bend = (ca.if_else(beyond, a, b) for a, b in ((px/apart, nx), (py/apart, ny), (apart, h), (1/apart, bend)))
         refined = ca.Function("refined", [s, at_point, values], [ca.vertcat(h, nx, ny, bend, here, apart)])
         at_point, values, table = ca.MX.sym("point", 2), ca.MX.sym("given", given.numel()), ca.MX.sym("samples", samples.numel())

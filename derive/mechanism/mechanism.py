@@ -54,7 +54,7 @@ class Mechanism:
     def tree(self) -> tuple[Joint, ...]:
         """Joints that carry a body, from the ground outwards."""
         found: dict[Frame, Joint] = {}
-        for joint in self.joints:
+        for joint in (joint for joint in self.joints if joint.carries):
             found.setdefault(joint.child.body, joint)
         return tuple(found.values())
 
@@ -66,7 +66,7 @@ class Mechanism:
 
     def joint_of(self, body: Frame) -> Joint | None:
         """Joint that carries `body`; None for the ground."""
-        return next((joint for joint in self.joints if joint.child.body == body), None)
+        return next((joint for joint in self.tree if joint.child.body == body), None)
 
     @property
     def freedoms(self) -> tuple[Freedom, ...]:

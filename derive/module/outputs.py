@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from hertzwerk.derive.module.system import System
+from hertzwerk.derive.motion.loops import Closure
 from hertzwerk.derive.program.program import Function, Result
 
 
@@ -52,7 +53,16 @@ def output_rows(system: System) -> list[tuple[str, str, Any]]:
     of_pairs = [row for pair, _, _ in system.contacts for row in pair.touch.outputs()]
     of_pairs += [row for e in system.elements.values() for row in e.outputs]
     of_pairs += [(name, given.unit, system.kin.inputs[name]) for name, given in system.scene.inputs.items()]
-    return of_pairs + ([] if system.joints is None else _joint_outputs(system))
+    return of_pairs + _track_outputs(system) + ([] if system.joints is None else _joint_outputs(system))
+
+
+def _track_outputs(system: System) -> list[tuple[str, str, Any]]:
+    """Parameters of the curves of tracks, where their points are."""
+    return [
+        (f"{joint.name}.parameter", "1", Closure(system.kin, joint).on_curve(curve)[1].parameter)
+        for joint in system.scene.mechanism.closures
+        for curve in joint.curves
+    ]
 
 
 def _joint_outputs(system: System) -> list[tuple[str, str, Any]]:

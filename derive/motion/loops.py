@@ -14,18 +14,22 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.algebra.vectors import ZERO, Vector, add, cross, dot, is_zero, sub
+from hertzwerk.derive.algebra.vectors import ZERO, Vector, add, cross, dot, is_zero, scale, sub
+from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.mechanism.bodies import AXES, Direction
+from hertzwerk.derive.mechanism.curve import Curve
 from hertzwerk.derive.mechanism.joints.conditions import (
     Carried,
     Coincident,
     KeptAngle,
     Moving,
     NoDisplacement,
+    OnTrack,
     across,
 )
 from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
 from hertzwerk.derive.motion.kinematics import Kinematics
+from hertzwerk.derive.motion.on_curve import Beside, OnCurve
 
 
 @dataclass(frozen=True)
@@ -110,6 +114,8 @@ class Closure:
                 yield from (self._meet(k) for k in range(3))
             elif isinstance(forbidden, NoDisplacement):
                 yield self._off(forbidden.direction, forbidden.label)
+            elif isinstance(forbidden, OnTrack):
+                yield self._track(forbidden.curve)
             else:
                 yield self._turn(forbidden)
 
@@ -135,6 +141,35 @@ class Closure:
             force=normal,
             moment=moment,
         )  # fmt: skip
+
+    def _track(self, curve: Curve) -> Constraint:
+        """The child's point is on a curve: its signed distance vanishes."""
+        on, beside = self.on_curve(curve)
+        if self.tape.rate(on.local(self.apart, "local")[2], f"{self.joint.name}_off_plane") != 0:
+            raise InputError(f"mechanism {self.kin.mechanism.name}", [
+                Fault(f"joint {self.joint.name}", "motion out of the curve's plane", "plane motion, about its Z",
+                      "Turn the curve's place so that its Z is normal to the plane of motion: body.at(...).turned(axis, angle)."),
+            ])  # fmt: skip
+        normal = on.ground(*beside.normal, "normal")
+        w, alpha = self.motions[1].angular_velocity, self.biases[1]
+        carried = add(cross(alpha, self.apart), scale(2, cross(w, self.apart_rate)))
+        bent = sub(add(self.apart_bias, cross(w, self.named(cross(w, self.apart), "turned"))), carried)
+        bias = dot(normal, self.named(bent, "bent")) + beside.bend * beside.sliding**2
+        return Constraint(
+            f"{self.joint.name}.off_track", "m", f"{self.joint.name}.off",
+            beside.distance,
+            self.tape.rate(beside.distance, f"{self.joint.name}_off_track_rate"),
+            self._let(bias, "off_track_bias"),
+            self._force(normal, "track"),
+        )  # fmt: skip
+
+    def on_curve(self, curve: Curve) -> tuple[OnCurve, Beside]:
+        """The curve that is fixed to the parent, and the child's point beside it."""
+        for place, rate in zip(self.apart, self.apart_rate, strict=True):
+            self.tape.set_rate(place, rate)
+        on = OnCurve(self.kin, curve.planar, self.joint.parent, self.joint.name)
+        x, y, _ = on.local(self.apart, "local")
+        return on, on.beside(x, y)
 
     def fixed(self, side: int, direction: Direction, label: str) -> Moving:
         """A direction fixed in the child or the parent, with its rates."""

@@ -64,6 +64,7 @@ def faults_of(scene: Scene) -> tuple[Fault, ...]:
 
 def _curves(scene: Scene) -> Iterator[tuple[str, Any]]:
     """Yield the curves of the mechanism, with where they are declared."""
+    yield from ((f"joint {joint.name}", curve) for joint in scene.mechanism.joints for curve in joint.curves)
     yield from ((f"pair {pair.name}", curve) for pair in scene.mechanism.pairs for curve in pair.curves)
 
 

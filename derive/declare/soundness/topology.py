@@ -67,7 +67,11 @@ def connection_faults(mechanism: Mechanism) -> Iterator[Fault]:
                 if declared
                 else f"Connect {parent.name} to the ground by a joint of its own.",
             )
-        reached.append(child)
+        if joint.carries:
+            reached.append(child)
+        elif child not in reached:
+            yield Fault(where, f"{child.name}, which no joint before carries", "a body of an earlier joint",
+                        "A track only takes freedoms: let a Planar(...) or another joint carry the body.")  # fmt: skip
 
 
 def rigid_root(mechanism: Mechanism, body: Frame) -> Frame:

@@ -7,6 +7,7 @@ from typing import Any, Protocol
 
 from hertzwerk.derive.algebra.vectors import ZERO, Vector, add, along, cross, dot, scale
 from hertzwerk.derive.mechanism.bodies import AXES, Direction
+from hertzwerk.derive.mechanism.curve import Curve
 from hertzwerk.derive.mechanism.parameter import default_value
 
 CHILD, PARENT = 0, 1
@@ -117,7 +118,14 @@ class KeptAngle:
     label: str
 
 
-Condition = Coincident | NoDisplacement | KeptAngle
+@dataclass(frozen=True)
+class OnTrack:
+    """Condition: the child's point is on a curve fixed to the parent's."""
+
+    curve: Curve
+
+
+Condition = Coincident | NoDisplacement | KeptAngle | OnTrack
 
 
 def numbers(direction: Direction) -> tuple[float, float, float]:

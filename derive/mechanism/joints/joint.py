@@ -91,6 +91,8 @@ class Joint:
     name: str
     parent: Point
     child: Point
+    carries: ClassVar[bool] = True
+    """Whether the first of its kind to reach a body carries it; else another joint does."""
     absolute: ClassVar[bool] = False
     """Whether its coordinates on the ground are absolute coordinates of the body, so that it is kept."""
 
@@ -118,6 +120,11 @@ class Joint:
         yield from self.child.slots()
         for name, direction in self.directions.items():
             yield from direction.slots(f"joint {self.name}, {name}")
+
+    @property
+    def curves(self) -> tuple[Any, ...]:
+        """Planar curves among its fields, each a `Curve`."""
+        return ()
 
     # -- freedoms ------------------------------------------------------------------------------------------------------
 

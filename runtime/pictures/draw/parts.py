@@ -34,6 +34,7 @@ ROUNDS = (
     "circle_on_curve",
     "point_on_curve",
     "face_on_curve",
+    "track",
 )
 RIM = 0.25  # width of a bush or socket around its hole, in radii
 APART = ("gravity", "force", "moment", "planar")  # kinds that shape no body
@@ -314,6 +315,8 @@ class Parts:
                 if key not in drawn:
                     drawn.add(key)
                     self._surface(paper, mark, marks[0], i)
+            if kind == "track" and not paper.ghost:
+                paper.pin(self.at(marks[-1], i))
             if kind == "custom" and not paper.ghost:
                 ends = np.array([self.at(mark, i) for mark in marks])
                 paper.line(ends, GREY, 0.8, 6.0, (0, (2, 2)))
