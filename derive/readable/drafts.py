@@ -116,6 +116,8 @@ class Drafts:
             text = f"{label} at the start"
             yield Draft(START, text, unit, text, expression, left=rf"{{{latex}}}|_{{t=0}}")
         elif function.name == "outputs":
+            if self._tape.inputs.get(expression) == "input":
+                return  # a history, and no equation
             yield Draft(OUTPUTS, label, unit, label, expression, left=_label(label))
         elif function.name == "constraints":
             rate, coupling = result == "dphi", self._couplings.get(label, "")

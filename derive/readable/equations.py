@@ -61,6 +61,10 @@ class _Reader:
 
     def __init__(self, scene: Scene, marks: Marked, program: Program, units: dict[sp.Symbol, str]) -> None:
         self.scene, self.marks, self.program, self.tape = scene, marks, program, program.tape
+        for begin, *factors in self.tape.pieces.values():  # to readers an input is a symbol, not its pieces
+            value = next(symbol for symbol, e in self.tape.assignments.items() if e.has(factors[0]))
+            del self.tape.assignments[value], self.tape.inputs[begin]
+            self.tape.inputs[value] = "input"
         self.units = units | _port_units(program)
         self.names = Names(program, units, meanings_of(scene))
         self.pairs = tuple(name for name, _ in program.tables["PAIRS"])

@@ -1,6 +1,6 @@
 """Trace which effects a result depends on, by marks carried through the derivation.
 
-Each effect's parameters are multiplied by a mark of its own, a symbol of value 1.
+Each effect's parameters and inputs are multiplied by a mark of its own, a symbol of value 1.
 """
 
 from __future__ import annotations
@@ -44,7 +44,8 @@ def marked(scene: Scene) -> Marked:
     effects, effect_of = [], {}
     for i, effect in enumerate(records):
         mark = Parameter(f"{prefix}{i}", "1", 1)
-        table = {p: p * mark for p in parameters if p.name not in exponents}
+        table: dict[sp.Symbol, Any] = {p: p * mark for p in parameters if p.name not in exponents}
+        table |= {given: given * mark for given in scene.inputs.values()}
         effects.append(replace(effect, **_changed(effect, table)))
         effect_of[mark] = effect.name
     return Marked(replace(scene, effects=tuple(effects)), effect_of)

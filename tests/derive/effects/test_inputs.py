@@ -11,10 +11,10 @@ from hertzwerk.derive import (
     DCMotor,
     Drive,
     EnergyLedger,
-    Gravity,
     Input,
     InputError,
     JointForce,
+    JointSpring,
     LineForce,
     Mechanism,
     Parameter,
@@ -29,6 +29,7 @@ from hertzwerk.derive import (
     coordinate_of,
     generate,
 )
+from hertzwerk.derive.readable.equations import equations_of
 
 BLOCK = Body("block", Parameter("mass", "kg", 2), Parameter("inertia", "kg m^2", 1))
 SCALES = Scales(Parameter("size", "cm", 10), Parameter("pace", "m/s", 1), Parameter("arm", "m", 1))
@@ -80,7 +81,7 @@ def test_an_input_has_no_derivative_that_a_prescribed_motion_could_need():
         text = found(Drive("cam", "guide", **{order: Input("way", "m" if order == "position" else "m/s")}))
         assert "which depends on way" in text and "Drive(acceleration=...)" in text
     # what does not vary at all says so
-    assert "the symbol way" in found(Gravity("gravity", Input("way", "m/s^2"), direction=X))
+    assert "the symbol way" in found(JointSpring("spring", "guide", Input("way", "N/m")))
 
 
 def test_the_module_lists_inputs_and_has_their_histories_and_pieces_last_in_c():
@@ -93,6 +94,16 @@ def test_the_module_lists_inputs_and_has_their_histories_and_pieces_last_in_c():
     assert "INPUTS" not in generate(
         slide(JointForce("motor", "guide", Parameter("F", "N", 1) * T / Parameter("s", "s", 1)))
     )
+
+
+def test_people_read_an_input_as_a_symbol_of_its_effect():
+    pushed, braked = (
+        JointForce("motor", "guide", Input("push", "N")),
+        JointForce("brake", "guide", Parameter("F", "N", 1)),
+    )
+    text = equations_of(slide(pushed, braked)).markdown()
+    assert "push_c" not in text and "push\\,c" not in text and "push}" in text
+    assert text.count("text{motor}") == 1
 
 
 def test_names_of_entries_give_way_to_parameters():
