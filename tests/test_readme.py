@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
+from each import each
 
 import hertzwerk.derive
 from hertzwerk.derive.laws.law import Law
@@ -194,9 +195,7 @@ def written(kind):
     return f"{kind.__name__}({', '.join(parts)})"
 
 
-@pytest.mark.parametrize(
-    "kind", [kind for kind in DECLARED if kind.__name__ not in INNER], ids=lambda kind: kind.__name__
-)
+@each("kind", [kind for kind in DECLARED if kind.__name__ not in INNER])
 def test_every_record_stands_there_with_its_signature(kind):
     assert f"`{written(kind)}`" in TEXTS["derive/README.md"]
 

@@ -8,6 +8,7 @@ from fractions import Fraction
 
 import pint
 import pytest
+from each import each
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -90,7 +91,7 @@ READ = [
 ]
 
 
-@pytest.mark.parametrize(("text", "factor", "m", "l", "t", "theta", "printed"), READ, ids=[row[0] for row in READ])
+@each(("text", "factor", "m", "l", "t", "theta", "printed"), READ)
 def test_reads_units_as_people_write_them(text, factor, m, l, t, theta, printed):
     unit = parse_unit(text)
     assert unit.exponents == exponents(m, l, t, theta)
@@ -163,7 +164,7 @@ REFUSED = [
 ]
 
 
-@pytest.mark.parametrize(("text", "said"), REFUSED, ids=[row[0][:20] for row in REFUSED])
+@each(("text", "said"), REFUSED)
 def test_refuses_with_the_way_out(text, said):
     with pytest.raises(UnitError) as raised:
         parse_unit(text)

@@ -1,6 +1,7 @@
 """Every hard case with every method that claims it, in both paths; and that the table holds what it must."""
 
 import pytest
+from each import each
 
 from hertzwerk.runtime import load
 from hertzwerk.runtime.hard_cases import runner
@@ -96,7 +97,7 @@ def test_every_edge_of_every_defined_range_has_its_case(scene):
     assert wanted == {name for name in BY_NAME if name.startswith(f"edge_{scene}_")}
 
 
-@pytest.mark.parametrize("case", [case for case in CASES if case.name.startswith("edge_")], ids=lambda case: case.name)
+@each("case", [case for case in CASES if case.name.startswith("edge_")])
 def test_edges_are_at_the_end_or_a_millionth_of_the_default_from_it(case):
     _, _, rest = case.name.partition("edge_")
     scene, _, parameter = rest.removesuffix("_lower").removesuffix("_upper").partition(f"{case.source.scene}_")

@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 import sympy as sp
 from drop import drop
+from each import each
 
 from hertzwerk.derive import Contact, Friction, InputError, Parameter, generate, laws_from
 from hertzwerk.derive.audit.behaviour import faults_if_consistent, law_faults, scene_faults
@@ -82,7 +83,7 @@ WRONG = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("name", LAWS)
+@each("name", LAWS)
 def test_the_catalogue_gives_what_is_owed(name):
     assert law_faults(LAWS[name]) == ()
 

@@ -1,7 +1,7 @@
 """The audit without symbols on the table of expressions: it agrees with the symbolic audit, except where numbers cannot show the fault."""
 
-import pytest
 import sympy as sp
+from each import each
 from expressions import CONSISTENT, INCONSISTENT, STATE, UNITS
 from mpmath import mp, mpf
 from rescaling import ROUNDING, rescale
@@ -58,7 +58,7 @@ def follows(value, expected):
     return all(abs(x - row[0]) <= ROUNDING * abs(row[0]) for name, row in ratios.items() if name != "all" for x in row)
 
 
-@pytest.mark.parametrize(("text", "unit"), CONSISTENT, ids=[text[:50] for text, _ in CONSISTENT])
+@each(("text", "unit"), CONSISTENT)
 def test_what_the_symbols_pass_the_numbers_pass(text, unit):
     first, *rest = [value if numeric(value) else sp.S.Zero for value in values_of(text)]
     assert follows(first, Dimension.from_unit(unit, SYMBOLS))
@@ -74,7 +74,7 @@ BLIND = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("row", INCONSISTENT, ids=[row[0][:50] for row in INCONSISTENT])
+@each("row", INCONSISTENT)
 def test_what_the_symbols_refuse_the_numbers_refuse(row):
     """Whatever unit such an expression is said to have, scaling finds that it has not; except where no number can show it."""
     text, unit, *_ = row

@@ -6,6 +6,7 @@ from dataclasses import replace
 import pytest
 import sympy as sp
 from drop import BALL, BOUNCE, FALL, FLOOR, GRAVITY, RADIUS, SCALES, STIFFNESS, drop, refused
+from each import each
 
 from hertzwerk.derive import (  # fmt: skip
     GROUND,
@@ -245,7 +246,7 @@ def test_what_is_varied_below_is_sound():
     assert bouncing(lankarani_nikravesh(0.9)).contacts[0][0] is FLOOR
 
 
-@pytest.mark.parametrize("label", BAD)
+@each("label", BAD)
 def test_a_bad_declaration_is_one_fault_that_says_where_what_and_the_way_out(label):
     refused(*BAD[label])
 

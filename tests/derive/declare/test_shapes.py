@@ -6,6 +6,7 @@ from dataclasses import fields, is_dataclass, replace
 import numpy as np
 import pytest
 import sympy as sp
+from each import each
 
 from hertzwerk.derive import (
     APART,
@@ -154,8 +155,8 @@ def test_every_field_takes_what_it_takes_or_says_so(name):
     assert told >= 4 * len(fields(record))
 
 
-@pytest.mark.parametrize("value", [None, 5, [1], object()])
-@pytest.mark.parametrize(
+@each("value", [None, 5, [1], object()])
+@each(
     "make",
     [
         lambda value: Parameter(value, "kg", 1),

@@ -4,6 +4,7 @@ import time
 
 import pytest
 import sympy as sp
+from each import each
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mp, mpf
@@ -134,13 +135,13 @@ CONSISTENT = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("expression", "unit"), CONSISTENT, ids=[str(row[0])[:60] for row in CONSISTENT])
+@each(("expression", "unit"), CONSISTENT)
 def test_consistent(expression, unit):
     assert dimension_of(expression, TABLE, CONSTANTS) == dim(unit)
     assert check(expression, TABLE, dim(unit), CONSTANTS) is None
 
 
-@pytest.mark.parametrize(("expression", "unit"), CONSISTENT, ids=[str(row[0])[:60] for row in CONSISTENT])
+@each(("expression", "unit"), CONSISTENT)
 def test_consistent_with_nothing_else(expression, unit):
     """The check can fail: each expression is refused where a unit of one more length or temperature is expected."""
     for wrong in (dim(unit) * dim("m"), dim(unit) * dim("K")):
@@ -220,9 +221,7 @@ INCONSISTENT = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    ("expression", "subexpression", "found", "expected"), INCONSISTENT, ids=[str(r[0])[:60] for r in INCONSISTENT]
-)
+@each(("expression", "subexpression", "found", "expected"), INCONSISTENT)
 def test_inconsistent(expression, subexpression, found, expected):
     with pytest.raises(DimensionError) as raised:
         dimension_of(expression, TABLE, CONSTANTS)
@@ -539,13 +538,13 @@ def _table_states(expression):
 BLIND = ("Where(d > v, K, K)", "Where(d > 0, K, E)", "0*(v + x)", "I", "nan", "x**pi")
 
 
-@pytest.mark.parametrize(("expression", "unit"), list(_numeric_rows(CONSISTENT)), ids=str)
+@each(("expression", "unit"), list(_numeric_rows(CONSISTENT)))
 def test_both_audits_agree_on_consistent_expressions(expression, unit):
     table = TABLE | dict.fromkeys(CONSTANTS, ONE)
     assert rescale("", expression, dim(unit), table, _table_states(expression)).consistent
 
 
-@pytest.mark.parametrize("expression", [x for x, _ in _numeric_rows(INCONSISTENT) if str(x) not in BLIND], ids=str)
+@each("expression", [x for x, _ in _numeric_rows(INCONSISTENT) if str(x) not in BLIND])
 def test_both_audits_agree_on_inconsistent_expressions(expression):
     """Whatever unit such an expression is said to have, scaling finds that it has not."""
     table = TABLE | dict.fromkeys(CONSTANTS, ONE)

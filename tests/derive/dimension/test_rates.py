@@ -4,6 +4,7 @@ import math
 
 import pytest
 import sympy as sp
+from each import each
 
 from hertzwerk.derive import (
     GROUND,
@@ -32,8 +33,8 @@ ANGULAR = ("rad/s", "rpm", "deg/s", "rev/min", "krad/s", "mrad/ms", "1/s*rad", "
 PLAIN = ("1/s", "1/min", "1/ms", "s^-1", "1/h", "m/(m s)", "N/(N s)", "rad/(deg s)", "%/s")
 
 
-@pytest.mark.parametrize("one", ANGULAR + PLAIN)
-@pytest.mark.parametrize("other", ANGULAR + PLAIN)
+@each("one", ANGULAR + PLAIN)
+@each("other", ANGULAR + PLAIN)
 def test_of_two_rates_one_is_mistaken_where_it_alone_counts_an_angle(one, other):
     assert parse_unit(one).exponents == parse_unit(other).exponents
     assert parse_unit(one).mistaken_for(parse_unit(other)) == ((one in ANGULAR) != (other in ANGULAR))

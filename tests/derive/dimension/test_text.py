@@ -8,6 +8,7 @@ import time
 import pytest
 import scipy.special
 import sympy as sp
+from each import each
 from expressions import CONSISTENT, INCONSISTENT, STATE, UNITS
 from hypothesis import given
 from hypothesis import strategies as st
@@ -32,7 +33,7 @@ def test_the_tree_keeps_what_is_written():
     assert expression.names == ("K", "d", "m", "s")
 
 
-@pytest.mark.parametrize("text", TABLE)
+@each("text", TABLE)
 def test_every_node_quotes_its_own_text(text):
     """What is quoted for a node reads back to that node."""
     expression = read(text)
@@ -44,7 +45,7 @@ def test_every_node_quotes_its_own_text(text):
         assert (again.op, len(again.args), again.number) == (inner.op, len(inner.args), inner.number)
 
 
-@pytest.mark.parametrize("text", TABLE)
+@each("text", TABLE)
 def test_spacing_and_outer_parentheses_change_nothing(text):
     def shape(node):
         return node.op, node.name, node.number, tuple(map(shape, node.args))
@@ -75,7 +76,7 @@ PYTHON |= {
 SCALAR = [text for text, _ in CONSISTENT if not any(word in text for word in ("diff", "integrate", "[", "=="))]
 
 
-@pytest.mark.parametrize("text", SCALAR)
+@each("text", SCALAR)
 def test_sympy_means_what_python_means(text):
     expected = eval(text, dict(PYTHON), dict(STATE))  # a literal of this repository
     symbols = {name: sp.Symbol(name, real=True) for name in UNITS}
@@ -179,7 +180,7 @@ REFUSED = [  # text, position of the fault, part of the message
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("text", "position", "part"), REFUSED, ids=[row[0][:40] or "empty" for row in REFUSED])
+@each(("text", "position", "part"), REFUSED)
 def test_refused(text, position, part):
     with pytest.raises(TextError) as raised:
         read(text)

@@ -8,6 +8,7 @@ import pytest
 import sympy as sp
 from derived import Derived
 from drop import refused
+from each import each
 
 from hertzwerk.derive import (
     GROUND,
@@ -198,7 +199,7 @@ def test_what_is_varied_below_is_sound(effect):
     assert effect.text in generate(bench(effect))
 
 
-@pytest.mark.parametrize("label", BAD)
+@each("label", BAD)
 def test_a_bad_declaration_is_one_fault_that_says_where_what_and_the_way_out(label):
     refused(*BAD[label])
 

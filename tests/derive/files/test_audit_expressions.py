@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 import sympy as sp
+from each import each
 from expressions import CONSISTENT, INCONSISTENT, STATE, UNITS
 from hypothesis import given
 from hypothesis import strategies as st
@@ -42,7 +43,7 @@ def test_the_table_is_large_enough_and_without_repetition():
     assert {name for text, *_ in (*CONSISTENT, *INCONSISTENT) for name in read(text).names} <= set(STATE) == set(UNITS)
 
 
-@pytest.mark.parametrize(("text", "unit"), CONSISTENT, ids=[row[0][:60] for row in CONSISTENT])
+@each(("text", "unit"), CONSISTENT)
 def test_consistent(text, unit):
     finding = audit_expression(text, UNITS, {}, unit)
     assert (finding.verdict, finding.found, finding.expected) == ("consistent", shown(unit), shown(unit))
@@ -52,7 +53,7 @@ def test_consistent(text, unit):
     assert open_ended.expected == ""
 
 
-@pytest.mark.parametrize(("text", "unit"), CONSISTENT, ids=[row[0][:60] for row in CONSISTENT])
+@each(("text", "unit"), CONSISTENT)
 def test_consistent_with_nothing_else(text, unit):
     """The check can fail: each expression is refused where a unit of one more length or temperature is expected."""
     if text == "0.0":
@@ -63,7 +64,7 @@ def test_consistent_with_nothing_else(text, unit):
         assert finding.subexpression in text
 
 
-@pytest.mark.parametrize(("text", "expect", "part", "one", "other"), INCONSISTENT, ids=IDS)
+@each(("text", "expect", "part", "one", "other"), INCONSISTENT)
 def test_inconsistent(text, expect, part, one, other):
     finding = audit_expression(text, UNITS, {}, expect)
     assert finding.verdict == "inconsistent"
@@ -77,7 +78,7 @@ def test_inconsistent(text, expect, part, one, other):
         assert quoted in finding.sentence
 
 
-@pytest.mark.parametrize(("text", "expect", "part", "one", "other"), INCONSISTENT, ids=IDS)
+@each(("text", "expect", "part", "one", "other"), INCONSISTENT)
 def test_nothing_smaller_is_at_fault(text, expect, part, one, other):
     """Every operand of the sub-expression quoted has a unit by itself."""
     expression = read(part)
@@ -98,9 +99,7 @@ COLLAPSED = {  # SymPy has lost what was wrong, or written differently, by the t
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    ("text", "expect"), [(t, u) for t, u in CONSISTENT] + [row[:2] for row in INCONSISTENT], ids=lambda value: str(value)[:50]
-)  # fmt: skip
+@each(("text", "expect"), [(t, u) for t, u in CONSISTENT] + [row[:2] for row in INCONSISTENT])  # fmt: skip
 def test_both_walks_agree(text, expect):
     """The audit of the text and the audit of the SymPy expression it means have one verdict, except where SymPy has collapsed the fault."""
     expression = to_sympy(read(text), SYMBOLS)

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import pytest
 import sympy as sp
+from each import each
 from hypothesis import example, given
 from hypothesis import strategies as st
 
@@ -297,7 +298,7 @@ FAULTS = [  # text, parts of the message
 ]
 
 
-@pytest.mark.parametrize(("text", "parts"), FAULTS, ids=range(len(FAULTS)))
+@each(("text", "parts"), FAULTS)
 def test_faults(file, text, parts):
     with pytest.raises(InputError) as raised:
         laws_from(file(text))

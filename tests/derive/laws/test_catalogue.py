@@ -8,6 +8,7 @@ from dataclasses import fields, replace
 import pytest
 import sympy as sp
 from drop import drop
+from each import each
 from mpmath import mp, mpf
 from rescaling import SCALINGS, rescale_law, states_of
 
@@ -73,7 +74,7 @@ def test_every_law_is_there(kind):
     assert {name for name, law in LAWS.items() if law.kind == kind} == set(CONTACT_LAWS_MD[kind].split())
 
 
-@pytest.mark.parametrize("name", LAWS)
+@each("name", LAWS)
 def test_record_is_complete(name):
     law = LAWS[name]
     assert law.name == name
@@ -102,7 +103,7 @@ def test_names_do_not_collide_within_a_law():
 # -- the audit of every law --------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", LAWS)
+@each("name", LAWS)
 def test_verdict_is_the_one_stated(name):
     findings = audit_law(LAWS[name])
     assert verdict(findings) == LAWS[name].verdict == WRONG.get(name, "consistent")
@@ -236,7 +237,7 @@ def test_auditing_all_laws_is_fast():
 # -- both audits -------------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", LAWS)
+@each("name", LAWS)
 def test_both_audits_agree(name):
     """Expression by expression; for a monomial fault the factor is the one the found unit predicts."""
     law = LAWS[name]

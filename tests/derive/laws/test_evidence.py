@@ -2,6 +2,7 @@
 
 import pytest
 from bench import DIGITS
+from each import each
 from evidence import EVIDENCE
 from known import INDEPENDENT
 from mpmath import mp
@@ -20,13 +21,12 @@ def test_something_is_known_of_every_law():
     assert EVIDENCE.keys() == LAWS.keys()
 
 
-@pytest.mark.parametrize(("name", "evidence"), [(name, known) for name, rows in EVIDENCE.items() for known in rows],
-                         ids=lambda x: x if isinstance(x, str) else x.what)  # fmt: skip
+@each(("name", "evidence"), [(name, known) for name, rows in EVIDENCE.items() for known in rows])  # fmt: skip
 def test_a_law_is_what_is_known_of_it(name, evidence):
     evidence.check(LAWS[name])
 
 
-@pytest.mark.parametrize("name", LAWS)
+@each("name", LAWS)
 def test_a_grade_says_what_is_really_there(name):
     """A: something that is no formula typed twice, and is about the force; R: a reconstruction."""
     of_the_force = [known for known in EVIDENCE[name] if known.of_the_force]

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
+from each import each
 
 from hertzwerk.derive.laws import LAWS, flores, listing, palmgren_si
 from hertzwerk.runtime.cli import main
@@ -35,7 +36,7 @@ def test_a_listing_stands_alone(arguments):
     assert CliRunner().invoke(main, ["laws", *arguments]).exit_code == 2
 
 
-@pytest.mark.parametrize("name", LAWS)
+@each("name", LAWS)
 def test_a_law_has_a_signature_and_a_documentation_of_its_own(name):
     law = LAWS[name]
     assert list(inspect.signature(law).parameters) == [symbol.name for symbol in law.parameters]

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from bench import Impact, evaluate, numbers
+from each import each
 from mpmath import mp, mpf
 
 from hertzwerk.derive import InputError
@@ -120,8 +121,8 @@ def test_limits_are_what_is_approached(name):
         assert close <= far / 100 or far < 1e-12
 
 
-@pytest.mark.parametrize("name", FACTORS)
-@pytest.mark.parametrize("e", [0.05, 0.3, 0.7, 0.99])
+@each("name", FACTORS)
+@each("e", [0.05, 0.3, 0.7, 0.99])
 def test_hysteresis_returns_the_root_of_the_exact_relation(name, e):
     assert restitution_out(LAWS[name], e) == pytest.approx(restitution(repr(factor(name, repr(e)))), abs=1e-14)
 
@@ -154,9 +155,7 @@ def test_published_exponents():
     assert {t.law.name: t.exponent for t in trials() if t.exponent != 1.5} == {"kelvin_voigt": 1.0}
 
 
-@pytest.mark.parametrize(
-    "name", [n for n, law in LAWS.items() if law.kind != "damping" and law.verdict == "consistent"]
-)
+@each("name", [n for n, law in LAWS.items() if law.kind != "damping" and law.verdict == "consistent"])
 def test_text_is_what_the_audit_of_expressions_reads(sheets, name):
     """`hertzwerk audit --expr` finds the unit that the sheet states for each formula it can read."""
     law, found = LAWS[name], sheets[name]
@@ -169,7 +168,7 @@ def test_text_is_what_the_audit_of_expressions_reads(sheets, name):
         assert finding.verdict == "consistent", (formula, finding.sentence)
 
 
-@pytest.mark.parametrize("name", LAWS)
+@each("name", LAWS)
 def test_text_evaluates_to_the_law(name):
     """The printed formula, evaluated as Python, is the record's expression: nothing is lost in tidying up."""
     law = LAWS[name]
