@@ -1,5 +1,7 @@
 """Settings of all tests."""
 
+import fcntl
+import pickle
 import signal
 from collections import defaultdict
 from pathlib import Path
@@ -16,6 +18,22 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as a shell leaves it to
 
 EXHAUSTIVE_S = 3600
 HERE = Path(__file__).parent
+
+
+@pytest.fixture(scope="session")
+def restitutions(tmp_path_factory, worker_id):
+    """The restitution study of all damping laws, computed by the first process that asks."""
+    from hertzwerk.runtime.validate.restitution import study
+
+    folder = tmp_path_factory.getbasetemp()
+    file = (folder if worker_id == "master" else folder.parent) / "restitutions"
+    with file.open("a+b") as stream:
+        fcntl.flock(stream, fcntl.LOCK_EX)
+        if not file.stat().st_size:
+            stream.write(pickle.dumps(study()))
+            stream.flush()
+        stream.seek(0)
+        return pickle.load(stream)
 
 
 def pytest_collection_modifyitems(items):

@@ -18,9 +18,9 @@ def hertzwerk(tmp_path, monkeypatch):
     return lambda *arguments: CliRunner().invoke(main, arguments, catch_exceptions=False)
 
 
-@pytest.fixture(scope="module")
-def study():
-    return restitution.study()
+@pytest.fixture
+def study(restitutions):
+    return restitutions
 
 
 @pytest.fixture

@@ -11,16 +11,15 @@ from scipy.integrate import solve_ivp
 
 from hertzwerk.runtime.model.build import build, impact_trials
 from hertzwerk.runtime.model.model import Model
-from hertzwerk.runtime.validate import restitution as study_of
 from hertzwerk.runtime.validate.restitution import GRID, Curve, Impact, Study, curve, own_unit, simulated
 from reference.closed_forms import FACTORS, exact_factor, factor, restitution
 
 TRIALS = {trial.law.name: trial for trial in impact_trials()}
 
 
-@pytest.fixture(scope="module")
-def study():
-    return study_of.study()
+@pytest.fixture
+def study(restitutions):
+    return restitutions
 
 
 def expected(name, e):
