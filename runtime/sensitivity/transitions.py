@@ -176,12 +176,16 @@ def _collocated(history: History, rows: np.ndarray, places: np.ndarray, directio
     h = end - begin
     inside = np.concatenate([history.later(rows, begin + node * h) for node in C])  # by nodes, then rows
     sources = h[:, None, None] * _sources(history, inside, directions).reshape(NODES, n, ny, -1)
-    system = np.zeros((n, NODES, ny, NODES, ny))
+    core = np.flatnonzero((sources[:, :, :, :ny] != 0).any(axis=(0, 1, 2)))  # states that rates depend on: no ledger
+    size, by_core = len(core), sources[:, :, :, core]
+    system = np.zeros((n, NODES, size, NODES, size))
     for i in range(NODES):
         for j in range(NODES):
-            system[:, i, :, j, :] = (i == j) * np.eye(ny) - A[i, j] * sources[i, :, :, :ny]
-    slopes = np.linalg.solve(system.reshape(n, NODES * ny, -1), sources.swapaxes(0, 1).reshape(n, NODES * ny, -1))
-    return _split(np.tensordot(slopes.reshape(n, NODES, ny, -1), B, axes=(1, 0)), ny, nm)
+            system[:, i, :, j, :] = (i == j) * np.eye(size) - A[i, j] * by_core[i][:, core]
+    right = sources[:, :, core].swapaxes(0, 1).reshape(n, NODES * size, -1)
+    slopes = np.linalg.solve(system.reshape(n, NODES * size, -1), right).reshape(n, NODES, size, -1)
+    grown = np.tensordot(B, sources + by_core @ np.tensordot(A, slopes, axes=(1, 1)), axes=1)
+    return _split(grown, ny, nm)
 
 
 def _by_powers(history: History, rows: np.ndarray, places: np.ndarray, directions: Directions) -> list[Transition]:
