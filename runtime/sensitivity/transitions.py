@@ -123,7 +123,7 @@ def _distances(least: float, most: float, head: float) -> np.ndarray:
     if first >= most or not np.isfinite(most):
         return np.zeros(0)
     count = int(np.ceil(np.log(most / first) / np.log(GROWTH)))
-    found: np.ndarray = np.geomspace(first, most, count + 1)[:-1]
+    found: np.ndarray = most * (first / most) ** (np.arange(count, 0, -1) / count)
     return found
 
 
