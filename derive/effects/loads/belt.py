@@ -32,7 +32,8 @@ class BeltOnDrum(Effect):
     tension  of the held end [N], against the travel: an expression
     wrap     angle [rad]
 
-    Heat is dissipated; input is what the held end puts in.
+    It acts by a torque on the drum's joint and a force along the load's: its pull on the drum's bearing is not in that
+    joint's reaction. Heat is dissipated; input is what the held end puts in.
     """
 
     name: str
