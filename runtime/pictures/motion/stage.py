@@ -181,7 +181,12 @@ class Stage:
         if is_set_valued(self.curves, name):
             tangent = tangent_of(parts, marks, now[1])
             sign = np.sign(self.curves[f"{name}.friction_force"][m])
-            return None if tangent is None else (sign * tangent, size)
+            if tangent is not None:
+                return sign * tangent, size
+            if not self.run.model.reads:
+                return None
+            force = np.array([self.curves[f"{name}.friction_force_{axis}"][m] for axis in "xyz"])
+            return force / size, size
         slip = slip_of(places, marks, then[0], j)
         along = slip - (slip @ now[1]) * now[1]
         speed = float(np.linalg.norm(along))

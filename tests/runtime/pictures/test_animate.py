@@ -9,6 +9,8 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from balls import ball as rolling_ball
+from balls import dry
 from click.testing import CliRunner
 from matplotlib.lines import Line2D
 from matplotlib.patches import Polygon
@@ -196,6 +198,15 @@ def test_friction_that_holds_a_body_has_its_arrow_too():
     assert held == pytest.approx(0.6 * 9.81 * 1.001, rel=1e-6)  # of the carriage too
     for way in (sliding, stuck):
         assert way == pytest.approx([-1, 0, 0], abs=1e-12)
+
+
+def test_friction_in_space_has_its_arrow_against_the_slip():
+    model = load(rolling_ball(dry(0.3)))
+    run = simulate(model, duration="20 ms", tolerance=1e-6, parameters={"v_x": "0.3 m/s", "w_x": "20 rad/s"})
+    stage = stage_of(run, 5)
+    way, size = stage._friction("floor", 2, int(stage.at[2]))
+    assert way == pytest.approx(np.array([-1, 0, 2]) / 5**0.5, abs=1e-6)
+    assert size == pytest.approx(0.3 * 0.17 * 9.81, rel=1e-5)
 
 
 def test_a_contact_without_friction_has_no_arrow_of_it(ball):
