@@ -16,7 +16,6 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass, replace
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -35,7 +34,7 @@ from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.start.start_values import split_values
 from hertzwerk.runtime.sweeps.batch import Batch, engine_lost, engine_of, in_memory, worker_faults
 from hertzwerk.runtime.sweeps.definition import as_text, axes_of, keys_of, target_of, versions
-from hertzwerk.runtime.sweeps.design import Given, Varied, read_design
+from hertzwerk.runtime.sweeps.design import Design, Varied, read_design
 from hertzwerk.runtime.sweeps.following import Chains, read_chains, state_units
 from hertzwerk.runtime.sweeps.kept.kept_arrays import Kept, place_of, read_kept
 from hertzwerk.runtime.sweeps.own_functions import digest
@@ -120,25 +119,28 @@ def sweep(
     with every fault of what is bad for every row.
     """
     began = time.perf_counter()
+    # 1. model
     model = _model(target, without, laws, coordinates)
     settings: dict[str, Any] = {
         **{"duration": duration, "accuracy": accuracy, "tolerance": tolerance, "method": method},
         **{"max_steps": max_steps, "max_events": max_events, "wall_time": wall_time},
     }
+    # 2. design
     faults: list[Fault] = []
-    design = read_design(over, zip=zip, sample=sample, sampler=sampler, seed=seed, faults=faults)
+    spread: dict[str, Any] = {"zip": zip, "sample": sample, "sampler": sampler, "seed": seed}
+    design = read_design(over, **spread, faults=faults)
     fixed = {
         name: _read(value) for name, value in named_values("values", {} if values is None else values, faults).items()
     }
     model, wrong = given_inputs(model, inputs, duration, {})
     faults += wrong
     varied = _varied(model, over, fixed, faults)
+    chains = read_chains(model, [{**fixed, **point} for point in design.points()], varied, continued, faults)
+    # 3. outputs
     wanted = _outputs(model, outputs, functions, varied, faults)
     asked = {"section": section, "after": after, "grid": grid, "histories": histories}
     end = () if continued is None else tuple(state_units(model))
     kept = read_kept(model, **asked, duration=duration, end=end, faults=faults)
-    points = design.points()
-    chains = read_chains(model, [{**fixed, **point} for point in points], varied, continued, faults)
     faults += worker_faults(workers, client)
     try:
         Settings(**settings, compiled=compiled).check(model)
@@ -146,70 +148,78 @@ def sweep(
         faults += error.faults
     if faults:
         raise InputError(f"sweep of {model.name}", faults)
-    plan = Plan(model, points, fixed, varied, wanted, settings, kept)
+    plan = Plan(model, design, fixed, varied, wanted, settings, kept, chains)
     plan.check()
-    later = 0 if chains is None else len(points) - len(chains.rows)
-    batch = Batch(model, plan.sets(), settings, wanted, compiled, engine_of(workers, client), kept, later)
-    axes = {name: tuple(si_of(model, name, value) for value in values) for name, values in design.grid.items()}
-    made = partial(
-        Sweep,
-        scene=model.name,
-        columns=plan.columns,
-        varied=tuple(varied),
-        axes=axes,
-        arrays={} if kept is None else kept.columns,
-        place="" if kept is None else place_of(kept.section, grid, after),
-        workers=batch.workers,
-    )
+    # 4. rows, 5. table
+    sets = plan.sets()
+    later = 0 if chains is None else len(sets) - len(chains.rows)
+    batch = Batch(model, sets, settings, wanted, compiled, engine_of(workers, client), kept, later)
+    table = plan.table("" if kept is None else place_of(kept.section, grid, after), batch.workers)
     if into is None:
-        whole = range(len(points))
-        done = (
-            batch.rows(whole) if chains is None else chains.computed(batch, [*map(str, whole)], whole, lambda _: None)
-        )
-        rows, outcome = in_memory(done, len(points), progress)
-        return made(rows=rows, outcome=outcome, compiled=batch.compiled, wall_s=time.perf_counter() - began)
-    folder, text = Path(into), text_of(model.module)
+        table = _in_memory(plan, batch, table, progress)
+    else:
+        asked["continued"] = continued
+        spread["inputs"] = {name: input_text(value) for name, value in (inputs or {}).items()}
+        definition, keys = _definition(plan, target, spread, asked, functions or {})
+        with opened(Path(into)) as store:
+            store.define(definition, text_of(model.module), keys, sets, widen=widen)
+            outcome = _stored(plan, batch, store, keys, progress)
+            table = _written(replace(table, rows=tuple(read_rows(store.folder)[0]), outcome=outcome), store.folder)
+    return replace(table, compiled=batch.compiled, wall_s=time.perf_counter() - began)
+
+
+def _in_memory(plan: Plan, batch: Batch, table: Sweep, progress: Callable[[float], object] | None) -> Sweep:
+    """Return the table with every row that could be computed."""
+    keys, chains = [str(i) for i in range(len(plan.sets()))], plan.chains
+    whole = range(len(keys))
+    done = batch.rows(whole) if chains is None else chains.computed(batch, keys, whole, lambda _: None)
+    rows, outcome = in_memory(done, len(keys), progress)
+    return replace(table, rows=rows, outcome=outcome)
+
+
+def _definition(
+    plan: Plan,
+    target: object,
+    spread: Mapping[str, Any],
+    asked: Mapping[str, Any],
+    functions: Mapping[str, Callable[[Solution], float]],
+) -> tuple[dict[str, Any], list[str]]:
+    """Return what is computed as plain data, and the key of every row; raises InputError."""
+    model, kept, text = plan.model, plan.kept, text_of(plan.model.module)
     if not text:
         fault = Fault("into", "a model whose generated text is not known", "a model that `load` returned")
         raise InputError(model.name, [fault])
     same = {
-        "outputs": [output.name for output in wanted if output.name not in (functions or {})],
-        "functions": {name: digest(name, function) for name, function in (functions or {}).items()},
-        **{**asked, "section": kept and kept.section and str(kept.section), "histories": list(histories)},
-        "continued": continued,
+        "outputs": [output.name for output in plan.outputs if output.name not in functions],
+        "functions": {name: digest(name, function) for name, function in functions.items()},
+        **{**asked, "section": kept and kept.section and str(kept.section), "histories": list(asked["histories"])},
         "signals": digest_of(model.signals),
         "text": _hash(text),
-        "readings": _hash(text_behind(model, wanted, [] if kept is None else kept.read)),
+        "readings": _hash(text_behind(model, plan.outputs, [] if kept is None else kept.read)),
         "versions": versions(),
     }
     definition = {
-        **{"scene": model.name, **target_of(target, model), "over": axes_of(design)},
-        **{"zip": zip, "sample": sample, "sampler": sampler, "seed": seed},
-        **{"values": {name: as_text(value) for name, value in fixed.items()}, **settings, **same},
-        "inputs": {name: input_text(value) for name, value in (inputs or {}).items()},
-        **{"columns": plan.columns, "varied": list(varied), "axes": axes},
+        **{"scene": model.name, **target_of(target, model), "over": axes_of(plan.design), **spread},
+        **{"values": {name: as_text(value) for name, value in plan.fixed.items()}, **plan.settings, **same},
+        **{"columns": plan.columns, "varied": list(plan.varied), "axes": plan.axes},
         "arrays": {} if kept is None else kept.columns,
     }
-    keys = keys_of(model, plan.sets(), settings, same)
-    keys = keys if chains is None else chains.keys(keys)
-    with opened(folder) as store:
-        store.define(definition, text, keys, plan.sets(), widen=widen)
-        outcome = _stored(batch, store, keys, chains, progress)
-        table = made(
-            rows=tuple(read_rows(folder)[0]),
-            outcome=outcome,
-            compiled=batch.compiled,
-            wall_s=time.perf_counter() - began,
-        )
-        if outcome.name != NOT_STORED:
-            try:
-                table.to_csv(folder / TABLE, overwrite=True)
-                for name in table.arrays:
-                    arrays = table.arrays_of(name)
-                    if arrays.csv_size() <= LARGEST_CSV:
-                        arrays.to_csv(folder / f"{name}.csv", overwrite=True)
-            except OSError as error:
-                table = replace(table, outcome=_not_stored(error))
+    keys = keys_of(model, plan.sets(), plan.settings, same)
+    return definition, keys if plan.chains is None else plan.chains.keys(keys)
+
+
+def _written(table: Sweep, folder: Path) -> Sweep:
+    """Write a table and its arrays as CSV beside the store; return it with the outcome of that."""
+    if table.outcome.name == NOT_STORED:
+        return table
+    try:
+        table.to_csv(folder / TABLE, overwrite=True)
+        for name in table.arrays:
+            arrays = table.arrays_of(name)
+            if arrays.csv_size() <= LARGEST_CSV:
+                arrays.to_csv(folder / f"{name}.csv", overwrite=True)
+    except OSError as error:
+        return replace(table, outcome=_not_stored(error))
     return table
 
 
@@ -218,17 +228,13 @@ def _hash(text: str) -> str:
 
 
 def _stored(
-    batch: Batch,
-    store: Store,
-    keys: Sequence[str],
-    chains: Chains | None,
-    progress: Callable[[float], object] | None,
+    plan: Plan, batch: Batch, store: Store, keys: Sequence[str], progress: Callable[[float], object] | None
 ) -> Outcome:
     """Compute and store the rows that are missing or lost, each once; return how it ended.
 
     A lost row of a chain stays: those after it started from the row before it.
     """
-    places = {key: i for i, key in reversed(list(enumerate(keys)))}
+    places, chains = {key: i for i, key in reversed(list(enumerate(keys)))}, plan.chains
     left = sorted(i for key, i in places.items() if key not in store.stored)
     again = sorted(places[key] for key in store.lost & places.keys()) if chains is None else []
     count = len(places) - len(left) - len(again)
@@ -260,15 +266,25 @@ def _not_stored(error: Exception) -> Outcome:
 
 @dataclass(frozen=True)
 class Plan:
-    """Everything a sweep computes: points, what is the same for all, outputs, settings of the runs."""
+    """Everything a sweep computes: design, what is the same for all, outputs, settings of the runs.
+
+    kept, chains    arrays that each row keeps; points that follow each other
+    """
 
     model: plain.Model
-    points: Sequence[Mapping[str, Given]]
+    design: Design
     fixed: Mapping[str, Value]
     varied: Mapping[str, str]
     outputs: Sequence[Output]
     settings: Mapping[str, Any]
-    kept: Kept | None = None
+    kept: Kept | None
+    chains: Chains | None
+
+    @property
+    def axes(self) -> dict[str, tuple[float, ...]]:
+        """Values in SI of what is varied, where the points are all combinations."""
+        grid = self.design.grid.items()
+        return {name: tuple(si_of(self.model, name, value) for value in values) for name, values in grid}
 
     @property
     def columns(self) -> dict[str, str]:
@@ -277,7 +293,21 @@ class Plan:
 
     def sets(self) -> list[dict[str, Value]]:
         """Return the values of every row."""
-        return [{**self.fixed, **point} for point in self.points]
+        return [{**self.fixed, **point} for point in self.design.points()]
+
+    def table(self, place: str, workers: int) -> Sweep:
+        """Return the table without a row; place: phrase, where arrays are kept."""
+        return Sweep(
+            scene=self.model.name,
+            rows=(),
+            columns=self.columns,
+            varied=tuple(self.varied),
+            outcome=COMPLETE,
+            axes=self.axes,
+            arrays={} if self.kept is None else self.kept.columns,
+            place=place,
+            workers=workers,
+        )
 
     def check(self) -> None:
         """Raise InputError where not one row can run, with the faults of the first."""

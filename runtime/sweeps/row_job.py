@@ -164,9 +164,9 @@ class Job:
             except (Exception, SystemExit) as error:  # a row says so: hours of other runs are not lost for it
                 outcome, message = BAD_OUTPUT, f"output {output.name} raised {type(error).__name__}: {error}"
         arrays: Mapping[str, Packed] = {}
-        if self.kept is not None and times is not None:
+        if times is not None:
             try:
-                arrays = self.kept.of(solution, times)
+                arrays = times.arrays(solution)
             except Exception as error:  # as above
                 outcome, message = BAD_OUTPUT, f"section or histories raised {type(error).__name__}: {error}"
         return Row(

@@ -31,6 +31,7 @@ WHOLE = 1e-9  # relative: a number of periods this close to a whole one counts a
 class Times:
     """Times [s] of one row that are known before it: `section` is None where its points are crossings."""
 
+    kept: Kept
     begin: float
     section: np.ndarray | None
     grid: np.ndarray | None
@@ -40,6 +41,10 @@ class Times:
         """Every time, increasing."""
         known = [times for times in (self.section, self.grid) if times is not None]
         return np.unique(np.concatenate([np.zeros(0), *known]))
+
+    def arrays(self, run: Solution) -> dict[str, Packed]:
+        """Return the arrays of a run, of a shorter one as far as it got."""
+        return self.kept.of(run, self)
 
 
 @dataclass(frozen=True)
@@ -101,10 +106,10 @@ class Kept:
         section = None
         if self.section is not None and self.section.steady and bound is not None:
             section = self.section.returns(model, bound, begin, seconds)
-        return Times(begin, section, None if grid is None else grid[grid >= begin])
+        return Times(self, begin, section, None if grid is None else grid[grid >= begin])
 
     def of(self, run: Solution, times: Times) -> dict[str, Packed]:
-        """Return the arrays of a run, of a shorter one as far as it got."""
+        """Return the arrays of a run with these times; see `Times.arrays`."""
         found = {}
         if self.section is not None:
             at = self.section.crossings(run, times.begin) if times.section is None else times.section
