@@ -127,6 +127,7 @@ if TYPE_CHECKING:  # the list of public names
     from hertzwerk.derive.mechanism.joints.universal import Universal as Universal
     from hertzwerk.derive.mechanism.joints.weld import Weld as Weld
     from hertzwerk.derive.mechanism.mechanism import Mechanism as Mechanism
+    from hertzwerk.derive.mechanism.outline import Arc as Arc, Line as Line, Outline as Outline
     from hertzwerk.derive.mechanism.pair import Pair as Pair
     from hertzwerk.derive.mechanism.parameter import Interval as Interval, Parameter as Parameter
     from hertzwerk.derive.mechanism.pose import APART as APART, ROTATION as ROTATION, TURN as TURN

@@ -12,7 +12,7 @@ import sympy as sp
 
 from hertzwerk.derive.algebra.functions import NoText
 
-__all__ = ["Drawn", "Entry", "Nearest", "PlanarCurve", "Sampled", "Support"]
+__all__ = ["Drawn", "Entry", "Nearest", "PlanarChain", "PlanarCurve", "Sampled", "Support"]
 
 
 class PlanarCurve(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
@@ -27,6 +27,7 @@ class PlanarCurve(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
     at       parameters of the samples, from which the search starts
     """
 
+    searched = ""
     __slots__ = ("at", "closed", "end", "given", "hole", "name", "s", "start", "tries", "x", "y")
 
     def __new__(cls, **data: Any) -> PlanarCurve:
@@ -46,6 +47,11 @@ class PlanarCurve(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
         return str(self.name)
 
     @property
+    def width(self) -> int:
+        """Number of entries of what is computed once per run."""
+        return 2 * len(self.at)
+
+    @property
     def row(self) -> tuple[Any, ...]:
         """Data beside the expressions, as a module has them."""
         return (self.start, self.end), self.closed, self.hole, self.tries, self.at
@@ -55,8 +61,50 @@ def _restored(data: dict[str, Any]) -> PlanarCurve:
     return PlanarCurve(**data)
 
 
+class PlanarChain(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
+    """A chain of circle arcs and lines with its data for a generated module.
+
+    pieces  of each its start, its end and its centre (x, y) [m]; a line has its start for a centre
+    turns   of each 1 for an arc to the left, -1 for one to the right, 0 for a line
+    given   symbols that the pieces contain; closed, hole as of a `PlanarCurve`
+    """
+
+    __slots__ = ("closed", "given", "hole", "name", "pieces", "turns")
+    searched = "_of_chain"
+
+    def __new__(cls, **data: Any) -> PlanarChain:
+        """Make a chain of all its data."""
+        self = super().__new__(cls)
+        for name in cls.__slots__:
+            setattr(self, name, data[name])
+        return self  # type: ignore[no-any-return]
+
+    def _hashable_content(self) -> tuple[Any, ...]:
+        return tuple(getattr(self, name) for name in self.__slots__)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored_chain, ({name: getattr(self, name) for name in self.__slots__},)
+
+    def _sympystr(self, _: Any) -> str:
+        return str(self.name)
+
+    @property
+    def width(self) -> int:
+        """Number of entries of what is computed once per run."""
+        return 6 * len(self.turns)
+
+    @property
+    def row(self) -> tuple[Any, ...]:
+        """Data beside the expressions, as a module has them."""
+        return self.closed, self.hole, self.turns
+
+
+def _restored_chain(data: dict[str, Any]) -> PlanarChain:
+    return PlanarChain(**data)
+
+
 class Sampled(NoText):
-    """`Sampled(curve, *given)`: coordinates of a curve's samples, first all x, then all y: a vector."""
+    """`Sampled(curve, *given)`: what is computed of a curve once per run, such as samples: a vector."""
 
     @classmethod
     def eval(cls, *_: Any) -> None:

@@ -15,7 +15,9 @@ PER_STEP = {  # calls per step: in its stages; for events; to close loops, with 
     **dict.fromkeys(("gaps", "gap_accelerations"), 1),
     **{"constraints": 4, "projection": 3},
 }
-OF_CURVES = ("_samples", "_drawn", "_nearest", "_support")
+OF_CURVES = tuple(
+    f"{search}{of}" for search in ("_samples", "_drawn", "_nearest", "_support") for of in ("", "_of_chain")
+)
 """Helpers whose work depends on their curve."""
 # A sign precedes its operand, which is no number here, without a blank; a binary minus is surrounded by blanks.
 _SIGN = re.compile(r"-(?=[A-Za-z_(]|[\d.]+\*\*)")

@@ -40,8 +40,43 @@ class AlongCurve(Posed):
     tables: ClassVar[bool] = True
 
 
+class SolidCurve:
+    """Planar curve or chain with solid on one side: common part of `Curve` and `Outline`."""
+
+    name: str
+    closed: bool
+    hole: bool
+
+    @property
+    def where(self) -> str:
+        """Its name in messages."""
+        return f"curve {self.name}"
+
+    def slots(self) -> Iterator[Slot]:
+        """Yield the quantities."""
+        raise NotImplementedError
+
+    def faults(self) -> Iterator[Fault]:
+        """Yield the faults of its shape at the defaults."""
+        raise NotImplementedError
+
+    def flag_faults(self) -> Iterator[Fault]:
+        """Yield faults of `closed` and `hole`."""
+        for what, flag in (("closed", self.closed), ("hole", self.hole)):
+            if not isinstance(flag, bool):
+                yield Fault(f"{self.where}, {what}", repr(flag), "True or False")
+        if self.hole is True and self.closed is False:
+            yield Fault(self.where, "an open curve as a hole", "a closed one",
+                        "The solid of an open curve is to its left: let it run the other way.")  # fmt: skip
+
+    @property
+    def planar(self) -> Any:
+        """The curve for equations, a `PlanarCurve` or `PlanarChain`."""
+        raise NotImplementedError
+
+
 @dataclass(frozen=True)
-class Curve:
+class Curve(SolidCurve):
     """Curve x, y [m] by expressions of the parameter `S` from start to end.
 
     It lies in the plane of X and Y of the place that it is fixed to.
@@ -57,11 +92,6 @@ class Curve:
     end: float = 2 * math.pi
     closed: bool = True
     hole: bool = False
-
-    @property
-    def where(self) -> str:
-        """Its name in messages."""
-        return f"curve {self.name}"
 
     def slots(self) -> Iterator[Slot]:
         """Yield the coordinates."""
@@ -81,16 +111,11 @@ class Curve:
             if not _is_finite(value):
                 yield Fault(f"{self.where}, {what}", repr(value), "a finite number, the parameter there",
                             "An end that depends on parameters: let S run from 0 to 1, and write S*end in x and y.")  # fmt: skip
-        for what, flag in (("closed", self.closed), ("hole", self.hole)):
-            if not isinstance(flag, bool):
-                yield Fault(f"{self.where}, {what}", repr(flag), "True or False")
+        yield from self.flag_faults()
         if _is_finite(self.start) and _is_finite(self.end) and not self.start < self.end:
             yield Fault(
                 self.where, f"parameters from {float(self.start):g} to {float(self.end):g}", "a start before the end"
             )
-        if self.hole is True and self.closed is False:
-            yield Fault(self.where, "an open curve as a hole", "a closed one",
-                        "The solid of an open curve is to its left: let it run the other way.")  # fmt: skip
 
     @cached_property
     def planar(self) -> PlanarCurve:
@@ -138,10 +163,14 @@ def curve_faults(curves: Iterable[tuple[str, Any]], taken: Collection[str]) -> I
 
     A module has a function and a table of each, named after it.
     """
-    known: dict[str, Curve] = {}
+    known: dict[str, SolidCurve] = {}
     for where, curve in curves:
-        if not isinstance(curve, Curve):
-            yield Fault(f"{where}, curve", f"{curve!r:.80}", "a Curve(name, x, y), or what curve_through(...) gives")
+        if not isinstance(curve, SolidCurve):
+            yield Fault(
+                f"{where}, curve",
+                f"{curve!r:.80}",
+                "a Curve(name, x, y), what curve_through(...) gives, or an Outline(name, start, pieces)",
+            )
             continue
         yield from curve.faults()
         if not isinstance(curve.name, str):
@@ -220,7 +249,7 @@ def _samples(curve: Curve) -> tuple[tuple[float, ...], bool]:
     """Parameters of samples, denser where the curve turns, and whether it is convex towards the outside."""
     rows = _fine(curve)
     length = sum(math.hypot(b[1] - a[1], b[2] - a[2]) for a, b in pairwise(rows))
-    turns = [_angle(a[3:5], b[3:5]) for a, b in pairwise(rows)]
+    turns = [angle_between(a[3:5], b[3:5]) for a, b in pairwise(rows)]
     work = [
         max(abs(turn) / TURN, 1e-6) + math.hypot(b[1] - a[1], b[2] - a[2]) / length * PARTS
         for turn, (a, b) in zip(turns, pairwise(rows), strict=True)
@@ -238,7 +267,8 @@ def _samples(curve: Curve) -> tuple[tuple[float, ...], bool]:
     return tuple(at), all(sign * turn > -1e-9 for turn in turns)
 
 
-def _angle(a: Sequence[float], b: Sequence[float]) -> float:
+def angle_between(a: Sequence[float], b: Sequence[float]) -> float:
+    """Angle from one direction to another, to the left [rad]."""
     return math.atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1])
 
 
@@ -276,7 +306,7 @@ def _shape_faults(curve: Curve) -> Iterator[Fault]:
     (_, x0, y0, *first), (_, x1, y1, *last) = rows[0], rows[-1]
     apart = math.hypot(x1 - x0, y1 - y0)
     if curve.closed:
-        kink = abs(_angle(first[:2], last[:2]))
+        kink = abs(angle_between(first[:2], last[:2]))
         if apart > ALIKE * size:
             yield Fault(where, f"ends {apart:.3g} m apart", "a closed curve, which ends where it starts",
                         "closed=False, or S from start to end once round.")  # fmt: skip
@@ -293,14 +323,14 @@ def _shape_faults(curve: Curve) -> Iterator[Fault]:
                         "Replace S by -S in x and y; that its solid is outside says hole=True.")  # fmt: skip
     # between the rows, for curves love to cross at round values of their parameter
     middles = [((a[1] + b[1]) / 2, (a[2] + b[2]) / 2) for a, b in pairwise(rows)]
-    crossing = _crossing([*middles, middles[0]] if curve.closed else middles, curve.closed)
-    if crossing is not None:
-        s = [rows[k][0] for k in crossing]
+    crossed = crossing([*middles, middles[0]] if curve.closed else middles, curve.closed)
+    if crossed is not None:
+        s = [rows[k][0] for k in crossed]
         yield Fault(where, f"it crosses itself, at S = {s[0]:.3g} and {s[1]:.3g}", "a curve that does not: one side of it is solid")  # fmt: skip
 
 
-def _crossing(points: Sequence[Sequence[float]], closed: bool) -> tuple[int, int] | None:
-    """Two pieces of a chain of points that cross, not adjacent."""
+def crossing(points: Sequence[Sequence[float]], closed: bool) -> tuple[int, int] | None:
+    """Two pieces of a chain of points that cross or touch, not adjacent."""
     pieces = list(pairwise(points))
     boxes = [(min(a[0], b[0]), max(a[0], b[0]), min(a[1], b[1]), max(a[1], b[1])) for a, b in pieces]
     for i, (a, b) in enumerate(pieces):
@@ -316,7 +346,7 @@ def _crossing(points: Sequence[Sequence[float]], closed: bool) -> tuple[int, int
             ):
                 continue
             c, d = pieces[j]
-            if _side(a, b, c) * _side(a, b, d) < 0 and _side(c, d, a) * _side(c, d, b) < 0:
+            if _side(a, b, c) * _side(a, b, d) <= 0 and _side(c, d, a) * _side(c, d, b) <= 0:
                 return i, j
     return None
 

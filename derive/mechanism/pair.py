@@ -84,7 +84,7 @@ class Pair:
 
     @property
     def curves(self) -> tuple[Any, ...]:
-        """Planar curves among its fields, each a `Curve`."""
+        """Planar curves among its fields, each a `SolidCurve`."""
         return ()
 
     def slots(self) -> Iterator[Slot]:

@@ -15,7 +15,7 @@ import sympy as sp
 from hertzwerk.derive.algebra.planar_curve import Drawn
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.mechanism.bodies import Point
-from hertzwerk.derive.mechanism.curve import Curve
+from hertzwerk.derive.mechanism.curve import SolidCurve
 from hertzwerk.derive.mechanism.parameter import is_number
 from hertzwerk.derive.program.program import Result
 
@@ -60,7 +60,7 @@ class Landmark:
         """Coordinates of the point along its body's axes, then directions and sizes."""
         rows = [(axis, "m", value) for axis, value in zip("xyz", self.point.position, strict=True)]
         for what, value in self.beside.items():
-            if isinstance(value, Curve):
+            if isinstance(value, SolidCurve):
                 rows.append((what, "", Drawn(value.planar, *value.planar.given)))
             elif isinstance(value, tuple):
                 rows += [(f"{what}_{axis}", UNITS[what], v) for axis, v in zip("xyz", value, strict=True)]

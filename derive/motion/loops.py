@@ -17,7 +17,7 @@ import sympy as sp
 from hertzwerk.derive.algebra.vectors import ZERO, Vector, add, cross, dot, is_zero, scale, sub
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.mechanism.bodies import AXES, Direction
-from hertzwerk.derive.mechanism.curve import Curve
+from hertzwerk.derive.mechanism.curve import SolidCurve
 from hertzwerk.derive.mechanism.joints.conditions import (
     Carried,
     Coincident,
@@ -142,7 +142,7 @@ class Closure:
             moment=moment,
         )  # fmt: skip
 
-    def _track(self, curve: Curve) -> Constraint:
+    def _track(self, curve: SolidCurve) -> Constraint:
         """The child's point is on a curve: its signed distance vanishes."""
         on, beside = self.on_curve(curve)
         if self.tape.rate(on.local(self.apart, "local")[2], f"{self.joint.name}_off_plane") != 0:
@@ -163,7 +163,7 @@ class Closure:
             self._force(normal, "track"),
         )  # fmt: skip
 
-    def on_curve(self, curve: Curve) -> tuple[OnCurve, Beside]:
+    def on_curve(self, curve: SolidCurve) -> tuple[OnCurve, Beside]:
         """The curve that is fixed to the parent, and the child's point beside it."""
         for place, rate in zip(self.apart, self.apart_rate, strict=True):
             self.tape.set_rate(place, rate)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from hertzwerk.derive.algebra.planar_curve import Entry, Nearest, PlanarCurve, Sampled, Support
+from hertzwerk.derive.algebra.planar_curve import Entry, Nearest, PlanarChain, PlanarCurve, Sampled, Support
 from hertzwerk.derive.algebra.vectors import Vector, apply, transpose
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.mechanism.bodies import Point
@@ -44,10 +44,10 @@ class Least:
 class OnCurve:
     """A curve on the tape, at a place of a body."""
 
-    def __init__(self, kinematics: Kinematics, curve: PlanarCurve, place: Point, name: str) -> None:
+    def __init__(self, kinematics: Kinematics, curve: PlanarCurve | PlanarChain, place: Point, name: str) -> None:
         self.kin, self.tape, self.name = kinematics, kinematics.tape, name
         self.curve, self.axes = curve, kinematics.axes_of(place)
-        self.samples = self.tape.block(Sampled(curve, *curve.given), f"{curve.name}_samples", 2 * len(curve.at), METRE)
+        self.samples = self.tape.block(Sampled(curve, *curve.given), f"{curve.name}_samples", curve.width, METRE)
 
     def local(self, vector: Vector, what: str) -> Vector:
         """A vector along the curve's axes, on the tape."""

@@ -149,7 +149,7 @@ def _spline(node: Any) -> tuple[str, int]:
 def _sampled(helper: str) -> Callable[[Any], tuple[str, int]]:
     def rule(node: Any) -> tuple[str, int]:
         curve, *given = node.args
-        return f"{helper}({_curve(curve)}, {_vector(given)})", _ATOM
+        return f"{helper}{curve.searched}({_curve(curve)}, {_vector(given)})", _ATOM
 
     return rule
 
@@ -157,7 +157,7 @@ def _sampled(helper: str) -> Callable[[Any], tuple[str, int]]:
 def _found(helper: str) -> Callable[[Any], tuple[str, int]]:
     def rule(node: Any) -> tuple[str, int]:
         curve, samples, x, y, *given = node.args
-        return f"{helper}({_curve(curve)}, {samples.name}, {_vector(given)}, {_vector([x, y])})", _ATOM
+        return f"{helper}{curve.searched}({_curve(curve)}, {samples.name}, {_vector(given)}, {_vector([x, y])})", _ATOM
 
     return rule
 

@@ -17,7 +17,7 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.algebra.planar_curve import PlanarCurve, Sampled
+from hertzwerk.derive.algebra.planar_curve import PlanarChain, PlanarCurve, Sampled
 from hertzwerk.derive.algebra.vectors import Matrix, Vector
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.mechanism.parameter import TABLE
@@ -411,9 +411,9 @@ class Program:
         return ((symbol, e) for symbol, e in self.tape.assignments.items() if symbol in used)
 
 
-def curves_in(program: Program) -> list[PlanarCurve]:
+def curves_in(program: Program) -> list[PlanarCurve | PlanarChain]:
     """List the curves that the functions of a program use, in order of appearance."""
-    found: dict[PlanarCurve, None] = {}
+    found: dict[PlanarCurve | PlanarChain, None] = {}
     for function in program.functions:
         for expression in _expressions(function):
             if isinstance(expression, Sampled):  # or drawn

@@ -13,7 +13,7 @@ from hertzwerk.derive.algebra.vectors import Vector, add, scale
 from hertzwerk.derive.contact.touch import Touch
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Direction, Point, Slot
-from hertzwerk.derive.mechanism.curve import Curve
+from hertzwerk.derive.mechanism.curve import SolidCurve
 from hertzwerk.derive.mechanism.pair import Pair, in_body
 from hertzwerk.derive.mechanism.parameter import POSITIVE, Scalar
 from hertzwerk.derive.motion.kinematics import Kinematics
@@ -51,7 +51,7 @@ class OnSolidCurve(Pair):
     def slots(self) -> Iterator[Slot]:
         """Yield the quantities of the pair, its curve's included."""
         for curve in self.curves:
-            yield from curve.slots() if isinstance(curve, Curve) else ()
+            yield from curve.slots() if isinstance(curve, SolidCurve) else ()
         for name, symbol in (("radius", ""), ("curvature_radius", "R_eff"), ("length", "L")):
             value = self._given(name)
             if value is not None:
@@ -66,7 +66,7 @@ class CircleOnCurve(OnSolidCurve):
 
     circle: Point
     radius: Scalar
-    curve: Curve
+    curve: SolidCurve
     fixed: Point
     curvature_radius: Scalar | None = None
     length: Scalar | None = None
@@ -92,7 +92,7 @@ class PointOnCurve(OnSolidCurve):
     """Point, as the tip of a follower, that may touch the solid beside a curve."""
 
     point: Point
-    curve: Curve
+    curve: SolidCurve
     fixed: Point
     curvature_radius: Scalar | None = None
     length: Scalar | None = None
@@ -118,7 +118,7 @@ class FaceOnCurve(OnSolidCurve):
 
     face: Point
     normal: Direction
-    curve: Curve
+    curve: SolidCurve
     fixed: Point
     curvature_radius: Scalar | None = None
     length: Scalar | None = None
@@ -131,7 +131,7 @@ class FaceOnCurve(OnSolidCurve):
 
     def faults(self) -> Iterator[Fault]:
         """Yield the fault of a curve without an outside that a face could touch."""
-        if isinstance(self.curve, Curve) and self.curve.hole:
+        if isinstance(self.curve, SolidCurve) and self.curve.hole:
             yield Fault(
                 f"pair {self.name}, curve", f"the hole {self.curve.name}", "a solid that a straight face can touch"
             )
@@ -141,7 +141,7 @@ class FaceOnCurve(OnSolidCurve):
         return FaceTouch(self, kinematics)
 
 
-def outline(place: Point, curve: Curve) -> dict[str, Any]:
+def outline(place: Point, curve: SolidCurve) -> dict[str, Any]:
     """Axes of a curve's plane, and the curve, for landmarks."""
     x, y = (in_body(place, axis) for axis in (Direction((1, 0, 0)), Direction((0, 1, 0))))
     return {"along": x, "across": y, "outline" if curve.closed and not curve.hole else "track": curve}

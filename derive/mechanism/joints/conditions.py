@@ -7,7 +7,7 @@ from typing import Any, Protocol
 
 from hertzwerk.derive.algebra.vectors import ZERO, Vector, add, along, cross, dot, scale
 from hertzwerk.derive.mechanism.bodies import AXES, Direction
-from hertzwerk.derive.mechanism.curve import Curve
+from hertzwerk.derive.mechanism.curve import SolidCurve
 from hertzwerk.derive.mechanism.parameter import default_value
 
 CHILD, PARENT = 0, 1
@@ -122,7 +122,7 @@ class KeptAngle:
 class OnTrack:
     """Condition: the child's point is on a curve fixed to the parent's."""
 
-    curve: Curve
+    curve: SolidCurve
 
 
 Condition = Coincident | NoDisplacement | KeptAngle | OnTrack

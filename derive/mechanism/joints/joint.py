@@ -123,7 +123,7 @@ class Joint:
 
     @property
     def curves(self) -> tuple[Any, ...]:
-        """Planar curves among its fields, each a `Curve`."""
+        """Planar curves among its fields, each a `SolidCurve`."""
         return ()
 
     # -- freedoms ------------------------------------------------------------------------------------------------------

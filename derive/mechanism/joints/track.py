@@ -7,10 +7,12 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from hertzwerk.derive.algebra.vectors import apply
+from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import AXES, Frame, Point, Slot
-from hertzwerk.derive.mechanism.curve import Curve
+from hertzwerk.derive.mechanism.curve import SolidCurve
 from hertzwerk.derive.mechanism.joints.conditions import Condition, OnTrack
 from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
+from hertzwerk.derive.mechanism.outline import Outline
 
 
 @dataclass(frozen=True, init=False)
@@ -21,11 +23,11 @@ class PointInTrack(Joint):
     track holds the point to both sides, by `<name>.off_track.force`, and has no ends: that of an open curve is a fault of a run.
     """
 
-    curve: Curve
+    curve: SolidCurve
     carries: ClassVar[bool] = False
     symbol: ClassVar[str] = "track"
 
-    def __init__(self, name: str, parent: Frame | Point, child: Frame | Point, curve: Curve) -> None:
+    def __init__(self, name: str, parent: Frame | Point, child: Frame | Point, curve: SolidCurve) -> None:
         super().__init__(name, parent, child, curve=curve)
 
     @property
@@ -41,8 +43,16 @@ class PointInTrack(Joint):
     def slots(self) -> Iterator[Slot]:
         """Yield the quantities of the two points, and of the curve."""
         yield from super().slots()
-        if isinstance(self.curve, Curve):
+        if isinstance(self.curve, SolidCurve):
             yield from self.curve.slots()
+
+    def faults(self) -> Iterator[Fault]:
+        """Yield the fault of a track with a corner, where a point that is held would have to stop."""
+        yield from super().faults()
+        corner = self.curve.corner() if isinstance(self.curve, Outline) else None
+        if corner is not None:
+            yield Fault(f"joint {self.name}, curve {self.curve.name}", f"a corner at the end of its piece {corner}", "a smooth track",
+                        "Round it by an Arc that both pieces touch.")  # fmt: skip
 
     def constraints(self) -> tuple[Condition, ...]:
         """One: the point is on the curve."""

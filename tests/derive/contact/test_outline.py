@@ -1,0 +1,224 @@
+"""Chains of arcs and lines: each piece and corner by its closed form, brute force, an impact on a corner, a track, and faults."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from derived import Derived
+from matplotlib.path import Path
+
+from hertzwerk.derive import (
+    GROUND,
+    Arc,
+    Body,
+    CircleOnCurve,
+    Contact,
+    EnergyLedger,
+    FaceOnCurve,
+    InputError,
+    Line,
+    Mechanism,
+    Outline,
+    Parameter,
+    Planar,
+    PointInTrack,
+    PointOnCurve,
+    Revolute,
+    Scales,
+    Scene,
+    Start,
+    Y,
+    Z,
+    laws,
+)
+from hertzwerk.runtime import load, simulate
+
+L, R, ROLLER = (Parameter(name, "mm", value) for name, value in (("L", 40), ("R", 15), ("roller", 5)))
+PACE = Parameter("pace", "m/s", 2)
+CAM, PLATE = (
+    Body("cam", Parameter("M", "kg", 1), Parameter("J", "kg m^2", 1e-3)),
+    Body("plate", Parameter("m", "kg", 0.2), Parameter("J_p", "kg m^2", 1e-4)),
+)
+SHAFT, FREE = Revolute("shaft", GROUND, CAM, axis=Z), Planar("free", GROUND, PLATE)
+SCALES = Scales(length=R, speed=PACE, arm=R)
+# below a line, to the right a half circle, above a round hollow, to the left a notch
+BLOCK = Outline(
+    "block",
+    (0, -R),
+    [
+        Line((L, -R)), Arc((L, R), (L, 0)), Line(((L + R) / 2, R)), Arc(((L - R) / 2, R), (L / 2, R), clockwise=True),
+        Line((0, R)), Line((R / 2, 0)), Line((0, -R)),
+    ],
+)  # fmt: skip
+HALF = np.linspace(0, np.pi, 4001)
+RIM = 1e-3 * np.concatenate([
+    [(0, -15)],
+    np.transpose([40 + 15 * np.sin(HALF), -15 * np.cos(HALF)]),
+    np.transpose([20 + 7.5 * np.cos(HALF), 15 - 7.5 * np.sin(HALF)]),
+    [(0, 15), (7.5, 0), (0, -15)],
+])  # fmt: skip
+
+
+def scene(pair):
+    effects = Contact(pair.name, laws.power(Parameter("K", "N/m", 1e6), 1)), EnergyLedger()
+    return Scene(Mechanism("cam_and_plate", (SHAFT, FREE), (pair,)), effects, SCALES)
+
+
+@pytest.fixture(scope="module")
+def beside():
+    return Derived(scene(PointOnCurve("touch", PLATE.at(0, 0, 0), BLOCK, CAM.at(0, 0, 0))))
+
+
+def gaps(derived, q, u=(0, 0, 0, 0)):
+    """Gap, its rate and its second derivative at no acceleration."""
+    q, u = np.array(q, float), np.array(u, float)
+    G, dG = derived.call("gaps", q=q, u=u)
+    return float(G[0]), float(dG[0]), float(derived.call("gap_accelerations", q=q, u=u, a=np.zeros(4))[0])
+
+
+def turned(angle, x, y):
+    return np.array([np.cos(angle) * x - np.sin(angle) * y, np.sin(angle) * x + np.cos(angle) * y])
+
+
+@pytest.mark.parametrize(
+    ("at", "centre", "sign", "least"),
+    [
+        pytest.param((20, -21), None, 1, 6, id="beside a line"),
+        pytest.param((20, -12), None, 1, -3, id="within, below a line"),
+        pytest.param((46, 8), (40, 0), 1, -15, id="within an arc to the left"),
+        pytest.param((58, -9), (40, 0), 1, -15, id="beside an arc to the left"),
+        pytest.param((21, 13), (20, 15), -1, 7.5, id="in a hollow"),
+        pytest.param((18, 6.5), (20, 15), -1, 7.5, id="below a hollow"),
+        pytest.param((-3, 19), (0, 15), 1, 0, id="beside a corner"),
+        pytest.param((28, 17), None, 1, 2, id="above a line"),
+        pytest.param((9.5, 1), (7.5, 0), -1, 0, id="within, beside the corner of a notch"),
+    ],
+)
+def test_each_piece_and_corner_equals_its_closed_form(beside, at, centre, sign, least):
+    """Of a circle: distance of its centre, and v_t^2 over it, at a block that is turned; of a line, its height and no curvature."""
+    (x, y), angle, v = 1e-3 * np.array(at), 0.7, np.array([0.4, -1.1])
+    if centre is None:
+        n = np.array([0, np.sign(y)])
+        expected = 1e-3 * least, n @ v, 0
+    else:
+        w = np.array([x, y]) - 1e-3 * np.array(centre)
+        away = np.hypot(*w)
+        n = w / away
+        expected = (
+            sign * (away if not least else away + sign * 1e-3 * least),
+            sign * n @ v,
+            sign * (v @ [-n[1], n[0]]) ** 2 / away,
+        )
+    found = gaps(beside, (angle, *turned(angle, x, y), 0), (0, *turned(angle, *v), 0))
+    assert found == pytest.approx(expected, rel=1e-12, abs=1e-11)
+
+
+def test_it_is_as_far_as_the_nearest_of_very_many_points(beside):
+    """Signs by counting crossings of a ray; the points miss the hollow's and the half circle's rims by 1e-9 m."""
+    rim, random = Path(RIM), np.random.default_rng(4)
+    lines = [(a, b) for a, b in pairwise(RIM)]
+    a, way = np.array([a for a, _ in lines]), np.array([b - a for a, b in lines])
+    long = np.sum(way**2, axis=1)
+    inside = 0
+    for p in random.uniform((-0.02, -0.03), (0.07, 0.03), (150, 2)):
+        share = np.clip(np.sum((p - a) * way, axis=1) / np.where(long > 0, long, 1), 0, 1)[:, None]
+        apart = np.min(np.hypot(*(a + share * way - p).T))
+        within = rim.contains_point(p)
+        inside += within
+        assert gaps(beside, (0, *p, 0))[0] == pytest.approx(-apart if within else apart, abs=2e-8)
+    assert 20 < inside < 120
+
+
+def test_a_face_touches_the_hull():
+    """At random angles against all points; the rate against differences."""
+    derived = Derived(scene(FaceOnCurve("touch", PLATE.at(0, 0, 0), -Y, BLOCK, CAM.at(0, 0, 0))))
+    random, h = np.random.default_rng(5), 1e-6
+    for _ in range(40):
+        q, u = random.uniform(-1, 1, 4) * (3, 0.1, 0.1, 3), random.uniform(-1, 1, 4)
+        down = np.array([np.sin(q[3]), -np.cos(q[3])])
+        least = np.min((turned(q[0], *RIM.T).T - q[1:3]) @ down)
+        G, dG, _ = gaps(derived, q, u)
+        assert pytest.approx(least, abs=2e-8) == G
+        assert dG == pytest.approx((gaps(derived, q + h * u)[0] - gaps(derived, q - h * u)[0]) / (2 * h), abs=1e-6)
+
+
+def test_a_hole_and_a_whole_circle():
+    hole = Outline("ring", (R, 0), [Arc((R, 0), (0, 0))], hole=True)
+    derived = Derived(scene(CircleOnCurve("touch", PLATE.at(0, 0, 0), ROLLER, hole, CAM.at(0, 0, 0))))
+    for angle in np.linspace(0, 2 * np.pi, 9):
+        found = gaps(derived, (0.3, *turned(angle, 0.006, 0), 0), (0, *turned(angle, 1, 2), 0))
+        assert found == pytest.approx((0.015 - 0.005 - 0.006, -1, -4 / 0.006))
+
+
+def test_a_roller_that_hits_a_corner_leaves_along_the_line_to_it():
+    """Without loss: v - 2 (v . n) n, with n from the corner to the centre where they meet."""
+    corner = Outline("corner", (0, -L), [Line((0, 0)), Line((-L, 0))], closed=False)
+    pair = CircleOnCurve("touch", PLATE.at(0, 0, 0), ROLLER, corner, GROUND.at(0, 0, 0))
+    effects = Contact("touch", laws.power(Parameter("K", "N/m", 1e12), 1)), EnergyLedger()
+    start = Start(position={"free.x": 3 * ROLLER / 5, "free.y": ROLLER}, speed={"free.x": 0, "free.y": -PACE})
+    run = simulate(
+        load(Scene(Mechanism("drop", (FREE,), (pair,)), effects, SCALES, start)), duration="2 ms", accuracy=1e-8
+    )
+    assert run.outcome.name == "finished"
+    v, n = np.array([0, -2.0]), np.array([0.6, 0.8])
+    after = np.array([run["free.x_speed"][-1], run["free.y_speed"][-1]])
+    assert after == pytest.approx(v - 2 * (v @ n) * n, rel=5e-3)
+
+
+def test_a_bead_round_a_stadium_is_pressed_on_its_arcs_alone():
+    """m v^2/R there, nothing on the lines; once round after the perimeter over v."""
+    stadium = Outline("stadium", (0, -R), [Line((L, -R)), Arc((L, R), (L, 0)), Line((0, R)), Arc((0, -R), (0, 0))])
+    start = Start(position={"free.x": L / 2}, near={"free.y": -R}, speed={"free.x": PACE})
+    joints = FREE, PointInTrack("groove", GROUND, PLATE, stadium)
+    made = load(Scene(Mechanism("round", joints), (EnergyLedger(),), SCALES, start))
+    run = simulate(made, duration=f"{(0.08 + 0.03 * np.pi) / 2} s", accuracy=1e-4)
+    assert run.outcome.name == "finished"
+    assert (run["free.x"][-1], run["free.y"][-1]) == pytest.approx((0.02, -0.015), abs=1e-6)
+    force, on_arc = np.abs(run["groove.force_track"]), np.floor(run["groove.parameter"]) % 2 == 1
+    clear = np.abs(run["groove.parameter"] % 1 - 0.5) < 0.49
+    assert force[on_arc & clear] == pytest.approx(0.2 * 4 / 0.015, rel=1e-5)
+    assert np.max(force[~on_arc & clear]) < 1e-4
+
+
+def test_all_faults_come_at_once():
+    s = Parameter("s", "s", 1)
+    wrong = (
+        Outline("clockwise", (0, 0), [Line((0, L)), Line((L, L)), Line((L, 0)), Line((0, 0))]),
+        Outline("apart", (0, 0), [Line((L, 0)), Line((L, L))]),
+        Outline("eight", (0, 0), [Line((L, L)), Line((L, 0)), Line((0, L)), Line((0, 0))]),
+        Outline("pinched", (0, 0), [Line((L, -R)), Line((L, R)), Line((0, 0)), Line((-L, R)), Line((-L, -R)), Line((0, 0))]),
+        Outline("still", (0, 0), [Line((L, 0)), Line((L, 0)), Line((L, L)), Arc((0, 0), (R, R)), Arc((0, 0), (0, 0))]),
+        Outline("spike", (0, 0), [Line((L, 0)), Line((R, 0)), Line((0, R)), Line((0, 0))]),
+        Outline("bare", (0, 1), [Line((L, 0)), Line((s, L)), Line((0, 1))]),
+        Outline("records", (0, L, 0), [3, Line(L), Arc((0, L), "R", clockwise=1)]),
+        Outline("none", (0, 0), ()),
+        Outline("open hole", (0, 0), [Line((L, 0))], closed=False, hole=True),
+    )  # fmt: skip
+    pairs = tuple(
+        PointOnCurve(f"touch_{k}", PLATE.at(0, 0, 0), curve, CAM.at(0, 0, 0)) for k, curve in enumerate(wrong)
+    )
+    track = PointInTrack("groove", GROUND, PLATE, BLOCK)
+    with pytest.raises(InputError) as error:
+        Scene(Mechanism("faulty", (SHAFT, FREE, track), pairs), (), SCALES)
+    found = str(error.value)
+    for text in (
+        "curve clockwise: found a closed chain that runs clockwise",
+        "curve apart: found ends 0.0566 m apart",
+        "curve eight, curve pinched, curve spike: found it crosses or touches itself, in its pieces 1 and 3",
+        "curve still, piece 2, curve still, piece 5: found a piece of no length",
+        "curve still, piece 4: found a start 0.0353553 m and an end 0.0212132 m from the centre",
+        "curve still, piece 5: found an arc whose centre is at its end",
+        "curve spike, piece 1: found it turns back",
+        "curve bare, start, y, curve bare, piece 3, end, y: found the bare number 1",
+        "curve bare, piece 2, end, x: found s",
+        "curve records, start: found (0, L, 0)",
+        "curve records, piece 1: found 3",
+        "curve records, piece 2, end: found L",
+        "curve records, piece 3, centre: found 'R'",
+        "curve records, piece 3, clockwise: found 1",
+        "curve none, pieces: found ()",
+        "name 'open hole'",
+        "open curve as a hole",
+        "joint groove, curve block: found a corner at the end of its piece 3",
+    ):
+        assert text in found, text
