@@ -130,16 +130,18 @@ def test_it_is_as_far_as_the_nearest_of_very_many_points(beside):
 
 
 def test_a_face_touches_the_hull():
-    """At random angles against all points; the rate against differences."""
+    """At random angles against all points; its rates against differences."""
     derived = Derived(scene(FaceOnCurve("touch", PLATE.at(0, 0, 0), -Y, BLOCK, CAM.at(0, 0, 0))))
     random, h = np.random.default_rng(5), 1e-6
     for _ in range(40):
         q, u = random.uniform(-1, 1, 4) * (3, 0.1, 0.1, 3), random.uniform(-1, 1, 4)
         down = np.array([np.sin(q[3]), -np.cos(q[3])])
         least = np.min((turned(q[0], *RIM.T).T - q[1:3]) @ down)
-        G, dG, _ = gaps(derived, q, u)
+        G, dG, ddG = gaps(derived, q, u)
         assert pytest.approx(least, abs=2e-8) == G
-        assert dG == pytest.approx((gaps(derived, q + h * u)[0] - gaps(derived, q - h * u)[0]) / (2 * h), abs=1e-6)
+        after, before = (gaps(derived, q + way * u, u) for way in (h, -h))
+        assert dG == pytest.approx((after[0] - before[0]) / (2 * h), abs=1e-6)
+        assert ddG == pytest.approx((after[1] - before[1]) / (2 * h), abs=1e-6)
 
 
 def test_a_hole_and_a_whole_circle():
