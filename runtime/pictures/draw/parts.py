@@ -331,8 +331,9 @@ class Parts:
         axis, radius = self.axis_of((inner, outer), i), outer.size("radius")
         rim = max(3 * paper.point * self.unit.factor, RIM * radius)
         hole, pin = self.positions[id(outer)][i], self.positions[id(inner)][i]
-        paper.area(self.ring(hole, axis, radius + rim), self.colours[outer.body], 5.0)
-        paper.hole(self.ring(hole, axis, radius), 5.1)
+        over = 5.0 if inner.size("radius") > 0.5 * radius else 2.5  # a ring around much else is behind it
+        paper.area(self.ring(hole, axis, radius + rim), self.colours[outer.body], over)
+        paper.hole(self.ring(hole, axis, radius), over + 0.1)
         paper.area(self.ring(pin, axis, inner.size("radius")), self.colours[inner.body], 5.2)
 
     def _surface(self, paper: Paper, mark: Landmark, first: Landmark, i: int) -> None:

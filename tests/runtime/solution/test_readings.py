@@ -196,6 +196,8 @@ def worst_reaction(name, model):
     for one, (value, _) in found.items():
         kind = one.rpartition(".")[2].rstrip("xyz")
         scale[kind] = max(scale.get(kind, 1e-6), np.abs(value).max())
+    arm = 1e-3  # m: where no joint carries a moment, what rounding leaves is that of forces at some arm
+    scale["reaction_moment_"] = max(scale.get("reaction_moment_", 0), arm * scale.get("reaction_", 0))
     return max(
         (np.abs(a - b).max() / scale[one.rpartition(".")[2].rstrip("xyz")] for one, (a, b) in found.items()),
         default=0.0,

@@ -50,6 +50,7 @@ def test_built_in_scenarios_come_out(name):
 
 # Per scenario: a parameter off by 1 %, the check that must then fail, and how long a run it takes to see it.
 FAULTS = {
+    "ball_bearing": ("pitch_diameter = 39.4304 mm", "final.spin_0.speed", ""),
     "andrews_squeezer": ("m7 = 0.0555298 kg", "final.beta.angle", ""),
     "geared_hoist": ("drum_radius = 80.8 mm", "final.rope_end.travel", ""),
     "woodpecker": ("bird_mass = 4.545 g", "final.fall.travel", ""),
