@@ -1,9 +1,10 @@
-"""Chains of arcs and lines: each piece and corner by its closed form, brute force, an impact on a corner, a track, and faults."""
+"""Chains of arcs and lines: each piece and corner by its closed form, brute force, a corner hit, a track, a Geneva drive, faults."""
 
 from itertools import pairwise
 
 import numpy as np
 import pytest
+import sympy as sp
 from derived import Derived
 from matplotlib.path import Path
 
@@ -12,6 +13,7 @@ from hertzwerk.derive import (
     Arc,
     Body,
     CircleOnCurve,
+    ConstantSpeed,
     Contact,
     EnergyLedger,
     FaceOnCurve,
@@ -180,6 +182,35 @@ def test_a_bead_round_a_stadium_is_pressed_on_its_arcs_alone():
     clear = np.abs(run["groove.parameter"] % 1 - 0.5) < 0.49
     assert force[on_arc & clear] == pytest.approx(0.2 * 4 / 0.015, rel=1e-5)
     assert np.max(force[~on_arc & clear]) < 1e-4
+
+
+def test_the_wheel_of_a_geneva_drive_follows_its_closed_form_within_the_play():
+    """tan(b) = a sin(t)/(C - a cos(t)); the gap is the play less the pin's way off the slot's middle, at every instant."""
+    C, rim, root, w, pin = (
+        Parameter(name, "mm", value) for name, value in (("C", 60), ("rim", 43), ("root", 15), ("w", 4.02), ("pin", 4))
+    )
+    arm, mouth, pieces = C / sp.sqrt(2), sp.sqrt(rim**2 - w**2), []
+
+    def at(k, reach, side):
+        x, y = ((1, 0), (0, 1), (-1, 0), (0, -1))[k % 4]
+        return x * reach - y * side * w, y * reach + x * side * w
+
+    for k in range(4):
+        bottom = Arc(at(k, root, 1), at(k, root, 0), clockwise=True)
+        pieces += [Line(at(k, root, -1)), bottom, Line(at(k, mouth, 1)), Arc(at(k + 1, mouth, -1), (0, 0))]
+    pair = CircleOnCurve("slot", CAM.at(arm, 0, 0), pin, Outline("slots", at(0, mouth, -1), pieces), PLATE.at(0, 0, 0))
+    joints = SHAFT, Revolute("axle", GROUND.at(C, 0, 0), PLATE, axis=Z)
+    speed, half = Parameter("speed", "rad/s", 6), Parameter("half", "deg", 180)
+    effects = ConstantSpeed("motor", "shaft", speed), Contact("slot", laws.power(Parameter("K", "N/m", 1e6), 1))
+    start = Start(position={"axle": half}, speed={"axle": -speed * arm / (C - arm)})
+    made = load(Scene(Mechanism("geneva", joints, (pair,)), (*effects, EnergyLedger()), SCALES, start))
+    run = simulate(made, duration="0.125 s", accuracy=1e-4)
+    assert run.outcome.name == "finished"
+    x, y = 0.06 - 0.06 / np.sqrt(2) * np.cos(6 * run.t), 0.06 / np.sqrt(2) * np.sin(6 * run.t)
+    off = np.hypot(x, y) * np.sin(run["axle.angle"] - np.pi + np.arctan2(y, x))
+    assert run["slot.gap"] == pytest.approx(2e-5 - np.abs(off), abs=1e-12)
+    assert len(run.impacts) > 4
+    assert min(off) < -2e-5 < 2e-5 < max(off)  # on both sides of the slot
 
 
 def test_all_faults_come_at_once():
