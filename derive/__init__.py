@@ -80,6 +80,10 @@ if TYPE_CHECKING:  # the list of public names
         FramePotential as FramePotential,
         SphericalSpring as SphericalSpring,
     )
+    from hertzwerk.derive.effects.loads.resistances import (
+        DrillingResistance as DrillingResistance,
+        RollingResistance as RollingResistance,
+    )
     from hertzwerk.derive.effects.lubrication import Lubrication as Lubrication
     from hertzwerk.derive.effects.motors import DCMotor as DCMotor
     from hertzwerk.derive.effects.springs import (

@@ -13,6 +13,7 @@ from hertzwerk.derive.algebra.vectors import Vector, cross, dot, scale, sub
 from hertzwerk.derive.contact.touch import Touch
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.effects.contacts import Contact, Friction
+from hertzwerk.derive.effects.loads.resistances import Moment, PairResistance
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.laws.law import BRISTLE, GEOMETRY, BoundLaw, F, N, Quantity, d, k_t, s, v, v0
 from hertzwerk.derive.mechanism.pair import Pair
@@ -54,7 +55,7 @@ class Forces:
     `bristle_rate` [m/s] is given for friction with a bristle. `grip` is given for friction with modes, which
     `generalised` and `friction_power` then do not include, and has its sliding velocities. `rubbing` is the part of `generalised` due to friction,
     `friction_force` [N] its force on the first body along the direction of `sliding_velocity`, and `drag` [N] that as a
-    vector, else None.
+    vector, else None. `resistances` are the moments against rolling and drilling by effect, which `generalised` includes.
     """
 
     generalised: dict[str, Any]
@@ -68,6 +69,7 @@ class Forces:
     rubbing: Mapping[str, Any] = field(default_factory=dict)
     friction_force: Any = None
     drag: Vector | None = None
+    resistances: Mapping[PairResistance, Moment] = field(default_factory=dict)
 
 
 class PairKinematics:
@@ -140,21 +142,27 @@ class PairKinematics:
         # The line of action passes through the first place: its shorter arm suffices.
         push = self._named(scale(normal_force, self.touch.normal), "push")
         generalised = self._on_joints(push, self.touch.position, "push")
-        if friction is None:
+        resistances = self.kin.scene.resistances(self.pair.name)
+        if friction is None and not resistances:
             return Forces(generalised, normal_power, sp.S.Zero, normal_force, None, self._in_range(contact))
-        modes = bool(friction.law.law.modes)
+        modes = friction is not None and bool(friction.law.law.modes)
         pulls = contact.damping is not None and contact.damping.law.release == "gap"
         pressing = normal_force
         if pulls or modes:
             pressing = self.let(Where(normal_force > 0, normal_force, 0), "pressing_force")
-        if modes:
-            grip, in_range = self._grip(friction, pressing), self._in_range(contact)
-            return Forces(generalised, normal_power, sp.S.Zero, normal_force, None, in_range, grip=grip)
+        moments = {effect: effect.moment(self.kin, self.touch, pressing) for effect in resistances}
+        for moment in moments.values():
+            _add_to(generalised, moment.generalised)
+        if friction is None or modes:
+            grip = None if friction is None else self._grip(friction, pressing)
+            in_range = self._in_range(contact)
+            return Forces(
+                generalised, normal_power, sp.S.Zero, normal_force, None, in_range, grip=grip, resistances=moments
+            )
         drag, sliding, opposing, friction_power, bristle_rate = self._drag(friction, pressing, bristle)
         drag = self._named(drag, "drag")
         rubbing = self._on_joints(drag, self.touch.contact_point, "drag")
-        for joint, force in rubbing.items():
-            generalised[joint] = generalised.get(joint, sp.S.Zero) + force
+        _add_to(generalised, rubbing)
         in_range = self._in_range(contact)
         return Forces(
             generalised,
@@ -167,6 +175,7 @@ class PairKinematics:
             rubbing=rubbing,
             friction_force=-opposing,
             drag=drag,
+            resistances=moments,
         )
 
     def _on_joints(self, force: Vector, position: Vector, name: str) -> dict[str, Any]:
@@ -271,6 +280,11 @@ class PairKinematics:
                 x, y, z = (sp.Integer(int(i == k)) for i in range(3))
                 return (x, y, z)
         return None
+
+
+def _add_to(generalised: dict[str, Any], more: Mapping[str, Any]) -> None:
+    for joint, force in more.items():
+        generalised[joint] = generalised.get(joint, sp.S.Zero) + force
 
 
 def tangents_of(normal: Vector) -> tuple[Vector, Vector]:

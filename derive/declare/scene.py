@@ -18,6 +18,7 @@ from hertzwerk.derive.effects.contacts import Contact, Friction
 from hertzwerk.derive.effects.drives import AnyDrive
 from hertzwerk.derive.effects.effect import Effect, PairEffect, State
 from hertzwerk.derive.effects.energy_ledger import EnergyLedger
+from hertzwerk.derive.effects.loads.resistances import PairResistance
 from hertzwerk.derive.effects.state_expression import Input, inputs_in
 from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.derive.laws.catalogue import LAWS
@@ -346,6 +347,10 @@ class Scene:
             for pair in self.mechanism.pairs
             if pair.name in contacts
         ]
+
+    def resistances(self, pair_name: str) -> list[PairResistance]:
+        """Resistances to rolling and drilling at a pair, in declared order."""
+        return [effect for effect in self.all(PairResistance) if effect.pair == pair_name]
 
     def geometry(self, pair_name: str) -> dict[str, Any]:
         """Geometry of a pair by name (`R_eff`, `L`, ...) and effective mass `m_eff`; {} for an unknown pair."""

@@ -92,12 +92,23 @@ class Friction(PairEffect):
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
         """Yield faults of a pair without a contact."""
-        contacts = [effect.pair for effect in scene.effects if isinstance(effect, Contact)]
-        if self.pair in contacts:
-            yield from super().faults(scene)
-            return
-        yield Fault(self.where, f"pair {self.pair!r} without a contact", one_of(contacts, "a pair with a Contact"),
-                    "Friction needs a normal force: leave it out too, or add the pair's Contact.")  # fmt: skip
+        yield from contact_faults(self, scene) or super().faults(scene)
 
     def element(self, kin: Kinematics) -> None:
         """No element: it acts in contact alone."""
+
+
+def contact_faults(effect: PairEffect, scene: Declared) -> list[Fault]:
+    """Fault of an effect that needs a normal force, at a pair without a contact."""
+    contacts = [other.pair for other in scene.effects if isinstance(other, Contact)]
+    if effect.pair in contacts:
+        return []
+    way_out = f"{effect.kind.replace('_', ' ').capitalize()} needs a normal force: leave it out too, or add the pair's Contact."
+    return [
+        Fault(
+            effect.where,
+            f"pair {effect.pair!r} without a contact",
+            one_of(contacts, "a pair with a Contact"),
+            way_out,
+        )
+    ]

@@ -39,18 +39,22 @@ def contact(system: System, pair: PairKinematics, contact: Contact, friction: Fr
     if friction is not None:
         for rubbing in (forces.rubbing,) if forces.grip is None else forces.grip.along:
             system.enter(friction.name, rubbing, driven=True)
+    for effect, moment in forces.resistances.items():
+        system.enter(effect.name, moment.generalised, driven=True)
     given = {**forces.generalised, f"{name}.normal_force": forces.normal_force}
     f = [given.get(row.key, sp.S.Zero) for row in system.rows]
     rates = {f"{name}.dissipated": forces.normal_power}
+    rates |= {f"{effect.name}.dissipated": moment.power for effect, moment in forces.resistances.items()}
     if friction is not None:
         rates[f"{friction.name}.dissipated"] = forces.friction_power
     if friction is not None and forces.bristle_rate is not None:
         rates[f"{friction.name}.bristle"] = forces.bristle_rate
     sliding = () if friction is None else (forces.sliding_velocity,) if forces.grip is None else forces.grip.velocity
     grip = [] if friction is None or forces.grip is None else _grip(system, friction, forces)
+    parts = [contact.text, *([friction.law.law.name] if friction else []), *(e.text for e in forces.resistances)]
     return system.function(
         f"contact_{name}",
-        f"Forces of {name}: {contact.text}{f', {friction.law.law.name}' if friction else ''}. "
+        f"Forces of {name}: {', '.join(parts)}. "
         "The normal force is the laws' own, not clamped: where it would pull, the contact ends."
         + (" Friction comes on top: `along` times its force, which is that of slip or stick." if grip else "")
         + (" Along two tangents: `along` and `dz_along` of the one, then of the other." if len(sliding) > 1 else ""),

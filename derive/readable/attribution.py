@@ -9,8 +9,8 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.declare.scene import Scene
-from hertzwerk.derive.effects.contacts import Contact, Friction
-from hertzwerk.derive.effects.effect import APPLIED, Effect
+from hertzwerk.derive.effects.contacts import Contact
+from hertzwerk.derive.effects.effect import APPLIED, CONTACT, Effect, PairEffect
 from hertzwerk.derive.effects.energy_ledger import EnergyLedger
 from hertzwerk.derive.program.program import symbols_in
 from hertzwerk.derive.readable.drafts import ENERGY, LEDGER, Draft, Part, pair_of
@@ -78,24 +78,29 @@ class Attribution:
         """The effect that a term of a generalised force comes from; several where they share one term."""
         far, pair = self._dependencies(term), pair_of(function)
         if pair:
-            friction = self._friction(pair)
-            return friction if friction in far else pair
+            return next((name for name in self._beside(pair) if name in far), pair)
         return ", ".join(e.name for e in self._effects.values() if e.name in far and e.enters == APPLIED)
 
-    def _friction(self, pair: str) -> str:
-        return next((effect.name for effect in self._scene.all(Friction) if effect.pair == pair), "")
+    def _beside(self, pair: str) -> list[str]:
+        """Effects fed by the pair's normal force: friction, resistance to rolling and drilling."""
+        return [effect.name for effect in self._scene.all(PairEffect)
+                if effect.pair == pair and effect.enters == CONTACT and not isinstance(effect, Contact)]  # fmt: skip
 
     def _of_contact(self, pair: str, draft: Draft, drafts: list[Draft]) -> str:
-        """Attribute an equation of a contact to friction or to the normal force.
+        """Attribute an equation of a contact to the normal force, or to an effect fed by it.
 
-        To friction belongs what depends on it, and what is used for that alone.
+        To friction, for one, belongs what depends on it, and what is used for that alone.
         """
-        friction = self._friction(pair)
-        if not friction or friction in self._dependencies(draft.expression):
-            return friction or pair
+        beside, own = self._beside(pair), self._dependencies(draft.expression)
         users = [other for other in drafts if draft.symbol in other.symbols()]
-        only = all(user.expression is not None and friction in self._dependencies(user.expression) for user in users)
-        return friction if users and only else pair
+        for effect in beside:
+            if effect in own:
+                return effect
+            if users and all(
+                user.expression is not None and effect in self._dependencies(user.expression) for user in users
+            ):
+                return effect
+        return pair
 
 
 def sources(scene: Scene) -> Iterator[tuple[Effect, str]]:

@@ -29,11 +29,13 @@ from hertzwerk.derive.motion.equations import gravity_vector
 from hertzwerk.derive.motion.loops import Closure
 from hertzwerk.derive.readings.wrenches import AXES, sides, wrench_keys
 
+_UNITS = {"force": "N", "point": "m", "moment": "N m"}  # of what contacts give
+
 
 class Forces:
     """Forces that follow by Newton and Euler from a motion; `tree` are the joints that carry bodies.
 
-    touching: names of the forces and points of contacts, which are inputs here.
+    touching: names of the forces, points and moments of contacts, which are inputs here.
     """
 
     def __init__(self, system: System, tree: Sequence[Joint], touching: list[str]) -> None:
@@ -51,16 +53,20 @@ class Forces:
         """Generalised forces of the contacts, of forces and points that are inputs."""
         found = []
         given = {
-            name: self.tape.input(name.replace(".", "_"), "touching", dimension_of("N" if ".force_" in name else "m"))
+            name: self.tape.input(name.replace(".", "_"), "touching", dimension_of(_UNITS[name.split(".")[1][:-2]]))
             for name in self.touching
         }
+
+        def vector(whose: str, what: str) -> Vector:
+            return tuple(given.get(f"{whose}.{what}_{axis}", sp.S.Zero) for axis in AXES)
+
         for pair, contact, _ in self.system.contacts:
-            force, point = (
-                tuple(given.get(f"{contact.name}.{what}_{axis}", sp.S.Zero) for axis in AXES)
-                for what in ("force", "point")
-            )
+            force, point = vector(contact.name, "force"), vector(contact.name, "point")
             bodies = pair.touch.first.body, pair.touch.second.body
             found.append(self.kin.generalised(force, point, *bodies, f"{contact.name}_touch"))
+            for effect in self.system.scene.resistances(contact.name):
+                moment = vector(effect.name, "moment")
+                found.append(self.kin.generalised_moment(moment, *bodies, f"{effect.name}_touch"))
         return found
 
     @cached_property

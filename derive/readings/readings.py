@@ -236,6 +236,13 @@ class _Readings:
             yield Reading(f"{friction.name}.power", "W", power, f"power dissipated by {friction.name}")
             if drag is not None and pair.slides_along > 1:
                 yield from self._vector(name, "friction_force_{}", "N", drag, f"friction force on {what}")
+        for effect, moment in forces.resistances.items():
+            turning = list(
+                self._moment(effect.name, "moment_{}", "N m", moment.vector, f"{effect.text}: moment on {what}")
+            )
+            self.touching += [reading.name for reading in turning]
+            yield from turning
+            yield Reading(f"{effect.name}.power", "W", moment.power, f"power dissipated by {effect.name}")
 
     def _reaction(self, joint: Joint) -> Iterator[Reading]:
         """Force and moment on the child of a joint, about the child's point: without those along its freedoms."""
