@@ -147,7 +147,8 @@ class Model:
         return {row[0]: row[1] for rows in (module.COORDINATES, module.SPEEDS, module.MEMORY) for row in rows}
 
     @cached_property
-    def _declared(self) -> Declared:
+    def declared(self) -> Declared:
+        """Parameters and their limits, with the defaults in SI."""
         return Declared(self.parameters, self.module.LIMITS)
 
     @cached_property
@@ -323,7 +324,7 @@ class Model:
 
     def check(self, parameters: Mapping[str, Value]) -> tuple[Bound | None, list[Fault]]:
         """Bind parameters, returning the faults as a value: no Bound where there is one."""
-        reading = read_parameters(self._declared, parameters)
+        reading = read_parameters(self.declared, parameters)
         if reading.faults:
             return None, list(reading.faults)
         p = np.array(list(reading.si.values()))

@@ -41,7 +41,7 @@ class Scales:
     @cached_property
     def sound(self) -> bool:
         """Return whether every scale is a positive number."""
-        return bool(np.all(_sound(self.state)) and np.all(_sound(self.scene)))
+        return bool(_sound(self.state).all() and _sound(self.scene).all())
 
 
 def error(model: Model, scales: Scales, y: np.ndarray, reference: np.ndarray) -> np.ndarray:

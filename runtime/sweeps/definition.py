@@ -15,7 +15,7 @@ from typing import Any
 
 from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.derive.units import UnitError
-from hertzwerk.runtime.model.binding import Value, read, read_state
+from hertzwerk.runtime.model.binding import Value, read, read_parameters, read_state
 from hertzwerk.runtime.model.build import derive_digest, is_file
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.run.request import read_duration
@@ -135,25 +135,24 @@ def keys_of(
 ) -> list[str]:
     """Return the key of every set of values; `about`: what is the same for all, plain data."""
     others = repr(sorted({**about, **{name: value for name, value in settings.items() if name != "duration"}}.items()))
-    return [
-        hashlib.sha256(f"{others}\n{_numbers(model, values, settings['duration'])}".encode()).hexdigest()[:32]
-        for values in sets
-    ]
+    same, keys = hashlib.sha256(f"{others}\n".encode()), []
+    for values in sets:
+        whole = same.copy()
+        whole.update(repr(_numbers(model, values, settings["duration"])).encode())
+        keys.append(whole.hexdigest()[:32])
+    return keys
 
 
 def _numbers(model: Model, values: Mapping[str, Value], duration: Any) -> Any:
     """Return everything a run of these values depends on in SI, or as given where that cannot be read."""
     parameters, initial = split_values(model, values)
     faults: list[Fault] = []
-    try:
-        bound = model.bind(parameters)
-        seconds = read_duration(model, parameters, duration, faults)
-    except InputError:
-        return sorted(map(repr, values.items()))
+    reading = read_parameters(model.declared, parameters)
+    seconds = read_duration(model, parameters, duration, faults)
     start = {name: read_state(name, model.joints.units[name], value) for name, value in sorted(initial.items())}
-    if faults or any(fault is not None for _, fault in start.values()):
+    if reading.faults or faults or any(fault is not None for _, fault in start.values()):
         return sorted(map(repr, values.items()))
-    return [x.hex() for x in bound.p.tolist()], [(name, si.hex()) for name, (si, _) in start.items()], seconds.hex()
+    return [x.hex() for x in reading.si.values()], [(name, si.hex()) for name, (si, _) in start.items()], seconds.hex()
 
 
 def arguments_of(definition: Mapping[str, Any], folder: Path) -> dict[str, Any]:

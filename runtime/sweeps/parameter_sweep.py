@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.units import UnitError
+from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.inputs.given import Input, given_inputs, input_text
 from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.model import model as plain
@@ -151,7 +152,7 @@ def sweep(
     plan = Plan(model, design, fixed, varied, wanted, settings, kept, chains)
     plan.check()
     # 4. rows, 5. table
-    sets = plan.sets()
+    sets = plan.sets
     later = 0 if chains is None else len(sets) - len(chains.rows)
     batch = Batch(model, sets, settings, wanted, compiled, engine_of(workers, client), kept, later)
     table = plan.table("" if kept is None else place_of(kept.section, grid, after), batch.workers)
@@ -170,7 +171,7 @@ def sweep(
 
 def _in_memory(plan: Plan, batch: Batch, table: Sweep, progress: Callable[[float], object] | None) -> Sweep:
     """Return the table with every row that could be computed."""
-    keys, chains = [str(i) for i in range(len(plan.sets()))], plan.chains
+    keys, chains = [str(i) for i in range(len(plan.sets))], plan.chains
     whole = range(len(keys))
     done = batch.rows(whole) if chains is None else chains.computed(batch, keys, whole, lambda _: None)
     rows, outcome = in_memory(done, len(keys), progress)
@@ -204,7 +205,7 @@ def _definition(
         **{"columns": plan.columns, "varied": list(plan.varied), "axes": plan.axes},
         "arrays": {} if kept is None else kept.columns,
     }
-    keys = keys_of(model, plan.sets(), plan.settings, same)
+    keys = keys_of(model, plan.sets, plan.settings, same)
     return definition, keys if plan.chains is None else plan.chains.keys(keys)
 
 
@@ -280,7 +281,7 @@ class Plan:
     kept: Kept | None
     chains: Chains | None
 
-    @property
+    @cached_property
     def axes(self) -> dict[str, tuple[float, ...]]:
         """Values in SI of what is varied, where the points are all combinations."""
         grid = self.design.grid.items()
@@ -291,8 +292,9 @@ class Plan:
         """Columns of the table with their units."""
         return columns_of(self.varied, {name: unit for output in self.outputs for name, unit in output.columns.items()})
 
+    @cached_property
     def sets(self) -> list[dict[str, Value]]:
-        """Return the values of every row."""
+        """Values of every row."""
         return [{**self.fixed, **point} for point in self.design.points()]
 
     def table(self, place: str, workers: int) -> Sweep:
@@ -312,7 +314,7 @@ class Plan:
     def check(self) -> None:
         """Raise InputError where not one row can run, with the faults of the first."""
         first: InputError | None = None
-        for values in self.sets():
+        for values in self.sets:
             parameters, initial = split_values(self.model, values)
             faults: list[Fault] = []
             try:
