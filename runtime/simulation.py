@@ -17,8 +17,6 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.accuracy.ladder import LadderResult
 from hertzwerk.runtime.inputs.given import Input, given_inputs
@@ -195,7 +193,7 @@ def _solution_of(
             *open_forces(model, bound, run.given.q),
             *(
                 ()
-                if run.start is not None or np.any(run.given.latches)
+                if run.start is not None or run.given.latches.any()
                 else pressed(model, bound, run.given.initial, run.given.q, run.given.u)
             ),
             *bound.warnings,

@@ -244,7 +244,7 @@ class _Loops:
     def closed(self, q: Array) -> bool:
         """Return whether a position is closed as it stands."""
         phi, _, jacobian, _ = self.at(q, np.zeros(self.model.nu))
-        return bool(np.all(np.abs(phi) <= _sizes(self, jacobian, q)))
+        return bool((np.abs(phi) <= _sizes(self, jacobian, q)).all())
 
     def inside(self, q: Array) -> bool:
         """Return whether every journal of the whole model is in its bush, but for a plausible penetration."""
@@ -323,7 +323,7 @@ def _position(loops: _Loops, q: Array, given: Collection[str]) -> tuple[Array, t
     still = np.zeros(model.nu)
     phi, _, jacobian, _ = loops.at(q, still)
     size = _sizes(loops, jacobian, q)
-    if np.all(np.abs(phi) <= size):
+    if (np.abs(phi) <= size).all():
         return q, ()
     found, *others = _tries(loops, q, unknown, size)
     if others:
@@ -412,7 +412,7 @@ def _speed(loops: _Loops, q: Array, u: Array, given: Collection[str]) -> tuple[A
     scale = loops.scales[1]
     _, rate, _, jacobian = loops.at(q, u)
     size = _sizes(loops, jacobian, np.maximum(np.abs(u), scale))
-    if np.all(np.abs(rate) <= size):
+    if (np.abs(rate) <= size).all():
         return u, ()
     weighted = jacobian[:, unknown] * scale[unknown] / size[:, None]
     u = u.copy()

@@ -15,9 +15,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hertzwerk.derive import readings
 from hertzwerk.derive.algebra.vectors import dot
 from hertzwerk.derive.faults import InputError
+from hertzwerk.derive.readings import readings
 from hertzwerk.derive.scenes import pendulum
 from hertzwerk.runtime import Sweep, load, sweep
 from hertzwerk.runtime.sweeps import processes, store
