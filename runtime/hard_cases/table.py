@@ -12,6 +12,7 @@ from hertzwerk.runtime.hard_cases.cases import (
     many,
     relays,
     rest,
+    rocking,
     shaken,
     single_impacts,
     sliding,
@@ -28,6 +29,7 @@ CASES: tuple[HardCase, ...] = (
     *edges.CASES,
     *relays.CASES,
     *jamming.CASES,
+    *rocking.CASES,
     *shaken.CASES,
 )
 BY_NAME = {case.name: case for case in CASES}

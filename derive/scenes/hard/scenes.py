@@ -1,7 +1,7 @@
 """Scenes of the hard cases that are no built-in scenes; derived when run, never committed.
 
 Free impacts (see `impact.impact_scene`), grazing contact, a ball on a vibrating table, rows of spheres, bodies of very
-different mass, a block on an incline, a falling chain, a relay that chatters.
+different mass, a block on an incline, a falling chain, a rocking block, a relay that chatters.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from itertools import pairwise
 
 import sympy as sp
 
+from hertzwerk.derive.contact.pairs.box import BoxOnPlane
 from hertzwerk.derive.contact.pairs.flat import SphereOnPlane
 from hertzwerk.derive.contact.pairs.round import SphereOnSphere
 from hertzwerk.derive.declare.scene import Scales, Scene, Start
@@ -310,6 +311,33 @@ def jamming_guide() -> Scene:
     )
 
 
+def rocking_block() -> Scene:
+    """A slender block let go from a tilt, at rest on one corner, until its other corner strikes."""
+    width, height = Parameter("width", "m", 0.1), Parameter("height", "m", 0.6)
+    mass, gravity, tilt = (
+        Parameter("mass", "kg", 7),
+        Parameter("gravity", "m/s^2", 9.81),
+        Parameter("tilt", "rad", 0.08),
+    )
+    block = Body("block", mass, mass * (width**2 + height**2) / 12)
+    stiffness = Parameter("stiffness", "N/m", 1e9)
+    up = width / 2 * sp.sin(tilt) + height / 2 * sp.cos(tilt) - mass * gravity / stiffness
+    across = width / 2 * (1 - sp.cos(tilt)) - height / 2 * sp.sin(tilt)
+    floor = BoxOnPlane("floor", block.at(0, 0, 0), width, height, GROUND.at(0, 0, 0), Y)
+    return Scene(
+        Mechanism("rocking_block", joints=(Planar("move", GROUND, block, normal=Z),), pairs=(floor,)),
+        effects=(
+            Gravity("gravity", gravity, direction=-Y),
+            Contact("floor", power(stiffness, 1), flores(_RESTITUTION)),
+            Friction("friction", "floor", coulomb(_FRICTION, _STATIC)),
+            EnergyLedger(),
+        ),
+        start=Start(position={"move.x": across, "move.y": up, "move.angle": -tilt}),
+        scales=Scales(length=Parameter("size", "mm", 1), speed=Parameter("pace", "m/s", 0.1), arm=width),
+        summary="a block that rocks from corner to corner",
+    )
+
+
 def _depth(mass: sp.Expr) -> sp.Expr:
     """Penetration of an elastic impact at the start's speed [m]."""
     return ((_EXPONENT + 1) * mass * _SPEED**2 / (2 * _STIFFNESS)) ** (1 / (_EXPONENT + 1))
@@ -334,6 +362,7 @@ HARD_SCENES: dict[str, Callable[[], Scene]] = {
     "shaken_ball": shaken_ball,
     "chattering_relay": chattering_relay,
     "jamming_guide": jamming_guide,
+    "rocking_block": rocking_block,
     "row_of_5": lambda: row_of_spheres(5),
     "row_of_50": lambda: row_of_spheres(50),
     "touching_row_of_5": lambda: touching_row(5),

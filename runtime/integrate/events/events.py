@@ -15,7 +15,7 @@ import casadi as ca
 
 from hertzwerk.runtime.integrate.events.jumps import falls
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, RELEASED, Layouts
-from hertzwerk.runtime.integrate.step.rounding import EPS, gap_rounding
+from hertzwerk.runtime.integrate.step.rounding import gap_rounding, time_rounding
 from hertzwerk.runtime.integrate.step.set_valued_friction import at_slips, margin_tolerances, margins, margins_positive
 
 if TYPE_CHECKING:
@@ -34,20 +34,25 @@ NEWTON_STEPS = 12  # within one of them, bisecting where Newton would leave the 
 NO_EVENT = 2.0  # theta beyond every step
 
 
-def tolerances(model: Model, run: Mapping[str, Any], t: Any, y: Any, gap_rate: Any) -> tuple[Any, Any, Any]:
+def tolerances(model: Model, run: Mapping[str, Any], at: Mapping[str, Any]) -> tuple[Any, Any, Any]:
     """Return the landing tolerances of a gap (k) [m], a gap rate (k) [m/s] and a force (k) [N].
 
     A hundredth of the tolerance, but not below rounding: a gap is rounded with the coordinates and lengths it is a
-    difference of (`rounding`) and with the time of its landing; a force with the gap, by the contact's stiffness.
+    difference of (`rounding`) and with the time of its landing; a force with that time and with the gap, by the
+    stiffness of the scene's scales and by the contact's own, force over depth, which hard surfaces and strong damping
+    raise far above.
     """
     length, speed, force = (run["scales"][i] for i in range(3))
-    q, u = y[: model.nq], y[model.nq : model.nq + model.nu]
-    gap_floor, rate_floor = (ROUNDINGS * bound for bound in gap_rounding(model)(t, q, u, run["c"]))
+    q, u = at["y"][: model.nq], at["y"][model.nq : model.nq + model.nu]
+    gap_floor, rate_floor = (ROUNDINGS * bound for bound in gap_rounding(model)(at["t"], q, u, run["c"]))
     small = LANDING * run["tolerance"]
+    tol = ca.fmax(_landing(run, at["t"], at["gap_rate"]), gap_floor)
+    own = gap_floor * ca.fabs(at["force"]) / ca.fmax(ca.fabs(at["gap"]), tol)
+    own = ca.fmax(own, time_rounding(at["t"], at["force_rate"]))
     return (
-        ca.fmax(_landing(run, t, gap_rate), gap_floor),
+        tol,
         ca.fmax(small * speed, rate_floor),
-        ca.fmax(small, gap_floor / length) * force,
+        ca.fmax(ca.fmax(small, gap_floor / length) * force, own),
     )
 
 
@@ -56,7 +61,7 @@ def _landing(run: Mapping[str, Any], t: Any, gap_rate: Any) -> Any:
 
     Enough to see whether a step needs event location.
     """
-    return ca.fmax(LANDING * run["tolerance"] * run["scales"][0], 4 * EPS * ca.fabs(gap_rate) * ca.fabs(t))
+    return ca.fmax(LANDING * run["tolerance"] * run["scales"][0], time_rounding(t, gap_rate))
 
 
 def far_apart(
@@ -70,7 +75,7 @@ def far_apart(
     gap0, rate0, a0 = (start[part][pairs] for part in GAP)
     gap1, rate1, a1 = (end[part][pairs] for part in GAP)
     rates, accelerations = ca.fabs(rate0) + ca.fabs(rate1), ca.fabs(a0) + ca.fabs(a1)
-    way = (2 / 5 + DOUBT / 32) * h + 4 * EPS * ca.fabs(end["t"])
+    way = (2 / 5 + DOUBT / 32) * h + time_rounding(end["t"], 1)
     least = _landing(run, end["t"], 0) + way * rates + (1 / 20 + DOUBT / 64) * h * h * accelerations
     return ca.fmin(gap0, gap1) > least
 
@@ -116,7 +121,7 @@ def polynomials(model: Model, layouts: Layouts) -> Any:
     h = start["h"]
     if not model.k:
         return ca.Function("polynomials", arguments, [ca.densify(falls(run, start, end)[0])])
-    tol, tol_rate, tol_force = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
+    tol, tol_rate, tol_force = tolerances(model, run, end)
     before, after = signed_gaps(start["mode"], start), signed_gaps(start["mode"], end)
     g, rate, _ = before
     b = _quintic(before, after, h)
@@ -151,7 +156,7 @@ def endings(model: Model, layouts: Layouts) -> Any:
     h = start["h"]
     rows, aim, margins_of = [ca.SX.ones(model.k)] * 6, ca.SX.zeros(model.k), []
     if model.k:
-        tolerance = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
+        tolerance = tolerances(model, run, end)
         for ends, f, f1, rate, rate1, small in _endings(model, start, end, *tolerance):
             rise, rise1 = (ca.if_else(start["retakes"] < BELIEVED, h * slope, f1 - f) for slope in (rate, rate1))
             cubic = _raise(_raise([f, f + rise / 3, f1 - rise1 / 3, f1]))
@@ -189,7 +194,7 @@ def _slipping(
     model: Model, start: Mapping[str, Any], end: Mapping[str, Any], tol_rate: Any, tol_force: Any
 ) -> tuple[Any, list[Any], Any]:
     """Return, for the slip and stick margins (ns): falls below zero, cubic's coefficients, tolerance."""
-    small = margin_tolerances(model, start["m"], tol_rate, tol_force)
+    small = margin_tolerances(model, start["m"], end, tol_rate, tol_force)
     cubic = margins(start, end)
     lowest = ca.fmin(ca.fmin(cubic[1], cubic[2]), cubic[3])
     falls = (at_slips(model, start["mode"]) == CONTACT) * (cubic[0] > -small / 2) * (lowest < -small)

@@ -44,7 +44,7 @@ FINITE = 1e300  # larger sums of magnitudes, and nan, are not finite
 def next_modes(model: Model, run: Parts, mode: Any, end: Parts, landed: Any) -> Any:
     """Return the modes (k) after a step from `mode` to `end`; landed: the step was cut to an event."""
     gap, rate, acceleration = end["gap"], end["gap_rate"], end["gap_acceleration"]
-    tol, _, tol_force = tolerances(model, run, end["t"], end["y"], rate)
+    tol, _, tol_force = tolerances(model, run, end)
     # an opening that would end within the tolerance is none: a body at rest stays in contact
     leaves = (rate > 0) * ((acceleration >= 0) + (rate * rate > -2 * acceleration * tol) > 0)
     opened = (gap > tol) + (gap >= -tol) * leaves > 0
@@ -82,10 +82,10 @@ def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
         y = jump(model)(after["t"], y, run["c"], due(run, after))
     tolerance: list[Any] = []
     if model.k:
-        _, *tolerance = tolerances(model, run, after["t"], y, after["gap_rate"])
+        _, *tolerance = tolerances(model, run, {**after, "y": y})
     asked = ca.SX(0, 1)
     if model.ns:
-        small = margin_tolerances(model, m, *tolerance)
+        small = margin_tolerances(model, m, after, *tolerance)
         asked, _ = undecided_and_breaking(
             model, after["mode"], m, after["margin"], after["margin_rate"], small, before["mode"]
         )
@@ -155,7 +155,7 @@ def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
     gap, rate = end["gap"], end["gap_rate"]
     tolerance: list[Any] = []
     if model.k:
-        tol, *tolerance = tolerances(model, run, t, y, rate)
+        tol, *tolerance = tolerances(model, run, {**end, "t": t, "y": y})
         touching = (gap < -tol) + (gap <= tol) * _closing(rate, end["gap_acceleration"]) > 0
         m, floored = latch(model, run, m, touching, rate)
         for i in range(len(model.latches)):
@@ -210,8 +210,11 @@ def _first(model: Model, vectors: Layouts, right: Flow) -> Any:
 
 
 def _slip_tolerances(model: Model, tolerance: list[Any]) -> list[Any]:
-    """Return the tolerances of the pairs with set-valued friction."""
-    return [at_slips(model, part) for part in tolerance] if model.ns else [ca.SX(0, 1)] * 2
+    """Return the tolerances of speeds and forces of the pairs with set-valued friction."""
+    if not model.ns:
+        return [ca.SX(0, 1)] * 2
+    rate, force = tolerance
+    return [at_slips(model, rate), ca.repmat(ca.mmax(force), model.ns)]
 
 
 def is_finite(end: Parts) -> Any:

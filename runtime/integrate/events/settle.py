@@ -139,7 +139,7 @@ def _aim(model: Model, vectors: Layouts, table: Table) -> Any:
     theta, force = ca.mmin(at_gap), ca.mmin(at_force)
     if not model.k:
         return ca.Function("aim", asked, [ca.fmin(theta, force), ca.SX(0)])
-    tol, _, _ = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
+    tol, _, _ = tolerances(model, run, end)
     times = time_to_root(*signed_gaps(old["mode"], end))
     # its fifth power, the nudge's error, is below the tolerance
     near = ca.fmin(NEAR, run["tolerance"] ** 0.2) * old["h"]
@@ -176,7 +176,7 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
     aimed, retake = old["h"] * theta, theta < 1
     mode, m, floored, begun = old["mode"], old["m"], ca.SX(0), ca.SX(0)
     if model.k:  # moved, but too far: the step is retaken to the root as it appears from there
-        tol, _, _ = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
+        tol, _, _ = tolerances(model, run, end)
         g, *rates = signed_gaps(mode, end)
         beyond = ca.mmin(ca.if_else(g < -tol, time_to_root(g, *rates), 0))
         retake = ca.if_else(moved, beyond < 0, retake)
@@ -191,8 +191,8 @@ def _decide(model: Model, vectors: Layouts, table: Table) -> Any:
         begun = ca.sum1(onset)
     switched = any_of(mode != old["mode"])
     if model.ns:
-        _, *tolerance = tolerances(model, run, end["t"], end["y"], end["gap_rate"])
-        small = margin_tolerances(model, old["m"], *tolerance)
+        _, *tolerance = tolerances(model, run, end)
+        small = margin_tolerances(model, old["m"], end, *tolerance)
         turns = undecided_and_breaking(model, mode, old["m"], end["margin"], end["margin_rate"], small, old["mode"])
         switched = switched + accepted * any_of(sum(turns)) > 0
         m = ca.if_else(accepted, turned(model, m, end["friction"], end["margin"]), m)

@@ -24,6 +24,11 @@ EXACT = {ca.OP_NEG, ca.OP_FABS, ca.OP_TWICE, ca.OP_CONST, ca.OP_ASSIGN}  # opera
 STATE = (1, 2)
 
 
+def time_rounding(t: Any, rate: Any) -> Any:
+    """Return a bound on what a quantity of this rate changes by within the rounding of the time."""
+    return 4 * EPS * ca.fabs(rate) * ca.fabs(t)
+
+
 @per_model
 def gap_rounding(model: Model) -> Any:
     """Return the function (t, q, u, c) -> rounding bounds of gap (k) [m] and gap_rate (k) [m/s]."""

@@ -24,6 +24,7 @@ import casadi as ca
 from hertzwerk.runtime.integrate.step.classes import BY_MODE, Contacts, masked
 from hertzwerk.runtime.integrate.step.layout import CONTACT
 from hertzwerk.runtime.integrate.step.linear import eliminated
+from hertzwerk.runtime.integrate.step.rounding import time_rounding
 from hertzwerk.runtime.model.per_model import per_model
 
 if TYPE_CHECKING:
@@ -234,9 +235,14 @@ def solve_sticking(W: Any, sticks: Any, right: Any) -> Any:
 # -- modes and events --------------------------------------------------------------------------------------------------
 
 
-def margin_tolerances(model: Model, m: Any, tol_rate: Any, tol_force: Any) -> Any:
-    """Return each margin's tolerance at a landing: a speed if slipping, a force if sticking."""
-    return ca.if_else(sticking(model, m), at_slips(model, tol_force), at_slips(model, tol_rate))
+def margin_tolerances(model: Model, m: Any, at: Parts, tol_rate: Any, tol_force: Any) -> Any:
+    """Return each margin's tolerance at a landing: a speed if slipping, a force if sticking.
+
+    What sticks holds the forces of all pairs, and is as uncertain as the most uncertain one. No margin is known better
+    than the time.
+    """
+    small = ca.if_else(sticking(model, m), ca.mmax(tol_force), at_slips(model, tol_rate))
+    return ca.fmax(small, time_rounding(at["t"], at["margin_rate"]))
 
 
 def turned(model: Model, m: Any, friction: Any, margin: Any) -> Any:

@@ -9,7 +9,7 @@ from handmade import point
 from numpy.polynomial import Polynomial
 
 from hertzwerk.runtime import load, simulate
-from hertzwerk.runtime.integrate.events.events import NO_EVENT, endings, locate
+from hertzwerk.runtime.integrate.events.events import LANDING, NO_EVENT, endings, locate, tolerances
 from hertzwerk.runtime.integrate.step.layout import layouts
 
 pytestmark = pytest.mark.by_turns(3)  # methods and sizes that run the same code
@@ -231,3 +231,19 @@ def test_a_graze_that_is_not_in_doubt_does_not_halve_the_step():
     touching = np.array([0.0, -1e-19, 2e-19, -1e-19, 1e-19, 0.0])
     assert float(SEARCH(touching, 1e-13, 0)) == NO_EVENT
     assert float(SEARCH(touching, 1e-13, 1e-12)) == 0.5
+
+
+def test_a_force_is_not_located_within_what_one_rounding_moves_it():
+    """Of a coordinate of 1 m by the contact's stiffness, however stiff, and of the time; else within the tolerance."""
+    model = load("bouncing_ball")
+    history = simulate(model, duration="1 ms", tolerance=1e-9, initial={"vertical.travel": "1 m"}).history
+    vectors = layouts(model)
+    at, run = vectors.state.split(ca.DM(history.rows[0])), vectors.controls.split(ca.DM(history.controls))
+    small = LANDING * 1e-9 * float(run["scales"][2])
+    for gap, force_rate, least in (
+        (-1e-9, 0.0, 60 / 1e-9 * np.spacing(1.0)),
+        (-1e-3, 1e12, 1e12 * np.spacing(0.5)),
+        (-1e-3, 0.0, small),
+    ):
+        at |= {"t": ca.DM(0.5), "gap": ca.DM(gap), "force": ca.DM(60), "force_rate": ca.DM(force_rate)}
+        assert small <= least <= float(tolerances(model, run, at)[2]) < 20 * least
