@@ -73,6 +73,7 @@ FAULTS = {
     "slider_crank_two_clearances": ("gravity = 9.9081 m/s^2", "impacts.0.speed", "1 ms"),
     "soft_ball": ("stiffness = 1.414e8 N/m^1.5", "impacts.0.peak_force", "0.6 s"),
     "spatial_slider_crank": ("rod_inertia_x = 4.04e-4 kg m^2", "impacts.0.t", "2 ms"),
+    "tippe_top": ("start_spin = 156.55 rad/s", "final.flight.angular_speed_y", ""),
     "translational_clearance": ("slider_mass = 0.07676 kg", "impacts.0.t", "3 ms"),
     "two_spheres": ("mass = 0.09292 kg", "impacts.0.peak_penetration", ""),
 }
