@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-FEW, MANY = 12, 24  # most names listed as expected: where similar names are suggested, and where there are none
+FEW, MANY = 12, 40  # most names listed as expected: where similar names are suggested, and where there are none
 
 
 def visible(text: str) -> str:

@@ -50,9 +50,9 @@ def guarded_crank(guards: int) -> Scene:
     r, l = slider_crank.r, slider_crank.l
     radius, away = Parameter("guard_radius", "mm", 5), Parameter("guard_distance", "m", 0.25)
     places = [
-        *((crank.at(part * r, 0, 0), normal) for part in (1, sp.Rational(1, 2)) for normal in (X, Y, -Y)),
         *((rod.at(l / 2, 0, 0), normal) for normal in (Y, -Y)),
-        (slider.at(0, 0, 0), -X),
+        (slider.at(0, 0, 0), -X),  # the crank's own last: their gaps are moved by the drive alone, which takes a state
+        *((crank.at(part * r, 0, 0), normal) for part in (1, sp.Rational(1, 2)) for normal in (X, Y, -Y)),
     ]
     planes = {X: (-away, 0, 0), -X: (away, 0, 0), Y: (0, -away, 0), -Y: (0, away, 0)}
     pairs = tuple(

@@ -106,7 +106,7 @@ def test_linear_laws_are_a_spring_and_a_damper():
 def test_a_law_of_the_wrong_unit_or_of_a_joint_is_refused():
     with pytest.raises(InputError, match="effect cord, tension"):
         fall(k * LENGTH_RATE)
-    with pytest.raises(InputError, match="found the symbol length"):
+    with pytest.raises(InputError, match="which depends on length"):
         Scene(
             FALL,
             (PointSpring("s", HOOK, JUMPER.at(0, 0, 0), k), Gravity("g", Parameter("g", "m/s^2", G) * LENGTH, -Y)),
