@@ -55,6 +55,10 @@ class Sensitivities:
             for name in names
             if name not in _known(history)
         ]
+        if not names:
+            faults.append(
+                Fault("names", "none", "parameters or initial states", f"such as {next(iter(_known(history)))!r}")
+            )
         if len({pair for *_, pair in model.slips}) < model.ns:
             expected = "friction that is smooth, or set-valued along one tangent"
             faults.append(Fault("friction", "set-valued in two directions, whose slip follows the motion", expected))

@@ -297,6 +297,8 @@ def test_unknown_names_are_refused_at_once(ball):
     with pytest.raises(InputError) as refused:
         run.sensitivities("restitutoin", "hight", "gravity")
     assert [fault.where for fault in refused.value.faults] == ["restitutoin", "hight"]
+    with pytest.raises(InputError, match="names: found none"):
+        run.sensitivities()
     with pytest.raises(InputError, match="stiffness"):
         run.sensitivities("gravity")["vertical.travel", "stiffness"]
 
