@@ -206,7 +206,13 @@ def worst_reaction(name, model):
 
 
 @pytest.mark.by_turns(6)
-@pytest.mark.parametrize("name", sorted(set(NAMES) - set(REDUNDANT)))
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=[pytest.mark.exhaustive] * (name == "ball_bearing"))
+        for name in sorted(set(NAMES) - set(REDUNDANT))
+    ],
+)
 def test_reactions_of_a_tree_are_the_multipliers_of_absolute_coordinates(name):
     assert worst_reaction(name, load(name)) < 1e-9
 
