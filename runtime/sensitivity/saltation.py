@@ -87,6 +87,8 @@ class Jump:
         speed = self.at.to_time + self.at.to_state @ before
         if self.graze or not all(speed[g] for g in self.guards):
             raise NoDerivativeError("a graze: surfaces that touch without approaching")
+        if not self.guards:
+            raise NoDerivativeError("an event that no margin tells the time of")
         times = [-change[g] / speed[g] for g in self.guards]
         dt = times[0]
         if any(np.any(np.abs(other - dt) > TOGETHER * (np.abs(other) + np.abs(dt))) for other in times[1:]):

@@ -345,9 +345,11 @@ class Rescaled:
                 moved = other.results(function.name, there)
                 for result, a, b in zip(function.results, here, moved, strict=True):
                     a, b = (np.array(value.full()).reshape(-1) for value in (a, b))
-                    expected = a * [self.factor(unit, factors) for unit in result.units]
-                    for unit in set(result.units):  # rounding is relative to the largest entry of the same unit
-                        rows = [k for k, other_unit in enumerate(result.units) if other_unit == unit]
+                    drawn = ["m"] * (a.size - len(result.units) + 1)  # points of a curve, many in one entry
+                    units = [unit for entry in result.units for unit in ([entry] if entry else drawn)]
+                    expected = a * [self.factor(unit, factors) for unit in units]
+                    for unit in set(units):  # rounding is relative to the largest entry of the same unit
+                        rows = [k for k, other_unit in enumerate(units) if other_unit == unit]
                         off = np.max(np.abs(b[rows] - expected[rows])) / (np.max(np.abs(expected[rows])) or 1.0)
                         worst = max(worst, (float(off), f"{function.name}.{result.name} [{unit}]"))
         return worst
