@@ -83,8 +83,7 @@ class Jump:
         floor (P,): change of the least approach speed. Raises NoDerivativeError.
         """
         before, after = self.slopes
-        change = self.at.to_state @ state + self.at.to_memory @ memory + self.at.given
-        speed = self.at.to_time + self.at.to_state @ before
+        change, speed = self.at.along(state, memory), self.at.rate(before)
         if self.graze or not all(speed[g] for g in self.guards):
             raise NoDerivativeError("a graze: surfaces that touch without approaching")
         if not self.guards:
@@ -232,32 +231,30 @@ def _jump(
     )
 
 
-def _parts(model: Model) -> dict[str, Any]:
-    """Expressions by name, and the arguments of the function of them under "given"."""
+def _parts(model: Model) -> tuple[list[Any], dict[str, Any]]:
+    """Arguments of `watched`, and expressions in them by name."""
     t, y, mode, m, c, _ = given = model.symbols(ARGUMENTS)
     ends = flow(model).at(t, y, mode, m, c)
     q, u, _ = model.parts(y)
-    parts = {**{name: ends[name] for name in GUARDS}}
+    parts = {name: ends[name] for name in GUARDS}
     if model.has_ledger:
         parts["stored"] = model.function("energy")(t, q, u, c)[2]
     if model.ne:
         parts["jumped"] = jump(model)(t, y, c, LEVEL)[: model.nq]
-    return {**parts, "given": given}
+    return given, parts
 
 
 @per_model
 def watched_columns(model: Model) -> dict[str, slice]:
     """Rows of `watched` by name."""
     found, start = {}, 0
-    for name, part in _parts(model).items():
-        if name != "given":
-            found[name] = slice(start, start := start + part.numel())
+    for name, part in _parts(model)[1].items():
+        found[name] = slice(start, start := start + part.numel())
     return found
 
 
 @per_model
 def watched(model: Model) -> Any:
     """Build the function of everything that a jump depends on."""
-    parts = _parts(model)
-    given = parts.pop("given")
+    given, parts = _parts(model)
     return ca.Function("watched", given, [ca.vertcat(*map(ca.vec, parts.values()))])

@@ -30,6 +30,7 @@ from hertzwerk.runtime.sensitivity.saltation import (
 from hertzwerk.runtime.sensitivity.start_changes import start_changes
 from hertzwerk.runtime.sensitivity.tangent import directions_of, tangent
 from hertzwerk.runtime.sensitivity.transitions import Transition, transitions
+from hertzwerk.runtime.solution.watch import goes_on
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.binding import Value
@@ -103,7 +104,7 @@ class Sensitivities:
         """
         column, onsets = self._column(to), []
         for pair, mode in enumerate(self.history.part("mode").T):
-            touching = mode != FLIGHT
+            touching = goes_on(mode, False)
             rows = np.flatnonzero(touching & ~np.concatenate([[False], touching[:-1]]))
             onsets += [(int(row), pair) for row in rows]
         of = self._peak if what in PEAKS else self._onset
@@ -191,9 +192,9 @@ class Sensitivities:
         instant = self._instants.get(row)
         if instant is None:
             return np.full(len(self.names), np.nan)
-        found = tangent(Readout(name), self.history, self.history.rows[[row]], self._directions)
-        along_time = found.to_time[0] + found.to_state[0] @ self.history.part("dy")[row]
-        changes: np.ndarray = found.along(self._state[[row]], self._memory[[row]])[0, 0] + along_time * instant.time
+        found = tangent(Readout(name), self.history, self.history.rows[[row]], self._directions)[0]
+        rate = found.rate(self.history.part("dy")[row])
+        changes: np.ndarray = found.along(self._state[row], self._memory[row])[0] + rate * instant.time
         return changes
 
     def _column(self, to: str) -> int:

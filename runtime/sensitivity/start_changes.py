@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import casadi as ca
 import numpy as np
 
-from hertzwerk.derive.faults import InputError
+from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.model import Bound, Model
 from hertzwerk.runtime.model.per_model import per_model
@@ -68,10 +68,10 @@ def _difference(model: Model, bound: Bound, initial: Mapping[str, Value], name: 
             moved = replace(bound, p=p, c=model.evaluate("constants", p)[0])
         else:
             given[name] = (value + change, joints.units[name])
-        faults: list[object] = []
-        q, u = read_start(model, moved, given, faults)  # type: ignore[arg-type]
+        faults: list[Fault] = []
+        q, u = read_start(model, moved, given, faults)
         if faults:
-            raise InputError(f"start of {model.name} with another {name}", faults)  # type: ignore[arg-type]
+            raise InputError(f"start of {model.name} with another {name}", faults)
         return np.concatenate([q, u])
 
     whole, half = ((at(d) - at(-d)) / (2 * d) for d in (step, step / 2))

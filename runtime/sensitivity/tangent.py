@@ -49,6 +49,11 @@ class Tangent:
         found: np.ndarray = self.to_state @ state + self.to_memory @ memory + self.given
         return found
 
+    def rate(self, slope: np.ndarray) -> np.ndarray:
+        """Return the rate (n, size) of the value where y moves at dy/dt (n, ny)."""
+        found: np.ndarray = self.to_time + (self.to_state @ slope[..., None])[..., 0]
+        return found
+
 
 @dataclass(frozen=True)
 class Directions:

@@ -94,7 +94,7 @@ def _contacts(block: History, j: int, rows: slice, begun: Contact | None) -> tup
     begun    the one that is open before them
     """
     modes, t = block.part("mode")[rows, j], block.t[rows]
-    is_open = _is_open(modes, begun is not None)
+    is_open = goes_on(modes, begun is not None)
     within = np.flatnonzero(is_open)
     if not len(within) and begun is None:
         return [], None
@@ -128,7 +128,7 @@ def _contacts(block: History, j: int, rows: slice, begun: Contact | None) -> tup
     return (found[:-1], found[-1]) if is_open[-1] else (found, None)
 
 
-def _is_open(modes: np.ndarray, before: bool) -> np.ndarray:
+def goes_on(modes: np.ndarray, before: bool) -> np.ndarray:
     """Return whether a contact goes on at rows of these modes (n,): it may be released and touch again."""
     found: np.ndarray = modes == CONTACT
     released = modes == RELEASED
