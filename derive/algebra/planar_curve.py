@@ -6,7 +6,7 @@ at every call: nothing is kept between calls that could be lost.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Self
 
 import sympy as sp
 
@@ -15,7 +15,33 @@ from hertzwerk.derive.algebra.functions import NoText
 __all__ = ["Drawn", "Entry", "Nearest", "PlanarChain", "PlanarCurve", "Sampled", "Support"]
 
 
-class PlanarCurve(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
+class _OfData(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
+    """Common part of curves: a SymPy object that is the data named by its slots."""
+
+    __slots__: tuple[str, ...] = ()
+
+    def __new__(cls, **data: Any) -> Self:
+        """Make one of all its data."""
+        self = super().__new__(cls)
+        for name in cls.__slots__:
+            setattr(self, name, data[name])
+        return self  # type: ignore[no-any-return]
+
+    def _hashable_content(self) -> tuple[Any, ...]:
+        return tuple(getattr(self, name) for name in self.__slots__)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (type(self), {name: getattr(self, name) for name in self.__slots__})
+
+    def _sympystr(self, _: Any) -> str:
+        return str(self.name)
+
+
+def _restored(kind: type[_OfData], data: dict[str, Any]) -> _OfData:
+    return kind(**data)
+
+
+class PlanarCurve(_OfData):
     """A curve x(s), y(s) with its data for a generated module.
 
     x, y, s  coordinates [m] as expressions of the parameter s
@@ -30,22 +56,6 @@ class PlanarCurve(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
     searched = ""
     __slots__ = ("at", "closed", "end", "given", "hole", "name", "s", "start", "tries", "x", "y")
 
-    def __new__(cls, **data: Any) -> PlanarCurve:
-        """Make a curve of all its data."""
-        self = super().__new__(cls)
-        for name in cls.__slots__:
-            setattr(self, name, data[name])
-        return self  # type: ignore[no-any-return]
-
-    def _hashable_content(self) -> tuple[Any, ...]:
-        return tuple(getattr(self, name) for name in self.__slots__)
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return _restored, ({name: getattr(self, name) for name in self.__slots__},)
-
-    def _sympystr(self, _: Any) -> str:
-        return str(self.name)
-
     @property
     def width(self) -> int:
         """Number of entries of what is computed once per run."""
@@ -57,11 +67,7 @@ class PlanarCurve(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
         return (self.start, self.end), self.closed, self.hole, self.tries, self.at
 
 
-def _restored(data: dict[str, Any]) -> PlanarCurve:
-    return PlanarCurve(**data)
-
-
-class PlanarChain(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
+class PlanarChain(_OfData):
     """A chain of circle arcs and lines with its data for a generated module.
 
     pieces  of each its start, its end and its centre (x, y) [m]; a line has its start for a centre
@@ -72,22 +78,6 @@ class PlanarChain(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
     __slots__ = ("closed", "given", "hole", "name", "pieces", "turns")
     searched = "_of_chain"
 
-    def __new__(cls, **data: Any) -> PlanarChain:
-        """Make a chain of all its data."""
-        self = super().__new__(cls)
-        for name in cls.__slots__:
-            setattr(self, name, data[name])
-        return self  # type: ignore[no-any-return]
-
-    def _hashable_content(self) -> tuple[Any, ...]:
-        return tuple(getattr(self, name) for name in self.__slots__)
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return _restored_chain, ({name: getattr(self, name) for name in self.__slots__},)
-
-    def _sympystr(self, _: Any) -> str:
-        return str(self.name)
-
     @property
     def width(self) -> int:
         """Number of entries of what is computed once per run."""
@@ -97,10 +87,6 @@ class PlanarChain(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
     def row(self) -> tuple[Any, ...]:
         """Data beside the expressions, as a module has them."""
         return self.closed, self.hole, self.turns
-
-
-def _restored_chain(data: dict[str, Any]) -> PlanarChain:
-    return PlanarChain(**data)
 
 
 class Sampled(NoText):
