@@ -420,6 +420,15 @@ def place_on_joint(scene: Declared, key: str) -> tuple[str, Point, Vector]:
     return place, point, apply(point.axes, freedom.axis.unit)
 
 
+def together(*shares: Mapping[str, Any]) -> dict[str, Any]:
+    """Sum of generalised forces by row."""
+    found: dict[str, Any] = {}
+    for share in shares:
+        for row, force in share.items():
+            found[row] = found[row] + force if row in found else force
+    return found
+
+
 def joint_faults(where: str, key: str, scene: Declared) -> Iterator[Fault]:
     """Yield faults of a joint that is missing, or has not just one coordinate."""
     if key in scene.scalars:

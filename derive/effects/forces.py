@@ -13,7 +13,16 @@ from typing import Any, ClassVar
 import sympy as sp
 
 from hertzwerk.derive.algebra.vectors import Vector, apply, dot
-from hertzwerk.derive.effects.effect import Declared, Effect, Element, JointEffect, Kinematics, Mark, axes_faults
+from hertzwerk.derive.effects.effect import (
+    Declared,
+    Effect,
+    Element,
+    JointEffect,
+    Kinematics,
+    Mark,
+    axes_faults,
+    together,
+)
 from hertzwerk.derive.effects.state_expression import COORDINATE, LOADS, Varying, as_choice, shown, states_in
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Frame, Point, Slot
@@ -168,13 +177,12 @@ class Potential(Effect):
     def element(self, kin: Kinematics) -> Element:
         """Forces, minus the derivatives of the energy, and the stored energy."""
         energy = as_choice(self.energy)
-        forces: dict[str, Any] = {}
+        shares = []
         for symbol in states_in(energy):
             joint = symbol.joint
             force = kin.tape.let(kin.expression(-sp.diff(energy, symbol)), f"{self.name}_on_{joint.replace('.', '_')}")
-            for row, share in kin.on_joint(joint, force, self.name).items():
-                forces[row] = forces.get(row, sp.S.Zero) + share
-        return Element(forces, stored=kin.expression(energy))
+            shares.append(kin.on_joint(joint, force, self.name))
+        return Element(together(*shares), stored=kin.expression(energy))
 
 
 def _resolved(components: Components, axes: Frame, kin: Kinematics, name: str) -> Vector:

@@ -16,6 +16,14 @@ from hertzwerk.derive.mechanism.bodies import Slot
 from hertzwerk.derive.mechanism.parameter import NOT_NEGATIVE, POSITIVE, Scalar
 
 
+def drag_of(kin: Kinematics, name: str, bound: BoundLaw, normal: Any, sliding: Any) -> Any:
+    """Friction force [N] of a law at a normal force [N] and a sliding velocity [m/s], on the tape."""
+    law, values = bound.law, {**bound.binding, N: normal, s: sliding}
+    for symbol, expression in law.definitions:
+        values[symbol] = kin.tape.let(expression.xreplace(values), f"{name}_{symbol.name}")
+    return kin.tape.let(law.force.xreplace(values), f"{name}_drag")
+
+
 @dataclass(frozen=True)
 class JointFriction(JointEffect):
     """Friction of a joint by a law, under its own reaction or a declared normal force.
@@ -69,7 +77,7 @@ class JointFriction(JointEffect):
             yield Fault(self.where, f"radius {self.radius}", "none, because a prismatic joint slides by its coordinate")
         if kind == "turn" and self.radius is None:
             yield Fault(self.where, "no radius", "the radius of the journal [m], which turns an angle into a way")
-        if isinstance(law, FrictionLaw) and (law.modes or law.memory or law.geometry() or law.pairs):
+        if isinstance(law, FrictionLaw) and law.needs_contact:
             yield Fault(self.where, f"law {law.name}, which needs a contact pair",
                         "a friction law that follows from sliding velocity and normal force",
                         "smooth_coulomb, stribeck and brown_mcphee do.")  # fmt: skip
@@ -103,9 +111,6 @@ class JointFriction(JointEffect):
         """Friction force at the sliding velocity, and the dissipated power."""
         arm = sp.S.One if self.radius is None else sp.sympify(self.radius)
         sliding = kin.tape.let(arm * kin.speed(self.joint), f"{self.name}_sliding_velocity")
-        law, values = self.law.law, {**self.law.binding, N: self._pressing(kin), s: sliding}
-        for symbol, expression in law.definitions:
-            values[symbol] = kin.tape.let(expression.xreplace(values), f"{self.name}_{symbol.name}")
-        drag = kin.tape.let(law.force.xreplace(values), f"{self.name}_drag")
+        drag = drag_of(kin, self.name, self.law, self._pressing(kin), sliding)
         force = kin.tape.let(-arm * drag, f"{self.name}_force")
         return Element(kin.on_joint(self.joint, force, self.name), dissipated=drag * sliding)

@@ -18,7 +18,7 @@ import sympy as sp
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.algebra.vectors import Vector, add, cross, dot, scale, sub
 from hertzwerk.derive.dimension.dimension import Dimension
-from hertzwerk.derive.effects.effect import Declared, Element, Kinematics, PairEffect
+from hertzwerk.derive.effects.effect import Declared, Element, Kinematics, PairEffect, together
 from hertzwerk.derive.laws.law import BoundLaw, eps_c, eps_w
 from hertzwerk.derive.mechanism.bodies import Slot
 from hertzwerk.derive.mechanism.parameter import POSITIVE, Interval, Scalar, is_number
@@ -149,9 +149,10 @@ class _Film:
         force = self.named(scale(-faded, add(scale(along_drag, squeeze), scale(across_drag, across))), "force")
         couple = self.let(-faded * spin_drag * spin, "couple")
 
-        forces = kin.generalised(force, middle, *bodies, self.effect.name)
-        for row, moment in kin.generalised_moment(scale(couple, axis), *bodies, f"{self.effect.name}_couple").items():
-            forces[row] = forces.get(row, sp.S.Zero) + moment
+        forces = together(
+            kin.generalised(force, middle, *bodies, self.effect.name),
+            kin.generalised_moment(scale(couple, axis), *bodies, f"{self.effect.name}_couple"),
+        )
         power = self.let(-dot(force, squeeze) - couple * spin, "power")
         thickness = self.let(self.clearance * (1 - near * self.let(sp.sqrt(self._squared), "e_size")), "thickness")
         size = self.let(sp.sqrt(dot(force, force)), "force_size")

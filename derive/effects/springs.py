@@ -85,11 +85,12 @@ class JointDamper(JointEffect):
         return Element(kin.on_joint(self.joint, force, self.name), dissipated=-force * speed)
 
 
-class _BetweenPoints(Effect):
-    """Force along the line through two points, of two bodies."""
+class BetweenPoints(Effect):
+    """Effect between two points, of two bodies."""
 
     first: Point
     second: Point
+    ends: ClassVar[str] = "ends"
 
     @property
     def points(self) -> tuple[Point, ...]:
@@ -102,15 +103,19 @@ class _BetweenPoints(Effect):
         yield from self.second.slots()
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
-        """Yield the fault of both ends on one body."""
+        """Yield the fault of both on one body."""
         yield from super().faults(scene)
         if self.first.body == self.second.body:
-            yield Fault(self.where, f"both ends on {self.first.body.name}", "points of two different bodies")
+            yield Fault(self.where, f"both {self.ends} on {self.first.body.name}", "points of two different bodies")
 
     def landmarks(self, scene: Declared) -> Iterator[Mark]:
-        """Yield both ends."""
+        """Yield both places."""
         yield self.kind, "first", self.first, {}
         yield self.kind, "second", self.second, {}
+
+
+class AlongLine(BetweenPoints):
+    """Force along the line through two points, of two bodies."""
 
     def _line(self, kin: Kinematics) -> tuple[Vector, Vector]:
         """Vector from the first end to the second [m], and its rate [m/s]."""
@@ -127,7 +132,7 @@ class _BetweenPoints(Effect):
 
 
 @dataclass(frozen=True)
-class PointSpring(_BetweenPoints):
+class PointSpring(AlongLine):
     """Spring k (distance - rest length) between two points, along the line through them.
 
     Where the points coincide the direction of a spring with a rest length is undefined, and its force is zero.
@@ -167,7 +172,7 @@ class PointSpring(_BetweenPoints):
 
 
 @dataclass(frozen=True)
-class PointDamper(_BetweenPoints):
+class PointDamper(AlongLine):
     """Damper between two points, c times the rate of their distance, along the line through them.
 
     No force where they coincide.
@@ -200,7 +205,7 @@ class PointDamper(_BetweenPoints):
 
 
 @dataclass(frozen=True)
-class LineForce(_BetweenPoints):
+class LineForce(AlongLine):
     """Spring, damper, rope or stop between two points by any law of its length and their rate.
 
     The tension [N], which pulls the points together where it is positive, is an expression of `LENGTH`, `LENGTH_RATE`,

@@ -310,6 +310,11 @@ class FrictionLaw(Law):
             raise ValueError(f"law {self.name}: with modes, force/sign(s) and holding are functions of N alone")
 
     @property
+    def needs_contact(self) -> bool:
+        """Whether it has meaning only between surfaces: it sticks, remembers, or asks for their geometry."""
+        return bool(self.modes or self.memory or self.geometry() or self.pairs)
+
+    @property
     def sliding(self) -> sp.Expr:
         """Magnitude of the friction force while sliding [N]; for laws with modes."""
         return self.force.xreplace({sp.sign(s): sp.S.One})

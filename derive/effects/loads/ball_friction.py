@@ -11,8 +11,9 @@ import sympy as sp
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.algebra.vectors import dot, scale, sub
 from hertzwerk.derive.effects.effect import Declared, Effect, Element, Kinematics
+from hertzwerk.derive.effects.joint_friction import drag_of
 from hertzwerk.derive.faults import Fault, one_of
-from hertzwerk.derive.laws.law import BoundLaw, FrictionLaw, N, s
+from hertzwerk.derive.laws.law import BoundLaw, FrictionLaw, N
 from hertzwerk.derive.mechanism.bodies import Slot
 from hertzwerk.derive.mechanism.joints.joint import Joint
 from hertzwerk.derive.mechanism.parameter import POSITIVE, Scalar
@@ -59,9 +60,7 @@ class BallFriction(Effect):
             yield Fault(self.where, f"joint {self.joint!r}", one_of(balls, "a spherical joint, of which the mechanism has none"),
                         "A joint with an axis has JointFriction.")  # fmt: skip
         law = self.law.law
-        if isinstance(law, FrictionLaw) and (
-            law.modes or law.memory or law.geometry() or law.pairs or sp.diff(law.force, N).has(N)
-        ):
+        if isinstance(law, FrictionLaw) and (law.needs_contact or sp.diff(law.force, N).has(N)):
             yield Fault(self.where, f"law {law.name}", "a law of the sliding velocity that is linear in the normal force",
                         "smooth_coulomb and stribeck are.")  # fmt: skip
 
@@ -74,10 +73,7 @@ class BallFriction(Effect):
         least = AT_REST * sp.sympify(kin.scene.scales.speed) / radius
         spin = tape.let(sp.sqrt(Where(square > least**2, square, least**2)), f"{self.name}_spin_size")
         sliding = tape.let(radius * spin, f"{self.name}_sliding_velocity")
-        law, values = self.law.law, {**self.law.binding, N: kin.reaction(self.joint), s: sliding}
-        for symbol, expression in law.definitions:
-            values[symbol] = tape.let(expression.xreplace(values), f"{self.name}_{symbol.name}")
-        drag = tape.let(law.force.xreplace(values), f"{self.name}_drag")
+        drag = drag_of(kin, self.name, self.law, kin.reaction(self.joint), sliding)
         per_speed = tape.let(radius * drag / spin, f"{self.name}_per_speed")
         forces = kin.generalised_moment(scale(-per_speed, w), *bodies, self.name)
         return Element(forces, dissipated=per_speed * square)

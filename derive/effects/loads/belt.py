@@ -8,7 +8,16 @@ from typing import Any, ClassVar
 
 import sympy as sp
 
-from hertzwerk.derive.effects.effect import Declared, Effect, Element, Kinematics, Mark, joint_faults, place_on_joint
+from hertzwerk.derive.effects.effect import (
+    Declared,
+    Effect,
+    Element,
+    Kinematics,
+    Mark,
+    joint_faults,
+    place_on_joint,
+    together,
+)
 from hertzwerk.derive.effects.state_expression import LOADS, Varying, shown
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.laws.law import BoundLaw, FrictionLaw, N, s
@@ -82,9 +91,7 @@ class BeltOnDrum(Effect):
             elif name and scene.scalars[name].kind != kind:
                 yield Fault(self.where, f"joint {name}, which has another freedom", f"a {kind}, by which {what}")
         law = self.law.law
-        if isinstance(law, FrictionLaw) and (
-            law.modes or law.memory or law.definitions or law.geometry() or law.pairs or (law.force / N).has(N)
-        ):
+        if isinstance(law, FrictionLaw) and (law.needs_contact or law.definitions or (law.force / N).has(N)):
             yield Fault(self.where, f"law {law.name}", "a law of the slip that is proportional to the normal force",
                         "smooth_coulomb is; the belt's normal force varies around the drum.")  # fmt: skip
 
@@ -97,9 +104,10 @@ class BeltOnDrum(Effect):
         grip = (self.law.law.force / N).xreplace({**self.law.binding, s: slip})
         pulled = tape.let(held * sp.exp(-grip * sp.sympify(self.wrap)), f"{name}_load")
         drag = tape.let(held - pulled, f"{name}_drag")
-        forces = dict(kin.on_joint(self.drum, -radius * drag, name)) if self.drum else {}
-        for row, share in (kin.on_joint(self.load, -pulled, name) if self.load else {}).items():
-            forces[row] = forces.get(row, sp.S.Zero) + share
+        forces = together(
+            kin.on_joint(self.drum, -radius * drag, name) if self.drum else {},
+            kin.on_joint(self.load, -pulled, name) if self.load else {},
+        )
         outputs: tuple[tuple[str, str, Any], ...] = ((f"{name}.slip", "m/s", slip),)
         if not tape.depends_on(held, "reactions"):
             outputs += ((f"{name}.tension", "N", held), (f"{name}.load", "N", pulled))

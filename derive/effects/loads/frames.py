@@ -18,8 +18,21 @@ from typing import Any, ClassVar
 import sympy as sp
 
 from hertzwerk.derive.algebra.functions import Where
-from hertzwerk.derive.algebra.vectors import ZERO, Matrix, Vector, add, cross, dot, is_zero, scale, sub, transpose
-from hertzwerk.derive.effects.effect import Declared, Effect, Element, Kinematics, Mark
+from hertzwerk.derive.algebra.vectors import (
+    ZERO,
+    Matrix,
+    Vector,
+    add,
+    apply,
+    cross,
+    dot,
+    is_zero,
+    scale,
+    sub,
+    transpose,
+)
+from hertzwerk.derive.effects.effect import Declared, Element, Kinematics, together
+from hertzwerk.derive.effects.springs import BetweenPoints
 from hertzwerk.derive.effects.state_expression import as_choice, shown
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import AXES, Point, Slot
@@ -69,52 +82,29 @@ class Pose:
         return add(vector, scale(sp.Rational(sign, 2), cross(self.rotation, vector)), scale(self.bend, twice))
 
 
-class BetweenFrames(Effect):
+class BetweenFrames(BetweenPoints):
     """Effect between two frames: points of two bodies, with their axes."""
 
     name: str
-    first: Point
-    second: Point
     kind: ClassVar[str] = "bushing"
-
-    @property
-    def points(self) -> tuple[Point, ...]:
-        """Both frames."""
-        return self.first, self.second
-
-    def slots(self, scene: Declared) -> Iterator[Slot]:
-        """Yield the quantities of the points."""
-        yield from self.first.slots()
-        yield from self.second.slots()
-
-    def faults(self, scene: Declared) -> Iterator[Fault]:
-        """Yield the fault of both frames on one body."""
-        yield from super().faults(scene)
-        if self.first.body == self.second.body:
-            yield Fault(self.where, f"both frames on {self.first.body.name}", "points of two different bodies")
-
-    def landmarks(self, scene: Declared) -> Iterator[Mark]:
-        """Yield both places."""
-        yield self.kind, "first", self.first, {}
-        yield self.kind, "second", self.second, {}
+    ends: ClassVar[str] = "frames"
 
     def pose(self, kin: Kinematics) -> Pose:
         """Pose of the first frame against the second, on the tape."""
         tape, name = kin.tape, self.name
         x, y, z = (kin.direction(self.second, axis) for axis in AXES)
-        axes = transpose((x, y, z))
         one, one_rate, _ = kin.point(self.first, f"{name}_first")
         two, two_rate, _ = kin.point(self.second, f"{name}_second")
         w = [kin.angular_velocity(point.body) for point in self.points]
 
         def along(vector: Vector, what: str) -> Vector:
-            return tape.vector(tuple(dot(vector, axis) for axis in transpose(axes)), f"{name}_{what}")
+            return tape.vector(apply((x, y, z), vector), f"{name}_{what}")
 
         apart = tape.vector(sub(one, two), f"{name}_between")
         velocity = along(sub(sub(one_rate, two_rate), cross(w[1], apart)), "velocity")
         spin = along(sub(*w), "spin")
         rotation, part, bend = self._turned(kin)
-        return Pose(axes, one, along(apart, "displacement"), velocity, rotation, spin, part, bend)
+        return Pose(transpose((x, y, z)), one, along(apart, "displacement"), velocity, rotation, spin, part, bend)
 
     def _turned(self, kin: Kinematics) -> tuple[Vector, Vector, Any]:
         """Rotation vector, vector part of the quaternion, and the bend of the rotation's rate."""
@@ -135,13 +125,11 @@ class BetweenFrames(Effect):
     def acting(self, kin: Kinematics, pose: Pose, force: Vector, moment: Vector) -> dict[str, Any]:
         """Generalised forces of a force and a moment on the first body, along the second's axes."""
         one, two = (
-            kin.tape.vector(_out(pose.axes, v), f"{self.name}_{w}") for v, w in ((force, "force"), (moment, "moment"))
+            kin.tape.vector(apply(pose.axes, v), f"{self.name}_{w}") for v, w in ((force, "force"), (moment, "moment"))
         )
         bodies = self.first.body, self.second.body
-        found = kin.generalised(one, pose.place, *bodies, self.name)
-        for row, share in kin.generalised_moment(two, *bodies, self.name).items():
-            found[row] = found.get(row, sp.S.Zero) + share
-        return found
+        pushed = kin.generalised(one, pose.place, *bodies, self.name)
+        return together(pushed, kin.generalised_moment(two, *bodies, self.name))
 
 
 @dataclass(frozen=True)
@@ -315,9 +303,7 @@ class FramePotential(BetweenFrames):
         """Force and moment, and the stored energy."""
         energy, pose, tape = as_choice(sp.sympify(self.energy)), self.pose(kin), kin.tape
         columns = [
-            tape.vector(
-                tuple(dot(kin.direction(self.first, axis), e) for e in transpose(pose.axes)), f"{self.name}_turn_{k}"
-            )
+            tape.vector(apply(transpose(pose.axes), kin.direction(self.first, axis)), f"{self.name}_turn_{k}")
             for k, axis in zip("xyz", AXES, strict=True)
         ]
         values = dict(zip(APART, pose.displacement, strict=True)) | dict(zip(ROTATION, pose.rotation, strict=True))
@@ -339,11 +325,6 @@ def _series(coefficients: tuple[Any, ...], x: Any) -> Any:
     for coefficient in reversed(coefficients):
         total = coefficient + x * total
     return total
-
-
-def _out(axes: Matrix, vector: Vector) -> Vector:
-    """Vector in ground axes, of components along axes."""
-    return tuple(dot(row, vector) for row in axes)
 
 
 def _full(given: tuple[Any, ...]) -> tuple[tuple[Any, ...], ...]:
