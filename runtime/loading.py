@@ -79,7 +79,8 @@ def load(
             return Model(importlib.import_module(name), plain.Declaration(target))
     from hertzwerk.runtime.model import build
 
-    how = tuple(without), tuple((laws or {}).items()), coordinates
+    laws = {effect: build.located_laws(law, Path.cwd()) for effect, law in (laws or {}).items()}
+    how = tuple(without), tuple(laws.items()), coordinates
     if isinstance(target, str) and not build.is_file(target):
         return Model(build.build_built_in(target, without, laws, coordinates), plain.Declaration(target, *how))
     source = build.source_of(target) if isinstance(target, str | Path) else "a scene"

@@ -117,7 +117,7 @@ def _differences(
 ) -> list[Fault]:
     """Return faults for the options of a command line that differ from the original run."""
     from hertzwerk.runtime.inputs.given import located
-    from hertzwerk.runtime.model.build import is_file
+    from hertzwerk.runtime.model.build import is_file, located_laws
 
     faults: list[Fault] = []
     if target is not None and is_file(target):
@@ -126,7 +126,10 @@ def _differences(
         "TARGET": (target, request["target"]),
         "--input": ([located(text, Path.cwd()) for text in inputs] or None, request["inputs"]),
         "--without": (sorted(without) or None, sorted(request["without"])),
-        "--law": (_laws(laws, faults) or None, _laws(request["laws"], faults)),
+        "--law": (
+            _laws([located_laws(text, Path.cwd()) for text in laws], faults) or None,
+            _laws(request["laws"], faults),
+        ),
         "--coordinates": (coordinates, request["coordinates"]),
         "--method": (method, before.method),
     }

@@ -112,6 +112,7 @@ def held(scene: Scene) -> Scene:
 
 
 _IN_FILE = re.compile(r"(?P<file>[^()=]+?\.toml)(?::(?P<law>\w+))?")
+_NOT_IN_FILE = re.compile(r"[()=]| x ")
 
 
 def _with_law(scene: Scene, effect: str, text: str) -> Scene:
@@ -142,14 +143,28 @@ def _law_of_file(file: str, name: str | None, effect: str) -> Law:
     raise InputError(file, [Fault(f"effect {effect}", f"{said} of {file}", f"one of {offered}")])
 
 
-def _laws_as_they_are(laws: Mapping[str, str] | None) -> tuple[tuple[str, str], ...]:
-    """Return laws by effect, with the content of the files they are of: what a cached text depends on."""
-    found = []
-    for effect, text in sorted((laws or {}).items()):
-        files = [Path(place["file"].rpartition(" x ")[2].strip()) for place in _IN_FILE.finditer(text)]
-        contents = [hashlib.sha256(file.read_bytes()).hexdigest() for file in files if file.is_file()]
-        found.append((effect, " ".join([text, *contents])))
-    return tuple(found)
+def located_laws(text: str, folder: Path) -> str:
+    """Return laws as text, also "EFFECT=LAW", with their files as seen from a folder."""
+
+    def seen(place: re.Match[str]) -> str:
+        before, joint, file = place["file"].rpartition(" x ")
+        whole = str(folder / file.strip())
+        readable = place["file"] if _NOT_IN_FILE.search(whole) else f"{before}{joint}{whole}"
+        return readable + place[0][len(place["file"]) :]
+
+    return _IN_FILE.sub(seen, text)
+
+
+def law_files(laws: Mapping[str, str]) -> dict[str, str]:
+    """Return the digests of the files that laws by effect are of, by the files as they are named."""
+    named = [place["file"].rpartition(" x ")[2].strip() for text in laws.values() for place in _IN_FILE.finditer(text)]
+    return {file: hashlib.sha256(Path(file).read_bytes()).hexdigest() for file in named if Path(file).is_file()}
+
+
+def _laws_as_they_are(laws: Mapping[str, str] | None) -> tuple[tuple[tuple[str, str], ...], tuple[str, ...]]:
+    """Return laws by effect, and the content of the files they are of: what a cached text depends on."""
+    given = laws or {}
+    return tuple(sorted(given.items())), tuple(law_files(given).values())
 
 
 def build(scene: Scene, source: str = "a scene") -> ModuleType:

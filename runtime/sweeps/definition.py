@@ -16,7 +16,7 @@ from typing import Any
 from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.derive.units import UnitError
 from hertzwerk.runtime.model.binding import Value, read, read_parameters, read_state
-from hertzwerk.runtime.model.build import derive_digest, is_file
+from hertzwerk.runtime.model.build import derive_digest, is_file, law_files
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.run.request import read_duration
 from hertzwerk.runtime.start.start_values import split_values
@@ -69,12 +69,14 @@ def versions() -> dict[str, str]:
 def target_of(target: object, model: Model) -> dict[str, Any]:
     """Return the scene of a model and its variation as plain data; no target where it was made in Python."""
     origin = model.declaration
+    laws = {} if origin is None else dict(origin.laws)
     named = target if isinstance(target, str | Path) or origin is None else origin.target
     place = str(Path(named).resolve()) if isinstance(named, str | Path) and is_file(named) else named
     return {
         "target": place if isinstance(place, str) else None,
         "without": [] if origin is None else list(origin.without),
-        "laws": {} if origin is None else dict(origin.laws),
+        "laws": laws,
+        "law_files": law_files(laws),
         "coordinates": None if origin is None else origin.coordinates,
     }
 

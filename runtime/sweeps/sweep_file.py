@@ -18,7 +18,7 @@ from pydantic import BaseModel, ConfigDict, ValidationError
 from hertzwerk.derive.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.files.tomlfile import read_toml
 from hertzwerk.runtime.inputs.given import located
-from hertzwerk.runtime.model.build import is_file
+from hertzwerk.runtime.model.build import is_file, located_laws
 from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD
 from hertzwerk.runtime.sweeps.parameter_sweep import sweep
 
@@ -59,7 +59,7 @@ class SweepFile(BaseModel):
 def read_sweep(path: Path) -> dict[str, Any]:
     """Return the arguments of `sweep` that a file states; raises InputError with every fault.
 
-    The file of a scene is named relative to the folder of the file.
+    The files of scene, inputs and laws are named relative to the folder of the file.
     """
     content = read_toml(path, "target, over, duration and outputs")
     try:
@@ -73,13 +73,15 @@ def read_sweep(path: Path) -> dict[str, Any]:
 
 
 def _from(path: Path, arguments: dict[str, Any]) -> dict[str, Any]:
-    """Return arguments with the file of a scene as seen from here."""
+    """Return arguments with the files of scene, inputs and laws as seen from here."""
     target = arguments["target"]
     inputs = {
         name: located(value, path.parent) if isinstance(value, str) else value
         for name, value in arguments.get("inputs", {}).items()
     }
-    return {**arguments, "target": str(path.parent / target) if is_file(target) else target, "inputs": inputs}
+    laws = {effect: located_laws(law, path.parent) for effect, law in arguments.get("laws", {}).items()}
+    place = str(path.parent / target) if is_file(target) else target
+    return {**arguments, "target": place, "inputs": inputs, "laws": laws}
 
 
 def _meaning_faults(path: Path, content: dict[str, Any], faulty: set[str]) -> list[Fault]:

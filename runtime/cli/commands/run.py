@@ -182,12 +182,13 @@ def _request(target: str | None, options: Mapping[str, Any]) -> dict[str, Any]:
         expected = "a scene or a file, or --continue FOLDER"
         raise InputError("run", [Fault("TARGET", "none", expected, "`hertzwerk list` names the scenes")])
     from hertzwerk.runtime.inputs.given import located
-    from hertzwerk.runtime.model.build import is_file
+    from hertzwerk.runtime.model.build import is_file, located_laws
 
     place = str(Path(target).resolve()) if is_file(target) else target
     return {
         "target": place,
-        **{name: options[name] for name in ("without", "laws", "coordinates", "grid")},
+        **{name: options[name] for name in ("without", "coordinates", "grid")},
+        "laws": [located_laws(text, Path.cwd()) for text in options["laws"]],
         "inputs": [located(text, Path.cwd()) for text in options["inputs"]],
     }
 

@@ -7,6 +7,7 @@ import re
 import signal
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,6 +17,7 @@ from click.testing import CliRunner
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime import Sweep, sweep
 from hertzwerk.runtime.cli import main
+from hertzwerk.runtime.model.build import located_laws
 from hertzwerk.runtime.sweeps.sweep_file import SweepFile, read_sweep
 
 OPTIONS = [
@@ -169,6 +171,42 @@ def test_a_folder_goes_on_with_its_own_definition_and_with_no_other(tmp_path):
     assert "over.drop_height: found 5 values, 0.5 to 1.0 m" in refused.stderr
     assert run("bouncing_ball", *wider, "--into", "a", "--widen").exit_code == 0
     assert len(Sweep.load("a")) == 10
+
+
+def test_laws_of_a_file_are_found_from_another_folder_and_a_changed_file_is_refused(tmp_path, monkeypatch):
+    foam = '[[law]]\nname = "foam"\nkind = "stiffness"\ntitle = "Foam"\nsource = "measured"\nform = "any"\nforce = "K*d**1.5"\n'
+    (tmp_path / "foam.toml").write_text(foam + 'symbols.K = { unit = "N/m^1.5" }\n')
+    by_law = ("--law", "floor=foam.toml:foam(K=2e8 N/m^1.5)", "--duration", "0.1 s")
+    made = run("bouncing_ball", "--over", "mass=1 kg", *by_law, "--tolerance", "1e-4", "--into", "a", "--workers", "1")
+    assert made.exit_code == 0, made.output
+    (tmp_path / "a.toml").write_text(
+        'target = "bouncing_ball"\nduration = 0.1\nlaws = {floor = "foam.toml"}\nover = {mass = "1 kg"}\n'
+    )
+    called = CliRunner().invoke(main, ["run", "bouncing_ball", *by_law, "--out", "b", "--no-plots"])
+    assert called.exit_code == 0, called.output
+    (tmp_path / "elsewhere").mkdir()
+    monkeypatch.chdir(tmp_path / "elsewhere")
+    assert read_sweep(tmp_path / "a.toml")["laws"] == {"floor": str(tmp_path / "foam.toml")}
+    resumed = run("--resume", "../a")
+    assert resumed.exit_code == 0, resumed.output
+    on = ["run", "--continue", "../b", "--duration", "0.12 s", "--no-plots", "--out"]
+    assert CliRunner().invoke(main, [*on, "c"]).exit_code == 0
+    (tmp_path / "foam.toml").write_text((tmp_path / "foam.toml").read_text() + 'note = "twice as stiff"\n')
+    refused = run("--resume", "../a")
+    assert refused.exit_code == 2 and "law_files." in refused.stderr and "foam.toml" in refused.stderr
+
+
+@pytest.mark.parametrize(
+    ("text", "there"),
+    [
+        ("foam.toml", "/data/foam.toml"),
+        ("floor=foam.toml:foam(K=2 N/m^1.5, n=1.5) x my/d.toml:x", "floor=/data/foam.toml:foam(K=2 N/m^1.5, n=1.5) x /data/my/d.toml:x"),
+        ("power(K=2 N/m^1.5) x /etc/d.toml(c=1)", "power(K=2 N/m^1.5) x /etc/d.toml(c=1)"),
+        ("hertz x flores", "hertz x flores"),
+    ],
+)  # fmt: skip
+def test_files_of_laws_are_seen_from_a_folder(text, there):
+    assert located_laws(text, Path("/data")) == there
 
 
 def test_what_was_made_in_python_goes_on_there():
