@@ -68,21 +68,6 @@ class Recorder:
                 del self._parts[len(self._parts) // 2 :]
 
 
-class Ends:
-    """Observer of the ends of a run, which keeps no step between them."""
-
-    ends: History
-
-    def take(self, block: History, fresh: int) -> None:
-        """Take the first and the last state, in one block."""
-        self.ends = block
-
-    @property
-    def history(self) -> History:
-        """Histories without a row."""
-        return self.ends.of(self.ends.rows[:0])
-
-
 class Steps:
     """Observer that keeps every step."""
 
@@ -101,7 +86,7 @@ class Steps:
 class Grid:
     """Observer that keeps the states at given increasing times [s], by dense output.
 
-    At a time of an event the state just after it.
+    At a time of an event the state just after it; without times the ends of the run alone.
     """
 
     def __init__(self, times: np.ndarray) -> None:
@@ -123,8 +108,8 @@ class Grid:
     @property
     def history(self) -> History:
         """Histories at the times that the run reached."""
-        arrived = self._times[self._count : self._count + 1] == self._last.t
-        return self._last.of(np.concatenate([*self._kept, self._last.rows[arrived]]))
+        arrived = self._last.t[0] in self._times[self._count : self._count + 1]
+        return self._last.of(np.concatenate([*self._kept, self._last.rows[: int(arrived)]]))
 
     @property
     def ends(self) -> History:

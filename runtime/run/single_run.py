@@ -17,7 +17,7 @@ from hertzwerk.runtime.integrate.loop.tally import tally
 from hertzwerk.runtime.integrate.step.layout import NOT_FINITE, OUTSIDE_LAW_RANGE, STEP_TOO_SMALL
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.run.engine import Engine, engine_for
-from hertzwerk.runtime.run.recorder import BLOCK, ENDS, Ends, Grid, Recorder, Steps
+from hertzwerk.runtime.run.recorder import BLOCK, ENDS, Grid, Recorder, Steps
 from hertzwerk.runtime.run.request import Given, Limits, Settings
 from hertzwerk.runtime.solution import scales as scaling
 from hertzwerk.runtime.solution.energy_balance import Balance
@@ -95,7 +95,7 @@ class SingleRun:
             times = further
         if times is not None and Needs.STEPS in needs:
             needs = EVERYTHING
-        kept = Grid(times) if times is not None else Steps() if Needs.STEPS in needs else Ends()
+        kept = Steps() if times is None and Needs.STEPS in needs else Grid(np.zeros(0) if times is None else times)
         findings = Findings(
             self.model,
             self.method,
@@ -239,8 +239,8 @@ class Trace:
 
     tolerance: float
     ending: Ending
-    kept: Steps | Grid | Ends
-    further: Steps | Grid | Ends
+    kept: Steps | Grid
+    further: Steps | Grid
     findings: Findings
     counted: Mapping[str, int]
     tally: Mapping[str, np.ndarray]  # by the names of its layout

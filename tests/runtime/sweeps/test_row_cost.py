@@ -81,3 +81,15 @@ def test_what_the_loop_finds_is_bitwise_what_a_run_with_its_steps_has(model):
     ]
     assert row.warnings == run.warnings
     assert any("exceed the law's limit" in text for text in row.warnings)
+
+
+def test_a_long_row_followed_in_blocks_has_the_outputs_of_one_block(model, monkeypatch):
+    """Its time is counted from its start, not from that of its last block."""
+    outputs = ["slider_pin.impact_rate", "slider_pin.mean_peak_force", "slider_pin.mean_largest_force"]
+    job = Job(model, Settings("48 ms", None, 1e-4, compiled=False), chosen(model, outputs, []))
+    whole = job.do((0, {}))
+    monkeypatch.setattr("hertzwerk.runtime.run.single_run.BLOCK", 50_000)
+    row = job.do((0, {}))
+    assert (row.outcome, row.message) == ("finished", "")
+    assert row.outputs == pytest.approx(whole.outputs, rel=1e-12, nan_ok=True)
+    assert row.outputs["slider_pin.impact_rate"] > 0
