@@ -33,7 +33,9 @@ if TYPE_CHECKING:  # the list of public names
         SphereOnFace as SphereOnFace,
     )
     from hertzwerk.derive.contact.touch import Touch as Touch
-    from hertzwerk.derive.declare.scene import Scales as Scales, Scene as Scene, Start as Start
+    from hertzwerk.derive.declare.scales import Scales as Scales
+    from hertzwerk.derive.declare.scene import Scene as Scene
+    from hertzwerk.derive.declare.start import Start as Start
     from hertzwerk.derive.derivation import audit_scene as audit_scene, derive as derive, generate as generate
     from hertzwerk.derive.effects.contacts import Contact as Contact, Friction as Friction
     from hertzwerk.derive.effects.controllers import Relay as Relay, SpeedController as SpeedController

@@ -427,7 +427,8 @@ SAME_CONCEPT = {
     "loops": "the constraints of closed loops, and the functions of them in a module",
     "lubrication": "the laws of films, and the effect that takes them",
     "readings": "histories beyond the states: their derivation, and their evaluation over a run",
-    "scales": "sizes that errors are measured by: their equations, and their numbers",
+    "scales": "sizes that errors are measured by: as declared, their equations, and their numbers",
+    "start": "coordinates and speeds at t = 0: as declared, and their functions in a module",
     "study": "a study's rows and what follows from them, of effects and of work-precision",
 }
 

@@ -12,7 +12,9 @@ from typing import Any, Literal, TypeVar
 
 import sympy as sp
 
+from hertzwerk.derive.declare.scales import Scales
 from hertzwerk.derive.declare.soundness.check import faults_of
+from hertzwerk.derive.declare.start import Start
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.effects.contacts import Contact, Friction
 from hertzwerk.derive.effects.drives import AnyDrive
@@ -31,7 +33,6 @@ from hertzwerk.derive.mechanism.pair import Pair
 from hertzwerk.derive.mechanism.parameter import (
     POSITIVE,
     Parameter,
-    Scalar,
     default_value,
     dimensions_of,
     is_number,
@@ -40,82 +41,6 @@ from hertzwerk.derive.mechanism.parameter import (
 from hertzwerk.derive.units import parse_unit
 
 E = TypeVar("E", bound=Effect)
-
-
-@dataclass(frozen=True)
-class Start:
-    """Coordinates and speeds at t = 0 by name, `<joint>.<name>`.
-
-    For a joint with one coordinate, the joint's name suffices.
-
-    Given values are kept. Others are found where loops are to be closed and journals to be centred: positions and
-    speeds of the ideal mechanism. Remaining ones are zero, and an orientation is that of the parent. `near` gives
-    starting values of coordinates for the assembly, which select one of several configurations.
-
-    With `seated`, journals do not start in the middle of their bushes or sockets, but rest in them, held by their
-    contact alone: each is displaced along the force that its clearance would transmit as a closed joint at that
-    instant, so deep that its elastic normal force equals that force, and moves with its bush. A journal without such
-    a force is centred. Friction of the contact is neglected. The given values must allow this.
-    """
-
-    position: Mapping[str, Scalar] = field(default_factory=dict)
-    speed: Mapping[str, Scalar] = field(default_factory=dict)
-    near: Mapping[str, Scalar] = field(default_factory=dict)
-    seated: bool = False
-
-    def coordinates(self, freedom: Freedom) -> list[Any]:
-        """Values of a freedom's coordinates; a quaternion's are normalised."""
-        given = [_given({**self.near, **self.position}, port.name, freedom) for port in freedom.coordinates]
-        if freedom.scalar:
-            return [value or 0 for value in given]
-        if all(value is None for value in given):
-            return [1, 0, 0, 0]
-        values = [sp.sympify(value or 0) for value in given]
-        norm = sp.sqrt(sp.Add(*(value**2 for value in values)))
-        return [value / norm for value in values]
-
-    def speeds(self, freedom: Freedom) -> list[Any]:
-        """Values of a freedom's speeds."""
-        return [_given(self.speed, port.name, freedom) or 0 for port in freedom.speeds]
-
-    def stated(self, freedom: Freedom) -> list[str]:
-        """Names of a freedom's coordinates and speeds with a given value."""
-        sides = (self.position, freedom.coordinates), (self.speed, freedom.speeds)
-        return [
-            port.name for values, ports in sides for port in ports if _given(values, port.name, freedom) is not None
-        ]
-
-
-def _given(values: Mapping[str, Scalar], name: str, freedom: Freedom) -> Any:
-    return values.get(name, values.get(freedom.key) if freedom.scalar else None)
-
-
-@dataclass(frozen=True)
-class Scales:
-    """Scales of error tolerances: a length [m], a speed [m/s], and the arm [m] of an angle length/arm."""
-
-    length: Scalar
-    speed: Scalar
-    arm: Scalar | None = None
-
-    @property
-    def by_unit(self) -> dict[str, Any]:
-        """Scales of coordinates and speeds; of angles only where there is an arm."""
-        if not all(map(is_number, (self.length, self.speed))):
-            return {}
-        length, speed = sp.sympify(self.length), sp.sympify(self.speed)
-        if not is_number(self.arm):
-            return {"m": length, "m/s": speed}
-        # a quaternion moves by half the angle
-        angles = {"rad": length / self.arm, "rad/s": speed / self.arm, "1": length / self.arm / 2}
-        return {"m": length, "m/s": speed, **angles}
-
-    def slots(self) -> Iterator[Slot]:
-        """Yield the scales."""
-        yield Slot("scales, length", self.length, "m", POSITIVE)
-        yield Slot("scales, speed", self.speed, "m/s", POSITIVE)
-        if self.arm is not None:
-            yield Slot("scales, arm", self.arm, "m", POSITIVE)
 
 
 @dataclass(frozen=True)
@@ -390,16 +315,7 @@ class Scene:
                 yield Slot(f"{effect.where}, {state.name} at the start", state.start, state.unit)
                 if state.size is not None:
                     yield Slot(f"{effect.where}, size of {state.name}", state.size, state.unit, POSITIVE)
-        for freedom in self.mechanism.freedoms:
-            for values, ports, what in (
-                (self.start.position, freedom.coordinates, "position"),
-                (self.start.near, freedom.coordinates, "position near"),
-                (self.start.speed, freedom.speeds, "speed"),
-            ):
-                for port in ports:
-                    value = _given(values, port.name, freedom)
-                    if value is not None:
-                        yield Slot(f"start, {what} of {freedom.key if freedom.scalar else port.name}", value, port.unit)
+        yield from self.start.slots(self.mechanism.freedoms)
         yield from self.scales.slots()
 
     @cached_property

@@ -14,7 +14,9 @@ from mpmath import mp, mpf
 from hertzwerk.derive.audit.audit import audit_law
 from hertzwerk.derive.audit.numeric import evaluate, scale_factor
 from hertzwerk.derive.contact.pairs.round import ParallelCylinders, SphereOnSphere
-from hertzwerk.derive.declare.scene import Scales, Scene, Start
+from hertzwerk.derive.declare.scales import Scales
+from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.declare.start import Start
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.dimension.walker import dimension_of
 from hertzwerk.derive.effects.contacts import Contact

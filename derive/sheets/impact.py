@@ -22,7 +22,9 @@ from mpmath import mp, mpf
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.audit.numeric import evaluate
 from hertzwerk.derive.contact.pairs.flat import SphereOnPlane
-from hertzwerk.derive.declare.scene import Scales, Scene, Start
+from hertzwerk.derive.declare.scales import Scales
+from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.declare.start import Start
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.effects.contacts import Contact
 from hertzwerk.derive.laws import LAWS

@@ -16,7 +16,9 @@ import sympy as sp
 from hertzwerk.derive.contact.pairs.box import BoxOnPlane
 from hertzwerk.derive.contact.pairs.flat import SphereOnPlane
 from hertzwerk.derive.contact.pairs.round import SphereOnSphere
-from hertzwerk.derive.declare.scene import Scales, Scene, Start
+from hertzwerk.derive.declare.scales import Scales
+from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.declare.start import Start
 from hertzwerk.derive.effects.contacts import Contact, Friction
 from hertzwerk.derive.effects.controllers import Relay
 from hertzwerk.derive.effects.drives import Harmonic
