@@ -5,6 +5,15 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:  # the list of public names
     from hertzwerk.derive.faults import Fault as Fault, InputError as InputError
     from hertzwerk.runtime.comparing import Comparison as Comparison, compare as compare
+    from hertzwerk.runtime.design.distributions import (
+        LogNormal as LogNormal,
+        Normal as Normal,
+        Triangular as Triangular,
+        TruncatedNormal as TruncatedNormal,
+        Uniform as Uniform,
+    )
+    from hertzwerk.runtime.design.propagated import Propagated as Propagated
+    from hertzwerk.runtime.design.propagation import propagate as propagate
     from hertzwerk.runtime.effects.leaving_out import study_effects as study_effects
     from hertzwerk.runtime.inputs.time_series import Samples as Samples
     from hertzwerk.runtime.loading import Model as Model, load as load

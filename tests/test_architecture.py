@@ -50,13 +50,14 @@ ROOMS = {
         "units": "",
     },
     "runtime": {
-        ".": "comparing derive/faults effects inputs loading measured model simulation solution statics sweeps",
+        ".": "comparing derive/faults design effects inputs loading measured model simulation solution statics sweeps",
         "accuracy": "",
         "cli": "accuracy derive/audit derive/faults derive/sheets effects hard_cases host inputs integrate/tableaux loading "
         "measured model pictures pictures/draw pictures/motion pictures/studies report run simulation solution start "
         "statics studies sweeps tables validate work_precision",
         "command_line": "cli",
         "comparing": "measured model pictures/studies solution",
+        "design": "derive/declare derive/faults derive/units inputs loading model run sensitivity simulation solution start sweeps",
         "effects": "accuracy derive/declare derive/faults integrate/step loading model run simulation solution start",
         "hard_cases": "host integrate/loop integrate/step integrate/tableaux loading model run simulation solution",
         "host": "derive/faults",
@@ -74,7 +75,7 @@ ROOMS = {
         "pictures": "host model run solution start",
         "pictures/draw": "derive/faults host model pictures run solution start",
         "pictures/motion": "derive/faults host pictures pictures/draw solution",
-        "pictures/sweeps": "derive/faults pictures",
+        "pictures/sweeps": "derive/faults pictures solution",
         "pictures/studies": "accuracy derive/sheets effects integrate/tableaux measured pictures studies validate "
         "work_precision",
         "report": "accuracy derive/readable host model pictures pictures/draw run solution",

@@ -145,7 +145,7 @@ def _lowest(samples: Samples, name: str) -> float:
 _KINDS: dict[str, tuple[str, Callable[[Samples, str], float]]] = {
     "max": ("largest", _highest),
     "min": ("least", _lowest),
-    "mean": ("mean over time of", lambda s, name: s.mean(s[name])),
+    "mean": ("mean over time of", lambda s, name: s.mean(lambda history: history[name])),
     "amplitude": ("half the range of", lambda s, name: (_highest(s, name) - _lowest(s, name)) / 2),
 }
 
@@ -175,9 +175,14 @@ def _way(samples: Samples, journals: Sequence[Sequence[str]]) -> float:
     """Return the length of the paths of the eccentricities: the integral of their speeds."""
     model = samples.run.model
     fine = Samples(samples.run, WAY_SAMPLES)
-    rates = _output_rates(fine.history)
-    columns = ([model.outputs.index(part) for part in parts] for parts in journals)
-    return sum(fine.integral(np.sqrt(np.sum(rates[:, of] ** 2, axis=1))) for of in columns)
+
+    def speeds(history: History) -> np.ndarray:
+        rates = _output_rates(history)
+        columns = ([model.outputs.index(part) for part in parts] for parts in journals)
+        found: np.ndarray = np.sum([np.sqrt(np.sum(rates[:, of] ** 2, axis=1)) for of in columns], axis=0)
+        return found
+
+    return fine.integral(speeds)
 
 
 def _output_rates(history: History) -> np.ndarray:

@@ -86,9 +86,23 @@ class Sensitivities:
 
     def at(self, times: np.ndarray, name: str, to: str) -> np.ndarray:
         """Return the derivative of a history at any times [s] of the run; at an event, that just after it."""
+        return self.along(times, name)[:, self._column(to)]
+
+    def along(self, times: np.ndarray, name: str) -> np.ndarray:
+        """Return the derivatives (n, P) of a history with respect to all `names`, at times (n,) as `at` has them."""
         t = self.history.t
         index = np.searchsorted(t, times, side="right") - 1
-        return self._at(index, times - t[index], name)[:, self._column(to)]
+        return self._at(index, times - t[index], name)
+
+    @property
+    def events(self) -> tuple[np.ndarray, np.ndarray]:
+        """Rows (n,) of the run that follow an event, and the derivatives (n, P) of those events' times."""
+        rows = np.array(sorted(self._instants), dtype=int)
+        return rows, np.array([self._instants[row].time for row in rows]).reshape(len(rows), len(self.names))
+
+    def after_event(self, row: int, name: str) -> np.ndarray:
+        """Return the derivatives (P,) of a history just after the event before a row, whose time changes too."""
+        return self._just_after(name, row)
 
     def unit(self, name: str, to: str) -> str:
         """Return the SI unit text of a derivative, such as "N/(m/s)"."""

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.solution.history import History
 
 FRICTION_LOCKS = EXCEPTION + 1  # which is found of a run that left the range of a law, or has come to a halt
+REACHED_END = ("finished", "accuracy_unreachable", "beyond_horizon", "accuracy_unknown", "energy_not_closed")  # names
 STEPS = (STEP_TOO_SMALL, TOO_MANY_STEPS, WALL_TIME_LIMIT)  # statuses of runs whose steps were many or too small
 
 

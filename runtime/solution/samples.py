@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from hertzwerk.runtime.host.lazy import cached_property
+
 if TYPE_CHECKING:
     from hertzwerk.runtime.solution.history import History
     from hertzwerk.runtime.solution.solution import Solution
@@ -26,29 +28,43 @@ class Samples:
         within = ends[:-1, None] + self._steps[:, None] * np.arange(2 * half) / (2 * half)
         self.t = np.append(np.minimum(within, ends[1:, None]).ravel(), ends[-1])
         self.history = run.at(self.t)
+        self._begins = np.searchsorted(run.t, ends[:-1], side="right") - 1
 
     def __getitem__(self, name: str) -> np.ndarray:
         return self.history[name]
 
     def highest(self, of: Callable[[History], np.ndarray]) -> float:
         """Return the largest value of a quantity in the run, refined around the largest sample."""
+        return self.top(of)[1]
+
+    def top(self, of: Callable[[History], np.ndarray]) -> tuple[float, float]:
+        """Return the time [s] of the largest value of a quantity in the run, and that value."""
         times, values = self.t, of(self.history)
-        largest = float(np.max(values))
+        found = times[np.argmax(values)], np.max(values)
         for _ in range(ZOOMS):
             i = int(np.argmax(values))
             times = np.linspace(times[max(i - 1, 0)], times[min(i + 1, len(times) - 1)], POINTS)
             values = of(self.run.at(times))
-            largest = max(largest, float(np.max(values)))
-        return largest
+            if np.max(values) > found[1]:
+                found = times[np.argmax(values)], np.max(values)
+        return float(found[0]), float(found[1])
 
-    def integral(self, values: np.ndarray) -> float:
-        """Integrate values at the times over time [s], by Simpson's rule."""
+    def integral(self, of: Callable[[History], np.ndarray]) -> float:
+        """Integrate a quantity over time [s], by Simpson's rule; it may jump where a step ends."""
+        values = of(self.history)
         parts = (len(values) - 1) // len(self._steps)
         weights = np.tile([2.0, 4.0], parts // 2)
         weights[0] = 1
-        by_step = values[:-1].reshape(-1, parts) @ weights + values[parts::parts]
+        by_step = values[:-1].reshape(-1, parts) @ weights + of(self._step_ends)
         return float(by_step @ self._steps) / (3 * parts)
 
-    def mean(self, values: np.ndarray) -> float:
-        """Average values at the times over time."""
-        return self.integral(values) / float(self.t[-1] - self.t[0])
+    def mean(self, of: Callable[[History], np.ndarray]) -> float:
+        """Average a quantity over time."""
+        return self.integral(of) / float(self.t[-1] - self.t[0])
+
+    @cached_property
+    def _step_ends(self) -> History:
+        """Histories where each step ends, before an event there."""
+        if self.run.history.steps:
+            return self.run.history.between(self._begins, self._steps)
+        return self.run.at(self.run.t[self._begins + 1])

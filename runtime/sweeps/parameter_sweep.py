@@ -138,7 +138,7 @@ def sweep(
     varied = _varied(model, over, fixed, faults)
     chains = read_chains(model, [{**fixed, **point} for point in design.points()], varied, continued, faults)
     # 3. outputs
-    wanted = _outputs(model, outputs, functions, varied, faults)
+    wanted = outputs_of(model, outputs, functions, varied, faults)
     asked = {"section": section, "after": after, "grid": grid, "histories": histories}
     end = () if continued is None else tuple(state_units(model))
     kept = read_kept(model, **asked, duration=duration, end=end, faults=faults)
@@ -364,7 +364,7 @@ def _varied(model: plain.Model, over: object, fixed: Mapping[str, Value], faults
     return {name: units[name] for name in names if name in units}
 
 
-def _outputs(
+def outputs_of(
     model: plain.Model, names: Sequence[str], functions: object, varied: Mapping[str, str], faults: list[Fault]
 ) -> list[Output]:
     """Return the outputs that are asked for; bad input is appended to `faults`."""

@@ -234,11 +234,11 @@ def _average(name: str, unit: str, average: str | None = None) -> Output:
 
 
 def _mean(samples: Samples, name: str) -> float:
-    return samples.mean(samples[name])
+    return samples.mean(lambda history: history[name])
 
 
 def _root_mean_square(samples: Samples, name: str) -> float:
-    return math.sqrt(samples.mean(np.square(samples[name])))
+    return math.sqrt(samples.mean(lambda history: np.square(history[name])))
 
 
 def _highest(samples: Samples, name: str) -> float:

@@ -16,9 +16,9 @@ from hertzwerk.runtime.pictures.plot_panel import LEGEND_ROOM, empty_panel, lege
 from hertzwerk.runtime.pictures.plot_style import BLUE, CYCLE, GREY, STYLE, VERMILLION, plain
 from hertzwerk.runtime.pictures.sweeps.swept import Array, SweptTable, Varied, labelled, shown_in, varied
 from hertzwerk.runtime.pictures.title import title_height, write_title
+from hertzwerk.runtime.solution.outcome import REACHED_END
 
 SECTION, HALF_WIDTH = "section", ".half_width"
-COMPLETE = ("finished", "accuracy_unreachable", "beyond_horizon", "accuracy_unknown", "energy_not_closed")  # outcomes
 NO_OUTPUT = ("outcome", "message", "warnings", "wall_s")
 WIDE, HIGH = 5.6, 3.4  # inches of a panel
 DIAGRAM = (9.6, 3.6)  # inches of a panel of a bifurcation diagram
@@ -97,7 +97,7 @@ def _below(table: SweptTable, told: str) -> str:
 
 
 def _failed(table: SweptTable) -> Any:
-    return np.array([row.outcome not in COMPLETE for row in table.rows])
+    return np.array([row.outcome not in REACHED_END for row in table.rows])
 
 
 def _mark_failures(axis: Axes, positions: Array) -> None:

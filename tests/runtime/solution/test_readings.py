@@ -91,7 +91,7 @@ def test_driving_torque_is_that_of_virtual_work(crank_run):
     np.testing.assert_allclose(crank_run["motor.power"], W * torque, atol=1e-7 * W * np.abs(torque).max())
     put_in = Samples(crank_run)
     scale = np.abs(crank_run["energy_ledger.input"]).max()
-    assert put_in.integral(put_in["motor.power"]) == pytest.approx(
+    assert put_in.integral(lambda history: history["motor.power"]) == pytest.approx(
         crank_run["energy_ledger.input"][-1], abs=1e-7 * scale
     )
 

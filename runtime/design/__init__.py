@@ -1,0 +1,1 @@
+"""Uncertainty of a run's numbers, and the best parameters for one."""

@@ -1,0 +1,269 @@
+"""Uncertainty of a run's numbers: by the derivatives of one run, and by samples, side by side.
+
+1. distributions   of parameters and starts, in SI                        design/distributions
+2. one run         at their means, and the derivatives of its outputs     design/output_derivatives
+3. samples         A, B and A with a column of B, a run for each          sweeps/parameter_sweep
+4. indices         parts of the variance, by Saltelli's estimators        scipy.stats.sobol_indices
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from hertzwerk.derive.faults import Fault, InputError, shown
+from hertzwerk.runtime.design.distributions import read_distributions
+from hertzwerk.runtime.design.output_derivatives import NoDerivativeError, OutputDerivatives
+from hertzwerk.runtime.design.propagated import Index, Propagated, Uncertain
+from hertzwerk.runtime.inputs.given import Input
+from hertzwerk.runtime.loading import load
+from hertzwerk.runtime.model import model as plain
+from hertzwerk.runtime.model.binding import Value
+from hertzwerk.runtime.model.si_values import si_units
+from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, read_duration
+from hertzwerk.runtime.simulation import simulate
+from hertzwerk.runtime.solution.outcome import REACHED_END
+from hertzwerk.runtime.start.start_values import split_values
+from hertzwerk.runtime.sweeps.parameter_sweep import outputs_of, sweep
+from hertzwerk.runtime.sweeps.row_outputs import Measured
+
+if TYPE_CHECKING:
+    from distributed import Client
+
+    from hertzwerk.derive.declare.scene import Scene
+    from hertzwerk.runtime.design.distributions import Distribution
+    from hertzwerk.runtime.simulation import Solution
+    from hertzwerk.runtime.sweeps.sweep_table import Sweep
+
+RESAMPLED = 200  # times that the samples are drawn from themselves, for the intervals of indices
+INSIDE = 2.0**-31  # half the spacing of Sobol's points, so that none is at an end of a distribution
+LEAST, MOST = 8, 2**20
+
+
+def propagate(
+    model: plain.Model | str | Path | Scene,
+    uncertain: Mapping[str, Distribution],
+    outputs: Sequence[str] = (),
+    *,
+    sample: int = 256,
+    indices: bool = True,
+    seed: int = 0,
+    values: Mapping[str, Value] | None = None,
+    inputs: Mapping[str, Input] | None = None,
+    functions: Mapping[str, Callable[[Solution], float]] | None = None,
+    duration: str | float | None = None,
+    accuracy: float | None = None,
+    tolerance: float | None = None,
+    method: str = METHOD,
+    compiled: Compiled = "auto",
+    max_steps: int = MAX_STEPS,
+    max_events: int = MAX_EVENTS,
+    wall_time: float | None = None,
+    workers: int | None = None,
+    client: Client | None = None,
+    into: str | Path | None = None,
+    widen: bool = False,
+    progress: Callable[[float], object] | None = None,
+) -> Propagated:
+    """Return how uncertain a run's numbers are, by derivatives and by samples, and what they owe it to.
+
+    uncertain   parameters and initial states with their distributions, independent of each other:
+                {"clearance": Normal("0.5 mm", "0.02 mm"), "restitution": TruncatedNormal(0.9, 0.05, 0, 1)}
+    outputs     names as of `sweep`: "slider_pin.peak_force", "final.guide.travel", "main_bearing.reaction_x.rms"
+    sample      number N of samples, a power of two; N (d + 2) runs with indices, of d uncertain names, else N
+    indices     Sobol indices of first order and total, by SciPy's estimators, with intervals by resampling
+    values      other values in place of the model's; functions    further outputs, which have no derivatives
+
+    The other arguments are those of `sweep`; with `into` every run is stored, and the same call goes on. Spreads that
+    differ by more than their errors are warned of. Raises InputError with every fault.
+    """
+    model = model if isinstance(model, plain.Model) else load(model)
+    units = si_units(model)
+    known = {name: units[name] for name in (*model.parameters, *model.joints.coordinates, *model.joints.speeds)}
+    faults: list[Fault] = []
+    # 1. distributions
+    drawn = read_distributions(model, uncertain, known, faults)
+    faults += _sample_faults(sample, indices)
+    settings: dict[str, Any] = {
+        **{"duration": duration, "accuracy": accuracy, "tolerance": tolerance, "method": method},
+        **{"max_steps": max_steps, "max_events": max_events, "wall_time": wall_time, "compiled": compiled},
+    }
+    asked = {"values": values, "inputs": inputs, "outputs": outputs, "functions": functions, **settings}
+    asked |= {"into": into, "widen": widen, "client": client}
+    faults += refused_by_sweep(model, asked, workers)
+    if faults:
+        raise InputError(f"propagation of {model.name}", faults)
+    # 2. one run
+    means = {name: (float(one.mean()), known[name] or "1") for name, one in drawn.items()}
+    parameters, initial = split_values(model, {**(values or {}), **means})
+    run = simulate(model, **settings, parameters=parameters, initial=initial, inputs=inputs)
+    derivatives, lacking = _derivatives(run, tuple(drawn), duration)
+    # 3. samples
+    matrices = _matrices(list(drawn.values()), sample, seed, indices=indices)
+    columns = np.concatenate([*matrices], axis=1)
+    over = {name: [(float(x), known[name] or "1") for x in row] for name, row in zip(drawn, columns, strict=True)}
+    rows = sweep(model, over, zip=True, workers=workers, progress=progress, **asked)
+    # 4. indices
+    good = np.array([row.outcome in REACHED_END for row in rows])
+    measured, found = Measured(run), {}
+    for output in outputs_of(model, outputs, functions, {}, []):
+        name, unit = next(iter(output.columns.items()))
+        change, why = (
+            _gradient(derivatives, name) if derivatives is not None else (np.full(len(drawn), math.nan), lacking)
+        )
+        parts = np.abs(change) * [float(one.std()) for one in drawn.values()]
+        spread = _Spread(np.where(good, rows[name], math.nan).reshape(-1, sample))
+        first, total = spread.indices(tuple(drawn), seed) if indices else ({}, {})
+        found[name] = Uncertain(
+            name=name,
+            unit=unit,
+            nominal=output.of(measured)[0],
+            derivatives=dict(zip(drawn, change.tolist(), strict=True)),
+            linear=float(np.hypot.reduce(parts)),
+            parts=dict(zip(drawn, parts.tolist(), strict=True)),
+            reason=why,
+            first=first,
+            total=total,
+            **spread.moments(),
+        )
+    return Propagated(
+        model.name, tuple(drawn), found, run, rows, (*_of_run(run), *_missing(rows, good, indices=indices))
+    )
+
+
+def _sample_faults(sample: object, indices: object) -> list[Fault]:
+    """Return the faults of what is said of the samples."""
+    faults = []
+    whole = isinstance(sample, int) and not isinstance(sample, bool)
+    if not whole or not LEAST <= sample <= MOST or sample & (sample - 1):  # type: ignore[operator]
+        expected = f"a power of two, {LEAST} to {MOST:,}, as Sobol points are balanced"
+        faults.append(Fault("sample", shown(sample), expected))
+    if not isinstance(indices, bool):
+        faults.append(Fault("indices", shown(indices), "True or False"))
+    return faults
+
+
+def refused_by_sweep(model: plain.Model, asked: Mapping[str, Any], workers: int | None) -> list[Fault]:
+    """Return the faults that `sweep` finds in its arguments; nothing is computed."""
+    nobody = 0 if workers is None or (isinstance(workers, int) and workers > 0) else workers
+    try:
+        sweep(model, {}, workers=nobody, **asked)
+    except InputError as error:
+        ours = {"over", "workers"} if nobody == 0 else {"over"}
+        return [fault for fault in error.faults if fault.where not in ours]
+    raise AssertionError("a sweep over nothing was computed")
+
+
+def _derivatives(run: Solution, names: tuple[str, ...], duration: object) -> tuple[OutputDerivatives | None, str]:
+    """Return the derivatives of a run's outputs; None with the reason where there are none."""
+    if run.outcome.name not in REACHED_END:
+        return None, f"the run at the means ended: {run.outcome.message}"
+    if isinstance(duration, str) and _follows(run.model, names, duration):
+        return None, f"the duration {duration} changes with what is uncertain: state it as a time"
+    try:
+        whole = run.with_steps()
+        return OutputDerivatives(whole, run.sensitivities(*names)), ""
+    except InputError as error:
+        return None, "; ".join(f"{fault.where}: {fault.found}" for fault in error.faults)
+
+
+def _follows(model: plain.Model, names: tuple[str, ...], duration: str) -> bool:
+    """Return whether a duration, such as "2 rev", changes with a parameter."""
+    now = read_duration(model, {}, duration, [])
+    bound, units = model.bind(), si_units(model)
+    moved = ({name: (1.5 * bound[name], units[name] or "1")} for name in names if name in model.parameters)
+    return any(read_duration(model, values, duration, []) not in (now, math.nan) for values in moved)
+
+
+def _gradient(derivatives: OutputDerivatives, name: str) -> tuple[np.ndarray, str]:
+    """Return the derivatives (P,) of an output; nan with the reason where there are none."""
+    try:
+        return derivatives[name], ""
+    except NoDerivativeError as error:
+        return np.full(len(derivatives.of.names), math.nan), str(error)
+
+
+def _matrices(drawn: list[Any], sample: int, seed: int, *, indices: bool) -> Iterator[np.ndarray]:
+    """Yield points (d, N): A, and for indices B, and A with each row of B in turn."""
+    from scipy.stats import qmc
+
+    d = len(drawn)
+    points = qmc.Sobol(2 * d if indices else d, rng=seed).random(sample).T + INSIDE
+    A, *others = (
+        np.array([one.ppf(part) for one, part in zip(drawn, half, strict=True)])
+        for half in np.split(points, 2 if indices else 1)
+    )
+    yield A
+    for B in others:
+        yield B
+        for i in range(d):
+            yield np.where(np.arange(d)[:, None] == i, B, A)
+
+
+@dataclass(frozen=True)
+class _Spread:
+    """Values (matrices, N) of one output in the samples, nan where there is none."""
+
+    values: np.ndarray
+
+    def moments(self) -> dict[str, float]:
+        """Return mean and standard deviation with their errors, and quantiles, of A and B: independent draws."""
+        found = self.values[:2].ravel()
+        found = found[np.isfinite(found)]
+        n = len(found)
+        if n < 2:
+            return dict.fromkeys(("mean", "mean_error", "std", "std_error", "low", "high"), math.nan)
+        mean, std = float(found.mean()), float(found.std(ddof=1))
+        fourth = float(((found - mean) ** 4).mean())
+        low, high = np.quantile(found, [0.025, 0.975])
+        return {
+            **{"mean": mean, "mean_error": std / math.sqrt(n), "std": std, "low": float(low), "high": float(high)},
+            "std_error": math.sqrt(max(fourth - std**4, 0) / n) / (2 * std) if std > 0 else 0.0,
+        }
+
+    def indices(self, names: tuple[str, ...], seed: int) -> tuple[dict[str, Index], dict[str, Index]]:
+        """Return the Sobol indices of first order and total; none where a value is missing."""
+        if not np.isfinite(self.values).all():
+            return {}, {}
+        rng, n = np.random.default_rng(seed), self.values.shape[1]
+        told = _indices(self.values)
+        again = np.array([_indices(self.values[:, rng.integers(n, size=n)]) for _ in range(RESAMPLED)])
+        low, high = np.quantile(again, [0.025, 0.975], axis=0)
+        first, total = (
+            {
+                name: Index(*map(float, row))
+                for name, row in zip(names, np.transpose([told[k], low[k], high[k]]), strict=True)
+            }
+            for k in range(2)
+        )
+        return first, total
+
+
+def _indices(values: np.ndarray) -> np.ndarray:
+    """Return the indices (2, d) of first order and total from values (2 + d, N) at A, B, and A with rows of B."""
+    from scipy.stats import sobol_indices
+
+    twice = np.stack([values, values], axis=1)  # of one output by one name SciPy 1.17 loses the shape
+    found = sobol_indices(func={"f_A": twice[0], "f_B": twice[1], "f_AB": twice[2:]}, n=values.shape[1])
+    return np.array([order.reshape(2, -1)[0] for order in (found.first_order, found.total_order)])
+
+
+def _of_run(run: Solution) -> Iterator[str]:
+    """Yield what is to be known of the run at the means."""
+    if not run.outcome.finished:
+        yield f"the run at the means: {run.outcome.name}: {run.outcome.message}"
+
+
+def _missing(rows: Sweep, good: np.ndarray, *, indices: bool) -> Iterator[str]:
+    """Yield what the samples lack."""
+    if not rows.outcome.finished:
+        yield f"{rows.outcome.message}; {rows.outcome.remedy}"
+    if not good.all():
+        first = next(row for row, fine in zip(rows, good, strict=True) if not fine)
+        lost = "; without them there are no Sobol indices" if indices else ""
+        yield f"{int((~good).sum())} of {len(good)} runs are left out, as the first: {first.outcome}: {first.message}{lost}"

@@ -1,0 +1,138 @@
+"""Propagated uncertainty against closed forms, of derivatives and of samples; what bends; bad input."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy import stats
+
+from hertzwerk.derive.faults import InputError
+from hertzwerk.runtime import LogNormal, Normal, Triangular, TruncatedNormal, Uniform, load, propagate
+
+SHORT = {"tolerance": 1e-9, "workers": 1, "compiled": False}
+G = 9.81
+
+
+@pytest.fixture(scope="module")
+def ball():
+    return load("bouncing_ball")
+
+
+@pytest.fixture(scope="module")
+def fallen(ball):
+    """Ball in flight for 0.4 s: y = h - g t^2/2 is linear in h and g, y' = -g t in g alone."""
+    uncertain = {"vertical.travel": Normal("1 m", "3 cm"), "gravity": Normal("9.81 m/s^2", "0.2 m/s^2")}
+    return propagate(
+        ball, uncertain, ["final.vertical.travel", "final.vertical.speed"], sample=128, duration="0.4 s", **SHORT
+    )
+
+
+def test_a_linear_output_is_told_by_both(fallen):
+    place, speed = fallen
+    of_height, of_gravity = 0.03, 0.2 * 0.4**2 / 2
+    assert place.linear == pytest.approx(math.hypot(of_height, of_gravity), rel=1e-9)
+    assert speed.linear == pytest.approx(0.2 * 0.4, rel=1e-9)
+    assert place.derivatives == pytest.approx({"vertical.travel": 1, "gravity": -(0.4**2) / 2}, rel=1e-9)
+    assert place.parts == pytest.approx({"vertical.travel": of_height, "gravity": of_gravity}, rel=1e-9)
+    assert place.std == pytest.approx(place.linear, rel=0.03)
+    assert place.mean == pytest.approx(1 - G * 0.4**2 / 2, abs=2e-4)
+    assert place.high - place.low == pytest.approx(2 * 1.96 * place.linear, rel=0.1)
+    assert fallen.warnings == ()
+
+
+def test_sobol_indices_of_a_sum_are_its_parts(fallen):
+    place, speed = fallen
+    part = 0.03**2 / (0.03**2 + (0.2 * 0.08) ** 2)
+    for index in (place.first, place.total):
+        assert index["vertical.travel"].value == pytest.approx(part, abs=0.05)
+        assert index["gravity"].value == pytest.approx(1 - part, abs=0.05)
+        assert index["gravity"].low < 1 - part < index["gravity"].high
+    assert speed.total["vertical.travel"].value == pytest.approx(0, abs=1e-12)
+
+
+def test_a_product_has_an_interaction(ball):
+    """Kinetic energy m (g t)^2/2 of two independent factors: V = E[a]^2 V[b] + E[b]^2 V[a] + V[a] V[b]."""
+    uncertain = {"mass": Uniform("0.2 kg", "1.8 kg"), "gravity": LogNormal("9.81 m/s^2", 1.3)}
+    (found,) = propagate(
+        ball, uncertain, [], functions={"energy": lambda run: run.parameters["mass"][0] * run.final["vertical.speed"] ** 2 / 2},
+        sample=256, duration="0.2 s", **SHORT,
+    )  # fmt: skip
+    a, b = stats.uniform(0.2, 1.6), stats.lognorm(2 * math.log(1.3), scale=(G * 0.2) ** 2 / 2)
+    terms = np.array([a.mean() ** 2 * b.var(), b.mean() ** 2 * a.var(), a.var() * b.var()])
+    assert found.std == pytest.approx(math.sqrt(terms.sum()), rel=0.05)
+    assert found.first["gravity"].value == pytest.approx(terms[0] / terms.sum(), abs=0.05)
+    assert found.total["mass"].value == pytest.approx((terms[1] + terms[2]) / terms.sum(), abs=0.08)
+    assert found.total["mass"].value > found.first["mass"].value + 0.01
+    assert math.isnan(found.linear)
+    assert "function of yours" in found.reason
+
+
+def test_what_bends_is_warned_of(ball):
+    """Some balls reach the floor within the run, others do not: a derivative tells one side alone."""
+    wide = {"vertical.travel": Normal("0.9 m", "10 cm")}
+    found = propagate(ball, wide, ["final.vertical.speed"], sample=64, indices=False, duration="0.43 s", **SHORT)
+    (one,) = found
+    assert len(found.samples) == 64
+    assert one.first == {}
+    assert any("not linear" in text for text in one.warnings)
+    assert "warning" in str(found)
+
+
+def test_runs_that_fail_are_told(ball):
+    found = propagate(
+        ball, {"restitution": Normal(0.95, 0.05)}, ["final.vertical.speed"], sample=16, duration="0.1 s", **SHORT
+    )
+    (one,) = found
+    assert one.first == {}
+    assert (
+        found.warnings[-1].startswith("10 of 48 runs")
+        or "runs are left out, as the first: bad_input" in found.warnings[-1]
+    )
+
+
+def test_the_same_seed_gives_the_same_and_a_folder_is_gone_on_with(ball, tmp_path):
+    how = {"sample": 8, "duration": "0.1 s", "into": tmp_path / "rows", **SHORT}
+    uncertain = {"mass": Triangular("0.5 kg", "1 kg", "2 kg")}
+    first, again = (propagate(ball, uncertain, ["final.vertical.speed"], **how) for _ in range(2))
+    assert [row.outputs for row in first.samples] == [row.outputs for row in again.samples]
+    first.to_csv(tmp_path / "found.csv")
+    assert (tmp_path / "found.csv").read_text().splitlines()[1].startswith("final.vertical.speed,m/s,")
+    assert first.record()["outputs"]["final.vertical.speed"]["mean"] == first["final.vertical.speed"].mean
+
+
+def test_a_duration_that_is_uncertain_has_no_derivative_of_its_own():
+    crank = load("slider_crank")
+    found = propagate(crank, {"crank_speed": Normal("5000 rpm", "10 rpm")}, ["final.guide.travel"], sample=8, indices=False,
+                      duration="0.01 rev", tolerance=1e-6, workers=1)  # fmt: skip
+    assert "duration" in found["final.guide.travel"].reason
+
+
+def test_distributions_are_those_of_their_names(ball):
+    from hertzwerk.runtime.design.distributions import distribution_of
+
+    faults = []
+    cut = distribution_of(ball, "restitution", TruncatedNormal(0.9, 0.2, 0.5, 1), faults)
+    assert cut.ppf([0, 1]) == pytest.approx([0.5, 1])
+    assert cut.pdf(0.8) / cut.pdf(0.9) == pytest.approx(math.exp(-0.125))
+    triangle = distribution_of(ball, "mass", Triangular("500 g", "1 kg", "2 kg"), faults)
+    assert triangle.mean() == pytest.approx(3.5 / 3)
+    assert distribution_of(ball, "gravity", LogNormal("10 m/s^2", 1.5), faults).median() == pytest.approx(10)
+    assert distribution_of(ball, "vertical.speed", Uniform("-10 cm/s", "10 cm/s"), faults).std() == pytest.approx(
+        0.2 / math.sqrt(12)
+    )
+    assert faults == []
+
+
+def test_every_fault_is_told_at_once(ball):
+    uncertain = {
+        "mas": Normal("1 kg", "0.1 kg"), "mass": Normal("1 s", "0.1 kg"), "restitution": Uniform(0.9, 1.2), "gravity": 3,
+        "drop_height": Normal("1 m", "-1 m"), "vertical.speed": Uniform("1 m/s", "0 m/s"), "radius": LogNormal("1 cm", "2 m"),
+    }  # fmt: skip
+    with pytest.raises(InputError) as caught:
+        propagate(ball, uncertain, ["final.nothing"], sample=100, duration="1 m", values={"mass": "2 s"}, indices="no")
+    places = [fault.where for fault in caught.value.faults]
+    for place in ("mas", "mass, mean", "restitution, high", "gravity", "drop_height", "vertical.speed", "radius, factor",
+                  "sample", "indices", "final.nothing", "duration"):  # fmt: skip
+        assert place in places
+    with pytest.raises(InputError, match="distributions by name"):
+        propagate(ball, {}, duration="1 s")
