@@ -30,7 +30,7 @@ class Distribution:
     factors: ClassVar[tuple[str, ...]] = ()
 
     def fault(self, **si: float) -> str:
-        """Return a phrase: which values were expected in place of these in SI; "" where they are right."""
+        """Return a phrase: values expected in place of these in SI; "" where they are right."""
         raise NotImplementedError
 
     def frozen(self, **si: float) -> Any:
@@ -99,7 +99,7 @@ class Uniform(Distribution):
 
 @dataclass(frozen=True)
 class Triangular(Distribution):
-    """Triangle from the least value by the likeliest to the largest: Triangular("0.4 mm", "0.5 mm", "0.7 mm")."""
+    """Triangular distribution: Triangular("0.4 mm", "0.5 mm", "0.7 mm"), of which the second is likeliest."""
 
     low: Value
     mode: Value

@@ -1,4 +1,4 @@
-"""Derivatives of a run's outputs: those of its histories and impacts, carried to the numbers that sweeps name.
+"""Derivatives of a run's outputs, the numbers that sweeps name, from those of histories and impacts.
 
 An integral over a history changes with the history, and by its jump at every event whose time moves. The largest value of
 a history changes as the history does at that time.

@@ -1,4 +1,4 @@
-"""Result of a propagation: of every output the spread by derivatives and that of samples, side by side."""
+"""Result of a propagation: the spread of outputs by derivatives and by samples, side by side."""
 
 from __future__ import annotations
 

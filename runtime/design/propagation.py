@@ -245,7 +245,7 @@ class _Spread:
 
 
 def _indices(values: np.ndarray) -> np.ndarray:
-    """Return the indices (2, d) of first order and total from values (2 + d, N) at A, B, and A with rows of B."""
+    """Return indices (2, d) of first order and total from values (2 + d, N) at A, B, and A with rows of B."""
     from scipy.stats import sobol_indices
 
     twice = np.stack([values, values], axis=1)  # of one output by one name SciPy 1.17 loses the shape

@@ -89,7 +89,7 @@ class Sensitivities:
         return self.along(times, name)[:, self._column(to)]
 
     def along(self, times: np.ndarray, name: str) -> np.ndarray:
-        """Return the derivatives (n, P) of a history with respect to all `names`, at times (n,) as `at` has them."""
+        """Return the derivatives (n, P) of a history by all `names`, at times (n,) as `at` has them."""
         t = self.history.t
         index = np.searchsorted(t, times, side="right") - 1
         return self._at(index, times - t[index], name)
