@@ -7,6 +7,7 @@ if TYPE_CHECKING:  # the list of public names
     from hertzwerk.derive.algebra.functions import Where as Where
     from hertzwerk.derive.algebra.splines import Table as Table
     from hertzwerk.derive.audit.audit import Finding as Finding, InconsistentUnits as InconsistentUnits
+    from hertzwerk.derive.contact.pairs.between_curves import CurveOnCurve as CurveOnCurve, GearMesh as GearMesh
     from hertzwerk.derive.contact.pairs.box import BoxOnPlane as BoxOnPlane
     from hertzwerk.derive.contact.pairs.corner import CornerOnFace as CornerOnFace
     from hertzwerk.derive.contact.pairs.curved import (
@@ -137,6 +138,7 @@ if TYPE_CHECKING:  # the list of public names
     from hertzwerk.derive.mechanism.pair import Pair as Pair
     from hertzwerk.derive.mechanism.parameter import Interval as Interval, Parameter as Parameter
     from hertzwerk.derive.mechanism.pose import APART as APART, ROTATION as ROTATION, TURN as TURN
+    from hertzwerk.derive.mechanism.teeth import InvoluteTeeth as InvoluteTeeth
 else:
     from hertzwerk.names import handed_on
 

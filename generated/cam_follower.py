@@ -230,6 +230,7 @@ RIM_CURVE = (
     True,
     False,
     1,
+    1,
     (0.0, 0.15339604207782373, 0.30949007192105793, 0.468449256860779, 0.6303761667373775, 0.7952726525568261, 0.9629802682503042, 1.1331924018451662, 1.3053923642718566, 1.4788899761383716, 1.6528515497621414, 1.8263971401114654, 1.9986908915597823, 2.1690331866928325, 2.3368928711407357, 2.5019464063866628, 2.6640455552134354, 2.823174848854149, 2.9794256280909748, 3.13296264523738, 3.2839961630261985, 3.432760821900031, 3.579485202332103, 3.7244237979075474, 3.867814448644476, 4.009894353886889, 4.1508893952098305, 4.291029942582389, 4.430527342909746, 4.569599288175325, 4.708456505240288, 4.847307406019046, 4.986362501056309, 5.125830388021287, 5.265926209995298, 5.406870570581529, 5.548877814869743, 5.692192438809293, 5.83703105713427, 5.983656604281496, 6.132292865281223),
 )
 
@@ -242,8 +243,11 @@ def _samples(curve, data, given):
 
 def _drawn(curve, data, given):
     """Points of a curve for a picture, at equal steps of its parameter, first all x, then all y."""
-    start, end = data[0]
-    points = [curve(start + (end - start)*k/180, *ca.vertsplit(given))[:2] for k in range(181)]
+    (start, end), copies = data[0], data[4]
+    count = 180 if copies == 1 else 8
+    points = [curve(start + (end - start)*k/count, *ca.vertsplit(given))[:2] for k in range(count + 1)]
+    turns = [(ca.cos(2*ca.pi*k/copies), ca.sin(2*ca.pi*k/copies)) for k in range(copies)] if copies > 1 else [(1, 0)]
+    points = [(c*x - s*y, s*x + c*y) for c, s in turns for x, y in points]
     return ca.vertcat(*(x for x, _ in points), *(y for _, y in points))
 
 
@@ -254,7 +258,7 @@ def _nearest(curve, data, samples, given, point):
     of its own, which is called; its derivatives are the results themselves.
     """
     if curve not in _NEAREST:
-        (start, end), closed, hole, tries, at = data
+        (start, end), closed, hole, tries, _, at = data
         side = -1 if hole else 1
         widest = max(b - a for a, b in zip(at, (*at[1:], at[0] + end - start) if closed else at[1:], strict=False))
         s, at_point, values = ca.SX.sym("s"), ca.SX.sym("point", 2), ca.SX.sym("given", given.numel())

@@ -12,7 +12,7 @@ import sympy as sp
 
 from hertzwerk.derive.algebra.functions import NoText
 
-__all__ = ["Drawn", "Entry", "Nearest", "PlanarChain", "PlanarCurve", "Sampled", "Support"]
+__all__ = ["Between", "Drawn", "DrawnTeeth", "Entry", "Nearest", "PlanarChain", "PlanarCurve", "Sampled", "Support"]
 
 
 class _OfData(sp.AtomicExpr):  # type: ignore[misc]  # SymPy is untyped
@@ -50,11 +50,12 @@ class PlanarCurve(_OfData):
     closed   whether it ends where it starts, smoothly
     hole     whether the solid is to its right, not to its left
     tries    number of candidates compared: 1 for a convex curve, else 2
-    at       parameters of the samples, from which the search starts
+    repeats  number of its copies, turned about its place by equal parts of a turn
+    at       parameters of the samples of one copy, from which the search starts
     """
 
     searched = ""
-    __slots__ = ("at", "closed", "end", "given", "hole", "name", "s", "start", "tries", "x", "y")
+    __slots__ = ("at", "closed", "end", "given", "hole", "name", "repeats", "s", "start", "tries", "x", "y")
 
     @property
     def width(self) -> int:
@@ -64,7 +65,7 @@ class PlanarCurve(_OfData):
     @property
     def row(self) -> tuple[Any, ...]:
         """Data beside the expressions, as a module has them."""
-        return (self.start, self.end), self.closed, self.hole, self.tries, self.at
+        return (self.start, self.end), self.closed, self.hole, self.tries, self.repeats, self.at
 
 
 class PlanarChain(_OfData):
@@ -101,6 +102,10 @@ class Drawn(Sampled):
     """`Drawn(curve, *given)`: coordinates for a picture, first all x, then all y: a vector."""
 
 
+class DrawnTeeth(Drawn):
+    """`DrawnTeeth(curve, *given)`: the same of a flank's copies, with mirror images in X."""
+
+
 class Nearest(NoText):
     """`Nearest(curve, samples, x, y, *given)`: where it is nearest to a point (x, y): a vector.
 
@@ -116,6 +121,18 @@ class Support(NoText):
     """`Support(curve, samples, x, y, *given)`: where it is least along (x, y): a vector.
 
     Its point there (two), radius of curvature, parameter.
+    """
+
+    @classmethod
+    def eval(cls, *_: Any) -> None:
+        """Never evaluate."""
+
+
+class Between(NoText):
+    """`Between(one, two, samples, samples, x, y, cos, sin, *given)`: where they are nearest.
+
+    A vector. The place of the first is at (x, y) along the axes of the second's, and turned. Signed distance, normal out of the
+    second (two), its point there (two), three coefficients of their motion, both parameters (`OnCurve.between`).
     """
 
     @classmethod

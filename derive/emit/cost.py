@@ -16,7 +16,9 @@ PER_STEP = {  # calls per step: in its stages; for events; to close loops, with 
     **{"constraints": 4, "projection": 3},
 }
 OF_CURVES = tuple(
-    f"{search}{of}" for search in ("_samples", "_drawn", "_nearest", "_support") for of in ("", "_of_chain")
+    f"{search}{of}"
+    for search in ("_samples", "_drawn", "_drawn_teeth", "_nearest", "_support", "_between")
+    for of in ("", "_of_chain")
 )
 """Helpers whose work depends on their curve."""
 # A sign precedes its operand, which is no number here, without a blank; a binary minus is surrounded by blanks.

@@ -12,7 +12,7 @@ from typing import Any, ClassVar
 
 import sympy as sp
 
-from hertzwerk.derive.algebra.planar_curve import PlanarCurve
+from hertzwerk.derive.algebra.planar_curve import Drawn, PlanarCurve
 from hertzwerk.derive.algebra.splines import Spline, Table
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.identifiers import name_faults
@@ -74,6 +74,12 @@ class SolidCurve:
         """The curve for equations, a `PlanarCurve` or `PlanarChain`."""
         raise NotImplementedError
 
+    @property
+    def drawn(self) -> Drawn:
+        """Its points for a picture."""
+        planar = self.planar
+        return Drawn(planar, *planar.given)  # type: ignore[no-any-return]  # SymPy is untyped
+
 
 @dataclass(frozen=True)
 class Curve(SolidCurve):
@@ -83,6 +89,9 @@ class Curve(SolidCurve):
     The solid lies to the left of its direction: a closed curve runs counterclockwise round it. Of a `hole` it is a
     closed curve's outside, and the curve still runs counterclockwise. A closed curve is smooth where it closes; the
     expressions are twice differentiable, and may contain tables of `S`.
+
+    It may stand for `repeats` copies of itself, turned about its place by equal parts of a turn, as the teeth of a wheel:
+    in a `CurveOnCurve`. Its parameter then counts on from copy to copy.
     """
 
     name: str
@@ -92,6 +101,7 @@ class Curve(SolidCurve):
     end: float = 2 * math.pi
     closed: bool = True
     hole: bool = False
+    repeats: int = 1
 
     def slots(self) -> Iterator[Slot]:
         """Yield the coordinates."""
@@ -112,6 +122,11 @@ class Curve(SolidCurve):
                 yield Fault(f"{self.where}, {what}", repr(value), "a finite number, the parameter there",
                             "An end that depends on parameters: let S run from 0 to 1, and write S*end in x and y.")  # fmt: skip
         yield from self.flag_faults()
+        if not isinstance(self.repeats, int) or isinstance(self.repeats, bool) or self.repeats < 1:
+            yield Fault(f"{self.where}, repeats", repr(self.repeats), "a whole number, 1 or more")
+        elif self.repeats > 1 and self.closed is True:
+            yield Fault(f"{self.where}, repeats", f"{self.repeats} copies of a closed curve", "an open one, as the flank of a tooth",
+                        "closed=False; one closed curve may run round all of its lobes by itself.")  # fmt: skip
         if _is_finite(self.start) and _is_finite(self.end) and not self.start < self.end:
             yield Fault(
                 self.where, f"parameters from {float(self.start):g} to {float(self.end):g}", "a start before the end"
@@ -132,6 +147,7 @@ class Curve(SolidCurve):
             closed=self.closed,
             hole=self.hole,
             tries=1 if convex and self.closed else 2,
+            repeats=self.repeats,
             at=at,
         )
 
@@ -183,6 +199,13 @@ def curve_faults(curves: Iterable[tuple[str, Any]], taken: Collection[str]) -> I
             yield Fault(
                 curve.where, f"a parameter named {function}", "another name: that of the curve's function in a module"
             )
+
+
+def single_faults(where: str, curve: Any) -> Iterator[Fault]:
+    """Yield the fault of a curve with copies where one is asked for."""
+    if getattr(curve, "repeats", 1) != 1:
+        yield Fault(f"{where}, curve {curve.name}", f"{curve.repeats!r} copies", "one curve, repeats=1",
+                    "A curve that repeats is touched by another, CurveOnCurve; one that runs all round needs no copies.")  # fmt: skip
 
 
 # -- numbers at the defaults ---------------------------------------------------------------------------------------------

@@ -12,7 +12,6 @@ from typing import Any
 
 import sympy as sp
 
-from hertzwerk.derive.algebra.planar_curve import Drawn
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.mechanism.bodies import Point
 from hertzwerk.derive.mechanism.curve import SolidCurve
@@ -61,7 +60,7 @@ class Landmark:
         rows = [(axis, "m", value) for axis, value in zip("xyz", self.point.position, strict=True)]
         for what, value in self.beside.items():
             if isinstance(value, SolidCurve):
-                rows.append((what, "", Drawn(value.planar, *value.planar.given)))
+                rows.append((what, "", value.drawn))
             elif isinstance(value, tuple):
                 rows += [(f"{what}_{axis}", UNITS[what], v) for axis, v in zip("xyz", value, strict=True)]
             else:

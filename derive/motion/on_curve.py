@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from hertzwerk.derive.algebra.planar_curve import Entry, Nearest, PlanarChain, PlanarCurve, Sampled, Support
+from hertzwerk.derive.algebra.planar_curve import Between, Entry, Nearest, PlanarChain, PlanarCurve, Sampled, Support
 from hertzwerk.derive.algebra.vectors import Vector, apply, transpose
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.mechanism.bodies import Point
@@ -41,13 +41,40 @@ class Least:
     parameter: Any
 
 
+@dataclass(frozen=True)
+class Pose:
+    """A place against a curve's: origin (x, y) [m], cosine, sine and rate [rad/s] of its turn."""
+
+    x: Any
+    y: Any
+    cos: Any
+    sin: Any
+    turning: Any
+
+
+@dataclass(frozen=True)
+class Meeting:
+    """Another curve beside a curve: signed distance [m], normal and point of the curve in its axes.
+
+    `parameters` are those of the other and of the curve.
+    """
+
+    distance: Any
+    normal: tuple[Any, Any]
+    point: tuple[Any, Any]
+    parameters: tuple[Any, Any]
+
+
 class OnCurve:
     """A curve on the tape, at a place of a body."""
 
     def __init__(self, kinematics: Kinematics, curve: PlanarCurve | PlanarChain, place: Point, name: str) -> None:
         self.kin, self.tape, self.name = kinematics, kinematics.tape, name
         self.curve, self.axes = curve, kinematics.axes_of(place)
-        self.samples = self.tape.block(Sampled(curve, *curve.given), f"{curve.name}_samples", curve.width, METRE)
+        self.samples = self._sampled(curve)
+
+    def _sampled(self, curve: PlanarCurve | PlanarChain) -> Any:
+        return self.tape.block(Sampled(curve, *curve.given), f"{curve.name}_samples", curve.width, METRE)
 
     def local(self, vector: Vector, what: str) -> Vector:
         """A vector along the curve's axes, on the tape."""
@@ -64,8 +91,10 @@ class OnCurve:
         return self.tape.let(value, f"{self.name}_{what}", dimension)
 
     def _entries(self, node: type, x: Any, y: Any, width: int) -> list[Any]:
-        found = node(self.curve, self.samples, x, y, *self.curve.given)
-        vector = self.tape.block(found, f"{self.name}_{node.__name__.lower()}", width, PURE)
+        return self._vector(node(self.curve, self.samples, x, y, *self.curve.given), width)
+
+    def _vector(self, found: Any, width: int) -> list[Any]:
+        vector = self.tape.block(found, f"{self.name}_{type(found).__name__.lower()}", width, PURE)
         return [Entry(vector, k) for k in range(width)]
 
     def beside(self, x: Any, y: Any) -> Beside:
@@ -101,3 +130,34 @@ class OnCurve:
         self.tape.set_rate(px, -radius * self._rate(x, "direction_x"))
         self.tape.set_rate(py, -radius * self._rate(y, "direction_y"))
         return Least((px, py), parameter)
+
+    def between(self, other: PlanarCurve, pose: Pose) -> Meeting:
+        """Another curve in a pose against this one's place.
+
+        With the curvatures k of the other and l of this one, the distance h and D = k + l + h k l, the foot on this curve
+        moves along it by k/D for each length that the other slides there, and by (1 + h k)/D for each angle that it turns;
+        the normal turns by k l/D and l (1 + h k)/D = 1 - k/D. These three coefficients are finite on lines and at ends too.
+        """
+        found = Between(
+            other, self.curve, self._sampled(other), self.samples, pose.x, pose.y, pose.cos, pose.sin,
+            *other.given, *self.curve.given,
+        )  # fmt: skip
+        named = (
+            ("distance", METRE), ("normal_x", PURE), ("normal_y", PURE), ("foot_x", METRE), ("foot_y", METRE), ("share", PURE),
+            ("rolling", METRE), ("bend", BEND), ("first_parameter", PURE), ("second_parameter", PURE),
+        )  # fmt: skip
+        entries = zip(self._vector(found, len(named)), named, strict=True)
+        distance, nx, ny, px, py, share, rolling, bend, first, second = (
+            self._let(entry, what, dimension) for entry, (what, dimension) in entries
+        )
+        turning = pose.turning
+        vx = self._let(self._rate(pose.x, "x") - turning * (py - pose.y), "slip_x")
+        vy = self._let(self._rate(pose.y, "y") + turning * (px - pose.x), "slip_y")
+        sliding = self._let(nx * vy - ny * vx, "along_curve")
+        turn = self._let(bend * sliding + (1 - share) * turning, "turning")
+        moved = self._let(share * sliding + rolling * turning, "moved")
+        self.tape.set_rate(distance, self._let(nx * vx + ny * vy, "distance_rate"))
+        for (x, y), rate in (((nx, ny), turn), ((px, py), moved)):
+            self.tape.set_rate(x, -ny * rate)
+            self.tape.set_rate(y, nx * rate)
+        return Meeting(distance, (nx, ny), (px, py), (first, second))

@@ -13,7 +13,7 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.algebra.functions import Where
-from hertzwerk.derive.algebra.planar_curve import Drawn, Entry, Nearest, Sampled, Support
+from hertzwerk.derive.algebra.planar_curve import Between, Drawn, DrawnTeeth, Entry, Nearest, Sampled, Support
 from hertzwerk.derive.algebra.splines import Spline
 from hertzwerk.derive.mechanism.curve import CURVE
 from hertzwerk.derive.mechanism.parameter import TABLE
@@ -162,6 +162,13 @@ def _found(helper: str) -> Callable[[Any], tuple[str, int]]:
     return rule
 
 
+def _between(node: Any) -> tuple[str, int]:
+    first, second, one, two, *pose = node.args
+    given = [pose[4 : 4 + len(first.given)], pose[4 + len(first.given) :]]
+    parts = [_curve(first), _curve(second), one.name, two.name, *map(_vector, (*given, pose[:4]))]
+    return f"_between({', '.join(parts)})", _ATOM
+
+
 def _entry(node: Any) -> tuple[str, int]:
     vector, k = node.args
     return f"{vector.name}[{int(k)}]", _ATOM
@@ -213,8 +220,10 @@ _RULES: dict[type, Callable[[Any], tuple[str, int]]] = {
     Spline: _spline,
     Sampled: _sampled("_samples"),
     Drawn: _sampled("_drawn"),
+    DrawnTeeth: _sampled("_drawn_teeth"),
     Nearest: _found("_nearest"),
     Support: _found("_support"),
+    Between: _between,
     Entry: _entry,
     sp.LambertW: _lambert_w,
     sp.gamma: _call("_gamma"),

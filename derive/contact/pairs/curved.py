@@ -13,7 +13,7 @@ from hertzwerk.derive.algebra.vectors import Vector, add, scale
 from hertzwerk.derive.contact.touch import Touch
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Direction, Point, Slot
-from hertzwerk.derive.mechanism.curve import SolidCurve
+from hertzwerk.derive.mechanism.curve import SolidCurve, single_faults
 from hertzwerk.derive.mechanism.pair import Pair, in_body
 from hertzwerk.derive.mechanism.parameter import POSITIVE, Scalar
 from hertzwerk.derive.motion.kinematics import Kinematics
@@ -58,6 +58,10 @@ class OnSolidCurve(Pair):
                 asked = f"{self.name}.{symbol}" if symbol else ""
                 yield Slot(f"pair {self.name}, {name.replace('_', ' ')}", value, "m", POSITIVE, asked_as=asked)
         yield from super().slots()
+
+    def faults(self) -> Iterator[Fault]:
+        """Yield the fault of a curve with copies, which are searched between curves alone."""
+        yield from single_faults(f"pair {self.name}", self._given("curve"))
 
 
 @dataclass(frozen=True)
@@ -130,7 +134,8 @@ class FaceOnCurve(OnSolidCurve):
         return {"normal": in_body(self.face, self.normal)}, outline(self.fixed, self.curve)
 
     def faults(self) -> Iterator[Fault]:
-        """Yield the fault of a curve without an outside that a face could touch."""
+        """Yield also the fault of a curve without an outside that a face could touch."""
+        yield from super().faults()
         if isinstance(self.curve, SolidCurve) and self.curve.hole:
             yield Fault(
                 f"pair {self.name}, curve", f"the hole {self.curve.name}", "a solid that a straight face can touch"
@@ -148,13 +153,14 @@ def outline(place: Point, curve: SolidCurve) -> dict[str, Any]:
 
 
 class CurveTouch(Touch):
-    """Common part of pairs with a curve, which is fixed to the second place."""
+    """Common part of pairs with a curve, the field `curve_of`, which is fixed to the second place."""
 
     proved: ClassVar[bool] = True
+    curve_of: ClassVar[str] = "curve"
 
     @cached_property
     def _on(self) -> OnCurve:
-        return OnCurve(self.kin, self.pair.curve.planar, self.second, self.pair.name)
+        return OnCurve(self.kin, getattr(self.pair, self.curve_of).planar, self.second, self.pair.name)
 
     @cached_property
     def _local(self) -> Vector:

@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 from hertzwerk.derive.algebra.vectors import apply
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import AXES, Frame, Point, Slot
-from hertzwerk.derive.mechanism.curve import SolidCurve
+from hertzwerk.derive.mechanism.curve import SolidCurve, single_faults
 from hertzwerk.derive.mechanism.joints.conditions import Condition, OnTrack
 from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
 from hertzwerk.derive.mechanism.outline import Outline
@@ -49,6 +49,7 @@ class PointInTrack(Joint):
     def faults(self) -> Iterator[Fault]:
         """Yield the fault of a track with a corner, where a point that is held would have to stop."""
         yield from super().faults()
+        yield from single_faults(f"joint {self.name}", self.curve)
         corner = self.curve.corner() if isinstance(self.curve, Outline) else None
         if corner is not None:
             yield Fault(f"joint {self.name}, curve {self.curve.name}", f"a corner at the end of its piece {corner}", "a smooth track",

@@ -34,6 +34,7 @@ ROUNDS = (
     "circle_on_curve",
     "point_on_curve",
     "face_on_curve",
+    "curve_on_curve",
     "track",
 )
 RIM = 0.25  # width of a bush or socket around its hole, in radii

@@ -1,0 +1,182 @@
+"""Pairs of two planar curves and of two gears, and how they touch."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, ClassVar
+
+from hertzwerk.derive.algebra.vectors import Vector, add, dot, sub
+from hertzwerk.derive.contact.pairs.curved import CurveTouch, OnSolidCurve, outline
+from hertzwerk.derive.contact.touch import Touch
+from hertzwerk.derive.faults import Fault
+from hertzwerk.derive.mechanism.bodies import Point, Slot
+from hertzwerk.derive.mechanism.curve import Curve
+from hertzwerk.derive.mechanism.pair import Pair
+from hertzwerk.derive.mechanism.parameter import Scalar, is_number
+from hertzwerk.derive.mechanism.teeth import InvoluteTeeth
+from hertzwerk.derive.motion.kinematics import Kinematics
+from hertzwerk.derive.motion.on_curve import Meeting, Pose
+
+
+@dataclass(frozen=True)
+class CurveOnCurve(OnSolidCurve):
+    """Solid beside a curve that may touch the solid beside another, as flanks of teeth, in plane motion.
+
+    Each curve is fixed to its place. They touch in one point, the deepest of those that are compared, where no more than the
+    distance of samples is penetrated. An end touches as a corner.
+    """
+
+    first_curve: Curve
+    first: Point
+    second_curve: Curve
+    second: Point
+    curvature_radius: Scalar | None = None
+    length: Scalar | None = None
+    kind: ClassVar[str] = "curve_on_curve"
+
+    @property
+    def curves(self) -> tuple[Any, ...]:
+        """Both curves."""
+        return self.first_curve, self.second_curve
+
+    @property
+    def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Axes and points of both curves, for landmarks."""
+        return outline(self.first, self.first_curve), outline(self.second, self.second_curve)
+
+    def faults(self) -> Iterator[Fault]:
+        """Yield faults of curves that cannot touch each other from outside, and of chains."""
+        for what, curve in (("first", self.first_curve), ("second", self.second_curve)):
+            if not isinstance(curve, Curve):
+                yield Fault(f"pair {self.name}, {what} curve", f"{curve!r:.80}", "a Curve(name, x, y), or what curve_through(...) gives",
+                            "An Outline is touched by circles, points and faces.")  # fmt: skip
+        if all(getattr(curve, "hole", False) is True for curve in self.curves):
+            yield Fault(
+                f"pair {self.name}, curves",
+                "two holes",
+                "at least one solid that is within the other's hole or beside it",
+            )
+
+    def touch(self, kinematics: Kinematics) -> Touch:
+        """Contact geometry on the kinematics' tape."""
+        return BetweenCurves(self, kinematics)
+
+
+class BetweenCurves(CurveTouch):
+    """Curve beside a curve."""
+
+    curve_of: ClassVar[str] = "second_curve"
+
+    @cached_property
+    def _meeting(self) -> Meeting:
+        axes = self.kin.axes_of(self.first)
+        cos, sin, _ = self._on.local(tuple(row[0] for row in axes), "turned")
+        w = sub(*(self.kin.angular_velocity(place.body) for place in (self.first, self.second)))
+        turning = self.let(dot(w, tuple(row[2] for row in self._on.axes)), "relative_turning")
+        x, y, _ = self._local
+        return self._on.between(self.pair.first_curve.planar, Pose(x, y, cos, sin, turning))
+
+    def faults(self, length: float) -> Iterator[Fault]:
+        """Yield also the fault of a first curve whose Z is not the second's."""
+        found = list(super().faults(length))
+        yield from found
+        axes = self.kin.axes_of(self.first)
+        z = self._on.local(tuple(row[2] for row in axes), "first_z")
+        if not found and z[2] != 1:
+            yield Fault(f"pair {self.pair.name}", f"a Z of the first curve's place of {z[2]} along the second's", "the same Z, 1",
+                        "Turn the first place: body.at(...).turned(axis, angle); a mirrored curve is another curve.")  # fmt: skip
+
+    @cached_property
+    def gap(self) -> Any:
+        """Distance of the curves [m]."""
+        return self.let(self._meeting.distance, "gap")
+
+    @cached_property
+    def normal(self) -> Vector:
+        """Normal of the second curve where it is nearest."""
+        return self._on.ground(*self._meeting.normal, "normal")
+
+    @cached_property
+    def position(self) -> Vector:
+        """Point of contact on the second curve."""
+        return self.named(add(self.base, self._on.ground(*self._meeting.point, "foot")), "contact")
+
+    def outputs(self) -> list[tuple[str, str, Any]]:
+        """Gap, and the parameters of both curves where they are nearest."""
+        names = zip(("first", "second"), self._meeting.parameters, strict=True)
+        return [*super().outputs(), *((f"{self.pair.name}.{which}_parameter", "1", s) for which, s in names)]
+
+
+@dataclass(frozen=True)
+class GearMesh(Pair):
+    """Two external spur gears that mesh with backlash, in plane motion.
+
+    It is two pairs: NAME_1 of the left flanks, by which the first gear drives the second as it turns counterclockwise, and
+    NAME_2 of the right ones. What acts at NAME acts at both. One place of contact carries each, where two do the geometry
+    of involutes is the same for both: one normal force along the same line of action.
+    """
+
+    first_teeth: InvoluteTeeth
+    first: Point
+    second_teeth: InvoluteTeeth
+    second: Point
+    curvature_radius: Scalar | None = None
+    length: Scalar | None = None
+
+    @property
+    def parts(self) -> tuple[Pair, ...]:
+        """Both pairs of flanks; the mesh itself where they cannot be made, a fault the scene finds."""
+        one, two = self.first_teeth, self.second_teeth
+        if any(self.faults()):
+            return (self,)
+        sides = (one.left, two.left), (one.right, two.right)
+        return tuple(
+            Flanks(f"{self.name}_{k}", a, self.first, b, self.second, self.curvature_radius, self.length, whole=self)
+            for k, (a, b) in enumerate(sides, 1)
+        )
+
+    def faults(self) -> Iterator[Fault]:
+        """Yield the faults of both gears' teeth."""
+        for what, teeth in (("first", self.first_teeth), ("second", self.second_teeth)):
+            if not isinstance(teeth, InvoluteTeeth):
+                yield Fault(
+                    f"pair {self.name}, {what} teeth", f"{teeth!r:.80}", "an InvoluteTeeth(name, module, teeth, ...)"
+                )
+            elif not all(is_number(slot.value) for slot in teeth.slots()):
+                yield from (
+                    Fault(slot.where, f"{slot.value!r:.80}", "a quantity")
+                    for slot in teeth.slots()
+                    if not is_number(slot.value)
+                )
+            else:
+                yield from teeth.faults()
+
+
+@dataclass(frozen=True)
+class Flanks(CurveOnCurve):
+    """Flanks of two gears that mesh."""
+
+    whole: GearMesh | None = None
+
+    @property
+    def part_of(self) -> str:  # type: ignore[override]  # of each its own
+        """Name of the mesh."""
+        return "" if self.whole is None else self.whole.name
+
+    @property
+    def _teeth(self) -> tuple[InvoluteTeeth, ...]:
+        return () if self.whole is None else (self.whole.first_teeth, self.whole.second_teeth)
+
+    def slots(self) -> Iterator[Slot]:
+        """Yield the quantities of the teeth, then of the flanks."""
+        for teeth in self._teeth:
+            yield from teeth.slots()
+        yield from super().slots()
+
+    @property
+    def surfaces(self) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Axes and profiles of both gears, for landmarks."""
+        one, two = (outline(p, t.profile) for p, t in zip((self.first, self.second), self._teeth, strict=True))
+        return one, two

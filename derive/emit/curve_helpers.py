@@ -1,0 +1,359 @@
+"""Helper functions that search along planar curves, added to a generated module that calls them."""
+
+CURVE_HELPERS = {
+    "_samples": '''def _samples(curve, data, given):
+    """Points of a curve at the parameters of its samples, first all x, then all y."""
+    points = [curve(s, *ca.vertsplit(given))[:2] for s in data[-1]]
+    return ca.vertcat(*(x for x, _ in points), *(y for _, y in points))''',
+    "_drawn": '''def _drawn(curve, data, given):
+    """Points of a curve for a picture, at equal steps of its parameter, first all x, then all y."""
+    (start, end), copies = data[0], data[4]
+    count = 180 if copies == 1 else 8
+    points = [curve(start + (end - start)*k/count, *ca.vertsplit(given))[:2] for k in range(count + 1)]
+    turns = [(ca.cos(2*ca.pi*k/copies), ca.sin(2*ca.pi*k/copies)) for k in range(copies)] if copies > 1 else [(1, 0)]
+    points = [(c*x - s*y, s*x + c*y) for c, s in turns for x, y in points]
+    return ca.vertcat(*(x for x, _ in points), *(y for _, y in points))''',
+    "_drawn_teeth": '''def _drawn_teeth(curve, data, given):
+    """Points of the flanks of teeth for a picture, each followed by its mirror image, first all x, then all y."""
+    (start, end), copies = data[0], data[4]
+    flank = [curve(start + (end - start)*k/8, *ca.vertsplit(given))[:2] for k in range(9)]
+    tooth = [*flank, *((x, -y) for x, y in flank[::-1])]
+    turns = [(ca.cos(2*ca.pi*k/copies), ca.sin(2*ca.pi*k/copies)) for k in range(copies)]
+    points = [(c*x - s*y, s*x + c*y) for c, s in turns for x, y in tooth]
+    return ca.vertcat(*(x for x, _ in points), *(y for _, y in points))''',
+    "_nearest": '''def _nearest(curve, data, samples, given, point):
+    """Signed distance of a point from a curve, normal there, curvature of the parallel curve through the point, parameter.
+
+    Newton's method from the nearest sample, and of a curve that is not convex from the nearest in another hollow. A function
+    of its own, which is called; its derivatives are the results themselves.
+    """
+    if curve not in _NEAREST:
+        (start, end), closed, hole, tries, _, at = data
+        side = -1 if hole else 1
+        widest = max(b - a for a, b in zip(at, (*at[1:], at[0] + end - start) if closed else at[1:], strict=False))
+        s, at_point, values = ca.SX.sym("s"), ca.SX.sym("point", 2), ca.SX.sym("given", given.numel())
+        found = s
+        for k in range(7):
+            here = found - (end - start)*ca.floor((found - start)/(end - start)) if closed else found
+            x, y, dx, dy, ddx, ddy = curve(here, *ca.vertsplit(values))
+            px, py, square = at_point[0] - x, at_point[1] - y, dx**2 + dy**2
+            slope = ca.fmax(square - px*ddx - py*ddy, square/1000)
+            if k < 6:
+                found = here + ca.fmin(ca.fmax((px*dx + py*dy)/slope, -widest), widest)
+                found = found if closed else ca.fmin(ca.fmax(found, start), end)
+        speed = ca.sqrt(square)
+        nx, ny = side*dy/speed, -side*dx/speed
+        h = px*nx + py*ny
+        curvature = side*(dx*ddy - dy*ddx)/(square*speed)
+        bend = curvature/(1 + curvature*h)
+        apart = ca.sqrt(px**2 + py**2)
+        if not closed:  # beyond an end the end is nearest
+            way = px*dx + py*dy
+            beyond = ca.logic_or(ca.logic_and(here <= start, way < 0), ca.logic_and(here >= end, way > 0))
+            nx, ny, h, bend = (ca.if_else(beyond, a, b) for a, b in ((px/apart, nx), (py/apart, ny), (apart, h), (1/apart, bend)))
+        refined = ca.Function("refined", [s, at_point, values], [ca.vertcat(h, nx, ny, bend, here, apart)])
+        at_point, values, table = ca.MX.sym("point", 2), ca.MX.sym("given", given.numel()), ca.MX.sym("samples", samples.numel())
+        d = (table[: len(at)] - at_point[0])**2 + (table[len(at) :] - at_point[1])**2
+        parameters, least = ca.MX(ca.DM(at)), ca.mmin(d)
+        result = refined(parameters[ca.find(d <= least)], at_point, values)
+        if tries > 1:
+            before = ca.vertcat(d[-1] if closed else 1e300, d[:-1])
+            after = ca.vertcat(d[1:], d[0] if closed else 1e300)
+            hollow = ca.if_else(ca.logic_and(d <= before, d < after), ca.if_else(d > least, d, 1e300), 1e300)
+            other = refined(parameters[ca.find(hollow <= ca.mmin(hollow))], at_point, values)
+            result = ca.if_else(other[-1] < result[-1], other, result)
+        o = ca.SX.sym("o", 5)
+        n, t, empty = ca.vertcat(o[1], o[2]), ca.vertcat(-o[2], o[1]), ca.SX(5, samples.numel())
+        by_point = ca.vertcat(n.T, o[3]*t@t.T, ca.SX(2, 2))
+        inputs = [table, values, at_point]
+        slopes = ca.Function(
+            "jac_nearest", [*(ca.SX.sym("i", x.shape) for x in inputs), o], [empty, ca.SX(5, given.numel()), by_point],
+            ["samples", "given", "point", "out_found"], ["jac_found_samples", "jac_found_given", "jac_found_point"],
+        )
+        called = {"never_inline": True, "custom_jacobian": slopes, "enable_forward": False, "enable_reverse": False}
+        _NEAREST[curve] = ca.Function("nearest", inputs, [result[:5]], ["samples", "given", "point"], ["found"], called)
+    return _NEAREST[curve](samples, given, point)
+
+
+_NEAREST: "dict[object, ca.Function]" = {}''',
+    "_support": '''def _support(curve, data, samples, given, direction):
+    """Point of a curve with the least component along a unit direction, radius of curvature and parameter there.
+
+    Newton's method from the least sample. A function of its own, which is called; its derivatives are the results themselves.
+    """
+    if curve not in _SUPPORT:
+        (start, end), closed, *_, at = data
+        widest = max(b - a for a, b in zip(at, (*at[1:], at[0] + end - start) if closed else at[1:], strict=False))
+        s, along, values = ca.SX.sym("s"), ca.SX.sym("direction", 2), ca.SX.sym("given", given.numel())
+        found = s
+        for k in range(7):
+            here = found - (end - start)*ca.floor((found - start)/(end - start)) if closed else found
+            x, y, dx, dy, ddx, ddy = curve(here, *ca.vertsplit(values))
+            square = dx**2 + dy**2
+            slope = ca.fmax(ddx*along[0] + ddy*along[1], 1e-6*ca.sqrt(square))
+            if k < 6:
+                found = here - ca.fmin(ca.fmax((dx*along[0] + dy*along[1])/slope, -widest), widest)
+                found = found if closed else ca.fmin(ca.fmax(found, start), end)
+        refined = ca.Function("refined", [s, along, values], [ca.vertcat(x, y, square/slope, here)])
+        along, values, table = ca.MX.sym("direction", 2), ca.MX.sym("given", given.numel()), ca.MX.sym("samples", samples.numel())
+        d = table[: len(at)]*along[0] + table[len(at) :]*along[1]
+        result = refined(ca.MX(ca.DM(at))[ca.find(d <= ca.mmin(d))], along, values)
+        o, towards = ca.SX.sym("o", 4), ca.SX.sym("i", 2)
+        t = ca.vertcat(-towards[1], towards[0])
+        inputs = [table, values, along]
+        slopes = ca.Function(
+            "jac_support", [*(ca.SX.sym("i", x.shape) for x in inputs[:2]), towards, o],
+            [ca.SX(4, samples.numel()), ca.SX(4, given.numel()), ca.vertcat(-o[2]*t@t.T, ca.SX(2, 2))],
+            ["samples", "given", "direction", "out_found"], ["jac_found_samples", "jac_found_given", "jac_found_direction"],
+        )
+        called = {"never_inline": True, "custom_jacobian": slopes, "enable_forward": False, "enable_reverse": False}
+        _SUPPORT[curve] = ca.Function("support", inputs, [result], ["samples", "given", "direction"], ["found"], called)
+    return _SUPPORT[curve](samples, given, direction)
+
+
+_SUPPORT: "dict[object, ca.Function]" = {}''',
+    "_samples_of_chain": '''def _samples_of_chain(pieces, data, given):
+    """Pieces of a chain of arcs and lines: start x, y, end x, y, centre x, y of each."""
+    return ca.vertcat(*pieces(*ca.vertsplit(given)))''',
+    "_drawn_of_chain": '''def _drawn_of_chain(pieces, data, given):
+    """Points of a chain of arcs and lines for a picture, first all x, then all y."""
+    values, (closed, _, turns) = pieces(*ca.vertsplit(given)), data
+    points = []
+    for k, turn in enumerate(turns):
+        ax, ay, bx, by, cx, cy = values[6*k : 6*k + 6]
+        ux, uy, vx, vy = ax - cx, ay - cy, bx - cx, by - cy
+        angle = ca.atan2(turn*(ux*vy - uy*vx), ux*vx + uy*vy)
+        angle = turn*(angle + 2*ca.pi*(angle <= 0))
+        for j in range(25 if turn else 1):
+            c, s = ca.cos(angle*j/25), ca.sin(angle*j/25)
+            points.append((cx + ux*c - uy*s, cy + ux*s + uy*c) if turn else (ax, ay))
+    points.append(values[-4:-2] if not closed else points[0])
+    return ca.vertcat(*(x for x, _ in points), *(y for _, y in points))''',
+    "_nearest_of_chain": '''def _nearest_of_chain(pieces, data, samples, given, point):
+    """Signed distance of a point from a chain of arcs and lines, as of a curve; its parameter is the piece and the part of it.
+
+    The least of the distances of all pieces, where the point is beside them, and of all corners, each in closed form. A
+    function of its own, which is called; its derivatives are the results themselves.
+    """
+    if pieces not in _NEAREST_OF_CHAIN:
+        closed, hole, turns = data
+        side, count = -1 if hole else 1, len(turns)
+        rows, values, p = ca.SX.sym("samples", 6*count), ca.SX.sym("given", given.numel()), ca.SX.sym("point", 2)
+        found, ends = [], []
+        for k, turn in enumerate(turns):
+            a, b, c = rows[6*k : 6*k + 2], rows[6*k + 2 : 6*k + 4], rows[6*k + 4 : 6*k + 6]
+            if turn:
+                u, v, w = a - c, b - c, p - c
+                radius, away = ca.sqrt(u[0]**2 + u[1]**2), ca.sqrt(w[0]**2 + w[1]**2)
+                whole, part = (turn*ca.atan2(u[0]*x[1] - u[1]*x[0], u[0]*x[0] + u[1]*x[1]) for x in (v, w))
+                share = (part + 2*ca.pi*(part < 0))/(whole + 2*ca.pi*(whole <= 0))
+                least = ca.fmax(away, 1e-12*radius)
+                found.append((share <= 1, turn*side*(away - radius), turn*side*w/least, turn*side/least, k + share))
+                ends.append((turn*u/radius, turn*v/radius))
+            else:
+                way, w = b - a, p - a
+                length = ca.sqrt(way[0]**2 + way[1]**2)
+                n = ca.vertcat(way[1], -way[0])/length
+                share = (w[0]*way[0] + w[1]*way[1])/length**2
+                beside = ca.logic_and(share >= 0, share <= 1)
+                found.append((beside, side*(w[0]*n[0] + w[1]*n[1]), side*n, 0, k + share))
+                ends.append((n, n))
+        for k in range(count + (not closed)):
+            corner = rows[6*k : 6*k + 2] if k < count else rows[-4:-2]
+            w = p - corner
+            away = ca.sqrt(w[0]**2 + w[1]**2)
+            least = ca.fmax(away, 1e-300)
+            sign = 1
+            if closed or 0 < k < count:  # outside by the sum of both normals
+                n = ends[k - 1][1] + ends[k][0]
+                sign = ca.if_else(side*(w[0]*n[0] + w[1]*n[1]) < 0, -1, 1)
+            found.append((1, sign*away, sign*w/least, sign/least, k))
+        best, result = 1e300, ca.SX.zeros(5)
+        for beside, h, n, bend, s in found:
+            here = ca.if_else(beside, ca.fabs(h), 1e300)
+            result = ca.if_else(here < best, ca.vertcat(h, n, bend, s), result)
+            best = ca.fmin(here, best)
+        o = ca.SX.sym("o", 5)
+        n, t = ca.vertcat(o[1], o[2]), ca.vertcat(-o[2], o[1])
+        inputs = [rows, values, p]
+        slopes = ca.Function(
+            "jac_nearest", [*(ca.SX.sym("i", x.shape) for x in inputs), o],
+            [ca.SX(5, rows.numel()), ca.SX(5, given.numel()), ca.vertcat(n.T, o[3]*t@t.T, ca.SX(2, 2))],
+            ["samples", "given", "point", "out_found"], ["jac_found_samples", "jac_found_given", "jac_found_point"],
+        )
+        called = {"never_inline": True, "custom_jacobian": slopes, "enable_forward": False, "enable_reverse": False}
+        _NEAREST_OF_CHAIN[pieces] = ca.Function("nearest", inputs, [ca.densify(result)], ["samples", "given", "point"], ["found"], called)
+    return _NEAREST_OF_CHAIN[pieces](samples, given, point)
+
+
+_NEAREST_OF_CHAIN: "dict[object, ca.Function]" = {}''',
+    "_support_of_chain": '''def _support_of_chain(pieces, data, samples, given, direction):
+    """Point of a chain of arcs and lines with the least component along a unit direction, as of a curve.
+
+    Of an arc to the left that faces it, or a corner. A function of its own, which is called; its derivatives are the results.
+    """
+    if pieces not in _SUPPORT_OF_CHAIN:
+        closed, _, turns = data
+        count = len(turns)
+        rows, values, m = ca.SX.sym("samples", 6*count), ca.SX.sym("given", given.numel()), ca.SX.sym("direction", 2)
+        best, result = 1e300, ca.SX.zeros(4)
+        for k in range(count + (not closed)):
+            corner = rows[6*k : 6*k + 2] if k < count else rows[-4:-2]
+            found = [(corner, 0, 1, k)]
+            if k < count and turns[k] > 0:
+                a, b, c = rows[6*k : 6*k + 2], rows[6*k + 2 : 6*k + 4], rows[6*k + 4 : 6*k + 6]
+                u, v = a - c, b - c
+                whole, part = (ca.atan2(u[0]*x[1] - u[1]*x[0], u[0]*x[0] + u[1]*x[1]) for x in (v, -m))
+                share = (part + 2*ca.pi*(part < 0))/(whole + 2*ca.pi*(whole <= 0))
+                radius = ca.sqrt(u[0]**2 + u[1]**2)
+                found.append((c - radius*m, radius, share <= 1, k + share))
+            for foot, radius, faces, s in found:
+                here = ca.if_else(faces, foot[0]*m[0] + foot[1]*m[1], 1e300)
+                result = ca.if_else(here < best, ca.vertcat(foot, radius, s), result)
+                best = ca.fmin(here, best)
+        o, towards = ca.SX.sym("o", 4), ca.SX.sym("i", 2)
+        t = ca.vertcat(-towards[1], towards[0])
+        inputs = [rows, values, m]
+        slopes = ca.Function(
+            "jac_support", [*(ca.SX.sym("i", x.shape) for x in inputs[:2]), towards, o],
+            [ca.SX(4, rows.numel()), ca.SX(4, given.numel()), ca.vertcat(-o[2]*t@t.T, ca.SX(2, 2))],
+            ["samples", "given", "direction", "out_found"], ["jac_found_samples", "jac_found_given", "jac_found_direction"],
+        )
+        called = {"never_inline": True, "custom_jacobian": slopes, "enable_forward": False, "enable_reverse": False}
+        _SUPPORT_OF_CHAIN[pieces] = ca.Function("support", inputs, [ca.densify(result)], ["samples", "given", "direction"], ["found"], called)
+    return _SUPPORT_OF_CHAIN[pieces](samples, given, direction)
+
+
+_SUPPORT_OF_CHAIN: "dict[object, ca.Function]" = {}''',
+    "_between": '''def _between(first, first_data, second, second_data, samples, other_samples, given, other_given, pose):
+    """Signed distance of two curves, normal out of the second, its foot there, coefficients of their motion, both parameters.
+
+    `pose` is x, y, cosine and sine of the first curve's place against the second's. Newton's method on both parameters, until the
+    normals are opposite and in line, or at an end, from the nearest samples: in several hollows where a curve is not convex, and
+    at the three copies that face the other curve. Of these the least distance, not deeper than samples are apart. A function of
+    its own, which is called; its derivatives are the results themselves.
+    """
+    if (first, second) not in _BETWEEN:
+        curves, rows = (first, second), (first_data, second_data)
+        at, place = ca.SX.sym("at", 2), ca.SX.sym("pose", 4)
+        values = [ca.SX.sym("given", x.numel()) for x in (given, other_given)]
+        steps = [max(b - a for a, b in zip(d[5], (*d[5][1:], d[5][0] + d[0][1] - d[0][0]) if d[1] else d[5][1:], strict=False)) for d in rows]
+        ox, oy, c, s = ca.vertsplit(place)
+        found = ca.vertsplit(at)
+
+        def ends(i, move):  # whether it stands at an end and would go on
+            (start, end), closed = rows[i][:2]
+            way = move*speeds[i]
+            return 0 if closed else ca.logic_or(ca.logic_and(found[i] <= start, way < 0), ca.logic_and(found[i] >= end, way > 0))
+
+        for k in range(10):
+            points, ways, bends, speeds = [], [], [], []
+            for i, (curve, ((start, end), closed, hole, *_)) in enumerate(zip(curves, rows, strict=True)):
+                if closed:
+                    found[i] = found[i] - (end - start)*ca.floor((found[i] - start)/(end - start))
+                x, y, dx, dy, ddx, ddy = curve(found[i], *ca.vertsplit(values[i]))
+                length, side = ca.sqrt(dx**2 + dy**2), -1 if hole else 1
+                way = side*dx/length, side*dy/length
+                points.append((x, y) if i else (ox + c*x - s*y, oy + s*x + c*y))
+                ways.append(way if i else (c*way[0] - s*way[1], s*way[0] + c*way[1]))
+                bends.append(side*(dx*ddy - dy*ddx)/length**3)
+                speeds.append(side*length)
+            (ax, ay), (bx, by) = ways
+            wx, wy = points[0][0] - points[1][0], points[0][1] - points[1][1]
+            h, under = wx*by - wy*bx, wy*ax - wx*ay  # heights over the second and the first
+            along, beside = wx*bx + wy*by, wx*ax + wy*ay
+            tilt = ca.atan2(by*ax - bx*ay, -ax*bx - ay*by)
+            wide, other = ca.fmax(1 + bends[1]*h, 1e-3), ca.fmax(1 + bends[0]*under, 1e-3)
+            bent, least = bends[0]*wide + bends[1], 1e-3*(ca.fabs(bends[0]) + ca.fabs(bends[1])) + 1e-300
+            newton, bent = bent > least, ca.fmax(bent, least)  # else each goes to where it is nearest to the other's point
+            move = ca.if_else(newton, (bends[1]*along - wide*tilt)/bent, -beside/other)
+            one = ends(0, move)
+            last = ca.if_else(ca.logic_and(newton, ca.logic_not(one)), (bends[0]*along + tilt)/bent, along/wide)
+            two = ends(1, last)
+            move = ca.if_else(two, -beside/other, move)
+            one = ends(0, move)
+            for i, (stands, way) in enumerate(((one, move), (two, last)) if k < 9 else ()):
+                (start, end), closed = rows[i][:2]
+                found[i] = found[i] + ca.if_else(stands, 0, ca.fmin(ca.fmax(way/speeds[i], -steps[i]), steps[i]))
+                found[i] = found[i] if closed else ca.fmin(ca.fmax(found[i], start), end)
+        apart = ca.fmax(ca.sqrt(wx**2 + wy**2), 1e-300)
+        result = ca.vertcat(h, by, -bx, bends[0]/bent, (1 + bends[0]*h)/bent, bends[0]*bends[1]/bent)
+        result = ca.if_else(one, ca.vertcat(h, by, -bx, 1/wide, h/wide, bends[1]/wide), result)
+        result = ca.if_else(two, ca.vertcat(under, -ay, ax, 0, 0, bends[0]/other), result)
+        result = ca.if_else(ca.logic_and(one, two), ca.vertcat(apart, wx/apart, wy/apart, 0, 0, 1/apart), result)
+        met = ca.logic_or(ca.fabs(tilt) < 1e-3, ca.logic_or(one, two))
+        result = ca.vertcat(result[:3], *points[1], result[3:], *found, met)
+        refined = ca.Function("refined", [at, place, *values], [ca.densify(result)])
+
+        tables = [ca.MX.sym("samples", x.numel()) for x in (samples, other_samples)]
+        values, place = [ca.MX.sym("given", x.numel()) for x in (given, other_given)], ca.MX.sym("pose", 4)
+        ox, oy, c, s = ca.vertsplit(place)
+        spread = []
+        for table, (_, _, _, _, copies, at), (dx, dy) in zip(tables, rows, ((-c*ox - s*oy, s*ox - c*oy), (ox, oy)), strict=True):
+            x, y, m = table[: len(at)], table[len(at) :], len(at)
+            turns = ca.MX(0)
+            if copies > 1:  # the copy towards the other curve, and its neighbours
+                facing = ca.floor((ca.atan2(dy, dx) - ca.atan2(ca.sum1(y), ca.sum1(x)))*copies/(2*ca.pi) + 0.5)
+                turns = ca.vertcat(*(facing + j for j in (-1, 0, 1) for _ in at))
+                cos, sin = ca.cos(2*ca.pi*turns/copies), ca.sin(2*ca.pi*turns/copies)
+                x, y = ca.repmat(x, 3, 1), ca.repmat(y, 3, 1)
+                x, y = cos*x - sin*y, sin*x + cos*y
+            spread.append((x, y, ca.MX(ca.DM(at*3 if copies > 1 else at)), turns))
+        (x, y, parameters, turns), (to_x, to_y, to_parameters, to_turns) = spread
+        x, y = ox + c*x - s*y, oy + s*x + c*y
+        n, m = x.numel(), to_x.numel()
+        squares = (ca.repmat(x.T, m, 1) - ca.repmat(to_x, 1, n))**2 + (ca.repmat(y.T, m, 1) - ca.repmat(to_y, 1, n))**2
+        d = ca.vertcat(*map(ca.mmin, ca.horzsplit(squares)))
+        starts = []
+        if rows[0][4] > 1:
+            for j in range(3):
+                block = d[j*n//3 : (j + 1)*n//3]
+                starts.append(j*n//3 + ca.find(block <= ca.mmin(block)))
+        else:
+            starts.append(ca.find(d <= ca.mmin(d)))
+            before, after = ca.vertcat(d[-1] if rows[0][1] else 1e300, d[:-1]), ca.vertcat(d[1:], d[0] if rows[0][1] else 1e300)
+            hollow, least = ca.if_else(ca.logic_and(d <= before, d < after), d, 1e300), ca.mmin(d)
+            for _ in range(0 if rows[0][3] == rows[1][3] == 1 else 3):
+                hollow = ca.if_else(hollow > least, hollow, 1e300)
+                least = ca.mmin(hollow)
+                starts.append(ca.find(hollow <= least))
+        widest = []
+        for table, (_, closed, _, _, _, at) in zip(tables, rows, strict=True):
+            x_all, y_all, count = table[: len(at)], table[len(at) :], len(at)
+            widest.append(ca.mmax((x_all[1:] - x_all[:-1])**2 + (y_all[1:] - y_all[:-1])**2))
+        deepest = -ca.sqrt(ca.fmin(*widest))
+        result, least = None, 1e300
+        for i in starts:
+            e = (to_x - x[i])**2 + (to_y - y[i])**2
+            j = ca.find(e <= ca.mmin(e))
+            angle = [2*ca.pi*turn[k if copies > 1 else 0]/copies for turn, k, copies in ((turns, i, rows[0][4]), (to_turns, j, rows[1][4]))]
+            cos, sin = ca.cos(angle[1]), ca.sin(angle[1])
+            turned = ca.atan2(s, c) + angle[0] - angle[1]
+            near = ca.vertcat(cos*ox + sin*oy, cos*oy - sin*ox, ca.cos(turned), ca.sin(turned))
+            h, nx, ny, px, py, share, rolling, bend, one, two, met = ca.vertsplit(refined(ca.vertcat(parameters[i], to_parameters[j]), near, *values))
+            one, two = (
+                p + (row[0][1] - row[0][0])*(turn[k] - row[4]*ca.floor(turn[k]/row[4])) if row[4] > 1 else p
+                for p, turn, k, row in ((one, turns, i, rows[0]), (two, to_turns, j, rows[1]))
+            )
+            new = ca.vertcat(h, cos*nx - sin*ny, sin*nx + cos*ny, cos*px - sin*py, sin*px + cos*py, share, rolling, bend, one, two)
+            here = ca.if_else(ca.logic_and(met, h >= deepest), h, 1e299)
+            result, least = (new, here) if result is None else (ca.if_else(here < least, new, result), ca.fmin(here, least))
+        o, inputs = ca.SX.sym("o", 10), [*tables, *values, place]
+        plain = [ca.SX.sym("i", x.shape) for x in inputs]
+        h, nx, ny, px, py, share, rolling, bend, *_ = ca.vertsplit(o)
+        x, y, c, s = ca.vertsplit(plain[-1])
+        columns = []
+        for vx, vy, turn in ((1, 0, 0), (0, 1, 0), (s*(py - y), s*(x - px), -s), (c*(y - py), c*(px - x), c)):
+            slide = nx*vy - ny*vx
+            normal, foot = bend*slide + (1 - share)*turn, share*slide + rolling*turn
+            columns.append(ca.vertcat(nx*vx + ny*vy, -ny*normal, nx*normal, -ny*foot, nx*foot, ca.SX(5, 1)))
+        slopes = [*(ca.SX(10, x.numel()) for x in inputs[:4]), ca.horzcat(*columns)]
+        names = ["samples", "other_samples", "given", "other_given", "pose"]
+        slopes = ca.Function("jac_between", [*plain, o], slopes, [*names, "out_found"], [f"jac_found_{name}" for name in names])
+        called = {"never_inline": True, "custom_jacobian": slopes, "enable_forward": False, "enable_reverse": False}
+        _BETWEEN[first, second] = ca.Function("between", inputs, [result], names, ["found"], called)
+    return _BETWEEN[first, second](samples, other_samples, given, other_given, pose)
+
+
+_BETWEEN: "dict[object, ca.Function]" = {}''',
+}

@@ -1,0 +1,298 @@
+"""Two curves that may touch: circles, ellipses and involutes against closed forms and independent minimisation; ends, holes, hollows."""
+
+from dataclasses import replace
+
+import casadi as ca
+import numpy as np
+import pytest
+import sympy as sp
+from derived import Derived
+from scipy.optimize import minimize
+
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    CircleOnCurve,
+    Contact,
+    Curve,
+    CurveOnCurve,
+    EnergyLedger,
+    GearMesh,
+    InputError,
+    InvoluteTeeth,
+    Mechanism,
+    Outline,
+    Parameter,
+    Planar,
+    Revolute,
+    S,
+    Scales,
+    Scene,
+    X,
+    Z,
+    laws,
+)
+
+R, E, A, B, P = (Parameter(name, "mm", value) for name, value in (("R", 30), ("e", 5), ("a", 40), ("b", 15), ("p", 20)))
+CAM, PLATE = (
+    Body("cam", Parameter("M", "kg", 1), Parameter("J", "kg m^2", 1e-3)),
+    Body("plate", Parameter("m", "kg", 0.2), Parameter("J_p", "kg m^2", 1e-4)),
+)
+ECCENTRIC = Curve("rim", E + R * sp.cos(S), R * sp.sin(S))
+DISC = Curve("disc", P * sp.cos(S), E + P * sp.sin(S))
+OVAL = Curve("oval", A * sp.cos(S), B * sp.sin(S))
+EGG = Curve("egg", P * sp.cos(S), B * sp.sin(S) / 2)
+LOBED = Curve("lobed", R * (1 + sp.cos(5 * S) / 5) * sp.cos(S), R * (1 + sp.cos(5 * S) / 5) * sp.sin(S))
+
+
+def scene(first, second, place=None):
+    """A cam that turns and carries the second curve, and a plate with the first that moves freely in the plane."""
+    pair = CurveOnCurve("touch", first, place or PLATE.at(0, 0, 0), second, CAM.at(0, 0, 0))
+    return Scene(
+        Mechanism("two_curves", (Revolute("shaft", GROUND, CAM, axis=Z), Planar("free", GROUND, PLATE)), (pair,)),
+        effects=(Contact("touch", laws.power(Parameter("K", "N/m", 1e6), 1)), EnergyLedger()),
+        scales=Scales(length=E, speed=Parameter("pace", "m/s", 1), arm=R),
+    )
+
+
+def gaps(derived, q, u=(0, 0, 0, 0), a=(0, 0, 0, 0)):
+    q, u, a = (np.array(x, float) for x in (q, u, a))
+    G, dG = derived.call("gaps", q=q, u=u)
+    return float(G[0]), float(dG[0]), float(derived.call("gap_accelerations", q=q, u=u, a=a)[0])
+
+
+def moved(curve, angle, x, y, at):
+    values = {p: p.si for p in (R, E, A, B, P)}
+    px, py = (np.broadcast_to(sp.lambdify(S, c.xreplace(values))(at), np.shape(at)) for c in (curve.x, curve.y))
+    return np.array([x + np.cos(angle) * px - np.sin(angle) * py, y + np.sin(angle) * px + np.cos(angle) * py])
+
+
+@pytest.fixture(scope="module")
+def made():
+    known = {}
+    return lambda *curves: known.setdefault(curves, Derived(scene(*curves)))
+
+
+@pytest.mark.parametrize("hole", [False, True])
+def test_two_circles_equal_their_closed_form(made, hole):
+    """Gap, rate and second derivative at random states of two eccentric circles, beside and within one another."""
+    second = Curve("bore", E + A * sp.cos(S), A * sp.sin(S), hole=True) if hole else ECCENTRIC
+    derived, random = made(DISC, second), np.random.default_rng(1)
+    t = ca.SX.sym("t")
+    for _ in range(40):
+        q, u, a = (random.uniform(-1, 1, 4) * (3, *[0.005 if hole else 0.1] * 2, 3) for _ in range(3))
+        way = ca.DM(q) + t * ca.DM(u) + t**2 / 2 * ca.DM(a)
+        one = way[1:3] + 0.005 * ca.vertcat(-ca.sin(way[3]), ca.cos(way[3]))
+        apart = ca.norm_2(one - 0.005 * ca.vertcat(ca.cos(way[0]), ca.sin(way[0])))
+        closed = 0.02 - apart if hole else apart - 0.05
+        rate = ca.jacobian(closed, t)
+        expected = ca.Function("expected", [t], [closed, rate, ca.jacobian(rate, t)])(0)
+        if expected[0] < -0.02:
+            continue
+        assert np.allclose(gaps(derived, q, u, a), np.array(expected).ravel(), rtol=1e-8, atol=1e-9)
+
+
+def separation(one, other):
+    """Least distance of two convex rims (functions of a parameter), or of penetration minus the least, by SciPy: max over directions."""
+
+    def negative(angle):
+        n = np.array([np.cos(angle), np.sin(angle)])
+        return n @ np.array([other(n)]).reshape(2) - n @ np.array([one(-n)]).reshape(2)
+
+    at = np.linspace(0, 2 * np.pi, 100)
+    start = at[np.argmin([negative(angle) for angle in at])]
+    return -minimize(
+        lambda x: negative(x[0]), [start], method="Nelder-Mead", options={"xatol": 1e-12, "fatol": 1e-16}
+    ).fun
+
+
+def ellipse(angle, x, y, a, b):
+    """Point of a turned ellipse that is farthest along a direction."""
+    c, s = np.cos(angle), np.sin(angle)
+    turn = np.array([[c, -s], [s, c]])
+
+    def farthest(n):
+        m = turn.T @ n
+        return [x, y] + turn @ (np.array([a * a * m[0], b * b * m[1]]) / np.hypot(a * m[0], b * m[1]))
+
+    return farthest
+
+
+def test_two_ellipses_are_as_far_as_scipy_finds(made):
+    """Apart, touching, and pressed into each other up to a third of the smaller one's least radius of curvature."""
+    derived, random, deepest = made(EGG, OVAL), np.random.default_rng(2), 0.0
+    tried = 0
+    while tried < 30:
+        q = random.uniform(-1, 1, 4) * (3, 0.06, 0.05, 3)
+        expected = separation(ellipse(q[3], q[1], q[2], 0.02, 0.0075), ellipse(q[0], 0, 0, 0.04, 0.015))
+        if expected < -9e-4:
+            continue
+        tried, deepest = tried + 1, min(deepest, expected)
+        assert gaps(derived, q)[0] == pytest.approx(expected, abs=1e-10)
+    assert deepest < -2e-4
+
+
+def test_rates_are_those_of_differences(made):
+    """Of ellipses and of a lobed curve: rate and second derivative along a motion, against central differences."""
+    random, h = np.random.default_rng(3), 1e-5
+    for curves in ((EGG, OVAL), (LOBED, OVAL)):
+        derived = made(*curves)
+        for _ in range(15):
+            q, u, a = (random.uniform(-1, 1, 4) * (3, 0.1, 0.1, 3) for _ in range(3))
+            q[1:3] *= 0.08 / np.hypot(*q[1:3])
+            G, dG, ddG = gaps(derived, q, u, a)
+            after, before = (gaps(derived, q + way * u + way**2 / 2 * a)[0] for way in (h, -h))
+            assert dG == pytest.approx((after - before) / (2 * h), rel=1e-6, abs=1e-7)
+            assert ddG == pytest.approx((after - 2 * G + before) / h**2, rel=1e-3, abs=1e-4)
+
+
+def test_of_several_hollows_the_nearest_is_taken(made):
+    """Two lobed curves against the least of very many pairs of points."""
+    other = Curve("star", P * (1 + sp.cos(3 * S) / 4) * sp.cos(S), P * (1 + sp.cos(3 * S) / 4) * sp.sin(S))
+    derived, random, at = made(other, LOBED), np.random.default_rng(4), np.linspace(0, 2 * np.pi, 1001)
+    for _ in range(25):
+        q = random.uniform(-1, 1, 4) * (3, 1, 1, 3)
+        q[1:3] *= random.uniform(0.062, 0.08) / np.hypot(*q[1:3])
+        one, two = moved(other, q[3], q[1], q[2], at), moved(LOBED, q[0], 0, 0, at)
+        least = np.sqrt(np.min((one[0][:, None] - two[0]) ** 2 + (one[1][:, None] - two[1]) ** 2))
+        assert gaps(derived, q)[0] == pytest.approx(least, abs=4e-5 * (least + 0.1))
+
+
+def test_an_end_touches_as_a_corner(made):
+    """Of the first curve, of the second, and of both: distance and turning of the normal as of points."""
+    blade = Curve("blade", P * S, P * S**2 / 40, -1, 1, closed=False)  # its solid is above
+    derived = made(blade, ECCENTRIC)
+    v = np.array([0.3, -0.7])
+    G, dG, ddG = gaps(derived, (0, 0.065, 0.0001, 0), (0, *v, 0))
+    end = np.array([0.045, 0.0006]) - [0.005, 0]
+    assert pytest.approx(np.hypot(*end) - 0.03, rel=1e-12) == G
+    n = end / np.hypot(*end)
+    assert (dG, ddG) == pytest.approx((n @ v, (v @ [-n[1], n[0]]) ** 2 / np.hypot(*end)), rel=1e-10)
+    other = Curve("edge", -P * S, R, -1, 1, closed=False)  # its solid is below
+    derived = made(blade, other)
+    G, dG, ddG = gaps(derived, (0, 0.043, 0.034, 0), (0, *v, 0))
+    apart = np.array([0.003, 0.0045])
+    n = apart / np.hypot(*apart)
+    assert pytest.approx(np.hypot(*apart)) == G
+    assert (dG, ddG) == pytest.approx((n @ v, (v @ [-n[1], n[0]]) ** 2 / np.hypot(*apart)))
+
+
+def test_forces_are_minus_the_gradient_of_the_stored_energy(made):
+    """Their derivatives too, as implicit methods take them: by CasADi against differences."""
+    derived = made(EGG, OVAL)
+    q = np.array([0.4, 0.02, 0.0282, 0.2])
+    x = ca.SX.sym("x", 4)
+    known = {
+        "u": ca.SX.zeros(4),
+        "z": ca.SX.zeros(len(derived.MEMORY)),
+        "m": ca.SX(0, 1),
+        "c": ca.SX(derived.c),
+        "t": ca.SX(0),
+    }
+    force = derived.names["contact_touch"](*({**known, "q": x}[name] for name in derived.arguments("contact_touch")))[0]
+    value, slope = ca.Function("force", [x], [force]), ca.Function("slope", [x], [ca.jacobian(force, x)])
+
+    def energy(q):
+        return float(derived.call("energy", q=q, u=np.zeros(4))[2][0])
+
+    assert energy(q) > 1e-5
+    h = 1e-6
+    moved = [(q + h * e, q - h * e) for e in np.eye(4)]
+    down = [(energy(b) - energy(a)) / (2 * h) for a, b in moved]
+    assert np.allclose(np.array(value(q)).ravel(), down, rtol=1e-6, atol=1e-3)
+    slopes = np.hstack([(np.array(value(a)) - np.array(value(b))) / (2 * h) for a, b in moved])
+    assert np.allclose(np.array(slope(q)), slopes, rtol=1e-6, atol=1e-1)
+
+
+# -- gears ---------------------------------------------------------------------------------------------------------------
+
+MODULE, ALPHA, THIN, APART = (
+    Parameter(name, unit, value)
+    for name, unit, value in (("module", "mm", 3), ("alpha", "deg", 20), ("thin", "mm", 0.1), ("apart", "mm", 75.2))
+)
+PINION, WHEEL = (
+    InvoluteTeeth("pinion_teeth", MODULE, 20, ALPHA, THIN),
+    InvoluteTeeth("wheel_teeth", MODULE, 30, ALPHA, THIN),
+)
+
+
+@pytest.fixture(scope="module")
+def gears():
+    mesh = GearMesh("mesh", PINION, PLATE.at(0, 0, 0), WHEEL, CAM.at(0, 0, 0))
+    joints = Revolute("one", GROUND, PLATE, axis=Z), Revolute("two", GROUND.at(APART, 0, 0), CAM, axis=Z)
+    effects = Contact("mesh", laws.power(Parameter("K", "N/m", 1e8), 1)), EnergyLedger()
+    return Derived(Scene(Mechanism("gears", joints, (mesh,)), effects, Scales(MODULE, Parameter("v", "m/s", 1), APART)))
+
+
+def test_gaps_of_involutes_are_lengths_of_the_line_of_action(gears):
+    """Right round: both add up to the normal backlash in closed form; each changes by r_b1 w_1 + r_b2 w_2, at no acceleration."""
+    base = np.array([0.030, 0.045]) * np.cos(np.radians(20))
+    working = np.arccos(sum(base) / 0.0752)
+
+    def thickness(teeth):  # of a tooth on the working circle, an angle
+        return np.pi / teeth - 0.1 / (1.5 * teeth) + 2 * (involute(np.radians(20)) - involute(working))
+
+    def involute(angle):
+        return np.tan(angle) - angle
+
+    backlash = (2 * np.pi / 20 - thickness(20) - thickness(30) * 30 / 20) * base[0]
+    random = np.random.default_rng(5)
+    for angle in np.linspace(-9, 9, 41):
+        w = random.uniform(-10, 10, 2)
+        off = random.uniform(-1, 1) * 0.45 * backlash / base[1]
+        q = np.array([angle, np.pi + np.pi / 30 - angle * 20 / 30 + off])
+        G, dG = gears.call("gaps", q=q, u=w)
+        assert pytest.approx((backlash / 2 - off * base[1], backlash / 2 + off * base[1]), abs=1e-12) == tuple(G)
+        assert dG == pytest.approx((-base @ w, base @ w), rel=1e-9)
+        assert gears.call("gap_accelerations", q=q, u=w, a=np.zeros(2)) == pytest.approx(
+            [0, 0], abs=1e-9 * (w @ w) * 0.03
+        )
+
+
+def test_the_points_of_contact_are_those_of_involutes(gears):
+    """On the flanks rolled off by what a gear has turned: base radius times roll angle is the way along the line of action."""
+    base, names = np.array([0.030, 0.045]) * np.cos(np.radians(20)), [name for name, _ in gears.OUTPUTS]
+    rolls = [np.sqrt(((1 + 2 / z) / np.cos(np.radians(20))) ** 2 - 1) for z in (20, 30)]
+    length = np.sqrt(0.0752**2 - sum(base) ** 2)  # between the points where the line of action touches the base circles
+    for angle in np.linspace(0, 0.3, 7):
+        q = np.array([angle, np.pi + np.pi / 30 - angle * 20 / 30])
+        found = dict(zip(names, gears.call("outputs", q=q, u=np.zeros(2), a=np.zeros(2)), strict=False))
+        s = [found[f"mesh_2.{which}_parameter"] % 1 for which in ("first", "second")]
+        ways = [r * roll * (0.04 + 0.96 * part) for r, roll, part in zip(base, rolls, s, strict=True)]
+        assert sum(ways) + found["mesh_2.gap"] == pytest.approx(length, rel=1e-12)
+
+
+def test_all_faults_come_at_once():
+    hole, few = Curve("hole", R * sp.cos(S), R * sp.sin(S), hole=True), InvoluteTeeth("few", MODULE, 3, ALPHA)
+    none = Curve("none_at_all", R * S, R * S**2, closed=False, repeats=0)
+    wrong = (
+        CurveOnCurve("chain", Outline("none", (0, 0), ()), PLATE.at(0, 0, 0), "R", CAM.at(0, 0, 0)),
+        CurveOnCurve("holes", hole, PLATE.at(0, 0, 0), replace(hole, name="other_hole"), CAM.at(0, 0, 0)),
+        CurveOnCurve("copies", replace(hole, name="round", hole=False, repeats=3), PLATE.at(0, 0, 0), none, CAM.at(0, 0, 0)),
+        CircleOnCurve("roller", PLATE.at(0, 0, 0), R, replace(none, name="teeth", repeats=8), CAM.at(0, 0, 0)),
+        GearMesh("mesh", few, PLATE.at(0, 0, 0), InvoluteTeeth("pointed", MODULE, 8, ALPHA, addendum=3), CAM.at(0, 0, 0)),
+        GearMesh("strange", "teeth", PLATE.at(0, 0, 0), InvoluteTeeth("text", "3 mm", 20, ALPHA), CAM.at(0, 0, 0)),
+    )  # fmt: skip
+    with pytest.raises(InputError) as error:
+        Scene(
+            Mechanism("faulty", (Revolute("shaft", GROUND, CAM, axis=Z), Planar("free", GROUND, PLATE)), wrong),
+            (),
+            Scales(R, Parameter("pace", "m/s", 1), R),
+        )
+    found = str(error.value)
+    for text in (
+        "pair chain, first curve: found",
+        "pair chain, second curve: found 'R'",
+        "pair holes, curves: found two holes",
+        "curve round, repeats: found 3 copies of a closed curve",
+        "curve none_at_all, repeats: found 0",
+        "pair roller, curve teeth: found 8 copies",
+        "teeth few, teeth: found 3",
+        "teeth pointed: found flanks that cross below the tip",
+        "pair strange, first teeth: found 'teeth'",
+        "teeth text, module: found '3 mm'",
+    ):
+        assert text in found, text
+    with pytest.raises(InputError, match="a Z of the first curve"):
+        turned = PLATE.at(0, 0, 0).turned(X, Parameter("half", "deg", 180))
+        Derived(scene(EGG, OVAL, turned))
