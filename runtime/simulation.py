@@ -300,7 +300,8 @@ class Solution(plain_solution.Solution):
             Sensitivities,
         )  # a run that is not asked imports none of it
 
-        return Sensitivities(run.history, self.model.bind(parameters_of(self, self.model)), kept.initial, names)
+        bound = self.model.bind(parameters_of(self, self.model))
+        return Sensitivities(run.history, bound, kept.initial, names, compiled=self.compiled)
 
     def _repr_html_(self) -> str:
         return notebook.of_run(self, parameters_of(self, self.model))

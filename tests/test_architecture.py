@@ -81,7 +81,7 @@ ROOMS = {
         "report": "accuracy derive/readable host model pictures pictures/draw run solution",
         "run": "accuracy derive/faults derive/units host integrate integrate/loop integrate/step integrate/tableaux model solution "
         "start",
-        "sensitivity": "derive/faults integrate/events integrate/step model solution start",
+        "sensitivity": "derive/faults host integrate/events integrate/loop integrate/step integrate/tableaux model solution start",
         "simulation": "accuracy derive/faults inputs integrate/step integrate/tableaux loading model pictures pictures/draw "
         "pictures/motion report run sensitivity solution start tables",
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",

@@ -22,12 +22,15 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 import numpy as np
 
+from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.integrate.events.events import LANDING
 from hertzwerk.runtime.integrate.events.jumps import jump
 from hertzwerk.runtime.integrate.step.explicit import flow
-from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, RELEASED, Layout
+from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, RELEASED
+from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.per_model import per_model
-from hertzwerk.runtime.sensitivity.tangent import ARGUMENTS, Directions, Tangent, rates, tangent
+from hertzwerk.runtime.sensitivity.chain import along
+from hertzwerk.runtime.sensitivity.tangent import ARGUMENTS, PARTS, Directions, Tangent, tangent
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
@@ -45,68 +48,112 @@ NEAR = 1e-3  # of a step: a margin this close to zero at its end is what ended i
 WITHIN = (1e-7, 1e-9, 1e-11)  # of the scene's length: penetrations from which the limit at the surface is taken
 LEVEL = 1e-6  # of margins of events: those below happened
 TOGETHER = 1e-6  # relative difference of the times' changes below which events at one instant are one
+KEPT, FLOORED = -1, -2  # of a latch at an event
+GRAZE = "a graze: surfaces that touch without approaching"
 
 
 @dataclass(frozen=True)
-class Instant:
-    """Changes of an event's time (P,) [s], and of everything `watched` at that time (size, P)."""
+class Jumps:
+    """Jumps at j events: what there is before each, along its instant, and what changes.
 
-    time: np.ndarray
-    then: np.ndarray
-
-
-@dataclass(frozen=True)
-class Jump:
-    """Jump at one event: what there is before it, along its instant, and what changes.
-
-    at    values and derivatives of `watched` before the event; slopes    dy/dt (ny) before and after it
-    guards    rows of `at` that fell to zero; latched    of m: row, and row of `at` whose negative it becomes, or None where
-    the floor of approach speeds did; booked    of y: row, row of `at` that is added, sign; emptied    rows of y set to
-    zero; moved    whether coordinates became those of `at`
+    rows (j,)               rows of the run that follow the events
+    at                      values and derivatives of `watched` before them
+    slopes                  dy/dt (j, ny) before and after them
+    guards (j, size)        whether a row of `at` fell to zero
+    latched (j, latches)    row of `at` whose negative each latch becomes; FLOORED: the floor of approach speeds; KEPT: none
+    booked (j, pairs)       sign with which a pair's stored energy is added to its ledger
+    emptied (j, ny)         whether a state is set to zero
+    moved (j,)              whether coordinates became those of `at`
+    graze (j,)              whether surfaces touched without approaching
+    places                  rows of `at` by name
+    ledgers                 row of the state, and the pair whose stored energy is added to it
     """
 
+    rows: np.ndarray
     at: Tangent
     slopes: tuple[np.ndarray, np.ndarray]
-    guards: tuple[int, ...]
-    latched: tuple[tuple[int, int | None], ...]
-    booked: tuple[tuple[int, int, int], ...]
-    emptied: tuple[int, ...]
-    moved: bool
-    columns: dict[str, slice]
-    graze: bool
+    guards: np.ndarray
+    latched: np.ndarray
+    booked: np.ndarray
+    emptied: np.ndarray
+    moved: np.ndarray
+    graze: np.ndarray
+    places: dict[str, slice]
+    ledgers: tuple[tuple[int, int], ...]
 
-    def __call__(
-        self, state: np.ndarray, memory: np.ndarray, floor: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray, Instant]:
-        """Return the changes of state (ny, P) and memory (nm, P) after the event, and those at it.
+    @cached_property
+    def speed(self) -> np.ndarray:
+        """Rates (j, size) of what is watched, before the events."""
+        return self.at.rate(self.slopes[0])
 
-        floor (P,): change of the least approach speed. Raises NoDerivativeError.
+    @cached_property
+    def told(self) -> np.ndarray:
+        """Whether guards tell the time of each event (j,), and it changes smoothly."""
+        found: np.ndarray = self.guards.any(axis=1) & ~self.graze & ~(self.guards & (self.speed == 0)).any(axis=1)
+        return found
+
+    @cached_property
+    def change(self) -> np.ndarray:
+        """Maps (j, size, n + P) to the changes of what is watched, at fixed time."""
+        return np.concatenate([self.at.to_state, self.at.to_memory, self.at.given], axis=2)
+
+    @cached_property
+    def time(self) -> np.ndarray:
+        """Maps (j, n + P) to the changes of the events' times [s]; 0 where none is told."""
+        if not self.guards.size:
+            return np.zeros((len(self.rows), self.change.shape[2]))
+        first = np.arange(len(self.rows)), self.guards.argmax(axis=1)
+        speed = np.where(self.told, self.speed[first], np.inf)
+        found: np.ndarray = -self.change[first] / speed[:, None]
+        return found
+
+    @cached_property
+    def then(self) -> np.ndarray:
+        """Maps (j, size, n + P) to the changes of what is watched, at the events."""
+        found: np.ndarray = self.change + self.speed[:, :, None] * self.time[:, None]
+        return found
+
+    def maps(self, floor: np.ndarray) -> np.ndarray:
+        """Return the maps (j, n, n + P) to the changes after the events.
+
+        floor (P,): change of the least approach speed
         """
-        before, after = self.slopes
-        change, speed = self.at.along(state, memory), self.at.rate(before)
-        if self.graze or not all(speed[g] for g in self.guards):
-            raise NoDerivativeError("a graze: surfaces that touch without approaching")
-        if not self.guards:
-            raise NoDerivativeError("an event that no margin tells the time of")
-        times = [-change[g] / speed[g] for g in self.guards]
-        dt = times[0]
-        if any(np.any(np.abs(other - dt) > TOGETHER * (np.abs(other) + np.abs(dt))) for other in times[1:]):
-            raise NoDerivativeError("events at one instant that would part")
-        then = change + speed[:, None] * dt
-        new, kept = state + before[:, None] * dt, memory.copy()
-        for row, of, sign in self.booked:
-            new[row] += sign * then[of]
-        new[list(self.emptied)] = 0
-        if self.moved:
-            q = self.columns["jumped"]
-            new[: q.stop - q.start] = then[q]
-        for row, place in self.latched:
-            kept[row] = floor if place is None else -then[place]
-        return new - after[:, None] * dt, kept, Instant(dt, then)
+        (before, after), time = self.slopes, self.time[:, None]
+        (events, ny), n = before.shape, before.shape[1] + self.at.to_memory.shape[2]
+        found = np.zeros((events, n, n + len(floor)))
+        found[:, np.arange(n), np.arange(n)] = 1
+        state, memory = found[:, :ny], found[:, ny:]
+        state += before[:, :, None] * time
+        for row, pair in self.ledgers:
+            state[:, row] += self.booked[:, [pair]] * self.then[:, self.places["stored"].start + pair]
+        state[self.emptied] = 0
+        if self.moved.any():
+            jumped = self.places["jumped"]
+            state[self.moved, : jumped.stop - jumped.start] = self.then[self.moved, jumped]
+        state -= after[:, :, None] * time
+        for latch, of in enumerate(self.latched.T):
+            memory[of >= 0, latch] = -self.then[of >= 0, of[of >= 0]]
+            memory[of == FLOORED, latch] = np.append(np.zeros(n), floor)
+        return found
 
+    def first_without(self, before: np.ndarray) -> tuple[int, str]:
+        """Return the first event after which there is no derivative, and why; else how many events, and "".
 
-class NoDerivativeError(ArithmeticError):
-    """An event after which the motion does not depend smoothly on what came before."""
+        before (j, n, P): changes before the events
+        """
+        parting = np.zeros(len(self.rows), dtype=bool)
+        for k in np.flatnonzero(self.told & (np.count_nonzero(self.guards, axis=1) > 1)):
+            guards = self.guards[k]
+            times = -along(self.change[k, guards], before[k]) / self.speed[k, guards, None]
+            parting[k] = np.any(np.abs(times - times[0]) > TOGETHER * (np.abs(times) + np.abs(times[0])))
+        bad = np.flatnonzero(~self.told | parting)
+        if not len(bad):
+            return len(self.rows), ""
+        first = int(bad[0])
+        if self.told[first]:
+            return first, "events at one instant that would part"
+        none = not self.graze[first] and not self.guards[first].any()
+        return first, "an event that no margin tells the time of" if none else GRAZE
 
 
 def switched(history: History) -> np.ndarray:
@@ -127,30 +174,70 @@ def _happened(history: History) -> np.ndarray:
     return found
 
 
-def events_of(history: History, after: np.ndarray, directions: Directions) -> dict[int, Jump]:
-    """Return the jump before each row that follows an event (`after`), by its index.
-
-    Before the first there is none."""
+def events_of(history: History, after: np.ndarray, directions: Directions) -> Jumps:
+    """Return the jumps before the rows that follow an event (`after`); before the first there is none."""
     index = np.flatnonzero(after[1:])
-    if not len(index):
-        return {}
-    layout, happened = history.engine.layouts.state, _happened(history)
+    model, layout = history.model, history.engine.layouts.state
     h = np.diff(history.t)[index]
     before = history.later(history.rows[index], h)
     before[:, layout["t"]] = history.part("t")[index + 1]
-    found = tangent(watched, history, before, directions)
     was, now = (history.part("mode")[rows] for rows in (index, index + 1))
-    by_gap = (was != now) & ((was == FLIGHT) | (now == FLIGHT))
-    slopes = [_rates_inside(history, rows, by_gap, directions) for rows in (before, history.rows[index + 1])]
-    return {
-        int(i) + 1: _jump(
-            history, int(i), h[k], before[k], found[k], (slopes[0][k], slopes[1][k]), happened=bool(happened[i])
-        )
-        for k, i in enumerate(index)
-    }
+    places, run = watched_columns(model), history.engine.layouts.controls
+    floor, length = history.controls[run["floor"]][0], history.controls[run["scales"]][0]
+    at = tangent(watched, history, before, directions)
+    guards = np.zeros(at.value.shape, dtype=bool)
+    by_gap = np.zeros(was.shape, dtype=bool)
+    for (earlier, later), part in GUARD_OF.items():
+        turned = (was == earlier) & (now == later)
+        guards[:, places[part]] |= turned
+        by_gap |= turned & (part == "gap")
+    alone = ~guards.any(axis=1, keepdims=True)  # else slips change in consequence
+    guards[:, places["margin"]] |= _slipping(history, index, before, h) & alone
+    moved = _happened(history)[index]
+    guards[:, places["event"]] = moved[:, None] & (before[:, layout["event"]] <= 0)
+    rate, acceleration = (before[:, layout[part]] for part in ("gap_rate", "gap_acceleration"))
+    near = LANDING * history.controls[run["tolerance"]][0] * length
+    pairs = np.array([pair for _, _, pair in model.module.LATCHES], dtype=int)
+    onset = ((was == FLIGHT) & (now == CONTACT))[:, pairs]
+    leaving = ((was == CONTACT) & (now != CONTACT)).astype(int) - ((was == RELEASED) & (now == CONTACT))
+    emptied = np.zeros((len(index), layout.sizes["y"]), dtype=bool)
+    for row, pair in getattr(model.module, "BRISTLES", ()):
+        emptied[:, model.nq + model.nu + row] = now[:, pair] != CONTACT
+    booked = getattr(model.module, "DISSIPATED", ()) if model.has_ledger else ()
+    return Jumps(
+        rows=index + 1,
+        at=at,
+        slopes=(
+            _rates_inside(history, before, by_gap),
+            _rates_inside(history, history.rows[index + 1], by_gap),
+        ),
+        guards=guards,
+        latched=np.where(onset, np.where(-rate[:, pairs] < floor, FLOORED, places["gap_rate"].start + pairs), KEPT),
+        booked=leaving,
+        emptied=emptied,
+        moved=moved,
+        graze=(by_gap & (rate**2 <= 2 * np.abs(acceleration) * near)).any(axis=1),
+        places=places,
+        ledgers=tuple((model.nq + model.nu + row, pair) for pair, row in enumerate(booked)),
+    )
 
 
-def _rates_inside(history: History, rows: np.ndarray, by_gap: np.ndarray, directions: Directions) -> np.ndarray:
+def _slipping(history: History, index: np.ndarray, before: np.ndarray, h: np.ndarray) -> np.ndarray:
+    """Return whether each friction (j, ns) itself began or ceased to slip at the end of a step.
+
+    The step takes h (j,) [s] after the rows `index`. Not those that follow another's change: where no margin is near zero, the first.
+    """
+    model, layout = history.model, history.engine.layouts.state
+    slips = history.part("m")[:, model.nm - model.ns :]
+    margin, rate = (before[:, layout[part]] for part in ("margin", "margin_rate"))
+    turned = slips[index] != slips[index + 1]
+    own = turned & (np.abs(margin) <= np.abs(rate) * NEAR * h[:, None])
+    first = turned & (np.cumsum(turned, axis=1) == 1)
+    found: np.ndarray = np.where(own.any(axis=1)[:, None], own, first)
+    return found
+
+
+def _rates_inside(history: History, rows: np.ndarray, by_gap: np.ndarray) -> np.ndarray:
     """Return dy/dt (n, ny) at rows on the surface of pairs (n, k) that touch there: its limit from within.
 
     By rounding a row may lie outside, where there is no force. Forces may jump at the surface, or rise from it by any power
@@ -160,7 +247,7 @@ def _rates_inside(history: History, rows: np.ndarray, by_gap: np.ndarray, direct
     gap, rate, mode = (rows[:, layout[part]] for part in ("gap", "gap_rate", "mode"))
     moves = by_gap & (mode == CONTACT) & (rate != 0)
     first, second, third = (
-        _moved(rows, layout, np.where(moves, -(gap + depth) / np.where(moves, rate, 1), 0.0), history, directions)
+        _moved(rows, np.where(moves, -(gap + depth) / np.where(moves, rate, 1), 0.0), history)
         for depth in history.controls[history.engine.layouts.controls["scales"]][0] * np.array(WITHIN)
     )
     change, before = third - second, second - first
@@ -171,64 +258,22 @@ def _rates_inside(history: History, rows: np.ndarray, by_gap: np.ndarray, direct
     return found
 
 
-def _moved(rows: np.ndarray, layout: Layout, times: np.ndarray, history: History, directions: Directions) -> np.ndarray:
+def _moved(rows: np.ndarray, times: np.ndarray, history: History) -> np.ndarray:
     """Return dy/dt (n, ny) at rows moved along their motion by the longest of some times (n, k) [s]."""
-    moved = rows.copy()
+    layout, moved = history.engine.layouts.state, rows.copy()
     if times.size:
         longest = np.take_along_axis(times, np.abs(times).argmax(axis=1)[:, None], axis=1)
         moved[:, layout["t"]] += longest
         moved[:, layout["y"]] += longest * rows[:, layout["dy"]]
-    return tangent(rates, history, moved, directions).value
+    parts = (moved[:, layout[part]] for part in PARTS)
+    pieces = [rows[:, layout["pieces"]]] if history.model.inputs else []
+    found: np.ndarray = _rates(history.model)(history.controls[: history.model.nc], *parts, *pieces)[0]
+    return found
 
 
-def _jump(
-    history: History,
-    i: int,
-    h: float,
-    before: np.ndarray,
-    at: Tangent,
-    slopes: tuple[np.ndarray, np.ndarray],
-    *,
-    happened: bool,
-) -> Jump:
-    columns = watched_columns(history.model)
-    model, layout, run = history.model, history.engine.layouts.state, history.engine.layouts.controls
-    was, now = history.part("mode")[i], history.part("mode")[i + 1]
-    slips = history.part("m")[i : i + 2, model.nm - model.ns :]
-    floor, length = history.controls[run["floor"]][0], history.controls[run["scales"]][0]
-    changed = np.flatnonzero(was != now)
-    guards = [columns[GUARD_OF[was[j], now[j]]].start + int(j) for j in changed]
-    gaps = [j for j in changed if GUARD_OF[was[j], now[j]] == "gap"]
-    rate, acceleration = (before[layout[part]] for part in ("gap_rate", "gap_acceleration"))
-    near = LANDING * history.controls[run["tolerance"]][0] * length
-    if not guards:  # else slips change in consequence
-        margin, margin_rate = (before[layout[part]] for part in ("margin", "margin_rate"))
-        turned = [int(n) for n in np.flatnonzero(slips[0] != slips[1])]
-        own = [n for n in turned if abs(margin[n]) <= abs(margin_rate[n]) * NEAR * h] or turned[:1]
-        guards += [columns["margin"].start + n for n in own]
-    if happened:
-        guards += [columns["event"].start + int(n) for n in np.flatnonzero(before[layout["event"]] <= 0)]
-    first_z = model.nq + model.nu
-    onset = (was == FLIGHT) & (now == CONTACT)
-    leaving = ((was == CONTACT) & (now != CONTACT)).astype(int) - ((was == RELEASED) & (now == CONTACT))
-    booked = getattr(model.module, "DISSIPATED", ()) if model.has_ledger else ()
-    return Jump(
-        at=at,
-        slopes=slopes,
-        guards=tuple(guards),
-        latched=tuple(
-            (row, None if -rate[j] < floor else columns["gap_rate"].start + j)
-            for row, (_, _, j) in enumerate(model.module.LATCHES)
-            if onset[j]
-        ),
-        booked=tuple(
-            (first_z + row, columns["stored"].start + j, int(leaving[j])) for j, row in enumerate(booked) if leaving[j]
-        ),
-        emptied=tuple(first_z + row for row, j in getattr(model.module, "BRISTLES", ()) if now[j] != CONTACT),
-        moved=happened,
-        columns=columns,
-        graze=any(rate[j] ** 2 <= 2 * abs(acceleration[j]) * near for j in gaps),
-    )
+@per_model
+def _rates(model: Model) -> Rowwise:
+    return Rowwise(model.with_pieces(flow(model).rates, 4), constant=4)
 
 
 def _parts(model: Model) -> tuple[list[Any], dict[str, Any]]:

@@ -1,7 +1,8 @@
 """Sensitivities of a run: first derivatives of its histories and impacts, through every event.
 
 1. directions   changes of parameters and starts, and of the constants           sensitivity/tangent, sensitivity/start_changes
-2. steps        the variational equations over each step                         sensitivity/transitions
+2. steps        the variational equations by each step's own method              sensitivity/chain
+                by collocation where that is implicit, or too coarse             sensitivity/transitions
 3. events       the jump where modes change                                      sensitivity/saltation
 4. histories    by the chain rule from states, memory and directions             sensitivity/readout
 
@@ -10,7 +11,7 @@ They are found after the run, from its steps: a run that is not asked pays nothi
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -18,18 +19,12 @@ import numpy as np
 from hertzwerk.derive.faults import Fault, InputError, unknown
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT
 from hertzwerk.runtime.model.si_values import si_units
+from hertzwerk.runtime.sensitivity.chain import Changes, along, by_graph, chained, later
 from hertzwerk.runtime.sensitivity.readout import Readout
-from hertzwerk.runtime.sensitivity.saltation import (
-    Instant,
-    NoDerivativeError,
-    events_of,
-    switched,
-    watched,
-    watched_columns,
-)
+from hertzwerk.runtime.sensitivity.saltation import events_of, switched, watched, watched_columns
 from hertzwerk.runtime.sensitivity.start_changes import start_changes
 from hertzwerk.runtime.sensitivity.tangent import directions_of, tangent
-from hertzwerk.runtime.sensitivity.transitions import Transition, transitions
+from hertzwerk.runtime.sensitivity.transitions import transitions
 from hertzwerk.runtime.solution.watch import goes_on
 
 if TYPE_CHECKING:
@@ -37,6 +32,9 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Bound
     from hertzwerk.runtime.solution.history import History
 
+PASSES = 4  # through the run, at most: steps found too coarse are taken apart in the next one
+COARSE, LEAST = 1e4, 1e-6  # of tolerances, or of one: a step's error, of a derivative, beyond which it is too coarse
+NOISE = 1e-9  # of the scale of a state over that of what it is derived by: smaller derivatives are none
 BISECTIONS = 60  # of the step in which a force or penetration is largest
 PEAKS = {"peak_force": ("force", 1, "normal_force"), "peak_penetration": ("gap", -1, "penetration")}
 
@@ -48,8 +46,16 @@ class Sensitivities:
     until    time [s] up to which there are derivatives; reason    why not to the end of the run, else empty
     """
 
-    def __init__(self, history: History, bound: Bound, initial: Mapping[str, Value], names: tuple[str, ...]) -> None:
-        self.history, self.names = history, names
+    def __init__(
+        self,
+        history: History,
+        bound: Bound,
+        initial: Mapping[str, Value],
+        names: tuple[str, ...],
+        *,
+        compiled: bool = False,
+    ) -> None:
+        self.history, self.names, self._compiled = history, names, compiled
         model = history.model
         faults = [
             unknown("parameter or initial state", name, _known(history))
@@ -70,8 +76,11 @@ class Sensitivities:
         parameters = list(model.parameters)
         floors = self._directions.dp[parameters.index("approach_floor")] if "approach_floor" in parameters else 0.0
         self._floor = floors + np.zeros(len(names))
+        scales = history.controls[history.engine.layouts.controls["scale"]]
+        sizes = dict(zip((*model.coordinates, *model.speeds), scales, strict=False))
+        sizes |= {name: abs(bound[name]) or 1.0 for name in parameters}
+        self._unit = scales[:, None] / np.array([sizes.get(name, 1.0) for name in names])
         self.until, self.reason = float(history.t[-1]), ""
-        self._instants: dict[int, Instant] = {}  # by the row after the event
         self._follow(start_changes(model, bound, initial, names), frozenset(initial))
 
     # -- what is read ------------------------------------------------------------------------------------------------
@@ -121,33 +130,59 @@ class Sensitivities:
             touching = goes_on(mode, False)
             rows = np.flatnonzero(touching & ~np.concatenate([[False], touching[:-1]]))
             onsets += [(int(row), pair) for row in rows]
-        of = self._peak if what in PEAKS else self._onset
-        return np.array([of(what, row, pair)[column] for row, pair in sorted(onsets)])
+        of = self._peaks if what in PEAKS else self._onset
+        changes: np.ndarray = of(what, *np.array(sorted(onsets), dtype=int).reshape(-1, 2).T)[:, column]
+        return changes
 
     # -- how it is found ---------------------------------------------------------------------------------------------
 
     def _follow(self, begin: np.ndarray, given: frozenset[str]) -> None:
         """Follow the changes from row to row, through steps and events."""
-        history, count, n = self.history, len(self.names), len(self.history.rows)
-        model, ny = history.model, history.engine.layouts.state.sizes["y"]
-        state, memory = np.zeros((ny, count)), np.zeros((model.nm, count))
-        state[: len(begin)] = begin
-        self._latch(state, memory, given)
-        self._state, self._memory = (np.full((n, *part.shape), np.nan) for part in (state, memory))
-        self._state[0], self._memory[0] = state, memory
+        history, rows = self.history, len(self.history.rows)
+        ny, n = history.engine.layouts.state.sizes["y"], history.engine.layouts.state.sizes["y"] + history.model.nm
+        first = np.zeros((n, len(self.names)))
+        first[: len(begin)] = begin
+        self._latch(first[:ny], first[ny:], given)
         self._switched = switched(history)
-        jumps = events_of(history, self._switched, self._directions)
-        for row, over in enumerate(self._transitions(np.arange(n - 1), np.diff(history.t)), start=1):
-            state = over.along(state, memory)
-            if row in jumps:
-                try:
-                    state, memory, self._instants[row] = jumps[row](state, memory, self._floor)
-                except NoDerivativeError as error:
-                    self.until, self.reason = float(history.t[row]), str(error)
-                    return
-            self._state[row], self._memory[row] = state, memory
+        self._jumps = jumps = events_of(history, self._switched, self._directions)
+        self._at_rows = at = np.full(rows, -1)  # events by the rows that follow them
+        over = np.full(rows - 1, -1)
+        at[jumps.rows], maps = np.arange(len(jumps.rows)), jumps.maps(self._floor)
+        steps, h = np.arange(rows - 1), np.diff(history.t)
+        self._apart = ~by_graph(history)[:-1]
+        for _ in range(PASSES):
+            fresh = np.flatnonzero(self._apart & (over < 0))
+            over[fresh] = len(maps) + np.arange(len(fresh))
+            maps = np.concatenate([maps, self._transitions(steps[fresh], h[fresh])])
+            changes = chained(
+                history, first, maps, over, at, self._directions.dc, switched=self._switched, compiled=self._compiled
+            )
+            doubtful = self._doubtful(changes)
+            if not (doubtful & ~self._apart).any():
+                break
+            self._apart |= doubtful
+        events, self.reason = jumps.first_without(changes.before[jumps.rows])
+        self._changes = changes.after
+        if self.reason:
+            self.until = float(history.t[jumps.rows[events]])
+            self._changes[jumps.rows[events] :] = np.nan
+        before = changes.before[jumps.rows]
+        self._times = along(jumps.time[:, None], before)[:, 0]
+        self._then = along(jumps.then, before)
+        self._times[events:], self._then[events:] = np.nan, np.nan
 
-    def _transitions(self, index: np.ndarray, h: np.ndarray) -> Iterator[Transition]:
+    def _doubtful(self, changes: Changes) -> np.ndarray:
+        """Return whether each step's own method (rows - 1,) is too coarse for the derivatives."""
+        ny = changes.errors.shape[1]
+        tolerance = self.history.controls[self.history.engine.layouts.controls["tolerance"]][0]
+        ends = np.append(np.flatnonzero(self._switched[1:]) + 1, len(self._switched) - 1)
+        largest = np.maximum.accumulate(np.abs(changes.before[:, :ny]), axis=0)[ends]
+        size = largest[np.searchsorted(ends, np.arange(1, len(self._switched)))]  # before the next event
+        size = np.maximum(size, NOISE * self._unit)
+        found: np.ndarray = ~(np.abs(changes.errors) <= max(COARSE * tolerance, LEAST) * size).all(axis=(1, 2))
+        return found
+
+    def _transitions(self, index: np.ndarray, h: np.ndarray) -> np.ndarray:
         return transitions(self.history, index, h, self._switched, self._directions)
 
     def _latch(self, state: np.ndarray, memory: np.ndarray, given: frozenset[str]) -> None:
@@ -163,53 +198,60 @@ class Sensitivities:
     def _at(self, index: np.ndarray, h: np.ndarray, name: str) -> np.ndarray:
         """Return the changes (n, P) of a history a time h (n,) [s] after rows `index` (n,), under their modes."""
         history = self.history
-        state, memory, later = self._state[index].copy(), self._memory[index], np.flatnonzero(h)
-        for k, over in zip(later, self._transitions(index[later], h[later]), strict=True):
-            state[k] = over.along(state[k], memory[k])
+        found, ny = self._changes[index], history.engine.layouts.state.sizes["y"]
+        moves = h > 0
+        apart = np.append(self._apart, False)[index] & moves
+        found[apart] = along(self._transitions(index[apart], h[apart]), found[apart])
+        moves &= ~apart
+        if moves.any():
+            found[moves] = later(history, index[moves], h[moves], found[moves], self._directions.dc, self._switched)
         rows = history.later(history.rows[index], h)
-        changes: np.ndarray = tangent(Readout(name), history, rows, self._directions).along(state, memory)[:, 0]
+        at = tangent(Readout(name), history, rows, self._directions)
+        changes: np.ndarray = at.along(found[:, :ny], found[:, ny:])[:, 0]
         return changes
 
-    def _onset(self, what: str, row: int, pair: int) -> np.ndarray:
-        """Return the changes (P,) of the time or the approach speed of the onset before a row."""
-        instant = self._instants.get(row)
-        if instant is None:
-            return np.full(len(self.names), np.nan)
-        of_rates = watched_columns(self.history.model)["gap_rate"]
-        changes: np.ndarray = instant.time if what == "t" else -instant.then[of_rates][pair]
-        return changes
+    def _onset(self, what: str, rows: np.ndarray, pairs: np.ndarray) -> np.ndarray:
+        """Return the changes (n, P) of times or approach speeds of onsets before rows of the run."""
+        event = self._at_rows[rows]
+        speeds = watched_columns(self.history.model)["gap_rate"].start + pairs
+        changes = self._times[event] if what == "t" else -self._then[event, speeds]
+        return np.where(event[:, None] >= 0, changes, np.nan)
 
-    def _peak(self, what: str, row: int, pair: int) -> np.ndarray:
-        """Return the changes (P,) of the largest force or penetration of the contact from a row.
+    def _peaks(self, what: str, rows: np.ndarray, pairs: np.ndarray) -> np.ndarray:
+        """Return the changes (n, P) of the largest forces or penetrations of contacts from rows of the run on.
 
         They are those at its instant: the time of a largest value does not count."""
         history, (part, sign, history_of) = self.history, PEAKS[what]
-        name = f"{history.model.pairs[pair]}.{history_of}"
-        values, rates = (sign * history.part(kind)[:, pair] for kind in (part, f"{part}_rate"))
-        apart = np.flatnonzero(history.part("mode")[row:, pair] == FLIGHT)
-        end = row + int(apart[0]) if len(apart) else len(history.rows) - 1
-        top = row + int(np.argmax(values[row:end]))
-        index = top if rates[top] > 0 else top - 1
-        if index < row:  # it is largest at its onset
-            return self._just_after(name, row)
-        low, high = 0.0, float(history.t[min(index + 1, end)] - history.t[index])
+        values, rates = (sign * history.part(kind) for kind in (part, f"{part}_rate"))
+        mode, t = history.part("mode"), history.t
+        index, end = rows.copy(), np.full(len(rows), len(t) - 1)
+        for k, (row, pair) in enumerate(zip(rows, pairs, strict=True)):
+            apart = np.flatnonzero(mode[row:, pair] == FLIGHT)
+            end[k] = row + apart[0] if len(apart) else end[k]
+            top = row + int(np.argmax(values[row : end[k], pair]))
+            index[k] = top if rates[top, pair] > 0 else top - 1
+        found = np.empty((len(rows), len(self.names)))
+        inside = index >= rows  # else largest at its onset
+        low, high = np.zeros(len(rows)), t[np.minimum(index + 1, end)] - t[index]
+        place = history.columns(f"{part}_rate").start + pairs
         for _ in range(BISECTIONS):
             middle = (low + high) / 2
-            there = history.later(history.rows[[index]], np.array([middle]))
-            rising = sign * there[0, history.columns(f"{part}_rate")][pair] > 0
-            low, high = (middle, high) if rising else (low, middle)
-        changes: np.ndarray = self._at(np.array([index]), np.array([low]), name)[0]
-        return changes
+            rising = sign * history.later(history.rows[index], middle)[np.arange(len(rows)), place] > 0
+            low, high = np.where(rising, middle, low), np.where(rising, high, middle)
+        for pair in np.unique(pairs):
+            name = f"{history.model.pairs[pair]}.{history_of}"
+            some = pairs == pair
+            found[some & inside] = self._at(index[some & inside], low[some & inside], name)
+            found[some & ~inside] = self._just_after(name, rows[some & ~inside])
+        return found
 
-    def _just_after(self, name: str, row: int) -> np.ndarray:
-        """Return the changes (P,) of a history just after the event before a row, whose time changes too."""
-        instant = self._instants.get(row)
-        if instant is None:
-            return np.full(len(self.names), np.nan)
-        found = tangent(Readout(name), self.history, self.history.rows[[row]], self._directions)[0]
-        rate = found.rate(self.history.part("dy")[row])
-        changes: np.ndarray = found.along(self._state[row], self._memory[row])[0] + rate * instant.time
-        return changes
+    def _just_after(self, name: str, rows: np.ndarray) -> np.ndarray:
+        """Return the changes (n, P) of a history just after the events before rows, whose times change too."""
+        event, ny = self._at_rows[rows], self.history.engine.layouts.state.sizes["y"]
+        found = tangent(Readout(name), self.history, self.history.rows[rows], self._directions)
+        rate, changes = found.rate(self.history.part("dy")[rows])[:, 0], self._changes[rows]
+        there = found.along(changes[:, :ny], changes[:, ny:])[:, 0] + rate[:, None] * self._times[event]
+        return np.where(event[:, None] >= 0, there, np.nan)
 
     def _column(self, to: str) -> int:
         if to not in self.names:

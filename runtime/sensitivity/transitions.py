@@ -11,9 +11,6 @@ event are divided into parts that shrink towards it.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
-from functools import reduce
-from itertools import chain, islice
 
 import numpy as np
 
@@ -45,45 +42,26 @@ def _gauss(count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 C, A, B = _gauss(NODES)
 
 
-@dataclass(frozen=True)
-class Transition:
-    """Linear map of changes over a time.
-
-    Of the state at its end: by state (ny, ny) and memory (ny, nm) before it, and given (ny, P)."""
-
-    state: np.ndarray
-    memory: np.ndarray
-    given: np.ndarray
-
-    def then(self, other: Transition) -> Transition:
-        """Return the transition over this time and the next."""
-        parts = (other.state @ self.state, other.state @ self.memory, other.state @ self.given)
-        return Transition(parts[0], parts[1] + other.memory, parts[2] + other.given)
-
-    def along(self, state: np.ndarray, memory: np.ndarray) -> np.ndarray:
-        """Return the change (ny, P) of the state at the end."""
-        found: np.ndarray = self.state @ state + self.memory @ memory + self.given
-        return found
-
-
 def transitions(
     history: History, index: np.ndarray, h: np.ndarray, switched: np.ndarray, directions: Directions
-) -> Iterator[Transition]:
-    """Yield the transition over each time h (n,) [s] after the rows `index` (n,), in order.
+) -> np.ndarray:
+    """Return the maps (j, n, n + P) over times h (j,) [s] after rows, as those of a link (`chain`).
 
-    switched (rows,): whether a row follows an event
+    index (j,): the rows; switched (rows,): whether a row follows an event
     """
     parts = [*_parts(history, index, h, switched)]
     of = np.repeat(np.arange(len(index)), [len(part) for part in parts])
     places, row = np.concatenate([np.zeros((0, len(_COLUMNS))), *parts]), index[of]
-    width = history.engine.layouts.state.sizes["y"] * NODES
-    block = max(int(BYTES / (8 * width * width)), 1)
-    found = chain.from_iterable(
-        _over(history, history.rows[row[some]], places[some], directions)
-        for some in (slice(first, first + block) for first in range(0, len(row), block))
-    )
-    for part in parts:
-        yield reduce(Transition.then, islice(found, len(part)))
+    ny = history.engine.layouts.state.sizes["y"]
+    n, block = ny + history.model.nm, max(int(BYTES / (8 * (ny * NODES) ** 2)), 1)
+    found = np.zeros((len(index), n, n + directions.count))
+    found[:, np.arange(n), np.arange(n)] = 1
+    for first in range(0, len(row), block):
+        some = slice(first, first + block)
+        for k, grown in zip(of[some], _over(history, history.rows[row[some]], places[some], directions), strict=True):
+            found[k, :ny] += grown[:, :n] @ found[k]
+            found[k, :ny, n:] += grown[:, n:]
+    return found
 
 
 _COLUMNS = ("begin", "end", "event", "head")
@@ -147,21 +125,18 @@ def _rounding(model: Model) -> Rowwise:
     return Rowwise(gap_rounding(model), constant=3)
 
 
-def _over(history: History, rows: np.ndarray, places: np.ndarray, directions: Directions) -> list[Transition]:
-    """Return the transitions over parts (n, 4) after rows (n, ns)."""
+def _over(history: History, rows: np.ndarray, places: np.ndarray, directions: Directions) -> np.ndarray:
+    """Return the growth (n, ny, ny + nm + P) of the state's changes over parts (n, 4) after rows.
+
+    By the changes of state and memory before it, and by directions.
+    """
     head = places[:, _COLUMNS.index("head")] != 0
-    found = [Transition(*(np.zeros((0, 0)) for _ in range(3)))] * len(rows)
+    widths = history.engine.layouts.state.sizes["y"], history.model.nm, directions.count
+    found = np.empty((len(rows), widths[0], sum(widths)))
     for some, over in ((~head, _collocated), (head, _by_powers)):
         if some.any():
-            for k, one in zip(np.flatnonzero(some), over(history, rows[some], places[some], directions), strict=True):
-                found[k] = one
+            found[some] = over(history, rows[some], places[some], directions)
     return found
-
-
-def _split(grown: np.ndarray, ny: int, nm: int) -> list[Transition]:
-    """Return transitions from their change (n, ny, ny + nm + P) of the state."""
-    grown[:, :, :ny] += np.eye(ny)
-    return [Transition(one[:, :ny], one[:, ny : ny + nm], one[:, ny + nm :]) for one in grown]
 
 
 def _sources(history: History, rows: np.ndarray, directions: Directions) -> np.ndarray:
@@ -170,8 +145,8 @@ def _sources(history: History, rows: np.ndarray, directions: Directions) -> np.n
     return np.concatenate([found.to_state, found.to_memory, found.given], axis=2)
 
 
-def _collocated(history: History, rows: np.ndarray, places: np.ndarray, directions: Directions) -> list[Transition]:
-    n, ny, nm = len(rows), history.engine.layouts.state.sizes["y"], history.model.nm
+def _collocated(history: History, rows: np.ndarray, places: np.ndarray, directions: Directions) -> np.ndarray:
+    n, ny = len(rows), history.engine.layouts.state.sizes["y"]
     begin, end, *_ = places.T
     h = end - begin
     inside = np.concatenate([history.later(rows, begin + node * h) for node in C])  # by nodes, then rows
@@ -184,12 +159,12 @@ def _collocated(history: History, rows: np.ndarray, places: np.ndarray, directio
             system[:, i, :, j, :] = (i == j) * np.eye(size) - A[i, j] * by_core[i][:, core]
     right = sources[:, :, core].swapaxes(0, 1).reshape(n, NODES * size, -1)
     slopes = np.linalg.solve(system.reshape(n, NODES * size, -1), right).reshape(n, NODES, size, -1)
-    grown = np.tensordot(B, sources + by_core @ np.tensordot(A, slopes, axes=(1, 1)), axes=1)
-    return _split(grown, ny, nm)
+    grown: np.ndarray = np.tensordot(B, sources + by_core @ np.tensordot(A, slopes, axes=(1, 1)), axes=1)
+    return grown
 
 
-def _by_powers(history: History, rows: np.ndarray, places: np.ndarray, directions: Directions) -> list[Transition]:
-    """Return the transitions over heads: each rate a power of the distance from the event.
+def _by_powers(history: History, rows: np.ndarray, places: np.ndarray, directions: Directions) -> np.ndarray:
+    """Return the changes over heads: each rate a power of the distance from the event.
 
     To first order in them, as they are short."""
     begin, end, event, head = places.T
@@ -199,5 +174,5 @@ def _by_powers(history: History, rows: np.ndarray, places: np.ndarray, direction
     power = np.clip(np.log2(np.where(alike, whole / np.where(alike, half, 1), 1)), *POWERS)
     near, far = (np.abs(time - event) / length for time in (begin, end))
     low, high = (np.minimum(near, far)[:, None, None], np.maximum(near, far)[:, None, None])
-    grown = whole * length[:, None, None] * (high ** (1 + power) - low ** (1 + power)) / (1 + power)
-    return _split(grown, history.engine.layouts.state.sizes["y"], history.model.nm)
+    grown: np.ndarray = whole * length[:, None, None] * (high ** (1 + power) - low ** (1 + power)) / (1 + power)
+    return grown
