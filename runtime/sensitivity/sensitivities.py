@@ -106,12 +106,13 @@ class Sensitivities:
     @property
     def events(self) -> tuple[np.ndarray, np.ndarray]:
         """Rows (n,) of the run that follow an event, and the derivatives (n, P) of those events' times."""
-        rows = np.array(sorted(self._instants), dtype=int)
-        return rows, np.array([self._instants[row].time for row in rows]).reshape(len(rows), len(self.names))
+        told = slice(self._told)
+        return self._jumps.rows[told], self._times[told]
 
     def after_event(self, row: int, name: str) -> np.ndarray:
         """Return the derivatives (P,) of a history just after the event before a row, whose time changes too."""
-        return self._just_after(name, row)
+        changes: np.ndarray = self._just_after(name, np.array([row]))[0]
+        return changes
 
     def unit(self, name: str, to: str) -> str:
         """Return the SI unit text of a derivative, such as "N/(m/s)"."""
@@ -170,6 +171,7 @@ class Sensitivities:
         self._times = along(jumps.time[:, None], before)[:, 0]
         self._then = along(jumps.then, before)
         self._times[events:], self._then[events:] = np.nan, np.nan
+        self._told = events
 
     def _doubtful(self, changes: Changes) -> np.ndarray:
         """Return whether each step's own method (rows - 1,) is too coarse for the derivatives."""
