@@ -15,13 +15,17 @@ if TYPE_CHECKING:  # the list of public names
     from hertzwerk.runtime.design.propagated import Propagated as Propagated
     from hertzwerk.runtime.design.propagation import propagate as propagate
     from hertzwerk.runtime.effects.leaving_out import study_effects as study_effects
+    from hertzwerk.runtime.fitting.experiment import Experiment as Experiment
     from hertzwerk.runtime.inputs.time_series import Samples as Samples
     from hertzwerk.runtime.loading import Model as Model, load as load
     from hertzwerk.runtime.measured.measurement import (
+        MeasuredImpacts as MeasuredImpacts,
         Measurement as Measurement,
+        read_impacts as read_impacts,
         read_measurement as read_measurement,
     )
     from hertzwerk.runtime.model.model import Bound as Bound
+    from hertzwerk.runtime.parameter_fit import Fit as Fit, fit as fit
     from hertzwerk.runtime.simulation import Solution as Solution, simulate as simulate
     from hertzwerk.runtime.solution.impacts import Impact as Impact
     from hertzwerk.runtime.solution.outcome import Outcome as Outcome

@@ -50,7 +50,8 @@ ROOMS = {
         "units": "",
     },
     "runtime": {
-        ".": "comparing derive/faults design effects inputs loading measured model simulation solution statics sweeps",
+        ".": "comparing derive/faults design effects fitting inputs loading measured model parameter_fit simulation solution "
+        "statics sweeps",
         "accuracy": "",
         "cli": "accuracy derive/audit derive/faults derive/sheets effects hard_cases host inputs integrate/tableaux loading "
         "measured model pictures pictures/draw pictures/motion pictures/studies report run simulation solution start "
@@ -59,6 +60,7 @@ ROOMS = {
         "comparing": "measured model pictures/studies solution",
         "design": "derive/declare derive/faults derive/units inputs loading model run sensitivity simulation solution start sweeps",
         "effects": "accuracy derive/declare derive/faults integrate/step loading model run simulation solution start",
+        "fitting": "derive/faults derive/units inputs measured model run sensitivity simulation solution start sweeps",
         "hard_cases": "host integrate/loop integrate/step integrate/tableaux loading model run simulation solution",
         "host": "derive/faults",
         "inputs": "derive/faults derive/units measured model run",
@@ -72,11 +74,12 @@ ROOMS = {
         "model": "derive/audit derive/declare derive/derivation derive/faults derive/files derive/laws derive/readable "
         "derive/scenes derive/sheets derive/units host",
         "package": "derive/declare derive/faults loading simulation",
+        "parameter_fit": "fitting measured model pictures/studies run",
         "pictures": "host model run solution start",
         "pictures/draw": "derive/faults host model pictures run solution start",
         "pictures/motion": "derive/faults host pictures pictures/draw solution",
         "pictures/sweeps": "derive/faults pictures solution",
-        "pictures/studies": "accuracy derive/sheets effects integrate/tableaux measured pictures studies validate "
+        "pictures/studies": "accuracy derive/sheets effects fitting integrate/tableaux measured pictures studies validate "
         "work_precision",
         "report": "accuracy derive/readable host model pictures pictures/draw run solution",
         "run": "accuracy derive/faults derive/units host integrate integrate/loop integrate/step integrate/tableaux model solution "
@@ -376,7 +379,10 @@ PICTURES = {
     "pictures/vector.py",
     "pictures/plot_panel.py",
     *(f"pictures/motion/{name}.py" for name in ["film", "moving_paper", "stage", "writers"]),
-    *(f"pictures/studies/plot_{name}.py" for name in ["accuracy", "band", "comparison", "effects", "laws", "page"]),
+    *(
+        f"pictures/studies/plot_{name}.py"
+        for name in ["accuracy", "band", "comparison", "effects", "fit", "laws", "page"]
+    ),
     "pictures/sweeps/plot_sweep.py",
     *(f"pictures/draw/{name}.py" for name in ["drawing", "insets", "labels", "paper", "picture", "gallery"]),
 }

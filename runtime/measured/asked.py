@@ -12,7 +12,7 @@ from hertzwerk.derive.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.units import UnitError, parse_unit, rate_remedy
 from hertzwerk.runtime.measured.alignment import Range
 from hertzwerk.runtime.measured.instrument import ORDERS, Instrument
-from hertzwerk.runtime.measured.measurement import Array, Measurement, read_measurement
+from hertzwerk.runtime.measured.measurement import Array, Columns, Measurement, read_measurement
 from hertzwerk.runtime.model.binding import Value, read, read_state
 
 HERTZ = {"Hz": 1.0, "kHz": 1e3, "MHz": 1e6, "1/s": 1.0}
@@ -69,7 +69,7 @@ def read_asked(
     """Read a comparison against the SI units of a run's histories; raises InputError with every fault."""
     faults: list[Fault] = []
     instrument = _instrument(bandwidth, order, zero_phase, faults)
-    offsets, drifts = _range("offset", offset, "s", faults), _range("drift", drift, "1", faults)
+    offsets, drifts = read_between("offset", offset, "s", faults), read_between("drift", drift, "1", faults)
     if drifts[0] <= -1:
         faults.append(Fault("drift", f"{drifts[0]:g}", "more than -1", "0.01 means that the run takes 1 % longer"))
     if map is not None and not (isinstance(map, Mapping) and map):
@@ -82,6 +82,23 @@ def read_asked(
         )
     except InputError as error:
         faults += error.faults
+    channels = read_channels(units, measurement, map, noise, faults)
+    if faults or measurement is None:
+        raise InputError("comparison with measured data", faults)
+    return Asked(measurement, channels, instrument, offsets, drifts)
+
+
+def read_channels(
+    units: Mapping[str, str],
+    measurement: Columns | None,
+    map: Mapping[str, str] | None,
+    noise: Mapping[str, Value] | None,
+    faults: list[Fault],
+) -> tuple[Channel, ...]:
+    """Return measured columns beside histories of these SI units; bad input is appended to `faults`.
+
+    measurement: None where it could not be read, so that names alone are checked.
+    """
     channels: list[Channel] = []
     pairs = dict(map) if map is not None else {name: name for name in (measurement.columns if measurement else ())}
     for column, history in pairs.items():
@@ -92,9 +109,7 @@ def read_asked(
         elif measurement is not None:
             channels += _channel(measurement, column, history, units[history], noise or {}, faults)
     faults += [unknown("column", name, pairs) for name in (noise or {}) if name not in pairs]
-    if faults or measurement is None:
-        raise InputError("comparison with measured data", faults)
-    return Asked(measurement, tuple(channels), instrument, offsets, drifts)
+    return tuple(channels)
 
 
 def _no_history(column: str, history: object, units: Mapping[str, str], *, mapped: bool) -> Fault:
@@ -104,7 +119,7 @@ def _no_history(column: str, history: object, units: Mapping[str, str], *, mappe
 
 
 def _channel(
-    measurement: Measurement,
+    measurement: Columns,
     column: str,
     history: str,
     declared: str,
@@ -151,7 +166,7 @@ def _instrument(
     return Instrument(cut_off, order, zero_phase) if whole and isinstance(order, int) else None
 
 
-def _range(where: str, given: Between, unit: str, faults: list[Fault]) -> Range:
+def read_between(where: str, given: Between, unit: str, faults: list[Fault]) -> Range:
     """Return the ends of a range in SI; bad input is appended to `faults`."""
     example = '"-2..2 ms"' if unit == "s" else '"-1e-4..1e-4" or "-0.01..0.01 %"'
     expected = f"a range such as {example}, or one value"

@@ -164,7 +164,7 @@ def _axis(where: str, values: object, sampled: bool, faults: list[Fault]) -> Axi
     if isinstance(values, str):
         written = values.replace("−", "-")
         if ".." in written:
-            return _range(where, written, sampled, faults)
+            return read_range(where, written, sampled, faults)
         return _listed(where, _with_shared_unit(written.split(",")), faults)
     if isinstance(values, tuple) and len(values) == 2 and isinstance(values[1], str) and _is_number(values[0]):
         return _listed(where, [values], faults)
@@ -203,7 +203,7 @@ def _listed(where: str, values: Sequence[object], faults: list[Fault]) -> tuple[
     return None if wrong else tuple(found)
 
 
-def _range(where: str, text: str, sampled: bool, faults: list[Fault]) -> Axis | None:
+def read_range(where: str, text: str, sampled: bool, faults: list[Fault]) -> Axis | None:
     """Read a range: its values, or the range itself where it is sampled."""
     written = _RANGE.fullmatch(text)
     if written is None:

@@ -1,0 +1,256 @@
+"""Fitted parameters in numbers, words and JSON."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import asdict, dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from hertzwerk.runtime.fitting.intervals import LEVEL, Interval
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from hertzwerk.runtime.fitting.experiment import Observed
+    from hertzwerk.runtime.fitting.identified import Identified
+    from hertzwerk.runtime.measured.asked import Channel
+    from hertzwerk.runtime.measured.residuals import Residual
+    from hertzwerk.runtime.simulation import Solution
+
+    Array = NDArray[np.float64]
+
+REJECTED = 0.05  # p-value below which noise alone does not explain the residuals
+CORRELATED = 0.5  # part of the residuals that are worth independent ones, below which intervals are too narrow
+CLOSE = 0.95  # correlation of estimates that is told
+
+
+@dataclass(frozen=True)
+class FittedValue:
+    """Fitted quantity [SI]: its value, 95 % interval, and the range that was searched."""
+
+    name: str
+    unit: str
+    value: float
+    interval: Interval
+    low: float
+    high: float
+    log: bool
+
+    @property
+    def at_end(self) -> bool:
+        """Whether it lies at an end of its range."""
+        return min(self.value - self.low, self.high - self.value) <= 1e-6 * (self.high - self.low)
+
+    def __str__(self) -> str:
+        unit = "" if self.unit == "1" else f" {self.unit}"
+        digits = _digits(self.value, self.interval)
+        ends = [
+            f"{'<= ' if is_open and k == 0 else '>= ' if is_open else ''}{end:.{digits}g}"
+            for k, (end, is_open) in enumerate(
+                [(self.interval.low, self.interval.open_low), (self.interval.high, self.interval.open_high)]
+            )
+        ]
+        return f"{self.value:.{digits}g}{unit} ({ends[0]} to {ends[1]})"
+
+
+@dataclass(frozen=True)
+class FittedSignal:
+    """Measured column of one run beside the best fit.
+
+    at          times [s] of the samples or numbers of the impacts (n,); measured, predicted there [SI]
+    used        which of them the fit rests on; sigma: standard deviation of the noise, stated or estimated
+    residual    of those used; None where there are none
+    """
+
+    run: str
+    channel: Channel
+    by_impacts: bool
+    at: Array
+    measured: Array
+    predicted: Array
+    used: NDArray[np.bool_]
+    sigma: float
+    stated: bool
+    residual: Residual | None
+
+
+@dataclass(frozen=True)
+class Goodness:
+    """Sum of squares over the stated noise, and the chance that noise alone gives as much."""
+
+    chi_square: float
+    freedom: int
+    p_value: float
+
+
+@dataclass(frozen=True)
+class Fitted:
+    """Fit of parameters to measured runs.
+
+    values, nuisance    what was fitted by name; offsets and gains apart
+    known               singular values, combinations, correlation
+    untold              combinations of quantities that the data cannot tell, in words; their values are not to be used
+    goodness            None where no noise is stated
+    criterion           Akaike's, corrected for few data
+    share               part of the data that the fit rests on: what lies beyond the horizon is left out
+    offsets             run time less measured time [s] of each run
+    solutions           runs at the best fit, one of each measured run
+    """
+
+    observed: tuple[Observed, ...]
+    values: Mapping[str, FittedValue]
+    nuisance: Mapping[str, FittedValue]
+    known: Identified
+    untold: tuple[str, ...]
+    goodness: Goodness | None
+    criterion: float
+    share: float
+    signals: tuple[FittedSignal, ...]
+    offsets: tuple[float, ...]
+    solutions: tuple[Solution, ...]
+    runs_made: int
+    derivatives: str
+    warnings: tuple[str, ...]
+
+    def __getitem__(self, name: str) -> FittedValue:
+        """Fitted quantity; raises KeyError for an unknown name."""
+        return {**self.values, **self.nuisance}[name]
+
+    @property
+    def explained(self) -> bool | None:
+        """Return whether the stated noise explains the residuals, at 5 %; None where none is stated."""
+        return None if self.goodness is None else self.goodness.p_value >= REJECTED
+
+    @property
+    def parameters(self) -> dict[str, tuple[float, str]]:
+        """Fitted quantities as `simulate` takes parameters and initial states."""
+        return {name: (value.value, value.unit) for name, value in self.values.items()}
+
+    def lines(self) -> Iterator[tuple[str, str]]:
+        """Yield what was found, as labels and sentences."""
+        names = ", ".join(each.name for each in self.observed)
+        used = sum(int(np.sum(signal.used)) for signal in self.signals)
+        yield "fit", f"{self.observed[0].model.name} to {names}: {used:,} data, {self.runs_made:,} runs"
+        for value in (*self.values.values(), *self.nuisance.values()):
+            yield value.name, f"{value}; {value.interval.how}"
+        for text in self.untold:
+            yield "not told", text
+        yield "told", self._told()
+        if pairs := list(self._pairs()):
+            yield "correlated", ", ".join(pairs)
+        for signal in self.signals:
+            if signal.residual is not None:
+                yield "residual", _residual(signal, many=len(self.observed) > 1)
+        yield "verdict", self.verdict
+        yield "derivatives", self.derivatives
+        for warning in self.warnings:
+            yield "warning", warning
+
+    @property
+    def verdict(self) -> str:
+        """Say whether the model explains the data, and whether they tell its parameters."""
+        parts = []
+        if self.goodness is None:
+            parts.append(
+                "whether the model explains the data cannot be said without the noise of the measurement (noise)"
+            )
+        else:
+            g = self.goodness
+            numbers = f"chi-squared {g.chi_square:.4g} of {g.freedom} degrees of freedom, p = {g.p_value:.3g}"
+            parts.append(
+                f"the stated noise explains the residuals: {numbers}"
+                if self.explained
+                else f"the stated noise does not explain the residuals, the model is rejected at 5 %: {numbers}"
+            )
+        if self.untold:
+            parts.append(
+                f"{len(self.untold)} combination{'s' if len(self.untold) > 1 else ''} of parameters cannot be told from these data"
+            )
+        return "; ".join(parts)
+
+    def _told(self) -> str:
+        values = ", ".join(f"{s:.3g}" for s in self.known.singular_values)
+        return f"singular values {values} of the scaled Jacobian (1 over the standard deviation, in half ranges or factors of e)"
+
+    def _pairs(self) -> Iterator[str]:
+        correlation, free = self.known.correlation, self.known.free
+        for i in range(len(free)):
+            for j in range(i):
+                if abs(correlation[i, j]) >= CLOSE:
+                    yield f"{free[j].name} and {free[i].name} {correlation[i, j]:+.3f}"
+
+    def __str__(self) -> str:
+        return "\n".join(f"{label}: {text}" for label, text in self.lines())
+
+    def csv(self) -> str:
+        """Return every datum as CSV, with what is predicted, the residual, and whether it was used."""
+        rows = ["run,column,unit,time [s] or number,measured,predicted,residual,used"]
+        for signal in self.signals:
+            for at, measured, predicted, used in zip(
+                signal.at, signal.measured, signal.predicted, signal.used, strict=True
+            ):
+                numbers = [
+                    "" if math.isnan(v) else repr(float(v)) for v in (at, measured, predicted, measured - predicted)
+                ]
+                name = [signal.run, signal.channel.column, signal.channel.unit]
+                rows.append(",".join([*(f'"{text}"' for text in name), *numbers, str(int(used))]))
+        return "\n".join(rows) + "\n"
+
+    def record(self) -> dict[str, Any]:
+        """Return everything but the data as plain numbers, in SI, null for missing ones."""
+        return {
+            "scene": self.observed[0].model.name,
+            "runs": [each.name for each in self.observed],
+            "values": {name: asdict(value) for name, value in self.values.items()},
+            "nuisance": {name: asdict(value) for name, value in self.nuisance.items()},
+            "level": LEVEL,
+            "names": [free.name for free in self.known.free],
+            "correlation": self.known.correlation.tolist(),
+            "singular_values": self.known.singular_values.tolist(),
+            "directions": self.known.directions.T.tolist(),
+            "untold": list(self.untold),
+            "goodness": self.goodness and asdict(self.goodness),
+            "explained": self.explained,
+            "criterion": self.criterion,
+            "share": self.share,
+            "signals": [_record(signal) for signal in self.signals],
+            "runs_made": self.runs_made,
+            "derivatives": self.derivatives,
+            "verdict": self.verdict,
+            "warnings": list(self.warnings),
+        }
+
+
+def _record(signal: FittedSignal) -> dict[str, Any]:
+    return {
+        "run": signal.run,
+        "column": signal.channel.column,
+        "history": signal.channel.history,
+        "unit": signal.channel.unit,
+        "data": len(signal.at),
+        "used": int(np.sum(signal.used)),
+        "noise": signal.sigma,
+        "noise_stated": signal.stated,
+        "residual": signal.residual and asdict(signal.residual),
+    }
+
+
+def _residual(signal: FittedSignal, *, many: bool) -> str:
+    residual, unit = signal.residual, "" if signal.channel.unit == "1" else f" {signal.channel.unit}"
+    assert residual is not None
+    name = f"{signal.run}, {signal.channel.column}" if many else signal.channel.column
+    noise = (
+        f"{residual.rms / signal.sigma:.3g} times the stated noise" if signal.stated else "its noise is taken from it"
+    )
+    return f"{name} ({signal.channel.history}): rms {residual.rms:.4g}{unit}, {noise}, peak {residual.peak:.4g}{unit}"
+
+
+def _digits(value: float, interval: Interval) -> int:
+    """Return the significant digits that an interval leaves, two of its width."""
+    width = interval.high - interval.low
+    if not width > 0 or value == 0:
+        return 6
+    return min(max(math.floor(math.log10(abs(value))) - math.floor(math.log10(width)) + 3, 3), 12)

@@ -1,0 +1,92 @@
+"""Fit of parameters to measurements, as users call it, with its picture."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from hertzwerk.runtime.fitting.experiment import Data, Experiment
+from hertzwerk.runtime.fitting.fitted import Fitted
+from hertzwerk.runtime.fitting.fitting import fitted, read_fit
+from hertzwerk.runtime.fitting.free_quantities import Freed
+from hertzwerk.runtime.measured.asked import Between
+from hertzwerk.runtime.model.binding import Value
+from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.run.request import METHOD
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+TOLERANCE = 1e-9  # local, of the runs of a fit
+STARTS = 16  # beside the model's own values
+
+
+class Fit(Fitted):
+    """Fit of parameters to measured runs, as `fit` returns it, with its picture."""
+
+    def plot(self) -> Figure:
+        """Draw measured data over the best fit, and the residuals, for each signal."""
+        from hertzwerk.runtime.pictures.studies import plot_fit
+
+        return plot_fit.figure(self)
+
+
+def fit(
+    model: Model,
+    data: Data | Experiment | Sequence[Data | Experiment],
+    *,
+    free: Mapping[str, Freed] | Sequence[str],
+    map: Mapping[str, str] | None = None,
+    noise: Mapping[str, Value] | None = None,
+    parameters: Mapping[str, Value] | None = None,
+    initial: Mapping[str, Value] | None = None,
+    inputs: Mapping[str, Any] | None = None,
+    duration: str | float | None = None,
+    offset: Between = 0.0,
+    gain: Mapping[str, Between] | None = None,
+    tolerance: float = TOLERANCE,
+    method: str = METHOD,
+    starts: int = STARTS,
+    seed: int = 0,
+    profile: bool | str = "auto",
+    progress: Callable[[float], object] | None = None,
+) -> Fit:
+    """Fit parameters and initial states to measurements, with exact derivatives through impacts.
+
+    data        a CSV file headed `name [unit]` over time, or with a column `impact [1]` that counts impacts; a `Measurement`, `MeasuredImpacts`;
+                an `Experiment`, which says what its run was made at; or several of them, fitted at once
+    free        ranges by name, {"restitution": (0.3, 1), "stiffness": "1e7..1e9 N/m log", "clearance": "log"}; names alone take their laws' range.
+                A quantity is searched by ratios where its range says log, or spans two decades
+    map         histories by measured column, {"height": "vertical.travel"}; of impacts "impacts.t", "impacts.speed", "floor.impacts.peak_force", or
+                "impacts.rebound.vertical.travel", the largest value until the next impact. By default equal names
+    noise       standard deviations by column, {"height": "0.1 mm"}: what residuals are judged by; else it is taken from the residuals
+    parameters, initial, inputs    that are known, as `simulate` takes them
+    duration    of the runs; needed where impacts have no times
+    offset      run time less measured time, for each run: a value, or a range in which it is fitted, "-2..2 ms"
+    gain        ranges of a sensor's gain by column, {"height": "0.95..1.05"}: measured = gain times run
+    tolerance, method    of the runs. Data beyond the time at which their own error exceeds a tenth of the noise are left out, and that is said
+    starts, seed    Latin hypercube of starts beside the model's own values; the best are followed over windows that lengthen
+    profile     intervals by profile likelihood: "auto" of what is badly told, True of all, False of none
+
+    Raises InputError with every fault: units, columns, lines of a file, names, ranges, and quantities that change nothing measured. A
+    combination of quantities that the data cannot tell is said by name in `untold`.
+    """
+    asked = read_fit(
+        model,
+        data,
+        free,
+        map=map,
+        noise=noise,
+        parameters=parameters,
+        initial=initial,
+        inputs=inputs,
+        duration=duration,
+        offset=offset,
+        gain=gain,
+        tolerance=tolerance,
+        method=method,
+        starts=starts,
+        seed=seed,
+        profile=profile,
+    )
+    return Fit(**vars(fitted(asked, progress)))
