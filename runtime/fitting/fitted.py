@@ -47,13 +47,8 @@ class FittedValue:
     def __str__(self) -> str:
         unit = "" if self.unit == "1" else f" {self.unit}"
         digits = _digits(self.value, self.interval)
-        ends = [
-            f"{'<= ' if is_open and k == 0 else '>= ' if is_open else ''}{end:.{digits}g}"
-            for k, (end, is_open) in enumerate(
-                [(self.interval.low, self.interval.open_low), (self.interval.high, self.interval.open_high)]
-            )
-        ]
-        return f"{self.value:.{digits}g}{unit} ({ends[0]} to {ends[1]})"
+        low, high = _ends(self.interval, digits)
+        return f"{self.value:.{digits}g}{unit} ({low} to {high})"
 
 
 @dataclass(frozen=True)
@@ -153,7 +148,9 @@ class Fitted:
     def verdict(self) -> str:
         """Say whether the model explains the data, and whether they tell its parameters."""
         parts = []
-        if self.goodness is None:
+        if self.goodness is None and any(signal.stated for signal in self.signals):
+            parts.append("as many quantities as data are fitted: nothing is left to judge the model by")
+        elif self.goodness is None:
             parts.append(
                 "whether the model explains the data cannot be said without the noise of the measurement (noise)"
             )
@@ -198,6 +195,20 @@ class Fitted:
                 name = [signal.run, signal.channel.column, signal.channel.unit]
                 rows.append(",".join([*(f'"{text}"' for text in name), *numbers, str(int(used))]))
         return "\n".join(rows) + "\n"
+
+    def markdown(self) -> str:
+        """Return the fit as a page of Markdown."""
+        first, *rest = self.lines()
+        rows = ["| quantity | value | 95 % interval | unit | obtained by |", "|---|---|---|---|---|"]
+        for value in (*self.values.values(), *self.nuisance.values()):
+            digits = _digits(value.value, value.interval)
+            low, high = _ends(value.interval, digits)
+            rows.append(
+                f"| {value.name} | {value.value:.{digits}g} | {low} to {high} | {value.unit} | {value.interval.how} |"
+            )
+        fitted = {*self.values, *self.nuisance}
+        notes = [f"- {label}: {text}" for label, text in rest if label not in fitted]
+        return "\n".join([f"# Fit of {first[1]}", "", *rows, "", *notes, "", "![residuals](fit.png)", ""])
 
     def record(self) -> dict[str, Any]:
         """Return everything but the data as plain numbers, in SI, null for missing ones."""
@@ -246,6 +257,12 @@ def _residual(signal: FittedSignal, *, many: bool) -> str:
         f"{residual.rms / signal.sigma:.3g} times the stated noise" if signal.stated else "its noise is taken from it"
     )
     return f"{name} ({signal.channel.history}): rms {residual.rms:.4g}{unit}, {noise}, peak {residual.peak:.4g}{unit}"
+
+
+def _ends(interval: Interval, digits: int) -> tuple[str, str]:
+    """Return both ends as text; those that the data do not end are marked."""
+    low, high = f"{interval.low:.{digits}g}", f"{interval.high:.{digits}g}"
+    return f"<= {low}" if interval.open_low else low, f">= {high}" if interval.open_high else high
 
 
 def _digits(value: float, interval: Interval) -> int:

@@ -199,7 +199,7 @@ def concluded(asked: Asked, search: Search, found: Found, share: float) -> Fitte
     known = identified(found.jacobian, forward.searched)
     ends, warnings = intervals(search, found, known, asked.profile)
     values = [
-        FittedValue(free.name, free.unit, free.outer(x), interval, free.low, free.high, free.log)
+        FittedValue(free.name, free.unit, free.outer(float(x)), interval, free.low, free.high, free.log)
         for free, x, interval in zip(forward.searched, found.x, ends, strict=True)
     ]
     count = len(asked.free)

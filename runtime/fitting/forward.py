@@ -98,7 +98,7 @@ class Forward:
         return found
 
     def _made(self, x: Array, tolerance: float) -> Point:
-        units = {free.name: (free.outer(place), free.unit) for free, place in zip(self.free, x, strict=False)}
+        units = {free.name: (free.outer(float(place)), free.unit) for free, place in zip(self.free, x, strict=False)}
         runs, predicted, times = [], [], []
         for i, each in enumerate(self.observed):
             run = self._run(each, units, tolerance, self.offset(i, x))
@@ -115,7 +115,7 @@ class Forward:
         parameters, initial = split_values(each.model, values)
         self.runs_made += 1
         try:
-            return simulate(
+            run = simulate(
                 each.model,
                 duration=each.duration,
                 tolerance=tolerance,
@@ -126,6 +126,9 @@ class Forward:
             )
         except InputError:  # a start or a constant that these values together do not have
             return None
+        if run.outcome.name == "interrupted":
+            raise KeyboardInterrupt
+        return run
 
     def slopes(self, x: Array) -> Array:
         """Return the derivatives of what is predicted (n, x) on the scale of the search; 0 where nothing is."""

@@ -47,8 +47,9 @@ def intervals(search: Search, found: Found, known: Identified, profile: bool | s
     noise = "the stated noise" if stated else "the noise seen in the residuals"
     made = []
     for j, free in enumerate(search.forward.searched):
-        x, low, high = found.x[j], search.low[j], search.high[j]
-        ends = x - quantile * errors[j], x + quantile * errors[j]
+        x, low, high = float(found.x[j]), float(search.low[j]), float(search.high[j])
+        half = quantile * float(errors[j])
+        ends = x - half, x + half
         bad = known.concerned(j) or errors[j] > BAD or ends[0] < low or ends[1] > high or not errors[j] > 0
         quantity = j < len(search.forward.free)
         if (profile is True and quantity) or (profile == "auto" and bad and quantity):
@@ -73,7 +74,7 @@ def _profile(search: Search, found: Found, j: int, rise: float, noise: str, warn
     """Return where the least squares, all else fitted anew, rise by the quantile of chi-squared."""
     free = search.forward.searched[j]
     ends, is_open = [], []
-    for bound in (search.low[j], search.high[j]):
+    for bound in (float(search.low[j]), float(search.high[j])):
         place, opened = _end(search, found, j, bound, rise, warnings)
         ends.append(free.outer(place))
         is_open.append(opened)
@@ -84,7 +85,7 @@ def _profile(search: Search, found: Found, j: int, rise: float, noise: str, warn
 def _end(search: Search, found: Found, j: int, bound: float, rise: float, warnings: list[str]) -> tuple[float, bool]:
     from scipy.optimize import brentq  # slow to import
 
-    x = found.x[j]
+    x = float(found.x[j])
     if abs(bound - x) <= NEAR * (search.high[j] - search.low[j]):
         return bound, True
     warm = {x: found.x}

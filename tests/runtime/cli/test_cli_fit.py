@@ -1,0 +1,87 @@
+"""`hertzwerk fit`: report, JSON, files, exit codes, and all faults before it runs."""
+
+import json
+
+import matplotlib.image
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime.cli import main
+
+HOW = ("--map", "height=vertical.travel", "--noise", "height=1 mm", "--starts", "2")
+
+
+@pytest.fixture
+def hertzwerk(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return lambda *arguments: CliRunner().invoke(main, ("fit", "bouncing_ball", *arguments), catch_exceptions=False)
+
+
+@pytest.fixture(scope="module")
+def texts():
+    """Heights of two drops of a ball [mm], with noise."""
+    found, rng, t = {}, np.random.default_rng(3), np.linspace(0.05, 0.75, 40)
+    for name, height in (("one.csv", 1.0), ("two.csv", 0.6)):
+        run = simulate(
+            load("bouncing_ball"), duration="0.8 s", tolerance=1e-10, parameters={"drop_height": (height, "m")}
+        )
+        heights = 1e3 * run.at(t)["vertical.travel"] + rng.normal(0, 1, len(t))
+        rows = [f"{a:.9g},{b:.9g}" for a, b in zip(t, heights, strict=True)]
+        found[name] = "\n".join(["time [s],height [mm]", *rows])
+    return found
+
+
+@pytest.fixture
+def data(tmp_path, texts):
+    for name, text in texts.items():
+        (tmp_path / name).write_text(text)
+
+
+def test_two_runs_and_their_files(hertzwerk, data, tmp_path):
+    both = ("--measured", "one.csv", "--measured", "two.csv", "--at", "two.csv:drop_height=0.6 m")
+    done = hertzwerk(*both, *HOW, "--free", "restitution=0.3..1", "--into", "fitted")
+    assert done.exit_code == 0, done.output
+    for expected in (
+        "restitution   0.",
+        "linear: curvature",
+        "explains the residuals",
+        "fitted/ (fit.json, fit.csv, fit.md, fit.png)",
+    ):
+        assert expected in done.output
+    content = json.loads((tmp_path / "fitted" / "fit.json").read_text())
+    value = content["values"]["restitution"]
+    assert value["interval"]["low"] < 0.9 < value["interval"]["high"] and content["command"].startswith("hertzwerk fit")
+    assert len((tmp_path / "fitted" / "fit.csv").read_text().splitlines()) == 81
+    assert matplotlib.image.imread(tmp_path / "fitted" / "fit.png").std() > 0.05
+    again = hertzwerk(*both, *HOW, "--free", "restitution", "--into", "fitted")
+    assert again.exit_code == 2 and "--into: found fitted, which has other content" in again.output
+
+
+def test_json_alone_writes_nothing_and_what_is_not_told_is_another_outcome(hertzwerk, data, tmp_path):
+    done = hertzwerk(
+        "--measured",
+        "one.csv",
+        *HOW,
+        "--free",
+        "restitution=0.3..1",
+        "--free",
+        "stiffness=1e9..1e12 N/m^1.5",
+        "--profile",
+        "none",
+        "--json",
+    )
+    content = json.loads(done.output)
+    assert done.exit_code == 1 and content["untold"] and content["explained"] is True
+    assert not (tmp_path / "runs").exists()
+
+
+def test_every_fault_in_one_error(hertzwerk, data):
+    done = hertzwerk(
+        "--measured", "one.csv", "--map", "hieght=vertical.travel", "--free", "restitutoin=0.3..1", "--at", "three.csv:mass=1 kg",
+        "--offset", "2..1 ms", "--starts", "-1",
+    )  # fmt: skip
+    assert done.exit_code == 2
+    for part in ("did you mean height", "did you mean restitution", "three.csv", "the lower end first", "starts"):
+        assert part in done.output
