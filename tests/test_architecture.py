@@ -362,6 +362,7 @@ COMMANDS = [
     "derive",
     "draw",
     "effects",
+    "fit",
     "hardcases",
     "laws",
     "reports",
@@ -381,7 +382,7 @@ PICTURES = {
     *(f"pictures/motion/{name}.py" for name in ["film", "moving_paper", "stage", "writers"]),
     *(
         f"pictures/studies/plot_{name}.py"
-        for name in ["accuracy", "band", "comparison", "effects", "fit", "laws", "page"]
+        for name in ["accuracy", "band", "comparison", "effects", "fit", "fit", "laws", "page"]
     ),
     "pictures/sweeps/plot_sweep.py",
     *(f"pictures/draw/{name}.py" for name in ["drawing", "insets", "labels", "paper", "picture", "gallery"]),
