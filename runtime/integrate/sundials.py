@@ -166,6 +166,7 @@ class _Run:
         self.ends_with_force = np.array(ends_with_force(self.model)).ravel() > 0
         self.steps = self.events = 0
         self.floored = float(parts["floored"][0])
+        self.unsettled = float(parts["unsettled"][0])
         self.give_pieces()
 
     def give_pieces(self) -> None:
@@ -341,7 +342,8 @@ class _Run:
         breaks = mine & ran_out & sticking(self.model, self.m)
         tolerances = np.full(mine.size, AT_REST), np.where(breaks, BREAKS_LOOSE, 0.0)
         results = self.functions.resolve_slips(self.t, self.y, self.mode, self.m, self.c, mine & ~breaks, *tolerances)
-        self.m, self.y = (np.array(result).ravel() for result in results)
+        self.m, self.y, busy = (np.array(result).ravel() for result in results)
+        self.unsettled += float(busy[0])
 
     def parts(self) -> tuple[np.ndarray, np.ndarray]:
         """Return q and u."""
@@ -370,6 +372,7 @@ class _Run:
             "steps": self.steps,
             "events": self.events,
             "floored": self.floored,
+            "unsettled": self.unsettled,
             "pieces": self.c[self.c.size - self.model.npieces :],
             "stop": self.stop,
         }

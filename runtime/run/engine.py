@@ -20,7 +20,7 @@ from hertzwerk.runtime.run.request import Compiled
 from hertzwerk.runtime.solution.findings import Needs, finders
 from hertzwerk.runtime.start.start_values import dependent, read_start
 
-COUNTERS = ("steps", "rejected", "retaken", "evaluations", "events", "floored")  # parts of a state
+COUNTERS = ("steps", "rejected", "retaken", "evaluations", "events", "floored", "unsettled")  # parts of a state
 
 
 @dataclass(frozen=True)

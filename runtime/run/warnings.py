@@ -51,6 +51,13 @@ def floored(count: int, floor: float) -> Iterator[str]:
     yield f"{contacts} slower than approach_floor = {floor:g} m/s, which the damping law took for the approach speed"
 
 
+def unsettled(count: int) -> Iterator[str]:
+    """Yield a warning of instants at which no forces were found that say who sticks and who slips."""
+    if count:
+        instants = "an instant" if count == 1 else f"{count} instants"
+        yield f"at {instants} it was not settled which contacts stick and which slip: they went on as found, maybe wrongly"
+
+
 def uncompiled(code: Code | None) -> Iterator[str]:
     """Yield a warning where C would have saved time but the compiler failed."""
     if code is not None and code.compiler_failure:

@@ -26,6 +26,8 @@ ROUNDINGS = 4  # times the bound of a gap's rounding: locating an event takes a 
 LANDING = 1e-2  # of the tolerance, in the scene's scales: accuracy of a landing
 DOUBT = 0.1  # of |quintic - cubic|: distance from zero below which a graze is in doubt
 NEAR = 1 / 64  # of a step: most by which its end is moved to land on a surface, by the classical method of order 4
+RESOLVED = 0.5  # of a gap and its way in a step: most that a step may leave open of its course
+UNSEEN = 1e-10  # of the scene's length: what a step may leave open in any case
 PARTS = 8  # sub-intervals searched
 BELIEVED = 4  # retakes of one step after which cubics give way to chords; where a cubic fits, 1 to 3 land
 # retakes after which a margin counts as rootless: nearly redundant friction forces jump with a step's error
@@ -78,6 +80,23 @@ def far_apart(
     way = (2 / 5 + DOUBT / 32) * h + time_rounding(end["t"], 1)
     least = _landing(run, end["t"], 0) + way * rates + (1 / 20 + DOUBT / 64) * h * h * accelerations
     return ca.fmin(gap0, gap1) > least
+
+
+def unresolved(run: Mapping[str, Any], mode: Any, start: Mapping[str, Any], end: Mapping[str, Any]) -> Any:
+    """Return how badly the gaps of pairs in flight are resolved by a step; above 1 it has to be shorter.
+
+    A surface that is driven, or turns in free flight, may come and go within a step in which every state moves along a
+    line: no error of a state is seen, and the quintic knows the ends of the step alone. What tells are the errors of the
+    trapezoidal rule with its correction for the gap, and without it for the rate. Both vanish for no vibration, in any
+    phase, that is not resolved; what they leave is small beside the gap, so that it cannot close it.
+    """
+    h, flying = start["h"], mode == FLIGHT
+    (g0, rate0, a0), (g1, rate1, a1) = ([side[part] for part in GAP] for side in (start, end))
+    error = ca.fabs(g1 - g0 - h / 2 * (rate0 + rate1) + h * h / 12 * (a1 - a0))
+    error += h * ca.fabs(rate1 - rate0 - h / 2 * (a0 + a1))
+    way = ca.fmax(ca.fabs(g0), ca.fabs(g1)) + h / 8 * (ca.fabs(rate0) + ca.fabs(rate1))
+    least = ca.fmax(run["tolerance"], UNSEEN) * run["scales"][0]
+    return ca.mmax(ca.if_else(flying, error / (RESOLVED * way + least), 0))
 
 
 def no_event_possible(

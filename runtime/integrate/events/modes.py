@@ -92,15 +92,16 @@ def switch(model: Model, vectors: Layouts, right: Flow) -> Any:
     booked = ca.Function(
         "booked", arguments, [after["t"], y, after["mode"], m, run["c"], asked, *_slip_tolerances(model, tolerance)]
     )
-    y, m = ca.SX.sym("y", y.numel()), ca.SX.sym("m", model.nm)
+    y, m, busy = ca.SX.sym("y", y.numel()), ca.SX.sym("m", model.nm), ca.SX.sym("busy")
     end = right.at(after["t"], y, after["mode"], m, run["c"])
     end.pop("in_range")
     finite = is_finite(end)
     status = ca.if_else(finite, after["status"], NOT_FINITE)
     new = {**after, **end, "y": y, "m": m, "status": status, "class": ca.if_else(finite, after["class"], IDLE)}
+    new["unsettled"] = after["unsettled"] + busy
     if model.ne:
         new["h"] = ca.fmin(after["h"], time_to_event(run, end, after["t"]))
-    resumed = ca.Function("resumed", [*arguments[1:], m, y], [vectors.state.join(new)])
+    resumed = ca.Function("resumed", [*arguments[1:], m, y, busy], [vectors.state.join(new)])
     given = booked.mx_in()
     slips = resolve_slips(model).call(booked.call(given))
     return ca.Function("switch", given, [resumed(*given[1:], *slips)], ["before", "after", "controls"], ["next"])
@@ -173,8 +174,9 @@ def begin(model: Model, vectors: Layouts, right: Flow) -> Any:
 
 
 def _first(model: Model, vectors: Layouts, right: Flow) -> Any:
-    """Build the function (t, controls, mode, m, y, floored) -> initial state under given modes."""
-    t, controls, floored = ca.SX.sym("t"), vectors.controls.symbol("controls"), ca.SX.sym("floored")
+    """Build the function (t, controls, mode, m, y, unsettled, floored) -> initial state under given modes."""
+    t, controls = ca.SX.sym("t"), vectors.controls.symbol("controls")
+    unsettled, floored = ca.SX.sym("unsettled"), ca.SX.sym("floored")
     mode, m, y = (ca.SX.sym(name, vectors.state.sizes[name]) for name in ("mode", "m", "y"))
     run = vectors.controls.split(controls)
     end = right.at(t, y, mode, m, run["c"])
@@ -205,8 +207,9 @@ def _first(model: Model, vectors: Layouts, right: Flow) -> Any:
         "stop": run["t_end"] if model.inputs else ca.SX(0, 1),
         "evaluations": ca.SX(3 if model.k else 1),
         "floored": floored,
+        "unsettled": unsettled,
     }
-    return ca.Function("first", [t, controls, mode, m, y, floored], [vectors.state.join(start)])
+    return ca.Function("first", [t, controls, mode, m, y, unsettled, floored], [vectors.state.join(start)])
 
 
 def _slip_tolerances(model: Model, tolerance: list[Any]) -> list[Any]:

@@ -47,6 +47,7 @@ AT_REST = 1.5 * AHEAD  # of the landing tolerance: sliding velocity in two direc
 def resolve_slips(model: Model) -> Any:
     """Return the CasADi function of the state (m, y) after stick and slip are resolved.
 
+    Its third result is 1 where they could not be.
     Arguments: t, y, mode, m, c, asked (n), tolerances of speeds [m/s] and forces [N] (n). asked: pairs whose
     direction of sliding is open, at an onset or at rest. Pairs sliding faster than the tolerance keep their
     direction. Of the others the complementarity problem decides; those that stuck may exceed the holding force by a
@@ -55,14 +56,14 @@ def resolve_slips(model: Model) -> Any:
     n = model.ns
     given = [*model.symbols("t y mode m c", ca.MX), *(ca.MX.sym(name, n) for name in ("asked", "rate", "force"))]
     if not n:
-        return ca.Function("directed", given, [given[3], given[1]])
+        return ca.Function("directed", given, [given[3], given[1], 0])
     groups = tuple(map(tuple, groups_of(pairs_of(model))))
     solve = pivoting(n) if len(groups) == n else settling(groups)
-    slip, _ = solve(*_problem(model)(*given))
+    slip, busy = solve(*_problem(model)(*given))
     if len(groups) < n:
         slip = _ahead(model)(*given, slip)
     m, y = _at_rest(model)(*given[:5], slip)
-    return ca.Function("directed", given, [m, y])
+    return ca.Function("directed", given, [m, y, busy])
 
 
 def pivoting(n: int) -> Any:

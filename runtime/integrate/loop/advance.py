@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import casadi as ca
 
 from hertzwerk.runtime.host.interrupt import poll
-from hertzwerk.runtime.integrate.events.events import far_apart, no_event_possible
+from hertzwerk.runtime.integrate.events.events import far_apart, no_event_possible, unresolved
 from hertzwerk.runtime.integrate.events.jumps import none_possible, time_to_event
 from hertzwerk.runtime.integrate.events.modes import all_of, is_finite
 from hertzwerk.runtime.integrate.loop.choose import Choosing, choice, suspicion
@@ -107,6 +107,9 @@ def _judged(
     if contact:
         end["error"] *= roughness(mode == CONTACT, old["gap"], end["gap"])
     error, in_range = end.pop("error"), end.pop("in_range")
+    if model.k:
+        unseen = unresolved(run, mode, old, end)
+        error = ca.if_else(unseen > error, unseen, error)  # one that is not finite stays
     remaining = run["t_end"] - end["t"]
     passed = (error <= 1) * is_finite(end)
     clear = plain * (1 - old["fresh_contact"]) * (remaining > 0) * (steps < run["max_steps"])

@@ -150,7 +150,7 @@ def layouts(model: Model) -> Layouts:
     steps = ("h", "h_flight", "h_contact", "h_onset", "class", "status")
     choice = ("method", "pressure", "wary", "stiffness")
     flags = ("accepted", "fresh_contact", "after_rejection")
-    counters = ("retakes", "steps", "rejected", "retaken", "evaluations", "events", "floored")
+    counters = ("retakes", "steps", "rejected", "retaken", "evaluations", "events", "floored", "unsettled")
     limits = ("tolerance", "t_end", "h_max", "floor", "max_events", "max_steps")
     return Layouts(
         state=Layout(

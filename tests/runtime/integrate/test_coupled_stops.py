@@ -12,6 +12,7 @@ from tops import BALL, DISC, GRAVITY, OFFSET, RING, TOP, curling, tippe_top
 from hertzwerk.derive import Parameter
 from hertzwerk.derive.laws import smooth_coulomb
 from hertzwerk.runtime import load, simulate
+from hertzwerk.runtime.integrate.events import discs, slips
 
 pytestmark = pytest.mark.by_turns(5)  # methods that run the same code
 
@@ -66,6 +67,17 @@ def test_a_disc_on_three_feet_stops_sliding_and_spinning_at_once(method):
     assert np.max(speed[rests]) + np.max(spin[rests]) < 1e-14
     booked = sum(run.final[f"rub_{i}.dissipated"] for i in range(3))
     assert booked == pytest.approx(DISC / 2 + DISC * RING**2 / 4 * 100, rel=1e-7)
+
+
+def test_what_is_not_settled_is_told(monkeypatch):
+    """The same disc, but for iterations that end too early."""
+    monkeypatch.setattr(discs, "ITERATIONS", 2)
+    monkeypatch.setattr(slips, "settling", discs.settling.__wrapped__)
+    given = {"duration": "1 s", "method": "dop853", "tolerance": 1e-8, "compiled": False}
+    short = simulate(load(curling(dry(MU), 3)), max_steps=2000, **given)
+    monkeypatch.undo()
+    assert sum("not settled which contacts stick" in warning for warning in short.warnings) == 1
+    assert not simulate(built(curling, dry(MU), 3), **given).warnings
 
 
 # ---- a top -----------------------------------------------------------------------------------------------------------
