@@ -12,6 +12,8 @@ if TYPE_CHECKING:  # the list of public names
         TruncatedNormal as TruncatedNormal,
         Uniform as Uniform,
     )
+    from hertzwerk.runtime.design.minimisation import minimise as minimise
+    from hertzwerk.runtime.design.minimum import Minimum as Minimum
     from hertzwerk.runtime.design.propagated import Propagated as Propagated
     from hertzwerk.runtime.design.propagation import propagate as propagate
     from hertzwerk.runtime.effects.leaving_out import study_effects as study_effects

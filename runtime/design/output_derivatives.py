@@ -14,6 +14,7 @@ import numpy as np
 from hertzwerk.runtime.solution.averages import POWERS
 from hertzwerk.runtime.solution.history import units_of
 from hertzwerk.runtime.solution.samples import Samples
+from hertzwerk.runtime.sweeps.row_outputs import NORMS, norm
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.sensitivity.sensitivities import Sensitivities
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 
 NODES = 4  # of Gauss in a step: order 8, as the steps' own
 LEVEL = 1e-9  # of a history's largest value: jumps below are rounding
+PANELS = 64  # of a run, at least: few steps are long ones
 BESIDE = 1e-5  # of a step: distance from an event from which its limits are taken
 CLEAR = 1e-9  # of the scene's length at its speed: the least such distance, beyond the rounding of a gap
 OF_IMPACTS = {"peak_force": "peak_force", "max_penetration": "peak_penetration"}
@@ -97,11 +99,13 @@ class OutputDerivatives:
         """Return the derivatives of the integral over time of a function of a history, whose slope is given."""
         history = self.run.history
         steps = np.flatnonzero(np.diff(history.t) > 0)
-        h = np.diff(history.t)[steps]
+        panels = int(np.clip(PANELS // len(steps), 1, PANELS))
+        h = np.diff(history.t)[steps] / panels
         nodes, weights = np.polynomial.legendre.leggauss(NODES)
-        index, later = np.repeat(steps, NODES), np.outer(h, (1 + nodes) / 2).ravel()
+        nodes = (np.arange(panels)[:, None] + (1 + nodes) / 2).ravel()
+        index, later = np.repeat(steps, len(nodes)), np.outer(h, nodes).ravel()
         changes = self.of.along(history.t[index] + later, name)
-        weight = np.outer(h, weights / 2).ravel() * slope(history.between(index, later)[name])
+        weight = np.outer(h, np.tile(weights / 2, panels)).ravel() * slope(history.between(index, later)[name])
         found: np.ndarray = weight @ changes
         rows, instants = self.of.events
         if len(rows):
@@ -130,11 +134,12 @@ class OutputDerivatives:
         found: np.ndarray = self._integral(name, lambda h: h, np.ones_like) / self._time
         return found
 
-    def _root_mean_square(self, name: str) -> np.ndarray:
-        value = np.sqrt(self.samples.mean(lambda history: np.square(history[name])))
+    def _norm(self, name: str, order: int) -> np.ndarray:
+        value = norm(self.samples, name, order)
         if value == 0:
             raise NoDerivativeError("it is zero throughout, where a root has no derivative")
-        found: np.ndarray = self._integral(name, np.square, lambda h: 2 * h) / (2 * value * self._time)
+        by = self._integral(name, lambda h: (h / value) ** order, lambda h: order * (h / value) ** (order - 1) / value)
+        found: np.ndarray = value * by / (order * self._time)
         return found
 
     @property
@@ -171,6 +176,7 @@ _REDUCERS: dict[str, Callable[[OutputDerivatives, str], np.ndarray]] = {
     "max": lambda found, name: found._extreme(name, 1),
     "min": lambda found, name: found._extreme(name, -1),
     "mean": OutputDerivatives._mean,
-    "rms": OutputDerivatives._root_mean_square,
+    "rms": lambda found, name: found._norm(name, 2),
     "peak_to_peak": OutputDerivatives._peak_to_peak,
+    **{kind: lambda found, name, order=order: found._norm(name, order) for kind, order in NORMS.items()},  # type: ignore[misc]
 }

@@ -163,7 +163,7 @@ def _derivatives(run: Solution, names: tuple[str, ...], duration: object) -> tup
     """Return the derivatives of a run's outputs; None with the reason where there are none."""
     if run.outcome.name not in REACHED_END:
         return None, f"the run at the means ended: {run.outcome.message}"
-    if isinstance(duration, str) and _follows(run.model, names, duration):
+    if isinstance(duration, str) and duration_follows(run.model, names, duration):
         return None, f"the duration {duration} changes with what is uncertain: state it as a time"
     try:
         whole = run.with_steps()
@@ -172,7 +172,7 @@ def _derivatives(run: Solution, names: tuple[str, ...], duration: object) -> tup
         return None, "; ".join(f"{fault.where}: {fault.found}" for fault in error.faults)
 
 
-def _follows(model: plain.Model, names: tuple[str, ...], duration: str) -> bool:
+def duration_follows(model: plain.Model, names: Sequence[str], duration: str) -> bool:
     """Return whether a duration, such as "2 rev", changes with a parameter."""
     now = read_duration(model, {}, duration, [])
     bound, units = model.bind(), si_units(model)

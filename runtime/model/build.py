@@ -24,6 +24,7 @@ from hertzwerk.runtime.model.generated_text import module_of
 if TYPE_CHECKING:
     from hertzwerk.derive.audit.audit import Finding
     from hertzwerk.derive.declare.scene import Scene
+    from hertzwerk.derive.dimension.tree import Node
     from hertzwerk.derive.laws.law import Law
     from hertzwerk.derive.readable.record import Readable
     from hertzwerk.derive.sheets.comparison import ExponentUnit, ForceCurve
@@ -216,6 +217,15 @@ def audit_text(text: str, units: Sequence[str], values: Sequence[str], expect: s
     from hertzwerk.derive.files import audit_text as of_text
 
     return of_text.audit_expression(text, *of_text.declarations(units, values), expect)
+
+
+def read_expression(text: str, units: Mapping[str, str]) -> tuple[Node, Finding]:
+    """Return the tree of an expression whose names have these units, and the finding on it; raises InputError."""
+    from hertzwerk.derive.dimension.reader import read
+    from hertzwerk.derive.files.audit_text import audit_expression
+
+    finding = audit_expression(text, units)
+    return read(text).root, finding
 
 
 def audit_catalogue() -> tuple[tuple[Finding, ...], tuple[str, ...]]:

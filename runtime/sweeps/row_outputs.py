@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -68,7 +69,7 @@ class NotANumberError(TypeError):
     """An output that is not one number."""
 
 
-_OTHERWISE = "a history with .max, .min, .mean, .rms or .peak_to_peak"
+_OTHERWISE = "a history with .max, .min, .mean, .rms, .peak_to_peak, .norm8 or .norm32"
 
 
 def own(name: str, function: Callable[[Solution], float]) -> Output:
@@ -237,8 +238,10 @@ def _mean(samples: Samples, name: str) -> float:
     return samples.mean(lambda history: history[name])
 
 
-def _root_mean_square(samples: Samples, name: str) -> float:
-    return math.sqrt(samples.mean(lambda history: np.square(history[name])))
+def norm(samples: Samples, name: str, order: int) -> float:
+    """Return the mean over time of the order-th power of a magnitude, and of that the root."""
+    size = float(np.abs(samples[name]).max()) or 1.0
+    return size * math.pow(samples.mean(lambda history: (history[name] / size) ** order), 1 / order)
 
 
 def _highest(samples: Samples, name: str) -> float:
@@ -249,12 +252,14 @@ def _lowest(samples: Samples, name: str) -> float:
     return -samples.highest(lambda history: -history[name])
 
 
+NORMS = {"norm8": 8, "norm32": 32}  # even orders of smooth stand-ins for the largest magnitude
 _REDUCERS: dict[str, Callable[[Samples, str], float]] = {
     "max": _highest,
     "min": _lowest,
     "mean": _mean,
-    "rms": _root_mean_square,
+    "rms": partial(norm, order=2),
     "peak_to_peak": lambda samples, name: _highest(samples, name) - _lowest(samples, name),
+    **{kind: partial(norm, order=order) for kind, order in NORMS.items()},
 }
 
 

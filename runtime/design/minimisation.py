@@ -1,0 +1,457 @@
+"""Best parameters for a number of a run: SciPy's SLSQP with exact gradients, where outputs have them.
+
+1. objective    a formula of outputs and parameters, its unit proven        design/formula
+2. ranges       of what is varied, as parts 0..1 of them
+3. runs         one for each point, with the derivatives of its outputs     design/output_derivatives
+4. minimum      checked: the derivatives beside a difference of runs        design/minimum
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from hertzwerk.derive.faults import Fault, InputError, shown, unknown
+from hertzwerk.runtime.design.formula import Formula, names_in, read_formula
+from hertzwerk.runtime.design.minimum import Held, Minimum, Trial
+from hertzwerk.runtime.design.output_derivatives import NoDerivativeError, OutputDerivatives
+from hertzwerk.runtime.design.propagation import duration_follows, refused_by_sweep
+from hertzwerk.runtime.host.lazy import cached_property
+from hertzwerk.runtime.inputs.given import Input
+from hertzwerk.runtime.loading import load
+from hertzwerk.runtime.model import model as plain
+from hertzwerk.runtime.model.binding import Value, read_parameters, read_state
+from hertzwerk.runtime.model.si_values import si_of, si_units
+from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled
+from hertzwerk.runtime.simulation import simulate
+from hertzwerk.runtime.solution.outcome import REACHED_END, Outcome
+from hertzwerk.runtime.start.start_values import split_values
+from hertzwerk.runtime.sweeps.design import Axis, Range, read_design
+from hertzwerk.runtime.sweeps.row_outputs import Measured, Output, chosen
+
+if TYPE_CHECKING:
+    from hertzwerk.derive.declare.scene import Scene
+    from hertzwerk.runtime.simulation import Solution
+
+STEP = 1e-4  # of a range: differences, and the check of derivatives
+DOUBT = 0.01  # relative difference of derivatives from differences that is said
+ENDS = 1e-6  # of a range: nearer to its end a value is at it
+NEAR = 1e-3  # of a constraint's size: nearer to its limit it is active
+KEPT = 1e-6  # of a constraint's size: how far it may be missed
+LARGEST = re.compile(r"\.(max|min|peak_to_peak|peak_force|max_penetration)$|^peak_force$")
+_BOUND = re.compile(r"\s*(<=|>=|=)\s*(.+)")
+
+
+def minimise(
+    model: plain.Model | str | Path | Scene,
+    objective: str,
+    over: Mapping[str, str],
+    constraints: Mapping[str, str] | None = None,
+    *,
+    start: Mapping[str, Value] | None = None,
+    values: Mapping[str, Value] | None = None,
+    inputs: Mapping[str, Input] | None = None,
+    duration: str | float | None = None,
+    accuracy: float | None = None,
+    tolerance: float | None = None,
+    method: str = METHOD,
+    compiled: Compiled = "auto",
+    max_steps: int = MAX_STEPS,
+    max_events: int = MAX_EVENTS,
+    wall_time: float | None = None,
+    precision: float = 1e-6,
+    max_runs: int = 200,
+) -> Minimum:
+    """Return the parameters, within ranges, for which a number of a run is least.
+
+    objective    an output as of `sweep`, or a formula of outputs and parameters, whose unit is proven:
+                 "main_bearing.reaction_x.rms**2 + main_bearing.reaction_y.rms**2"
+    over         ranges of parameters and initial states: {"counterweight": "0..0.5 kg", "stiffness": "1e6..1e9 N/m log"}
+    constraints  bounds of outputs or formulas: {"slider_pin.peak_force": "<= 5 kN", "final.guide.travel": "= 0.1 m"}
+    start        values to begin with, by default the model's where they are within the range, else its middle
+    precision    of the objective's and the constraints' sizes, at which it ends; max_runs    where to stop
+
+    Gradients are exact where every output has derivatives, else differences of runs. The largest value of a history switches
+    from one peak to another: `.norm8` and `.norm32` are smooth stand-ins for it. The minimum is a local one. The other
+    arguments are those of `simulate`. Raises InputError with every fault.
+    """
+    model = model if isinstance(model, plain.Model) else load(model)
+    settings: dict[str, Any] = {
+        **{"duration": duration, "accuracy": accuracy, "tolerance": tolerance, "method": method},
+        **{"max_steps": max_steps, "max_events": max_events, "wall_time": wall_time, "compiled": compiled},
+    }
+    faults = refused_by_sweep(model, {"values": values, "inputs": inputs, **settings}, None)
+    ranges = _ranges(model, over, start, faults)
+    texts = [objective, *(constraints if isinstance(constraints, Mapping) else ())]
+    asked = list(dict.fromkeys(name for text in texts for name in names_in(text)))
+    outputs = {one.name: one for one in chosen(model, [n for n in asked if n not in model.parameters], faults)}
+    units = si_units(model)
+    named = {**units, **{name: output.columns[name] for name, output in outputs.items()}}
+    goal = read_formula("objective", objective, named, faults)
+    bounds = _bounds(constraints, named, faults)
+    for where, number, least in (("precision", precision, 0.0), ("max_runs", max_runs, 1)):
+        if isinstance(number, bool) or not isinstance(number, int | float) or not number > least:
+            faults.append(Fault(where, shown(number), f"a number above {least:g}"))
+    faults += [Fault(name, "among values and over", "one of the two") for name in ranges if name in (values or {})]
+    if faults or goal is None:
+        raise InputError(f"minimum of {model.name}", faults)
+    problem = _Problem(model, goal, tuple(bounds), ranges, outputs, dict(values or {}), inputs, settings)
+    return _Search(problem, int(max_runs)).minimum(float(precision))
+
+
+@dataclass(frozen=True)
+class _Span:
+    """Range of one name in SI, of which a point is a part 0..1; `log`: of equal ratios; begin    part to begin with."""
+
+    low: float
+    high: float
+    log: bool
+    begin: float
+
+    def at(self, part: float) -> float:
+        """Return the value at a part."""
+        if self.log:
+            return self.low * math.pow(self.high / self.low, part)
+        return self.low + part * (self.high - self.low)
+
+    def slope(self, part: float) -> float:
+        """Return the change of the value with the part."""
+        return self.at(part) * math.log(self.high / self.low) if self.log else self.high - self.low
+
+    def part(self, value: float) -> float:
+        """Return the part of a value."""
+        if self.log:
+            return math.log(value / self.low) / math.log(self.high / self.low)
+        return (value - self.low) / (self.high - self.low)
+
+
+@dataclass(frozen=True)
+class _Bound:
+    """Constraint lower <= formula <= upper in SI; size    what misses of it are measured by."""
+
+    text: str
+    formula: Formula
+    lower: float
+    upper: float
+
+    @property
+    def size(self) -> float:
+        """Largest of its finite limits, or 1."""
+        return max((abs(x) for x in (self.lower, self.upper) if math.isfinite(x)), default=1.0) or 1.0
+
+    def missed(self, value: float) -> float:
+        """Return by how much of its size a value misses it."""
+        return max(self.lower - value, value - self.upper, 0.0) / self.size
+
+
+def _ranges(
+    model: plain.Model, over: object, start: Mapping[str, Value] | None, faults: list[Fault]
+) -> dict[str, _Span]:
+    """Return the ranges of what is varied; bad input is appended to `faults`."""
+    units = si_units(model)
+    states = (*model.joints.coordinates, *model.joints.speeds)
+    axes: dict[str, Axis] = {}
+    for one in [{name: given} for name, given in over.items()] if isinstance(over, Mapping) and over else [over]:
+        wrong: list[Fault] = []
+        axes |= read_design(one, sample=1, faults=wrong).axes
+        faults += wrong
+    found: dict[str, _Span] = {}
+    begins = start if isinstance(start, Mapping) else {}
+    if start is not None and not isinstance(start, Mapping):
+        faults.append(Fault("start", shown(start), 'values by name, such as {"clearance": "0.2 mm"}'))
+    faults += [
+        Fault(f"start[{name!r}]", "a name that is not varied", "one of over") for name in begins if name not in axes
+    ]
+    for name, axis in axes.items():
+        if name not in (*model.parameters, *states):
+            faults.append(
+                unknown("parameter or initial state", name, [n for n in units if n in model.parameters or n in states])
+            )
+        elif not isinstance(axis, Range):
+            faults.append(Fault(f"over[{name!r}]", "values", 'a range, such as "0.05..0.5 mm" or "1e6..1e9 N/m log"'))
+        else:
+            low, high = ((float(end), axis.unit) for end in (axis.low, axis.high))
+            ends = [_si(model, name, end, f"over[{name!r}]", faults) for end in (low, high)]
+            begin = model.bind()[name] if name in model.parameters else math.nan
+            if name in begins:
+                begin = _si(model, name, begins[name], f"start[{name!r}]", faults)
+            if all(map(math.isfinite, ends)):
+                span = _Span(ends[0], ends[1], axis.log, 0.5)
+                within = ends[0] <= begin <= ends[1]
+                if name in begins and math.isfinite(begin) and not within:
+                    faults.append(Fault(f"start[{name!r}]", shown(begins[name]), "a value within its range"))
+                found[name] = replace(span, begin=span.part(begin)) if within else span
+    return found
+
+
+def _si(model: plain.Model, name: str, value: Value, where: str, faults: list[Fault]) -> float:
+    """Return a value of a parameter or state in SI, nan with faults appended."""
+    if name not in model.parameters:
+        si, fault = read_state(where, model.joints.units[name], value)
+        faults += [] if fault is None else [fault]
+        return math.nan if fault is not None else si
+    reading = read_parameters(model.declared, {name: value})
+    wrong = [Fault(where, fault.found, fault.expected, fault.remedy) for fault in reading.faults]
+    faults += wrong
+    return math.nan if wrong else reading.si[name]
+
+
+def _bounds(constraints: object, named: Mapping[str, str], faults: list[Fault]) -> list[_Bound]:
+    """Return the constraints; bad input is appended to `faults`."""
+    if constraints is None:
+        return []
+    if not isinstance(constraints, Mapping):
+        faults.append(Fault("constraints", shown(constraints), 'bounds by output, such as {"peak_force": "<= 5 kN"}'))
+        return []
+    found = []
+    for text, bound in constraints.items():
+        where = f"constraints[{text!r}]"
+        formula = read_formula(where, text, named, faults)
+        written = _BOUND.fullmatch(bound) if isinstance(bound, str) else None
+        if written is None:
+            faults.append(Fault(where, shown(bound), 'a bound, such as "<= 5 kN", ">= 2 mm" or "= 0.1 m"'))
+        elif formula is not None:
+            si, fault = read_state(where, formula.unit or "1", written[2])
+            if fault is not None:
+                faults.append(fault)
+            else:
+                lower, upper = {"<=": (-math.inf, si), ">=": (si, math.inf), "=": (si, si)}[written[1]]
+                found.append(_Bound(f"{text} {bound.strip()}", formula, lower, upper))
+    return found
+
+
+@dataclass(frozen=True)
+class _Problem:
+    """Everything a minimisation computes."""
+
+    model: plain.Model
+    goal: Formula
+    bounds: tuple[_Bound, ...]
+    ranges: Mapping[str, _Span]
+    outputs: Mapping[str, Output]
+    values: Mapping[str, Value]
+    inputs: Mapping[str, Input] | None
+    settings: Mapping[str, Any]
+
+    def given(self, x: np.ndarray) -> dict[str, float]:
+        """Return the values at a point, SI."""
+        return {name: span.at(float(part)) for (name, span), part in zip(self.ranges.items(), x, strict=True)}
+
+    def run(self, x: np.ndarray) -> Solution:
+        """Run the model at a point; raises InputError, _RunFailedError."""
+        units = si_units(self.model)
+        given = {name: (value, units[name] or "1") for name, value in self.given(x).items()}
+        parameters, initial = split_values(self.model, {**self.values, **given})
+        run = simulate(self.model, **self.settings, parameters=parameters, initial=initial, inputs=self.inputs)
+        if run.outcome.name not in REACHED_END:
+            raise _StoppedError(
+                run.outcome.name, f"a run ended before its time: {run.outcome.message}", run.outcome.remedy
+            )
+        return run
+
+    def numbers(self, run: Solution) -> dict[str, float]:
+        """Return what the formulas name of a run, SI."""
+        measured = Measured(run)
+        found = {name: output.of(measured)[0] for name, output in self.outputs.items()}
+        return {**{name: si_of(self.model, name, value) for name, value in run.parameters.items()}, **found}
+
+    def gradient(self, run: Solution, x: np.ndarray) -> np.ndarray:
+        """Return the exact gradients (formulas, names) with the parts; raises NoDerivativeError, InputError."""
+        names = list(self.ranges)
+        duration = self.settings["duration"]
+        if isinstance(duration, str) and duration_follows(self.model, names, duration):
+            raise NoDerivativeError(f"the duration {duration} changes with what is varied: state it as a time")
+        derivatives, numbers = OutputDerivatives(run.with_steps(), run.sensitivities(*names)), self.numbers(run)
+        of = {name: derivatives[name] for name in self.outputs}
+        of |= {name: np.eye(len(names))[i] for i, name in enumerate(names) if name not in of}
+        still = np.zeros(len(names))
+        rows = [
+            formula.gradient(numbers) @ [of.get(name, still) for name in formula.names] for formula in self.formulas
+        ]
+        slopes = [span.slope(float(part)) for span, part in zip(self.ranges.values(), x, strict=True)]
+        found: np.ndarray = np.array(rows) * slopes
+        return found
+
+    @cached_property
+    def begin(self) -> np.ndarray:
+        """Point to begin with."""
+        return np.array([span.begin for span in self.ranges.values()])
+
+    @property
+    def formulas(self) -> tuple[Formula, ...]:
+        """Objective, then constraints."""
+        return (self.goal, *(bound.formula for bound in self.bounds))
+
+
+class _StoppedError(Exception):
+    """End of a search before its minimum: name, message, remedy of its outcome."""
+
+
+@dataclass(frozen=True)
+class _Point:
+    """Run at a point; objective and constraints (formulas,), and their gradients (formulas, names) with the parts."""
+
+    run: Solution
+    value: np.ndarray
+    gradient: np.ndarray
+
+
+@dataclass
+class _Search:
+    """Search for a minimum; every point is run once."""
+
+    problem: _Problem
+    max_runs: int
+    exact: bool = True
+    why: str = ""
+    runs: int = 0
+    trials: list[Trial] = field(default_factory=list)
+    known: dict[bytes, _Point] = field(default_factory=dict)
+
+    def at(self, x: np.ndarray) -> _Point:
+        """Return the run at a point, and objective and constraints with their gradients."""
+        key = np.asarray(x, dtype=float).tobytes()
+        if key not in self.known:
+            run, value = self._run(x)
+            self.known[key] = _Point(run, value, self._gradient(x, run, value))
+        return self.known[key]
+
+    def _run(self, x: np.ndarray) -> tuple[Solution, np.ndarray]:
+        """Return the run at a point, with the values of objective and constraints."""
+        if self.runs >= self.max_runs:
+            raise _StoppedError("too_many_runs", f"stopped after {self.runs} runs", "allow more: max_runs=500")
+        self.runs += 1
+        problem = self.problem
+        run = problem.run(x)
+        numbers = problem.numbers(run)
+        value = np.array([formula(numbers) for formula in problem.formulas])
+        if not np.isfinite(value).all():
+            raise _StoppedError(
+                "no_value", "a run has no value of the objective or of a constraint", "look at its outputs"
+            )
+        feasible = all(bound.missed(v) <= KEPT for bound, v in zip(problem.bounds, value[1:], strict=True))
+        self.trials.append(Trial(problem.given(x), float(value[0]), feasible))
+        return run, value
+
+    def _gradient(self, x: np.ndarray, run: Solution, value: np.ndarray) -> np.ndarray:
+        """Return the gradients (formulas, names) with respect to the parts: exact, or by differences."""
+        if self.exact:
+            try:
+                return self.problem.gradient(run, x)
+            except (NoDerivativeError, InputError) as error:
+                self.exact, self.why = False, str(error)
+        steps = np.where(x + STEP <= 1, STEP, -STEP)
+        moved = [self._run(x + by)[1] for by in np.diag(steps)]
+        found: np.ndarray = (np.array(moved) - value).T / steps
+        return found
+
+    def checked(self) -> float:
+        """Return the relative difference of the objective's derivative from a difference of runs, along it."""
+        x = np.clip(self.problem.begin, STEP, 1 - STEP)
+        gradient = self.at(x).gradient[0]
+        size = float(np.abs(gradient).max())
+        if not self.exact or not size > 0:
+            return math.nan
+        way = gradient / size
+        ahead, behind = (self._run(x + by * way)[1][0] for by in (STEP, -STEP))
+        return float(abs((ahead - behind) / (2 * STEP) / (gradient @ way) - 1))
+
+    def minimum(self, precision: float) -> Minimum:
+        """Return the minimum."""
+        from scipy.optimize import minimize
+
+        problem = self.problem
+        checked, outcome = math.nan, Outcome("finished", "the objective changes no more", "")
+        try:
+            size = abs(self.at(problem.begin).value[0]) or 1.0
+            checked = self.checked()
+            found = minimize(
+                lambda x: self.at(x).value[0] / size,
+                problem.begin,
+                jac=lambda x: self.at(x).gradient[0] / size,
+                method="SLSQP",
+                bounds=[(0.0, 1.0)] * len(problem.begin),
+                constraints=[self._constraint(k, bound) for k, bound in enumerate(problem.bounds, start=1)],
+                options={"ftol": precision, "maxiter": self.max_runs},
+            )
+        except _StoppedError as stopped:
+            name, message, remedy = stopped.args
+            if not self.known:
+                fault = Fault("start", message, "values at which a run reaches its end", remedy)
+                raise InputError(f"minimum of {problem.model.name}", [fault]) from None
+            outcome = Outcome(name, message, remedy)
+        else:
+            if not found.success:
+                outcome = Outcome(
+                    "no_progress",
+                    f"SciPy's SLSQP: {found.message}",
+                    "begin elsewhere, or ask for tighter runs: start, tolerance",
+                )
+        return self._result(checked, outcome)
+
+    def _constraint(self, k: int, bound: _Bound) -> dict[str, Any]:
+        """Return a constraint as SciPy takes it: 0 or above, or equal to 0."""
+        end, sign = (bound.upper, -1) if math.isfinite(bound.upper) and bound.lower != bound.upper else (bound.lower, 1)
+        return {
+            "type": "eq" if bound.lower == bound.upper else "ineq",
+            "fun": lambda x: sign * (self.at(x).value[k] - end) / bound.size,
+            "jac": lambda x: sign * self.at(x).gradient[k] / bound.size,
+        }
+
+    def _result(self, checked: float, outcome: Outcome) -> Minimum:
+        """Return the best point that was run, the least that keeps the constraints."""
+        problem = self.problem
+
+        def order(item: tuple[bytes, _Point]) -> tuple[float, float]:
+            missed = max((b.missed(v) for b, v in zip(problem.bounds, item[1].value[1:], strict=True)), default=0.0)
+            return (0.0 if missed <= KEPT else missed, item[1].value[0])
+
+        key, best = min(self.known.items(), key=order)
+        if order((key, best))[0] > 0:
+            outcome = Outcome(
+                "infeasible", "no run keeps the constraints", "widen ranges or bounds, or begin elsewhere: start"
+            )
+        x, units = np.frombuffer(key), si_units(problem.model)
+        slopes = np.array([span.slope(float(part)) for span, part in zip(problem.ranges.values(), x, strict=True)])
+        gradient = dict(zip(problem.ranges, (best.gradient[0] / slopes).tolist(), strict=True))
+        held = [
+            Held(bound.text, float(v), bound.formula.unit, bound.lower, bound.upper,
+                 active=min(abs(v - bound.lower), abs(v - bound.upper)) <= NEAR * bound.size)
+            for bound, v in zip(problem.bounds, best.value[1:], strict=True)
+        ]  # fmt: skip
+        return Minimum(
+            scene=problem.model.name,
+            objective_text=problem.goal.text,
+            values={name: (value, units[name]) for name, value in problem.given(x).items()},
+            objective=float(best.value[0]),
+            begun=self.trials[0].objective,
+            unit=problem.goal.unit,
+            gradient=gradient,
+            exact=self.exact,
+            checked=checked,
+            at_end=tuple(name for name, part in zip(problem.ranges, x, strict=True) if min(part, 1 - part) <= ENDS),
+            constraints=tuple(held),
+            run=best.run,
+            trials=tuple(self.trials),
+            outcome=outcome,
+            notes=tuple(self._notes(best.run, checked)),
+        )
+
+    def _notes(self, run: Solution, checked: float) -> Iterator[str]:
+        """Yield what is to be known of the result."""
+        if self.why:
+            yield f"by differences of runs, as there are no derivatives: {self.why}"
+        if checked > DOUBT:
+            yield f"derivatives and differences of runs part by {checked:.2g} at the start: in chaos, or across a switch, neither leads"
+        names = [name for formula in self.problem.formulas for name in formula.names if LARGEST.search(name)]
+        if names or any(formula.switches for formula in self.problem.formulas):
+            what = ", ".join(dict.fromkeys(names)) or "the formula"
+            yield f"{what}: a largest value switches from one peak to another, where its derivative jumps; HISTORY.norm32 is smooth"
+        if not run.outcome.finished:
+            yield f"the run at the minimum: {run.outcome.name}: {run.outcome.message}"

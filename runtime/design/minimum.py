@@ -1,0 +1,108 @@
+"""Result of a minimisation: the best values found, what they give, and how sure that is."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from hertzwerk.runtime.simulation import Solution
+    from hertzwerk.runtime.solution.outcome import Outcome
+
+
+@dataclass(frozen=True)
+class Held:
+    """Constraint at the minimum, in SI: lower <= value <= upper; `active` where it holds the minimum back."""
+
+    text: str
+    value: float
+    unit: str
+    lower: float
+    upper: float
+    active: bool
+
+
+@dataclass(frozen=True)
+class Trial:
+    """One run of a minimisation: values in SI, objective, and whether the constraints are kept."""
+
+    values: Mapping[str, float]
+    objective: float
+    feasible: bool
+
+
+@dataclass(frozen=True)
+class Minimum:
+    """Values that minimise an objective: `found["counterweight"]` is one, in SI.
+
+    values    the same with units, as `simulate` takes them; objective, unit    the least value; begun    that at the start
+    gradient    of the objective there, by name, SI; exact    whether by derivatives, else by differences of runs
+    checked    relative difference of the derivatives from a difference of runs, along them, at the start; nan where not
+    at_end    names at an end of their range; constraints    as they are there
+    run    at the minimum; trials    every run, in order
+    """
+
+    scene: str
+    objective_text: str
+    values: Mapping[str, tuple[float, str]]
+    objective: float
+    begun: float
+    unit: str
+    gradient: Mapping[str, float]
+    exact: bool
+    checked: float
+    at_end: tuple[str, ...]
+    constraints: tuple[Held, ...]
+    run: Solution
+    trials: tuple[Trial, ...]
+    outcome: Outcome
+    notes: tuple[str, ...]
+
+    def __getitem__(self, name: str) -> float:
+        return self.values[name][0]
+
+    def __repr__(self) -> str:
+        return f"<Minimum {self.scene}: {self.outcome.name}, {self.objective_text} = {self.objective:.6g} {self.unit}>"
+
+    def __str__(self) -> str:
+        unit = f" {self.unit}" if self.unit else ""
+        how = "exact derivatives" if self.exact else "differences of runs"
+        lines = [
+            f"{self.scene}: {self.outcome.name} after {len(self.trials)} runs, by {how}",
+            f"{self.objective_text}: {self.objective:.6g}{unit}, from {self.begun:.6g}{unit}",
+        ]
+        for name, (value, text) in self.values.items():
+            end = ", at the end of its range" if name in self.at_end else ""
+            lines.append(f"    {name} = {value:.6g} {text}{end}".rstrip())
+        for held in self.constraints:
+            state = "holds it back" if held.active else "is kept"
+            lines.append(f"    {held.text} {state}: {held.value:.6g} {held.unit}".rstrip())
+        if not self.outcome.finished:
+            lines.append(f"{self.outcome.message}; {self.outcome.remedy}")
+        return "\n".join([*lines, *(f"note: {text}" for text in self.notes)])
+
+    def record(self) -> dict[str, Any]:
+        """Return everything but the run as plain data."""
+        return {
+            "scene": self.scene,
+            "outcome": self.outcome.name,
+            "message": self.outcome.message,
+            "objective": {"text": self.objective_text, "value": self.objective, "unit": self.unit, "begun": self.begun},
+            "values": {name: {"value": value, "unit": unit} for name, (value, unit) in self.values.items()},
+            "gradient": dict(self.gradient),
+            "exact": self.exact,
+            "checked": self.checked if np.isfinite(self.checked) else None,
+            "at_end": list(self.at_end),
+            "constraints": [
+                {
+                    name: value if not isinstance(value, float) or np.isfinite(value) else None
+                    for name, value in vars(held).items()
+                }
+                for held in self.constraints
+            ],
+            "trials": [vars(trial) for trial in self.trials],
+            "notes": list(self.notes),
+        }
