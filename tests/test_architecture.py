@@ -58,7 +58,8 @@ ROOMS = {
         "statics studies sweeps tables validate work_precision",
         "command_line": "cli",
         "comparing": "measured model pictures/studies solution",
-        "design": "derive/declare derive/faults derive/units inputs loading model run sensitivity simulation solution start sweeps",
+        "design": "derive/declare derive/dimension derive/faults derive/units host inputs loading model run sensitivity "
+        "simulation solution start sweeps",
         "effects": "accuracy derive/declare derive/faults integrate/step loading model run simulation solution start",
         "fitting": "derive/faults derive/units inputs measured model run sensitivity simulation solution start sweeps",
         "hard_cases": "host integrate/loop integrate/step integrate/tableaux loading model run simulation solution",
@@ -71,7 +72,7 @@ ROOMS = {
         "integrate/tableaux": "host",
         "loading": "derive/declare derive/faults model pictures/draw tables",
         "measured": "accuracy derive/faults derive/units host model solution",
-        "model": "derive/audit derive/declare derive/derivation derive/faults derive/files derive/laws derive/readable "
+        "model": "derive/audit derive/declare derive/derivation derive/dimension derive/faults derive/files derive/laws derive/readable "
         "derive/scenes derive/sheets derive/units host",
         "package": "derive/declare derive/faults loading simulation",
         "parameter_fit": "fitting measured model pictures/studies run",

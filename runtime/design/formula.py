@@ -1,4 +1,4 @@
-"""Formulas of outputs and parameters: text that is read, never executed, with its unit proven and its gradient exact."""
+"""Formulas of outputs and parameters: text that is read, never executed, of proven unit."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def names_in(text: object) -> list[str]:
 
 
 def read_formula(where: str, text: object, units: Mapping[str, str], faults: list[Fault]) -> Formula | None:
-    """Read a formula of names with SI unit texts; None with faults appended, where all its names have units."""
+    """Read a formula of names with SI unit texts; None with faults appended, or where a name has no unit."""
     names = names_in(text)
     if not isinstance(text, str) or not text.strip():
         faults.append(Fault(where, shown(text), 'an output or a formula, such as "guide.acceleration.rms**2"'))

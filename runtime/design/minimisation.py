@@ -107,7 +107,10 @@ def minimise(
 
 @dataclass(frozen=True)
 class _Span:
-    """Range of one name in SI, of which a point is a part 0..1; `log`: of equal ratios; begin    part to begin with."""
+    """Range of one name in SI, of which a point is a part 0..1.
+
+    log    equal parts are equal ratios; begin    part to begin with
+    """
 
     low: float
     high: float
@@ -295,7 +298,10 @@ class _StoppedError(Exception):
 
 @dataclass(frozen=True)
 class _Point:
-    """Run at a point; objective and constraints (formulas,), and their gradients (formulas, names) with the parts."""
+    """Run at a point, with objective and constraints.
+
+    value    of both (formulas,); gradient    of both (formulas, names), with the parts of the ranges
+    """
 
     run: Solution
     value: np.ndarray

@@ -220,7 +220,10 @@ def audit_text(text: str, units: Sequence[str], values: Sequence[str], expect: s
 
 
 def read_expression(text: str, units: Mapping[str, str]) -> tuple[Node, Finding]:
-    """Return the tree of an expression whose names have these units, and the finding on it; raises InputError."""
+    """Return the tree of an expression, and the finding on it; raises InputError.
+
+    units    of its names
+    """
     from hertzwerk.derive.dimension.reader import read
     from hertzwerk.derive.files.audit_text import audit_expression
 
