@@ -16,6 +16,7 @@ from hertzwerk.derive.effects.contacts import Contact, Friction
 from hertzwerk.derive.effects.loads.resistances import Moment, PairResistance
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.laws.law import BRISTLE, GEOMETRY, BoundLaw, F, N, Quantity, d, k_t, s, v, v0
+from hertzwerk.derive.laws.smoothing import begun, energy_begun
 from hertzwerk.derive.mechanism.pair import Pair
 from hertzwerk.derive.motion.kinematics import Kinematics
 from hertzwerk.derive.units import parse_unit
@@ -107,10 +108,31 @@ class PairKinematics:
     def elastic(self, contact: Contact) -> tuple[Any, Any]:
         """Elastic force [N] and stored energy [J], zero while open."""
         law = contact.stiffness.law
-        values = self._law(contact.stiffness, {d: self.touch.penetration}, contact.unchecked)
+        values = self._law(contact.stiffness, {d: self._depth(contact)}, contact.unchecked)
         stated = (NEWTON, JOULE) if contact.unchecked else (None, None)
         force = self.let(self._closed(law.force.xreplace(values)), "elastic_force", stated[0])
-        return force, self.let(self._closed(law.work.xreplace(values)), "stored_energy", stated[1])
+        stored = law.work.xreplace(values) if contact.length is None else self._smooth_work(contact, values)
+        return force, self.let(self._closed(stored), "stored_energy", stated[1])
+
+    def _depth(self, contact: Contact) -> Any:
+        """Penetration of the laws [m]: that of the surfaces, or the smoothed one."""
+        depth, length = self.touch.penetration, contact.length
+        if length is None:
+            return depth
+        begin = begun(self._share(contact), length)
+        return self.let(Where(depth < 2 * length, begin, depth - length), "smooth_penetration")
+
+    def _share(self, contact: Contact) -> Any:
+        """Penetration over twice the smoothing length, at most 1."""
+        depth, length = self.touch.penetration, contact.length
+        return self.let(Where(depth < 2 * length, depth / (2 * length), 1), "smooth_share")
+
+    def _smooth_work(self, contact: Contact, values: dict[sp.Symbol, Any]) -> Any:
+        """Energy stored by a smoothed law [J]: on the way to twice the length, and beyond."""
+        law, length = contact.stiffness.law, contact.length
+        begin = energy_begun(law, values, self._share(contact), length)
+        beyond = law.work.xreplace(values) - law.work.xreplace({**values, d: length})
+        return begin + Where(self.touch.penetration > 2 * length, beyond, 0)
 
     def _closed(self, expression: Any) -> Any:
         """The expression in contact, else 0."""
@@ -118,11 +140,11 @@ class PairKinematics:
 
     def _resistance(self, contact: Contact, damping: BoundLaw, elastic: Any, approach_speed: Any) -> Any:
         law, stated = damping.law, NEWTON if contact.unchecked else None
-        known = {F: elastic, v: self.touch.penetration_rate, d: self.touch.penetration}
+        known = {F: elastic, v: self.touch.penetration_rate, d: self._depth(contact)}
         if approach_speed is not None:
             known[v0] = approach_speed
         if k_t in law.quantities():
-            stiffness = self._law(contact.stiffness, {d: self.touch.penetration}, contact.unchecked)
+            stiffness = self._law(contact.stiffness, {d: self._depth(contact)}, contact.unchecked)
             tangent = sp.diff(contact.stiffness.law.force, d).xreplace(stiffness)
             known[k_t] = self.let(self._closed(tangent), "tangent_stiffness", STIFFNESS if contact.unchecked else None)
         values = self._law(damping, known, contact.unchecked)

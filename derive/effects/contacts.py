@@ -4,25 +4,30 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from hertzwerk.derive.effects.effect import CONTACT, Declared, Element, Kinematics, PairEffect, State
 from hertzwerk.derive.faults import Fault, one_of
 from hertzwerk.derive.laws.law import APPROACH_SPEED, BoundLaw
+from hertzwerk.derive.laws.smoothing import LEAST_GROWTH, growths
 from hertzwerk.derive.mechanism.bodies import Slot
 from hertzwerk.derive.mechanism.parameter import POSITIVE, Parameter, Scalar
+from hertzwerk.derive.units import UnitError, split_quantity
 
 APPROACH_FLOOR = Parameter(
     "approach_floor", "m/s", 1e-3, "least approach speed a damping law is given; h/v0 is unbounded otherwise"
 )
 GAP_CHANGE = "gap_change"
+SMOOTH = "smoothing length of the contact's beginning"
 
 
 @dataclass(frozen=True)
 class Contact(PairEffect):
     """Normal force of one pair: a stiffness law and optionally a damping law; named after its pair.
 
-    `effective_mass` is for damping laws that depend on it, by default m1 m2/(m1 + m2) of the two bodies.
+    `effective_mass` is for damping laws that depend on it, by default m1 m2/(m1 + m2) of the two bodies. `smooth` is a
+    length, such as "1 um", over which the force begins twice continuously differentiable, as in `laws.smoothing`: for
+    optimisation by second derivatives; by default it begins as the laws do.
     `unchecked=True` lets an inconsistent law run in SI values; module, solution and plots then say so.
     """
 
@@ -32,14 +37,29 @@ class Contact(PairEffect):
     approach_floor: Scalar = APPROACH_FLOOR
     effective_mass: Scalar | None = None
     unchecked: bool = False
+    smooth: Scalar | str | None = None
     kind: ClassVar[str] = "contact"
     takes: ClassVar[Mapping[str, str]] = {"stiffness": "stiffness", "damping": "damping"}
     enters: ClassVar[str] = CONTACT
+
+    def __post_init__(self) -> None:
+        """Declare a smoothing length given as text as a parameter, `<pair>_smooth`."""
+        if isinstance(self.smooth, str):
+            try:
+                value, unit = split_quantity(self.smooth)
+            except UnitError:
+                return  # told with the scene's other faults
+            object.__setattr__(self, "smooth", Parameter(f"{self.pair}_smooth", unit, value, SMOOTH))
 
     @property
     def name(self) -> str:  # type: ignore[override]  # read-only, as the field of a frozen dataclass
         """Name of the pair."""
         return self.pair
+
+    @property
+    def length(self) -> Any:
+        """Smoothing length [m], an expression of parameters; None for laws that begin as they are."""
+        return self.smooth
 
     @property
     def latches(self) -> bool:
@@ -51,7 +71,13 @@ class Contact(PairEffect):
         """Description for people."""
         rebuilt = [bound.law.name for bound in self.laws if bound.law.grade == "R"]
         label = f", {' and '.join(rebuilt)} a reconstruction (grade R)" if rebuilt else ""
-        return " x ".join(bound.law.name for bound in self.laws) + label + (", UNCHECKED" if self.unchecked else "")
+        smooth = "" if self.smooth is None else ", smooth"
+        return (
+            " x ".join(bound.law.name for bound in self.laws)
+            + smooth
+            + label
+            + (", UNCHECKED" if self.unchecked else "")
+        )
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
         """Yield the parameters of both laws, and the quantities of the pair's geometry they limit."""
@@ -60,6 +86,19 @@ class Contact(PairEffect):
             yield Slot(f"{self.where}, effective mass", self.effective_mass, "kg", POSITIVE)
         if self.latches:
             yield Slot(f"{self.where}, approach floor", self.approach_floor, "m/s", POSITIVE)
+        if self.smooth is not None:
+            yield Slot(f"{self.where}, smooth", self.smooth, "m", POSITIVE)
+
+    def faults(self, scene: Declared) -> Iterator[Fault]:
+        """Yield faults of a smoothing length with a law that begins too steeply for it."""
+        yield from super().faults(scene)
+        if self.smooth is not None:
+            yield from (
+                Fault(self.where, f"smooth with {law.name}, which begins like d^{growth:.3g}", "a force that begins like d^n, n > 2/3",
+                      "Damping that is a factor of the elastic force, as of hunt_crossley or flores, begins as that does.")
+                for law, growth in growths(self.stiffness, self.damping)
+                if not growth > LEAST_GROWTH
+            )  # fmt: skip
 
     def states(self, scene: Declared) -> Iterator[State]:
         """Yield the change of a gap that drives alone move, by which a step notices how it moves."""

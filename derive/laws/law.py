@@ -243,7 +243,7 @@ class StiffnessLaw(Law):
         """
         if self.stored is not None:
             return self.stored
-        terms = [weight * 2 * node * self.force.xreplace({d: d * node**2}) for node, weight in _gauss_legendre(16)]
+        terms = [weight * 2 * node * self.force.xreplace({d: d * node**2}) for node, weight in gauss_legendre(16)]
         return d * sp.Add(*terms)
 
 
@@ -364,7 +364,7 @@ class FilmLaw(Law):
         yield "drag against the spin", self.couple, "N m s"
 
 
-def _gauss_legendre(points: int) -> Iterator[tuple[sp.Float, sp.Float]]:
+def gauss_legendre(points: int) -> Iterator[tuple[sp.Float, sp.Float]]:
     """Yield the nodes and weights of Gauss-Legendre quadrature on (0, 1), as doubles."""
     from mpmath import legendre, mp, polyroots  # SymPy brings it
 

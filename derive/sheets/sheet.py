@@ -33,6 +33,7 @@ from hertzwerk.derive.laws.law import (
     v,
     v0,
 )
+from hertzwerk.derive.laws.smoothing import begun
 from hertzwerk.derive.mechanism.parameter import Interval
 from hertzwerk.derive.program.expression_text import expression_text
 from hertzwerk.derive.program.program import PARAMETER, Function, Result, Tape, eliminate_common_subexpressions
@@ -58,6 +59,7 @@ EXAMPLES = {
 }
 """Name and geometry of the example, by the kind of pair that a law is made for; a law for other kinds has no example."""
 DEPTHS = (1e-8, 1e-7, 1e-6, 1e-5, 1e-4)  # m, of the example
+SMOOTHING = 1e-6  # m, of the example
 RESTITUTIONS = (0.99, 0.9, 0.7, 0.5, 0.3, 0.1, 0.05)
 
 h = Quantity("h", "1", "hysteresis damping factor")
@@ -102,6 +104,14 @@ class Point:
 
 
 @dataclass(frozen=True)
+class Smoothed:
+    """Deviation of a smoothed law at one penetration [m]: its force over the law's own, less 1."""
+
+    penetration: float
+    deviation: float
+
+
+@dataclass(frozen=True)
 class Restitution:
     """Restitution returned by a damping law.
 
@@ -125,7 +135,7 @@ class Sheet:
     """Everything the catalogue states of one law.
 
     `form`: of contact, point, line, surface or any. `band`: candidates, for a reconstruction. `operations`: of the
-    generated text, once per run and per evaluation.
+    generated text, once per run and per evaluation. `smoothed`: of the example, with Contact(..., smooth="1 um").
     """
 
     name: str
@@ -150,6 +160,7 @@ class Sheet:
     local_exponent: str
     example: str
     points: tuple[Point, ...]
+    smoothed: tuple[Smoothed, ...]
     band: Band | None
     restitution: Restitution | None
     operations: tuple[int, int]
@@ -196,6 +207,7 @@ def sheet(law: Law) -> Sheet:
         local_exponent=_constant_exponent(law) if isinstance(law, StiffnessLaw) else "",
         example=_example_text(law) if example else "",
         points=tuple(_points(law, example)) if isinstance(law, StiffnessLaw) and example else (),
+        smoothed=tuple(_smoothed(law, example)) if isinstance(law, StiffnessLaw) and example else (),
         band=band_of(law, lambda other: _example(other, law.pairs))
         if isinstance(law, StiffnessLaw) and example
         else None,
@@ -379,6 +391,20 @@ def _points(law: StiffnessLaw, values: dict[sp.Symbol, Any]) -> Iterator[Point]:
                 force, slope = (evaluate(e, at) for e in (law.force, sp.diff(law.force, d)))
                 known = law.verdict == "consistent" or law.fitted_in
                 yield Point(depth, float(force * newton) if known else None, float(at[d] * slope / force))
+
+
+def _smoothed(law: StiffnessLaw, values: dict[sp.Symbol, Any]) -> Iterator[Smoothed]:
+    """Yield how far the law that begins smoothly over SMOOTHING is from the law itself."""
+    metre = _unit_of(law, "m")
+    with mp.workdps(30):
+        length = mpf(repr(SMOOTHING))
+        reach = mp.inf if law.reach is None else evaluate(law.reach, values) * metre
+        for depth in map(mpf, map(repr, DEPTHS)):
+            if depth < reach:
+                share = depth / (2 * length)
+                begin = begun(share, length) if share < 1 else depth - length
+                exact, smooth = (evaluate(law.force, values | {d: at / metre}) for at in (depth, begin))
+                yield Smoothed(float(depth), float(smooth / exact - 1))
 
 
 # -- restitution -------------------------------------------------------------------------------------------------------

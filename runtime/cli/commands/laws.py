@@ -163,11 +163,18 @@ def _print_sheet(sheet: Sheet) -> None:
     if sheet.points:
         print_prose(f"\n{sheet.example}:")
         forces = [point.force for point in sheet.points if point.force is not None]  # none where the units do not hold
-        columns = ("penetration [m]", *(("force [N]",) if forces else ()), "dlnF/dlnd")
+        columns = ("penetration [m]", *(("force [N]",) if forces else ()), "dlnF/dlnd", 'with smooth="1 um"')
         rows = [
-            (f"{p.penetration:g}", *([f"{p.force:.6g}"] if forces else []), f"{p.exponent:.4f}") for p in sheet.points
+            (
+                *(f"{p.penetration:g}", *([f"{p.force:.6g}"] if forces else []), f"{p.exponent:.4f}"),
+                f"{smoothed.deviation:+.2%}",
+            )
+            for p, smoothed in zip(sheet.points, sheet.smoothed, strict=True)
         ]
         table(columns, rows)
+        print_prose(
+            "A contact with smooth=EPSILON has two derivatives at its onset; beyond 2 EPSILON the same force is EPSILON deeper."
+        )
     if sheet.band is not None:
         _print_band(sheet)
     if sheet.restitution is not None:
