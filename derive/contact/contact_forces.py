@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 import sympy as sp
 
 from hertzwerk.derive.algebra.functions import Where
-from hertzwerk.derive.algebra.vectors import Vector, cross, dot, scale, sub
+from hertzwerk.derive.algebra.vectors import ZERO, Vector, add, cross, dot, scale, sub
 from hertzwerk.derive.contact.touch import Touch
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.effects.contacts import Contact, Friction
@@ -25,6 +25,7 @@ NEWTON = Dimension.from_unit(parse_unit("N"), {})
 JOULE = Dimension.from_unit(parse_unit("J"), {})
 STIFFNESS = Dimension.from_unit(parse_unit("N/m"), {})
 DRAG = Dimension.from_unit(parse_unit("N s/m"), {})
+DECAY = Dimension.from_unit(parse_unit("1/s"), {})
 PACE = Dimension.from_unit(parse_unit("m/s"), {})
 METRE = Dimension.from_unit(parse_unit("m"), {})
 PURE = Dimension.from_unit(parse_unit("1"), {})
@@ -53,7 +54,7 @@ class Forces:
     """Result of a contact: generalised forces by joint, powers [W], normal force [N], sliding velocity.
 
     `sliding_velocity` [m/s] is None without friction; `in_range` is 1 within the range of the law, else 0.
-    `bristle_rate` [m/s] is given for friction with a bristle. `grip` is given for friction with modes, which
+    `bristle_rates` [m/s] are given for friction with a bristle. `grip` is given for friction with modes, which
     `generalised` and `friction_power` then do not include, and has its sliding velocities. `rubbing` is the part of `generalised` due to friction,
     `friction_force` [N] its force on the first body along the direction of `sliding_velocity`, and `drag` [N] that as a
     vector, else None. `resistances` are the moments against rolling and drilling by effect, which `generalised` includes.
@@ -65,7 +66,7 @@ class Forces:
     normal_force: Any
     sliding_velocity: Any
     in_range: Any
-    bristle_rate: Any = None
+    bristle_rates: tuple[Any, ...] = ()
     grip: Grip | None = None
     rubbing: Mapping[str, Any] = field(default_factory=dict)
     friction_force: Any = None
@@ -153,8 +154,10 @@ class PairKinematics:
             return self.let(elastic * factor * self.touch.penetration_rate / approach_speed, "resistance")
         return self.let(self._closed(law.resistance.xreplace(values)), "resistance", stated)
 
-    def forces(self, contact: Contact, friction: Friction | None, approach_speed: Any, bristle: Any = None) -> Forces:
-        """Forces of the pair, from latched approach speed [m/s] and bristle deflection [m] where it has them."""
+    def forces(
+        self, contact: Contact, friction: Friction | None, approach_speed: Any, bristle: Sequence[Any] = ()
+    ) -> Forces:
+        """Forces of the pair, from latched approach speed [m/s] and bristle deflections [m] where it has them."""
         elastic, _ = self.elastic(contact)
         normal_force, normal_power = elastic, sp.S.Zero
         if contact.damping is not None:
@@ -181,7 +184,7 @@ class PairKinematics:
             return Forces(
                 generalised, normal_power, sp.S.Zero, normal_force, None, in_range, grip=grip, resistances=moments
             )
-        drag, sliding, opposing, friction_power, bristle_rate = self._drag(friction, pressing, bristle)
+        drag, sliding, opposing, friction_power, rates = self._drag(friction, pressing, bristle)
         drag = self._named(drag, "drag")
         rubbing = self._on_joints(drag, self.touch.contact_point, "drag")
         _add_to(generalised, rubbing)
@@ -193,7 +196,7 @@ class PairKinematics:
             normal_force,
             sliding,
             in_range,
-            bristle_rate,
+            rates,
             rubbing=rubbing,
             friction_force=-opposing,
             drag=drag,
@@ -216,8 +219,8 @@ class PairKinematics:
     def faults(self, friction: Friction | None, length: float) -> Iterator[Fault]:
         """Yield faults of the pair and its friction.
 
-        A gap that is constantly zero, as of a cylinder guided at its radius above the plane; a friction law with
-        memory without a known direction of sliding, along one line as in plane motion.
+        A gap that is constantly zero, as of a cylinder guided at its radius above the plane; a friction law whose
+        memory has no meaning in two directions of sliding.
         """
         yield from self.touch.faults(length)
         if self.touch.gap == 0:
@@ -225,24 +228,31 @@ class PairKinematics:
                         "surfaces that the joints let come nearer or part, or press into each other",
                         "Add a joint along the normal, guide the body nearer, or leave the pair out.")  # fmt: skip
         law = None if friction is None else friction.law.law
-        if friction is not None and law is not None and law.memory and self._plane_of_motion() is None:
+        if (
+            friction is not None
+            and law is not None
+            and law.memory
+            and self.slides_along > 1
+            and law.in_two_directions is None
+        ):
             found = f"law {law.name} at {self.pair.name}, whose bodies may slide in more than one direction"
-            yield Fault(f"effect {friction.name}", found, "a contact in plane motion: one direction of sliding",
-                        "coulomb, smooth_coulomb, stribeck and brown_mcphee take sliding in any direction.")  # fmt: skip
+            yield Fault(f"effect {friction.name}", found, "a law that is linear in its deflection, or one direction of sliding",
+                        "lugre, coulomb, smooth_coulomb, stribeck and brown_mcphee take sliding in any direction.")  # fmt: skip
 
-    def _drag(self, friction: Friction, normal_force: Any, bristle: Any) -> tuple[Vector, Any, Any, Any, Any]:
-        """Friction on the first body; sliding velocity, force against it, power; rate of the bristle or None."""
+    def _drag(
+        self, friction: Friction, normal_force: Any, bristle: Sequence[Any]
+    ) -> tuple[Vector, Any, Any, Any, tuple[Any, ...]]:
+        """Friction on the first body; sliding velocity, force against it, power; rates of the bristle."""
         law = friction.law.law
         plane = self._plane_of_motion()
+        if plane is None and law.memory:
+            return self._bent(friction, normal_force, bristle)
         if plane is None:
-            rate = self._named(self.touch.rate_at(self.touch.contact_point), "sliding_rate")
-            slip = self._named(
-                sub(rate, scale(self.let(dot(rate, self.touch.normal), "along_rate"), self.touch.normal)), "slip"
-            )
+            slip = self._slip()
             sliding = self.let(sp.sqrt(self.let(dot(slip, slip), "slip_squared")), "sliding_velocity")
         else:
             tangent, sliding = self._sliding(plane)
-        known = {N: normal_force, s: sliding} | ({} if bristle is None else {BRISTLE: bristle})
+        known = {N: normal_force, s: sliding, **dict(zip((BRISTLE,), bristle, strict=False))}
         values = self._law(friction.law, known, friction.unchecked)
         stated = (NEWTON, DRAG, PACE) if friction.unchecked else (None, None, None)
         force = self.let(law.force.xreplace(values), "friction_force", stated[0])
@@ -250,9 +260,56 @@ class PairKinematics:
         if plane is None:
             slope = self.let(law.slope.xreplace(values), "friction_slope", stated[1])
             per_speed = self.let(Where(sliding > 0, force / sliding, slope), "friction_per_speed")
-            return scale(-per_speed, slip), sliding, force, power, None
-        rates = [self.let(rate.xreplace(values), "bristle_rate", stated[2]) for _, rate, _ in law.memory]
-        return scale(-force, tangent), sliding, force, power, rates[0] if rates else None
+            return scale(-per_speed, slip), sliding, force, power, ()
+        rates = tuple(self.let(rate.xreplace(values), "bristle_rate", stated[2]) for _, rate, _ in law.memory)
+        return scale(-force, tangent), sliding, force, power, rates
+
+    def _slip(self) -> Vector:
+        """Sliding velocity in the tangent plane [m/s]."""
+        rate = self._named(self.touch.rate_at(self.touch.contact_point), "sliding_rate")
+        along = self.let(dot(rate, self.touch.normal), "along_rate")
+        return self._named(sub(rate, scale(along, self.touch.normal)), "slip")
+
+    def _bent(
+        self, friction: Friction, normal_force: Any, bristle: Sequence[Any]
+    ) -> tuple[Vector, Any, Any, Any, tuple[Any, ...]]:
+        """Return what `_drag` does, of a bristle that bends in any direction of the tangent plane.
+
+        It is a vector in the ground's axes, and tilts and twirls with the contact, about the normal with the mean of
+        both bodies: its rate is the law's for an observer who does, and the same for every other. Kuhn, J. Eng. Mech.
+        129 (2003) 539.
+        """
+        law = friction.law.law.in_two_directions
+        if law is None:
+            raise ValueError(f"{friction.name} has no meaning in two directions")
+        normal, tape = self.touch.normal, self.touch.tape
+        slip, place = self._slip(), dict(zip(self.bristle_axes, bristle, strict=True))
+        bent: Vector = (place.get("x", ZERO[0]), place.get("y", ZERO[0]), place.get("z", ZERO[0]))
+        square, pace = self.let(dot(slip, slip), "slip_squared"), sp.sympify(self.kin.scene.scales.speed)
+        moves = Where(square > 0, square, pace**2)  # its root has a slope at rest
+        sliding = self.let(Where(square > 0, sp.sqrt(moves), 0), "sliding_velocity")
+        values = self._law(friction.law, {N: normal_force, s: sliding}, friction.unchecked)
+        stated = (STIFFNESS, DRAG, DECAY, PURE) if friction.unchecked else (None,) * 4
+        names = ("friction_stiffness", "friction_per_speed", "bristle_decay", "bristle_gain")
+        parts = (part.xreplace(values) for pair in law for part in pair)
+        stiffness, damping, decay, gain = (self.let(*row) for row in zip(parts, names, stated, strict=True))
+        opposing = self._named(add(scale(stiffness, bent), scale(damping, slip)), "opposing")
+        tilt = tuple(tape.rate(part, f"{self.pair.name}_normal_rate") for part in normal)
+        spins = [dot(self.kin.angular_velocity(place.body), normal) for place in (self.touch.first, self.touch.second)]
+        twirl = self.let(sp.Add(*spins) / 2, "twirl")
+        turning = self._named(add(cross(normal, tilt), scale(twirl, normal)), "turning")
+        rates = add(scale(decay, bent), scale(gain, slip), cross(turning, bent))
+        named = self._named(rates, "bristle_rate")
+        size = sp.sqrt(dot(opposing, opposing))
+        power = self.let(dot(opposing, slip), "friction_power")
+        return scale(-1, opposing), sliding, size, power, tuple(named["xyz".index(axis)] for axis in self.bristle_axes)
+
+    @property
+    def bristle_axes(self) -> tuple[str, ...]:
+        """Axes of the ground along which a bristle may bend; one without a name in plane motion."""
+        if self._plane_of_motion() is not None:
+            return ("",)
+        return tuple(axis for axis, part in zip("xyz", self.touch.normal, strict=True) if part**2 != 1)
 
     def bristle_size(self, friction: Friction) -> Any:
         """Scale of the bristle's error tolerance [m]."""

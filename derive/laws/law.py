@@ -324,6 +324,23 @@ class FrictionLaw(Law):
         """The friction force."""
         return (self.force,)
 
+    @property
+    def in_two_directions(self) -> tuple[tuple[sp.Expr, sp.Expr], ...] | None:
+        """Force and rate of a law with memory per deflection and per sliding velocity, at a speed s >= 0.
+
+        With vectors in place of deflection and velocity the law is isotropic. None where it is not linear in the deflection, or
+        neither vanishes with both.
+        """
+        ((bristle, rate, _),) = self.memory
+        found = []
+        for expression in (self.force, rate):
+            ahead = expression.xreplace({sp.Abs(s): s, sp.sign(s): sp.S.One})
+            bent, per_speed = sp.diff(ahead, bristle), sp.expand(ahead.xreplace({bristle: sp.S.Zero}) / s)
+            if bent.has(bristle) or per_speed.xreplace({s: sp.S.Zero}).has(sp.zoo, sp.nan, sp.oo, -sp.oo):
+                return None
+            found.append((bent, per_speed))
+        return tuple(found)
+
     def expressions(self) -> Iterator[tuple[str, sp.Expr, str]]:
         """Yield the friction force, its slope at rest, the static friction, rates and sizes of the memory."""
         yield "friction force", self.force, "N"

@@ -31,8 +31,8 @@ def gap_accelerations(system: System) -> Function:
 
 def contact(system: System, pair: PairKinematics, contact: Contact, friction: Friction | None) -> Function:
     """Forces of one pair."""
-    bristle = None if friction is None else system.bristles.get(friction.name)
-    forces = pair.forces(contact, friction, system.latches.get(contact.name), bristle)
+    bristles = {} if friction is None else system.bristles.get(friction.name, {})
+    forces = pair.forces(contact, friction, system.latches.get(contact.name), tuple(bristles.values()))
     name = contact.name
     # a force between driven parts is asked for, though it moves none
     system.enter(name, forces.generalised, driven=True)
@@ -47,8 +47,7 @@ def contact(system: System, pair: PairKinematics, contact: Contact, friction: Fr
     rates |= {f"{effect.name}.dissipated": moment.power for effect, moment in forces.resistances.items()}
     if friction is not None:
         rates[f"{friction.name}.dissipated"] = forces.friction_power
-    if friction is not None and forces.bristle_rate is not None:
-        rates[f"{friction.name}.bristle"] = forces.bristle_rate
+    rates |= dict(zip(bristles, forces.bristle_rates, strict=True))
     sliding = () if friction is None else (forces.sliding_velocity,) if forces.grip is None else forces.grip.velocity
     grip = [] if friction is None or forces.grip is None else _grip(system, friction, forces)
     parts = [contact.text, *([friction.law.law.name] if friction else []), *(e.text for e in forces.resistances)]

@@ -24,9 +24,10 @@ def scales(system: System) -> Function:
     q = coordinate_sizes(system.scene, system.coordinates)
     u = [scales.by_unit[port.unit] for port in system.speeds]
     sizes = {
-        f"{friction.name}.bristle": pair.bristle_size(friction)
+        name: pair.bristle_size(friction)
         for pair, _, friction in system.contacts
         if friction is not None and friction.law.law.memory
+        for name in system.bristles[friction.name]
     }
     return system.function(
         "scales",

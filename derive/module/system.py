@@ -69,8 +69,11 @@ class System:
         if faults:
             raise InputError(f"scene {scene.name}", faults)
         self.bristles = {
-            friction.name: self.tape.input(f"{friction.name}_bristle", "z", dimension_of("m"))
-            for _, _, friction in self.contacts
+            friction.name: {
+                name: self.tape.input(name.replace(".", "_"), "z", dimension_of("m"))
+                for name in (f"{friction.name}.bristle{axis and '_'}{axis}" for axis in pair.bristle_axes)
+            }
+            for pair, _, friction in self.contacts
             if friction is not None and friction.law.law.memory
         }
         self.memory = self._memory()
@@ -92,7 +95,7 @@ class System:
 
     def _memory(self) -> list[tuple[str, str]]:
         """Entries of z as (name, unit); those that functions read come first, in the order of the inputs."""
-        bristles = [(f"{name}.bristle", "m") for name in self.bristles]
+        bristles = [(name, "m") for entries in self.bristles.values() for name in entries]
         ledger = self.scene.ledger
         if ledger is None:
             return bristles

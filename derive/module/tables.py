@@ -114,7 +114,7 @@ def _bristle_rows(system: System) -> Iterator[tuple[int, int]]:
     entries = [name for name, _ in system.memory]
     for j, (_, _, friction) in enumerate(system.contacts):
         if friction is not None and friction.name in system.bristles:
-            yield entries.index(f"{friction.name}.bristle"), j
+            yield from ((entries.index(name), j) for name in system.bristles[friction.name])
 
 
 def _loop_tables(system: System) -> dict[str, tuple[Any, ...]]:

@@ -207,8 +207,8 @@ class _Readings:
     def _contact(self, pair: Any, contact: Any, friction: Any) -> Iterator[Reading]:
         """Force on the first body and its point; friction, power and stored energy."""
         name, touch = contact.name, pair.touch
-        bristle = None if friction is None else self.system.bristles.get(friction.name)
-        forces = pair.forces(contact, friction, self.system.latches.get(name), bristle)
+        bristles = {} if friction is None else self.system.bristles.get(friction.name, {})
+        forces = pair.forces(contact, friction, self.system.latches.get(name), tuple(bristles.values()))
         rubbing, power, drag = forces.friction_force, forces.friction_power, forces.drag
         (on, sign), *_ = sides(touch.first.body, touch.second.body)
         force = tuple(sign * forces.generalised[key] for key in wrench_keys(on, "force"))

@@ -61,13 +61,13 @@ def balance(model: Model, bound: Bound, t: float, q: Array, closed: Array, multi
 
 def grips_of(model: Model) -> tuple[int, ...]:
     """Return the pair of every grip: of set-valued friction, then of bristles."""
-    return (*pairs_of(model), *(j for _, j in _bristles(model)))
+    return (*pairs_of(model), *(j for _, j in bristles_of(model)))
 
 
 def sizes_of(model: Model, mu: Array) -> Array:
-    """Return the size of each mu (n,): of a pair that may slide in two directions, that of both together."""
+    """Return the size of each mu (n,): of a pair that may slide in two directions, that of all together."""
     found = np.abs(mu)
-    for group in groups_of(grips_of(model)[: model.ns]):
+    for group in groups_of(grips_of(model)):
         found[group] = np.linalg.norm(mu[group])
     return found
 
@@ -80,12 +80,13 @@ def along_of(model: Model, along: Array) -> Array:
 def memory_of(model: Model, mu: Array) -> Array:
     """Return the memory z (nz,) at rest: the bristles deflected."""
     z = np.zeros(model.nz)
-    for i, (row, _) in enumerate(_bristles(model), model.ns):
+    for i, (row, _) in enumerate(bristles_of(model), model.ns):
         z[row] = mu[i]
     return z
 
 
-def _bristles(model: Model) -> Sequence[tuple[int, int]]:
+def bristles_of(model: Model) -> Sequence[tuple[int, int]]:
+    """Return the entry of the memory and the pair of every bristle or of its parts."""
     return getattr(model.module, "BRISTLES", ())
 
 
@@ -100,7 +101,7 @@ def _balance(model: Model) -> Callers:
     normal, in_range = ca.SX.zeros(model.k), ca.SX.ones(model.k)
     D, S, limit = ca.SX.zeros(model.nu, len(grips)), ca.SX.zeros(len(grips), model.nu), ca.SX.zeros(len(grips))
     contact: list[ca.SX] = []
-    rows = dict.fromkeys(range(model.ns)) | {i: row for i, (row, _) in enumerate(_bristles(model), model.ns)}
+    rows = dict.fromkeys(range(model.ns)) | {i: row for i, (row, _) in enumerate(bristles_of(model), model.ns)}
     for j, pair in enumerate(model.pairs):
         touches = closed[j] > 0
         f, _, pressing, sliding, in_range_j, *grip = model.function(f"contact_{pair}")(t, q, u, z, m, c)
@@ -114,7 +115,10 @@ def _balance(model: Model) -> Callers:
                 if rows[i] is None
                 else ca.jacobian(f, z[rows[i]])
             )
-            D[:, i], S[i, :] = ca.if_else(touches, along[: model.nu], 0), ca.jacobian(sliding[tangent], u)
+            D[:, i] = ca.if_else(touches, along[: model.nu], 0)
+            # of bristles that bend in two directions the force along each is its speed's direction too
+            bends = rows[i] is not None and grips.count(j) > 1
+            S[i, :] = along[: model.nu].T if bends else ca.jacobian(sliding[tangent], u)
             limit[i] = ca.if_else(touches, grip[3] if rows[i] is None else 1, 0)
     if model.has("loads"):  # by reactions and normal forces, which at rest are those of the accelerations' own solution
         whole = sum(contact, start=model.function("applied")(t, q, u, c))
@@ -139,7 +143,7 @@ def limits(model: Model, bound: Bound, at: Balance) -> Array:
     found = at.limit.copy()
     if len(found) > model.ns:
         sizes = model.evaluate("scales", bound.p)[2]
-        found[model.ns :] *= [sizes[row] for row, _ in _bristles(model)]
+        found[model.ns :] *= [sizes[row] for row, _ in bristles_of(model)]
     return np.abs(found)
 
 

@@ -16,7 +16,16 @@ from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.signal import constant
 from hertzwerk.runtime.run.request import input_faults, read_duration
 from hertzwerk.runtime.solution.outcome import Outcome
-from hertzwerk.runtime.statics.balance import UNDAMPED, Array, along_of, grips_of, kernel, memory_of, sizes_of
+from hertzwerk.runtime.statics.balance import (
+    UNDAMPED,
+    Array,
+    along_of,
+    bristles_of,
+    grips_of,
+    kernel,
+    memory_of,
+    sizes_of,
+)
 from hertzwerk.runtime.statics.held import drive_units, held, parameters_at, start_at
 from hertzwerk.runtime.statics.relaxation import Rest, Search
 from hertzwerk.runtime.tables.notebook import heading, table
@@ -310,7 +319,7 @@ def _coordinates_of(model: Model, moves: Array) -> list[str]:
 
 
 def _grip_names(model: Model) -> list[str]:
-    bristles = [name.rpartition(".")[0] for name in model.memory if name.endswith(".bristle")]
+    bristles = [model.memory[row].rpartition(".")[0] for row, _ in bristles_of(model)]
     return [*(name.rpartition(".")[0] for name, *_ in model.slips), *bristles]
 
 

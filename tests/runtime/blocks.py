@@ -57,15 +57,3 @@ def block(*friction, pull=None, turn=None):
         Scales(length=Parameter("depth", "mm", 0.1), speed=Parameter("pace", "m/s", 1), arm=radius),
         Start(position=position, speed={} if pull else {f"along_{i}": speed for i in range(len(friction))}),
     )
-
-
-def puck(law):
-    """A sphere that slides along X and Z on a floor, with this friction."""
-    sphere, cart = (Body(name, mass=Parameter("mass", "kg", 1)) for name in ("puck", "cart"))
-    joints = (Prismatic("x", GROUND, cart, axis=X), Prismatic("z", cart, sphere, axis=Z))
-    floor = SphereOnPlane("floor", sphere.at(0, 0, 0), Parameter("r", "m", 0.1), GROUND.at(0, 0, 0), Y)
-    return Scene(
-        Mechanism("puck", joints, (floor,)),
-        (Contact("floor", power(Parameter("K", "N/m", 1e5), 1)), Friction("rub", "floor", law)),
-        Scales(length=Parameter("depth", "mm", 1), speed=Parameter("pace", "m/s", 1)),
-    )

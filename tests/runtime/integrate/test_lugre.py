@@ -4,14 +4,12 @@ import math
 
 import numpy as np
 import pytest
-from blocks import CARRIAGE, MASS, WEIGHT, block, puck
+from blocks import CARRIAGE, MASS, WEIGHT, block
 from matplotlib.text import Text
 from scipy.integrate import solve_ivp
 
 from hertzwerk.derive import (  # fmt: skip
-    InputError,
     Parameter,
-    derive,
 )
 from hertzwerk.derive.laws import lugre
 from hertzwerk.runtime import load, simulate
@@ -181,8 +179,3 @@ def test_without_a_bristle_there_is_no_trace_of_one(model):
     assert not hasattr(plain.module, "BRISTLES")
     assert "rub_0.bristle" not in plain.memory
     assert model.module.BRISTLES == ((0, 0),)
-
-
-def test_sliding_in_two_directions_is_refused():
-    with pytest.raises(InputError, match=r"(?s)effect rub: found law lugre at floor.*one direction.*smooth_coulomb"):
-        derive(puck(bristles()))
