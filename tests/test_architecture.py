@@ -60,7 +60,7 @@ ROOMS = {
         "comparing": "measured model pictures/studies solution",
         "design": "derive/declare derive/dimension derive/faults derive/units host inputs loading model run sensitivity "
         "simulation solution start sweeps",
-        "effects": "accuracy derive/declare derive/faults integrate/step loading model run simulation solution start",
+        "effects": "accuracy derive/declare derive/faults inputs integrate/step loading model run simulation solution start",
         "fitting": "derive/faults derive/units inputs measured model run sensitivity simulation solution start sweeps",
         "hard_cases": "host integrate/loop integrate/step integrate/tableaux loading model run simulation solution",
         "host": "derive/faults",

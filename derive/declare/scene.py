@@ -336,3 +336,14 @@ class Scene:
     def inputs(self) -> dict[str, Input]:
         """Inputs in use by name, in declared order."""
         return {given.name: given for slot in self.slots() for given in inputs_in(slot.value)}
+
+    @cached_property
+    def smooth_inputs(self) -> dict[str, tuple[int, Slot]]:
+        """Inputs of which derivatives are taken: how many, and the slot that needs most."""
+        found: dict[str, tuple[int, Slot]] = {}
+        for slot in self.slots():
+            derivatives = getattr(slot, "derivatives", 0)
+            for given in inputs_in(slot.value):
+                if derivatives > found.get(given.name, (0, slot))[0]:
+                    found[given.name] = derivatives, slot
+        return found

@@ -156,10 +156,11 @@ class Harmonic(AnyDrive):
 
 @dataclass(frozen=True)
 class Drive(AnyDrive):
-    """Drive with position, speed or acceleration as an expression of the time T, parameters and tables.
+    """Drive with position, speed or acceleration as an expression of time T, parameters, tables, inputs.
 
     Exactly one of them is given. A speed is integrated from the coordinate `start`, an acceleration also from the
-    speed `start_speed`. A `Table` given for the position has a continuous acceleration.
+    speed `start_speed`. A `Table` given for the position has a continuous acceleration; a run refuses values of an
+    `Input` without one, as those joined by straight lines: samples of a position or speed are "cubic".
     """
 
     name: str
@@ -196,8 +197,7 @@ class Drive(AnyDrive):
         coordinate, rate, _ = self.freedom(scene).units
         units = (coordinate, rate, f"{coordinate}/s^2")
         for order, what, law in self._given:
-            on = (TIME, INPUT) if order == 2 else (TIME,)  # of an acceleration no derivative is taken
-            yield Varying(f"{self.where}, {what}", law, units[order], on=on, derivatives=2 - order)
+            yield Varying(f"{self.where}, {what}", law, units[order], on=(TIME, INPUT), derivatives=2 - order)
         yield Slot(f"{self.where}, start", self.start, coordinate)
         yield Slot(f"{self.where}, start speed", self.start_speed, rate)
 

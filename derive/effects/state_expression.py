@@ -234,7 +234,7 @@ def state_dimension(symbol: StateSymbol, scene: Scope) -> Dimension:
 
 
 _WITHOUT_DERIVATIVES = (
-    "An input may jump, so it has no derivatives: let it be an acceleration, Drive(acceleration=...), the target of a SpeedController, "
+    "An input has no derivatives here: let it be a motion, Drive(position=...), the target of a SpeedController, "
     "or the rest of a spring, JointForce(joint, k*(input - coordinate_of(joint))); what is known beforehand is a Table of T."
 )
 
@@ -332,12 +332,12 @@ def input_faults(expressions: Iterable[Any], parameters: Iterable[str]) -> Itera
 
 def smoothness_faults(slot: Slot, value: Any) -> Iterator[Fault]:
     """Yield faults of an expression or its time derivatives that generated code cannot contain."""
-    derivatives = getattr(slot, "derivatives", 0)
+    derivatives, changing = getattr(slot, "derivatives", 0), (T, *inputs_in(value))
     for order in range(derivatives + 1):
         of = ("", "the first derivative of ", "the second derivative of ")[order]
         try:
             expression_text(value)
-            value = sp.diff(value, T) if order < derivatives else value
+            value = sp.Add(*(sp.diff(value, by) for by in changing)) if order < derivatives else value
         except EmitError as error:
             yield Fault(slot.where, f"{of}{shown(slot.value)}: {error}", "an expression of known functions, as smooth as its use asks for",
                         "A choice is Where(condition, a, b); what jumps is no position.")  # fmt: skip

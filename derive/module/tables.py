@@ -63,9 +63,13 @@ def _advice(scene: Scene) -> dict[str, tuple[str, ...]]:
 
 
 def _inputs(scene: Scene) -> dict[str, tuple[Any, ...]]:
-    """Table of inputs, if there are any: the last entries of c are their pieces, in this order."""
+    """Table of inputs, if there are any: the last entries of c are their pieces, in this order.
+
+    A second one of those that must have continuous derivatives: how many, and for what.
+    """
     rows = tuple((given.name, given.unit, given.meaning) for given in scene.inputs.values())
-    return {"INPUTS": rows} if rows else {}
+    smooth = tuple((name, derivatives, slot.where) for name, (derivatives, slot) in scene.smooth_inputs.items())
+    return {**({"INPUTS": rows} if rows else {}), **({"SMOOTH_INPUTS": smooth} if smooth else {})}
 
 
 def _tables_used(scene: Scene) -> list[Table]:

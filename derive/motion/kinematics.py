@@ -144,7 +144,12 @@ class Kinematics:
         law = motion.law.xreplace({T: self.t, **{given: self._state(given) for given in inputs_in(motion.law)}})
         uniform = motion.order == 0 and sp.diff(law, self.t, 2) == 0  # one product, named where it is used
         chain.append(law if uniform else self.tape.let(law, names[motion.order]))
+        measured = bool(inputs_in(motion.law))  # an input's rates are those of its pieces, by the tape's chain rule
         while len(chain) < 3:
+            if measured:
+                chain.append(self.tape.rate(law, names[len(chain)]))
+                law = self.tape.assignments.get(chain[-1], chain[-1])
+                continue
             law = sp.diff(law, self.t)
             chain.append(self.tape.let(law, names[len(chain)]))
         for low, high in pairwise(chain):

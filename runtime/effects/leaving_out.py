@@ -15,10 +15,12 @@ from hertzwerk.runtime.effects.scene_cost import cost_of, shares
 from hertzwerk.runtime.effects.smallest import smallest
 from hertzwerk.runtime.effects.starts import driven_start
 from hertzwerk.runtime.effects.study import GONE, NEW, NONE_SEEN, Change, Row, Study
+from hertzwerk.runtime.inputs.given import Input, given_inputs
 from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.model import build
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.model.signal import Signal
 from hertzwerk.runtime.run.request import METHOD
 from hertzwerk.runtime.solution.solution import Solution
 
@@ -35,6 +37,7 @@ def study_effects(
     tolerance: float = 1e-6,
     method: str = METHOD,
     values: Mapping[str, Value] | None = None,
+    inputs: Mapping[str, Input] | None = None,
     outputs: Sequence[str] = (),
     within: float | None = None,
     without: Sequence[str] = (),
@@ -46,6 +49,7 @@ def study_effects(
 
     tolerance    of the coarsest runs and of those that are timed; finer ones show the error
     values    parameters and initial states in place of the scene's
+    inputs    values of the scene's inputs, as `simulate` takes them
     outputs    names, `max.NAME`, `min.NAME`, `mean.NAME`, `amplitude.NAME`; by default those that suit the scene
     within    search the smallest scene whose outputs change by no more, relative
     without, laws    of the whole scene, as `load` takes them
@@ -56,7 +60,9 @@ def study_effects(
     bench = Bench(duration, tolerance, method, dict(values or {}))
     scenes = _Scenes(target, tuple(without), dict(laws or {}))
     whole = scenes.model()
-    wanted, first = _outputs(whole, bench, outputs)
+    whole, wrong = given_inputs(whole, inputs, duration, bench.parameters(whole))
+    scenes = replace(scenes, signals=whole.signals)
+    wanted, first = _outputs(whole, bench, outputs, wrong)
     study = Study(
         scene=whole.name,
         outcome=first.outcome,
@@ -113,14 +119,16 @@ def study_effects(
 _SMALLEST = ""  # no effect has this name
 
 
-def _outputs(whole: Model, bench: Bench, names: Sequence[str]) -> tuple[tuple[Output, ...], Solution]:
+def _outputs(
+    whole: Model, bench: Bench, names: Sequence[str], before: Sequence[Fault]
+) -> tuple[tuple[Output, ...], Solution]:
     """Return the outputs to be compared and the run they were found in.
 
-    Raises InputError with all faults of names and values.
+    Raises InputError with `before` and all faults of names and values.
     """
     known = (*whole.parameters, *whole.joints.coordinates, *whole.joints.speeds)
     faults = [unknown("parameter or state", name, known) for name in bench.unknown_of(whole)]
-    bench.check(Case(whole), [*faults, *unknown_outputs(whole, names)])
+    bench.check(Case(whole), [*before, *faults, *unknown_outputs(whole, names)])
     run = bench.simulate(Case(whole), compiled=False)
     outputs, wrong = chosen(run, names) if names else (automatic(run), [])
     if wrong:
@@ -130,11 +138,15 @@ def _outputs(whole: Model, bench: Bench, names: Sequence[str]) -> tuple[tuple[Ou
 
 @dataclass(frozen=True)
 class _Scenes:
-    """A scene and its variations; a built-in one is named, so that variations need no new derivation."""
+    """A scene and its variations; a built-in one is named, so that variations need no new derivation.
+
+    signals    values of the inputs, for those variations that have them
+    """
 
     target: str | Path | Scene
     without: tuple[str, ...]
     laws: Mapping[str, str]
+    signals: Mapping[str, Signal] = field(default_factory=dict)
     _scene: list[Scene] = field(default_factory=list)
 
     @property
@@ -149,8 +161,10 @@ class _Scenes:
     def model(self, *gone: str) -> Model:
         """Return the scene without exactly these effects; raises InputError."""
         if isinstance(self.target, str) and not build.is_file(self.target):
-            return load(self.target, without=(*self.without, *gone), laws=self.laws)
-        return load(self.scene, without=gone)
+            model = load(self.target, without=(*self.without, *gone), laws=self.laws)
+        else:
+            model = load(self.scene, without=gone)
+        return model.with_signals({name: signal for name, signal in self.signals.items() if name in model.inputs})
 
     def leave_out(self, effects: Sequence[str], names: Iterable[str]) -> tuple[frozenset[str], Model]:
         """Return the scene without some of its effects and those that depend on them.

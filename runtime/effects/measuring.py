@@ -24,6 +24,7 @@ from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.per_model import per_model
+from hertzwerk.runtime.model.signal import WIDTH
 from hertzwerk.runtime.run.request import TOLERANCES, Settings, check
 from hertzwerk.runtime.simulation import simulate
 from hertzwerk.runtime.solution import scales
@@ -201,7 +202,10 @@ class Bench:
             return False
         memory = [whole.nq + whole.nu + whole.memory.index(name) for name in model.memory]
         states = np.hstack([y[:, : whole.nq + whole.nu], y[:, memory]])
-        parts = (run.history.part(name) for name in ("mode", "m"))
+        parts = [run.history.part(name) for name in ("mode", "m")]
+        if model.inputs:
+            columns = [WIDTH * list(whole.inputs).index(name) + k for name in model.inputs for k in range(WIDTH)]
+            parts.append(run.history.part("pieces")[:, columns])
         (found,) = _rates(model)(model.bind(self.parameters(model)).c, run.history.part("t"), states, *parts)
         here = run.history.part("dy")[:, speeds]
         size = np.max(np.abs(here), axis=0, initial=0.0)
@@ -210,7 +214,7 @@ class Bench:
 
 @per_model
 def _rates(model: Model) -> Rowwise:
-    return Rowwise(flow(model).rates, constant=4)
+    return Rowwise(model.with_pieces(flow(model).rates, 4), constant=4)
 
 
 def _number(output: Output, values: Sequence[float | None], finest: Solution, *, past: bool) -> Number | str:

@@ -4,6 +4,7 @@
 (times, values)                two arrays, in s and in the input's unit, joined by straight lines; `Samples` says more
 Samples(times, values, units)  samples with units, joined, held or as a spline
 "FILE.csv:column"              a column of a file headed `name [unit]`, also "FILE.csv:column:held"
+"FILE.csv"                     the column that is called as the input
 Table(...)                     a table of the time as scenes have it
 function                       of the time [s], returning the value in the input's unit
 """
@@ -33,6 +34,7 @@ Input: TypeAlias = Any
 Duration: TypeAlias = str | float | None
 AnyModel = TypeVar("AnyModel", bound=Model)
 COLUMN = re.compile(r"(?P<file>.+\.[A-Za-z]+):(?P<column>[^:]+)(?::(?P<between>\w+))?")
+FILE = re.compile(r".+\.csv", re.IGNORECASE)
 FORMS = 'a value such as "0.5 N m", "FILE.csv:column", Samples(times, values, units), a Table or a function of the time'
 
 
@@ -48,7 +50,7 @@ def signals_of(
         if name not in model.inputs:
             faults.append(unknown("input", name, model.inputs))
             continue
-        signal = _signal(f"input {name}", value, model.inputs[name][0], seconds, faults)
+        signal = signal_of(name, value, model.inputs[name][0], seconds, faults)
         found |= {} if signal is None else {name: signal}
     return found
 
@@ -56,10 +58,11 @@ def signals_of(
 def located(text: str, folder: Path) -> str:
     """Return "NAME=FILE:column", or "FILE:column", with the file as seen from a folder; other text stays."""
     name, equals, value = text.rpartition("=")
-    column = COLUMN.fullmatch(value.strip())
-    if column is None or Path(column["file"]).is_absolute():
+    column, alone = COLUMN.fullmatch(value.strip()), FILE.fullmatch(value.strip())
+    file = column["file"] if column is not None else alone[0] if alone is not None else ""
+    if not file or Path(file).is_absolute():
         return text
-    return f"{name}{equals}{folder / column['file']}{value.strip()[column.end('file') :]}"
+    return f"{name}{equals}{folder / file}{value.strip()[len(file) :]}"
 
 
 def input_text(value: Input) -> str | None:
@@ -99,11 +102,18 @@ def with_inputs(
     return model
 
 
-def _signal(where: str, value: Input, unit: str, seconds: float, faults: list[Fault]) -> Signal | None:
+def signal_of(name: str, value: Input, unit: str, seconds: float, faults: list[Fault]) -> Signal | None:
+    """Return the signal of an input's value; faults are appended.
+
+    seconds    [s], up to which functions are sampled
+    """
+    where = f"input {name}"
     if isinstance(value, Signal):
         return value
     if isinstance(value, str) and (column := COLUMN.fullmatch(value.strip())):
-        return _of_file(where, column, unit, faults)
+        return _of_file(where, column["file"], column["column"].strip(), column["between"] or "linear", unit, faults)
+    if isinstance(value, str) and FILE.fullmatch(value.strip()):
+        return _of_file(where, value.strip(), name, "linear", unit, faults)
     if isinstance(value, Samples):
         return _of_samples(where, value, unit, faults)
     if hasattr(value, "pieces") and hasattr(value, "units"):
@@ -145,7 +155,7 @@ def _of_table(where: str, table: Any, unit: str, faults: list[Fault]) -> Signal 
     if wrong:
         return None
     pieces = np.array(table.pieces())
-    return Signal(pieces[:-1, 0], pieces[:-1, 1 : DEGREE + 2], float(pieces[-1, 0]), f"table {table.name}")
+    return Signal(pieces[:-1, 0], pieces[:-1, 1 : DEGREE + 2], float(pieces[-1, 0]), f"table {table.name}", 4)
 
 
 def _of_function(where: str, function: Any, unit: str, seconds: float, faults: list[Fault]) -> Signal | None:
@@ -159,22 +169,19 @@ def _of_function(where: str, function: Any, unit: str, seconds: float, faults: l
         return None
 
 
-def _of_file(where: str, asked: re.Match[str], unit: str, faults: list[Fault]) -> Signal | None:
+def _of_file(where: str, file: str, name: str, between: str, unit: str, faults: list[Fault]) -> Signal | None:
     from hertzwerk.runtime.measured.measurement import read_measurement
 
-    name, between = asked["column"].strip(), asked["between"] or "linear"
     try:
-        measured = read_measurement(asked["file"], [name])
+        measured = read_measurement(file, [name])
     except InputError as error:
         faults += [
             Fault(f"{where}, {fault.where}", fault.found, fault.expected, fault.remedy) for fault in error.faults
         ]
         return None
-    there = np.isfinite(measured.columns[name])  # a missing sample is left out
-    samples = Samples(measured.times[there], measured.columns[name][there], ("s", measured.units[name]), between, f"{asked['file']}:{name}")  # type: ignore[arg-type]  # fmt: skip
     if between not in BETWEEN:
-        faults.append(
-            Fault(where, f"{asked['file']}:{name}:{between}", f"one of {', '.join(BETWEEN)} after the column")
-        )
+        faults.append(Fault(where, f"{file}:{name}:{between}", f"one of {', '.join(BETWEEN)} after the column"))
         return None
+    there = np.isfinite(measured.columns[name])  # a missing sample is left out
+    samples = Samples(measured.times[there], measured.columns[name][there], ("s", measured.units[name]), between, f"{file}:{name}")  # type: ignore[arg-type]  # fmt: skip
     return _of_samples(where, samples, unit, faults)

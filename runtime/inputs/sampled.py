@@ -7,6 +7,7 @@ at others. Where a piece has shrunk to nothing the function jumps: the pieces be
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from itertools import pairwise
 
@@ -20,6 +21,12 @@ FIRST = 64  # pieces before any is halved: what is shorter than a hundredth of t
 MOST = 200_000  # pieces that are tried
 JUMP = 1e-13  # of the run: length of a piece that is a jump
 ADJACENT = 16  # most such pieces side by side: more are noise
+SHRUNK = 1e-5  # of the run: shorter pieces than this are about a kink
+LEFT_OPEN = (
+    4 * DEGREE**2,
+    4 * DEGREE**2 * (DEGREE**2 - 1) / 3,
+)  # Markov: derivatives at the ends of twice both errors, 2/h at a time
+SAME = 1e-6  # of the largest derivative
 NODES = (1 - np.cos(np.pi * np.arange(DEGREE + 1) / DEGREE)) / 2
 BETWEEN = np.array([0.003, 0.04, 0.19, 0.27, 0.42, 0.58, 0.77, 0.83, 0.96, 0.997])
 INVERSE = np.linalg.inv(np.vander(NODES, increasing=True))
@@ -45,7 +52,30 @@ def sampled(function: Callable[[float], float], seconds: float, text: str) -> Si
         for _, _, others in parts:
             if others:
                 raise sampler.unresolved(*others[0])
-    return Signal(np.array(begins), np.array(rows), seconds, f"{text}, sampled in {len(rows)} pieces")
+    times, coefficients = np.array(begins), np.array(rows)
+    smooth = -1 if jumps else _smooth(times, coefficients, seconds)
+    return Signal(times, coefficients, seconds, f"{text}, sampled in {len(rows)} pieces", smooth)
+
+
+def _smooth(begins: np.ndarray, rows: np.ndarray, seconds: float) -> int:
+    """Return how many derivatives are continuous, 2 at most, as far as pieces tell.
+
+    Pieces shrink to a kink that lies within one; at one that lies between two the derivatives differ by more than what
+    an interpolation to ACCURACY leaves open.
+    """
+    lengths = np.diff(np.append(begins, seconds))
+    if lengths.min() < SHRUNK * seconds:
+        return 0
+    size = float(np.max(np.abs(rows[:, 0])))
+    for order in (1, 2):
+        since = lengths[:-1, None] ** np.arange(DEGREE + 1 - order)
+        factors = np.array([math.perm(k, order) for k in range(order, DEGREE + 1)])
+        before = np.sum(rows[:-1, order:] * factors * since, axis=1)
+        open_by = LEFT_OPEN[order - 1] * ACCURACY * size / np.minimum(lengths[:-1], lengths[1:]) ** order
+        largest = math.factorial(order) * float(np.max(np.abs(rows[:, order])))
+        if np.any(np.abs(math.factorial(order) * rows[1:, order] - before) > open_by + SAME * largest):
+            return order - 1
+    return 2
 
 
 class _Sampler:

@@ -39,13 +39,16 @@ class Samples:
         if self.between == "held":
             changes = np.concatenate([[True], v[1:] != v[:-1]])  # one that stays ends no step
             begins, coefficients, end = t[changes], _raised(v[changes, None]), t[-1] + (t[-1] - t[-2])
+            smooth = -1
         elif self.between == "linear" or len(t) < 3:
             begins, coefficients, end = t[:-1], _raised(np.column_stack([v[:-1], np.diff(v) / np.diff(t)])), t[-1]
+            smooth = 0
         else:
             from scipy.interpolate import CubicSpline
 
             begins, coefficients, end = t[:-1], _raised(CubicSpline(t, v).c[::-1].T), t[-1]
-        return Signal(begins, coefficients, float(end), text)
+            smooth = 2
+        return Signal(begins, coefficients, float(end), text, smooth if len(begins) > 1 else DEGREE)
 
     @property
     def _arrays(self) -> tuple[np.ndarray, np.ndarray]:

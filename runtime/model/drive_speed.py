@@ -18,8 +18,8 @@ SAME = 1e-9  # relative
 
 def drive_speed(model: Model, bound: Bound) -> float | None:
     """Return the angular speed [rad/s] of a scene's only drive; None where it varies, or there are others."""
-    if [kind for _, kind, _ in model.module.EFFECTS].count("drive") != 1:
-        return None
+    if [kind for _, kind, _ in model.module.EFFECTS].count("drive") != 1 or model.smooth:
+        return None  # none, several, or as an input says
     callers = _speeds(model)
     caller = callers.take()
     caller.inputs[0][:] = bound.c

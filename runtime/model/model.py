@@ -124,6 +124,8 @@ class Model:
         """Whether each constraint is a length [m], not an angle's sine [1]."""
         self.inputs: dict[str, tuple[str, str]] = {row[0]: row[1:] for row in getattr(module, "INPUTS", ())}
         """Unit and meaning of the inputs by name; the last `npieces` entries of c are their pieces, see `Signal`."""
+        self.smooth: dict[str, tuple[int, str]] = {row[0]: row[1:] for row in getattr(module, "SMOOTH_INPUTS", ())}
+        """Continuous derivatives that inputs must have, and for what, of those that must."""
         self.npieces = WIDTH * len(self.inputs)
         self.has_ledger = hasattr(module, "ledger")
         self.speed_limited: tuple[str, ...] = getattr(module, "SPEED_LIMITED", ())

@@ -15,11 +15,11 @@ NUMBER = parse_unit("1")  # unit of what no model declares
 
 def si_units(model: Model) -> dict[str, str]:
     """Return the SI unit text of every parameter and state, "" of a number."""
-    return {name: _si_text(unit) for name, unit in _texts(model).items()}
+    return {name: si_text(unit) for name, unit in _texts(model).items()}
 
 
 def si_of(model: Model, name: str, value: Value) -> float:
-    """Return the value of a parameter or state in SI; nan where it cannot be read as one."""
+    """Return the value of a parameter, state or input in SI; nan where it cannot be read as one."""
     try:
         number, unit, _ = read(value)
     except UnitError:
@@ -37,8 +37,9 @@ def latch_units(model: Model) -> Mapping[str, str]:
 
 @per_model
 def _units(model: Model) -> Mapping[str, Unit]:
-    """Return the unit of every parameter, state and latch as the model declares it."""
-    return {name: parse_unit(text) for name, text in {**_texts(model), **latch_units(model)}.items()}
+    """Return the unit of every parameter, state, latch and input as the model declares it."""
+    inputs = {name: unit for name, (unit, _) in model.inputs.items()}
+    return {name: parse_unit(text) for name, text in {**_texts(model), **latch_units(model), **inputs}.items()}
 
 
 def _texts(model: Model) -> dict[str, str]:
@@ -46,7 +47,7 @@ def _texts(model: Model) -> dict[str, str]:
     return {**{name: port.unit for name, port in model.parameters.items()}, **model.joints.units, **model.units}
 
 
-def _si_text(unit: str) -> str:
+def si_text(unit: str) -> str:
     """Return the text of a unit's SI unit, angles named: mm -> m, rpm -> rad/s, "" for a number."""
     read = parse_unit(unit)
     text = str(read)

@@ -8,6 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from hertzwerk.runtime.host.lazy import cached_property
+
 DEGREE = 5  # of the pieces, as generated modules have them
 WIDTH = DEGREE + 2  # entries of c for each input: when its piece begins [s], and the coefficients of rising powers
 
@@ -19,14 +21,16 @@ class Signal:
     begins, coefficients    shapes (n,) and (n, 6); a piece holds until the next begins, from its first instant on
     end    [s], up to which it is known; inf for a constant
     text    what it was made of, for people
+    smooth    derivatives that are continuous from piece to piece, -1 where the value itself may jump
     """
 
     begins: np.ndarray
     coefficients: np.ndarray
     end: float
     text: str
+    smooth: int = -1
 
-    @property
+    @cached_property
     def digest(self) -> str:
         """Digest of the values."""
         data = (self.begins, self.coefficients, np.array([self.end]))
@@ -36,6 +40,10 @@ class Signal:
         """Return the piece that holds from each time on, shape (n, WIDTH)."""
         index = np.maximum(np.searchsorted(self.begins, times, side="right") - 1, 0)
         return np.column_stack([self.begins[index], self.coefficients[index]])
+
+    def scaled(self, factor: float) -> Signal:
+        """Return the signal times a factor."""
+        return Signal(self.begins, factor * self.coefficients, self.end, f"{factor:g} x {self.text}", self.smooth)
 
     def __call__(self, times: np.ndarray) -> np.ndarray:
         """Return the values at times [s]; where it jumps those after the jump."""
@@ -48,7 +56,7 @@ class Signal:
 
 def constant(value: float, text: str) -> Signal:
     """Return the signal that has one value [SI] for ever."""
-    return Signal(np.zeros(1), np.array([[value, *[0.0] * DEGREE]]), np.inf, text)
+    return Signal(np.zeros(1), np.array([[value, *[0.0] * DEGREE]]), np.inf, text, DEGREE)
 
 
 class Schedule:

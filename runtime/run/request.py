@@ -174,8 +174,9 @@ def check(
 
 
 def input_faults(model: Model, seconds: float, before: Sequence[Fault] = ()) -> list[Fault]:
-    """Return the faults of inputs without a value, or whose values do not cover the run (`seconds`).
+    """Return the faults of inputs without a value, or whose values do not cover the run or are too rough.
 
+    seconds    duration of the run
     Inputs with a fault already, `input NAME`, are left out.
     """
     faults: list[Fault] = []
@@ -192,6 +193,12 @@ def input_faults(model: Model, seconds: float, before: Sequence[Fault] = ()) -> 
             found = f"{signal.text} from {signal.begins[0]:g} s to {signal.end:g} s"
             way_out = "shorten the run, or add a sample at each end that says how it goes on"
             faults.append(Fault(where, found, f"values over the whole run, from 0 to {seconds:g} s", way_out))
+        elif signal.smooth < model.smooth.get(name, (-1, ""))[0]:
+            derivatives, use = model.smooth[name]
+            jumps = ("the value", "its rate", "its second derivative")[signal.smooth + 1]
+            counted = ("one continuous derivative", "two continuous derivatives")[derivatives - 1]
+            faults.append(Fault(where, f"{signal.text}: {jumps} jumps from piece to piece", f"values with {counted}, for {use}",
+                                'Samples(times, values, units, "cubic"), FILE.csv:COLUMN:cubic, a Table or a smooth function'))  # fmt: skip
     return faults
 
 

@@ -293,6 +293,7 @@ _TABLES = (
         "DISSIPATED",
         "OUTPUTS",
         "INPUTS",
+        "SMOOTH_INPUTS",
         "CONSTANTS",
         "BODIES",
         "OPERATIONS",

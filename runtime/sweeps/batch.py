@@ -10,10 +10,12 @@ from typing import TYPE_CHECKING, Any
 
 from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.runtime.host.extras import required
+from hertzwerk.runtime.inputs.choices import NO_CHOICES, Choices, read_rows, units_of_inputs
+from hertzwerk.runtime.inputs.given import Input, given_inputs
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.si_values import si_units
-from hertzwerk.runtime.run.request import METHOD, Compiled, Settings
+from hertzwerk.runtime.run.request import METHOD, Compiled, Settings, read_duration
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.sweeps.kept.kept_arrays import Kept
 from hertzwerk.runtime.sweeps.processes import Processes
@@ -52,6 +54,7 @@ def simulate_many(
     accuracy: float | None = None,
     tolerance: float | None = None,
     method: str = METHOD,
+    inputs: Mapping[str, Input] | None = None,
     compiled: Compiled = "auto",
     workers: int | None = None,
     client: Client | None = None,
@@ -63,7 +66,9 @@ def simulate_many(
 
     Each run is bitwise the one that `simulate` makes.
 
-    parameter_sets    values in place of the model's, parameters and initial states alike: [{"clearance": "0.2 mm"}, ...]
+    parameter_sets    values in place of the model's, parameters, initial states and inputs alike: [{"clearance": "0.2 mm"}, ...];
+                      an input's as `simulate` takes it, or a factor on it: {"torque": "bench.csv:load"}, {"torque.scale": 0.5}
+    inputs    values of the scene's inputs, as `simulate` takes them, where a set has none of its own
     compiled    "auto" compiles once for all where that saves time; duration, accuracy or tolerance, method, and limits as in `simulate`
     workers    processes, by default as many as there are cores (threads where processes cannot be forked: correct, slower)
     client    in their place a Dask cluster, by the `distributed.Client` that is connected with it
@@ -79,17 +84,19 @@ def simulate_many(
     if not (outputs is None or isinstance(outputs, Mapping)):
         raise InputError(model.name, [Fault("outputs", shown(outputs), "a dictionary of functions of the Solution")])
     Settings(duration, accuracy, tolerance, method, compiled, **limits).check(model)
-    _check(model, worker_faults(workers, client), outputs or {})
+    model, wrong = given_inputs(model, inputs, duration, {})
+    _check(model, [*wrong, *worker_faults(workers, client)], outputs or {})
+    sets, choices = read_rows(model, sets, read_duration(model, {}, duration, []))
     settings = {"duration": duration, "accuracy": accuracy, "tolerance": tolerance, "method": method, **limits}
     wanted = [
         *of_every_run(model),
         *(own(name, function) for name, function in (outputs or {}).items()),
         *finals(model),
     ]
-    units = si_units(model)
+    units = {**si_units(model), **units_of_inputs(model), **dict.fromkeys(choices.signals, "")}
     varied = {name: units[name] for name in dict.fromkeys(name for values in sets for name in values) if name in units}
     results = {name: unit for output in wanted for name, unit in output.columns.items()}
-    batch = Batch(model, sets, settings, wanted, compiled, engine_of(workers, client))
+    batch = Batch(model, sets, settings, wanted, compiled, engine_of(workers, client), choices=choices)
     rows, outcome = in_memory(batch.rows(range(len(sets))), len(sets), progress)
     return Sweep(
         scene=model.name,
@@ -151,11 +158,12 @@ def engine_of(workers: int | None, client: object) -> RowEngine:
 class Batch:
     """Runs of one model, each a row, by the workers of an engine.
 
-    sets    values of every row, parameters and initial states alike
+    sets    values of every row, parameters, initial states and inputs alike
     settings    arguments of `simulate` for all of them
     compiled    as asked for
     later    rows for which there will be further calls, foreseen where it is chosen whether to compile
     kept    arrays that every row keeps
+    choices    what rows choose their inputs among
     """
 
     def __init__(
@@ -168,8 +176,9 @@ class Batch:
         engine: RowEngine,
         kept: Kept | None = None,
         later: int = 0,
+        choices: Choices = NO_CHOICES,
     ) -> None:
-        self._job = Job(model, Settings(**settings, compiled=compiled), list(outputs), kept)
+        self._job = Job(model, Settings(**settings, compiled=compiled), list(outputs), kept, choices=choices)
         self._sets, self._engine, self._later = sets, engine, later
         self._begun = False
 
@@ -230,7 +239,13 @@ def _check(model: Model, faults: list[Fault], outputs: Mapping[str, Own]) -> Non
     ]
     if faults:
         raise InputError(model.name, faults)
-    taken = {*TEXTS, *si_units(model), "wall_s", *(name for output in of_every_run(model) for name in output.columns)}
+    taken = {
+        *TEXTS,
+        *si_units(model),
+        *units_of_inputs(model),
+        "wall_s",
+        *(name for output in of_every_run(model) for name in output.columns),
+    }
     faults += [
         Fault(f"outputs[{name!r}]", "the name of another column", "a name of its own")
         for name in outputs

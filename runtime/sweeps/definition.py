@@ -15,12 +15,14 @@ from typing import Any
 
 from hertzwerk.derive.faults import Fault, InputError, shown
 from hertzwerk.derive.units import UnitError
+from hertzwerk.runtime.inputs.choices import Choices, Labels
 from hertzwerk.runtime.model.binding import Value, read, read_parameters, read_state
 from hertzwerk.runtime.model.build import derive_digest, is_file, law_files
 from hertzwerk.runtime.model.model import Model
+from hertzwerk.runtime.model.signal import digest_of
 from hertzwerk.runtime.run.request import read_duration
 from hertzwerk.runtime.start.start_values import split_values
-from hertzwerk.runtime.sweeps.design import Axis, Design, Range
+from hertzwerk.runtime.sweeps.design import Design, Given, Range
 
 COMPUTING = (
     "accuracy",
@@ -90,12 +92,17 @@ def as_text(value: Any) -> str:
     return f"{number!r}" if unit == "1" else f"{number!r} {unit}"
 
 
-def axes_of(design: Design) -> dict[str, str]:
-    """Return the axes of a design as text that reads back exactly."""
-    return {name: _axis(axis) for name, axis in design.axes.items()}
+def axes_of(design: Design, choices: Choices) -> dict[str, str | Mapping[str, str | None]]:
+    """Return the axes of a design as text that reads back exactly.
+
+    Of choices by label; None for one made in Python.
+    """
+    return {
+        name: choices.texts[name] if isinstance(axis, Labels) else _axis(axis) for name, axis in design.axes.items()
+    }
 
 
-def _axis(axis: Axis) -> str:
+def _axis(axis: tuple[Given, ...] | Range) -> str:
     if isinstance(axis, Range):
         return str(axis)
     shared = len({unit for _, unit in axis}) == 1
@@ -133,19 +140,29 @@ def _told(value: Any) -> str:
 
 
 def keys_of(
-    model: Model, sets: Sequence[Mapping[str, Value]], settings: Mapping[str, Any], about: Mapping[str, Any]
+    model: Model,
+    sets: Sequence[Mapping[str, Value]],
+    settings: Mapping[str, Any],
+    about: Mapping[str, Any],
+    choices: Choices,
 ) -> list[str]:
     """Return the key of every set of values; `about`: what is the same for all, plain data."""
     others = repr(sorted({**about, **{name: value for name, value in settings.items() if name != "duration"}}.items()))
     same, keys = hashlib.sha256(f"{others}\n".encode()), []
     for values in sets:
         whole = same.copy()
-        whole.update(repr(_numbers(model, values, settings["duration"])).encode())
+        try:
+            of_row, rest = choices.of(model, values)
+        except InputError:
+            whole.update(repr(sorted(map(repr, values.items()))).encode())
+        else:
+            signals = () if of_row is model else (digest_of(of_row.signals),)
+            whole.update(repr((*_numbers(of_row, rest, settings["duration"]), *signals)).encode())
         keys.append(whole.hexdigest()[:32])
     return keys
 
 
-def _numbers(model: Model, values: Mapping[str, Value], duration: Any) -> Any:
+def _numbers(model: Model, values: Mapping[str, Value], duration: Any) -> Sequence[Any]:
     """Return everything a run of these values depends on in SI, or as given where that cannot be read."""
     parameters, initial = split_values(model, values)
     faults: list[Fault] = []
@@ -165,6 +182,8 @@ def arguments_of(definition: Mapping[str, Any], folder: Path) -> dict[str, Any]:
         found = f"functions of its own: {', '.join(definition['functions'])}"
         faults.append(Fault(str(folder), found, "outputs by name", way_out))
     made = [name for name, text in definition["inputs"].items() if text is None]
+    axes = {name: axis.values() for name, axis in definition["over"].items() if isinstance(axis, Mapping)}
+    made += [name for name, texts in axes.items() if None in texts]
     if made:
         faults.append(
             Fault(str(folder), f"inputs made in Python: {', '.join(made)}", "values or columns of files", way_out)

@@ -23,6 +23,7 @@ import numpy as np
 
 from hertzwerk.derive.faults import Fault, shown, unknown
 from hertzwerk.derive.units import UnitError, parse_unit
+from hertzwerk.runtime.inputs.choices import Labels
 from hertzwerk.runtime.model.binding import Value, read
 
 Given: TypeAlias = tuple[float, str]  # a number and its unit
@@ -63,8 +64,8 @@ class Range:
         return float(_DIGITS.multiply(low, _DIGITS.exp(rise))), self.unit
 
 
-Axis: TypeAlias = tuple[Given, ...] | Range
-"""Values of one parameter, or a range to be sampled."""
+Axis: TypeAlias = tuple[Given, ...] | Labels | Range
+"""Values of one parameter, labels of an input's, or a range to be sampled."""
 
 
 @dataclass(frozen=True)
@@ -81,23 +82,23 @@ class Design:
     sampler: str = "latin"
     seed: int = 0
 
-    def points(self) -> list[dict[str, Given]]:
+    def points(self) -> list[dict[str, Given | str]]:
         """Return the values of every point by name, in order: of a grid the last name varies fastest."""
         names = list(self.axes)
         if self.sample is not None:
-            rows: Iterable[Iterable[Given]] = self._samples(self.sample)
+            rows: Iterable[Iterable[Given | str]] = self._samples(self.sample)
         else:
             lists = [axis for axis in self.axes.values() if not isinstance(axis, Range)]
             rows = zip(*lists, strict=True) if self.zip else itertools.product(*lists)
         return [dict(zip(names, row, strict=True)) for row in rows]
 
     @property
-    def grid(self) -> dict[str, tuple[Given, ...]]:
+    def grid(self) -> dict[str, tuple[Given, ...] | Labels]:
         """Values of every axis where the points are all their combinations; else empty."""
         whole = not self.zip and self.sample is None
         return {name: axis for name, axis in self.axes.items() if whole and not isinstance(axis, Range)}
 
-    def _samples(self, count: int) -> Iterable[Iterable[Given]]:
+    def _samples(self, count: int) -> Iterable[Iterable[Given | str]]:
         from scipy.stats import qmc  # slow to import
 
         sampler = {"latin": qmc.LatinHypercube, "sobol": qmc.Sobol}[self.sampler]
@@ -105,7 +106,7 @@ class Design:
             yield (_drawn(axis, float(part)) for axis, part in zip(self.axes.values(), row, strict=True))
 
 
-def _drawn(axis: Axis, part: float) -> Given:
+def _drawn(axis: Axis, part: float) -> Given | str:
     """Return the value of an axis at a part 0..1 of it."""
     return axis.at(Fraction(part)) if isinstance(axis, Range) else axis[min(int(part * len(axis)), len(axis) - 1)]
 
@@ -125,7 +126,8 @@ def read_design(
         faults.append(Fault("over", shown(over), 'values by name, such as {"clearance": "0.05..0.5 mm:10"}'))
     else:
         for name, values in over.items():
-            axis = _axis(f"over[{name!r}]", values, sample is not None, faults)
+            where, sampled = f"over[{name!r}]", sample is not None
+            axis = values if isinstance(values, Labels) else _axis(where, values, sampled, faults)
             if axis is not None:
                 axes[name] = axis
     if sample is not None and not (_whole(sample) and 0 < sample <= MOST):  # type: ignore[operator]

@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from hertzwerk.derive.faults import Fault, shown
+from hertzwerk.runtime.inputs.choices import numbers_of
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.si_values import latch_units, si_of
@@ -74,7 +75,7 @@ class Chains:
     def _as_given(self, row: Row) -> Row:
         """Return a row with the values of its point, without the start that it continued from."""
         given = dict(self.sets[row.index])
-        return replace(row, given=given, values={name: si_of(self.model, name, x) for name, x in given.items()})
+        return replace(row, given=given, values=numbers_of(self.model, given))
 
     def _start(self, end: np.ndarray) -> dict[str, Value]:
         """Return the initial values that a final state is."""

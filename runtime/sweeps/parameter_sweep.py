@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING, Any
 from hertzwerk.derive.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.units import UnitError
 from hertzwerk.runtime.host.lazy import cached_property
+from hertzwerk.runtime.inputs.choices import NO_CHOICES, Choices, Labels, read_choices, units_of_inputs
 from hertzwerk.runtime.inputs.given import Input, given_inputs, input_text
 from hertzwerk.runtime.loading import load
 from hertzwerk.runtime.model import model as plain
@@ -29,7 +30,7 @@ from hertzwerk.runtime.model.binding import Value, named_values, read
 from hertzwerk.runtime.model.generated_text import text_of
 from hertzwerk.runtime.model.si_values import si_of, si_units
 from hertzwerk.runtime.model.signal import digest_of
-from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, Settings, check
+from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, Settings, check, read_duration
 from hertzwerk.runtime.solution.outcome import Outcome
 from hertzwerk.runtime.solution.solution import Solution
 from hertzwerk.runtime.start.start_values import split_values
@@ -55,7 +56,7 @@ LARGEST_CSV = 50e6  # bytes, about, of arrays that are written as CSV unasked
 
 def sweep(
     target: str | Path | Scene | plain.Model,
-    over: Mapping[str, Varied],
+    over: Mapping[str, Varied | Mapping[str, Input] | Sequence[Input]],
     *,
     zip: bool = False,
     sample: int | None = None,
@@ -91,12 +92,13 @@ def sweep(
 
     target    a Model, or what `load` takes; without, laws, coordinates    a variation, as `load` takes it
     over    what is varied, parameters and initial states alike: "0.05..0.5 mm:10" (ten values), "1e6..1e9 N/m:7 log",
-            "0.1, 0.2, 0.4 mm", or a list of values; all combinations, the last name fastest
+            "0.1, 0.2, 0.4 mm", or a list of values; all combinations, the last name fastest. Of an input constants likewise, or
+            what `simulate` takes: "calm.csv:load, gusty.csv:load", a list, or a dictionary by labels; `torque.scale` is a factor on it
     zip    the first value of each name together, then the second of each, and so on
     sample    number of points instead, spread by a "latin" hypercube or a "sobol" sequence (sampler) with a seed over
               ranges "0.05..0.5 mm", "1e6..1e9 N/m log", and lists
     values    other values in place of the model's, the same for all points
-    inputs    values of the scene's inputs, as `simulate` takes them, the same for all points
+    inputs    values of the scene's inputs that are not varied, as `simulate` takes them
     outputs    names such as "final.guide.travel", "slider_pin.peak_force", "slider_pin.impact_rate" (with half the
                width of its 95 % interval as a column more), "guide.travel.max"; by default every final state
     section    where each row keeps points: "main_bearing.angle = 0" (at every return of the drive), "phase = 90 deg" (of the
@@ -129,13 +131,16 @@ def sweep(
     # 2. design
     faults: list[Fault] = []
     spread: dict[str, Any] = {"zip": zip, "sample": sample, "sampler": sampler, "seed": seed}
+    choices = NO_CHOICES
+    if isinstance(over, Mapping):
+        over, choices = read_choices(model, over, read_duration(model, {}, duration, []), faults)
     design = read_design(over, **spread, faults=faults)
     fixed = {
         name: _read(value) for name, value in named_values("values", {} if values is None else values, faults).items()
     }
     model, wrong = given_inputs(model, inputs, duration, {})
     faults += wrong
-    varied = _varied(model, over, fixed, faults)
+    varied = {**_varied(model, over, fixed, faults), **dict.fromkeys(choices.signals, "")}
     chains = read_chains(model, [{**fixed, **point} for point in design.points()], varied, continued, faults)
     # 3. outputs
     wanted = outputs_of(model, outputs, functions, varied, faults)
@@ -149,12 +154,12 @@ def sweep(
         faults += error.faults
     if faults:
         raise InputError(f"sweep of {model.name}", faults)
-    plan = Plan(model, design, fixed, varied, wanted, settings, kept, chains)
+    plan = Plan(model, design, fixed, varied, wanted, settings, kept, chains, choices)
     plan.check()
     # 4. rows, 5. table
     sets = plan.sets
     later = 0 if chains is None else len(sets) - len(chains.rows)
-    batch = Batch(model, sets, settings, wanted, compiled, engine_of(workers, client), kept, later)
+    batch = Batch(model, sets, settings, wanted, compiled, engine_of(workers, client), kept, later, choices)
     table = plan.table("" if kept is None else place_of(kept.section, grid, after), batch.workers)
     if into is None:
         table = _in_memory(plan, batch, table, progress)
@@ -200,12 +205,13 @@ def _definition(
         "versions": versions(),
     }
     definition = {
-        **{"scene": model.name, **target_of(target, model), "over": axes_of(plan.design), **spread},
+        **{"scene": model.name, **target_of(target, model), "over": axes_of(plan.design, plan.choices), **spread},
         **{"values": {name: as_text(value) for name, value in plan.fixed.items()}, **plan.settings, **same},
         **{"columns": plan.columns, "varied": list(plan.varied), "axes": plan.axes},
         "arrays": {} if kept is None else kept.columns,
+        "choices": plan.choices.digests(),
     }
-    keys = keys_of(model, plan.sets, plan.settings, same)
+    keys = keys_of(model, plan.sets, plan.settings, same, plan.choices)
     return definition, keys if plan.chains is None else plan.chains.keys(keys)
 
 
@@ -270,6 +276,7 @@ class Plan:
     """Everything a sweep computes: design, what is the same for all, outputs, settings of the runs.
 
     kept, chains    arrays that each row keeps; points that follow each other
+    choices    what rows choose their inputs among
     """
 
     model: plain.Model
@@ -280,12 +287,15 @@ class Plan:
     settings: Mapping[str, Any]
     kept: Kept | None
     chains: Chains | None
+    choices: Choices
 
     @cached_property
-    def axes(self) -> dict[str, tuple[float, ...]]:
-        """Values in SI of what is varied, where the points are all combinations."""
-        grid = self.design.grid.items()
-        return {name: tuple(si_of(self.model, name, value) for value in values) for name, values in grid}
+    def axes(self) -> dict[str, tuple[float | str, ...]]:
+        """Values in SI of what is varied, where the points are all combinations, and labels."""
+        return {
+            name: tuple(values) if isinstance(values, Labels) else tuple(si_of(self.model, name, x) for x in values)
+            for name, values in self.design.grid.items()
+        }
 
     @property
     def columns(self) -> dict[str, str]:
@@ -315,15 +325,20 @@ class Plan:
         """Raise InputError where not one row can run, with the faults of the first."""
         first: InputError | None = None
         for values in self.sets:
-            parameters, initial = split_values(self.model, values)
             faults: list[Fault] = []
             try:
+                model, rest = self.choices.of(self.model, values)
+            except InputError as error:
+                first = first or error
+                continue
+            parameters, initial = split_values(model, rest)
+            try:
                 if self.kept is not None:
-                    self.kept.times(self.model, parameters)
+                    self.kept.times(model, parameters)
             except InputError as error:
                 faults += error.faults
             try:
-                check(self.model, Settings(**self.settings), parameters, initial, faults)
+                check(model, Settings(**self.settings), parameters, initial, faults)
             except InputError as error:
                 first = first or error
             else:
@@ -353,7 +368,7 @@ def _model(target: Any, without: Sequence[str], laws: Mapping[str, str] | None, 
 
 def _varied(model: plain.Model, over: object, fixed: Mapping[str, Value], faults: list[Fault]) -> dict[str, str]:
     """Return the units of the names that are varied; bad input is appended to `faults`."""
-    units = {name: unit for name, unit in si_units(model).items() if name not in model.memory}
+    units = {name: unit for name, unit in si_units(model).items() if name not in model.memory} | units_of_inputs(model)
     names = list(over) if isinstance(over, Mapping) else []
     faults += [
         unknown("parameter or state", name, units)

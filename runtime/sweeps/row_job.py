@@ -12,9 +12,9 @@ from typing import Any, Protocol, TypeAlias
 
 from hertzwerk.derive.faults import InputError
 from hertzwerk.runtime.host.lazy import cached_property
+from hertzwerk.runtime.inputs.choices import NO_CHOICES, Choices, numbers_of
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.model import Model
-from hertzwerk.runtime.model.si_values import si_of
 from hertzwerk.runtime.run.engine import prepare
 from hertzwerk.runtime.run.request import Settings
 from hertzwerk.runtime.simulation import solve
@@ -32,7 +32,7 @@ PROBE = 0.3  # s: longest trial run, from which the time of all is estimated
 
 Own: TypeAlias = Callable[[Solution], float]
 Task: TypeAlias = tuple[int, Mapping[str, Value]]
-"""Number of a row, and the values in place of the model's, parameters and initial states alike."""
+"""Number of a row, and the values in place of the model's: parameters, initial states, inputs."""
 
 
 class Flag(Protocol):
@@ -55,6 +55,7 @@ class Job:
     """Runs of one model, each a task for the workers of an engine.
 
     kept    arrays that every row keeps
+    choices    what rows choose their inputs among
     foreseen    time [s] that all take uncompiled, on all workers
     compiled    whether they are, once prepared
     """
@@ -66,6 +67,7 @@ class Job:
     foreseen: float = 0.0
     stop: Flag = field(default_factory=LocalFlag)
     compiled: bool = False
+    choices: Choices = NO_CHOICES
 
     @cached_property
     def needs(self) -> Needs:
@@ -76,7 +78,7 @@ class Job:
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle outputs by their names, for a process that shares nothing."""
         outputs = [(output.name, output.function) for output in self.outputs]
-        return _sent, (self.model, self.settings, outputs, self.kept, self.foreseen, self.stop)
+        return _sent, (self.model, self.settings, outputs, self.kept, self.foreseen, self.stop, self.choices)
 
     def prepare(self) -> None:
         """Build what all rows need, compiled where that saves time; raises InputError without a compiler."""
@@ -130,11 +132,12 @@ class Job:
 
         Raises InputError, and KeyboardInterrupt where the run was stopped.
         """
-        parameters, initial = split_values(self.model, task[1])
-        times = None if self.kept is None else self.kept.times(self.model, parameters)
+        model, values = self.choices.of(self.model, task[1])
+        parameters, initial = split_values(model, values)
+        times = None if self.kept is None else self.kept.times(model, parameters)
         if times is not None and Needs.STEPS not in self.needs and len(times.all):
             settings = replace(settings, output=times.all)
-        solution = solve(self.model, settings, parameters, initial, needs=self.needs, progress=progress)
+        solution = solve(model, settings, parameters, initial, needs=self.needs, progress=progress)
         if solution.outcome.name == "interrupted":
             raise KeyboardInterrupt
         return solution, times
@@ -183,7 +186,7 @@ class Job:
 
     def _values(self, task: Task) -> dict[str, float]:
         """Return the values of a row in SI."""
-        return {name: si_of(self.model, name, value) for name, value in task[1].items()}
+        return numbers_of(self.model, task[1])
 
 
 def _sent(
@@ -193,5 +196,6 @@ def _sent(
     kept: Kept | None,
     foreseen: float,
     stop: Flag,
+    choices: Choices,
 ) -> Job:
-    return Job(model, settings, named(model, outputs), kept, foreseen, stop)
+    return Job(model, settings, named(model, outputs), kept, foreseen, stop, choices=choices)

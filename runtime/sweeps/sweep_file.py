@@ -17,6 +17,7 @@ from pydantic import BaseModel, ConfigDict, ValidationError
 
 from hertzwerk.derive.faults import Fault, InputError, shown, unknown
 from hertzwerk.derive.files.tomlfile import read_toml
+from hertzwerk.runtime.inputs.choices import located_choices
 from hertzwerk.runtime.inputs.given import located
 from hertzwerk.runtime.model.build import is_file, located_laws
 from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD
@@ -31,7 +32,7 @@ class SweepFile(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, strict=True)
 
     target: str
-    over: dict[str, Quantity | list[Quantity]]
+    over: dict[str, Quantity | list[Quantity] | dict[str, Quantity]]
     zip: bool = False
     sample: int | None = None
     sampler: str = "latin"
@@ -80,8 +81,9 @@ def _from(path: Path, arguments: dict[str, Any]) -> dict[str, Any]:
         for name, value in arguments.get("inputs", {}).items()
     }
     laws = {effect: located_laws(law, path.parent) for effect, law in arguments.get("laws", {}).items()}
+    over = {name: located_choices(axis, path.parent) for name, axis in arguments["over"].items()}
     place = str(path.parent / target) if is_file(target) else target
-    return {**arguments, "target": place, "inputs": inputs, "laws": laws}
+    return {**arguments, "target": place, "over": over, "inputs": inputs, "laws": laws}
 
 
 def _meaning_faults(path: Path, content: dict[str, Any], faulty: set[str]) -> list[Fault]:

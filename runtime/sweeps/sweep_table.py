@@ -62,7 +62,11 @@ class Row:
             return "; ".join(self.warnings) if name == "warnings" else str(getattr(self, name))
         if name == "wall_s":
             return self.wall_s
-        return self.outputs.get(name, self.values.get(name, math.nan))
+        found = self.outputs.get(name, self.values.get(name))
+        if found is None:
+            label = self.given.get(name)
+            return label if isinstance(label, str) else math.nan
+        return found
 
     @property
     def final(self) -> dict[str, float]:
@@ -77,7 +81,7 @@ class Sweep:
     scene    name of the scene
     columns    unit text by name of column, "" where there is none
     varied    columns of the values that were given
-    axes    their values in SI where the rows are all combinations, the last fastest; else empty
+    axes    their values in SI, or labels of inputs, where the rows are all combinations, the last fastest; else empty
     arrays    unit text of arrays by what they are of, "section" or "histories", and name
     place    phrase: where arrays were kept
     outcome    "finished", or the reason why rows are missing, with a remedy
@@ -88,7 +92,7 @@ class Sweep:
     columns: Mapping[str, str]
     varied: tuple[str, ...]
     outcome: Outcome
-    axes: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
+    axes: Mapping[str, tuple[float | str, ...]] = field(default_factory=dict)
     arrays: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
     place: str = ""
     workers: int = 0  # of a table that was loaded
@@ -139,7 +143,11 @@ class Sweep:
     def __getitem__(self, name: str) -> np.ndarray:
         if name not in self.columns:
             raise KeyError(f"no column {name!r}; there are {', '.join(self.names)}")
-        return np.array([row[name] for row in self.rows], dtype=None if name in TEXTS else float)
+        return np.array([row[name] for row in self.rows], dtype=None if self._is_text(name) else float)
+
+    def _is_text(self, name: str) -> bool:
+        """Return whether a column has texts, as that of an input whose rows choose by label."""
+        return name in TEXTS or (name in self.varied and any(isinstance(row[name], str) for row in self.rows))
 
     @property
     def section(self) -> Arrays:
@@ -205,7 +213,7 @@ class Sweep:
         columns = {
             name: Column(
                 self[name],
-                None if name in TEXTS else self.unit(name),
+                None if self._is_text(name) else self.unit(name),
                 meaning_of(name, varied=name in self.varied),
             )
             for name in self.names

@@ -12,6 +12,7 @@ from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.cli.target import (
     BY_METHOD,
     DURATION,
+    INPUT,
     JSON,
     LAW,
     SET,
@@ -51,6 +52,7 @@ DEFAULT = 1e-9  # least default tolerance: an error of this size hides no effect
     "the name of a history; an average, such as slider_pin.impact_rate (default: as the scene has them).",
 )
 @SET
+@INPUT
 @WITHOUT
 @LAW
 @DURATION
@@ -92,6 +94,7 @@ def _study(target: str, out: Path | None, *, quiet: bool, wanted: bool, **option
 
     faults = unwritable_faults(out, wanted=wanted)
     values = assignments("--set", options["settings"], faults)
+    inputs = assignments("--input", options["inputs"], faults)
     laws = assignments("--law", options["laws"], faults)
     within = None if options["within"] is None else _fraction(options["within"], faults)
     numbers = scenarios.read(target)
@@ -109,6 +112,7 @@ def _study(target: str, out: Path | None, *, quiet: bool, wanted: bool, **option
             tolerance=tolerance,
             method=options["method"] or numbers.get("method", METHOD),
             values=values,
+            inputs=inputs,
             outputs=options["outputs"],
             within=within,
             without=options["without"],

@@ -50,7 +50,8 @@ _OPTIONS = {
     "--over",
     metavar="NAME=VALUES",
     multiple=True,
-    help='What is varied: clearance="0.05..0.5 mm:10", stiffness="1e6..1e9 N/m:7 log", restitution=0.5,0.7,0.9.',
+    help='What is varied: clearance="0.05..0.5 mm:10", stiffness="1e6..1e9 N/m:7 log", restitution=0.5,0.7,0.9; '
+    "of an input files too, torque=calm.csv,gusty.csv:load, or a factor, torque.scale=0.5..1.5:5.",
 )
 @click.option("--zip", is_flag=True, help="Take the first values together, then the second, and so on.")
 @click.option("--sample", metavar="NUMBER", help='So many points spread over ranges: clearance="0.05..0.5 mm".')

@@ -130,6 +130,13 @@ def _scaled(axis: Axes, x: Varied) -> None:
     elif reach > 0:
         axis.set_xlim(low - reach, high + reach)
     axis.set_xlabel(plain(x.label))
+    _ticked(axis.xaxis, x)
+
+
+def _ticked(axis: Any, along: Varied) -> None:
+    """Write the labels of an input along an axis."""
+    if along.labels:
+        axis.set_ticks(range(len(along.labels)), [plain(label) for label in along.labels])
 
 
 def _shape(count: int) -> tuple[int, int]:
@@ -218,6 +225,8 @@ def _maps(table: SweptTable, axes: Sequence[Varied], names: Sequence[str], count
         bar.set_label(_label(name, scale.unit))
         bar.outline.set_visible(False)
         panel.set(title=plain(name), xlabel=plain(x.label), ylabel=plain(y.label))
+        _ticked(panel.xaxis, x)
+        _ticked(panel.yaxis, y)
         if x.log:
             panel.set_xscale("log")
         if y.log:

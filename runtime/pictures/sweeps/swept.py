@@ -47,7 +47,7 @@ class SweptTable(Protocol):
         """Columns that were varied."""
 
     @property
-    def axes(self) -> Mapping[str, Sequence[float]]:
+    def axes(self) -> Mapping[str, Sequence[float | str]]:
         """Values of what was varied where all combinations were run, else empty."""
 
     @property
@@ -66,12 +66,16 @@ class SweptTable(Protocol):
 
 @dataclass(frozen=True)
 class Varied:
-    """Values (rows,) of one name in the unit they are shown in; `log`: they have equal ratios."""
+    """Values (rows,) of one name in the unit they are shown in; `log`: they have equal ratios.
+
+    labels    of an input whose rows choose by label: `values` are places among them
+    """
 
     name: str
     unit: str
     values: Array
     log: bool
+    labels: tuple[str, ...] = ()
 
     @property
     def distinct(self) -> Array:
@@ -85,11 +89,17 @@ class Varied:
 
     def text(self, value: float) -> str:
         """Return one value with its unit."""
+        if self.labels:
+            return f"{self.name} = {self.labels[int(value)]}"
         return f"{self.name} = {value:.6g} {self.unit}".rstrip()
 
 
 def varied(table: SweptTable, name: str) -> Varied:
     """Return the values of a name in the unit they were given in, else in one that fits."""
+    column = table[name]
+    if column.dtype.kind == "U":
+        labels = tuple(dict.fromkeys(column.tolist()))
+        return Varied(name, "", np.array([float(labels.index(label)) for label in column]), log=False, labels=labels)
     given = [row.given.get(name) for row in table.rows]
     units = {value[1] for value in given if isinstance(value, tuple)}
     if len(units) == 1 and all(isinstance(value, tuple) for value in given):

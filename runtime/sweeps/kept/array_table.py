@@ -108,8 +108,12 @@ class Arrays:
         heads = (f"{name} [{unit}]" if unit else name for name, unit in columns)
         csv.writer(text, lineterminator="\n").writerow(["row", *heads])
         for row in self._rows:
-            before = ",".join([str(row.index), *(format(row[name], ".17g") for name in self.varied)])
-            np.savetxt(text, self._table(row), delimiter=",", fmt=f"{before},%.17g" + ",%.17g" * (len(self.units) - 1))
+            line, lines = io.StringIO(), io.StringIO()
+            entries = (row[name] for name in self.varied)
+            given = [row.index, *(e if isinstance(e, str) else format(e, ".17g") for e in entries)]
+            csv.writer(line, lineterminator=",").writerow(given)
+            np.savetxt(lines, self._table(row), delimiter=",", fmt="%.17g")
+            text.writelines(f"{line.getvalue()}{each}\n" for each in lines.getvalue().splitlines())
         return write(Path(path), text.getvalue().encode(), overwrite=overwrite)
 
     def csv_size(self) -> int:
@@ -130,7 +134,7 @@ class Arrays:
                 {
                     "row": row.index,
                     "outcome": row.outcome,
-                    "values": _nulled({name: float(row[name]) for name in self.varied}),
+                    "values": _nulled({name: row[name] for name in self.varied}),
                     "arrays": {name: _listed(array) for name, array in self.of(row).items()},
                 }
                 for row in self._rows
@@ -145,5 +149,5 @@ def _listed(array: np.ndarray) -> list[float | None]:
     return [x if np.isfinite(x) else None for x in array.tolist()]
 
 
-def _nulled(values: Mapping[str, float]) -> dict[str, float | None]:
-    return {name: value if np.isfinite(value) else None for name, value in values.items()}
+def _nulled(values: Mapping[str, float | str]) -> dict[str, float | str | None]:
+    return {name: x if isinstance(x, str) or np.isfinite(x) else None for name, x in values.items()}
