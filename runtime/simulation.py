@@ -38,7 +38,6 @@ from hertzwerk.runtime.solution.history import History
 from hertzwerk.runtime.solution.outcome import not_closed
 from hertzwerk.runtime.solution.scales import Scales
 from hertzwerk.runtime.solution.solution import Statistics
-from hertzwerk.runtime.start.start_values import pressed
 from hertzwerk.runtime.tables import notebook
 from hertzwerk.runtime.tables.data_frame import data_frame
 from hertzwerk.runtime.tables.dataset import dataset
@@ -191,12 +190,7 @@ def _solution_of(
         warnings=(
             *unchecked(model),
             *open_forces(model, bound, run.given.q),
-            *(
-                ()
-                if run.start is not None or run.given.latches.any()
-                else pressed(model, bound, run.given.initial, run.given.q, run.given.u)
-            ),
-            *bound.warnings,
+            *(run.given.warnings if run.start is None else bound.warnings),
             *floored(counted["floored"], run.floor),
             *unsettled(counted["unsettled"]),
             *too_fast(model, run.given.speed_limits, trace.tally),

@@ -87,7 +87,7 @@ ROOMS = {
         "start",
         "sensitivity": "derive/faults host integrate/events integrate/loop integrate/step integrate/tableaux model solution start",
         "simulation": "accuracy derive/faults inputs integrate/step integrate/tableaux loading model pictures pictures/draw "
-        "pictures/motion report run sensitivity solution start tables",
+        "pictures/motion report run sensitivity solution tables",
         "solution": "accuracy derive/faults host integrate/loop integrate/step integrate/tableaux model",
         "start": "derive/faults host integrate/step integrate/tableaux model",
         "statics": "derive/faults host inputs integrate/step loading model pictures/draw run solution start tables",

@@ -27,8 +27,7 @@ def defer_interrupts() -> Iterator[Callable[[], None]]:
     The previous handler then receives it. Nothing changes in a thread other than the main one, nor where SIGINT has
     no Python handler: it ends the process, or is ignored.
     """
-    before = signal.getsignal(signal.SIGINT)
-    if threading.current_thread() is not threading.main_thread() or not callable(before):
+    if threading.current_thread() is not threading.main_thread():
         yield lambda: None
         return
     received: list[tuple[int, FrameType | None]] = []
@@ -36,20 +35,27 @@ def defer_interrupts() -> Iterator[Callable[[], None]]:
     def wait(*arguments: object) -> None:
         received.append(arguments)  # type: ignore[arg-type]
 
+    before = signal.signal(signal.SIGINT, wait)
+    if not callable(before):
+        signal.signal(signal.SIGINT, before)
+        yield lambda: None
+        return
+    handler = before
+
     def poll() -> None:
         if received:
             first = received[0]
             received.clear()
-            before(*first)
+            handler(*first)
 
-    signal.signal(signal.SIGINT, wait)
     _waiting.append(poll)
     try:
         yield poll
     finally:
         _waiting.remove(poll)
-        if signal.getsignal(signal.SIGINT) is wait:  # whoever has put another in its place wants that
-            signal.signal(signal.SIGINT, before)
+        last = signal.signal(signal.SIGINT, before)
+        if last is not wait:  # whoever has put another in its place wants that
+            signal.signal(signal.SIGINT, last)
     poll()
 
 

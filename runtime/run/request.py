@@ -24,7 +24,7 @@ from hertzwerk.runtime.model.signal import digest_of
 from hertzwerk.runtime.run.output_times import Output, times_of
 from hertzwerk.runtime.solution import scales as scaling
 from hertzwerk.runtime.solution.scales import Scales
-from hertzwerk.runtime.start.start_values import dependent, overlap_faults, start_of
+from hertzwerk.runtime.start.start_values import dependent, overlaps, start_of
 
 ACCURACIES, TOLERANCES = (1e-12, 1e-1), (LEAST, 1e-1)
 METHOD: Final = "auto"  # where none is named: bitwise dop853 where nothing is stiff, within 5 % of its time
@@ -105,7 +105,7 @@ class Given:
     """Start and extent of a run.
 
     Bound parameters, q (nq,) and u (nu,) with loops closed, latches of contacts in progress, duration [s], scales stated by the scene, redundant
-    constraints, given initial states, the period [s] of everything that depends on time, and limits of approach speeds [m/s].
+    constraints, given initial states, the period [s] of everything that depends on time, limits of approach speeds [m/s], and warnings.
     """
 
     bound: Bound
@@ -118,6 +118,7 @@ class Given:
     initial: Mapping[str, Value]
     period: float | None
     speed_limits: np.ndarray
+    warnings: tuple[str, ...]
 
 
 def read(
@@ -141,7 +142,7 @@ def read(
         return given, times
     bound, q, u = start_of(model, parameters, initial, faults)
     latches = np.array([0.0 if name not in initial else si_of(model, name, initial[name]) for name in model.latches])
-    inside = overlap_faults(model, bound, initial, q, u)
+    inside, pressed = overlaps(model, bound, initial, q, u)
     if inside:
         raise InputError(model.name, inside)
     given = Given(
@@ -155,6 +156,7 @@ def read(
         dict(initial),
         model.period(bound),
         model.speed_limits(bound),
+        (*bound.warnings, *(() if latches.any() else pressed)),
     )
     if len(known) >= REMEMBERED:
         known.clear()

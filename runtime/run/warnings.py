@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 
 import numpy as np
@@ -31,15 +32,16 @@ def open_forces(model: Model, bound: Bound, q: np.ndarray) -> Iterator[str]:
 
 def too_fast(model: Model, limits: np.ndarray, tally: Mapping[str, np.ndarray]) -> Iterator[str]:
     """Yield one warning of contacts faster than the limits [m/s] of their laws (materials with a density)."""
-    begun, over, fastest = (tally[name] for name in ("begun", "over", "fastest"))
-    if not over.any():
+    parts = (part.tolist() for part in (limits, *(tally[name] for name in ("over", "begun", "fastest"))))
+    limited = [each for each in zip(model.pairs, *parts, strict=False) if each[1] < math.inf]  # no parts without limits
+    exceeded = [each[:3] for each in limited if each[2]]
+    if not exceeded:
         return
-    least = np.min(limits, where=over > 0, initial=np.inf)
-    pairs = ", ".join(pair for pair in model.speed_limited if over[model.pairs.index(pair)])
-    concerned = np.isfinite(limits)
+    pairs, least, over = zip(*exceeded, strict=True)
+    *_, begun, fastest = zip(*limited, strict=True)
     yield (
-        f"{int(over.sum())} of {int(begun[concerned].sum())} impacts of {pairs} exceed the law's limit "
-        f"v0 <= 1e-5*sqrt(E/rho) = {least:.3g} m/s (worst {fastest[concerned].max():.3g} m/s)"
+        f"{sum(over):.0f} of {sum(begun):.0f} impacts of {', '.join(pairs)} exceed the law's limit "
+        f"v0 <= 1e-5*sqrt(E/rho) = {min(least):.3g} m/s (worst {max(fastest):.3g} m/s)"
     )
 
 

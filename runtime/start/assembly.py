@@ -20,7 +20,7 @@ from hertzwerk.derive.faults import Fault
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.per_model import per_model
-from hertzwerk.runtime.start.intrusion import deep_overlaps
+from hertzwerk.runtime.start.intrusion import intrusions
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Bound, Dependent, Model
@@ -251,7 +251,7 @@ class _Loops:
         if self.whole is None:
             return True
         q, u = self.whole.placed(self.bound, q, np.zeros(self.model.nu))
-        return not deep_overlaps(self.whole, self.bound, q, u)
+        return not any(found.too_deep for found in intrusions(self.whole, self.bound, q, u))
 
     @cached_property
     def scales(self) -> tuple[Array, Array]:

@@ -26,26 +26,32 @@ STEEPEST = 2.5  # power of the depth in the energy of Hertz's law
 
 @dataclass(frozen=True)
 class Intrusion:
-    """Overlap of a pair at the start.
+    """Overlap at the start that separates faster than the scene moves, or where the law is undefined.
 
-    depth [m]; allowed [m], about the depth that the limit permits, None where the law is not defined so deep; speed [m/s]
-    of separation.
+    depth, size [m]: that of the overlap, and a plausible one; speed, scene [m/s]: of separation, and of the scene.
     """
 
     pair: str
     depth: float
-    allowed: float | None
+    size: float
     speed: float
+    scene: float
+    in_range: bool
+
+    @property
+    def too_deep(self) -> bool:
+        """Return whether nothing in the scene could have caused it."""
+        return not self.in_range or (self.speed > LIMIT * self.scene and self.depth > self.size)
+
+    @property
+    def allowed(self) -> float:
+        """Return about the depth [m] that could be caused."""
+        allowed: float = self.depth * (LIMIT * self.scene / self.speed) ** (2 / STEEPEST)
+        return allowed
 
 
-def deep_overlaps(
-    model: Model, bound: Bound, q: np.ndarray, u: np.ndarray, *, limit: float = LIMIT, shallow: bool = False
-) -> tuple[Intrusion, ...]:
-    """Return the pairs that overlap too deeply at coordinates q (nq,) and speeds u (nu,), t = 0.
-
-    limit    of the scene's speed
-    shallow  also pairs that are no deeper than their sizes allow
-    """
+def intrusions(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray) -> tuple[Intrusion, ...]:
+    """Return the pairs that overlap deeply at coordinates q (nq,) and speeds u (nu,), t = 0."""
     if not model.k:
         return ()
     gap, rate = model.evaluate("gaps", 0.0, q, u, bound.c)
@@ -56,22 +62,19 @@ def deep_overlaps(
     pressed, found = applied.copy(), []
     for j in inside:
         z, m = np.zeros(model.nz), np.full(model.nm, UNDAMPED)
-        forces, _, _, _, in_range, *_ = model.evaluate(f"contact_{model.pairs[j]}", 0.0, q, u, z, m, bound.c)
+        forces, _, _, _, defined, *_ = model.evaluate(f"contact_{model.pairs[j]}", 0.0, q, u, z, m, bound.c)
         pressed += forces
-        found.append((j, float(in_range[0]) >= 0.5))
+        found.append((j, float(defined[0]) >= 0.5))
     own = _accelerations(model, bound, q, u, applied)
     out = _accelerations(model, bound, q, u, pressed) - own
-    intrusions = []
-    for j, is_in_range in found:
+    deep = []
+    for j, in_range in found:
         depth, slope = _depth(model, bound, q, u, j, float(gap[j]))
         speed = math.sqrt(max(depth * float(out[j]) / slope, 0.0))
         scene = _scene_speed(model, bound, float(rate[j]), float(own[j]), depth)
-        if not is_in_range:
-            intrusions.append(Intrusion(model.pairs[j], depth, None, speed))
-        elif 0 < limit * scene < speed and (shallow or depth > _size(model, bound, j)):
-            allowed = depth * (limit * scene / speed) ** (2 / STEEPEST)
-            intrusions.append(Intrusion(model.pairs[j], depth, allowed, speed))
-    return tuple(intrusions)
+        if not in_range or 0 < scene < speed:
+            deep.append(Intrusion(model.pairs[j], depth, _size(model, bound, j), speed, scene, in_range))
+    return tuple(deep)
 
 
 def _accelerations(model: Model, bound: Bound, q: np.ndarray, u: np.ndarray, forces: np.ndarray) -> np.ndarray:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from itertools import pairwise
 from typing import TypeVar
@@ -108,36 +108,33 @@ def assembled(
     return q, u
 
 
-def overlap_faults(
+def overlaps(
     model: Model, bound: Bound, initial: Mapping[str, Value], q: np.ndarray, u: np.ndarray
-) -> list[Fault]:
-    """Return a fault for each pair that overlaps too deeply at the start, with a remedy."""
-    from hertzwerk.runtime.start.intrusion import LIMIT, deep_overlaps
+) -> tuple[list[Fault], tuple[str, ...]]:
+    """Return a fault for each pair that overlaps too deeply at the start, and warnings of the others.
 
-    faults = []
-    for found in deep_overlaps(model, bound, q, u):
-        if found.allowed is None:
+    Those are pressed so deep that they separate faster than the scene moves.
+    """
+    from hertzwerk.runtime.start.intrusion import LIMIT, intrusions
+
+    faults, warnings = [], []
+    held = ", and its damping, which knows no approach, may hold it there" if model.latches else ""
+    for found in intrusions(model, bound, q, u):
+        way_out = _separating_change(model, bound, initial, found.pair)
+        if not found.too_deep:
+            warnings.append(
+                f"{found.pair} starts {found.depth:.3g} m deep: stiffness alone would throw that apart at "
+                f"{found.speed:.3g} m/s, faster than the scene is{held}; {way_out}"
+            )
+            continue
+        if not found.in_range:
             why = f"a penetration of {found.depth:.3g} m, so deep that its law is not defined there"
             expected = "surfaces that are apart, or touch"
         else:
             why = f"a penetration of {found.depth:.3g} m, which would throw the surfaces apart at {found.speed:.3g} m/s"
             expected = f"at most about {found.allowed:.2g} m, where that is {LIMIT:g} times as fast as the scene"
-        faults.append(
-            Fault(f"start, {found.pair}", why, expected, _separating_change(model, bound, initial, found.pair))
-        )
-    return faults
-
-
-def pressed(model: Model, bound: Bound, initial: Mapping[str, Value], q: np.ndarray, u: np.ndarray) -> Iterator[str]:
-    """Warn of pairs pressed so deep at the start that they separate faster than the scene moves."""
-    from hertzwerk.runtime.start.intrusion import deep_overlaps
-
-    held = ", and its damping, which knows no approach, may hold it there" if model.latches else ""
-    for found in deep_overlaps(model, bound, q, u, limit=1.0, shallow=True):
-        yield (
-            f"{found.pair} starts {found.depth:.3g} m deep: stiffness alone would throw that apart at {found.speed:.3g} m/s, faster than the "
-            f"scene is{held}; {_separating_change(model, bound, initial, found.pair)}"
-        )
+        faults.append(Fault(f"start, {found.pair}", why, expected, way_out))
+    return faults, tuple(warnings)
 
 
 def _separating_change(model: Model, bound: Bound, initial: Mapping[str, Value], pair: str) -> str:

@@ -216,10 +216,11 @@ class _March:
         """Note the last of the next states that is independent of where the run is to end."""
         if not self._free:
             return
-        t, h = states[:, self._at["t"]], states[:, self._at["h"]]
-        if self.status == RUNNING and ROOM * h.max() < self._t_end - t[-1]:
+        h = states[:, self._at["h"]]
+        if self.status == RUNNING and ROOM * h.max() < self._t_end - self._state[self._at["t"]]:
             self._resume = Resume(self._state, chooses)
             return
+        t = states[:, self._at["t"]]
         bound = (states[:, self._at["status"]] != RUNNING) | (ROOM * h >= self._t_end - t)
         self._free = not bound.any()
         last = len(states) if self._free else int(bound.argmax())
