@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from hertzwerk.runtime.host.lazy import cached_property
+
 if TYPE_CHECKING:
     from hertzwerk.runtime.solution.findings import Observer
     from hertzwerk.runtime.solution.history import History
@@ -105,9 +107,9 @@ class Grid:
             self._kept.append(block.at(self._times[self._count : stop]).rows)
             self._count = stop
 
-    @property
+    @cached_property
     def history(self) -> History:
-        """Histories at the times that the run reached."""
+        """Histories at the times that the run reached, once it has ended."""
         arrived = self._last.t[0] in self._times[self._count : self._count + 1]
         return self._last.of(np.concatenate([*self._kept, self._last.rows[: int(arrived)]]))
 

@@ -104,7 +104,7 @@ class History:
         if name == "t":
             return {name: self.part("t")[:, 0]}
         if name in ny:
-            return {name: self.part("y")[:, ny.index(name)]}
+            return dict(zip(ny, self.part("y").T, strict=True))
         if name in model.outputs:
             return dict(zip(model.outputs, self.map("outputs", "t q u")[0].T, strict=True))
         if name in model.latches:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
     from hertzwerk.runtime.solution.history import History
 
-PEAK = 1e-5
+PEAK = 1e-3  # of a step: last move of a root, whose own error is then about 1e-5, and that of the value its square
 TRIES = (4, 8)  # most iterations, nested: groups of them, and iterations of a group
 KINDS = (("force", "force_rate", +1), ("gap", "gap_rate", -1))  # sign * part peaks: normal force and penetration
 
@@ -64,7 +64,7 @@ def crest(model: Model, integrator: Integrator, method: int) -> Rowwise:
     `asked` (2 k) is the sign of one value among the normal forces and gaps of all pairs; of a gap the value is the
     penetration. A crest is where the rate of the value falls through zero in the step between the rows: by regula
     falsi in the form of Anderson and Bjorck, BIT 13 (1973) 253. It is flat: its value is right to rounding when its
-    time is to PEAK of the step.
+    time is about right: it is found to PEAK of the step.
     """
     vectors = integrator.layouts
     sizes = {"controls": vectors.controls.size, "state": vectors.state.size, "asked": len(KINDS) * model.k}

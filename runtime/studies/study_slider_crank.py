@@ -348,7 +348,7 @@ def _trajectory_verdicts(trajectories: Sequence[Trajectory]) -> Iterator[Verdict
 def _case_verdicts(cases: Sequence[Case], plan: Plan) -> Iterator[Verdict]:
     failed = [f"{c.law} {c.clearance:g} mm {c.speed:g} rpm: {c.outcome}" for c in cases if c.outcome != "finished"]
     yield Verdict(
-        f"{len(cases)} long runs, {len(failed)} do not finish{': ' + '; '.join(failed[:5]) if failed else ''}",
+        f"{len(cases)} long runs, {f'{len(failed)} do not finish: ' + '; '.join(failed[:5]) if failed else 'all finish'}",
         "outcomes",
         not failed,
     )

@@ -26,6 +26,7 @@ DASHES = ("-", "--", ":", "-.")
 CHARACTERS = 17  # of a caption, per inch
 LABEL = 0.08  # inches that a character of a legend takes
 FORMATS = ("png", "svg")
+FEW, MANY = 3, 6  # labels of a panel, above which one legend stands below all: where all have the same, or not
 FEW_DECADES, MANY_DECADES = 2.0, 6.0  # of a logarithmic axis
 
 
@@ -47,7 +48,8 @@ def figure(chart: Chart) -> Figure:
         page = Figure(figsize=(WIDE * columns, HIGH * rows + 0.8), layout="constrained")
         looks = _looks(chart)
         labels = [{curve.label for curve in panel.curves} for panel in chart.panels]
-        shared = max(map(len, labels)) > 6
+        alike = len(labels) > 1 and all(each == labels[0] for each in labels)  # one legend says it all
+        shared = max(map(len, labels)) > (FEW if alike else MANY)
         for i, panel in enumerate(chart.panels):
             axis = page.add_subplot(rows, columns, i + 1)
             _draw(axis, panel, looks)

@@ -105,3 +105,23 @@ def test_contacts_are_those_of_a_plain_loop(run):
         for peak, name in ((impact.peak_force, "normal_force"), (impact.peak_penetration, "penetration")):
             largest = run[f"slider_pin.{name}"][within].max()
             assert largest <= peak <= 1.2 * largest
+
+
+def beside_their_steps(run):
+    """Contacts whose peak is below, or far above, the largest of many values within their steps."""
+    found = []
+    for impact in run.impacts:
+        end = run.t_end if impact.duration is None else impact.t + impact.duration
+        within = run.at(np.linspace(impact.t, end, 2001)[:-1])
+        for peak, name in ((impact.peak_force, "normal_force"), (impact.peak_penetration, "penetration")):
+            largest = within[f"{impact.contact}.{name}"].max()
+            found += [impact] if not largest * (1 - 1e-9) <= peak <= largest * (1 + 1e-4) else []
+    return found
+
+
+def test_peaks_are_those_within_the_steps(run, monkeypatch):
+    assert not beside_their_steps(run)
+    assert len(run.impacts) > 5
+    monkeypatch.setattr("hertzwerk.runtime.solution.impacts.PEAK", 1)  # the seeded fault: the first place tried will do
+    monkeypatch.setattr("hertzwerk.runtime.solution.impacts.TRIES", (1, 1))
+    assert beside_their_steps(solve(load("slider_crank"), SETTINGS, {}, {}))
