@@ -32,12 +32,11 @@ def open_forces(model: Model, bound: Bound, q: np.ndarray) -> Iterator[str]:
 
 def too_fast(model: Model, limits: np.ndarray, tally: Mapping[str, np.ndarray]) -> Iterator[str]:
     """Yield one warning of contacts faster than the limits [m/s] of their laws (materials with a density)."""
-    parts = (part.tolist() for part in (limits, *(tally[name] for name in ("over", "begun", "fastest"))))
-    limited = [each for each in zip(model.pairs, *parts, strict=False) if each[1] < math.inf]  # no parts without limits
-    exceeded = [each[:3] for each in limited if each[2]]
-    if not exceeded:
+    if not tally["over"].any():
         return
-    pairs, least, over = zip(*exceeded, strict=True)
+    parts = (part.tolist() for part in (limits, *(tally[name] for name in ("over", "begun", "fastest"))))
+    limited = [each for each in zip(model.pairs, *parts, strict=True) if each[1] < math.inf]
+    pairs, least, over = zip(*(each[:3] for each in limited if each[2]), strict=True)
     *_, begun, fastest = zip(*limited, strict=True)
     yield (
         f"{sum(over):.0f} of {sum(begun):.0f} impacts of {', '.join(pairs)} exceed the law's limit "

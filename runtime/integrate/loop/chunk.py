@@ -29,8 +29,10 @@ def chunk(integrator: Integrator, sizes: tuple[int, ...] = SIZE) -> Any:
     """Build the function (state, controls, tally) -> states (ns, attempts), tally after all of them.
 
     A column after each attempt, as CasADi's mapaccum, but without a copy of the constant controls for each attempt.
+    After the end of a run, or of a piece of its inputs, many are passed over at once.
     """
     counting, layouts = tally(integrator.model), integrator.layouts
+    status = layouts.state.places["status"]
     lengths = {"state": layouts.state.size, "controls": layouts.controls.size, "tally": counting.layout.size}
     given = state, controls, counted = [ca.MX.sym(name, length) for name, length in lengths.items()]
     after = integrator.attempt.call([state, controls], True, False)[0]  # it is written out: a call costs
@@ -38,11 +40,16 @@ def chunk(integrator: Integrator, sizes: tuple[int, ...] = SIZE) -> Any:
     for i, size in enumerate(sizes):
         (state, _, counted), states = given, []
         for _ in range(size):
-            found, counted = many.call([state, controls, counted], i == 0, False)
+            inputs = [state, controls, counted]
+            found, counted = many.call([*([state[status] == RUNNING] if i else []), *inputs], i == 0, False)
             states.append(found)
             state = found[:, -1]
         name = "chunk" if i + 1 == len(sizes) else f"attempts_{i}"
         many = ca.Function(name, given, [ca.horzcat(*states), counted], [*lengths], ["states", "counted"])
+        if i + 1 < len(sizes):
+            state, _, counted = given
+            over = ca.Function("over", given, [ca.repmat(state, 1, many.size2_out(0)), counted])
+            many = ca.Function.if_else("unless_over", many, over)
     return many
 
 

@@ -2,20 +2,23 @@
 
 import sys
 
+import numpy as np
 import pytest
 
 from hertzwerk.runtime import load, simulate
 from hertzwerk.runtime.integrate.loop.advance import advance
 from hertzwerk.runtime.integrate.loop.choose import Choosing
+from hertzwerk.runtime.integrate.loop.chunk import chunk
+from hertzwerk.runtime.integrate.loop.tally import tally
 from hertzwerk.runtime.integrate.step.explicit import flow
-from hertzwerk.runtime.integrate.step.layout import layouts
+from hertzwerk.runtime.integrate.step.layout import FINISHED, layouts
 from hertzwerk.runtime.integrate.tableaux.methods import METHODS
 from hertzwerk.runtime.model.caller import Caller
 from hertzwerk.runtime.run.recorder import Recorder
 from hertzwerk.runtime.run.single_run import SingleRun
 
 FLIGHT, CONTACT = (), (0,)
-BEYOND = {FLIGHT: 570, CONTACT: 757}  # operations of a dop853 step, most for sums of slopes and two error norms
+BEYOND = {FLIGHT: 590, CONTACT: 757}  # operations of a dop853 step, most for sums of slopes and two error norms
 PER_CHUNK = 25  # calls in Python
 PER_RUN = 900
 PER_RUN_CASADI = 12  # what reads the input, the start, the limits of approach speeds
@@ -94,3 +97,14 @@ def test_a_run_costs_few_calls_beyond_its_chunks(crank, monkeypatch):
     with monkeypatch.context() as seeded:  # every step followed for impacts that nobody asked for
         seeded.setattr(SingleRun, "outcome", lambda run, trace: (trace.findings.impacts, outcome(run, trace))[1])
         assert not within_bounds(crank)
+
+
+def test_attempts_after_the_end_are_passed_over_and_change_nothing(crank):
+    """A nested chunk against one that calls every attempt, from a start that ends within its first calls."""
+    run = simulate(crank, duration="20 us", tolerance=1e-3, method="dop853")
+    made, history = run.history.engine, run.history
+    given = history.rows[0], history.controls, tally(crank).first(history.rows[0], history.controls)[0]
+    nested, flat = (chunk(made, sizes).call(given) for sizes in ((4, 4), (16,)))
+    assert int(nested[0][made.layouts.state.places["status"], 3]) == FINISHED
+    for passed, called in zip(nested, flat, strict=True):
+        np.testing.assert_array_equal(passed.full(), called.full())
