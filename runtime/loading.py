@@ -5,10 +5,14 @@ from __future__ import annotations
 import importlib
 import importlib.util
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from hertzwerk.derive.faults import Fault, InputError, shown
+from hertzwerk.derive.faults import Fault, InputError, shown, unknown
+from hertzwerk.runtime.integrate.loop.attempt import integrator
+from hertzwerk.runtime.integrate.step.explicit import flow
+from hertzwerk.runtime.integrate.tableaux.methods import IN_GRAPH
 from hertzwerk.runtime.model import model as plain
 
 if TYPE_CHECKING:
@@ -17,6 +21,9 @@ if TYPE_CHECKING:
     from hertzwerk.derive.declare.scene import Scene
     from hertzwerk.runtime.model.binding import Value
     from hertzwerk.runtime.tables.meanings import Entry
+
+
+OF_FLOW, OF_LOOP = ("rates", "ends", "holding"), ("begin", "step", "attempt")  # functions beside the module's
 
 
 class Model(plain.Model):
@@ -28,6 +35,27 @@ class Model(plain.Model):
         from hertzwerk.runtime.tables.meanings import entries
 
         return entries(self)
+
+    def function(self, name: str, method: str = "dop853") -> Any:
+        """Return a CasADi function of the module, the right-hand side, or the time loop; raises InputError.
+
+        "rates", "ends", "holding" of (t, y, mode, m, c): dy/dt, all that a step's end has, forces that hold
+        "begin", "step", "attempt" of a method in the graph: first state, trial of a step, next state
+        others are the module's, which documents their arguments; "contact_<pair>" is a pair's
+        """
+        if name in OF_FLOW:
+            return getattr(flow(self), name)
+        if name not in OF_LOOP:
+            try:
+                return super().function(name)
+            except InputError as error:
+                (fault,) = error.faults
+                more = ", ".join((*OF_FLOW, *OF_LOOP))
+                raise InputError(self.name, [replace(fault, expected=f"{fault.expected}, {more}")]) from None
+        if method not in IN_GRAPH:
+            raise InputError(self.name, [unknown("method", method, IN_GRAPH)])
+        made = integrator(self, tuple(table() for table in IN_GRAPH[method]))
+        return made.step() if name == "step" else getattr(made, name)
 
     def draw(
         self, *, parameters: Mapping[str, Value] | None = None, initial: Mapping[str, Value] | None = None

@@ -53,12 +53,12 @@ ROOMS = {
         ".": "comparing derive/faults design effects fitting inputs loading measured model parameter_fit simulation solution "
         "statics sweeps",
         "accuracy": "",
-        "cli": "accuracy derive/audit derive/faults derive/sheets effects fitting hard_cases host inputs integrate/tableaux loading "
+        "cli": "accuracy derive/audit derive/faults derive/sheets design effects fitting hard_cases host inputs integrate/tableaux loading "
         "measured model parameter_fit pictures pictures/draw pictures/motion pictures/studies report run simulation solution start "
         "statics studies sweeps tables validate work_precision",
         "command_line": "cli",
         "comparing": "measured model pictures/studies solution",
-        "design": "derive/declare derive/dimension derive/faults derive/units host inputs loading model run sensitivity "
+        "design": "derive/declare derive/dimension derive/faults derive/files derive/units host inputs loading model run sensitivity "
         "simulation solution start sweeps",
         "effects": "accuracy derive/declare derive/faults inputs integrate/step loading model run simulation solution start",
         "fitting": "derive/faults derive/units inputs measured model run sensitivity simulation solution start sweeps",
@@ -70,7 +70,7 @@ ROOMS = {
         "integrate/loop": "host integrate/events integrate/step integrate/tableaux model",
         "integrate/step": "host integrate/tableaux model",
         "integrate/tableaux": "host",
-        "loading": "derive/declare derive/faults model pictures/draw tables",
+        "loading": "derive/declare derive/faults integrate/loop integrate/step integrate/tableaux model pictures/draw tables",
         "measured": "accuracy derive/faults derive/units host model solution",
         "model": "derive/audit derive/declare derive/derivation derive/dimension derive/faults derive/files derive/laws derive/readable "
         "derive/scenes derive/sheets derive/units host",
@@ -366,6 +366,8 @@ COMMANDS = [
     "fit",
     "hardcases",
     "laws",
+    "minimise",
+    "propagate",
     "reports",
     "run",
     "studies",

@@ -18,6 +18,8 @@ from hertzwerk.runtime.cli.commands.effects import effects
 from hertzwerk.runtime.cli.commands.fit import fit
 from hertzwerk.runtime.cli.commands.hardcases import hardcases
 from hertzwerk.runtime.cli.commands.laws import laws
+from hertzwerk.runtime.cli.commands.minimise import minimise
+from hertzwerk.runtime.cli.commands.propagate import propagate
 from hertzwerk.runtime.cli.commands.reports import report
 from hertzwerk.runtime.cli.commands.run import run, validate
 from hertzwerk.runtime.cli.commands.statics import modes, statics
@@ -66,6 +68,6 @@ def main() -> None:
 
 
 OF_SCENES = (list_scenes, laws, derive, audit, run, sweep, statics, modes, draw, animate, report)
-OF_STUDIES = (effects, compare, fit, validate, accuracy, hardcases, study)
+OF_STUDIES = (propagate, minimise, effects, compare, fit, validate, accuracy, hardcases, study)
 for command in (*OF_SCENES, *OF_STUDIES):
     main.add_command(command)

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, ClassVar
@@ -140,13 +141,28 @@ class LogNormal(Distribution):
         return stats.lognorm(math.log(factor), scale=median)
 
 
-KINDS = {kind.__name__: kind for kind in (Normal, TruncatedNormal, Uniform, Triangular, LogNormal)}
+_WRITTEN = re.compile(r"\s*(\w+)\s*\((.*)\)\s*")
+KINDS: dict[str, Any] = {kind.__name__: kind for kind in (Normal, TruncatedNormal, Uniform, Triangular, LogNormal)}
+
+
+def written(text: str) -> Distribution | None:
+    """Return the distribution of a text such as "Normal(0.5 mm, 0.02 mm)"; None where it is none."""
+    found = _WRITTEN.fullmatch(text)
+    kind = None if found is None else KINDS.get(found[1])
+    values = [] if found is None else [part.strip() for part in found[2].split(",")]
+    return None if kind is None or len(values) != len(fields(kind)) else kind(*values)
 
 
 def distribution_of(model: Model, name: str, given: object, faults: list[Fault]) -> Any:
-    """Return SciPy's distribution of a parameter or initial state in SI; None with faults appended."""
+    """Return SciPy's distribution of a parameter or initial state in SI; None with faults appended.
+
+    given    a distribution, or its text
+    """
+    if isinstance(given, str) and (read_from := written(given)) is not None:
+        given = read_from
     if not isinstance(given, Distribution):
-        expected = f'a distribution, such as Normal("0.5 mm", "0.02 mm"): {", ".join(KINDS)}'
+        kinds = (f"{kind.__name__}({', '.join(part.name for part in fields(kind))})" for kind in KINDS.values())
+        expected = f"a distribution: {', '.join(kinds)}"
         faults.append(Fault(name, shown(given), expected))
         return None
     before = len(faults)

@@ -47,7 +47,7 @@ LEAST, MOST = 8, 2**20
 
 def propagate(
     model: plain.Model | str | Path | Scene,
-    uncertain: Mapping[str, Distribution],
+    uncertain: Mapping[str, Distribution | str],
     outputs: Sequence[str] = (),
     *,
     sample: int = 256,
@@ -73,7 +73,8 @@ def propagate(
     """Return how uncertain a run's numbers are, by derivatives and by samples, and what they owe it to.
 
     uncertain   parameters and initial states with their distributions, independent of each other:
-                {"clearance": Normal("0.5 mm", "0.02 mm"), "restitution": TruncatedNormal(0.9, 0.05, 0, 1)}
+                {"clearance": Normal("0.5 mm", "0.02 mm"), "restitution": TruncatedNormal(0.9, 0.05, 0, 1)}, or as text
+                "Normal(0.5 mm, 0.02 mm)"
     outputs     names as of `sweep`: "slider_pin.peak_force", "final.guide.travel", "main_bearing.reaction_x.rms"
     sample      number N of samples, a power of two; N (d + 2) runs with indices, of d uncertain names, else N
     indices     Sobol indices of first order and total, by SciPy's estimators, with intervals by resampling

@@ -1,0 +1,65 @@
+"""`hertzwerk minimise`: best parameters for a number of a run."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import click
+
+from hertzwerk.derive.faults import Fault
+from hertzwerk.runtime.cli.designing import definition, named
+from hertzwerk.runtime.cli.target import ACCURACY, BY_METHOD, DURATION, JSON, VARIATION, assignments
+from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, reports_bad_input
+
+
+@click.command()
+@click.argument("target")
+@click.option(
+    "--objective",
+    metavar="FORMULA",
+    help='Output or formula: "main_bearing.reaction_x.rms**2 + main_bearing.reaction_y.rms**2".',
+)
+@click.option(
+    "--over",
+    metavar="NAME=RANGE",
+    multiple=True,
+    help='What is varied: clearance="0.05..0.5 mm", stiffness="1e6..1e9 N/m log".',
+)
+@click.option(
+    "--constraint",
+    "constraints",
+    metavar="BOUND",
+    multiple=True,
+    help='Such as "slider_pin.peak_force <= 5 kN", or with >= or =.',
+)
+@click.option("--start", metavar="NAME=VALUE", multiple=True, help="Values to begin with (default: the model's).")
+@click.option("--max-runs", metavar="NUMBER", type=int, help="Where to stop (default: 200).")
+@VARIATION
+@DURATION
+@ACCURACY
+@click.option("--tolerance", metavar="NUMBER", help="In its place the local tolerance of one run each.")
+@BY_METHOD
+@JSON
+@reports_bad_input
+def minimise(target: str, as_json: bool, **options: Any) -> int:
+    """Find the parameters of TARGET for which a number of its run is least, by exact derivatives.
+
+    TARGET may be a TOML file with the keys of `minimise`. Exit code 1: no minimum was found.
+    """
+    from hertzwerk.runtime.design import minimisation
+
+    def own(faults: list[Fault]) -> dict[str, Any]:
+        return {
+            "objective": options["objective"],
+            "over": assignments("--over", options["over"], faults),
+            "constraints": named("--constraint", options["constraints"], "<= >= =", faults),
+            "start": assignments("--start", options["start"], faults) or None,
+            **({} if options["max_runs"] is None else {"max_runs": options["max_runs"]}),
+        }
+
+    found = minimisation.minimise(
+        **definition(target, options, own, minimisation.minimise, ("target", "objective", "over", "duration"))
+    )
+    click.echo(json.dumps(found.record(), indent=2, ensure_ascii=False) if as_json else str(found))
+    return GOOD if found.outcome.finished else OTHER_OUTCOME

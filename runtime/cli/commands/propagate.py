@@ -1,0 +1,76 @@
+"""`hertzwerk propagate`: how uncertain the numbers of a run are, and what they owe it to."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+from typing import Any
+
+import click
+
+from hertzwerk.derive.faults import Fault
+from hertzwerk.runtime.cli.designing import definition
+from hertzwerk.runtime.cli.target import ACCURACY, BY_METHOD, DURATION, JSON, VARIATION, assignments
+from hertzwerk.runtime.cli.terminal import GOOD, OTHER_OUTCOME, Progress, reports_bad_input
+
+
+@click.command()
+@click.argument("target")
+@click.option(
+    "--uncertain",
+    metavar="NAME=DISTRIBUTION",
+    multiple=True,
+    help='clearance="Normal(0.5 mm, 0.02 mm)", restitution="TruncatedNormal(0.9, 0.05, 0, 1)"; Uniform(low, high), '
+    "Triangular(low, mode, high), LogNormal(median, factor).",
+)
+@click.option(
+    "--output",
+    "outputs",
+    metavar="NAME",
+    multiple=True,
+    help="As of sweep: slider_pin.peak_force (default: final states).",
+)
+@click.option("--sample", metavar="NUMBER", type=int, help="Samples, a power of two (default: 256).")
+@click.option("--seed", metavar="NUMBER", type=int, help="Seed of the samples (default: 0).")
+@click.option("--no-indices", is_flag=True, help="Without Sobol indices: as many runs as samples.")
+@VARIATION
+@DURATION
+@ACCURACY
+@click.option("--tolerance", metavar="NUMBER", help="In its place the local tolerance of one run each.")
+@BY_METHOD
+@click.option(
+    "--into", metavar="DIR", type=click.Path(path_type=Path), help="Folder to store the runs in, and to go on from."
+)
+@click.option(
+    "--csv", "file", metavar="FILE", type=click.Path(path_type=Path), help="Write a line for each output to a new file."
+)
+@JSON
+@reports_bad_input
+def propagate(target: str, into: Path | None, file: Path | None, as_json: bool, **options: Any) -> int:
+    """Propagate uncertainty through TARGET by derivatives and by samples, with Sobol indices.
+
+    TARGET may be a TOML file with the keys of `propagate`. Exit code 1: runs are missing.
+    """
+    from hertzwerk.derive.faults import InputError
+    from hertzwerk.runtime.design import propagation
+    from hertzwerk.runtime.host.folder import new_file_faults
+
+    def own(faults: list[Fault]) -> dict[str, Any]:
+        return {
+            "uncertain": assignments("--uncertain", options["uncertain"], faults),
+            "outputs": options["outputs"],
+            **{name: options[name] for name in ("sample", "seed") if options[name] is not None},
+            "indices": not options["no_indices"],
+        }
+
+    wrong = [] if file is None else new_file_faults("--csv", file)
+    if wrong:
+        raise InputError("propagate", wrong)
+    with Progress(f"uncertainty of {target}", shown=not as_json and sys.stderr.isatty()) as progress:
+        arguments = definition(target, options, own, propagation.propagate, ("target", "uncertain", "duration"))
+        found = propagation.propagate(**arguments, into=into, progress=progress)
+    if file is not None:
+        found.to_csv(file)
+    click.echo(json.dumps(found.record(), indent=2, ensure_ascii=False) if as_json else str(found))
+    return OTHER_OUTCOME if found.notes else GOOD

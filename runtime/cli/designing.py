@@ -1,0 +1,76 @@
+"""Arguments that `hertzwerk propagate` and `hertzwerk minimise` share, of options or of a file."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.cli.target import assignments, loaded, number
+
+
+def definition(
+    target: str,
+    options: Mapping[str, Any],
+    own: Callable[[list[Fault]], dict[str, Any]],
+    function: Callable[..., Any],
+    required: tuple[str, ...],
+) -> dict[str, Any]:
+    """Return the arguments of a function, of a TOML file or of options; raises InputError.
+
+    own    returns the arguments of options that the command has alone; malformed ones are appended to its list
+    """
+    faults: list[Fault] = []
+    if target.endswith(".toml"):
+        from hertzwerk.runtime.design.design_file import read_definition
+
+        given = [f"--{name.replace('_', '-')}" for name, value in options.items() if value not in (None, (), False)]
+        if given:
+            found, expected = f"{', '.join(given)} beside it", "the whole definition there"
+            raise InputError(target, [Fault(target, found, expected)])
+        arguments = read_definition(Path(target), function, required)
+        from hertzwerk.runtime.loading import load
+
+        variation = {name: arguments.pop(name) for name in ("without", "laws", "coordinates") if name in arguments}
+        return {"model": load(arguments.pop("target"), **variation), **arguments}
+    arguments = own(faults)
+    model = loaded(target, options["without"], options["laws"], faults, coordinates=options["coordinates"])
+    arguments |= _of_run(target, options, faults)
+    if faults:
+        raise InputError(target, faults)
+    return {"model": model, **arguments}
+
+
+def _of_run(target: str, options: Mapping[str, Any], faults: list[Fault]) -> dict[str, Any]:
+    """Return the arguments of the runs, by default the scenario's."""
+    from hertzwerk.runtime.run.request import METHOD
+    from hertzwerk.runtime.validate import scenarios
+
+    numbers = scenarios.read(target)
+    accuracy, tolerance = (
+        None if options[name] is None else number(options[name]) for name in ("accuracy", "tolerance")
+    )
+    default = None if tolerance is not None else numbers.get("accuracy")
+    return {
+        "values": assignments("--set", options["settings"], faults),
+        "inputs": assignments("--input", options["inputs"], faults) or None,
+        "duration": options["duration"] or numbers.get("duration"),
+        "accuracy": default if accuracy is None else accuracy,
+        "tolerance": tolerance,
+        "method": options["method"] or numbers.get("method", METHOD),
+    }
+
+
+def named(option: str, texts: Sequence[str], sign: str, faults: list[Fault]) -> dict[str, str]:
+    """Parse texts FORMULA SIGN VALUE, the sign kept with the value; malformed ones are faults."""
+    found = {}
+    for text in texts:
+        place = min((text.index(part) for part in sign.split() if part in text), default=0)
+        if not place or text[:place].strip() in found:
+            faults.append(
+                Fault(option, repr(text), f"a formula and its bound, once: FORMULA {' or '.join(sign.split())} VALUE")
+            )
+        else:
+            found[text[:place].strip()] = text[place:]
+    return found

@@ -1,0 +1,91 @@
+"""Commands propagate and minimise: what they print, files that define them, bad input."""
+
+import json
+
+import pytest
+from click.testing import CliRunner
+
+from hertzwerk.runtime.cli import main
+
+FILE = """
+target = "bouncing_ball"
+duration = "0.4 s"
+tolerance = 1e-8
+outputs = ["final.vertical.speed"]
+sample = 8
+[uncertain]
+gravity = "Normal(9.81 m/s^2, 0.2 m/s^2)"
+"""
+MINIMUM = """
+target = "bouncing_ball"
+objective = "(final.vertical.travel - 0.8*drop_height)**2"
+duration = "0.4 s"
+tolerance = 1e-8
+[over]
+gravity = "1..12 m/s^2"
+"""
+
+
+def run(*arguments):
+    return CliRunner().invoke(main, arguments, catch_exceptions=False)
+
+
+@pytest.fixture
+def file(tmp_path):
+    def write(text):
+        (tmp_path / "definition.toml").write_text(text)
+        return str(tmp_path / "definition.toml")
+
+    return write
+
+
+def test_propagate_by_options_and_by_file(file, tmp_path):
+    options = ("--uncertain", "gravity=Normal(9.81 m/s^2, 0.2 m/s^2)", "--output", "final.vertical.speed", "--sample", "8",
+               "--duration", "0.4 s", "--tolerance", "1e-8")  # fmt: skip
+    told = run("propagate", "bouncing_ball", *options, "--csv", str(tmp_path / "found.csv"))
+    assert told.exit_code == 0
+    assert "standard deviation by derivatives 0.08 m/s" in told.output
+    assert (tmp_path / "found.csv").exists()
+    one, other = (
+        json.loads(run("propagate", *of, "--json").output) for of in (("bouncing_ball", *options), (file(FILE),))
+    )
+    assert one == other
+    assert one["outputs"]["final.vertical.speed"]["linear"] == pytest.approx(0.08, rel=1e-6)
+
+
+def test_minimise_by_options_and_by_file(file):
+    options = ("--objective", "(final.vertical.travel - 0.8*drop_height)**2", "--over", "gravity=1..12 m/s^2",
+               "--duration", "0.4 s", "--tolerance", "1e-8")  # fmt: skip
+    one, other = (
+        json.loads(run("minimise", *of, "--json").output) for of in (("bouncing_ball", *options), (file(MINIMUM),))
+    )
+    assert one == other
+    assert one["outcome"] == "finished"
+    bounded = run("minimise", "bouncing_ball", *options, "--constraint", "gravity >= 20 m/s^2")
+    assert bounded.exit_code == 1
+    assert "infeasible" in bounded.output
+
+
+@pytest.mark.parametrize(
+    ("arguments", "places"),
+    [
+        (
+            ("propagate", "bouncing_ball", "--uncertain", "gravity=Gauss(1)", "--uncertain", "mass"),
+            ("--uncertain", "mass"),
+        ),
+        (("propagate", "bouncing_ball", "--uncertain", "gravity=Normal(1 s)", "--sample", "7"), ("gravity", "sample")),
+        (("minimise", "bouncing_ball", "--over", "mass=1"), ("over['mass']", "objective")),
+        (("minimise", "bouncing_ball", "--objective", "mass", "--constraint", "mass"), ("--constraint",)),
+    ],
+)
+def test_bad_options_are_told_at_once(arguments, places):
+    told = run(*arguments, "--duration", "0.1 s")
+    assert told.exit_code == 2
+    assert all(place in told.output for place in places)
+
+
+def test_bad_files_are_told_at_once(file):
+    told = run("propagate", file("target = 3\nsampel = 8\n"))
+    assert told.exit_code == 2
+    assert all(place in told.output for place in ("sampel", "sample", "uncertain", "duration", "target"))
+    assert run("propagate", file(FILE), "--sample", "8").exit_code == 2
