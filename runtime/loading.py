@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from hertzwerk.derive.declare.scene import Scene
     from hertzwerk.runtime.model.binding import Value
-    from hertzwerk.runtime.tables.meanings import Entry
+    from hertzwerk.runtime.tables.meanings import Histories
 
 
 OF_FLOW, OF_LOOP = ("rates", "ends", "holding"), ("begin", "step", "attempt")  # functions beside the module's
@@ -30,8 +30,8 @@ class Model(plain.Model):
     """Model of a scene that can be simulated and drawn, as `load` returns it."""
 
     @property
-    def histories(self) -> tuple[Entry, ...]:
-        """All histories that a run has, by name, unit and meaning; readings are derived here."""
+    def histories(self) -> Histories:
+        """All histories of a run by name, unit and meaning, shown as a table; readings are derived here."""
         from hertzwerk.runtime.tables.meanings import entries
 
         return entries(self)

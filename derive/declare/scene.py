@@ -201,8 +201,14 @@ class Scene:
 
     @cached_property
     def scalars(self) -> dict[str, Freedom]:
-        """Freedoms with one coordinate, by their keys."""
-        return {freedom.key: freedom for freedom in self.mechanism.freedoms if freedom.scalar}
+        """Freedoms with one coordinate, by their keys: of the tree, and those that closing joints tell."""
+        return {freedom.key: freedom for freedom in (*self.mechanism.freedoms, *self.mechanism.told) if freedom.scalar}
+
+    @cached_property
+    def uncounted(self) -> tuple[str, ...]:
+        """Keys of angles of closing joints in space, known up to whole turns alone."""
+        turns = (freedom.key for freedom in self.mechanism.told if freedom.kind == "turn")
+        return tuple(turns) if self.mechanism.plane is None else ()
 
     @cached_property
     def states(self) -> dict[str, State]:

@@ -8,11 +8,12 @@ from typing import Any, ClassVar
 
 import sympy as sp
 
+from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.effects.effect import NOWHERE, Declared, Effect, Element, Event, JointEffect, Kinematics, State
 from hertzwerk.derive.effects.state_expression import Varying, shown, speed_of, state_of
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Slot
-from hertzwerk.derive.mechanism.parameter import NOT_NEGATIVE, POSITIVE, Scalar, is_number
+from hertzwerk.derive.mechanism.parameter import NOT_NEGATIVE, POSITIVE, Scalar, default_value, is_number
 from hertzwerk.derive.units import UnitError, parse_unit
 
 
@@ -25,6 +26,10 @@ class SpeedController(JointEffect):
     m], the integral. With a `period` [s] it is sampled: at 0, period, 2 period, .. the speed is read, and the command
     `<name>.command` [unit] held until the next; the integral is then the sum of the errors read before times the period.
     Astrom, Wittenmark, Computer-Controlled Systems, 3rd ed. (1997), chapter 8.
+
+    A command with a `limit`, between -limit and limit or two values (low, high), does not wind up: what the limit cuts
+    off is led back to the integral, over the time `tracking`, by default proportional/integral. Astrom, Hagglund,
+    Advanced PID Control (2006), section 3.5.
     """
 
     name: str
@@ -34,6 +39,8 @@ class SpeedController(JointEffect):
     integral: Scalar
     unit: str
     period: Scalar | None = None
+    limit: Scalar | tuple[Scalar, Scalar] | None = None
+    tracking: Scalar | None = None
     kind: ClassVar[str] = "speed_controller"
     enters: ClassVar[str] = NOWHERE
 
@@ -41,6 +48,9 @@ class SpeedController(JointEffect):
     def text(self) -> str:
         """Description for people."""
         how = "" if self.period is None else f", sampled each {shown(self.period)}"
+        how += (
+            "" if not self._bounded else f", its command between {shown(self._limits[0])} and {shown(self._limits[1])}"
+        )
         return f"PI controller that keeps the speed of {self.joint} at {shown(self.target)}{how}"
 
     @property
@@ -49,7 +59,33 @@ class SpeedController(JointEffect):
         if self.period is not None:
             return state_of(f"{self.name}.command")
         error = self.target - speed_of(self.joint)
-        return self.proportional * error + self.integral * state_of(f"{self.name}.error")
+        return self._limited(self.proportional * error + self.integral * state_of(f"{self.name}.error"))
+
+    @property
+    def _limits(self) -> tuple[Any, Any]:
+        """Least and largest command."""
+        limit: Any = self.limit
+        return limit if isinstance(limit, tuple) else (-limit, limit)
+
+    @property
+    def _bounded(self) -> bool:
+        """Whether there are limits; what is none is a fault that the scene reports, and text is never read."""
+        limits = self.limit if isinstance(self.limit, tuple) else (self.limit,) * 2
+        return len(limits) == 2 and all(map(is_number, limits))
+
+    def _limited(self, command: Any) -> Any:
+        """The command within its limits."""
+        if not self._bounded:
+            return command
+        low, high = self._limits
+        return Where(command > high, high, Where(command < low, low, command))
+
+    def _cut(self, command: Any, limited: Any) -> Any:
+        """Rate of the integral by what the limits cut off the command [rad/s or m/s]."""
+        if self.limit is None:
+            return sp.S.Zero
+        by = self.proportional if self.tracking is None else self.integral * self.tracking
+        return (limited - command) / by
 
     def slots(self, scene: Declared) -> Iterator[Slot]:
         """Yield the target, the gains and the period."""
@@ -59,11 +95,34 @@ class SpeedController(JointEffect):
         yield Slot(f"{self.where}, integral gain", self.integral, f"{self.unit}/{coordinate}", NOT_NEGATIVE)
         if self.period is not None:
             yield Slot(f"{self.where}, period", self.period, "s", POSITIVE)
+        if isinstance(self.limit, tuple):
+            for what, value in zip(("least", "largest"), self.limit, strict=True):
+                yield Slot(f"{self.where}, {what} command", value, self.unit)
+        elif self.limit is not None:
+            yield Slot(f"{self.where}, limit", self.limit, self.unit, POSITIVE)
+        if self.tracking is not None:
+            yield Slot(f"{self.where}, tracking time", self.tracking, "s", POSITIVE)
 
     def type_faults(self) -> Iterator[Fault]:
-        """Yield faults of a unit that is none."""
+        """Yield faults of a unit that is none, and of limits that are none."""
         yield from super().type_faults()
         yield from _unit_faults(self.where, self.unit, "the unit of its command, such as N m or V")
+        where, limits = f"{self.where}, limit", self.limit if isinstance(self.limit, tuple) else (self.limit,)
+        if len(limits) > 2 or not (self.limit is None or all(map(is_number, limits))):
+            yield Fault(where, repr(self.limit), "the largest command, or the least and the largest, (low, high)")
+        elif self.limit is None and self.tracking is not None:
+            yield Fault(
+                f"{self.where}, tracking time",
+                shown(self.tracking),
+                "a limit beside it",
+                "Without one nothing winds up.",
+            )
+        elif self.limit is not None and self.tracking is None and self.proportional == 0:
+            yield Fault(where, "a limit without a proportional gain or a tracking time", "one of them",
+                        "tracking=... is the time in which the integral follows what the limit cuts off.")  # fmt: skip
+        elif len(limits) == 2 and not default_value(limits[0]) < default_value(limits[1]):
+            found = " and ".join(f"{default_value(x):g}" for x in limits)
+            yield Fault(where, f"{found} [SI], at the defaults", "the least command first")
 
     def states(self, scene: Declared) -> Iterator[State]:
         """Yield the integral of the error; sampled also the command, and the time to the next sample."""
@@ -85,12 +144,17 @@ class SpeedController(JointEffect):
         """Rate of the integral, or the samples."""
         integral = kin.state(f"{self.name}.error")
         error = kin.tape.let(kin.expression(self.target) - kin.speed(self.joint), f"{self.name}_speed_error")
+        wanted = self.proportional * error + self.integral * integral
+        if self.limit is not None:
+            wanted = kin.tape.let(wanted, f"{self.name}_wanted")
+        limited = self._limited(wanted)
+        rate = error + self._cut(wanted, limited)
         if self.period is None:
-            return Element(rates={"error": error})
+            return Element(rates={"error": rate})
         countdown = kin.state(f"{self.name}.countdown")
         then = {
-            "error": integral + self.period * error,
-            "command": self.proportional * error + self.integral * integral,
+            "error": integral + self.period * rate,
+            "command": limited,
             "countdown": countdown + self.period,
         }
         sample = Event("sample", margin=countdown, size=self.period, then=then)

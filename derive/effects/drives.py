@@ -14,7 +14,7 @@ from typing import Any, ClassVar
 import sympy as sp
 
 from hertzwerk.derive.algebra.functions import Where
-from hertzwerk.derive.effects.effect import NOWHERE, Declared, JointEffect, Kinematics
+from hertzwerk.derive.effects.effect import NOWHERE, Declared, JointEffect, Kinematics, joint_faults
 from hertzwerk.derive.effects.state_expression import INPUT, TIME, T, Varying, as_choice, shown
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.bodies import Slot
@@ -54,6 +54,13 @@ class AnyDrive(JointEffect):
     def only(self) -> str:
         """Description of the one on a joint."""
         return f"drive of joint {self.joint}"
+
+    def faults(self, scene: Declared) -> Iterator[Fault]:
+        """Yield the fault of a joint that does not carry its body, beside those of any effect on a joint."""
+        told = [freedom.key for freedom in scene.mechanism.told]
+        yield from (
+            joint_faults(self.where, self.joint, scene, carried=True) if self.joint in told else super().faults(scene)
+        )
 
     def element(self, kin: Kinematics) -> None:
         """No element: the kinematics contains the motion, and the joint's coordinate is removed."""

@@ -12,7 +12,7 @@ from typing import Any, ClassVar, Protocol
 import sympy as sp
 
 from hertzwerk.derive.algebra.vectors import Matrix, Vector, apply
-from hertzwerk.derive.effects.state_expression import REACTION, SPEED, states_in
+from hertzwerk.derive.effects.state_expression import COORDINATE, REACTION, SPEED, states_in
 from hertzwerk.derive.faults import Fault, InputError, one_of
 from hertzwerk.derive.laws.law import BoundLaw, Law
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Direction, Frame, Ground, Point, Slot
@@ -97,6 +97,10 @@ class Declared(Protocol):
     @property
     def scalars(self) -> Mapping[str, Freedom]:
         """Freedoms with one coordinate by their keys."""
+
+    @property
+    def uncounted(self) -> Sequence[str]:
+        """Keys of angles that are known up to whole turns alone."""
 
     @property
     def states(self) -> Mapping[str, State]:
@@ -205,7 +209,7 @@ class Effect:
     """Base class of effects; a kind has a `name`, unique in its scene, and a `kind`.
 
     takes       fields that hold a law -> the kind of law they take
-    asks        COORDINATE or SPEED of its joints; coordinates of loop-closing joints are not always available
+    asks        COORDINATE or SPEED of its joints; angles of loop-closing joints in space have no coordinate
     enters      function of a module that has its generalised forces: APPLIED, CONTACT, or NOWHERE for effects without
     quantities  words after its name -> letter, subscript, meaning of a quantity, for readers; `sought`: those shown by name
     unchecked   whether an inconsistent law may run
@@ -344,7 +348,7 @@ class JointEffect(Effect):
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
         """Yield faults of a joint that is missing, or has not just one coordinate."""
-        yield from joint_faults(self.where, self.joint, scene)
+        yield from joint_faults(self.where, self.joint, scene, counted=self.asks == COORDINATE)
         yield from super().faults(scene)
 
     def landmarks(self, scene: Declared) -> Iterator[Mark]:
@@ -429,16 +433,31 @@ def together(*shares: Mapping[str, Any]) -> dict[str, Any]:
     return found
 
 
-def joint_faults(where: str, key: str, scene: Declared) -> Iterator[Fault]:
-    """Yield faults of a joint that is missing, or has not just one coordinate."""
-    if key in scene.scalars:
+def joint_faults(
+    where: str, key: str, scene: Declared, *, counted: bool = True, carried: bool = False
+) -> Iterator[Fault]:
+    """Yield faults of a joint that is missing, or has not just one coordinate.
+
+    counted    whether its angle is asked for, not its speed alone; carried    whether it must carry its body
+    """
+    told = scene.mechanism.told if carried else ()
+    if key in scene.scalars and key not in [freedom.key for freedom in told]:
+        if counted and key in scene.uncounted:
+            yield uncounted_fault(where, key)
         return
-    closing = key in [joint.name for joint in scene.mechanism.closures]
+    closing = key.split(".")[0] in [joint.name for joint in scene.mechanism.closures]
     known = key in [joint.name for joint in scene.mechanism.joints]
     why = ", which closes a loop" if closing else ", which has not just one coordinate" if known else ""
     expected = one_of(scene.scalars, "a joint with one coordinate, of which the mechanism has none")
     way_out = "The first joint to reach a body has the coordinates: declare this one before the others."
     yield Fault(where, f"joint {key!r}{why}", expected, way_out if closing else "")
+
+
+def uncounted_fault(where: str, key: str) -> Fault:
+    """Fault of an angle that the bodies tell up to whole turns alone."""
+    found = f"the angle of {key}, which closes a loop in space and is known up to whole turns alone"
+    remedy = "The first joint to reach a body has the coordinates: declare this one before the others."
+    return Fault(where, found, "its speed, or the coordinate of a joint that carries its body", remedy)
 
 
 def state_faults(effect: Effect, element: Element, scene: Declared) -> Iterator[Fault]:

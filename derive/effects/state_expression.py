@@ -59,6 +59,10 @@ class Scope(Protocol):
         """States of effects, which have a `unit`."""
 
     @property
+    def uncounted(self) -> Sequence[str]:
+        """Keys of angles that are known up to whole turns alone."""
+
+    @property
     def carrying(self) -> Sequence[str]:
         """Joints whose reaction can be read."""
 
@@ -273,6 +277,15 @@ def expression_faults(
         elif symbol.what in (COORDINATE, SPEED) and symbol.joint not in scene.scalars:
             expected = one_of(scene.scalars, "a joint with one coordinate, of which the mechanism has none")
             strange.append(Fault(where, f"joint {symbol.joint!r}", expected))
+            yield strange[-1]
+        elif symbol.what == COORDINATE and symbol.joint in scene.uncounted:
+            strange.append(
+                Fault(
+                    where,
+                    f"the angle of {symbol.joint}, which closes a loop in space and is known up to whole turns alone",
+                    "its speed",
+                )
+            )
             yield strange[-1]
         elif symbol.what == REACTION and symbol.joint not in scene.carrying:
             expected = one_of(scene.carrying, "a joint that carries its body along two directions or more")

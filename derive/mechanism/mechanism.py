@@ -74,6 +74,12 @@ class Mechanism:
         return tuple(freedom for joint in self.tree for freedom in joint.freedoms)
 
     @cached_property
+    def told(self) -> tuple[Freedom, ...]:
+        """Freedoms of closing joints that follow from where the bodies are, in order."""
+        ruled = (joint for joint in self.closures if not joint.unruled())
+        return tuple(freedom for joint in ruled for freedom in joint.freedoms if joint.measures(freedom))
+
+    @cached_property
     def plane(self) -> int | None:
         """Coordinate axis normal to the plane of motion of all bodies; None in space.
 

@@ -71,6 +71,11 @@ class Absolute(Scene):
         """Freedoms of the joints with one coordinate, which effects name."""
         return self.declared.scalars
 
+    @cached_property
+    def uncounted(self) -> tuple[str, ...]:
+        """None: refused where the scene was made."""
+        return ()
+
     def follows_drives(self, body: Frame) -> bool:
         """Whether drives alone move a body, as declared."""
         return self.declared.follows_drives(body)
@@ -214,7 +219,7 @@ def _about_one_axis(mechanism: Mechanism, body: Frame) -> bool:
 def _effect_faults(scene: Scene, carried: list[Joint]) -> Iterator[Fault]:
     """Faults of effects on a joint's coordinate that is neither a coordinate of the scene nor measurable."""
     kept = [freedom.key for joint in carried for freedom in joint.freedoms]
-    closing = {freedom.key: (joint, freedom) for joint in scene.mechanism.tree for freedom in joint.freedoms}
+    closing = {freedom.key: (joint, freedom) for joint in scene.mechanism.joints for freedom in joint.freedoms}
     remedy = "Keep the joints' coordinates: coordinates='tree'."
     for effect in scene.effects:
         symbols = [

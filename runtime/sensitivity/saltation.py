@@ -194,7 +194,7 @@ def events_of(history: History, after: np.ndarray, directions: Directions) -> Ju
     alone = ~guards.any(axis=1, keepdims=True)  # else slips change in consequence
     guards[:, places["margin"]] |= _slipping(history, index, before, h) & alone
     moved = _happened(history)[index]
-    guards[:, places["event"]] = moved[:, None] & (before[:, layout["event"]] <= 0)
+    guards[:, places["event"]] = moved[:, None] & (before[:, layout["event"]] <= LEVEL)
     rate, acceleration = (before[:, layout[part]] for part in ("gap_rate", "gap_acceleration"))
     near = LANDING * history.controls[run["tolerance"]][0] * length
     pairs = np.array([pair for _, _, pair in model.module.LATCHES], dtype=int)

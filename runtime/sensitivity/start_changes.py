@@ -10,6 +10,7 @@ import casadi as ca
 import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError
+from hertzwerk.runtime.integrate.events.jumps import jump
 from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.model import Bound, Model
 from hertzwerk.runtime.model.per_model import per_model
@@ -25,9 +26,10 @@ def start_changes(model: Model, bound: Bound, initial: Mapping[str, Value], name
     """Return the changes (nq + nu, P) of the start with parameters, or initial states of the joints.
 
     Those of a tree are derivatives of its start; where a start is assembled, with loops to be closed or bodies to be
-    seated, they are extrapolated differences of assembled starts, right to about 1e-11.
+    seated, or effects have events at it, as the first sample of a controller, they are extrapolated differences of
+    starts, right to about 1e-11.
     """
-    if hasattr(model.module, "GIVEN") or model.joints is not model or model.quaternions:
+    if hasattr(model.module, "GIVEN") or model.joints is not model or model.quaternions or model.ne:
         columns = [_difference(model, bound, initial, name) for name in names]
         return np.stack(columns, axis=1)
     states, parameters = [*model.coordinates, *model.speeds], list(model.parameters)
@@ -51,6 +53,11 @@ def _start_by_parameters(model: Model) -> Callers:
     return Callers(ca.Function("start_by_p", [p], [ca.densify(ca.jacobian(start, p))]))
 
 
+@per_model
+def _jumped(model: Model) -> Callers:
+    return Callers(jump(model))
+
+
 def _difference(model: Model, bound: Bound, initial: Mapping[str, Value], name: str) -> np.ndarray:
     parameters, joints = list(model.parameters), model.joints
     now = dict(zip(parameters, bound.p, strict=True))
@@ -65,13 +72,19 @@ def _difference(model: Model, bound: Bound, initial: Mapping[str, Value], name: 
         if name in parameters:
             p = bound.p.copy()
             p[parameters.index(name)] += change
-            moved = replace(bound, p=p, c=model.evaluate("constants", p)[0])
+            c = model.evaluate("constants", p)[0]
+            c[model.nc - model.npieces :] = bound.c[model.nc - model.npieces :]
+            moved = replace(bound, p=p, c=c)
         else:
             given[name] = (value + change, joints.units[name])
         faults: list[Fault] = []
         q, u = read_start(model, moved, given, faults)
         if faults:
             raise InputError(f"start of {model.name} with another {name}", faults)
+        if model.ne:
+            q = _jumped(model)(0.0, np.concatenate([q, u, np.zeros(model.nz)]), moved.c, np.zeros(model.ne))[0][
+                : model.nq
+            ]
         return np.concatenate([q, u])
 
     whole, half = ((at(d) - at(-d)) / (2 * d) for d in (step, step / 2))

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.readings import readings_of
-from hertzwerk.runtime.solution.history import acceleration_of, constraint_force, units_of
+from hertzwerk.runtime.solution.history import acceleration_of, constraint_force, friction_force, units_of
+from hertzwerk.runtime.tables import notebook
 
 _WORDS = {  # by the last part of a name, or by the one before an axis: meaning, without what it is of
     "mode": "whether the surfaces touch: 0 apart, 1 in contact",
@@ -18,7 +19,7 @@ _WORDS = {  # by the last part of a name, or by the one before an axis: meaning,
     "approach_speed": "approach speed, latched at the onset of contact",
     "eccentricity": "eccentricity in the bush's axes",
     "parameter": "parameter of the curve where it is touched or followed",
-    "slip": "mode of set-valued friction",
+    "slip": "mode of set-valued friction: 0 where the surfaces stick, else the sign of sliding, 1 in two directions",
     "friction_force": "friction force",
     "dissipated": "energy dissipated since the start",
     "input": "work put in since the start",
@@ -28,6 +29,7 @@ _WORDS = {  # by the last part of a name, or by the one before an axis: meaning,
     "off": "opening of the closed loop",
     "turned": "sine of the angle that the closed loop is open by",
 }
+SECTIONS = (False, "in every run"), (True, "derived when asked for")
 _ENERGY = "kinetic and potential energy, with what springs and surfaces store"
 
 
@@ -41,10 +43,37 @@ class Entry:
     derived: bool
 
 
-def entries(model: Model) -> tuple[Entry, ...]:
+class Histories(tuple[Entry, ...]):
+    """Histories of a model, shown as a table of their names, units and meanings."""
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        widths = [max(map(len, column), default=0) for column in zip(*self._cells, strict=True)][:2]
+        parts = []
+        for derived, title in SECTIONS:
+            rows = [
+                "  ".join([name.ljust(widths[0]), unit.ljust(widths[1]), meaning])
+                for entry, (name, unit, meaning) in zip(self, self._cells, strict=True)
+                if entry.derived == derived
+            ]
+            parts += [f"{title}:", *rows] if rows else []
+        return "\n".join(parts)
+
+    def _repr_html_(self) -> str:
+        return notebook.table(("history", "unit", "meaning"), self._cells)
+
+    @property
+    def _cells(self) -> list[tuple[str, str, str]]:
+        return [(entry.name, entry.unit, entry.meaning) for entry in self]
+
+
+def entries(model: Model) -> Histories:
     """Return all histories of a model: those of every run, then the readings, where it has its scene."""
     units = units_of(model, None)
-    return tuple(Entry(name, units[name], meaning_of(model, name), not units.lists(name)) for name in units.everything)
+    return Histories(
+        Entry(name, units[name], meaning_of(model, name), not units.lists(name)) for name in units.everything
+    )
 
 
 def meaning_of(model: Model, name: str) -> str:
@@ -64,6 +93,10 @@ def meaning_of(model: Model, name: str) -> str:
         return f"coordinate {part} of {whose}"
     if name in model.speeds:
         return f"{part.replace('_', ' ')} of {whose}"
+    along = [slip for slip, *_ in model.slips if name in (slip, friction_force(slip)) and slip[-1].isdigit()]
+    if along:
+        what = "direction of sliding, zero while it sticks," if name in along else "friction force"
+        return f"{what} of {whose}, along its tangent {name[-1]}"
     if name in map(acceleration_of, model.speeds):
         return f"{part.replace('_', ' ')} of {whose}"
     if name in map(constraint_force, model.constraints):

@@ -40,14 +40,14 @@ def list_scenes(target: str | None, without: Sequence[str], laws: Sequence[str],
 
 def _list_histories(target: str, without: Sequence[str], laws: Sequence[str], coordinates: str | None) -> int:
     """Print every history of a target: those always there, then those derived when asked for."""
-    from hertzwerk.runtime.tables.meanings import entries
+    from hertzwerk.runtime.tables.meanings import SECTIONS, entries
 
     faults: list[Fault] = []
     model = loaded(target, without, laws, faults, coordinates=coordinates)
     if faults:
         raise InputError("list", faults)
     found = entries(model)
-    for derived, title in ((False, "in every run"), (True, "derived when asked for")):
+    for derived, title in SECTIONS:
         rows = [(entry.name, entry.unit, entry.meaning) for entry in found if entry.derived == derived]
         click.echo(f"{model.name}: {title}")
         table(("history", "unit", "meaning"), rows)

@@ -17,6 +17,7 @@ from hertzwerk.derive import (
     Revolute,
     Scales,
     Scene,
+    Spherical,
     T,
     Universal,
     Where,
@@ -96,8 +97,8 @@ def test_what_is_driven_alone_cannot_be_coupled():
         scene(*drives, Coupling("mesh", "pinion", "wheel", 1))
 
 
-def test_a_joint_that_closes_a_loop_is_refused_by_name():
-    closing = Revolute("closing", pinion.at(r, 0, 0), wheel, axis=Z)
+def test_a_joint_that_closes_a_loop_without_a_coordinate_is_refused_by_name():
+    closing = Spherical("closing", pinion.at(r, 0, 0), wheel)
     with pytest.raises(InputError, match="joint 'closing', which closes a loop"):
         scene(Coupling("mesh", "closing", "wheel", 1), joints=(*PARTS, closing))
 
