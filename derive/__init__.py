@@ -83,6 +83,7 @@ if TYPE_CHECKING:  # the list of public names
         FramePotential as FramePotential,
         SphericalSpring as SphericalSpring,
     )
+    from hertzwerk.derive.effects.loads.patch import PatchFriction as PatchFriction
     from hertzwerk.derive.effects.loads.resistances import (
         DrillingResistance as DrillingResistance,
         RollingResistance as RollingResistance,

@@ -34,6 +34,9 @@ class Turning(Protocol):
     def angular_velocity(self, body: Frame) -> Vector:
         """Angular velocity of a body [rad/s]."""
 
+    def generalised(self, force: Vector, position: Vector, on: Frame, against: Frame, name: str) -> dict[str, Any]:
+        """Generalised forces of a force on one body and its reaction on another."""
+
     def generalised_moment(self, moment: Vector, on: Frame, against: Frame, name: str) -> dict[str, Any]:
         """Generalised forces of a moment on one body and its reaction on another."""
 
