@@ -25,8 +25,10 @@ import numpy as np
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.integrate.events.events import LANDING
 from hertzwerk.runtime.integrate.events.jumps import jump
+from hertzwerk.runtime.integrate.events.slips import at_rest
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT, RELEASED
+from hertzwerk.runtime.integrate.step.set_valued_friction import groups_of, pairs_of
 from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.sensitivity.chain import along
@@ -65,6 +67,7 @@ class Jumps:
     emptied (j, ny)         whether a state is set to zero
     moved (j,)              whether coordinates became those of `at`
     graze (j,)              whether surfaces touched without approaching
+    rested, stops (j,)      values and derivatives of `rested` after the events, and whether a pair came to rest in two directions
     places                  rows of `at` by name
     ledgers                 row of the state, and the pair whose stored energy is added to it
     """
@@ -78,6 +81,8 @@ class Jumps:
     emptied: np.ndarray
     moved: np.ndarray
     graze: np.ndarray
+    rested: Tangent
+    stops: np.ndarray
     places: dict[str, slice]
     ledgers: tuple[tuple[int, int], ...]
 
@@ -134,6 +139,11 @@ class Jumps:
         for latch, of in enumerate(self.latched.T):
             memory[of >= 0, latch] = -self.then[of >= 0, of[of >= 0]]
             memory[of == FLOORED, latch] = np.append(np.zeros(n), floor)
+        # the margin tells that sliding ends along the slip; across it, friction has held it to a straight end
+        held = self.rested[self.stops]
+        stopped = np.concatenate([held.to_state, held.to_memory], axis=2) @ found[self.stops]
+        stopped[:, :, n:] += held.given
+        state[self.stops] = stopped
         return found
 
     def first_without(self, before: np.ndarray) -> tuple[int, str]:
@@ -160,10 +170,18 @@ def switched(history: History) -> np.ndarray:
     """Return whether each row (rows,) follows a change of modes or slips, or an effect's event.
 
     The first row does."""
-    model, mode, m = history.model, history.part("mode"), history.part("m")
-    slips = m[:, model.nm - model.ns :]
-    changes = (part[1:] != part[:-1] for part in (mode, slips))
+    changes = (part[1:] != part[:-1] for part in (history.part("mode"), _sliding(history)))
     return np.append(True, np.any([part.any(axis=1) for part in changes], axis=0) | _happened(history))
+
+
+def _sliding(history: History) -> np.ndarray:
+    """Return the slips (rows, ns), of pairs that slide in two directions 1 or 0: theirs follow the motion."""
+    model = history.model
+    found = history.part("m")[:, model.nm - model.ns :].copy()
+    for group in groups_of(pairs_of(model)):
+        if len(group) > 1:
+            found[:, group] = np.any(found[:, group] != 0, axis=1, keepdims=True)
+    return found
 
 
 def _happened(history: History) -> np.ndarray:
@@ -200,6 +218,7 @@ def events_of(history: History, after: np.ndarray, directions: Directions) -> Ju
     pairs = np.array([pair for _, _, pair in model.module.LATCHES], dtype=int)
     onset = ((was == FLIGHT) & (now == CONTACT))[:, pairs]
     leaving = ((was == CONTACT) & (now != CONTACT)).astype(int) - ((was == RELEASED) & (now == CONTACT))
+    stops = _stopping(history, index)
     emptied = np.zeros((len(index), layout.sizes["y"]), dtype=bool)
     for row, pair in getattr(model.module, "BRISTLES", ()):
         emptied[:, model.nq + model.nu + row] = now[:, pair] != CONTACT
@@ -216,10 +235,21 @@ def events_of(history: History, after: np.ndarray, directions: Directions) -> Ju
         booked=leaving,
         emptied=emptied,
         moved=moved,
+        rested=tangent(rested, history, history.rows[index + 1], directions),
+        stops=stops,
         graze=(by_gap & (rate**2 <= 2 * np.abs(acceleration) * near)).any(axis=1),
         places=places,
         ledgers=tuple((model.nq + model.nu + row, pair) for pair, row in enumerate(booked)),
     )
+
+
+def _stopping(history: History, index: np.ndarray) -> np.ndarray:
+    """Return whether a pair that slid in two directions sticks after the steps (j,) from rows `index`."""
+    sliding, found = _sliding(history), np.zeros(len(index), dtype=bool)
+    for group in groups_of(pairs_of(history.model)):
+        if len(group) > 1:
+            found |= (sliding[index, group[0]] == 1) & (sliding[index + 1, group[0]] == 0)
+    return found
 
 
 def _slipping(history: History, index: np.ndarray, before: np.ndarray, h: np.ndarray) -> np.ndarray:
@@ -227,8 +257,7 @@ def _slipping(history: History, index: np.ndarray, before: np.ndarray, h: np.nda
 
     The step takes h (j,) [s] after the rows `index`. Not those that follow another's change: where no margin is near zero, the first.
     """
-    model, layout = history.model, history.engine.layouts.state
-    slips = history.part("m")[:, model.nm - model.ns :]
+    layout, slips = history.engine.layouts.state, _sliding(history)
     margin, rate = (before[:, layout[part]] for part in ("margin", "margin_rate"))
     turned = slips[index] != slips[index + 1]
     own = turned & (np.abs(margin) <= np.abs(rate) * NEAR * h[:, None])
@@ -303,3 +332,11 @@ def watched(model: Model) -> Any:
     """Build the function of everything that a jump depends on."""
     given, parts = _parts(model)
     return ca.Function("watched", given, [ca.vertcat(*map(ca.vec, parts.values()))])
+
+
+@per_model
+def rested(model: Model) -> Any:
+    """Build the function of the state (ny) whose sticking pairs are at rest."""
+    t, y, mode, m, c, _ = given = model.symbols(ARGUMENTS)
+    slips = m[model.nm - model.ns :]
+    return ca.Function("rested", given, [at_rest(model)(t, y, mode, m, c, slips)[1] if model.ns else y])

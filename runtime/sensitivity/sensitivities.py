@@ -66,9 +66,6 @@ class Sensitivities:
             faults.append(
                 Fault("names", "none", "parameters or initial states", f"such as {next(iter(_known(history)))!r}")
             )
-        if len({pair for *_, pair in model.slips}) < model.ns:
-            expected = "friction that is smooth, or set-valued along one tangent"
-            faults.append(Fault("friction", "set-valued in two directions, whose slip follows the motion", expected))
         if faults:
             raise InputError(f"sensitivities of {model.name}", faults)
         dp = np.array([[float(parameter == name) for name in names] for parameter in model.parameters])

@@ -62,7 +62,7 @@ def resolve_slips(model: Model) -> Any:
     slip, busy = solve(*_problem(model)(*given))
     if len(groups) < n:
         slip = _ahead(model)(*given, slip)
-    m, y = _at_rest(model)(*given[:5], slip)
+    m, y = at_rest(model)(*given[:5], slip)
     return ca.Function("directed", given, [m, y, busy])
 
 
@@ -157,7 +157,7 @@ def _ahead(model: Model) -> Any:
     return ca.Function("ahead", given, [ca.densify(found)])
 
 
-def _at_rest(model: Model) -> Any:
+def at_rest(model: Model) -> Any:
     """Build the function (t, y, mode, m, c, slip (n)) -> (m, y): set slips, stop sticking pairs."""
     (t, y, mode, m, c), slip = model.symbols("t y mode m c"), ca.SX.sym("slip", model.ns)
     q, u, z = model.parts(y)

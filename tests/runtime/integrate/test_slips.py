@@ -88,7 +88,7 @@ def test_speeds_that_end_where_a_pair_sticks_are_booked():
     u[:] = [0.02, 0, 0, 0, 0]
     y = np.concatenate([q, u, np.zeros(model.nz)])
     m = np.concatenate([np.ones(model.nm - model.ns), np.zeros(model.ns)])
-    _, after = slips._at_rest(model)(0.0, y, np.ones(model.k), m, bound.c, np.zeros(model.ns))
+    _, after = slips.at_rest(model)(0.0, y, np.ones(model.k), m, bound.c, np.zeros(model.ns))
     after = np.array(after).ravel()
     nq, nu = model.nq, model.nu
     kinetic = [float(model.function("energy")(0.0, q, v, bound.c)[0]) for v in (u, after[nq : nq + nu])]

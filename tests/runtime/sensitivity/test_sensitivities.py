@@ -6,8 +6,6 @@ from itertools import pairwise
 import casadi as ca
 import numpy as np
 import pytest
-from balls import ball as rolling
-from balls import dry
 from blocks import CARRIAGE, MASS, WEIGHT, block
 
 from hertzwerk.derive import (
@@ -299,12 +297,6 @@ def test_unknown_names_are_refused_at_once(ball):
         run.sensitivities()
     with pytest.raises(InputError, match="stiffness"):
         run.sensitivities("gravity")["vertical.travel", "stiffness"]
-
-
-def test_friction_in_two_directions_is_refused_by_name():
-    run = simulate(load(rolling(dry())), duration="1 ms", tolerance=1e-6)
-    with pytest.raises(InputError, match="two directions"):
-        run.sensitivities("mass")
 
 
 def test_a_run_without_steps_or_start_says_so(ball, tmp_path):
