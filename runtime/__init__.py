@@ -27,7 +27,12 @@ if TYPE_CHECKING:  # the list of public names
         read_measurement as read_measurement,
     )
     from hertzwerk.runtime.model.model import Bound as Bound
-    from hertzwerk.runtime.parameter_fit import Fit as Fit, fit as fit
+    from hertzwerk.runtime.parameter_fit import (
+        Fit as Fit,
+        fit as fit,
+        fit_laws as fit_laws,
+        fit_moments as fit_moments,
+    )
     from hertzwerk.runtime.simulation import Solution as Solution, simulate as simulate
     from hertzwerk.runtime.solution.impacts import Impact as Impact
     from hertzwerk.runtime.solution.outcome import Outcome as Outcome

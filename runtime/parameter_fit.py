@@ -9,6 +9,9 @@ from hertzwerk.runtime.fitting.experiment import Data, Experiment
 from hertzwerk.runtime.fitting.fitted import Fitted
 from hertzwerk.runtime.fitting.fitting import fitted, read_fit
 from hertzwerk.runtime.fitting.free_quantities import Freed
+from hertzwerk.runtime.fitting.law_ranking import Ranking, ranked
+from hertzwerk.runtime.fitting.law_variants import law_variants, read_laws
+from hertzwerk.runtime.fitting.moment_fit import FittedMoments, fitted_moments, read_moment_fit
 from hertzwerk.runtime.measured.asked import Between
 from hertzwerk.runtime.model.binding import Value
 from hertzwerk.runtime.model.model import Model
@@ -90,3 +93,45 @@ def fit(
         profile=profile,
     )
     return Fit(**vars(fitted(asked, progress)))
+
+
+def fit_laws(
+    model: Model,
+    data: Data | Experiment | Sequence[Data | Experiment],
+    laws: Mapping[str, Sequence[str]],
+    *,
+    free: Mapping[str, Freed] | Sequence[str],
+    progress: Callable[[float], object] | None = None,
+    **how: Any,
+) -> Ranking:
+    """Fit a model with each of several laws to the same data, and rank them by AICc and by runs held out.
+
+    laws    by effect, {"floor": ["flores", "hunt_crossley", "power(K=1e6 N/m, n=1) x flores"]}: all combinations, each derived
+    free, how    as of `fit`; a quantity that one law has, and another has not, is free where it is
+
+    Raises InputError with every fault.
+    """
+    variants, faults = law_variants(model, laws)
+    asked = read_laws(variants, data, free, {**(fit.__kwdefaults__ or {}), **how}, faults)
+    return ranked(asked, progress)
+
+
+def fit_moments(
+    model: Model,
+    moments: Mapping[str, str | tuple[Value, Value]],
+    *,
+    free: Mapping[str, Freed] | Sequence[str],
+    seed: int = 0,
+    progress: Callable[[float], object] | None = None,
+    **how: Any,
+) -> FittedMoments:
+    """Fit parameters to statistics of runs longer than their horizon, by simulated moments.
+
+    moments    measured values and their standard deviations by the name of an output of `sweep`:
+               {"slider_pin.impact_rate": ("412 1/s", "5 1/s"), "slider_pin.dissipated_power": "3.1 +- 0.1 W"}
+    free       as of `fit`; how: further arguments of `sweep`, duration="100 rev", values, workers
+
+    Derivatives are those of a quadratic regression over runs at points of a Latin hypercube, the scatter of the runs' own statistics its covariance;
+    the box of the points closes in on the best, at most twice. Raises InputError with every fault.
+    """
+    return fitted_moments(read_moment_fit(model, moments, free, how, seed), progress)

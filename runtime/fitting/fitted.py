@@ -110,6 +110,11 @@ class Fitted:
     derivatives: str
     warnings: tuple[str, ...]
 
+    @property
+    def scene(self) -> str:
+        """Name of the model."""
+        return self.observed[0].model.name
+
     def __getitem__(self, name: str) -> FittedValue:
         """Fitted quantity; raises KeyError for an unknown name."""
         return {**self.values, **self.nuisance}[name]
@@ -128,7 +133,7 @@ class Fitted:
         """Yield what was found, as labels and sentences."""
         names = ", ".join(each.name for each in self.observed)
         used = sum(int(np.sum(signal.used)) for signal in self.signals)
-        yield "fit", f"{self.observed[0].model.name} to {names}: {used:,} data, {self.runs_made:,} runs"
+        yield "fit", f"{self.scene} to {names}: {used:,} data, {self.runs_made:,} runs"
         for value in (*self.values.values(), *self.nuisance.values()):
             yield value.name, f"{value}; {value.interval.how}"
         for text in self.untold:
@@ -213,7 +218,7 @@ class Fitted:
     def record(self) -> dict[str, Any]:
         """Return everything but the data as plain numbers, in SI, null for missing ones."""
         return {
-            "scene": self.observed[0].model.name,
+            "scene": self.scene,
             "runs": [each.name for each in self.observed],
             "values": {name: asdict(value) for name, value in self.values.items()},
             "nuisance": {name: asdict(value) for name, value in self.nuisance.items()},

@@ -158,11 +158,15 @@ def _setting_faults(tolerance: float, method: str) -> list[Fault]:
 
 def fitted(asked: Asked, progress: Callable[[float], object] | None = None) -> Fitted:
     """Return the fit that was asked for; raises InputError for what enters nothing measured."""
+    return concluded(asked, *searched(asked, progress))
+
+
+def searched(asked: Asked, progress: Callable[[float], object] | None = None) -> tuple[Search, Found]:
+    """Return the search and its least squares; raises InputError for what enters nothing measured."""
     forward = asked.forward()
     search = Search(forward, stated_noise(forward), progress)
     _refuse_idle(search, asked)
-    found, share = search.best(asked.starts, asked.seed)
-    return concluded(asked, search, found, share)
+    return search, search.best(asked.starts, asked.seed)
 
 
 def stated_noise(forward: Forward) -> Array:
@@ -193,8 +197,9 @@ def _refuse_idle(search: Search, asked: Asked) -> None:
     )
 
 
-def concluded(asked: Asked, search: Search, found: Found, share: float) -> Fitted:
+def concluded(asked: Asked, search: Search, found: Found) -> Fitted:
     """Return the fit with what the data tell of it, intervals, goodness and residuals."""
+    share = float(np.mean(found.used))
     forward = search.forward
     known = identified(found.jacobian, forward.searched)
     ends, warnings = intervals(search, found, known, asked.profile)
@@ -213,7 +218,7 @@ def concluded(asked: Asked, search: Search, found: Found, share: float) -> Fitte
         known=known,
         untold=tuple(known.untold([value.value for value in values], count)),
         goodness=_goodness(search, found),
-        criterion=_criterion(search, found),
+        criterion=criterion_of(search, found),
         share=share,
         signals=signals,
         offsets=tuple(forward.offset(i, found.x) for i in range(len(asked.observed))),
@@ -262,11 +267,18 @@ def _goodness(search: Search, found: Found) -> Goodness | None:
     return Goodness(square, freedom, float(chi2.sf(square, freedom)))
 
 
-def _criterion(search: Search, found: Found) -> float:
-    """Return Akaike's criterion with the correction for few data, but for a constant of the data."""
-    unknown_noise = len(set(search.forward.column[found.used & np.isnan(search.stated)]))
-    n, k = len(found.residuals), len(found.x) + unknown_noise
-    likelihood = found.cost + 2 * float(np.sum(np.log(found.sigma[found.used])))
+def criterion_of(search: Search, found: Found) -> float:
+    """Return Akaike's criterion with the correction for few data, but for a constant of the data.
+
+    The noise of columns without a stated one is that which makes their residuals likeliest, and counts as fitted.
+    """
+    stated, group = np.isfinite(search.stated[found.used]), search.forward.group[found.used]
+    likelihood = float(np.sum(found.residuals[stated] ** 2 + 2 * np.log(found.sigma[found.used][stated])))
+    estimated = np.unique(group[~stated])
+    for k in estimated:
+        part = (found.residuals * found.sigma[found.used])[group == k]
+        likelihood += len(part) * (1 + math.log(max(float(np.mean(part**2)), 1e-300)))
+    n, k = len(found.residuals), len(found.x) + len(estimated)
     return likelihood + 2 * k + (2 * k * (k + 1) / (n - k - 1) if n > k + 1 else math.inf)
 
 

@@ -61,9 +61,13 @@ class Forward:
             [each.column + sum(len(other.channels) for other in observed[:i]) for i, each in enumerate(observed)]
         )
         names = [observed[i].channels[k].column for i, k in self.columns]
+        self.group = np.array([names.index(name) for name in names])[
+            self.column
+        ]  # data of columns of one name, whose noise is one
         self._gain = np.array([gains.get(name, -1) for name in names], dtype=int)[self.column]
         self.run = np.concatenate([np.full(len(each.at), i) for i, each in enumerate(observed)])
         self._known: dict[tuple[bytes, float], Point] = {}
+        self._derived: tuple[bytes, Array] = b"", np.zeros((0, 0))
         self.runs_made = 0
         self.without_exact: set[str] = set()  # reasons why some derivatives are differences
 
@@ -132,6 +136,11 @@ class Forward:
 
     def slopes(self, x: Array) -> Array:
         """Return the derivatives of what is predicted (n, x) on the scale of the search; 0 where nothing is."""
+        if self._derived[0] != x.tobytes():
+            self._derived = x.tobytes(), self._slopes(x)
+        return self._derived[1]
+
+    def _slopes(self, x: Array) -> Array:
         point, names = self.at(x), [free.name for free in self.free]
         scales = np.array([free.slope(free.outer(place)) for free, place in zip(self.searched, x, strict=True)])
         found = np.zeros((len(self.measured), len(x)))

@@ -103,7 +103,7 @@ def _end(search: Search, found: Found, j: int, bound: float, rise: float, warnin
 
     near, step = x, 0.1
     while True:
-        far = x + math.copysign(min(step, abs(bound - x)), bound - x)
+        far = bound if step >= abs(bound - x) else x + math.copysign(step, bound - x)
         above = excess(far)
         if above > 0:
             break

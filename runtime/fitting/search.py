@@ -25,7 +25,7 @@ OWN = 0.1  # of the noise: largest error of a run itself where data are compared
 GUESSED = 1e-2  # of a column's spread: its noise where none is stated, before the first residuals
 LOST = 5.0  # of a column's spread: residual where a run has no value
 ALIKE = 1e-6  # of the scale of the search: places that are one
-CONVERGED = 1e-10  # relative
+CONVERGED, ROUGH = 1e-10, 1e-4  # relative: of the last window, and of a start for the next
 
 
 @dataclass(frozen=True)
@@ -55,8 +55,8 @@ class Search:
         self.spread = size[forward.column]
         self.low, self.high = np.array([free.bounds for free in forward.searched]).T
 
-    def best(self, count: int, seed: int) -> tuple[Found, float]:
-        """Return the least squares over the longest window, and the part of the data that this is."""
+    def best(self, count: int, seed: int) -> Found:
+        """Return the least squares over the longest window before the horizon."""
         forward, sigma = self.forward, self._sigma0()
         windows = [w for w in WINDOWS if np.sum(forward.place <= w) >= FEW * len(self.low)] or [1.0]
         masks = [forward.place <= w * (1 + 1e-12) for w in windows]
@@ -72,14 +72,17 @@ class Search:
             used = self.within(kept[0], mask, sigma)
             if number and np.sum(used) <= np.sum(found[0].used):
                 break
-            found = sorted((self.least(x, used, sigma) for x in kept), key=lambda each: each.cost)
+            found = sorted((self.least(x, used, sigma, within=ROUGH) for x in kept), key=lambda each: each.cost)
             kept = _apart([each.x for each in found])
             self._progress(0.4 + 0.5 * (number + 1) / len(masks))
-        best = found[0]
-        if np.any(np.isnan(self.stated)):
+        return self.settled(self.least(found[0].x, found[0].used, sigma))
+
+    def settled(self, found: Found) -> Found:
+        """Return the least squares over the noise that the residuals have, where none is stated."""
+        if np.any(np.isnan(self.stated[found.used])):
             for _ in range(3):  # noise follows residuals, and they the noise
-                best = self.least(best.x, best.used, self.estimated(best))
-        return best, float(np.mean(best.used))
+                found = self.least(found.x, found.used, self.estimated(found))
+        return found
 
     def starts(self, count: int, seed: int) -> list[Array]:
         """Return places to start from: the model's own values, and a Latin hypercube."""
@@ -102,15 +105,13 @@ class Search:
 
     def estimated(self, found: Found) -> Array:
         """Return the noise of each row, that of columns without a stated one from their residuals."""
-        sigma, forward = self._sigma0(), self.forward
-        for k in range(len(forward.columns)):
-            rows = found.used & (forward.column == k)
+        sigma, group = self._sigma0(), self.forward.group
+        for k in np.unique(group):
+            rows = found.used & (group == k)
             if np.any(rows) and np.isnan(self.stated[rows][0]):
-                part = found.residuals[(forward.column == k)[found.used]] * found.sigma[rows]
+                part = found.residuals[(group == k)[found.used]] * found.sigma[rows]
                 free = len(part) * (1 - len(found.x) / max(int(np.sum(found.used)), len(found.x) + 1))
-                sigma[forward.column == k] = (
-                    math.sqrt(float(part @ part) / max(free, 1e-9)) or GUESSED * self.spread[rows][0]
-                )
+                sigma[group == k] = math.sqrt(float(part @ part) / max(free, 1e-9)) or GUESSED * self.spread[rows][0]
         return sigma
 
     def within(self, x: Array, mask: NDArray[np.bool_], sigma: Array) -> NDArray[np.bool_]:
@@ -138,7 +139,9 @@ class Search:
         found: Array = -(self.forward.slopes(x) / sigma[:, None])[used]
         return found
 
-    def least(self, x: Array, used: NDArray[np.bool_], sigma: Array, fixed: int | None = None) -> Found:
+    def least(
+        self, x: Array, used: NDArray[np.bool_], sigma: Array, *, fixed: int | None = None, within: float = CONVERGED
+    ) -> Found:
         """Return the least squares from a place, one entry of x held where `fixed` says which."""
         from scipy.optimize import least_squares  # slow to import
 
@@ -158,9 +161,9 @@ class Search:
             begin,
             jac=lambda part: self.jacobian(whole(part), used, sigma)[:, moving],
             bounds=(self.low[moving], self.high[moving]),
-            xtol=CONVERGED,
-            ftol=CONVERGED,
-            gtol=CONVERGED,
+            xtol=within,
+            ftol=within,
+            gtol=within,
             max_nfev=60,
         )
         return replace(self.judged(whole(result.x), used, sigma), converged=result.status > 0)

@@ -25,6 +25,8 @@ from hertzwerk.runtime.cli.terminal import OTHER_OUTCOME, Progress, conclude, li
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.fitting.fitted import Fitted
+    from hertzwerk.runtime.fitting.law_ranking import Ranking
+    from hertzwerk.runtime.fitting.moment_fit import FittedMoments
     from hertzwerk.runtime.model.model import Model
 
 
@@ -34,7 +36,6 @@ if TYPE_CHECKING:
     "--measured",
     metavar="FILE",
     multiple=True,
-    required=True,
     help="CSV with headings `name [unit]`: over time, with a column `t [s]`, or of impacts, with a column `impact [1]`. "
     "Given again, several runs are fitted at once.",
 )
@@ -72,6 +73,21 @@ if TYPE_CHECKING:
 @click.option(
     "--gain", metavar="COLUMN=RANGE", multiple=True, help="Gain of a sensor that is fitted: height=0.95..1.05."
 )
+@click.option(
+    "--laws",
+    "among",
+    metavar="EFFECT=LAW,LAW",
+    multiple=True,
+    help="Fit with each of these laws, and rank them: floor=flores,hunt_crossley.",
+)
+@click.option(
+    "--moment",
+    "moments",
+    metavar="NAME=VALUE +- SIZE",
+    multiple=True,
+    help="In place of files statistics of a run beyond its horizon, with their standard deviations: "
+    'slider_pin.impact_rate="412 +- 5 1/s", names as of `hertzwerk sweep --output`.',
+)
 @VARIATION
 @DURATION
 @click.option("--tolerance", metavar="NUMBER", help="Local, of the runs (default: 1e-9).")
@@ -97,21 +113,31 @@ def fit(target: str, into: Path | None, no_plots: bool, as_json: bool, **options
     """Fit parameters of TARGET to measured data, with exact derivatives through impacts.
 
     Reported are values with intervals and how each was obtained, combinations that the data cannot tell, goodness of fit.
-    Exit code 1: the model is rejected at 5 %, or there is such a combination.
+    With --laws each law is fitted, and they are ranked by AICc and by measured runs held out. Exit code 1: the model is rejected
+    at 5 %, there is such a combination, or the laws are not told apart.
     """
     wanted = into is not None or not as_json
     faults = [replace(fault, where="--into", remedy="name another: --into FOLDER") if fault.where == "--out" else fault
               for fault in unwritable_faults(into, wanted=wanted)]  # fmt: skip
+    moments = options.pop("moments")
+    found: Fitted | FittedMoments
+    ranking: Ranking | None
+    result: Fitted | FittedMoments | Ranking
     with Progress(f"fit of {target}", shown=not as_json and sys.stderr.isatty()) as progress:
-        found = _fitted(target, faults, progress, **options)
+        if moments or not options["measured"]:
+            found, ranking = _of_moments(target, moments, faults, progress, **options), None
+        else:
+            found, ranking = _fitted(target, faults, progress, **options)
+    result = found if ranking is None else ranking
     code = conclude(
-        lambda missing: _write(found, into, missing, plots=not no_plots),
-        found.record,
-        lambda: _report(found),
+        lambda missing: _write(found, ranking, into, missing, plots=not no_plots),
+        result.record,
+        lambda: _report(result),
         wanted=wanted,
         as_json=as_json,
     )
-    return OTHER_OUTCOME if found.explained is False or found.untold else code
+    in_doubt = found.untold or found.explained is False or (ranking is not None and ranking.alike)
+    return OTHER_OUTCOME if in_doubt else code
 
 
 def _fitted(
@@ -124,17 +150,82 @@ def _fitted(
     without: Sequence[str],
     laws: Sequence[str],
     coordinates: str | None,
+    among: Sequence[str],
     **options: Any,
-) -> Fitted:
-    """Return the fit of a command line; raises InputError with every fault."""
+) -> tuple[Fitted, Ranking | None]:
+    """Return the fit of a command line, and of several laws their ranking; raises InputError."""
     from hertzwerk.runtime.fitting.fitting import fitted, read_fit
+    from hertzwerk.runtime.fitting.law_ranking import ranked
+    from hertzwerk.runtime.fitting.law_variants import law_variants, read_laws, split_laws
 
     values, given = assignments("--set", settings, faults), assignments("--input", inputs, faults)
     progress.stage("building")
     model = loaded(target, without, laws, faults, coordinates=coordinates)
-    asked = read_fit(model, **_arguments(model, values, given, faults, **options), before=faults)
+    arguments = _arguments(model, values, given, faults, **options)
+    if among:
+        several = {effect: split_laws(text) for effect, text in assignments("--laws", among, faults).items()}
+        variants, wrong = law_variants(model, several)
+        asked = read_laws(variants, arguments["data"], arguments["free"], arguments, [*faults, *wrong])
+        progress.stage("fitting")
+        ranking = ranked(asked, progress)
+        return ranking.best.fitted, ranking
+    one = read_fit(model, **arguments, before=faults)
     progress.stage("fitting")
-    return fitted(asked, progress)
+    return fitted(one, progress), None
+
+
+def _of_moments(
+    target: str,
+    moments: Sequence[str],
+    faults: list[Fault],
+    progress: Progress,
+    *,
+    free: Sequence[str],
+    settings: Sequence[str],
+    inputs: Sequence[str],
+    without: Sequence[str],
+    laws: Sequence[str],
+    coordinates: str | None,
+    duration: str | None,
+    tolerance: str | None,
+    method: str | None,
+    seed: int | None,
+    **others: Any,
+) -> FittedMoments:
+    """Return the fit of statistics; raises InputError with every fault."""
+    from hertzwerk.runtime.fitting.moment_fit import fitted_moments, read_moment_fit
+
+    if not moments:
+        faults.append(
+            Fault("--measured", "none, and no --moment", "measured data: --measured FILE, or --moment NAME=VALUE")
+        )
+    data = {"--measured": "measured", "--map": "columns", "--noise": "noise", "--gain": "gain", "--laws": "among"}
+    beside = [option for option, name in data.items() if others[name]]
+    faults += [Fault(option, "beside --moment", "one of the two") for option in beside if moments]
+    values, given, stated = (
+        assignments(option, texts, faults)
+        for option, texts in (("--set", settings), ("--input", inputs), ("--moment", moments))
+    )
+    progress.stage("building")
+    model = loaded(target, without, laws, faults, coordinates=coordinates)
+    how = {
+        "values": values,
+        "inputs": given or None,
+        "duration": duration,
+        "tolerance": tolerance and number(tolerance),
+        "method": method,
+    }
+    chosen = {name: value for name, value in how.items() if value}
+    asked = read_moment_fit(model, stated, _ranges(free, faults), chosen, seed or 0, faults)
+    progress.stage("fitting")
+    return fitted_moments(asked, progress)
+
+
+def _ranges(free: Sequence[str], faults: list[Fault]) -> dict[str, str | None]:
+    """Return the ranges by name of --free; None for a name alone."""
+    ranged = assignments("--free", [text for text in free if "=" in text], faults)
+    names = [text.partition("=")[0].strip() for text in free]
+    return {name: ranged.get(name) for name in names}
 
 
 def _arguments(
@@ -173,10 +264,9 @@ def _arguments(
             faults.append(Fault("--at", repr(text), f"FILE:NAME=VALUE, FILE one of {', '.join(measured)}"))
     twice = sorted({file for file in measured if list(measured).count(file) > 1})
     faults += [Fault("--measured", f"{file} twice", "each measured run once") for file in twice]
-    ranged = assignments("--free", [text for text in free if "=" in text], faults)
     return {
         "data": [Experiment(file, assignments("--at", own[file], faults)) for file in measured],
-        "free": {text.partition("=")[0].strip(): ranged.get(text.partition("=")[0].strip()) for text in free},
+        "free": _ranges(free, faults),
         "map": assignments("--map", columns, faults) or None,
         "noise": assignments("--noise", noise, faults),
         "parameters": parameters,
@@ -193,9 +283,12 @@ def _arguments(
     }
 
 
-def _write(found: Fitted, into: Path | None, missing: list[str], *, plots: bool) -> tuple[Path, list[str]]:
+def _write(
+    found: Fitted | FittedMoments, ranking: Ranking | None, into: Path | None, missing: list[str], *, plots: bool
+) -> tuple[Path, list[str]]:
     from hertzwerk.runtime.cli.run_folder import json_text
     from hertzwerk.runtime.cli.target import command_line
+    from hertzwerk.runtime.fitting.moment_fit import FittedMoments
     from hertzwerk.runtime.host.folder import failures_of, new_folder
     from hertzwerk.runtime.host.versions import versions
 
@@ -203,12 +296,16 @@ def _write(found: Fitted, into: Path | None, missing: list[str], *, plots: bool)
         about = {"command": command_line(), "versions": versions()}
         texts = {
             "fit.json": json_text({**found.record(), **about}) + "\n",
-            "fit.csv": found.csv(),
-            "fit.md": found.markdown(),
         }
+        if isinstance(found, FittedMoments):
+            texts["fit.md"] = "".join(f"- {label}: {text}\n" for label, text in found.lines())
+        else:
+            texts |= {"fit.csv": found.csv(), "fit.md": found.markdown()}
+        if ranking is not None:
+            texts |= {"laws.json": json_text({**ranking.record(), **about}) + "\n", "laws.md": ranking.markdown()}
         for name, text in texts.items():
             (folder / name).write_text(text, encoding="utf-8")
-        if not plots:
+        if not plots or isinstance(found, FittedMoments):
             return list(texts)
         from hertzwerk.runtime.pictures.studies.plot_fit import save
 
@@ -217,11 +314,11 @@ def _write(found: Fitted, into: Path | None, missing: list[str], *, plots: bool)
         return [*texts, *([] if failures else ["fit.png"])]
 
     try:
-        return new_folder(f"{found.observed[0].model.name}-fit", into, fill)
+        return new_folder(f"{found.scene}-fit", into, fill)
     except InputError as error:
         raise InputError("fit", [replace(fault, where="--into") for fault in error.faults]) from error
 
 
-def _report(found: Fitted) -> None:
+def _report(found: Fitted | FittedMoments | Ranking) -> None:
     for label, text in found.lines():
         line(label, text)

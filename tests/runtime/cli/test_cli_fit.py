@@ -85,3 +85,33 @@ def test_every_fault_in_one_error(hertzwerk, data):
     assert done.exit_code == 2
     for part in ("did you mean height", "did you mean restitution", "three.csv", "the lower end first", "starts"):
         assert part in done.output
+
+
+def test_laws_and_statistics(hertzwerk, data, tmp_path):
+    bad = hertzwerk(
+        "--measured",
+        "one.csv",
+        *HOW,
+        "--free",
+        "restitution",
+        "--laws",
+        "floor=flores,no_such_law",
+        "--laws",
+        "roof=flores",
+    )
+    assert bad.exit_code == 2 and "no_such_law" in bad.output
+    neither = hertzwerk("--free", "restitution")
+    assert neither.exit_code == 2 and "--measured: found none, and no --moment" in neither.output
+    beside = hertzwerk(
+        "--measured", "one.csv", "--moment", "floor.impulse=8.86 +- 0.1 N", "--free", "drop_height=0.7..1.5 m"
+    )
+    assert (
+        beside.exit_code == 2
+        and "--measured: found beside --moment" in beside.output
+        and "a value in N s" in beside.output
+    )
+    moment = ("--moment", "floor.impulse=8.859 +- 0.05 N s", "--duration", "0.7 s", "--set", "restitution=1")
+    done = hertzwerk(*moment, "--free", "drop_height=0.7..1.5 m", "--into", "fitted")
+    assert done.exit_code == 0, done.output
+    value = json.loads((tmp_path / "fitted" / "fit.json").read_text())["values"]["drop_height"]
+    assert abs(value["value"] - 1) < 0.003 and "simulated moments" in (tmp_path / "fitted" / "fit.md").read_text()

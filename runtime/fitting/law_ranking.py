@@ -1,0 +1,179 @@
+"""Ranking of contact and friction laws by what measured data say of them.
+
+Each law is fitted to the same data. Akaike's criterion, corrected for few data, weighs how well it fits against how much
+is fitted (Burnham and Anderson, Model Selection and Multimodel Inference, 2002). Where there are several measured runs,
+each is left out in turn and predicted by the fit of the others: what is free of that run alone, its offset, stays.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hertzwerk.runtime.fitting.fitted import Fitted
+from hertzwerk.runtime.fitting.fitting import Asked, concluded, criterion_of, searched, stated_noise
+from hertzwerk.runtime.fitting.search import Found, Search
+
+Array = NDArray[np.float64]
+
+APART = 6.0  # difference of the criteria below which laws are not told apart: one is 20 times as likely as the other
+DOUBT = 2.0  # standard errors by which the held-out runs must prefer a law against the criterion's choice to be heard
+
+
+@dataclass(frozen=True)
+class RankedLaw:
+    """Law with its fit: criterion, less that of the best, Akaike's weight, log-densities held out."""
+
+    name: str
+    fitted: Fitted
+    criterion: float
+    difference: float
+    weight: float
+    held_out: tuple[float, ...]
+
+    @property
+    def held_out_total(self) -> float | None:
+        """Log-density of all runs, each held out; None with one run."""
+        return sum(self.held_out) if self.held_out else None
+
+
+@dataclass(frozen=True)
+class Ranking:
+    """Laws fitted to the same data, the best first.
+
+    alike    names of those that these data do not tell from the best; empty where it is told from all others
+    """
+
+    laws: tuple[RankedLaw, ...]
+    alike: tuple[str, ...]
+    share: float
+
+    @property
+    def best(self) -> RankedLaw:
+        """First of the laws."""
+        return self.laws[0]
+
+    @property
+    def verdict(self) -> str:
+        """Say which laws the data tell apart."""
+        best = self.best
+        alike = f"not told apart by these data: {', '.join((best.name, *self.alike))}"
+        text = alike if self.alike else f"{best.name} is told apart from the others"
+        if best.fitted.explained is False:
+            return f"{text}; but the best is itself rejected at 5 % by the stated noise: none of these laws explains the data"
+        return text
+
+    def lines(self) -> Iterator[tuple[str, str]]:
+        """Yield what was found, as labels and sentences."""
+        for law in self.laws:
+            yield law.name, self._line(law)
+        yield "verdict", self.verdict
+        if not self.best.held_out:
+            yield "note", "one measured run: no cross-validation, which leaves out runs"
+
+    def _line(self, law: RankedLaw) -> str:
+        values = ", ".join(f"{value.name} {value}" for value in law.fitted.values.values())
+        held = (
+            ""
+            if law.held_out_total is None
+            else f", held-out log-density {law.held_out_total - (self.best.held_out_total or 0.0):+.4g}"
+        )
+        fits = {None: "", True: ", explains the data", False: ", rejected"}[law.fitted.explained]
+        return f"AICc {law.difference:+.4g}, weight {law.weight:.3g}{held}{fits}; {values}"
+
+    def __str__(self) -> str:
+        return "\n".join(f"{label}: {text}" for label, text in self.lines())
+
+    def markdown(self) -> str:
+        """Return the ranking as a page of Markdown."""
+        rows = [
+            "| law | AICc less the best | weight | held-out log-density less the best | p-value | fitted |",
+            "|---|---|---|---|---|---|",
+        ]
+        for law in self.laws:
+            held = "" if law.held_out_total is None else f"{law.held_out_total - (self.best.held_out_total or 0.0):.4g}"
+            p = "" if law.fitted.goodness is None else f"{law.fitted.goodness.p_value:.3g}"
+            values = ", ".join(f"{value.name} {value}" for value in law.fitted.values.values())
+            rows.append(f"| {law.name} | {law.difference:.4g} | {law.weight:.3g} | {held} | {p} | {values} |")
+        return "\n".join(["# Which law?", "", *rows, "", f"**{self.verdict}**", ""])
+
+    def record(self) -> dict[str, Any]:
+        """Return everything but the data as plain numbers."""
+        return {
+            "verdict": self.verdict,
+            "alike": list(self.alike),
+            "share": self.share,
+            "laws": [
+                {
+                    "name": law.name,
+                    "criterion": law.criterion,
+                    "difference": law.difference,
+                    "weight": law.weight,
+                    "held_out": list(law.held_out),
+                    "fit": law.fitted.record(),
+                }
+                for law in self.laws
+            ],
+        }
+
+
+def ranked(asked: Mapping[str, Asked], progress: Callable[[float], object] | None = None) -> Ranking:
+    """Rank laws by their fits to the same data, as far as they lie before the horizon of each."""
+    fits: dict[str, tuple[Search, Found]] = {}
+    for k, (name, one) in enumerate(asked.items()):
+        fits[name] = searched(one, partial(_told, progress, k, len(asked)))
+    common = np.logical_and.reduce([found.used for _, found in fits.values()])
+    laws = []
+    for name, (search, found) in fits.items():
+        again = (
+            found if np.array_equal(found.used, common) else search.settled(search.least(found.x, common, found.sigma))
+        )
+        held = _held_out(search, again)
+        fitted = concluded(asked[name], search, again)
+        laws.append((name, fitted, criterion_of(search, again), held))
+    least = min(criterion for *_, criterion, _ in laws)
+    weights = [math.exp(-(criterion - least) / 2) for *_, criterion, _ in laws]
+    found_laws = sorted(
+        (
+            RankedLaw(name, fitted, criterion, criterion - least, weight / sum(weights), held)
+            for (name, fitted, criterion, held), weight in zip(laws, weights, strict=True)
+        ),
+        key=lambda law: law.criterion,
+    )
+    alike = tuple(law.name for law in found_laws[1:] if not _apart(found_laws[0], law))
+    return Ranking(tuple(found_laws), alike, float(np.mean(common)))
+
+
+def _told(progress: Callable[[float], object] | None, number: int, count: int, part: float) -> None:
+    if progress is not None:
+        progress((number + 0.8 * part) / count)
+
+
+def _apart(best: RankedLaw, other: RankedLaw) -> bool:
+    """Return whether data tell a law from the best: by the criterion, and not against the held-out runs."""
+    if other.difference < APART:
+        return False
+    prefer = np.subtract(best.held_out, other.held_out)
+    if len(prefer) < 2:
+        return True
+    return bool(np.sum(prefer) > -DOUBT * math.sqrt(len(prefer)) * float(np.std(prefer, ddof=1)) and np.sum(prefer) > 0)
+
+
+def _held_out(search: Search, found: Found) -> tuple[float, ...]:
+    """Return the log-density of every run, predicted by the fit of the others; empty with one run."""
+    forward, made = search.forward, []
+    if len(forward.observed) < 2:
+        return ()
+    for i in range(len(forward.observed)):
+        kept, left = found.used & (forward.run != i), found.used & (forward.run == i)
+        trained = search.settled(search.least(found.x, kept, found.sigma))
+        sigma = np.where(np.isnan(stated_noise(forward)), trained.sigma, found.sigma)
+        residuals = search.residuals(trained.x, left, sigma)
+        made.append(-float(residuals @ residuals) / 2 - float(np.sum(np.log(sigma[left] * math.sqrt(2 * math.pi)))))
+    return tuple(made)
