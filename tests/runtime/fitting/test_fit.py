@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from hertzwerk.derive.faults import InputError
+from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime import Experiment, MeasuredImpacts, Measurement, fit, load, read_impacts, simulate
 from hertzwerk.runtime.fitting.fitting import read_fit
 
@@ -172,3 +172,73 @@ def test_tables_of_impacts(tmp_path, rows, fault):
     else:
         with pytest.raises(InputError, match=fault):
             read_impacts(file)
+
+
+def test_a_profile_of_a_linear_model_is_its_curvature(ball):
+    data = heights(simulate(ball, duration="0.45 s", tolerance=1e-11))
+    how = {
+        "free": {"gravity": "9..11 m/s^2", TRAVEL: "0.9..1.3 m"},
+        "map": HEIGHT["map"],
+        "noise": HEIGHT["noise"],
+        "starts": 0,
+    }
+    linear, profile = (fit(ball, data, profile=asked, **how) for asked in (False, True))
+    for name in how["free"]:
+        one, other = linear[name].interval, profile[name].interval
+        width = one.high - one.low
+        assert "profile" in other.how and "linear" in one.how
+        assert abs(one.low - other.low) < 2e-3 * width and abs(one.high - other.high) < 2e-3 * width
+    capped = fit(
+        ball, data, profile="auto", **{**how, "free": {"gravity": (("9 m/s^2"), ("9.8 m/s^2")), TRAVEL: "0.9..1.3 m"}}
+    )
+    assert capped["gravity"].interval.open_high and "profile" in capped["gravity"].interval.how
+    assert any("gravity lies at an end of its range" in text for text in capped.warnings)
+
+
+def test_data_past_the_horizon_of_rough_runs_are_left_out(ball):
+    data = heights(simulate(ball, duration="3.5 s", tolerance=1e-11), noise=1e-6, count=80)
+    found = fit(
+        ball,
+        data,
+        free={"restitution": (0.85, 0.95)},
+        map=HEIGHT["map"],
+        noise={"height": "0.001 mm"},
+        tolerance=1e-4,
+        starts=0,
+    )
+    used = found.signals[0].used
+    assert 0.05 < found.share < 0.9 and used[0] and not used[-1]
+    assert any("beyond the horizon" in text for text in found.warnings)
+    assert not np.any(np.diff(used.astype(int)) > 0)  # from one time on
+
+
+def test_where_there_are_no_exact_derivatives_differences_serve(ball, monkeypatch):
+    run = simulate(ball, duration="1.2 s", tolerance=1e-11)
+    how = {"free": {"restitution": (0.3, 1)}, **HEIGHT, "starts": 0}
+    exact = fit(ball, heights(run), **how)
+
+    def refuse(*_):
+        raise InputError("sensitivities", [Fault("friction", "set-valued in two directions", "one")])
+
+    monkeypatch.setattr(type(run), "sensitivities", refuse)
+    found = fit(ball, heights(run), **how)
+    assert "in part by differences: friction: set-valued" in found.derivatives and exact.derivatives.endswith(
+        "every impact"
+    )
+    assert found["restitution"].value == pytest.approx(exact["restitution"].value, abs=1e-6)
+    assert found["restitution"].interval.high == pytest.approx(exact["restitution"].interval.high, abs=1e-6)
+
+
+def test_several_runs_share_what_is_free_and_keep_their_own(ball):
+    """Two drops from known heights tell the restitution better than one: intervals shrink as the information adds."""
+    runs = {
+        h: simulate(ball, duration="1.2 s", tolerance=1e-11, parameters={"drop_height": (h, "m")}) for h in (0.7, 1.0)
+    }
+    experiments = [
+        Experiment(heights(run, seed=k), {"drop_height": (h, "m")}) for k, (h, run) in enumerate(runs.items())
+    ]
+    widths = []
+    for data in ([experiments[0]], [experiments[1]], experiments):
+        interval = fit(ball, data, free={"restitution": (0.3, 1)}, **HEIGHT)["restitution"].interval
+        widths.append(interval.high - interval.low)
+    assert widths[2] == pytest.approx((widths[0] ** -2 + widths[1] ** -2) ** -0.5, rel=5e-3)
