@@ -58,7 +58,7 @@ ROOMS = {
         "statics studies sweeps tables validate work_precision",
         "command_line": "cli",
         "comparing": "measured model pictures/studies solution",
-        "design": "derive/declare derive/dimension derive/faults derive/files derive/units host inputs loading model run sensitivity "
+        "design": "derive/declare derive/dimension derive/faults derive/files derive/units host inputs loading model pictures/sweeps run sensitivity "
         "simulation solution start sweeps",
         "effects": "accuracy derive/declare derive/faults inputs integrate/step loading model run simulation solution start",
         "fitting": "derive/faults derive/units inputs loading measured model run sensitivity simulation solution start sweeps",
@@ -388,6 +388,7 @@ PICTURES = {
         for name in ["accuracy", "band", "comparison", "effects", "fit", "fit", "laws", "page"]
     ),
     "pictures/sweeps/plot_sweep.py",
+    "pictures/sweeps/plot_uncertainty.py",
     *(f"pictures/draw/{name}.py" for name in ["drawing", "insets", "labels", "paper", "picture", "gallery"]),
 }
 

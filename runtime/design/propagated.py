@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Any
 from hertzwerk.runtime.solution.solution import write
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from hertzwerk.runtime.simulation import Solution
     from hertzwerk.runtime.sweeps.sweep_table import Sweep
 
@@ -83,7 +85,8 @@ class Uncertain:
 class Propagated:
     """Uncertain outputs of a model: `found["slider_pin.peak_force"]` is one, iteration yields all.
 
-    names    what is uncertain; run    at its means; samples    the rows, a sweep
+    names    what is uncertain; run    at its means; samples    the rows, a sweep, of which the first `draws` are
+    independent of each other
     notes    why something is missing: runs that did not finish, indices that could not be told
     """
 
@@ -92,6 +95,7 @@ class Propagated:
     outputs: Mapping[str, Uncertain]
     run: Solution
     samples: Sweep
+    draws: int
     notes: tuple[str, ...]
 
     def __getitem__(self, name: str) -> Uncertain:
@@ -143,6 +147,13 @@ class Propagated:
             "outputs": {one.name: plain(vars(one)) for one in self},
             "warnings": list(self.warnings),
         }
+
+    def plot(self) -> Figure:
+        """Draw the samples of every output beside the spread that derivatives tell, and the Sobol indices."""
+        from hertzwerk.runtime.pictures.sweeps.plot_uncertainty import figure
+
+        told = f"{self.draws} samples of {', '.join(self.names)}"
+        return figure(self.scene, [*self], {name: self.samples[name][: self.draws] for name in self.outputs}, told)
 
     def to_csv(self, path: str | Path, *, overwrite: bool = False) -> Path:
         """Write a line for each output, in SI; raises FileExistsError. `samples.to_csv` has the runs."""

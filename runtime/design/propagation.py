@@ -132,9 +132,9 @@ def propagate(
             total=total,
             **spread.moments(),
         )
-    return Propagated(
-        model.name, tuple(drawn), found, run, rows, (*_of_run(run), *_missing(rows, good, indices=indices))
-    )
+    notes = (*_of_run(run), *_missing(rows, good, indices=indices))
+    draws = sample * (2 if indices else 1)
+    return Propagated(model.name, tuple(drawn), found, run, rows, draws, notes)
 
 
 def _sample_faults(sample: object, indices: object) -> list[Fault]:

@@ -38,6 +38,12 @@ def test_a_linear_output_is_told_by_both(fallen):
     assert place.mean == pytest.approx(1 - G * 0.4**2 / 2, abs=2e-4)
     assert place.high - place.low == pytest.approx(2 * 1.96 * place.linear, rel=0.1)
     assert fallen.warnings == ()
+    assert fallen.draws == 256
+    panels = fallen.plot().axes
+    assert [panel.get_title(loc="left") for panel in panels[::2]] == ["final.vertical.travel", "final.vertical.speed"]
+    drawn = panels[0].lines[0].get_xydata()
+    area = np.trapezoid(drawn[:, 1], drawn[:, 0])
+    assert area == pytest.approx(1, abs=1e-3)  # of the normal curve
 
 
 def test_sobol_indices_of_a_sum_are_its_parts(fallen):
