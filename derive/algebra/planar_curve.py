@@ -103,7 +103,7 @@ class Drawn(Sampled):
 
 
 class DrawnTeeth(Drawn):
-    """`DrawnTeeth(curve, *given)`: the same of a flank's copies, with mirror images in X."""
+    """`DrawnTeeth(flank, root, *given)`: the same of teeth, down to the radius of their root."""
 
 
 class Nearest(NoText):

@@ -13,10 +13,12 @@ CURVE_HELPERS = {
     turns = [(ca.cos(2*ca.pi*k/copies), ca.sin(2*ca.pi*k/copies)) for k in range(copies)] if copies > 1 else [(1, 0)]
     points = [(c*x - s*y, s*x + c*y) for c, s in turns for x, y in points]
     return ca.vertcat(*(x for x, _ in points), *(y for _, y in points))''',
-    "_drawn_teeth": '''def _drawn_teeth(curve, data, given):
-    """Points of the flanks of teeth for a picture, each followed by its mirror image, first all x, then all y."""
+    "_drawn_teeth": '''def _drawn_teeth(curve, data, given, root):
+    """Points of teeth for a picture: each flank from its root, followed by its mirror image, first all x, then all y."""
     (start, end), copies = data[0], data[4]
     flank = [curve(start + (end - start)*k/8, *ca.vertsplit(given))[:2] for k in range(9)]
+    (x, y), deep = flank[0], root/ca.sqrt(flank[0][0]**2 + flank[0][1]**2)
+    flank = [(deep*x, deep*y), *flank]
     tooth = [*flank, *((x, -y) for x, y in flank[::-1])]
     turns = [(ca.cos(2*ca.pi*k/copies), ca.sin(2*ca.pi*k/copies)) for k in range(copies)]
     points = [(c*x - s*y, s*x + c*y) for c, s in turns for x, y in tooth]
@@ -318,9 +320,9 @@ _SUPPORT_OF_CHAIN: "dict[object, ca.Function]" = {}''',
                 least = ca.mmin(hollow)
                 starts.append(ca.find(hollow <= least))
         widest = []
-        for table, (_, closed, _, _, _, at) in zip(tables, rows, strict=True):
-            x_all, y_all, count = table[: len(at)], table[len(at) :], len(at)
-            widest.append(ca.mmax((x_all[1:] - x_all[:-1])**2 + (y_all[1:] - y_all[:-1])**2))
+        for table, (*_, at) in zip(tables, rows, strict=True):
+            all_x, all_y = table[: len(at)], table[len(at) :]
+            widest.append(ca.mmax((all_x[1:] - all_x[:-1])**2 + (all_y[1:] - all_y[:-1])**2))
         deepest = -ca.sqrt(ca.fmin(*widest))
         result, least = None, 1e300
         for i in starts:

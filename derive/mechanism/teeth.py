@@ -19,6 +19,7 @@ from hertzwerk.derive.mechanism.parameter import POSITIVE, Interval, Scalar, def
 
 FEWEST = 5  # teeth
 ROOT = 0.04  # of the roll angle at the tip, where a flank starts: on the base circle its radius of curvature is zero
+DEDENDUM = sp.Rational(5, 4)  # in modules
 ACUTE = Interval(0, math.pi / 4)
 
 
@@ -124,4 +125,5 @@ class Profile(SolidCurve):
     @property
     def drawn(self) -> Drawn:
         """Each flank, and its mirror image."""
-        return DrawnTeeth(self.planar, *self.planar.given)  # type: ignore[no-any-return]  # SymPy is untyped
+        root = sp.sympify(self.teeth.module) * (self.teeth.teeth / sp.Integer(2) - DEDENDUM)
+        return DrawnTeeth(self.planar, root, *self.planar.given)  # type: ignore[no-any-return]  # SymPy is untyped

@@ -154,6 +154,11 @@ def _sampled(helper: str) -> Callable[[Any], tuple[str, int]]:
     return rule
 
 
+def _drawn_teeth(node: Any) -> tuple[str, int]:
+    curve, root, *given = node.args
+    return f"_drawn_teeth({_curve(curve)}, {_vector(given)}, {_text(root)[0]})", _ATOM
+
+
 def _found(helper: str) -> Callable[[Any], tuple[str, int]]:
     def rule(node: Any) -> tuple[str, int]:
         curve, samples, x, y, *given = node.args
@@ -220,7 +225,7 @@ _RULES: dict[type, Callable[[Any], tuple[str, int]]] = {
     Spline: _spline,
     Sampled: _sampled("_samples"),
     Drawn: _sampled("_drawn"),
-    DrawnTeeth: _sampled("_drawn_teeth"),
+    DrawnTeeth: _drawn_teeth,
     Nearest: _found("_nearest"),
     Support: _found("_support"),
     Between: _between,

@@ -17,6 +17,7 @@ SHORT = {  # within the horizon of derivatives: with some impacts, before they h
     "slider_crank_three_clearances": "1.5 ms", "slider_crank_dc_motor": "1.5 ms", "spatial_slider_crank": "3 ms",
     "translational_clearance": "3 ms", "two_spheres": "50 ms", "soft_ball": "1 s", "journal_in_bearing": "3 ms",
     "cam_follower": "10 ms", "woodpecker": "20 ms", "andrews_squeezer": "3 ms", "geared_hoist": "0.2 s",
+    "gears_with_backlash": "15 ms", "geneva_drive": "30 ms",
 }  # fmt: skip
 TELLING = ("restitution", "clearance", "friction", "mu", "mass", "gravity", "stiffness", "length")
 BOUND = 2e-5  # of the largest derivative of a history: what the runs themselves err by, at their tolerances
