@@ -56,7 +56,7 @@ def between(k: int, along: sp.Expr, beyond: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     return turned(k, COS * along - SIN * beyond, SIN * along + COS * beyond)
 
 
-pieces = []
+pieces: list[Line | Arc] = []
 for k in range(4):
     pieces += [
         Line(turned(k, root, -half)),
