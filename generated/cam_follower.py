@@ -7,7 +7,7 @@ Effects:
     spring: linear spring of guide
     roller: power x power_damping
     energy_ledger: work put in, energy dissipated per effect
-Units: 52 assignments and 138 outputs checked, all consistent
+Units: 52 assignments and 145 outputs checked, all consistent
 Operations: flight 70 (equations of motion and gaps); in contact also contact_roller 32
 """
 
@@ -31,9 +31,9 @@ PARAMETERS = (
     ("cam_mass", "kg", 1, "body cam, mass"),
     ("cam_inertia", "kg m^2", 0.001, "body cam, inertia"),
     ("follower_mass", "kg", 0.5, "body follower, mass"),
+    ("roller_radius", "mm", 10, "pair roller, radius"),
     ("lift", "mm", 10, "scales, length"),
     ("base", "mm", 40, "least distance of the roller's centre from the cam's axis"),
-    ("roller_radius", "mm", 10, "pair roller, radius"),
     ("gravity", "m/s^2", 9.81, "effect gravity, acceleration"),
     ("cam_speed", "rpm", 1800, "effect motor, speed"),
     ("spring_stiffness", "N/mm", 2, "effect spring, stiffness"),
@@ -104,13 +104,14 @@ LANDMARKS = (
     ("spring", "slide_spring", "child", "follower", ()),
     ("cam", "body", "centre", "cam", ()),
     ("follower", "body", "centre", "follower", ()),
+    ("follower", "solid_rod", "shape_1", "follower", ("axis", "length")),
 )
 
 CONSTANTS = (
     ("follower_mass", "kg"),
+    ("roller_radius", "m"),
     ("lift", "m"),
     ("base", "m"),
-    ("roller_radius", "m"),
     ("gravity", "m/s^2"),
     ("cam_speed", "1/s"),
     ("spring_stiffness", "N/m"),
@@ -222,7 +223,7 @@ OPERATIONS = (
     ("poses", 4),
     ("outputs", 7),
     ("period", 3),
-    ("landmarks", 1),
+    ("landmarks", 4),
 )
 
 RIM_CURVE = (
@@ -363,15 +364,15 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (17,): follower_mass, lift, base, roller_radius, gravity, cam_speed, spring_stiffness, contact_stiffness,
+        c (17,): follower_mass, roller_radius, lift, base, gravity, cam_speed, spring_stiffness, contact_stiffness,
             contact_damping, k1, rim_samples, cam_speed_squared, half_contact_stiffness, inverse_follower_mass,
             half_follower_mass, half_cam_speed_squared_times_cam_inertia, follower_mass_times_gravity
     """
     cam_inertia = p[1]
     follower_mass = p[2]
-    lift = p[3]
-    base = p[4]
-    roller_radius = p[5]
+    roller_radius = p[3]
+    lift = p[4]
+    base = p[5]
     gravity = p[6]
     cam_speed = p[7]
     spring_stiffness = p[8]
@@ -386,7 +387,7 @@ def constants(p):
     half_follower_mass = follower_mass/2
     half_cam_speed_squared_times_cam_inertia = cam_speed_squared*cam_inertia/2
     follower_mass_times_gravity = follower_mass*gravity
-    return ca.vertcat(follower_mass, lift, base, roller_radius, gravity, cam_speed, spring_stiffness,
+    return ca.vertcat(follower_mass, roller_radius, lift, base, gravity, cam_speed, spring_stiffness,
         contact_stiffness, contact_damping, k1, rim_samples, cam_speed_squared, half_contact_stiffness,
         inverse_follower_mass, half_follower_mass, half_cam_speed_squared_times_cam_inertia,
         follower_mass_times_gravity)
@@ -401,8 +402,8 @@ def start(p):
         u (1,): guide.speed [m/s]
     """
     follower_mass = p[2]
-    lift = p[3]
-    base = p[4]
+    lift = p[4]
+    base = p[5]
     gravity = p[6]
     cam_speed = p[7]
     preload = p[9]
@@ -426,7 +427,7 @@ def scales(p):
     """
     cam_mass = p[0]
     follower_mass = p[2]
-    lift = p[3]
+    lift = p[4]
     cam_speed = p[7]
     total_mass = cam_mass + follower_mass
     energy_scale = total_mass*cam_speed*cam_speed*lift*lift/2
@@ -459,9 +460,9 @@ def gaps(t, q, u, c):
         G (1,): roller [m]
         dG (1,): roller [m/s]
     """
-    lift = c[1]
-    base = c[2]
-    roller_radius = c[3]
+    roller_radius = c[1]
+    lift = c[2]
+    base = c[3]
     cam_speed = c[5]
     rim_samples = c[10:92]
     guide_travel = q[0]
@@ -491,9 +492,9 @@ def gap_accelerations(t, q, u, a, c):
     Returns, each a column vector:
         ddG (1,): roller [m/s^2]
     """
-    lift = c[1]
-    base = c[2]
-    roller_radius = c[3]
+    roller_radius = c[1]
+    lift = c[2]
+    base = c[3]
     cam_speed = c[5]
     rim_samples = c[10:92]
     cam_speed_squared = c[92]
@@ -535,9 +536,9 @@ def contact_roller(t, q, u, z, m, c):
         sliding_velocity (0,): empty
         in_range (1,): roller [1]
     """
-    lift = c[1]
-    base = c[2]
-    roller_radius = c[3]
+    roller_radius = c[1]
+    lift = c[2]
+    base = c[3]
     cam_speed = c[5]
     contact_stiffness = c[7]
     contact_damping = c[8]
@@ -627,9 +628,9 @@ def energy(t, q, u, c):
         potential (1,): potential [J]
         stored (1,): roller [J]
     """
-    lift = c[1]
-    base = c[2]
-    roller_radius = c[3]
+    roller_radius = c[1]
+    lift = c[2]
+    base = c[3]
     cam_speed = c[5]
     spring_stiffness = c[6]
     k1 = c[9]
@@ -688,9 +689,9 @@ def outputs(t, q, u, c):
     Returns, each a column vector:
         y (2,): roller.gap [m], roller.parameter [1]
     """
-    lift = c[1]
-    base = c[2]
-    roller_radius = c[3]
+    roller_radius = c[1]
+    lift = c[2]
+    base = c[3]
     cam_speed = c[5]
     rim_samples = c[10:92]
     guide_travel = q[0]
@@ -735,10 +736,11 @@ def landmarks(p):
         spring.child (3,): x [m], y [m], z [m]
         cam.centre (3,): x [m], y [m], z [m]
         follower.centre (3,): x [m], y [m], z [m]
+        follower.shape_1 (7,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1], length [m]
     """
-    lift = p[3]
-    base = p[4]
-    roller_radius = p[5]
+    roller_radius = p[3]
+    lift = p[4]
+    base = p[5]
     return (
         ca.vertcat(0, 0, 0, 0, 0, 1),
         ca.vertcat(0, 0, 0, 0, 0, 1),
@@ -752,4 +754,5 @@ def landmarks(p):
         ca.vertcat(0, 0, 0),
         ca.vertcat(0, 0, 0),
         ca.vertcat(0, 0, 0),
+        ca.vertcat(0, 5*roller_radius/2, 0, 0, 1, 0, 5*roller_radius),
     )

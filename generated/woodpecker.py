@@ -11,7 +11,7 @@ Effects:
     lower_friction: smooth_coulomb at lower
     beak_friction: smooth_coulomb at beak
     energy_ledger: work put in, energy dissipated per effect
-Units: 121 assignments and 234 outputs checked, all consistent
+Units: 121 assignments and 283 outputs checked, all consistent
 Operations: flight 169 (equations of motion and gaps); in contact also contact_upper 40, contact_lower 40, contact_beak 60
 """
 
@@ -38,15 +38,15 @@ UNCHECKED = ()
 PARAMETERS = (
     ("sleeve_mass", "g", 0.3, "body sleeve, mass"),
     ("sleeve_inertia", "kg m^2", 5e-09, "body sleeve, inertia"),
+    ("sleeve_radius", "mm", 3.1, "point of sleeve"),
+    ("hinge", "mm", 10, "point of sleeve"),
+    ("sleeve_half_height", "mm", 5.8, "point of sleeve"),
     ("bird_mass", "g", 4.5, "body bird, mass"),
     ("bird_inertia", "kg m^2", 7e-07, "body bird, inertia"),
     ("bird_centre", "mm", 15, "from the hinge"),
-    ("hinge", "mm", 10, "point of sleeve"),
-    ("sleeve_radius", "mm", 3.1, "point of sleeve"),
-    ("sleeve_half_height", "mm", 5.8, "point of sleeve"),
-    ("bar_radius", "mm", 2.5, "point of ground"),
-    ("beak_back", "mm", 20.1, "from the bird's mass centre"),
     ("beak_height", "mm", 20, "point of bird"),
+    ("beak_back", "mm", 20.1, "from the bird's mass centre"),
+    ("bar_radius", "mm", 2.5, "point of ground"),
     ("gravity", "m/s^2", 9.81, "effect gravity, acceleration"),
     ("spring_stiffness", "N m/rad", 0.0056, "effect spring, stiffness"),
     ("stiffness", "N/m^1.5", 1000000.0, "effect upper, stiffness of power"),
@@ -67,6 +67,7 @@ LIMITS = (
     ("sleeve_inertia", "defined", 0, None, False, False, "body sleeve, inertia"),
     ("bird_mass", "defined", 0, None, True, False, "body bird, mass"),
     ("bird_inertia", "defined", 0, None, False, False, "body bird, inertia"),
+    ("bird_centre", "defined", 0, None, True, False, "body bird, cylinder, length"),
     ("spring_stiffness", "defined", 0, None, False, False, "effect spring, stiffness"),
     ("stiffness", "defined", 0, None, True, False, "effect upper, stiffness of power"),
     ("sleeve_restitution", "defined", 0, 1, False, False, "effect upper, coefficient of restitution of hunt_crossley"),
@@ -160,15 +161,22 @@ LANDMARKS = (
     ("spring", "turn_spring", "child", "bird", ("axis",)),
     ("sleeve", "body", "centre", "sleeve", ()),
     ("bird", "body", "centre", "bird", ()),
+    ("sleeve", "solid_box", "shape_1", "sleeve", ("size",)),
+    ("sleeve", "solid_box", "shape_2", "sleeve", ("size",)),
+    ("sleeve", "solid_rod", "shape_3", "sleeve", ("axis", "length")),
+    ("bird", "solid_cylinder", "shape_1", "bird", ("axis", "radius", "length")),
+    ("bird", "solid_cylinder", "shape_2", "bird", ("axis", "radius", "length")),
+    ("bird", "solid_rod", "shape_3", "bird", ("axis", "length")),
+    ("bird", "solid_rod", "shape_4", "bird", ("axis", "length")),
 )
 
 CONSTANTS = (
-    ("bird_centre", "m"),
-    ("hinge", "m"),
     ("sleeve_radius", "m"),
+    ("hinge", "m"),
     ("sleeve_half_height", "m"),
-    ("bar_radius", "m"),
+    ("bird_centre", "m"),
     ("beak_height", "m"),
+    ("bar_radius", "m"),
     ("gravity", "m/s^2"),
     ("spring_stiffness", "J"),
     ("stiffness", "N/m^1.5"),
@@ -208,7 +216,7 @@ OPERATIONS = (
     ("energy", 83),
     ("poses", 10),
     ("outputs", 19),
-    ("landmarks", 2),
+    ("landmarks", 61),
 )
 
 
@@ -217,7 +225,7 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (27,): bird_centre, hinge, sleeve_radius, sleeve_half_height, bar_radius, beak_height, gravity,
+        c (27,): sleeve_radius, hinge, sleeve_half_height, bird_centre, beak_height, bar_radius, gravity,
             spring_stiffness, stiffness, friction_coefficient, beak_back_minus_bird_centre, total_mass,
             two_fifths_of_stiffness, upper_hysteresis_factor, inverse_friction_speed, beak_hysteresis_factor,
             bird_h_x, sleeve_h_x, bird_I_z_z, bird_I_z_z_plus_sleeve_I_z_z, inverse_bird_I_z_z, half_bird_I_z_z,
@@ -226,15 +234,15 @@ def constants(p):
     """
     sleeve_mass = p[0]
     sleeve_inertia = p[1]
-    bird_mass = p[2]
-    bird_inertia = p[3]
-    bird_centre = p[4]
-    hinge = p[5]
-    sleeve_radius = p[6]
-    sleeve_half_height = p[7]
-    bar_radius = p[8]
+    sleeve_radius = p[2]
+    hinge = p[3]
+    sleeve_half_height = p[4]
+    bird_mass = p[5]
+    bird_inertia = p[6]
+    bird_centre = p[7]
+    beak_height = p[8]
     beak_back = p[9]
-    beak_height = p[10]
+    bar_radius = p[10]
     gravity = p[11]
     spring_stiffness = p[12]
     stiffness = p[13]
@@ -260,7 +268,7 @@ def constants(p):
     half_bird_mass = bird_mass/2
     gravity_times_sleeve_mass = gravity*sleeve_mass
     bird_mass_times_gravity = bird_mass*gravity
-    return ca.vertcat(bird_centre, hinge, sleeve_radius, sleeve_half_height, bar_radius, beak_height, gravity,
+    return ca.vertcat(sleeve_radius, hinge, sleeve_half_height, bird_centre, beak_height, bar_radius, gravity,
         spring_stiffness, stiffness, friction_coefficient, beak_back_minus_bird_centre, total_mass,
         two_fifths_of_stiffness, upper_hysteresis_factor, inverse_friction_speed, beak_hysteresis_factor, bird_h_x,
         sleeve_h_x, bird_I_z_z, bird_I_z_z_plus_sleeve_I_z_z, inverse_bird_I_z_z, half_bird_I_z_z, half_sleeve_mass,
@@ -294,10 +302,10 @@ def scales(p):
         s (4,): length [m], speed [m/s], force [N], energy [J]
     """
     sleeve_mass = p[0]
-    bird_mass = p[2]
-    sleeve_radius = p[6]
-    sleeve_half_height = p[7]
-    bar_radius = p[8]
+    sleeve_radius = p[2]
+    sleeve_half_height = p[4]
+    bird_mass = p[5]
+    bar_radius = p[10]
     pace = p[23]
     total_mass = bird_mass + sleeve_mass
     energy_scale = total_mass*pace*pace/2
@@ -334,11 +342,11 @@ def gaps(t, q, u, c):
         G (3,): upper [m], lower [m], beak [m]
         dG (3,): upper [m/s], lower [m/s], beak [m/s]
     """
+    sleeve_radius = c[0]
     hinge = c[1]
-    sleeve_radius = c[2]
-    sleeve_half_height = c[3]
-    bar_radius = c[4]
-    beak_height = c[5]
+    sleeve_half_height = c[2]
+    beak_height = c[4]
+    bar_radius = c[5]
     beak_back_minus_bird_centre = c[10]
     tilt_angle = q[1]
     spring_hinge_angle = q[2]
@@ -381,10 +389,10 @@ def gap_accelerations(t, q, u, a, c):
     Returns, each a column vector:
         ddG (3,): upper [m/s^2], lower [m/s^2], beak [m/s^2]
     """
+    sleeve_radius = c[0]
     hinge = c[1]
-    sleeve_radius = c[2]
-    sleeve_half_height = c[3]
-    beak_height = c[5]
+    sleeve_half_height = c[2]
+    beak_height = c[4]
     beak_back_minus_bird_centre = c[10]
     tilt_angle = q[1]
     spring_hinge_angle = q[2]
@@ -433,9 +441,9 @@ def contact_upper(t, q, u, z, m, c):
         sliding_velocity (1,): upper [m/s]
         in_range (1,): upper [1]
     """
-    sleeve_radius = c[2]
-    sleeve_half_height = c[3]
-    bar_radius = c[4]
+    sleeve_radius = c[0]
+    sleeve_half_height = c[2]
+    bar_radius = c[5]
     stiffness = c[8]
     friction_coefficient = c[9]
     upper_hysteresis_factor = c[13]
@@ -481,9 +489,9 @@ def contact_lower(t, q, u, z, m, c):
         sliding_velocity (1,): lower [m/s]
         in_range (1,): lower [1]
     """
-    sleeve_radius = c[2]
-    sleeve_half_height = c[3]
-    bar_radius = c[4]
+    sleeve_radius = c[0]
+    sleeve_half_height = c[2]
+    bar_radius = c[5]
     stiffness = c[8]
     friction_coefficient = c[9]
     upper_hysteresis_factor = c[13]
@@ -530,8 +538,8 @@ def contact_beak(t, q, u, z, m, c):
         in_range (1,): beak [1]
     """
     hinge = c[1]
-    bar_radius = c[4]
-    beak_height = c[5]
+    beak_height = c[4]
+    bar_radius = c[5]
     stiffness = c[8]
     friction_coefficient = c[9]
     beak_back_minus_bird_centre = c[10]
@@ -688,12 +696,12 @@ def energy(t, q, u, c):
         potential (1,): potential [J]
         stored (3,): upper [J], lower [J], beak [J]
     """
-    bird_centre = c[0]
+    sleeve_radius = c[0]
     hinge = c[1]
-    sleeve_radius = c[2]
-    sleeve_half_height = c[3]
-    bar_radius = c[4]
-    beak_height = c[5]
+    sleeve_half_height = c[2]
+    bird_centre = c[3]
+    beak_height = c[4]
+    bar_radius = c[5]
     spring_stiffness = c[7]
     beak_back_minus_bird_centre = c[10]
     two_fifths_of_stiffness = c[12]
@@ -782,11 +790,11 @@ def outputs(t, q, u, c):
     Returns, each a column vector:
         y (3,): upper.gap [m], lower.gap [m], beak.gap [m]
     """
+    sleeve_radius = c[0]
     hinge = c[1]
-    sleeve_radius = c[2]
-    sleeve_half_height = c[3]
-    bar_radius = c[4]
-    beak_height = c[5]
+    sleeve_half_height = c[2]
+    beak_height = c[4]
+    bar_radius = c[5]
     beak_back_minus_bird_centre = c[10]
     tilt_angle = q[1]
     spring_hinge_angle = q[2]
@@ -827,14 +835,32 @@ def landmarks(p):
         spring.child (6,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1]
         sleeve.centre (3,): x [m], y [m], z [m]
         bird.centre (3,): x [m], y [m], z [m]
+        sleeve.shape_1 (6,): x [m], y [m], z [m], size_x [m], size_y [m], size_z [m]
+        sleeve.shape_2 (6,): x [m], y [m], z [m], size_x [m], size_y [m], size_z [m]
+        sleeve.shape_3 (7,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1], length [m]
+        bird.shape_1 (8,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1], radius [m], length [m]
+        bird.shape_2 (8,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1], radius [m], length [m]
+        bird.shape_3 (7,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1], length [m]
+        bird.shape_4 (7,): x [m], y [m], z [m], axis_x [1], axis_y [1], axis_z [1], length [m]
     """
-    bird_centre = p[4]
-    hinge = p[5]
-    sleeve_radius = p[6]
-    sleeve_half_height = p[7]
-    bar_radius = p[8]
+    sleeve_radius = p[2]
+    hinge = p[3]
+    sleeve_half_height = p[4]
+    bird_centre = p[7]
+    beak_height = p[8]
     beak_back = p[9]
-    beak_height = p[10]
+    bar_radius = p[10]
+    minus_quarter_of_sleeve_radius = -sleeve_radius/4
+    quarter_of_hinge = hinge/4
+    x3 = minus_quarter_of_sleeve_radius + quarter_of_hinge
+    twice_sleeve_half_height = 2*sleeve_half_height
+    sqrt_10 = ca.sqrt(10)
+    beak_height_squared = beak_height*beak_height
+    x7 = beak_height_squared/25
+    beak_back_squared = beak_back*beak_back
+    x9 = 4*beak_back_squared/9
+    x10 = x7 + x9
+    x11 = 1/ca.sqrt(x10)
     return (
         ca.vertcat(0, 0, 0, 0, 1, 0),
         ca.vertcat(0, 0, 0, 0, 1, 0),
@@ -852,4 +878,12 @@ def landmarks(p):
         ca.vertcat(0, 0, 0, 0, 0, 1),
         ca.vertcat(0, 0, 0),
         ca.vertcat(bird_centre, 0, 0),
+        ca.vertcat(hinge/8 + 7*sleeve_radius/8, 0, 0, x3, twice_sleeve_half_height, x3),
+        ca.vertcat(-7*sleeve_radius/8 - hinge/8, 0, 0, x3, twice_sleeve_half_height, x3),
+        ca.vertcat(3*sleeve_radius/8 + 5*hinge/8, 0, 0, 1, 0, 0, 3*hinge/4 - 3*sleeve_radius/4),
+        ca.vertcat(bird_centre, 0, 0, 0, 0, 1, bird_centre/2, bird_centre),
+        ca.vertcat(bird_centre - beak_back/3, 4*beak_height/5, 0, 0, 0, 1, bird_centre/4, bird_centre),
+        ca.vertcat(bird_centre - beak_back/6, beak_height/2, 0, -sqrt_10/10, 3*sqrt_10/10, 0, 2*beak_height/3),
+        ca.vertcat(bird_centre - 2*beak_back/3, 9*beak_height/10, 0, -2*x11*beak_back/3, x11*beak_height/5, 0,
+            2*beak_back/3),
     )

@@ -48,7 +48,8 @@ rim = Curve(
 )
 
 cam = Body("cam", Parameter("cam_mass", "kg", 1), Parameter("cam_inertia", "kg m^2", 1e-3))
-follower = Body("follower", m)
+stem = Body.rod("stem", 5 * radius, mass=m, axis=Y, centre=(0, 5 * radius / 2, 0))
+follower = Body("follower", m, shapes=stem.shapes)  # for pictures
 pressed = preload + m * g + m * lift / 2 * speed**2  # at the start, where it is accelerated upwards
 
 scene = Scene(

@@ -11,6 +11,7 @@ from hertzwerk.derive import (  # fmt: skip
     Body,
     Contact,
     CornerOnFace,
+    Direction,
     EnergyLedger,
     Friction,
     Gravity,
@@ -36,8 +37,36 @@ LAYER = Parameter("friction_speed", "m/s", 1e-5)
 
 
 carriage = Body("carriage", 0)
-sleeve = Body("sleeve", Parameter("sleeve_mass", "g", 0.3), Parameter("sleeve_inertia", "kg m^2", 5e-9))
-bird = Body("bird", Parameter("bird_mass", "g", 4.5), Parameter("bird_inertia", "kg m^2", 7e-7), centre=(CENTRE, 0, 0))
+light, heavy = Parameter("sleeve_mass", "g", 0.3), Parameter("bird_mass", "g", 4.5)
+wall, arm = (HINGE - SLEEVE) / 4, 3 * (HINGE - SLEEVE) / 4
+outlines = {  # for pictures: sleeve and arm, bird and beak
+    "sleeve": (
+        Body.box("wall", wall, 2 * HALF, wall, mass=light, centre=(SLEEVE + wall / 2, 0, 0)),
+        Body.box("back", wall, 2 * HALF, wall, mass=light, centre=(-SLEEVE - wall / 2, 0, 0)),
+        Body.rod("arm", arm, mass=light, centre=(HINGE - arm / 2, 0, 0)),
+    ),
+    "bird": (
+        Body.cylinder("breast", CENTRE / 2, CENTRE, mass=heavy, centre=(CENTRE, 0, 0)),
+        Body.cylinder("head", CENTRE / 4, CENTRE, mass=heavy, centre=(CENTRE - BEAK[0] / 3, BEAK[1] * 4 / 5, 0)),
+        Body.rod(
+            "neck",
+            BEAK[1] * 2 / 3,
+            mass=heavy,
+            axis=Direction((-1, 3, 0)),
+            centre=(CENTRE - BEAK[0] / 6, BEAK[1] / 2, 0),
+        ),
+        Body.rod(
+            "beak",
+            2 * BEAK[0] / 3,
+            mass=heavy,
+            axis=Direction((-BEAK[0] * 2 / 3, BEAK[1] / 5, 0)),
+            centre=(CENTRE - 2 * BEAK[0] / 3, BEAK[1] * 9 / 10, 0),
+        ),
+    ),
+}
+shapes = {name: tuple(shape for part in parts for shape in part.shapes) for name, parts in outlines.items()}
+sleeve = Body("sleeve", light, Parameter("sleeve_inertia", "kg m^2", 5e-9), shapes=shapes["sleeve"])
+bird = Body("bird", heavy, Parameter("bird_inertia", "kg m^2", 7e-7), centre=(CENTRE, 0, 0), shapes=shapes["bird"])
 face = GROUND.at(BAR, 0, 0)
 corners = {
     "upper": sleeve.at(SLEEVE, HALF, 0),

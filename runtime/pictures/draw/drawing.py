@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -31,6 +31,7 @@ DISTINCT = 0.07  # of the size of the mechanism: least distance of ghosts, if le
 PATHS = 3
 ROUNDS = 4.0  # of the size of a path: longest part shown, once around a circle and more
 MANY = 16  # most names that are placed
+ALIKE = 4  # bodies that are numbered alike, of which the first has their name
 UNITS = (("m", 1.0), ("cm", 1e-2), ("mm", 1e-3), ("µm", 1e-6))
 
 
@@ -165,11 +166,16 @@ class Drawing:
         parts = self.parts
         bodies = parts.places.bodies[1:]
         if len(bodies) <= MANY:
-            for body in bodies:
-                yield labels.Label(body, parts.beside(paper, body, 0), shade(parts.colours[body]), size)
+            for body, text in _named(bodies).items():
+                yield labels.Label(text, parts.beside(paper, body, 0), shade(parts.colours[body]), size)
         for (name, kind), marks in parts.of.items():
             if kind in ("spring", "damper", "bushing", "slide_spring", "slide_damper"):
-                a, b = parts.at(marks[0], 0), parts.at(marks[1], 0)
+                sliding = kind in ("slide_spring", "slide_damper")
+                a, b = (
+                    force_symbols.along_slide(parts, paper, marks, 0)[:2]
+                    if sliding
+                    else (parts.at(m, 0) for m in marks[:2])
+                )
                 yield labels.Label(name, np.array([(a + b) / 2, a + 0.3 * (b - a), a + 0.7 * (b - a)]), INK, size - 1)
             elif kind in (
                 "belt",
@@ -281,3 +287,17 @@ def _nice(length: float) -> float:
     """Return the nearest of 1, 2, 5, 10, ... below a length."""
     power = 10.0 ** np.floor(np.log10(length))
     return float(max(step * power for step in (1, 2, 5) if step * power <= length))
+
+
+def _named(bodies: Sequence[str]) -> dict[str, str]:
+    """Return bodies and their labels: of many that are numbered alike the first alone, as "ball_0 .. 5"."""
+    rows: dict[str, list[str]] = {}
+    for body in bodies:
+        rows.setdefault(body.rstrip("0123456789"), []).append(body)
+    named: dict[str, str] = {}
+    for stem, row in rows.items():
+        if len(row) < ALIKE:
+            named |= {body: body for body in row}
+        else:
+            named[row[0]] = f"{row[0]} .. {row[-1].removeprefix(stem)}"
+    return named

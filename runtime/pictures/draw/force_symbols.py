@@ -29,20 +29,29 @@ def _between(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> N
         (paper.zigzag if marks[0].kind.endswith("spring") else paper.dashpot)(a, b)
 
 
-def _on_slide(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> None:
-    """Draw between both points of a joint, or, where they are close, from the ground behind the slider.
+def along_slide(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> tuple[Array, Array, bool]:
+    """Return the ends of a spring or damper of a slide, and whether the first is fixed to ground drawn there.
 
-    A damper stands beside a spring.
+    They are both points of the joint; where these are close, the ground is behind the slider, where the outline of another
+    body is between them, before it. A damper stands beside a spring.
     """
     way, _ = parts.way(marks[0], "axis", i)
     side = np.array([-way[1], way[0]]) * paper.point * (0.0 if marks[0].kind.endswith("spring") else 9.0)
     a, b = (parts.at(mark, i) + side for mark in marks[:2])
     along, _ = parts.half_block(paper, marks[1])
-    away = way if (b - a) @ way >= 0 else -way
+    away, reach = way if (b - a) @ way >= 0 else -way, 1.4 * ARROW * paper.point
+    if parts.is_covered((a + b) / 2, marks[1].body, i):
+        return b + (along + reach) * away, b + along * away, True
     b = b - along * away
-    if (b - a) @ away < ARROW * paper.point:
-        a = b - 1.4 * ARROW * paper.point * away
-        edge = np.array([-way[1], way[0]]) * 9 * paper.point
+    near = bool((b - a) @ away < ARROW * paper.point)
+    return (b - reach * away if near else a), b, near
+
+
+def _on_slide(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> None:
+    a, b, grounded = along_slide(parts, paper, marks, i)
+    if grounded:
+        away = (b - a) / float(np.linalg.norm(b - a))
+        edge = np.array([-away[1], away[0]]) * 9 * paper.point
         paper.ground(a - edge, a + edge, -away)
     (paper.zigzag if marks[0].kind.endswith("spring") else paper.dashpot)(a, b)
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from matplotlib.path import Path
 
 from hertzwerk.runtime.host.lazy import cached_property
 from hertzwerk.runtime.pictures.draw.paper import INK, ROUND, Paper, hull
@@ -367,6 +368,11 @@ class Parts:
             raise ValueError(f"{mark.part}: no curve at {mark.place}")
         b = self.places.bodies.index(mark.body)
         return self.flat(self.places.origins[i, b] + mark.curve @ self.places.rotations[i, b].T)
+
+    def is_covered(self, at: Array, body: str, i: int) -> bool:
+        """Return whether the outline of another body goes round a point on the paper."""
+        outlines = (mark for mark in self.places.landmarks if "outline" in mark.beside and mark.body != body)
+        return any(Path(self.curve(mark, i)).contains_point((float(at[0]), float(at[1]))) for mark in outlines)
 
     def _curve(self, paper: Paper, mark: Landmark, i: int) -> None:
         if "outline" in mark.beside:

@@ -176,7 +176,7 @@ def test_the_operations_of_every_mode_are_those_that_its_functions_do(name):
     for function, _ in names["OPERATIONS"]:
         arguments = names[function].__code__.co_varnames[: names[function].__code__.co_argcount]
         Counted.count = 0
-        names[function](*(Counted() if argument == "t" else [Counted()] * 200 for argument in arguments))
+        names[function](*(Counted() if argument == "t" else [Counted()] * 500 for argument in arguments))
         done[function] = Counted.count
         if "c" in arguments:
             assert dict(names["OPERATIONS"])[function] == Counted.count, function
