@@ -441,19 +441,29 @@ def _between(first, first_data, second, second_data, samples, other_samples, giv
             spread.append((x, y, ca.MX(ca.DM(at*3 if copies > 1 else at)), turns))
         (x, y, parameters, turns), (to_x, to_y, to_parameters, to_turns) = spread
         x, y = ox + c*x - s*y, oy + s*x + c*y
-        n, m = x.numel(), to_x.numel()
-        squares = (ca.repmat(x.T, m, 1) - ca.repmat(to_x, 1, n))**2 + (ca.repmat(y.T, m, 1) - ca.repmat(to_y, 1, n))**2
-        d = ca.vertcat(*map(ca.mmin, ca.horzsplit(squares)))
-        starts = []
-        if rows[0][4] > 1:
-            for j in range(3):
-                block = d[j*n//3 : (j + 1)*n//3]
-                starts.append(j*n//3 + ca.find(block <= ca.mmin(block)))
+
+        def nearest(some_x, some_y, at_x, at_y):  # of some points
+            apart = (some_x - at_x)**2 + (some_y - at_y)**2
+            return ca.find(apart <= ca.mmin(apart))
+
+        n, m, starts = x.numel(), to_x.numel(), []
+        if rows[0][4] > 1 or rows[0][3] == rows[1][3] == 1:  # one hollow: to and fro
+            count = len(rows[0][5])
+            for j in range(n//count):
+                here = slice(j*count, (j + 1)*count)
+                at_x, at_y = ca.sum1(x[here])/count, ca.sum1(y[here])/count
+                for _ in range(2):
+                    k = nearest(to_x, to_y, at_x, at_y)
+                    i = j*count + nearest(x[here], y[here], to_x[k], to_y[k])
+                    at_x, at_y = x[i], y[i]
+                starts.append(i)
         else:
+            squares = (ca.repmat(x.T, m, 1) - ca.repmat(to_x, 1, n))**2 + (ca.repmat(y.T, m, 1) - ca.repmat(to_y, 1, n))**2
+            d = ca.vertcat(*map(ca.mmin, ca.horzsplit(squares)))
             starts.append(ca.find(d <= ca.mmin(d)))
             before, after = ca.vertcat(d[-1] if rows[0][1] else 1e300, d[:-1]), ca.vertcat(d[1:], d[0] if rows[0][1] else 1e300)
             hollow, least = ca.if_else(ca.logic_and(d <= before, d < after), d, 1e300), ca.mmin(d)
-            for _ in range(0 if rows[0][3] == rows[1][3] == 1 else 3):
+            for _ in range(3):
                 hollow = ca.if_else(hollow > least, hollow, 1e300)
                 least = ca.mmin(hollow)
                 starts.append(ca.find(hollow <= least))
@@ -464,8 +474,7 @@ def _between(first, first_data, second, second_data, samples, other_samples, giv
         deepest = -ca.sqrt(ca.fmin(*widest))
         result, least = None, 1e300
         for i in starts:
-            e = (to_x - x[i])**2 + (to_y - y[i])**2
-            j = ca.find(e <= ca.mmin(e))
+            j = nearest(to_x, to_y, x[i], y[i])
             angle = [2*ca.pi*turn[k if copies > 1 else 0]/copies for turn, k, copies in ((turns, i, rows[0][4]), (to_turns, j, rows[1][4]))]
             cos, sin = ca.cos(angle[1]), ca.sin(angle[1])
             turned = ca.atan2(s, c) + angle[0] - angle[1]

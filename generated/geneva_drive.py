@@ -335,7 +335,8 @@ def _nearest_of_chain(pieces, data, samples, given, point):
                 whole, part = (turn*ca.atan2(u[0]*x[1] - u[1]*x[0], u[0]*x[0] + u[1]*x[1]) for x in (v, w))
                 share = (part + 2*ca.pi*(part < 0))/(whole + 2*ca.pi*(whole <= 0))
                 least = ca.fmax(away, 1e-12*radius)
-                found.append((share <= 1, turn*side*(away - radius), turn*side*w/least, turn*side/least, k + share))
+                pace = 1/(least*(whole + 2*ca.pi*(whole <= 0)))
+                found.append((share <= 1, turn*side*(away - radius), turn*side*w/least, turn*side/least, k + share, pace))
                 ends.append((turn*u/radius, turn*v/radius))
             else:
                 way, w = b - a, p - a
@@ -343,7 +344,7 @@ def _nearest_of_chain(pieces, data, samples, given, point):
                 n = ca.vertcat(way[1], -way[0])/length
                 share = (w[0]*way[0] + w[1]*way[1])/length**2
                 beside = ca.logic_and(share >= 0, share <= 1)
-                found.append((beside, side*(w[0]*n[0] + w[1]*n[1]), side*n, 0, k + share))
+                found.append((beside, side*(w[0]*n[0] + w[1]*n[1]), side*n, 0, k + share, 1/length))
                 ends.append((n, n))
         for k in range(count + (not closed)):
             corner = rows[6*k : 6*k + 2] if k < count else rows[-4:-2]
@@ -354,18 +355,18 @@ def _nearest_of_chain(pieces, data, samples, given, point):
             if closed or 0 < k < count:  # outside by the sum of both normals
                 n = ends[k - 1][1] + ends[k][0]
                 sign = ca.if_else(side*(w[0]*n[0] + w[1]*n[1]) < 0, -1, 1)
-            found.append((1, sign*away, sign*w/least, sign/least, k))
-        best, result = 1e300, ca.SX.zeros(5)
-        for beside, h, n, bend, s in found:
+            found.append((1, sign*away, sign*w/least, sign/least, k, 0))
+        best, result = 1e300, ca.SX.zeros(6)
+        for beside, h, n, bend, s, pace in found:
             here = ca.if_else(beside, ca.fabs(h), 1e300)
-            result = ca.if_else(here < best, ca.vertcat(h, n, bend, s), result)
+            result = ca.if_else(here < best, ca.vertcat(h, n, bend, s, side*pace), result)
             best = ca.fmin(here, best)
-        o = ca.SX.sym("o", 5)
+        o = ca.SX.sym("o", 6)
         n, t = ca.vertcat(o[1], o[2]), ca.vertcat(-o[2], o[1])
         inputs = [rows, values, p]
         slopes = ca.Function(
             "jac_nearest", [*(ca.SX.sym("i", x.shape) for x in inputs), o],
-            [ca.SX(5, rows.numel()), ca.SX(5, given.numel()), ca.vertcat(n.T, o[3]*t@t.T, ca.SX(2, 2))],
+            [ca.SX(6, rows.numel()), ca.SX(6, given.numel()), ca.vertcat(n.T, o[3]*t@t.T, ca.SX(1, 2), o[5]*t.T, ca.SX(1, 2))],
             ["samples", "given", "point", "out_found"], ["jac_found_samples", "jac_found_given", "jac_found_point"],
         )
         called = {"never_inline": True, "custom_jacobian": slopes, "enable_forward": False, "enable_reverse": False}

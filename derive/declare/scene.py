@@ -20,6 +20,7 @@ from hertzwerk.derive.effects.contacts import Contact, Friction
 from hertzwerk.derive.effects.drives import AnyDrive
 from hertzwerk.derive.effects.effect import Effect, PairEffect, State
 from hertzwerk.derive.effects.energy_ledger import EnergyLedger
+from hertzwerk.derive.effects.junctions import Junctions
 from hertzwerk.derive.effects.loads.resistances import PairResistance
 from hertzwerk.derive.effects.state_expression import Input, inputs_in
 from hertzwerk.derive.faults import Fault, InputError, unknown
@@ -29,6 +30,7 @@ from hertzwerk.derive.laws.law_call import bound_law, split_call, split_laws
 from hertzwerk.derive.mechanism.bodies import Body, Frame, Slot
 from hertzwerk.derive.mechanism.joints.joint import Freedom, Joint
 from hertzwerk.derive.mechanism.mechanism import Mechanism
+from hertzwerk.derive.mechanism.outline import Outline
 from hertzwerk.derive.mechanism.pair import Pair
 from hertzwerk.derive.mechanism.parameter import (
     POSITIVE,
@@ -67,6 +69,8 @@ class Scene:
             object.__setattr__(self, "effects", tuple(self.effects))
         if isinstance(self.effects, tuple) and isinstance(self.mechanism, Mechanism) and self.mechanism.parts:
             object.__setattr__(self, "effects", tuple(self._at_parts()))
+        if isinstance(self.effects, tuple) and isinstance(self.mechanism, Mechanism):
+            object.__setattr__(self, "effects", (*self.effects, *self._junctions()))
         if isinstance(self.name, str) and not self.name:
             object.__setattr__(self, "name", getattr(self.mechanism, "name", "scene"))
         faults = faults_of(self)
@@ -82,6 +86,20 @@ class Scene:
                 yield from effect.at_parts([part for part in parts[effect.pair] if (effect.kind, part) not in own])
             else:
                 yield effect
+
+    def _junctions(self) -> Iterator[Junctions]:
+        """Yield the events of tracks of several pieces, which steps do not pass over."""
+        known = [effect.name for effect in self.effects if isinstance(effect, Effect)]
+        for joint in self.mechanism.joints if isinstance(self.mechanism.joints, tuple) else ():
+            for curve in joint.curves if isinstance(joint, Joint) else ():
+                name = f"{joint.name}_junctions"
+                if (
+                    isinstance(curve, Outline)
+                    and isinstance(curve.pieces, tuple)
+                    and len(curve.pieces) > 1
+                    and name not in known
+                ):
+                    yield Junctions(name, joint.name, len(curve.pieces), curve.closed)
 
     # -- variations ------------------------------------------------------------------------------------------------
 

@@ -204,6 +204,9 @@ class Kinematics(Protocol):
     def journal(self, pair: str) -> Journal:
         """The pin and bush of this name."""
 
+    def along_track(self, joint: str) -> Any:
+        """Parameter of a track's curve where its point is."""
+
 
 class Effect:
     """Base class of effects; a kind has a `name`, unique in its scene, and a `kind`.

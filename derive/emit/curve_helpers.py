@@ -150,7 +150,8 @@ _SUPPORT: "dict[object, ca.Function]" = {}''',
                 whole, part = (turn*ca.atan2(u[0]*x[1] - u[1]*x[0], u[0]*x[0] + u[1]*x[1]) for x in (v, w))
                 share = (part + 2*ca.pi*(part < 0))/(whole + 2*ca.pi*(whole <= 0))
                 least = ca.fmax(away, 1e-12*radius)
-                found.append((share <= 1, turn*side*(away - radius), turn*side*w/least, turn*side/least, k + share))
+                pace = 1/(least*(whole + 2*ca.pi*(whole <= 0)))
+                found.append((share <= 1, turn*side*(away - radius), turn*side*w/least, turn*side/least, k + share, pace))
                 ends.append((turn*u/radius, turn*v/radius))
             else:
                 way, w = b - a, p - a
@@ -158,7 +159,7 @@ _SUPPORT: "dict[object, ca.Function]" = {}''',
                 n = ca.vertcat(way[1], -way[0])/length
                 share = (w[0]*way[0] + w[1]*way[1])/length**2
                 beside = ca.logic_and(share >= 0, share <= 1)
-                found.append((beside, side*(w[0]*n[0] + w[1]*n[1]), side*n, 0, k + share))
+                found.append((beside, side*(w[0]*n[0] + w[1]*n[1]), side*n, 0, k + share, 1/length))
                 ends.append((n, n))
         for k in range(count + (not closed)):
             corner = rows[6*k : 6*k + 2] if k < count else rows[-4:-2]
@@ -169,18 +170,18 @@ _SUPPORT: "dict[object, ca.Function]" = {}''',
             if closed or 0 < k < count:  # outside by the sum of both normals
                 n = ends[k - 1][1] + ends[k][0]
                 sign = ca.if_else(side*(w[0]*n[0] + w[1]*n[1]) < 0, -1, 1)
-            found.append((1, sign*away, sign*w/least, sign/least, k))
-        best, result = 1e300, ca.SX.zeros(5)
-        for beside, h, n, bend, s in found:
+            found.append((1, sign*away, sign*w/least, sign/least, k, 0))
+        best, result = 1e300, ca.SX.zeros(6)
+        for beside, h, n, bend, s, pace in found:
             here = ca.if_else(beside, ca.fabs(h), 1e300)
-            result = ca.if_else(here < best, ca.vertcat(h, n, bend, s), result)
+            result = ca.if_else(here < best, ca.vertcat(h, n, bend, s, side*pace), result)
             best = ca.fmin(here, best)
-        o = ca.SX.sym("o", 5)
+        o = ca.SX.sym("o", 6)
         n, t = ca.vertcat(o[1], o[2]), ca.vertcat(-o[2], o[1])
         inputs = [rows, values, p]
         slopes = ca.Function(
             "jac_nearest", [*(ca.SX.sym("i", x.shape) for x in inputs), o],
-            [ca.SX(5, rows.numel()), ca.SX(5, given.numel()), ca.vertcat(n.T, o[3]*t@t.T, ca.SX(2, 2))],
+            [ca.SX(6, rows.numel()), ca.SX(6, given.numel()), ca.vertcat(n.T, o[3]*t@t.T, ca.SX(1, 2), o[5]*t.T, ca.SX(1, 2))],
             ["samples", "given", "point", "out_found"], ["jac_found_samples", "jac_found_given", "jac_found_point"],
         )
         called = {"never_inline": True, "custom_jacobian": slopes, "enable_forward": False, "enable_reverse": False}
@@ -303,19 +304,29 @@ _SUPPORT_OF_CHAIN: "dict[object, ca.Function]" = {}''',
             spread.append((x, y, ca.MX(ca.DM(at*3 if copies > 1 else at)), turns))
         (x, y, parameters, turns), (to_x, to_y, to_parameters, to_turns) = spread
         x, y = ox + c*x - s*y, oy + s*x + c*y
-        n, m = x.numel(), to_x.numel()
-        squares = (ca.repmat(x.T, m, 1) - ca.repmat(to_x, 1, n))**2 + (ca.repmat(y.T, m, 1) - ca.repmat(to_y, 1, n))**2
-        d = ca.vertcat(*map(ca.mmin, ca.horzsplit(squares)))
-        starts = []
-        if rows[0][4] > 1:
-            for j in range(3):
-                block = d[j*n//3 : (j + 1)*n//3]
-                starts.append(j*n//3 + ca.find(block <= ca.mmin(block)))
+
+        def nearest(some_x, some_y, at_x, at_y):  # of some points
+            apart = (some_x - at_x)**2 + (some_y - at_y)**2
+            return ca.find(apart <= ca.mmin(apart))
+
+        n, m, starts = x.numel(), to_x.numel(), []
+        if rows[0][4] > 1 or rows[0][3] == rows[1][3] == 1:  # one hollow: to and fro
+            count = len(rows[0][5])
+            for j in range(n//count):
+                here = slice(j*count, (j + 1)*count)
+                at_x, at_y = ca.sum1(x[here])/count, ca.sum1(y[here])/count
+                for _ in range(2):
+                    k = nearest(to_x, to_y, at_x, at_y)
+                    i = j*count + nearest(x[here], y[here], to_x[k], to_y[k])
+                    at_x, at_y = x[i], y[i]
+                starts.append(i)
         else:
+            squares = (ca.repmat(x.T, m, 1) - ca.repmat(to_x, 1, n))**2 + (ca.repmat(y.T, m, 1) - ca.repmat(to_y, 1, n))**2
+            d = ca.vertcat(*map(ca.mmin, ca.horzsplit(squares)))
             starts.append(ca.find(d <= ca.mmin(d)))
             before, after = ca.vertcat(d[-1] if rows[0][1] else 1e300, d[:-1]), ca.vertcat(d[1:], d[0] if rows[0][1] else 1e300)
             hollow, least = ca.if_else(ca.logic_and(d <= before, d < after), d, 1e300), ca.mmin(d)
-            for _ in range(0 if rows[0][3] == rows[1][3] == 1 else 3):
+            for _ in range(3):
                 hollow = ca.if_else(hollow > least, hollow, 1e300)
                 least = ca.mmin(hollow)
                 starts.append(ca.find(hollow <= least))
@@ -326,8 +337,7 @@ _SUPPORT_OF_CHAIN: "dict[object, ca.Function]" = {}''',
         deepest = -ca.sqrt(ca.fmin(*widest))
         result, least = None, 1e300
         for i in starts:
-            e = (to_x - x[i])**2 + (to_y - y[i])**2
-            j = ca.find(e <= ca.mmin(e))
+            j = nearest(to_x, to_y, x[i], y[i])
             angle = [2*ca.pi*turn[k if copies > 1 else 0]/copies for turn, k, copies in ((turns, i, rows[0][4]), (to_turns, j, rows[1][4]))]
             cos, sin = ca.cos(angle[1]), ca.sin(angle[1])
             turned = ca.atan2(s, c) + angle[0] - angle[1]

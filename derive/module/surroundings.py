@@ -10,7 +10,7 @@ from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.mechanism.bodies import Point
 from hertzwerk.derive.motion.absolute import Quaternion, between, quaternion_of, turned
 from hertzwerk.derive.motion.kinematics import Kinematics
-from hertzwerk.derive.motion.loops import Measured, measured
+from hertzwerk.derive.motion.loops import Closure, Measured, measured
 from hertzwerk.derive.program.program import Tape
 
 
@@ -49,6 +49,11 @@ class Surroundings(Kinematics):
         """Quaternion from the axes of one point to those of another."""
         one, two = (turned(quaternion_of(self, point.body), point) for point in (first, second))
         return between(two, one, self.tape, name)
+
+    def along_track(self, joint: str) -> Any:
+        """Parameter of a track's curve where its point is."""
+        track = next(other for other in self.mechanism.closures if other.name == joint)
+        return Closure(self, track).on_curve(track.curves[0])[1].parameter
 
     def journal(self, pair: str) -> Any:
         """Pin and bush of this name, on the tape; raises TypeError for a pair that holds no film."""

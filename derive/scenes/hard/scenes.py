@@ -1,7 +1,8 @@
 """Scenes of the hard cases that are no built-in scenes; derived when run, never committed.
 
 Free impacts (see `impact.impact_scene`), grazing contact, a ball on a vibrating table, rows of spheres, bodies of very
-different mass, a block on an incline, a falling chain, a rocking block, a relay that chatters.
+different mass, a block on an incline, a falling chain, a rocking block, a relay that chatters, a track of arcs and
+lines.
 """
 
 from __future__ import annotations
@@ -33,7 +34,9 @@ from hertzwerk.derive.laws.law import BoundLaw, DampingLaw
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Direction, X, Y, Z
 from hertzwerk.derive.mechanism.joints.axial import Prismatic, Revolute
 from hertzwerk.derive.mechanism.joints.planar import Planar
+from hertzwerk.derive.mechanism.joints.track import PointInTrack
 from hertzwerk.derive.mechanism.mechanism import Mechanism
+from hertzwerk.derive.mechanism.outline import Arc, Line, Outline
 from hertzwerk.derive.mechanism.parameter import Parameter
 from hertzwerk.derive.sheets.impact import impact_scene
 
@@ -340,6 +343,25 @@ def rocking_block() -> Scene:
     )
 
 
+def track_round() -> Scene:
+    """A bead in a track of two half circles and two lines, at whose junctions its force jumps."""
+    straight, radius, pace = (
+        Parameter("straight", "m", 0.04),
+        Parameter("radius", "m", 0.015),
+        Parameter("pace", "m/s", 2),
+    )
+    arcs = Arc((straight, radius), (straight, 0)), Arc((0, -radius), (0, 0))
+    stadium = Outline("stadium", (0, -radius), [Line((straight, -radius)), arcs[0], Line((0, radius)), arcs[1]])
+    bead = Body("bead", _MASS, Parameter("inertia", "kg m^2", 1e-4))
+    return Scene(
+        Mechanism("track_round", (Planar("plane", GROUND, bead), PointInTrack("track", GROUND, bead, stadium))),
+        effects=(EnergyLedger(),),
+        start=Start(position={"plane.x": straight / 2}, near={"plane.y": -radius}, speed={"plane.x": pace}),
+        scales=Scales(length=radius, speed=pace, arm=radius),
+        summary="a bead in a track of half circles and lines",
+    )
+
+
 def _depth(mass: sp.Expr) -> sp.Expr:
     """Penetration of an elastic impact at the start's speed [m]."""
     return ((_EXPONENT + 1) * mass * _SPEED**2 / (2 * _STIFFNESS)) ** (1 / (_EXPONENT + 1))
@@ -364,6 +386,7 @@ HARD_SCENES: dict[str, Callable[[], Scene]] = {
     "shaken_ball": shaken_ball,
     "chattering_relay": chattering_relay,
     "jamming_guide": jamming_guide,
+    "track_round": track_round,
     "rocking_block": rocking_block,
     "row_of_5": lambda: row_of_spheres(5),
     "row_of_50": lambda: row_of_spheres(50),

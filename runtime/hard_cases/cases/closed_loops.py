@@ -9,6 +9,8 @@ from hertzwerk.runtime.solution.solution import Solution
 
 TURNED = -31.750597186986102  # rad, of two windows after 10 s
 
+ROUND = 10 * (0.08 + 0.03 * np.pi) / 2  # s, of a bead ten times round its track
+
 
 def _closed(within: float) -> Known:
     """Expect closed loops over the accepted steps."""
@@ -43,6 +45,21 @@ CASES = (
         tolerance=1e-9,
         methods=METHODS,
         known=(_closed(1e-9),),
+    ),
+    HardCase(
+        name="track_of_arcs_and_lines",
+        theme="loops",
+        hard="a bead passes forty junctions of arcs and lines, at which the force of its track jumps, in ten rounds",
+        source=Source("track_round", hard=True),
+        duration=ROUND,
+        tolerance=1e-9,
+        methods=METHODS,
+        known=(
+            final("plane.x", 0.02, 1e-7, "once round after the perimeter over the speed", "m"),
+            final("plane.x_speed", 2.0, 1e-7, "no work is done on it", "m/s"),
+            final("track.force_track", 0.0, 1e-4, "nothing bends its way on a line", "N"),
+            _closed(1e-11),
+        ),
     ),
     HardCase(
         name="three_clearances",

@@ -293,7 +293,8 @@ def _named(bodies: Sequence[str]) -> dict[str, str]:
     """Return bodies and their labels: of many that are numbered alike the first alone, as "ball_0 .. 5"."""
     rows: dict[str, list[str]] = {}
     for body in bodies:
-        rows.setdefault(body.rstrip("0123456789"), []).append(body)
+        stem = body.rstrip("0123456789")
+        rows.setdefault(stem if stem.endswith("_") else body, []).append(body)
     named: dict[str, str] = {}
     for stem, row in rows.items():
         if len(row) < ALIKE:

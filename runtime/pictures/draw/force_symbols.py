@@ -30,7 +30,7 @@ def _between(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> N
 
 
 def along_slide(parts: Parts, paper: Paper, marks: Sequence[Landmark], i: int) -> tuple[Array, Array, bool]:
-    """Return the ends of a spring or damper of a slide, and whether the first is fixed to ground drawn there.
+    """Return the ends of a slide's spring or damper, and whether ground is drawn at the first.
 
     They are both points of the joint; where these are close, the ground is behind the slider, where the outline of another
     body is between them, before it. A damper stands beside a spring.

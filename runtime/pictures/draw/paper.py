@@ -202,6 +202,14 @@ def _circle() -> Array:
     return np.stack([np.cos(COARSE), np.sin(COARSE)], axis=-1)
 
 
+def goes_round(outline: Array, at: Array) -> bool:
+    """Return whether an outline (n, 2) goes round a point: a ray crosses it an odd number of times."""
+    (x, y), (to_x, to_y) = outline.T - at[:, None], np.roll(outline, -1, axis=0).T - at[:, None]
+    crosses = (y > 0) != (to_y > 0)
+    rise = np.where(crosses, to_y - y, 1.0)
+    return bool(np.sum(crosses & (x - y * (to_x - x) / rise > 0)) % 2)
+
+
 def tint(colour: str, strength: float) -> tuple[float, float, float]:
     """Mix a colour with white."""
     r, g, b = (1 - strength * (1 - part) for part in to_rgb(colour))

@@ -6,10 +6,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from matplotlib.path import Path
 
 from hertzwerk.runtime.host.lazy import cached_property
-from hertzwerk.runtime.pictures.draw.paper import INK, ROUND, Paper, hull
+from hertzwerk.runtime.pictures.draw.paper import INK, ROUND, Paper, goes_round, hull
 from hertzwerk.runtime.pictures.draw.places import GROUND, SOLIDS, Array, Landmark, Places
 from hertzwerk.runtime.pictures.draw.view import View
 from hertzwerk.runtime.pictures.plot_style import CYCLE, GREY
@@ -372,7 +371,7 @@ class Parts:
     def is_covered(self, at: Array, body: str, i: int) -> bool:
         """Return whether the outline of another body goes round a point on the paper."""
         outlines = (mark for mark in self.places.landmarks if "outline" in mark.beside and mark.body != body)
-        return any(Path(self.curve(mark, i)).contains_point((float(at[0]), float(at[1]))) for mark in outlines)
+        return any(goes_round(self.curve(mark, i), at) for mark in outlines)
 
     def _curve(self, paper: Paper, mark: Landmark, i: int) -> None:
         if "outline" in mark.beside:
