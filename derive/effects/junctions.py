@@ -16,8 +16,8 @@ from hertzwerk.derive.effects.effect import NOWHERE, Declared, Effect, Element, 
 class Junctions(Effect):
     """Junctions of a track along a chain of `pieces`, at which its curvature jumps.
 
-    A scene has one for each such track. A step ends at each of them: across it, no method has the order that its error is judged by. The state `<name>.piece`
-    is the number of pieces passed, as of the track's parameter.
+    A scene has one for each such track. A step ends at each of them: across it, no method has the order that its error is
+    judged by. The state `<name>.piece` is the number of pieces passed, as of the track's parameter.
     """
 
     name: str
