@@ -52,7 +52,7 @@ def test_built_in_scenarios_come_out(name):
 FAULTS = {
     "ball_bearing": ("pitch_diameter = 39.4304 mm", "final.spin_0.speed", ""),
     "andrews_squeezer": ("m7 = 0.0555298 kg", "final.beta.angle", ""),
-    "gears_with_backlash": ("wheel_inertia = 2.02e-3 kg m^2", "final.idler.angle", "20 ms"),
+    "gears_with_backlash": ("wheel_inertia = 2.02e-3 kg m^2", "final.idler.angle", ""),
     "geneva_drive": ("crank_speed = 121.2 rpm", "min.axle.speed", "90 ms"),
     "geared_hoist": ("drum_radius = 80.8 mm", "final.rope_end.travel", ""),
     "woodpecker": ("bird_mass = 4.545 g", "final.fall.travel", ""),
