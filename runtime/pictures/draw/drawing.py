@@ -31,7 +31,7 @@ DISTINCT = 0.07  # of the size of the mechanism: least distance of ghosts, if le
 PATHS = 3
 ROUNDS = 4.0  # of the size of a path: longest part shown, once around a circle and more
 MANY = 16  # most names that are placed
-ALIKE = 4  # bodies that are numbered alike, of which the first has their name
+ALIKE = 6  # bodies that are numbered alike, of which the first has their name
 UNITS = (("m", 1.0), ("cm", 1e-2), ("mm", 1e-3), ("µm", 1e-6))
 
 
