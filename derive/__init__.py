@@ -90,6 +90,10 @@ if TYPE_CHECKING:  # the list of public names
     )
     from hertzwerk.derive.effects.lubrication import Lubrication as Lubrication
     from hertzwerk.derive.effects.motors import DCMotor as DCMotor
+    from hertzwerk.derive.effects.nonholonomic import (
+        KnifeEdge as KnifeEdge,
+        RollingWithoutSlip as RollingWithoutSlip,
+    )
     from hertzwerk.derive.effects.springs import (
         JointDamper as JointDamper,
         JointSpring as JointSpring,

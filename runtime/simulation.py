@@ -30,7 +30,7 @@ from hertzwerk.runtime.run.continuation import parameters_of, resumable
 from hertzwerk.runtime.run.output_times import Output
 from hertzwerk.runtime.run.request import MAX_EVENTS, MAX_STEPS, METHOD, Compiled, Settings, read
 from hertzwerk.runtime.run.single_run import SingleRun, Trace, set_up
-from hertzwerk.runtime.run.warnings import floored, open_forces, too_fast, unchecked, uncompiled, unsettled
+from hertzwerk.runtime.run.warnings import floored, lost_grip, open_forces, too_fast, unchecked, uncompiled, unsettled
 from hertzwerk.runtime.solution import solution as plain_solution
 from hertzwerk.runtime.solution.checkpoint import checkpoint_of
 from hertzwerk.runtime.solution.findings import Needs
@@ -193,6 +193,7 @@ def _solution_of(
             *(run.given.warnings if run.start is None else bound.warnings),
             *floored(counted["floored"], run.floor),
             *unsettled(counted["unsettled"]),
+            *lost_grip(model, bound, trace.kept.history),
             *too_fast(model, run.given.speed_limits, trace.tally),
             *uncompiled(run.engine.code),
             *found,

@@ -244,7 +244,7 @@ class PairKinematics:
     ) -> tuple[Vector, Any, Any, Any, tuple[Any, ...]]:
         """Friction on the first body; sliding velocity, force against it, power; rates of the bristle."""
         law = friction.law.law
-        plane = self._plane_of_motion()
+        plane = self.touch.plane_of_motion
         if plane is None and law.memory:
             return self._bent(friction, normal_force, bristle)
         if plane is None:
@@ -307,7 +307,7 @@ class PairKinematics:
     @property
     def bristle_axes(self) -> tuple[str, ...]:
         """Axes of the ground along which a bristle may bend; one without a name in plane motion."""
-        if self._plane_of_motion() is not None:
+        if self.touch.plane_of_motion is not None:
             return ("",)
         return tuple(axis for axis, part in zip("xyz", self.touch.normal, strict=True) if part**2 != 1)
 
@@ -321,7 +321,7 @@ class PairKinematics:
 
         The surface speed of each body is its radius times its angular velocity.
         """
-        tangent = self._named(cross(plane, self.touch.normal), "tangent")
+        (tangent,) = self.touch.tangents
         spins = [self.kin.motion(place.body).angular_velocity for place in (self.touch.first, self.touch.second)]
         turn = dot(plane, sub(spins[0], spins[1]))
         sliding = dot(self.touch.relative_rate, tangent) - sp.sympify(self.pair.first_radius) * turn
@@ -330,13 +330,13 @@ class PairKinematics:
     @property
     def slides_along(self) -> int:
         """Number of directions in which its surfaces may slide on each other: one in plane motion, else two."""
-        return 2 if self._plane_of_motion() is None else 1
+        return 2 if self.touch.plane_of_motion is None else 1
 
     def _grip(self, friction: Friction, pressing: Any) -> Grip:
         """Grip of a friction law with modes."""
-        plane = self._plane_of_motion()
+        plane = self.touch.plane_of_motion
         if plane is None:
-            tangents = tuple(self._named(tangent, "tangent") for tangent in tangents_of(self.touch.normal))
+            tangents = self.touch.tangents
             rate = self._named(self.touch.rate_at(self.touch.contact_point), "sliding_rate")
             velocity = tuple(self.let(dot(rate, tangent), "sliding_velocity") for tangent in tangents)
         else:
@@ -351,32 +351,7 @@ class PairKinematics:
         along = tuple(self._on_joints(tangent, self.touch.contact_point, "grip") for tangent in tangents)
         return Grip(tangents, along, velocity, *forces)
 
-    def _plane_of_motion(self) -> Vector | None:
-        """Coordinate axis normal to the plane of motion; None where that is not structurally plane."""
-        rate = self.touch.rate_at(self.touch.contact_point)
-        for k in (2, 1, 0):
-            if self.touch.normal[k] == 0 and rate[k] == 0:
-                x, y, z = (sp.Integer(int(i == k)) for i in range(3))
-                return (x, y, z)
-        return None
-
 
 def _add_to(generalised: dict[str, Any], more: Mapping[str, Any]) -> None:
     for joint, force in more.items():
         generalised[joint] = generalised.get(joint, sp.S.Zero) + force
-
-
-def tangents_of(normal: Vector) -> tuple[Vector, Vector]:
-    """Two unit vectors that are normal to a unit vector and to each other, with its structural zeros.
-
-    In general there is no such pair that depends on the normal smoothly: it then jumps where the third component changes
-    sign. Duff et al., Building an orthonormal basis, revisited, J. Comput. Graphics Techniques 6 (2017) 1.
-    """
-    for k in (2, 1, 0):
-        if normal[k] == 0:
-            x, y, z = (sp.Integer(int(i == k)) for i in range(3))
-            return (x, y, z), cross((x, y, z), normal)
-    x, y, z = normal
-    sign = Where(z >= 0, 1, -1)
-    share = -1 / (sign + z)
-    return (1 + sign * x**2 * share, sign * x * y * share, -sign * x), (x * y * share, sign + y**2 * share, -y)

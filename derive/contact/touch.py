@@ -14,7 +14,8 @@ from typing import Any, ClassVar
 
 import sympy as sp
 
-from hertzwerk.derive.algebra.vectors import Vector, add, dot, scale, sub
+from hertzwerk.derive.algebra.functions import Where
+from hertzwerk.derive.algebra.vectors import Vector, add, cross, dot, scale, sub
 from hertzwerk.derive.dimension.dimension import Dimension
 from hertzwerk.derive.faults import Fault
 from hertzwerk.derive.mechanism.pair import Pair
@@ -112,6 +113,23 @@ class Touch:
         one, two = (self.kin.velocity_at(place.body, position) for place in (self.first, self.second))
         return sub(one, two)
 
+    @cached_property
+    def plane_of_motion(self) -> Vector | None:
+        """Coordinate axis normal to the plane of motion; None where that is not structurally plane."""
+        rate = self.rate_at(self.contact_point)
+        for k in (2, 1, 0):
+            if self.normal[k] == 0 and rate[k] == 0:
+                x, y, z = (sp.Integer(int(i == k)) for i in range(3))
+                return (x, y, z)
+        return None
+
+    @cached_property
+    def tangents(self) -> tuple[Vector, ...]:
+        """Unit vectors along which the first body may slide on the second: one in plane motion, else two."""
+        plane = self.plane_of_motion
+        along = tangents_of(self.normal) if plane is None else (cross(plane, self.normal),)
+        return tuple(self.named(tangent, "tangent") for tangent in along)
+
     def outputs(self) -> list[tuple[str, str, Any]]:
         """Named quantities of the pair: (name, unit, expression)."""
         return [(f"{self.pair.name}.gap", "m", -self.penetration)]
@@ -145,3 +163,19 @@ class Touch:
                             "the distance of the surfaces, which shrinks as they approach along the normal at the contact point",
                             "Are normal and contact point along the axes of the second place, and on the side of the first body?")  # fmt: skip
                 return
+
+
+def tangents_of(normal: Vector) -> tuple[Vector, Vector]:
+    """Two unit vectors that are normal to a unit vector and to each other, with its structural zeros.
+
+    In general there is no such pair that depends on the normal smoothly: it then jumps where the third component changes
+    sign. Duff et al., Building an orthonormal basis, revisited, J. Comput. Graphics Techniques 6 (2017) 1.
+    """
+    for k in (2, 1, 0):
+        if normal[k] == 0:
+            x, y, z = (sp.Integer(int(i == k)) for i in range(3))
+            return (x, y, z), cross((x, y, z), normal)
+    x, y, z = normal
+    sign = Where(z >= 0, 1, -1)
+    share = -1 / (sign + z)
+    return (1 + sign * x**2 * share, sign * x * y * share, -sign * x), (x * y * share, sign + y**2 * share, -y)

@@ -79,6 +79,23 @@ class Element:
         return {name: power for name, power in booked if power is not None}
 
 
+@dataclass(frozen=True)
+class SpeedConstraint:
+    """Condition that a point of one body has no velocity along a direction against another body.
+
+    name       name of the constraint, after the effect's
+    direction  unit vector, and position of the point, in ground axes [1, m]
+    bodies     the body and that against which it moves
+    distance   length whose rate the velocity is, zero too; None where the velocity has no integral
+    """
+
+    name: str
+    direction: Vector
+    position: Vector
+    bodies: tuple[Frame, Frame]
+    distance: Any = None
+
+
 class Declared(Protocol):
     """Protocol of the scene as needed by its effects."""
 
@@ -141,13 +158,26 @@ class Journal(Protocol):
         """Velocity of the first body's point at `position` against the second body's [m/s]."""
 
 
-class Kinematics(Protocol):
-    """Protocol of a mechanism's kinematics as needed by its effects.
+class Moving(Protocol):
+    """Protocol of a mechanism's kinematics as needed by conditions on its speeds.
 
     Vectors in ground axes, in SI, results named on the tape.
     """
 
     tape: Tape
+
+    def point(self, point: Point, name: str) -> tuple[Vector, Vector, Vector]:
+        """Position, velocity, acceleration of a point [m, m/s, m/s^2]."""
+
+    def direction(self, point: Point, direction: Direction) -> Vector:
+        """Unit vector of a direction given in a point's axes."""
+
+    def touch(self, pair: str) -> Any:
+        """Contact geometry of the pair of this name."""
+
+
+class Kinematics(Moving, Protocol):
+    """Protocol of a mechanism's kinematics as needed by its effects."""
 
     @property
     def scene(self) -> Declared:
@@ -174,14 +204,8 @@ class Kinematics(Protocol):
         It acts on the child, its reaction on the parent.
         """
 
-    def point(self, point: Point, name: str) -> tuple[Vector, Vector, Vector]:
-        """Position, velocity, acceleration of a point [m, m/s, m/s^2]."""
-
     def rotation(self, body: Frame) -> Matrix:
         """Rotation matrix from a body's axes to the ground's."""
-
-    def direction(self, point: Point, direction: Direction) -> Vector:
-        """Unit vector of a direction given in a point's axes."""
 
     def turned(self, body: Frame, k: int) -> Any:
         """Angle of a body against the ground about a coordinate axis, in plane motion [rad]."""
@@ -197,9 +221,6 @@ class Kinematics(Protocol):
 
     def generalised_moment(self, moment: Vector, on: Frame, against: Frame, name: str) -> dict[str, Any]:
         """Generalised forces of a moment on one body and its reaction on another."""
-
-    def touch(self, pair: str) -> Any:
-        """Contact geometry of the pair of this name."""
 
     def journal(self, pair: str) -> Journal:
         """The pin and bush of this name."""
@@ -319,6 +340,10 @@ class Effect:
         found = f"the kind {self.kind!r}, which has no element"
         raise InputError(self.where, [Fault(self.where, found, "one that says what it does",
                          f"def element(self, kin): return Element(...), in {type(self).__name__}.")])  # fmt: skip
+
+    def speed_constraints(self, kin: Moving) -> Iterator[SpeedConstraint]:
+        """Yield the conditions that it holds by forces which do no work."""
+        return iter(())
 
     def landmarks(self, scene: Declared) -> Iterator[Mark]:
         """Yield the landmarks of a picture."""

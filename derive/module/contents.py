@@ -7,6 +7,7 @@ from typing import Any
 
 import sympy as sp
 
+from hertzwerk.derive.effects.nonholonomic import RollingWithoutSlip
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.module import ledger as energy
 from hertzwerk.derive.module import loops, motion, outputs, pairs, scales, start
@@ -40,6 +41,7 @@ def program_of(system: System) -> Program:
         outputs.poses(system),
         outputs.outputs(system),
         *([scales.speed_limits(system)] if system.limited else []),
+        *([scales.rolling_limits(system)] if system.scene.all(RollingWithoutSlip) else []),
         *([scales.period(system)] if system.periodic is not None else []),
         outputs.landmarks(system),
     ]

@@ -13,6 +13,7 @@ from typing import Any
 import sympy as sp
 
 from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.effects.nonholonomic import RollingWithoutSlip
 from hertzwerk.derive.mechanism.bodies import Point
 from hertzwerk.derive.mechanism.curve import SolidCurve
 from hertzwerk.derive.mechanism.parameter import is_number
@@ -70,11 +71,12 @@ class Landmark:
 
 
 def landmarks_of(scene: Scene) -> Iterator[Landmark]:
-    """Yield landmarks of joints, pairs with contact, effects, and bodies with mass, in declared order."""
+    """Yield landmarks of joints, pairs that touch or roll, effects, bodies with mass, in declared order."""
     mechanism = scene.mechanism
     for joint in mechanism.joints:
         yield from (Landmark(joint.name, joint.symbol, *mark) for mark in joint.landmarks())
-    for pair, _, _ in scene.contacts:
+    touching = [*scene.pressed, *(rolling.pair for rolling in scene.all(RollingWithoutSlip))]
+    for pair in (pair for pair in mechanism.pairs if pair.name in touching):
         yield from (Landmark(pair.name, pair.kind, *mark) for mark in pair.landmarks())
     for effect in scene.effects:
         yield from (Landmark(effect.name, *mark) for mark in effect.landmarks(scene))

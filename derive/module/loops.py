@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from hertzwerk.derive.module.joints import Joints
-from hertzwerk.derive.module.results import RATE_UNITS, dimension_of, of_loops
+from hertzwerk.derive.module.results import RATE_UNITS, VALUE_UNITS, dimension_of, of_loops
 from hertzwerk.derive.module.system import System
 from hertzwerk.derive.motion.loops import Constraint
 from hertzwerk.derive.program.program import Function
@@ -24,7 +24,7 @@ def _closed(system: System, name: str, loops: tuple[Constraint, ...], arguments:
         name,
         "Constraints, zero while the loops are closed, and their rates.",
         arguments,
-        of_loops("phi", loops, [row.value for row in loops], {}),
+        of_loops("phi", loops, [row.value for row in loops], VALUE_UNITS),
         of_loops("dphi", loops, [row.rate for row in loops], RATE_UNITS),
     )
 
@@ -40,5 +40,5 @@ def projection(system: System) -> Function:
         "Change of speeds, of least kinetic energy, for the wanted rates of the constraints, and their independence.",
         "t q wanted c",
         system.of_speeds("v", system.equations.projection(wanted)),
-        of_loops("independence", system.loops, system.equations.independence(), {"m": "1", "1": "1"}),
+        of_loops("independence", system.loops, system.equations.independence(), dict.fromkeys(RATE_UNITS, "1")),
     )

@@ -13,9 +13,10 @@ from hertzwerk.derive.motion.loops import Constraint
 from hertzwerk.derive.program.program import Result
 from hertzwerk.derive.units import parse_unit
 
-RATE_UNITS = {"m": "m/s", "1": "1/s"}  # rate of a constraint, by its unit
-SECOND_UNITS = {"m": "m/s^2", "1": "1/s^2"}  # its second derivative
-MULTIPLIER_UNITS = {"m": "N", "1": "N m"}  # its multiplier
+VALUE_UNITS = {"m/s": "m"}  # value of a constraint, by its unit, where that is another: it is zero
+RATE_UNITS = {"m": "m/s", "1": "1/s", "m/s": "m/s"}  # its rate
+SECOND_UNITS = {"m": "m/s^2", "1": "1/s^2", "m/s": "m/s^2"}  # its second derivative
+MULTIPLIER_UNITS = {"m": "N", "1": "N m", "m/s": "N"}  # its multiplier
 
 
 def ports_of(scene: Scene, kin: Kinematics) -> tuple[list[Port], list[Port]]:

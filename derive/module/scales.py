@@ -9,6 +9,7 @@ import sympy as sp
 
 from hertzwerk.derive.declare.scene import Scene
 from hertzwerk.derive.effects.effect import State
+from hertzwerk.derive.effects.nonholonomic import RollingWithoutSlip
 from hertzwerk.derive.mechanism.joints.joint import Port
 from hertzwerk.derive.module.system import System
 from hertzwerk.derive.program.program import Function, Result
@@ -61,6 +62,17 @@ def speed_limits(system: System) -> Function:
         "Approach speed 1e-5 sqrt(E/rho) up to which each compliant law holds, see SPEED_LIMITED.",
         "p",
         Result("limits", names, ("m/s",) * len(names), values),
+    )
+
+
+def rolling_limits(system: System) -> Function:
+    """Coefficients of friction up to which surfaces roll without slip."""
+    given = {e.name: e.coefficient for e in system.scene.all(RollingWithoutSlip) if e.coefficient is not None}
+    return system.function(
+        "rolling_limits",
+        "Coefficient of friction that keeps surfaces from slipping, where one is given, see ROLLING.",
+        "p",
+        Result("limits", tuple(given), ("1",) * len(given), tuple(map(sp.sympify, given.values()))),
     )
 
 

@@ -41,10 +41,6 @@ class Surroundings(Kinematics):
             for row, share in self._measured(key).column.items()
         }
 
-    def touch(self, pair: str) -> Any:
-        """Contact geometry of the pair of this name, on the tape."""
-        return next(other for other in self.mechanism.pairs if other.name == pair).touch(self)
-
     def turn_between(self, first: Point, second: Point, name: str) -> Quaternion:
         """Quaternion from the axes of one point to those of another."""
         one, two = (turned(quaternion_of(self, point.body), point) for point in (first, second))

@@ -8,6 +8,7 @@ from typing import Any
 from hertzwerk.derive.algebra.splines import Table
 from hertzwerk.derive.audit.forms import advice
 from hertzwerk.derive.declare.scene import Scene
+from hertzwerk.derive.effects.nonholonomic import RollingWithoutSlip
 from hertzwerk.derive.effects.state_expression import tables_in
 from hertzwerk.derive.mechanism.joints.joint import Port
 from hertzwerk.derive.mechanism.parameter import Interval, Parameter
@@ -123,7 +124,9 @@ def _bristle_rows(system: System) -> Iterator[tuple[int, int]]:
 
 def _loop_tables(system: System) -> dict[str, tuple[Any, ...]]:
     """Constraints, and values of the start that are given instead of found by assembly."""
-    loops = {"CONSTRAINTS": _names(system.loops)} if system.loops else {}
+    loops: dict[str, tuple[Any, ...]] = {"CONSTRAINTS": _names(system.loops)} if system.loops else {}
+    rolling = tuple((effect.name, effect.coefficient is not None) for effect in system.scene.all(RollingWithoutSlip))
+    loops |= {"ROLLING": rolling} if rolling else {}
     joints, journals = system.joints, any(pair.pair.journal for pair, _, _ in system.contacts)
     if joints is None:
         given = {"GIVEN": _given(system.scene, system.kin)} if loops or journals else {}

@@ -1,4 +1,4 @@
-"""Constraints of a scene: of joints that close loops, and of couplings.
+"""Constraints of a scene: of joints that close loops, couplings, and what rolls or has an edge.
 
 The second derivative of a coupling's equation is exact: its derivatives by coordinates and time, times their rates.
 """
@@ -10,16 +10,20 @@ from typing import Any
 
 import sympy as sp
 
+from hertzwerk.derive.algebra.vectors import Vector, add, cross, dot, sub
 from hertzwerk.derive.effects.couplings import LENGTH, Coupling
+from hertzwerk.derive.effects.effect import SpeedConstraint
 from hertzwerk.derive.effects.state_expression import T, states_in
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.derive.motion.kinematics import Kinematics
 from hertzwerk.derive.motion.links import Row
 from hertzwerk.derive.motion.loops import Constraint, Measured, closing_constraints, measured
 
+LENGTH_RATE = "m/s"  # unit of a constraint on a speed, which has no integral
+
 
 def constraints_of(kinematics: Kinematics) -> tuple[Constraint, ...]:
-    """Constraints of a scene: of closing joints, in declared order, of their drives, of couplings.
+    """Constraints of a scene: of closing joints, of their drives, of couplings, on speeds, in order.
 
     Raises InputError for a constraint that can never be met.
     """
@@ -34,7 +38,11 @@ def constraints_of(kinematics: Kinematics) -> tuple[Constraint, ...]:
         ]  # fmt: skip
         raise InputError(f"mechanism {kinematics.mechanism.name}", faults)
     found = [constraint for constraint in found if constraint.rate != 0 and constraint.value != 0]
-    return (*found, *(_coupled(kinematics, coupling) for coupling in kinematics.scene.all(Coupling)))
+    found += [_coupled(kinematics, coupling) for coupling in kinematics.scene.all(Coupling)]
+    for effect in kinematics.scene.effects:
+        on_speeds = (_on_speeds(kinematics, effect.name, c) for c in effect.speed_constraints(kinematics))
+        found += [constraint for constraint in on_speeds if constraint.rate != 0]
+    return tuple(found)
 
 
 def driving_rows(constraints: Iterable[Constraint]) -> list[Row]:
@@ -82,3 +90,31 @@ def _coupled(kinematics: Kinematics, coupling: Coupling) -> Constraint:
         name if by_time != 0 else "",
         by_time,
     )  # fmt: skip
+
+
+def _on_speeds(kinematics: Kinematics, effect: str, given: SpeedConstraint) -> Constraint:
+    """Constraint of a velocity between material points of two bodies at a place that moves in both."""
+    tape, name, motions = kinematics.tape, f"{effect}_{given.name}", [kinematics.motion(body) for body in given.bodies]
+
+    def rates(vector: Vector, what: str) -> Vector:
+        return tuple(tape.rate(part, f"{name}_{what}_{axis}") for part, axis in zip(vector, "xyz", strict=True))
+
+    moved = rates(given.position, "place_rate")
+    velocity = sub(*(kinematics.velocity_at(body, given.position) for body in given.bodies))
+    biases = []
+    for body, motion in zip(given.bodies, motions, strict=True):
+        alpha, bias = kinematics.bias_of(kinematics.link_of(body))
+        turned = cross(motion.angular_velocity, sub(moved, motion.velocity))
+        biases.append(add(bias, cross(alpha, sub(given.position, motion.origin)), turned))
+    velocity, bias = tape.vector(velocity, f"{name}_velocity"), tape.vector(sub(*biases), f"{name}_apart_bias")
+    turning = dot(rates(given.direction, "direction_rate"), velocity)
+    column = kinematics.generalised(given.direction, given.position, *given.bodies, name)
+    return Constraint(
+        f"{effect}.{given.name}",
+        LENGTH_RATE if given.distance is None else LENGTH,
+        f"{effect}.{given.name}",
+        sp.S.Zero if given.distance is None else given.distance,
+        tape.let(dot(given.direction, velocity), f"{name}_rate"),
+        tape.let(dot(given.direction, bias) + turning, f"{name}_bias"),
+        {row: share for row, share in column.items() if share != 0},
+    )

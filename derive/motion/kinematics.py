@@ -394,6 +394,10 @@ class Kinematics:
         spin = self.tape.vector(cross(motion.angular_velocity, arm), f"{name}_arm_rate")
         return add(bias, cross(alpha, arm), cross(motion.angular_velocity, spin))
 
+    def touch(self, pair: str) -> Any:
+        """Contact geometry of the pair of this name, on the tape."""
+        return next(other for other in self.mechanism.pairs if other.name == pair).touch(self)
+
     def velocity_at(self, body: Frame, position: Vector) -> Vector:
         """Velocity of the point of `body` that is at `position` [m/s]."""
         motion = self.motion(body)

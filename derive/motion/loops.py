@@ -36,6 +36,7 @@ from hertzwerk.derive.motion.on_curve import Beside, OnCurve
 class Constraint:
     """A scalar constraint: `value` and `rate` must be zero; the acceleration is `column` . a + `bias`.
 
+    One with the unit m/s has no value, as its rate has no integral: a nonholonomic one.
     `column` holds, by row of the equations of motion, the generalised force of a unit multiplier. The constraints of
     a `group` are components of one vector, or of one unit. Where a drive prescribes it, `drives` is the freedom
     driven, and the multiplier is the drive's force or torque. Of a joint, `force` and `moment` are those of a unit

@@ -10,13 +10,15 @@ import sympy as sp
 
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.effects.couplings import Coupling
+from hertzwerk.derive.effects.effect import Effect
+from hertzwerk.derive.effects.nonholonomic import ON_SPEEDS, KnifeEdge, RollingWithoutSlip
 from hertzwerk.derive.program.program import Function, Program, Result, symbols_in
 from hertzwerk.derive.readable.symbols import Names, contact_title, words
 
 HIDDEN = ("constants", "scales", "gap_accelerations", "accelerations", "loads", "settling", "balance", "projection", "poses", "motion", "applied",
-           "joint_scales", "placed", "joint_constraints", "landmarks")  # fmt: skip
+           "joint_scales", "placed", "joint_constraints", "landmarks", "rolling_limits")  # fmt: skip
 KINEMATICS, MOTION, LEDGER, ENERGY = "Kinematics", "Equations of motion", "Energy ledger", "Energy"
-LOOPS, COUPLINGS, OUTPUTS, START = "Closed loops", "Couplings", "Outputs", "Start"
+LOOPS, COUPLINGS, ROLLING, OUTPUTS, START = "Closed loops", "Couplings", "Rolling and edges", "Outputs", "Start"
 INERTIA, BIAS = "inertia", "bias"
 _RATE = r"\frac{\mathrm{d}}{\mathrm{d}t}"
 
@@ -72,7 +74,6 @@ class Drafts:
     def __init__(self, program: Program, names: Names) -> None:
         self._program, self._names, self._tape = program, names, program.tape
         self._effects = {effect.name: effect for effect in program.scene.effects}
-        self._couplings = {c.constraint(program.scene): c.name for c in program.scene.all(Coupling)}
         self.added: dict[sp.Symbol, Any] = {}
 
     def all(self) -> list[Draft]:
@@ -120,12 +121,7 @@ class Drafts:
                 return  # a history, and no equation
             yield Draft(OUTPUTS, label, unit, label, expression, left=_label(label))
         elif function.name == "constraints":
-            rate, coupling = result == "dphi", self._couplings.get(label, "")
-            holds = "coupling holds" if coupling else "loop is closed"
-            text = f"rate of {label}, zero too" if rate else f"{label}, zero while the {holds}"
-            left = rf"{_RATE}\Phi_{{{_label(label)}}}" if rate else rf"\Phi_{{{_label(label)}}}"
-            section, effects = (COUPLINGS, (coupling,)) if coupling else (LOOPS, ())
-            yield Draft(section, f"{result} {label}", unit, text, expression, left=left, effects=effects)
+            yield from self._constraint(result, label, unit, expression)
         elif function.name != "coordinate_rates":
             title = function.name.replace("_", " ").capitalize()
             left = rf"{words((result,))}_{{{_label(label)}}}"
@@ -134,6 +130,26 @@ class Drafts:
         elif expression not in self._tape.inputs:
             latex = self._names.port(*self._port("q", label))
             yield Draft(KINEMATICS, f"d/dt {label}", unit, f"rate of {label}", expression, left=_RATE + latex)
+
+    def _constraint(self, result: str, label: str, unit: str, expression: Any) -> Iterator[Draft]:
+        """Draft of a constraint or its rate."""
+        effect, rate = self._holder(label), result == "dphi"
+        section, holds = (LOOPS, "loop is closed") if effect is None else (COUPLINGS, "coupling holds")
+        if isinstance(effect, RollingWithoutSlip | KnifeEdge):
+            section, holds = ROLLING, "surfaces touch"
+        text = f"rate of {label}, zero too" if rate else f"{label}, zero while the {holds}"
+        left = rf"{_RATE}\Phi_{{{_label(label)}}}" if rate else rf"\Phi_{{{_label(label)}}}"
+        if label.split(".")[-1].startswith(ON_SPEEDS):
+            if not rate:
+                return
+            text, left = f"{label}, zero", _label(label)
+        names = () if effect is None else (effect.name,)
+        yield Draft(section, f"{result} {label}", unit, text, expression, left=left, effects=names)
+
+    def _holder(self, constraint: str) -> Effect | None:
+        """Effect that holds a constraint; None of a joint's."""
+        effect = self._effects.get(constraint.rpartition(".")[0])
+        return effect if isinstance(effect, Coupling | RollingWithoutSlip | KnifeEdge) else None
 
     def _friction_forces(self, pair: str, n: int) -> list[sp.Symbol]:
         """Friction forces along the n tangents of a contact with stick and slip, against the sliding velocity."""
@@ -219,8 +235,9 @@ class Drafts:
             for label, column in zip(held.labels, held.expressions, strict=True):
                 of, constraint = label.split(" ")
                 if of == row:
-                    force, coupling = multiplier(constraint) * column, self._couplings.get(constraint, "")
-                    parts.append(Part(False, coupling or f"constraint {constraint}", force, effect=coupling))
+                    force, effect = multiplier(constraint) * column, self._holder(constraint)
+                    name = "" if effect is None else effect.name
+                    parts.append(Part(False, name or f"constraint {constraint}", force, effect=name))
             if row in supplied:
                 meaning, drive = self._names.meaning(supplied[row]), self._drive_of(row)
                 parts.append(Part(False, meaning, supplied[row], effect=drive))

@@ -120,7 +120,7 @@ class Model:
         """Rows of q where one begins."""
         self.constraints: tuple[str, ...] = tuple(row[0] for row in getattr(module, "CONSTRAINTS", ()))
         self.nl = len(self.constraints)
-        self.is_length = tuple(row[1] == "m" for row in getattr(module, "CONSTRAINTS", ()))
+        self.is_length = tuple(row[1] != "1" for row in getattr(module, "CONSTRAINTS", ()))
         """Whether each constraint is a length [m], not an angle's sine [1]."""
         self.inputs: dict[str, tuple[str, str]] = {row[0]: row[1:] for row in getattr(module, "INPUTS", ())}
         """Unit and meaning of the inputs by name; the last `npieces` entries of c are their pieces, see `Signal`."""
@@ -128,6 +128,8 @@ class Model:
         """Continuous derivatives that inputs must have, and for what, of those that must."""
         self.npieces = WIDTH * len(self.inputs)
         self.has_ledger = hasattr(module, "ledger")
+        self.on_speeds = np.array([float(row[1] == "m/s") for row in getattr(module, "CONSTRAINTS", ())])
+        self.rolling: tuple[tuple[str, bool], ...] = getattr(module, "ROLLING", ())
         self.speed_limited: tuple[str, ...] = getattr(module, "SPEED_LIMITED", ())
         """Pairs whose law limits how fast contacts may begin."""
         self.known: dict[Hashable, Any] = {}
@@ -395,6 +397,7 @@ _INPUTS = {
     "poses": "t q c",
     "outputs": "t q u c",
     "speed_limits": "p",
+    "rolling_limits": "p",
     "period": "p",
     "landmarks": "p",
 }

@@ -9,7 +9,7 @@ import numpy as np
 
 from hertzwerk.runtime.integrate.loop.automatic import Code
 from hertzwerk.runtime.model.model import Bound, Model
-from hertzwerk.runtime.solution.history import constraint_force
+from hertzwerk.runtime.solution.history import History, constraint_force
 
 
 def unchecked(model: Model) -> tuple[str, ...]:
@@ -42,6 +42,30 @@ def too_fast(model: Model, limits: np.ndarray, tally: Mapping[str, np.ndarray]) 
         f"{sum(over):.0f} of {sum(begun):.0f} impacts of {', '.join(pairs)} exceed the law's limit "
         f"v0 <= 1e-5*sqrt(E/rho) = {min(least):.3g} m/s (worst {max(fastest):.3g} m/s)"
     )
+
+
+def lost_grip(model: Model, bound: Bound, history: History) -> Iterator[str]:
+    """Yield a warning of surfaces that roll where they would slip or part, at the kept times."""
+    if not model.rolling:
+        return
+    held = dict(zip(map(constraint_force, model.constraints), history.held().T, strict=True))
+    limits = iter(model.evaluate("rolling_limits", bound.p)[0])
+    for name, limited in model.rolling:
+        limit = next(limits) if limited else math.inf
+        normal = held.get(f"{name}.normal_force")
+        along = [force for of, force in held.items() if of.startswith(f"{name}.friction_force")]
+        if normal is None:
+            if limited:
+                yield f"{name}: its joints keep the surfaces in contact, so that no normal force is known to compare friction with"
+            continue
+        worst = int(np.argmin(normal))
+        if normal[worst] < 0:
+            yield f"{name} holds its surfaces together with {-normal[worst]:.3g} N at {history.t[worst]:.4g} s: they would part"
+        needed = np.hypot.reduce(along, axis=0) / np.where(normal > 0, normal, np.inf) if along else np.zeros(1)
+        worst = int(np.argmax(needed))
+        if needed[worst] > limit:
+            yield (f"{name} needs a coefficient of friction of {needed[worst]:.3g} at {history.t[worst]:.4g} s, "
+                   f"more than {limit:.3g}: it would slip")  # fmt: skip
 
 
 def floored(count: int, floor: float) -> Iterator[str]:

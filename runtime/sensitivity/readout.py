@@ -62,7 +62,7 @@ class _Expressions:
         tables: dict[str, tuple[Sequence[str], Callable[[], Any]]] = {
             "outputs": (model.outputs, lambda: model.function("outputs")(*self._place())),
             "friction": ([friction_force(slip) for slip, *_ in model.slips], lambda: self.ends["friction"]),
-            "constraints": (model.constraints, lambda: model.function("constraints").call(self._place())[0]),
+            "constraints": (model.constraints, self._constraints),
             "held": ([constraint_force(row) for row in model.constraints], self._held),
             "accelerations": ([acceleration_of(speed) for speed in model.speeds], lambda: self.ends["dy"][model.nq :]),
         }
@@ -73,6 +73,10 @@ class _Expressions:
         if pair in model.pairs and part in OF_PAIR:
             return self._of_pair(pair, part)
         return self._reading(readings_of(model).rows[name])
+
+    def _constraints(self) -> Any:
+        value, rate = self.model.function("constraints").call(self._place())
+        return value + self.model.on_speeds * rate
 
     def _place(self) -> list[Any]:
         return [self.t, self.q, self.u, self.c]

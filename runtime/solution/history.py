@@ -17,6 +17,10 @@ from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.model.readings import Units, evaluate
 
+_HELD_BY = {  # ending of a constraint's name -> that of the force which holds it
+    **{"apart": "force", "off": "force", "turned": "moment", "gap": "normal_force"},
+    **{"sliding_velocity": "friction_force", "side_velocity": "side_force"},
+}
 _PAIR = {"mode": "1", "gap": "m", "gap_rate": "m/s", "penetration": "m", "normal_force": "N"}
 
 
@@ -121,7 +125,8 @@ class History:
             if name == f"{model.pairs[j]}.friction_force":
                 return {name: -np.hypot(*self.part("friction")[:, both].T)}  # against the sliding velocity
         if name in model.constraints:
-            return dict(zip(model.constraints, self.map("constraints", "t q u")[0].T, strict=True))
+            value, rate = self.map("constraints", "t q u")  # of a constraint on a speed the value is zero
+            return dict(zip(model.constraints, (value + model.on_speeds * rate).T, strict=True))
         of_constraints = [constraint_force(constraint) for constraint in model.constraints]
         if name in of_constraints:
             return dict(zip(of_constraints, self.held().T, strict=True))
@@ -309,7 +314,7 @@ def units_of(model: Model, stored: tuple[str, ...] | None) -> Units:
     if model.has_ledger:
         units["energy"] = "J"
     for name, unit in getattr(model.module, "CONSTRAINTS", ()):
-        units |= {name: unit, constraint_force(name): "N" if unit == "m" else "N m"}
+        units |= {name: unit, constraint_force(name): "N m" if unit == "1" else "N"}
     units |= {name: unit for name, unit, _ in getattr(model.module, "BESIDE", ())}  # readings of a saved run
     return Units(units, model)
 
@@ -369,11 +374,12 @@ def constraint_force(constraint: str) -> str:
     """Name the force that holds a constraint.
 
     `pin.apart_x` -> `pin.force_x`, `pin.off_y` -> `pin.force_y`, `pin.turned_x` -> `pin.moment_x`; of a coupling
-    `mesh.turned` -> `mesh.moment`, `rack.off` -> `rack.force`.
+    `mesh.turned` -> `mesh.moment`, `rack.off` -> `rack.force`; of what rolls `tyre.gap` -> `tyre.normal_force`,
+    `tyre.sliding_velocity_1` -> `tyre.friction_force_1`; of an edge `skate.side_velocity` -> `skate.side_force`.
     """
     whose, _, name = constraint.rpartition(".")
-    kind, *label = name.split("_", 1)
-    return "_".join([f"{whose}.{'moment' if kind == 'turned' else 'force'}", *label])
+    kind = next(kind for kind in _HELD_BY if name.startswith(kind))
+    return f"{whose}.{_HELD_BY[kind]}{name.removeprefix(kind)}"
 
 
 def acceleration_of(speed: str) -> str:

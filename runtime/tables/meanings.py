@@ -25,6 +25,8 @@ _WORDS = {  # by the last part of a name, or by the one before an axis: meaning,
     "input": "work put in since the start",
     "force": "force",
     "thickness": "least thickness of the film",
+    "side_velocity": "velocity across the edge",
+    "side_force": "force across the edge",
     "apart": "opening of the closed loop",
     "off": "opening of the closed loop",
     "turned": "sine of the angle that the closed loop is open by",
@@ -99,8 +101,8 @@ def meaning_of(model: Model, name: str) -> str:
         return f"{what} of {whose}, along its tangent {name[-1]}"
     if name in map(acceleration_of, model.speeds):
         return f"{part.replace('_', ' ')} of {whose}"
-    if name in map(constraint_force, model.constraints):
-        kind, labelled, _ = part.partition("_")
+    kind, labelled, _ = part.partition("_")
+    if kind in ("force", "moment") and name in map(constraint_force, model.constraints):
         held = f"closed loop of {whose}{axis}" if labelled else f"coupling {whose}, on its first coordinate"
         return f"{kind} that holds the {held}"
     if name in model.constraints and part in ("off", "turned"):

@@ -1,0 +1,209 @@
+"""Rolling without slip and knife edges against closed forms: wheel, ball on a turntable, disc upright, Chaplygin's sleigh."""
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from hertzwerk.derive import (
+    GROUND,
+    Body,
+    ConstantSpeed,
+    Contact,
+    Direction,
+    EnergyLedger,
+    Free,
+    Gravity,
+    InputError,
+    JointSpring,
+    KnifeEdge,
+    Mechanism,
+    Parameter,
+    Planar,
+    Revolute,
+    RimOnPlane,
+    RollingWithoutSlip,
+    Scales,
+    Scene,
+    SphereOnPlane,
+    SphereOnSphere,
+    Start,
+    X,
+    Y,
+    Z,
+)
+from hertzwerk.derive.laws import power
+from hertzwerk.runtime import equilibrium, load, modes, simulate
+
+BOTH = ("tree", "absolute")
+EXACT = 1e-9
+m, r, g = Parameter("m", "kg", 2.0), Parameter("r", "m", 0.3), Parameter("g", "m/s^2", 9.81)
+turn, still, pull = Parameter("turn", "rad/s", 2.0), Parameter("still", "m/s", 0.0), Parameter("unturned", "rad/s", 0.0)
+slope, pace, mu = Parameter("slope", "rad", 0.4), Parameter("pace", "m/s", 1.0), Parameter("mu", "1", 0.2)
+DOWNHILL = Gravity("gravity", g, direction=Direction((sp.sin(slope), -sp.cos(slope), 0)))
+
+
+def scene(joints, pairs, *effects, **start) -> Scene:
+    scales = Scales(r, pace, arm=r)
+    return Scene(Mechanism("rolling", joints, pairs), (*effects, EnergyLedger()), scales, Start(**start))
+
+
+def run(declared: Scene, coordinates: str = "tree", duration: float = 1.0, **options):
+    found = simulate(load(declared.with_coordinates(coordinates)), duration=duration, **{"tolerance": 1e-11, **options})
+    assert found.outcome.finished
+    assert found.energy_residual < EXACT
+    assert max(np.max(np.abs(found[name])) for name in found.model.constraints) < EXACT
+    return found
+
+
+def wheel(coefficient=None, *more) -> Scene:
+    body = Body("wheel", m, m * r**2 / 2)
+    track = SphereOnPlane("track", body.at(0, 0, 0), r, GROUND.at(0, 0, 0), normal=Y)
+    joints = (Planar("ride", GROUND, body, normal=Z),)
+    rolling = RollingWithoutSlip("tyre", "track", coefficient)
+    return scene(joints, (track,), DOWNHILL, rolling, *more, position={"ride.y": r})
+
+
+@pytest.mark.parametrize("coordinates", BOTH)
+@pytest.mark.parametrize("method", ["dop853", "esdirk"])
+def test_a_wheel_rolls_downhill_at_two_thirds_of_g_sin(coordinates, method):
+    found, down = run(wheel(), coordinates, method=method), 9.81 * np.sin(0.4)
+    assert found["ride.x_speed"] == pytest.approx(2 / 3 * down * found.t, abs=EXACT)
+    assert found["ride.angle_speed"] == pytest.approx(-2 / 3 * down * found.t / 0.3, abs=EXACT)
+    assert found["tyre.normal_force"] == pytest.approx(2 * 9.81 * np.cos(0.4), rel=EXACT)
+    assert found["tyre.friction_force"] == pytest.approx(2 * down / 3, rel=EXACT)  # along z x normal: uphill
+    assert not found.warnings
+
+
+def test_a_run_warns_where_friction_could_not_hold_it():
+    """The wheel needs tan(slope)/3 = 0.141."""
+    assert not run(wheel(0.15)).warnings
+    (warning,) = run(wheel(mu), parameters={"mu": 0.13}).warnings
+    assert warning.startswith("tyre needs a coefficient of friction of 0.141 at ")
+    assert warning.endswith("more than 0.13: it would slip")
+
+
+def test_a_run_warns_where_the_surfaces_would_part():
+    """A ball on another leaves it at cos = 10/17 of the way, where its normal force vanishes."""
+    big, ball = Parameter("big", "m", 1.0), Body("ball", m, 2 * m * r**2 / 5)
+    pair = SphereOnSphere("hill", ball.at(0, 0, 0), GROUND.at(0, 0, 0), r, big)
+    start = {
+        "position": {"ride.x": (big + r) * sp.sin(sp.Rational(1, 10)), "ride.y": (big + r) * sp.cos(sp.Rational(1, 10))}
+    }
+    declared = scene(
+        (Planar("ride", GROUND, ball, normal=Z),), (pair,), Gravity("gravity", g, direction=-Y), RollingWithoutSlip("rolls", "hill"), **start
+    )  # fmt: skip
+    found = run(declared, duration=2.0)
+    cosine = found["ride.y"] / 1.3
+    leaves = np.interp(0, -found["rolls.normal_force"], cosine)
+    assert leaves == pytest.approx(10 / 17 * np.cos(0.1), rel=1e-2)  # between two steps
+    force = 2 * 9.81 * (17 * cosine - 10 * np.cos(0.1)) / 7
+    assert found["rolls.normal_force"] == pytest.approx(force, abs=1e-7)
+    (warning,) = found.warnings
+    assert warning.startswith("rolls holds its surfaces together with ")
+
+
+def turntable(**start) -> Scene:
+    table, ball = Body("table", m, m * r**2), Body("ball", m, 2 * m * r**2 / 5)
+    joints = (Revolute("table", GROUND, table, axis=Z), Free("ball", GROUND, ball))
+    pair = SphereOnPlane("deck", ball.at(0, 0, 0), r, table.at(0, 0, 0), normal=Z)
+    drive = ConstantSpeed("motor", "table", Parameter("turning", "rad/s", 3.0))
+    rolling, weight = RollingWithoutSlip("rolls", "deck"), Gravity("gravity", g, direction=-Z)
+    return scene(joints, (pair,), drive, weight, rolling, **start)
+
+
+@pytest.mark.parametrize("coordinates", BOTH)
+def test_a_ball_on_a_turntable_circles_at_two_sevenths_of_its_speed(coordinates):
+    """Routh, Advanced Rigid Dynamics (1884): p'' = 2/7 W x p', wherever the axis is."""
+    away, vx, vy = Parameter("away", "m", 0.7), Parameter("vx", "m/s", 0.2), Parameter("vy", "m/s", 0.5)
+    position = {"ball.x": away, "ball.z": r}
+    declared = turntable(position=position, speed={"ball.x": vx, "ball.y": vy, "ball.angular_speed_z": pull})
+    found = run(declared, coordinates, duration=4.0)
+    rate = 2 / 7 * 3.0
+    path = found["ball.x"] + 1j * found["ball.y"]
+    speed = 0.2 + 0.5j
+    assert path == pytest.approx(0.7 + speed * (np.exp(1j * rate * found.t) - 1) / (1j * rate), abs=1e-8)
+
+
+def sleigh() -> Scene:
+    a, inertia = Parameter("a", "m", 0.25), Parameter("J", "kg m^2", 0.1)
+    body = Body("sleigh", m, inertia, centre=(a, 0, 0))
+    edge = KnifeEdge("skate", body.at(0, 0, 0), Y)
+    return scene((Planar("ride", GROUND, body, normal=Z),), (), edge, speed={"ride.angle": turn, "ride.x": still})
+
+
+@pytest.mark.parametrize("coordinates", BOTH)
+def test_a_sleigh_with_a_knife_edge_runs_straight_in_the_end(coordinates):
+    """Chaplygin's sleigh: v = k w0 tanh(a w0 t/k) and w = w0 sech(a w0 t/k), k^2 = (J + m a^2)/m."""
+    found, k = run(sleigh(), coordinates, duration=3.0), np.sqrt(0.1 / 2 + 0.25**2)
+    grown = 0.25 * 2 * found.t / k
+    assert found["sleigh.angle_speed"] == pytest.approx(2 / np.cosh(grown), abs=1e-8)
+    assert found["sleigh.angle"] == pytest.approx(4 * k / 0.5 * np.arctan(np.tanh(grown / 2)), abs=1e-8)
+    assert found["skate.side_force"] == pytest.approx(side_force(found.t, k), abs=1e-6)
+
+
+def side_force(t, k):
+    """m (v w + a w'), the acceleration of the mass centre across."""
+    s = 0.25 * 2 * t / k
+    v, w, dw = 2 * k * np.tanh(s), 2 / np.cosh(s), -2 * 0.25 * 2 / k * np.tanh(s) / np.cosh(s)
+    return 2 * (v * w + 0.25 * dw)
+
+
+@pytest.mark.parametrize("coordinates", BOTH)
+def test_an_upright_disc_sways_as_fast_as_published(coordinates):
+    """A thin rolling disc: sway^2 = 4/5 (3 w^2 - g/r), Neimark, Fufaev (1972), III.2; below 3 w^2 = g/r it falls."""
+    tilt, spin = Parameter("tilt", "rad", 1e-4), Parameter("spin", "rad/s", 12.0)
+    disc = Body("disc", m, (m * r**2 / 4, m * r**2 / 2, m * r**2 / 4))
+    pair = RimOnPlane("ground", disc.at(0, 0, 0), Y, r, GROUND.at(0, 0, 0), normal=Z)
+    position = {"disc.q0": sp.cos(tilt / 2), "disc.q1": sp.sin(tilt / 2), "disc.z": r * sp.cos(tilt)}
+    speed = {"disc.angular_speed_x": pull, "disc.angular_speed_y": spin, "disc.angular_speed_z": pull}
+    joints, rolling = (Free("disc", GROUND, disc),), RollingWithoutSlip("rolls", "ground")
+    declared = scene(joints, (pair,), Gravity("gravity", g, direction=-Z), rolling, position=position, speed=speed)
+    for rate in (12.0, 2.0):
+        found = run(declared, coordinates, duration=0.5, parameters={"spin": f"{rate} rad/s"})
+        q = [found[f"disc.q{k}"] for k in range(4)]
+        sway = np.emath.sqrt(0.8 * (3 * rate**2 - 9.81 / 0.3))
+        middle = 1e-4 * 0.8 * 3 * rate**2 / sway**2  # its path bends with the lean
+        lean = middle + (1e-4 - middle) * np.cos(sway * found.t)
+        assert 2 * (q[2] * q[3] + q[0] * q[1]) == pytest.approx(lean.real, rel=1e-5)
+        assert found["rolls.normal_force"] == pytest.approx(2 * 9.81, rel=1e-5)
+
+
+def test_a_rolling_wheel_on_a_spring_rests_and_vibrates_as_one_of_half_again_the_mass():
+    found = equilibrium(load(wheel(None, JointSpring("tie", "ride.x", Parameter("k", "N/m", 300)))))
+    assert found.q[0] == pytest.approx(2 * 9.81 * np.sin(0.4) / 300, rel=1e-9)
+    assert modes(found).frequencies == pytest.approx([np.sqrt(300 / 3) / (2 * np.pi)], rel=1e-9)
+
+
+def test_derivatives_of_a_rolling_wheel_are_those_of_its_closed_form():
+    """x = g sin(slope) t^2/3, whatever its mass and radius."""
+    found = run(wheel(mu))
+    by = found.sensitivities("slope", "r", "m")
+    assert by["ride.x", "slope"] == pytest.approx(9.81 * np.cos(0.4) * found.t**2 / 3, abs=EXACT)
+    assert by["ride.x", "r"] == pytest.approx(0 * found.t, abs=EXACT)
+    assert by["tyre.normal_force", "m"] == pytest.approx(9.81 * np.cos(0.4), rel=EXACT)
+    assert by["tyre.sliding_velocity", "slope"] == pytest.approx(0 * found.t, abs=EXACT)
+
+
+def test_every_fault_of_rolling_and_edges_is_told_at_once():
+    body = Body("wheel", m, m * r**2)
+    track = SphereOnPlane("track", body.at(0, 0, 0), r, GROUND.at(0, 0, 0), normal=Y)
+    contact = Contact("track", power(Parameter("K", "N/m^1.5", 1e8), 1.5))
+    with pytest.raises(InputError) as error:
+        scene(
+            (Planar("ride", GROUND, body, normal=Z),), (track,), contact, RollingWithoutSlip("tyre", "track", -1),
+            RollingWithoutSlip("other", "nothing"), KnifeEdge("skate", body.at(0, 0, 0), X, on=body),
+        )  # fmt: skip
+    assert [(fault.where, fault.found) for fault in error.value.faults] == [
+        ("effect tyre", "track at the same pair"),
+        ("effect other", "pair 'nothing'"),
+        ("effect skate", "an edge of wheel on wheel"),
+        ("effect tyre, coefficient", "-1"),
+    ]
+
+
+def test_equations_for_people_have_what_rolls_in_a_section_of_its_own():
+    text = str(load(wheel(mu)).equations())
+    section = text[text.index("## Rolling and edges") :]
+    assert "tyre.gap, zero while the surfaces touch [m]" in section
+    assert "tyre.sliding_velocity, zero [m/s]" in section
+    assert "Closed loops" not in text
