@@ -75,7 +75,7 @@ if TYPE_CHECKING:  # the list of public names
         Potential as Potential,
     )
     from hertzwerk.derive.effects.gravity import Gravity as Gravity
-    from hertzwerk.derive.effects.joint_friction import JointFriction as JointFriction
+    from hertzwerk.derive.effects.loads.joint_friction import JointFriction as JointFriction
     from hertzwerk.derive.effects.loads.ball_friction import BallFriction as BallFriction
     from hertzwerk.derive.effects.loads.belt import BeltOnDrum as BeltOnDrum
     from hertzwerk.derive.effects.loads.frames import (

@@ -11,7 +11,7 @@ import sympy as sp
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.algebra.vectors import dot, scale, sub
 from hertzwerk.derive.effects.effect import Declared, Effect, Element, Kinematics
-from hertzwerk.derive.effects.joint_friction import drag_of
+from hertzwerk.derive.effects.loads.joint_friction import drag_of
 from hertzwerk.derive.faults import Fault, one_of
 from hertzwerk.derive.laws.law import BoundLaw, FrictionLaw, N
 from hertzwerk.derive.mechanism.bodies import Slot

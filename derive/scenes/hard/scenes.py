@@ -26,7 +26,7 @@ from hertzwerk.derive.effects.drives import Harmonic
 from hertzwerk.derive.effects.energy_ledger import EnergyLedger
 from hertzwerk.derive.effects.forces import JointForce
 from hertzwerk.derive.effects.gravity import Gravity
-from hertzwerk.derive.effects.joint_friction import JointFriction
+from hertzwerk.derive.effects.loads.joint_friction import JointFriction
 from hertzwerk.derive.effects.springs import JointDamper
 from hertzwerk.derive.effects.state_expression import speed_of
 from hertzwerk.derive.laws import coulomb, exact, flores, kelvin_voigt, lugre, power, ristow, smooth_coulomb
