@@ -132,7 +132,7 @@ TRIES: dict[str, dict[str, int]] = {
     "change_points": {"dopri5": 996, "dop853": 199, "rodas": 1194, "esdirk": 949, "auto": 199},
     "redundant_constraints": {"dopri5": 399, "dop853": 88, "rodas": 562, "esdirk": 359, "auto": 88},
     "three_clearances": {"dop853": 210681, "esdirk": 294412, "auto": 235928},
-    "track_of_arcs_and_lines": {"dopri5": 1301, "dop853": 413, "rodas": 3413, "esdirk": 1103, "auto": 413},
+    "track_of_arcs_and_lines": {"dop853": 413, "auto": 413},
     "edge_bouncing_ball_mass_lower": {"dopri5": 54, "dop853": 27, "rodas": 76, "esdirk": 59, "auto": 27},
     "edge_bouncing_ball_radius_lower": {"dopri5": 53, "dop853": 25, "rodas": 77, "esdirk": 61, "auto": 25},
     "edge_bouncing_ball_stiffness_lower": {"dopri5": 53, "dop853": 24, "rodas": 76, "esdirk": 61, "auto": 24},

@@ -163,7 +163,7 @@ class Counting:
 def search(*_):
     """A search along a curve: one call."""
     Counted.count += 1
-    return [Counted()] * 5
+    return [Counted()] * 10
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -220,7 +220,7 @@ def test_functions_return_what_the_tables_say(name):
             compiled = ca.Function("f", symbols, [kind(value) for value in (out if isinstance(out, tuple) else (out,))])
             values = compiled.call([ca.DM(given[n]) for n in derived.arguments(function)])
             for a, b in zip(numbers, values, strict=True):
-                assert a.full().reshape(-1) == pytest.approx(b.full().reshape(-1), rel=1e-15, abs=0)
+                assert a.full().reshape(-1) == pytest.approx(b.full().reshape(-1), rel=2e-14, abs=0)
     for pair, _ in derived.PAIRS:
         friction = any(kind == "friction" for _, kind, _ in derived.EFFECTS)
         shapes = [value.size for value in derived.call(f"contact_{pair}", **given)]
