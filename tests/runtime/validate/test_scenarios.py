@@ -58,6 +58,7 @@ FAULTS = {
     "woodpecker": ("bird_mass = 4.545 g", "final.fall.travel", ""),
     "ball_between_walls": ("restitution = 0.909", "impacts.1.speed", "0.2 s"),
     "ball_in_socket": ("mass = 0.505 kg", "final.float.x", ""),
+    "bicycle": ("trail = 0.0808 m", "final.steer.angle", ""),
     "bouncing_ball": ("drop_height = 1.01 m", "impacts.0.t", "0.5 s"),
     "cam_follower": ("lift = 10.1 mm", "max.guide.travel", ""),
     "bricard": ("gravity = 9.9081 m/s^2", "final.hinge_a.angle", ""),
