@@ -13,7 +13,8 @@ from hertzwerk.runtime.model.per_model import per_model
 NUMBER = parse_unit("1")  # unit of what no model declares
 
 
-def si_units(model: Model) -> dict[str, str]:
+@per_model
+def si_units(model: Model) -> Mapping[str, str]:
     """Return the SI unit text of every parameter and state, "" of a number."""
     return {name: si_text(unit) for name, unit in _texts(model).items()}
 

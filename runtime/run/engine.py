@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache, partial
 
 from hertzwerk.derive.faults import Fault, InputError
 from hertzwerk.runtime.integrate.loop.attempt import Integrator, integrator
-from hertzwerk.runtime.integrate.loop.automatic import Code
+from hertzwerk.runtime.integrate.loop.automatic import Code, use_compiled
 from hertzwerk.runtime.integrate.loop.chunk import Ending, chunk, march
 from hertzwerk.runtime.integrate.tableaux.methods import METHODS, SUNDIALS
-from hertzwerk.runtime.model.caller import Callers, Rowwise
+from hertzwerk.runtime.model.caller import Callers
 from hertzwerk.runtime.model.model import Model
 from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.run.request import Compiled
@@ -81,16 +80,5 @@ def prepare(model: Model, method: str, compiled: Compiled, ahead: float = 0.0, n
     code = engine.code
     if code is None or not (code.compiled_if_faster(math.inf, ahead) if compiled == "auto" else compiled):
         return False
-    _compile(finders(model, engine.integrator, needs))
+    use_compiled(finders(model, engine.integrator, needs))
     return True
-
-
-def _compile(tables: list[Rowwise]) -> None:
-    """Compile functions of tables; where that fails they stay slower, with the same results."""
-    from hertzwerk.runtime.integrate.loop.compiled import NoCompilerError, Program
-
-    left = [table for table in tables if not table.compiled]
-    with suppress(NoCompilerError):
-        native = iter(Program(*(function for table in left for function in table.functions)).load() if left else ())
-        for table in left:
-            table.use([next(native) for _ in table.functions])

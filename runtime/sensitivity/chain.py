@@ -10,7 +10,7 @@ Solving Ordinary Differential Equations I, II.6 and I.14 (internal differentiati
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -18,7 +18,7 @@ import casadi as ca
 import numpy as np
 
 from hertzwerk.runtime.integrate.loop.automatic import Code
-from hertzwerk.runtime.integrate.step.classes import contact_classes
+from hertzwerk.runtime.integrate.step.classes import IN_FLIGHT, contact_classes
 from hertzwerk.runtime.integrate.step.explicit import flow
 from hertzwerk.runtime.integrate.step.redundant import relax_redundant
 from hertzwerk.runtime.integrate.tableaux.explicit_tableaux import RungeKutta, dop853
@@ -29,11 +29,20 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.loop.attempt import Integrator
     from hertzwerk.runtime.integrate.step.classes import Contacts
     from hertzwerk.runtime.model.model import Model
+    from hertzwerk.runtime.sensitivity.tangent import Directions
     from hertzwerk.runtime.solution.history import History
 
-SIZES = (8, 16)  # links per call, nested: calls of a function, links in it
-WIDTH = 16  # most columns at once: code grows with them
+SIZES = (16, 32)  # links per call, nested: calls of a function, links in it
+WIDTH = 8  # most columns at once: code grows with them
 PARTS = ("t", "y", "mode", "m", "pieces")  # of a row: all that a step of it needs
+PASSES = 4  # over some links, at most: steps found too coarse are solved apart in the next one
+COARSE, LEAST = (
+    1e5,
+    1e-6,
+)  # of tolerances, or of one: a step's estimated error, of a derivative, beyond which it is too coarse
+BESIDE, ROUGH = 0.9, 1e3  # steps so uneven begin or end at a surface, where an error may be so many times its estimate
+NOISE = 1e-9  # of a state's scale over a parameter: derivatives so small are none
+SHORT = 6000  # instructions up to which a step is written out: longer ones compile fast only by calls of their stages
 IDLE = 0  # kind of a link that does nothing; those of steps follow, the last one is linear
 
 
@@ -41,7 +50,7 @@ IDLE = 0  # kind of a link that does nothing; those of steps follow, the last on
 class Link:
     """Function of a link of any kind.
 
-    function    (kind, X (n, P), row, map (n, n + P), controls, dc (nc, P)) -> X', error (ny, P)
+    function    (kind, X (n, P), row, map (n, n + P), controls, dc (nc, P)) -> X', squares (2, P)
     linear      the kind of linear maps; below it the classes of steps
     """
 
@@ -55,8 +64,8 @@ def link(_: Model, integrator: Integrator, count: int) -> Link:
     steps = [_step(integrator, contacts, count) for contacts in contact_classes(integrator.model)]
     given = _arguments(integrator, count)
     x, linear = given[0], given[2]
-    ny, n = integrator.layouts.state.sizes["y"], x.size1()
-    still = ca.MX.zeros(ny, count)
+    n = x.size1()
+    still = ca.MX.zeros(2, count)
     idle = ca.Function("idle", given, [x, still])
     mapped = ca.Function("mapped", given, [ca.mtimes(linear[:, :n], x) + linear[:, n:], still])
     return Link(ca.Function.conditional("link", [idle, *steps], mapped), 1 + len(steps))
@@ -76,7 +85,7 @@ def _step(integrator: Integrator, contacts: Contacts, count: int) -> Any:
     layouts, model, table = integrator.layouts, integrator.model, dop853()
     x, row, _, controls, dc = given = _arguments(integrator, count)
     sizes = [1, 1, *(layouts.state.sizes[part] for part in PARTS)]
-    h, pace, *parts = ca.vertsplit(row, [0, *np.cumsum(sizes).tolist()])
+    h, even, *parts = ca.vertsplit(row, [0, *np.cumsum(sizes).tolist()])
     start = dict(zip(PARTS, parts, strict=True))
     run = layouts.within(layouts.controls.split(controls), {**start, "stop": 0})
     c, t, ny = relax_redundant(model)(start, run)["c"], start["t"], start["y"].numel()
@@ -85,37 +94,34 @@ def _step(integrator: Integrator, contacts: Contacts, count: int) -> Any:
 
     def combined(weights: Sequence[float]) -> Any:
         terms = [weight * slope for weight, slope in zip(weights, slopes, strict=False) if weight]
-        return h * sum(terms[1:], terms[0]) if terms else ca.MX.zeros(ny, count + 1)
-
-    def slope(node: float, at: Any) -> Any:
-        if contacts == ():  # it has no roots: its time is even
-            return stage(t + h * node, at, start["mode"], start["m"], c, x[ny:, :], dc)
-        time = t + h * (pace * node + (1 - pace) * node**2)
-        return (pace + 2 * (1 - pace) * node) * stage(time, at, start["mode"], start["m"], c, x[ny:, :], dc)
+        return sum(terms[1:], terms[0])
 
     for weights, node in zip(table.A, table.c, strict=True):
-        slopes.append(slope(node, begin + combined(weights) if slopes else begin))
+        time, pace = t + h * (even * node + (1 - even) * node**2), h * (even + 2 * (1 - even) * node)
+        at = begin + combined(weights) if slopes else begin
+        slopes.append(stage(time, at, start["mode"], start["m"], c, x[ny:, :], dc, pace))
     end = begin + combined(table.b)
-    first, second = (combined(estimate.weights)[:, 1:] for estimate in table.errors)  # joined as in `explicit`
-    error = first * first / ca.sqrt(first * first + 0.01 * second * second + 1e-300)
-    return ca.Function("step", given, [ca.vertcat(end[:, 1:], x[ny:, :]), error])
+    weights = (1 / run["scale"]).T ** 2
+    first, second = (ca.mtimes(weights, combined(estimate.weights)[:, 1:] ** 2) for estimate in table.errors)
+    error = first * first / (first + 0.01 * second + 1e-300)  # the square of that in `explicit`
+    squares = ca.vertcat(error, ca.mtimes(weights, end[:, 1:] ** 2))  # in the states' scales
+    step = ca.Function("step", given, [ca.vertcat(end[:, 1:], x[ny:, :]), squares])
+    return step.expand() if len(table.b) * stage.n_instructions() <= SHORT else step
 
 
 @per_model
 def _stage(model: Model, contacts: Contacts, count: int) -> Any:
-    """Build the function (t, (y, S), mode, m, c, M, dc) -> rates of (y, S)."""
+    """Build the function (t, (y, S), mode, m, c, M, dc, pace) -> rates of (y, S), by the pace."""
     t, y, mode, m, c = given = model.symbols("t y mode m c")
-    ny, np_ = y.numel(), model.npieces if model.inputs else 0
-    seeds = [ca.SX.sym(name, part.numel(), count) for name, part in (("S", y), ("M", m), ("dc", c))]
-    of_constants = ca.vertcat(seeds[2][: model.nc - np_, :], ca.SX(np_, count))  # inputs are given, and do not change
+    fixed = model.npieces if model.inputs else 0  # inputs are given, and do not change
+    S, M, dc = (ca.SX.sym(name, part.numel(), count) for name, part in (("S", y), ("M", m), ("dc", c)))
+    of_constants = ca.vertcat(dc[: model.nc - fixed, :], ca.SX(fixed, count))
     rates = flow(model, contacts).rates(*given)
-    changes = ca.jtimes(rates, ca.vertcat(y, m, c), ca.vertcat(*seeds[:2], of_constants))
-    both = ca.SX.sym("both", ny, 1 + count)
-    results = [ca.densify(ca.horzcat(rates, changes))]
-    made = ca.Function("both", [t, y, mode, m, c, *seeds], ca.cse(results))
-    return ca.Function(
-        "slopes", [t, both, mode, m, c, *seeds[1:]], made.call([t, both[:, 0], mode, m, c, both[:, 1:], *seeds[1:]])
-    )
+    changes = ca.jtimes(rates, ca.vertcat(y, m, c), ca.vertcat(S, M, of_constants))
+    made = ca.Function("of_columns", [*given, S, M, dc], [ca.densify(ca.horzcat(rates, changes))])
+    both, pace = ca.SX.sym("both", y.numel(), 1 + count), ca.SX.sym("pace")
+    (slopes,) = made.call([t, both[:, 0], mode, m, c, both[:, 1:], M, dc])
+    return ca.Function("slopes", [t, both, mode, m, c, M, dc, pace], [ca.cse(pace * slopes)])
 
 
 def _chain(link: Link) -> Any:
@@ -154,55 +160,82 @@ def code(model: Model, integrator: Integrator, count: int) -> Code:
 
 @dataclass(frozen=True)
 class Changes:
-    """Changes along a run, by its n rows.
+    """Changes along a run.
 
-    before, after (rows, n, P): just before and after the event of a row, the same where there is none
-    errors (rows - 1, ny, P): estimates of the steps' errors, 0 of those by maps
+    after (rows, n, P)     at its rows; at those that follow an event, after it
+    before (j, n, P)       before the events
+    apart (rows - 1,)      whether a step was solved apart
     """
 
-    before: np.ndarray
     after: np.ndarray
-    errors: np.ndarray
+    before: np.ndarray
+    apart: np.ndarray
 
 
 def chained(
     history: History,
     begin: np.ndarray,
-    maps: np.ndarray,
-    over: np.ndarray,
-    at: np.ndarray,
-    dc: np.ndarray,
+    jumps: np.ndarray,
+    events: np.ndarray,
+    solve: Callable[[np.ndarray], np.ndarray],
+    directions: Directions,
     *,
     switched: np.ndarray,
     compiled: bool,
 ) -> Changes:
     """Return the changes along a run from those at its begin (n, P).
 
-    maps (j, n, n + P)    linear maps
-    over (rows - 1,)      number of the map over each step, -1 where the graph takes it
-    at (rows,)            number of the jump at each row, -1 where there is none
-    switched (rows,)      whether a row follows an event
+    jumps (j, n, n + P)    maps at the events
+    events (j,)            rows that follow them
+    solve                  returns the maps over steps after rows: of those that are not the graph's, or too coarse
+    switched (rows,)       whether a row follows an event
     """
-    (n, count), ny = begin.shape, history.engine.layouts.state.sizes["y"]
-    jumps = at[1:] >= 0
-    last = np.cumsum(1 + jumps) - 1  # link before each row
-    step = last - jumps
-    number = np.empty(len(over) + jumps.sum(), dtype=int)
-    number[step], number[last[jumps]] = over, at[1:][jumps]
-    rows = np.zeros((len(number), len(_COLUMNS) + sum(history.engine.layouts.state.sizes[part] for part in PARTS)))
-    rows[step] = links_after(history, np.arange(len(over)), np.diff(history.t), switched)
-    before, after = (np.empty((len(at), n, count)) for _ in range(2))
-    before[0] = after[0] = begin
-    errors = np.empty((len(over), ny, count))
+    (n, count), rows = begin.shape, len(history.rows)
+    after_event = np.zeros(rows, dtype=int)
+    after_event[events] = 1
+    step = np.arange(rows - 1) + np.cumsum(after_event)[:-1]  # links over steps; after some of them is a jump
+    row = np.repeat(np.arange(1, rows), 1 + after_event[1:])  # after each link
+    leads = np.full(len(row), -1)  # event after each link
+    leads[step[events - 1]] = np.arange(len(events))
+    number = np.full(len(row), -1)  # of each link's map
+    number[step[events - 1] + 1] = np.arange(len(events))
+    implicit = np.flatnonzero(~by_graph(history)[:-1])
+    number[step[implicit]] = len(jumps) + np.arange(len(implicit))
+    maps = np.concatenate([jumps, solve(implicit)]) if len(implicit) else jumps
+    table = links_after(history, row - 1, np.diff(history.t)[row - 1], switched)
+    even = table[:, [_COLUMNS.index("even")]]
+    rough = np.where(np.abs(even - 1) > BESIDE, ROUGH, 1.0)
+    after, before = np.empty((rows, count, n)), np.empty((len(events), count, n))
+    after[0] = begin.T
+    bound = max(COARSE * history.controls[history.engine.layouts.controls["tolerance"]][0], LEAST)
     for first in range(0, count, WIDTH):
         some = slice(first, min(first + WIDTH, count))
-        here = np.concatenate([maps[:, :, :n], maps[:, :, n:][:, :, some]], axis=2)
-        x, erred = _linked(history, begin[:, some], rows, number, here, dc[:, some], compiled=compiled)
-        before[1:, :, some], after[1:, :, some], errors[:, :, some] = x[step], x[last], erred[step]
-    return Changes(before, after, errors)
+        columns = np.r_[:n, n + some.start : n + some.stop]
+        call = _Call(history, begin[:, some], directions.dc[:, some], compiled=compiled)
+        size = NOISE / directions.sizes[some]
+        for start in range(0, len(row), call.room):
+            links = slice(start, start + call.room)
+            for _ in range(PASSES):
+                by_map = np.flatnonzero(number[links] >= 0)
+                x, errors, sizes = call(table[links], by_map, maps[number[links][by_map]][:, :, columns])
+                larger = np.maximum(size, np.fmax.reduce(sizes))
+                coarse = ~(errors * rough[links] <= bound * larger).all(axis=1) & (number[links] < 0)
+                coarse &= np.cumsum(~np.isfinite(sizes).all(axis=1)) <= 1  # after it there are no numbers
+                if not coarse.any():
+                    break
+                again = start + np.flatnonzero(coarse)
+                number[again] = len(maps) + np.arange(len(again))
+                maps = np.concatenate([maps, solve(row[again] - 1)])
+            size = larger
+            after[row[links], some] = x
+            leading = np.flatnonzero(leads[links] >= 0)
+            before[leads[links][leading], some] = x[leading]
+            call.go_on(x[-1])
+        call.end()
+    return Changes(after.swapaxes(1, 2), before.swapaxes(1, 2), number[step] >= 0)
 
 
-_COLUMNS = ("kind", "h", "pace")
+_COLUMNS = ("kind", "h", "even")
 
 
 def links_after(history: History, index: np.ndarray, h: np.ndarray, switched: np.ndarray) -> np.ndarray:
@@ -210,50 +243,53 @@ def links_after(history: History, index: np.ndarray, h: np.ndarray, switched: np
 
     switched (rows,): whether a row follows an event
 
-    The time within a step is t + h (a s + (1 - a) s^2), 0 <= s <= 1, with its pace a such that it is the square of a
-    linear function from the nearer event: forces like d^1.5 are smooth functions of s up to the surface.
+    The time within a step is t + h (a s + (1 - a) s^2), 0 <= s <= 1. In contact, a is such that it is the square of a linear
+    function from the nearer event: forces like d^1.5 are smooth functions of s up to the surface. In flight it is 1.
     """
-    rows, layout, t = history.rows[index], history.engine.layouts.state, history.t
-    kinds = rows[:, layout["class"]]
+    layout, t = history.engine.layouts.state, history.t
+    kinds, *parts = (history.rows[:, layout[part]][index] for part in ("class", *PARTS))
     events = t[switched]
     place = np.searchsorted(events, t[index], side="right")
     before, after = t[index] - events[place - 1], np.append(events, np.inf)[place] - t[index]
     first, last = np.where(before < after - h, (before, before + h), (after, after - h))
     root, other = np.sqrt(first), np.sqrt(np.maximum(last, 0))
-    paces = np.where(np.isfinite(first) & (root + other > 0), 2 * root / np.where(root + other > 0, root + other, 1), 1)
-    return np.column_stack([kinds, h, paces, *(rows[:, layout[part]] for part in PARTS)])
+    curved = (kinds[:, 0] > IN_FLIGHT) & np.isfinite(first) & (root + other > 0)
+    even = np.where(curved, 2 * root / np.where(curved, root + other, 1), 1)
+    return np.column_stack([kinds, h, even, *parts])
 
 
-def _linked(
-    history: History,
-    begin: np.ndarray,
-    rows: np.ndarray,
-    number: np.ndarray,
-    maps: np.ndarray,
-    dc: np.ndarray,
-    *,
-    compiled: bool,
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return changes (links, n, P) and errors (links, ny, P) after each link."""
-    (n, count), room = begin.shape, SIZES[0] * SIZES[1]
-    chain, linear = code(history.model, history.engine, count), link(history.model, history.engine, count).linear
-    callers = chain.compile() if compiled else chain.machine
-    call = callers.take()
-    x, table, mapped, controls, changes = call.inputs
-    x[:], controls[:], changes[:] = begin.T, history.controls, dc.T
-    found = [np.empty((len(number), count, size)) for size in (n, history.engine.layouts.state.sizes["y"])]
-    for first in range(0, len(number), room):
-        some = slice(first, first + room)
-        which = number[some]
-        by_map = np.flatnonzero(which >= 0)
-        table[: len(which)] = rows[some]
-        table[by_map, 0], table[len(which) :, 0] = linear, IDLE
-        mapped.reshape(room, n + count, n)[by_map] = maps[which[by_map]].swapaxes(1, 2)
-        for kept, values in zip(found, call(), strict=True):
-            kept[some] = values.reshape(room, count, -1)[: len(which)]
-        x[:] = found[0][first + len(which) - 1]
-    callers.give_back(call)
-    return found[0].swapaxes(1, 2), found[1].swapaxes(1, 2)
+class _Call:
+    """Calls of a chain, each of at most `room` links from the changes where the last one ended."""
+
+    def __init__(self, history: History, begin: np.ndarray, dc: np.ndarray, *, compiled: bool) -> None:
+        (n, count), self.room = begin.shape, SIZES[0] * SIZES[1]
+        chain = code(history.model, history.engine, count)
+        self._linear = link(history.model, history.engine, count).linear
+        self._callers = chain.compile() if compiled else chain.machine
+        self._call = self._callers.take()
+        self._begin, self._rows, maps, controls, changes = self._call.inputs
+        self._maps = maps.reshape(self.room, n + count, n)
+        controls[:], changes[:] = history.controls, dc.T
+        self.go_on(begin.T)
+
+    def __call__(self, table: np.ndarray, by_map: np.ndarray, maps: np.ndarray) -> tuple[np.ndarray, ...]:
+        """Return changes (links, P, n), estimated errors and sizes (links, P) after links.
+
+        They are as in `links_after`, some of them maps (l, n, n + P).
+        """
+        count = len(table)
+        self._rows[:count], self._rows[count:, 0] = table, IDLE
+        self._rows[by_map, 0], self._maps[by_map] = self._linear, maps.swapaxes(1, 2)
+        x, squares = (values.reshape(self.room, self._begin.shape[0], -1)[:count] for values in self._call())
+        return x, *np.sqrt(squares).transpose(2, 0, 1)
+
+    def go_on(self, begin: np.ndarray) -> None:
+        """Begin the next call with these changes (P, n)."""
+        self._begin[:] = begin
+
+    def end(self) -> None:
+        """End the calls."""
+        self._callers.give_back(self._call)
 
 
 def by_graph(history: History) -> np.ndarray:

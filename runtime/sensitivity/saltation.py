@@ -32,7 +32,8 @@ from hertzwerk.runtime.integrate.step.set_valued_friction import groups_of, pair
 from hertzwerk.runtime.model.caller import Rowwise
 from hertzwerk.runtime.model.per_model import per_model
 from hertzwerk.runtime.sensitivity.chain import along
-from hertzwerk.runtime.sensitivity.tangent import ARGUMENTS, PARTS, Directions, Tangent, tangent
+from hertzwerk.runtime.sensitivity.tangent import ARGUMENTS, PARTS, Directions, Tangent, rowwise, tangent
+from hertzwerk.runtime.solution.history import part_of_step
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Model
@@ -250,6 +251,13 @@ def _stopping(history: History, index: np.ndarray) -> np.ndarray:
         if len(group) > 1:
             found |= (sliding[index, group[0]] == 1) & (sliding[index + 1, group[0]] == 0)
     return found
+
+
+def tables_of_events(history: History, count: int) -> list[Rowwise]:
+    """Return the functions that `events_of` calls row by row."""
+    model, methods = history.model, np.unique(history.part("method")[:-1])
+    steps = [part_of_step(model, history.engine, int(method)) for method in methods]
+    return [rowwise(model, watched, count), _rates(model), *steps]
 
 
 def _slipping(history: History, index: np.ndarray, before: np.ndarray, h: np.ndarray) -> np.ndarray:

@@ -17,11 +17,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from hertzwerk.derive.faults import Fault, InputError, unknown
+from hertzwerk.runtime.integrate.loop.automatic import use_compiled
 from hertzwerk.runtime.integrate.step.layout import CONTACT, FLIGHT
 from hertzwerk.runtime.model.si_values import si_units
-from hertzwerk.runtime.sensitivity.chain import Changes, along, by_graph, chained, later
+from hertzwerk.runtime.sensitivity.chain import along, chained, later
 from hertzwerk.runtime.sensitivity.readout import Readout
-from hertzwerk.runtime.sensitivity.saltation import events_of, switched, watched, watched_columns
+from hertzwerk.runtime.sensitivity.saltation import events_of, switched, tables_of_events, watched, watched_columns
 from hertzwerk.runtime.sensitivity.start_changes import start_changes
 from hertzwerk.runtime.sensitivity.tangent import directions_of, tangent
 from hertzwerk.runtime.sensitivity.transitions import transitions
@@ -32,9 +33,6 @@ if TYPE_CHECKING:
     from hertzwerk.runtime.model.model import Bound
     from hertzwerk.runtime.solution.history import History
 
-PASSES = 4  # through the run, at most: steps found too coarse are taken apart in the next one
-COARSE, LEAST = 1e4, 1e-6  # of tolerances, or of one: a step's error, of a derivative, beyond which it is too coarse
-NOISE = 1e-9  # of the scale of a state over that of what it is derived by: smaller derivatives are none
 BISECTIONS = 60  # of the step in which a force or penetration is largest
 PEAKS = {"peak_force": ("force", 1, "normal_force"), "peak_penetration": ("gap", -1, "penetration")}
 
@@ -57,15 +55,10 @@ class Sensitivities:
     ) -> None:
         self.history, self.names, self._compiled = history, names, compiled
         model = history.model
-        faults = [
-            unknown("parameter or initial state", name, _known(history))
-            for name in names
-            if name not in _known(history)
-        ]
+        known = _known(history)
+        faults = [unknown("parameter or initial state", name, known) for name in names if name not in known]
         if not names:
-            faults.append(
-                Fault("names", "none", "parameters or initial states", f"such as {next(iter(_known(history)))!r}")
-            )
+            faults.append(Fault("names", "none", "parameters or initial states", f"such as {next(iter(known))!r}"))
         if faults:
             raise InputError(f"sensitivities of {model.name}", faults)
         dp = np.array([[float(parameter == name) for name in names] for parameter in model.parameters])
@@ -73,10 +66,6 @@ class Sensitivities:
         parameters = list(model.parameters)
         floors = self._directions.dp[parameters.index("approach_floor")] if "approach_floor" in parameters else 0.0
         self._floor = floors + np.zeros(len(names))
-        scales = history.controls[history.engine.layouts.controls["scale"]]
-        sizes = dict(zip((*model.coordinates, *model.speeds), scales, strict=False))
-        sizes |= {name: abs(bound[name]) or 1.0 for name in parameters}
-        self._unit = scales[:, None] / np.array([sizes.get(name, 1.0) for name in names])
         self.until, self.reason = float(history.t[-1]), ""
         self._follow(start_changes(model, bound, initial, names), frozenset(initial))
 
@@ -142,44 +131,32 @@ class Sensitivities:
         first[: len(begin)] = begin
         self._latch(first[:ny], first[ny:], given)
         self._switched = switched(history)
+        if self._compiled and self._switched[1:].any():
+            use_compiled(tables_of_events(history, len(self.names)))
         self._jumps = jumps = events_of(history, self._switched, self._directions)
-        self._at_rows = at = np.full(rows, -1)  # events by the rows that follow them
-        over = np.full(rows - 1, -1)
-        at[jumps.rows], maps = np.arange(len(jumps.rows)), jumps.maps(self._floor)
-        steps, h = np.arange(rows - 1), np.diff(history.t)
-        self._apart = ~by_graph(history)[:-1]
-        for _ in range(PASSES):
-            fresh = np.flatnonzero(self._apart & (over < 0))
-            over[fresh] = len(maps) + np.arange(len(fresh))
-            maps = np.concatenate([maps, self._transitions(steps[fresh], h[fresh])])
-            changes = chained(
-                history, first, maps, over, at, self._directions.dc, switched=self._switched, compiled=self._compiled
-            )
-            doubtful = self._doubtful(changes)
-            if not (doubtful & ~self._apart).any():
-                break
-            self._apart |= doubtful
-        events, self.reason = jumps.first_without(changes.before[jumps.rows])
+        self._at_rows = np.full(rows, -1)  # events by the rows that follow them
+        self._at_rows[jumps.rows], maps = np.arange(len(jumps.rows)), jumps.maps(self._floor)
+        h = np.diff(history.t)
+        changes = chained(
+            history,
+            first,
+            maps,
+            jumps.rows,
+            lambda index: self._transitions(index, h[index]),
+            self._directions,
+            switched=self._switched,
+            compiled=self._compiled,
+        )
+        self._apart = changes.apart
+        events, self.reason = jumps.first_without(changes.before)
         self._changes = changes.after
         if self.reason:
             self.until = float(history.t[jumps.rows[events]])
             self._changes[jumps.rows[events] :] = np.nan
-        before = changes.before[jumps.rows]
-        self._times = along(jumps.time[:, None], before)[:, 0]
-        self._then = along(jumps.then, before)
+        self._times = along(jumps.time[:, None], changes.before)[:, 0]
+        self._then = along(jumps.then, changes.before)
         self._times[events:], self._then[events:] = np.nan, np.nan
         self._told = events
-
-    def _doubtful(self, changes: Changes) -> np.ndarray:
-        """Return whether each step's own method (rows - 1,) is too coarse for the derivatives."""
-        ny = changes.errors.shape[1]
-        tolerance = self.history.controls[self.history.engine.layouts.controls["tolerance"]][0]
-        ends = np.append(np.flatnonzero(self._switched[1:]) + 1, len(self._switched) - 1)
-        largest = np.maximum.accumulate(np.abs(changes.before[:, :ny]), axis=0)[ends]
-        size = largest[np.searchsorted(ends, np.arange(1, len(self._switched)))]  # before the next event
-        size = np.maximum(size, NOISE * self._unit)
-        found: np.ndarray = ~(np.abs(changes.errors) <= max(COARSE * tolerance, LEAST) * size).all(axis=(1, 2))
-        return found
 
     def _transitions(self, index: np.ndarray, h: np.ndarray) -> np.ndarray:
         return transitions(self.history, index, h, self._switched, self._directions)

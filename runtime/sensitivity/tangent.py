@@ -59,13 +59,14 @@ class Tangent:
 class Directions:
     """P changes of the parameters: numbers of the run and derivatives of its constants.
 
-    p (np,): the parameters in SI; dp (np, P): their changes; c (nc,), dc (nc, P)
+    p (np,): the parameters in SI; dp (np, P): their changes; c (nc,), dc (nc, P); sizes (P,): usual sizes of what is changed
     """
 
     p: np.ndarray
     dp: np.ndarray
     c: np.ndarray
     dc: np.ndarray
+    sizes: np.ndarray
 
     @property
     def count(self) -> int:
@@ -76,7 +77,8 @@ class Directions:
 def directions_of(model: Model, p: np.ndarray, c: np.ndarray, dp: np.ndarray) -> Directions:
     """Return the directions (np, P) with the change of the constants."""
     (to_p,) = _constants_by_parameters(model)(p)
-    return Directions(p, dp, c, to_p.reshape(model.nc, len(p)) @ dp)
+    sizes = np.abs(p) @ (dp != 0)
+    return Directions(p, dp, c, to_p.reshape(model.nc, len(p)) @ dp, np.where(sizes > 0, sizes, 1.0))
 
 
 @per_model
@@ -94,7 +96,7 @@ def tangent(build: Callable[[Model], Any], history: History, rows: np.ndarray, d
     changes = np.concatenate([directions.dc, directions.dp])
     constant = np.concatenate([directions.c, directions.p, changes.T.ravel()])
     pieces = [rows[:, layout["pieces"]]] if model.inputs else []
-    value, to_time, *parts = _rowwise(model, build, directions.count)(
+    value, to_time, *parts = rowwise(model, build, directions.count)(
         constant, *(rows[:, layout[part]] for part in PARTS), *pieces
     )
     widths, (n, size) = (layout.sizes["y"], model.nm, directions.count), value.shape
@@ -103,7 +105,8 @@ def tangent(build: Callable[[Model], Any], history: History, rows: np.ndarray, d
 
 
 @per_model
-def _rowwise(model: Model, build: Callable[[Model], Any], count: int) -> Rowwise:
+def rowwise(model: Model, build: Callable[[Model], Any], count: int) -> Rowwise:
+    """Return the function of value and derivatives that `tangent` calls row by row."""
     *rest, c, p = model.symbols(ARGUMENTS)
     _, y, _, m = rest
     size = model.nc + len(model.parameters)

@@ -7,10 +7,11 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from hertzwerk.runtime.model.caller import Callers
+from hertzwerk.runtime.model.caller import Callers, Rowwise
 
 if TYPE_CHECKING:
     from hertzwerk.runtime.integrate.loop.compiled import Program
@@ -132,3 +133,14 @@ class AutomaticCallers:
             return False
         self.callers = better
         return True
+
+
+def use_compiled(tables: list[Rowwise]) -> None:
+    """Compile functions of tables; where that fails they stay slower, with the same results."""
+    from hertzwerk.runtime.integrate.loop.compiled import NoCompilerError, Program
+
+    left = [table for table in tables if not table.compiled]
+    with suppress(NoCompilerError):
+        native = iter(Program(*(function for table in left for function in table.functions)).load() if left else ())
+        for table in left:
+            table.use([next(native) for _ in table.functions])

@@ -28,7 +28,7 @@ from hertzwerk.derive.faults import InputError
 from hertzwerk.derive.laws import coulomb, power
 from hertzwerk.runtime import Samples, load, simulate
 from hertzwerk.runtime.model.si_values import si_units
-from hertzwerk.runtime.sensitivity import saltation, sensitivities
+from hertzwerk.runtime.sensitivity import chain, saltation, sensitivities
 
 CRANK = {"duration": "1.5 ms", "tolerance": 1e-12}
 DASHPOT = {
@@ -219,6 +219,39 @@ def test_every_history_has_a_derivative(crank):
     for name, value, doubt in zip(names, expected, unsure, strict=True):
         assert doubt < 1e-6 * abs(value) or doubt < 1e-9, name
         assert found.at(t, name, "clearance")[0] == pytest.approx(value, rel=5e-6, abs=1e-8), name
+
+
+# -- how steps are taken -----------------------------------------------------------------------------------------------
+
+
+def test_steps_too_coarse_for_a_derivative_are_solved_apart(monkeypatch):
+    """Damping with the fourth root of the penetration: beside the surface its derivative has no bound."""
+    model = load("bouncing_ball", laws={"floor": "power(K=1e6 N/m^1.5, n=1.5) x tsuji"})
+    run = made(model, duration="0.7 s", tolerance=1e-9)
+    found = {}
+    for name, level in (("as they are", chain.COARSE), ("all apart", 0.0), ("none apart", np.inf)):
+        monkeypatch.setattr(chain, "COARSE", level)
+        monkeypatch.setattr(chain, "LEAST", min(level, 1e-6))
+        found[name] = run.sensitivities("drop_height")["vertical.speed", "drop_height"][-1]
+    assert found["as they are"] == pytest.approx(found["all apart"], rel=2e-6)
+    assert found["none apart"] != pytest.approx(found["all apart"], rel=1e-3)
+
+
+def test_many_derivatives_are_those_of_each_alone(crank):
+    run = made(crank, duration="0.5 ms", tolerance=1e-9)
+    names = [name for name in crank.parameters if crank.bind()[name]][: chain.WIDTH + 2]
+    assert len(names) > chain.WIDTH
+    together = run.sensitivities(*names)
+    for name in (names[0], names[-1]):
+        alone = run.sensitivities(name)["guide.travel", name]
+        np.testing.assert_allclose(together["guide.travel", name], alone, rtol=1e-7, atol=1e-12 * np.abs(alone).max())
+
+
+def test_compiled_derivatives_are_the_same(ball):
+    names, how = ("restitution", "drop_height"), {"duration": "0.7 s", "tolerance": 1e-9, "method": "dop853"}
+    virtual, compiled = (simulate(ball, compiled=c, **how).sensitivities(*names) for c in (False, True))
+    for name in names:
+        np.testing.assert_allclose(compiled["vertical.speed", name], virtual["vertical.speed", name], rtol=1e-12)
 
 
 # -- every term matters ------------------------------------------------------------------------------------------------
