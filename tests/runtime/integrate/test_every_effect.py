@@ -87,7 +87,7 @@ def crane(*effects, **start):
         Revolute("main", BLOCK, ARM, axis=Z),
         Revolute("knee", ARM.at(p("l", "m", 0.3), 0, 0), BOB, axis=Z),
     )
-    begin = Start(speed={"main": p("w0", "rad/s", 3), "slide": p("v0", "m/s", 0.4), **start.get("speed", {})})
+    begin = Start(speed=start or {"main": p("w0", "rad/s", 3), "slide": p("v0", "m/s", 0.4)})
     return Scene(Mechanism("crane", joints), (GRAVITY, *effects, EnergyLedger()), SCALES, begin)
 
 
@@ -168,7 +168,7 @@ CASES = {
     "drive_position": lambda: driven(d.Drive("drive", "main", position=p("A", "rad", 0.3) * sp.sin(p("f", "rad/s", 9) * T))),
     "drive_speed": lambda: driven(d.Drive("drive", "main", speed=p("w", "rad/s", 5) * sp.cos(p("f", "rad/s", 9) * T))),
     "drive_by_input": lambda: driven(d.Drive("drive", "main", position=Input("push", "rad"))),
-    "coupling": lambda: crane(d.Coupling("rack", "slide", "main", ratio=p("pitch", "m", 0.1)), speed={"slide": 0}),
+    "coupling": lambda: crane(d.Coupling("rack", "slide", "main", ratio=p("pitch", "m", 0.1)), main=p("w0", "rad/s", 3)),
     "joint_force": lambda: crane(JointForce("push", "slide", Input("push", "N"))),
     "point_force": lambda: crane(d.PointForce("wind", BOB.at(0, 0, 0), (p("F", "N", 3) * sp.cos(p("f", "rad/s", 9) * T), 0, 0))),
     "body_torque": lambda: crane(d.BodyTorque("brake", BOB, (0, 0, p("M", "N m", 0.3)))),
