@@ -6,8 +6,8 @@ Effects:
     floor: power x kelvin_voigt
     rubbing: smooth_coulomb at floor
     energy_ledger: work put in, energy dissipated per effect
-Units: 99 assignments and 120 outputs checked, all consistent
-Operations: flight 122 (equations of motion and gaps); in contact also contact_floor 130
+Units: 102 assignments and 121 outputs checked, all consistent
+Operations: flight 122 (equations of motion and gaps); in contact also contact_floor 134
 """
 
 import casadi as ca
@@ -119,6 +119,7 @@ CONSTANTS = (
     ("friction_coefficient", "1"),
     ("half_stiffness", "N/m"),
     ("twice_floor_xi", "1"),
+    ("pace_squared", "m^2/s^2"),
     ("inverse_friction_speed", "s/m"),
     ("friction_coefficient_over_friction_speed", "s/m"),
     ("top_I_y_y_minus_top_I_z_z", "kg m^2"),
@@ -132,13 +133,13 @@ CONSTANTS = (
 )
 
 OPERATIONS = (
-    ("constants", 24),
+    ("constants", 25),
     ("start", 16),
     ("scales", 7),
     ("coordinate_rates", 24),
     ("gaps", 41),
     ("gap_accelerations", 66),
-    ("contact_floor", 130),
+    ("contact_floor", 134),
     ("applied", 2),
     ("accelerations", 13),
     ("ledger", 0),
@@ -154,10 +155,10 @@ def constants(p):
 
     Arguments: p: PARAMETERS, in SI.
     Returns, each a column vector:
-        c (18,): mass, radius, offset, gravity, stiffness, friction_coefficient, half_stiffness, twice_floor_xi,
-            inverse_friction_speed, friction_coefficient_over_friction_speed, top_I_y_y_minus_top_I_z_z,
-            inverse_mass, inverse_top_I_z_z, inverse_top_I_y_y, half_top_I_y_y, half_top_I_z_z, half_mass,
-            gravity_times_mass
+        c (19,): mass, radius, offset, gravity, stiffness, friction_coefficient, half_stiffness, twice_floor_xi,
+            pace_squared, inverse_friction_speed, friction_coefficient_over_friction_speed,
+            top_I_y_y_minus_top_I_z_z, inverse_mass, inverse_top_I_z_z, inverse_top_I_y_y, half_top_I_y_y,
+            half_top_I_z_z, half_mass, gravity_times_mass
     """
     mass = p[0]
     radius = p[1]
@@ -169,10 +170,12 @@ def constants(p):
     restitution = p[7]
     friction_coefficient = p[8]
     friction_speed = p[9]
+    pace = p[13]
     half_stiffness = stiffness/2
     x1 = ca.log(restitution)
     floor_xi = -x1/ca.sqrt(3.141592653589793**2 + x1*x1)
     twice_floor_xi = 2*floor_xi
+    pace_squared = pace*pace
     inverse_friction_speed = 1/friction_speed
     friction_coefficient_over_friction_speed = inverse_friction_speed*friction_coefficient
     radius_squared = radius*radius
@@ -187,9 +190,9 @@ def constants(p):
     half_mass = mass/2
     gravity_times_mass = gravity*mass
     return ca.vertcat(mass, radius, offset, gravity, stiffness, friction_coefficient, half_stiffness,
-        twice_floor_xi, inverse_friction_speed, friction_coefficient_over_friction_speed, top_I_y_y_minus_top_I_z_z,
-        inverse_mass, inverse_top_I_z_z, inverse_top_I_y_y, half_top_I_y_y, half_top_I_z_z, half_mass,
-        gravity_times_mass)
+        twice_floor_xi, pace_squared, inverse_friction_speed, friction_coefficient_over_friction_speed,
+        top_I_y_y_minus_top_I_z_z, inverse_mass, inverse_top_I_z_z, inverse_top_I_y_y, half_top_I_y_y,
+        half_top_I_z_z, half_mass, gravity_times_mass)
 
 
 def start(p):
@@ -401,8 +404,9 @@ def contact_floor(t, q, u, z, m, c):
     stiffness = c[4]
     friction_coefficient = c[5]
     twice_floor_xi = c[7]
-    inverse_friction_speed = c[8]
-    friction_coefficient_over_friction_speed = c[9]
+    pace_squared = c[8]
+    inverse_friction_speed = c[9]
+    friction_coefficient_over_friction_speed = c[10]
     flight_y = q[1]
     flight_q0 = q[3]
     flight_q1 = q[4]
@@ -459,11 +463,13 @@ def contact_floor(t, q, u, z, m, c):
     floor_sliding_rate_x = flight_x_speed + floor_first_arm_z*top_turning_y - top_turning_z*floor_first_arm_y_minus_radius
     floor_sliding_rate_z = flight_z_speed + top_turning_x*floor_first_arm_y_minus_radius - floor_first_arm_x*top_turning_y
     floor_slip_squared = floor_sliding_rate_x*floor_sliding_rate_x + floor_sliding_rate_z*floor_sliding_rate_z
-    floor_sliding_velocity = ca.sqrt(floor_slip_squared)
+    base_2 = ca.if_else(floor_slip_squared > 0, floor_slip_squared, pace_squared)
+    floor_slip_size = ca.sqrt(base_2)
+    floor_sliding_velocity = ca.if_else(floor_slip_squared > 0, floor_slip_size, 0)
     floor_friction_force = floor_pressing_force*friction_coefficient*ca.tanh(floor_sliding_velocity*inverse_friction_speed)
     floor_friction_power = floor_friction_force*floor_sliding_velocity
     floor_friction_slope = floor_pressing_force*friction_coefficient_over_friction_speed
-    floor_friction_per_speed = ca.if_else(floor_sliding_velocity > 0, floor_friction_force/floor_sliding_velocity, floor_friction_slope)
+    floor_friction_per_speed = ca.if_else(floor_sliding_velocity > 0, floor_friction_force/floor_slip_size, floor_friction_slope)
     floor_drag_x = -floor_friction_per_speed*floor_sliding_rate_x
     floor_drag_z = -floor_friction_per_speed*floor_sliding_rate_z
     top_moment_x_2 = floor_drag_z*floor_first_arm_y_minus_radius
@@ -506,10 +512,10 @@ def accelerations(t, q, u, f, c):
             flight.angular_acceleration_z [rad/s^2]
         reactions (0,): empty
     """
-    top_I_y_y_minus_top_I_z_z = c[10]
-    inverse_mass = c[11]
-    inverse_top_I_z_z = c[12]
-    inverse_top_I_y_y = c[13]
+    top_I_y_y_minus_top_I_z_z = c[11]
+    inverse_mass = c[12]
+    inverse_top_I_z_z = c[13]
+    inverse_top_I_y_y = c[14]
     flight_angular_speed_x = u[3]
     flight_angular_speed_y = u[4]
     flight_angular_speed_z = u[5]
@@ -560,10 +566,10 @@ def energy(t, q, u, c):
     radius = c[1]
     offset = c[2]
     half_stiffness = c[6]
-    half_top_I_y_y = c[14]
-    half_top_I_z_z = c[15]
-    half_mass = c[16]
-    gravity_times_mass = c[17]
+    half_top_I_y_y = c[15]
+    half_top_I_z_z = c[16]
+    half_mass = c[17]
+    gravity_times_mass = c[18]
     flight_y = q[1]
     flight_q0 = q[3]
     flight_q1 = q[4]
@@ -603,7 +609,7 @@ def energy(t, q, u, c):
     top_velocity_x = flight_x_speed*top_R_x_x + flight_y_speed*top_R_y_x + flight_z_speed*top_R_z_x
     top_velocity_y = flight_x_speed*top_R_x_y + flight_y_speed*top_R_y_y + flight_z_speed*top_R_z_y
     top_velocity_z = flight_x_speed*top_R_x_z + flight_y_speed*top_R_y_z + flight_z_speed*top_R_z_z
-    kinetic = half_top_I_z_z*flight_angular_speed_x*flight_angular_speed_x + half_top_I_z_z*flight_angular_speed_z*flight_angular_speed_z + half_mass*(top_velocity_x*top_velocity_x + top_velocity_y*top_velocity_y + top_velocity_z*top_velocity_z) + half_top_I_y_y*flight_angular_speed_y*flight_angular_speed_y
+    kinetic = half_top_I_y_y*flight_angular_speed_y*flight_angular_speed_y + half_top_I_z_z*flight_angular_speed_x*flight_angular_speed_x + half_top_I_z_z*flight_angular_speed_z*flight_angular_speed_z + half_mass*(top_velocity_x*top_velocity_x + top_velocity_y*top_velocity_y + top_velocity_z*top_velocity_z)
     potential = flight_y*gravity_times_mass
     return ca.vertcat(kinetic), ca.vertcat(potential), ca.vertcat(floor_stored_energy)
 

@@ -249,7 +249,7 @@ class PairKinematics:
             return self._bent(friction, normal_force, bristle)
         if plane is None:
             slip = self._slip()
-            sliding = self.let(sp.sqrt(self.let(dot(slip, slip), "slip_squared")), "sliding_velocity")
+            sliding, size = self._size(slip)
         else:
             tangent, sliding = self._sliding(plane)
         known = {N: normal_force, s: sliding, **dict(zip((BRISTLE,), bristle, strict=False))}
@@ -259,7 +259,7 @@ class PairKinematics:
         power = self.let(force * sliding, "friction_power")
         if plane is None:
             slope = self.let(law.slope.xreplace(values), "friction_slope", stated[1])
-            per_speed = self.let(Where(sliding > 0, force / sliding, slope), "friction_per_speed")
+            per_speed = self.let(Where(sliding > 0, force / size, slope), "friction_per_speed")
             return scale(-per_speed, slip), sliding, force, power, ()
         rates = tuple(self.let(rate.xreplace(values), "bristle_rate", stated[2]) for _, rate, _ in law.memory)
         return scale(-force, tangent), sliding, force, power, rates
@@ -269,6 +269,12 @@ class PairKinematics:
         rate = self._named(self.touch.rate_at(self.touch.contact_point), "sliding_rate")
         along = self.let(dot(rate, self.touch.normal), "along_rate")
         return self._named(sub(rate, scale(along, self.touch.normal)), "slip")
+
+    def _size(self, slip: Vector) -> tuple[Any, Any]:
+        """Size of the sliding velocity, and a positive one in its place at rest, where the root has no slope [m/s]."""
+        square, pace = self.let(dot(slip, slip), "slip_squared"), sp.sympify(self.kin.scene.scales.speed)
+        size = self.let(sp.sqrt(Where(square > 0, square, pace**2)), "slip_size")
+        return self.let(Where(square > 0, size, 0), "sliding_velocity"), size
 
     def _bent(
         self, friction: Friction, normal_force: Any, bristle: Sequence[Any]
@@ -285,9 +291,7 @@ class PairKinematics:
         normal, tape = self.touch.normal, self.touch.tape
         slip, place = self._slip(), dict(zip(self.bristle_axes, bristle, strict=True))
         bent: Vector = (place.get("x", ZERO[0]), place.get("y", ZERO[0]), place.get("z", ZERO[0]))
-        square, pace = self.let(dot(slip, slip), "slip_squared"), sp.sympify(self.kin.scene.scales.speed)
-        moves = Where(square > 0, square, pace**2)  # its root has a slope at rest
-        sliding = self.let(Where(square > 0, sp.sqrt(moves), 0), "sliding_velocity")
+        sliding, _ = self._size(slip)
         values = self._law(friction.law, {N: normal_force, s: sliding}, friction.unchecked)
         stated = (STIFFNESS, DRAG, DECAY, PURE) if friction.unchecked else (None,) * 4
         names = ("friction_stiffness", "friction_per_speed", "bristle_decay", "bristle_gain")

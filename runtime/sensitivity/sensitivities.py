@@ -149,10 +149,15 @@ class Sensitivities:
         )
         self._apart = changes.apart
         events, self.reason = jumps.first_without(changes.before)
-        self._changes = changes.after
+        self._changes, last = changes.after, jumps.rows[events] if self.reason else rows
+        lost = np.flatnonzero(~np.isfinite(self._changes[:last]).all(axis=(1, 2)))
+        if len(lost):
+            last = int(lost[0])
+            events = int(np.searchsorted(jumps.rows, last))
+            self.reason = f"the equations have no finite derivatives in the step before {history.t[last]:.6g} s"
         if self.reason:
-            self.until = float(history.t[jumps.rows[events]])
-            self._changes[jumps.rows[events] :] = np.nan
+            self.until = float(history.t[last])
+            self._changes[last:] = np.nan
         self._times = along(jumps.time[:, None], changes.before)[:, 0]
         self._then = along(jumps.then, changes.before)
         self._times[events:], self._then[events:] = np.nan, np.nan

@@ -6,12 +6,15 @@ from itertools import pairwise
 import casadi as ca
 import numpy as np
 import pytest
+import sympy as sp
 from blocks import CARRIAGE, MASS, WEIGHT, block
 
 from hertzwerk.derive import (
     GROUND,
     Body,
     Contact,
+    Free,
+    Friction,
     Gravity,
     Input,
     JointForce,
@@ -23,9 +26,10 @@ from hertzwerk.derive import (
     SphereOnPlane,
     Start,
     Y,
+    coordinate_of,
 )
 from hertzwerk.derive.faults import InputError
-from hertzwerk.derive.laws import coulomb, power
+from hertzwerk.derive.laws import coulomb, power, smooth_coulomb
 from hertzwerk.runtime import Samples, load, simulate
 from hertzwerk.runtime.model.si_values import si_units
 from hertzwerk.runtime.sensitivity import chain, saltation, sensitivities
@@ -365,3 +369,39 @@ def test_a_load_given_as_an_input_changes_nothing_itself():
     found = run.sensitivities("mass")
     np.testing.assert_allclose(found["slide.travel", "mass"], -run["slide.travel"] / 2, atol=1e-12)
     assert not found["force", "mass"].any()
+
+
+def test_an_infinite_derivative_ends_them_and_says_where():
+    """A force like the root of the travel, which stays zero."""
+    body, far = Body("body", Parameter("m", "kg", 1.0)), Parameter("far", "m", 1.0)
+    force = Parameter("F", "N", 1.0) * sp.sqrt(coordinate_of("rail") / far)
+    declared = Scene(
+        Mechanism("rooted", (Prismatic("rail", GROUND, body, axis=Y),)),
+        (JointForce("root", "rail", force),),
+        Scales(far, Parameter("pace", "m/s", 1.0)),
+    )
+    run = simulate(load(declared), duration=1.0, tolerance=1e-9)
+    found = run.sensitivities("F")
+    assert found.reason.startswith("the equations have no finite derivatives in the step before ")
+    assert found.until == run.t[1]
+    assert np.isnan(found["rail.travel", "F"][1:]).all()
+
+
+def test_a_ball_that_rests_in_space_has_derivatives():
+    """Its slip is zero, where the size of a vector has no slope: K by 1 % presses it in by 2/3 %."""
+    m, g, r, K = (Parameter(*row) for row in (("m", "kg", 1.0), ("g", "m/s^2", 9.81), ("r", "m", 0.1), ("K", "N/m^1.5", 1e7)))  # fmt: skip
+    law = smooth_coulomb(Parameter("mu", "1", 0.3), Parameter("v_s", "mm/s", 1.0))
+    ball = Body("ball", m, (2 * m * r**2 / 5,) * 3)
+    floor = SphereOnPlane("floor", ball.at(0, 0, 0), r, GROUND.at(0, 0, 0), normal=Y)
+    declared = Scene(
+        Mechanism("resting", (Free("free", GROUND, ball),), (floor,)),
+        (Gravity("gravity", g, direction=-Y), Contact("floor", power(K, 1.5)), Friction("rub", "floor", law)),
+        Scales(Parameter("depth", "mm", 0.1), Parameter("pace", "m/s", 1.0), arm=r),
+        Start(position={"free.y": r - (m * g / K) ** sp.Rational(2, 3)}),
+    )
+    run = simulate(load(declared), duration=0.01, tolerance=1e-10)
+    found = run.sensitivities("K", "mu")
+    assert found.reason == ""
+    depth = (9.81 / 1e7) ** (2 / 3)
+    assert found["free.y", "K"] == pytest.approx(2 / 3 * depth / 1e7, rel=1e-6)
+    assert np.all(found["free.x", "mu"] == 0)
