@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final, Literal, TypeAlias
 
@@ -133,8 +133,7 @@ def read(
     Raises InputError with `before` and every fault. Text that was read before is not read again.
     """
     faults = [*before, *settings.faults()]
-    values = (dict(each) if isinstance(each, Mapping) else object() for each in (parameters, initial))
-    known, key = _remembered(model), repr((settings.duration, *values, digest_of(model.signals)))
+    known, key = _remembered(model), _key((settings.duration, parameters, initial, digest_of(model.signals)))
     given = None if faults else known.get(key)
     seconds = read_duration(model, parameters, settings.duration, faults) if given is None else given.seconds
     times = times_of(settings.output, seconds, faults)
@@ -206,9 +205,20 @@ def input_faults(model: Model, seconds: float, before: Sequence[Fault] = ()) -> 
 
 
 @per_model
-def _remembered(_: Model) -> dict[str, Given]:
-    """Inputs read before, by their text: it tells 1, True, 1.0 and "1" apart, and 0.0 and -0.0."""
+def _remembered(_: Model) -> dict[Hashable, Given]:
+    """Inputs read before, by `_key`."""
     return {}
+
+
+def _key(value: object) -> Hashable:
+    """Return a key that distinguishes 1, True, 1.0 and "1", 0.0 and -0.0; unique where none exists."""
+    if isinstance(value, Mapping):
+        return tuple((name, _key(each)) for name, each in value.items())
+    if isinstance(value, tuple):
+        return tuple(map(_key, value))
+    if isinstance(value, float):
+        return type(value), value.hex()
+    return (type(value), value) if isinstance(value, str | int | None) else object()
 
 
 def read_duration(

@@ -148,7 +148,7 @@ def test_a_law_of_a_file_is_taken_by_its_name(tmp_path, monkeypatch):
     file.write_text(FOAM.replace("d**1.5", "2*d**1.5"), encoding="utf-8")
     again = load("bouncing_ball", laws={"floor": "foam.toml(K=1e8 N/m^1.5)"}).module
     assert text_of(again) != text_of(once)  # the cache knows what is in the file
-    with pytest.raises(InputError, match=r"one of foam\.toml:foam"):
+    with pytest.raises(InputError, match=r"one of .*foam\.toml:foam"):
         load("bouncing_ball", laws={"floor": "foam.toml:wool(K=1 N/m)"})
     with pytest.raises(InputError, match=r"none\.toml"):
         load("bouncing_ball", laws={"floor": "none.toml"})

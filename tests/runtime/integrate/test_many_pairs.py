@@ -91,7 +91,8 @@ def test_a_pair_far_from_contact_costs_no_event_polynomial(monkeypatch):
             patched.setattr("hertzwerk.runtime.integrate.loop.advance.pairs_by_polynomial", every_pair)
             asked = each(lambda model, c=contacts: advance(model, layouts(model), table, c))
         assert lean < asked - 20
-        assert lean < 60  # of which half is for the time of the next landing
+        # half is for the time of the next landing, a fifth for gaps that come and go within the step
+        assert lean < 90
     assert each(lambda model: no_event_of_any_pair(model, layouts(model))) > 40  # called where a pair may be near
 
 

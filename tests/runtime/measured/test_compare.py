@@ -148,10 +148,10 @@ def test_all_faults_of_a_request_come_at_once(run):
     ("text", "ends"), [("-2..2 ms", (-2e-3, 2e-3)), ("0.1 s", (0.1, 0.1)), ("-1 us..1 ms", (-1e-6, 1e-3))]
 )
 def test_ranges_are_read_with_units(text, ends):
-    from hertzwerk.runtime.measured.asked import _range
+    from hertzwerk.runtime.measured.asked import read_between
 
     faults = []
-    assert _range("offset", text, "s", faults) == pytest.approx(ends) and not faults
+    assert read_between("offset", text, "s", faults) == pytest.approx(ends) and not faults
 
 
 def test_a_run_without_its_steps_is_refused(run):
