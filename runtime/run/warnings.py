@@ -46,7 +46,7 @@ def too_fast(model: Model, limits: np.ndarray, tally: Mapping[str, np.ndarray]) 
 
 def lost_grip(model: Model, bound: Bound, history: History) -> Iterator[str]:
     """Yield a warning of surfaces that roll where they would slip or part, at the kept times."""
-    if not model.rolling:
+    if not (model.rolling and len(history.t)):
         return
     held = dict(zip(map(constraint_force, model.constraints), history.held().T, strict=True))
     limits = iter(model.evaluate("rolling_limits", bound.p)[0])
@@ -61,7 +61,7 @@ def lost_grip(model: Model, bound: Bound, history: History) -> Iterator[str]:
         worst = int(np.argmin(normal))
         if normal[worst] < 0:
             yield f"{name} holds its surfaces together with {-normal[worst]:.3g} N at {history.t[worst]:.4g} s: they would part"
-        needed = np.hypot.reduce(along, axis=0) / np.where(normal > 0, normal, np.inf) if along else np.zeros(1)
+        needed = np.linalg.norm(along, axis=0) / np.where(normal > 0, normal, np.inf) if along else np.zeros(1)
         worst = int(np.argmax(needed))
         if needed[worst] > limit:
             yield (f"{name} needs a coefficient of friction of {needed[worst]:.3g} at {history.t[worst]:.4g} s, "

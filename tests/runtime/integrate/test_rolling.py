@@ -32,7 +32,7 @@ from hertzwerk.derive import (
     Z,
 )
 from hertzwerk.derive.laws import power
-from hertzwerk.runtime import equilibrium, load, modes, simulate
+from hertzwerk.runtime import equilibrium, load, modes, simulate, sweep
 
 BOTH = ("tree", "absolute")
 EXACT = 1e-9
@@ -77,9 +77,16 @@ def test_a_wheel_rolls_downhill_at_two_thirds_of_g_sin(coordinates, method):
 def test_a_run_warns_where_friction_could_not_hold_it():
     """The wheel needs tan(slope)/3 = 0.141."""
     assert not run(wheel(0.15)).warnings
-    (warning,) = run(wheel(mu), parameters={"mu": 0.13}).warnings
-    assert warning.startswith("tyre needs a coefficient of friction of 0.141 at ")
-    assert warning.endswith("more than 0.13: it would slip")
+    model = load(wheel(mu))
+    for slope in (0.4, -0.4):
+        found = simulate(model, duration=1.0, parameters={"mu": 0.13, "slope": f"{slope} rad"}, tolerance=1e-9)
+        (warning,) = found.warnings
+        assert warning.startswith("tyre needs a coefficient of friction of 0.141 at ")
+        assert warning.endswith("more than 0.13: it would slip")
+    assert (
+        sweep(model, {"mu": [0.13, 0.2]}, outputs=["final.ride.x"], duration=0.1)["outcome"].tolist()
+        == ["finished"] * 2
+    )
 
 
 def test_a_run_warns_where_the_surfaces_would_part():
