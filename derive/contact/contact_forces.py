@@ -271,7 +271,7 @@ class PairKinematics:
         return self._named(sub(rate, scale(along, self.touch.normal)), "slip")
 
     def _size(self, slip: Vector) -> tuple[Any, Any]:
-        """Size of the sliding velocity, and a positive one in its place at rest, where the root has no slope [m/s]."""
+        """Size of the sliding velocity, and one in its place at rest, where the root has no slope [m/s]."""
         square, pace = self.let(dot(slip, slip), "slip_squared"), sp.sympify(self.kin.scene.scales.speed)
         size = self.let(sp.sqrt(Where(square > 0, square, pace**2)), "slip_size")
         return self.let(Where(square > 0, size, 0), "sliding_velocity"), size
