@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from hertzwerk.derive.effects.effect import NOWHERE, Declared, Effect, Kinematics, Moving, PairEffect, SpeedConstraint
-from hertzwerk.derive.faults import Fault
-from hertzwerk.derive.mechanism.bodies import GROUND, Direction, Frame, Point, Slot
+from hertzwerk.derive.faults import Fault, shown
+from hertzwerk.derive.mechanism.bodies import GROUND, Body, Direction, Frame, Ground, Point, Slot
 from hertzwerk.derive.mechanism.parameter import NOT_NEGATIVE, Scalar
 
 SLIDING, ACROSS = "sliding_velocity", "side_velocity"
@@ -113,6 +113,12 @@ class KnifeEdge(Effect):
         """Yield the quantities of the point and the direction."""
         yield from self.point.slots()
         yield from self.across.slots(f"{self.where}, across")
+
+    def type_faults(self) -> Iterator[Fault]:
+        """Yield a fault of something that is no body to move on."""
+        yield from super().type_faults()
+        if not isinstance(self.on, Body | Ground):
+            yield Fault(f"{self.where}, on", shown(self.on), "a Body or GROUND")
 
     def faults(self, scene: Declared) -> Iterator[Fault]:
         """Yield a fault of an edge on its own body."""

@@ -208,6 +208,13 @@ def test_every_fault_of_rolling_and_edges_is_told_at_once():
     ]
 
 
+def test_an_edge_moves_on_a_body():
+    body = Body("sleigh", m, m * r**2)
+    edge = KnifeEdge("skate", body.at(0, 0, 0), X, on="ice")
+    with pytest.raises(InputError, match="effect skate, on: found 'ice'; expected a Body or GROUND"):
+        scene((Planar("ride", GROUND, body, normal=Z),), (), edge)
+
+
 def test_equations_for_people_have_what_rolls_in_a_section_of_its_own():
     text = str(load(wheel(mu)).equations())
     section = text[text.index("## Rolling and edges") :]
