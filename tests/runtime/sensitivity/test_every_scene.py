@@ -19,7 +19,7 @@ SHORT = {  # within the horizon of derivatives: with some impacts, before they h
     "cam_follower": "10 ms", "woodpecker": "20 ms", "andrews_squeezer": "3 ms", "geared_hoist": "0.2 s",
     "gears_with_backlash": "15 ms", "geneva_drive": "30 ms",
 }  # fmt: skip
-TELLING = ("restitution", "clearance", "friction", "mu", "mass", "gravity", "stiffness", "length")
+TELLING = ("restitution", "clearance", "friction", "mu", "mass", "gravity", "stiffness", "length", "inertia")
 BOUND = 2e-5  # of the largest derivative of a history: what the runs themselves err by, at their tolerances
 SEEN = 1e-8  # of a state, by a change of a parameter of its own size: less is the rounding of what is zero by structure
 
@@ -34,7 +34,7 @@ def test_a_scene(scene, coordinates, method):
         pytest.skip(str(refused).splitlines()[0])
     how = {"duration": SHORT.get(scene, "0.2 s"), "tolerance": METHODS[method], "method": method, "compiled": False}
     bound, units = model.bind(), si_units(model)
-    named = [name for name in model.parameters if bound[name] and any(part in name for part in TELLING)][:4]
+    named = [name for name in model.parameters if bound[name] and any(part in name for part in TELLING)][:5]
     named = named or [*model.parameters][:3]
     states = [*model.coordinates, *model.speeds]
     run = simulate(model, **how)
