@@ -16,10 +16,6 @@ from hertzwerk.derive.faults import Fault, shown
 from hertzwerk.derive.mechanism.bodies import GROUND, Body, Direction, Frame, Ground, Point, Slot
 from hertzwerk.derive.mechanism.parameter import NOT_NEGATIVE, Scalar
 
-SLIDING, ACROSS = "sliding_velocity", "side_velocity"
-ON_SPEEDS = SLIDING, ACROSS
-"""Names of constraints on speeds, after their effect's, but for a number of two tangents."""
-
 
 @dataclass(frozen=True)
 class RollingWithoutSlip(PairEffect):
@@ -69,7 +65,9 @@ class RollingWithoutSlip(PairEffect):
         yield SpeedConstraint("gap", touch.normal, point, bodies, -touch.penetration)
         tangents = touch.tangents
         for i, tangent in enumerate(tangents, 1):
-            yield SpeedConstraint(f"{SLIDING}_{i}" if len(tangents) > 1 else SLIDING, tangent, point, bodies)
+            yield SpeedConstraint(
+                f"sliding_velocity_{i}" if len(tangents) > 1 else "sliding_velocity", tangent, point, bodies
+            )
 
     def element(self, kin: Kinematics) -> None:
         """No element: its constraints are in the equations of motion."""
@@ -130,7 +128,7 @@ class KnifeEdge(Effect):
         """Yield that the point does not move across."""
         position, _, _ = kin.point(self.point, f"{self.name}_edge")
         across = kin.tape.vector(kin.direction(self.point, self.across), f"{self.name}_across")
-        yield SpeedConstraint(ACROSS, across, position, (self.point.body, self.on))
+        yield SpeedConstraint("side_velocity", across, position, (self.point.body, self.on))
 
     def element(self, kin: Kinematics) -> None:
         """No element: its constraint is in the equations of motion."""

@@ -19,7 +19,7 @@ from hertzwerk.derive.motion.kinematics import Kinematics
 from hertzwerk.derive.motion.links import Row
 from hertzwerk.derive.motion.loops import Constraint, Measured, closing_constraints, measured
 
-LENGTH_RATE = "m/s"  # unit of a constraint on a speed, which has no integral
+ON_SPEED = "m/s"  # unit of a constraint on a speed, which has no integral
 
 
 def constraints_of(kinematics: Kinematics) -> tuple[Constraint, ...]:
@@ -111,7 +111,7 @@ def _on_speeds(kinematics: Kinematics, effect: str, given: SpeedConstraint) -> C
     column = kinematics.generalised(given.direction, given.position, *given.bodies, name)
     return Constraint(
         f"{effect}.{given.name}",
-        LENGTH_RATE if given.distance is None else LENGTH,
+        ON_SPEED if given.distance is None else LENGTH,
         f"{effect}.{given.name}",
         sp.S.Zero if given.distance is None else given.distance,
         tape.let(dot(given.direction, velocity), f"{name}_rate"),

@@ -11,7 +11,7 @@ import sympy as sp
 from hertzwerk.derive.algebra.functions import Where
 from hertzwerk.derive.effects.couplings import Coupling
 from hertzwerk.derive.effects.effect import Effect
-from hertzwerk.derive.effects.nonholonomic import ON_SPEEDS, KnifeEdge, RollingWithoutSlip
+from hertzwerk.derive.effects.nonholonomic import KnifeEdge, RollingWithoutSlip
 from hertzwerk.derive.program.program import Function, Program, Result, symbols_in
 from hertzwerk.derive.readable.symbols import Names, contact_title, words
 
@@ -74,6 +74,7 @@ class Drafts:
     def __init__(self, program: Program, names: Names) -> None:
         self._program, self._names, self._tape = program, names, program.tape
         self._effects = {effect.name: effect for effect in program.scene.effects}
+        self._on_speeds = [name for name, unit in program.tables.get("CONSTRAINTS", ()) if unit == "m/s"]
         self.added: dict[sp.Symbol, Any] = {}
 
     def all(self) -> list[Draft]:
@@ -139,7 +140,7 @@ class Drafts:
             section, holds = ROLLING, "surfaces touch"
         text = f"rate of {label}, zero too" if rate else f"{label}, zero while the {holds}"
         left = rf"{_RATE}\Phi_{{{_label(label)}}}" if rate else rf"\Phi_{{{_label(label)}}}"
-        if label.split(".")[-1].startswith(ON_SPEEDS):
+        if label in self._on_speeds:
             if not rate:
                 return
             text, left = f"{label}, zero", _label(label)

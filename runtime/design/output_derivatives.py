@@ -89,7 +89,8 @@ class OutputDerivatives:
         if not some:
             return np.zeros(len(self.of.names))
         top = max(some, key=lambda i: getattr(self.run.impacts[i], what))
-        return np.array([self.of.impacts(what, name)[top] for name in self.of.names])
+        found: np.ndarray = self.of.along_impacts(what)[top]
+        return found
 
     # -- integrals ---------------------------------------------------------------------------------------------------
 

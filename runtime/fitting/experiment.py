@@ -113,20 +113,18 @@ class Observed:
             found[rows] = _numbered(values, self.at[rows], np.nan) - offset * (parts_of(channel.history)[1] == "t")
         return found
 
-    def slopes(self, run: Solution, of: Sensitivities, names: Sequence[str], offset: float) -> Array:
-        """Return the derivatives of what is predicted (n, names) [SI]; nan where there are none."""
-        found = np.full((len(self.at), len(names)), np.nan)
+    def slopes(self, run: Solution, of: Sensitivities, offset: float) -> Array:
+        """Return the derivatives of what is predicted (n, P) [SI]; nan where there are none."""
+        found = np.full((len(self.at), len(of.names)), np.nan)
         if not self.by_impacts:
             times = self.at + offset
             inside = (times >= run.t_start) & (times <= min(run.t_end, of.until))
             for history, rows in self._by_times(inside):
-                for j, name in enumerate(names):
-                    found[rows, j] = of.at(times[rows], history, name)
-            return found
-        for k, channel in enumerate(self.channels):
-            rows = self.column == k
-            for j, name in enumerate(names):
-                found[rows, j] = _numbered(of_impacts(run, channel.history, (of, name)), self.at[rows], np.nan)
+                found[rows] = of.along(times[rows], history)
+        else:
+            for k, channel in enumerate(self.channels):
+                rows = self.column == k
+                found[rows] = _numbered(of_impacts(run, channel.history, of), self.at[rows], np.nan)
         return found
 
     def rates(self, run: Solution, offset: float) -> Array:
@@ -153,7 +151,7 @@ def _numbered(values: Array, numbers: Array, otherwise: float) -> Array:
     """Return the values of numbered impacts, counted from 1."""
     places = numbers.astype(int) - 1
     there = places < len(values)
-    found = np.full(len(numbers), otherwise)
+    found = np.full((len(numbers), *values.shape[1:]), otherwise)
     found[there] = values[places[there]]
     return found
 

@@ -171,7 +171,7 @@ class Forward:
             return np.full((len(each.at), len(names)), np.nan)
         if of.reason:
             self.without_exact.add(f"t = {of.until:.6g} s: {of.reason}")
-        return each.slopes(run, of, names, offset)
+        return each.slopes(run, of, offset)
 
     def _differences(self, x: Array) -> Array:
         """Return central differences in place of derivatives (n, free), on the scale of the search."""

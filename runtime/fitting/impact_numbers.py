@@ -50,26 +50,25 @@ def onsets(run: Solution, name: str) -> Array:
     return np.array([impact.t for impact in run.impacts if pair in ("", impact.contact)])
 
 
-def of_impacts(run: Solution, name: str, by: tuple[Sensitivities, str] | None = None) -> Array:
-    """Return one number of each impact (impacts,) [SI], or its derivative by a name of the sensitivities."""
+def of_impacts(run: Solution, name: str, by: Sensitivities | None = None) -> Array:
+    """Return one number of each impact (impacts,), or its derivatives (impacts, P) by all names, SI."""
     pair, what = parts_of(name)
     chosen = [i for i, impact in enumerate(run.impacts) if not pair or impact.contact == pair]
     if what.startswith(REBOUND):
         return _rebounds(run, what.removeprefix(REBOUND), [run.impacts[i].t for i in chosen], by)
     if by is not None:
-        of, to = by
-        return np.asarray(of.impacts(what, to))[chosen]
+        return np.asarray(by.along_impacts(what))[chosen]
     return np.array([getattr(run.impacts[i], what) for i in chosen], dtype=float)
 
 
-def _rebounds(run: Solution, history: str, onsets: list[float], by: tuple[Sensitivities, str] | None) -> Array:
-    """Return the largest values of a history between onsets [s], or their derivatives.
+def _rebounds(run: Solution, history: str, onsets: list[float], by: Sensitivities | None) -> Array:
+    """Return the largest values of a history between onsets [s], or their derivatives by all names.
 
     A largest value within an interval changes as the history does at its time. The last impact has none: the run may end before.
     """
     from scipy.optimize import minimize_scalar  # slow to import
 
-    found = np.full(len(onsets), np.nan)
+    found = np.full(len(onsets) if by is None else (len(onsets), len(by.names)), np.nan)
     steps = run.with_steps().t
     for i, (start, end) in enumerate(pairwise(onsets)):
         nodes = np.unique(np.concatenate([[start, end], steps[(steps > start) & (steps < end)]]))
@@ -87,6 +86,6 @@ def _rebounds(run: Solution, history: str, onsets: list[float], by: tuple[Sensit
         at, value = (float(best.x), -float(best.fun)) if -best.fun > values[top] else (float(times[top]), values[top])
         if by is None:
             found[i] = value
-        elif at <= by[0].until:
-            found[i] = by[0].at(np.array([at]), history, by[1])[0]
+        elif at <= by.until:
+            found[i] = by.along(np.array([at]), history)[0]
     return found

@@ -112,13 +112,17 @@ class Sensitivities:
 
         nan for the onset of a contact that the run began with, and beyond `until`.
         """
-        column, onsets = self._column(to), []
+        return self.along_impacts(what)[:, self._column(to)]
+
+    def along_impacts(self, what: str) -> np.ndarray:
+        """Return the derivatives (impacts, P) of one number of the impacts by all `names`."""
+        onsets = []
         for pair, mode in enumerate(self.history.part("mode").T):
             touching = goes_on(mode, False)
             rows = np.flatnonzero(touching & ~np.concatenate([[False], touching[:-1]]))
             onsets += [(int(row), pair) for row in rows]
         of = self._peaks if what in PEAKS else self._onset
-        changes: np.ndarray = of(what, *np.array(sorted(onsets), dtype=int).reshape(-1, 2).T)[:, column]
+        changes: np.ndarray = of(what, *np.array(sorted(onsets), dtype=int).reshape(-1, 2).T)
         return changes
 
     # -- how it is found ---------------------------------------------------------------------------------------------
