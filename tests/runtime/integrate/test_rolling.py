@@ -3,12 +3,17 @@
 import numpy as np
 import pytest
 import sympy as sp
+from scipy.special import ellipeinc, ellipk
 
 from hertzwerk.derive import (
     GROUND,
+    Arc,
     Body,
+    CircleOnCurve,
     ConstantSpeed,
     Contact,
+    Curve,
+    CurveOnCurve,
     Direction,
     EnergyLedger,
     Free,
@@ -17,11 +22,13 @@ from hertzwerk.derive import (
     JointSpring,
     KnifeEdge,
     Mechanism,
+    Outline,
     Parameter,
     Planar,
     Revolute,
     RimOnPlane,
     RollingWithoutSlip,
+    S,
     Scales,
     Scene,
     SphereOnPlane,
@@ -107,6 +114,55 @@ def test_a_run_warns_where_the_surfaces_would_part():
     assert found["rolls.normal_force"] == pytest.approx(force, abs=1e-7)
     (warning,) = found.warnings
     assert warning.startswith("rolls holds its surfaces together with ")
+
+
+WIDE, LIFT = Parameter("wide", "m", 1.0), Parameter("lift", "rad", 1.2)
+TROUGHS = {
+    "curve": Curve("trough", WIDE * sp.cos(S), WIDE * sp.sin(S), hole=True),
+    "outline": Outline("trough", (WIDE, 0), [Arc((-WIDE, 0), (0, 0), clockwise=True)], closed=False),
+}
+
+
+@pytest.mark.parametrize("trough", TROUGHS.values(), ids=TROUGHS)
+def test_a_cylinder_rolls_in_a_trough_as_a_pendulum(trough):
+    """Of length 3 (R - r)/2: its period by an elliptic integral and, of small vibrations, 2 pi sqrt(3 (R - r)/(2 g)); its forces."""
+    body = Body("cylinder", m, m * r**2 / 2)
+    pair = CircleOnCurve("bed", body.at(0, 0, 0), r, trough, GROUND.at(0, 0, 0))
+    joints, effects = (
+        (Planar("ride", GROUND, body, normal=Z),),
+        (Gravity("gravity", g, direction=-Y), RollingWithoutSlip("rolls", "bed")),
+    )
+    start = {"ride.x": (WIDE - r) * sp.sin(LIFT), "ride.y": (r - WIDE) * sp.cos(LIFT)}  # fmt: skip
+    declared = scene(joints, (pair,), *effects, position=start)
+    slow = np.sqrt(3 * 0.7 / (2 * 9.81))
+    found = run(declared, duration=4 * slow * ellipk(np.sin(0.6) ** 2))
+    assert found["ride.x"][-1] == pytest.approx(0.7 * np.sin(1.2), abs=EXACT)
+    cosine, sine = -found["ride.y"] / 0.7, found["ride.x"] / 0.7
+    assert found["rolls.normal_force"] == pytest.approx(2 * 9.81 * (7 * cosine - 4 * np.cos(1.2)) / 3, abs=1e-7)
+    assert np.abs(found["rolls.friction_force"]) == pytest.approx(np.abs(2 * 9.81 * sine / 3), abs=1e-7)
+    assert modes(load(declared), parameters={"lift": "0 rad"}).frequencies[0] == pytest.approx(1 / (2 * np.pi * slow))
+
+
+@pytest.mark.parametrize("coordinates", BOTH)
+def test_an_ellipse_rolls_on_a_line_by_its_length(coordinates):
+    """Its middle is sqrt(a^2 sin^2 + b^2 cos^2) high, and gets as far as the arc that it has unrolled and its foot's lead."""
+    (a, b), egg = (0.4, 0.25), Body("egg", m, m * r**2 / 2)
+    floor = Curve("floor", -4 * r * S, 0 * r, -1, 1, closed=False)
+    oval = Curve("oval", Parameter("a", "m", a) * sp.cos(S), Parameter("b", "m", b) * sp.sin(S))
+    pair = CurveOnCurve("bed", oval, egg.at(0, 0, 0), floor, GROUND.at(0, 0, 0))
+    joints, effects = (
+        (Planar("ride", GROUND, egg, normal=Z),),
+        (Gravity("gravity", g, direction=-Y), RollingWithoutSlip("rolls", "bed")),
+    )
+    start = {"position": {"ride.x": 0 * r, "ride.y": Parameter("low", "m", b)}, "speed": {"ride.x": -pace}}  # fmt: skip
+    found = run(scene(joints, (pair,), *effects, **start), coordinates, duration=0.35)
+    angle = found["ride.angle"]
+    high = np.hypot(a * np.sin(angle), b * np.cos(angle))
+    assert found["ride.y"] == pytest.approx(high, abs=EXACT)
+    lead = (a**2 - b**2) * np.sin(angle) * np.cos(angle) / high
+    unrolled = a * ellipeinc(np.arctan2(a * np.sin(angle), b * np.cos(angle)), 1 - (b / a) ** 2)
+    assert angle[-1] > 0.7
+    assert found["ride.x"] == pytest.approx(lead - unrolled, abs=EXACT)
 
 
 def turntable(**start) -> Scene:
